@@ -1,0 +1,245 @@
+//! Every planner and its parameters, one line each; nothing else lists planners.
+
+use std::sync::Arc;
+
+use serde::{Serialize, Serializer, ser::SerializeStruct};
+
+use crate::{
+    error::Error,
+    frame::{Role, Shape},
+    params::{Domain, Parameter, Settings},
+    scene::{Kind, Scene, shipped_names},
+    session::AnyPlanner,
+    swarm,
+};
+
+/// All planners, in the order in which they are offered.
+pub const PLANNERS: &[Entry] = &[swarm::wcpso::ENTRY, swarm::pso::ENTRY, swarm::wpso::ENTRY, swarm::cpso::ENTRY];
+
+/// Starts a run: refuses everything that can be refused.
+pub type Start = fn(&Arc<Scene>, &Settings, u64) -> Result<Box<dyn AnyPlanner>, Error>;
+
+/// What there is to know about a planner.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// The name in commands and links.
+    pub name: &'static str,
+    /// The name for people.
+    pub title: &'static str,
+    /// What it belongs to.
+    pub family: &'static str,
+    /// Where it comes from, e.g. `[WCPSO] §2`.
+    pub source: &'static str,
+    /// A sentence or two.
+    pub summary: &'static str,
+    /// The kinds of scene it runs on.
+    pub kinds: &'static [Kind],
+    /// Its parameters; every planner has `iterations`.
+    pub parameters: &'static [Parameter],
+    /// The numbers it tells after each iteration.
+    pub readings: &'static [Reading],
+    /// The equations it carries out.
+    pub formulas: &'static [Formula],
+    /// The layers it draws, in drawing order.
+    pub layers: &'static [Layer],
+    /// How a run begins.
+    pub start: Start,
+}
+
+/// A number that a planner tells after each iteration.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Reading {
+    /// Its name in readings, traces and formulas.
+    pub name: &'static str,
+    /// TeX.
+    pub symbol: &'static str,
+    /// A few words.
+    pub title: &'static str,
+    /// What it says.
+    pub help: &'static str,
+    /// Where it belongs.
+    pub group: Group,
+}
+
+/// What a reading belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Group {
+    /// A cost: drawn in the convergence chart.
+    Cost,
+    /// A parameter that changes over the iterations.
+    Schedule,
+    /// How many of something.
+    Count,
+}
+
+/// An equation.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Formula {
+    /// An identifier within the planner.
+    pub name: &'static str,
+    /// Where it comes from, e.g. `[WCPSO] (3)`.
+    pub source: &'static str,
+    /// A few words.
+    pub title: &'static str,
+    /// TeX, as in the paper.
+    pub tex: &'static str,
+    /// TeX with `@name@` where a number of the moment goes.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    pub live: &'static str,
+    /// Where those numbers come from.
+    pub scope: Scope,
+}
+
+/// Where a formula's numbers come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Scope {
+    /// The readings of the iteration, and the parameters.
+    Iteration,
+    /// An inspection's values.
+    Item,
+}
+
+/// A layer that a planner draws.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Layer {
+    /// What it shows.
+    pub role: Role,
+    /// For a legend.
+    pub title: &'static str,
+    /// A sentence.
+    pub help: &'static str,
+    /// Drawn without being asked for.
+    pub on: bool,
+    /// Its pieces can be inspected.
+    pub pickable: bool,
+}
+
+/// The entry of this name.
+///
+/// # Errors
+/// [`Error::Unknown`] with the names that exist.
+pub fn find(name: &str) -> Result<&'static Entry, Error> {
+    PLANNERS.iter().find(|entry| entry.name == name).ok_or_else(|| Error::unknown("planner", name, PLANNERS.iter().map(|e| e.name)))
+}
+
+impl Entry {
+    /// Refuses a kind of scene that this planner does not run on.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] with the kinds it runs on.
+    pub fn check_kind(&self, kind: Kind) -> Result<(), Error> {
+        if self.kinds.contains(&kind) {
+            return Ok(());
+        }
+        let kinds: Vec<_> = self.kinds.iter().map(|k| k.name()).collect();
+        Err(Error::Unsupported { planner: self.name.to_owned(), kind: kind.name().to_owned(), kinds: kinds.join(", ") })
+    }
+
+    /// The parameters that mean something on this kind of scene.
+    pub fn parameters_on(&self, kind: Kind) -> impl Iterator<Item = &'static Parameter> {
+        self.parameters.iter().filter(move |p| p.applies_to(kind))
+    }
+}
+
+/// The whole catalogue as it crosses to the page and to `forage list --json`.
+#[derive(Debug, Serialize)]
+pub struct Catalogue {
+    version: &'static str,
+    planners: Vec<EntryView>,
+    scenes: Vec<&'static Scene>,
+    roles: [&'static str; Role::ALL.len()],
+    shapes: [&'static str; Shape::ALL.len()],
+    /// Every TeX string that can appear outside a formula, so that pages can typeset them when they are built.
+    symbols: Vec<&'static str>,
+}
+
+/// The whole catalogue.
+pub fn catalogue() -> Catalogue {
+    let mut symbols: Vec<_> = PLANNERS
+        .iter()
+        .flat_map(|e| e.parameters.iter().map(|p| p.symbol).chain(e.readings.iter().map(|r| r.symbol)))
+        .chain(swarm::SYMBOLS.iter().copied())
+        .filter(|symbol| !symbol.is_empty())
+        .collect();
+    symbols.sort_unstable();
+    symbols.dedup();
+    Catalogue {
+        version: env!("CARGO_PKG_VERSION"),
+        planners: PLANNERS.iter().map(EntryView).collect(),
+        scenes: shipped_names().map(|scene| &**scene).collect(),
+        roles: Role::ALL.map(Role::name),
+        shapes: Shape::ALL.map(Shape::name),
+        symbols,
+    }
+}
+
+/// An entry without its function.
+#[derive(Debug)]
+struct EntryView(&'static Entry);
+
+impl Serialize for EntryView {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let entry = self.0;
+        let parameters: Vec<_> = entry.parameters.iter().map(|p| ParameterView { parameter: p, planner: entry }).collect();
+        let mut out = serializer.serialize_struct("Planner", 10)?;
+        out.serialize_field("name", entry.name)?;
+        out.serialize_field("title", entry.title)?;
+        out.serialize_field("family", entry.family)?;
+        out.serialize_field("source", entry.source)?;
+        out.serialize_field("summary", entry.summary)?;
+        out.serialize_field("kinds", entry.kinds)?;
+        out.serialize_field("parameters", &parameters)?;
+        out.serialize_field("readings", entry.readings)?;
+        out.serialize_field("formulas", entry.formulas)?;
+        out.serialize_field("layers", entry.layers)?;
+        out.end()
+    }
+}
+
+struct ParameterView {
+    parameter: &'static Parameter,
+    planner: &'static Entry,
+}
+
+impl Serialize for ParameterView {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let p = self.parameter;
+        let kinds: Vec<Kind> = self.planner.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
+        let defaults: std::collections::BTreeMap<_, _> = p.defaults.iter().map(|&(kind, value)| (kind.name(), value)).collect();
+        let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(Kind::Function));
+        let mut out = serializer.serialize_struct("Parameter", 14)?;
+        out.serialize_field("name", p.name)?;
+        out.serialize_field("symbol", p.symbol)?;
+        out.serialize_field("title", p.title)?;
+        out.serialize_field("help", p.help)?;
+        out.serialize_field("default", &general)?;
+        out.serialize_field("defaults", &defaults)?;
+        out.serialize_field("kinds", &kinds)?;
+        match p.domain {
+            Domain::Number { min, max, .. } => {
+                out.serialize_field("type", "number")?;
+                out.serialize_field("min", &min)?;
+                out.serialize_field("max", &max)?;
+            }
+            Domain::Integer { min, max, .. } => {
+                out.serialize_field("type", "integer")?;
+                out.serialize_field("min", &min)?;
+                out.serialize_field("max", &max)?;
+                out.serialize_field("step", &1)?;
+            }
+            Domain::Choice { options } => {
+                out.serialize_field("type", "choice")?;
+                out.serialize_field("options", options)?;
+            }
+            Domain::Flag { .. } => out.serialize_field("type", "flag")?,
+        }
+        if let Some((low, high)) = p.slider {
+            out.serialize_field("soft_min", &low)?;
+            out.serialize_field("soft_max", &high)?;
+            out.serialize_field("logarithmic", &p.logarithmic)?;
+        }
+        out.end()
+    }
+}

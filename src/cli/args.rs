@@ -1,0 +1,63 @@
+//! What can be typed.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// A laboratory for path planners: the same runs as in the page, bit for bit.
+#[derive(Parser)]
+#[command(name = "forage", version, propagate_version = true)]
+pub(super) struct Cli {
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
+
+#[derive(Subcommand)]
+pub(super) enum Command {
+    /// List planners with their parameters, and the scenes that ship.
+    List {
+        /// The whole catalogue as JSON.
+        #[arg(long)]
+        json: bool,
+    },
+    /// Run a planner on a scene and judge what it found.
+    #[command(after_help = super::list::after_help())]
+    Run(RunArgs),
+    /// The exact optimum of a scene.
+    Exact {
+        /// A scene file, a shipped scene's name, or a link.
+        #[arg(long, value_name = "FILE|NAME|LINK")]
+        scene: String,
+        /// As JSON: length and path.
+        #[arg(long)]
+        json: bool,
+    },
+}
+
+#[derive(Args)]
+pub(super) struct RunArgs {
+    /// The planner's name (or a link, which names planner and scene). May be left out when --scene is a link.
+    #[arg(value_name = "PLANNER|LINK")]
+    pub(super) planner: Option<String>,
+    /// A scene file, a shipped scene's name, or a link from the page.
+    #[arg(long, value_name = "FILE|NAME|LINK")]
+    pub(super) scene: Option<String>,
+    /// 0 to 9007199254740991, or `random` for a fresh one. Default 1, or the link's.
+    #[arg(long, value_name = "N")]
+    pub(super) seed: Option<String>,
+    /// The iteration limit: short for --set iterations=N.
+    #[arg(long, value_name = "N")]
+    pub(super) iterations: Option<String>,
+    /// A parameter; may be given many times. `forage list` names them.
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub(super) set: Vec<String>,
+    /// Print one JSON object.
+    #[arg(long)]
+    pub(super) json: bool,
+    /// Write a picture of the result.
+    #[arg(long, value_name = "FILE")]
+    pub(super) svg: Option<PathBuf>,
+    /// Write the readings of every iteration as CSV.
+    #[arg(long, value_name = "FILE")]
+    pub(super) trace: Option<PathBuf>,
+}

@@ -1,0 +1,66 @@
+//! The shell face, the only place that knows clap.
+//!
+//! Exit codes: 0 a feasible result, 1 none found, 2 the input was refused (message on standard error, nothing on
+//! standard output).
+
+mod args;
+mod exact;
+mod list;
+mod load;
+mod run;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Cli, Command};
+
+/// What a command ended with.
+type Outcome = Result<ExitCode, Failure>;
+
+/// Why a command did not do what it was asked.
+enum Failure {
+    /// The input was refused: exit code 2.
+    Refused(forage::Error),
+    /// A file could not be read or written.
+    File(String, std::io::Error),
+}
+
+impl From<forage::Error> for Failure {
+    fn from(error: forage::Error) -> Self {
+        Self::Refused(error)
+    }
+}
+
+impl std::fmt::Display for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Refused(error) => error.fmt(f),
+            Self::File(path, error) => write!(f, "{path}: {error}"),
+        }
+    }
+}
+
+/// Runs the command line and says how it went.
+pub(crate) fn main() -> ExitCode {
+    let outcome = match Cli::parse().command {
+        Command::List { json } => list::list(json),
+        Command::Run(args) => run::run(&args),
+        Command::Exact { scene, json } => exact::exact(&scene, json),
+    };
+    outcome.unwrap_or_else(|failure| {
+        eprintln!("forage: {failure}");
+        ExitCode::from(2)
+    })
+}
+
+/// Prints to standard output; a reader that has gone away (`forage list | head`) is no error.
+fn print(text: &str) {
+    use std::io::Write;
+    let _ = writeln!(std::io::stdout(), "{}", text.trim_end());
+}
+
+fn print_json(value: &impl serde::Serialize) {
+    // Everything that is printed is made of plain numbers and texts: this cannot fail. NaN becomes null.
+    print(&serde_json::to_string_pretty(value).unwrap_or_default());
+}

@@ -1,0 +1,150 @@
+//! `forage run`.
+
+use std::{
+    fmt::Write,
+    fs::File,
+    io,
+    path::Path,
+    process::ExitCode,
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+    time::Duration,
+};
+
+use forage::{Outcome, Session, Status, frame::Role, picture};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+
+use super::{Failure, args::RunArgs, load, print, print_json};
+
+/// The outcome and what only the shell knows.
+#[derive(Serialize)]
+struct Report {
+    #[serde(flatten)]
+    outcome: Outcome,
+    elapsed_ms: f64,
+}
+
+pub(super) fn run(args: &RunArgs) -> super::Outcome {
+    let task = load::task(args)?;
+    let mut session = Session::with_keyframes(task.setup, 0)?;
+    let elapsed_ms = carry_out(&mut session, task.stop_at, args.trace.as_deref())?;
+    let outcome = session.outcome();
+    if let Some(path) = &args.svg {
+        let roles: Vec<_> = session.entry().layers.iter().filter(|layer| layer.on).map(|layer| layer.role).chain([Role::Exact]).collect();
+        std::fs::write(path, picture::svg(&session, false, &roles)).map_err(|error| file(path, error))?;
+    }
+    if let Some(promised) = task.promised.filter(|promised| *promised != outcome.hash) {
+        eprintln!("forage: the link promises the hash {promised}, this run has {}", outcome.hash);
+    }
+    let feasible = outcome.feasible;
+    if args.json {
+        print_json(&Report { outcome, elapsed_ms });
+    } else {
+        print(&summary(&outcome, elapsed_ms));
+    }
+    Ok(ExitCode::from(u8::from(!feasible)))
+}
+
+/// Steps to the end, to `stop_at`, or to Ctrl-C, whichever comes first. Returns the milliseconds it took.
+#[expect(clippy::disallowed_types, reason = "the shell tells how long a run took; no planner sees it")]
+fn carry_out(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) -> Result<f64, Failure> {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    // A second Ctrl-C ends the program at once; without a handler (none could be set) the first does.
+    let _ = ctrlc::set_handler(move || {
+        if flag.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    let end = stop_at.unwrap_or(u64::MAX).min(session.limit());
+    let bar = progress(end);
+    let mut rows = trace.map(|path| File::create(path).map(csv::Writer::from_writer).map_err(|error| file(path, error))).transpose()?;
+    let begun = std::time::Instant::now();
+    loop {
+        if let (Some(rows), Some(path)) = (&mut rows, trace) {
+            write_row(rows, session).map_err(|error| file(path, error))?;
+        }
+        bar.set_position(session.iteration());
+        let done = session.iteration() >= end || session.status() != Status::Running;
+        if done || interrupted.load(Ordering::Relaxed) {
+            break;
+        }
+        session.step(1);
+    }
+    let elapsed = begun.elapsed();
+    bar.finish_and_clear();
+    if let (Some(rows), Some(path)) = (&mut rows, trace) {
+        rows.flush().map_err(|error| file(path, error))?;
+    }
+    if interrupted.load(Ordering::Relaxed) {
+        eprintln!("forage: interrupted at iteration {}; this is the best so far", session.iteration());
+    }
+    Ok(elapsed.as_secs_f64() * 1e3)
+}
+
+/// A bar on standard error that shows itself only on a terminal, and only when a run takes longer than a moment.
+fn progress(end: u64) -> ProgressBar {
+    let bar = ProgressBar::new(end);
+    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} iterations, {eta} left") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}
+
+fn write_row(rows: &mut csv::Writer<File>, session: &mut Session) -> io::Result<()> {
+    let iteration = session.iteration();
+    let readings = session.readings();
+    if iteration == 0 {
+        rows.write_record(["iteration"].into_iter().chain(readings.iter().map(|(name, _)| name)))?;
+    }
+    rows.write_record([iteration.to_string()].into_iter().chain(readings.iter().map(|(_, value)| value.to_string())))?;
+    Ok(())
+}
+
+fn file(path: &Path, error: io::Error) -> Failure {
+    Failure::File(path.display().to_string(), error)
+}
+
+fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
+    let status = format!("{:?}", outcome.status).to_lowercase();
+    let mut text = format!(
+        "{} on {}, seed {}: {status} after {} iterations, {} evaluations, {elapsed_ms:.1} ms\n",
+        outcome.planner, outcome.scene, outcome.seed, outcome.iterations, outcome.evaluations
+    );
+    match (outcome.length, outcome.cost) {
+        (Some(length), _) => {
+            let _ = writeln!(text, "  length     {length}");
+        }
+        (None, Some(cost)) => {
+            let _ = writeln!(text, "  cost       {cost:e}");
+        }
+        (None, None) => text.push_str("  nothing found\n"),
+    }
+    if let Some(exact) = outcome.exact {
+        let gap = outcome.gap.map_or(String::new(), |gap| format!(" ({:+.4} %)", gap * 100.0));
+        let _ = writeln!(text, "  optimum    {exact}{gap}");
+    }
+    match outcome.clearance {
+        Some(clearance) if outcome.feasible => {
+            let _ = writeln!(text, "  free       yes, clearance {clearance:.6}");
+        }
+        Some(clearance) => {
+            let _ = writeln!(text, "  free       NO, it cuts {:.6} deep into an obstacle", -clearance);
+        }
+        None => {}
+    }
+    if let Some(path) = &outcome.path {
+        let points: Vec<_> = path.iter().map(|[x, y]| format!("({x:.4}, {y:.4})")).collect();
+        let _ = writeln!(text, "  path       {}", points.join(" → "));
+    }
+    if let Some(position) = &outcome.position {
+        let numbers: Vec<_> = position.iter().map(|x| format!("{x:.6e}")).collect();
+        let _ = writeln!(text, "  position   ({})", numbers.join(", "));
+    }
+    let _ = writeln!(text, "  hash       {}", outcome.hash);
+    text
+}

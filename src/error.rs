@@ -1,0 +1,112 @@
+//! One error type: the field, the value and what is allowed.
+
+use std::fmt;
+
+/// Why an input was refused. Every variant says what to change.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A field's value is outside what is allowed.
+    Refused {
+        /// Where it stands, e.g. `population` or `discs[2].radius`.
+        field: String,
+        /// What was given.
+        value: String,
+        /// What would be accepted.
+        allowed: String,
+    },
+    /// A name that means nothing here: a planner, a parameter, a shipped scene, a field.
+    Unknown {
+        /// What kind of name it should have been, e.g. `planner`.
+        field: String,
+        /// What was given.
+        value: String,
+        /// The names that exist.
+        known: String,
+    },
+    /// The planner does not run on this kind of scene.
+    Unsupported {
+        /// The planner's name.
+        planner: String,
+        /// The scene's kind.
+        kind: String,
+        /// The kinds it runs on.
+        kinds: String,
+    },
+    /// A text that is not what it should be (JSON, a link).
+    Malformed {
+        /// What was read, e.g. `scene` or `link`.
+        field: String,
+        /// What is wrong with it, and where.
+        problem: String,
+    },
+}
+
+impl Error {
+    /// A field's value is outside what is allowed.
+    pub fn refused(field: impl Into<String>, value: impl fmt::Display, allowed: impl Into<String>) -> Self {
+        Self::Refused { field: field.into(), value: value.to_string(), allowed: allowed.into() }
+    }
+
+    /// A name that is not one of `known`.
+    pub fn unknown<'a>(field: &str, value: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+        let known: Vec<&str> = known.into_iter().collect();
+        Self::Unknown { field: field.to_owned(), value: value.to_owned(), known: known.join(", ") }
+    }
+
+    /// A text that cannot be read.
+    pub fn malformed(field: &str, problem: impl fmt::Display) -> Self {
+        Self::Malformed { field: field.to_owned(), problem: problem.to_string() }
+    }
+
+    /// The field that is wrong.
+    pub fn field(&self) -> &str {
+        match self {
+            Self::Refused { field, .. } | Self::Unknown { field, .. } | Self::Malformed { field, .. } => field,
+            Self::Unsupported { .. } => "planner",
+        }
+    }
+
+    /// The value that was given, as text.
+    pub fn value(&self) -> &str {
+        match self {
+            Self::Refused { value, .. } | Self::Unknown { value, .. } => value,
+            Self::Unsupported { planner, .. } => planner,
+            Self::Malformed { .. } => "",
+        }
+    }
+
+    /// What would be accepted.
+    pub fn allowed(&self) -> &str {
+        match self {
+            Self::Refused { allowed, .. } => allowed,
+            Self::Unknown { known, .. } => known,
+            Self::Unsupported { kinds, .. } => kinds,
+            Self::Malformed { problem, .. } => problem,
+        }
+    }
+
+    /// The same error, its field prefixed: `radius` becomes `discs[2].radius`.
+    #[must_use]
+    pub fn within(mut self, prefix: &str) -> Self {
+        if let Self::Refused { field, .. } | Self::Unknown { field, .. } | Self::Malformed { field, .. } = &mut self {
+            *field = if field.is_empty() { prefix.to_owned() } else { format!("{prefix}.{field}") };
+        }
+        self
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Refused { field, value, allowed } => write!(f, "{field}: {value} is not allowed; it must be {allowed}"),
+            Self::Unknown { field, value, known } => write!(f, "{field}: there is no `{value}`; known: {known}"),
+            Self::Unsupported { planner, kind, kinds } => {
+                write!(f, "planner: {planner} does not run on scenes of kind {kind}, only on: {kinds}")
+            }
+            Self::Malformed { field, problem } => write!(f, "{field}: {problem}"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}

@@ -1,0 +1,235 @@
+//! What a planner looks like now: layers of vertices in one buffer, and a table that says what is what.
+
+use serde::Serialize;
+
+/// What a layer shows. The page has a style for each role and knows no planner by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[repr(u32)]
+pub enum Role {
+    /// A swarm's members: points, or the paths they stand for.
+    Particles,
+    /// Each member's velocity: from where it is to where it alone would take it.
+    Velocities,
+    /// The best that each member has found.
+    PersonalBests,
+    /// The best that the planner has found: its result.
+    Best,
+    /// Members that the hen equation moved in this iteration, [WCPSO] (9).
+    Hen,
+    /// Members that the chick equation moved in this iteration, [WCPSO] (12).
+    Chick,
+    /// The exact optimum.
+    Exact,
+    /// In an inspection: what is left of the old velocity.
+    Inertia,
+    /// In an inspection: the pull of the personal best.
+    Cognitive,
+    /// In an inspection: the pull of the global best.
+    Social,
+    /// In an inspection: the sum, as it was carried out.
+    Velocity,
+    /// In an inspection: a jump that a perturbation made.
+    Jump,
+    /// In an inspection: where the item was.
+    Before,
+    /// In an inspection: where the item is.
+    After,
+}
+
+impl Role {
+    /// Every role, in the order of their numbers.
+    pub const ALL: [Self; 14] = [
+        Self::Particles,
+        Self::Velocities,
+        Self::PersonalBests,
+        Self::Best,
+        Self::Hen,
+        Self::Chick,
+        Self::Exact,
+        Self::Inertia,
+        Self::Cognitive,
+        Self::Social,
+        Self::Velocity,
+        Self::Jump,
+        Self::Before,
+        Self::After,
+    ];
+
+    /// The name that the page and the pictures use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Particles => "particles",
+            Self::Velocities => "velocities",
+            Self::PersonalBests => "personal-bests",
+            Self::Best => "best",
+            Self::Hen => "hen",
+            Self::Chick => "chick",
+            Self::Exact => "exact",
+            Self::Inertia => "inertia",
+            Self::Cognitive => "cognitive",
+            Self::Social => "social",
+            Self::Velocity => "velocity",
+            Self::Jump => "jump",
+            Self::Before => "before",
+            Self::After => "after",
+        }
+    }
+}
+
+/// How a span's vertices belong together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[repr(u32)]
+pub enum Shape {
+    /// Each vertex is a point of its own.
+    Points,
+    /// The vertices form one line.
+    Polyline,
+    /// Vertices in pairs, a line each.
+    Segments,
+    /// A grid of values, row by row; z of the first vertex is the row's length.
+    Field,
+}
+
+impl Shape {
+    /// Every shape, in the order of their numbers.
+    pub const ALL: [Self; 4] = [Self::Points, Self::Polyline, Self::Segments, Self::Field];
+
+    /// The name that the page uses.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Points => "points",
+            Self::Polyline => "polyline",
+            Self::Segments => "segments",
+            Self::Field => "field",
+        }
+    }
+}
+
+/// One entry of the table: `count` vertices from `first` on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Span {
+    /// What they show.
+    pub role: Role,
+    /// How they belong together.
+    pub shape: Shape,
+    /// The first vertex.
+    pub first: u32,
+    /// How many vertices.
+    pub count: u32,
+}
+
+/// Layers of a moment. The buffers are re-used from frame to frame.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    vertices: Vec<f32>,
+    /// The table as it crosses to the page: role, shape, first, count.
+    table: Vec<u32>,
+    budget: usize,
+    thinning: u32,
+}
+
+/// Numbers per vertex: x, y, z, weight.
+pub const VERTEX: usize = 4;
+/// Numbers per span.
+pub const SPAN: usize = 4;
+
+impl Default for Frame {
+    fn default() -> Self {
+        Self { vertices: Vec::new(), table: Vec::new(), budget: Self::BUDGET, thinning: 1 }
+    }
+}
+
+impl Frame {
+    /// How many vertices a layer draws unless told otherwise: what a canvas draws in a few tens of milliseconds.
+    pub const BUDGET: usize = 100_000;
+
+    /// Empties the frame; layers drawn next keep to `budget` vertices each.
+    pub fn clear(&mut self, budget: usize) {
+        self.vertices.clear();
+        self.table.clear();
+        self.budget = budget.max(1);
+        self.thinning = 1;
+    }
+
+    /// Which pieces to draw of `pieces` with `vertices` vertices each, so that the budget holds: every n-th.
+    /// A line's vertex counts four times: that is about what drawing it costs.
+    pub fn thin(&mut self, pieces: usize, vertices: usize, lines: bool) -> usize {
+        let cost = pieces.saturating_mul(vertices).saturating_mul(if lines { 4 } else { 1 });
+        let step = cost.div_ceil(self.budget).max(1);
+        self.thinning = self.thinning.max(step as u32);
+        step
+    }
+
+    /// Opens a span; vertices pushed from here on belong to it.
+    pub fn begin(&mut self, role: Role, shape: Shape) {
+        self.table.extend([role as u32, shape as u32, (self.vertices.len() / VERTEX) as u32, 0]);
+    }
+
+    /// Adds a vertex in the plane to the open span.
+    #[inline]
+    pub fn push(&mut self, [x, y]: [f64; 2], weight: f64) {
+        self.vertices.extend([x as f32, y as f32, 0.0, weight as f32]);
+        if let Some(count) = self.table.last_mut() {
+            *count += 1;
+        }
+    }
+
+    /// x, y, z, weight of all vertices.
+    pub fn vertices(&self) -> &[f32] {
+        &self.vertices
+    }
+
+    /// role, shape, first, count of all spans.
+    pub fn table(&self) -> &[u32] {
+        &self.table
+    }
+
+    /// Every how many-th piece was drawn (1: all).
+    pub fn thinning(&self) -> u32 {
+        self.thinning
+    }
+
+    /// The spans, in drawing order.
+    pub fn spans(&self) -> impl Iterator<Item = Span> + '_ {
+        self.table.chunks_exact(SPAN).map(|row| Span {
+            role: Role::ALL[row[0] as usize],
+            shape: Shape::ALL[row[1] as usize],
+            first: row[2],
+            count: row[3],
+        })
+    }
+
+    /// The vertices of a span as points in the plane.
+    pub fn points(&self, span: Span) -> impl Iterator<Item = [f64; 2]> + '_ {
+        let from = span.first as usize * VERTEX;
+        let to = from + span.count as usize * VERTEX;
+        self.vertices[from..to].chunks_exact(VERTEX).map(|v| [f64::from(v[0]), f64::from(v[1])])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn role_and_shape_numbers_index_their_lists() {
+        for (i, role) in Role::ALL.into_iter().enumerate() {
+            assert_eq!(role as usize, i);
+        }
+        for (i, shape) in Shape::ALL.into_iter().enumerate() {
+            assert_eq!(shape as usize, i);
+        }
+    }
+
+    #[test]
+    fn thinning_keeps_to_the_budget() {
+        let mut frame = Frame::default();
+        frame.clear(1000);
+        assert_eq!(frame.thin(1000, 1, false), 1);
+        assert_eq!(frame.thin(1001, 1, false), 2);
+        assert_eq!(frame.thin(1000, 5, true), 20);
+        assert_eq!(frame.thinning(), 20);
+    }
+}

@@ -1,0 +1,17 @@
+//! Points, segments, discs and polylines in the plane. Whatever asks "does it touch?" or "how long?" asks here.
+
+mod disc;
+mod polyline;
+mod segment;
+
+pub use disc::Disc;
+pub use polyline::{arc_outline, length};
+pub use segment::{closest_parameter, distance_squared};
+
+/// A point or a displacement in the plane, in the scene's unit.
+pub type Vector = nalgebra::Vector2<f64>;
+
+/// The point [x, y].
+pub fn vector([x, y]: [f64; 2]) -> Vector {
+    Vector::new(x, y)
+}

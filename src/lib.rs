@@ -1,0 +1,55 @@
+//! **Forage** is a laboratory for path planners: a *scene* and a *planner* (with parameters and a seed) make a
+//! *session*; a session *steps*; after each step it can be drawn, read, explained, rewound and judged, the same way
+//! for every planner. The shell, Node and the page are three thin faces on that, and all give the same bits.
+//!
+//! ```
+//! use forage::{Session, Setup, shipped};
+//!
+//! let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs")?, params: Default::default(), seed: 1 };
+//! let mut session = Session::new(setup)?;
+//! session.step(500);
+//! let outcome = session.outcome();
+//! println!("{} within {:.3} % of the optimum", outcome.length.unwrap(), 100.0 * outcome.gap.unwrap());
+//! # assert!(outcome.feasible);
+//! # Ok::<(), forage::Error>(())
+//! ```
+//!
+//! # The map of the house
+//! - [`planner`]: the stepped contract that a planner's author implements.
+//! - [`catalogue`]: every planner and its parameters; nothing else lists planners.
+//! - [`scene`]: what is planned in, one file a kind, and the scene files. [`exact`]: the oracles for them.
+//! - [`swarm`]: particle swarms. A folder a family; a file a planner or a part of one.
+//! - [`session`]: one run, with rewind, hash and link. [`frame`] and [`picture`]: what it looks like.
+//! - [`geometry`], [`math`], [`rng`], [`digest`], [`error`](mod@error): the ground.
+//!
+//! Imports point one way: faces → session → catalogue → families → scene, geometry, exact → math, rng, error.
+//!
+//! Papers are cited by tag and equation: `[WCPSO]` is Jia Huiqun et al., *Path planning based on improved particle
+//! swarm optimization algorithm*, Transactions of the Chinese Society for Agricultural Machinery, 2018 no. 12.
+
+pub mod catalogue;
+pub mod digest;
+pub mod error;
+pub mod exact;
+pub mod frame;
+pub mod geometry;
+pub mod link;
+pub mod math;
+pub mod params;
+pub mod picture;
+pub mod planner;
+pub mod rng;
+pub mod scene;
+pub mod session;
+pub mod swarm;
+#[cfg(target_arch = "wasm32")]
+pub mod wasm;
+
+pub use catalogue::catalogue;
+pub use error::Error;
+pub use frame::Frame;
+pub use link::Link;
+pub use params::{Given, Value};
+pub use planner::Status;
+pub use scene::{Scene, shipped, shipped_names};
+pub use session::{Outcome, Session, Setup};

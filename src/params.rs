@@ -1,0 +1,312 @@
+//! Parameter descriptions, and values checked against them.
+//!
+//! A planner lists its [`Parameter`]s once; controls, command-line help, the checks and the defaults all follow from it.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{error::Error, scene::Kind};
+
+/// A parameter's value as it is given.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Value {
+    /// A flag.
+    Flag(bool),
+    /// A number; whole numbers too.
+    Number(f64),
+    /// A choice.
+    Text(String),
+}
+
+impl std::fmt::Display for Value {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Flag(flag) => flag.fmt(f),
+            Self::Number(number) => number.fmt(f),
+            Self::Text(text) => text.fmt(f),
+        }
+    }
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<&str> for Value {
+    /// As it is typed in a shell: `0.5`, `true`, `segments`.
+    fn from(text: &str) -> Self {
+        match text.trim() {
+            "true" => Self::Flag(true),
+            "false" => Self::Flag(false),
+            text => text.parse().map_or_else(|_| Self::Text(text.to_owned()), Self::Number),
+        }
+    }
+}
+
+/// Parameters that were given, by name; what is not given has its default.
+pub type Given = BTreeMap<String, Value>;
+
+/// One of a choice's options.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Choice {
+    /// The value.
+    pub value: &'static str,
+    /// For people.
+    pub title: &'static str,
+    /// What it does.
+    pub help: &'static str,
+}
+
+/// What a parameter may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Domain {
+    /// A real number from `min` to `max`.
+    Number {
+        /// The least allowed.
+        min: f64,
+        /// The greatest allowed.
+        max: f64,
+        /// The value unless another is given.
+        default: f64,
+    },
+    /// A whole number from `min` to `max`.
+    Integer {
+        /// The least allowed.
+        min: u64,
+        /// The greatest allowed.
+        max: u64,
+        /// The value unless another is given.
+        default: u64,
+    },
+    /// One of a few.
+    Choice {
+        /// The options; the first is the default.
+        options: &'static [Choice],
+    },
+    /// Yes or no.
+    Flag {
+        /// The value unless another is given.
+        default: bool,
+    },
+}
+
+/// What a parameter means and what it may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameter {
+    /// The field's own name, as in `--set name=value`.
+    pub name: &'static str,
+    /// TeX.
+    pub symbol: &'static str,
+    /// A few words.
+    pub title: &'static str,
+    /// What it does, and where it comes from.
+    pub help: &'static str,
+    /// What it may be.
+    pub domain: Domain,
+    /// The kinds of scene on which it means something; empty: all that the planner runs on.
+    pub kinds: &'static [Kind],
+    /// Published defaults that differ on a kind of scene.
+    pub defaults: &'static [(Kind, f64)],
+    /// The range that a slider offers; typing may go beyond.
+    pub slider: Option<(f64, f64)>,
+    /// Whether a slider should be logarithmic.
+    pub logarithmic: bool,
+}
+
+impl Parameter {
+    /// A real number in [`min`, `max`].
+    pub const fn number(name: &'static str, symbol: &'static str, title: &'static str, [min, max, default]: [f64; 3], help: &'static str) -> Self {
+        Self::of(name, symbol, title, Domain::Number { min, max, default }, help)
+    }
+
+    /// A whole number in [`min`, `max`].
+    pub const fn integer(name: &'static str, symbol: &'static str, title: &'static str, [min, max, default]: [u64; 3], help: &'static str) -> Self {
+        Self::of(name, symbol, title, Domain::Integer { min, max, default }, help)
+    }
+
+    /// One of a few; the first is the default.
+    pub const fn choice(name: &'static str, symbol: &'static str, title: &'static str, options: &'static [Choice], help: &'static str) -> Self {
+        Self::of(name, symbol, title, Domain::Choice { options }, help)
+    }
+
+    const fn of(name: &'static str, symbol: &'static str, title: &'static str, domain: Domain, help: &'static str) -> Self {
+        Self { name, symbol, title, help, domain, kinds: &[], defaults: &[], slider: None, logarithmic: false }
+    }
+
+    /// The same with another default.
+    #[must_use]
+    pub const fn default_to(mut self, value: f64) -> Self {
+        if let Domain::Number { default, .. } = &mut self.domain {
+            *default = value;
+        }
+        self
+    }
+
+    /// The same, meaningful on these kinds only.
+    #[must_use]
+    pub const fn only_on(mut self, kinds: &'static [Kind]) -> Self {
+        self.kinds = kinds;
+        self
+    }
+
+    /// The same, with defaults that differ by kind.
+    #[must_use]
+    pub const fn defaults_on(mut self, defaults: &'static [(Kind, f64)]) -> Self {
+        self.defaults = defaults;
+        self
+    }
+
+    /// The same, its slider from `low` to `high`.
+    #[must_use]
+    pub const fn slider(mut self, low: f64, high: f64, logarithmic: bool) -> Self {
+        self.slider = Some((low, high));
+        self.logarithmic = logarithmic;
+        self
+    }
+
+    /// Whether it means something on this kind of scene.
+    pub fn applies_to(&self, kind: Kind) -> bool {
+        self.kinds.is_empty() || self.kinds.contains(&kind)
+    }
+
+    /// Its default on this kind of scene.
+    pub fn default_on(&self, kind: Kind) -> Value {
+        if let Some(&(_, value)) = self.defaults.iter().find(|(on, _)| *on == kind) {
+            return Value::Number(value);
+        }
+        match self.domain {
+            Domain::Number { default, .. } => Value::Number(default),
+            Domain::Integer { default, .. } => Value::Number(default as f64),
+            Domain::Choice { options } => Value::Text(options.first().map_or("", |o| o.value).to_owned()),
+            Domain::Flag { default } => Value::Flag(default),
+        }
+    }
+
+    /// What is allowed, in words.
+    pub fn allowed(&self) -> String {
+        match self.domain {
+            Domain::Number { min, max, .. } => format!("a number from {min} to {max}"),
+            Domain::Integer { min, max, .. } => format!("a whole number from {min} to {max}"),
+            Domain::Choice { options } => format!("one of {}", options.iter().map(|o| o.value).collect::<Vec<_>>().join(", ")),
+            Domain::Flag { .. } => "true or false".to_owned(),
+        }
+    }
+
+    /// Refuses a value outside the domain.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] with this parameter's name, the value and what is allowed.
+    pub fn check(&self, value: &Value) -> Result<(), Error> {
+        let fits = match (&self.domain, value) {
+            (Domain::Number { min, max, .. }, Value::Number(n)) => (*min..=*max).contains(n),
+            (Domain::Integer { min, max, .. }, Value::Number(n)) => n.fract() == 0.0 && (*min as f64..=*max as f64).contains(n),
+            (Domain::Choice { options }, Value::Text(text)) => options.iter().any(|o| o.value == text),
+            (Domain::Flag { .. }, Value::Flag(_)) => true,
+            _ => false,
+        };
+        if fits { Ok(()) } else { Err(Error::refused(self.name, value, self.allowed())) }
+    }
+}
+
+/// A value for every parameter of a planner on a kind of scene; all of them allowed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    values: Vec<(&'static str, Value)>,
+    changed: Given,
+}
+
+impl Settings {
+    /// Checks what was given and fills in the defaults.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a name that is not a parameter on this kind of scene, [`Error::Refused`] for a value that is not allowed.
+    pub fn new(parameters: &[Parameter], kind: Kind, given: &Given) -> Result<Self, Error> {
+        let applicable = || parameters.iter().filter(|p| p.applies_to(kind));
+        for (name, value) in given {
+            let parameter = applicable()
+                .find(|p| p.name == name)
+                .ok_or_else(|| Error::unknown("parameter", name, applicable().map(|p| p.name)))?;
+            parameter.check(value)?;
+        }
+        let values: Vec<_> = applicable().map(|p| (p.name, given.get(p.name).cloned().unwrap_or_else(|| p.default_on(kind)))).collect();
+        let changed = applicable()
+            .filter_map(|p| given.get(p.name).filter(|&v| *v != p.default_on(kind)).map(|v| (p.name.to_owned(), v.clone())))
+            .collect();
+        Ok(Self { values, changed })
+    }
+
+    /// Every parameter with its value.
+    pub fn all(&self) -> &[(&'static str, Value)] {
+        &self.values
+    }
+
+    /// What differs from the defaults.
+    pub fn changed(&self) -> &Given {
+        &self.changed
+    }
+
+    /// A number. A name that the planner did not declare gives NaN, which no test over all planners survives.
+    pub fn number(&self, name: &str) -> f64 {
+        match self.get(name) {
+            Some(Value::Number(number)) => *number,
+            _ => f64::NAN,
+        }
+    }
+
+    /// A whole number.
+    pub fn integer(&self, name: &str) -> u64 {
+        self.number(name) as u64
+    }
+
+    /// A choice.
+    pub fn choice(&self, name: &str) -> &str {
+        match self.get(name) {
+            Some(Value::Text(text)) => text,
+            _ => "",
+        }
+    }
+
+    fn get(&self, name: &str) -> Option<&Value> {
+        self.values.iter().find(|(n, _)| *n == name).map(|(_, value)| value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [Parameter; 3] = [
+        Parameter::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(Kind::Discs, 80.0)]),
+        Parameter::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.7], ""),
+        Parameter::choice("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[Kind::Discs]),
+    ];
+
+    fn given(name: &str, value: &str) -> Given {
+        Given::from([(name.to_owned(), Value::from(value))])
+    }
+
+    #[test]
+    fn defaults_depend_on_the_kind_and_only_changes_are_kept() {
+        let on_discs = Settings::new(&ALL, Kind::Discs, &given("w", "0.7")).unwrap();
+        assert_eq!((on_discs.integer("population"), on_discs.number("w"), on_discs.choice("penalty")), (80, 0.7, "segments"));
+        assert!(on_discs.changed().is_empty(), "0.7 is the default");
+        let on_function = Settings::new(&ALL, Kind::Function, &given("population", "7")).unwrap();
+        assert_eq!(on_function.changed().len(), 1);
+        assert_eq!(on_function.all().len(), 2, "the penalty means nothing on functions");
+    }
+
+    #[test]
+    fn what_is_not_allowed_is_named_with_its_value_and_range() {
+        for (name, value) in [("population", "0"), ("population", "1.5"), ("population", "101"), ("w", "NaN"), ("w", "inf"), ("w", "lots"), ("w", "-0.1"), ("penalty", "x")] {
+            let error = Settings::new(&ALL, Kind::Discs, &given(name, value)).unwrap_err();
+            assert_eq!((error.field(), error.value()), (name, value));
+            assert!(!error.allowed().is_empty());
+        }
+        let unknown = Settings::new(&ALL, Kind::Function, &given("penalty", "segments")).unwrap_err();
+        assert_eq!((unknown.field(), unknown.allowed()), ("parameter", "population, w"));
+    }
+}

@@ -1,0 +1,70 @@
+//! Pictures made in the core: a run as SVG, a function's heights as pixels, and what lies under a pointer.
+
+mod field;
+mod svg;
+
+pub use field::heat_map;
+pub use svg::svg;
+
+use crate::{
+    frame::{Frame, Role, Shape},
+    geometry::distance_squared,
+    planner::Item,
+};
+
+/// The piece nearest to a point, within `reach`, among a frame's layers of these roles. The frame must be complete
+/// (not thinned), so that pieces are counted as the planner counts them.
+pub fn nearest(frame: &Frame, roles: &[Role], point: [f64; 2], reach: f64) -> Option<Item> {
+    let mut found = (reach * reach, None);
+    let mut count = [0; Role::ALL.len()];
+    for span in frame.spans().filter(|span| roles.contains(&span.role)) {
+        let first = &mut count[span.role as usize];
+        let points: Vec<_> = frame.points(span).collect();
+        let mut offer = |piece: usize, a, b| {
+            let squared = distance_squared(a, b, point);
+            if squared < found.0 || (squared == found.0 && found.1.is_none()) {
+                found = (squared, Some(Item { role: span.role, index: *first + piece }));
+            }
+        };
+        let pieces = match span.shape {
+            Shape::Points | Shape::Field => {
+                points.iter().enumerate().for_each(|(i, &p)| offer(i, p, p));
+                points.len()
+            }
+            Shape::Polyline => {
+                points.windows(2).for_each(|w| offer(0, w[0], w[1]));
+                1
+            }
+            Shape::Segments => {
+                points.chunks_exact(2).enumerate().for_each(|(i, pair)| offer(i, pair[0], pair[1]));
+                points.len() / 2
+            }
+        };
+        *first += pieces;
+    }
+    found.1
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_piece_is_counted_within_its_role() {
+        let mut frame = Frame::default();
+        frame.begin(Role::Particles, Shape::Polyline);
+        [[0.0, 0.0], [4.0, 0.0]].map(|p| frame.push(p, 0.0));
+        frame.begin(Role::Best, Shape::Polyline);
+        [[0.0, 2.0], [4.0, 2.0]].map(|p| frame.push(p, 0.0));
+        frame.begin(Role::Particles, Shape::Polyline);
+        [[0.0, 3.0], [4.0, 3.0]].map(|p| frame.push(p, 0.0));
+        let pick = |point, reach| nearest(&frame, &[Role::Particles], point, reach).map(|item| item.index);
+        assert_eq!(pick([2.0, 0.5], 1.0), Some(0));
+        assert_eq!(pick([2.0, 2.1], 1.0), Some(1), "the best is nearer but cannot be picked");
+        assert_eq!(pick([2.0, 1.5], 1.0), None);
+        frame.clear(10);
+        frame.begin(Role::Particles, Shape::Points);
+        [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(|p| frame.push(p, 0.0));
+        assert_eq!(nearest(&frame, &[Role::Particles], [1.2, 0.1], 0.5).unwrap().index, 1);
+    }
+}

@@ -1,0 +1,173 @@
+//! The stepped contract: what a planner's author writes.
+//!
+//! One step is one drawable iteration. A planner owns its random stream and shares its scene by `Arc`; a clone of it is
+//! a keyframe. The caller owns the loop.
+
+use serde::Serialize;
+
+use crate::{
+    digest::Digest,
+    frame::{Frame, Role, Shape},
+};
+
+/// Whether there is more to do, or why not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Status {
+    /// There is more to do.
+    Running,
+    /// The goal is reached and nothing better can be found.
+    Solved,
+    /// The iteration limit is reached.
+    Exhausted,
+    /// There is no solution.
+    Infeasible,
+}
+
+/// What planners find.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Solution {
+    /// Corners of a path, in the scene's unit.
+    Path(Vec<[f64; 2]>),
+    /// A point in a function's box.
+    Position(Vec<f64>),
+}
+
+/// The best solution so far and what it costs the planner. Whether it is any good, [`crate::Scene::judge`] says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Best {
+    /// What the planner minimises.
+    pub cost: f64,
+    /// What it found.
+    pub solution: Solution,
+}
+
+/// Named numbers of an iteration. Re-used from call to call.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Readings(Vec<(&'static str, f64)>);
+
+impl Readings {
+    /// Empties it.
+    pub fn clear(&mut self) {
+        self.0.clear();
+    }
+
+    /// Adds a number under a name that the planner's entry lists.
+    pub fn push(&mut self, name: &'static str, value: f64) {
+        self.0.push((name, value));
+    }
+
+    /// The names and numbers, always in the same order for the same run.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = (&'static str, f64)> + '_ {
+        self.0.iter().copied()
+    }
+
+    /// The number of this name.
+    pub fn get(&self, name: &str) -> Option<f64> {
+        self.0.iter().find(|(n, _)| *n == name).map(|(_, value)| *value)
+    }
+}
+
+/// Something in a frame that can be asked about: the `index`-th piece of a role's layers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Item {
+    /// What it is.
+    pub role: Role,
+    /// Which one, counted over all pieces, drawn or not.
+    pub index: usize,
+}
+
+/// A number in an inspection.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Quantity {
+    /// The name that formulas use for it.
+    pub name: &'static str,
+    /// TeX.
+    pub symbol: &'static str,
+    /// A few words.
+    pub title: &'static str,
+    /// The number.
+    pub value: f64,
+}
+
+/// A column of an inspection's table.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Column {
+    /// An identifier.
+    pub name: &'static str,
+    /// TeX.
+    pub symbol: &'static str,
+    /// A few words.
+    pub title: &'static str,
+}
+
+/// A mark to draw over the picture.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Mark {
+    /// What it shows.
+    pub role: Role,
+    /// How its vertices belong together.
+    pub shape: Shape,
+    /// In the scene's unit.
+    pub vertices: Vec<[f64; 2]>,
+}
+
+/// Why something did what it did in the step that led to this iteration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Inspection {
+    /// What was asked about.
+    pub item: Item,
+    /// Its name for people.
+    pub title: String,
+    /// What happened, in a word.
+    pub event: &'static str,
+    /// The same in a sentence.
+    pub summary: String,
+    /// The numbers behind it.
+    pub values: Vec<Quantity>,
+    /// Names of the entry's formulas that say it.
+    pub formulas: Vec<&'static str>,
+    /// The table's columns.
+    pub columns: Vec<Column>,
+    /// A label for each row.
+    pub labels: Vec<String>,
+    /// The table.
+    pub rows: Vec<Vec<f64>>,
+    /// Arrows and marks.
+    pub marks: Vec<Mark>,
+}
+
+/// A planner that can be stepped, drawn, read, explained, rewound and judged.
+///
+/// It is deterministic, never panics, and allocates in `step` only when something really grows.
+pub trait Planner: Clone {
+    /// Takes one step; does nothing once finished.
+    fn step(&mut self) -> Status;
+    /// Whether there is more to do.
+    fn status(&self) -> Status;
+    /// How many steps were taken.
+    fn iteration(&self) -> u64;
+    /// After how many steps it stops at the latest.
+    fn limit(&self) -> u64;
+    /// How many candidate solutions were evaluated.
+    fn evaluations(&self) -> u64;
+    /// The best solution so far.
+    fn best(&self) -> Option<Best>;
+    /// The numbers of this iteration.
+    fn read(&self, out: &mut Readings);
+    /// Draws itself into a cleared frame.
+    fn draw(&self, frame: &mut Frame);
+    /// What can be said of an item from the present state alone.
+    fn inspect(&self, _item: Item) -> Option<Inspection> {
+        None
+    }
+    /// What the next step does to an item and why; takes that step on a copy. The session asks the state before.
+    /// So nothing has to be recorded in the inner loop for the one particle that somebody may click.
+    fn explain(&self, _item: Item) -> Option<Inspection> {
+        None
+    }
+    /// Adds the whole state to a hash.
+    fn digest(&self, out: &mut Digest);
+    /// About how much memory a clone takes, in bytes.
+    fn bytes(&self) -> usize;
+}

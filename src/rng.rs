@@ -1,0 +1,88 @@
+//! Seeded streams: the only source of randomness.
+//!
+//! A run's seed keys ChaCha8, which deals out independent streams; each stream is a xoshiro256++ generator.
+//! (ChaCha itself in the inner loop would cost as much as the rest of a swarm's step; `benches/swarms.rs` shows both.)
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
+
+use crate::{digest::Digest, error::Error};
+
+/// The largest seed: every whole number up to here is exact in JavaScript.
+pub const MAX_SEED: u64 = (1 << 53) - 1;
+
+/// Refuses a seed that JavaScript could not hold exactly.
+///
+/// # Errors
+/// [`Error::Refused`] for `seed` above 2^53 − 1.
+pub fn check_seed(seed: u64) -> Result<u64, Error> {
+    if seed <= MAX_SEED { Ok(seed) } else { Err(Error::refused("seed", seed, SEED_RANGE)) }
+}
+
+/// The allowed seeds, in words.
+pub const SEED_RANGE: &str = "a whole number from 0 to 9007199254740991";
+
+/// A stream of random numbers that belongs to one run.
+#[derive(Debug, Clone)]
+pub struct Stream(Xoshiro256PlusPlus);
+
+impl Stream {
+    /// The stream numbered `index` of the run with this `seed`.
+    pub fn new(seed: u64, index: u64) -> Self {
+        let mut dealer = ChaCha8Rng::seed_from_u64(seed);
+        dealer.set_stream(index);
+        Self(Xoshiro256PlusPlus::from_rng(&mut dealer))
+    }
+
+    /// Uniform in [0, 1), 53 bits.
+    #[inline]
+    pub fn unit(&mut self) -> f64 {
+        self.0.random()
+    }
+
+    /// Uniform in [low, high).
+    #[inline]
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// A whole number in 0..n. `n` must not be 0.
+    #[inline]
+    pub fn below(&mut self, n: usize) -> usize {
+        self.0.random_range(0..n)
+    }
+
+    /// Adds the state to a hash, without advancing the stream.
+    pub fn digest(&self, out: &mut Digest) {
+        let mut ahead = self.0.clone();
+        for _ in 0..4 {
+            out.word(ahead.random());
+        }
+    }
+}
+
+/// A fresh seed from the system, for "new seed" only: the number is shown and can be typed in again.
+///
+/// # Errors
+/// When the system gives no randomness.
+pub fn fresh_seed() -> Result<u64, Error> {
+    getrandom::u32().map(u64::from).map_err(|problem| Error::malformed("seed", problem))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn streams_repeat_and_differ_by_seed_and_index() {
+        let draw = |seed, index| {
+            let mut stream = Stream::new(seed, index);
+            [stream.unit(), stream.unit(), stream.between(-2.0, 3.0)]
+        };
+        assert_eq!(draw(7, 0), draw(7, 0));
+        assert_ne!(draw(7, 0), draw(8, 0));
+        assert_ne!(draw(7, 0), draw(7, 1));
+        assert!(check_seed(MAX_SEED).is_ok() && check_seed(MAX_SEED + 1).is_err());
+    }
+}

@@ -1,0 +1,176 @@
+//! Scenes of kind `function`: the test functions of [WCPSO] Table 1, and Rastrigin from [LTQPSO].
+
+use std::f64::consts::{E, TAU};
+
+use serde::{Deserialize, Serialize};
+
+use crate::{error::Error, math};
+
+use super::Bounds;
+
+/// The largest dimension of a function.
+pub const MAX_DIMENSION: usize = 100;
+
+/// A function to minimise. Each has the minimum 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Function {
+    /// f1, D = 2, minimum at 0.
+    Matyas,
+    /// f2, D = 2, minimum at 0.
+    EggCrate,
+    /// f3, minimum at 0.
+    Sphere,
+    /// f4, minimum at (1, …, 1).
+    Rosenbrock,
+    /// f5, minimum at 0.
+    Ackley,
+    /// f6, minimum at 0.
+    Rastrigin,
+}
+
+impl Function {
+    /// Every function, in the order of the table.
+    pub const ALL: [Self; 6] = [Self::Matyas, Self::EggCrate, Self::Sphere, Self::Rosenbrock, Self::Ackley, Self::Rastrigin];
+
+    /// The name that scene files use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Matyas => "matyas",
+            Self::EggCrate => "egg-crate",
+            Self::Sphere => "sphere",
+            Self::Rosenbrock => "rosenbrock",
+            Self::Ackley => "ackley",
+            Self::Rastrigin => "rastrigin",
+        }
+    }
+
+    /// Half the side of the search box, which is centred on 0.
+    pub const fn half_side(self) -> f64 {
+        match self {
+            Self::Matyas => 10.0,
+            Self::EggCrate => TAU,
+            Self::Sphere => 100.0,
+            Self::Rosenbrock => 4.0,
+            Self::Ackley => 32.0,
+            Self::Rastrigin => 5.12,
+        }
+    }
+
+    /// The dimensions it is defined in, both ends included.
+    pub const fn dimensions(self) -> (usize, usize) {
+        match self {
+            Self::Matyas | Self::EggCrate => (2, 2),
+            Self::Rosenbrock => (2, MAX_DIMENSION),
+            Self::Sphere | Self::Ackley | Self::Rastrigin => (1, MAX_DIMENSION),
+        }
+    }
+
+    /// Every coordinate of the minimum.
+    pub const fn minimiser(self) -> f64 {
+        if matches!(self, Self::Rosenbrock) { 1.0 } else { 0.0 }
+    }
+
+    /// The function's value at `x`, whose length is the dimension.
+    #[inline]
+    pub fn value(self, x: &[f64]) -> f64 {
+        match self {
+            Self::Matyas => 0.26 * (x[0] * x[0] + x[1] * x[1]) - 0.48 * x[0] * x[1],
+            Self::EggCrate => {
+                let (a, b) = (math::sin(x[0]), math::sin(x[1]));
+                x[0] * x[0] + x[1] * x[1] + 25.0 * (a * a + b * b)
+            }
+            Self::Sphere => x.iter().map(|x| x * x).sum(),
+            Self::Rosenbrock => x
+                .windows(2)
+                .map(|w| {
+                    let (curve, slope) = (w[1] - w[0] * w[0], 1.0 - w[0]);
+                    100.0 * curve * curve + slope * slope
+                })
+                .sum(),
+            Self::Ackley => {
+                let n = x.len() as f64;
+                let squares: f64 = x.iter().map(|x| x * x).sum();
+                let cosines: f64 = x.iter().map(|&x| math::cos_turns(x)).sum();
+                -20.0 * math::exp(-0.2 * (squares / n).sqrt()) - math::exp(cosines / n) + 20.0 + E
+            }
+            Self::Rastrigin => x.iter().map(|&x| x * x - 10.0 * math::cos_turns(x) + 10.0).sum(),
+        }
+    }
+}
+
+/// A scene that asks for a function's minimum.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FunctionScene {
+    /// Which function.
+    pub function: Function,
+    /// Of how many variables.
+    pub dimension: usize,
+}
+
+impl FunctionScene {
+    pub(super) fn check(&self) -> Result<(), Error> {
+        let (low, high) = self.function.dimensions();
+        if (low..=high).contains(&self.dimension) {
+            Ok(())
+        } else {
+            let allowed = if low == high { low.to_string() } else { format!("a whole number from {low} to {high}") };
+            Err(Error::refused("dimension", self.dimension, format!("{allowed} for {}", self.function.name())))
+        }
+    }
+
+    pub(super) fn view(&self) -> Bounds {
+        let side = self.function.half_side();
+        Bounds { min: [-side, -side], max: [side, side] }
+    }
+
+    /// The value over the plane of the first two variables, the others at the minimum.
+    /// `x` must hold the minimum on entry and is left with its first two changed.
+    pub fn section(&self, point: [f64; 2], x: &mut [f64]) -> f64 {
+        for (variable, value) in x.iter_mut().zip(point) {
+            *variable = value;
+        }
+        self.function.value(x)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn close(value: f64, expected: f64) {
+        assert!((value - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{value} is not {expected}");
+    }
+
+    #[test]
+    fn values_agree_with_those_computed_by_hand() {
+        close(Function::Matyas.value(&[3.0, -2.0]), 0.26 * 13.0 + 0.48 * 6.0); // 6.26
+        close(Function::EggCrate.value(&[std::f64::consts::FRAC_PI_2, 0.0]), 25.0 + 2.467_401_100_272_339_7);
+        close(Function::Sphere.value(&[1.0, -2.0, 3.0]), 14.0);
+        close(Function::Rosenbrock.value(&[2.0, 3.0, -1.0]), 100.0 + 1.0 + 100.0 * 100.0 + 4.0);
+        // 20 (1 - e^-0.2) + e - e^1 at (1, 1): the cosines are 1.
+        close(Function::Ackley.value(&[1.0, 1.0]), 20.0 * (1.0 - 0.818_730_753_077_981_8));
+        close(Function::Ackley.value(&[0.5]), 20.0 * (1.0 - 0.904_837_418_035_959_6) + E - 0.367_879_441_171_442_33);
+        close(Function::Rastrigin.value(&[1.0, 0.5]), 1.0 + 0.25 + 20.0);
+    }
+
+    #[test]
+    fn each_minimum_is_zero_where_it_is_said_to_be() {
+        for function in Function::ALL {
+            for dimension in [function.dimensions().0, function.dimensions().1.min(10)] {
+                let value = function.value(&vec![function.minimiser(); dimension]);
+                // Ackley's is one rounding of 20 + e off, as the paper's table prints it.
+                let expected = if function == Function::Ackley { 8.881_784_197_001_252e-16 } else { 0.0 };
+                assert!(value.abs() <= expected, "{} in {dimension} dimensions: {value:e}", function.name());
+            }
+        }
+    }
+
+    #[test]
+    fn dimensions_outside_the_table_are_refused() {
+        let refused = |function, dimension| FunctionScene { function, dimension }.check().is_err();
+        assert!(refused(Function::Matyas, 3) && refused(Function::Rosenbrock, 1) && refused(Function::Sphere, 0));
+        assert!(refused(Function::Sphere, MAX_DIMENSION + 1) && !refused(Function::Sphere, 1));
+    }
+}

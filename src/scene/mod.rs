@@ -1,0 +1,184 @@
+//! What is planned in: one file a kind, the scene file around them (`file`), and the scenes that ship (`shipped`).
+//!
+//! A [`Scene`] that exists is valid: its numbers are finite, start and goal are inside and free.
+
+mod discs;
+mod file;
+mod function;
+mod shipped;
+
+use std::sync::OnceLock;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    error::Error,
+    exact::Exact,
+    planner::Solution,
+};
+
+pub use discs::{Bounds, DiscsScene, MAX_DISCS};
+pub use function::{Function, FunctionScene, MAX_DIMENSION};
+pub use shipped::{shipped, shipped_names};
+
+/// The kinds of scene. Planners say which they run on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// A test function to minimise.
+    Function,
+    /// A plane with circular obstacles.
+    Discs,
+}
+
+impl Kind {
+    /// Every kind.
+    pub const ALL: [Self; 2] = [Self::Function, Self::Discs];
+
+    /// The name that scene files use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Function => "function",
+            Self::Discs => "discs",
+        }
+    }
+}
+
+/// What every scene file carries besides its content.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Header {
+    /// Short identifier, used in links and on the command line.
+    pub name: String,
+    /// A line for people.
+    pub title: String,
+    /// What should be known about it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub note: Option<String>,
+    /// Where it comes from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub source: Option<String>,
+    /// The unit of its lengths.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub units: Option<String>,
+    /// The stored optimum; what results are measured by is computed anew, see [`Scene::exact`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exact: Option<serde_json::Value>,
+    /// Figures published for it, as they stand in the file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub published: Option<serde_json::Value>,
+}
+
+/// What is in a scene.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Body {
+    /// See [`FunctionScene`].
+    Function(FunctionScene),
+    /// See [`DiscsScene`].
+    Discs(DiscsScene),
+}
+
+/// A valid scene.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    header: Header,
+    body: Body,
+    exact: OnceLock<Option<Exact>>,
+}
+
+impl PartialEq for Scene {
+    fn eq(&self, other: &Self) -> bool {
+        self.header == other.header && self.body == other.body
+    }
+}
+
+/// How good a solution really is, whatever cost the planner gave it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Verdict {
+    /// The path's length; `None` where there is no path.
+    pub length: Option<f64>,
+    /// It breaks nothing.
+    pub feasible: bool,
+    /// The smallest distance to an obstacle, negative inside; `None` without obstacles.
+    pub clearance: Option<f64>,
+}
+
+impl Scene {
+    /// A scene of checked parts.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] with the field that is wrong.
+    pub fn new(header: Header, body: Body) -> Result<Self, Error> {
+        if header.name.is_empty() || header.name.len() > 100 {
+            return Err(Error::refused("name", format!("\"{}\"", header.name), "1 to 100 characters"));
+        }
+        match &body {
+            Body::Function(scene) => scene.check()?,
+            Body::Discs(scene) => scene.check()?,
+        }
+        Ok(Self { header, body, exact: OnceLock::new() })
+    }
+
+    /// Name, title and where it comes from.
+    pub fn header(&self) -> &Header {
+        &self.header
+    }
+
+    /// The content.
+    pub fn body(&self) -> &Body {
+        &self.body
+    }
+
+    /// The short identifier.
+    pub fn name(&self) -> &str {
+        &self.header.name
+    }
+
+    /// What it is made of.
+    pub fn kind(&self) -> Kind {
+        match self.body {
+            Body::Function(_) => Kind::Function,
+            Body::Discs(_) => Kind::Discs,
+        }
+    }
+
+    /// The exact shortest path, computed at the first call; `None` where there is no path to find.
+    pub fn exact(&self) -> Option<&Exact> {
+        self.exact
+            .get_or_init(|| match &self.body {
+                Body::Function(_) => None,
+                Body::Discs(scene) => scene.exact(),
+            })
+            .as_ref()
+    }
+
+    /// The exact minimum of what is measured: the shortest length, or a function's minimum.
+    pub fn optimum(&self) -> Option<f64> {
+        match &self.body {
+            Body::Function(_) => Some(0.0),
+            Body::Discs(_) => self.exact().map(|exact| exact.length),
+        }
+    }
+
+    /// Measures and checks a solution.
+    pub fn judge(&self, solution: &Solution) -> Verdict {
+        match (&self.body, solution) {
+            (Body::Discs(scene), Solution::Path(path)) => scene.judge(path),
+            _ => Verdict { length: None, feasible: true, clearance: None },
+        }
+    }
+
+    /// The part of the plane that a picture should show: lower left and upper right corner.
+    pub fn view(&self) -> Bounds {
+        match &self.body {
+            Body::Function(scene) => scene.view(),
+            Body::Discs(scene) => scene.view(),
+        }
+    }
+}
+
+/// Refuses numbers that are not finite.
+pub(crate) fn finite(field: &str, value: f64) -> Result<(), Error> {
+    if value.is_finite() { Ok(()) } else { Err(Error::refused(field, value, "a finite number")) }
+}

@@ -1,0 +1,95 @@
+//! The object-safe twin of [`Planner`], so that a session holds any planner. Kept apart from the trait itself because
+//! the same method names in one scope would clash.
+
+use crate::{
+    digest::Digest,
+    frame::Frame,
+    planner::{Best, Inspection, Item, Planner, Readings, Status},
+};
+
+/// Any planner, boxed. Implemented for every [`Planner`] by one blanket implementation.
+pub trait AnyPlanner: Send {
+    /// Takes one step and says whether there was one to take.
+    fn step_taken(&mut self) -> bool;
+    /// A copy of the whole state.
+    fn checkpoint(&self) -> Box<dyn AnyPlanner>;
+    /// See [`Planner::status`].
+    fn status(&self) -> Status;
+    /// See [`Planner::iteration`].
+    fn iteration(&self) -> u64;
+    /// See [`Planner::limit`].
+    fn limit(&self) -> u64;
+    /// See [`Planner::evaluations`].
+    fn evaluations(&self) -> u64;
+    /// See [`Planner::best`].
+    fn best(&self) -> Option<Best>;
+    /// Replaces `out` by the numbers of this iteration.
+    fn read(&self, out: &mut Readings);
+    /// See [`Planner::draw`].
+    fn draw(&self, frame: &mut Frame);
+    /// See [`Planner::inspect`].
+    fn inspect(&self, item: Item) -> Option<Inspection>;
+    /// See [`Planner::explain`].
+    fn explain(&self, item: Item) -> Option<Inspection>;
+    /// See [`Planner::digest`].
+    fn digest(&self, out: &mut Digest);
+    /// See [`Planner::bytes`].
+    fn bytes(&self) -> usize;
+}
+
+impl<P: Planner + Send + 'static> AnyPlanner for P {
+    fn step_taken(&mut self) -> bool {
+        let before = Planner::iteration(self);
+        self.step();
+        Planner::iteration(self) > before
+    }
+
+    fn checkpoint(&self) -> Box<dyn AnyPlanner> {
+        Box::new(self.clone())
+    }
+
+    fn status(&self) -> Status {
+        Planner::status(self)
+    }
+
+    fn iteration(&self) -> u64 {
+        Planner::iteration(self)
+    }
+
+    fn limit(&self) -> u64 {
+        Planner::limit(self)
+    }
+
+    fn evaluations(&self) -> u64 {
+        Planner::evaluations(self)
+    }
+
+    fn best(&self) -> Option<Best> {
+        Planner::best(self)
+    }
+
+    fn read(&self, out: &mut Readings) {
+        out.clear();
+        Planner::read(self, out);
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        Planner::draw(self, frame);
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        Planner::inspect(self, item)
+    }
+
+    fn explain(&self, item: Item) -> Option<Inspection> {
+        Planner::explain(self, item)
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        Planner::digest(self, out);
+    }
+
+    fn bytes(&self) -> usize {
+        Planner::bytes(self)
+    }
+}

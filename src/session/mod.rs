@@ -1,0 +1,258 @@
+//! One run: a scene, a planner with parameters and a seed, stepped, rewound, judged and shared.
+
+mod any;
+mod keyframes;
+mod outcome;
+mod trace;
+
+use std::sync::Arc;
+
+pub use any::AnyPlanner;
+pub use outcome::Outcome;
+pub use trace::Trace;
+
+use crate::{
+    catalogue::{Entry, find},
+    digest::Digest,
+    error::Error,
+    frame::Frame,
+    link::Link,
+    params::{Given, Settings},
+    planner::{Inspection, Item, Readings, Status},
+    rng::check_seed,
+    scene::Scene,
+};
+
+use keyframes::Keyframes;
+
+/// What a run is made of. Two runs of the same setup give the same bits.
+#[derive(Debug, Clone)]
+pub struct Setup {
+    /// The planner's name in the catalogue.
+    pub planner: String,
+    /// What is planned in.
+    pub scene: Arc<Scene>,
+    /// Parameters that differ from the defaults.
+    pub params: Given,
+    /// 0 to 2^53 − 1.
+    pub seed: u64,
+}
+
+/// A run that can go forward and back.
+pub struct Session {
+    entry: &'static Entry,
+    scene: Arc<Scene>,
+    settings: Settings,
+    seed: u64,
+    planner: Box<dyn AnyPlanner>,
+    keyframes: Keyframes,
+    trace: Trace,
+    readings: Readings,
+}
+
+impl Session {
+    /// Memory for keyframes unless told otherwise, in bytes.
+    pub const KEYFRAME_BUDGET: usize = 64 << 20;
+
+    /// Starts a run at iteration 0.
+    ///
+    /// ```
+    /// use forage::{Session, Setup, Status, shipped};
+    /// let scene = shipped("wcpso-discs")?;
+    /// let mut session = Session::new(Setup { planner: "wcpso".into(), scene, params: Default::default(), seed: 1 })?;
+    /// while session.step(1) == Status::Running {}
+    /// let outcome = session.outcome();
+    /// assert!(outcome.feasible && outcome.gap.unwrap() < 0.005);
+    /// session.seek(3); // and back again, exactly
+    /// assert_eq!(session.iteration(), 3);
+    /// # Ok::<(), forage::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Whatever can be refused is refused here: the planner's name, a scene it does not run on, a parameter, the seed.
+    pub fn new(setup: Setup) -> Result<Self, Error> {
+        Self::with_keyframes(setup, Self::KEYFRAME_BUDGET)
+    }
+
+    /// Starts a run that keeps keyframes up to `budget` bytes; with 0 every way back is a replay from the start.
+    ///
+    /// # Errors
+    /// As [`Session::new`].
+    pub fn with_keyframes(setup: Setup, budget: usize) -> Result<Self, Error> {
+        let entry = find(&setup.planner)?;
+        entry.check_kind(setup.scene.kind())?;
+        let seed = check_seed(setup.seed)?;
+        let settings = Settings::new(entry.parameters, setup.scene.kind(), &setup.params)?;
+        let planner = (entry.start)(&setup.scene, &settings, seed)?;
+        let mut session = Self {
+            entry,
+            scene: setup.scene,
+            settings,
+            seed,
+            planner,
+            keyframes: Keyframes::new(budget),
+            trace: Trace::default(),
+            readings: Readings::default(),
+        };
+        session.remember();
+        Ok(session)
+    }
+
+    /// The run that a link describes, at its beginning.
+    ///
+    /// # Errors
+    /// As [`Session::new`], and for a link that cannot be read.
+    pub fn from_link(link: &str) -> Result<Self, Error> {
+        Self::new(Link::parse(link)?.setup)
+    }
+
+    /// Takes up to `steps` steps; stops where the planner does.
+    pub fn step(&mut self, steps: u64) -> Status {
+        for _ in 0..steps {
+            if self.planner.step_taken() {
+                self.remember();
+            } else {
+                break;
+            }
+        }
+        self.planner.status()
+    }
+
+    /// Goes to iteration `k`, forward or back, exactly; stops early where the planner does.
+    pub fn seek(&mut self, k: u64) -> Status {
+        self.rewind(k);
+        self.step(k.saturating_sub(self.iteration()))
+    }
+
+    /// Jumps to the latest state at or before iteration `k` that is at hand, and says which iteration that is.
+    /// The rest of the way to `k` is `step`.
+    pub fn rewind(&mut self, k: u64) -> u64 {
+        let now = self.iteration();
+        match self.keyframes.at_or_before(k) {
+            Some((at, state)) if k < now || at > now => self.planner = state.checkpoint(),
+            _ if k < now => self.planner = self.start(),
+            _ => {}
+        }
+        self.iteration()
+    }
+
+    /// A planner at iteration 0. Starting succeeded once with the same scene, settings and seed, so it does again;
+    /// if it did not, staying where we are is the harmless answer.
+    fn start(&self) -> Box<dyn AnyPlanner> {
+        (self.entry.start)(&self.scene, &self.settings, self.seed).unwrap_or_else(|_| self.planner.checkpoint())
+    }
+
+    /// The state at an iteration at or before the present one, without going there.
+    fn state_at(&self, k: u64) -> Box<dyn AnyPlanner> {
+        let mut state = match self.keyframes.at_or_before(k) {
+            Some((_, state)) => state.checkpoint(),
+            None => self.start(),
+        };
+        while state.iteration() < k && state.step_taken() {}
+        state
+    }
+
+    fn remember(&mut self) {
+        self.keyframes.offer(&*self.planner);
+        let iteration = self.planner.iteration();
+        if self.trace.wants(iteration) {
+            self.planner.read(&mut self.readings);
+            self.trace.push(iteration, &self.readings);
+        }
+    }
+
+    /// How many iterations were taken to come here.
+    pub fn iteration(&self) -> u64 {
+        self.planner.iteration()
+    }
+
+    /// The iteration at which the run ends at the latest.
+    pub fn limit(&self) -> u64 {
+        self.planner.limit()
+    }
+
+    /// Whether there is more to do, or why not.
+    pub fn status(&self) -> Status {
+        self.planner.status()
+    }
+
+    /// The planner's entry in the catalogue.
+    pub fn entry(&self) -> &'static Entry {
+        self.entry
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Arc<Scene> {
+        &self.scene
+    }
+
+    /// Every parameter's value.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The seed.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// The numbers of this iteration.
+    pub fn readings(&mut self) -> &Readings {
+        self.planner.read(&mut self.readings);
+        &self.readings
+    }
+
+    /// The readings of past iterations.
+    pub fn trace(&self) -> &Trace {
+        &self.trace
+    }
+
+    /// Draws the present state, at most about `budget` vertices a layer.
+    pub fn draw(&self, frame: &mut Frame, budget: usize) {
+        frame.clear(budget);
+        self.planner.draw(frame);
+    }
+
+    /// Why an item did what it did in the step that led here.
+    pub fn inspect(&self, item: Item) -> Option<Inspection> {
+        self.planner.inspect(item).or_else(|| {
+            let before = self.iteration().checked_sub(1)?;
+            self.state_at(before).explain(item)
+        })
+    }
+
+    /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.
+    pub fn pick(&self, point: [f64; 2], reach: f64) -> Option<Item> {
+        let mut frame = Frame::default();
+        self.draw(&mut frame, usize::MAX);
+        let pickable: Vec<_> = self.entry.layers.iter().filter(|l| l.pickable).map(|l| l.role).collect();
+        crate::picture::nearest(&frame, &pickable, point, reach)
+    }
+
+    /// Everything there is to say about where the run stands.
+    pub fn outcome(&mut self) -> Outcome {
+        Outcome::of(self)
+    }
+
+    /// The hash of iteration, best and the whole state, in hexadecimal.
+    pub fn hash(&self) -> String {
+        let mut digest = Digest::default();
+        digest.word(self.iteration());
+        if let Some(best) = self.planner.best() {
+            digest.number(best.cost);
+        }
+        self.planner.digest(&mut digest);
+        digest.hex()
+    }
+
+    /// A link that opens this very picture: planner, scene, changed parameters, seed, iteration and hash.
+    pub fn link(&self) -> String {
+        let setup = Setup {
+            planner: self.entry.name.to_owned(),
+            scene: Arc::clone(&self.scene),
+            params: self.settings.changed().clone(),
+            seed: self.seed,
+        };
+        Link { setup, iteration: self.iteration(), hash: Some(self.hash()) }.to_string()
+    }
+}

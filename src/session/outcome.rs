@@ -1,0 +1,89 @@
+//! The result, honestly: what was found, whether it is any good, and what it cost.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use crate::{
+    params::Value,
+    planner::{Solution, Status},
+};
+
+use super::Session;
+
+/// Where a run stands. Serialises to the object that `forage run --json` prints and `outcome()` returns.
+#[derive(Debug, Clone, Serialize)]
+pub struct Outcome {
+    /// The planner's name.
+    pub planner: &'static str,
+    /// The scene's name.
+    pub scene: String,
+    /// The seed.
+    pub seed: u64,
+    /// Iterations taken.
+    pub iterations: u64,
+    /// Candidate solutions evaluated.
+    pub evaluations: u64,
+    /// Running, or why it stopped.
+    pub status: Status,
+    /// What the planner minimised; `None` before anything was found.
+    pub cost: Option<f64>,
+    /// The path's length, in the scene's unit.
+    pub length: Option<f64>,
+    /// True only if the result itself was checked and breaks nothing, whatever the penalty was.
+    pub feasible: bool,
+    /// The smallest distance to an obstacle; negative: how deep the path cuts.
+    pub clearance: Option<f64>,
+    /// The exact optimum.
+    pub exact: Option<f64>,
+    /// (length − exact) / exact; `None` where the optimum is 0 or there is no length.
+    pub gap: Option<f64>,
+    /// The path's corners.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub path: Option<Vec<[f64; 2]>>,
+    /// The point in a function's box.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub position: Option<Vec<f64>>,
+    /// The numbers of this iteration.
+    pub readings: BTreeMap<&'static str, f64>,
+    /// The state's hash.
+    pub hash: String,
+    /// Every parameter's value.
+    pub parameters: BTreeMap<&'static str, Value>,
+}
+
+impl Outcome {
+    pub(super) fn of(session: &mut Session) -> Self {
+        let readings = session.readings().iter().collect();
+        let best = session.planner.best();
+        let verdict = best.as_ref().map(|best| session.scene.judge(&best.solution));
+        let exact = session.scene.optimum();
+        let length = verdict.and_then(|v| v.length);
+        let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| (length - exact) / exact);
+        let cost = best.as_ref().map(|best| best.cost);
+        let (path, position) = match best.map(|best| best.solution) {
+            Some(Solution::Path(path)) => (Some(path), None),
+            Some(Solution::Position(position)) => (None, Some(position)),
+            None => (None, None),
+        };
+        Self {
+            planner: session.entry.name,
+            scene: session.scene.name().to_owned(),
+            seed: session.seed,
+            iterations: session.iteration(),
+            evaluations: session.planner.evaluations(),
+            status: session.status(),
+            cost,
+            length,
+            feasible: verdict.is_some_and(|v| v.feasible),
+            clearance: verdict.and_then(|v| v.clearance),
+            exact,
+            gap,
+            path,
+            position,
+            readings,
+            hash: session.hash(),
+            parameters: session.settings.all().iter().cloned().collect(),
+        }
+    }
+}

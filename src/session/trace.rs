@@ -1,0 +1,124 @@
+//! The readings of past iterations, thinned as history grows.
+
+use std::io;
+
+use crate::planner::Readings;
+
+/// Readings of iterations 0, s, 2s, … where the stride s doubles whenever [`Trace::CAPACITY`] rows are full.
+#[derive(Debug, Clone)]
+pub struct Trace {
+    columns: Vec<&'static str>,
+    iterations: Vec<u64>,
+    values: Vec<f64>,
+    stride: u64,
+    capacity: usize,
+}
+
+impl Default for Trace {
+    fn default() -> Self {
+        Self::with_capacity(Self::CAPACITY)
+    }
+}
+
+impl Trace {
+    /// The most rows that are kept.
+    pub const CAPACITY: usize = 8192;
+
+    /// A trace that keeps at most `capacity` rows (at least 2).
+    pub fn with_capacity(capacity: usize) -> Self {
+        Self { columns: Vec::new(), iterations: Vec::new(), values: Vec::new(), stride: 1, capacity: capacity.max(2) }
+    }
+
+    /// Whether a row for this iteration would be kept: it is due and not there yet.
+    pub fn wants(&self, iteration: u64) -> bool {
+        iteration.is_multiple_of(self.stride) && self.iterations.last().is_none_or(|&last| iteration > last)
+    }
+
+    /// Keeps a row.
+    pub fn push(&mut self, iteration: u64, readings: &Readings) {
+        if self.columns.is_empty() {
+            self.columns = readings.iter().map(|(name, _)| name).collect();
+        }
+        if self.iterations.len() == self.capacity {
+            self.thin();
+            if !self.wants(iteration) {
+                return;
+            }
+        }
+        self.iterations.push(iteration);
+        self.values.extend(readings.iter().map(|(_, value)| value));
+    }
+
+    fn thin(&mut self) {
+        self.stride *= 2;
+        let (width, stride) = (self.columns.len(), self.stride);
+        let kept: Vec<usize> = (0..self.iterations.len()).filter(|&row| self.iterations[row].is_multiple_of(stride)).collect();
+        self.values = kept.iter().flat_map(|&row| &self.values[row * width..(row + 1) * width]).copied().collect();
+        self.iterations = kept.iter().map(|&row| self.iterations[row]).collect();
+    }
+
+    /// Names of the readings.
+    pub fn columns(&self) -> &[&'static str] {
+        &self.columns
+    }
+
+    /// The kept iterations after `after` (all of them for `None`), and their readings, row by row.
+    pub fn since(&self, after: Option<u64>) -> (&[u64], &[f64]) {
+        let row = after.map_or(0, |after| self.iterations.partition_point(|&k| k <= after));
+        (&self.iterations[row..], &self.values[row * self.columns.len()..])
+    }
+
+    /// Writes the rows as CSV: `iteration` and the readings' names, then a line for each kept iteration.
+    ///
+    /// # Errors
+    /// Whatever the writer reports.
+    pub fn write_csv(&self, out: impl io::Write) -> io::Result<()> {
+        let mut out = csv::Writer::from_writer(out);
+        out.write_record(["iteration"].iter().chain(&self.columns))?;
+        let (iterations, values) = self.since(None);
+        for (k, row) in iterations.iter().zip(values.chunks_exact(self.columns.len().max(1))) {
+            out.write_field(k.to_string())?;
+            for value in row {
+                out.write_field(value.to_string())?;
+            }
+            out.write_record(None::<&[u8]>)?;
+        }
+        out.flush()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn readings(value: f64) -> Readings {
+        let mut readings = Readings::default();
+        readings.push("best", value);
+        readings.push("mean", 2.0 * value);
+        readings
+    }
+
+    #[test]
+    fn thinning_keeps_whole_rows_and_the_first() {
+        let mut trace = Trace::with_capacity(4);
+        for k in 0..=20 {
+            if trace.wants(k) {
+                trace.push(k, &readings(k as f64));
+            }
+        }
+        let (iterations, values) = trace.since(None);
+        assert_eq!(iterations, [0, 8, 16]);
+        assert_eq!(values, [0.0, 0.0, 8.0, 16.0, 16.0, 32.0]);
+        assert_eq!(trace.since(Some(8)).0, [16]);
+    }
+
+    #[test]
+    fn csv_has_a_line_for_each_row() {
+        let mut trace = Trace::default();
+        trace.push(0, &readings(0.5));
+        trace.push(1, &readings(0.25));
+        let mut text = Vec::new();
+        trace.write_csv(&mut text).unwrap();
+        assert_eq!(String::from_utf8(text).unwrap(), "iteration,best,mean\n0,0.5,1\n1,0.25,0.5\n");
+    }
+}

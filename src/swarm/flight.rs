@@ -1,0 +1,255 @@
+//! The swarm of [WCPSO]: velocities, schedules, and (for some) hen and chick.
+
+use std::sync::Arc;
+
+use crate::{
+    digest::Digest,
+    frame::Frame,
+    math::limit,
+    params::Settings,
+    planner::{Best, Inspection, Item, Planner, Readings, Status},
+    rng::Stream,
+};
+
+use super::{
+    objective::Objective,
+    perturbation::{self, Event, Patience, Perturbation},
+    population::Population,
+    schedule::{Coefficients, Schedule},
+};
+
+/// What distinguishes one swarm of [WCPSO] from another.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Flight {
+    pub(super) schedule: Schedule,
+    pub(super) perturbation: Option<Perturbation>,
+}
+
+/// A swarm that flies: v ← ω v + c1 r1 (p − x) + c2 r2 (g − x), x ← x + v.
+#[derive(Debug, Clone)]
+pub(super) struct Swarm<O> {
+    pub(super) population: Population<O>,
+    /// Velocities v.
+    pub(super) v: Vec<f64>,
+    /// The most each coordinate of a velocity may be.
+    v_max: Arc<[f64]>,
+    pub(super) patience: Vec<Patience>,
+    /// What moved each particle in this iteration.
+    pub(super) events: Vec<Event>,
+    pub(super) flight: Flight,
+    /// The coefficients of the step that led here (of the first step, before it).
+    pub(super) coefficients: Coefficients,
+    rng: Stream,
+    iteration: u64,
+    limit: u64,
+}
+
+/// Rising cost this many times in a row counts as stagnating where no perturbation says otherwise.
+const PATIENCE: u8 = 3;
+
+impl<O: Objective> Swarm<O> {
+    /// Positions uniform in the box, velocities zero.
+    pub(super) fn new(objective: O, settings: &Settings, seed: u64, flight: Flight) -> Self {
+        let mut rng = Stream::new(seed, 0);
+        let limit = settings.integer("iterations");
+        let size = settings.integer("population") as usize;
+        let fraction = settings.number("v_max");
+        let search_box = objective.search_box();
+        let v_max = search_box.low.iter().zip(&*search_box.high).map(|(low, high)| fraction * (high - low)).collect();
+        let population = Population::uniform(objective, size, &mut rng);
+        Self {
+            v: vec![0.0; population.x.len()],
+            v_max,
+            patience: vec![Patience::default(); size],
+            events: vec![Event::Move; size],
+            flight,
+            coefficients: flight.schedule.at(0, limit),
+            rng,
+            iteration: 0,
+            limit,
+            population,
+        }
+    }
+
+    /// One iteration. `watch` sees what happens to a particle that somebody asked about.
+    pub(super) fn advance(&mut self, watch: &mut impl Watch) {
+        self.coefficients = self.flight.schedule.at(self.iteration, self.limit);
+        for i in 0..self.population.size {
+            let event = self.flight.perturbation.map_or(Event::Move, |p| self.patience[i].next(p.patience));
+            self.events[i] = event;
+            match event {
+                Event::Move if watch.wants(i) => self.fly(i, watch),
+                Event::Move => self.fly(i, &mut ()),
+                Event::Hen => self.follow_hen(i, watch),
+                Event::Chick => self.follow_chick(i, watch),
+            }
+            let before = self.population.cost[i];
+            self.population.evaluate(i);
+            self.patience[i].note(before, self.population.cost[i]);
+        }
+        self.population.settle();
+        self.iteration += 1;
+    }
+
+    /// (6) and (7). Reading: velocities are limited, positions are kept in the box, and a coordinate that hits a wall stops.
+    #[inline]
+    fn fly(&mut self, i: usize, watch: &mut impl Watch) {
+        let Coefficients { w, c1, c2 } = self.coefficients;
+        let row = self.population.row(i);
+        let n = row.len();
+        let Population { x, p, g, objective, .. } = &mut self.population;
+        let search_box = objective.search_box();
+        // Slices of one known length: the loop below needs no bounds checks.
+        let (x, v, p, g) = (&mut x[row.clone()], &mut self.v[row.clone()], &p[row], &g[..n]);
+        let (low, high, v_max) = (&search_box.low[..n], &search_box.high[..n], &self.v_max[..n]);
+        for j in 0..n {
+            let (r1, r2) = (self.rng.unit(), self.rng.unit());
+            let (inertia, cognitive, social) = (w * v[j], c1 * r1 * (p[j] - x[j]), c2 * r2 * (g[j] - x[j]));
+            let step = limit(inertia + cognitive + social, -v_max[j], v_max[j]);
+            watch.term(Term { r: [r1, r2], inertia, cognitive, social, step });
+            let reached = x[j] + step;
+            x[j] = limit(reached, low[j], high[j]);
+            v[j] = if x[j] == reached { step } else { 0.0 };
+        }
+    }
+
+    /// (9). Reading: the particle jumps instead of flying; its velocity stays. Another particle that comes earlier in
+    /// the order has already moved.
+    fn follow_hen(&mut self, i: usize, watch: &mut impl Watch) {
+        let population = &mut self.population;
+        let t = perturbation::other(i, population.size, &mut self.rng);
+        let f_i = population.p_cost[i];
+        let s1 = perturbation::s1(f_i, population.g_cost);
+        let s2 = t.map_or(0.0, |t| perturbation::s2(f_i, population.p_cost[t]));
+        watch.hen(i, t, [s1, s2]);
+        let t = t.unwrap_or(i);
+        for j in 0..population.dimension {
+            let r = [self.rng.unit(), self.rng.unit()];
+            let (at, x_t) = (population.row(i).start + j, population.x[population.row(t).start + j]);
+            let x = perturbation::hen(population.x[at], population.g[j], x_t, [s1, s2], r);
+            watch.jump(i, r);
+            population.x[at] = population.objective.search_box().clamp(j, x);
+        }
+    }
+
+    /// (12).
+    fn follow_chick(&mut self, i: usize, watch: &mut impl Watch) {
+        let f_l = self.flight.perturbation.map_or(0.0, |p| p.f_l);
+        let population = &mut self.population;
+        let row = population.row(i);
+        for (j, x) in population.x[row].iter_mut().enumerate() {
+            watch.jump(i, [f_l, 0.0]);
+            *x = population.objective.search_box().clamp(j, perturbation::chick(*x, population.g[j], f_l));
+        }
+    }
+
+    fn count(&self, event: Event) -> f64 {
+        self.events.iter().filter(|&&e| e == event).count() as f64
+    }
+
+    fn stagnating(&self) -> f64 {
+        let patience = self.flight.perturbation.map_or(PATIENCE, |p| p.patience);
+        self.patience.iter().filter(|p| p.worse >= patience).count() as f64
+    }
+}
+
+/// One coordinate of a particle's flight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Term {
+    /// r1 and r2.
+    pub(super) r: [f64; 2],
+    /// ω v
+    pub(super) inertia: f64,
+    /// c1 r1 (p − x)
+    pub(super) cognitive: f64,
+    /// c2 r2 (g − x)
+    pub(super) social: f64,
+    /// Their sum, limited.
+    pub(super) step: f64,
+}
+
+/// Sees what a step does. `()` sees nothing and costs nothing.
+pub(super) trait Watch {
+    fn wants(&self, _i: usize) -> bool {
+        false
+    }
+    fn term(&mut self, _term: Term) {}
+    fn hen(&mut self, _i: usize, _t: Option<usize>, _s: [f64; 2]) {}
+    fn jump(&mut self, _i: usize, _r: [f64; 2]) {}
+}
+
+impl Watch for () {}
+
+impl<O: Objective> Planner for Swarm<O> {
+    fn step(&mut self) -> Status {
+        if self.iteration < self.limit {
+            self.advance(&mut ());
+        }
+        self.status()
+    }
+
+    fn status(&self) -> Status {
+        if self.iteration < self.limit { Status::Running } else { Status::Exhausted }
+    }
+
+    fn iteration(&self) -> u64 {
+        self.iteration
+    }
+
+    fn limit(&self) -> u64 {
+        self.limit
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.population.evaluations
+    }
+
+    fn best(&self) -> Option<Best> {
+        Some(self.population.best())
+    }
+
+    fn read(&self, out: &mut Readings) {
+        let Coefficients { w, c1, c2 } = self.coefficients;
+        out.push("best", self.population.g_cost);
+        out.push("mean", self.population.mean());
+        if self.population.objective.constrained() {
+            out.push("free", if self.population.free_cost.is_finite() { self.population.free_cost } else { f64::NAN });
+        }
+        out.push("k", self.iteration.saturating_sub(1) as f64);
+        out.push("w", w);
+        out.push("c1", c1);
+        out.push("c2", c2);
+        out.push("stagnating", self.stagnating());
+        if self.flight.perturbation.is_some() {
+            out.push("hens", self.count(Event::Hen));
+            out.push("chicks", self.count(Event::Chick));
+        }
+        out.push("evaluations", self.population.evaluations as f64);
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        self.draw_layers(frame);
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        (self.iteration == 0).then(|| self.introduce(item)).flatten()
+    }
+
+    fn explain(&self, item: Item) -> Option<Inspection> {
+        self.explain_step(item)
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        out.word(self.iteration);
+        self.population.digest(out);
+        out.numbers(&self.v);
+        for (patience, event) in self.patience.iter().zip(&self.events) {
+            out.word(u64::from(patience.worse) << 16 | u64::from(patience.after_hen) << 8 | *event as u64);
+        }
+        self.rng.digest(out);
+    }
+
+    fn bytes(&self) -> usize {
+        self.population.bytes() + 8 * self.v.len() + 3 * self.patience.len() + size_of::<Self>()
+    }
+}

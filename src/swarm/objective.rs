@@ -1,0 +1,117 @@
+//! What a swarm minimises: a box of positions, each with a cost and a meaning in the plane.
+
+use std::sync::Arc;
+
+use crate::{
+    math,
+    planner::Solution,
+    scene::{Function, FunctionScene},
+};
+
+/// The box in which positions are searched, and what it allows.
+#[derive(Debug, Clone)]
+pub struct SearchBox {
+    /// The least value of each coordinate.
+    pub low: Arc<[f64]>,
+    /// The greatest value of each coordinate.
+    pub high: Arc<[f64]>,
+}
+
+impl SearchBox {
+    /// How many coordinates a position has.
+    pub fn dimension(&self) -> usize {
+        self.low.len()
+    }
+
+    /// The value nearest to `x` that coordinate `j` may have.
+    #[inline]
+    pub fn clamp(&self, j: usize, x: f64) -> f64 {
+        math::limit(x, self.low[j], self.high[j])
+    }
+}
+
+/// A position's cost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Evaluation {
+    /// What is minimised, penalty included.
+    pub cost: f64,
+    /// The penalty's share of it; 0 where nothing is violated.
+    pub penalty: f64,
+}
+
+/// What positions mean and cost. An encoding of paths is one of these; the planners know nothing else of the scene.
+pub trait Objective: Clone + Send + 'static {
+    /// Where positions may lie.
+    fn search_box(&self) -> &SearchBox;
+    /// The cost of a position. Called once per particle and iteration; must not allocate.
+    fn evaluate(&self, x: &[f64]) -> Evaluation;
+    /// Whether there are constraints that a position can violate.
+    fn constrained(&self) -> bool;
+    /// The points in the plane that a position places: itself, or a path's way-points.
+    fn points(&self, x: &[f64]) -> impl Iterator<Item = [f64; 2]>;
+    /// How many points that is.
+    fn point_count(&self) -> usize;
+    /// The ends of the path that the points belong to; `None` where there is no path.
+    fn ends(&self) -> Option<([f64; 2], [f64; 2])>;
+    /// What a position is the solution of.
+    fn solution(&self, x: &[f64]) -> Solution;
+    /// The name of the coordinate `j`, e.g. `x₃`.
+    fn coordinate(&self, j: usize) -> String;
+}
+
+/// A test function of [WCPSO] Table 1 on its box.
+#[derive(Debug, Clone)]
+pub struct FunctionObjective {
+    function: Function,
+    search_box: SearchBox,
+}
+
+impl FunctionObjective {
+    /// The scene's function in the scene's dimension.
+    pub fn new(scene: &FunctionScene) -> Self {
+        let side = scene.function.half_side();
+        let search_box = SearchBox { low: vec![-side; scene.dimension].into(), high: vec![side; scene.dimension].into() };
+        Self { function: scene.function, search_box }
+    }
+}
+
+impl Objective for FunctionObjective {
+    fn search_box(&self) -> &SearchBox {
+        &self.search_box
+    }
+
+    #[inline]
+    fn evaluate(&self, x: &[f64]) -> Evaluation {
+        Evaluation { cost: self.function.value(x), penalty: 0.0 }
+    }
+
+    fn constrained(&self) -> bool {
+        false
+    }
+
+    fn points(&self, x: &[f64]) -> impl Iterator<Item = [f64; 2]> {
+        std::iter::once([x[0], x.get(1).copied().unwrap_or(0.0)])
+    }
+
+    fn point_count(&self) -> usize {
+        1
+    }
+
+    fn ends(&self) -> Option<([f64; 2], [f64; 2])> {
+        None
+    }
+
+    fn solution(&self, x: &[f64]) -> Solution {
+        Solution::Position(x.to_vec())
+    }
+
+    fn coordinate(&self, j: usize) -> String {
+        subscripted('x', j + 1)
+    }
+}
+
+/// A letter with a number below it, e.g. `x₁₂`.
+pub(super) fn subscripted(letter: char, number: usize) -> String {
+    let digits = number.to_string().chars().filter_map(|d| char::from_u32(d as u32 - '0' as u32 + '₀' as u32)).collect::<String>();
+    format!("{letter}{digits}")
+}

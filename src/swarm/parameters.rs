@@ -1,0 +1,173 @@
+//! What the entries of the swarms share: parameters, readings, equations and layers.
+
+use crate::{
+    catalogue::{Formula, Group, Layer, Reading, Scope},
+    frame::Role,
+    params::{Choice, Parameter},
+    scene::Kind,
+};
+
+/// The kinds of scene that a swarm runs on.
+pub(super) const KINDS: &[Kind] = &[Kind::Discs, Kind::Function];
+
+pub(super) const POPULATION: Parameter =
+    Parameter::integer("population", "N", "Population", [1, 100_000, 60], "How many particles. Published: 60 on functions, 150 among discs.")
+        .defaults_on(&[(Kind::Discs, 150.0)])
+        .slider(2.0, 2000.0, true);
+pub(super) const ITERATIONS: Parameter = Parameter::integer(
+    "iterations",
+    "k_{\\max}",
+    "Iterations",
+    [1, 1_000_000_000, 1000],
+    "After how many iterations it stops; schedules stretch over them. Published: 1000 on functions, 500 among discs.",
+)
+.defaults_on(&[(Kind::Discs, 500.0)])
+.slider(10.0, 5000.0, true);
+pub(super) const V_MAX: Parameter = Parameter::number(
+    "v_max",
+    "v_{\\max}",
+    "Velocity limit",
+    [0.001, 1.0, 0.2],
+    "The most a coordinate may change in an iteration, as a share of the search box’s side.",
+)
+.slider(0.01, 1.0, false);
+pub(super) const W: Parameter = Parameter::number(
+    "w",
+    "\\omega",
+    "Inertia weight",
+    [0.0, 1.5, 0.7298],
+    "How much of its velocity a particle keeps. The paper gives no value; 0.7298 is Clerc and Kennedy’s.",
+);
+pub(super) const C1: Parameter = Parameter::number(
+    "c1",
+    "c_1",
+    "Cognitive coefficient",
+    [0.0, 5.0, 1.496_18],
+    "How strongly a particle is drawn to the best it has found itself.",
+);
+pub(super) const C2: Parameter = Parameter::number(
+    "c2",
+    "c_2",
+    "Social coefficient",
+    [0.0, 5.0, 1.496_18],
+    "How strongly a particle is drawn to the best that the swarm has found.",
+);
+pub(super) const W_MAX: Parameter =
+    Parameter::number("w_max", "\\omega_{\\max}", "Inertia weight at the start", [0.0, 1.5, 0.95], "ω falls from here, so that the swarm first explores.");
+pub(super) const W_MIN: Parameter =
+    Parameter::number("w_min", "\\omega_{\\min}", "Inertia weight at the end", [0.0, 1.5, 0.4], "ω falls to here, so that the swarm settles.");
+pub(super) const WAYPOINTS: Parameter = Parameter::integer(
+    "waypoints",
+    "n",
+    "Way-points",
+    [1, 50, 3],
+    "How many corners a path may have between start and goal; a particle has twice as many coordinates. The paper gives no value.",
+)
+.only_on(&[Kind::Discs])
+.slider(1.0, 20.0, false);
+pub(super) const PENALTY: Parameter = Parameter::choice(
+    "penalty",
+    "V",
+    "Penalty",
+    &[
+        Choice { value: "segments", title: "whole path", help: "(15) at each segment’s point closest to the disc’s centre." },
+        Choice { value: "waypoints", title: "way-points only", help: "(15) as printed: a segment may cut through a disc unpunished." },
+    ],
+    "Where a path is tested for discs.",
+)
+.only_on(&[Kind::Discs]);
+pub(super) const PENALTY_WEIGHT: Parameter = Parameter::number(
+    "penalty_weight",
+    "w",
+    "Penalty weight",
+    [0.0, 1e6, 100.0],
+    "The safety factor w of (14): what a path through a disc’s centre costs.",
+)
+.only_on(&[Kind::Discs])
+.slider(1.0, 1000.0, true);
+
+const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
+    Reading { name, symbol, title, help, group }
+}
+
+/// What every swarm tells; those that perturb tell [`PERTURBED`].
+pub(super) const READINGS: &[Reading] = &[BEST, MEAN, FREE, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, EVALUATIONS];
+pub(super) const PERTURBED: &[Reading] = &[BEST, MEAN, FREE, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, HENS, CHICKS, EVALUATIONS];
+
+const BEST: Reading = reading("best", "f(g)", "Best cost", Group::Cost, "The cost of the global best, penalty included.");
+const MEAN: Reading = reading("mean", "\\bar f", "Mean cost", Group::Cost, "The mean cost of the particles where they are now.");
+const FREE: Reading = reading("free", "L_{\\text{free}}", "Best without penalty", Group::Cost, "The cheapest path without penalty so far: the result.");
+const K: Reading = reading("k", "k", "Update", Group::Count, "The number of the update that led here, counted from 0 as in the paper.");
+const OMEGA: Reading = reading("w", "\\omega", "Inertia weight", Group::Schedule, "ω in the step that led here.");
+const COGNITIVE: Reading = reading("c1", "c_1", "Cognitive coefficient", Group::Schedule, "c1 in the step that led here.");
+const SOCIAL: Reading = reading("c2", "c_2", "Social coefficient", Group::Schedule, "c2 in the step that led here.");
+const STAGNATING: Reading =
+    reading("stagnating", "n_s", "Stagnating", Group::Count, "Particles whose cost has just risen in that many consecutive iterations.");
+const HENS: Reading = reading("hens", "n_h", "Moved by the hen", Group::Count, "Particles that the hen equation moved in this iteration.");
+const CHICKS: Reading = reading("chicks", "n_c", "Moved by the chick", Group::Count, "Particles that the chick equation moved in this iteration.");
+const EVALUATIONS: Reading = reading("evaluations", "n_f", "Evaluations", Group::Count, "How many positions were evaluated so far.");
+
+/// An equation that is filled in from the readings.
+pub(super) const fn schedule(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
+    Formula { name, source, title, tex, live, scope: Scope::Iteration }
+}
+
+const fn of_particle(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
+    Formula { name, source, title, tex, live, scope: Scope::Item }
+}
+
+pub(super) const VELOCITY: Formula = of_particle(
+    "velocity",
+    "[WCPSO] (1, 6)",
+    "Velocity",
+    "v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x)",
+    "v = @w@ \\cdot @v_before@ + @c1@ \\cdot @r1@ \\, (@p@ - @x_before@) + @c2@ \\cdot @r2@ \\, (@g@ - @x_before@) \\;\\to\\; @v@",
+);
+pub(super) const POSITION: Formula =
+    of_particle("position", "[WCPSO] (2, 7)", "Position", "x \\leftarrow x + v", "x = @x_before@ + @v@ \\;\\to\\; @x@");
+pub(super) const HEN: Formula = of_particle(
+    "hen",
+    "[WCPSO] (9)",
+    "Hen",
+    "x \\leftarrow x + s_1 r (p_g - x) + s_2 r' (x_t - x)",
+    "x = @x_before@ + @s1@ \\cdot @r@ \\, (@g@ - @x_before@) + @s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@) \\;\\to\\; @x@",
+);
+pub(super) const S1: Formula = of_particle(
+    "s1",
+    "[WCPSO] (10)",
+    "Pull of the best",
+    "s_1 = \\exp\\frac{f_i - f_g}{|f_i| + \\varepsilon}",
+    "s_1 = \\exp\\frac{@f_i@ - @f_g@}{|@f_i@| + \\varepsilon} = @s1@",
+);
+pub(super) const S2: Formula = of_particle(
+    "s2",
+    "[WCPSO] (11), exponent at most 1",
+    "Pull of the other",
+    "s_2 = \\exp\\left(f_i - f_t\\right)",
+    "s_2 = \\exp\\left(\\min(@f_i@ - @f_t@,\\, 1)\\right) = @s2@",
+);
+pub(super) const CHICK: Formula =
+    of_particle("chick", "[WCPSO] (12)", "Chick", "x \\leftarrow x + F_L (p_g - x)", "x = @x_before@ + @f_l@ \\, (@g@ - @x_before@) \\;\\to\\; @x@");
+
+pub(super) const LINEAR_W: Formula = schedule(
+    "w",
+    "[WCPSO] fig. 1, dashed",
+    "Inertia weight, linear",
+    "\\omega(k) = \\omega_{\\max} - (\\omega_{\\max} - \\omega_{\\min}) \\frac{k}{k_{\\max}}",
+    "\\omega(@k@) = @w_max@ - (@w_max@ - @w_min@) \\cdot \\frac{@k@}{@iterations@} = @w@",
+);
+
+const fn layer(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Layer {
+    Layer { role, title, help, on, pickable }
+}
+
+/// What every swarm draws; those that perturb draw [`PERTURBED_LAYERS`].
+pub(super) const LAYERS: &[Layer] = &[PERSONAL_BESTS, PARTICLES, VELOCITIES, GLOBAL_BEST];
+pub(super) const PERTURBED_LAYERS: &[Layer] = &[PERSONAL_BESTS, PARTICLES, HEN_LAYER, CHICK_LAYER, VELOCITIES, GLOBAL_BEST];
+
+const PERSONAL_BESTS: Layer = layer(Role::PersonalBests, "Personal bests", false, false, "The best that each particle has found.");
+const PARTICLES: Layer = layer(Role::Particles, "Particles", true, true, "Where the particles are: points, or the paths they stand for.");
+const HEN_LAYER: Layer = layer(Role::Hen, "Hens", true, false, "Particles that the hen equation moved in this iteration.");
+const CHICK_LAYER: Layer = layer(Role::Chick, "Chicks", true, false, "Particles that the chick equation moved in this iteration.");
+const VELOCITIES: Layer = layer(Role::Velocities, "Velocities", false, false, "The particles’ velocities, to scale.");
+const GLOBAL_BEST: Layer = layer(Role::Best, "Best", true, false, "The best so far: the result.");

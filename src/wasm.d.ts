@@ -1,0 +1,234 @@
+/** A point [x, y] in the scene's unit. */
+export type Point = [number, number];
+
+/** What a scene is made of. Planners say which kinds they run on. */
+export type Kind = 'function' | 'discs';
+
+interface SceneBase {
+  format: 'forage-scene';
+  version: 1;
+  /** Short identifier, used in links and on the command line. */
+  name: string;
+  title: string;
+  note?: string;
+  source?: string;
+  units?: string;
+  /** The stored optimum, if the file carries one. */
+  exact?: { length: number };
+  /** Figures published for this scene, as they stand in the file. */
+  published?: Record<string, unknown>;
+}
+
+/** A test function to minimise. */
+export interface FunctionScene extends SceneBase {
+  kind: 'function';
+  function: 'matyas' | 'egg-crate' | 'sphere' | 'rosenbrock' | 'ackley' | 'rastrigin';
+  dimension: number;
+}
+
+export interface Disc {
+  center: Point;
+  radius: number;
+}
+
+/** A plane with circular obstacles. */
+export interface DiscsScene extends SceneBase {
+  kind: 'discs';
+  bounds: { min: Point; max: Point };
+  start: Point;
+  goal: Point;
+  discs: Disc[];
+}
+
+/** A scene file's content. */
+export type Scene = FunctionScene | DiscsScene;
+
+export type ParameterValue = number | string | boolean;
+
+/** What a parameter means and what it may be: enough to make a control of it. */
+export interface Parameter {
+  name: string;
+  /** TeX. */
+  symbol: string;
+  title: string;
+  help: string;
+  type: 'number' | 'integer' | 'choice' | 'flag';
+  default: ParameterValue;
+  /** Defaults that differ on a kind of scene (the published values). */
+  defaults: Partial<Record<Kind, ParameterValue>>;
+  /** The kinds of scene on which the parameter means something. */
+  kinds: Kind[];
+  /** Numbers and integers only: the allowed range, both ends included. */
+  min?: number;
+  max?: number;
+  /** The range a slider should offer; typing may go beyond it, up to min and max. */
+  soft_min?: number;
+  soft_max?: number;
+  /** A slider's step; 0 or absent: continuous. */
+  step?: number;
+  /** True where a slider should be logarithmic. */
+  logarithmic?: boolean;
+  /** Choices only. */
+  options?: { value: string; title: string; help: string }[];
+}
+
+/** A number that a planner tells after each iteration. */
+export interface Reading {
+  name: string;
+  /** TeX. */
+  symbol: string;
+  title: string;
+  help: string;
+  /** Where it belongs: a curve of costs, a parameter's schedule, a count of particles. */
+  group: 'cost' | 'schedule' | 'count';
+}
+
+/** An equation of the paper. `live` holds `@name@` where a reading or an inspected value goes. */
+export interface Formula {
+  name: string;
+  /** E.g. `[WCPSO] (3)`. */
+  source: string;
+  title: string;
+  /** TeX, as in the paper. */
+  tex: string;
+  /** TeX with `@name@` placeholders for the numbers of the moment. Absent: nothing to put in. */
+  live?: string;
+  /** `iteration`: filled from the readings; `item`: filled from an inspection's values. */
+  scope: 'iteration' | 'item';
+}
+
+export interface Planner {
+  name: string;
+  title: string;
+  family: string;
+  source: string;
+  summary: string;
+  kinds: Kind[];
+  parameters: Parameter[];
+  readings: Reading[];
+  formulas: Formula[];
+  /** Layers it can draw, in drawing order. */
+  layers: Layer[];
+}
+
+/** A layer's role, and how to name it in a legend. */
+export interface Layer {
+  role: string;
+  title: string;
+  help: string;
+  /** Drawn without being asked for. */
+  on: boolean;
+  /** Its pieces can be picked and inspected. */
+  pickable: boolean;
+}
+
+export interface Catalogue {
+  /** The crate's version. */
+  version: string;
+  planners: Planner[];
+  /** The scenes that ship. */
+  scenes: Scene[];
+  /** Names of role numbers in a frame's span table. */
+  roles: string[];
+  /** Names of shape numbers in a frame's span table. */
+  shapes: ('points' | 'polyline' | 'segments' | 'field')[];
+}
+
+export interface Setup {
+  planner: string;
+  /** A scene, or the name of one that ships. */
+  scene: Scene | string;
+  /** Only what differs from the defaults is needed. */
+  params?: Record<string, ParameterValue>;
+  /** 0 … 2^53 − 1. Default 1. */
+  seed?: number;
+}
+
+/** A link, taken apart. */
+export interface LinkSetup {
+  planner: string;
+  scene: Scene;
+  params: Record<string, ParameterValue>;
+  seed: number;
+  iteration: number;
+  /** The state's hash that the link promises. */
+  hash?: string;
+}
+
+/** `running`, or why it stopped: `solved`, `exhausted` (the iteration limit), `infeasible`. */
+export type Status = 'running' | 'solved' | 'exhausted' | 'infeasible';
+
+/** Views into the wasm memory: valid until the next call of anything in this module. Copy what you keep. */
+export interface FrameViews {
+  /** x, y, z, weight for each vertex. */
+  vertices: Float32Array;
+  /** role, shape, first vertex, count for each span. */
+  spans: Uint32Array;
+  /** How many of the planner's pieces were left out to keep to the budget: every `thinning`-th is drawn. */
+  thinning: number;
+}
+
+export interface Item {
+  role: string;
+  index: number;
+}
+
+/** Why something did what it did in the step that led to this iteration. */
+export interface Inspection {
+  item: Item;
+  title: string;
+  /** What happened: `start`, `move`, `hen`, `chick`, … */
+  event: string;
+  /** The same in a sentence. */
+  summary: string;
+  /** Numbers by name, as the formulas' placeholders use them. */
+  values: { name: string; symbol: string; title: string; value: number }[];
+  /** Which of the planner's formulas (by name) say it. */
+  formulas: string[];
+  /** One row a dimension, waypoint, …; columns are symbols (TeX). */
+  table: { columns: { name: string; symbol: string; title: string }[]; labels: string[]; rows: number[][] };
+  /** Arrows and marks to draw over the stage. */
+  layers: { role: string; shape: string; vertices: [number, number][] }[];
+}
+
+export interface Outcome {
+  planner: string;
+  scene: string;
+  seed: number;
+  iterations: number;
+  evaluations: number;
+  status: Status;
+  /** What was minimised. `null` before anything was found. */
+  cost: number | null;
+  /** The path's length, in the scene's unit. */
+  length: number | null;
+  /** True only if the result was checked and breaks nothing, whatever the penalty was. */
+  feasible: boolean;
+  /** Smallest distance to an obstacle; negative: how deep the path cuts. */
+  clearance: number | null;
+  /** The exact optimum. */
+  exact: number | null;
+  /** (length − exact) / exact. */
+  gap: number | null;
+  path?: Point[];
+  position?: number[];
+  readings: Record<string, number>;
+  hash: string;
+  parameters: Record<string, ParameterValue>;
+}
+
+/** Readings of past iterations: `rows` holds `columns.length` numbers for each kept iteration. */
+export interface Trace {
+  columns: string[];
+  /** The iterations that the rows belong to. */
+  iterations: Float64Array;
+  rows: Float64Array;
+}
+
+/** An `Error` that says which field is wrong. */
+export interface ForageError extends Error {
+  /** E.g. `population`, `discs[2].radius`. */
+  field: string;
+  value: string;
+  allowed: string;
+}
