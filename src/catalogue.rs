@@ -7,14 +7,19 @@ use serde::{Serialize, Serializer, ser::SerializeStruct};
 use crate::{
     error::Error,
     frame::{Role, Shape},
-    params::{Domain, Parameter, Settings},
+    params::{Domain, Parameter, Settings, as_object},
     scene::{Kind, Scene, shipped_names},
     session::AnyPlanner,
     swarm,
 };
 
 /// All planners, in the order in which they are offered.
-pub const PLANNERS: &[Entry] = &[swarm::wcpso::ENTRY, swarm::pso::ENTRY, swarm::wpso::ENTRY, swarm::cpso::ENTRY];
+pub const PLANNERS: &[Entry] = &[
+    swarm::wcpso::ENTRY,
+    swarm::pso::ENTRY,
+    swarm::wpso::ENTRY,
+    swarm::cpso::ENTRY,
+];
 
 /// Starts a run: refuses everything that can be refused.
 pub type Start = fn(&Arc<Scene>, &Settings, u64) -> Result<Box<dyn AnyPlanner>, Error>;
@@ -121,7 +126,10 @@ pub struct Layer {
 /// # Errors
 /// [`Error::Unknown`] with the names that exist.
 pub fn find(name: &str) -> Result<&'static Entry, Error> {
-    PLANNERS.iter().find(|entry| entry.name == name).ok_or_else(|| Error::unknown("planner", name, PLANNERS.iter().map(|e| e.name)))
+    PLANNERS
+        .iter()
+        .find(|entry| entry.name == name)
+        .ok_or_else(|| Error::unknown("planner", name, PLANNERS.iter().map(|e| e.name)))
 }
 
 impl Entry {
@@ -134,7 +142,11 @@ impl Entry {
             return Ok(());
         }
         let kinds: Vec<_> = self.kinds.iter().map(|k| k.name()).collect();
-        Err(Error::Unsupported { planner: self.name.to_owned(), kind: kind.name().to_owned(), kinds: kinds.join(", ") })
+        Err(Error::Unsupported {
+            planner: self.name.to_owned(),
+            kind: kind.name().to_owned(),
+            kinds: kinds.join(", "),
+        })
     }
 
     /// The parameters that mean something on this kind of scene.
@@ -157,14 +169,21 @@ pub struct Catalogue {
 
 /// The whole catalogue.
 pub fn catalogue() -> Catalogue {
-    let mut symbols: Vec<_> = PLANNERS
+    let all = PLANNERS
         .iter()
-        .flat_map(|e| e.parameters.iter().map(|p| p.symbol).chain(e.readings.iter().map(|r| r.symbol)))
-        .chain(swarm::SYMBOLS.iter().copied())
-        .filter(|symbol| !symbol.is_empty())
-        .collect();
-    symbols.sort_unstable();
-    symbols.dedup();
+        .flat_map(|e| {
+            e.parameters
+                .iter()
+                .map(|p| p.symbol)
+                .chain(e.readings.iter().map(|r| r.symbol))
+        })
+        .chain(swarm::SYMBOLS.iter().copied());
+    let mut symbols = Vec::new();
+    for symbol in all {
+        if !symbol.is_empty() && !symbols.contains(&symbol) {
+            symbols.push(symbol);
+        }
+    }
     Catalogue {
         version: env!("CARGO_PKG_VERSION"),
         planners: PLANNERS.iter().map(EntryView).collect(),
@@ -182,7 +201,14 @@ struct EntryView(&'static Entry);
 impl Serialize for EntryView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let entry = self.0;
-        let parameters: Vec<_> = entry.parameters.iter().map(|p| ParameterView { parameter: p, planner: entry }).collect();
+        let parameters: Vec<_> = entry
+            .parameters
+            .iter()
+            .map(|p| ParameterView {
+                parameter: p,
+                planner: entry,
+            })
+            .collect();
         let mut out = serializer.serialize_struct("Planner", 10)?;
         out.serialize_field("name", entry.name)?;
         out.serialize_field("title", entry.title)?;
@@ -198,6 +224,15 @@ impl Serialize for EntryView {
     }
 }
 
+/// Pairs as an object.
+struct Object<'a>(&'a [(&'static str, f64)]);
+
+impl Serialize for Object<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        as_object(self.0, serializer)
+    }
+}
+
 struct ParameterView {
     parameter: &'static Parameter,
     planner: &'static Entry,
@@ -206,16 +241,30 @@ struct ParameterView {
 impl Serialize for ParameterView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let p = self.parameter;
-        let kinds: Vec<Kind> = self.planner.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
-        let defaults: std::collections::BTreeMap<_, _> = p.defaults.iter().map(|&(kind, value)| (kind.name(), value)).collect();
-        let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(Kind::Function));
+        let kinds: Vec<Kind> = self
+            .planner
+            .kinds
+            .iter()
+            .copied()
+            .filter(|&kind| p.applies_to(kind))
+            .collect();
+        let defaults: Vec<_> = p
+            .defaults
+            .iter()
+            .map(|&(kind, value)| (kind.name(), value))
+            .collect();
+        let general = Parameter {
+            defaults: &[],
+            ..*p
+        }
+        .default_on(kinds.first().copied().unwrap_or(Kind::Function));
         let mut out = serializer.serialize_struct("Parameter", 14)?;
         out.serialize_field("name", p.name)?;
         out.serialize_field("symbol", p.symbol)?;
         out.serialize_field("title", p.title)?;
         out.serialize_field("help", p.help)?;
         out.serialize_field("default", &general)?;
-        out.serialize_field("defaults", &defaults)?;
+        out.serialize_field("defaults", &Object(&defaults))?;
         out.serialize_field("kinds", &kinds)?;
         match p.domain {
             Domain::Number { min, max, .. } => {

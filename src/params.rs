@@ -2,9 +2,12 @@
 //!
 //! A planner lists its [`Parameter`]s once; controls, command-line help, the checks and the defaults all follow from it.
 
-use std::collections::BTreeMap;
+use std::fmt;
 
-use serde::{Deserialize, Serialize};
+use serde::{
+    Deserialize, Deserializer, Serialize, Serializer,
+    de::{MapAccess, Visitor},
+};
 
 use crate::{error::Error, scene::Kind};
 
@@ -20,8 +23,8 @@ pub enum Value {
     Text(String),
 }
 
-impl std::fmt::Display for Value {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Flag(flag) => flag.fmt(f),
             Self::Number(number) => number.fmt(f),
@@ -42,13 +45,98 @@ impl From<&str> for Value {
         match text.trim() {
             "true" => Self::Flag(true),
             "false" => Self::Flag(false),
-            text => text.parse().map_or_else(|_| Self::Text(text.to_owned()), Self::Number),
+            text => text
+                .parse()
+                .map_or_else(|_| Self::Text(text.to_owned()), Self::Number),
         }
     }
 }
 
-/// Parameters that were given, by name; what is not given has its default.
-pub type Given = BTreeMap<String, Value>;
+/// Values by name, ordered by name. What is not given has its default.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Given(Vec<(String, Value)>);
+
+impl Given {
+    /// Nothing given: all defaults.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Gives a parameter a value, replacing an earlier one.
+    pub fn insert(&mut self, name: impl Into<String>, value: Value) {
+        let name = name.into();
+        match self.0.binary_search_by(|(known, _)| known.cmp(&name)) {
+            Ok(at) => self.0[at].1 = value,
+            Err(at) => self.0.insert(at, (name, value)),
+        }
+    }
+
+    /// The value given for a name.
+    pub fn get(&self, name: &str) -> Option<&Value> {
+        self.iter()
+            .find(|(known, _)| *known == name)
+            .map(|(_, value)| value)
+    }
+
+    /// Names and values, in the order of the names.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Value)> {
+        self.0.iter().map(|(name, value)| (name.as_str(), value))
+    }
+
+    /// Whether nothing is given.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl<'a> FromIterator<(&'a str, Value)> for Given {
+    fn from_iter<I: IntoIterator<Item = (&'a str, Value)>>(pairs: I) -> Self {
+        let mut given = Self::new();
+        pairs
+            .into_iter()
+            .for_each(|(name, value)| given.insert(name, value));
+        given
+    }
+}
+
+impl Serialize for Given {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.iter())
+    }
+}
+
+impl<'de> Deserialize<'de> for Given {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Names;
+        impl<'de> Visitor<'de> for Names {
+            type Value = Given;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("an object of parameters by name")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Given, A::Error> {
+                let mut given = Given::new();
+                while let Some((name, value)) = map.next_entry::<String, Value>()? {
+                    given.insert(name, value);
+                }
+                Ok(given)
+            }
+        }
+        deserializer.deserialize_map(Names)
+    }
+}
+
+/// Serialises pairs as an object, in their order.
+///
+/// # Errors
+/// Whatever the serializer reports.
+pub fn as_object<S: Serializer, V: Serialize>(
+    pairs: &[(&'static str, V)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(pairs.iter().map(|(name, value)| (name, value)))
+}
 
 /// One of a choice's options.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -119,22 +207,78 @@ pub struct Parameter {
 
 impl Parameter {
     /// A real number in [`min`, `max`].
-    pub const fn number(name: &'static str, symbol: &'static str, title: &'static str, [min, max, default]: [f64; 3], help: &'static str) -> Self {
-        Self::of(name, symbol, title, Domain::Number { min, max, default }, help)
+    pub const fn number(
+        name: &'static str,
+        symbol: &'static str,
+        title: &'static str,
+        [min, max, default]: [f64; 3],
+        help: &'static str,
+    ) -> Self {
+        Self::of(
+            name,
+            symbol,
+            title,
+            Domain::Number { min, max, default },
+            help,
+        )
     }
 
     /// A whole number in [`min`, `max`].
-    pub const fn integer(name: &'static str, symbol: &'static str, title: &'static str, [min, max, default]: [u64; 3], help: &'static str) -> Self {
-        Self::of(name, symbol, title, Domain::Integer { min, max, default }, help)
+    pub const fn integer(
+        name: &'static str,
+        symbol: &'static str,
+        title: &'static str,
+        [min, max, default]: [u64; 3],
+        help: &'static str,
+    ) -> Self {
+        Self::of(
+            name,
+            symbol,
+            title,
+            Domain::Integer { min, max, default },
+            help,
+        )
     }
 
     /// One of a few; the first is the default.
-    pub const fn choice(name: &'static str, symbol: &'static str, title: &'static str, options: &'static [Choice], help: &'static str) -> Self {
+    pub const fn choice(
+        name: &'static str,
+        symbol: &'static str,
+        title: &'static str,
+        options: &'static [Choice],
+        help: &'static str,
+    ) -> Self {
         Self::of(name, symbol, title, Domain::Choice { options }, help)
     }
 
-    const fn of(name: &'static str, symbol: &'static str, title: &'static str, domain: Domain, help: &'static str) -> Self {
-        Self { name, symbol, title, help, domain, kinds: &[], defaults: &[], slider: None, logarithmic: false }
+    /// Yes or no.
+    pub const fn flag(
+        name: &'static str,
+        title: &'static str,
+        default: bool,
+        help: &'static str,
+    ) -> Self {
+        Self::of(name, "", title, Domain::Flag { default }, help)
+    }
+
+    const fn of(
+        name: &'static str,
+        symbol: &'static str,
+        title: &'static str,
+        domain: Domain,
+        help: &'static str,
+    ) -> Self {
+        Self {
+            name,
+            symbol,
+            title,
+            help,
+            domain,
+            kinds: &[],
+            defaults: &[],
+            slider: None,
+            logarithmic: false,
+        }
     }
 
     /// The same with another default.
@@ -181,7 +325,9 @@ impl Parameter {
         match self.domain {
             Domain::Number { default, .. } => Value::Number(default),
             Domain::Integer { default, .. } => Value::Number(default as f64),
-            Domain::Choice { options } => Value::Text(options.first().map_or("", |o| o.value).to_owned()),
+            Domain::Choice { options } => {
+                Value::Text(options.first().map_or("", |o| o.value).to_owned())
+            }
             Domain::Flag { default } => Value::Flag(default),
         }
     }
@@ -191,7 +337,14 @@ impl Parameter {
         match self.domain {
             Domain::Number { min, max, .. } => format!("a number from {min} to {max}"),
             Domain::Integer { min, max, .. } => format!("a whole number from {min} to {max}"),
-            Domain::Choice { options } => format!("one of {}", options.iter().map(|o| o.value).collect::<Vec<_>>().join(", ")),
+            Domain::Choice { options } => format!(
+                "one of {}",
+                options
+                    .iter()
+                    .map(|o| o.value)
+                    .collect::<Vec<_>>()
+                    .join(", ")
+            ),
             Domain::Flag { .. } => "true or false".to_owned(),
         }
     }
@@ -203,12 +356,20 @@ impl Parameter {
     pub fn check(&self, value: &Value) -> Result<(), Error> {
         let fits = match (&self.domain, value) {
             (Domain::Number { min, max, .. }, Value::Number(n)) => (*min..=*max).contains(n),
-            (Domain::Integer { min, max, .. }, Value::Number(n)) => n.fract() == 0.0 && (*min as f64..=*max as f64).contains(n),
-            (Domain::Choice { options }, Value::Text(text)) => options.iter().any(|o| o.value == text),
+            (Domain::Integer { min, max, .. }, Value::Number(n)) => {
+                n.fract() == 0.0 && (*min as f64..=*max as f64).contains(n)
+            }
+            (Domain::Choice { options }, Value::Text(text)) => {
+                options.iter().any(|o| o.value == text)
+            }
             (Domain::Flag { .. }, Value::Flag(_)) => true,
             _ => false,
         };
-        if fits { Ok(()) } else { Err(Error::refused(self.name, value, self.allowed())) }
+        if fits {
+            Ok(())
+        } else {
+            Err(Error::refused(self.name, value, self.allowed()))
+        }
     }
 }
 
@@ -226,15 +387,30 @@ impl Settings {
     /// [`Error::Unknown`] for a name that is not a parameter on this kind of scene, [`Error::Refused`] for a value that is not allowed.
     pub fn new(parameters: &[Parameter], kind: Kind, given: &Given) -> Result<Self, Error> {
         let applicable = || parameters.iter().filter(|p| p.applies_to(kind));
-        for (name, value) in given {
+        for (name, value) in given.iter() {
             let parameter = applicable()
                 .find(|p| p.name == name)
                 .ok_or_else(|| Error::unknown("parameter", name, applicable().map(|p| p.name)))?;
             parameter.check(value)?;
         }
-        let values: Vec<_> = applicable().map(|p| (p.name, given.get(p.name).cloned().unwrap_or_else(|| p.default_on(kind)))).collect();
+        let values: Vec<_> = applicable()
+            .map(|p| {
+                (
+                    p.name,
+                    given
+                        .get(p.name)
+                        .cloned()
+                        .unwrap_or_else(|| p.default_on(kind)),
+                )
+            })
+            .collect();
         let changed = applicable()
-            .filter_map(|p| given.get(p.name).filter(|&v| *v != p.default_on(kind)).map(|v| (p.name.to_owned(), v.clone())))
+            .filter_map(|p| {
+                given
+                    .get(p.name)
+                    .filter(|&v| *v != p.default_on(kind))
+                    .map(|v| (p.name, v.clone()))
+            })
             .collect();
         Ok(Self { values, changed })
     }
@@ -270,8 +446,16 @@ impl Settings {
         }
     }
 
+    /// A flag.
+    pub fn flag(&self, name: &str) -> bool {
+        self.get(name) == Some(&Value::Flag(true))
+    }
+
     fn get(&self, name: &str) -> Option<&Value> {
-        self.values.iter().find(|(n, _)| *n == name).map(|(_, value)| value)
+        self.values
+            .iter()
+            .find(|(n, _)| *n == name)
+            .map(|(_, value)| value)
     }
 }
 
@@ -280,33 +464,72 @@ mod tests {
     use super::*;
 
     const ALL: [Parameter; 3] = [
-        Parameter::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(Kind::Discs, 80.0)]),
+        Parameter::integer("population", "N", "Population", [1, 100, 60], "")
+            .defaults_on(&[(Kind::Discs, 80.0)]),
         Parameter::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.7], ""),
-        Parameter::choice("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[Kind::Discs]),
+        Parameter::choice(
+            "penalty",
+            "",
+            "Penalty",
+            &[Choice {
+                value: "segments",
+                title: "",
+                help: "",
+            }],
+            "",
+        )
+        .only_on(&[Kind::Discs]),
     ];
 
     fn given(name: &str, value: &str) -> Given {
-        Given::from([(name.to_owned(), Value::from(value))])
+        Given::from_iter([(name, Value::from(value))])
     }
 
     #[test]
     fn defaults_depend_on_the_kind_and_only_changes_are_kept() {
         let on_discs = Settings::new(&ALL, Kind::Discs, &given("w", "0.7")).unwrap();
-        assert_eq!((on_discs.integer("population"), on_discs.number("w"), on_discs.choice("penalty")), (80, 0.7, "segments"));
+        assert_eq!(
+            (
+                on_discs.integer("population"),
+                on_discs.number("w"),
+                on_discs.choice("penalty")
+            ),
+            (80, 0.7, "segments")
+        );
         assert!(on_discs.changed().is_empty(), "0.7 is the default");
         let on_function = Settings::new(&ALL, Kind::Function, &given("population", "7")).unwrap();
-        assert_eq!(on_function.changed().len(), 1);
-        assert_eq!(on_function.all().len(), 2, "the penalty means nothing on functions");
+        assert_eq!(
+            on_function.changed().iter().collect::<Vec<_>>(),
+            [("population", &Value::from(7.0))]
+        );
+        assert_eq!(
+            on_function.all().len(),
+            2,
+            "the penalty means nothing on functions"
+        );
     }
 
     #[test]
     fn what_is_not_allowed_is_named_with_its_value_and_range() {
-        for (name, value) in [("population", "0"), ("population", "1.5"), ("population", "101"), ("w", "NaN"), ("w", "inf"), ("w", "lots"), ("w", "-0.1"), ("penalty", "x")] {
+        for (name, value) in [
+            ("population", "0"),
+            ("population", "1.5"),
+            ("population", "101"),
+            ("w", "NaN"),
+            ("w", "inf"),
+            ("w", "lots"),
+            ("w", "-0.1"),
+            ("penalty", "x"),
+        ] {
             let error = Settings::new(&ALL, Kind::Discs, &given(name, value)).unwrap_err();
             assert_eq!((error.field(), error.value()), (name, value));
             assert!(!error.allowed().is_empty());
         }
-        let unknown = Settings::new(&ALL, Kind::Function, &given("penalty", "segments")).unwrap_err();
-        assert_eq!((unknown.field(), unknown.allowed()), ("parameter", "population, w"));
+        let unknown =
+            Settings::new(&ALL, Kind::Function, &given("penalty", "segments")).unwrap_err();
+        assert_eq!(
+            (unknown.field(), unknown.allowed()),
+            ("parameter", "population, w")
+        );
     }
 }

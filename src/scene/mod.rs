@@ -11,11 +11,7 @@ use std::sync::OnceLock;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{
-    error::Error,
-    exact::Exact,
-    planner::Solution,
-};
+use crate::{error::Error, exact::Exact, planner::Solution};
 
 pub use discs::{Bounds, DiscsScene, MAX_DISCS};
 pub use function::{Function, FunctionScene, MAX_DIMENSION};
@@ -45,7 +41,7 @@ impl Kind {
 }
 
 /// What every scene file carries besides its content.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Header {
     /// Short identifier, used in links and on the command line.
@@ -53,25 +49,19 @@ pub struct Header {
     /// A line for people.
     pub title: String,
     /// What should be known about it.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
     /// Where it comes from.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
     /// The unit of its lengths.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub units: Option<String>,
     /// The stored optimum; what results are measured by is computed anew, see [`Scene::exact`].
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<serde_json::Value>,
     /// Figures published for it, as they stand in the file.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub published: Option<serde_json::Value>,
 }
 
 /// What is in a scene.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Body {
     /// See [`FunctionScene`].
     Function(FunctionScene),
@@ -111,13 +101,21 @@ impl Scene {
     /// [`Error::Refused`] with the field that is wrong.
     pub fn new(header: Header, body: Body) -> Result<Self, Error> {
         if header.name.is_empty() || header.name.len() > 100 {
-            return Err(Error::refused("name", format!("\"{}\"", header.name), "1 to 100 characters"));
+            return Err(Error::refused(
+                "name",
+                format!("\"{}\"", header.name),
+                "1 to 100 characters",
+            ));
         }
         match &body {
             Body::Function(scene) => scene.check()?,
             Body::Discs(scene) => scene.check()?,
         }
-        Ok(Self { header, body, exact: OnceLock::new() })
+        Ok(Self {
+            header,
+            body,
+            exact: OnceLock::new(),
+        })
     }
 
     /// Name, title and where it comes from.
@@ -165,7 +163,11 @@ impl Scene {
     pub fn judge(&self, solution: &Solution) -> Verdict {
         match (&self.body, solution) {
             (Body::Discs(scene), Solution::Path(path)) => scene.judge(path),
-            _ => Verdict { length: None, feasible: true, clearance: None },
+            _ => Verdict {
+                length: None,
+                feasible: true,
+                clearance: None,
+            },
         }
     }
 
@@ -180,5 +182,9 @@ impl Scene {
 
 /// Refuses numbers that are not finite.
 pub(crate) fn finite(field: &str, value: f64) -> Result<(), Error> {
-    if value.is_finite() { Ok(()) } else { Err(Error::refused(field, value, "a finite number")) }
+    if value.is_finite() {
+        Ok(())
+    } else {
+        Err(Error::refused(field, value, "a finite number"))
+    }
 }

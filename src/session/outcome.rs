@@ -1,11 +1,9 @@
 //! The result, honestly: what was found, whether it is any good, and what it cost.
 
-use std::collections::BTreeMap;
-
 use serde::Serialize;
 
 use crate::{
-    params::Value,
+    params::{Value, as_object},
     planner::{Solution, Status},
 };
 
@@ -45,21 +43,28 @@ pub struct Outcome {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub position: Option<Vec<f64>>,
     /// The numbers of this iteration.
-    pub readings: BTreeMap<&'static str, f64>,
+    #[serde(serialize_with = "as_object")]
+    pub readings: Vec<(&'static str, f64)>,
     /// The state's hash.
     pub hash: String,
     /// Every parameter's value.
-    pub parameters: BTreeMap<&'static str, Value>,
+    #[serde(serialize_with = "as_object")]
+    pub parameters: Vec<(&'static str, Value)>,
 }
 
 impl Outcome {
     pub(super) fn of(session: &mut Session) -> Self {
         let readings = session.readings().iter().collect();
         let best = session.planner.best();
-        let verdict = best.as_ref().map(|best| session.scene.judge(&best.solution));
+        let verdict = best
+            .as_ref()
+            .map(|best| session.scene.judge(&best.solution));
         let exact = session.scene.optimum();
         let length = verdict.and_then(|v| v.length);
-        let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| (length - exact) / exact);
+        let gap = exact
+            .zip(length)
+            .filter(|(exact, _)| *exact > 0.0)
+            .map(|(exact, length)| (length - exact) / exact);
         let cost = best.as_ref().map(|best| best.cost);
         let (path, position) = match best.map(|best| best.solution) {
             Some(Solution::Path(path)) => (Some(path), None),
@@ -83,7 +88,7 @@ impl Outcome {
             position,
             readings,
             hash: session.hash(),
-            parameters: session.settings.all().iter().cloned().collect(),
+            parameters: session.settings.all().to_vec(),
         }
     }
 }

@@ -45,6 +45,8 @@ pub trait Objective: Clone + Send + 'static {
     fn search_box(&self) -> &SearchBox;
     /// The cost of a position. Called once per particle and iteration; must not allocate.
     fn evaluate(&self, x: &[f64]) -> Evaluation;
+    /// Puts a position that was drawn at random in order, before the first iteration.
+    fn arrange(&self, _x: &mut [f64]) {}
     /// Whether there are constraints that a position can violate.
     fn constrained(&self) -> bool;
     /// The points in the plane that a position places: itself, or a path's way-points.
@@ -70,8 +72,14 @@ impl FunctionObjective {
     /// The scene's function in the scene's dimension.
     pub fn new(scene: &FunctionScene) -> Self {
         let side = scene.function.half_side();
-        let search_box = SearchBox { low: vec![-side; scene.dimension].into(), high: vec![side; scene.dimension].into() };
-        Self { function: scene.function, search_box }
+        let search_box = SearchBox {
+            low: vec![-side; scene.dimension].into(),
+            high: vec![side; scene.dimension].into(),
+        };
+        Self {
+            function: scene.function,
+            search_box,
+        }
     }
 }
 
@@ -82,7 +90,10 @@ impl Objective for FunctionObjective {
 
     #[inline]
     fn evaluate(&self, x: &[f64]) -> Evaluation {
-        Evaluation { cost: self.function.value(x), penalty: 0.0 }
+        Evaluation {
+            cost: self.function.value(x),
+            penalty: 0.0,
+        }
     }
 
     fn constrained(&self) -> bool {
@@ -112,6 +123,10 @@ impl Objective for FunctionObjective {
 
 /// A letter with a number below it, e.g. `x₁₂`.
 pub(super) fn subscripted(letter: char, number: usize) -> String {
-    let digits = number.to_string().chars().filter_map(|d| char::from_u32(d as u32 - '0' as u32 + '₀' as u32)).collect::<String>();
+    let digits = number
+        .to_string()
+        .chars()
+        .filter_map(|d| char::from_u32(d as u32 - '0' as u32 + '₀' as u32))
+        .collect::<String>();
     format!("{letter}{digits}")
 }

@@ -10,10 +10,15 @@ use crate::{
 /// The kinds of scene that a swarm runs on.
 pub(super) const KINDS: &[Kind] = &[Kind::Discs, Kind::Function];
 
-pub(super) const POPULATION: Parameter =
-    Parameter::integer("population", "N", "Population", [1, 100_000, 60], "How many particles. Published: 60 on functions, 150 among discs.")
-        .defaults_on(&[(Kind::Discs, 150.0)])
-        .slider(2.0, 2000.0, true);
+pub(super) const POPULATION: Parameter = Parameter::integer(
+    "population",
+    "N",
+    "Population",
+    [1, 100_000, 60],
+    "How many particles. Published: 60 on functions, 150 among discs.",
+)
+.defaults_on(&[(Kind::Discs, 150.0)])
+.slider(2.0, 2000.0, true);
 pub(super) const ITERATIONS: Parameter = Parameter::integer(
     "iterations",
     "k_{\\max}",
@@ -52,10 +57,20 @@ pub(super) const C2: Parameter = Parameter::number(
     [0.0, 5.0, 1.496_18],
     "How strongly a particle is drawn to the best that the swarm has found.",
 );
-pub(super) const W_MAX: Parameter =
-    Parameter::number("w_max", "\\omega_{\\max}", "Inertia weight at the start", [0.0, 1.5, 0.95], "ω falls from here, so that the swarm first explores.");
-pub(super) const W_MIN: Parameter =
-    Parameter::number("w_min", "\\omega_{\\min}", "Inertia weight at the end", [0.0, 1.5, 0.4], "ω falls to here, so that the swarm settles.");
+pub(super) const W_MAX: Parameter = Parameter::number(
+    "w_max",
+    "\\omega_{\\max}",
+    "Inertia weight at the start",
+    [0.0, 1.5, 0.95],
+    "ω falls from here, so that the swarm first explores.",
+);
+pub(super) const W_MIN: Parameter = Parameter::number(
+    "w_min",
+    "\\omega_{\\min}",
+    "Inertia weight at the end",
+    [0.0, 1.5, 0.4],
+    "ω falls to here, so that the swarm settles.",
+);
 pub(super) const WAYPOINTS: Parameter = Parameter::integer(
     "waypoints",
     "n",
@@ -70,8 +85,16 @@ pub(super) const PENALTY: Parameter = Parameter::choice(
     "V",
     "Penalty",
     &[
-        Choice { value: "segments", title: "whole path", help: "(15) at each segment’s point closest to the disc’s centre." },
-        Choice { value: "waypoints", title: "way-points only", help: "(15) as printed: a segment may cut through a disc unpunished." },
+        Choice {
+            value: "segments",
+            title: "whole path",
+            help: "(15) at each segment’s point closest to the disc’s centre.",
+        },
+        Choice {
+            value: "waypoints",
+            title: "way-points only",
+            help: "(15) as printed: a segment may cut through a disc unpunished.",
+        },
     ],
     "Where a path is tested for discs.",
 )
@@ -86,34 +109,167 @@ pub(super) const PENALTY_WEIGHT: Parameter = Parameter::number(
 .only_on(&[Kind::Discs])
 .slider(1.0, 1000.0, true);
 
-const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
-    Reading { name, symbol, title, help, group }
+pub(super) const ORDERED: Parameter = Parameter::flag(
+    "ordered",
+    "Sorted start",
+    true,
+    "Number each path’s initial way-points along the way from start to goal, so that none begins as a zigzag. Off: as drawn, uniformly (the paper says no more).",
+)
+.only_on(&[Kind::Discs]);
+
+const fn reading(
+    name: &'static str,
+    symbol: &'static str,
+    title: &'static str,
+    group: Group,
+    help: &'static str,
+) -> Reading {
+    Reading {
+        name,
+        symbol,
+        title,
+        help,
+        group,
+    }
 }
 
 /// What every swarm tells; those that perturb tell [`PERTURBED`].
-pub(super) const READINGS: &[Reading] = &[BEST, MEAN, FREE, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, EVALUATIONS];
-pub(super) const PERTURBED: &[Reading] = &[BEST, MEAN, FREE, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, HENS, CHICKS, EVALUATIONS];
+pub(super) const READINGS: &[Reading] = &[
+    BEST,
+    MEAN,
+    FREE,
+    K,
+    OMEGA,
+    COGNITIVE,
+    SOCIAL,
+    STAGNATING,
+    EVALUATIONS,
+];
+pub(super) const PERTURBED: &[Reading] = &[
+    BEST,
+    MEAN,
+    FREE,
+    K,
+    OMEGA,
+    COGNITIVE,
+    SOCIAL,
+    STAGNATING,
+    HENS,
+    CHICKS,
+    EVALUATIONS,
+];
 
-const BEST: Reading = reading("best", "f(g)", "Best cost", Group::Cost, "The cost of the global best, penalty included.");
-const MEAN: Reading = reading("mean", "\\bar f", "Mean cost", Group::Cost, "The mean cost of the particles where they are now.");
-const FREE: Reading = reading("free", "L_{\\text{free}}", "Best without penalty", Group::Cost, "The cheapest path without penalty so far: the result.");
-const K: Reading = reading("k", "k", "Update", Group::Count, "The number of the update that led here, counted from 0 as in the paper.");
-const OMEGA: Reading = reading("w", "\\omega", "Inertia weight", Group::Schedule, "ω in the step that led here.");
-const COGNITIVE: Reading = reading("c1", "c_1", "Cognitive coefficient", Group::Schedule, "c1 in the step that led here.");
-const SOCIAL: Reading = reading("c2", "c_2", "Social coefficient", Group::Schedule, "c2 in the step that led here.");
-const STAGNATING: Reading =
-    reading("stagnating", "n_s", "Stagnating", Group::Count, "Particles whose cost has just risen in that many consecutive iterations.");
-const HENS: Reading = reading("hens", "n_h", "Moved by the hen", Group::Count, "Particles that the hen equation moved in this iteration.");
-const CHICKS: Reading = reading("chicks", "n_c", "Moved by the chick", Group::Count, "Particles that the chick equation moved in this iteration.");
-const EVALUATIONS: Reading = reading("evaluations", "n_f", "Evaluations", Group::Count, "How many positions were evaluated so far.");
+const BEST: Reading = reading(
+    "best",
+    "f(g)",
+    "Best cost",
+    Group::Cost,
+    "The cost of the global best, penalty included.",
+);
+const MEAN: Reading = reading(
+    "mean",
+    "\\bar f",
+    "Mean cost",
+    Group::Cost,
+    "The mean cost of the particles where they are now.",
+);
+const FREE: Reading = reading(
+    "free",
+    "L_{\\text{free}}",
+    "Best without penalty",
+    Group::Cost,
+    "The cheapest path without penalty so far: the result.",
+);
+const K: Reading = reading(
+    "k",
+    "k",
+    "Update",
+    Group::Count,
+    "The number of the update that led here, counted from 0 as in the paper.",
+);
+const OMEGA: Reading = reading(
+    "w",
+    "\\omega",
+    "Inertia weight",
+    Group::Schedule,
+    "ω in the step that led here.",
+);
+const COGNITIVE: Reading = reading(
+    "c1",
+    "c_1",
+    "Cognitive coefficient",
+    Group::Schedule,
+    "c1 in the step that led here.",
+);
+const SOCIAL: Reading = reading(
+    "c2",
+    "c_2",
+    "Social coefficient",
+    Group::Schedule,
+    "c2 in the step that led here.",
+);
+const STAGNATING: Reading = reading(
+    "stagnating",
+    "n_s",
+    "Stagnating",
+    Group::Count,
+    "Particles whose cost has just risen in that many consecutive iterations.",
+);
+const HENS: Reading = reading(
+    "hens",
+    "n_h",
+    "Moved by the hen",
+    Group::Count,
+    "Particles that the hen equation moved in this iteration.",
+);
+const CHICKS: Reading = reading(
+    "chicks",
+    "n_c",
+    "Moved by the chick",
+    Group::Count,
+    "Particles that the chick equation moved in this iteration.",
+);
+const EVALUATIONS: Reading = reading(
+    "evaluations",
+    "n_f",
+    "Evaluations",
+    Group::Count,
+    "How many positions were evaluated so far.",
+);
 
 /// An equation that is filled in from the readings.
-pub(super) const fn schedule(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
-    Formula { name, source, title, tex, live, scope: Scope::Iteration }
+pub(super) const fn schedule(
+    name: &'static str,
+    source: &'static str,
+    title: &'static str,
+    tex: &'static str,
+    live: &'static str,
+) -> Formula {
+    Formula {
+        name,
+        source,
+        title,
+        tex,
+        live,
+        scope: Scope::Iteration,
+    }
 }
 
-const fn of_particle(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
-    Formula { name, source, title, tex, live, scope: Scope::Item }
+const fn of_particle(
+    name: &'static str,
+    source: &'static str,
+    title: &'static str,
+    tex: &'static str,
+    live: &'static str,
+) -> Formula {
+    Formula {
+        name,
+        source,
+        title,
+        tex,
+        live,
+        scope: Scope::Item,
+    }
 }
 
 pub(super) const VELOCITY: Formula = of_particle(
@@ -123,8 +279,13 @@ pub(super) const VELOCITY: Formula = of_particle(
     "v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x)",
     "v = @w@ \\cdot @v_before@ + @c1@ \\cdot @r1@ \\, (@p@ - @x_before@) + @c2@ \\cdot @r2@ \\, (@g@ - @x_before@) \\;\\to\\; @v@",
 );
-pub(super) const POSITION: Formula =
-    of_particle("position", "[WCPSO] (2, 7)", "Position", "x \\leftarrow x + v", "x = @x_before@ + @v@ \\;\\to\\; @x@");
+pub(super) const POSITION: Formula = of_particle(
+    "position",
+    "[WCPSO] (2, 7)",
+    "Position",
+    "x \\leftarrow x + v",
+    "x = @x_before@ + @v@ \\;\\to\\; @x@",
+);
 pub(super) const HEN: Formula = of_particle(
     "hen",
     "[WCPSO] (9)",
@@ -146,8 +307,13 @@ pub(super) const S2: Formula = of_particle(
     "s_2 = \\exp\\left(f_i - f_t\\right)",
     "s_2 = \\exp\\left(\\min(@f_i@ - @f_t@,\\, 1)\\right) = @s2@",
 );
-pub(super) const CHICK: Formula =
-    of_particle("chick", "[WCPSO] (12)", "Chick", "x \\leftarrow x + F_L (p_g - x)", "x = @x_before@ + @f_l@ \\, (@g@ - @x_before@) \\;\\to\\; @x@");
+pub(super) const CHICK: Formula = of_particle(
+    "chick",
+    "[WCPSO] (12)",
+    "Chick",
+    "x \\leftarrow x + F_L (p_g - x)",
+    "x = @x_before@ + @f_l@ \\, (@g@ - @x_before@) \\;\\to\\; @x@",
+);
 
 pub(super) const LINEAR_W: Formula = schedule(
     "w",
@@ -157,17 +323,72 @@ pub(super) const LINEAR_W: Formula = schedule(
     "\\omega(@k@) = @w_max@ - (@w_max@ - @w_min@) \\cdot \\frac{@k@}{@iterations@} = @w@",
 );
 
-const fn layer(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Layer {
-    Layer { role, title, help, on, pickable }
+const fn layer(
+    role: Role,
+    title: &'static str,
+    on: bool,
+    pickable: bool,
+    help: &'static str,
+) -> Layer {
+    Layer {
+        role,
+        title,
+        help,
+        on,
+        pickable,
+    }
 }
 
 /// What every swarm draws; those that perturb draw [`PERTURBED_LAYERS`].
 pub(super) const LAYERS: &[Layer] = &[PERSONAL_BESTS, PARTICLES, VELOCITIES, GLOBAL_BEST];
-pub(super) const PERTURBED_LAYERS: &[Layer] = &[PERSONAL_BESTS, PARTICLES, HEN_LAYER, CHICK_LAYER, VELOCITIES, GLOBAL_BEST];
+pub(super) const PERTURBED_LAYERS: &[Layer] = &[
+    PERSONAL_BESTS,
+    PARTICLES,
+    HEN_LAYER,
+    CHICK_LAYER,
+    VELOCITIES,
+    GLOBAL_BEST,
+];
 
-const PERSONAL_BESTS: Layer = layer(Role::PersonalBests, "Personal bests", false, false, "The best that each particle has found.");
-const PARTICLES: Layer = layer(Role::Particles, "Particles", true, true, "Where the particles are: points, or the paths they stand for.");
-const HEN_LAYER: Layer = layer(Role::Hen, "Hens", true, false, "Particles that the hen equation moved in this iteration.");
-const CHICK_LAYER: Layer = layer(Role::Chick, "Chicks", true, false, "Particles that the chick equation moved in this iteration.");
-const VELOCITIES: Layer = layer(Role::Velocities, "Velocities", false, false, "The particles’ velocities, to scale.");
-const GLOBAL_BEST: Layer = layer(Role::Best, "Best", true, false, "The best so far: the result.");
+const PERSONAL_BESTS: Layer = layer(
+    Role::PersonalBests,
+    "Personal bests",
+    false,
+    false,
+    "The best that each particle has found.",
+);
+const PARTICLES: Layer = layer(
+    Role::Particles,
+    "Particles",
+    true,
+    true,
+    "Where the particles are: points, or the paths they stand for.",
+);
+const HEN_LAYER: Layer = layer(
+    Role::Hen,
+    "Hens",
+    true,
+    false,
+    "Particles that the hen equation moved in this iteration.",
+);
+const CHICK_LAYER: Layer = layer(
+    Role::Chick,
+    "Chicks",
+    true,
+    false,
+    "Particles that the chick equation moved in this iteration.",
+);
+const VELOCITIES: Layer = layer(
+    Role::Velocities,
+    "Velocities",
+    false,
+    false,
+    "The particles’ velocities, to scale.",
+);
+const GLOBAL_BEST: Layer = layer(
+    Role::Best,
+    "Best",
+    true,
+    false,
+    "The best so far: the result.",
+);

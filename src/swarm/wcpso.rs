@@ -8,18 +8,42 @@ use crate::{
 use super::{
     flight::Flight,
     parameters::{
-        CHICK, HEN, ITERATIONS, KINDS, PENALTY, PENALTY_WEIGHT, PERTURBED, PERTURBED_LAYERS, POPULATION, POSITION, S1, S2, V_MAX, VELOCITY, W_MAX, W_MIN,
-        WAYPOINTS, schedule,
+        CHICK, HEN, ITERATIONS, KINDS, ORDERED, PENALTY, PENALTY_WEIGHT, PERTURBED,
+        PERTURBED_LAYERS, POPULATION, POSITION, S1, S2, V_MAX, VELOCITY, W_MAX, W_MIN, WAYPOINTS,
+        schedule,
     },
     perturbation::Perturbation,
     schedule::{Law, Schedule},
 };
 
-const C_A: Parameter = Parameter::number("c_a", "c_a", "Amplitude of c1", [0.0, 2.5, 1.0], "c1 falls from c_b + c_a to c_b − c_a, (4).");
-const C_B: Parameter = Parameter::number("c_b", "c_b", "Middle of c1", [0.0, 5.0, 1.5], "c1 at half time, (4).");
-const C_ALPHA: Parameter =
-    Parameter::number("c_alpha", "c_\\alpha", "Amplitude of c2", [0.0, 2.5, 1.0], "c2 rises from c_β − c_α to c_β + c_α, (5).");
-const C_BETA: Parameter = Parameter::number("c_beta", "c_\\beta", "Middle of c2", [0.0, 5.0, 1.5], "c2 at half time, (5).");
+const C_A: Parameter = Parameter::number(
+    "c_a",
+    "c_a",
+    "Amplitude of c1",
+    [0.0, 2.5, 1.0],
+    "c1 falls from c_b + c_a to c_b − c_a, (4).",
+);
+const C_B: Parameter = Parameter::number(
+    "c_b",
+    "c_b",
+    "Middle of c1",
+    [0.0, 5.0, 1.5],
+    "c1 at half time, (4).",
+);
+const C_ALPHA: Parameter = Parameter::number(
+    "c_alpha",
+    "c_\\alpha",
+    "Amplitude of c2",
+    [0.0, 2.5, 1.0],
+    "c2 rises from c_β − c_α to c_β + c_α, (5).",
+);
+const C_BETA: Parameter = Parameter::number(
+    "c_beta",
+    "c_\\beta",
+    "Middle of c2",
+    [0.0, 5.0, 1.5],
+    "c2 at half time, (5).",
+);
 const PATIENCE: Parameter = Parameter::integer(
     "patience",
     "n_p",
@@ -28,8 +52,13 @@ const PATIENCE: Parameter = Parameter::integer(
     "A particle whose cost rose in this many consecutive iterations is perturbed, §2.2.",
 )
 .slider(1.0, 20.0, false);
-const F_L: Parameter =
-    Parameter::number("f_l", "F_L", "Chick’s jump", [0.0, 4.0, 2.0], "How far across the best a chick jumps, (12): 1 onto it, 2 to its mirror image.");
+const F_L: Parameter = Parameter::number(
+    "f_l",
+    "F_L",
+    "Chick’s jump",
+    [0.0, 4.0, 2.0],
+    "How far across the best a chick jumps, (12): 1 onto it, 2 to its mirror image.",
+);
 
 const INERTIA: Formula = schedule(
     "w",
@@ -62,18 +91,54 @@ pub const ENTRY: Entry = Entry {
     summary: "Inertia falls along a cosine, the pulls cross along sines, and particles that stagnate jump like hens, then like chicks.",
     kinds: KINDS,
     parameters: &[
-        POPULATION, ITERATIONS, W_MAX, W_MIN, C_A, C_B, C_ALPHA, C_BETA, PATIENCE, F_L, V_MAX, WAYPOINTS, PENALTY, PENALTY_WEIGHT,
+        POPULATION,
+        ITERATIONS,
+        W_MAX,
+        W_MIN,
+        C_A,
+        C_B,
+        C_ALPHA,
+        C_BETA,
+        PATIENCE,
+        F_L,
+        V_MAX,
+        WAYPOINTS,
+        PENALTY,
+        PENALTY_WEIGHT,
+        ORDERED,
     ],
     readings: PERTURBED,
-    formulas: &[INERTIA, COGNITIVE, SOCIAL, VELOCITY, POSITION, HEN, S1, S2, CHICK],
+    formulas: &[
+        INERTIA, COGNITIVE, SOCIAL, VELOCITY, POSITION, HEN, S1, S2, CHICK,
+    ],
     layers: PERTURBED_LAYERS,
     start: |scene, settings, seed| {
         let schedule = Schedule {
-            w: Law::Cosine { max: settings.number("w_max"), min: settings.number("w_min") },
-            c1: Law::Sine { amplitude: settings.number("c_a"), middle: settings.number("c_b") },
-            c2: Law::Sine { amplitude: -settings.number("c_alpha"), middle: settings.number("c_beta") },
+            w: Law::Cosine {
+                max: settings.number("w_max"),
+                min: settings.number("w_min"),
+            },
+            c1: Law::Sine {
+                amplitude: settings.number("c_a"),
+                middle: settings.number("c_b"),
+            },
+            c2: Law::Sine {
+                amplitude: -settings.number("c_alpha"),
+                middle: settings.number("c_beta"),
+            },
         };
-        let perturbation = Perturbation { patience: settings.integer("patience") as u8, f_l: settings.number("f_l") };
-        super::start(scene, settings, seed, Flight { schedule, perturbation: Some(perturbation) })
+        let perturbation = Perturbation {
+            patience: settings.integer("patience") as u8,
+            f_l: settings.number("f_l"),
+        };
+        super::start(
+            scene,
+            settings,
+            seed,
+            Flight {
+                schedule,
+                perturbation: Some(perturbation),
+            },
+        )
     },
 };

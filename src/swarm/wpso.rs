@@ -5,7 +5,8 @@ use crate::catalogue::Entry;
 use super::{
     flight::Flight,
     parameters::{
-        C1, C2, ITERATIONS, KINDS, LAYERS, LINEAR_W, PENALTY, PENALTY_WEIGHT, POPULATION, POSITION, READINGS, V_MAX, VELOCITY, W_MAX, W_MIN, WAYPOINTS,
+        C1, C2, ITERATIONS, KINDS, LAYERS, LINEAR_W, ORDERED, PENALTY, PENALTY_WEIGHT, POPULATION,
+        POSITION, READINGS, V_MAX, VELOCITY, W_MAX, W_MIN, WAYPOINTS,
     },
     schedule::{Law, Schedule},
 };
@@ -18,7 +19,19 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §3.1",
     summary: "The inertia weight falls linearly, so the swarm explores first and settles later.",
     kinds: KINDS,
-    parameters: &[POPULATION, ITERATIONS, W_MAX, W_MIN, C1.default_to(2.0), C2.default_to(2.0), V_MAX, WAYPOINTS, PENALTY, PENALTY_WEIGHT],
+    parameters: &[
+        POPULATION,
+        ITERATIONS,
+        W_MAX,
+        W_MIN,
+        C1.default_to(2.0),
+        C2.default_to(2.0),
+        V_MAX,
+        WAYPOINTS,
+        PENALTY,
+        PENALTY_WEIGHT,
+        ORDERED,
+    ],
     readings: READINGS,
     formulas: &[LINEAR_W, VELOCITY, POSITION],
     layers: LAYERS,
@@ -28,6 +41,14 @@ pub const ENTRY: Entry = Entry {
             c1: Law::Constant(settings.number("c1")),
             c2: Law::Constant(settings.number("c2")),
         };
-        super::start(scene, settings, seed, Flight { schedule, perturbation: None })
+        super::start(
+            scene,
+            settings,
+            seed,
+            Flight {
+                schedule,
+                perturbation: None,
+            },
+        )
     },
 };

@@ -1,0 +1,577 @@
+//! The JavaScript face, the only place that knows wasm-bindgen.
+//!
+//! Plain objects in and out; typed arrays for numbers; errors as `Error` with the native message and the fields
+//! `field`, `value` and `allowed`. Nothing panics across this boundary on any input.
+
+use std::sync::Arc;
+
+use js_sys::{Float32Array, Float64Array, Uint32Array};
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::{JsCast, prelude::*};
+use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
+
+use crate::{
+    Error, Frame, Given, Link, Scene, Setup, Value,
+    catalogue::find,
+    frame::Role,
+    params::as_object,
+    picture,
+    planner::{Column, Inspection, Item, Mark, Quantity, Status},
+    rng,
+    scene::{Bounds, Kind, shipped},
+    session,
+};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("wasm.d.ts");
+
+#[expect(
+    missing_docs,
+    reason = "names for the types in wasm.d.ts, which says what they are"
+)]
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(typescript_type = "Catalogue")]
+    pub type JsCatalogue;
+    #[wasm_bindgen(typescript_type = "Setup")]
+    pub type JsSetup;
+    #[wasm_bindgen(typescript_type = "LinkSetup")]
+    pub type JsLinkSetup;
+    #[wasm_bindgen(typescript_type = "Scene")]
+    pub type JsScene;
+    #[wasm_bindgen(typescript_type = "Kind")]
+    pub type JsKind;
+    #[wasm_bindgen(typescript_type = "ParameterValue")]
+    pub type JsParameterValue;
+    #[wasm_bindgen(typescript_type = "Record<string, ParameterValue>")]
+    pub type JsParameters;
+    #[wasm_bindgen(typescript_type = "Record<string, number>")]
+    pub type JsReadings;
+    #[wasm_bindgen(typescript_type = "Trace")]
+    pub type JsTrace;
+    #[wasm_bindgen(typescript_type = "FrameViews")]
+    pub type JsFrame;
+    #[wasm_bindgen(typescript_type = "Outcome")]
+    pub type JsOutcome;
+    #[wasm_bindgen(typescript_type = "Item")]
+    pub type JsItem;
+    #[wasm_bindgen(typescript_type = "Item | null")]
+    pub type JsItemOrNull;
+    #[wasm_bindgen(typescript_type = "Inspection | null")]
+    pub type JsInspectionOrNull;
+    #[wasm_bindgen(typescript_type = "{ length: number; path: Point[] } | null")]
+    pub type JsExactOrNull;
+    #[wasm_bindgen(typescript_type = "Status")]
+    pub type JsStatus;
+    #[wasm_bindgen(typescript_type = "Point")]
+    pub type JsPoint;
+    #[wasm_bindgen(typescript_type = "string[]")]
+    pub type JsNames;
+}
+
+#[wasm_bindgen(start)]
+fn start() {
+    console_error_panic_hook::set_once();
+}
+
+/// An `Error` with the native message and its parts.
+fn js_error(error: &Error) -> JsValue {
+    let js = js_sys::Error::new(&error.to_string());
+    for (name, part) in [
+        ("field", error.field()),
+        ("value", error.value()),
+        ("allowed", error.allowed()),
+    ] {
+        // Setting a property of an ordinary object cannot fail.
+        let _ = js_sys::Reflect::set(&js, &name.into(), &part.into());
+    }
+    js.into()
+}
+
+/// A plain object of anything serialisable.
+fn plain<T: JsCast>(value: &impl Serialize) -> T {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value
+        .serialize(&serializer)
+        .unwrap_or(JsValue::NULL)
+        .unchecked_into()
+}
+
+fn read<T: for<'de> Deserialize<'de>>(field: &str, value: &JsValue) -> Result<T, JsValue> {
+    serde_wasm_bindgen::from_value(value.clone())
+        .map_err(|problem| js_error(&Error::malformed(field, problem)))
+}
+
+fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
+    match value.as_string() {
+        Some(name) => shipped(&name),
+        None => Scene::from_value(read("scene", value)?).map(Arc::new),
+    }
+    .map_err(|error| js_error(&error))
+}
+
+fn read_item(value: &JsValue) -> Result<Item, JsValue> {
+    #[derive(Deserialize)]
+    struct Given {
+        role: String,
+        index: f64,
+    }
+    let Given { role, index } = read("item", value)?;
+    Ok(Item {
+        role: read_role(&role)?,
+        index: if index >= 0.0 {
+            index as usize
+        } else {
+            usize::MAX
+        },
+    })
+}
+
+fn read_role(name: &str) -> Result<Role, JsValue> {
+    let known = Role::ALL.into_iter().find(|role| role.name() == name);
+    known.ok_or_else(|| js_error(&Error::unknown("role", name, Role::ALL.map(Role::name))))
+}
+
+fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {
+    read(field, value)
+}
+
+fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
+    if (0.0..=rng::MAX_SEED as f64).contains(&number) && number.fract() == 0.0 {
+        Ok(number as u64)
+    } else {
+        Err(js_error(&Error::refused(field, number, rng::SEED_RANGE)))
+    }
+}
+
+fn status(status: Status) -> JsStatus {
+    plain(&status)
+}
+
+/// Every planner with its parameters, the scenes that ship, and the names of roles and shapes.
+#[wasm_bindgen]
+pub fn catalogue() -> JsCatalogue {
+    plain(&crate::catalogue())
+}
+
+/// Takes a link apart without running it.
+///
+/// # Errors
+/// An `Error` that says what is wrong with it.
+#[wasm_bindgen(js_name = parseLink)]
+pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
+    #[derive(Serialize)]
+    struct LinkSetup<'a> {
+        planner: &'a str,
+        scene: &'a Scene,
+        params: &'a Given,
+        seed: u64,
+        iteration: u64,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        hash: Option<&'a str>,
+    }
+    let Link {
+        setup,
+        iteration,
+        hash,
+    } = Link::parse(link).map_err(|error| js_error(&error))?;
+    Ok(plain(&LinkSetup {
+        planner: &setup.planner,
+        scene: &setup.scene,
+        params: &setup.params,
+        seed: setup.seed,
+        iteration,
+        hash: hash.as_deref(),
+    }))
+}
+
+/// Checks a scene and returns it as it is understood.
+///
+/// # Errors
+/// An `Error` with `field`, `value` and `allowed`.
+#[wasm_bindgen(js_name = checkScene)]
+pub fn check_scene(scene: &JsScene) -> Result<JsScene, JsValue> {
+    Ok(plain(&*read_scene(scene)?))
+}
+
+/// Checks one parameter's value.
+///
+/// # Errors
+/// An `Error` with `field`, `value` and `allowed`.
+#[wasm_bindgen(js_name = checkParameter)]
+pub fn check_parameter(
+    planner: &str,
+    kind: &JsKind,
+    name: &str,
+    value: &JsParameterValue,
+) -> Result<(), JsValue> {
+    let entry = find(planner).map_err(|error| js_error(&error))?;
+    let kind: Kind = read("kind", kind)?;
+    let value: Value = read(name, value)?;
+    let given = Given::from_iter([(name, value)]);
+    crate::params::Settings::new(entry.parameters, kind, &given)
+        .map(drop)
+        .map_err(|error| js_error(&error))
+}
+
+/// A fresh seed from the system.
+///
+/// # Errors
+/// When the system gives no randomness.
+#[wasm_bindgen(js_name = newSeed)]
+pub fn new_seed() -> Result<f64, JsValue> {
+    rng::fresh_seed()
+        .map(|seed| seed as f64)
+        .map_err(|error| js_error(&error))
+}
+
+/// One run: a scene, a planner with parameters and a seed, stepped, rewound, judged and shared.
+#[wasm_bindgen]
+pub struct Session {
+    run: session::Session,
+    frame: Frame,
+}
+
+#[wasm_bindgen]
+impl Session {
+    /// Starts a run at iteration 0.
+    ///
+    /// # Errors
+    /// An `Error` with `field`, `value` and `allowed` for whatever is refused.
+    #[wasm_bindgen(constructor)]
+    pub fn new(setup: &JsSetup) -> Result<Session, JsValue> {
+        #[derive(Deserialize)]
+        struct Plain {
+            planner: String,
+            params: Option<Given>,
+            seed: Option<f64>,
+        }
+        let scene = js_sys::Reflect::get(setup, &"scene".into())?;
+        let Plain {
+            planner,
+            params,
+            seed,
+        } = read("setup", setup)?;
+        let seed = seed.map_or(Ok(1), |seed| whole("seed", seed))?;
+        let setup = Setup {
+            planner,
+            scene: read_scene(&scene)?,
+            params: params.unwrap_or_default(),
+            seed,
+        };
+        session::Session::new(setup)
+            .map(Session::of)
+            .map_err(|error| js_error(&error))
+    }
+
+    /// The run that a link describes, at iteration 0.
+    ///
+    /// # Errors
+    /// As the constructor, and for a link that cannot be read.
+    #[wasm_bindgen(js_name = fromLink)]
+    pub fn from_link(link: &str) -> Result<Session, JsValue> {
+        session::Session::from_link(link)
+            .map(Session::of)
+            .map_err(|error| js_error(&error))
+    }
+
+    fn of(run: session::Session) -> Self {
+        Self {
+            run,
+            frame: Frame::default(),
+        }
+    }
+
+    /// Takes up to `n` steps; stops where the planner does.
+    pub fn step(&mut self, n: Option<f64>) -> JsStatus {
+        status(self.run.step(n.unwrap_or(1.0) as u64))
+    }
+
+    /// Goes to iteration `k`, forward or back, exactly.
+    pub fn seek(&mut self, k: f64) -> JsStatus {
+        status(self.run.seek(k as u64))
+    }
+
+    /// Jumps to the latest state at or before `k` that is at hand; returns its iteration. `step` goes the rest of the way.
+    pub fn rewind(&mut self, k: f64) -> f64 {
+        self.run.rewind(k as u64) as f64
+    }
+
+    /// How many iterations were taken to come here.
+    #[wasm_bindgen(getter)]
+    pub fn iteration(&self) -> f64 {
+        self.run.iteration() as f64
+    }
+
+    /// The iteration at which the run ends at the latest.
+    #[wasm_bindgen(getter)]
+    pub fn limit(&self) -> f64 {
+        self.run.limit() as f64
+    }
+
+    /// Whether there is more to do, or why not.
+    #[wasm_bindgen(getter)]
+    pub fn status(&self) -> JsStatus {
+        status(self.run.status())
+    }
+
+    /// The planner's name.
+    #[wasm_bindgen(getter)]
+    pub fn planner(&self) -> String {
+        self.run.entry().name.to_owned()
+    }
+
+    /// The seed.
+    #[wasm_bindgen(getter)]
+    pub fn seed(&self) -> f64 {
+        self.run.seed() as f64
+    }
+
+    /// The scene, as it is understood.
+    #[wasm_bindgen(getter)]
+    pub fn scene(&self) -> JsScene {
+        plain(&**self.run.scene())
+    }
+
+    /// Every parameter's value.
+    #[wasm_bindgen(getter)]
+    pub fn parameters(&self) -> JsParameters {
+        plain(&Numbers(self.run.settings().all()))
+    }
+
+    /// The numbers of this iteration, by name.
+    pub fn readings(&mut self) -> JsReadings {
+        plain(&Numbers(
+            &self
+                .run
+                .readings()
+                .iter()
+                .filter(|(_, value)| value.is_finite())
+                .collect::<Vec<_>>(),
+        ))
+    }
+
+    /// The kept readings of iterations after `after` (all of them for −1).
+    pub fn trace(&self, after: f64) -> JsTrace {
+        let trace = self.run.trace();
+        let (iterations, rows) = trace.since((after >= 0.0).then_some(after as u64));
+        let iterations: Vec<f64> = iterations.iter().map(|&k| k as f64).collect();
+        object(&[
+            ("columns", plain(&trace.columns())),
+            (
+                "iterations",
+                Float64Array::from(iterations.as_slice()).into(),
+            ),
+            ("rows", Float64Array::from(rows).into()),
+        ])
+    }
+
+    /// Draws the present state; the arrays are views into the wasm memory, valid until the next call of anything here.
+    #[expect(
+        unsafe_code,
+        reason = "a view must not outlive the next call; the types say so, and the worker copies at once"
+    )]
+    pub fn frame(&mut self, budget: Option<f64>) -> JsFrame {
+        self.run.draw(
+            &mut self.frame,
+            budget.map_or(Frame::BUDGET, |budget| budget as usize),
+        );
+        // Everything that allocates comes first: growing memory would empty the views.
+        let thinning = JsValue::from(self.frame.thinning());
+        let (vertices, spans) = unsafe {
+            (
+                Float32Array::view(self.frame.vertices()),
+                Uint32Array::view(self.frame.table()),
+            )
+        };
+        object(&[
+            ("vertices", vertices.into()),
+            ("spans", spans.into()),
+            ("thinning", thinning),
+        ])
+    }
+
+    /// Everything there is to say about where the run stands.
+    pub fn outcome(&mut self) -> JsOutcome {
+        plain(&self.run.outcome())
+    }
+
+    /// Why an item did what it did in the step that led here.
+    ///
+    /// # Errors
+    /// For an unknown role.
+    pub fn inspect(&self, item: &JsItem) -> Result<JsInspectionOrNull, JsValue> {
+        Ok(plain(
+            &self.run.inspect(read_item(item)?).map(InspectionView::from),
+        ))
+    }
+
+    /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.
+    pub fn pick(&self, x: f64, y: f64, reach: f64) -> JsItemOrNull {
+        plain(&self.run.pick([x, y], reach).map(ItemView::from))
+    }
+
+    /// The exact optimum as a path; null where there is none.
+    pub fn exact(&self) -> JsExactOrNull {
+        #[derive(Serialize)]
+        struct Exact<'a> {
+            length: f64,
+            path: &'a [[f64; 2]],
+        }
+        plain(&self.run.scene().exact().map(|exact| Exact {
+            length: exact.length,
+            path: &exact.path,
+        }))
+    }
+
+    /// Fills a canvas with the scene's heights over a part of the plane; false if the scene has none.
+    ///
+    /// # Errors
+    /// When the canvas refuses the pixels.
+    #[wasm_bindgen(js_name = paintField)]
+    pub fn paint_field(
+        &self,
+        ctx: &OffscreenCanvasRenderingContext2d,
+        min: &JsPoint,
+        max: &JsPoint,
+        dark: bool,
+    ) -> Result<bool, JsValue> {
+        let view = Bounds {
+            min: read_point("min", min)?,
+            max: read_point("max", max)?,
+        };
+        let canvas = ctx.canvas();
+        let (width, height) = (canvas.width(), canvas.height());
+        let Some(pixels) = picture::heat_map(
+            self.run.scene(),
+            view,
+            width as usize,
+            height as usize,
+            dark,
+        ) else {
+            return Ok(false);
+        };
+        let image = ImageData::new_with_u8_clamped_array_and_sh(
+            wasm_bindgen::Clamped(&pixels),
+            width,
+            height,
+        )?;
+        ctx.put_image_data(&image, 0.0, 0.0)?;
+        Ok(true)
+    }
+
+    /// A picture of the present state with the layers of these roles.
+    ///
+    /// # Errors
+    /// For an unknown role.
+    pub fn svg(&self, dark: bool, layers: &JsNames) -> Result<String, JsValue> {
+        let names: Vec<String> = read("layers", layers)?;
+        let roles = names
+            .iter()
+            .map(|name| read_role(name))
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(picture::svg(&self.run, dark, &roles))
+    }
+
+    /// The readings of past iterations as CSV.
+    pub fn csv(&self) -> String {
+        let mut text = Vec::new();
+        // Writing to memory cannot fail, and the text is ASCII.
+        let _ = self.run.trace().write_csv(&mut text);
+        String::from_utf8(text).unwrap_or_default()
+    }
+
+    /// The hash of iteration, best and the whole state, in hexadecimal.
+    pub fn hash(&self) -> String {
+        self.run.hash()
+    }
+
+    /// A link that opens this very picture; begins with `#`.
+    pub fn link(&self) -> String {
+        self.run.link()
+    }
+}
+
+/// Pairs as an object.
+struct Numbers<'a, V>(&'a [(&'static str, V)]);
+
+impl<V: Serialize> Serialize for Numbers<'_, V> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        as_object(self.0, serializer)
+    }
+}
+
+/// An object of these properties.
+fn object<T: JsCast>(properties: &[(&str, JsValue)]) -> T {
+    let object = js_sys::Object::new();
+    for (name, value) in properties {
+        // Setting a property of an ordinary object cannot fail.
+        let _ = js_sys::Reflect::set(&object, &(*name).into(), value);
+    }
+    object.unchecked_into()
+}
+
+#[derive(Serialize)]
+struct ItemView {
+    role: &'static str,
+    index: usize,
+}
+
+impl From<Item> for ItemView {
+    fn from(item: Item) -> Self {
+        Self {
+            role: item.role.name(),
+            index: item.index,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct InspectionView {
+    item: ItemView,
+    title: String,
+    event: &'static str,
+    summary: String,
+    values: Vec<Quantity>,
+    formulas: Vec<&'static str>,
+    table: Table,
+    layers: Vec<Mark>,
+}
+
+#[derive(Serialize)]
+struct Table {
+    columns: Vec<Column>,
+    labels: Vec<String>,
+    rows: Vec<Vec<f64>>,
+}
+
+impl From<Inspection> for InspectionView {
+    fn from(told: Inspection) -> Self {
+        let Inspection {
+            item,
+            title,
+            event,
+            summary,
+            values,
+            formulas,
+            columns,
+            labels,
+            rows,
+            marks,
+        } = told;
+        Self {
+            item: item.into(),
+            title,
+            event,
+            summary,
+            values,
+            formulas,
+            table: Table {
+                columns,
+                labels,
+                rows,
+            },
+            layers: marks,
+        }
+    }
+}
