@@ -14,12 +14,7 @@ use crate::{
 };
 
 /// All planners, in the order in which they are offered.
-pub const PLANNERS: &[Entry] = &[
-    swarm::wcpso::ENTRY,
-    swarm::pso::ENTRY,
-    swarm::wpso::ENTRY,
-    swarm::cpso::ENTRY,
-];
+pub const PLANNERS: &[Entry] = &[swarm::wcpso::ENTRY, swarm::pso::ENTRY, swarm::wpso::ENTRY, swarm::cpso::ENTRY];
 
 /// Starts a run: refuses everything that can be refused.
 pub type Start = fn(&Arc<Scene>, &Settings, u64) -> Result<Box<dyn AnyPlanner>, Error>;
@@ -126,10 +121,7 @@ pub struct Layer {
 /// # Errors
 /// [`Error::Unknown`] with the names that exist.
 pub fn find(name: &str) -> Result<&'static Entry, Error> {
-    PLANNERS
-        .iter()
-        .find(|entry| entry.name == name)
-        .ok_or_else(|| Error::unknown("planner", name, PLANNERS.iter().map(|e| e.name)))
+    PLANNERS.iter().find(|entry| entry.name == name).ok_or_else(|| Error::unknown("planner", name, PLANNERS.iter().map(|e| e.name)))
 }
 
 impl Entry {
@@ -142,11 +134,7 @@ impl Entry {
             return Ok(());
         }
         let kinds: Vec<_> = self.kinds.iter().map(|k| k.name()).collect();
-        Err(Error::Unsupported {
-            planner: self.name.to_owned(),
-            kind: kind.name().to_owned(),
-            kinds: kinds.join(", "),
-        })
+        Err(Error::Unsupported { planner: self.name.to_owned(), kind: kind.name().to_owned(), kinds: kinds.join(", ") })
     }
 
     /// The parameters that mean something on this kind of scene.
@@ -171,12 +159,7 @@ pub struct Catalogue {
 pub fn catalogue() -> Catalogue {
     let all = PLANNERS
         .iter()
-        .flat_map(|e| {
-            e.parameters
-                .iter()
-                .map(|p| p.symbol)
-                .chain(e.readings.iter().map(|r| r.symbol))
-        })
+        .flat_map(|e| e.parameters.iter().map(|p| p.symbol).chain(e.readings.iter().map(|r| r.symbol)))
         .chain(swarm::SYMBOLS.iter().copied());
     let mut symbols = Vec::new();
     for symbol in all {
@@ -201,14 +184,7 @@ struct EntryView(&'static Entry);
 impl Serialize for EntryView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let entry = self.0;
-        let parameters: Vec<_> = entry
-            .parameters
-            .iter()
-            .map(|p| ParameterView {
-                parameter: p,
-                planner: entry,
-            })
-            .collect();
+        let parameters: Vec<_> = entry.parameters.iter().map(|p| ParameterView { parameter: p, planner: entry }).collect();
         let mut out = serializer.serialize_struct("Planner", 10)?;
         out.serialize_field("name", entry.name)?;
         out.serialize_field("title", entry.title)?;
@@ -241,23 +217,9 @@ struct ParameterView {
 impl Serialize for ParameterView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let p = self.parameter;
-        let kinds: Vec<Kind> = self
-            .planner
-            .kinds
-            .iter()
-            .copied()
-            .filter(|&kind| p.applies_to(kind))
-            .collect();
-        let defaults: Vec<_> = p
-            .defaults
-            .iter()
-            .map(|&(kind, value)| (kind.name(), value))
-            .collect();
-        let general = Parameter {
-            defaults: &[],
-            ..*p
-        }
-        .default_on(kinds.first().copied().unwrap_or(Kind::Function));
+        let kinds: Vec<Kind> = self.planner.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
+        let defaults: Vec<_> = p.defaults.iter().map(|&(kind, value)| (kind.name(), value)).collect();
+        let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(Kind::Function));
         let mut out = serializer.serialize_struct("Parameter", 14)?;
         out.serialize_field("name", p.name)?;
         out.serialize_field("symbol", p.symbol)?;

@@ -44,42 +44,25 @@ pub enum Error {
 
 impl Error {
     /// A field's value is outside what is allowed.
-    pub fn refused(
-        field: impl Into<String>,
-        value: impl fmt::Display,
-        allowed: impl Into<String>,
-    ) -> Self {
-        Self::Refused {
-            field: field.into(),
-            value: value.to_string(),
-            allowed: allowed.into(),
-        }
+    pub fn refused(field: impl Into<String>, value: impl fmt::Display, allowed: impl Into<String>) -> Self {
+        Self::Refused { field: field.into(), value: value.to_string(), allowed: allowed.into() }
     }
 
     /// A name that is not one of `known`.
     pub fn unknown<'a>(field: &str, value: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         let known: Vec<&str> = known.into_iter().collect();
-        Self::Unknown {
-            field: field.to_owned(),
-            value: value.to_owned(),
-            known: known.join(", "),
-        }
+        Self::Unknown { field: field.to_owned(), value: value.to_owned(), known: known.join(", ") }
     }
 
     /// A text that cannot be read.
     pub fn malformed(field: &str, problem: impl fmt::Display) -> Self {
-        Self::Malformed {
-            field: field.to_owned(),
-            problem: problem.to_string(),
-        }
+        Self::Malformed { field: field.to_owned(), problem: problem.to_string() }
     }
 
     /// The field that is wrong.
     pub fn field(&self) -> &str {
         match self {
-            Self::Refused { field, .. }
-            | Self::Unknown { field, .. }
-            | Self::Malformed { field, .. } => field,
+            Self::Refused { field, .. } | Self::Unknown { field, .. } | Self::Malformed { field, .. } => field,
             Self::Unsupported { .. } => "planner",
         }
     }
@@ -106,15 +89,8 @@ impl Error {
     /// The same error, its field prefixed: `radius` becomes `discs[2].radius`.
     #[must_use]
     pub fn within(mut self, prefix: &str) -> Self {
-        if let Self::Refused { field, .. }
-        | Self::Unknown { field, .. }
-        | Self::Malformed { field, .. } = &mut self
-        {
-            *field = if field.is_empty() {
-                prefix.to_owned()
-            } else {
-                format!("{prefix}.{field}")
-            };
+        if let Self::Refused { field, .. } | Self::Unknown { field, .. } | Self::Malformed { field, .. } = &mut self {
+            *field = if field.is_empty() { prefix.to_owned() } else { format!("{prefix}.{field}") };
         }
         self
     }
@@ -123,25 +99,10 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Refused {
-                field,
-                value,
-                allowed,
-            } => write!(f, "{field}: {value} is not allowed; it must be {allowed}"),
-            Self::Unknown {
-                field,
-                value,
-                known,
-            } => write!(f, "{field}: there is no `{value}`; known: {known}"),
-            Self::Unsupported {
-                planner,
-                kind,
-                kinds,
-            } => {
-                write!(
-                    f,
-                    "planner: {planner} does not run on scenes of kind {kind}, only on: {kinds}"
-                )
+            Self::Refused { field, value, allowed } => write!(f, "{field}: {value} is not allowed; it must be {allowed}"),
+            Self::Unknown { field, value, known } => write!(f, "{field}: there is no `{value}`; known: {known}"),
+            Self::Unsupported { planner, kind, kinds } => {
+                write!(f, "planner: {planner} does not run on scenes of kind {kind}, only on: {kinds}")
             }
             Self::Malformed { field, problem } => write!(f, "{field}: {problem}"),
         }

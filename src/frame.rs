@@ -137,12 +137,7 @@ pub const SPAN: usize = 4;
 
 impl Default for Frame {
     fn default() -> Self {
-        Self {
-            vertices: Vec::new(),
-            table: Vec::new(),
-            budget: Self::BUDGET,
-            thinning: 1,
-        }
+        Self { vertices: Vec::new(), table: Vec::new(), budget: Self::BUDGET, thinning: 1 }
     }
 }
 
@@ -161,9 +156,7 @@ impl Frame {
     /// Which pieces to draw of `pieces` with `vertices` vertices each, so that the budget holds: every n-th.
     /// A line's vertex counts four times: that is about what drawing it costs.
     pub fn thin(&mut self, pieces: usize, vertices: usize, lines: bool) -> usize {
-        let cost = pieces
-            .saturating_mul(vertices)
-            .saturating_mul(if lines { 4 } else { 1 });
+        let cost = pieces.saturating_mul(vertices).saturating_mul(if lines { 4 } else { 1 });
         let step = cost.div_ceil(self.budget).max(1);
         self.thinning = self.thinning.max(step as u32);
         step
@@ -171,19 +164,13 @@ impl Frame {
 
     /// Opens a span; vertices pushed from here on belong to it.
     pub fn begin(&mut self, role: Role, shape: Shape) {
-        self.table.extend([
-            role as u32,
-            shape as u32,
-            (self.vertices.len() / VERTEX) as u32,
-            0,
-        ]);
+        self.table.extend([role as u32, shape as u32, (self.vertices.len() / VERTEX) as u32, 0]);
     }
 
     /// Adds a vertex in the plane to the open span.
     #[inline]
     pub fn push(&mut self, [x, y]: [f64; 2], weight: f64) {
-        self.vertices
-            .extend([x as f32, y as f32, 0.0, weight as f32]);
+        self.vertices.extend([x as f32, y as f32, 0.0, weight as f32]);
         if let Some(count) = self.table.last_mut() {
             *count += 1;
         }
@@ -218,9 +205,7 @@ impl Frame {
     pub fn points(&self, span: Span) -> impl Iterator<Item = [f64; 2]> + '_ {
         let from = span.first as usize * VERTEX;
         let to = from + span.count as usize * VERTEX;
-        self.vertices[from..to]
-            .chunks_exact(VERTEX)
-            .map(|v| [f64::from(v[0]), f64::from(v[1])])
+        self.vertices[from..to].chunks_exact(VERTEX).map(|v| [f64::from(v[0]), f64::from(v[1])])
     }
 }
 

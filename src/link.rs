@@ -32,32 +32,20 @@ pub struct Link {
 
 impl fmt::Display for Link {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Setup {
-            planner,
-            scene,
-            params,
-            seed,
-        } = &self.setup;
-        write!(
-            f,
-            "#v={VERSION}&planner={planner}&scene={}&seed={seed}",
-            packed(scene)
-        )?;
+        let Setup { planner, scene, params, seed } = &self.setup;
+        write!(f, "#v={VERSION}&planner={planner}&scene={}&seed={seed}", packed(scene))?;
         for (name, value) in params.iter() {
             write!(f, "&p.{name}={value}")?;
         }
         write!(f, "&at={}", self.iteration)?;
-        self.hash
-            .iter()
-            .try_for_each(|hash| write!(f, "&hash={hash}"))
+        self.hash.iter().try_for_each(|hash| write!(f, "&hash={hash}"))
     }
 }
 
 impl Link {
     /// Whether a text looks like a link (rather than a file's name): it has a fragment that begins with `v=`.
     pub fn is_link(text: &str) -> bool {
-        text.split_once('#')
-            .is_some_and(|(_, fragment)| fragment.starts_with("v="))
+        text.split_once('#').is_some_and(|(_, fragment)| fragment.starts_with("v="))
     }
 
     /// Takes a link apart: the fragment alone, or a whole address that ends in it.
@@ -66,35 +54,21 @@ impl Link {
     /// A message that says what is wrong: no fragment, another version, an unknown key, scene, planner or parameter.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let wrong = |problem: String| Error::malformed("link", problem);
-        let (_, fragment) = text
-            .trim()
-            .split_once('#')
-            .ok_or_else(|| wrong("it has no #…".to_owned()))?;
-        let (mut version, mut planner, mut scene, mut seed, mut iteration, mut hash) =
-            (None, None, None, 1, 0, None);
+        let (_, fragment) = text.trim().split_once('#').ok_or_else(|| wrong("it has no #…".to_owned()))?;
+        let (mut version, mut planner, mut scene, mut seed, mut iteration, mut hash) = (None, None, None, 1, 0, None);
         let mut params = Given::new();
         for (key, value) in fragment.split('&').filter_map(|pair| pair.split_once('=')) {
             match key {
                 "v" => version = Some(value),
                 "planner" => planner = Some(value.to_owned()),
                 "scene" => scene = Some(unpacked(value)?),
-                "seed" => {
-                    seed = value
-                        .parse()
-                        .map_err(|_| Error::refused("seed", value, SEED_RANGE))?
-                }
-                "at" => {
-                    iteration = value
-                        .parse()
-                        .map_err(|_| Error::refused("at", value, "a whole number"))?
-                }
+                "seed" => seed = value.parse().map_err(|_| Error::refused("seed", value, SEED_RANGE))?,
+                "at" => iteration = value.parse().map_err(|_| Error::refused("at", value, "a whole number"))?,
                 "hash" => hash = Some(value.to_owned()),
                 _ => match key.strip_prefix("p.") {
                     Some(name) => params.insert(name, Value::from(value)),
                     None => {
-                        return Err(wrong(format!(
-                            "`{key}` means nothing in a link of version {VERSION}"
-                        )));
+                        return Err(wrong(format!("`{key}` means nothing in a link of version {VERSION}")));
                     }
                 },
             }
@@ -102,24 +76,13 @@ impl Link {
         match version {
             Some(VERSION) => {}
             Some(other) => {
-                return Err(wrong(format!(
-                    "it is of version {other}, and this program reads version {VERSION}"
-                )));
+                return Err(wrong(format!("it is of version {other}, and this program reads version {VERSION}")));
             }
             None => return Err(wrong("it does not begin with #v=".to_owned())),
         }
         let planner = planner.ok_or_else(|| wrong("it names no planner".to_owned()))?;
         let scene = scene.ok_or_else(|| wrong("it names no scene".to_owned()))?;
-        Ok(Self {
-            setup: Setup {
-                planner,
-                scene,
-                params,
-                seed,
-            },
-            iteration,
-            hash,
-        })
+        Ok(Self { setup: Setup { planner, scene, params, seed }, iteration, hash })
     }
 }
 
@@ -129,22 +92,16 @@ fn packed(scene: &Arc<Scene>) -> String {
         return scene.name().to_owned();
     }
     let text = serde_json::to_vec(&**scene).unwrap_or_default();
-    format!(
-        "~{}",
-        URL_SAFE_NO_PAD.encode(miniz_oxide::deflate::compress_to_vec(&text, 9))
-    )
+    format!("~{}", URL_SAFE_NO_PAD.encode(miniz_oxide::deflate::compress_to_vec(&text, 9)))
 }
 
 fn unpacked(text: &str) -> Result<Arc<Scene>, Error> {
     let Some(code) = text.strip_prefix('~') else {
         return shipped(text);
     };
-    let broken = |problem: &dyn fmt::Display| {
-        Error::malformed("link", format!("its scene is damaged: {problem}"))
-    };
+    let broken = |problem: &dyn fmt::Display| Error::malformed("link", format!("its scene is damaged: {problem}"));
     let deflated = URL_SAFE_NO_PAD.decode(code).map_err(|e| broken(&e))?;
-    let bytes = miniz_oxide::inflate::decompress_to_vec_with_limit(&deflated, LARGEST_SCENE)
-        .map_err(|e| broken(&e))?;
+    let bytes = miniz_oxide::inflate::decompress_to_vec_with_limit(&deflated, LARGEST_SCENE).map_err(|e| broken(&e))?;
     let text = String::from_utf8(bytes).map_err(|e| broken(&e))?;
     Scene::from_json(&text).map(Arc::new)
 }
@@ -154,31 +111,15 @@ mod tests {
     use super::*;
 
     fn link(scene: Arc<Scene>) -> Link {
-        let params = Given::from_iter([
-            ("w_max", Value::from(0.8)),
-            ("penalty", Value::from("waypoints")),
-        ]);
-        Link {
-            setup: Setup {
-                planner: "wcpso".to_owned(),
-                scene,
-                params,
-                seed: 7,
-            },
-            iteration: 120,
-            hash: Some("00ff".to_owned()),
-        }
+        let params = Given::from_iter([("w_max", Value::from(0.8)), ("penalty", Value::from("waypoints"))]);
+        Link { setup: Setup { planner: "wcpso".to_owned(), scene, params, seed: 7 }, iteration: 120, hash: Some("00ff".to_owned()) }
     }
 
     #[test]
     fn a_shipped_scene_goes_by_name_and_an_edited_one_as_a_whole() {
         let plain = link(shipped("wcpso-discs").unwrap());
-        assert_eq!(
-            plain.to_string(),
-            "#v=1&planner=wcpso&scene=wcpso-discs&seed=7&p.penalty=waypoints&p.w_max=0.8&at=120&hash=00ff"
-        );
-        let edited =
-            Scene::from_json(&plain.setup.scene.to_json().replacen("9.0", "8.5", 2)).unwrap();
+        assert_eq!(plain.to_string(), "#v=1&planner=wcpso&scene=wcpso-discs&seed=7&p.penalty=waypoints&p.w_max=0.8&at=120&hash=00ff");
+        let edited = Scene::from_json(&plain.setup.scene.to_json().replacen("9.0", "8.5", 2)).unwrap();
         assert_ne!(edited, *plain.setup.scene);
         let edited = link(Arc::new(edited));
         assert!(edited.to_string().contains("scene=~"));

@@ -18,15 +18,8 @@ const COS: [f64; 8] = [
     1.0 / 20_922_789_888_000.0,
 ];
 /// Taylor coefficients in x² of sin x / x − 1; what is left out is under 1e-16.
-const SIN: [f64; 7] = [
-    -1.0 / 6.0,
-    1.0 / 120.0,
-    -1.0 / 5_040.0,
-    1.0 / 362_880.0,
-    -1.0 / 39_916_800.0,
-    1.0 / 6_227_020_800.0,
-    -1.0 / 1_307_674_368_000.0,
-];
+const SIN: [f64; 7] =
+    [-1.0 / 6.0, 1.0 / 120.0, -1.0 / 5_040.0, 1.0 / 362_880.0, -1.0 / 39_916_800.0, 1.0 / 6_227_020_800.0, -1.0 / 1_307_674_368_000.0];
 
 /// The whole number nearest to `t`, ties to even, for |t| < 2^51. Adding 1.5 · 2^52 leaves no bits for a fraction;
 /// unlike `round`, it needs no instruction that a plain x86-64 lacks.
@@ -69,11 +62,7 @@ pub fn cos_turns(t: f64) -> f64 {
     let s = x * x;
     let cosine = 1.0 + COS.iter().rev().fold(0.0, |sum, c| (sum + c) * s);
     let sine = x + x * SIN.iter().rev().fold(0.0, |sum, c| (sum + c) * s);
-    if near_end {
-        cosine.copysign(from_quarter)
-    } else {
-        sine
-    }
+    if near_end { cosine.copysign(from_quarter) } else { sine }
 }
 
 #[cfg(test)]
@@ -82,15 +71,7 @@ mod tests {
 
     #[test]
     fn cos_turns_agrees_with_libm_and_is_exact_at_quarters() {
-        for (t, expected) in [
-            (0.0, 1.0),
-            (0.25, 0.0),
-            (0.5, -1.0),
-            (0.75, 0.0),
-            (1.0, 1.0),
-            (-3.5, -1.0),
-            (1e9 + 0.25, 0.0),
-        ] {
+        for (t, expected) in [(0.0, 1.0), (0.25, 0.0), (0.5, -1.0), (0.75, 0.0), (1.0, 1.0), (-3.5, -1.0), (1e9 + 0.25, 0.0)] {
             assert_eq!(cos_turns(t), expected, "t = {t}");
         }
         for i in -4000..=4000 {

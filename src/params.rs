@@ -45,9 +45,7 @@ impl From<&str> for Value {
         match text.trim() {
             "true" => Self::Flag(true),
             "false" => Self::Flag(false),
-            text => text
-                .parse()
-                .map_or_else(|_| Self::Text(text.to_owned()), Self::Number),
+            text => text.parse().map_or_else(|_| Self::Text(text.to_owned()), Self::Number),
         }
     }
 }
@@ -73,9 +71,7 @@ impl Given {
 
     /// The value given for a name.
     pub fn get(&self, name: &str) -> Option<&Value> {
-        self.iter()
-            .find(|(known, _)| *known == name)
-            .map(|(_, value)| value)
+        self.iter().find(|(known, _)| *known == name).map(|(_, value)| value)
     }
 
     /// Names and values, in the order of the names.
@@ -92,9 +88,7 @@ impl Given {
 impl<'a> FromIterator<(&'a str, Value)> for Given {
     fn from_iter<I: IntoIterator<Item = (&'a str, Value)>>(pairs: I) -> Self {
         let mut given = Self::new();
-        pairs
-            .into_iter()
-            .for_each(|(name, value)| given.insert(name, value));
+        pairs.into_iter().for_each(|(name, value)| given.insert(name, value));
         given
     }
 }
@@ -131,10 +125,7 @@ impl<'de> Deserialize<'de> for Given {
 ///
 /// # Errors
 /// Whatever the serializer reports.
-pub fn as_object<S: Serializer, V: Serialize>(
-    pairs: &[(&'static str, V)],
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
+pub fn as_object<S: Serializer, V: Serialize>(pairs: &[(&'static str, V)], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(pairs.iter().map(|(name, value)| (name, value)))
 }
 
@@ -214,13 +205,7 @@ impl Parameter {
         [min, max, default]: [f64; 3],
         help: &'static str,
     ) -> Self {
-        Self::of(
-            name,
-            symbol,
-            title,
-            Domain::Number { min, max, default },
-            help,
-        )
+        Self::of(name, symbol, title, Domain::Number { min, max, default }, help)
     }
 
     /// A whole number in [`min`, `max`].
@@ -231,13 +216,7 @@ impl Parameter {
         [min, max, default]: [u64; 3],
         help: &'static str,
     ) -> Self {
-        Self::of(
-            name,
-            symbol,
-            title,
-            Domain::Integer { min, max, default },
-            help,
-        )
+        Self::of(name, symbol, title, Domain::Integer { min, max, default }, help)
     }
 
     /// One of a few; the first is the default.
@@ -252,33 +231,12 @@ impl Parameter {
     }
 
     /// Yes or no.
-    pub const fn flag(
-        name: &'static str,
-        title: &'static str,
-        default: bool,
-        help: &'static str,
-    ) -> Self {
+    pub const fn flag(name: &'static str, title: &'static str, default: bool, help: &'static str) -> Self {
         Self::of(name, "", title, Domain::Flag { default }, help)
     }
 
-    const fn of(
-        name: &'static str,
-        symbol: &'static str,
-        title: &'static str,
-        domain: Domain,
-        help: &'static str,
-    ) -> Self {
-        Self {
-            name,
-            symbol,
-            title,
-            help,
-            domain,
-            kinds: &[],
-            defaults: &[],
-            slider: None,
-            logarithmic: false,
-        }
+    const fn of(name: &'static str, symbol: &'static str, title: &'static str, domain: Domain, help: &'static str) -> Self {
+        Self { name, symbol, title, help, domain, kinds: &[], defaults: &[], slider: None, logarithmic: false }
     }
 
     /// The same with another default.
@@ -325,9 +283,7 @@ impl Parameter {
         match self.domain {
             Domain::Number { default, .. } => Value::Number(default),
             Domain::Integer { default, .. } => Value::Number(default as f64),
-            Domain::Choice { options } => {
-                Value::Text(options.first().map_or("", |o| o.value).to_owned())
-            }
+            Domain::Choice { options } => Value::Text(options.first().map_or("", |o| o.value).to_owned()),
             Domain::Flag { default } => Value::Flag(default),
         }
     }
@@ -337,14 +293,7 @@ impl Parameter {
         match self.domain {
             Domain::Number { min, max, .. } => format!("a number from {min} to {max}"),
             Domain::Integer { min, max, .. } => format!("a whole number from {min} to {max}"),
-            Domain::Choice { options } => format!(
-                "one of {}",
-                options
-                    .iter()
-                    .map(|o| o.value)
-                    .collect::<Vec<_>>()
-                    .join(", ")
-            ),
+            Domain::Choice { options } => format!("one of {}", options.iter().map(|o| o.value).collect::<Vec<_>>().join(", ")),
             Domain::Flag { .. } => "true or false".to_owned(),
         }
     }
@@ -356,20 +305,12 @@ impl Parameter {
     pub fn check(&self, value: &Value) -> Result<(), Error> {
         let fits = match (&self.domain, value) {
             (Domain::Number { min, max, .. }, Value::Number(n)) => (*min..=*max).contains(n),
-            (Domain::Integer { min, max, .. }, Value::Number(n)) => {
-                n.fract() == 0.0 && (*min as f64..=*max as f64).contains(n)
-            }
-            (Domain::Choice { options }, Value::Text(text)) => {
-                options.iter().any(|o| o.value == text)
-            }
+            (Domain::Integer { min, max, .. }, Value::Number(n)) => n.fract() == 0.0 && (*min as f64..=*max as f64).contains(n),
+            (Domain::Choice { options }, Value::Text(text)) => options.iter().any(|o| o.value == text),
             (Domain::Flag { .. }, Value::Flag(_)) => true,
             _ => false,
         };
-        if fits {
-            Ok(())
-        } else {
-            Err(Error::refused(self.name, value, self.allowed()))
-        }
+        if fits { Ok(()) } else { Err(Error::refused(self.name, value, self.allowed())) }
     }
 }
 
@@ -388,30 +329,13 @@ impl Settings {
     pub fn new(parameters: &[Parameter], kind: Kind, given: &Given) -> Result<Self, Error> {
         let applicable = || parameters.iter().filter(|p| p.applies_to(kind));
         for (name, value) in given.iter() {
-            let parameter = applicable()
-                .find(|p| p.name == name)
-                .ok_or_else(|| Error::unknown("parameter", name, applicable().map(|p| p.name)))?;
+            let parameter =
+                applicable().find(|p| p.name == name).ok_or_else(|| Error::unknown("parameter", name, applicable().map(|p| p.name)))?;
             parameter.check(value)?;
         }
-        let values: Vec<_> = applicable()
-            .map(|p| {
-                (
-                    p.name,
-                    given
-                        .get(p.name)
-                        .cloned()
-                        .unwrap_or_else(|| p.default_on(kind)),
-                )
-            })
-            .collect();
-        let changed = applicable()
-            .filter_map(|p| {
-                given
-                    .get(p.name)
-                    .filter(|&v| *v != p.default_on(kind))
-                    .map(|v| (p.name, v.clone()))
-            })
-            .collect();
+        let values: Vec<_> = applicable().map(|p| (p.name, given.get(p.name).cloned().unwrap_or_else(|| p.default_on(kind)))).collect();
+        let changed =
+            applicable().filter_map(|p| given.get(p.name).filter(|&v| *v != p.default_on(kind)).map(|v| (p.name, v.clone()))).collect();
         Ok(Self { values, changed })
     }
 
@@ -452,10 +376,7 @@ impl Settings {
     }
 
     fn get(&self, name: &str) -> Option<&Value> {
-        self.values
-            .iter()
-            .find(|(n, _)| *n == name)
-            .map(|(_, value)| value)
+        self.values.iter().find(|(n, _)| *n == name).map(|(_, value)| value)
     }
 }
 
@@ -464,21 +385,9 @@ mod tests {
     use super::*;
 
     const ALL: [Parameter; 3] = [
-        Parameter::integer("population", "N", "Population", [1, 100, 60], "")
-            .defaults_on(&[(Kind::Discs, 80.0)]),
+        Parameter::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(Kind::Discs, 80.0)]),
         Parameter::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.7], ""),
-        Parameter::choice(
-            "penalty",
-            "",
-            "Penalty",
-            &[Choice {
-                value: "segments",
-                title: "",
-                help: "",
-            }],
-            "",
-        )
-        .only_on(&[Kind::Discs]),
+        Parameter::choice("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[Kind::Discs]),
     ];
 
     fn given(name: &str, value: &str) -> Given {
@@ -488,25 +397,11 @@ mod tests {
     #[test]
     fn defaults_depend_on_the_kind_and_only_changes_are_kept() {
         let on_discs = Settings::new(&ALL, Kind::Discs, &given("w", "0.7")).unwrap();
-        assert_eq!(
-            (
-                on_discs.integer("population"),
-                on_discs.number("w"),
-                on_discs.choice("penalty")
-            ),
-            (80, 0.7, "segments")
-        );
+        assert_eq!((on_discs.integer("population"), on_discs.number("w"), on_discs.choice("penalty")), (80, 0.7, "segments"));
         assert!(on_discs.changed().is_empty(), "0.7 is the default");
         let on_function = Settings::new(&ALL, Kind::Function, &given("population", "7")).unwrap();
-        assert_eq!(
-            on_function.changed().iter().collect::<Vec<_>>(),
-            [("population", &Value::from(7.0))]
-        );
-        assert_eq!(
-            on_function.all().len(),
-            2,
-            "the penalty means nothing on functions"
-        );
+        assert_eq!(on_function.changed().iter().collect::<Vec<_>>(), [("population", &Value::from(7.0))]);
+        assert_eq!(on_function.all().len(), 2, "the penalty means nothing on functions");
     }
 
     #[test]
@@ -525,11 +420,7 @@ mod tests {
             assert_eq!((error.field(), error.value()), (name, value));
             assert!(!error.allowed().is_empty());
         }
-        let unknown =
-            Settings::new(&ALL, Kind::Function, &given("penalty", "segments")).unwrap_err();
-        assert_eq!(
-            (unknown.field(), unknown.allowed()),
-            ("parameter", "population, w")
-        );
+        let unknown = Settings::new(&ALL, Kind::Function, &given("penalty", "segments")).unwrap_err();
+        assert_eq!((unknown.field(), unknown.allowed()), ("parameter", "population, w"));
     }
 }

@@ -17,11 +17,7 @@ pub const MAX_SEED: u64 = (1 << 53) - 1;
 /// # Errors
 /// [`Error::Refused`] for `seed` above 2^53 − 1.
 pub fn check_seed(seed: u64) -> Result<u64, Error> {
-    if seed <= MAX_SEED {
-        Ok(seed)
-    } else {
-        Err(Error::refused("seed", seed, SEED_RANGE))
-    }
+    if seed <= MAX_SEED { Ok(seed) } else { Err(Error::refused("seed", seed, SEED_RANGE)) }
 }
 
 /// The allowed seeds, in words.
@@ -71,9 +67,7 @@ impl Stream {
 /// # Errors
 /// When the system gives no randomness.
 pub fn fresh_seed() -> Result<u64, Error> {
-    getrandom::u32()
-        .map(u64::from)
-        .map_err(|problem| Error::malformed("seed", problem))
+    getrandom::u32().map(u64::from).map_err(|problem| Error::malformed("seed", problem))
 }
 
 #[cfg(test)]

@@ -25,10 +25,7 @@ use crate::{
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("wasm.d.ts");
 
-#[expect(
-    missing_docs,
-    reason = "names for the types in wasm.d.ts, which says what they are"
-)]
+#[expect(missing_docs, reason = "names for the types in wasm.d.ts, which says what they are")]
 #[wasm_bindgen]
 extern "C" {
     #[wasm_bindgen(typescript_type = "Catalogue")]
@@ -77,11 +74,7 @@ fn start() {
 /// An `Error` with the native message and its parts.
 fn js_error(error: &Error) -> JsValue {
     let js = js_sys::Error::new(&error.to_string());
-    for (name, part) in [
-        ("field", error.field()),
-        ("value", error.value()),
-        ("allowed", error.allowed()),
-    ] {
+    for (name, part) in [("field", error.field()), ("value", error.value()), ("allowed", error.allowed())] {
         // Setting a property of an ordinary object cannot fail.
         let _ = js_sys::Reflect::set(&js, &name.into(), &part.into());
     }
@@ -91,15 +84,11 @@ fn js_error(error: &Error) -> JsValue {
 /// A plain object of anything serialisable.
 fn plain<T: JsCast>(value: &impl Serialize) -> T {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
-    value
-        .serialize(&serializer)
-        .unwrap_or(JsValue::NULL)
-        .unchecked_into()
+    value.serialize(&serializer).unwrap_or(JsValue::NULL).unchecked_into()
 }
 
 fn read<T: for<'de> Deserialize<'de>>(field: &str, value: &JsValue) -> Result<T, JsValue> {
-    serde_wasm_bindgen::from_value(value.clone())
-        .map_err(|problem| js_error(&Error::malformed(field, problem)))
+    serde_wasm_bindgen::from_value(value.clone()).map_err(|problem| js_error(&Error::malformed(field, problem)))
 }
 
 fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
@@ -117,14 +106,7 @@ fn read_item(value: &JsValue) -> Result<Item, JsValue> {
         index: f64,
     }
     let Given { role, index } = read("item", value)?;
-    Ok(Item {
-        role: read_role(&role)?,
-        index: if index >= 0.0 {
-            index as usize
-        } else {
-            usize::MAX
-        },
-    })
+    Ok(Item { role: read_role(&role)?, index: if index >= 0.0 { index as usize } else { usize::MAX } })
 }
 
 fn read_role(name: &str) -> Result<Role, JsValue> {
@@ -170,11 +152,7 @@ pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
         #[serde(skip_serializing_if = "Option::is_none")]
         hash: Option<&'a str>,
     }
-    let Link {
-        setup,
-        iteration,
-        hash,
-    } = Link::parse(link).map_err(|error| js_error(&error))?;
+    let Link { setup, iteration, hash } = Link::parse(link).map_err(|error| js_error(&error))?;
     Ok(plain(&LinkSetup {
         planner: &setup.planner,
         scene: &setup.scene,
@@ -199,19 +177,12 @@ pub fn check_scene(scene: &JsScene) -> Result<JsScene, JsValue> {
 /// # Errors
 /// An `Error` with `field`, `value` and `allowed`.
 #[wasm_bindgen(js_name = checkParameter)]
-pub fn check_parameter(
-    planner: &str,
-    kind: &JsKind,
-    name: &str,
-    value: &JsParameterValue,
-) -> Result<(), JsValue> {
+pub fn check_parameter(planner: &str, kind: &JsKind, name: &str, value: &JsParameterValue) -> Result<(), JsValue> {
     let entry = find(planner).map_err(|error| js_error(&error))?;
     let kind: Kind = read("kind", kind)?;
     let value: Value = read(name, value)?;
     let given = Given::from_iter([(name, value)]);
-    crate::params::Settings::new(entry.parameters, kind, &given)
-        .map(drop)
-        .map_err(|error| js_error(&error))
+    crate::params::Settings::new(entry.parameters, kind, &given).map(drop).map_err(|error| js_error(&error))
 }
 
 /// A fresh seed from the system.
@@ -220,9 +191,7 @@ pub fn check_parameter(
 /// When the system gives no randomness.
 #[wasm_bindgen(js_name = newSeed)]
 pub fn new_seed() -> Result<f64, JsValue> {
-    rng::fresh_seed()
-        .map(|seed| seed as f64)
-        .map_err(|error| js_error(&error))
+    rng::fresh_seed().map(|seed| seed as f64).map_err(|error| js_error(&error))
 }
 
 /// One run: a scene, a planner with parameters and a seed, stepped, rewound, judged and shared.
@@ -247,21 +216,10 @@ impl Session {
             seed: Option<f64>,
         }
         let scene = js_sys::Reflect::get(setup, &"scene".into())?;
-        let Plain {
-            planner,
-            params,
-            seed,
-        } = read("setup", setup)?;
+        let Plain { planner, params, seed } = read("setup", setup)?;
         let seed = seed.map_or(Ok(1), |seed| whole("seed", seed))?;
-        let setup = Setup {
-            planner,
-            scene: read_scene(&scene)?,
-            params: params.unwrap_or_default(),
-            seed,
-        };
-        session::Session::new(setup)
-            .map(Session::of)
-            .map_err(|error| js_error(&error))
+        let setup = Setup { planner, scene: read_scene(&scene)?, params: params.unwrap_or_default(), seed };
+        session::Session::new(setup).map(Session::of).map_err(|error| js_error(&error))
     }
 
     /// The run that a link describes, at iteration 0.
@@ -270,16 +228,11 @@ impl Session {
     /// As the constructor, and for a link that cannot be read.
     #[wasm_bindgen(js_name = fromLink)]
     pub fn from_link(link: &str) -> Result<Session, JsValue> {
-        session::Session::from_link(link)
-            .map(Session::of)
-            .map_err(|error| js_error(&error))
+        session::Session::from_link(link).map(Session::of).map_err(|error| js_error(&error))
     }
 
     fn of(run: session::Session) -> Self {
-        Self {
-            run,
-            frame: Frame::default(),
-        }
+        Self { run, frame: Frame::default() }
     }
 
     /// Takes up to `n` steps; stops where the planner does.
@@ -341,14 +294,7 @@ impl Session {
 
     /// The numbers of this iteration, by name.
     pub fn readings(&mut self) -> JsReadings {
-        plain(&Numbers(
-            &self
-                .run
-                .readings()
-                .iter()
-                .filter(|(_, value)| value.is_finite())
-                .collect::<Vec<_>>(),
-        ))
+        plain(&Numbers(&self.run.readings().iter().filter(|(_, value)| value.is_finite()).collect::<Vec<_>>()))
     }
 
     /// The kept readings of iterations after `after` (all of them for −1).
@@ -358,37 +304,19 @@ impl Session {
         let iterations: Vec<f64> = iterations.iter().map(|&k| k as f64).collect();
         object(&[
             ("columns", plain(&trace.columns())),
-            (
-                "iterations",
-                Float64Array::from(iterations.as_slice()).into(),
-            ),
+            ("iterations", Float64Array::from(iterations.as_slice()).into()),
             ("rows", Float64Array::from(rows).into()),
         ])
     }
 
     /// Draws the present state; the arrays are views into the wasm memory, valid until the next call of anything here.
-    #[expect(
-        unsafe_code,
-        reason = "a view must not outlive the next call; the types say so, and the worker copies at once"
-    )]
+    #[expect(unsafe_code, reason = "a view must not outlive the next call; the types say so, and the worker copies at once")]
     pub fn frame(&mut self, budget: Option<f64>) -> JsFrame {
-        self.run.draw(
-            &mut self.frame,
-            budget.map_or(Frame::BUDGET, |budget| budget as usize),
-        );
+        self.run.draw(&mut self.frame, budget.map_or(Frame::BUDGET, |budget| budget as usize));
         // Everything that allocates comes first: growing memory would empty the views.
         let thinning = JsValue::from(self.frame.thinning());
-        let (vertices, spans) = unsafe {
-            (
-                Float32Array::view(self.frame.vertices()),
-                Uint32Array::view(self.frame.table()),
-            )
-        };
-        object(&[
-            ("vertices", vertices.into()),
-            ("spans", spans.into()),
-            ("thinning", thinning),
-        ])
+        let (vertices, spans) = unsafe { (Float32Array::view(self.frame.vertices()), Uint32Array::view(self.frame.table())) };
+        object(&[("vertices", vertices.into()), ("spans", spans.into()), ("thinning", thinning)])
     }
 
     /// Everything there is to say about where the run stands.
@@ -401,9 +329,7 @@ impl Session {
     /// # Errors
     /// For an unknown role.
     pub fn inspect(&self, item: &JsItem) -> Result<JsInspectionOrNull, JsValue> {
-        Ok(plain(
-            &self.run.inspect(read_item(item)?).map(InspectionView::from),
-        ))
+        Ok(plain(&self.run.inspect(read_item(item)?).map(InspectionView::from)))
     }
 
     /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.
@@ -418,10 +344,7 @@ impl Session {
             length: f64,
             path: &'a [[f64; 2]],
         }
-        plain(&self.run.scene().exact().map(|exact| Exact {
-            length: exact.length,
-            path: &exact.path,
-        }))
+        plain(&self.run.scene().exact().map(|exact| Exact { length: exact.length, path: &exact.path }))
     }
 
     /// Fills a canvas with the scene's heights over a part of the plane; false if the scene has none.
@@ -429,33 +352,14 @@ impl Session {
     /// # Errors
     /// When the canvas refuses the pixels.
     #[wasm_bindgen(js_name = paintField)]
-    pub fn paint_field(
-        &self,
-        ctx: &OffscreenCanvasRenderingContext2d,
-        min: &JsPoint,
-        max: &JsPoint,
-        dark: bool,
-    ) -> Result<bool, JsValue> {
-        let view = Bounds {
-            min: read_point("min", min)?,
-            max: read_point("max", max)?,
-        };
+    pub fn paint_field(&self, ctx: &OffscreenCanvasRenderingContext2d, min: &JsPoint, max: &JsPoint, dark: bool) -> Result<bool, JsValue> {
+        let view = Bounds { min: read_point("min", min)?, max: read_point("max", max)? };
         let canvas = ctx.canvas();
         let (width, height) = (canvas.width(), canvas.height());
-        let Some(pixels) = picture::heat_map(
-            self.run.scene(),
-            view,
-            width as usize,
-            height as usize,
-            dark,
-        ) else {
+        let Some(pixels) = picture::heat_map(self.run.scene(), view, width as usize, height as usize, dark) else {
             return Ok(false);
         };
-        let image = ImageData::new_with_u8_clamped_array_and_sh(
-            wasm_bindgen::Clamped(&pixels),
-            width,
-            height,
-        )?;
+        let image = ImageData::new_with_u8_clamped_array_and_sh(wasm_bindgen::Clamped(&pixels), width, height)?;
         ctx.put_image_data(&image, 0.0, 0.0)?;
         Ok(true)
     }
@@ -466,10 +370,7 @@ impl Session {
     /// For an unknown role.
     pub fn svg(&self, dark: bool, layers: &JsNames) -> Result<String, JsValue> {
         let names: Vec<String> = read("layers", layers)?;
-        let roles = names
-            .iter()
-            .map(|name| read_role(name))
-            .collect::<Result<Vec<_>, _>>()?;
+        let roles = names.iter().map(|name| read_role(name)).collect::<Result<Vec<_>, _>>()?;
         Ok(picture::svg(&self.run, dark, &roles))
     }
 
@@ -519,10 +420,7 @@ struct ItemView {
 
 impl From<Item> for ItemView {
     fn from(item: Item) -> Self {
-        Self {
-            role: item.role.name(),
-            index: item.index,
-        }
+        Self { role: item.role.name(), index: item.index }
     }
 }
 
@@ -547,31 +445,7 @@ struct Table {
 
 impl From<Inspection> for InspectionView {
     fn from(told: Inspection) -> Self {
-        let Inspection {
-            item,
-            title,
-            event,
-            summary,
-            values,
-            formulas,
-            columns,
-            labels,
-            rows,
-            marks,
-        } = told;
-        Self {
-            item: item.into(),
-            title,
-            event,
-            summary,
-            values,
-            formulas,
-            table: Table {
-                columns,
-                labels,
-                rows,
-            },
-            layers: marks,
-        }
+        let Inspection { item, title, event, summary, values, formulas, columns, labels, rows, marks } = told;
+        Self { item: item.into(), title, event, summary, values, formulas, table: Table { columns, labels, rows }, layers: marks }
     }
 }

@@ -14,15 +14,7 @@ pub(super) fn list(json: bool) -> Outcome {
     let mut text = String::from("PLANNERS\n");
     for entry in PLANNERS {
         let kinds: Vec<_> = entry.kinds.iter().map(|kind| kind.name()).collect();
-        let _ = writeln!(
-            text,
-            "\n{}  {} {}\n  {}\n  runs on: {}",
-            entry.name,
-            entry.title,
-            entry.source,
-            entry.summary,
-            kinds.join(", ")
-        );
+        let _ = writeln!(text, "\n{}  {} {}\n  {}\n  runs on: {}", entry.name, entry.title, entry.source, entry.summary, kinds.join(", "));
         for parameter in entry.parameters {
             let mut defaults: Vec<String> = entry
                 .kinds
@@ -30,55 +22,24 @@ pub(super) fn list(json: bool) -> Outcome {
                 .filter(|&&kind| parameter.applies_to(kind))
                 .map(|&kind| format!("{} on {}", parameter.default_on(kind), kind.name()))
                 .collect();
-            if defaults
-                .iter()
-                .all(|d| d.split(' ').next() == defaults[0].split(' ').next())
-            {
-                let only = if parameter.kinds.is_empty() {
-                    String::new()
-                } else {
-                    format!(", on {} only", kinds_of(parameter))
-                };
-                defaults = vec![
-                    defaults[0]
-                        .split(" on ")
-                        .next()
-                        .unwrap_or_default()
-                        .to_owned()
-                        + &only,
-                ];
+            if defaults.iter().all(|d| d.split(' ').next() == defaults[0].split(' ').next()) {
+                let only = if parameter.kinds.is_empty() { String::new() } else { format!(", on {} only", kinds_of(parameter)) };
+                defaults = vec![defaults[0].split(" on ").next().unwrap_or_default().to_owned() + &only];
             }
-            let _ = writeln!(
-                text,
-                "    {:<16} {}; default {}",
-                parameter.name,
-                parameter.allowed(),
-                defaults.join(", ")
-            );
+            let _ = writeln!(text, "    {:<16} {}; default {}", parameter.name, parameter.allowed(), defaults.join(", "));
             let _ = writeln!(text, "    {:<16} {}", "", parameter.help);
         }
     }
     text.push_str("\nSCENES\n\n");
     for scene in shipped_names() {
-        let _ = writeln!(
-            text,
-            "{:<16} {:<9} {}",
-            scene.name(),
-            scene.kind().name(),
-            scene.header().title
-        );
+        let _ = writeln!(text, "{:<16} {:<9} {}", scene.name(), scene.kind().name(), scene.header().title);
     }
     print(&text);
     Ok(ExitCode::SUCCESS)
 }
 
 fn kinds_of(parameter: &forage::params::Parameter) -> String {
-    parameter
-        .kinds
-        .iter()
-        .map(|kind| kind.name())
-        .collect::<Vec<_>>()
-        .join(", ")
+    parameter.kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(", ")
 }
 
 /// Planners, scenes and examples, below the options of `forage run --help`.

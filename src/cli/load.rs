@@ -27,12 +27,7 @@ pub(super) fn scene(text: &str) -> Result<Arc<Scene>, Failure> {
         Ok(json) => Ok(Arc::new(Scene::from_json(&json)?)),
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
             let names: Vec<_> = shipped_names().map(|scene| scene.name()).collect();
-            Err(Error::refused(
-                "scene",
-                text,
-                format!("a file, a link, or one of {}", names.join(", ")),
-            )
-            .into())
+            Err(Error::refused("scene", text, format!("a file, a link, or one of {}", names.join(", "))).into())
         }
         Err(error) => Err(Failure::File(text.to_owned(), error)),
     }
@@ -40,10 +35,7 @@ pub(super) fn scene(text: &str) -> Result<Arc<Scene>, Failure> {
 
 /// Everything `forage run` needs, checked as far as it can be without the planner.
 pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
-    let link = [&args.planner, &args.scene]
-        .into_iter()
-        .flatten()
-        .find(|text| Link::is_link(text));
+    let link = [&args.planner, &args.scene].into_iter().flatten().find(|text| Link::is_link(text));
     let link = link.map(|text| Link::parse(text)).transpose()?;
     let named = args.planner.as_deref().filter(|text| !Link::is_link(text));
     let mut task = match link {
@@ -51,17 +43,11 @@ pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
         None => Task {
             setup: Setup {
                 planner: named
-                    .ok_or_else(|| {
-                        Error::refused(
-                            "PLANNER",
-                            "nothing",
-                            "a planner’s name; `forage list` shows them",
-                        )
-                    })?
+                    .ok_or_else(|| Error::refused("PLANNER", "nothing", "a planner’s name; `forage list` shows them"))?
                     .to_owned(),
-                scene: scene(args.scene.as_deref().ok_or_else(|| {
-                    Error::refused("--scene", "nothing", "a file, a shipped name or a link")
-                })?)?,
+                scene: scene(
+                    args.scene.as_deref().ok_or_else(|| Error::refused("--scene", "nothing", "a file, a shipped name or a link"))?,
+                )?,
                 params: forage::Given::new(),
                 seed: 1,
             },
@@ -79,26 +65,14 @@ pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
 /// The link's run up to the iteration it shows; or, for another planner, a run of that one on the link's scene and seed.
 fn from_link(link: Link, planner: Option<&str>) -> Task {
     match planner.filter(|&name| name != link.setup.planner) {
-        None => Task {
-            stop_at: Some(link.iteration),
-            promised: link.hash,
-            setup: link.setup,
-        },
+        None => Task { stop_at: Some(link.iteration), promised: link.hash, setup: link.setup },
         Some(name) => {
             eprintln!(
                 "forage: the link is for {}; running {name} on its scene and seed, with {name}’s default parameters",
                 link.setup.planner
             );
-            let setup = Setup {
-                planner: name.to_owned(),
-                params: forage::Given::new(),
-                ..link.setup
-            };
-            Task {
-                setup,
-                stop_at: None,
-                promised: None,
-            }
+            let setup = Setup { planner: name.to_owned(), params: forage::Given::new(), ..link.setup };
+            Task { setup, stop_at: None, promised: None }
         }
     }
 }
@@ -108,20 +82,14 @@ fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
     if let Some(seed) = args.seed.as_deref() {
         setup.seed = match seed {
             "random" => rng::fresh_seed()?,
-            number => number
-                .parse()
-                .map_err(|_| Error::refused("seed", number, rng::SEED_RANGE))?,
+            number => number.parse().map_err(|_| Error::refused("seed", number, rng::SEED_RANGE))?,
         };
     }
     if let Some(iterations) = &args.iterations {
-        setup
-            .params
-            .insert("iterations", Value::from(iterations.as_str()));
+        setup.params.insert("iterations", Value::from(iterations.as_str()));
     }
     for pair in &args.set {
-        let (name, value) = pair
-            .split_once('=')
-            .ok_or_else(|| Error::refused("--set", pair, "name=value"))?;
+        let (name, value) = pair.split_once('=').ok_or_else(|| Error::refused("--set", pair, "name=value"))?;
         setup.params.insert(name.trim(), Value::from(value));
     }
     Ok(args.seed.is_some() || args.iterations.is_some() || !args.set.is_empty())

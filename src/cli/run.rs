@@ -33,29 +33,15 @@ pub(super) fn run(args: &RunArgs) -> super::Outcome {
     let elapsed_ms = carry_out(&mut session, task.stop_at, args.trace.as_deref())?;
     let outcome = session.outcome();
     if let Some(path) = &args.svg {
-        let roles: Vec<_> = session
-            .entry()
-            .layers
-            .iter()
-            .filter(|layer| layer.on)
-            .map(|layer| layer.role)
-            .chain([Role::Exact])
-            .collect();
-        std::fs::write(path, picture::svg(&session, false, &roles))
-            .map_err(|error| file(path, error))?;
+        let roles: Vec<_> = session.entry().layers.iter().filter(|layer| layer.on).map(|layer| layer.role).chain([Role::Exact]).collect();
+        std::fs::write(path, picture::svg(&session, false, &roles)).map_err(|error| file(path, error))?;
     }
     if let Some(promised) = task.promised.filter(|promised| *promised != outcome.hash) {
-        eprintln!(
-            "forage: the link promises the hash {promised}, this run has {}",
-            outcome.hash
-        );
+        eprintln!("forage: the link promises the hash {promised}, this run has {}", outcome.hash);
     }
     let feasible = outcome.feasible;
     if args.json {
-        print_json(&Report {
-            outcome,
-            elapsed_ms,
-        });
+        print_json(&Report { outcome, elapsed_ms });
     } else {
         print(&summary(&outcome, elapsed_ms));
     }
@@ -63,15 +49,8 @@ pub(super) fn run(args: &RunArgs) -> super::Outcome {
 }
 
 /// Steps to the end, to `stop_at`, or to Ctrl-C, whichever comes first. Returns the milliseconds it took.
-#[expect(
-    clippy::disallowed_types,
-    reason = "the shell tells how long a run took; no planner sees it"
-)]
-fn carry_out(
-    session: &mut Session,
-    stop_at: Option<u64>,
-    trace: Option<&Path>,
-) -> Result<f64, Failure> {
+#[expect(clippy::disallowed_types, reason = "the shell tells how long a run took; no planner sees it")]
+fn carry_out(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) -> Result<f64, Failure> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
     // A second Ctrl-C ends the program at once; without a handler (none could be set) the first does.
@@ -82,13 +61,7 @@ fn carry_out(
     });
     let end = stop_at.unwrap_or(u64::MAX).min(session.limit());
     let bar = progress(end);
-    let mut rows = trace
-        .map(|path| {
-            File::create(path)
-                .map(csv::Writer::from_writer)
-                .map_err(|error| file(path, error))
-        })
-        .transpose()?;
+    let mut rows = trace.map(|path| File::create(path).map(csv::Writer::from_writer).map_err(|error| file(path, error))).transpose()?;
     let begun = std::time::Instant::now();
     loop {
         if let (Some(rows), Some(path)) = (&mut rows, trace) {
@@ -107,10 +80,7 @@ fn carry_out(
         rows.flush().map_err(|error| file(path, error))?;
     }
     if interrupted.load(Ordering::Relaxed) {
-        eprintln!(
-            "forage: interrupted at iteration {}; this is the best so far",
-            session.iteration()
-        );
+        eprintln!("forage: interrupted at iteration {}; this is the best so far", session.iteration());
     }
     Ok(elapsed.as_secs_f64() * 1e3)
 }
@@ -118,8 +88,7 @@ fn carry_out(
 /// A bar on standard error that shows itself only on a terminal, and only when a run takes longer than a moment.
 fn progress(end: u64) -> ProgressBar {
     let bar = ProgressBar::new(end);
-    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} iterations, {eta} left")
-    {
+    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} iterations, {eta} left") {
         bar.set_style(style);
     }
     bar.enable_steady_tick(Duration::from_millis(200));
@@ -130,17 +99,9 @@ fn write_row(rows: &mut csv::Writer<File>, session: &mut Session) -> io::Result<
     let iteration = session.iteration();
     let readings = session.readings();
     if iteration == 0 {
-        rows.write_record(
-            ["iteration"]
-                .into_iter()
-                .chain(readings.iter().map(|(name, _)| name)),
-        )?;
+        rows.write_record(["iteration"].into_iter().chain(readings.iter().map(|(name, _)| name)))?;
     }
-    rows.write_record(
-        [iteration.to_string()]
-            .into_iter()
-            .chain(readings.iter().map(|(_, value)| value.to_string())),
-    )?;
+    rows.write_record([iteration.to_string()].into_iter().chain(readings.iter().map(|(_, value)| value.to_string())))?;
     Ok(())
 }
 
@@ -164,9 +125,7 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
         (None, None) => text.push_str("  nothing found\n"),
     }
     if let Some(exact) = outcome.exact {
-        let gap = outcome
-            .gap
-            .map_or(String::new(), |gap| format!(" ({:+.4} %)", gap * 100.0));
+        let gap = outcome.gap.map_or(String::new(), |gap| format!(" ({:+.4} %)", gap * 100.0));
         let _ = writeln!(text, "  optimum    {exact}{gap}");
     }
     match outcome.clearance {
@@ -174,19 +133,12 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
             let _ = writeln!(text, "  free       yes, clearance {clearance:.6}");
         }
         Some(clearance) => {
-            let _ = writeln!(
-                text,
-                "  free       NO, it cuts {:.6} deep into an obstacle",
-                -clearance
-            );
+            let _ = writeln!(text, "  free       NO, it cuts {:.6} deep into an obstacle", -clearance);
         }
         None => {}
     }
     if let Some(path) = &outcome.path {
-        let points: Vec<_> = path
-            .iter()
-            .map(|[x, y]| format!("({x:.4}, {y:.4})"))
-            .collect();
+        let points: Vec<_> = path.iter().map(|[x, y]| format!("({x:.4}, {y:.4})")).collect();
         let _ = writeln!(text, "  path       {}", points.join(" → "));
     }
     if let Some(position) = &outcome.position {

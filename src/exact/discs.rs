@@ -60,16 +60,8 @@ impl<'a> Graph<'a> {
             .map(|d| d.center[0].abs().max(d.center[1].abs()) + d.radius)
             .chain([start, goal].iter().map(|p| p[0].abs().max(p[1].abs())))
             .fold(0.0, f64::max);
-        let ends = [start, goal].map(|p| Node {
-            at: vector(p),
-            rim: None,
-        });
-        Self {
-            discs,
-            slack: SLACK * size,
-            nodes: ends.to_vec(),
-            edges: vec![Vec::new(); 2],
-        }
+        let ends = [start, goal].map(|p| Node { at: vector(p), rim: None });
+        Self { discs, slack: SLACK * size, nodes: ends.to_vec(), edges: vec![Vec::new(); 2] }
     }
 
     /// All free tangents: between the ends, from an end to a disc, and the four between two discs.
@@ -81,9 +73,7 @@ impl<'a> Graph<'a> {
                 let (from, to) = (self.nodes[end].at, vector(disc.center));
                 for side in [1.0, -1.0] {
                     // An end on the rim touches at itself: the square root is clamped, and the length is zero.
-                    if let Some(normal) =
-                        normal_of_tangent(to - from, side * disc.radius, self.slack)
-                    {
+                    if let Some(normal) = normal_of_tangent(to - from, side * disc.radius, self.slack) {
                         let foot = self.on_rim(i, -side * normal);
                         self.connect(end, foot, &[i]);
                     }
@@ -96,10 +86,7 @@ impl<'a> Graph<'a> {
                     for cross in [1.0, -1.0] {
                         let offset = side * (cross * other.radius - disc.radius);
                         if let Some(normal) = normal_of_tangent(between, offset, self.slack) {
-                            let (a, b) = (
-                                self.on_rim(i, -side * normal),
-                                self.on_rim(j, -side * cross * normal),
-                            );
+                            let (a, b) = (self.on_rim(i, -side * normal), self.on_rim(j, -side * cross * normal));
                             self.connect(a, b, &[i, j]);
                         }
                     }
@@ -111,10 +98,7 @@ impl<'a> Graph<'a> {
     /// A new node on the rim of disc `i` in the direction `outward` (unit length).
     fn on_rim(&mut self, i: usize, outward: Vector) -> usize {
         let disc = &self.discs[i];
-        self.nodes.push(Node {
-            at: vector(disc.center) + disc.radius * outward,
-            rim: Some((i, math::atan2(outward.y, outward.x))),
-        });
+        self.nodes.push(Node { at: vector(disc.center) + disc.radius * outward, rim: Some((i, math::atan2(outward.y, outward.x))) });
         self.edges.push(Vec::new());
         self.nodes.len() - 1
     }
@@ -123,21 +107,11 @@ impl<'a> Graph<'a> {
     fn connect(&mut self, a: usize, b: usize, touching: &[usize]) {
         let (from, to) = (self.nodes[a].at, self.nodes[b].at);
         let (p, q) = ([from.x, from.y], [to.x, to.y]);
-        let free = self.discs.iter().enumerate().all(|(k, disc)| {
-            touching.contains(&k) || disc.clearance_of_segment(p, q) >= -self.slack
-        });
+        let free = self.discs.iter().enumerate().all(|(k, disc)| touching.contains(&k) || disc.clearance_of_segment(p, q) >= -self.slack);
         if free {
             let length = (to - from).norm();
-            self.edges[a].push(Edge {
-                to: b,
-                length,
-                arc: None,
-            });
-            self.edges[b].push(Edge {
-                to: a,
-                length,
-                arc: None,
-            });
+            self.edges[a].push(Edge { to: b, length, arc: None });
+            self.edges[b].push(Edge { to: a, length, arc: None });
         }
     }
 
@@ -159,25 +133,11 @@ impl<'a> Graph<'a> {
             let covered = self.covered(i);
             for (k, &(from, a)) in around.iter().enumerate() {
                 let (to, b) = around[(k + 1) % around.len()];
-                let sweep = if k + 1 == around.len() {
-                    to + TAU - from
-                } else {
-                    to - from
-                };
-                if covered.iter().all(|&(middle, half)| {
-                    !overlaps(from, sweep, middle, half, self.slack / disc.radius)
-                }) {
+                let sweep = if k + 1 == around.len() { to + TAU - from } else { to - from };
+                if covered.iter().all(|&(middle, half)| !overlaps(from, sweep, middle, half, self.slack / disc.radius)) {
                     let length = disc.radius * sweep;
-                    self.edges[a].push(Edge {
-                        to: b,
-                        length,
-                        arc: Some((i, from, sweep)),
-                    });
-                    self.edges[b].push(Edge {
-                        to: a,
-                        length,
-                        arc: Some((i, to, -sweep)),
-                    });
+                    self.edges[a].push(Edge { to: b, length, arc: Some((i, from, sweep)) });
+                    self.edges[b].push(Edge { to: a, length, arc: Some((i, to, -sweep)) });
                 }
             }
         }
@@ -189,22 +149,14 @@ impl<'a> Graph<'a> {
         let covers = |(k, other): (usize, &Disc)| {
             let between = vector(other.center) - vector(disc.center);
             let distance = between.norm();
-            if k == i
-                || distance >= disc.radius + other.radius - self.slack
-                || distance + other.radius <= disc.radius + self.slack
-            {
+            if k == i || distance >= disc.radius + other.radius - self.slack || distance + other.radius <= disc.radius + self.slack {
                 return None; // itself, apart, or inside: covers nothing of this rim
             }
             if distance + disc.radius <= other.radius {
                 return Some((0.0, TAU)); // this disc is inside the other
             }
-            let cosine = (distance * distance + disc.radius * disc.radius
-                - other.radius * other.radius)
-                / (2.0 * distance * disc.radius);
-            Some((
-                math::atan2(between.y, between.x),
-                math::acos(cosine.clamp(-1.0, 1.0)),
-            ))
+            let cosine = (distance * distance + disc.radius * disc.radius - other.radius * other.radius) / (2.0 * distance * disc.radius);
+            Some((math::atan2(between.y, between.x), math::acos(cosine.clamp(-1.0, 1.0))))
         };
         self.discs.iter().enumerate().filter_map(covers).collect()
     }
@@ -216,10 +168,7 @@ impl<'a> Graph<'a> {
         best[START] = 0.0;
         while let Some(Reverse((Length(length), node))) = open.pop() {
             if node == GOAL {
-                return Some(Exact {
-                    length,
-                    path: self.outline(&via),
-                });
+                return Some(Exact { length, path: self.outline(&via) });
             }
             if length > best[node] {
                 continue;
@@ -246,9 +195,7 @@ impl<'a> Graph<'a> {
         let mut path = vec![self.nodes[START].at.into()];
         for edge in steps.into_iter().rev() {
             match edge.arc {
-                Some((disc, from, sweep)) if sweep != 0.0 => {
-                    arc_outline(&self.discs[disc], from, sweep, &mut path)
-                }
+                Some((disc, from, sweep)) if sweep != 0.0 => arc_outline(&self.discs[disc], from, sweep, &mut path),
                 _ => path.push(self.nodes[edge.to].at.into()),
             }
         }
@@ -303,30 +250,16 @@ mod tests {
     use super::*;
 
     fn disc(x: f64, y: f64, radius: f64) -> Disc {
-        Disc {
-            center: [x, y],
-            radius,
-        }
+        Disc { center: [x, y], radius }
     }
 
     fn shortest(start: [f64; 2], goal: [f64; 2], discs: &[Disc]) -> f64 {
         let exact = shortest_among_discs(start, goal, discs).expect("a way exists");
         let drawn = crate::geometry::length(&exact.path);
-        assert!(
-            drawn >= exact.length - 1e-9 && drawn < exact.length * 1.001,
-            "{drawn} drawn, {} exact",
-            exact.length
-        );
+        assert!(drawn >= exact.length - 1e-9 && drawn < exact.length * 1.001, "{drawn} drawn, {} exact", exact.length);
         for d in discs {
-            let clearance = exact
-                .path
-                .windows(2)
-                .map(|w| d.clearance_of_segment(w[0], w[1]))
-                .fold(f64::INFINITY, f64::min);
-            assert!(
-                clearance > -1e-9,
-                "the drawn path cuts {d:?} by {clearance:e}"
-            );
+            let clearance = exact.path.windows(2).map(|w| d.clearance_of_segment(w[0], w[1])).fold(f64::INFINITY, f64::min);
+            assert!(clearance > -1e-9, "the drawn path cuts {d:?} by {clearance:e}");
         }
         exact.length
     }
@@ -334,11 +267,7 @@ mod tests {
     #[test]
     fn with_nothing_in_the_way_it_is_the_straight_line() {
         assert_eq!(shortest([0.0, 0.0], [3.0, 4.0], &[]), 5.0);
-        assert_eq!(
-            shortest([0.0, 0.0], [4.0, 0.0], &[disc(2.0, 1.0, 1.0)]),
-            4.0,
-            "touching is free"
-        );
+        assert_eq!(shortest([0.0, 0.0], [4.0, 0.0], &[disc(2.0, 1.0, 1.0)]), 4.0, "touching is free");
     }
 
     #[test]
@@ -351,24 +280,13 @@ mod tests {
     #[test]
     fn round_two_equal_discs_side_by_side_it_follows_the_outer_tangent() {
         // Discs touch, so there is no gap between them; by symmetry the outer tangent has length 2.
-        let length = shortest(
-            [-3.0, 0.0],
-            [3.0, 0.0],
-            &[disc(-1.0, 0.0, 1.0), disc(1.0, 0.0, 1.0)],
-        );
-        assert!(
-            (length - (2.0 * 3f64.sqrt() + 2.0 + PI / 3.0)).abs() < 1e-12,
-            "{length}"
-        );
+        let length = shortest([-3.0, 0.0], [3.0, 0.0], &[disc(-1.0, 0.0, 1.0), disc(1.0, 0.0, 1.0)]);
+        assert!((length - (2.0 * 3f64.sqrt() + 2.0 + PI / 3.0)).abs() < 1e-12, "{length}");
     }
 
     #[test]
     fn overlapping_discs_leave_no_gap_and_inner_discs_do_not_matter() {
-        let wall = [
-            disc(0.0, 0.0, 1.0),
-            disc(0.0, 1.5, 1.0),
-            disc(0.0, -1.5, 1.0),
-        ];
+        let wall = [disc(0.0, 0.0, 1.0), disc(0.0, 1.5, 1.0), disc(0.0, -1.5, 1.0)];
         // Round the outer disc at (0, 1.5): from (-3, 1.5) tangents sqrt(8), arc pi - 2 acos(1/3).
         let over = shortest([-3.0, 1.5], [3.0, 1.5], &wall);
         let expected = 2.0 * 8f64.sqrt() + PI - 2.0 * libm::acos(1.0 / 3.0);
@@ -381,10 +299,7 @@ mod tests {
 
     #[test]
     fn a_closed_ring_has_no_way_out() {
-        let ring: Vec<Disc> = (0..12)
-            .map(|i| f64::from(i) * PI / 6.0)
-            .map(|a| disc(2.0 * libm::cos(a), 2.0 * libm::sin(a), 0.7))
-            .collect();
+        let ring: Vec<Disc> = (0..12).map(|i| f64::from(i) * PI / 6.0).map(|a| disc(2.0 * libm::cos(a), 2.0 * libm::sin(a), 0.7)).collect();
         assert_eq!(shortest_among_discs([0.0, 0.0], [5.0, 0.0], &ring), None);
         assert!(shortest_among_discs([0.0, 0.0], [5.0, 0.0], &ring[1..]).is_some());
     }
@@ -401,36 +316,17 @@ mod tests {
         for seed in 0..30 {
             let mut rng = Stream::new(seed, 0);
             let count = 3 + rng.below(5);
-            let discs: Vec<Disc> = (0..count)
-                .map(|_| {
-                    disc(
-                        rng.between(1.0, 9.0),
-                        rng.between(1.0, 9.0),
-                        rng.between(0.3, 2.0),
-                    )
-                })
-                .collect();
+            let discs: Vec<Disc> = (0..count).map(|_| disc(rng.between(1.0, 9.0), rng.between(1.0, 9.0), rng.between(0.3, 2.0))).collect();
             let (start, goal) = ([0.0, 0.0], [10.0, 10.0]);
-            if discs
-                .iter()
-                .any(|d| d.clearance(start) < 0.0 || d.clearance(goal) < 0.0)
-            {
+            if discs.iter().any(|d| d.clearance(start) < 0.0 || d.clearance(goal) < 0.0) {
                 continue;
             }
             let Some(exact) = shortest_among_discs(start, goal, &discs) else {
                 continue;
             };
             let graph = polygon_graph(start, goal, &discs);
-            assert!(
-                exact.length <= graph + 1e-9,
-                "seed {seed}: {} against {graph}",
-                exact.length
-            );
-            assert!(
-                exact.length >= graph * 0.997,
-                "seed {seed}: {} against {graph}",
-                exact.length
-            );
+            assert!(exact.length <= graph + 1e-9, "seed {seed}: {} against {graph}", exact.length);
+            assert!(exact.length >= graph * 0.997, "seed {seed}: {} against {graph}", exact.length);
         }
     }
 
@@ -439,21 +335,17 @@ mod tests {
         let mut nodes = vec![start, goal];
         for d in discs {
             let radius = d.radius / libm::cos(PI / 72.0) + 1e-9;
-            nodes.extend((0..72).map(|i| f64::from(i) * PI / 36.0).map(|a| {
-                [
-                    d.center[0] + radius * libm::cos(a),
-                    d.center[1] + radius * libm::sin(a),
-                ]
-            }));
+            nodes.extend(
+                (0..72)
+                    .map(|i| f64::from(i) * PI / 36.0)
+                    .map(|a| [d.center[0] + radius * libm::cos(a), d.center[1] + radius * libm::sin(a)]),
+            );
         }
         let mut best = vec![f64::INFINITY; nodes.len()];
         let mut done = vec![false; nodes.len()];
         best[0] = 0.0;
         loop {
-            let Some(u) = (0..nodes.len())
-                .filter(|&i| !done[i] && best[i].is_finite())
-                .min_by(|&a, &b| best[a].total_cmp(&best[b]))
-            else {
+            let Some(u) = (0..nodes.len()).filter(|&i| !done[i] && best[i].is_finite()).min_by(|&a, &b| best[a].total_cmp(&best[b])) else {
                 return f64::INFINITY;
             };
             if u == 1 {
@@ -461,11 +353,7 @@ mod tests {
             }
             done[u] = true;
             for v in 0..nodes.len() {
-                if !done[v]
-                    && discs
-                        .iter()
-                        .all(|d| d.clearance_of_segment(nodes[u], nodes[v]) >= 0.0)
-                {
+                if !done[v] && discs.iter().all(|d| d.clearance_of_segment(nodes[u], nodes[v]) >= 0.0) {
                     best[v] = best[v].min(best[u] + crate::geometry::length(&[nodes[u], nodes[v]]));
                 }
             }

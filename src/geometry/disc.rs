@@ -32,16 +32,9 @@ mod tests {
 
     #[test]
     fn a_segment_through_the_centre_cuts_by_the_radius() {
-        let disc = Disc {
-            center: [2.0, 1.0],
-            radius: 0.5,
-        };
+        let disc = Disc { center: [2.0, 1.0], radius: 0.5 };
         assert_eq!(disc.clearance_of_segment([0.0, 1.0], [4.0, 1.0]), -0.5);
         assert_eq!(disc.clearance([2.0, 3.0]), 1.5);
-        assert_eq!(
-            disc.clearance_of_segment([0.0, 0.5], [4.0, 0.5]),
-            0.0,
-            "touching is free"
-        );
+        assert_eq!(disc.clearance_of_segment([0.0, 0.5], [4.0, 0.5]), 0.0, "touching is free");
     }
 }

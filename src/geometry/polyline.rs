@@ -8,12 +8,7 @@ use super::Disc;
 
 /// The length of a polyline.
 pub fn length(path: &[[f64; 2]]) -> f64 {
-    path.windows(2)
-        .map(|w| {
-            ((w[1][0] - w[0][0]) * (w[1][0] - w[0][0]) + (w[1][1] - w[0][1]) * (w[1][1] - w[0][1]))
-                .sqrt()
-        })
-        .sum()
+    path.windows(2).map(|w| ((w[1][0] - w[0][0]) * (w[1][0] - w[0][0]) + (w[1][1] - w[0][1]) * (w[1][1] - w[0][1])).sqrt()).sum()
 }
 
 /// Appends corners that take a polyline round the disc's rim from angle `from` over `sweep` (radians, positive
@@ -22,18 +17,10 @@ pub fn length(path: &[[f64; 2]]) -> f64 {
 pub fn arc_outline(disc: &Disc, from: f64, sweep: f64, path: &mut Vec<[f64; 2]>) {
     let pieces = (sweep.abs() / TAU * 180.0).ceil().max(1.0);
     let step = sweep / pieces;
-    let at = |angle: f64, radius: f64| {
-        [
-            disc.center[0] + radius * math::cos(angle),
-            disc.center[1] + radius * math::sin(angle),
-        ]
-    };
+    let at = |angle: f64, radius: f64| [disc.center[0] + radius * math::cos(angle), disc.center[1] + radius * math::sin(angle)];
     path.push(at(from, disc.radius));
     for i in 0..pieces as usize {
-        path.push(at(
-            from + (i as f64 + 0.5) * step,
-            disc.radius / math::cos(step / 2.0),
-        ));
+        path.push(at(from + (i as f64 + 0.5) * step, disc.radius / math::cos(step / 2.0)));
     }
     path.push(at(from + sweep, disc.radius));
 }
@@ -44,22 +31,12 @@ mod tests {
 
     #[test]
     fn an_outline_never_cuts_its_disc_and_is_hardly_longer_than_the_arc() {
-        let disc = Disc {
-            center: [1.0, -2.0],
-            radius: 3.0,
-        };
+        let disc = Disc { center: [1.0, -2.0], radius: 3.0 };
         let mut path = Vec::new();
         arc_outline(&disc, 0.3, -2.0, &mut path);
-        let deepest = path
-            .windows(2)
-            .map(|w| disc.clearance_of_segment(w[0], w[1]))
-            .fold(f64::INFINITY, f64::min);
+        let deepest = path.windows(2).map(|w| disc.clearance_of_segment(w[0], w[1])).fold(f64::INFINITY, f64::min);
         assert!(deepest > -1e-12, "{deepest:e}");
-        assert!(
-            length(&path) >= 6.0 && length(&path) < 6.001,
-            "{}",
-            length(&path)
-        );
+        assert!(length(&path) >= 6.0 && length(&path) < 6.001, "{}", length(&path));
         assert_eq!(length(&[[0.0, 0.0], [3.0, 4.0], [3.0, 5.0]]), 6.0);
     }
 }

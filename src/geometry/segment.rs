@@ -6,21 +6,14 @@ pub fn closest_parameter(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let along = (c[0] - a[0]) * dx + (c[1] - a[1]) * dy;
     let squared = dx * dx + dy * dy;
-    if squared > 0.0 {
-        (along / squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    }
+    if squared > 0.0 { (along / squared).clamp(0.0, 1.0) } else { 0.0 }
 }
 
 /// The squared distance of the point `c` from the segment `a`–`b`, exact up to rounding: no sampling.
 #[inline]
 pub fn distance_squared(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     let t = closest_parameter(a, b, c);
-    let (x, y) = (
-        a[0] + t * (b[0] - a[0]) - c[0],
-        a[1] + t * (b[1] - a[1]) - c[1],
-    );
+    let (x, y) = (a[0] + t * (b[0] - a[0]) - c[0], a[1] + t * (b[1] - a[1]) - c[1]);
     x * x + y * y
 }
 
@@ -34,10 +27,6 @@ mod tests {
         assert_eq!(distance_squared(a, b, [1.0, 3.0]), 9.0);
         assert_eq!(distance_squared(a, b, [-3.0, 4.0]), 25.0);
         assert_eq!(distance_squared(a, b, [7.0, 4.0]), 25.0);
-        assert_eq!(
-            distance_squared(a, a, [3.0, 4.0]),
-            25.0,
-            "a segment of no length is a point"
-        );
+        assert_eq!(distance_squared(a, a, [3.0, 4.0]), 25.0, "a segment of no length is a point");
     }
 }

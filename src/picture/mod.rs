@@ -23,13 +23,7 @@ pub fn nearest(frame: &Frame, roles: &[Role], point: [f64; 2], reach: f64) -> Op
         let mut offer = |piece: usize, a, b| {
             let squared = distance_squared(a, b, point);
             if squared < found.0 || (squared == found.0 && found.1.is_none()) {
-                found = (
-                    squared,
-                    Some(Item {
-                        role: span.role,
-                        index: *first + piece,
-                    }),
-                );
+                found = (squared, Some(Item { role: span.role, index: *first + piece }));
             }
         };
         let pieces = match span.shape {
@@ -42,10 +36,7 @@ pub fn nearest(frame: &Frame, roles: &[Role], point: [f64; 2], reach: f64) -> Op
                 1
             }
             Shape::Segments => {
-                points
-                    .chunks_exact(2)
-                    .enumerate()
-                    .for_each(|(i, pair)| offer(i, pair[0], pair[1]));
+                points.chunks_exact(2).enumerate().for_each(|(i, pair)| offer(i, pair[0], pair[1]));
                 points.len() / 2
             }
         };
@@ -67,23 +58,13 @@ mod tests {
         [[0.0, 2.0], [4.0, 2.0]].map(|p| frame.push(p, 0.0));
         frame.begin(Role::Particles, Shape::Polyline);
         [[0.0, 3.0], [4.0, 3.0]].map(|p| frame.push(p, 0.0));
-        let pick =
-            |point, reach| nearest(&frame, &[Role::Particles], point, reach).map(|item| item.index);
+        let pick = |point, reach| nearest(&frame, &[Role::Particles], point, reach).map(|item| item.index);
         assert_eq!(pick([2.0, 0.5], 1.0), Some(0));
-        assert_eq!(
-            pick([2.0, 2.1], 1.0),
-            Some(1),
-            "the best is nearer but cannot be picked"
-        );
+        assert_eq!(pick([2.0, 2.1], 1.0), Some(1), "the best is nearer but cannot be picked");
         assert_eq!(pick([2.0, 1.5], 1.0), None);
         frame.clear(10);
         frame.begin(Role::Particles, Shape::Points);
         [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(|p| frame.push(p, 0.0));
-        assert_eq!(
-            nearest(&frame, &[Role::Particles], [1.2, 0.1], 0.5)
-                .unwrap()
-                .index,
-            1
-        );
+        assert_eq!(nearest(&frame, &[Role::Particles], [1.2, 0.1], 0.5).unwrap().index, 1);
     }
 }

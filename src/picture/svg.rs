@@ -17,20 +17,8 @@ struct Style {
     dash: &'static str,
 }
 
-const fn style(
-    light: &'static str,
-    dark: &'static str,
-    width: f64,
-    opacity: f64,
-    dash: &'static str,
-) -> Style {
-    Style {
-        light,
-        dark,
-        width,
-        opacity,
-        dash,
-    }
+const fn style(light: &'static str, dark: &'static str, width: f64, opacity: f64, dash: &'static str) -> Style {
+    Style { light, dark, width, opacity, dash }
 }
 
 fn style_of(role: Role) -> Style {
@@ -55,18 +43,8 @@ pub fn svg(session: &Session, dark: bool, layers: &[Role]) -> String {
     let view = session.scene().view();
     let (width, height) = (view.max[0] - view.min[0], view.max[1] - view.min[1]);
     let scale = (SIZE - 2.0 * MARGIN) / width.max(height);
-    let canvas = Canvas {
-        scale,
-        left: view.min[0],
-        top: view.max[1],
-        dark,
-        text: String::new(),
-    };
-    canvas.picture(
-        session,
-        layers,
-        [width, height].map(|side| rounded(side * scale + 2.0 * MARGIN)),
-    )
+    let canvas = Canvas { scale, left: view.min[0], top: view.max[1], dark, text: String::new() };
+    canvas.picture(session, layers, [width, height].map(|side| rounded(side * scale + 2.0 * MARGIN)))
 }
 
 struct Canvas {
@@ -84,11 +62,7 @@ macro_rules! put {
 
 impl Canvas {
     fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [
-            MARGIN + (x - self.left) * self.scale,
-            MARGIN + (self.top - y) * self.scale,
-        ]
-        .map(rounded)
+        [MARGIN + (x - self.left) * self.scale, MARGIN + (self.top - y) * self.scale].map(rounded)
     }
 
     fn tone(&self, light: &'static str, dark: &'static str) -> &'static str {
@@ -96,31 +70,18 @@ impl Canvas {
     }
 
     fn picture(mut self, session: &Session, layers: &[Role], [width, height]: [f64; 2]) -> String {
-        let title = format!(
-            "{} on {}, iteration {}",
-            session.entry().title,
-            session.scene().header().title,
-            session.iteration()
-        );
+        let title = format!("{} on {}, iteration {}", session.entry().title, session.scene().header().title, session.iteration());
         put!(
             self,
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" fill="none" stroke-linecap="round" stroke-linejoin="round">"#
         );
         put!(self, "<title>{}</title>", escaped(&title));
-        put!(
-            self,
-            r#"<rect width="100%" height="100%" fill="{}"/>"#,
-            self.tone("#faf8f2", "#101714")
-        );
+        put!(self, r#"<rect width="100%" height="100%" fill="{}"/>"#, self.tone("#faf8f2", "#101714"));
         self.obstacles(session.scene());
         let mut frame = Frame::default();
         session.draw(&mut frame, Frame::BUDGET / 4);
         self.layers(&frame, layers);
-        if let Some(exact) = session
-            .scene()
-            .exact()
-            .filter(|_| layers.contains(&Role::Exact))
-        {
+        if let Some(exact) = session.scene().exact().filter(|_| layers.contains(&Role::Exact)) {
             self.line(Role::Exact, &exact.path);
         }
         self.ends(session.scene());
@@ -132,10 +93,7 @@ impl Canvas {
         let Body::Discs(discs) = scene.body() else {
             return;
         };
-        let (low, high) = (
-            self.at([discs.bounds.min[0], discs.bounds.max[1]]),
-            self.at([discs.bounds.max[0], discs.bounds.min[1]]),
-        );
+        let (low, high) = (self.at([discs.bounds.min[0], discs.bounds.max[1]]), self.at([discs.bounds.max[0], discs.bounds.min[1]]));
         put!(
             self,
             r#"<rect x="{}" y="{}" width="{}" height="{}" stroke="{}" stroke-width="1"/>"#,
@@ -147,10 +105,7 @@ impl Canvas {
         );
         for disc in &discs.discs {
             let [x, y] = self.at(disc.center);
-            let (fill, stroke) = (
-                self.tone("#d8d2c2", "#26352e"),
-                self.tone("#8c8674", "#56695f"),
-            );
+            let (fill, stroke) = (self.tone("#d8d2c2", "#26352e"), self.tone("#8c8674", "#56695f"));
             put!(
                 self,
                 r#"<circle cx="{x}" cy="{y}" r="{}" fill="{fill}" stroke="{stroke}" stroke-width="1.2"/>"#,
@@ -164,34 +119,20 @@ impl Canvas {
             let points: Vec<_> = frame.points(span).collect();
             match span.shape {
                 Shape::Polyline => self.line(span.role, &points),
-                Shape::Segments => points
-                    .chunks_exact(2)
-                    .for_each(|pair| self.line(span.role, pair)),
-                Shape::Points | Shape::Field => {
-                    points.iter().for_each(|&point| self.dot(span.role, point))
-                }
+                Shape::Segments => points.chunks_exact(2).for_each(|pair| self.line(span.role, pair)),
+                Shape::Points | Shape::Field => points.iter().for_each(|&point| self.dot(span.role, point)),
             }
         }
     }
 
     fn line(&mut self, role: Role, points: &[[f64; 2]]) {
-        let Style {
-            light,
-            dark,
-            width,
-            opacity,
-            dash,
-        } = style_of(role);
+        let Style { light, dark, width, opacity, dash } = style_of(role);
         let mut list = String::new();
         for &point in points {
             let [x, y] = self.at(point);
             let _ = write!(list, "{x},{y} ");
         }
-        let dash = if dash.is_empty() {
-            String::new()
-        } else {
-            format!(r#" stroke-dasharray="{dash}""#)
-        };
+        let dash = if dash.is_empty() { String::new() } else { format!(r#" stroke-dasharray="{dash}""#) };
         put!(
             self,
             r#"<polyline class="{}" points="{}" stroke="{}" stroke-width="{width}" stroke-opacity="{opacity}"{dash}/>"#,
@@ -202,13 +143,7 @@ impl Canvas {
     }
 
     fn dot(&mut self, role: Role, point: [f64; 2]) {
-        let Style {
-            light,
-            dark,
-            width,
-            opacity,
-            ..
-        } = style_of(role);
+        let Style { light, dark, width, opacity, .. } = style_of(role);
         let [x, y] = self.at(point);
         put!(
             self,
@@ -223,10 +158,7 @@ impl Canvas {
         let Body::Discs(discs) = scene.body() else {
             return;
         };
-        for (point, fill) in [
-            (discs.start, self.tone("#2f6b4f", "#7fcf9f")),
-            (discs.goal, self.tone("#a63d2f", "#f0907f")),
-        ] {
+        for (point, fill) in [(discs.start, self.tone("#2f6b4f", "#7fcf9f")), (discs.goal, self.tone("#a63d2f", "#f0907f"))] {
             let [x, y] = self.at(point);
             put!(self, r#"<circle cx="{x}" cy="{y}" r="6" fill="{fill}"/>"#);
         }
@@ -239,9 +171,7 @@ fn rounded(pixels: f64) -> f64 {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 #[cfg(test)]
@@ -251,29 +181,15 @@ mod tests {
 
     #[test]
     fn a_picture_holds_the_scene_and_only_the_layers_asked_for() {
-        let setup = Setup {
-            planner: "wcpso".into(),
-            scene: shipped("wcpso-discs").unwrap(),
-            params: crate::Given::default(),
-            seed: 1,
-        };
+        let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: crate::Given::default(), seed: 1 };
         let mut session = Session::new(setup).unwrap();
         session.step(5);
         let picture = svg(&session, false, &[Role::Best, Role::Exact]);
-        assert_eq!(
-            picture.matches("<circle").count(),
-            7 + 2,
-            "discs, start and goal"
-        );
+        assert_eq!(picture.matches("<circle").count(), 7 + 2, "discs, start and goal");
         assert_eq!(picture.matches(r#"class="best""#).count(), 1);
         assert_eq!(picture.matches(r#"class="exact""#).count(), 1);
         assert_eq!(picture.matches(r#"class="particles""#).count(), 0);
-        assert_eq!(
-            svg(&session, true, &[Role::Particles])
-                .matches(r#"class="particles""#)
-                .count(),
-            150
-        );
+        assert_eq!(svg(&session, true, &[Role::Particles]).matches(r#"class="particles""#).count(), 150);
         assert_eq!(escaped("a<b & c>d"), "a&lt;b &amp; c&gt;d");
     }
 }

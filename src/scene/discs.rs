@@ -48,32 +48,18 @@ impl DiscsScene {
             coordinate("bounds.max", bounds.max, axis)?;
             if bounds.max[axis] - bounds.min[axis] < 1e-6 {
                 let at = format!("bounds.max[{axis}]");
-                return Err(Error::refused(
-                    at,
-                    bounds.max[axis],
-                    format!("greater than bounds.min[{axis}] = {}", bounds.min[axis]),
-                ));
+                return Err(Error::refused(at, bounds.max[axis], format!("greater than bounds.min[{axis}] = {}", bounds.min[axis])));
             }
         }
         if self.discs.len() > MAX_DISCS {
-            return Err(Error::refused(
-                "discs",
-                format!("a list of {}", self.discs.len()),
-                format!("at most {MAX_DISCS} discs"),
-            ));
+            return Err(Error::refused("discs", format!("a list of {}", self.discs.len()), format!("at most {MAX_DISCS} discs")));
         }
         for (i, disc) in self.discs.iter().enumerate() {
-            (0..2).try_for_each(|axis| {
-                coordinate(&format!("discs[{i}].center"), disc.center, axis)
-            })?;
+            (0..2).try_for_each(|axis| coordinate(&format!("discs[{i}].center"), disc.center, axis))?;
             let field = format!("discs[{i}].radius");
             finite(&field, disc.radius)?;
             if disc.radius <= 0.0 || disc.radius > LARGEST {
-                return Err(Error::refused(
-                    field,
-                    disc.radius,
-                    format!("greater than 0, at most {LARGEST}"),
-                ));
+                return Err(Error::refused(field, disc.radius, format!("greater than 0, at most {LARGEST}")));
             }
         }
         self.check_end("start", self.start)?;
@@ -86,22 +72,11 @@ impl DiscsScene {
         let shown = format!("({}, {})", point[0], point[1]);
         let Bounds { min, max } = self.bounds;
         if (0..2).any(|axis| point[axis] < min[axis] || point[axis] > max[axis]) {
-            let allowed = format!(
-                "inside the bounds, ({}, {}) to ({}, {})",
-                min[0], min[1], max[0], max[1]
-            );
+            let allowed = format!("inside the bounds, ({}, {}) to ({}, {})", min[0], min[1], max[0], max[1]);
             return Err(Error::refused(field, shown, allowed));
         }
-        match self
-            .discs
-            .iter()
-            .position(|disc| disc.clearance(point) < 0.0)
-        {
-            Some(i) => Err(Error::refused(
-                field,
-                shown,
-                format!("outside every disc, and it lies in discs[{i}]"),
-            )),
+        match self.discs.iter().position(|disc| disc.clearance(point) < 0.0) {
+            Some(i) => Err(Error::refused(field, shown, format!("outside every disc, and it lies in discs[{i}]"))),
             None => Ok(()),
         }
     }
@@ -111,20 +86,10 @@ impl DiscsScene {
     }
 
     pub(super) fn judge(&self, path: &[[f64; 2]]) -> Verdict {
-        let clearance = self
-            .discs
-            .iter()
-            .flat_map(|disc| {
-                path.windows(2)
-                    .map(move |w| disc.clearance_of_segment(w[0], w[1]))
-            })
-            .reduce(f64::min);
+        let clearance =
+            self.discs.iter().flat_map(|disc| path.windows(2).map(move |w| disc.clearance_of_segment(w[0], w[1]))).reduce(f64::min);
         let joins = path.first() == Some(&self.start) && path.last() == Some(&self.goal);
-        Verdict {
-            length: Some(geometry::length(path)),
-            feasible: joins && clearance.is_none_or(|c| c >= 0.0),
-            clearance,
-        }
+        Verdict { length: Some(geometry::length(path)), feasible: joins && clearance.is_none_or(|c| c >= 0.0), clearance }
     }
 
     pub(super) fn view(&self) -> Bounds {
@@ -144,11 +109,7 @@ fn coordinate(field: &str, point: [f64; 2], axis: usize) -> Result<(), Error> {
     let field = format!("{field}[{axis}]");
     finite(&field, value)?;
     if value.abs() > LARGEST {
-        return Err(Error::refused(
-            field,
-            value,
-            format!("from -{LARGEST} to {LARGEST}"),
-        ));
+        return Err(Error::refused(field, value, format!("from -{LARGEST} to {LARGEST}")));
     }
     Ok(())
 }
@@ -159,32 +120,20 @@ mod tests {
 
     fn scene() -> DiscsScene {
         DiscsScene {
-            bounds: Bounds {
-                min: [0.0, 0.0],
-                max: [10.0, 10.0],
-            },
+            bounds: Bounds { min: [0.0, 0.0], max: [10.0, 10.0] },
             start: [0.0, 0.0],
             goal: [10.0, 0.0],
-            discs: vec![Disc {
-                center: [5.0, 0.0],
-                radius: 1.0,
-            }],
+            discs: vec![Disc { center: [5.0, 0.0], radius: 1.0 }],
         }
     }
 
     #[test]
     fn a_path_is_judged_by_its_segments_not_by_its_corners() {
         let through = scene().judge(&[[0.0, 0.0], [10.0, 0.0]]);
-        assert_eq!(
-            (through.length, through.feasible, through.clearance),
-            (Some(10.0), false, Some(-1.0))
-        );
+        assert_eq!((through.length, through.feasible, through.clearance), (Some(10.0), false, Some(-1.0)));
         let over = scene().judge(&[[0.0, 0.0], [5.0, 5.0], [10.0, 0.0]]);
         assert!(over.feasible && over.clearance.unwrap() > 2.5);
-        assert!(
-            !scene().judge(&[[0.0, 0.0], [5.0, 5.0]]).feasible,
-            "it must end at the goal"
-        );
+        assert!(!scene().judge(&[[0.0, 0.0], [5.0, 5.0]]).feasible, "it must end at the goal");
     }
 
     #[test]
@@ -198,16 +147,10 @@ mod tests {
         assert_eq!(field(|s| s.goal = [11.0, 0.5]), "goal");
         assert_eq!(field(|s| s.goal = [f64::NAN, 0.5]), "goal[0]");
         assert_eq!(field(|s| s.discs[0].radius = 0.0), "discs[0].radius");
-        assert_eq!(
-            field(|s| s.discs[0].radius = f64::INFINITY),
-            "discs[0].radius"
-        );
+        assert_eq!(field(|s| s.discs[0].radius = f64::INFINITY), "discs[0].radius");
         assert_eq!(field(|s| s.discs[0].center[1] = 1e7), "discs[0].center[1]");
         assert_eq!(field(|s| s.bounds.max[1] = 0.0), "bounds.max[1]");
-        assert_eq!(
-            field(|s| s.discs = vec![s.discs[0]; MAX_DISCS + 1]),
-            "discs"
-        );
+        assert_eq!(field(|s| s.discs = vec![s.discs[0]; MAX_DISCS + 1]), "discs");
         assert!(scene().check().is_ok());
     }
 }

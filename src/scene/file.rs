@@ -9,15 +9,7 @@ use super::{Body, DiscsScene, FunctionScene, Header, Kind, Scene};
 
 const FORMAT: &str = "forage-scene";
 const VERSION: u64 = 1;
-const HEADER: [&str; 7] = [
-    "name",
-    "title",
-    "note",
-    "source",
-    "units",
-    "exact",
-    "published",
-];
+const HEADER: [&str; 7] = ["name", "title", "note", "source", "units", "exact", "published"];
 
 impl Serialize for Scene {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -25,35 +17,18 @@ impl Serialize for Scene {
         out.serialize_entry("format", FORMAT)?;
         out.serialize_entry("version", &VERSION)?;
         out.serialize_entry("kind", &self.kind())?;
-        let Header {
-            name,
-            title,
-            note,
-            source,
-            units,
-            exact,
-            published,
-        } = &self.header;
+        let Header { name, title, note, source, units, exact, published } = &self.header;
         out.serialize_entry("name", name)?;
         out.serialize_entry("title", title)?;
         for (key, text) in [("note", note), ("source", source), ("units", units)] {
-            text.iter()
-                .try_for_each(|text| out.serialize_entry(key, text))?;
+            text.iter().try_for_each(|text| out.serialize_entry(key, text))?;
         }
         match &self.body {
-            Body::Function(FunctionScene {
-                function,
-                dimension,
-            }) => {
+            Body::Function(FunctionScene { function, dimension }) => {
                 out.serialize_entry("function", function)?;
                 out.serialize_entry("dimension", dimension)?;
             }
-            Body::Discs(DiscsScene {
-                bounds,
-                start,
-                goal,
-                discs,
-            }) => {
+            Body::Discs(DiscsScene { bounds, start, goal, discs }) => {
                 out.serialize_entry("bounds", bounds)?;
                 out.serialize_entry("start", start)?;
                 out.serialize_entry("goal", goal)?;
@@ -61,9 +36,7 @@ impl Serialize for Scene {
             }
         }
         for (key, value) in [("exact", exact), ("published", published)] {
-            value
-                .iter()
-                .try_for_each(|value| out.serialize_entry(key, value))?;
+            value.iter().try_for_each(|value| out.serialize_entry(key, value))?;
         }
         out.end()
     }
@@ -84,8 +57,7 @@ impl Scene {
     /// # Errors
     /// [`Error::Malformed`] if it is not JSON, otherwise the field, its value and what is allowed.
     pub fn from_json(text: &str) -> Result<Self, Error> {
-        let value: Value = serde_json::from_str(text)
-            .map_err(|problem| Error::malformed("scene", format!("not JSON: {problem}")))?;
+        let value: Value = serde_json::from_str(text).map_err(|problem| Error::malformed("scene", format!("not JSON: {problem}")))?;
         Self::from_value(value)
     }
 
@@ -95,11 +67,7 @@ impl Scene {
     /// The field, its value and what is allowed.
     pub fn from_value(value: Value) -> Result<Self, Error> {
         let Value::Object(mut fields) = value else {
-            return Err(Error::refused(
-                "scene",
-                shown(&value),
-                "an object with format, version, kind, name, title, …",
-            ));
+            return Err(Error::refused("scene", shown(&value), "an object with format, version, kind, name, title, …"));
         };
         expect(&mut fields, "format", &Value::from(FORMAT))?;
         expect(&mut fields, "version", &Value::from(VERSION))?;
@@ -107,17 +75,8 @@ impl Scene {
         let kind = Kind::ALL
             .into_iter()
             .find(|k| kind == k.name())
-            .ok_or_else(|| {
-                Error::refused(
-                    "kind",
-                    shown(&kind),
-                    format!("one of {}", Kind::ALL.map(Kind::name).join(", ")),
-                )
-            })?;
-        let header: Map<String, Value> = HEADER
-            .iter()
-            .filter_map(|&name| fields.remove_entry(name))
-            .collect();
+            .ok_or_else(|| Error::refused("kind", shown(&kind), format!("one of {}", Kind::ALL.map(Kind::name).join(", "))))?;
+        let header: Map<String, Value> = HEADER.iter().filter_map(|&name| fields.remove_entry(name)).collect();
         let header = read(Value::Object(header))?;
         let body = Value::Object(fields);
         let body = match kind {
@@ -137,11 +96,7 @@ impl Scene {
 fn expect(fields: &mut Map<String, Value>, name: &str, wanted: &Value) -> Result<(), Error> {
     match fields.remove(name) {
         Some(found) if found == *wanted => Ok(()),
-        found => Err(Error::refused(
-            name,
-            shown(&found.unwrap_or(Value::Null)),
-            wanted.to_string(),
-        )),
+        found => Err(Error::refused(name, shown(&found.unwrap_or(Value::Null)), wanted.to_string())),
     }
 }
 
@@ -151,20 +106,10 @@ fn read<T: DeserializeOwned>(mut value: Value) -> Result<T, Error> {
     serde_path_to_error::deserialize(&value).map_err(|error| {
         let path = error.path().to_string();
         let problem = error.inner().to_string();
-        let field = if path == "." {
-            missing(&problem)
-        } else {
-            path.clone()
-        };
-        let found = if path == "." {
-            Some(Value::Null)
-        } else {
-            at(&value, &path)
-        };
+        let field = if path == "." { missing(&problem) } else { path.clone() };
+        let found = if path == "." { Some(Value::Null) } else { at(&value, &path) };
         match found {
-            Some(found) if !problem.starts_with("unknown field") => {
-                Error::refused(field, shown(&found), expected(&problem))
-            }
+            Some(found) if !problem.starts_with("unknown field") => Error::refused(field, shown(&found), expected(&problem)),
             _ => Error::refused(field, "this field", expected(&problem)),
         }
     })
@@ -182,12 +127,7 @@ fn plus_zero(value: &mut Value) {
 
 /// The value at a path like `discs[2].radius`.
 fn at(value: &Value, path: &str) -> Option<Value> {
-    let pointer: String = path
-        .replace('[', ".")
-        .replace(']', "")
-        .split('.')
-        .flat_map(|part| ["/", part])
-        .collect();
+    let pointer: String = path.replace('[', ".").replace(']', "").split('.').flat_map(|part| ["/", part]).collect();
     value.pointer(&pointer).cloned()
 }
 
@@ -207,9 +147,7 @@ fn missing(problem: &str) -> String {
 
 /// serde's sentence, without what it repeats.
 fn expected(problem: &str) -> String {
-    let rest = problem
-        .split_once("expected ")
-        .map_or(problem, |(_, rest)| rest);
+    let rest = problem.split_once("expected ").map_or(problem, |(_, rest)| rest);
     match problem.split_once(' ') {
         Some(("missing", _)) => "given".to_owned(),
         Some(("unknown", _)) if problem.starts_with("unknown field") => {

@@ -31,14 +31,7 @@ pub enum Function {
 
 impl Function {
     /// Every function, in the order of the table.
-    pub const ALL: [Self; 6] = [
-        Self::Matyas,
-        Self::EggCrate,
-        Self::Sphere,
-        Self::Rosenbrock,
-        Self::Ackley,
-        Self::Rastrigin,
-    ];
+    pub const ALL: [Self; 6] = [Self::Matyas, Self::EggCrate, Self::Sphere, Self::Rosenbrock, Self::Ackley, Self::Rastrigin];
 
     /// The name that scene files use.
     pub const fn name(self) -> &'static str {
@@ -75,11 +68,7 @@ impl Function {
 
     /// Every coordinate of the minimum.
     pub const fn minimiser(self) -> f64 {
-        if matches!(self, Self::Rosenbrock) {
-            1.0
-        } else {
-            0.0
-        }
+        if matches!(self, Self::Rosenbrock) { 1.0 } else { 0.0 }
     }
 
     /// The function's value at `x`, whose length is the dimension.
@@ -105,10 +94,7 @@ impl Function {
                 let cosines: f64 = x.iter().map(|&x| math::cos_turns(x)).sum();
                 -20.0 * math::exp(-0.2 * (squares / n).sqrt()) - math::exp(cosines / n) + 20.0 + E
             }
-            Self::Rastrigin => x
-                .iter()
-                .map(|&x| x * x - 10.0 * math::cos_turns(x) + 10.0)
-                .sum(),
+            Self::Rastrigin => x.iter().map(|&x| x * x - 10.0 * math::cos_turns(x) + 10.0).sum(),
         }
     }
 }
@@ -129,25 +115,14 @@ impl FunctionScene {
         if (low..=high).contains(&self.dimension) {
             Ok(())
         } else {
-            let allowed = if low == high {
-                low.to_string()
-            } else {
-                format!("a whole number from {low} to {high}")
-            };
-            Err(Error::refused(
-                "dimension",
-                self.dimension,
-                format!("{allowed} for {}", self.function.name()),
-            ))
+            let allowed = if low == high { low.to_string() } else { format!("a whole number from {low} to {high}") };
+            Err(Error::refused("dimension", self.dimension, format!("{allowed} for {}", self.function.name())))
         }
     }
 
     pub(super) fn view(&self) -> Bounds {
         let side = self.function.half_side();
-        Bounds {
-            min: [-side, -side],
-            max: [side, side],
-        }
+        Bounds { min: [-side, -side], max: [side, side] }
     }
 
     /// The value over the plane of the first two variables, the others at the minimum.
@@ -165,36 +140,18 @@ mod tests {
     use super::*;
 
     fn close(value: f64, expected: f64) {
-        assert!(
-            (value - expected).abs() <= 1e-12 * expected.abs().max(1.0),
-            "{value} is not {expected}"
-        );
+        assert!((value - expected).abs() <= 1e-12 * expected.abs().max(1.0), "{value} is not {expected}");
     }
 
     #[test]
     fn values_agree_with_those_computed_by_hand() {
-        close(
-            Function::Matyas.value(&[3.0, -2.0]),
-            0.26 * 13.0 + 0.48 * 6.0,
-        ); // 6.26
-        close(
-            Function::EggCrate.value(&[std::f64::consts::FRAC_PI_2, 0.0]),
-            25.0 + 2.467_401_100_272_339_7,
-        );
+        close(Function::Matyas.value(&[3.0, -2.0]), 0.26 * 13.0 + 0.48 * 6.0); // 6.26
+        close(Function::EggCrate.value(&[std::f64::consts::FRAC_PI_2, 0.0]), 25.0 + 2.467_401_100_272_339_7);
         close(Function::Sphere.value(&[1.0, -2.0, 3.0]), 14.0);
-        close(
-            Function::Rosenbrock.value(&[2.0, 3.0, -1.0]),
-            100.0 + 1.0 + 100.0 * 100.0 + 4.0,
-        );
+        close(Function::Rosenbrock.value(&[2.0, 3.0, -1.0]), 100.0 + 1.0 + 100.0 * 100.0 + 4.0);
         // 20 (1 - e^-0.2) + e - e^1 at (1, 1): the cosines are 1.
-        close(
-            Function::Ackley.value(&[1.0, 1.0]),
-            20.0 * (1.0 - 0.818_730_753_077_981_8),
-        );
-        close(
-            Function::Ackley.value(&[0.5]),
-            20.0 * (1.0 - 0.904_837_418_035_959_6) + E - 0.367_879_441_171_442_33,
-        );
+        close(Function::Ackley.value(&[1.0, 1.0]), 20.0 * (1.0 - 0.818_730_753_077_981_8));
+        close(Function::Ackley.value(&[0.5]), 20.0 * (1.0 - 0.904_837_418_035_959_6) + E - 0.367_879_441_171_442_33);
         close(Function::Rastrigin.value(&[1.0, 0.5]), 1.0 + 0.25 + 20.0);
     }
 
@@ -204,35 +161,16 @@ mod tests {
             for dimension in [function.dimensions().0, function.dimensions().1.min(10)] {
                 let value = function.value(&vec![function.minimiser(); dimension]);
                 // Ackley's is one rounding of 20 + e off, as the paper's table prints it.
-                let expected = if function == Function::Ackley {
-                    8.881_784_197_001_252e-16
-                } else {
-                    0.0
-                };
-                assert!(
-                    value.abs() <= expected,
-                    "{} in {dimension} dimensions: {value:e}",
-                    function.name()
-                );
+                let expected = if function == Function::Ackley { 8.881_784_197_001_252e-16 } else { 0.0 };
+                assert!(value.abs() <= expected, "{} in {dimension} dimensions: {value:e}", function.name());
             }
         }
     }
 
     #[test]
     fn dimensions_outside_the_table_are_refused() {
-        let refused = |function, dimension| {
-            FunctionScene {
-                function,
-                dimension,
-            }
-            .check()
-            .is_err()
-        };
-        assert!(
-            refused(Function::Matyas, 3)
-                && refused(Function::Rosenbrock, 1)
-                && refused(Function::Sphere, 0)
-        );
+        let refused = |function, dimension| FunctionScene { function, dimension }.check().is_err();
+        assert!(refused(Function::Matyas, 3) && refused(Function::Rosenbrock, 1) && refused(Function::Sphere, 0));
         assert!(refused(Function::Sphere, MAX_DIMENSION + 1) && !refused(Function::Sphere, 1));
     }
 }

@@ -101,21 +101,13 @@ impl Scene {
     /// [`Error::Refused`] with the field that is wrong.
     pub fn new(header: Header, body: Body) -> Result<Self, Error> {
         if header.name.is_empty() || header.name.len() > 100 {
-            return Err(Error::refused(
-                "name",
-                format!("\"{}\"", header.name),
-                "1 to 100 characters",
-            ));
+            return Err(Error::refused("name", format!("\"{}\"", header.name), "1 to 100 characters"));
         }
         match &body {
             Body::Function(scene) => scene.check()?,
             Body::Discs(scene) => scene.check()?,
         }
-        Ok(Self {
-            header,
-            body,
-            exact: OnceLock::new(),
-        })
+        Ok(Self { header, body, exact: OnceLock::new() })
     }
 
     /// Name, title and where it comes from.
@@ -163,11 +155,7 @@ impl Scene {
     pub fn judge(&self, solution: &Solution) -> Verdict {
         match (&self.body, solution) {
             (Body::Discs(scene), Solution::Path(path)) => scene.judge(path),
-            _ => Verdict {
-                length: None,
-                feasible: true,
-                clearance: None,
-            },
+            _ => Verdict { length: None, feasible: true, clearance: None },
         }
     }
 
@@ -182,9 +170,5 @@ impl Scene {
 
 /// Refuses numbers that are not finite.
 pub(crate) fn finite(field: &str, value: f64) -> Result<(), Error> {
-    if value.is_finite() {
-        Ok(())
-    } else {
-        Err(Error::refused(field, value, "a finite number"))
-    }
+    if value.is_finite() { Ok(()) } else { Err(Error::refused(field, value, "a finite number")) }
 }

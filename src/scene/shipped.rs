@@ -22,13 +22,7 @@ const FILES: &[&str] = &[
 fn all() -> &'static [Arc<Scene>] {
     static SCENES: OnceLock<Vec<Arc<Scene>>> = OnceLock::new();
     // A shipped file that does not parse is caught by the test below, not left out in silence.
-    SCENES.get_or_init(|| {
-        FILES
-            .iter()
-            .filter_map(|text| Scene::from_json(text).ok())
-            .map(Arc::new)
-            .collect()
-    })
+    SCENES.get_or_init(|| FILES.iter().filter_map(|text| Scene::from_json(text).ok()).map(Arc::new).collect())
 }
 
 /// Every shipped scene, in the order in which they are offered.
@@ -41,11 +35,7 @@ pub fn shipped_names() -> impl Iterator<Item = &'static Arc<Scene>> {
 /// # Errors
 /// [`Error::Unknown`] with the names that exist.
 pub fn shipped(name: &str) -> Result<Arc<Scene>, Error> {
-    all()
-        .iter()
-        .find(|scene| scene.name() == name)
-        .cloned()
-        .ok_or_else(|| Error::unknown("scene", name, all().iter().map(|s| s.name())))
+    all().iter().find(|scene| scene.name() == name).cloned().ok_or_else(|| Error::unknown("scene", name, all().iter().map(|s| s.name())))
 }
 
 #[cfg(test)]

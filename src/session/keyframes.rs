@@ -15,22 +15,14 @@ const STRIDE: u64 = 4;
 
 impl Keyframes {
     pub(super) fn new(budget: usize) -> Self {
-        Self {
-            states: Vec::new(),
-            stride: STRIDE,
-            bytes: 0,
-            budget,
-        }
+        Self { states: Vec::new(), stride: STRIDE, bytes: 0, budget }
     }
 
     /// Keeps a copy if the state is due and new. Iteration 0 is never kept: the session can always start anew.
     pub(super) fn offer(&mut self, state: &dyn AnyPlanner) {
         let iteration = state.iteration();
         let newest = self.states.last().map_or(0, |s| s.iteration());
-        if !iteration.is_multiple_of(self.stride)
-            || iteration <= newest
-            || state.bytes() > self.budget
-        {
+        if !iteration.is_multiple_of(self.stride) || iteration <= newest || state.bytes() > self.budget {
             return;
         }
         while self.bytes + state.bytes() > self.budget {
@@ -60,12 +52,7 @@ mod tests {
     use crate::{Session, Setup, shipped};
 
     fn state(iteration: u64) -> Box<dyn AnyPlanner> {
-        let setup = Setup {
-            planner: "pso".into(),
-            scene: shipped("sphere").unwrap(),
-            params: crate::Given::default(),
-            seed: 1,
-        };
+        let setup = Setup { planner: "pso".into(), scene: shipped("sphere").unwrap(), params: crate::Given::default(), seed: 1 };
         let mut session = Session::with_keyframes(setup, 0).unwrap();
         session.step(iteration);
         session.planner
@@ -81,10 +68,7 @@ mod tests {
             keyframes.offer(&*run);
             assert!(keyframes.states.len() <= 10 && keyframes.bytes <= 10 * size);
         }
-        assert!(
-            keyframes.states.len() >= 5,
-            "thinning must not throw nearly all away"
-        );
+        assert!(keyframes.states.len() >= 5, "thinning must not throw nearly all away");
         let (at, found) = keyframes.at_or_before(500).unwrap();
         assert!(at <= 500 && found.iteration() == at && at > 300);
         assert!(keyframes.at_or_before(0).is_none());

@@ -139,8 +139,7 @@ impl Session {
     /// A planner at iteration 0. Starting succeeded once with the same scene, settings and seed, so it does again;
     /// if it did not, staying where we are is the harmless answer.
     fn start(&self) -> Box<dyn AnyPlanner> {
-        (self.entry.start)(&self.scene, &self.settings, self.seed)
-            .unwrap_or_else(|_| self.planner.checkpoint())
+        (self.entry.start)(&self.scene, &self.settings, self.seed).unwrap_or_else(|_| self.planner.checkpoint())
     }
 
     /// The state at an iteration at or before the present one, without going there.
@@ -226,13 +225,7 @@ impl Session {
     pub fn pick(&self, point: [f64; 2], reach: f64) -> Option<Item> {
         let mut frame = Frame::default();
         self.draw(&mut frame, usize::MAX);
-        let pickable: Vec<_> = self
-            .entry
-            .layers
-            .iter()
-            .filter(|l| l.pickable)
-            .map(|l| l.role)
-            .collect();
+        let pickable: Vec<_> = self.entry.layers.iter().filter(|l| l.pickable).map(|l| l.role).collect();
         crate::picture::nearest(&frame, &pickable, point, reach)
     }
 
@@ -260,11 +253,6 @@ impl Session {
             params: self.settings.changed().clone(),
             seed: self.seed,
         };
-        Link {
-            setup,
-            iteration: self.iteration(),
-            hash: Some(self.hash()),
-        }
-        .to_string()
+        Link { setup, iteration: self.iteration(), hash: Some(self.hash()) }.to_string()
     }
 }

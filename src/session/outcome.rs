@@ -56,15 +56,10 @@ impl Outcome {
     pub(super) fn of(session: &mut Session) -> Self {
         let readings = session.readings().iter().collect();
         let best = session.planner.best();
-        let verdict = best
-            .as_ref()
-            .map(|best| session.scene.judge(&best.solution));
+        let verdict = best.as_ref().map(|best| session.scene.judge(&best.solution));
         let exact = session.scene.optimum();
         let length = verdict.and_then(|v| v.length);
-        let gap = exact
-            .zip(length)
-            .filter(|(exact, _)| *exact > 0.0)
-            .map(|(exact, length)| (length - exact) / exact);
+        let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| (length - exact) / exact);
         let cost = best.as_ref().map(|best| best.cost);
         let (path, position) = match best.map(|best| best.solution) {
             Some(Solution::Path(path)) => (Some(path), None),

@@ -26,19 +26,12 @@ impl Trace {
 
     /// A trace that keeps at most `capacity` rows (at least 2).
     pub fn with_capacity(capacity: usize) -> Self {
-        Self {
-            columns: Vec::new(),
-            iterations: Vec::new(),
-            values: Vec::new(),
-            stride: 1,
-            capacity: capacity.max(2),
-        }
+        Self { columns: Vec::new(), iterations: Vec::new(), values: Vec::new(), stride: 1, capacity: capacity.max(2) }
     }
 
     /// Whether a row for this iteration would be kept: it is due and not there yet.
     pub fn wants(&self, iteration: u64) -> bool {
-        iteration.is_multiple_of(self.stride)
-            && self.iterations.last().is_none_or(|&last| iteration > last)
+        iteration.is_multiple_of(self.stride) && self.iterations.last().is_none_or(|&last| iteration > last)
     }
 
     /// Keeps a row.
@@ -59,14 +52,8 @@ impl Trace {
     fn thin(&mut self) {
         self.stride *= 2;
         let (width, stride) = (self.columns.len(), self.stride);
-        let kept: Vec<usize> = (0..self.iterations.len())
-            .filter(|&row| self.iterations[row].is_multiple_of(stride))
-            .collect();
-        self.values = kept
-            .iter()
-            .flat_map(|&row| &self.values[row * width..(row + 1) * width])
-            .copied()
-            .collect();
+        let kept: Vec<usize> = (0..self.iterations.len()).filter(|&row| self.iterations[row].is_multiple_of(stride)).collect();
+        self.values = kept.iter().flat_map(|&row| &self.values[row * width..(row + 1) * width]).copied().collect();
         self.iterations = kept.iter().map(|&row| self.iterations[row]).collect();
     }
 
@@ -78,10 +65,7 @@ impl Trace {
     /// The kept iterations after `after` (all of them for `None`), and their readings, row by row.
     pub fn since(&self, after: Option<u64>) -> (&[u64], &[f64]) {
         let row = after.map_or(0, |after| self.iterations.partition_point(|&k| k <= after));
-        (
-            &self.iterations[row..],
-            &self.values[row * self.columns.len()..],
-        )
+        (&self.iterations[row..], &self.values[row * self.columns.len()..])
     }
 
     /// Writes the rows as CSV: `iteration` and the readings' names, then a line for each kept iteration.
@@ -92,10 +76,7 @@ impl Trace {
         let mut out = csv::Writer::from_writer(out);
         out.write_record(["iteration"].iter().chain(&self.columns))?;
         let (iterations, values) = self.since(None);
-        for (k, row) in iterations
-            .iter()
-            .zip(values.chunks_exact(self.columns.len().max(1)))
-        {
+        for (k, row) in iterations.iter().zip(values.chunks_exact(self.columns.len().max(1))) {
             out.write_field(k.to_string())?;
             for value in row {
                 out.write_field(value.to_string())?;
@@ -138,9 +119,6 @@ mod tests {
         trace.push(1, &readings(0.25));
         let mut text = Vec::new();
         trace.write_csv(&mut text).unwrap();
-        assert_eq!(
-            String::from_utf8(text).unwrap(),
-            "iteration,best,mean\n0,0.5,1\n1,0.25,0.5\n"
-        );
+        assert_eq!(String::from_utf8(text).unwrap(), "iteration,best,mean\n0,0.5,1\n1,0.25,0.5\n");
     }
 }

@@ -8,8 +8,8 @@ use crate::{
 use super::{
     flight::Flight,
     parameters::{
-        ITERATIONS, KINDS, LAYERS, ORDERED, PENALTY, PENALTY_WEIGHT, POPULATION, POSITION,
-        READINGS, V_MAX, VELOCITY, W, WAYPOINTS, schedule,
+        ITERATIONS, KINDS, LAYERS, ORDERED, PENALTY, PENALTY_WEIGHT, POPULATION, POSITION, READINGS, V_MAX, VELOCITY, W, WAYPOINTS,
+        schedule,
     },
     schedule::{Law, Schedule},
 };
@@ -21,20 +21,10 @@ const C1_START: Parameter = Parameter::number(
     [0.0, 5.0, 2.5],
     "c1 changes from here: first each for itself.",
 );
-const C1_END: Parameter = Parameter::number(
-    "c1_end",
-    "c_{1,\\max}",
-    "Cognitive coefficient at the end",
-    [0.0, 5.0, 0.5],
-    "c1 changes to here.",
-);
-const C2_START: Parameter = Parameter::number(
-    "c2_start",
-    "c_{2,0}",
-    "Social coefficient at the start",
-    [0.0, 5.0, 0.5],
-    "c2 changes from here.",
-);
+const C1_END: Parameter =
+    Parameter::number("c1_end", "c_{1,\\max}", "Cognitive coefficient at the end", [0.0, 5.0, 0.5], "c1 changes to here.");
+const C2_START: Parameter =
+    Parameter::number("c2_start", "c_{2,0}", "Social coefficient at the start", [0.0, 5.0, 0.5], "c2 changes from here.");
 const C2_END: Parameter = Parameter::number(
     "c2_end",
     "c_{2,\\max}",
@@ -66,38 +56,14 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §3.1",
     summary: "The pull of the own best falls linearly and that of the swarm’s best rises.",
     kinds: KINDS,
-    parameters: &[
-        POPULATION,
-        ITERATIONS,
-        W,
-        C1_START,
-        C1_END,
-        C2_START,
-        C2_END,
-        V_MAX,
-        WAYPOINTS,
-        PENALTY,
-        PENALTY_WEIGHT,
-        ORDERED,
-    ],
+    parameters: &[POPULATION, ITERATIONS, W, C1_START, C1_END, C2_START, C2_END, V_MAX, WAYPOINTS, PENALTY, PENALTY_WEIGHT, ORDERED],
     readings: READINGS,
     formulas: &[COGNITIVE, SOCIAL, VELOCITY, POSITION],
     layers: LAYERS,
     start: |scene, settings, seed| {
         let linear = |from, to| Law::Linear(settings.number(from), settings.number(to));
-        let schedule = Schedule {
-            w: Law::Constant(settings.number("w")),
-            c1: linear("c1_start", "c1_end"),
-            c2: linear("c2_start", "c2_end"),
-        };
-        super::start(
-            scene,
-            settings,
-            seed,
-            Flight {
-                schedule,
-                perturbation: None,
-            },
-        )
+        let schedule =
+            Schedule { w: Law::Constant(settings.number("w")), c1: linear("c1_start", "c1_end"), c2: linear("c2_start", "c2_end") };
+        super::start(scene, settings, seed, Flight { schedule, perturbation: None })
     },
 };

@@ -14,24 +14,10 @@ impl<O: Objective> Swarm<O> {
     pub(super) fn draw_layers(&self, frame: &mut Frame) {
         let population = &self.population;
         let weight = population.weights();
-        population.draw(
-            frame,
-            Role::PersonalBests,
-            &population.p,
-            |_| true,
-            |_| 0.0,
-            CONTEXT,
-        );
+        population.draw(frame, Role::PersonalBests, &population.p, |_| true, |_| 0.0, CONTEXT);
         population.draw(frame, Role::Particles, &population.x, |_| true, weight, 1);
         for (role, event) in [(Role::Hen, Event::Hen), (Role::Chick, Event::Chick)] {
-            population.draw(
-                frame,
-                role,
-                &population.x,
-                |i| self.events[i] == event,
-                |_| 0.0,
-                1,
-            );
+            population.draw(frame, role, &population.x, |i| self.events[i] == event, |_| 0.0, 1);
         }
         self.draw_velocities(frame);
         let (_, best) = population.reported();
@@ -40,24 +26,13 @@ impl<O: Objective> Swarm<O> {
 
     fn draw_velocities(&self, frame: &mut Frame) {
         let population = &self.population;
-        let every = frame.thin(
-            population.size * CONTEXT,
-            2 * population.objective.point_count(),
-            true,
-        );
+        let every = frame.thin(population.size * CONTEXT, 2 * population.objective.point_count(), true);
         frame.begin(Role::Velocities, Shape::Segments);
         let mut tip = vec![0.0; population.dimension];
         for i in (0..population.size).step_by(every) {
             let (x, v) = (&population.x[population.row(i)], &self.v[population.row(i)]);
-            tip.iter_mut()
-                .zip(x)
-                .zip(v)
-                .for_each(|((tip, x), v)| *tip = x + v);
-            for (from, to) in population
-                .objective
-                .points(x)
-                .zip(population.objective.points(&tip))
-            {
+            tip.iter_mut().zip(x).zip(v).for_each(|((tip, x), v)| *tip = x + v);
+            for (from, to) in population.objective.points(x).zip(population.objective.points(&tip)) {
                 frame.push(from, 0.0);
                 frame.push(to, 0.0);
             }
@@ -93,9 +68,7 @@ impl<O: Objective> Population<O> {
             if lines {
                 self.draw_one(frame, role, &rows[self.row(i)], weight(i));
             } else {
-                self.objective
-                    .points(&rows[self.row(i)])
-                    .for_each(|point| frame.push(point, weight(i)));
+                self.objective.points(&rows[self.row(i)]).for_each(|point| frame.push(point, weight(i)));
             }
         }
     }
@@ -103,18 +76,9 @@ impl<O: Objective> Population<O> {
     /// Draws one row as a piece of its own.
     fn draw_one(&self, frame: &mut Frame, role: Role, x: &[f64], weight: f64) {
         let ends = self.objective.ends();
-        frame.begin(
-            role,
-            if ends.is_some() {
-                Shape::Polyline
-            } else {
-                Shape::Points
-            },
-        );
+        frame.begin(role, if ends.is_some() { Shape::Polyline } else { Shape::Points });
         ends.iter().for_each(|ends| frame.push(ends.0, weight));
-        self.objective
-            .points(x)
-            .for_each(|point| frame.push(point, weight));
+        self.objective.points(x).for_each(|point| frame.push(point, weight));
         ends.iter().for_each(|ends| frame.push(ends.1, weight));
     }
 }

@@ -43,11 +43,7 @@ pub const SYMBOLS: &[&str] = &[
 type Label = (&'static str, &'static str, &'static str);
 
 const COST: [Label; 1] = [("cost", "f(x)", "cost")];
-const COSTS: [Label; 3] = [
-    ("cost_before", "f(x)", "cost before"),
-    ("cost", "f(x)", "cost after"),
-    ("p_cost", "f(p)", "personal best"),
-];
+const COSTS: [Label; 3] = [("cost_before", "f(x)", "cost before"), ("cost", "f(x)", "cost after"), ("p_cost", "f(p)", "personal best")];
 const MOVED: [Label; 11] = [
     ("w", "\\omega", "inertia weight"),
     ("c1", "c_1", "cognitive coefficient"),
@@ -83,23 +79,11 @@ const CHICKED: [Label; 4] = [
 ];
 
 fn quantities(labels: &[Label], values: &[f64]) -> impl Iterator<Item = Quantity> {
-    labels
-        .iter()
-        .zip(values)
-        .map(|(&(name, symbol, title), &value)| Quantity {
-            name,
-            symbol,
-            title,
-            value,
-        })
+    labels.iter().zip(values).map(|(&(name, symbol, title), &value)| Quantity { name, symbol, title, value })
 }
 
 const fn column(name: &'static str, symbol: &'static str, title: &'static str) -> Column {
-    Column {
-        name,
-        symbol,
-        title,
-    }
+    Column { name, symbol, title }
 }
 
 const MOVE: [Column; 9] = [
@@ -120,11 +104,8 @@ const HEN: [Column; 5] = [
     column("x_t", "x_t", "the other particle"),
     column("x", "x'", "position after"),
 ];
-const CHICK: [Column; 3] = [
-    column("x_before", "x", "position before"),
-    column("g", "g", "global best"),
-    column("x", "x'", "position after"),
-];
+const CHICK: [Column; 3] =
+    [column("x_before", "x", "position before"), column("g", "g", "global best"), column("x", "x'", "position after")];
 const START: [Column; 1] = [column("x", "x", "position")];
 
 /// What a step did to one particle.
@@ -164,11 +145,11 @@ impl<O: Objective> Swarm<O> {
     pub(super) fn introduce(&self, item: Item) -> Option<Inspection> {
         let i = self.particle(item)?;
         let x = &self.population.x[self.population.row(i)];
-        let mut told = self.sheet(item, "start", format!("Particle {i} begins here, drawn uniformly from the search box; its velocity is zero."));
+        let mut told =
+            self.sheet(item, "start", format!("Particle {i} begins here, drawn uniformly from the search box; its velocity is zero."));
         told.columns = START.to_vec();
         told.rows = x.iter().map(|&x| vec![x]).collect();
-        told.values
-            .extend(quantities(&COST, &[self.population.cost[i]]));
+        told.values.extend(quantities(&COST, &[self.population.cost[i]]));
         told.marks = vec![self.mark(Role::After, x)];
         Some(told)
     }
@@ -176,10 +157,7 @@ impl<O: Objective> Swarm<O> {
     /// What the next step does to the particle.
     pub(super) fn explain_step(&self, item: Item) -> Option<Inspection> {
         let i = self.particle(item)?;
-        let mut record = Record {
-            particle: i,
-            ..Record::default()
-        };
+        let mut record = Record { particle: i, ..Record::default() };
         let mut after = self.clone();
         after.advance(&mut record);
         let mut told = match after.events[i] {
@@ -187,14 +165,7 @@ impl<O: Objective> Swarm<O> {
             Event::Hen => self.tell_hen(item, &after, &record),
             Event::Chick => self.tell_chick(item, &after),
         };
-        told.values.extend(quantities(
-            &COSTS,
-            &[
-                self.population.cost[i],
-                after.population.cost[i],
-                after.population.p_cost[i],
-            ],
-        ));
+        told.values.extend(quantities(&COSTS, &[self.population.cost[i], after.population.cost[i], after.population.p_cost[i]]));
         Some(told)
     }
 
@@ -205,11 +176,7 @@ impl<O: Objective> Swarm<O> {
 
     fn tell_move(&self, item: Item, after: &Self, record: &Record) -> Inspection {
         let row = self.population.row(item.index);
-        let (x, p, to) = (
-            &self.population.x[row.clone()],
-            &self.population.p[row.clone()],
-            &after.population.x[row.clone()],
-        );
+        let (x, p, to) = (&self.population.x[row.clone()], &self.population.p[row.clone()], &after.population.x[row.clone()]);
         let terms = &record.terms;
         let mut told = self.sheet(
             item,
@@ -219,58 +186,24 @@ impl<O: Objective> Swarm<O> {
         told.columns = MOVE.to_vec();
         told.rows = (0..x.len())
             .map(|j| {
-                let Term {
-                    r,
-                    inertia,
-                    cognitive,
-                    social,
-                    step,
-                } = terms[j];
-                vec![
-                    x[j], inertia, r[0], cognitive, r[1], social, step, to[j], p[j],
-                ]
+                let Term { r, inertia, cognitive, social, step } = terms[j];
+                vec![x[j], inertia, r[0], cognitive, r[1], social, step, to[j], p[j]]
             })
             .collect();
         told.formulas = vec!["velocity", "position"];
         let c = after.coefficients;
         told.values.extend(quantities(
             &MOVED,
-            &[
-                c.w,
-                c.c1,
-                c.c2,
-                self.v[row.start],
-                terms[0].r[0],
-                terms[0].r[1],
-                x[0],
-                p[0],
-                self.population.g[0],
-                terms[0].step,
-                to[0],
-            ],
+            &[c.w, c.c1, c.c2, self.v[row.start], terms[0].r[0], terms[0].r[1], x[0], p[0], self.population.g[0], terms[0].step, to[0]],
         ));
         let mut at = x.to_vec();
         let mut arrow = |role, part: fn(&Term) -> f64| {
             let from: Vec<_> = self.population.objective.points(&at).collect();
-            at.iter_mut()
-                .zip(terms)
-                .for_each(|(at, term)| *at += part(term));
-            let arrows = from
-                .into_iter()
-                .zip(self.population.objective.points(&at))
-                .flat_map(|(a, b)| [a, b])
-                .collect();
-            Mark {
-                role,
-                shape: Shape::Segments,
-                vertices: arrows,
-            }
+            at.iter_mut().zip(terms).for_each(|(at, term)| *at += part(term));
+            let arrows = from.into_iter().zip(self.population.objective.points(&at)).flat_map(|(a, b)| [a, b]).collect();
+            Mark { role, shape: Shape::Segments, vertices: arrows }
         };
-        let parts = [
-            arrow(Role::Inertia, |t| t.inertia),
-            arrow(Role::Cognitive, |t| t.cognitive),
-            arrow(Role::Social, |t| t.social),
-        ];
+        let parts = [arrow(Role::Inertia, |t| t.inertia), arrow(Role::Cognitive, |t| t.cognitive), arrow(Role::Social, |t| t.social)];
         told.marks = vec![self.mark(Role::Before, x), self.mark(Role::After, to)];
         told.marks.extend(parts);
         told.marks.push(self.arrows(Role::Velocity, x, to));
@@ -287,41 +220,18 @@ impl<O: Objective> Swarm<O> {
         let mut told = self.sheet(
             item,
             "hen",
-            format!("Particle {} got worse again and again, so it jumps like a hen, towards the swarm’s best and particle {other}.", item.index),
+            format!(
+                "Particle {} got worse again and again, so it jumps like a hen, towards the swarm’s best and particle {other}.",
+                item.index
+            ),
         );
         told.columns = HEN.to_vec();
-        told.rows = (0..x.len())
-            .map(|j| vec![x[j], record.r[j][0], record.r[j][1], x_t[j], to[j]])
-            .collect();
+        told.rows = (0..x.len()).map(|j| vec![x[j], record.r[j][0], record.r[j][1], x_t[j], to[j]]).collect();
         told.formulas = vec!["hen", "s1", "s2"];
-        let (f_i, f_g, f_t) = (
-            self.population.p_cost[item.index],
-            self.population.g_cost,
-            moved.population.p_cost[other],
-        );
+        let (f_i, f_g, f_t) = (self.population.p_cost[item.index], self.population.g_cost, moved.population.p_cost[other]);
         let ([s1, s2], [r, r_]) = (record.s, record.r[0]);
-        told.values.extend(quantities(
-            &HENNED,
-            &[
-                s1,
-                s2,
-                other as f64,
-                f_i,
-                f_g,
-                f_t,
-                x[0],
-                r,
-                r_,
-                self.population.g[0],
-                x_t[0],
-                to[0],
-            ],
-        ));
-        told.marks = vec![
-            self.mark(Role::Before, x),
-            self.mark(Role::After, to),
-            self.arrows(Role::Jump, x, to),
-        ];
+        told.values.extend(quantities(&HENNED, &[s1, s2, other as f64, f_i, f_g, f_t, x[0], r, r_, self.population.g[0], x_t[0], to[0]]));
+        told.marks = vec![self.mark(Role::Before, x), self.mark(Role::After, to), self.arrows(Role::Jump, x, to)];
         told
     }
 
@@ -334,20 +244,11 @@ impl<O: Objective> Swarm<O> {
             format!("The hen did not help particle {}, so it jumps like a chick, across the swarm’s best.", item.index),
         );
         told.columns = CHICK.to_vec();
-        told.rows = (0..x.len())
-            .map(|j| vec![x[j], self.population.g[j], to[j]])
-            .collect();
+        told.rows = (0..x.len()).map(|j| vec![x[j], self.population.g[j], to[j]]).collect();
         told.formulas = vec!["chick"];
         let f_l = self.flight.perturbation.map_or(0.0, |p| p.f_l);
-        told.values.extend(quantities(
-            &CHICKED,
-            &[f_l, x[0], self.population.g[0], to[0]],
-        ));
-        told.marks = vec![
-            self.mark(Role::Before, x),
-            self.mark(Role::After, to),
-            self.arrows(Role::Jump, x, to),
-        ];
+        told.values.extend(quantities(&CHICKED, &[f_l, x[0], self.population.g[0], to[0]]));
+        told.marks = vec![self.mark(Role::Before, x), self.mark(Role::After, to), self.arrows(Role::Jump, x, to)];
         told
     }
 
@@ -360,9 +261,7 @@ impl<O: Objective> Swarm<O> {
             values: Vec::new(),
             formulas: Vec::new(),
             columns: Vec::new(),
-            labels: (0..self.population.dimension)
-                .map(|j| self.population.objective.coordinate(j))
-                .collect(),
+            labels: (0..self.population.dimension).map(|j| self.population.objective.coordinate(j)).collect(),
             rows: Vec::new(),
             marks: Vec::new(),
         }
@@ -370,35 +269,16 @@ impl<O: Objective> Swarm<O> {
 
     fn mark(&self, role: Role, x: &[f64]) -> Mark {
         let ends = self.population.objective.ends();
-        let shape = if ends.is_some() {
-            Shape::Polyline
-        } else {
-            Shape::Points
-        };
+        let shape = if ends.is_some() { Shape::Polyline } else { Shape::Points };
         let first = ends.iter().map(|e| e.0);
         let last = ends.iter().map(|e| e.1);
-        Mark {
-            role,
-            shape,
-            vertices: first
-                .chain(self.population.objective.points(x))
-                .chain(last)
-                .collect(),
-        }
+        Mark { role, shape, vertices: first.chain(self.population.objective.points(x)).chain(last).collect() }
     }
 
     fn arrows(&self, role: Role, from: &[f64], to: &[f64]) -> Mark {
         let objective = &self.population.objective;
-        let vertices = objective
-            .points(from)
-            .zip(objective.points(to))
-            .flat_map(|(a, b)| [a, b])
-            .collect();
-        Mark {
-            role,
-            shape: Shape::Segments,
-            vertices,
-        }
+        let vertices = objective.points(from).zip(objective.points(to)).flat_map(|(a, b)| [a, b]).collect();
+        Mark { role, shape: Shape::Segments, vertices }
     }
 }
 
@@ -415,13 +295,7 @@ mod tests {
 
     fn session() -> Session {
         let scene = Arc::clone(&shipped("wcpso-discs").unwrap());
-        Session::new(Setup {
-            planner: "wcpso".into(),
-            scene,
-            params: crate::Given::default(),
-            seed: 3,
-        })
-        .unwrap()
+        Session::new(Setup { planner: "wcpso".into(), scene, params: crate::Given::default(), seed: 3 }).unwrap()
     }
 
     /// Every particle of many iterations: the terms add up to the velocity, and the velocity (or the jump) leads from
@@ -434,88 +308,40 @@ mod tests {
             session.step(1);
             let drawn = session_paths(&session);
             for index in 0..150 {
-                let told = session
-                    .inspect(Item {
-                        role: Role::Particles,
-                        index,
-                    })
-                    .unwrap();
+                let told = session.inspect(Item { role: Role::Particles, index }).unwrap();
                 *seen.entry(told.event).or_insert(0) += 1;
-                let get = |row: &[f64], name| {
-                    row[told.columns.iter().position(|c| c.name == name).unwrap()]
-                };
+                let get = |row: &[f64], name| row[told.columns.iter().position(|c| c.name == name).unwrap()];
                 for row in &told.rows {
                     if told.event == "move" {
                         let sum = get(row, "inertia") + get(row, "cognitive") + get(row, "social");
                         let v = get(row, "v");
-                        assert!(
-                            (sum - v).abs() < 1e-12
-                                || (v.abs() < sum.abs() && v.signum() == sum.signum()),
-                            "{sum} {v}"
-                        );
+                        assert!((sum - v).abs() < 1e-12 || (v.abs() < sum.abs() && v.signum() == sum.signum()), "{sum} {v}");
                         let reached = get(row, "x_before") + v;
                         let inside = get(row, "x");
-                        assert!(
-                            (inside - reached).abs() < 1e-12 || reached < 0.0 || reached > 8.0,
-                            "{reached} {inside}"
-                        );
+                        assert!((inside - reached).abs() < 1e-12 || reached < 0.0 || reached > 8.0, "{reached} {inside}");
                     }
                 }
-                let after: Vec<_> = told
-                    .marks
-                    .iter()
-                    .find(|m| m.role == Role::After)
-                    .unwrap()
-                    .vertices
-                    .clone();
+                let after: Vec<_> = told.marks.iter().find(|m| m.role == Role::After).unwrap().vertices.clone();
                 for (a, b) in after.iter().zip(&drawn[index]) {
                     assert!((a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5);
                 }
             }
         }
-        assert!(
-            seen["move"] > 0 && seen["hen"] > 0 && seen["chick"] > 0,
-            "{seen:?}"
-        );
+        assert!(seen["move"] > 0 && seen["hen"] > 0 && seen["chick"] > 0, "{seen:?}");
     }
 
     fn session_paths(session: &Session) -> Vec<Vec<[f64; 2]>> {
         let mut frame = crate::Frame::default();
         session.draw(&mut frame, usize::MAX);
-        frame
-            .spans()
-            .filter(|s| s.role == Role::Particles)
-            .map(|s| frame.points(s).collect())
-            .collect()
+        frame.spans().filter(|s| s.role == Role::Particles).map(|s| frame.points(s).collect()).collect()
     }
 
     #[test]
     fn nothing_is_said_about_a_particle_that_does_not_exist() {
         let mut session = session();
-        assert_eq!(
-            session
-                .inspect(Item {
-                    role: Role::Particles,
-                    index: 0
-                })
-                .unwrap()
-                .event,
-            "start"
-        );
-        assert_eq!(
-            session.inspect(Item {
-                role: Role::Particles,
-                index: 150
-            }),
-            None
-        );
+        assert_eq!(session.inspect(Item { role: Role::Particles, index: 0 }).unwrap().event, "start");
+        assert_eq!(session.inspect(Item { role: Role::Particles, index: 150 }), None);
         session.step(2);
-        assert_eq!(
-            session.inspect(Item {
-                role: Role::Best,
-                index: 0
-            }),
-            None
-        );
+        assert_eq!(session.inspect(Item { role: Role::Best, index: 0 }), None);
     }
 }

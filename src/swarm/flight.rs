@@ -55,12 +55,7 @@ impl<O: Objective> Swarm<O> {
         let size = settings.integer("population") as usize;
         let fraction = settings.number("v_max");
         let search_box = objective.search_box();
-        let v_max = search_box
-            .low
-            .iter()
-            .zip(&*search_box.high)
-            .map(|(low, high)| fraction * (high - low))
-            .collect();
+        let v_max = search_box.low.iter().zip(&*search_box.high).map(|(low, high)| fraction * (high - low)).collect();
         let population = Population::uniform(objective, size, &mut rng);
         Self {
             v: vec![0.0; population.x.len()],
@@ -80,10 +75,7 @@ impl<O: Objective> Swarm<O> {
     pub(super) fn advance(&mut self, watch: &mut impl Watch) {
         self.coefficients = self.flight.schedule.at(self.iteration, self.limit);
         for i in 0..self.population.size {
-            let event = self
-                .flight
-                .perturbation
-                .map_or(Event::Move, |p| self.patience[i].next(p.patience));
+            let event = self.flight.perturbation.map_or(Event::Move, |p| self.patience[i].next(p.patience));
             self.events[i] = event;
             match event {
                 Event::Move if watch.wants(i) => self.fly(i, watch),
@@ -105,34 +97,16 @@ impl<O: Objective> Swarm<O> {
         let Coefficients { w, c1, c2 } = self.coefficients;
         let row = self.population.row(i);
         let n = row.len();
-        let Population {
-            x, p, g, objective, ..
-        } = &mut self.population;
+        let Population { x, p, g, objective, .. } = &mut self.population;
         let search_box = objective.search_box();
         // Slices of one known length: the loop below needs no bounds checks.
-        let (x, v, p, g) = (
-            &mut x[row.clone()],
-            &mut self.v[row.clone()],
-            &p[row],
-            &g[..n],
-        );
-        let (low, high, v_max) = (
-            &search_box.low[..n],
-            &search_box.high[..n],
-            &self.v_max[..n],
-        );
+        let (x, v, p, g) = (&mut x[row.clone()], &mut self.v[row.clone()], &p[row], &g[..n]);
+        let (low, high, v_max) = (&search_box.low[..n], &search_box.high[..n], &self.v_max[..n]);
         for j in 0..n {
             let (r1, r2) = (self.rng.unit(), self.rng.unit());
-            let (inertia, cognitive, social) =
-                (w * v[j], c1 * r1 * (p[j] - x[j]), c2 * r2 * (g[j] - x[j]));
+            let (inertia, cognitive, social) = (w * v[j], c1 * r1 * (p[j] - x[j]), c2 * r2 * (g[j] - x[j]));
             let step = limit(inertia + cognitive + social, -v_max[j], v_max[j]);
-            watch.term(Term {
-                r: [r1, r2],
-                inertia,
-                cognitive,
-                social,
-                step,
-            });
+            watch.term(Term { r: [r1, r2], inertia, cognitive, social, step });
             let reached = x[j] + step;
             x[j] = limit(reached, low[j], high[j]);
             v[j] = if x[j] == reached { step } else { 0.0 };
@@ -151,10 +125,7 @@ impl<O: Objective> Swarm<O> {
         let t = t.unwrap_or(i);
         for j in 0..population.dimension {
             let r = [self.rng.unit(), self.rng.unit()];
-            let (at, x_t) = (
-                population.row(i).start + j,
-                population.x[population.row(t).start + j],
-            );
+            let (at, x_t) = (population.row(i).start + j, population.x[population.row(t).start + j]);
             let x = perturbation::hen(population.x[at], population.g[j], x_t, [s1, s2], r);
             watch.jump(i, r);
             population.x[at] = population.objective.search_box().clamp(j, x);
@@ -168,10 +139,7 @@ impl<O: Objective> Swarm<O> {
         let row = population.row(i);
         for (j, x) in population.x[row].iter_mut().enumerate() {
             watch.jump(i, [f_l, 0.0]);
-            *x = population
-                .objective
-                .search_box()
-                .clamp(j, perturbation::chick(*x, population.g[j], f_l));
+            *x = population.objective.search_box().clamp(j, perturbation::chick(*x, population.g[j], f_l));
         }
     }
 
@@ -221,11 +189,7 @@ impl<O: Objective> Planner for Swarm<O> {
     }
 
     fn status(&self) -> Status {
-        if self.iteration < self.limit {
-            Status::Running
-        } else {
-            Status::Exhausted
-        }
+        if self.iteration < self.limit { Status::Running } else { Status::Exhausted }
     }
 
     fn iteration(&self) -> u64 {
@@ -249,14 +213,7 @@ impl<O: Objective> Planner for Swarm<O> {
         out.push("best", self.population.g_cost);
         out.push("mean", self.population.mean());
         if self.population.objective.constrained() {
-            out.push(
-                "free",
-                if self.population.free_cost.is_finite() {
-                    self.population.free_cost
-                } else {
-                    f64::NAN
-                },
-            );
+            out.push("free", if self.population.free_cost.is_finite() { self.population.free_cost } else { f64::NAN });
         }
         out.push("k", self.iteration.saturating_sub(1) as f64);
         out.push("w", w);
@@ -275,9 +232,7 @@ impl<O: Objective> Planner for Swarm<O> {
     }
 
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        (self.iteration == 0)
-            .then(|| self.introduce(item))
-            .flatten()
+        (self.iteration == 0).then(|| self.introduce(item)).flatten()
     }
 
     fn explain(&self, item: Item) -> Option<Inspection> {
@@ -289,11 +244,7 @@ impl<O: Objective> Planner for Swarm<O> {
         self.population.digest(out);
         out.numbers(&self.v);
         for (patience, event) in self.patience.iter().zip(&self.events) {
-            out.word(
-                u64::from(patience.worse) << 16
-                    | u64::from(patience.after_hen) << 8
-                    | *event as u64,
-            );
+            out.word(u64::from(patience.worse) << 16 | u64::from(patience.after_hen) << 8 | *event as u64);
         }
         self.rng.digest(out);
     }

@@ -36,24 +36,9 @@ use flight::{Flight, Swarm};
 
 /// Starts a swarm on whatever kind of scene it is given. This is where a position's meaning is chosen; the flight
 /// does not know it.
-fn start(
-    scene: &Arc<Scene>,
-    settings: &Settings,
-    seed: u64,
-    flight: Flight,
-) -> Result<Box<dyn AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, flight: Flight) -> Result<Box<dyn AnyPlanner>, Error> {
     Ok(match scene.body() {
-        Body::Function(function) => Box::new(Swarm::new(
-            objective::FunctionObjective::new(function),
-            settings,
-            seed,
-            flight,
-        )),
-        Body::Discs(discs) => Box::new(Swarm::new(
-            waypoints::Waypoints::new(discs, settings),
-            settings,
-            seed,
-            flight,
-        )),
+        Body::Function(function) => Box::new(Swarm::new(objective::FunctionObjective::new(function), settings, seed, flight)),
+        Body::Discs(discs) => Box::new(Swarm::new(waypoints::Waypoints::new(discs, settings), settings, seed, flight)),
     })
 }

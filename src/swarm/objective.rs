@@ -72,14 +72,8 @@ impl FunctionObjective {
     /// The scene's function in the scene's dimension.
     pub fn new(scene: &FunctionScene) -> Self {
         let side = scene.function.half_side();
-        let search_box = SearchBox {
-            low: vec![-side; scene.dimension].into(),
-            high: vec![side; scene.dimension].into(),
-        };
-        Self {
-            function: scene.function,
-            search_box,
-        }
+        let search_box = SearchBox { low: vec![-side; scene.dimension].into(), high: vec![side; scene.dimension].into() };
+        Self { function: scene.function, search_box }
     }
 }
 
@@ -90,10 +84,7 @@ impl Objective for FunctionObjective {
 
     #[inline]
     fn evaluate(&self, x: &[f64]) -> Evaluation {
-        Evaluation {
-            cost: self.function.value(x),
-            penalty: 0.0,
-        }
+        Evaluation { cost: self.function.value(x), penalty: 0.0 }
     }
 
     fn constrained(&self) -> bool {
@@ -123,10 +114,6 @@ impl Objective for FunctionObjective {
 
 /// A letter with a number below it, e.g. `x₁₂`.
 pub(super) fn subscripted(letter: char, number: usize) -> String {
-    let digits = number
-        .to_string()
-        .chars()
-        .filter_map(|d| char::from_u32(d as u32 - '0' as u32 + '₀' as u32))
-        .collect::<String>();
+    let digits = number.to_string().chars().filter_map(|d| char::from_u32(d as u32 - '0' as u32 + '₀' as u32)).collect::<String>();
     format!("{letter}{digits}")
 }

@@ -85,16 +85,8 @@ pub(super) const PENALTY: Parameter = Parameter::choice(
     "V",
     "Penalty",
     &[
-        Choice {
-            value: "segments",
-            title: "whole path",
-            help: "(15) at each segment’s point closest to the disc’s centre.",
-        },
-        Choice {
-            value: "waypoints",
-            title: "way-points only",
-            help: "(15) as printed: a segment may cut through a disc unpunished.",
-        },
+        Choice { value: "segments", title: "whole path", help: "(15) at each segment’s point closest to the disc’s centre." },
+        Choice { value: "waypoints", title: "way-points only", help: "(15) as printed: a segment may cut through a disc unpunished." },
     ],
     "Where a path is tested for discs.",
 )
@@ -117,125 +109,28 @@ pub(super) const ORDERED: Parameter = Parameter::flag(
 )
 .only_on(&[Kind::Discs]);
 
-const fn reading(
-    name: &'static str,
-    symbol: &'static str,
-    title: &'static str,
-    group: Group,
-    help: &'static str,
-) -> Reading {
-    Reading {
-        name,
-        symbol,
-        title,
-        help,
-        group,
-    }
+const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
+    Reading { name, symbol, title, help, group }
 }
 
 /// What every swarm tells; those that perturb tell [`PERTURBED`].
-pub(super) const READINGS: &[Reading] = &[
-    BEST,
-    MEAN,
-    FREE,
-    K,
-    OMEGA,
-    COGNITIVE,
-    SOCIAL,
-    STAGNATING,
-    EVALUATIONS,
-];
-pub(super) const PERTURBED: &[Reading] = &[
-    BEST,
-    MEAN,
-    FREE,
-    K,
-    OMEGA,
-    COGNITIVE,
-    SOCIAL,
-    STAGNATING,
-    HENS,
-    CHICKS,
-    EVALUATIONS,
-];
+pub(super) const READINGS: &[Reading] = &[BEST, MEAN, FREE, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, EVALUATIONS];
+pub(super) const PERTURBED: &[Reading] = &[BEST, MEAN, FREE, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, HENS, CHICKS, EVALUATIONS];
 
-const BEST: Reading = reading(
-    "best",
-    "f(g)",
-    "Best cost",
-    Group::Cost,
-    "The cost of the global best, penalty included.",
-);
-const MEAN: Reading = reading(
-    "mean",
-    "\\bar f",
-    "Mean cost",
-    Group::Cost,
-    "The mean cost of the particles where they are now.",
-);
-const FREE: Reading = reading(
-    "free",
-    "L_{\\text{free}}",
-    "Best without penalty",
-    Group::Cost,
-    "The cheapest path without penalty so far: the result.",
-);
-const K: Reading = reading(
-    "k",
-    "k",
-    "Update",
-    Group::Count,
-    "The number of the update that led here, counted from 0 as in the paper.",
-);
-const OMEGA: Reading = reading(
-    "w",
-    "\\omega",
-    "Inertia weight",
-    Group::Schedule,
-    "ω in the step that led here.",
-);
-const COGNITIVE: Reading = reading(
-    "c1",
-    "c_1",
-    "Cognitive coefficient",
-    Group::Schedule,
-    "c1 in the step that led here.",
-);
-const SOCIAL: Reading = reading(
-    "c2",
-    "c_2",
-    "Social coefficient",
-    Group::Schedule,
-    "c2 in the step that led here.",
-);
-const STAGNATING: Reading = reading(
-    "stagnating",
-    "n_s",
-    "Stagnating",
-    Group::Count,
-    "Particles whose cost has just risen in that many consecutive iterations.",
-);
-const HENS: Reading = reading(
-    "hens",
-    "n_h",
-    "Moved by the hen",
-    Group::Count,
-    "Particles that the hen equation moved in this iteration.",
-);
-const CHICKS: Reading = reading(
-    "chicks",
-    "n_c",
-    "Moved by the chick",
-    Group::Count,
-    "Particles that the chick equation moved in this iteration.",
-);
-const EVALUATIONS: Reading = reading(
-    "evaluations",
-    "n_f",
-    "Evaluations",
-    Group::Count,
-    "How many positions were evaluated so far.",
-);
+const BEST: Reading = reading("best", "f(g)", "Best cost", Group::Cost, "The cost of the global best, penalty included.");
+const MEAN: Reading = reading("mean", "\\bar f", "Mean cost", Group::Cost, "The mean cost of the particles where they are now.");
+const FREE: Reading =
+    reading("free", "L_{\\text{free}}", "Best without penalty", Group::Cost, "The cheapest path without penalty so far: the result.");
+const K: Reading = reading("k", "k", "Update", Group::Count, "The number of the update that led here, counted from 0 as in the paper.");
+const OMEGA: Reading = reading("w", "\\omega", "Inertia weight", Group::Schedule, "ω in the step that led here.");
+const COGNITIVE: Reading = reading("c1", "c_1", "Cognitive coefficient", Group::Schedule, "c1 in the step that led here.");
+const SOCIAL: Reading = reading("c2", "c_2", "Social coefficient", Group::Schedule, "c2 in the step that led here.");
+const STAGNATING: Reading =
+    reading("stagnating", "n_s", "Stagnating", Group::Count, "Particles whose cost has just risen in that many consecutive iterations.");
+const HENS: Reading = reading("hens", "n_h", "Moved by the hen", Group::Count, "Particles that the hen equation moved in this iteration.");
+const CHICKS: Reading =
+    reading("chicks", "n_c", "Moved by the chick", Group::Count, "Particles that the chick equation moved in this iteration.");
+const EVALUATIONS: Reading = reading("evaluations", "n_f", "Evaluations", Group::Count, "How many positions were evaluated so far.");
 
 /// An equation that is filled in from the readings.
 pub(super) const fn schedule(
@@ -245,31 +140,11 @@ pub(super) const fn schedule(
     tex: &'static str,
     live: &'static str,
 ) -> Formula {
-    Formula {
-        name,
-        source,
-        title,
-        tex,
-        live,
-        scope: Scope::Iteration,
-    }
+    Formula { name, source, title, tex, live, scope: Scope::Iteration }
 }
 
-const fn of_particle(
-    name: &'static str,
-    source: &'static str,
-    title: &'static str,
-    tex: &'static str,
-    live: &'static str,
-) -> Formula {
-    Formula {
-        name,
-        source,
-        title,
-        tex,
-        live,
-        scope: Scope::Item,
-    }
+const fn of_particle(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
+    Formula { name, source, title, tex, live, scope: Scope::Item }
 }
 
 pub(super) const VELOCITY: Formula = of_particle(
@@ -279,13 +154,8 @@ pub(super) const VELOCITY: Formula = of_particle(
     "v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x)",
     "v = @w@ \\cdot @v_before@ + @c1@ \\cdot @r1@ \\, (@p@ - @x_before@) + @c2@ \\cdot @r2@ \\, (@g@ - @x_before@) \\;\\to\\; @v@",
 );
-pub(super) const POSITION: Formula = of_particle(
-    "position",
-    "[WCPSO] (2, 7)",
-    "Position",
-    "x \\leftarrow x + v",
-    "x = @x_before@ + @v@ \\;\\to\\; @x@",
-);
+pub(super) const POSITION: Formula =
+    of_particle("position", "[WCPSO] (2, 7)", "Position", "x \\leftarrow x + v", "x = @x_before@ + @v@ \\;\\to\\; @x@");
 pub(super) const HEN: Formula = of_particle(
     "hen",
     "[WCPSO] (9)",
@@ -323,72 +193,17 @@ pub(super) const LINEAR_W: Formula = schedule(
     "\\omega(@k@) = @w_max@ - (@w_max@ - @w_min@) \\cdot \\frac{@k@}{@iterations@} = @w@",
 );
 
-const fn layer(
-    role: Role,
-    title: &'static str,
-    on: bool,
-    pickable: bool,
-    help: &'static str,
-) -> Layer {
-    Layer {
-        role,
-        title,
-        help,
-        on,
-        pickable,
-    }
+const fn layer(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Layer {
+    Layer { role, title, help, on, pickable }
 }
 
 /// What every swarm draws; those that perturb draw [`PERTURBED_LAYERS`].
 pub(super) const LAYERS: &[Layer] = &[PERSONAL_BESTS, PARTICLES, VELOCITIES, GLOBAL_BEST];
-pub(super) const PERTURBED_LAYERS: &[Layer] = &[
-    PERSONAL_BESTS,
-    PARTICLES,
-    HEN_LAYER,
-    CHICK_LAYER,
-    VELOCITIES,
-    GLOBAL_BEST,
-];
+pub(super) const PERTURBED_LAYERS: &[Layer] = &[PERSONAL_BESTS, PARTICLES, HEN_LAYER, CHICK_LAYER, VELOCITIES, GLOBAL_BEST];
 
-const PERSONAL_BESTS: Layer = layer(
-    Role::PersonalBests,
-    "Personal bests",
-    false,
-    false,
-    "The best that each particle has found.",
-);
-const PARTICLES: Layer = layer(
-    Role::Particles,
-    "Particles",
-    true,
-    true,
-    "Where the particles are: points, or the paths they stand for.",
-);
-const HEN_LAYER: Layer = layer(
-    Role::Hen,
-    "Hens",
-    true,
-    false,
-    "Particles that the hen equation moved in this iteration.",
-);
-const CHICK_LAYER: Layer = layer(
-    Role::Chick,
-    "Chicks",
-    true,
-    false,
-    "Particles that the chick equation moved in this iteration.",
-);
-const VELOCITIES: Layer = layer(
-    Role::Velocities,
-    "Velocities",
-    false,
-    false,
-    "The particles’ velocities, to scale.",
-);
-const GLOBAL_BEST: Layer = layer(
-    Role::Best,
-    "Best",
-    true,
-    false,
-    "The best so far: the result.",
-);
+const PERSONAL_BESTS: Layer = layer(Role::PersonalBests, "Personal bests", false, false, "The best that each particle has found.");
+const PARTICLES: Layer = layer(Role::Particles, "Particles", true, true, "Where the particles are: points, or the paths they stand for.");
+const HEN_LAYER: Layer = layer(Role::Hen, "Hens", true, false, "Particles that the hen equation moved in this iteration.");
+const CHICK_LAYER: Layer = layer(Role::Chick, "Chicks", true, false, "Particles that the chick equation moved in this iteration.");
+const VELOCITIES: Layer = layer(Role::Velocities, "Velocities", false, false, "The particles’ velocities, to scale.");
+const GLOBAL_BEST: Layer = layer(Role::Best, "Best", true, false, "The best so far: the result.");

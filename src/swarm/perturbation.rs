@@ -56,11 +56,7 @@ impl Patience {
             return Event::Move;
         }
         self.worse = 0;
-        if std::mem::replace(&mut self.after_hen, true) {
-            Event::Chick
-        } else {
-            Event::Hen
-        }
+        if std::mem::replace(&mut self.after_hen, true) { Event::Chick } else { Event::Hen }
     }
 }
 
@@ -102,15 +98,9 @@ mod tests {
     fn s1_and_s2_agree_with_10_and_11() {
         assert!((s1(4.0, 2.0) - 0.5f64.exp_by_hand()).abs() < 1e-15);
         assert_eq!(s1(0.0, 0.0), 1.0, "ε keeps 0/0 away");
-        assert!(
-            (s1(5.0, 0.0) - std::f64::consts::E).abs() < 1e-15,
-            "at most e for a best of 0"
-        );
+        assert!((s1(5.0, 0.0) - std::f64::consts::E).abs() < 1e-15, "at most e for a best of 0");
         assert!((s2(1.5, 1.0) - 0.5f64.exp_by_hand()).abs() < 1e-15);
-        assert!(
-            (s2(1000.0, 1.0) - std::f64::consts::E).abs() < 1e-15,
-            "capped"
-        );
+        assert!((s2(1000.0, 1.0) - std::f64::consts::E).abs() < 1e-15, "capped");
         assert_eq!(s2(-1e6, 1e6), 0.0);
     }
 
@@ -121,9 +111,7 @@ mod tests {
     impl ByHand for f64 {
         /// The series, to the last digit for small arguments.
         fn exp_by_hand(self) -> f64 {
-            (1..25)
-                .rev()
-                .fold(1.0, |sum, n| 1.0 + sum * self / f64::from(n))
+            (1..25).rev().fold(1.0, |sum, n| 1.0 + sum * self / f64::from(n))
         }
     }
 
@@ -148,25 +136,13 @@ mod tests {
         assert_eq!(rise(1, &mut patience), Event::Chick);
         assert_eq!(rise(3, &mut patience), Event::Chick);
         patience.note(2.0, 2.0);
-        assert_eq!(
-            rise(3, &mut patience),
-            Event::Chick,
-            "standing still is no improvement"
-        );
+        assert_eq!(rise(3, &mut patience), Event::Chick, "standing still is no improvement");
         patience.note(2.0, 1.0);
-        assert_eq!(
-            rise(3, &mut patience),
-            Event::Hen,
-            "an improvement makes it ordinary again"
-        );
+        assert_eq!(rise(3, &mut patience), Event::Hen, "an improvement makes it ordinary again");
         patience.note(1.0, 2.0);
         patience.note(1.0, 2.0);
         patience.note(2.0, 2.0);
-        assert_eq!(
-            rise(2, &mut patience),
-            Event::Move,
-            "only consecutive rises count"
-        );
+        assert_eq!(rise(2, &mut patience), Event::Move, "only consecutive rises count");
     }
 
     #[test]
@@ -174,10 +150,7 @@ mod tests {
         let mut rng = Stream::new(1, 0);
         let mut seen = [0; 4];
         (0..400).for_each(|_| seen[other(2, 4, &mut rng).unwrap()] += 1);
-        assert!(
-            seen[2] == 0 && [0, 1, 3].iter().all(|&t| seen[t] > 80),
-            "{seen:?}"
-        );
+        assert!(seen[2] == 0 && [0, 1, 3].iter().all(|&t| seen[t] > 80), "{seen:?}");
         assert_eq!(other(0, 1, &mut rng), None);
     }
 }

@@ -39,13 +39,7 @@ impl<O: Objective> Population<O> {
         let mut x = Vec::with_capacity(size * dimension);
         for _ in 0..size {
             let first = x.len();
-            x.extend(
-                search_box
-                    .low
-                    .iter()
-                    .zip(&*search_box.high)
-                    .map(|(&low, &high)| rng.between(low, high)),
-            );
+            x.extend(search_box.low.iter().zip(&*search_box.high).map(|(&low, &high)| rng.between(low, high)));
             objective.arrange(&mut x[first..]);
         }
         let mut population = Self {
@@ -108,20 +102,13 @@ impl<O: Objective> Population<O> {
 
     /// The position that is reported, with its cost: the cheapest without penalty, or else the cheapest.
     pub(super) fn reported(&self) -> (f64, &[f64]) {
-        if self.free_cost < f64::INFINITY {
-            (self.free_cost, &self.free)
-        } else {
-            (self.g_cost, &self.g)
-        }
+        if self.free_cost < f64::INFINITY { (self.free_cost, &self.free) } else { (self.g_cost, &self.g) }
     }
 
     /// The reported position as a solution.
     pub(super) fn best(&self) -> Best {
         let (cost, x) = self.reported();
-        Best {
-            cost,
-            solution: self.objective.solution(x),
-        }
+        Best { cost, solution: self.objective.solution(x) }
     }
 
     /// The mean cost of the present positions.
@@ -130,16 +117,7 @@ impl<O: Objective> Population<O> {
     }
 
     pub(super) fn digest(&self, out: &mut Digest) {
-        [
-            &self.x,
-            &self.cost,
-            &self.p,
-            &self.p_cost,
-            &self.g,
-            &self.free,
-        ]
-        .into_iter()
-        .for_each(|numbers| out.numbers(numbers));
+        [&self.x, &self.cost, &self.p, &self.p_cost, &self.g, &self.free].into_iter().for_each(|numbers| out.numbers(numbers));
         out.numbers(&[self.g_cost, self.free_cost]);
         out.word(self.evaluations);
     }

@@ -5,8 +5,7 @@ use crate::catalogue::Entry;
 use super::{
     flight::Flight,
     parameters::{
-        C1, C2, ITERATIONS, KINDS, LAYERS, ORDERED, PENALTY, PENALTY_WEIGHT, POPULATION, POSITION,
-        READINGS, V_MAX, VELOCITY, W, WAYPOINTS,
+        C1, C2, ITERATIONS, KINDS, LAYERS, ORDERED, PENALTY, PENALTY_WEIGHT, POPULATION, POSITION, READINGS, V_MAX, VELOCITY, W, WAYPOINTS,
     },
     schedule::{Law, Schedule},
 };
@@ -19,31 +18,12 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §1",
     summary: "Particles keep part of their velocity and are drawn to their own best and to the swarm’s. All coefficients stay constant.",
     kinds: KINDS,
-    parameters: &[
-        POPULATION,
-        ITERATIONS,
-        W,
-        C1,
-        C2,
-        V_MAX,
-        WAYPOINTS,
-        PENALTY,
-        PENALTY_WEIGHT,
-        ORDERED,
-    ],
+    parameters: &[POPULATION, ITERATIONS, W, C1, C2, V_MAX, WAYPOINTS, PENALTY, PENALTY_WEIGHT, ORDERED],
     readings: READINGS,
     formulas: &[VELOCITY, POSITION],
     layers: LAYERS,
     start: |scene, settings, seed| {
         let [w, c1, c2] = ["w", "c1", "c2"].map(|name| Law::Constant(settings.number(name)));
-        super::start(
-            scene,
-            settings,
-            seed,
-            Flight {
-                schedule: Schedule { w, c1, c2 },
-                perturbation: None,
-            },
-        )
+        super::start(scene, settings, seed, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None })
     },
 };

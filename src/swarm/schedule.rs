@@ -34,9 +34,7 @@ impl Law {
         match self {
             Self::Constant(value) => value,
             Self::Linear(from, to) => from + (to - from) * (k / k_max),
-            Self::Cosine { max, min } => {
-                (max - min) / 2.0 * math::cos(PI * k / k_max) + f64::midpoint(max, min)
-            }
+            Self::Cosine { max, min } => (max - min) / 2.0 * math::cos(PI * k / k_max) + f64::midpoint(max, min),
             Self::Sine { amplitude, middle } => {
                 let half = k_max / 2.0;
                 amplitude * math::sin(FRAC_PI_2 * (half - k) / half) + middle
@@ -70,11 +68,7 @@ pub struct Coefficients {
 impl Schedule {
     /// The coefficients of iteration `k` of `k_max`.
     pub fn at(&self, k: u64, k_max: u64) -> Coefficients {
-        Coefficients {
-            w: self.w.at(k, k_max),
-            c1: self.c1.at(k, k_max),
-            c2: self.c2.at(k, k_max),
-        }
+        Coefficients { w: self.w.at(k, k_max), c1: self.c1.at(k, k_max), c2: self.c2.at(k, k_max) }
     }
 }
 
@@ -83,43 +77,23 @@ mod tests {
     use super::*;
 
     fn close(value: f64, expected: f64) {
-        assert!(
-            (value - expected).abs() < 1e-15,
-            "{value} is not {expected}"
-        );
+        assert!((value - expected).abs() < 1e-15, "{value} is not {expected}");
     }
 
     #[test]
     fn inertia_falls_along_a_cosine_3() {
-        let w = Law::Cosine {
-            max: 0.95,
-            min: 0.4,
-        };
+        let w = Law::Cosine { max: 0.95, min: 0.4 };
         close(w.at(0, 1000), 0.95);
-        close(
-            w.at(250, 1000),
-            0.675 + 0.275 * std::f64::consts::FRAC_1_SQRT_2,
-        );
+        close(w.at(250, 1000), 0.675 + 0.275 * std::f64::consts::FRAC_1_SQRT_2);
         close(w.at(500, 1000), 0.675);
         close(w.at(1000, 1000), 0.4);
     }
 
     #[test]
     fn accelerations_cross_along_sines_4_and_5() {
-        let c1 = Law::Sine {
-            amplitude: 1.0,
-            middle: 1.5,
-        };
-        let c2 = Law::Sine {
-            amplitude: -1.0,
-            middle: 1.5,
-        };
-        for (k, first) in [
-            (0, 2.5),
-            (250, 1.5 + std::f64::consts::FRAC_1_SQRT_2),
-            (500, 1.5),
-            (1000, 0.5),
-        ] {
+        let c1 = Law::Sine { amplitude: 1.0, middle: 1.5 };
+        let c2 = Law::Sine { amplitude: -1.0, middle: 1.5 };
+        for (k, first) in [(0, 2.5), (250, 1.5 + std::f64::consts::FRAC_1_SQRT_2), (500, 1.5), (1000, 0.5)] {
             close(c1.at(k, 1000), first);
             close(c2.at(k, 1000), 3.0 - first);
         }

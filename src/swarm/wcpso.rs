@@ -8,42 +8,18 @@ use crate::{
 use super::{
     flight::Flight,
     parameters::{
-        CHICK, HEN, ITERATIONS, KINDS, ORDERED, PENALTY, PENALTY_WEIGHT, PERTURBED,
-        PERTURBED_LAYERS, POPULATION, POSITION, S1, S2, V_MAX, VELOCITY, W_MAX, W_MIN, WAYPOINTS,
-        schedule,
+        CHICK, HEN, ITERATIONS, KINDS, ORDERED, PENALTY, PENALTY_WEIGHT, PERTURBED, PERTURBED_LAYERS, POPULATION, POSITION, S1, S2, V_MAX,
+        VELOCITY, W_MAX, W_MIN, WAYPOINTS, schedule,
     },
     perturbation::Perturbation,
     schedule::{Law, Schedule},
 };
 
-const C_A: Parameter = Parameter::number(
-    "c_a",
-    "c_a",
-    "Amplitude of c1",
-    [0.0, 2.5, 1.0],
-    "c1 falls from c_b + c_a to c_b − c_a, (4).",
-);
-const C_B: Parameter = Parameter::number(
-    "c_b",
-    "c_b",
-    "Middle of c1",
-    [0.0, 5.0, 1.5],
-    "c1 at half time, (4).",
-);
-const C_ALPHA: Parameter = Parameter::number(
-    "c_alpha",
-    "c_\\alpha",
-    "Amplitude of c2",
-    [0.0, 2.5, 1.0],
-    "c2 rises from c_β − c_α to c_β + c_α, (5).",
-);
-const C_BETA: Parameter = Parameter::number(
-    "c_beta",
-    "c_\\beta",
-    "Middle of c2",
-    [0.0, 5.0, 1.5],
-    "c2 at half time, (5).",
-);
+const C_A: Parameter = Parameter::number("c_a", "c_a", "Amplitude of c1", [0.0, 2.5, 1.0], "c1 falls from c_b + c_a to c_b − c_a, (4).");
+const C_B: Parameter = Parameter::number("c_b", "c_b", "Middle of c1", [0.0, 5.0, 1.5], "c1 at half time, (4).");
+const C_ALPHA: Parameter =
+    Parameter::number("c_alpha", "c_\\alpha", "Amplitude of c2", [0.0, 2.5, 1.0], "c2 rises from c_β − c_α to c_β + c_α, (5).");
+const C_BETA: Parameter = Parameter::number("c_beta", "c_\\beta", "Middle of c2", [0.0, 5.0, 1.5], "c2 at half time, (5).");
 const PATIENCE: Parameter = Parameter::integer(
     "patience",
     "n_p",
@@ -108,37 +84,15 @@ pub const ENTRY: Entry = Entry {
         ORDERED,
     ],
     readings: PERTURBED,
-    formulas: &[
-        INERTIA, COGNITIVE, SOCIAL, VELOCITY, POSITION, HEN, S1, S2, CHICK,
-    ],
+    formulas: &[INERTIA, COGNITIVE, SOCIAL, VELOCITY, POSITION, HEN, S1, S2, CHICK],
     layers: PERTURBED_LAYERS,
     start: |scene, settings, seed| {
         let schedule = Schedule {
-            w: Law::Cosine {
-                max: settings.number("w_max"),
-                min: settings.number("w_min"),
-            },
-            c1: Law::Sine {
-                amplitude: settings.number("c_a"),
-                middle: settings.number("c_b"),
-            },
-            c2: Law::Sine {
-                amplitude: -settings.number("c_alpha"),
-                middle: settings.number("c_beta"),
-            },
+            w: Law::Cosine { max: settings.number("w_max"), min: settings.number("w_min") },
+            c1: Law::Sine { amplitude: settings.number("c_a"), middle: settings.number("c_b") },
+            c2: Law::Sine { amplitude: -settings.number("c_alpha"), middle: settings.number("c_beta") },
         };
-        let perturbation = Perturbation {
-            patience: settings.integer("patience") as u8,
-            f_l: settings.number("f_l"),
-        };
-        super::start(
-            scene,
-            settings,
-            seed,
-            Flight {
-                schedule,
-                perturbation: Some(perturbation),
-            },
-        )
+        let perturbation = Perturbation { patience: settings.integer("patience") as u8, f_l: settings.number("f_l") };
+        super::start(scene, settings, seed, Flight { schedule, perturbation: Some(perturbation) })
     },
 };

@@ -5,8 +5,8 @@ use crate::catalogue::Entry;
 use super::{
     flight::Flight,
     parameters::{
-        C1, C2, ITERATIONS, KINDS, LAYERS, LINEAR_W, ORDERED, PENALTY, PENALTY_WEIGHT, POPULATION,
-        POSITION, READINGS, V_MAX, VELOCITY, W_MAX, W_MIN, WAYPOINTS,
+        C1, C2, ITERATIONS, KINDS, LAYERS, LINEAR_W, ORDERED, PENALTY, PENALTY_WEIGHT, POPULATION, POSITION, READINGS, V_MAX, VELOCITY,
+        W_MAX, W_MIN, WAYPOINTS,
     },
     schedule::{Law, Schedule},
 };
@@ -41,14 +41,6 @@ pub const ENTRY: Entry = Entry {
             c1: Law::Constant(settings.number("c1")),
             c2: Law::Constant(settings.number("c2")),
         };
-        super::start(
-            scene,
-            settings,
-            seed,
-            Flight {
-                schedule,
-                perturbation: None,
-            },
-        )
+        super::start(scene, settings, seed, Flight { schedule, perturbation: None })
     },
 };
