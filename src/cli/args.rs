@@ -43,10 +43,10 @@ pub(super) struct RunArgs {
     #[arg(long, value_name = "FILE|NAME|LINK")]
     pub(super) scene: Option<String>,
     /// 0 to 9007199254740991, or `random` for a fresh one. Default 1, or the link's.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(super) seed: Option<String>,
     /// The iteration limit: short for --set iterations=N.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(super) iterations: Option<String>,
     /// A parameter; may be given many times. `forage list` names them.
     #[arg(long = "set", value_name = "NAME=VALUE")]

@@ -16,7 +16,8 @@ impl<O: Objective> Swarm<O> {
         let weight = population.weights();
         population.draw(frame, Role::PersonalBests, &population.p, |_| true, |_| 0.0, CONTEXT);
         population.draw(frame, Role::Particles, &population.x, |_| true, weight, 1);
-        for (role, event) in [(Role::Hen, Event::Hen), (Role::Chick, Event::Chick)] {
+        let perturbed = [(Role::Hen, Event::Hen), (Role::Chick, Event::Chick)];
+        for (role, event) in perturbed.into_iter().filter(|_| self.flight.perturbation.is_some()) {
             population.draw(frame, role, &population.x, |i| self.events[i] == event, |_| 0.0, 1);
         }
         self.draw_velocities(frame);

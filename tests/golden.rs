@@ -1,0 +1,51 @@
+//! Golden hashes of complete runs: every planner, every kind of scene, several seeds. `tests/wasm.rs` checks the same
+//! stored file in wasm under Node.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod support;
+
+use forage::{Given, Session, Setup, Value, catalogue::PLANNERS, shipped_names};
+use support::{Golden, ITERATIONS, bits, stored};
+
+fn run(planner: &str, scene: &str, seed: u32) -> Golden {
+    let params = Given::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
+    let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
+    let mut session = Session::new(setup).unwrap();
+    session.step(u64::from(ITERATIONS / 2));
+    let half = session.hash();
+    session.step(u64::MAX);
+    let cost = bits(session.outcome().cost);
+    Golden { planner: planner.to_owned(), scene: scene.to_owned(), seed, half, end: session.hash(), cost }
+}
+
+/// All planners on all shipped scenes they run on, three seeds each.
+fn every_run() -> Vec<Golden> {
+    let mut runs = Vec::new();
+    for entry in PLANNERS {
+        for scene in shipped_names().filter(|scene| entry.check_kind(scene.kind()).is_ok()) {
+            runs.extend([1, 2, 12_345].map(|seed| run(entry.name, scene.name(), seed)));
+        }
+    }
+    runs
+}
+
+#[test]
+fn every_planner_gives_the_stored_bits_on_every_scene() {
+    let runs = every_run();
+    if std::env::var_os("FORAGE_BLESS").is_some() {
+        std::fs::write("tests/golden.json", serde_json::to_string_pretty(&runs).unwrap() + "\n").unwrap();
+        return; // the file is part of the test's program: the next run compares with it
+    }
+    let stored = stored();
+    assert_eq!(runs.len(), stored.len(), "a planner or a scene came or went: bless the file");
+    for (run, stored) in runs.iter().zip(&stored) {
+        assert_eq!(run, stored);
+    }
+}
+
+#[test]
+fn seeds_and_parameters_change_the_hash() {
+    let hashes: std::collections::BTreeSet<_> = stored().into_iter().map(|run| run.end).collect();
+    assert!(hashes.len() >= 100, "all planners, both kinds of scene, several seeds");
+    assert_eq!(hashes.len(), stored().len(), "no two golden runs end alike");
+}

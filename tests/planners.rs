@@ -1,0 +1,236 @@
+//! What must hold for every planner in the catalogue, on every kind of scene, for many seeds. A new planner is tested
+//! by being listed.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::sync::Arc;
+
+use forage::{
+    Frame, Given, Scene, Session, Setup, Status, Value,
+    catalogue::{Entry, Group, PLANNERS, Scope},
+    frame::{Role, Shape},
+    params::Domain,
+    planner::Item,
+    shipped_names,
+};
+use proptest::prelude::*;
+
+/// Every planner with every shipped scene it runs on.
+fn pairs() -> Vec<(&'static Entry, Arc<Scene>)> {
+    PLANNERS
+        .iter()
+        .flat_map(|entry| shipped_names().filter(|scene| entry.check_kind(scene.kind()).is_ok()).map(move |scene| (entry, Arc::clone(scene))))
+        .collect()
+}
+
+fn given(pairs: &[(&str, f64)]) -> Given {
+    pairs.iter().map(|&(name, value)| (name, Value::from(value))).collect()
+}
+
+fn session(entry: &Entry, scene: &Arc<Scene>, params: Given, seed: u64) -> Session {
+    Session::new(Setup { planner: entry.name.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 120, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// A best cost never rises, a path begins at the start and ends at the goal, and what is said to be feasible
+    /// really crosses nothing (checked here by dense sampling, not by the geometry that said so).
+    #[test]
+    fn a_run_only_gets_better_and_its_verdict_is_true(pair in 0..pairs().len(), seed in 0..10_000_u64, population in 1..60_u32) {
+        let (entry, scene) = &pairs()[pair];
+        let mut session = session(entry, scene, given(&[("population", f64::from(population)), ("iterations", 60.0)]), seed);
+        let (mut best, mut free) = (f64::INFINITY, f64::INFINITY);
+        loop {
+            let now = session.readings().get("best").unwrap();
+            prop_assert!(now <= best, "best rose from {best} to {now}");
+            best = now;
+            if let Some(now) = session.readings().get("free").filter(|f| !f.is_nan()) {
+                prop_assert!(now <= free, "free rose from {free} to {now}");
+                free = now;
+            }
+            if session.step(1) != Status::Running {
+                break;
+            }
+        }
+        let outcome = session.outcome();
+        prop_assert_eq!(outcome.iterations, 60);
+        prop_assert_eq!(outcome.evaluations, u64::from(population) * 61, "each particle is evaluated once per iteration");
+        if let (Some(path), forage::scene::Body::Discs(discs)) = (&outcome.path, scene.body()) {
+            prop_assert_eq!(path[0], discs.start);
+            prop_assert_eq!(path[path.len() - 1], discs.goal);
+            let deepest = path
+                .windows(2)
+                .flat_map(|w| (0..=2000).map(move |i| f64::from(i) / 2000.0).map(move |t| [w[0][0] + t * (w[1][0] - w[0][0]), w[0][1] + t * (w[1][1] - w[0][1])]))
+                .flat_map(|p| discs.discs.iter().map(move |d| ((p[0] - d.center[0]) * (p[0] - d.center[0]) + (p[1] - d.center[1]) * (p[1] - d.center[1])).sqrt() - d.radius))
+                .fold(f64::INFINITY, f64::min);
+            prop_assert!(!outcome.feasible || deepest > -1e-12, "said to be free, but {deepest} inside a disc");
+            prop_assert!(deepest >= outcome.clearance.unwrap() - 1e-12, "sampling found it deeper than the clearance says");
+            if outcome.feasible {
+                prop_assert!(outcome.gap.unwrap() > -1e-9, "shorter than the exact optimum: {:?}", outcome.gap);
+            }
+        }
+        if let Some(position) = &outcome.position {
+            let side = scene.view().max[0];
+            prop_assert!(position.iter().all(|x| x.abs() <= side));
+        }
+    }
+
+    /// Any iteration, reached forward, backward or again, is the same to the last bit; so is its picture.
+    #[test]
+    fn rewinding_is_exact(pair in 0..pairs().len(), seed in 0..1000_u64, visits in prop::collection::vec(0..80_u64, 6)) {
+        let (entry, scene) = &pairs()[pair];
+        let params = given(&[("population", 12.0), ("iterations", 80.0)]);
+        let mut forward = session(entry, scene, params.clone(), seed);
+        let mut once = vec![snapshot(&mut forward)];
+        while forward.step(1) == Status::Running {
+            once.push(snapshot(&mut forward));
+        }
+        once.push(snapshot(&mut forward));
+        let mut replayed = Session::with_keyframes(
+            Setup { planner: entry.name.to_owned(), scene: Arc::clone(scene), params, seed },
+            if seed % 2 == 0 { 0 } else { 20_000 },
+        ).unwrap();
+        for k in visits {
+            forward.seek(k);
+            replayed.seek(k);
+            prop_assert_eq!(forward.iteration(), k);
+            prop_assert_eq!(&snapshot(&mut forward), &once[k as usize]);
+            prop_assert_eq!(&snapshot(&mut replayed), &once[k as usize]);
+        }
+    }
+
+    /// A link opens the very same state, with an edited scene and changed parameters.
+    #[test]
+    fn a_link_reproduces_the_hash(pair in 0..pairs().len(), seed in 0..forage::rng::MAX_SEED, k in 0..30_u64, population in 1..40_u32) {
+        let (entry, scene) = &pairs()[pair];
+        let edited = scene.to_json().replace(scene.header().title.as_str(), "edited & <named> 5 % \u{2713}");
+        let scene = Arc::new(Scene::from_json(&edited).unwrap());
+        let mut session = session(entry, &scene, given(&[("population", f64::from(population)), ("iterations", 40.0)]), seed);
+        session.seek(k);
+        let link = forage::Link::parse(&session.link()).unwrap();
+        prop_assert_eq!(link.iteration, k);
+        let mut opened = Session::new(link.setup).unwrap();
+        opened.seek(k);
+        prop_assert_eq!(Some(opened.hash()), link.hash);
+        prop_assert_eq!(opened.link(), session.link());
+    }
+}
+
+fn snapshot(session: &mut Session) -> (String, String, Vec<u32>) {
+    let mut frame = Frame::default();
+    session.draw(&mut frame, Frame::BUDGET);
+    let drawn = frame.vertices().iter().map(|v| v.to_bits()).chain(frame.table().iter().copied()).collect();
+    (session.hash(), format!("{:?}", session.readings()), drawn)
+}
+
+#[test]
+fn every_population_from_one_to_a_hundred_thousand_runs() {
+    for (entry, scene) in pairs() {
+        for (population, iterations) in [(1.0, 1.0), (1.0, 50.0), (2.0, 50.0), (3.0, 1_000_000_000.0)] {
+            let mut session = session(entry, &scene, given(&[("population", population), ("iterations", iterations)]), 5);
+            session.step(60);
+            assert_eq!(session.iteration(), iterations.min(60.0) as u64);
+            assert!(session.outcome().cost.unwrap().is_finite(), "{} on {}", entry.name, scene.name());
+        }
+    }
+    for entry in PLANNERS {
+        for name in ["wcpso-discs", "sphere"] {
+            let mut session = session(entry, &forage::shipped(name).unwrap(), given(&[("population", 100_000.0)]), 5);
+            session.step(2);
+            let mut frame = Frame::default();
+            session.draw(&mut frame, Frame::BUDGET);
+            assert!(frame.vertices().len() / 4 <= 4 * Frame::BUDGET, "a frame keeps to its budget");
+            assert!(name == "sphere" || frame.thinning() > 1);
+        }
+    }
+}
+
+/// Every parameter of every planner: both ends of its range run, what lies beyond is refused by name, value and range.
+#[test]
+fn every_parameter_is_checked_at_both_ends() {
+    for (entry, scene) in pairs().into_iter().filter(|(_, scene)| ["wcpso-discs", "sphere"].contains(&scene.name())) {
+        for parameter in entry.parameters_on(scene.kind()) {
+            let start = |value: f64| {
+                let mut params = given(&[("population", 4.0), ("iterations", 20.0)]);
+                params.insert(parameter.name, Value::from(value));
+                Session::new(Setup { planner: entry.name.to_owned(), scene: Arc::clone(&scene), params, seed: 1 })
+            };
+            let (min, max) = match parameter.domain {
+                Domain::Number { min, max, .. } => (min, max),
+                Domain::Integer { min, max, .. } => (min as f64, max as f64),
+                Domain::Choice { .. } | Domain::Flag { .. } => {
+                    assert_eq!(start(0.5).err().unwrap().field(), parameter.name);
+                    continue;
+                }
+            };
+            for value in [min, max] {
+                let mut session = start(value).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
+                session.step(20);
+                assert!(session.readings().iter().all(|(name, value)| value.is_finite() || name == "free"), "{} {}={value}", entry.name, parameter.name);
+            }
+            for value in [min - 1.0, max * 2.0 + 1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+                let error = start(value).err().unwrap_or_else(|| panic!("{} accepts {}={value}", entry.name, parameter.name));
+                assert_eq!((error.field(), error.value()), (parameter.name, value.to_string().as_str()));
+                assert!(error.allowed().contains(&min.to_string()) && error.allowed().contains(&max.to_string()), "{error}");
+            }
+        }
+    }
+}
+
+/// What an entry promises, its planner keeps: readings, layers, formulas and inspections agree with the catalogue.
+#[test]
+fn every_entry_describes_what_its_planner_does() {
+    for (entry, scene) in pairs() {
+        let mut session = session(entry, &scene, given(&[("population", 80.0), ("iterations", 120.0)]), 3);
+        session.step(60);
+        let known: Vec<_> = entry.readings.iter().map(|reading| reading.name).collect();
+        let told: Vec<_> = session.readings().iter().map(|(name, _)| name).collect();
+        assert!(told.iter().all(|name| known.contains(name)), "{}: {told:?} but the entry lists {known:?}", entry.name);
+        assert!(entry.readings.iter().any(|reading| reading.group == Group::Cost));
+        let mut frame = Frame::default();
+        session.draw(&mut frame, Frame::BUDGET);
+        for span in frame.spans() {
+            assert!(entry.layers.iter().any(|layer| layer.role == span.role), "{}: {:?} is not in the legend", entry.name, span.role);
+            assert!(span.shape != Shape::Polyline || span.count >= 2);
+        }
+        let numbers: Vec<_> = told.iter().copied().chain(session.settings().all().iter().map(|(name, _)| *name)).collect();
+        for formula in entry.formulas.iter().filter(|f| f.scope == Scope::Iteration) {
+            for name in placeholders(formula.live) {
+                assert!(numbers.contains(&name), "{}: nothing fills @{name}@ in {}", entry.name, formula.name);
+            }
+        }
+        check_inspections(entry, &session);
+    }
+}
+
+fn check_inspections(entry: &Entry, session: &Session) {
+    for index in 0..80 {
+        let told = session.inspect(Item { role: Role::Particles, index }).unwrap();
+        for name in &told.formulas {
+            let formula = entry.formulas.iter().find(|f| f.name == *name).unwrap_or_else(|| panic!("{} has no formula {name}", entry.name));
+            for name in placeholders(formula.live) {
+                assert!(told.values.iter().any(|v| v.name == name), "{}: nothing fills @{name}@", formula.name);
+            }
+        }
+        assert!(told.rows.len() == told.labels.len() && told.rows.iter().all(|row| row.len() == told.columns.len()));
+        let symbols = forage::swarm::SYMBOLS;
+        let used = told.values.iter().map(|v| v.symbol).chain(told.columns.iter().map(|c| c.symbol));
+        used.for_each(|symbol| assert!(symbols.contains(&symbol), "{symbol} is not listed, so no page can typeset it"));
+    }
+}
+
+fn placeholders(tex: &str) -> Vec<&str> {
+    tex.split('@').skip(1).step_by(2).collect()
+}
+
+#[test]
+fn what_cannot_run_is_refused() {
+    let scene = forage::shipped("sphere").unwrap();
+    let error = |planner: &str, params: Given, seed| {
+        Session::new(Setup { planner: planner.to_owned(), scene: Arc::clone(&scene), params, seed }).err().unwrap()
+    };
+    assert_eq!(error("psso", Given::new(), 1).field(), "planner");
+    assert_eq!(error("pso", given(&[("omega", 1.0)]), 1).value(), "omega");
+    assert_eq!(error("pso", given(&[("waypoints", 3.0)]), 1).value(), "waypoints", "it means nothing on functions");
+    assert_eq!(error("pso", Given::new(), u64::MAX).field(), "seed");
+}

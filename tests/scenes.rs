@@ -1,0 +1,100 @@
+//! The scenes that ship, and the oracle that results are measured by.
+#![cfg(not(target_arch = "wasm32"))]
+
+use forage::{Given, Scene, Session, Setup, scene::Kind, shipped, shipped_names};
+
+#[test]
+fn the_exact_optimum_agrees_with_the_one_stored_in_the_scene() {
+    let mut compared = 0;
+    for scene in shipped_names().filter(|scene| scene.kind() == Kind::Discs) {
+        let Some(stored) = scene.header().exact.as_ref().and_then(|exact| exact["length"].as_f64()) else { continue };
+        let exact = scene.exact().unwrap().length;
+        assert!((exact - stored).abs() < 1e-9, "{}: {exact} computed, {stored} stored", scene.name());
+        compared += 1;
+    }
+    assert!(compared >= 1);
+    let published = shipped("wcpso-discs").unwrap().exact().unwrap().length;
+    assert!((published - 12.141_590).abs() < 5e-7, "[WCPSO] 3.2.2: {published}");
+}
+
+/// The homotopy classes next to the shortest, spec: 12.1736, 12.2915, 12.3141. Blocking the way through one after
+/// the other (by a disc between the two that form the gate) makes the oracle find the next.
+#[test]
+fn blocking_the_shortest_way_gives_a_longer_one() {
+    let scene = shipped("wcpso-discs").unwrap();
+    let exact = scene.exact().unwrap();
+    let middle = exact.path[exact.path.len() / 2];
+    let mut value: serde_json::Value = serde_json::from_str(&scene.to_json()).unwrap();
+    value["discs"].as_array_mut().unwrap().push(serde_json::json!({"center": middle, "radius": 0.05}));
+    let blocked = Scene::from_value(value).unwrap();
+    let longer = blocked.exact().unwrap().length;
+    assert!(longer > exact.length && longer < 12.32, "{longer}");
+}
+
+/// The foundation's promise: at the published population and iterations, at least 9 of 10 seeds are collision-free
+/// and within 0.5 % of the exact optimum.
+#[test]
+fn wcpso_finds_the_way_among_the_seven_discs() {
+    let good = (1..=10)
+        .filter(|&seed| {
+            let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Given::new(), seed };
+            let mut session = Session::with_keyframes(setup, 0).unwrap();
+            session.step(u64::MAX);
+            let outcome = session.outcome();
+            assert_eq!((outcome.iterations, outcome.evaluations), (500, 150 * 501));
+            outcome.feasible && outcome.gap.unwrap() <= 0.005
+        })
+        .count();
+    assert!(good >= 9, "{good} of 10");
+}
+
+/// As printed, (15) does not see what lies between the way-points; the outcome says so all the same.
+#[test]
+fn the_printed_penalty_is_judged_by_the_whole_path() {
+    let setup = |seed| Setup {
+        planner: "wcpso".into(),
+        scene: shipped("wcpso-discs").unwrap(),
+        params: Given::from_iter([("penalty", "waypoints".into())]),
+        seed,
+    };
+    for seed in 1..=5 {
+        let mut session = Session::with_keyframes(setup(seed), 0).unwrap();
+        session.step(u64::MAX);
+        let outcome = session.outcome();
+        assert!(!outcome.feasible && outcome.clearance.unwrap() < 0.0, "a straight line through the discs has no way-point in one");
+        assert!(outcome.gap.unwrap() < 0.0, "and it is shorter than any free path");
+    }
+}
+
+type Change<'a> = &'a dyn Fn(&mut serde_json::Value);
+
+#[test]
+fn each_wrong_scene_file_is_refused_by_field() {
+    let text = shipped("wcpso-discs").unwrap().to_json();
+    let refused = |change: Change| {
+        let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
+        change(&mut value);
+        Scene::from_value(value).unwrap_err()
+    };
+    let changes: [(&str, Change); 11] = [
+        ("format", &|v| v["format"] = "other".into()),
+        ("version", &|v| v["version"] = 2.into()),
+        ("kind", &|v| v["kind"] = "maze".into()),
+        ("name", &|v| v["name"] = "".into()),
+        ("title", &|v| drop(v.as_object_mut().unwrap().remove("title"))),
+        ("start", &|v| drop(v.as_object_mut().unwrap().remove("start"))),
+        ("start", &|v| v["start"] = serde_json::json!([3.94, 4.5])),
+        ("goal", &|v| v["goal"] = serde_json::json!([9, 80])),
+        ("discs[2].radius", &|v| v["discs"][2]["radius"] = (-1).into()),
+        ("discs[2].radius", &|v| v["discs"][2]["radius"] = "big".into()),
+        ("discs[3].center[1]", &|v| v["discs"][3]["center"][1] = serde_json::Value::Null),
+    ];
+    for (field, change) in changes {
+        assert_eq!(refused(change).field(), field);
+    }
+    let unknown = refused(&|v| v["discs"][1]["color"] = "red".into()).to_string();
+    assert!(unknown.contains("discs[1]") && unknown.contains("color"), "{unknown}");
+    let unknown = refused(&|v| v["walls"] = 3.into()).to_string();
+    assert!(unknown.contains("walls"), "{unknown}");
+    assert!(Scene::from_json("{").unwrap_err().to_string().contains("line 1"));
+}

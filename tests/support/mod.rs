@@ -1,0 +1,33 @@
+//! What the native tests and the wasm tests share: the list of golden runs and the stored file.
+
+use serde::{Deserialize, Serialize};
+
+/// One complete run and what came of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Golden {
+    /// The planner's name.
+    pub planner: String,
+    /// A shipped scene's name.
+    pub scene: String,
+    /// The seed.
+    pub seed: u32,
+    /// The hash of the whole state half way.
+    pub half: String,
+    /// The hash at the end.
+    pub end: String,
+    /// The best cost's bits, in hexadecimal.
+    pub cost: String,
+}
+
+/// The stored runs. `FORAGE_BLESS=1 cargo test --test golden` writes them anew (only after a deliberate change).
+pub fn stored() -> Vec<Golden> {
+    serde_json::from_str(include_str!("../golden.json")).expect("tests/golden.json is a list of runs")
+}
+
+/// The iterations of a golden run: enough for every part of a planner to come into play.
+pub const ITERATIONS: u32 = 200;
+
+/// A cost's bits.
+pub fn bits(cost: Option<f64>) -> String {
+    cost.map_or_else(|| "none".to_owned(), |cost| format!("{:016x}", cost.to_bits()))
+}

@@ -1,0 +1,152 @@
+//! The public JavaScript face in wasm under Node: the same stored bits as natively, and errors that are values.
+//!
+//! `wasm-pack test --node` or `cargo test --target wasm32-unknown-unknown --test wasm` runs it.
+#![cfg(target_arch = "wasm32")]
+
+mod support;
+
+use forage::wasm::{JsItem, JsKind, JsNames, JsParameterValue, JsScene, JsSetup, Session, catalogue, check_parameter, check_scene, new_seed, parse_link};
+use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint32Array};
+use support::{ITERATIONS, bits, stored};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::wasm_bindgen_test;
+
+fn js<T: JsCast>(json: &str) -> T {
+    JSON::parse(json).unwrap().unchecked_into()
+}
+
+fn get(object: impl AsRef<JsValue>, name: &str) -> JsValue {
+    Reflect::get(object.as_ref(), &name.into()).unwrap()
+}
+
+fn number(object: impl AsRef<JsValue>, name: &str) -> f64 {
+    get(object, name).as_f64().unwrap()
+}
+
+fn text(object: impl AsRef<JsValue>, name: &str) -> String {
+    get(object, name).as_string().unwrap()
+}
+
+fn setup(json: &str) -> Session {
+    Session::new(&js::<JsSetup>(json)).unwrap()
+}
+
+fn refused(json: &str) -> JsValue {
+    Session::new(&js::<JsSetup>(json)).err().unwrap()
+}
+
+#[wasm_bindgen_test]
+fn every_golden_run_gives_the_bits_that_it_gives_natively() {
+    let runs = stored();
+    assert!(runs.len() >= 100);
+    for run in runs {
+        let params = format!(r#"{{"planner": "{}", "scene": "{}", "seed": {}, "params": {{"iterations": {ITERATIONS}}}}}"#, run.planner, run.scene, run.seed);
+        let mut session = setup(&params);
+        session.step(Some(f64::from(ITERATIONS / 2)));
+        assert_eq!(session.hash(), run.half, "{params}");
+        session.step(Some(1e9));
+        assert_eq!(session.hash(), run.end, "{params}");
+        assert_eq!(bits(get(session.outcome(), "cost").as_f64()), run.cost, "{params}");
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_scene_given_as_an_object_is_the_scene_given_by_name() {
+    let by_name = setup(r#"{"planner": "wcpso", "scene": "wcpso-discs", "seed": 4}"#);
+    let object = Object::new();
+    for (key, value) in [("planner", "wcpso".into()), ("scene", by_name.scene().into()), ("seed", 4.into())] {
+        Reflect::set(&object, &key.into(), &value).unwrap();
+    }
+    let mut by_object = Session::new(object.unchecked_ref::<JsSetup>()).unwrap();
+    by_object.step(Some(50.0));
+    let mut by_name = by_name;
+    by_name.step(Some(50.0));
+    assert_eq!(by_object.hash(), by_name.hash());
+    assert_eq!(by_object.link(), by_name.link());
+}
+
+#[wasm_bindgen_test]
+fn seeking_back_gives_the_same_state_and_frame() {
+    let mut session = setup(r#"{"planner": "wcpso", "scene": "wcpso-discs", "params": {"population": 30}}"#);
+    session.step(Some(37.0));
+    let hash = session.hash();
+    let frame = session.frame(None);
+    let vertices = get(&frame, "vertices").unchecked_into::<Float32Array>().to_vec();
+    let spans = get(&frame, "spans").unchecked_into::<Uint32Array>().to_vec();
+    assert_eq!(vertices.len() % 4, 0);
+    session.step(Some(200.0));
+    session.seek(37.0);
+    assert_eq!(session.hash(), hash);
+    let again = session.frame(None);
+    assert_eq!(get(&again, "vertices").unchecked_into::<Float32Array>().to_vec(), vertices);
+    assert_eq!(get(&again, "spans").unchecked_into::<Uint32Array>().to_vec(), spans);
+    assert!(session.rewind(20.0) <= 20.0);
+}
+
+#[wasm_bindgen_test]
+fn refusals_are_errors_with_field_value_and_range_and_nothing_panics() {
+    let error = refused(r#"{"planner": "pso", "scene": "sphere", "params": {"population": 0}}"#);
+    assert!(error.is_instance_of::<js_sys::Error>());
+    assert_eq!((text(&error, "field"), text(&error, "value")), ("population".into(), "0".into()));
+    assert!(text(&error, "message").contains("100000") && text(&error, "allowed").contains("100000"));
+    for (json, field) in [
+        (r#"{"planner": "psso", "scene": "sphere"}"#, "planner"),
+        (r#"{"planner": "pso", "scene": "moon"}"#, "scene"),
+        (r#"{"planner": "pso", "scene": "sphere", "seed": -1}"#, "seed"),
+        (r#"{"planner": "pso", "scene": "sphere", "seed": 1.5}"#, "seed"),
+        (r#"{"planner": "pso", "scene": "sphere", "params": {"w": "much"}}"#, "w"),
+        (r#"{"planner": "pso", "scene": {"format": "forage-scene", "version": 1, "kind": "function", "name": "a", "title": "a", "function": "sphere", "dimension": 0}}"#, "dimension"),
+    ] {
+        assert_eq!(text(&refused(json), "field"), field, "{json}");
+    }
+    for json in ["{}", "[]", "3", "null", r#"{"planner": 3}"#, r#"{"planner": "pso"}"#, r#"{"planner": "pso", "scene": 7}"#, r#"{"planner": "pso", "scene": {}}"#] {
+        assert!(!text(refused(json), "message").is_empty(), "{json}");
+    }
+    assert!(parse_link("#v=7").is_err() && Session::from_link("nothing").is_err());
+    let not_finite = js::<JsScene>(
+        r#"{"format": "forage-scene", "version": 1, "kind": "discs", "name": "a", "title": "a", "bounds": {"min": [0, 0], "max": [1, 1]},
+            "start": [0, 0], "goal": [1, 1], "discs": [{"center": [0.5, 0.5], "radius": 0.1}]}"#,
+    );
+    assert!(check_scene(&not_finite).is_ok());
+    let disc = get(get(&not_finite, "discs"), "0");
+    Reflect::set(&disc, &"radius".into(), &f64::NAN.into()).unwrap();
+    assert_eq!(text(check_scene(&not_finite).err().unwrap(), "field"), "discs[0].radius");
+}
+
+#[wasm_bindgen_test]
+fn the_face_tells_everything_a_page_needs() {
+    let planners = get(catalogue(), "planners").unchecked_into::<Array>();
+    assert!(planners.length() >= 4);
+    assert!(get(catalogue(), "scenes").unchecked_into::<Array>().length() >= 7);
+    let kind: JsKind = JsValue::from("discs").unchecked_into();
+    let check = |value: JsValue| check_parameter("wcpso", &kind, "w_max", &value.unchecked_into::<JsParameterValue>());
+    assert!(check(0.9.into()).is_ok() && check(9.into()).is_err() && check("x".into()).is_err());
+    let seed = new_seed().unwrap();
+    assert!(seed >= 0.0 && seed.fract() == 0.0);
+
+    let mut session = setup(r#"{"planner": "wcpso", "scene": "wcpso-discs"}"#);
+    assert_eq!((session.iteration(), session.limit(), session.planner(), session.seed()), (0.0, 500.0, "wcpso".to_owned(), 1.0));
+    session.step(Some(10.0));
+    assert_eq!(session.status().as_string().unwrap(), "running");
+    assert!(number(session.readings(), "w") < 0.95);
+    assert_eq!(number(session.parameters(), "population"), 150.0);
+    let trace = session.trace(-1.0);
+    assert_eq!(number(get(&trace, "iterations"), "length"), 11.0);
+    assert_eq!(number(get(session.trace(7.0), "iterations"), "length"), 3.0);
+    assert!((number(session.exact(), "length") - 12.141_590).abs() < 5e-7);
+    let told = session.inspect(&js::<JsItem>(r#"{"role": "particles", "index": 5}"#)).unwrap();
+    assert_eq!(text(&told, "title"), "Particle 5");
+    assert_eq!(number(get(get(&told, "table"), "rows"), "length"), 6.0);
+    assert!(session.inspect(&js::<JsItem>(r#"{"role": "particles", "index": 150}"#)).unwrap().is_null());
+    assert!(session.inspect(&js::<JsItem>(r#"{"role": "fish", "index": 1}"#)).is_err());
+    assert_eq!(text(session.pick(0.0, 0.0, 0.5), "role"), "particles");
+    assert!(session.pick(-50.0, 0.0, 0.5).is_null());
+    assert!(session.svg(true, &js::<JsNames>(r#"["best", "exact"]"#)).unwrap().starts_with("<svg"));
+    assert_eq!(session.csv().lines().count(), 12);
+    let link = session.link();
+    let parsed = parse_link(&link).unwrap();
+    assert_eq!((number(&parsed, "iteration"), text(&parsed, "hash")), (10.0, session.hash()));
+    let mut opened = Session::from_link(&link).unwrap();
+    opened.seek(10.0);
+    assert_eq!(opened.hash(), session.hash());
+}
