@@ -6,17 +6,6 @@ pub use libm::{acos, asin, atan2, cos, exp, log as ln, log10, pow, sin};
 
 use std::f64::consts::PI;
 
-/// Taylor coefficients in x² of cos x − 1; for |x| ≤ π/4 what is left out is under 1e-17.
-const COS: [f64; 8] = [
-    -1.0 / 2.0,
-    1.0 / 24.0,
-    -1.0 / 720.0,
-    1.0 / 40_320.0,
-    -1.0 / 3_628_800.0,
-    1.0 / 479_001_600.0,
-    -1.0 / 87_178_291_200.0,
-    1.0 / 20_922_789_888_000.0,
-];
 /// Taylor coefficients in x² of sin x / x − 1; what is left out is under 1e-16.
 const SIN: [f64; 7] =
     [-1.0 / 6.0, 1.0 / 120.0, -1.0 / 5_040.0, 1.0 / 362_880.0, -1.0 / 39_916_800.0, 1.0 / 6_227_020_800.0, -1.0 / 1_307_674_368_000.0];
@@ -47,22 +36,34 @@ pub fn sort(pairs: &mut [(f64, usize)]) {
     pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
 }
 
-/// cos(2π t) for `t` in turns, |t| < 2^51.
+/// cos(2π t) for `t` in turns, |t| < 2^51, to within 5e-16; exactly 1 and −1 at whole and half turns.
 ///
-/// The reduction to one turn is exact in floating point, so no digits are lost for large `t`, and the
-/// body has no branches, so a loop over it can be vectorised.
+/// The reduction to an eighth of a turn is exact in floating point, so no digits are lost for large `t`. From there it
+/// is ±(1 − 2 sin² π u): one short series, no branches, about half the time of a general cosine.
 #[inline]
 pub fn cos_turns(t: f64) -> f64 {
-    // One turn: r in [0, 1/2]. Near 0 and 1/2 use cos about that end, else sin about the quarter turn: |x| <= pi/4.
     let r = (t - nearest(t)).abs();
     let from_quarter = 0.25 - r;
-    let near_end = from_quarter.abs() > 0.125;
-    let to_end = 0.25 - from_quarter.abs();
-    let x = 2.0 * PI * if near_end { to_end } else { from_quarter };
+    let u = 0.25 - from_quarter.abs();
+    let x = PI * u;
     let s = x * x;
-    let cosine = 1.0 + COS.iter().rev().fold(0.0, |sum, c| (sum + c) * s);
     let sine = x + x * SIN.iter().rev().fold(0.0, |sum, c| (sum + c) * s);
-    if near_end { cosine.copysign(from_quarter) } else { sine }
+    (1.0 - 2.0 * sine * sine).copysign(from_quarter)
+}
+
+/// Σ cos(2π t) over many `t`, in pairs (so that the compiler can use two lanes): the even-numbered and the odd-numbered
+/// are summed apart, in their order, then added.
+#[inline]
+pub fn sum_cos_turns(turns: &[f64]) -> f64 {
+    let pairs = turns.chunks_exact(2);
+    let last = pairs.remainder().first().map_or(0.0, |&t| cos_turns(t));
+    let mut sums = [0.0; 2];
+    for pair in pairs {
+        let cosines = [cos_turns(pair[0]), cos_turns(pair[1])];
+        sums[0] += cosines[0];
+        sums[1] += cosines[1];
+    }
+    (sums[0] + sums[1]) + last
 }
 
 #[cfg(test)]
@@ -70,16 +71,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cos_turns_agrees_with_libm_and_is_exact_at_quarters() {
-        for (t, expected) in [(0.0, 1.0), (0.25, 0.0), (0.5, -1.0), (0.75, 0.0), (1.0, 1.0), (-3.5, -1.0), (1e9 + 0.25, 0.0)] {
+    fn cos_turns_agrees_with_libm_and_is_exact_at_half_turns() {
+        for (t, expected) in [(0.0, 1.0), (0.5, -1.0), (1.0, 1.0), (-3.5, -1.0), (1e9, 1.0)] {
             assert_eq!(cos_turns(t), expected, "t = {t}");
         }
         for i in -4000..=4000 {
             let t = f64::from(i) * 0.000_731;
-            let r = t - t.round_ties_even();
-            // The reference's own argument is rounded: up to π · 2^-53, and an ulp of the result on either side.
-            let difference = (cos_turns(t) - cos(2.0 * PI * r)).abs();
-            assert!(difference <= 3.5e-16 + 2.2e-16, "t = {t}: {difference:e}");
+            // The reference is taken where its own argument is small, so that rounding that does not count.
+            let r = (t - nearest(t)).abs();
+            let reference = if r > 0.375 { -cos(2.0 * PI * (0.5 - r)) } else if r > 0.125 { sin(2.0 * PI * (0.25 - r)) } else { cos(2.0 * PI * r) };
+            let difference = (cos_turns(t) - reference).abs();
+            assert!(difference <= 5e-16, "t = {t}: {difference:e}");
         }
     }
 }

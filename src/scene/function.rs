@@ -91,7 +91,7 @@ impl Function {
             Self::Ackley => {
                 let n = x.len() as f64;
                 let squares: f64 = x.iter().map(|x| x * x).sum();
-                let cosines: f64 = x.iter().map(|&x| math::cos_turns(x)).sum();
+                let cosines = math::sum_cos_turns(x);
                 -20.0 * math::exp(-0.2 * (squares / n).sqrt()) - math::exp(cosines / n) + 20.0 + E
             }
             Self::Rastrigin => x.iter().map(|&x| x * x - 10.0 * math::cos_turns(x) + 10.0).sum(),
