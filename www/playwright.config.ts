@@ -1,0 +1,38 @@
+import { defineConfig } from '@playwright/test'
+import { SITE } from './tests/support/site'
+
+export default defineConfig({
+  testDir: 'tests',
+  outputDir: 'test-results',
+  reporter: 'list',
+  fullyParallel: true,
+  workers: 2,
+  forbidOnly: Boolean(process.env['CI']),
+  timeout: 40_000,
+  expect: { timeout: 10_000 },
+  use: {
+    baseURL: SITE,
+    viewport: { width: 1440, height: 900 },
+    colorScheme: 'light',
+    launchOptions: {
+      executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+      args: [
+        '--no-sandbox',
+        '--disable-gpu',
+        '--disable-quic',
+        '--no-first-run',
+        '--disable-background-networking',
+        '--disable-component-update',
+        '--disable-sync',
+      ],
+    },
+  },
+  // The page is tested as it ships: built, below a sub-path, from a server that knows nothing of it.
+  webServer: {
+    command: 'npm run build && node tests/support/serve.mjs',
+    url: SITE,
+    env: { SITE },
+    timeout: 120_000,
+    reuseExistingServer: false,
+  },
+})

@@ -1,0 +1,102 @@
+import uPlot from 'uplot'
+import 'uplot/dist/uPlot.min.css'
+import { number } from '../format'
+import { decades, type Range, type Scale } from './scale'
+
+export interface Stroke {
+  /** A custom property's name. */
+  token: string
+  width: number
+  dash?: number[]
+}
+
+export interface PlotOptions {
+  strokes: Stroke[]
+  scale: Scale
+  /** Asked whenever the data changed. */
+  range(): Range
+  last(): number
+  onhover(point: number | null): void
+  /** The scales hold only once it is drawn. */
+  ondrawn(): void
+}
+
+const DECADES = 6
+const NARROW = 44
+
+/** A chart in `host`, coloured by the tokens that hold there. */
+export function createPlot(host: HTMLElement, { strokes, scale, range, last, onhover, ondrawn }: PlotOptions): uPlot {
+  const [ink, line, ...colours] = resolve(host, ['--ink-2', '--line', ...strokes.map(({ token }) => token)])
+  const font = `11px ${getComputedStyle(host).fontFamily}`
+  const axis: uPlot.Axis = {
+    stroke: ink ?? 'gray',
+    font,
+    grid: { stroke: line ?? 'gray', width: 1 },
+    ticks: { show: false },
+  }
+  const log = scale === 'log'
+  const options: uPlot.Options = {
+    width: Math.max(host.clientWidth, NARROW),
+    height: Math.max(host.clientHeight, NARROW),
+    padding: [8, 14, 0, 0],
+    legend: { show: false },
+    cursor: { y: false, drag: { x: false, y: false }, points: { size: 6 } },
+    scales: {
+      x: { time: false, range: () => [0, Math.max(1, last())] },
+      y: { distr: log ? 3 : 1, range },
+    },
+    axes: [
+      { ...axis, size: 26, grid: { show: false }, values: (_, splits) => splits.map((k) => (Number.isInteger(k) ? number(k) : '')) },
+      {
+        ...axis,
+        size: (_, labels) => 10 + 6.4 * Math.max(2, ...(labels ?? []).map((label) => label.length)),
+        ...(log
+          ? {
+              splits: (_: uPlot, __: number, min: number, max: number) => decades([min, max], DECADES),
+              filter: (_: uPlot, splits: number[]) => splits,
+              values: (_: uPlot, splits: number[]) => splits.map((value) => power(value)),
+            }
+          : { values: (_: uPlot, splits: number[], __: number, ___: number, step: number) => splits.map((value) => label(value, step)) }),
+      },
+    ],
+    series: [
+      {},
+      ...strokes.map(
+        ({ width, dash }, at): uPlot.Series => ({
+          stroke: colours[at] ?? 'gray',
+          width,
+          ...(dash && { dash }),
+          spanGaps: false,
+          // A lone first iteration has no line yet.
+          points: { show: (u) => u.data[0].length < 2, size: 5 },
+        }),
+      ),
+    ],
+    hooks: { setCursor: [(u) => onhover(u.cursor.idx ?? null)], draw: [ondrawn] },
+  }
+  return new uPlot(options, [[]], host)
+}
+
+function power(value: number): string {
+  const exponent = Math.round(Math.log10(value))
+  return exponent >= -2 && exponent <= 4 ? String(value) : number(value, 1).replace(/^1×/, '')
+}
+
+/** As many decimals as the distance of the labels needs. */
+function label(value: number, step: number): string {
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9))
+  const size = Math.abs(value)
+  if (decimals > 6 || size >= 1e6) return number(value, 3)
+  return `${value < 0 ? '−' : ''}${size.toFixed(decimals)}`
+}
+
+/** What colours the custom properties come to, whatever functions they are written with. */
+function resolve(host: HTMLElement, tokens: string[]): string[] {
+  const probe = host.appendChild(document.createElement('span'))
+  const colours = tokens.map((token) => {
+    probe.style.color = `var(${token})`
+    return getComputedStyle(probe).color
+  })
+  probe.remove()
+  return colours
+}

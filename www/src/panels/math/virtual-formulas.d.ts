@@ -1,0 +1,7 @@
+/** Made by plugins/formulas.ts: TeX of the catalogue → MathML. */
+declare module 'virtual:formulas' {
+  /** Symbols, for running text. */
+  export const inline: Readonly<Record<string, string>>
+  /** Formulas; `<mtext>@name@</mtext>` stands where a number of the moment goes. */
+  export const display: Readonly<Record<string, string>>
+}

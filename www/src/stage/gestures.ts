@@ -1,0 +1,98 @@
+import type { Point } from 'forage'
+
+export interface Gestures {
+  /** A finger or button went down; what is answered says if it took hold of something. */
+  grab(at: Point, coarse: boolean): boolean
+  drag(at: Point): void
+  /** The hold ended; `cancelled` if it wasn't meant. */
+  drop(cancelled: boolean): void
+  pan(dx: number, dy: number): void
+  zoom(by: number, at: Point): void
+  tap(at: Point, coarse: boolean): void
+  hover(at: Point | null): void
+}
+
+/** Below this a press is a tap, not a drag. */
+const SLACK = 4
+const WHEEL = 0.0016
+
+/** Turns pointer and wheel events of an element into gestures. */
+export function gestures(element: HTMLElement, act: Gestures): () => void {
+  const fingers = new Map<number, Point>()
+  let holding = false
+  let moved = false
+  let origin: Point = [0, 0]
+
+  const where = (event: MouseEvent): Point => {
+    const { left, top } = element.getBoundingClientRect()
+    return [event.clientX - left, event.clientY - top]
+  }
+
+  const down = (event: PointerEvent): void => {
+    if (event.button > 1) return
+    const at = where(event)
+    element.setPointerCapture(event.pointerId)
+    fingers.set(event.pointerId, at)
+    if (fingers.size === 1) {
+      origin = at
+      moved = false
+      holding = event.button === 0 && act.grab(at, event.pointerType !== 'mouse')
+    } else if (holding) {
+      holding = false
+      act.drop(true)
+    }
+    if (fingers.size > 1) moved = true
+  }
+
+  const move = (event: PointerEvent): void => {
+    const at = where(event)
+    const before = fingers.get(event.pointerId)
+    if (!before) {
+      act.hover(at)
+      return
+    }
+    if (!moved && Math.hypot(at[0] - origin[0], at[1] - origin[1]) < SLACK) return
+    moved = true
+    fingers.set(event.pointerId, at)
+    if (holding) {
+      act.drag(at)
+      return
+    }
+    const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1]
+    if (!other) {
+      act.pan(at[0] - before[0], at[1] - before[1])
+      return
+    }
+    act.pan((at[0] - before[0]) / 2, (at[1] - before[1]) / 2)
+    const span = (to: Point): number => Math.max(1, Math.hypot(to[0] - other[0], to[1] - other[1]))
+    act.zoom(span(at) / span(before), [(at[0] + other[0]) / 2, (at[1] + other[1]) / 2])
+  }
+
+  const up = (event: PointerEvent): void => {
+    if (!fingers.delete(event.pointerId)) return
+    const cancelled = event.type === 'pointercancel'
+    if (holding) act.drop(cancelled || !moved)
+    if (!moved && !cancelled && fingers.size === 0) act.tap(where(event), event.pointerType !== 'mouse')
+    holding = false
+  }
+
+  const leave = (): void => {
+    if (fingers.size === 0) act.hover(null)
+  }
+
+  const wheel = (event: WheelEvent): void => {
+    event.preventDefault()
+    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1
+    act.zoom(Math.exp(-event.deltaY * unit * WHEEL * (event.ctrlKey ? 5 : 1)), where(event))
+  }
+
+  const abort = new AbortController()
+  const { signal } = abort
+  element.addEventListener('pointerdown', down, { signal })
+  element.addEventListener('pointermove', move, { signal })
+  element.addEventListener('pointerup', up, { signal })
+  element.addEventListener('pointercancel', up, { signal })
+  element.addEventListener('pointerleave', leave, { signal })
+  element.addEventListener('wheel', wheel, { signal, passive: false })
+  return () => abort.abort()
+}

@@ -1,0 +1,24 @@
+import type { DiscsScene, Point } from 'forage'
+import type { Handle, Selection } from '../state/edits'
+import { type Size, toScreen, type View } from './view'
+
+/** What of the scene lies under a point of the screen. Ends win over rims, rims over discs, small discs over big. */
+export function hit(scene: DiscsScene, view: View, size: Size, at: Point, selection: Selection | null, coarse: boolean): Handle | null {
+  const reach = coarse ? 24 : 11
+  const away = (point: Point): number => {
+    const [x, y] = toScreen(view, size, point)
+    return Math.hypot(x - at[0], y - at[1])
+  }
+  for (const kind of ['goal', 'start'] as const) if (away(scene[kind]) <= reach) return { kind }
+  if (selection?.kind === 'disc') {
+    const disc = scene.discs[selection.index]
+    if (disc && away([disc.center[0] + disc.radius, disc.center[1]]) <= reach) return { kind: 'rim', index: selection.index }
+  }
+  const near = scene.discs
+    .map(({ center, radius }, index) => ({ index, radius: radius * view.scale, from: away(center) }))
+    .filter(({ radius, from }) => from <= Math.max(radius + 4, reach))
+    .sort((a, b) => a.radius - b.radius)[0]
+  if (!near) return null
+  const onRim = Math.abs(near.from - near.radius) <= (coarse ? 10 : 5) && near.radius > 14
+  return { kind: onRim ? 'rim' : 'disc', index: near.index }
+}

@@ -1,0 +1,62 @@
+import { lab } from '../state/lab.svelte'
+
+interface Acts {
+  zoom(by: number): void
+  fit(): void
+  pan(dx: number, dy: number): void
+  /** Moves the selected object by steps. */
+  nudge(dx: number, dy: number): void
+  leave(): void
+}
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+}
+const PAN = 40
+
+/** What a key does on the stage; true if it did something. Arrows move the selected object, otherwise the time. */
+export function stageKey(event: KeyboardEvent, acts: Acts): boolean {
+  if (event.ctrlKey || event.metaKey || event.altKey) return false
+  const arrow = ARROWS[event.key]
+  if (arrow) {
+    const [dx, dy] = arrow
+    const far = event.shiftKey ? 10 : 1
+    if (lab.selection) acts.nudge(dx * far, dy * far)
+    else if (dy !== 0) acts.pan(0, dy * PAN)
+    else lab.stepBy(dx * far)
+    return true
+  }
+  switch (event.key) {
+    case ' ':
+      lab.toggle()
+      return true
+    case 'Home':
+      lab.seek(0)
+      return true
+    case 'End':
+      lab.seek(lab.limit)
+      return true
+    case '+':
+    case '=':
+      acts.zoom(1.25)
+      return true
+    case '-':
+      acts.zoom(0.8)
+      return true
+    case '0':
+      acts.fit()
+      return true
+    case 'Delete':
+    case 'Backspace':
+      lab.removeSelected()
+      return true
+    case 'Escape':
+      acts.leave()
+      return true
+    default:
+      return false
+  }
+}

@@ -1,0 +1,124 @@
+import type { Disc, Inspection, Point } from 'forage'
+import type { FrameMessage } from '../worker/protocol'
+import { applyStyle, Lines, type Pen, points } from './pen'
+import { styleOf } from './styles'
+import { toScreen } from './view'
+
+export interface Names {
+  roles: string[]
+  shapes: string[]
+}
+
+/** Draws a frame's layers that are on, in the style sheet's order. */
+export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (role: string) => boolean, discs: readonly Disc[]): void {
+  const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
+  const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
+  const roles = [...rolesIn(spans)].sort((a, b) => styleOf(names.roles[a] ?? '').order - styleOf(names.roles[b] ?? '').order)
+  for (const number of roles) {
+    const role = names.roles[number] ?? ''
+    if (!on(role)) continue
+    const style = styleOf(role)
+    const lines = new Lines(pen)
+    for (let at = 0; at < spans.length; at += 4) {
+      if (spans[at] !== number) continue
+      const shape = names.shapes[spans[at + 1] ?? 0]
+      const [first, count] = [spans[at + 2] ?? 0, spans[at + 3] ?? 0]
+      if (shape === 'points') points(pen, style, vertices, first, count)
+      else if (shape === 'polyline') lines.polyline(vertices, first, count)
+      else if (shape === 'segments') lines.segments(vertices, first, count)
+    }
+    if (role === 'best') {
+      halo(lines)
+      lines.stroke(style)
+      insideDiscs(pen, lines, discs)
+    } else {
+      lines.stroke(style)
+    }
+  }
+}
+
+function rolesIn(spans: Uint32Array): Set<number> {
+  const roles = new Set<number>()
+  for (let at = 0; at < spans.length; at += 4) roles.add(spans[at] ?? 0)
+  return roles
+}
+
+/** Lifts the result off the crowd beneath it. */
+function halo(lines: Lines): void {
+  lines.stroke({ ...styleOf('best'), colour: '--stage', width: styleOf('best').width + 3, alpha: [0.75, 0.75] })
+}
+
+/** Whatever part of the result lies inside an obstacle is drawn in red. */
+function insideDiscs(pen: Pen, lines: Lines, discs: readonly Disc[]): void {
+  if (discs.length === 0) return
+  const { context, view, size } = pen
+  const inside = new Path2D()
+  for (const { center, radius } of discs) {
+    const [x, y] = toScreen(view, size, center)
+    inside.moveTo(x + radius * view.scale, y)
+    inside.arc(x, y, Math.max(0, radius * view.scale - 1), 0, 2 * Math.PI)
+  }
+  context.save()
+  context.clip(inside)
+  lines.stroke({ ...styleOf('best'), colour: '--danger', width: 4 })
+  context.restore()
+}
+
+export function drawPath(pen: Pen, path: readonly Point[], role: string): void {
+  applyStyle(pen, styleOf(role))
+  trace(pen, path)
+  pen.context.stroke()
+}
+
+function trace({ context, view, size }: Pen, path: readonly Point[]): void {
+  context.beginPath()
+  path.forEach((point, at) => {
+    const [x, y] = toScreen(view, size, point)
+    if (at === 0) context.moveTo(x, y)
+    else context.lineTo(x, y)
+  })
+}
+
+/** The arrows and marks of what was picked. */
+export function drawInspection(pen: Pen, { layers }: Inspection): void {
+  const { context, view, size } = pen
+  for (const { role, shape, vertices } of [...layers].sort((a, b) => styleOf(a.role).order - styleOf(b.role).order)) {
+    const style = styleOf(role)
+    applyStyle(pen, style)
+    context.globalAlpha = style.alpha[0]
+    if (shape === 'polyline') drawPath(pen, vertices, role)
+    else if (shape === 'segments') {
+      for (let at = 0; at + 1 < vertices.length; at += 2) {
+        const [from, to] = [vertices[at], vertices[at + 1]]
+        if (from && to) arrow(context, toScreen(view, size, from), toScreen(view, size, to))
+      }
+    } else {
+      for (const vertex of vertices) {
+        const [x, y] = toScreen(view, size, vertex)
+        context.beginPath()
+        context.arc(x, y, style.point / 2 + 1, 0, 2 * Math.PI)
+        if (style.dash) context.stroke()
+        else context.fill()
+      }
+    }
+    context.globalAlpha = 1
+  }
+}
+
+const HEAD = 7
+
+function arrow(context: CanvasRenderingContext2D, [x0, y0]: Point, [x1, y1]: Point): void {
+  const length = Math.hypot(x1 - x0, y1 - y0)
+  if (length < 0.5) return
+  context.beginPath()
+  context.moveTo(x0, y0)
+  context.lineTo(x1, y1)
+  context.stroke()
+  const head = Math.min(HEAD, length)
+  const angle = Math.atan2(y1 - y0, x1 - x0)
+  context.beginPath()
+  context.moveTo(x1, y1)
+  for (const side of [-0.42, 0.42]) context.lineTo(x1 - head * Math.cos(angle + side), y1 - head * Math.sin(angle + side))
+  context.closePath()
+  context.fill()
+}

@@ -1,0 +1,117 @@
+import type { Size, View } from './view'
+import type { Palette } from './palette'
+import type { Style } from './styles'
+
+/** What drawing needs to know. */
+export interface Pen {
+  context: CanvasRenderingContext2D
+  view: View
+  size: Size
+  palette: Palette
+}
+
+/** Weights are drawn in steps: one stroke a step instead of one a line. */
+const STEPS = 6
+const FAINTEST_POINT = 0.5
+
+const stepOf = (weight: number): number => Math.min(STEPS - 1, Math.max(0, Math.floor(weight * STEPS)))
+
+function alphaAt({ alpha: [best, worst] }: Style, step: number): number {
+  return best + ((worst - best) * step) / (STEPS - 1)
+}
+
+export function applyStyle({ context, palette }: Pen, style: Style): void {
+  const colour = palette.get(style.colour)
+  context.strokeStyle = colour
+  context.fillStyle = colour
+  context.lineWidth = style.width
+  context.lineJoin = 'round'
+  context.lineCap = 'round'
+  context.setLineDash(style.dash ?? [])
+}
+
+/** Spans of points: x, y, z, weight a vertex. */
+export function points(pen: Pen, style: Style, vertices: Float32Array, first: number, count: number): void {
+  const { context, view, size } = pen
+  applyStyle(pen, style)
+  const { scale } = view
+  const left = size.width / 2 - view.x * scale - style.point / 2
+  const top = size.height / 2 + view.y * scale - style.point / 2
+  const end = (first + count) * 4
+  if (style.mark && count < 500) {
+    for (let at = first * 4; at < end; at += 4) marked(pen, style, left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * scale)
+    return
+  }
+  for (let step = STEPS - 1; step >= 0; step -= 1) {
+    // A point has less ink than a line.
+    context.globalAlpha = Math.max(FAINTEST_POINT, alphaAt(style, step))
+    for (let at = first * 4; at < end; at += 4) {
+      if (stepOf(vertices[at + 3] ?? 0) !== step) continue
+      context.fillRect(left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * scale, style.point, style.point)
+    }
+  }
+  context.globalAlpha = 1
+}
+
+function marked({ context }: Pen, style: Style, left: number, top: number): void {
+  const half = style.point / 2
+  const [x, y] = [left + half, top + half]
+  context.beginPath()
+  context.setLineDash([])
+  context.lineWidth = 2
+  if (style.mark === 'diamond') {
+    context.moveTo(x, y - half - 1)
+    context.lineTo(x + half + 1, y)
+    context.lineTo(x, y + half + 1)
+    context.lineTo(x - half - 1, y)
+    context.closePath()
+  } else {
+    context.arc(x, y, half, 0, 2 * Math.PI)
+  }
+  context.stroke()
+}
+
+/** Lines of one role, collected by weight and stroked together. */
+export class Lines {
+  private readonly paths = Array.from({ length: STEPS }, () => new Path2D())
+  private readonly used = new Uint8Array(STEPS)
+
+  constructor(private readonly pen: Pen) {}
+
+  polyline(vertices: Float32Array, first: number, count: number): void {
+    const path = this.pathFor(vertices[first * 4 + 3] ?? 0)
+    for (let at = first; at < first + count; at += 1) this.vertex(path, vertices, at, at === first)
+  }
+
+  segments(vertices: Float32Array, first: number, count: number): void {
+    for (let at = first; at < first + count; at += 1) {
+      this.vertex(this.pathFor(vertices[at * 4 + 3] ?? 0), vertices, at, (at - first) % 2 === 0)
+    }
+  }
+
+  private pathFor(weight: number): Path2D {
+    const step = stepOf(weight)
+    this.used[step] = 1
+    return this.paths[step] ?? new Path2D()
+  }
+
+  private vertex(path: Path2D, vertices: Float32Array, at: number, begins: boolean): void {
+    const { view, size } = this.pen
+    const x = size.width / 2 + ((vertices[at * 4] ?? 0) - view.x) * view.scale
+    const y = size.height / 2 - ((vertices[at * 4 + 1] ?? 0) - view.y) * view.scale
+    if (begins) path.moveTo(x, y)
+    else path.lineTo(x, y)
+  }
+
+  stroke(style: Style): void {
+    const { context } = this.pen
+    applyStyle(this.pen, style)
+    for (let step = STEPS - 1; step >= 0; step -= 1) {
+      const path = this.paths[step]
+      if (!path || this.used[step] === 0) continue
+      context.globalAlpha = alphaAt(style, step)
+      context.stroke(path)
+    }
+    context.globalAlpha = 1
+  }
+}

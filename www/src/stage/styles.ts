@@ -1,0 +1,36 @@
+/** How a role looks. The page knows roles, and no planner by name. */
+export interface Style {
+  /** A colour token. */
+  colour: string
+  width: number
+  /** Higher is drawn later. */
+  order: number
+  dash?: number[]
+  /** Side of a point's square, in pixels. */
+  point: number
+  /** Opacity of the best and of the worst by weight. */
+  alpha: [number, number]
+  /** Drawn with a mark of its own, so that colour isn't all that tells it apart. */
+  mark?: 'ring' | 'diamond'
+}
+
+const PLAIN: Style = { colour: '--ink-2', width: 1, order: 20, point: 3, alpha: [0.8, 0.8] }
+
+const STYLES: Readonly<Record<string, Style>> = {
+  'personal-bests': { colour: '--accent', width: 0.75, order: 10, point: 2.5, alpha: [0.35, 0.35] },
+  velocities: { colour: '--inertia', width: 0.75, order: 25, point: 2, alpha: [0.55, 0.55] },
+  particles: { colour: '--particle', width: 1, order: 20, point: 4.5, alpha: [0.8, 0.16] },
+  hen: { colour: '--hen', width: 1.6, order: 30, point: 5, alpha: [0.9, 0.9], mark: 'ring' },
+  chick: { colour: '--chick', width: 1.6, order: 31, dash: [7, 3], point: 5, alpha: [0.95, 0.95], mark: 'diamond' },
+  exact: { colour: '--exact', width: 1.75, order: 35, dash: [2, 5], point: 4, alpha: [1, 1] },
+  best: { colour: '--best', width: 3, order: 40, point: 9, alpha: [1, 1], mark: 'ring' },
+  before: { colour: '--ink', width: 1.5, order: 50, dash: [3, 3], point: 6, alpha: [0.7, 0.7] },
+  after: { colour: '--ink', width: 2, order: 51, point: 7, alpha: [1, 1] },
+  inertia: { colour: '--inertia', width: 2, order: 52, point: 3, alpha: [1, 1] },
+  cognitive: { colour: '--cognitive', width: 2, order: 53, point: 3, alpha: [1, 1] },
+  social: { colour: '--social', width: 2, order: 54, point: 3, alpha: [1, 1] },
+  velocity: { colour: '--ink', width: 1.5, order: 55, dash: [5, 3], point: 3, alpha: [1, 1] },
+  jump: { colour: '--hen', width: 2.25, order: 56, point: 3, alpha: [1, 1] },
+}
+
+export const styleOf = (role: string): Style => STYLES[role] ?? PLAIN

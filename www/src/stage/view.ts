@@ -1,0 +1,78 @@
+import type { FunctionScene, Point, Scene } from 'forage'
+
+/** Which part of the plane is seen: the middle, and how many pixels a unit is. */
+export interface View {
+  x: number
+  y: number
+  scale: number
+}
+
+export interface Size {
+  width: number
+  height: number
+}
+
+export interface Box {
+  min: Point
+  max: Point
+}
+
+const ZOOM = { least: 0.2, most: 400 }
+
+/** Half the side of the box that a function is searched in, as its definition says. */
+const REACH: Readonly<Record<FunctionScene['function'], number>> = {
+  matyas: 10,
+  'egg-crate': 2 * Math.PI,
+  sphere: 100,
+  rosenbrock: 4,
+  ackley: 32,
+  rastrigin: 5.12,
+}
+
+/** Where a scene takes place. */
+export function extent(scene: Scene): Box {
+  if (scene.kind === 'discs') return scene.bounds
+  const reach = REACH[scene.function]
+  return { min: [-reach, -reach], max: [reach, reach] }
+}
+
+/** The view that shows the whole box. */
+export function fit({ min, max }: Box, { width, height }: Size, margin: number): View {
+  const scale = Math.min((width - 2 * margin) / (max[0] - min[0]), (height - 2 * margin) / (max[1] - min[1]))
+  return { x: (min[0] + max[0]) / 2, y: (min[1] + max[1]) / 2, scale: Math.max(scale, 1e-6) }
+}
+
+export const toScreen = ({ x, y, scale }: View, { width, height }: Size, at: Point): Point => [
+  width / 2 + (at[0] - x) * scale,
+  height / 2 - (at[1] - y) * scale,
+]
+
+export const toScene = ({ x, y, scale }: View, { width, height }: Size, at: Point): Point => [
+  x + (at[0] - width / 2) / scale,
+  y - (at[1] - height / 2) / scale,
+]
+
+export const pan = (view: View, dx: number, dy: number): View => ({
+  ...view,
+  x: view.x - dx / view.scale,
+  y: view.y + dy / view.scale,
+})
+
+/** Zooms so that what is under `at` stays there. `whole` is the scale at which all is seen. */
+export function zoom(view: View, size: Size, by: number, at: Point, whole: number): View {
+  const scale = Math.min(Math.max(view.scale * by, whole * ZOOM.least), whole * ZOOM.most)
+  const [x, y] = toScene(view, size, at)
+  return {
+    scale,
+    x: x - (at[0] - size.width / 2) / scale,
+    y: y + (at[1] - size.height / 2) / scale,
+  }
+}
+
+/** A round step for ticks that lie about `pixels` apart. */
+export function tick(scale: number, pixels: number): number {
+  const raw = pixels / scale
+  const power = 10 ** Math.floor(Math.log10(raw))
+  const lead = raw / power
+  return power * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10)
+}

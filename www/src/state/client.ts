@@ -1,0 +1,57 @@
+import * as Comlink from 'comlink'
+import type { Catalogue } from 'forage'
+import type { Api } from '../worker/sim.worker'
+import type { FrameMessage, FromWorker, ReturnedBuffer } from '../worker/protocol'
+
+interface Listeners {
+  onframe(frame: FrameMessage): void
+  oncrash(message: string): void
+}
+
+/** The thread that computes. After a crash it is thrown away and a new one started. */
+export class Client {
+  private worker: Worker | undefined
+  private frames: MessagePort | undefined
+  private remote: Comlink.Remote<Api> | undefined
+
+  constructor(private readonly listeners: Listeners) {}
+
+  get api(): Comlink.Remote<Api> {
+    if (!this.remote) throw new Error('the worker is not started')
+    return this.remote
+  }
+
+  async open(): Promise<Catalogue> {
+    this.close()
+    const worker = new Worker(new URL('../worker/sim.worker.ts', import.meta.url), { type: 'module' })
+    const { port1, port2 } = new MessageChannel()
+    this.worker = worker
+    this.frames = port1
+    this.remote = Comlink.wrap<Api>(worker)
+    port1.onmessage = ({ data }: MessageEvent<FromWorker>) => {
+      if (worker !== this.worker) return
+      if (data.type === 'frame') this.listeners.onframe(data)
+      else this.listeners.oncrash(data.message)
+    }
+    const failed = new Promise<never>((_, reject) => {
+      worker.onerror = (event) => {
+        event.preventDefault()
+        const message = event.message || 'worker'
+        this.listeners.oncrash(message)
+        reject(new Error(message))
+      }
+    })
+    return Promise.race([this.remote.open(Comlink.transfer(port2, [port2])), failed])
+  }
+
+  giveBack(buffer: ArrayBuffer): void {
+    const message: ReturnedBuffer = { buffer }
+    this.frames?.postMessage(message, [buffer])
+  }
+
+  close(): void {
+    this.worker?.terminate()
+    this.frames?.close()
+    this.worker = undefined
+  }
+}

@@ -1,0 +1,394 @@
+import type { Catalogue, DiscsScene, Inspection, Item, LinkSetup, Outcome, ParameterValue, Planner, Scene, Status } from 'forage'
+import { en } from '../i18n/en'
+import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
+import { address } from './address'
+import { Client } from './client'
+import { Curve } from './curve'
+import { add, edited, move, place, remove, type Selection } from './edits'
+import * as history from './history'
+import { stillness } from './theme.svelte'
+
+const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
+
+export type Phase = 'loading' | 'ready' | 'crashed'
+
+/** Everything the page knows. Components read it and call its methods; nothing else holds state of the run. */
+class Lab {
+  phase = $state<Phase>('loading')
+  crash = $state('')
+  catalogue = $state.raw<Catalogue | null>(null)
+
+  plannerName = $state(FIRST.planner)
+  private scenes = $state.raw<history.History<Scene> | null>(null)
+  /** A scene while it is being dragged: not yet a step of the history. */
+  private draft = $state.raw<Scene | null>(null)
+  params = $state.raw<Record<string, ParameterValue>>({})
+  seed = $state(FIRST.seed)
+
+  run = $state.raw<Run | null>(null)
+  frame = $state.raw<FrameMessage | null>(null)
+  iteration = $state(0)
+  computed = $state(0)
+  status = $state<Status>('running')
+  playing = $state(false)
+  /** Where a seek is on its way to. */
+  target = $state<number | null>(null)
+  readings = $state.raw<Record<string, number>>({})
+  outcome = $state.raw<Outcome | null>(null)
+  hash = $state('')
+  private readonly traced = new Curve()
+  /** A new object with each change; its arrays grow in place. */
+  curve = $state.raw<Pick<Curve, 'columns' | 'iterations' | 'rows'>>({ columns: [], iterations: [], rows: [] })
+  curveVersion = $state(0)
+
+  selection = $state.raw<Selection | null>(null)
+  inspection = $state.raw<Inspection | null>(null)
+  private item: Item | null = null
+  hidden = $state.raw<Record<string, boolean>>({})
+  speed = $state(30)
+
+  sceneError = $state.raw<Refusal | null>(null)
+  paramErrors = $state.raw<Record<string, string>>({})
+  notice = $state('')
+  /** True from a change until its first picture: the old one must not pass for the new. */
+  stale = $state(false)
+
+  readonly scene = $derived(this.draft ?? this.scenes?.present ?? null)
+  readonly discs = $derived<DiscsScene | null>(this.scene?.kind === 'discs' ? this.scene : null)
+  readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
+  readonly limit = $derived(this.run?.limit ?? 0)
+  readonly canUndo = $derived((this.scenes?.past.length ?? 0) > 0)
+  readonly canRedo = $derived((this.scenes?.future.length ?? 0) > 0)
+  readonly finished = $derived(this.status !== 'running')
+
+  private readonly client = new Client({
+    onframe: (frame) => this.receive(frame),
+    oncrash: (message) => this.breakDown(message),
+  })
+  private promised: string | undefined
+  private starting = false
+  private pending: Opening | null = null
+
+  async open(): Promise<void> {
+    try {
+      this.catalogue = await this.client.open()
+    } catch (error) {
+      this.breakDown(error instanceof Error ? error.message : String(error))
+      return
+    }
+    this.phase = 'ready'
+    this.crash = ''
+    await this.client.api.speed(this.speed)
+    if (this.scenes) {
+      await this.restart({ at: this.iteration, play: false })
+      return
+    }
+    this.scenes = history.begin(this.shipped(FIRST.scene))
+    const opened = location.hash.length > 1 && (await this.openLink(location.hash))
+    if (!opened) await this.restart({ at: 0, play: !stillness.matches })
+  }
+
+  /** Starts a new thread after a crash, with what the user had made. */
+  recover = (): Promise<void> => this.open()
+
+  private shipped(name: string): Scene {
+    const scenes = this.catalogue?.scenes ?? []
+    const scene = scenes.find((candidate) => candidate.name === name) ?? scenes[0]
+    if (!scene) throw new Error('no scene ships')
+    return scene
+  }
+
+  openLink = async (link: string): Promise<boolean> => {
+    const answer = await this.client.api.parseLink(link)
+    if (!answer.ok) {
+      this.notice = en.notices.link(answer.refusal.message)
+      return false
+    }
+    const { planner, scene, params, seed, iteration, hash }: LinkSetup = answer.value
+    this.plannerName = planner
+    this.scenes = this.scenes ? history.commit(this.scenes, scene) : history.begin(scene)
+    this.params = params
+    this.paramErrors = {}
+    this.seed = seed
+    this.promised = hash
+    this.selection = null
+    await this.restart({ at: iteration, play: false })
+    return true
+  }
+
+  /** Starts the run anew. One request is on its way at a time; of those that come meanwhile the newest counts. */
+  private async restart(opening: Opening): Promise<void> {
+    this.pending = opening
+    this.stale = true
+    if (this.starting) return
+    this.starting = true
+    try {
+      while (this.pending) {
+        const next: Opening = this.pending
+        this.pending = null
+        await this.begin(next)
+      }
+    } finally {
+      this.starting = false
+    }
+  }
+
+  private async begin(opening: Opening): Promise<void> {
+    const { scene } = this
+    if (!scene || this.phase !== 'ready') return
+    const answer = await this.client.api.start(
+      { planner: this.plannerName, scene, params: this.params, seed: this.seed },
+      opening,
+    )
+    if (!answer.ok) {
+      this.refuse(answer.refusal)
+      return
+    }
+    this.run = answer.value
+    this.sceneError = null
+    this.hash = ''
+    this.playing = opening.play
+    this.target = opening.at > 0 ? opening.at : null
+    this.inspection = null
+    this.item = null
+  }
+
+  private refuse(refusal: Refusal): void {
+    if (this.planner?.parameters.some(({ name }) => name === refusal.field)) {
+      this.paramErrors = { ...this.paramErrors, [refusal.field]: refusal.message }
+      // What runs is still the run of before.
+      this.stale = false
+    } else {
+      this.sceneError = refusal
+    }
+  }
+
+  private breakDown(message: string): void {
+    this.phase = 'crashed'
+    this.crash = message
+    this.playing = false
+    this.target = null
+    this.client.close()
+  }
+
+  private receive(frame: FrameMessage): void {
+    const previous = this.frame
+    if (previous) this.client.giveBack(previous.buffer)
+    if (frame.generation !== previous?.generation) this.traced.clear()
+    this.frame = frame
+    if (this.traced.add(frame.trace) || frame.generation !== previous?.generation) {
+      const { columns, iterations, rows } = this.traced
+      this.curve = { columns, iterations, rows }
+      this.curveVersion += 1
+    }
+    this.iteration = frame.iteration
+    this.computed = frame.computed
+    this.status = frame.status
+    this.readings = frame.readings
+    this.inspection = frame.inspection
+    if (this.run?.generation === frame.generation && !this.pending && !this.sceneError) this.stale = false
+    if (frame.report) this.hear(frame, frame.report)
+    else this.hash = ''
+  }
+
+  private hear(frame: FrameMessage, report: NonNullable<FrameMessage['report']>): void {
+    this.outcome = report.outcome
+    this.hash = report.settledHash ?? ''
+    if (report.settledHash === null) {
+      address.soon(report.link)
+      return
+    }
+    this.playing = frame.playing
+    this.target = null
+    address.now(report.link)
+    if (this.promised !== undefined && this.promised !== report.settledHash) this.notice = en.notices.hash
+    this.promised = undefined
+  }
+
+  // Transport
+
+  toggle = (): void => (this.playing ? this.pause() : this.play())
+
+  play = (): void => {
+    this.playing = true
+    this.target = null
+    void this.client.api.play()
+  }
+
+  pause = (): void => {
+    this.playing = false
+    void this.client.api.pause()
+  }
+
+  seek = (to: number): void => {
+    const iteration = Math.min(Math.max(Math.round(to), 0), this.limit)
+    this.playing = false
+    this.target = iteration
+    void this.client.api.seek(iteration)
+  }
+
+  stepBy = (n: number): void => this.seek((this.target ?? this.iteration) + n)
+
+  setSpeed = (speed: number): void => {
+    this.speed = speed
+    void this.client.api.speed(speed)
+  }
+
+  // What is planned with what
+
+  private again(): void {
+    void this.restart({ at: 0, play: this.playing || !this.run || (this.finished && !stillness.matches) })
+  }
+
+  setPlanner = (name: string): void => {
+    const planner = this.catalogue?.planners.find((candidate) => candidate.name === name)
+    if (!planner || name === this.plannerName) return
+    const known = new Set(planner.parameters.map((parameter) => parameter.name))
+    this.params = Object.fromEntries(Object.entries(this.params).filter(([key]) => known.has(key)))
+    this.paramErrors = {}
+    this.plannerName = name
+    this.again()
+  }
+
+  openScene = (scene: Scene): void => {
+    if (!this.planner?.kinds.includes(scene.kind)) {
+      this.notice = en.notices.kind(this.planner?.title ?? '', scene.title)
+      return
+    }
+    this.scenes = this.scenes ? history.commit(this.scenes, scene) : history.begin(scene)
+    this.draft = null
+    this.selection = null
+    this.again()
+  }
+
+  importScene = async (text: string): Promise<void> => {
+    let parsed: Scene
+    try {
+      parsed = JSON.parse(text) as Scene
+    } catch {
+      this.notice = en.notices.json
+      return
+    }
+    const answer = await this.client.api.checkScene(parsed)
+    if (answer.ok) this.openScene(answer.value)
+    else this.notice = en.notices.scene(answer.refusal.message)
+  }
+
+  setSeed = (seed: number): void => {
+    this.seed = seed
+    this.again()
+  }
+
+  newSeed = async (): Promise<void> => this.setSeed(await this.client.api.newSeed())
+
+  setParameter = async (name: string, value: ParameterValue | string): Promise<void> => {
+    const { scene, plannerName } = this
+    if (!scene) return
+    const answer = await this.client.api.checkParameter(plannerName, scene.kind, name, value)
+    if (!answer.ok) {
+      this.paramErrors = { ...this.paramErrors, [name]: answer.refusal.message }
+      return
+    }
+    this.forgive(name)
+    this.params = { ...this.params, [name]: value }
+    this.again()
+  }
+
+  resetParameter = (name?: string): void => {
+    const { [name ?? '']: _dropped, ...rest } = this.params
+    this.params = name === undefined ? {} : rest
+    if (name === undefined) this.paramErrors = {}
+    else this.forgive(name)
+    this.again()
+  }
+
+  private forgive(name: string): void {
+    const { [name]: _gone, ...rest } = this.paramErrors
+    this.paramErrors = rest
+  }
+
+  // Edits of the scene
+
+  /** An edit on its way, shown and run at once; `edit` with the last of them makes it one step of the history. */
+  drag = (scene: Scene): void => {
+    this.draft = edited(scene)
+    this.again()
+  }
+
+  /** Lets go of an edit that wasn't meant. */
+  abandon = (): void => {
+    if (!this.draft) return
+    this.draft = null
+    this.again()
+  }
+
+  edit = (scene: Scene): void => {
+    if (!this.scenes) return
+    this.draft = null
+    this.scenes = history.commit(this.scenes, edited(scene))
+    this.again()
+  }
+
+  undo = (): void => this.travel(history.undo)
+  redo = (): void => this.travel(history.redo)
+
+  private travel(by: (from: history.History<Scene>) => history.History<Scene>): void {
+    if (!this.scenes) return
+    this.draft = null
+    this.scenes = by(this.scenes)
+    this.selection = null
+    this.again()
+  }
+
+  select = (selection: Selection | null): void => {
+    this.selection = selection
+  }
+
+  addDisc = (x: number, y: number, radius: number): void => {
+    const { discs } = this
+    if (!discs) return
+    this.edit(add(discs, { center: [x, y], radius }))
+    this.selection = { kind: 'disc', index: discs.discs.length }
+  }
+
+  removeSelected = (): void => {
+    if (this.discs && this.selection?.kind === 'disc') {
+      const { index } = this.selection
+      this.selection = null
+      this.edit(remove(this.discs, index))
+    }
+  }
+
+  nudge = (dx: number, dy: number): void => {
+    const { discs, selection } = this
+    if (!discs || !selection) return
+    const [x, y] = place(discs, selection)
+    this.edit(move(discs, selection, [x + dx, y + dy]))
+  }
+
+  // Looking closer
+
+  pick = async (x: number, y: number, reach: number): Promise<void> => this.inspect(await this.client.api.pick(x, y, reach))
+
+  inspect = (item: Item | null): void => {
+    this.item = item
+    if (!item) this.inspection = null
+    void this.client.api.watch(item)
+  }
+
+  get inspecting(): boolean {
+    return this.item !== null
+  }
+
+  shows = (role: string, standard: boolean): boolean => !(this.hidden[role] ?? !standard)
+
+  showLayer = (role: string, on: boolean): void => {
+    this.hidden = { ...this.hidden, [role]: !on }
+  }
+
+  get api(): Client['api'] {
+    return this.client.api
+  }
+}
+
+export const lab = new Lab()

@@ -1,0 +1,16 @@
+/** What a browser remembers of the page, where it lets us. */
+export function remember(key: string, value: string): void {
+  try {
+    localStorage.setItem(`forage.${key}`, value)
+  } catch {
+    // Without storage the choice lasts as long as the page.
+  }
+}
+
+export function recall(key: string): string | null {
+  try {
+    return localStorage.getItem(`forage.${key}`)
+  } catch {
+    return null
+  }
+}

@@ -1,0 +1,84 @@
+import type { Inspection, Item, Outcome, ParameterValue, Point, Scene, Status } from 'forage'
+
+/** A refusal of the core as plain data: errors lose their fields on the way between threads. */
+export interface Refusal {
+  message: string
+  /** E.g. `population`, `discs[2].radius`; empty where no field is to blame. */
+  field: string
+}
+
+export type Answer<T> = { ok: true; value: T } | { ok: false; refusal: Refusal }
+
+/** What a new run turned out to be. */
+export interface Run {
+  generation: number
+  planner: string
+  scene: Scene
+  seed: number
+  limit: number
+  parameters: Record<string, ParameterValue>
+  exact: { length: number; path: Point[] } | null
+}
+
+/** Where a new run starts. */
+export interface Opening {
+  at: number
+  play: boolean
+}
+
+/** What is told of a run's state beside the picture: often while it plays, completely when it has settled. */
+export interface Report {
+  outcome: Outcome
+  link: string
+  /** Only when the run stands still. */
+  settledHash: string | null
+}
+
+export interface TraceRows {
+  columns: string[]
+  iterations: Float64Array
+  rows: Float64Array
+}
+
+export interface FrameMessage {
+  type: 'frame'
+  generation: number
+  iteration: number
+  computed: number
+  status: Status
+  playing: boolean
+  readings: Record<string, number>
+  thinning: number
+  /** `vertices` floats, then the span table; goes back to the worker's pool. */
+  buffer: ArrayBuffer
+  vertices: number
+  spans: number
+  trace: TraceRows
+  inspection: Inspection | null
+  report: Report | null
+}
+
+/** The core broke down: nothing more comes from this worker. */
+export interface CrashMessage {
+  type: 'crash'
+  message: string
+}
+
+export type FromWorker = FrameMessage | CrashMessage
+export interface ReturnedBuffer {
+  buffer: ArrayBuffer
+}
+
+/** Iterations a second; Infinity: as fast as it goes. */
+export type Speed = number
+
+export interface FieldRequest {
+  scene: Scene
+  min: Point
+  max: Point
+  width: number
+  height: number
+  dark: boolean
+}
+
+export type { Inspection, Item }

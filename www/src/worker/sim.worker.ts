@@ -1,0 +1,80 @@
+import * as Comlink from 'comlink'
+import init, { catalogue, checkParameter, checkScene, newSeed, parseLink, Session } from 'forage'
+import type { Catalogue, Item, Kind, LinkSetup, Outcome, ParameterValue, Scene, Setup } from 'forage'
+import { breathe } from './pace'
+import { Simulation } from './simulation'
+import type { Answer, FieldRequest, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
+
+let simulation: Simulation | undefined
+let port: MessagePort | undefined
+
+/** A trap leaves the module's memory in an unknown state: say so, and let the page start a new worker. */
+function crash(error: unknown): void {
+  port?.postMessage({ type: 'crash', message: error instanceof Error ? error.message : String(error) })
+}
+
+function answer<T>(ask: () => T): Answer<T> {
+  try {
+    return { ok: true, value: ask() }
+  } catch (error) {
+    if (error instanceof WebAssembly.RuntimeError) crash(error)
+    return { ok: false, refusal: refusal(error) }
+  }
+}
+
+function refusal(error: unknown): Refusal {
+  if (!(error instanceof Error)) return { message: String(error), field: '' }
+  const field = 'field' in error && typeof error.field === 'string' ? error.field : ''
+  return { message: error.message, field }
+}
+
+function running(): Simulation {
+  if (!simulation) throw new Error('the core is not loaded yet')
+  return simulation
+}
+
+const api = {
+  async open(frames: MessagePort): Promise<Catalogue> {
+    port = frames
+    await init()
+    simulation = new Simulation(frames, crash)
+    frames.onmessage = ({ data }: MessageEvent<ReturnedBuffer>) => simulation?.giveBack(data.buffer)
+    return catalogue()
+  },
+  start: (setup: Setup, opening: Opening): Answer<Run> => answer(() => running().start(setup, opening)),
+  play: (): void => running().play(),
+  pause: (): void => running().pause(),
+  speed: (speed: Speed): void => running().setSpeed(speed),
+  seek: (iteration: number): void => running().seek(iteration),
+  watch: (item: Item | null): void => running().watch(item),
+  pick: (x: number, y: number, reach: number): Item | null => {
+    const picked = answer(() => running().session?.pick(x, y, reach) ?? null)
+    return picked.ok ? picked.value : null
+  },
+  checkScene: (scene: Scene): Answer<Scene> => answer(() => checkScene(scene)),
+  checkParameter: (planner: string, kind: Kind, name: string, value: ParameterValue): Answer<void> =>
+    answer(() => checkParameter(planner, kind, name, value)),
+  parseLink: (link: string): Answer<LinkSetup> => answer(() => parseLink(link)),
+  newSeed: (): number => newSeed(),
+  outcome: (): Answer<Outcome> => answer(() => current().outcome()),
+  svg: (dark: boolean, layers: string[]): Answer<string> => answer(() => current().svg(dark, layers)),
+  csv: (): Answer<string> => answer(() => current().csv()),
+  async field({ min, max, width, height, dark }: FieldRequest): Promise<ImageBitmap | null> {
+    await breathe()
+    const canvas = new OffscreenCanvas(width, height)
+    const context = canvas.getContext('2d')
+    const painted = answer(() => context !== null && current().paintField(context, min, max, dark))
+    if (!painted.ok || !painted.value) return null
+    const picture = canvas.transferToImageBitmap()
+    return Comlink.transfer(picture, [picture])
+  },
+}
+
+function current(): Session {
+  const { session } = running()
+  if (!session) throw new Error('there is no run yet')
+  return session
+}
+
+export type Api = typeof api
+Comlink.expose(api)

@@ -1,0 +1,220 @@
+import { Session } from 'forage'
+import type { Item, Setup } from 'forage'
+import { breathe, SLICE, wait } from './pace'
+import { Pool } from './pool'
+import type { FrameMessage, Opening, Report, Run, Speed } from './protocol'
+
+/** Vertices a layer may have: what a canvas draws in a few tens of milliseconds. */
+const BUDGET = 100_000
+const FRAME_INTERVAL = 1000 / 60
+/** The whole state's summary costs more than a picture: while playing it is told a few times a second. */
+const REPORT_INTERVAL = 250
+/** At most this share of the time goes into reports. */
+const REPORT_SHARE = 20
+
+/** Owns the session and the loop that steps it; sends a picture whenever the page has returned a buffer. */
+export class Simulation {
+  session: Session | undefined
+  private readonly pool = new Pool(3)
+  private generation = 0
+  private computed = 0
+  private traced = -1
+  private playing = false
+  private pace: Speed = 30
+  private watched: Item | null = null
+  /** Grows with each command that makes a running loop pointless. */
+  private token = 0
+  private stale = false
+  private lastFrame = 0
+  private lastReport = 0
+  private reportCost = 0
+  private settled = false
+
+  constructor(
+    private readonly port: MessagePort,
+    private readonly crash: (error: unknown) => void,
+  ) {}
+
+  start(setup: Setup, { at, play }: Opening): Run {
+    const session = new Session(setup)
+    this.token += 1
+    this.session?.free()
+    this.session = session
+    this.generation += 1
+    this.computed = 0
+    this.traced = -1
+    this.watched = null
+    this.playing = play
+    const { planner, scene, seed, limit, parameters } = session
+    const exact = session.exact()
+    this.stale = true
+    this.loop(async (token) => {
+      await this.reach(at, token)
+      if (this.playing) await this.run(token)
+    })
+    return { generation: this.generation, planner, scene, seed, limit, parameters, exact }
+  }
+
+  play(): void {
+    if (this.playing || !this.session) return
+    this.playing = true
+    this.loop(async (token) => {
+      if (this.session && this.session.status !== 'running') await this.reach(0, token)
+      await this.run(token)
+    })
+  }
+
+  pause(): void {
+    this.playing = false
+    this.loop((token) => this.settle(token))
+  }
+
+  setSpeed(speed: Speed): void {
+    this.pace = speed
+    if (this.playing) this.loop((token) => this.run(token))
+  }
+
+  /** Goes to an iteration and stands still there; a newer command overtakes it. */
+  seek(iteration: number): void {
+    this.playing = false
+    this.loop((token) => this.reach(iteration, token))
+  }
+
+  watch(item: Item | null): void {
+    this.watched = item
+    this.stale = true
+    this.picture()
+  }
+
+  giveBack(buffer: ArrayBuffer): void {
+    this.pool.giveBack(buffer)
+    if (this.stale) this.guard(() => this.picture())
+  }
+
+  private loop(body: (token: number) => Promise<void>): void {
+    this.token += 1
+    this.settled = false
+    body(this.token).catch((error: unknown) => this.crash(error))
+  }
+
+  private guard(body: () => void): void {
+    try {
+      body()
+    } catch (error) {
+      this.crash(error)
+    }
+  }
+
+  private step(n: number): void {
+    this.session?.step(n)
+    this.computed = Math.max(this.computed, this.session?.iteration ?? 0)
+    this.stale = true
+  }
+
+  private async reach(iteration: number, token: number): Promise<void> {
+    const { session } = this
+    if (!session) return
+    session.rewind(iteration)
+    this.stale = true
+    while (session.iteration < iteration && session.status === 'running') {
+      const fresh = session.iteration >= this.computed
+      this.slice(iteration)
+      if (fresh) this.showWhenDue()
+      await breathe()
+      if (token !== this.token) return
+    }
+    await this.settle(token)
+  }
+
+  /** Steps up to an iteration for as long as a slice lasts. */
+  private slice(to: number): void {
+    const { session } = this
+    const until = performance.now() + SLICE
+    while (session && session.status === 'running' && session.iteration < to && performance.now() < until) this.step(1)
+  }
+
+  private async run(token: number): Promise<void> {
+    const { session } = this
+    if (!session) return
+    let due = performance.now()
+    while (token === this.token && this.playing && session.status === 'running') {
+      if (this.pace === Infinity) {
+        this.slice(Infinity)
+      } else {
+        const now = performance.now()
+        // After a pause of the machine it goes on from here instead of catching up.
+        if (now - due > 200) due = now
+        while (due <= now && session.status === 'running') {
+          this.step(1)
+          due += 1000 / this.pace
+        }
+      }
+      this.showWhenDue()
+      if (this.pace === Infinity) await breathe()
+      else await wait(Math.max(0, due - performance.now()))
+    }
+    if (token === this.token) {
+      this.playing = false
+      await this.settle(token)
+    }
+  }
+
+  /** Shows the state in which it stands still, whatever the pace. */
+  private async settle(token: number): Promise<void> {
+    await breathe()
+    if (token !== this.token) return
+    this.settled = !this.playing
+    this.stale = true
+    this.picture()
+  }
+
+  private showWhenDue(): void {
+    const now = performance.now()
+    if (now - this.lastFrame >= FRAME_INTERVAL - 1) this.picture()
+  }
+
+  private picture(): void {
+    const { session } = this
+    if (!session || !this.pool.ready) return
+    this.stale = false
+    this.lastFrame = performance.now()
+    const report = this.report()
+    const readings = session.readings()
+    const trace = session.trace(this.traced)
+    this.traced = trace.iterations.at(-1) ?? this.traced
+    const inspection = this.watched ? session.inspect(this.watched) : null
+    const { iteration, status } = session
+    // The views last until the next call: nothing of the core may come between here and the copy.
+    const { vertices, spans, thinning } = session.frame(BUDGET)
+    const buffer = this.pool.take(vertices.byteLength + spans.byteLength)
+    new Float32Array(buffer, 0, vertices.length).set(vertices)
+    new Uint32Array(buffer, vertices.byteLength, spans.length).set(spans)
+    const message: FrameMessage = {
+      type: 'frame',
+      generation: this.generation,
+      iteration,
+      computed: this.computed,
+      status,
+      playing: this.playing,
+      readings,
+      thinning,
+      buffer,
+      vertices: vertices.length,
+      spans: spans.length,
+      trace,
+      inspection,
+      report,
+    }
+    this.port.postMessage(message, [buffer])
+  }
+
+  private report(): Report | null {
+    const { session, settled } = this
+    const now = performance.now()
+    if (!session || (!settled && now - this.lastReport < Math.max(REPORT_INTERVAL, this.reportCost * REPORT_SHARE))) return null
+    const report: Report = { outcome: session.outcome(), link: session.link(), settledHash: settled ? session.hash() : null }
+    this.lastReport = performance.now()
+    this.reportCost = this.lastReport - now
+    return report
+  }
+}

@@ -1,0 +1,95 @@
+import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import type { AxeResults } from 'axe-core'
+import { linkTo } from './support/core'
+import { en, expect, type Lab, test } from './support/lab'
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
+
+async function violations(lab: Lab): Promise<string[]> {
+  await lab.page.evaluate(axe)
+  const { violations: found } = await lab.page.evaluate(() => (window as unknown as { axe: { run(): Promise<AxeResults> } }).axe.run())
+  return found.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} at ${target.join(' ')}: ${failureSummary}`))
+}
+
+const screens = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } }
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const [screen, viewport] of Object.entries(screens)) {
+    test.describe(`${screen}, ${colorScheme}`, () => {
+      test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
+
+      test('axe finds nothing wrong with any part of the page', async ({ lab, page }) => {
+        await lab.open(linkTo({}, 40))
+        await lab.settled(40)
+        const sections = await page.locator('[data-testid^="section-"]').all()
+        for (const section of sections) {
+          const id = (await section.getAttribute('data-testid'))?.replace('section-', '') ?? ''
+          await lab.section(id)
+        }
+        await page.getByText('The curve as a table').click()
+        for (const about of await page.locator('[data-parameter] button[aria-expanded]').all()) await about.click()
+        const field = page.getByLabel('Inertia weight at the start', { exact: true })
+        await field.fill('7')
+        await field.press('Enter')
+        await expect(page.locator('[data-parameter="w_max"]').getByRole('alert')).toBeVisible()
+        expect(await violations(lab)).toEqual([])
+
+        await page.getByTestId('scene').selectOption('ackley')
+        await expect.poll(() => lab.iteration()).toBeLessThan(40)
+        expect(await violations(lab)).toEqual([])
+
+        await lab.press(en.bar.exports)
+        await expect(page.getByTestId('export-dialog')).toBeVisible()
+        expect(await violations(lab)).toEqual([])
+      })
+    })
+  }
+}
+
+test('the state is told to those who don’t see it', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 500))
+  await lab.settled(500)
+  await expect(page.locator('[aria-live="polite"], [role="status"]').filter({ hasText: /500/ }).first()).toContainText(/12\.\d+/)
+})
+
+test.describe('on a phone', () => {
+  test.use({ viewport: screens.phone, hasTouch: true, isMobile: true })
+
+  test('the stage comes first, then the time, and nothing is wider than the screen', async ({ lab, page }) => {
+    await lab.open(linkTo({}, 40))
+    await lab.settled(40)
+    const stage = await lab.stage.boundingBox()
+    const play = await lab.button(en.transport.play).boundingBox()
+    const panels = await page.getByTestId('section-setup').boundingBox()
+    if (!stage || !play || !panels) throw new Error('something is missing')
+    expect(stage.y).toBeLessThan(200)
+    expect(stage.height).toBeGreaterThan(250)
+    expect(play.y).toBeGreaterThan(stage.y + stage.height - 1)
+    expect(panels.y).toBeGreaterThan(play.y)
+    for (const id of ['parameters', 'scene', 'result', 'readings', 'chart']) await lab.section(id)
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390)
+  })
+
+  test('whatever is touched is at least 44 pixels high', async ({ lab, page }) => {
+    await lab.open(linkTo({}, 40))
+    await lab.settled(40)
+    for (const id of ['parameters', 'scene', 'result', 'readings', 'chart']) await lab.section(id)
+    const small = await page.evaluate(() =>
+      [...document.querySelectorAll<HTMLElement>('button, select, summary, input:not([type=checkbox], [type=radio], [hidden])')]
+        .map((element) => ({ what: element.getAttribute('aria-label') ?? element.id + element.textContent, box: element.getBoundingClientRect() }))
+        .filter(({ box }) => box.width > 0 && box.height < 43.5)
+        .map(({ what, box }) => `${what}: ${box.height}`),
+    )
+    expect(small).toEqual([])
+  })
+
+  test('a touch plays and pauses, and a finger drags a disc', async ({ lab }) => {
+    await lab.open(linkTo({}, 40))
+    await lab.settled(40)
+    await lab.button(en.transport.play).tap()
+    await expect.poll(() => lab.iteration()).toBeGreaterThan(42)
+    await lab.button(en.transport.pause).tap()
+    await lab.settled()
+  })
+})

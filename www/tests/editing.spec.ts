@@ -1,0 +1,105 @@
+import type { DiscsScene, Point, Scene } from '../../pkg/node.js'
+import { hashOf, linkTo, sceneOf, verified } from './support/core'
+import { en, expect, type Lab, test } from './support/lab'
+
+function discs(scene: Scene): DiscsScene {
+  if (scene.kind !== 'discs') throw new Error(scene.kind)
+  return scene
+}
+
+const shipped = discs(sceneOf({}))
+const center = (index: number, of = shipped): Point => of.discs[index]?.center ?? [NaN, NaN]
+
+/** The scene that the address tells, once the run stands at `iteration`. */
+async function sceneAt(lab: Lab, iteration: number): Promise<DiscsScene> {
+  const hash = await lab.seek(iteration)
+  return discs(verified(await lab.link(hash)).scene)
+}
+
+test('dragging a disc restarts the run on the edited scene; undo and redo restore it', async ({ lab }) => {
+  await lab.open(linkTo({}, 60))
+  const before = await lab.settled(60)
+  await lab.dragFrom(await lab.whereIs(shipped, center(0)), 90, -40)
+  await expect.poll(() => lab.iteration()).toBeLessThan(60)
+
+  const edited = await sceneAt(lab, 20)
+  expect(center(0, edited)[0]).toBeGreaterThan(center(0)[0] + 0.3)
+  expect(center(0, edited)[1]).toBeGreaterThan(center(0)[1] + 0.1)
+  expect(edited.discs.slice(1)).toEqual(shipped.discs.slice(1))
+  expect(hashOf({ scene: edited }, 20)).toBe(await lab.settled(20))
+
+  await lab.press(en.bar.undo)
+  await expect.poll(() => lab.iteration()).toBeLessThan(20)
+  expect(await lab.seek(60)).toBe(before)
+  await lab.press(en.bar.redo)
+  await expect.poll(() => lab.iteration()).toBeLessThan(60)
+  expect(await sceneAt(lab, 20)).toEqual(edited)
+})
+
+test('while a disc is dragged, no picture of the old scene stays', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 100))
+  const old = await lab.settled(100)
+  const from = await lab.whereIs(shipped, center(2))
+  await page.mouse.move(from.x, from.y)
+  await page.mouse.down()
+  await page.mouse.move(from.x + 40, from.y + 40, { steps: 4 })
+  await expect.poll(() => lab.iteration()).toBeLessThan(100)
+  expect(await lab.root.getAttribute('data-hash')).not.toBe(old)
+  await page.mouse.up()
+})
+
+test('a disc is added, resized by its rim and deleted', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 5))
+  await lab.settled(5)
+  const place: Point = [7.5, 2]
+  await page.getByTestId('add-disc').click()
+  const at = await lab.whereIs(shipped, place)
+  await page.mouse.click(at.x, at.y)
+  const added = await sceneAt(lab, 3)
+  expect(added.discs).toHaveLength(shipped.discs.length + 1)
+  const disc = added.discs.at(-1)
+  expect(disc?.center[0]).toBeCloseTo(place[0], 1)
+  expect(disc?.center[1]).toBeCloseTo(place[1], 1)
+
+  const rim = await lab.whereIs(shipped, [(disc?.center[0] ?? 0) + (disc?.radius ?? 0), disc?.center[1] ?? 0])
+  await lab.dragFrom(rim, 40, 0)
+  const grown = (await sceneAt(lab, 4)).discs.at(-1)
+  expect(grown?.radius).toBeGreaterThan((disc?.radius ?? 0) + 0.1)
+  expect(grown?.center).toEqual(disc?.center)
+
+  await lab.stage.focus()
+  await page.keyboard.press('Delete')
+  expect((await sceneAt(lab, 2)).discs).toEqual(shipped.discs)
+})
+
+test('a start inside a disc is refused with the core’s message, and nothing is lost', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 30))
+  await lab.settled(30)
+  const from = await lab.whereIs(shipped, shipped.start)
+  const to = await lab.whereIs(shipped, center(6))
+  await lab.dragFrom(from, to.x - from.x, to.y - from.y)
+  const message = page.getByRole('alert').filter({ hasText: 'start' })
+  await expect(message.first()).toBeVisible()
+
+  await page.keyboard.press('ControlOrMeta+z')
+  await expect(message).toHaveCount(0)
+  expect((await sceneAt(lab, 12)).start).toEqual(shipped.start)
+})
+
+test('a scene file opens; one that is refused says why and changes nothing', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 8))
+  const hash = await lab.settled(8)
+  await lab.section('scene')
+  const file = page.getByTestId('scene-file')
+  const bad = { ...shipped, discs: [{ center: [4, 4], radius: -1 }] }
+  await file.setInputFiles({ name: 'bad.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(bad)) })
+  await expect(page.getByTestId('notice')).toContainText('radius')
+  expect(await lab.settled(8)).toBe(hash)
+
+  const good: DiscsScene = { ...shipped, name: 'mine', title: 'Mine', discs: [{ center: [4, 4], radius: 1.5 }] }
+  delete good.exact
+  delete good.published
+  await file.setInputFiles({ name: 'mine.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(good)) })
+  await expect.poll(() => lab.iteration()).toBeLessThan(8)
+  expect((await sceneAt(lab, 15)).discs).toEqual(good.discs)
+})

@@ -1,0 +1,61 @@
+import { linkTo, sceneOf, verified } from './support/core'
+import { en, expect, Lab, test } from './support/lab'
+import { SITE } from './support/site'
+
+test('a link opened elsewhere shows the same state and the same picture', async ({ lab, browser }) => {
+  await lab.open(linkTo({ planner: 'wpso', seed: 7, params: { population: 40, w_max: 0.8 } }, 30))
+  await lab.settled(30)
+  const scene = sceneOf({})
+  if (scene.kind !== 'discs') throw new Error(scene.kind)
+  await lab.dragFrom(await lab.whereIs(scene, scene.discs[2]?.center ?? [0, 0]), -30, 60)
+  await expect.poll(() => lab.iteration()).toBeLessThan(30)
+  const hash = await lab.seek(45)
+  const link = await lab.link(hash)
+  await lab.page.keyboard.press('Escape')
+  const setup = verified(link)
+  expect(setup).toMatchObject({ planner: 'wpso', seed: 7, iteration: 45, params: { population: 40, w_max: 0.8 } })
+
+  const elsewhere = await browser.newContext({ viewport: { width: 1440, height: 900 }, colorScheme: 'light' })
+  const other = new Lab(await elsewhere.newPage())
+  await other.open(link)
+  expect(await other.settled(45)).toBe(hash)
+
+  // Neither what is selected nor where the pointer is belongs to a link.
+  await lab.stage.focus()
+  await lab.page.keyboard.press('Escape')
+  await lab.page.mouse.move(0, 0)
+  expect(await lab.picture()).toEqual(await other.picture())
+  await elsewhere.close()
+})
+
+test('a link put into the address of the open page opens', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 10))
+  await lab.settled(10)
+  const other = linkTo({ planner: 'cpso', scene: 'ackley', seed: 3 }, 22)
+  await page.evaluate((hash) => (location.hash = hash), other)
+  expect(await lab.settled(22)).toBe(verified(other).hash)
+  await expect(page.getByTestId('planner')).toHaveValue('cpso')
+  await expect(page.getByTestId('scene')).toHaveValue('ackley')
+})
+
+test('a link that can’t be opened says why, and the page works on', async ({ lab, page }) => {
+  await lab.open('#v=1&planner=nobody&scene=wcpso-discs&seed=1&at=5')
+  await expect(page.getByTestId('notice')).toContainText('nobody')
+  await expect.poll(() => lab.iteration()).toBeGreaterThan(2)
+})
+
+test('a link whose hash isn’t what is computed says so', async ({ lab, page }) => {
+  const link = linkTo({}, 12)
+  await lab.open(link.replace(/hash=.{4}/, 'hash=0000'))
+  await lab.settled(12)
+  await expect(page.getByTestId('notice')).toContainText(en.notices.hash)
+})
+
+test('the link can be copied', async ({ lab, page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: new URL(SITE).origin })
+  await lab.open(linkTo({}, 33))
+  const link = await lab.link(await lab.settled(33))
+  await lab.press(en.bar.copy)
+  await expect(page.getByText(en.bar.copied)).toBeVisible()
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(SITE + link)
+})

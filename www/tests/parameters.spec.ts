@@ -1,0 +1,75 @@
+import { number } from '../src/panels/format'
+import { hashOf, linkTo, sessionAt, verified } from './support/core'
+import { en, expect, test } from './support/lab'
+
+test('a refused parameter says why beside it, keeps what was typed, and the run goes on', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 20))
+  const hash = await lab.settled(20)
+  const row = (await lab.section('parameters')).locator('[data-parameter="w_max"]')
+  const field = row.getByLabel('Inertia weight at the start', { exact: true })
+
+  for (const typed of ['abc', '7', '']) {
+    await field.fill(typed)
+    await field.press('Enter')
+    await expect(row.getByRole('alert')).toContainText('w_max')
+    await expect(field).toHaveValue(typed)
+    await expect(field).toHaveAttribute('aria-invalid', 'true')
+  }
+  await expect(field).toHaveAccessibleDescription(/w_max/)
+  expect(await lab.settled(20)).toBe(hash)
+
+  await lab.press(en.transport.play)
+  await expect.poll(() => lab.iteration()).toBeGreaterThan(22)
+  await lab.press(en.transport.pause)
+  expect(await lab.seek(20)).toBe(hash)
+  await expect(field).toHaveValue('')
+})
+
+test('a parameter restarts the run, is in the link, and can be reset', async ({ lab }) => {
+  await lab.open(linkTo({}, 20))
+  await lab.settled(20)
+  const row = (await lab.section('parameters')).locator('[data-parameter="w_max"]')
+  const field = row.getByLabel('Inertia weight at the start', { exact: true })
+  await field.fill('0.8')
+  await field.press('Enter')
+  await expect.poll(() => lab.iteration()).toBeLessThan(20)
+  const hash = await lab.seek(20)
+  expect(hash).toBe(hashOf({ params: { w_max: 0.8 } }, 20))
+  expect(verified(await lab.link(hash)).params).toEqual({ w_max: 0.8 })
+
+  await row.getByRole('button', { name: 'Reset Inertia weight at the start to 0.95' }).click()
+  await expect.poll(() => lab.iteration()).toBeLessThan(20)
+  await expect(field).toHaveValue('0.95')
+  expect(await lab.seek(20)).toBe(hashOf({}, 20))
+})
+
+test('every parameter of every planner has a control with help, range and default', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 1))
+  await lab.settled(1)
+  const section = await lab.section('parameters')
+  for (const planner of ['wcpso', 'pso', 'wpso', 'cpso']) {
+    await page.getByTestId('planner').selectOption(planner)
+    const { parameters } = sessionAt({ planner }, 0, (session) => ({ parameters: Object.keys(session.parameters) }))
+    await expect(section.locator('[data-parameter]')).toHaveCount(parameters.length)
+    for (const name of parameters) {
+      const row = section.locator(`[data-parameter="${name}"]`)
+      const about = row.locator('button[aria-expanded]')
+      if ((await about.getAttribute('aria-expanded')) === 'false') await about.click()
+      await expect(row.getByText(/Default: /)).toBeVisible()
+    }
+  }
+})
+
+test('the formulas hold the numbers of the iteration', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 120))
+  await lab.settled(120)
+  const { w, k } = sessionAt({}, 120, (session) => session.readings())
+  await lab.section('readings')
+  const readings = page.getByTestId('readings')
+  await expect(readings.locator('[data-reading="w"]')).toHaveText(number(w))
+  await expect(readings.locator('[data-reading="k"]')).toHaveText(number(k))
+  const live = page.getByTestId('live-w')
+  await expect(live).toContainText(`(${k})`)
+  await expect(live).toContainText(`=${number(w)}`)
+  await expect(live).not.toContainText('□')
+})

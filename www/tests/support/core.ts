@@ -1,0 +1,43 @@
+import { catalogue, parseLink, type Scene, Session, type Setup } from '../../../pkg/node.js'
+
+/* The same core under Node: what the page must agree with to the bit. */
+
+const DISCS: Setup = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
+
+/** What `ask` learns of the run at an iteration. */
+export function sessionAt<T>(setup: Partial<Setup>, iteration: number, ask: (session: Session) => T): T {
+  const session = new Session({ ...DISCS, ...setup })
+  session.seek(iteration)
+  const answer = ask(session)
+  session.free()
+  return answer
+}
+
+export const hashOf = (setup: Partial<Setup>, iteration: number): string => sessionAt(setup, iteration, (session) => session.hash())
+
+export const linkTo = (setup: Partial<Setup>, iteration: number): string => sessionAt(setup, iteration, (session) => session.link())
+
+export const sceneOf = (setup: Partial<Setup>): Scene => sessionAt(setup, 0, (session) => session.scene)
+
+/** Where the particles are on a function's map. */
+export const particles = (setup: Partial<Setup>, iteration: number): [number, number][] =>
+  sessionAt(setup, iteration, (session) => {
+    const role = catalogue().roles.indexOf('particles')
+    const { vertices, spans } = session.frame(1e6)
+    const found: [number, number][] = []
+    for (let span = 0; span < spans.length; span += 4) {
+      const [of = -1, , first = 0, count = 0] = spans.subarray(span, span + 4)
+      if (of !== role) continue
+      for (let at = 4 * first; at < 4 * (first + count); at += 4) found.push([vertices[at] ?? NaN, vertices[at + 1] ?? NaN])
+    }
+    return found
+  })
+
+/** What a link of the page says, and that the core agrees with the hash in it. */
+export function verified(link: string): ReturnType<typeof parseLink> {
+  const setup = parseLink(link)
+  const { planner, scene, params, seed, iteration } = setup
+  const hash = hashOf({ planner, scene, params, seed }, iteration)
+  if (hash !== setup.hash) throw new Error(`the link promises ${setup.hash}, the core comes to ${hash}`)
+  return setup
+}

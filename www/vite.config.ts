@@ -1,0 +1,15 @@
+import { fileURLToPath } from 'node:url'
+import { svelte } from '@sveltejs/vite-plugin-svelte'
+import { defineConfig } from 'vite'
+import { formulas } from './plugins/formulas'
+
+const core = fileURLToPath(new URL('../pkg', import.meta.url))
+
+export default defineConfig({
+  base: './',
+  plugins: [svelte(), formulas(core)],
+  resolve: { alias: { forage: `${core}/forage.js` } },
+  worker: { format: 'es' },
+  server: { fs: { allow: ['..'] } },
+  build: { target: 'es2023', assetsInlineLimit: 0, modulePreload: { polyfill: false } },
+})
