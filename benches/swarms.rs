@@ -1,7 +1,6 @@
 //! Whole runs: 60 particles × 1000 iterations in 10 dimensions, and the same through argmin's `ParticleSwarm`.
 //!
 //! `cargo bench --bench swarms`; `scripts/bench-wasm` prints the ratio of wasm under Node to native.
-#![expect(missing_docs, reason = "criterion's macros write undocumented functions")]
 
 use std::hint::black_box;
 
@@ -80,7 +79,8 @@ fn swarms(criterion: &mut Criterion) {
         let mut group = criterion.benchmark_group(format!("{} D{DIMENSION}, {PARTICLES} x {ITERATIONS}", function.name()));
         group.sample_size(20);
         for entry in PLANNERS.iter().filter(|entry| entry.family == "swarm") {
-            group.bench_with_input(BenchmarkId::new("forage", entry.name), entry, |b, entry| b.iter(|| black_box(whole_run(entry, &scene))));
+            group
+                .bench_with_input(BenchmarkId::new("forage", entry.name), entry, |b, entry| b.iter(|| black_box(whole_run(entry, &scene))));
         }
         group.bench_function(BenchmarkId::new("argmin", "ParticleSwarm"), |b| b.iter(|| black_box(through_argmin(function))));
         group.finish();

@@ -79,7 +79,13 @@ mod tests {
             let t = f64::from(i) * 0.000_731;
             // The reference is taken where its own argument is small, so that rounding that does not count.
             let r = (t - nearest(t)).abs();
-            let reference = if r > 0.375 { -cos(2.0 * PI * (0.5 - r)) } else if r > 0.125 { sin(2.0 * PI * (0.25 - r)) } else { cos(2.0 * PI * r) };
+            let reference = if r > 0.375 {
+                -cos(2.0 * PI * (0.5 - r))
+            } else if r > 0.125 {
+                sin(2.0 * PI * (0.25 - r))
+            } else {
+                cos(2.0 * PI * r)
+            };
             let difference = (cos_turns(t) - reference).abs();
             assert!(difference <= 5e-16, "t = {t}: {difference:e}");
         }

@@ -25,43 +25,60 @@ use crate::{
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("wasm.d.ts");
 
-#[expect(missing_docs, reason = "names for the types in wasm.d.ts, which says what they are")]
 #[wasm_bindgen]
 extern "C" {
+    /// `Catalogue`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Catalogue")]
     pub type JsCatalogue;
+    /// `Setup`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Setup")]
     pub type JsSetup;
+    /// `LinkSetup`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "LinkSetup")]
     pub type JsLinkSetup;
+    /// `Scene`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Scene")]
     pub type JsScene;
+    /// `Kind`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Kind")]
     pub type JsKind;
+    /// `ParameterValue`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "ParameterValue")]
     pub type JsParameterValue;
+    /// `Record<string, ParameterValue>`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Record<string, ParameterValue>")]
     pub type JsParameters;
+    /// `Record<string, number>`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Record<string, number>")]
     pub type JsReadings;
+    /// `Trace`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Trace")]
     pub type JsTrace;
+    /// `FrameViews`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "FrameViews")]
     pub type JsFrame;
+    /// `Outcome`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Outcome")]
     pub type JsOutcome;
+    /// `Item`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Item")]
     pub type JsItem;
+    /// `Item | null`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Item | null")]
     pub type JsItemOrNull;
+    /// `Inspection | null`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Inspection | null")]
     pub type JsInspectionOrNull;
+    /// `{ length: number; path: Point[] } | null`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "{ length: number; path: Point[] } | null")]
     pub type JsExactOrNull;
+    /// `Status`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Status")]
     pub type JsStatus;
+    /// `Point`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Point")]
     pub type JsPoint;
+    /// `string[]`, as `wasm.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "string[]")]
     pub type JsNames;
 }

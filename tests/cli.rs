@@ -30,8 +30,23 @@ fn run_prints_the_contract_and_exits_with_0() {
     assert_eq!(output.status.code(), Some(0));
     let result: Value = serde_json::from_slice(&output.stdout).unwrap();
     for key in [
-        "planner", "scene", "seed", "iterations", "evaluations", "status", "cost", "length", "feasible", "clearance", "exact", "gap", "path",
-        "readings", "hash", "elapsed_ms", "parameters",
+        "planner",
+        "scene",
+        "seed",
+        "iterations",
+        "evaluations",
+        "status",
+        "cost",
+        "length",
+        "feasible",
+        "clearance",
+        "exact",
+        "gap",
+        "path",
+        "readings",
+        "hash",
+        "elapsed_ms",
+        "parameters",
     ] {
         assert!(!result[key].is_null(), "{key}");
     }
@@ -79,7 +94,10 @@ fn a_link_reproduces_its_hash_where_it_stands() {
     let whole = json(&["run", "wcpso", "--scene", "wcpso-discs", "--seed", "7", "--set", "w_max=0.8", "--json"]);
     let at_120 = json(&["run", "#v=1&planner=wcpso&scene=wcpso-discs&seed=7&p.w_max=0.8&at=120", "--json"]);
     assert_eq!((&at_120["iterations"], &at_120["status"]), (&120.into(), &"running".into()));
-    let link = format!("https://example.org/forage/#v=1&planner=wcpso&scene=wcpso-discs&seed=7&p.w_max=0.8&at=500&hash={}", whole["hash"].as_str().unwrap());
+    let link = format!(
+        "https://example.org/forage/#v=1&planner=wcpso&scene=wcpso-discs&seed=7&p.w_max=0.8&at=500&hash={}",
+        whole["hash"].as_str().unwrap()
+    );
     let again = forage(&["run", "wcpso", "--scene", &link, "--json"]);
     assert_eq!(serde_json::from_slice::<Value>(&again.stdout).unwrap()["hash"], whole["hash"]);
     assert!(again.stderr.is_empty(), "the promised hash is the one found");
@@ -106,7 +124,8 @@ fn exact_and_list_speak_json() {
 #[test]
 fn svg_and_trace_are_written() {
     let (svg, csv) = (temporary("run.svg"), temporary("run.csv"));
-    let args = ["run", "cpso", "--scene", "wcpso-discs", "--iterations", "40", "--svg", svg.to_str().unwrap(), "--trace", csv.to_str().unwrap()];
+    let args =
+        ["run", "cpso", "--scene", "wcpso-discs", "--iterations", "40", "--svg", svg.to_str().unwrap(), "--trace", csv.to_str().unwrap()];
     let code = forage(&args).status.code().unwrap();
     assert!(code < 2);
     let picture = std::fs::read_to_string(svg).unwrap();

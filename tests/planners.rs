@@ -18,7 +18,9 @@ use proptest::prelude::*;
 fn pairs() -> Vec<(&'static Entry, Arc<Scene>)> {
     PLANNERS
         .iter()
-        .flat_map(|entry| shipped_names().filter(|scene| entry.check_kind(scene.kind()).is_ok()).map(move |scene| (entry, Arc::clone(scene))))
+        .flat_map(|entry| {
+            shipped_names().filter(|scene| entry.check_kind(scene.kind()).is_ok()).map(move |scene| (entry, Arc::clone(scene)))
+        })
         .collect()
 }
 
@@ -166,7 +168,12 @@ fn every_parameter_is_checked_at_both_ends() {
             for value in [min, max] {
                 let mut session = start(value).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
                 session.step(20);
-                assert!(session.readings().iter().all(|(name, value)| value.is_finite() || name == "free"), "{} {}={value}", entry.name, parameter.name);
+                assert!(
+                    session.readings().iter().all(|(name, value)| value.is_finite() || name == "free"),
+                    "{} {}={value}",
+                    entry.name,
+                    parameter.name
+                );
             }
             for value in [min - 1.0, max * 2.0 + 1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
                 let error = start(value).err().unwrap_or_else(|| panic!("{} accepts {}={value}", entry.name, parameter.name));

@@ -5,7 +5,9 @@
 
 mod support;
 
-use forage::wasm::{JsItem, JsKind, JsNames, JsParameterValue, JsScene, JsSetup, Session, catalogue, check_parameter, check_scene, new_seed, parse_link};
+use forage::wasm::{
+    JsItem, JsKind, JsNames, JsParameterValue, JsScene, JsSetup, Session, catalogue, check_parameter, check_scene, new_seed, parse_link,
+};
 use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint32Array};
 use support::{ITERATIONS, bits, stored};
 use wasm_bindgen::{JsCast, JsValue};
@@ -49,7 +51,10 @@ fn every_golden_run_gives_the_bits_that_it_gives_natively() {
     let runs = stored();
     assert!(runs.len() >= 100);
     for run in runs {
-        let params = format!(r#"{{"planner": "{}", "scene": "{}", "seed": {}, "params": {{"iterations": {ITERATIONS}}}}}"#, run.planner, run.scene, run.seed);
+        let params = format!(
+            r#"{{"planner": "{}", "scene": "{}", "seed": {}, "params": {{"iterations": {ITERATIONS}}}}}"#,
+            run.planner, run.scene, run.seed
+        );
         let mut session = setup(&params);
         session.step(Some(f64::from(ITERATIONS / 2)));
         assert_eq!(session.hash(), run.half, "{params}");
@@ -100,11 +105,23 @@ fn refusals_are_errors_with_field_value_and_range_and_nothing_panics() {
         (r#"{"planner": "pso", "scene": "sphere", "seed": -1}"#, "seed"),
         (r#"{"planner": "pso", "scene": "sphere", "seed": 1.5}"#, "seed"),
         (r#"{"planner": "pso", "scene": "sphere", "params": {"w": "much"}}"#, "w"),
-        (r#"{"planner": "pso", "scene": {"format": "forage-scene", "version": 1, "kind": "function", "name": "a", "title": "a", "function": "sphere", "dimension": 0}}"#, "dimension"),
+        (
+            r#"{"planner": "pso", "scene": {"format": "forage-scene", "version": 1, "kind": "function", "name": "a", "title": "a", "function": "sphere", "dimension": 0}}"#,
+            "dimension",
+        ),
     ] {
-        assert_eq!(text(&refused(json), "field"), field, "{json}");
+        assert_eq!(text(refused(json), "field"), field, "{json}");
     }
-    for json in ["{}", "[]", "3", "null", r#"{"planner": 3}"#, r#"{"planner": "pso"}"#, r#"{"planner": "pso", "scene": 7}"#, r#"{"planner": "pso", "scene": {}}"#] {
+    for json in [
+        "{}",
+        "[]",
+        "3",
+        "null",
+        r#"{"planner": 3}"#,
+        r#"{"planner": "pso"}"#,
+        r#"{"planner": "pso", "scene": 7}"#,
+        r#"{"planner": "pso", "scene": {}}"#,
+    ] {
         assert!(!text(refused(json), "message").is_empty(), "{json}");
     }
     assert!(parse_link("#v=7").is_err() && Session::from_link("nothing").is_err());

@@ -1,15 +1,15 @@
 //! `forage list`, and the part of the help that follows from the catalogue.
 
-use std::{fmt::Write, process::ExitCode};
+use std::fmt::Write;
 
 use forage::{catalogue, catalogue::PLANNERS, shipped_names};
 
-use super::{Outcome, print, print_json};
+use super::{print, print_json};
 
-pub(super) fn list(json: bool) -> Outcome {
+pub(super) fn list(json: bool) {
     if json {
         print_json(&catalogue());
-        return Ok(ExitCode::SUCCESS);
+        return;
     }
     let mut text = String::from("PLANNERS\n");
     for entry in PLANNERS {
@@ -35,7 +35,6 @@ pub(super) fn list(json: bool) -> Outcome {
         let _ = writeln!(text, "{:<16} {:<9} {}", scene.name(), scene.kind().name(), scene.header().title);
     }
     print(&text);
-    Ok(ExitCode::SUCCESS)
 }
 
 fn kinds_of(parameter: &forage::params::Parameter) -> String {

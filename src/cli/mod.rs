@@ -44,7 +44,10 @@ impl std::fmt::Display for Failure {
 /// Runs the command line and says how it went.
 pub(crate) fn main() -> ExitCode {
     let outcome = match Cli::parse().command {
-        Command::List { json } => list::list(json),
+        Command::List { json } => {
+            list::list(json);
+            Ok(ExitCode::SUCCESS)
+        }
         Command::Run(args) => run::run(&args),
         Command::Exact { scene, json } => exact::exact(&scene, json),
     };

@@ -53,18 +53,18 @@ mod tests {
     fn the_nearest_piece_is_counted_within_its_role() {
         let mut frame = Frame::default();
         frame.begin(Role::Particles, Shape::Polyline);
-        [[0.0, 0.0], [4.0, 0.0]].map(|p| frame.push(p, 0.0));
+        [[0.0, 0.0], [4.0, 0.0]].into_iter().for_each(|p| frame.push(p, 0.0));
         frame.begin(Role::Best, Shape::Polyline);
-        [[0.0, 2.0], [4.0, 2.0]].map(|p| frame.push(p, 0.0));
+        [[0.0, 2.0], [4.0, 2.0]].into_iter().for_each(|p| frame.push(p, 0.0));
         frame.begin(Role::Particles, Shape::Polyline);
-        [[0.0, 3.0], [4.0, 3.0]].map(|p| frame.push(p, 0.0));
+        [[0.0, 3.0], [4.0, 3.0]].into_iter().for_each(|p| frame.push(p, 0.0));
         let pick = |point, reach| nearest(&frame, &[Role::Particles], point, reach).map(|item| item.index);
         assert_eq!(pick([2.0, 0.5], 1.0), Some(0));
         assert_eq!(pick([2.0, 2.1], 1.0), Some(1), "the best is nearer but cannot be picked");
         assert_eq!(pick([2.0, 1.5], 1.0), None);
         frame.clear(10);
         frame.begin(Role::Particles, Shape::Points);
-        [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(|p| frame.push(p, 0.0));
+        [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].into_iter().for_each(|p| frame.push(p, 0.0));
         assert_eq!(nearest(&frame, &[Role::Particles], [1.2, 0.1], 0.5).unwrap().index, 1);
     }
 }

@@ -64,6 +64,6 @@ pub const ENTRY: Entry = Entry {
         let linear = |from, to| Law::Linear(settings.number(from), settings.number(to));
         let schedule =
             Schedule { w: Law::Constant(settings.number("w")), c1: linear("c1_start", "c1_end"), c2: linear("c2_start", "c2_end") };
-        super::start(scene, settings, seed, Flight { schedule, perturbation: None })
+        Ok(super::start(scene, settings, seed, Flight { schedule, perturbation: None }))
     },
 };

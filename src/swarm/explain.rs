@@ -307,7 +307,7 @@ mod tests {
         for _ in 0..80 {
             session.step(1);
             let drawn = session_paths(&session);
-            for index in 0..150 {
+            for (index, path) in drawn.iter().enumerate() {
                 let told = session.inspect(Item { role: Role::Particles, index }).unwrap();
                 *seen.entry(told.event).or_insert(0) += 1;
                 let get = |row: &[f64], name| row[told.columns.iter().position(|c| c.name == name).unwrap()];
@@ -318,11 +318,11 @@ mod tests {
                         assert!((sum - v).abs() < 1e-12 || (v.abs() < sum.abs() && v.signum() == sum.signum()), "{sum} {v}");
                         let reached = get(row, "x_before") + v;
                         let inside = get(row, "x");
-                        assert!((inside - reached).abs() < 1e-12 || reached < 0.0 || reached > 8.0, "{reached} {inside}");
+                        assert!((inside - reached).abs() < 1e-12 || !(0.0..=8.0).contains(&reached), "{reached} {inside}");
                     }
                 }
                 let after: Vec<_> = told.marks.iter().find(|m| m.role == Role::After).unwrap().vertices.clone();
-                for (a, b) in after.iter().zip(&drawn[index]) {
+                for (a, b) in after.iter().zip(path) {
                     assert!((a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5);
                 }
             }

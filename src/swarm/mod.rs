@@ -24,7 +24,6 @@ pub mod wpso;
 use std::sync::Arc;
 
 use crate::{
-    error::Error,
     params::Settings,
     scene::{Body, Scene},
     session::AnyPlanner,
@@ -36,9 +35,9 @@ use flight::{Flight, Swarm};
 
 /// Starts a swarm on whatever kind of scene it is given. This is where a position's meaning is chosen; the flight
 /// does not know it.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, flight: Flight) -> Result<Box<dyn AnyPlanner>, Error> {
-    Ok(match scene.body() {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, flight: Flight) -> Box<dyn AnyPlanner> {
+    match scene.body() {
         Body::Function(function) => Box::new(Swarm::new(objective::FunctionObjective::new(function), settings, seed, flight)),
         Body::Discs(discs) => Box::new(Swarm::new(waypoints::Waypoints::new(discs, settings), settings, seed, flight)),
-    })
+    }
 }

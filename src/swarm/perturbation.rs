@@ -126,7 +126,7 @@ mod tests {
     #[test]
     fn first_the_hen_then_chicks_until_something_improves() {
         let mut patience = Patience::default();
-        let mut rise = |times: u8, patience: &mut Patience| {
+        let rise = |times: u8, patience: &mut Patience| {
             (0..times).for_each(|_| patience.note(1.0, 2.0));
             patience.next(3)
         };

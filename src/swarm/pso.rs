@@ -24,6 +24,6 @@ pub const ENTRY: Entry = Entry {
     layers: LAYERS,
     start: |scene, settings, seed| {
         let [w, c1, c2] = ["w", "c1", "c2"].map(|name| Law::Constant(settings.number(name)));
-        super::start(scene, settings, seed, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None })
+        Ok(super::start(scene, settings, seed, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None }))
     },
 };

@@ -93,6 +93,6 @@ pub const ENTRY: Entry = Entry {
             c2: Law::Sine { amplitude: -settings.number("c_alpha"), middle: settings.number("c_beta") },
         };
         let perturbation = Perturbation { patience: settings.integer("patience") as u8, f_l: settings.number("f_l") };
-        super::start(scene, settings, seed, Flight { schedule, perturbation: Some(perturbation) })
+        Ok(super::start(scene, settings, seed, Flight { schedule, perturbation: Some(perturbation) }))
     },
 };

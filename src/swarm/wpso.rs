@@ -41,6 +41,6 @@ pub const ENTRY: Entry = Entry {
             c1: Law::Constant(settings.number("c1")),
             c2: Law::Constant(settings.number("c2")),
         };
-        super::start(scene, settings, seed, Flight { schedule, perturbation: None })
+        Ok(super::start(scene, settings, seed, Flight { schedule, perturbation: None }))
     },
 };
