@@ -33,6 +33,7 @@ pub mod error;
 pub mod exact;
 pub mod frame;
 pub mod geometry;
+pub mod json;
 pub mod link;
 pub mod math;
 pub mod params;

@@ -9,7 +9,7 @@ use serde::{
     de::{MapAccess, Visitor},
 };
 
-use crate::{error::Error, scene::Kind};
+use crate::{error::Error, json, scene::Kind};
 
 /// A parameter's value as it is given.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -45,7 +45,7 @@ impl From<&str> for Value {
         match text.trim() {
             "true" => Self::Flag(true),
             "false" => Self::Flag(false),
-            text => text.parse().map_or_else(|_| Self::Text(text.to_owned()), Self::Number),
+            text => json::number(text).map_or_else(|| Self::Text(text.to_owned()), Self::Number),
         }
     }
 }

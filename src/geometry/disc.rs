@@ -1,12 +1,9 @@
 //! A circular obstacle.
 
-use serde::{Deserialize, Serialize};
-
 use super::distance_squared;
 
 /// A disc; its rim belongs to the free space, so a path may touch it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disc {
     /// Where its centre is.
     pub center: [f64; 2],

@@ -1,7 +1,5 @@
 //! Scenes of kind `discs`: a start, a goal and circular obstacles in the plane, [WCPSO] §3.2.
 
-use serde::{Deserialize, Serialize};
-
 use crate::{
     error::Error,
     exact::{Exact, shortest_among_discs},
@@ -17,8 +15,7 @@ pub const MAX_DISCS: usize = 200;
 const LARGEST: f64 = 1e6;
 
 /// An axis-parallel box.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// Lower left corner.
     pub min: [f64; 2],
@@ -27,8 +24,7 @@ pub struct Bounds {
 }
 
 /// A plane with circular obstacles.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DiscsScene {
     /// Where way-points are searched. A path may leave it between them.
     pub bounds: Bounds,

@@ -2,8 +2,6 @@
 
 use std::f64::consts::{E, TAU};
 
-use serde::{Deserialize, Serialize};
-
 use crate::{error::Error, math};
 
 use super::Bounds;
@@ -12,8 +10,7 @@ use super::Bounds;
 pub const MAX_DIMENSION: usize = 100;
 
 /// A function to minimise. Each has the minimum 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Function {
     /// f1, D = 2, minimum at 0.
     Matyas,
@@ -100,8 +97,7 @@ impl Function {
 }
 
 /// A scene that asks for a function's minimum.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct FunctionScene {
     /// Which function.
     pub function: Function,

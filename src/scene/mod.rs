@@ -9,7 +9,7 @@ mod shipped;
 
 use std::sync::OnceLock;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::{error::Error, exact::Exact, planner::Solution};
 
@@ -18,7 +18,7 @@ pub use function::{Function, FunctionScene, MAX_DIMENSION};
 pub use shipped::{shipped, shipped_names};
 
 /// The kinds of scene. Planners say which they run on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// A test function to minimise.
@@ -41,8 +41,7 @@ impl Kind {
 }
 
 /// What every scene file carries besides its content.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Header {
     /// Short identifier, used in links and on the command line.
     pub name: String,
