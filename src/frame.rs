@@ -156,10 +156,15 @@ impl Frame {
     /// Which pieces to draw of `pieces` with `vertices` vertices each, so that the budget holds: every n-th.
     /// A line's vertex counts four times: that is about what drawing it costs.
     pub fn thin(&mut self, pieces: usize, vertices: usize, lines: bool) -> usize {
-        let cost = pieces.saturating_mul(vertices).saturating_mul(if lines { 4 } else { 1 });
-        let step = cost.div_ceil(self.budget).max(1);
+        let step = self.thin_context(pieces, vertices, lines);
         self.thinning = self.thinning.max(step as u32);
         step
+    }
+
+    /// The same for a layer that is only context (off unless asked for): it does not count as thinning of the picture.
+    pub fn thin_context(&self, pieces: usize, vertices: usize, lines: bool) -> usize {
+        let cost = pieces.saturating_mul(vertices).saturating_mul(if lines { 4 } else { 1 });
+        cost.div_ceil(self.budget).max(1)
     }
 
     /// Opens a span; vertices pushed from here on belong to it.
@@ -186,7 +191,7 @@ impl Frame {
         &self.table
     }
 
-    /// Every how many-th piece was drawn (1: all).
+    /// Every how many-th piece of the main layers was drawn (1: all).
     pub fn thinning(&self) -> u32 {
         self.thinning
     }

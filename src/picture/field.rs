@@ -11,8 +11,8 @@ const LIGHT: [[f64; 3]; 5] =
 const DARK: [[f64; 3]; 5] = [[120.0, 190.0, 165.0], [62.0, 122.0, 112.0], [34.0, 76.0, 76.0], [21.0, 46.0, 50.0], [14.0, 26.0, 30.0]];
 const CONTOURS: f64 = 14.0;
 
-/// The function over `view` as `width` × `height` RGBA pixels, top row first: colours by the logarithm of the height
-/// above the lowest value shown, darker lines between levels. `None` for scenes without a height.
+/// The function over `view` as `width` × `height` RGBA pixels, top row first: colours by rank, so that every part
+/// of a landscape shows its shape, however steep the rest; lines between levels. `None` for scenes without a height.
 pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, dark: bool) -> Option<Vec<u8>> {
     let Body::Function(function) = scene.body() else {
         return None;
@@ -23,10 +23,7 @@ pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, dark: 
     for row in (0..height).rev() {
         values.extend((0..width).map(|column| function.section([at(column, width, 0), at(row, height, 1)], &mut x)));
     }
-    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
-    let scale = ((high - low) * 2e-3).max(f64::MIN_POSITIVE);
-    let whole = math::ln(1.0 + (high - low) / scale).max(f64::MIN_POSITIVE);
-    values.iter_mut().for_each(|v| *v = math::ln(1.0 + (*v - low) / scale) / whole);
+    equalise(&mut values);
     let stops = if dark { &DARK } else { &LIGHT };
     let mut pixels = Vec::with_capacity(4 * values.len());
     for (i, &t) in values.iter().enumerate() {
@@ -39,6 +36,28 @@ pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, dark: 
         pixels.push(255);
     }
     Some(pixels)
+}
+
+/// Replaces values by the share of values that are lower (0 to 1), by a histogram over the logarithm of the height.
+fn equalise(values: &mut [f64]) {
+    const BINS: usize = 4096;
+    let (low, high) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
+    let scale = ((high - low) * 1e-5).max(f64::MIN_POSITIVE);
+    let whole = math::ln(1.0 + (high - low) / scale).max(f64::MIN_POSITIVE);
+    let place = |v: f64| math::ln(1.0 + (v - low) / scale) / whole * (BINS - 1) as f64;
+    let mut count = vec![0_u32; BINS + 1];
+    values.iter().for_each(|&v| count[place(v) as usize + 1] += 1);
+    for bin in 0..BINS {
+        count[bin + 1] += count[bin];
+    }
+    let total = values.len().max(1) as f64;
+    for v in values.iter_mut() {
+        // Half by rank and half by height: rank alone would make a plain of a valley.
+        let at = place(*v);
+        let bin = at as usize;
+        let rank = (f64::from(count[bin]) + (at - bin as f64) * f64::from(count[bin + 1] - count[bin])) / total;
+        *v = f64::midpoint(rank, at / (BINS - 1) as f64);
+    }
 }
 
 fn colour(stops: &[[f64; 3]; 5], t: f64) -> [f64; 3] {

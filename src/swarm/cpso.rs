@@ -51,7 +51,7 @@ const SOCIAL: Formula = schedule(
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "cpso",
-    title: "Swarm with linear accelerations",
+    title: "CPSO: linear accelerations",
     family: "swarm",
     source: "[WCPSO] §3.1",
     summary: "The pull of the own best falls linearly and that of the swarm’s best rises.",

@@ -27,7 +27,7 @@ impl<O: Objective> Swarm<O> {
 
     fn draw_velocities(&self, frame: &mut Frame) {
         let population = &self.population;
-        let every = frame.thin(population.size * CONTEXT, 2 * population.objective.point_count(), true);
+        let every = frame.thin_context(population.size * CONTEXT, 2 * population.objective.point_count(), true);
         frame.begin(Role::Velocities, Shape::Segments);
         let mut tip = vec![0.0; population.dimension];
         for i in (0..population.size).step_by(every) {
@@ -61,7 +61,8 @@ impl<O: Objective> Population<O> {
     ) {
         let lines = self.objective.ends().is_some();
         let vertices = self.objective.point_count() + if lines { 2 } else { 0 };
-        let every = frame.thin(self.size.saturating_mul(share), vertices, lines);
+        let every =
+            if share == 1 { frame.thin(self.size, vertices, lines) } else { frame.thin_context(self.size * share, vertices, lines) };
         if !lines {
             frame.begin(role, Shape::Points);
         }

@@ -13,7 +13,7 @@ use super::{
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "pso",
-    title: "Particle swarm",
+    title: "PSO: constant coefficients",
     family: "swarm",
     source: "[WCPSO] §1",
     summary: "Particles keep part of their velocity and are drawn to their own best and to the swarm’s. All coefficients stay constant.",

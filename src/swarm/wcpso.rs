@@ -61,7 +61,7 @@ const SOCIAL: Formula = schedule(
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "wcpso",
-    title: "Trigonometric swarm with hens and chicks",
+    title: "WCPSO: hens and chicks",
     family: "swarm",
     source: "[WCPSO] §2",
     summary: "Inertia falls along a cosine, the pulls cross along sines, and particles that stagnate jump like hens, then like chicks.",

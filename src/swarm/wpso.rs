@@ -14,7 +14,7 @@ use super::{
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "wpso",
-    title: "Swarm with linear inertia",
+    title: "WPSO: linear inertia",
     family: "swarm",
     source: "[WCPSO] §3.1",
     summary: "The inertia weight falls linearly, so the swarm explores first and settles later.",

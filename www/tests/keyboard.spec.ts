@@ -27,8 +27,8 @@ test('with the stage focused, keys do what the buttons do', async ({ lab, page }
 test('plus, minus and 0 zoom and show all again', async ({ lab, page }) => {
   await lab.open(linkTo({}, 30))
   await lab.settled(30)
+  const whole = await lab.wholePicture()
   await lab.stage.focus()
-  const whole = await lab.picture()
   await page.keyboard.press('+')
   const near = await lab.picture()
   expect(near.digest).not.toBe(whole.digest)

@@ -5,7 +5,7 @@ import { en, expect, test } from './support/lab'
 test('a step forward and a step back lead to the identical frame', async ({ lab }) => {
   await lab.open(linkTo({}, 40))
   const hash = await lab.settled(40)
-  const picture = await lab.picture()
+  const picture = await lab.wholePicture()
 
   await lab.press(en.transport.forward)
   expect(await lab.settled(41)).toBe(hashOf({}, 41))

@@ -13,6 +13,8 @@ export interface Pen {
 /** Weights are drawn in steps: one stroke a step instead of one a line. */
 const STEPS = 6
 const FAINTEST_POINT = 0.5
+/** Up to so many points are drawn round; more are squares, which cost a tenth. */
+const ROUND = 3000
 
 const stepOf = (weight: number): number => Math.min(STEPS - 1, Math.max(0, Math.floor(weight * STEPS)))
 
@@ -42,15 +44,24 @@ export function points(pen: Pen, style: Style, vertices: Float32Array, first: nu
     for (let at = first * 4; at < end; at += 4) marked(pen, style, left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * scale)
     return
   }
+  const round = count <= ROUND
   for (let step = STEPS - 1; step >= 0; step -= 1) {
     // A point has less ink than a line.
     context.globalAlpha = Math.max(FAINTEST_POINT, alphaAt(style, step))
     for (let at = first * 4; at < end; at += 4) {
       if (stepOf(vertices[at + 3] ?? 0) !== step) continue
-      context.fillRect(left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * scale, style.point, style.point)
+      const [x, y] = [left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * scale]
+      if (round) dot(context, x, y, style.point / 2)
+      else context.fillRect(x, y, style.point, style.point)
     }
   }
   context.globalAlpha = 1
+}
+
+function dot(context: CanvasRenderingContext2D, left: number, top: number, radius: number): void {
+  context.beginPath()
+  context.arc(left + radius, top + radius, radius, 0, 2 * Math.PI)
+  context.fill()
 }
 
 function marked({ context }: Pen, style: Style, left: number, top: number): void {

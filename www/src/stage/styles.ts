@@ -19,7 +19,7 @@ const PLAIN: Style = { colour: '--ink-2', width: 1, order: 20, point: 3, alpha: 
 const STYLES: Readonly<Record<string, Style>> = {
   'personal-bests': { colour: '--accent', width: 0.75, order: 10, point: 2.5, alpha: [0.35, 0.35] },
   velocities: { colour: '--inertia', width: 0.75, order: 25, point: 2, alpha: [0.55, 0.55] },
-  particles: { colour: '--particle', width: 1, order: 20, point: 4.5, alpha: [0.8, 0.16] },
+  particles: { colour: '--particle', width: 1, order: 20, point: 5, alpha: [0.55, 0.1] },
   hen: { colour: '--hen', width: 1.6, order: 30, point: 5, alpha: [0.9, 0.9], mark: 'ring' },
   chick: { colour: '--chick', width: 1.6, order: 31, dash: [7, 3], point: 5, alpha: [0.95, 0.95], mark: 'diamond' },
   exact: { colour: '--exact', width: 1.75, order: 35, dash: [2, 5], point: 4, alpha: [1, 1] },

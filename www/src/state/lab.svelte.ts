@@ -106,7 +106,8 @@ class Lab {
     }
     const { planner, scene, params, seed, iteration, hash }: LinkSetup = answer.value
     this.plannerName = planner
-    this.scenes = this.scenes ? history.commit(this.scenes, scene) : history.begin(scene)
+    // A page that opens on a link has nothing to go back to.
+    this.scenes = this.scenes && this.run ? history.commit(this.scenes, scene) : history.begin(scene)
     this.params = params
     this.paramErrors = {}
     this.seed = seed

@@ -86,6 +86,16 @@ export class Lab {
     await this.page.getByTestId(`layer-${role}`).setChecked(on)
   }
 
+  /**
+   * The picture of the whole scene, drawn anew: browsers draw the first picture on a new canvas with other
+   * intermediate shades than the following ones.
+   */
+  async wholePicture(): Promise<Picture> {
+    await this.press(en.stage.fit)
+    await this.page.mouse.move(0, 0)
+    return this.picture()
+  }
+
   /** The stage's pixels once nothing has been drawn for a few frames: for a run that stands still. */
   picture(): Promise<Picture> {
     return this.stage.evaluate(async (stage: HTMLCanvasElement) => {
