@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import type { AxeResults } from 'axe-core'
-import { linkTo } from './support/core'
+import { linkTo, sceneOf, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
@@ -84,12 +84,26 @@ test.describe('on a phone', () => {
     expect(small).toEqual([])
   })
 
-  test('a touch plays and pauses, and a finger drags a disc', async ({ lab }) => {
+  test('a touch plays and pauses, and a finger drags a disc', async ({ lab, page }) => {
     await lab.open(linkTo({}, 40))
     await lab.settled(40)
     await lab.button(en.transport.play).tap()
     await expect.poll(() => lab.iteration()).toBeGreaterThan(42)
     await lab.button(en.transport.pause).tap()
     await lab.settled()
+
+    const scene = sceneOf({})
+    if (scene.kind !== 'discs') throw new Error(scene.kind)
+    const [disc] = scene.discs
+    const { x, y } = await lab.whereIs(scene, disc?.center ?? [0, 0])
+    const finger = await page.context().newCDPSession(page)
+    await finger.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x, y }] })
+    for (let at = 5; at <= 40; at += 5) {
+      await finger.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [{ x: x + at, y }] })
+    }
+    await finger.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
+    await expect.poll(() => lab.iteration()).toBeLessThan(42)
+    const moved = verified(await lab.link(await lab.seek(4))).scene
+    expect(moved.kind === 'discs' && (moved.discs[0]?.center[0] ?? 0) - (disc?.center[0] ?? 0)).toBeGreaterThan(0.5)
   })
 })

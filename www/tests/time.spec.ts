@@ -1,5 +1,5 @@
 import { panels } from '../src/i18n/panels.en'
-import { hashOf, linkTo } from './support/core'
+import { hashOf, linkTo, verified } from './support/core'
 import { en, expect, test } from './support/lab'
 
 test('a step forward and a step back lead to the identical frame', async ({ lab }) => {
@@ -30,15 +30,18 @@ test('a newer jump overtakes an older one', async ({ lab }) => {
   expect(await lab.settled(3)).toBe(hashOf({ params }, 3))
 })
 
-test('restart leads to iteration 0 and a new seed to another run', async ({ lab }) => {
+test('restart leads to iteration 0 and a new seed to another run', async ({ lab, page }) => {
   await lab.open(linkTo({}, 25))
   await lab.settled(25)
   await lab.press(en.transport.restart)
   const first = await lab.settled(0)
   expect(first).toBe(hashOf({}, 0))
   await lab.press(en.transport.newSeed)
-  await lab.seek(1)
-  expect(await lab.settled(1)).not.toBe(hashOf({}, 1))
+  await expect(lab.root).not.toHaveAttribute('data-hash', first)
+  const hash = await lab.seek(1)
+  const { seed } = verified(await lab.link(hash))
+  expect(seed).not.toBe(1)
+  await expect(page.getByTestId('seed')).toHaveValue(String(seed))
 })
 
 test('a click in the chart, and its keys, jump to that iteration', async ({ lab, page }) => {

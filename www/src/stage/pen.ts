@@ -12,7 +12,7 @@ export interface Pen {
 
 /** Weights are drawn in steps: one stroke a step instead of one a line. */
 const STEPS = 6
-const FAINTEST_POINT = 0.5
+const FAINTEST_POINT = 0.65
 /** Up to so many points are drawn round; more are squares, which cost a tenth. */
 const ROUND = 3000
 

@@ -47,7 +47,13 @@ export class Lab {
     return (await this.root.getAttribute('data-hash')) ?? ''
   }
 
+  /** After something that starts the run anew: its first picture is there. */
+  async restarted(): Promise<void> {
+    await expect(this.root).toHaveAttribute('data-stale', 'false')
+  }
+
   async seek(iteration: number): Promise<string> {
+    await this.restarted()
     await this.timeline.fill(String(iteration))
     return this.settled(iteration)
   }
