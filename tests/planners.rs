@@ -206,11 +206,11 @@ fn every_entry_describes_what_its_planner_does() {
                 assert!(numbers.contains(&name), "{}: nothing fills @{name}@ in {}", entry.name, formula.name);
             }
         }
-        check_inspections(entry, &session);
+        check_inspections(entry, &mut session);
     }
 }
 
-fn check_inspections(entry: &Entry, session: &Session) {
+fn check_inspections(entry: &Entry, session: &mut Session) {
     for index in 0..80 {
         let told = session.inspect(Item { role: Role::Particles, index }).unwrap();
         for name in &told.formulas {

@@ -46,6 +46,8 @@ pub struct Session {
     seed: u64,
     planner: Box<dyn AnyPlanner>,
     keyframes: Keyframes,
+    /// The state before the one that was inspected last: while an item is watched, each step costs one more, not a replay.
+    before: Option<Box<dyn AnyPlanner>>,
     trace: Trace,
     readings: Readings,
 }
@@ -91,6 +93,7 @@ impl Session {
             seed,
             planner,
             keyframes: Keyframes::new(budget),
+            before: None,
             trace: Trace::default(),
             readings: Readings::default(),
         };
@@ -142,11 +145,13 @@ impl Session {
         (self.entry.start)(&self.scene, &self.settings, self.seed).unwrap_or_else(|_| self.planner.checkpoint())
     }
 
-    /// The state at an iteration at or before the present one, without going there.
-    fn state_at(&self, k: u64) -> Box<dyn AnyPlanner> {
-        let mut state = match self.keyframes.at_or_before(k) {
-            Some((_, state)) => state.checkpoint(),
-            None => self.start(),
+    /// The state at an iteration at or before the present one, without going there: from whatever is at hand nearest to it.
+    fn state_at(&mut self, k: u64) -> Box<dyn AnyPlanner> {
+        let kept = self.keyframes.at_or_before(k);
+        let mut state = match (self.before.take().filter(|state| state.iteration() <= k), kept) {
+            (Some(before), kept) if kept.is_none_or(|(at, _)| at <= before.iteration()) => before,
+            (_, Some((_, state))) => state.checkpoint(),
+            (_, None) => self.start(),
         };
         while state.iteration() < k && state.step_taken() {}
         state
@@ -214,11 +219,14 @@ impl Session {
     }
 
     /// Why an item did what it did in the step that led here.
-    pub fn inspect(&self, item: Item) -> Option<Inspection> {
-        self.planner.inspect(item).or_else(|| {
-            let before = self.iteration().checked_sub(1)?;
-            self.state_at(before).explain(item)
-        })
+    pub fn inspect(&mut self, item: Item) -> Option<Inspection> {
+        if let Some(told) = self.planner.inspect(item) {
+            return Some(told);
+        }
+        let before = self.state_at(self.iteration().checked_sub(1)?);
+        let told = before.explain(item);
+        self.before = Some(before);
+        told
     }
 
     /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.
@@ -254,5 +262,37 @@ impl Session {
             seed: self.seed,
         };
         Link { setup, iteration: self.iteration(), hash: Some(self.hash()) }.to_string()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{frame::Role, shipped};
+
+    /// Whatever way the state before was reached (keyframe, replay, or the one kept from the last inspection), the
+    /// explanation is the same, and asking for it changes nothing.
+    #[test]
+    fn an_explanation_does_not_depend_on_what_was_asked_before() {
+        let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Given::default(), seed: 2 };
+        let item = Item { role: Role::Particles, index: 17 };
+        let mut watched = Session::with_keyframes(setup.clone(), 200_000).unwrap();
+        let mut hashes = Vec::new();
+        let told: Vec<_> = (0..40)
+            .map(|_| {
+                watched.step(1);
+                let told = watched.inspect(item).unwrap();
+                hashes.push(watched.hash());
+                told
+            })
+            .collect();
+        let mut fresh = Session::with_keyframes(setup, 0).unwrap();
+        for k in [40, 3, 17, 18, 16, 39_u64] {
+            watched.seek(k);
+            fresh.seek(k);
+            assert_eq!(fresh.hash(), hashes[k as usize - 1]);
+            assert_eq!(fresh.inspect(item).as_ref(), Some(&told[k as usize - 1]));
+            assert_eq!(watched.inspect(item).as_ref(), Some(&told[k as usize - 1]));
+        }
     }
 }
