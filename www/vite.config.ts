@@ -1,7 +1,7 @@
 import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vite'
-import { formulas } from './plugins/formulas'
+import { formulas } from './plugins/formulas.ts'
 
 const core = fileURLToPath(new URL('../pkg', import.meta.url))
 

@@ -38,6 +38,19 @@ pub struct Setup {
     pub seed: u64,
 }
 
+impl Setup {
+    /// Checks everything that can be refused without running it.
+    ///
+    /// # Errors
+    /// The planner's name, a scene it does not run on, a parameter, the seed.
+    pub fn check(&self) -> Result<(&'static Entry, Settings), Error> {
+        let entry = find(&self.planner)?;
+        entry.check_kind(self.scene.kind())?;
+        check_seed(self.seed)?;
+        Ok((entry, Settings::new(entry.parameters, self.scene.kind(), &self.params)?))
+    }
+}
+
 /// A run that can go forward and back.
 pub struct Session {
     entry: &'static Entry,
@@ -81,10 +94,8 @@ impl Session {
     /// # Errors
     /// As [`Session::new`].
     pub fn with_keyframes(setup: Setup, budget: usize) -> Result<Self, Error> {
-        let entry = find(&setup.planner)?;
-        entry.check_kind(setup.scene.kind())?;
-        let seed = check_seed(setup.seed)?;
-        let settings = Settings::new(entry.parameters, setup.scene.kind(), &setup.params)?;
+        let (entry, settings) = setup.check()?;
+        let seed = setup.seed;
         let planner = (entry.start)(&setup.scene, &settings, seed)?;
         let mut session = Self {
             entry,
