@@ -51,7 +51,7 @@ impl Link {
     /// Takes a link apart: the fragment alone, or a whole address that ends in it.
     ///
     /// # Errors
-    /// A message that says what is wrong: no fragment, another version, an unknown key, scene, planner or parameter.
+    /// A message that says what is wrong: no fragment, another version, an unknown key, or whatever [`Setup::check`] refuses.
     pub fn parse(text: &str) -> Result<Self, Error> {
         let wrong = |problem: String| Error::malformed("link", problem);
         let (_, fragment) = text.trim().split_once('#').ok_or_else(|| wrong("it has no #…".to_owned()))?;
@@ -82,7 +82,9 @@ impl Link {
         }
         let planner = planner.ok_or_else(|| wrong("it names no planner".to_owned()))?;
         let scene = scene.ok_or_else(|| wrong("it names no scene".to_owned()))?;
-        Ok(Self { setup: Setup { planner, scene, params, seed }, iteration, hash })
+        let setup = Setup { planner, scene, params, seed };
+        setup.check()?;
+        Ok(Self { setup, iteration, hash })
     }
 }
 
@@ -91,8 +93,8 @@ fn packed(scene: &Arc<Scene>) -> String {
     if shipped(scene.name()).is_ok_and(|known| known == *scene) {
         return scene.name().to_owned();
     }
-    let text = serde_json::to_vec(&**scene).unwrap_or_default();
-    format!("~{}", URL_SAFE_NO_PAD.encode(miniz_oxide::deflate::compress_to_vec(&text, 9)))
+    let deflated = miniz_oxide::deflate::compress_to_vec(scene.to_compact_json().as_bytes(), 9);
+    format!("~{}", URL_SAFE_NO_PAD.encode(deflated))
 }
 
 fn unpacked(text: &str) -> Result<Arc<Scene>, Error> {
@@ -140,6 +142,9 @@ mod tests {
             ("#v=1&scene=sphere", "no planner"),
             ("#v=1&colour=red", "colour"),
             ("#v=1&scene=moon", "moon"),
+            ("#v=1&planner=nobody&scene=sphere", "nobody"),
+            ("#v=1&planner=pso&scene=sphere&p.w=9", "w: 9"),
+            ("#v=1&planner=pso&scene=sphere&seed=9007199254740992", "seed"),
             ("#v=1&scene=~!!", "damaged"),
             ("#v=1&scene=~AAAA", "damaged"),
             ("#v=1&seed=-1", "seed"),

@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use js_sys::{Float32Array, Float64Array, Uint32Array};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use wasm_bindgen::{JsCast, prelude::*};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
@@ -104,26 +104,75 @@ fn plain<T: JsCast>(value: &impl Serialize) -> T {
     value.serialize(&serializer).unwrap_or(JsValue::NULL).unchecked_into()
 }
 
-fn read<T: for<'de> Deserialize<'de>>(field: &str, value: &JsValue) -> Result<T, JsValue> {
-    serde_wasm_bindgen::from_value(value.clone()).map_err(|problem| js_error(&Error::malformed(field, problem)))
+/// A value that is not what it must be.
+fn refused(field: &str, value: &JsValue, allowed: &str) -> JsValue {
+    let shown = match (value.as_string(), value.as_f64(), value.as_bool()) {
+        (Some(text), ..) => format!("\"{text}\""),
+        (_, Some(number), _) => number.to_string(),
+        (.., Some(flag)) => flag.to_string(),
+        _ if value.is_undefined() || value.is_null() => "nothing".to_owned(),
+        _ => "an object".to_owned(),
+    };
+    js_error(&Error::refused(field, shown, allowed))
+}
+
+/// A property; undefined where there is none.
+fn property(object: &JsValue, name: &str) -> JsValue {
+    js_sys::Reflect::get(object, &name.into()).unwrap_or_default()
+}
+
+fn read_text(field: &str, value: &JsValue) -> Result<String, JsValue> {
+    value.as_string().ok_or_else(|| refused(field, value, "a text"))
+}
+
+fn read_number(field: &str, value: &JsValue) -> Result<f64, JsValue> {
+    value.as_f64().ok_or_else(|| refused(field, value, "a number"))
+}
+
+fn read_list(field: &str, value: &JsValue) -> Result<Vec<JsValue>, JsValue> {
+    value.dyn_ref::<js_sys::Array>().map(js_sys::Array::to_vec).ok_or_else(|| refused(field, value, "a list"))
+}
+
+fn read_parameter(name: &str, value: &JsValue) -> Result<Value, JsValue> {
+    let number = || value.as_f64().map(Value::Number);
+    let read = value.as_bool().map(Value::Flag).or_else(number).or_else(|| value.as_string().map(Value::Text));
+    read.ok_or_else(|| refused(name, value, "a number, a text, true or false"))
+}
+
+fn read_parameters(value: &JsValue) -> Result<Given, JsValue> {
+    let mut given = Given::new();
+    if value.is_undefined() || value.is_null() {
+        return Ok(given);
+    }
+    let object = value.dyn_ref::<js_sys::Object>().ok_or_else(|| refused("params", value, "an object of parameters by name"))?;
+    for name in js_sys::Object::keys(object).iter().filter_map(|name| name.as_string()) {
+        let value = read_parameter(&name, &property(object, &name))?;
+        given.insert(name, value);
+    }
+    Ok(given)
 }
 
 fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
     match value.as_string() {
         Some(name) => shipped(&name),
-        None => Scene::from_value(read("scene", value)?).map(Arc::new),
+        None => serde_wasm_bindgen::from_value(value.clone())
+            .map_err(|problem| Error::malformed("scene", problem))
+            .and_then(Scene::from_value)
+            .map(Arc::new),
     }
     .map_err(|error| js_error(&error))
 }
 
+fn read_kind(value: &JsValue) -> Result<Kind, JsValue> {
+    let name = read_text("kind", value)?;
+    let known = Kind::ALL.into_iter().find(|kind| kind.name() == name);
+    known.ok_or_else(|| js_error(&Error::unknown("kind", &name, Kind::ALL.map(Kind::name))))
+}
+
 fn read_item(value: &JsValue) -> Result<Item, JsValue> {
-    #[derive(Deserialize)]
-    struct Given {
-        role: String,
-        index: f64,
-    }
-    let Given { role, index } = read("item", value)?;
-    Ok(Item { role: read_role(&role)?, index: if index >= 0.0 { index as usize } else { usize::MAX } })
+    let role = read_role(&read_text("role", &property(value, "role"))?)?;
+    let index = read_number("index", &property(value, "index"))?;
+    Ok(Item { role, index: if index >= 0.0 { index as usize } else { usize::MAX } })
 }
 
 fn read_role(name: &str) -> Result<Role, JsValue> {
@@ -132,7 +181,10 @@ fn read_role(name: &str) -> Result<Role, JsValue> {
 }
 
 fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {
-    read(field, value)
+    match read_list(field, value)?.as_slice() {
+        [x, y] => Ok([read_number(field, x)?, read_number(field, y)?]),
+        _ => Err(refused(field, value, "a point, [x, y]")),
+    }
 }
 
 fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
@@ -196,9 +248,8 @@ pub fn check_scene(scene: &JsScene) -> Result<JsScene, JsValue> {
 #[wasm_bindgen(js_name = checkParameter)]
 pub fn check_parameter(planner: &str, kind: &JsKind, name: &str, value: &JsParameterValue) -> Result<(), JsValue> {
     let entry = find(planner).map_err(|error| js_error(&error))?;
-    let kind: Kind = read("kind", kind)?;
-    let value: Value = read(name, value)?;
-    let given = Given::from_iter([(name, value)]);
+    let kind = read_kind(kind)?;
+    let given = Given::from_iter([(name, read_parameter(name, value)?)]);
     crate::params::Settings::new(entry.parameters, kind, &given).map(drop).map_err(|error| js_error(&error))
 }
 
@@ -226,16 +277,15 @@ impl Session {
     /// An `Error` with `field`, `value` and `allowed` for whatever is refused.
     #[wasm_bindgen(constructor)]
     pub fn new(setup: &JsSetup) -> Result<Session, JsValue> {
-        #[derive(Deserialize)]
-        struct Plain {
-            planner: String,
-            params: Option<Given>,
-            seed: Option<f64>,
+        if !setup.is_object() {
+            return Err(refused("setup", setup, "an object with planner, scene, params and seed"));
         }
-        let scene = js_sys::Reflect::get(setup, &"scene".into())?;
-        let Plain { planner, params, seed } = read("setup", setup)?;
-        let seed = seed.map_or(Ok(1), |seed| whole("seed", seed))?;
-        let setup = Setup { planner, scene: read_scene(&scene)?, params: params.unwrap_or_default(), seed };
+        let part = |name| property(setup, name);
+        let seed = part("seed");
+        let seed = if seed.is_undefined() || seed.is_null() { 1 } else { whole("seed", read_number("seed", &seed)?)? };
+        let planner = read_text("planner", &part("planner"))?;
+        let params = read_parameters(&part("params"))?;
+        let setup = Setup { planner, scene: read_scene(&part("scene"))?, params, seed };
         session::Session::new(setup).map(Session::of).map_err(|error| js_error(&error))
     }
 
@@ -345,7 +395,7 @@ impl Session {
     ///
     /// # Errors
     /// For an unknown role.
-    pub fn inspect(&self, item: &JsItem) -> Result<JsInspectionOrNull, JsValue> {
+    pub fn inspect(&mut self, item: &JsItem) -> Result<JsInspectionOrNull, JsValue> {
         Ok(plain(&self.run.inspect(read_item(item)?).map(InspectionView::from)))
     }
 
@@ -386,8 +436,8 @@ impl Session {
     /// # Errors
     /// For an unknown role.
     pub fn svg(&self, dark: bool, layers: &JsNames) -> Result<String, JsValue> {
-        let names: Vec<String> = read("layers", layers)?;
-        let roles = names.iter().map(|name| read_role(name)).collect::<Result<Vec<_>, _>>()?;
+        let names = read_list("layers", layers)?;
+        let roles = names.iter().map(|name| read_role(&read_text("layers", name)?)).collect::<Result<Vec<_>, _>>()?;
         Ok(picture::svg(&self.run, dark, &roles))
     }
 

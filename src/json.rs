@@ -1,0 +1,127 @@
+//! JSON text and numbers, read and written alike natively and in WebAssembly.
+//!
+//! In WebAssembly JavaScript's own parser reads, instead of a second one with tables of its own in the download. Both
+//! round correctly, so the bits are the same. The writer is the same everywhere, and so is the text of a link.
+
+use std::fmt::Write;
+
+use serde_json::Value;
+
+/// Reads JSON.
+///
+/// # Errors
+/// What is wrong with the text, and where.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn parse(text: &str) -> Result<Value, String> {
+    serde_json::from_str(text).map_err(|problem| problem.to_string())
+}
+
+/// Reads JSON.
+///
+/// # Errors
+/// What is wrong with the text, in the words of the JavaScript engine.
+#[cfg(target_arch = "wasm32")]
+pub fn parse(text: &str) -> Result<Value, String> {
+    let value = js_sys::JSON::parse(text).map_err(|problem| String::from(js_sys::Error::from(problem).message()))?;
+    serde_wasm_bindgen::from_value(value).map_err(|problem| problem.to_string())
+}
+
+/// The number that a text of digits, point, signs and exponent stands for.
+pub fn number(text: &str) -> Option<f64> {
+    let plain = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
+    if plain { decimal(text) } else { None }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn decimal(text: &str) -> Option<f64> {
+    text.parse().ok()
+}
+
+#[cfg(target_arch = "wasm32")]
+fn decimal(text: &str) -> Option<f64> {
+    // For JavaScript an empty text is 0.
+    let number = wasm_bindgen::JsValue::from_str(text).unchecked_into_f64();
+    (!text.is_empty() && !number.is_nan()).then_some(number)
+}
+
+/// Writes an object's fields in their order, without spaces.
+pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, &'a Value)>) -> String {
+    let mut out = String::new();
+    write_object(&mut out, &mut fields.into_iter());
+    out
+}
+
+fn write_object(out: &mut String, fields: &mut dyn Iterator<Item = (&str, &Value)>) {
+    out.push('{');
+    for (i, (name, value)) in fields.enumerate() {
+        separate(out, i);
+        write_text(out, name);
+        out.push(':');
+        write(out, value);
+    }
+    out.push('}');
+}
+
+fn write(out: &mut String, value: &Value) {
+    match value {
+        Value::Null => out.push_str("null"),
+        Value::Bool(flag) => out.push_str(if *flag { "true" } else { "false" }),
+        Value::Number(number) => write_number(out, number.as_f64().unwrap_or_default()),
+        Value::String(text) => write_text(out, text),
+        Value::Array(items) => {
+            out.push('[');
+            for (i, item) in items.iter().enumerate() {
+                separate(out, i);
+                write(out, item);
+            }
+            out.push(']');
+        }
+        Value::Object(fields) => write_object(out, &mut fields.iter().map(|(name, value)| (name.as_str(), value))),
+    }
+}
+
+fn separate(out: &mut String, i: usize) {
+    if i > 0 {
+        out.push(',');
+    }
+}
+
+/// Whole numbers without a point; exponents only for the very small and the very large.
+fn write_number(out: &mut String, number: f64) {
+    let size = number.abs();
+    // Writing to a string cannot fail.
+    let _ = if size == 0.0 || (1e-6..1e21).contains(&size) { write!(out, "{number}") } else { write!(out, "{number:e}") };
+}
+
+fn write_text(out: &mut String, text: &str) {
+    out.push('"');
+    for character in text.chars() {
+        match character {
+            '"' | '\\' => out.extend(['\\', character]),
+            '\0'..='\x1f' => {
+                let _ = write!(out, "\\u{:04x}", character as u32);
+            }
+            _ => out.push(character),
+        }
+    }
+    out.push('"');
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read_back() {
+        let value = parse(r#"{"a": [1, 2.5, -3e-9, 1e300, true, null], "b": {"c\n\"\\": "ä\u0001"}}"#).unwrap();
+        let text = object(value.as_object().unwrap().iter().map(|(name, value)| (name.as_str(), value)));
+        assert_eq!(text, r#"{"a":[1,2.5,-3e-9,1e300,true,null],"b":{"c\u000a\"\\":"ä\u0001"}}"#);
+        assert_eq!(parse(&text).unwrap(), value);
+    }
+
+    #[test]
+    fn numbers_are_decimal_digits_only() {
+        assert_eq!(["0.5", "-1e3", "+2", "5."].map(number), [Some(0.5), Some(-1000.0), Some(2.0), Some(5.0)]);
+        assert_eq!(["", ".", "e", "1e", "0x10", "inf", "NaN", "1 2"].map(number), [None; 8]);
+    }
+}
