@@ -10,6 +10,7 @@ use super::{
     flight::{Swarm, Term, Watch},
     objective::Objective,
     perturbation::Event,
+    schedule::Coefficients,
 };
 
 /// The TeX strings that inspections use.
@@ -140,18 +141,37 @@ impl Watch for Record {
     }
 }
 
+/// What an explanation needs to know of an objective. Behind `dyn`, so that the rest is compiled once, not once for
+/// each objective.
+trait Meaning {
+    /// See [`Objective::points`].
+    fn places(&self, x: &[f64]) -> Vec<[f64; 2]>;
+    /// See [`Objective::ends`].
+    fn path_ends(&self) -> Option<([f64; 2], [f64; 2])>;
+    /// See [`Objective::coordinate`].
+    fn name_of(&self, j: usize) -> String;
+}
+
+impl<O: Objective> Meaning for O {
+    fn places(&self, x: &[f64]) -> Vec<[f64; 2]> {
+        self.points(x).collect()
+    }
+
+    fn path_ends(&self) -> Option<([f64; 2], [f64; 2])> {
+        self.ends()
+    }
+
+    fn name_of(&self, j: usize) -> String {
+        self.coordinate(j)
+    }
+}
+
 impl<O: Objective> Swarm<O> {
     /// The particle before anything has moved it.
     pub(super) fn introduce(&self, item: Item) -> Option<Inspection> {
         let i = self.particle(item)?;
-        let x = &self.population.x[self.population.row(i)];
-        let mut told =
-            self.sheet(item, "start", format!("Particle {i} begins here, drawn uniformly from the search box; its velocity is zero."));
-        told.columns = START.to_vec();
-        told.rows = x.iter().map(|&x| vec![x]).collect();
-        told.values.extend(quantities(&COST, &[self.population.cost[i]]));
-        told.marks = vec![self.mark(Role::After, x)];
-        Some(told)
+        let population = &self.population;
+        Some(tell_start(&population.objective, item, &population.x[population.row(i)], population.cost[i]))
     }
 
     /// What the next step does to the particle.
@@ -160,29 +180,74 @@ impl<O: Objective> Swarm<O> {
         let mut record = Record { particle: i, ..Record::default() };
         let mut after = self.clone();
         after.advance(&mut record);
-        let mut told = match after.events[i] {
-            Event::Move => self.tell_move(item, &after, &record),
-            Event::Hen => self.tell_hen(item, &after, &record),
-            Event::Chick => self.tell_chick(item, &after),
+        let (now, next) = (&self.population, &after.population);
+        let row = now.row(i);
+        let other = record.other.unwrap_or(i);
+        // A particle that comes earlier in the order has already moved when the hen looks at it.
+        let moved = if other < i { next } else { now };
+        let step = Step {
+            item,
+            meaning: &now.objective,
+            x: &now.x[row.clone()],
+            p: &now.p[row.clone()],
+            v: &self.v[row.clone()],
+            g: &now.g,
+            to: &next.x[row],
+            costs: [now.cost[i], next.cost[i], next.p_cost[i]],
+            bests: [now.p_cost[i], now.g_cost, moved.p_cost[other]],
+            other,
+            x_t: &moved.x[now.row(other)],
+            coefficients: after.coefficients,
+            f_l: self.flight.perturbation.map_or(0.0, |p| p.f_l),
+            record: &record,
         };
-        told.values.extend(quantities(&COSTS, &[self.population.cost[i], after.population.cost[i], after.population.p_cost[i]]));
-        Some(told)
+        Some(step.tell(after.events[i]))
     }
 
     fn particle(&self, item: Item) -> Option<usize> {
         let known = matches!(item.role, Role::Particles | Role::PersonalBests);
         (known && item.index < self.population.size).then_some(item.index)
     }
+}
 
-    fn tell_move(&self, item: Item, after: &Self, record: &Record) -> Inspection {
-        let row = self.population.row(item.index);
-        let (x, p, to) = (&self.population.x[row.clone()], &self.population.p[row.clone()], &after.population.x[row.clone()]);
-        let terms = &record.terms;
-        let mut told = self.sheet(
-            item,
-            "move",
-            format!("Particle {} keeps part of its velocity and is drawn to its own best and to the swarm’s.", item.index),
-        );
+/// One particle's step and everything that went into it.
+struct Step<'a> {
+    item: Item,
+    meaning: &'a dyn Meaning,
+    /// Position, personal best and velocity before, the global best before, and the position after.
+    x: &'a [f64],
+    p: &'a [f64],
+    v: &'a [f64],
+    g: &'a [f64],
+    to: &'a [f64],
+    /// Cost before, cost after, personal best after.
+    costs: [f64; 3],
+    /// f_i, f_g and f_t of (10) and (11).
+    bests: [f64; 3],
+    /// The hen's other particle and where it stood.
+    other: usize,
+    x_t: &'a [f64],
+    coefficients: Coefficients,
+    f_l: f64,
+    record: &'a Record,
+}
+
+impl Step<'_> {
+    fn tell(&self, event: Event) -> Inspection {
+        let mut told = match event {
+            Event::Move => self.tell_move(),
+            Event::Hen => self.tell_hen(),
+            Event::Chick => self.tell_chick(),
+        };
+        told.values.extend(quantities(&COSTS, &self.costs));
+        told
+    }
+
+    fn tell_move(&self) -> Inspection {
+        let Self { x, p, to, .. } = self;
+        let terms = &self.record.terms;
+        let summary = format!("Particle {} keeps part of its velocity and is drawn to its own best and to the swarm’s.", self.item.index);
+        let mut told = sheet(self.meaning, self.item, "move", summary, x.len());
         told.columns = MOVE.to_vec();
         told.rows = (0..x.len())
             .map(|j| {
@@ -191,95 +256,98 @@ impl<O: Objective> Swarm<O> {
             })
             .collect();
         told.formulas = vec!["velocity", "position"];
-        let c = after.coefficients;
-        told.values.extend(quantities(
-            &MOVED,
-            &[c.w, c.c1, c.c2, self.v[row.start], terms[0].r[0], terms[0].r[1], x[0], p[0], self.population.g[0], terms[0].step, to[0]],
-        ));
-        let mut at = x.to_vec();
-        let mut arrow = |role, part: fn(&Term) -> f64| {
-            let from: Vec<_> = self.population.objective.points(&at).collect();
-            at.iter_mut().zip(terms).for_each(|(at, term)| *at += part(term));
-            let arrows = from.into_iter().zip(self.population.objective.points(&at)).flat_map(|(a, b)| [a, b]).collect();
-            Mark { role, shape: Shape::Segments, vertices: arrows }
-        };
-        let parts = [arrow(Role::Inertia, |t| t.inertia), arrow(Role::Cognitive, |t| t.cognitive), arrow(Role::Social, |t| t.social)];
-        told.marks = vec![self.mark(Role::Before, x), self.mark(Role::After, to)];
-        told.marks.extend(parts);
-        told.marks.push(self.arrows(Role::Velocity, x, to));
-        told
-    }
-
-    fn tell_hen(&self, item: Item, after: &Self, record: &Record) -> Inspection {
-        let row = self.population.row(item.index);
-        let (x, to) = (&self.population.x[row.clone()], &after.population.x[row]);
-        let other = record.other.unwrap_or(item.index);
-        // A particle that comes earlier in the order has already moved when the hen looks at it.
-        let moved = if other < item.index { after } else { self };
-        let x_t = &moved.population.x[self.population.row(other)];
-        let mut told = self.sheet(
-            item,
-            "hen",
-            format!(
-                "Particle {} got worse again and again, so it jumps like a hen, towards the swarm’s best and particle {other}.",
-                item.index
-            ),
-        );
-        told.columns = HEN.to_vec();
-        told.rows = (0..x.len()).map(|j| vec![x[j], record.r[j][0], record.r[j][1], x_t[j], to[j]]).collect();
-        told.formulas = vec!["hen", "s1", "s2"];
-        let (f_i, f_g, f_t) = (self.population.p_cost[item.index], self.population.g_cost, moved.population.p_cost[other]);
-        let ([s1, s2], [r, r_]) = (record.s, record.r[0]);
-        told.values.extend(quantities(&HENNED, &[s1, s2, other as f64, f_i, f_g, f_t, x[0], r, r_, self.population.g[0], x_t[0], to[0]]));
-        told.marks = vec![self.mark(Role::Before, x), self.mark(Role::After, to), self.arrows(Role::Jump, x, to)];
-        told
-    }
-
-    fn tell_chick(&self, item: Item, after: &Self) -> Inspection {
-        let row = self.population.row(item.index);
-        let (x, to) = (&self.population.x[row.clone()], &after.population.x[row]);
-        let mut told = self.sheet(
-            item,
-            "chick",
-            format!("The hen did not help particle {}, so it jumps like a chick, across the swarm’s best.", item.index),
-        );
-        told.columns = CHICK.to_vec();
-        told.rows = (0..x.len()).map(|j| vec![x[j], self.population.g[j], to[j]]).collect();
-        told.formulas = vec!["chick"];
-        let f_l = self.flight.perturbation.map_or(0.0, |p| p.f_l);
-        told.values.extend(quantities(&CHICKED, &[f_l, x[0], self.population.g[0], to[0]]));
-        told.marks = vec![self.mark(Role::Before, x), self.mark(Role::After, to), self.arrows(Role::Jump, x, to)];
-        told
-    }
-
-    fn sheet(&self, item: Item, event: &'static str, summary: String) -> Inspection {
-        Inspection {
-            item,
-            title: format!("Particle {}", item.index),
-            event,
-            summary,
-            values: Vec::new(),
-            formulas: Vec::new(),
-            columns: Vec::new(),
-            labels: (0..self.population.dimension).map(|j| self.population.objective.coordinate(j)).collect(),
-            rows: Vec::new(),
-            marks: Vec::new(),
+        let Coefficients { w, c1, c2 } = self.coefficients;
+        let [r1, r2] = terms[0].r;
+        told.values.extend(quantities(&MOVED, &[w, c1, c2, self.v[0], r1, r2, x[0], p[0], self.g[0], terms[0].step, to[0]]));
+        told.marks = vec![mark(self.meaning, Role::Before, x), mark(self.meaning, Role::After, to)];
+        // Head to tail: each part begins where the one before it ends.
+        let mut tip = x.to_vec();
+        let parts: [(Role, fn(&Term) -> f64); 3] =
+            [(Role::Inertia, |t| t.inertia), (Role::Cognitive, |t| t.cognitive), (Role::Social, |t| t.social)];
+        for (role, part) in parts {
+            let tail = tip.clone();
+            tip.iter_mut().zip(terms).for_each(|(tip, term)| *tip += part(term));
+            told.marks.push(arrows(self.meaning, role, &tail, &tip));
         }
+        told.marks.push(arrows(self.meaning, Role::Velocity, x, to));
+        told
     }
 
-    fn mark(&self, role: Role, x: &[f64]) -> Mark {
-        let ends = self.population.objective.ends();
-        let shape = if ends.is_some() { Shape::Polyline } else { Shape::Points };
-        let first = ends.iter().map(|e| e.0);
-        let last = ends.iter().map(|e| e.1);
-        Mark { role, shape, vertices: first.chain(self.population.objective.points(x)).chain(last).collect() }
+    fn tell_hen(&self) -> Inspection {
+        let Self { x, to, other, x_t, .. } = self;
+        let summary = format!(
+            "Particle {} got worse again and again, so it jumps like a hen, towards the swarm’s best and particle {other}.",
+            self.item.index
+        );
+        let mut told = sheet(self.meaning, self.item, "hen", summary, x.len());
+        let (r, [s1, s2], [f_i, f_g, f_t]) = (&self.record.r, self.record.s, self.bests);
+        told.columns = HEN.to_vec();
+        told.rows = (0..x.len()).map(|j| vec![x[j], r[j][0], r[j][1], x_t[j], to[j]]).collect();
+        told.formulas = vec!["hen", "s1", "s2"];
+        told.values.extend(quantities(&HENNED, &[s1, s2, *other as f64, f_i, f_g, f_t, x[0], r[0][0], r[0][1], self.g[0], x_t[0], to[0]]));
+        told.marks = self.jump();
+        told
     }
 
-    fn arrows(&self, role: Role, from: &[f64], to: &[f64]) -> Mark {
-        let objective = &self.population.objective;
-        let vertices = objective.points(from).zip(objective.points(to)).flat_map(|(a, b)| [a, b]).collect();
-        Mark { role, shape: Shape::Segments, vertices }
+    fn tell_chick(&self) -> Inspection {
+        let Self { x, to, g, .. } = self;
+        let summary = format!("The hen did not help particle {}, so it jumps like a chick, across the swarm’s best.", self.item.index);
+        let mut told = sheet(self.meaning, self.item, "chick", summary, x.len());
+        told.columns = CHICK.to_vec();
+        told.rows = (0..x.len()).map(|j| vec![x[j], g[j], to[j]]).collect();
+        told.formulas = vec!["chick"];
+        told.values.extend(quantities(&CHICKED, &[self.f_l, x[0], g[0], to[0]]));
+        told.marks = self.jump();
+        told
     }
+
+    fn jump(&self) -> Vec<Mark> {
+        let Self { meaning, x, to, .. } = *self;
+        vec![mark(meaning, Role::Before, x), mark(meaning, Role::After, to), arrows(meaning, Role::Jump, x, to)]
+    }
+}
+
+fn tell_start(meaning: &dyn Meaning, item: Item, x: &[f64], cost: f64) -> Inspection {
+    let summary = format!("Particle {} begins here, drawn uniformly from the search box; its velocity is zero.", item.index);
+    let mut told = sheet(meaning, item, "start", summary, x.len());
+    told.columns = START.to_vec();
+    told.rows = x.iter().map(|&x| vec![x]).collect();
+    told.values.extend(quantities(&COST, &[cost]));
+    told.marks = vec![mark(meaning, Role::After, x)];
+    told
+}
+
+fn sheet(meaning: &dyn Meaning, item: Item, event: &'static str, summary: String, dimension: usize) -> Inspection {
+    Inspection {
+        item,
+        title: format!("Particle {}", item.index),
+        event,
+        summary,
+        values: Vec::new(),
+        formulas: Vec::new(),
+        columns: Vec::new(),
+        labels: (0..dimension).map(|j| meaning.name_of(j)).collect(),
+        rows: Vec::new(),
+        marks: Vec::new(),
+    }
+}
+
+fn mark(meaning: &dyn Meaning, role: Role, x: &[f64]) -> Mark {
+    let mut vertices = meaning.places(x);
+    let shape = match meaning.path_ends() {
+        Some((start, goal)) => {
+            vertices.insert(0, start);
+            vertices.push(goal);
+            Shape::Polyline
+        }
+        None => Shape::Points,
+    };
+    Mark { role, shape, vertices }
+}
+
+fn arrows(meaning: &dyn Meaning, role: Role, from: &[f64], to: &[f64]) -> Mark {
+    let vertices = meaning.places(from).into_iter().zip(meaning.places(to)).flat_map(|(a, b)| [a, b]).collect();
+    Mark { role, shape: Shape::Segments, vertices }
 }
 
 #[cfg(test)]
