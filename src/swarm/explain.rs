@@ -262,11 +262,9 @@ impl Step<'_> {
         told.marks = vec![mark(self.meaning, Role::Before, x), mark(self.meaning, Role::After, to)];
         // Head to tail: each part begins where the one before it ends.
         let mut tip = x.to_vec();
-        let parts: [(Role, fn(&Term) -> f64); 3] =
-            [(Role::Inertia, |t| t.inertia), (Role::Cognitive, |t| t.cognitive), (Role::Social, |t| t.social)];
-        for (role, part) in parts {
+        for (part, role) in [Role::Inertia, Role::Cognitive, Role::Social].into_iter().enumerate() {
             let tail = tip.clone();
-            tip.iter_mut().zip(terms).for_each(|(tip, term)| *tip += part(term));
+            tip.iter_mut().zip(terms).for_each(|(tip, term)| *tip += [term.inertia, term.cognitive, term.social][part]);
             told.marks.push(arrows(self.meaning, role, &tail, &tip));
         }
         told.marks.push(arrows(self.meaning, Role::Velocity, x, to));
