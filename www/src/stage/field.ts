@@ -59,6 +59,12 @@ export class Field {
     this.changed()
   }
 
+  /** The one that was asked will never answer. */
+  forget(): void {
+    this.asked = ''
+    this.busy = false
+  }
+
   drop(): void {
     this.asked = ''
     this.picture?.bitmap.close()

@@ -114,7 +114,7 @@ function ring({ context, view, size }: Pen, scene: DiscsScene, handle: Selection
   const [x, y] = toScreen(view, size, place(scene, handle))
   const radius = handle.kind === 'disc' ? (scene.discs[handle.index]?.radius ?? 0) * view.scale + 3 : HANDLE + 4
   context.beginPath()
-  context.arc(x, y, radius, 0, 2 * Math.PI)
+  context.arc(x, y, Math.max(0, radius), 0, 2 * Math.PI)
   context.lineWidth = 2
   context.strokeStyle = colour
   context.stroke()

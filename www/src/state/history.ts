@@ -26,3 +26,6 @@ export function redo<T>(history: History<T>): History<T> {
   if (next === undefined) return history
   return { past: [...history.past, history.present], present: next, future }
 }
+
+/** The present takes another form; the step that led to it stays one. */
+export const amend = <T>({ past }: History<T>, present: T): History<T> => ({ past, present, future: [] })

@@ -8,6 +8,9 @@ import { add, edited, move, place, remove, type Selection } from './edits'
 import * as history from './history'
 import { stillness } from './theme.svelte'
 
+/** Key presses that follow each other within this many milliseconds are one edit. */
+const NUDGING = 800
+
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
 export type Phase = 'loading' | 'ready' | 'crashed'
@@ -65,7 +68,9 @@ class Lab {
     onframe: (frame) => this.receive(frame),
     oncrash: (message) => this.breakDown(message),
   })
-  private promised: string | undefined
+  /** The fingerprint that an opened link promises, and where. */
+  private promised: { hash: string; at: number } | undefined
+  private nudged: { selection: Selection; at: number } | null = null
   private starting = false
   private pending: Opening | null = null
 
@@ -78,6 +83,9 @@ class Lab {
     }
     this.phase = 'ready'
     this.crash = ''
+    // A new thread counts its runs anew: nothing of the old one may pass for its.
+    this.frame = null
+    this.traced.clear()
     await this.client.api.speed(this.speed)
     if (this.scenes) {
       await this.restart({ at: this.iteration, play: false })
@@ -111,7 +119,8 @@ class Lab {
     this.params = params
     this.paramErrors = {}
     this.seed = seed
-    this.promised = hash
+    this.promised = hash === undefined ? undefined : { hash, at: iteration }
+    this.notice = ''
     this.selection = null
     await this.restart({ at: iteration, play: false })
     return true
@@ -131,6 +140,8 @@ class Lab {
       }
     } finally {
       this.starting = false
+      // The first picture may have come before the answer.
+      if (!this.sceneError && this.frame && this.frame.generation === this.run?.generation) this.stale = false
     }
   }
 
@@ -138,7 +149,7 @@ class Lab {
     const { scene } = this
     if (!scene || this.phase !== 'ready') return
     const answer = await this.client.api.start(
-      { planner: this.plannerName, scene, params: this.params, seed: this.seed },
+      { planner: this.plannerName, scene, params: this.applicable(), seed: this.seed },
       opening,
     )
     if (!answer.ok) {
@@ -152,6 +163,12 @@ class Lab {
     this.target = opening.at > 0 ? opening.at : null
     this.inspection = null
     this.item = null
+  }
+
+  /** What of the changed parameters means something here. The rest waits for a planner and a scene where it does. */
+  private applicable(): Record<string, ParameterValue> {
+    const known = this.planner?.parameters.filter(({ kinds }) => this.scene && kinds.includes(this.scene.kind)) ?? []
+    return Object.fromEntries(Object.entries(this.params).filter(([key]) => known.some(({ name }) => name === key)))
   }
 
   private refuse(refusal: Refusal): void {
@@ -169,6 +186,9 @@ class Lab {
     this.crash = message
     this.playing = false
     this.target = null
+    // What that thread was asked will never be answered.
+    this.starting = false
+    this.pending = null
     this.client.close()
   }
 
@@ -187,7 +207,7 @@ class Lab {
     this.status = frame.status
     this.readings = frame.readings
     this.inspection = frame.inspection
-    if (this.run?.generation === frame.generation && !this.pending && !this.sceneError) this.stale = false
+    if (this.run?.generation === frame.generation && !this.starting && !this.sceneError) this.stale = false
     if (frame.report) this.hear(frame, frame.report)
     else this.hash = ''
   }
@@ -202,8 +222,10 @@ class Lab {
     this.playing = frame.playing
     this.target = null
     address.now(report.link)
-    if (this.promised !== undefined && this.promised !== report.settledHash) this.notice = en.notices.hash
-    this.promised = undefined
+    if (this.promised?.at === frame.iteration) {
+      if (this.promised.hash !== report.settledHash) this.notice = en.notices.hash
+      this.promised = undefined
+    }
   }
 
   // Transport
@@ -238,14 +260,13 @@ class Lab {
   // What is planned with what
 
   private again(): void {
+    this.promised = undefined
     void this.restart({ at: 0, play: this.playing || !this.run || (this.finished && !stillness.matches) })
   }
 
   setPlanner = (name: string): void => {
     const planner = this.catalogue?.planners.find((candidate) => candidate.name === name)
     if (!planner || name === this.plannerName) return
-    const known = new Set(planner.parameters.map((parameter) => parameter.name))
-    this.params = Object.fromEntries(Object.entries(this.params).filter(([key]) => known.has(key)))
     this.paramErrors = {}
     this.plannerName = name
     this.again()
@@ -364,7 +385,16 @@ class Lab {
     const { discs, selection } = this
     if (!discs || !selection) return
     const [x, y] = place(discs, selection)
-    this.edit(move(discs, selection, [x + dx, y + dy]))
+    const moved = move(discs, selection, [x + dx, y + dy])
+    // A row of key presses is one edit.
+    const goesOn = this.nudged?.selection === selection && performance.now() - this.nudged.at < NUDGING
+    if (goesOn && this.scenes) {
+      this.scenes = history.amend(this.scenes, edited(moved))
+      this.again()
+    } else {
+      this.edit(moved)
+    }
+    this.nudged = { selection, at: performance.now() }
   }
 
   // Looking closer

@@ -58,6 +58,7 @@ const api = {
   newSeed: (): number => newSeed(),
   outcome: (): Answer<Outcome> => answer(() => current().outcome()),
   svg: (dark: boolean, layers: string[]): Answer<string> => answer(() => current().svg(dark, layers)),
+  link: (): Answer<string> => answer(() => current().link()),
   csv: (): Answer<string> => answer(() => current().csv()),
   async field({ min, max, width, height, dark }: FieldRequest): Promise<ImageBitmap | null> {
     await breathe()
