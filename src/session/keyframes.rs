@@ -11,7 +11,7 @@ pub(super) struct Keyframes {
 }
 
 /// A state is kept every so many iterations to begin with: a step back then replays at most this many.
-const STRIDE: u64 = 4;
+const STRIDE: u64 = 16;
 
 impl Keyframes {
     pub(super) fn new(budget: usize) -> Self {
