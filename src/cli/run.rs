@@ -14,7 +14,7 @@ use std::{
 };
 
 use forage::{Outcome, Session, Status, frame::Role, picture};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
 use super::{Failure, args::RunArgs, load, print, print_json};
@@ -60,7 +60,7 @@ fn carry_out(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) 
         }
     });
     let end = stop_at.unwrap_or(u64::MAX).min(session.limit());
-    let bar = progress(end);
+    let (bar, mut shown) = (progress(end), false);
     let mut rows = trace.map(|path| File::create(path).map(csv::Writer::from_writer).map_err(|error| file(path, error))).transpose()?;
     let begun = std::time::Instant::now();
     loop {
@@ -68,6 +68,10 @@ fn carry_out(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) 
             write_row(rows, session).map_err(|error| file(path, error))?;
         }
         bar.set_position(session.iteration());
+        if !shown && begun.elapsed() > LONG {
+            shown = true;
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
         let done = session.iteration() >= end || session.status() != Status::Running;
         if done || interrupted.load(Ordering::Relaxed) {
             break;
@@ -85,13 +89,15 @@ fn carry_out(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) 
     Ok(elapsed.as_secs_f64() * 1e3)
 }
 
-/// A bar on standard error that shows itself only on a terminal, and only when a run takes longer than a moment.
+/// After this long a run is long enough for a progress bar.
+const LONG: Duration = Duration::from_millis(500);
+
+/// A bar for standard error (which shows it only on a terminal), hidden until the run has proved to be long.
 fn progress(end: u64) -> ProgressBar {
-    let bar = ProgressBar::new(end);
+    let bar = ProgressBar::with_draw_target(Some(end), ProgressDrawTarget::hidden());
     if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} iterations, {eta} left") {
         bar.set_style(style);
     }
-    bar.enable_steady_tick(Duration::from_millis(200));
     bar
 }
 
