@@ -8,7 +8,7 @@ export const panels = {
     standard: (value: string) => `Default: ${value}.`,
     reset: (title: string, value: string) => `Reset ${title} to ${value}`,
     resetAll: 'Reset all',
-    allDefault: 'Everything at its published default.',
+    allDefault: 'Everything at its default.',
     changed: (count: number) => (count === 1 ? '1 parameter changed' : `${count} parameters changed`),
     on: 'on',
     off: 'off',
