@@ -1,9 +1,9 @@
 //! `forage run`.
 
 use std::{
-    fmt::Write,
+    fmt::Write as _,
     fs::File,
-    io,
+    io::{self, Write},
     path::Path,
     process::ExitCode,
     sync::{
@@ -13,7 +13,12 @@ use std::{
     time::Duration,
 };
 
-use forage::{Outcome, Session, Status, frame::Role, picture};
+use forage::{
+    Outcome, Session, Status,
+    frame::Role,
+    picture,
+    session::{csv_heading, csv_row},
+};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
@@ -61,7 +66,7 @@ fn carry_out(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) 
     });
     let end = stop_at.unwrap_or(u64::MAX).min(session.limit());
     let (bar, mut shown) = (progress(end), false);
-    let mut rows = trace.map(|path| File::create(path).map(csv::Writer::from_writer).map_err(|error| file(path, error))).transpose()?;
+    let mut rows = trace.map(|path| File::create(path).map(io::BufWriter::new).map_err(|error| file(path, error))).transpose()?;
     let begun = std::time::Instant::now();
     loop {
         if let (Some(rows), Some(path)) = (&mut rows, trace) {
@@ -101,14 +106,13 @@ fn progress(end: u64) -> ProgressBar {
     bar
 }
 
-fn write_row(rows: &mut csv::Writer<File>, session: &mut Session) -> io::Result<()> {
+fn write_row(rows: &mut impl Write, session: &mut Session) -> io::Result<()> {
     let iteration = session.iteration();
     let readings = session.readings();
     if iteration == 0 {
-        rows.write_record(["iteration"].into_iter().chain(readings.iter().map(|(name, _)| name)))?;
+        csv_heading(rows, readings.iter().map(|(name, _)| name))?;
     }
-    rows.write_record([iteration.to_string()].into_iter().chain(readings.iter().map(|(_, value)| value.to_string())))?;
-    Ok(())
+    csv_row(rows, iteration, readings.iter().map(|(_, value)| value))
 }
 
 fn file(path: &Path, error: io::Error) -> Failure {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 pub use any::AnyPlanner;
 pub use outcome::Outcome;
-pub use trace::Trace;
+pub use trace::{Trace, csv_heading, csv_row};
 
 use crate::{
     catalogue::{Entry, find},

@@ -73,18 +73,33 @@ impl Trace {
     /// # Errors
     /// Whatever the writer reports.
     pub fn write_csv(&self, mut out: impl io::Write) -> io::Result<()> {
-        // Names of readings are identifiers: nothing here ever needs quotes.
-        write!(out, "iteration")?;
-        self.columns.iter().try_for_each(|name| write!(out, ",{name}"))?;
-        writeln!(out)?;
+        csv_heading(&mut out, self.columns.iter().copied())?;
         let (iterations, values) = self.since(None);
-        for (k, row) in iterations.iter().zip(values.chunks_exact(self.columns.len().max(1))) {
-            write!(out, "{k}")?;
-            row.iter().try_for_each(|value| write!(out, ",{value}"))?;
-            writeln!(out)?;
+        for (&k, row) in iterations.iter().zip(values.chunks_exact(self.columns.len().max(1))) {
+            csv_row(&mut out, k, row.iter().copied())?;
         }
         out.flush()
     }
+}
+
+/// Writes a CSV heading: `iteration` and the readings' names. They are identifiers: nothing ever needs quotes.
+///
+/// # Errors
+/// Whatever the writer reports.
+pub fn csv_heading<'a>(out: &mut impl io::Write, names: impl Iterator<Item = &'a str>) -> io::Result<()> {
+    write!(out, "iteration")?;
+    names.into_iter().try_for_each(|name| write!(out, ",{name}"))?;
+    writeln!(out)
+}
+
+/// Writes a CSV line: the iteration and its readings.
+///
+/// # Errors
+/// Whatever the writer reports.
+pub fn csv_row(out: &mut impl io::Write, iteration: u64, values: impl Iterator<Item = f64>) -> io::Result<()> {
+    write!(out, "{iteration}")?;
+    values.into_iter().try_for_each(|value| write!(out, ",{value}"))?;
+    writeln!(out)
 }
 
 #[cfg(test)]

@@ -1,9 +1,11 @@
-//! The JavaScript face, the only place that knows wasm-bindgen.
+//! The JavaScript face, the only place that knows wasm-bindgen (but for `json`, which lets the engine read JSON).
+//! `types` names what crosses the boundary, `read` checks what comes in, this file does the work.
 //!
 //! Plain objects in and out; typed arrays for numbers; errors as `Error` with the native message and the fields
 //! `field`, `value` and `allowed`. Nothing panics across this boundary on any input.
 
-use std::sync::Arc;
+mod read;
+mod types;
 
 use js_sys::{Float32Array, Float64Array, Uint32Array};
 use serde::Serialize;
@@ -11,77 +13,22 @@ use wasm_bindgen::{JsCast, prelude::*};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
 use crate::{
-    Error, Frame, Given, Link, Scene, Setup, Value,
+    Error, Frame, Given, Link, Scene, Setup,
     catalogue::find,
-    frame::Role,
     params::as_object,
     picture,
     planner::{Column, Inspection, Item, Mark, Quantity, Status},
     rng,
-    scene::{Bounds, Kind, shipped},
+    scene::Bounds,
     session,
 };
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = include_str!("wasm.d.ts");
+pub use types::*;
 
-#[wasm_bindgen]
-extern "C" {
-    /// `Catalogue`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Catalogue")]
-    pub type JsCatalogue;
-    /// `Setup`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Setup")]
-    pub type JsSetup;
-    /// `LinkSetup`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "LinkSetup")]
-    pub type JsLinkSetup;
-    /// `Scene`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Scene")]
-    pub type JsScene;
-    /// `Kind`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Kind")]
-    pub type JsKind;
-    /// `ParameterValue`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "ParameterValue")]
-    pub type JsParameterValue;
-    /// `Record<string, ParameterValue>`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Record<string, ParameterValue>")]
-    pub type JsParameters;
-    /// `Record<string, number>`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Record<string, number>")]
-    pub type JsReadings;
-    /// `Trace`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Trace")]
-    pub type JsTrace;
-    /// `FrameViews`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "FrameViews")]
-    pub type JsFrame;
-    /// `Outcome`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Outcome")]
-    pub type JsOutcome;
-    /// `Item`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Item")]
-    pub type JsItem;
-    /// `Item | null`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Item | null")]
-    pub type JsItemOrNull;
-    /// `Inspection | null`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Inspection | null")]
-    pub type JsInspectionOrNull;
-    /// `{ length: number; path: Point[] } | null`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "{ length: number; path: Point[] } | null")]
-    pub type JsExactOrNull;
-    /// `Status`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Status")]
-    pub type JsStatus;
-    /// `Point`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Point")]
-    pub type JsPoint;
-    /// `string[]`, as `wasm.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "string[]")]
-    pub type JsNames;
-}
+use read::{
+    property, read_item, read_kind, read_list, read_number, read_parameter, read_parameters, read_point, read_role, read_scene, read_text,
+    refused, whole,
+};
 
 #[wasm_bindgen(start)]
 fn start() {
@@ -102,97 +49,6 @@ fn js_error(error: &Error) -> JsValue {
 fn plain<T: JsCast>(value: &impl Serialize) -> T {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).unwrap_or(JsValue::NULL).unchecked_into()
-}
-
-/// A value that is not what it must be.
-fn refused(field: &str, value: &JsValue, allowed: &str) -> JsValue {
-    let shown = match (value.as_string(), value.as_f64(), value.as_bool()) {
-        (Some(text), ..) => format!("\"{text}\""),
-        (_, Some(number), _) => number.to_string(),
-        (.., Some(flag)) => flag.to_string(),
-        _ if value.is_undefined() || value.is_null() => "nothing".to_owned(),
-        _ => "an object".to_owned(),
-    };
-    js_error(&Error::refused(field, shown, allowed))
-}
-
-/// A property; undefined where there is none.
-fn property(object: &JsValue, name: &str) -> JsValue {
-    js_sys::Reflect::get(object, &name.into()).unwrap_or_default()
-}
-
-fn read_text(field: &str, value: &JsValue) -> Result<String, JsValue> {
-    value.as_string().ok_or_else(|| refused(field, value, "a text"))
-}
-
-fn read_number(field: &str, value: &JsValue) -> Result<f64, JsValue> {
-    value.as_f64().ok_or_else(|| refused(field, value, "a number"))
-}
-
-fn read_list(field: &str, value: &JsValue) -> Result<Vec<JsValue>, JsValue> {
-    value.dyn_ref::<js_sys::Array>().map(js_sys::Array::to_vec).ok_or_else(|| refused(field, value, "a list"))
-}
-
-fn read_parameter(name: &str, value: &JsValue) -> Result<Value, JsValue> {
-    let number = || value.as_f64().map(Value::Number);
-    let read = value.as_bool().map(Value::Flag).or_else(number).or_else(|| value.as_string().map(Value::Text));
-    read.ok_or_else(|| refused(name, value, "a number, a text, true or false"))
-}
-
-fn read_parameters(value: &JsValue) -> Result<Given, JsValue> {
-    let mut given = Given::new();
-    if value.is_undefined() || value.is_null() {
-        return Ok(given);
-    }
-    let object = value.dyn_ref::<js_sys::Object>().ok_or_else(|| refused("params", value, "an object of parameters by name"))?;
-    for name in js_sys::Object::keys(object).iter().filter_map(|name| name.as_string()) {
-        let value = read_parameter(&name, &property(object, &name))?;
-        given.insert(name, value);
-    }
-    Ok(given)
-}
-
-fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
-    match value.as_string() {
-        Some(name) => shipped(&name),
-        None => serde_wasm_bindgen::from_value(value.clone())
-            .map_err(|problem| Error::malformed("scene", problem))
-            .and_then(Scene::from_value)
-            .map(Arc::new),
-    }
-    .map_err(|error| js_error(&error))
-}
-
-fn read_kind(value: &JsValue) -> Result<Kind, JsValue> {
-    let name = read_text("kind", value)?;
-    let known = Kind::ALL.into_iter().find(|kind| kind.name() == name);
-    known.ok_or_else(|| js_error(&Error::unknown("kind", &name, Kind::ALL.map(Kind::name))))
-}
-
-fn read_item(value: &JsValue) -> Result<Item, JsValue> {
-    let role = read_role(&read_text("role", &property(value, "role"))?)?;
-    let index = read_number("index", &property(value, "index"))?;
-    Ok(Item { role, index: if index >= 0.0 { index as usize } else { usize::MAX } })
-}
-
-fn read_role(name: &str) -> Result<Role, JsValue> {
-    let known = Role::ALL.into_iter().find(|role| role.name() == name);
-    known.ok_or_else(|| js_error(&Error::unknown("role", name, Role::ALL.map(Role::name))))
-}
-
-fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {
-    match read_list(field, value)?.as_slice() {
-        [x, y] => Ok([read_number(field, x)?, read_number(field, y)?]),
-        _ => Err(refused(field, value, "a point, [x, y]")),
-    }
-}
-
-fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
-    if (0.0..=rng::MAX_SEED as f64).contains(&number) && number.fract() == 0.0 {
-        Ok(number as u64)
-    } else {
-        Err(js_error(&Error::refused(field, number, rng::SEED_RANGE)))
-    }
 }
 
 fn status(status: Status) -> JsStatus {

@@ -130,6 +130,8 @@ export interface Catalogue {
   scenes: Scene[];
   /** Names of role numbers in a frame's span table. */
   roles: string[];
+  /** Every TeX string that stands outside a formula, so that a page can typeset them when it is built. */
+  symbols: string[];
   /** Names of shape numbers in a frame's span table. */
   shapes: ('points' | 'polyline' | 'segments' | 'field')[];
 }

@@ -1,0 +1,106 @@
+//! What JavaScript gives, read and checked: every refusal names the field, the value and what is allowed.
+
+use std::sync::Arc;
+
+use wasm_bindgen::{JsCast, JsValue};
+
+use crate::{
+    Error, Given, Scene, Value,
+    frame::Role,
+    planner::Item,
+    rng,
+    scene::{Kind, shipped},
+};
+
+use super::js_error;
+
+/// A value that is not what it must be.
+pub(super) fn refused(field: &str, value: &JsValue, allowed: &str) -> JsValue {
+    let shown = match (value.as_string(), value.as_f64(), value.as_bool()) {
+        (Some(text), ..) => format!("\"{text}\""),
+        (_, Some(number), _) => number.to_string(),
+        (.., Some(flag)) => flag.to_string(),
+        _ if value.is_undefined() || value.is_null() => "nothing".to_owned(),
+        _ => "an object".to_owned(),
+    };
+    js_error(&Error::refused(field, shown, allowed))
+}
+
+/// A property; undefined where there is none.
+pub(super) fn property(object: &JsValue, name: &str) -> JsValue {
+    js_sys::Reflect::get(object, &name.into()).unwrap_or_default()
+}
+
+pub(super) fn read_text(field: &str, value: &JsValue) -> Result<String, JsValue> {
+    value.as_string().ok_or_else(|| refused(field, value, "a text"))
+}
+
+pub(super) fn read_number(field: &str, value: &JsValue) -> Result<f64, JsValue> {
+    value.as_f64().ok_or_else(|| refused(field, value, "a number"))
+}
+
+pub(super) fn read_list(field: &str, value: &JsValue) -> Result<Vec<JsValue>, JsValue> {
+    value.dyn_ref::<js_sys::Array>().map(js_sys::Array::to_vec).ok_or_else(|| refused(field, value, "a list"))
+}
+
+pub(super) fn read_parameter(name: &str, value: &JsValue) -> Result<Value, JsValue> {
+    let number = || value.as_f64().map(Value::Number);
+    let read = value.as_bool().map(Value::Flag).or_else(number).or_else(|| value.as_string().map(Value::Text));
+    read.ok_or_else(|| refused(name, value, "a number, a text, true or false"))
+}
+
+pub(super) fn read_parameters(value: &JsValue) -> Result<Given, JsValue> {
+    let mut given = Given::new();
+    if value.is_undefined() || value.is_null() {
+        return Ok(given);
+    }
+    let object = value.dyn_ref::<js_sys::Object>().ok_or_else(|| refused("params", value, "an object of parameters by name"))?;
+    for name in js_sys::Object::keys(object).iter().filter_map(|name| name.as_string()) {
+        let value = read_parameter(&name, &property(object, &name))?;
+        given.insert(name, value);
+    }
+    Ok(given)
+}
+
+pub(super) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
+    match value.as_string() {
+        Some(name) => shipped(&name),
+        None => serde_wasm_bindgen::from_value(value.clone())
+            .map_err(|problem| Error::malformed("scene", problem))
+            .and_then(Scene::from_value)
+            .map(Arc::new),
+    }
+    .map_err(|error| js_error(&error))
+}
+
+pub(super) fn read_kind(value: &JsValue) -> Result<Kind, JsValue> {
+    let name = read_text("kind", value)?;
+    let known = Kind::ALL.into_iter().find(|kind| kind.name() == name);
+    known.ok_or_else(|| js_error(&Error::unknown("kind", &name, Kind::ALL.map(Kind::name))))
+}
+
+pub(super) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
+    let role = read_role(&read_text("role", &property(value, "role"))?)?;
+    let index = read_number("index", &property(value, "index"))?;
+    Ok(Item { role, index: if index >= 0.0 { index as usize } else { usize::MAX } })
+}
+
+pub(super) fn read_role(name: &str) -> Result<Role, JsValue> {
+    let known = Role::ALL.into_iter().find(|role| role.name() == name);
+    known.ok_or_else(|| js_error(&Error::unknown("role", name, Role::ALL.map(Role::name))))
+}
+
+pub(super) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {
+    match read_list(field, value)?.as_slice() {
+        [x, y] => Ok([read_number(field, x)?, read_number(field, y)?]),
+        _ => Err(refused(field, value, "a point, [x, y]")),
+    }
+}
+
+pub(super) fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
+    if (0.0..=rng::MAX_SEED as f64).contains(&number) && number.fract() == 0.0 {
+        Ok(number as u64)
+    } else {
+        Err(js_error(&Error::refused(field, number, rng::SEED_RANGE)))
+    }
+}

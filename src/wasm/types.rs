@@ -1,0 +1,64 @@
+//! The exact TypeScript types of the face: `types.d.ts`, and a name for each that crosses the boundary.
+
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("types.d.ts");
+
+#[wasm_bindgen]
+extern "C" {
+    /// `Catalogue`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Catalogue")]
+    pub type JsCatalogue;
+    /// `Setup`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Setup")]
+    pub type JsSetup;
+    /// `LinkSetup`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "LinkSetup")]
+    pub type JsLinkSetup;
+    /// `Scene`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Scene")]
+    pub type JsScene;
+    /// `Kind`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Kind")]
+    pub type JsKind;
+    /// `ParameterValue`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "ParameterValue")]
+    pub type JsParameterValue;
+    /// `Record<string, ParameterValue>`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Record<string, ParameterValue>")]
+    pub type JsParameters;
+    /// `Record<string, number>`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Record<string, number>")]
+    pub type JsReadings;
+    /// `Trace`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Trace")]
+    pub type JsTrace;
+    /// `FrameViews`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "FrameViews")]
+    pub type JsFrame;
+    /// `Outcome`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Outcome")]
+    pub type JsOutcome;
+    /// `Item`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Item")]
+    pub type JsItem;
+    /// `Item | null`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Item | null")]
+    pub type JsItemOrNull;
+    /// `Inspection | null`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Inspection | null")]
+    pub type JsInspectionOrNull;
+    /// `{ length: number; path: Point[] } | null`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "{ length: number; path: Point[] } | null")]
+    pub type JsExactOrNull;
+    /// `Status`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Status")]
+    pub type JsStatus;
+    /// `Point`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Point")]
+    pub type JsPoint;
+    /// `string[]`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "string[]")]
+    pub type JsNames;
+}
