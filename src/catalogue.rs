@@ -7,14 +7,15 @@ use serde::{Serialize, Serializer, ser::SerializeStruct};
 use crate::{
     error::Error,
     frame::{Role, Shape},
-    params::{Domain, Parameter, Settings, as_object},
+    params::{Domain, Parameter, Settings, Value, When, as_object},
     scene::{Kind, Scene, shipped_names},
     session::AnyPlanner,
     swarm,
 };
 
 /// All planners, in the order in which they are offered.
-pub const PLANNERS: &[Entry] = &[swarm::wcpso::ENTRY, swarm::pso::ENTRY, swarm::wpso::ENTRY, swarm::cpso::ENTRY];
+pub const PLANNERS: &[Entry] =
+    &[swarm::wcpso::ENTRY, swarm::pso::ENTRY, swarm::wpso::ENTRY, swarm::cpso::ENTRY, swarm::ltqpso::ENTRY, swarm::qpso::ENTRY];
 
 /// Starts a run: refuses everything that can be refused.
 pub type Start = fn(&Arc<Scene>, &Settings, u64) -> Result<Box<dyn AnyPlanner>, Error>;
@@ -42,6 +43,8 @@ pub struct Entry {
     pub formulas: &'static [Formula],
     /// The layers it draws, in drawing order.
     pub layers: &'static [Layer],
+    /// What its paper recommends for these settings; `None` where it says nothing.
+    pub suggest: fn(&Settings) -> Option<Suggestion>,
     /// How a run begins.
     pub start: Start,
 }
@@ -69,6 +72,10 @@ pub enum Group {
     Cost,
     /// A parameter that changes over the iterations.
     Schedule,
+    /// A length in the scene's unit: drawn beside the exact optimum.
+    Length,
+    /// Something else that the result measures.
+    Measure,
     /// How many of something.
     Count,
 }
@@ -114,6 +121,20 @@ pub struct Layer {
     pub on: bool,
     /// Its pieces can be inspected.
     pub pickable: bool,
+    /// A parameter's value without which there is nothing to draw.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub when: Option<When>,
+}
+
+/// Sizes that a paper recommends for a setup.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Suggestion {
+    /// How many particles.
+    pub population: u64,
+    /// How many iterations.
+    pub iterations: u64,
+    /// Where the recommendation comes from, e.g. `[LTQPSO] (10)`.
+    pub source: &'static str,
 }
 
 /// The entry of this name.
@@ -201,7 +222,7 @@ impl Serialize for EntryView {
 }
 
 /// Pairs as an object.
-struct Object<'a>(&'a [(&'static str, f64)]);
+struct Object<'a>(&'a [(&'static str, Value)]);
 
 impl Serialize for Object<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -218,9 +239,9 @@ impl Serialize for ParameterView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let p = self.parameter;
         let kinds: Vec<Kind> = self.planner.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
-        let defaults: Vec<_> = p.defaults.iter().map(|&(kind, value)| (kind.name(), value)).collect();
+        let defaults: Vec<_> = p.defaults.iter().map(|&(kind, preset)| (kind.name(), preset.into())).collect();
         let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(Kind::Function));
-        let mut out = serializer.serialize_struct("Parameter", 14)?;
+        let mut out = serializer.serialize_struct("Parameter", 15)?;
         out.serialize_field("name", p.name)?;
         out.serialize_field("symbol", p.symbol)?;
         out.serialize_field("title", p.title)?;
@@ -245,6 +266,9 @@ impl Serialize for ParameterView {
                 out.serialize_field("options", options)?;
             }
             Domain::Flag { .. } => out.serialize_field("type", "flag")?,
+        }
+        if let Some(when) = &p.when {
+            out.serialize_field("when", when)?;
         }
         if let Some((low, high)) = p.slider {
             out.serialize_field("soft_min", &low)?;

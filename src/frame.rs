@@ -19,6 +19,16 @@ pub enum Role {
     Hen,
     /// Members that the chick equation moved in this iteration, [WCPSO] (12).
     Chick,
+    /// Curves on which the planner places points: the circles of a polar path, [LTQPSO] (13).
+    Guides,
+    /// Members whose position natural selection replaced in this iteration, [LTQPSO] §2.2.
+    Selected,
+    /// Each member's local attractor, [LTQPSO] (7).
+    Attractors,
+    /// The mean of all personal bests, [LTQPSO] (8).
+    MeanBest,
+    /// The result after smoothing.
+    Smoothed,
     /// The exact optimum.
     Exact,
     /// In an inspection: what is left of the old velocity.
@@ -39,13 +49,18 @@ pub enum Role {
 
 impl Role {
     /// Every role, in the order of their numbers.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 19] = [
         Self::Particles,
         Self::Velocities,
         Self::PersonalBests,
         Self::Best,
         Self::Hen,
         Self::Chick,
+        Self::Guides,
+        Self::Selected,
+        Self::Attractors,
+        Self::MeanBest,
+        Self::Smoothed,
         Self::Exact,
         Self::Inertia,
         Self::Cognitive,
@@ -65,6 +80,11 @@ impl Role {
             Self::Best => "best",
             Self::Hen => "hen",
             Self::Chick => "chick",
+            Self::Guides => "guides",
+            Self::Selected => "selected",
+            Self::Attractors => "attractors",
+            Self::MeanBest => "mean-best",
+            Self::Smoothed => "smoothed",
             Self::Exact => "exact",
             Self::Inertia => "inertia",
             Self::Cognitive => "cognitive",

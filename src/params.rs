@@ -148,6 +148,36 @@ pub enum Domain {
     },
 }
 
+/// A default that is known when the crate is built.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Preset {
+    /// Of a number; whole numbers too.
+    Number(f64),
+    /// Of a choice.
+    Text(&'static str),
+    /// Of a flag.
+    Flag(bool),
+}
+
+impl From<Preset> for Value {
+    fn from(preset: Preset) -> Self {
+        match preset {
+            Preset::Number(number) => Self::Number(number),
+            Preset::Text(text) => Self::Text(text.to_owned()),
+            Preset::Flag(flag) => Self::Flag(flag),
+        }
+    }
+}
+
+/// Another parameter and the value that it must have for something to mean anything.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct When {
+    /// The other parameter.
+    pub parameter: &'static str,
+    /// Its value as it is typed: `polar`, `true`.
+    pub value: &'static str,
+}
+
 /// What a parameter means and what it may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
@@ -163,8 +193,10 @@ pub struct Parameter {
     pub domain: Domain,
     /// The kinds of scene on which it means something; empty: all that the planner runs on.
     pub kinds: &'static [Kind],
-    /// Published defaults that differ on a kind of scene.
-    pub defaults: &'static [(Kind, f64)],
+    /// Defaults that differ on a kind of scene (published ones, mostly).
+    pub defaults: &'static [(Kind, Preset)],
+    /// Another parameter's value without which it means nothing.
+    pub when: Option<When>,
     /// The range that a slider offers; typing may go beyond.
     pub slider: Option<(f64, f64)>,
     /// Whether a slider should be logarithmic.
@@ -211,7 +243,7 @@ impl Parameter {
     }
 
     const fn of(name: &'static str, symbol: &'static str, title: &'static str, domain: Domain, help: &'static str) -> Self {
-        Self { name, symbol, title, help, domain, kinds: &[], defaults: &[], slider: None, logarithmic: false }
+        Self { name, symbol, title, help, domain, kinds: &[], defaults: &[], when: None, slider: None, logarithmic: false }
     }
 
     /// The same with another default.
@@ -232,8 +264,15 @@ impl Parameter {
 
     /// The same, with defaults that differ by kind.
     #[must_use]
-    pub const fn defaults_on(mut self, defaults: &'static [(Kind, f64)]) -> Self {
+    pub const fn defaults_on(mut self, defaults: &'static [(Kind, Preset)]) -> Self {
         self.defaults = defaults;
+        self
+    }
+
+    /// The same, meaningful only while another parameter has this value.
+    #[must_use]
+    pub const fn when(mut self, parameter: &'static str, value: &'static str) -> Self {
+        self.when = Some(When { parameter, value });
         self
     }
 
@@ -252,8 +291,8 @@ impl Parameter {
 
     /// Its default on this kind of scene.
     pub fn default_on(&self, kind: Kind) -> Value {
-        if let Some(&(_, value)) = self.defaults.iter().find(|(on, _)| *on == kind) {
-            return Value::Number(value);
+        if let Some(&(_, preset)) = self.defaults.iter().find(|(on, _)| *on == kind) {
+            return preset.into();
         }
         match self.domain {
             Domain::Number { default, .. } => Value::Number(default),
@@ -302,12 +341,16 @@ impl Settings {
     /// # Errors
     /// [`Error::Unknown`] for a name that is not a parameter on this kind of scene, [`Error::Refused`] for a value that is not allowed.
     pub fn new(parameters: &[Parameter], kind: Kind, given: &Given) -> Result<Self, Error> {
-        let applicable = || parameters.iter().filter(|p| p.applies_to(kind));
+        let of_kind = || parameters.iter().filter(|p| p.applies_to(kind));
         for (name, value) in given.iter() {
             let parameter =
-                applicable().find(|p| p.name == name).ok_or_else(|| Error::unknown("parameter", name, applicable().map(|p| p.name)))?;
+                of_kind().find(|p| p.name == name).ok_or_else(|| Error::unknown("parameter", name, of_kind().map(|p| p.name)))?;
             parameter.check(value)?;
+            if let Some(When { parameter: other, value: needed }) = unmet(parameters, kind, given, parameter) {
+                return Err(Error::refused(name, value, format!("left out unless {other} is {needed}")));
+            }
         }
+        let applicable = || of_kind().filter(|p| unmet(parameters, kind, given, p).is_none());
         let values: Vec<_> = applicable().map(|p| (p.name, given.get(p.name).cloned().unwrap_or_else(|| p.default_on(kind)))).collect();
         let changed =
             applicable().filter_map(|p| given.get(p.name).filter(|&v| *v != p.default_on(kind)).map(|v| (p.name, v.clone()))).collect();
@@ -355,12 +398,22 @@ impl Settings {
     }
 }
 
+/// The first condition that keeps a parameter from meaning anything: its own, or one of the parameter it depends on.
+fn unmet(parameters: &[Parameter], kind: Kind, given: &Given, parameter: &Parameter) -> Option<When> {
+    let when = parameter.when?;
+    let Some(other) = parameters.iter().find(|p| p.name == when.parameter && p.applies_to(kind)) else {
+        return Some(when);
+    };
+    let value = given.get(other.name).cloned().unwrap_or_else(|| other.default_on(kind));
+    if value.to_string() == when.value { unmet(parameters, kind, given, other) } else { Some(when) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     const ALL: [Parameter; 3] = [
-        Parameter::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(Kind::Discs, 80.0)]),
+        Parameter::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(Kind::Discs, Preset::Number(80.0))]),
         Parameter::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.7], ""),
         Parameter::choice("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[Kind::Discs]),
     ];
@@ -377,6 +430,27 @@ mod tests {
         let on_function = Settings::new(&ALL, Kind::Function, &given("population", "7")).unwrap();
         assert_eq!(on_function.changed().iter().collect::<Vec<_>>(), [("population", &Value::from(7.0))]);
         assert_eq!(on_function.all().len(), 2, "the penalty means nothing on functions");
+    }
+
+    /// A parameter that hangs on another's value, which hangs on a third's.
+    #[test]
+    fn a_parameter_means_something_only_while_what_it_depends_on_has_its_value() {
+        const OPTIONS: [Choice; 2] = [Choice { value: "a", title: "", help: "" }, Choice { value: "b", title: "", help: "" }];
+        const CHAIN: [Parameter; 3] = [
+            Parameter::choice("first", "", "", &OPTIONS, "").defaults_on(&[(Kind::Discs, Preset::Text("b"))]),
+            Parameter::flag("second", "", false, "").when("first", "b"),
+            Parameter::number("third", "", "", [0.0, 1.0, 0.5], "").when("second", "true"),
+        ];
+        let names =
+            |kind, given: &Given| Settings::new(&CHAIN, kind, given).map(|s| s.all().iter().map(|(name, _)| *name).collect::<Vec<_>>());
+        assert_eq!(names(Kind::Function, &Given::new()).unwrap(), ["first"]);
+        assert_eq!(names(Kind::Discs, &Given::new()).unwrap(), ["first", "second"]);
+        assert_eq!(names(Kind::Discs, &given("second", "true")).unwrap(), ["first", "second", "third"]);
+        let refused = names(Kind::Discs, &given("third", "0.1")).unwrap_err();
+        assert_eq!((refused.field(), refused.allowed()), ("third", "left out unless second is true"));
+        let both: Given =
+            [("first", Value::from("a")), ("second", Value::from("true")), ("third", Value::from("0.1"))].into_iter().collect();
+        assert_eq!(names(Kind::Discs, &both).unwrap_err().allowed(), "left out unless first is b");
     }
 
     #[test]

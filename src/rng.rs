@@ -7,7 +7,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-use crate::{digest::Digest, error::Error};
+use crate::{digest::Digest, error::Error, math};
 
 /// The largest seed: every whole number up to here is exact in JavaScript.
 pub const MAX_SEED: u64 = (1 << 53) - 1;
@@ -45,6 +45,18 @@ impl Stream {
     #[inline]
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
+    }
+
+    /// Uniform in (0, 1], so that its logarithm exists.
+    #[inline]
+    pub fn positive_unit(&mut self) -> f64 {
+        1.0 - self.unit()
+    }
+
+    /// From the standard normal distribution, by Box and Muller's transform.
+    pub fn normal(&mut self) -> f64 {
+        let (u, v) = (self.positive_unit(), self.unit());
+        (-2.0 * math::ln(u)).sqrt() * math::cos_turns(v)
     }
 
     /// A whole number in 0..n. `n` must not be 0.

@@ -1,12 +1,18 @@
 //! Points, segments, discs and polylines in the plane. Whatever asks "does it touch?" or "how long?" asks here.
 
+mod block;
 mod disc;
+mod field;
 mod polyline;
 mod segment;
+mod smooth;
 
+pub use block::Block;
 pub use disc::Disc;
-pub use polyline::{arc_outline, length};
+pub use field::Field;
+pub use polyline::{arc_outline, length, turning};
 pub use segment::{closest_parameter, distance_squared};
+pub use smooth::{PIECES, shuman, subdivided};
 
 /// A point or a displacement in the plane, in the scene's unit.
 pub type Vector = nalgebra::Vector2<f64>;

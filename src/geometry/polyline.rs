@@ -11,6 +11,21 @@ pub fn length(path: &[[f64; 2]]) -> f64 {
     path.windows(2).map(|w| ((w[1][0] - w[0][0]) * (w[1][0] - w[0][0]) + (w[1][1] - w[0][1]) * (w[1][1] - w[0][1])).sqrt()).sum()
 }
 
+/// How much a polyline turns at its corners in all, in radians: 0 for a straight line. Segments of no length are skipped.
+pub fn turning(path: &[[f64; 2]]) -> f64 {
+    let steps = path.windows(2).map(|w| [w[1][0] - w[0][0], w[1][1] - w[0][1]]).filter(|d| *d != [0.0, 0.0]);
+    let mut last: Option<[f64; 2]> = None;
+    let mut sum = 0.0;
+    for step in steps {
+        if let Some(last) = last {
+            let (cross, dot) = (last[0] * step[1] - last[1] * step[0], last[0] * step[0] + last[1] * step[1]);
+            sum += math::atan2(cross, dot).abs();
+        }
+        last = Some(step);
+    }
+    sum
+}
+
 /// Appends corners that take a polyline round the disc's rim from angle `from` over `sweep` (radians, positive
 /// counter-clockwise): first and last corner on the rim, the others just outside so that the edges touch the rim
 /// and never cut it. A corner for every two degrees.
@@ -28,6 +43,14 @@ pub fn arc_outline(disc: &Disc, from: f64, sweep: f64, path: &mut Vec<[f64; 2]>)
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn turning_adds_up_the_corners_whichever_way_they_go() {
+        use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+        assert_eq!(turning(&[[0.0, 0.0], [1.0, 0.0], [3.0, 0.0]]), 0.0);
+        let zigzag = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [1.0, 2.0], [2.0, 3.0]];
+        assert!((turning(&zigzag) - FRAC_PI_2 - FRAC_PI_4).abs() < 1e-15);
+    }
 
     #[test]
     fn an_outline_never_cuts_its_disc_and_is_hardly_longer_than_the_arc() {

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::{
     frame::{Frame, Role, Shape},
-    scene::{Body, Scene},
+    scene::{Body, Bounds, Scene, YAxis},
     session::Session,
 };
 
@@ -31,7 +31,11 @@ fn style_of(role: Role) -> Style {
         Role::Chick | Role::Jump => style("#8f3fb0", "#cf8df0", 1.4, 0.8, ""),
         Role::Exact => style("#2f6b4f", "#7fcf9f", 2.0, 0.9, "6 5"),
         Role::Cognitive => style("#4d8f8b", "#6fc0ba", 1.6, 1.0, ""),
-        Role::Social | Role::Velocity => style("#c27803", "#f2b33d", 1.6, 1.0, ""),
+        Role::Social | Role::Velocity | Role::MeanBest => style("#c27803", "#f2b33d", 1.6, 1.0, ""),
+        Role::Guides => style("#8c8674", "#56695f", 0.8, 0.5, "2 4"),
+        Role::Selected => style("#8f3fb0", "#cf8df0", 1.0, 0.5, ""),
+        Role::Attractors => style("#4d8f8b", "#6fc0ba", 1.0, 0.6, ""),
+        Role::Smoothed => style("#1f5f8b", "#7cc4f0", 3.0, 1.0, ""),
     }
 }
 
@@ -43,7 +47,9 @@ pub fn svg(session: &Session, dark: bool, layers: &[Role]) -> String {
     let view = session.scene().view();
     let (width, height) = (view.max[0] - view.min[0], view.max[1] - view.min[1]);
     let scale = (SIZE - 2.0 * MARGIN) / width.max(height);
-    let canvas = Canvas { scale, left: view.min[0], top: view.max[1], dark, text: String::new() };
+    let down = matches!(session.scene().body(), Body::Grid(grid) if grid.y_axis == YAxis::Down);
+    let top = if down { view.min[1] } else { view.max[1] };
+    let canvas = Canvas { scale, left: view.min[0], top, up: if down { -1.0 } else { 1.0 }, dark, text: String::new() };
     canvas.picture(session, layers, [width, height].map(|side| rounded(side * scale + 2.0 * MARGIN)))
 }
 
@@ -51,6 +57,8 @@ struct Canvas {
     scale: f64,
     left: f64,
     top: f64,
+    /// 1 where y grows upwards, −1 where it grows downwards.
+    up: f64,
     dark: bool,
     text: String,
 }
@@ -62,7 +70,7 @@ macro_rules! put {
 
 impl Canvas {
     fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [MARGIN + (x - self.left) * self.scale, MARGIN + (self.top - y) * self.scale].map(rounded)
+        [MARGIN + (x - self.left) * self.scale, MARGIN + self.up * (self.top - y) * self.scale].map(rounded)
     }
 
     fn tone(&self, light: &'static str, dark: &'static str) -> &'static str {
@@ -90,28 +98,35 @@ impl Canvas {
     }
 
     fn obstacles(&mut self, scene: &Scene) {
-        let Body::Discs(discs) = scene.body() else {
-            return;
-        };
-        let (low, high) = (self.at([discs.bounds.min[0], discs.bounds.max[1]]), self.at([discs.bounds.max[0], discs.bounds.min[1]]));
-        put!(
-            self,
-            r#"<rect x="{}" y="{}" width="{}" height="{}" stroke="{}" stroke-width="1"/>"#,
-            low[0],
-            low[1],
-            rounded(high[0] - low[0]),
-            rounded(high[1] - low[1]),
-            self.tone("#d9d4c5", "#2b3a33")
-        );
-        for disc in &discs.discs {
-            let [x, y] = self.at(disc.center);
-            let (fill, stroke) = (self.tone("#d8d2c2", "#26352e"), self.tone("#8c8674", "#56695f"));
-            put!(
-                self,
-                r#"<circle cx="{x}" cy="{y}" r="{}" fill="{fill}" stroke="{stroke}" stroke-width="1.2"/>"#,
-                rounded(disc.radius * self.scale)
-            );
+        let (fill, stroke) = (self.tone("#d8d2c2", "#26352e"), self.tone("#8c8674", "#56695f"));
+        match scene.body() {
+            Body::Function(_) => {}
+            Body::Discs(discs) => {
+                self.frame_of(discs.bounds);
+                for disc in &discs.discs {
+                    let [x, y] = self.at(disc.center);
+                    let radius = rounded(disc.radius * self.scale);
+                    put!(self, r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="{fill}" stroke="{stroke}" stroke-width="1.2"/>"#);
+                }
+            }
+            Body::Grid(grid) => {
+                for block in grid.field().blocks() {
+                    self.rectangle(block.min, block.max, &format!(r#"fill="{fill}" stroke="{fill}" stroke-width="1""#));
+                }
+                self.frame_of(grid.bounds());
+            }
         }
+    }
+
+    fn frame_of(&mut self, bounds: Bounds) {
+        let tone = self.tone("#d9d4c5", "#2b3a33");
+        self.rectangle(bounds.min, bounds.max, &format!(r#"stroke="{tone}" stroke-width="1""#));
+    }
+
+    fn rectangle(&mut self, min: [f64; 2], max: [f64; 2], look: &str) {
+        let ([x0, y0], [x1, y1]) = (self.at(min), self.at(max));
+        let (width, height) = (rounded(x1 - x0), rounded((y1 - y0).abs()));
+        put!(self, r#"<rect x="{x0}" y="{}" width="{width}" height="{height}" {look}/>"#, y0.min(y1));
     }
 
     fn layers(&mut self, frame: &Frame, layers: &[Role]) {
@@ -155,10 +170,10 @@ impl Canvas {
     }
 
     fn ends(&mut self, scene: &Scene) {
-        let Body::Discs(discs) = scene.body() else {
+        let Some((start, goal)) = scene.ends() else {
             return;
         };
-        for (point, fill) in [(discs.start, self.tone("#2f6b4f", "#7fcf9f")), (discs.goal, self.tone("#a63d2f", "#f0907f"))] {
+        for (point, fill) in [(start, self.tone("#2f6b4f", "#7fcf9f")), (goal, self.tone("#a63d2f", "#f0907f"))] {
             let [x, y] = self.at(point);
             put!(self, r#"<circle cx="{x}" cy="{y}" r="6" fill="{fill}"/>"#);
         }

@@ -6,13 +6,10 @@ use crate::{
     geometry::{self, Disc},
 };
 
-use super::{Verdict, finite};
+use super::{LARGEST, Verdict, coordinate, finite};
 
 /// The most discs in a scene: up to here the exact optimum takes a moment, not a minute.
 pub const MAX_DISCS: usize = 200;
-
-/// The largest coordinate or radius: squares of it keep their digits.
-const LARGEST: f64 = 1e6;
 
 /// An axis-parallel box.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,16 +95,6 @@ impl DiscsScene {
         }
         Bounds { min, max }
     }
-}
-
-fn coordinate(field: &str, point: [f64; 2], axis: usize) -> Result<(), Error> {
-    let value = point[axis];
-    let field = format!("{field}[{axis}]");
-    finite(&field, value)?;
-    if value.abs() > LARGEST {
-        return Err(Error::refused(field, value, format!("from -{LARGEST} to {LARGEST}")));
-    }
-    Ok(())
 }
 
 #[cfg(test)]

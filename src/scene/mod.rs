@@ -5,6 +5,7 @@
 mod discs;
 mod file;
 mod function;
+mod grid;
 mod shipped;
 
 use std::sync::OnceLock;
@@ -15,6 +16,7 @@ use crate::{error::Error, exact::Exact, planner::Solution};
 
 pub use discs::{Bounds, DiscsScene, MAX_DISCS};
 pub use function::{Function, FunctionScene, MAX_DIMENSION};
+pub use grid::{GridScene, MAX_SIDE, Moving, Robot, YAxis};
 pub use shipped::{shipped, shipped_names};
 
 /// The kinds of scene. Planners say which they run on.
@@ -25,17 +27,20 @@ pub enum Kind {
     Function,
     /// A plane with circular obstacles.
     Discs,
+    /// A grid of free and blocked cells.
+    Grid,
 }
 
 impl Kind {
     /// Every kind.
-    pub const ALL: [Self; 2] = [Self::Function, Self::Discs];
+    pub const ALL: [Self; 3] = [Self::Function, Self::Discs, Self::Grid];
 
     /// The name that scene files use.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Function => "function",
             Self::Discs => "discs",
+            Self::Grid => "grid",
         }
     }
 }
@@ -66,6 +71,8 @@ pub enum Body {
     Function(FunctionScene),
     /// See [`DiscsScene`].
     Discs(DiscsScene),
+    /// See [`GridScene`].
+    Grid(GridScene),
 }
 
 /// A valid scene.
@@ -105,6 +112,7 @@ impl Scene {
         match &body {
             Body::Function(scene) => scene.check()?,
             Body::Discs(scene) => scene.check()?,
+            Body::Grid(scene) => scene.check()?,
         }
         Ok(Self { header, body, exact: OnceLock::new() })
     }
@@ -129,6 +137,16 @@ impl Scene {
         match self.body {
             Body::Function(_) => Kind::Function,
             Body::Discs(_) => Kind::Discs,
+            Body::Grid(_) => Kind::Grid,
+        }
+    }
+
+    /// Where a path begins and where it leads; `None` where there is no path to find.
+    pub fn ends(&self) -> Option<([f64; 2], [f64; 2])> {
+        match &self.body {
+            Body::Function(_) => None,
+            Body::Discs(scene) => Some((scene.start, scene.goal)),
+            Body::Grid(scene) => scene.ends().ok(),
         }
     }
 
@@ -138,6 +156,7 @@ impl Scene {
             .get_or_init(|| match &self.body {
                 Body::Function(_) => None,
                 Body::Discs(scene) => scene.exact(),
+                Body::Grid(scene) => scene.exact(),
             })
             .as_ref()
     }
@@ -146,7 +165,7 @@ impl Scene {
     pub fn optimum(&self) -> Option<f64> {
         match &self.body {
             Body::Function(_) => Some(0.0),
-            Body::Discs(_) => self.exact().map(|exact| exact.length),
+            Body::Discs(_) | Body::Grid(_) => self.exact().map(|exact| exact.length),
         }
     }
 
@@ -154,6 +173,7 @@ impl Scene {
     pub fn judge(&self, solution: &Solution) -> Verdict {
         match (&self.body, solution) {
             (Body::Discs(scene), Solution::Path(path)) => scene.judge(path),
+            (Body::Grid(scene), Solution::Path(path)) => scene.judge(path),
             _ => Verdict { length: None, feasible: true, clearance: None },
         }
     }
@@ -163,6 +183,7 @@ impl Scene {
         match &self.body {
             Body::Function(scene) => scene.view(),
             Body::Discs(scene) => scene.view(),
+            Body::Grid(scene) => scene.bounds(),
         }
     }
 }
@@ -170,4 +191,17 @@ impl Scene {
 /// Refuses numbers that are not finite.
 pub(crate) fn finite(field: &str, value: f64) -> Result<(), Error> {
     if value.is_finite() { Ok(()) } else { Err(Error::refused(field, value, "a finite number")) }
+}
+
+/// The largest coordinate or size: squares of it keep their digits.
+const LARGEST: f64 = 1e6;
+
+fn coordinate(field: &str, point: [f64; 2], axis: usize) -> Result<(), Error> {
+    let value = point[axis];
+    let field = format!("{field}[{axis}]");
+    finite(&field, value)?;
+    if value.abs() > LARGEST {
+        return Err(Error::refused(field, value, format!("from -{LARGEST} to {LARGEST}")));
+    }
+    Ok(())
 }

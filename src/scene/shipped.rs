@@ -11,6 +11,8 @@ const FILES: &[&str] = &[
     include_str!("../../scenes/wcpso-discs.json"),
     include_str!("../../scenes/discs-gate.json"),
     include_str!("../../scenes/discs-slalom.json"),
+    include_str!("../../scenes/qpso-10m.json"),
+    include_str!("../../scenes/qpso-10m-empty.json"),
     include_str!("../../scenes/sphere.json"),
     include_str!("../../scenes/rosenbrock.json"),
     include_str!("../../scenes/ackley.json"),

@@ -6,11 +6,9 @@ use crate::{
 };
 
 use super::{
+    encoding::with_paths,
     flight::Flight,
-    parameters::{
-        ITERATIONS, KINDS, LAYERS, ORDERED, PENALTY, PENALTY_WEIGHT, POPULATION, POSITION, READINGS, V_MAX, VELOCITY, W, WAYPOINTS,
-        schedule,
-    },
+    parameters::{ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, READINGS, V_MAX, VELOCITY, W, schedule},
     schedule::{Law, Schedule},
 };
 
@@ -56,14 +54,15 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §3.1",
     summary: "The pull of the own best falls linearly and that of the swarm’s best rises.",
     kinds: KINDS,
-    parameters: &[POPULATION, ITERATIONS, W, C1_START, C1_END, C2_START, C2_END, V_MAX, WAYPOINTS, PENALTY, PENALTY_WEIGHT, ORDERED],
+    parameters: with_paths![POPULATION, ITERATIONS, W, C1_START, C1_END, C2_START, C2_END, V_MAX],
     readings: READINGS,
     formulas: &[COGNITIVE, SOCIAL, VELOCITY, POSITION],
     layers: LAYERS,
+    suggest: |_| None,
     start: |scene, settings, seed| {
         let linear = |from, to| Law::Linear(settings.number(from), settings.number(to));
         let schedule =
             Schedule { w: Law::Constant(settings.number("w")), c1: linear("c1_start", "c1_end"), c2: linear("c2_start", "c2_end") };
-        Ok(super::start(scene, settings, seed, Flight { schedule, perturbation: None }))
+        super::start(scene, settings, seed, Flight { schedule, perturbation: None })
     },
 };

@@ -5,24 +5,21 @@ use crate::{
     math,
 };
 
-use super::{flight::Swarm, objective::Objective, perturbation::Event, population::Population};
+use super::{flight::Swarm, perturbation::Event, population::Population};
 
 /// Personal bests and velocities are context: they get this share of a layer's budget.
-const CONTEXT: usize = 4;
+pub(super) const CONTEXT: usize = 4;
 
-impl<O: Objective> Swarm<O> {
+impl Swarm {
     pub(super) fn draw_layers(&self, frame: &mut Frame) {
         let population = &self.population;
-        let weight = population.weights();
-        population.draw(frame, Role::PersonalBests, &population.p, |_| true, |_| 0.0, CONTEXT);
-        population.draw(frame, Role::Particles, &population.x, |_| true, weight, 1);
+        population.draw_members(frame);
         let perturbed = [(Role::Hen, Event::Hen), (Role::Chick, Event::Chick)];
         for (role, event) in perturbed.into_iter().filter(|_| self.flight.perturbation.is_some()) {
             population.draw(frame, role, &population.x, |i| self.events[i] == event, |_| 0.0, 1);
         }
         self.draw_velocities(frame);
-        let (_, best) = population.reported();
-        population.draw_one(frame, Role::Best, best, 0.0);
+        population.draw_result(frame);
     }
 
     fn draw_velocities(&self, frame: &mut Frame) {
@@ -41,7 +38,7 @@ impl<O: Objective> Swarm<O> {
     }
 }
 
-impl<O: Objective> Population<O> {
+impl Population {
     /// How to shade a particle: 0 the best of the moment, towards 1 the worse it is; the mean cost gives 0.63.
     fn weights(&self) -> impl Fn(usize) -> f64 {
         let least = self.cost.iter().copied().fold(f64::INFINITY, f64::min);
@@ -49,8 +46,22 @@ impl<O: Objective> Population<O> {
         move |i| 1.0 - math::exp((least - self.cost[i]) / scale)
     }
 
+    /// Draws what the positions lie on, the personal bests and the particles.
+    pub(super) fn draw_members(&self, frame: &mut Frame) {
+        self.objective.draw_guides(frame);
+        self.draw(frame, Role::PersonalBests, &self.p, |_| true, |_| 0.0, CONTEXT);
+        self.draw(frame, Role::Particles, &self.x, |_| true, self.weights(), 1);
+    }
+
+    /// Draws the result, and what becomes of it.
+    pub(super) fn draw_result(&self, frame: &mut Frame) {
+        let (_, best) = self.reported();
+        self.draw_one(frame, Role::Best, best, 0.0);
+        self.objective.draw_result(best, frame);
+    }
+
     /// Draws the chosen rows: all points in one span, or a polyline each. The first piece drawn is always row 0.
-    fn draw(
+    pub(super) fn draw(
         &self,
         frame: &mut Frame,
         role: Role,
@@ -76,7 +87,7 @@ impl<O: Objective> Population<O> {
     }
 
     /// Draws one row as a piece of its own.
-    fn draw_one(&self, frame: &mut Frame, role: Role, x: &[f64], weight: f64) {
+    pub(super) fn draw_one(&self, frame: &mut Frame, role: Role, x: &[f64], weight: f64) {
         let ends = self.objective.ends();
         frame.begin(role, if ends.is_some() { Shape::Polyline } else { Shape::Points });
         ends.iter().for_each(|ends| frame.push(ends.0, weight));

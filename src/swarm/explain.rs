@@ -2,8 +2,8 @@
 //! that were drawn, or the hen's or chick's jump.
 
 use crate::{
-    frame::{Role, Shape},
-    planner::{Column, Inspection, Item, Mark, Quantity},
+    frame::Role,
+    planner::{Column, Inspection, Item, Mark},
 };
 
 use super::{
@@ -11,39 +11,9 @@ use super::{
     objective::Objective,
     perturbation::Event,
     schedule::Coefficients,
+    tell::{Label, arrows, column, mark, particle, quantities, sheet},
 };
 
-/// The TeX strings that inspections use.
-pub const SYMBOLS: &[&str] = &[
-    "f(x)",
-    "f(p)",
-    "f(g)",
-    "x",
-    "p",
-    "g",
-    "r_1",
-    "r_2",
-    "\\omega v",
-    "c_1 r_1 (p - x)",
-    "c_2 r_2 (g - x)",
-    "v",
-    "x'",
-    "r",
-    "r'",
-    "x_t",
-    "s_1",
-    "s_2",
-    "F_L",
-    "\\omega",
-    "c_1",
-    "c_2",
-    "t",
-];
-
-/// What the numbers of an inspection are called: name, TeX, a few words.
-type Label = (&'static str, &'static str, &'static str);
-
-const COST: [Label; 1] = [("cost", "f(x)", "cost")];
 const COSTS: [Label; 3] = [("cost_before", "f(x)", "cost before"), ("cost", "f(x)", "cost after"), ("p_cost", "f(p)", "personal best")];
 const MOVED: [Label; 11] = [
     ("w", "\\omega", "inertia weight"),
@@ -79,14 +49,6 @@ const CHICKED: [Label; 4] = [
     ("x", "x'", "position after, first coordinate"),
 ];
 
-fn quantities(labels: &[Label], values: &[f64]) -> impl Iterator<Item = Quantity> {
-    labels.iter().zip(values).map(|(&(name, symbol, title), &value)| Quantity { name, symbol, title, value })
-}
-
-const fn column(name: &'static str, symbol: &'static str, title: &'static str) -> Column {
-    Column { name, symbol, title }
-}
-
 const MOVE: [Column; 9] = [
     column("x_before", "x", "position before"),
     column("inertia", "\\omega v", "inertia"),
@@ -107,8 +69,6 @@ const HEN: [Column; 5] = [
 ];
 const CHICK: [Column; 3] =
     [column("x_before", "x", "position before"), column("g", "g", "global best"), column("x", "x'", "position after")];
-const START: [Column; 1] = [column("x", "x", "position")];
-
 /// What a step did to one particle.
 #[derive(Default)]
 struct Record {
@@ -141,42 +101,10 @@ impl Watch for Record {
     }
 }
 
-/// What an explanation needs to know of an objective. Behind `dyn`, so that the rest is compiled once, not once for
-/// each objective.
-trait Meaning {
-    /// See [`Objective::points`].
-    fn places(&self, x: &[f64]) -> Vec<[f64; 2]>;
-    /// See [`Objective::ends`].
-    fn path_ends(&self) -> Option<([f64; 2], [f64; 2])>;
-    /// See [`Objective::coordinate`].
-    fn name_of(&self, j: usize) -> String;
-}
-
-impl<O: Objective> Meaning for O {
-    fn places(&self, x: &[f64]) -> Vec<[f64; 2]> {
-        self.points(x).collect()
-    }
-
-    fn path_ends(&self) -> Option<([f64; 2], [f64; 2])> {
-        self.ends()
-    }
-
-    fn name_of(&self, j: usize) -> String {
-        self.coordinate(j)
-    }
-}
-
-impl<O: Objective> Swarm<O> {
-    /// The particle before anything has moved it.
-    pub(super) fn introduce(&self, item: Item) -> Option<Inspection> {
-        let i = self.particle(item)?;
-        let population = &self.population;
-        Some(tell_start(&population.objective, item, &population.x[population.row(i)], population.cost[i]))
-    }
-
+impl Swarm {
     /// What the next step does to the particle.
     pub(super) fn explain_step(&self, item: Item) -> Option<Inspection> {
-        let i = self.particle(item)?;
+        let i = particle(&self.population, item)?;
         let mut record = Record { particle: i, ..Record::default() };
         let mut after = self.clone();
         after.advance(&mut record);
@@ -187,7 +115,7 @@ impl<O: Objective> Swarm<O> {
         let moved = if other < i { next } else { now };
         let step = Step {
             item,
-            meaning: &now.objective,
+            meaning: &*now.objective,
             x: &now.x[row.clone()],
             p: &now.p[row.clone()],
             v: &self.v[row.clone()],
@@ -203,17 +131,12 @@ impl<O: Objective> Swarm<O> {
         };
         Some(step.tell(after.events[i]))
     }
-
-    fn particle(&self, item: Item) -> Option<usize> {
-        let known = matches!(item.role, Role::Particles | Role::PersonalBests);
-        (known && item.index < self.population.size).then_some(item.index)
-    }
 }
 
 /// One particle's step and everything that went into it.
 struct Step<'a> {
     item: Item,
-    meaning: &'a dyn Meaning,
+    meaning: &'a dyn Objective,
     /// Position, personal best and velocity before, the global best before, and the position after.
     x: &'a [f64],
     p: &'a [f64],
@@ -303,49 +226,6 @@ impl Step<'_> {
         let Self { meaning, x, to, .. } = *self;
         vec![mark(meaning, Role::Before, x), mark(meaning, Role::After, to), arrows(meaning, Role::Jump, x, to)]
     }
-}
-
-fn tell_start(meaning: &dyn Meaning, item: Item, x: &[f64], cost: f64) -> Inspection {
-    let summary = format!("Particle {} begins here, drawn uniformly from the search box; its velocity is zero.", item.index);
-    let mut told = sheet(meaning, item, "start", summary, x.len());
-    told.columns = START.to_vec();
-    told.rows = x.iter().map(|&x| vec![x]).collect();
-    told.values.extend(quantities(&COST, &[cost]));
-    told.marks = vec![mark(meaning, Role::After, x)];
-    told
-}
-
-fn sheet(meaning: &dyn Meaning, item: Item, event: &'static str, summary: String, dimension: usize) -> Inspection {
-    Inspection {
-        item,
-        title: format!("Particle {}", item.index),
-        event,
-        summary,
-        values: Vec::new(),
-        formulas: Vec::new(),
-        columns: Vec::new(),
-        labels: (0..dimension).map(|j| meaning.name_of(j)).collect(),
-        rows: Vec::new(),
-        marks: Vec::new(),
-    }
-}
-
-fn mark(meaning: &dyn Meaning, role: Role, x: &[f64]) -> Mark {
-    let mut vertices = meaning.places(x);
-    let shape = match meaning.path_ends() {
-        Some((start, goal)) => {
-            vertices.insert(0, start);
-            vertices.push(goal);
-            Shape::Polyline
-        }
-        None => Shape::Points,
-    };
-    Mark { role, shape, vertices }
-}
-
-fn arrows(meaning: &dyn Meaning, role: Role, from: &[f64], to: &[f64]) -> Mark {
-    let vertices = meaning.places(from).into_iter().zip(meaning.places(to)).flat_map(|(a, b)| [a, b]).collect();
-    Mark { role, shape: Shape::Segments, vertices }
 }
 
 #[cfg(test)]

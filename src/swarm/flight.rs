@@ -12,10 +12,12 @@ use crate::{
 };
 
 use super::{
+    clock::Clock,
     objective::Objective,
     perturbation::{self, Event, Patience, Perturbation},
     population::Population,
     schedule::{Coefficients, Schedule},
+    tell::introduce,
 };
 
 /// What distinguishes one swarm of [WCPSO] from another.
@@ -26,9 +28,9 @@ pub(super) struct Flight {
 }
 
 /// A swarm that flies: v ← ω v + c1 r1 (p − x) + c2 r2 (g − x), x ← x + v.
-#[derive(Debug, Clone)]
-pub(super) struct Swarm<O> {
-    pub(super) population: Population<O>,
+#[derive(Clone)]
+pub(super) struct Swarm {
+    pub(super) population: Population,
     /// Velocities v.
     pub(super) v: Vec<f64>,
     /// The most each coordinate of a velocity may be.
@@ -40,40 +42,38 @@ pub(super) struct Swarm<O> {
     /// The coefficients of the step that led here (of the first step, before it).
     pub(super) coefficients: Coefficients,
     rng: Stream,
-    iteration: u64,
-    limit: u64,
+    clock: Clock,
 }
 
 /// Rising cost this many times in a row counts as stagnating where no perturbation says otherwise.
 const PATIENCE: u8 = 3;
 
-impl<O: Objective> Swarm<O> {
+impl Swarm {
     /// Positions uniform in the box, velocities zero.
-    pub(super) fn new(objective: O, settings: &Settings, seed: u64, flight: Flight) -> Self {
+    pub(super) fn new(objective: Arc<dyn Objective>, settings: &Settings, seed: u64, flight: Flight) -> Self {
         let mut rng = Stream::new(seed, 0);
-        let limit = settings.integer("iterations");
         let size = settings.integer("population") as usize;
         let fraction = settings.number("v_max");
-        let search_box = objective.search_box();
+        let search_box = objective.search_box().clone();
         let v_max = search_box.low.iter().zip(&*search_box.high).map(|(low, high)| fraction * (high - low)).collect();
-        let population = Population::uniform(objective, size, &mut rng);
+        let population = Population::new(objective, size, &mut rng);
+        let clock = Clock::new(settings, population.g_cost);
         Self {
             v: vec![0.0; population.x.len()],
             v_max,
             patience: vec![Patience::default(); size],
             events: vec![Event::Move; size],
             flight,
-            coefficients: flight.schedule.at(0, limit),
+            coefficients: flight.schedule.at(0, clock.limit),
             rng,
-            iteration: 0,
-            limit,
+            clock,
             population,
         }
     }
 
     /// One iteration. `watch` sees what happens to a particle that somebody asked about.
     pub(super) fn advance(&mut self, watch: &mut impl Watch) {
-        self.coefficients = self.flight.schedule.at(self.iteration, self.limit);
+        self.coefficients = self.flight.schedule.at(self.clock.iteration, self.clock.limit);
         for i in 0..self.population.size {
             let event = self.flight.perturbation.map_or(Event::Move, |p| self.patience[i].next(p.patience));
             self.events[i] = event;
@@ -88,7 +88,7 @@ impl<O: Objective> Swarm<O> {
             self.patience[i].note(before, self.population.cost[i]);
         }
         self.population.settle();
-        self.iteration += 1;
+        self.clock.tick(self.population.g_cost);
     }
 
     /// (6) and (7). Reading: velocities are limited, positions are kept in the box, and a coordinate that hits a wall stops.
@@ -180,24 +180,24 @@ pub(super) trait Watch {
 
 impl Watch for () {}
 
-impl<O: Objective> Planner for Swarm<O> {
+impl Planner for Swarm {
     fn step(&mut self) -> Status {
-        if self.iteration < self.limit {
+        if self.clock.running() {
             self.advance(&mut ());
         }
         self.status()
     }
 
     fn status(&self) -> Status {
-        if self.iteration < self.limit { Status::Running } else { Status::Exhausted }
+        self.clock.status()
     }
 
     fn iteration(&self) -> u64 {
-        self.iteration
+        self.clock.iteration
     }
 
     fn limit(&self) -> u64 {
-        self.limit
+        self.clock.limit
     }
 
     fn evaluations(&self) -> u64 {
@@ -210,12 +210,8 @@ impl<O: Objective> Planner for Swarm<O> {
 
     fn read(&self, out: &mut Readings) {
         let Coefficients { w, c1, c2 } = self.coefficients;
-        out.push("best", self.population.g_cost);
-        out.push("mean", self.population.mean());
-        if self.population.objective.constrained() {
-            out.push("free", if self.population.free_cost.is_finite() { self.population.free_cost } else { f64::NAN });
-        }
-        out.push("k", self.iteration.saturating_sub(1) as f64);
+        self.population.read(out);
+        out.push("k", self.clock.iteration.saturating_sub(1) as f64);
         out.push("w", w);
         out.push("c1", c1);
         out.push("c2", c2);
@@ -232,7 +228,7 @@ impl<O: Objective> Planner for Swarm<O> {
     }
 
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        (self.iteration == 0).then(|| self.introduce(item)).flatten()
+        (self.clock.iteration == 0).then(|| introduce(&self.population, item, "; its velocity is zero")).flatten()
     }
 
     fn explain(&self, item: Item) -> Option<Inspection> {
@@ -240,7 +236,7 @@ impl<O: Objective> Planner for Swarm<O> {
     }
 
     fn digest(&self, out: &mut Digest) {
-        out.word(self.iteration);
+        self.clock.digest(out);
         self.population.digest(out);
         out.numbers(&self.v);
         for (patience, event) in self.patience.iter().zip(&self.events) {

@@ -1,43 +1,43 @@
-//! Particle swarms: `pso`, `wpso`, `cpso` and `wcpso` of [WCPSO], one swarm with exchangeable parts.
+//! Particle swarms: `pso`, `wpso`, `cpso` and `wcpso` of [WCPSO], `qpso` and `ltqpso` of [LTQPSO], with exchangeable parts.
 //!
-//! - [`objective`]: what a position means and costs. A function's value, or ([`waypoints`]) a path among discs.
-//! - `population`: positions, costs, personal and global bests; whatever moves the particles.
-//! - [`schedule`]: how ω, c1 and c2 change over the iterations.
-//! - [`perturbation`]: hen and chick, for particles that stagnate.
-//! - `flight`: the step that puts them together; `explain` says what it did to one particle, `draw` shows it.
-//! - `parameters`: what the entries share. [`pso`], [`wpso`], [`cpso`], [`wcpso`]: a file a planner.
+//! - [`objective`]: what a position means and costs: a function's value, or a path. Two encodings of paths,
+//!   [`waypoints`] and [`polar`], over a `terrain` of discs or of blocked cells; `encoding` chooses.
+//! - `population`: positions, costs, personal and global bests; whatever moves the particles. `clock`: when it stops.
+//! - `flight`: particles with velocities, by a [`schedule`] of ω, c1 and c2 and (for some) a [`perturbation`].
+//! - `quantum`: particles that leap.
+//! - `explain` and `tell` say what a step did to one particle, `draw` shows it.
+//! - `parameters`: what the entries share. [`pso`], [`wpso`], [`cpso`], [`wcpso`], [`qpso`], [`ltqpso`]: a file a planner.
 
+mod clock;
 pub mod cpso;
 mod draw;
+mod encoding;
 mod explain;
 mod flight;
 pub mod objective;
 mod parameters;
 pub mod perturbation;
+pub mod polar;
 mod population;
 pub mod pso;
+mod quantum;
 pub mod schedule;
+mod tell;
+mod terrain;
 pub mod waypoints;
 pub mod wcpso;
 pub mod wpso;
 
 use std::sync::Arc;
 
-use crate::{
-    params::Settings,
-    scene::{Body, Scene},
-    session::AnyPlanner,
-};
+use crate::{error::Error, params::Settings, scene::Scene, session::AnyPlanner};
 
-pub use explain::SYMBOLS;
+pub use quantum::{ltqpso, qpso};
+pub use tell::SYMBOLS;
 
 use flight::{Flight, Swarm};
 
-/// Starts a swarm on whatever kind of scene it is given. This is where a position's meaning is chosen; the flight
-/// does not know it.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, flight: Flight) -> Box<dyn AnyPlanner> {
-    match scene.body() {
-        Body::Function(function) => Box::new(Swarm::new(objective::FunctionObjective::new(function), settings, seed, flight)),
-        Body::Discs(discs) => Box::new(Swarm::new(waypoints::Waypoints::new(discs, settings), settings, seed, flight)),
-    }
+/// Starts a swarm that flies on whatever kind of scene it is given.
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, flight: Flight) -> Result<Box<dyn AnyPlanner>, Error> {
+    Ok(Box::new(Swarm::new(encoding::objective(scene, settings)?, settings, seed, flight)))
 }

@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use crate::{
+    frame::Frame,
     math,
-    planner::Solution,
+    planner::{Readings, Solution},
+    rng::Stream,
     scene::{Function, FunctionScene},
 };
 
@@ -21,6 +23,11 @@ impl SearchBox {
     /// How many coordinates a position has.
     pub fn dimension(&self) -> usize {
         self.low.len()
+    }
+
+    /// Draws a position uniformly.
+    pub fn draw(&self, x: &mut [f64], rng: &mut Stream) {
+        x.iter_mut().zip(self.low.iter().zip(&*self.high)).for_each(|(x, (&low, &high))| *x = rng.between(low, high));
     }
 
     /// The value nearest to `x` that coordinate `j` may have.
@@ -40,25 +47,56 @@ pub struct Evaluation {
 }
 
 /// What positions mean and cost. An encoding of paths is one of these; the planners know nothing else of the scene.
-pub trait Objective: Clone + Send + 'static {
+pub trait Objective: Send + Sync {
     /// Where positions may lie.
     fn search_box(&self) -> &SearchBox;
-    /// The cost of a position. Called once per particle and iteration; must not allocate.
-    fn evaluate(&self, x: &[f64]) -> Evaluation;
-    /// Puts a position that was drawn at random in order, before the first iteration.
-    fn arrange(&self, _x: &mut [f64]) {}
+    /// The cost of a position. Called once per particle and iteration; must not allocate, but for `scratch`, which is
+    /// re-used from call to call.
+    fn evaluate(&self, x: &[f64], scratch: &mut Scratch) -> Evaluation;
+    /// Draws a position before the first iteration, uniformly in the search box unless there is a better way.
+    fn draw(&self, x: &mut [f64], rng: &mut Stream) {
+        self.search_box().draw(x, rng);
+    }
+    /// How often a position that violates a constraint is drawn anew before the first iteration.
+    fn redraws(&self) -> u64 {
+        0
+    }
     /// Whether there are constraints that a position can violate.
-    fn constrained(&self) -> bool;
-    /// The points in the plane that a position places: itself, or a path's way-points.
-    fn points(&self, x: &[f64]) -> impl Iterator<Item = [f64; 2]>;
-    /// How many points that is.
+    fn constrained(&self) -> bool {
+        false
+    }
+    /// How many points in the plane a position places: itself, or a path's way-points.
     fn point_count(&self) -> usize;
+    /// The `i`-th of those points.
+    fn point(&self, x: &[f64], i: usize) -> [f64; 2];
     /// The ends of the path that the points belong to; `None` where there is no path.
-    fn ends(&self) -> Option<([f64; 2], [f64; 2])>;
+    fn ends(&self) -> Option<([f64; 2], [f64; 2])> {
+        None
+    }
     /// What a position is the solution of.
     fn solution(&self, x: &[f64]) -> Solution;
     /// The name of the coordinate `j`, e.g. `x₃`.
     fn coordinate(&self, j: usize) -> String;
+    /// Tells the numbers by which a position's meaning is measured.
+    fn read(&self, _x: &[f64], _out: &mut Readings) {}
+    /// Draws what belongs to the meaning and not to a particle.
+    fn draw_guides(&self, _frame: &mut Frame) {}
+    /// Draws what becomes of the reported position: a smoothed path.
+    fn draw_result(&self, _x: &[f64], _frame: &mut Frame) {}
+}
+
+impl dyn Objective + '_ {
+    /// The points in the plane that a position places.
+    pub fn points<'a>(&'a self, x: &'a [f64]) -> impl Iterator<Item = [f64; 2]> + 'a {
+        (0..self.point_count()).map(move |i| self.point(x, i))
+    }
+}
+
+/// Room for an evaluation to work in.
+#[derive(Debug, Clone, Default)]
+pub struct Scratch {
+    /// Pieces of a segment.
+    pub pieces: Vec<[f64; 2]>,
 }
 
 /// A test function of [WCPSO] Table 1 on its box.
@@ -82,25 +120,16 @@ impl Objective for FunctionObjective {
         &self.search_box
     }
 
-    #[inline]
-    fn evaluate(&self, x: &[f64]) -> Evaluation {
+    fn evaluate(&self, x: &[f64], _scratch: &mut Scratch) -> Evaluation {
         Evaluation { cost: self.function.value(x), penalty: 0.0 }
-    }
-
-    fn constrained(&self) -> bool {
-        false
-    }
-
-    fn points(&self, x: &[f64]) -> impl Iterator<Item = [f64; 2]> {
-        std::iter::once([x[0], x.get(1).copied().unwrap_or(0.0)])
     }
 
     fn point_count(&self) -> usize {
         1
     }
 
-    fn ends(&self) -> Option<([f64; 2], [f64; 2])> {
-        None
+    fn point(&self, x: &[f64], _i: usize) -> [f64; 2] {
+        [x[0], x.get(1).copied().unwrap_or(0.0)]
     }
 
     fn solution(&self, x: &[f64]) -> Solution {

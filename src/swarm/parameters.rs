@@ -3,12 +3,15 @@
 use crate::{
     catalogue::{Formula, Group, Layer, Reading, Scope},
     frame::Role,
-    params::{Choice, Parameter},
+    params::{Parameter, Preset, When},
     scene::Kind,
 };
 
 /// The kinds of scene that a swarm runs on.
-pub(super) const KINDS: &[Kind] = &[Kind::Discs, Kind::Function];
+pub(super) const KINDS: &[Kind] = &[Kind::Discs, Kind::Grid, Kind::Function];
+
+/// The kinds of scene in which a path is searched.
+pub(super) const PATHS: &[Kind] = &[Kind::Discs, Kind::Grid];
 
 pub(super) const POPULATION: Parameter = Parameter::integer(
     "population",
@@ -17,7 +20,7 @@ pub(super) const POPULATION: Parameter = Parameter::integer(
     [1, 100_000, 60],
     "How many particles. Published: 60 on functions, 150 among discs.",
 )
-.defaults_on(&[(Kind::Discs, 150.0)])
+.defaults_on(&[(Kind::Discs, Preset::Number(150.0)), (Kind::Grid, Preset::Number(150.0))])
 .slider(2.0, 2000.0, true);
 pub(super) const ITERATIONS: Parameter = Parameter::integer(
     "iterations",
@@ -26,7 +29,7 @@ pub(super) const ITERATIONS: Parameter = Parameter::integer(
     [1, 1_000_000_000, 1000],
     "After how many iterations it stops; schedules stretch over them. Published: 1000 on functions, 500 among discs.",
 )
-.defaults_on(&[(Kind::Discs, 500.0)])
+.defaults_on(&[(Kind::Discs, Preset::Number(500.0)), (Kind::Grid, Preset::Number(500.0))])
 .slider(10.0, 5000.0, true);
 pub(super) const V_MAX: Parameter = Parameter::number(
     "v_max",
@@ -71,66 +74,45 @@ pub(super) const W_MIN: Parameter = Parameter::number(
     [0.0, 1.5, 0.4],
     "ω falls to here, so that the swarm settles.",
 );
-pub(super) const WAYPOINTS: Parameter = Parameter::integer(
-    "waypoints",
-    "n",
-    "Way-points",
-    [1, 50, 3],
-    "How many corners a path may have between start and goal; a particle has twice as many coordinates. The paper gives no value.",
-)
-.only_on(&[Kind::Discs])
-.slider(1.0, 20.0, false);
-pub(super) const PENALTY: Parameter = Parameter::choice(
-    "penalty",
-    "V",
-    "Penalty",
-    &[
-        Choice { value: "segments", title: "whole path", help: "(15) at each segment’s point closest to the disc’s centre." },
-        Choice { value: "waypoints", title: "way-points only", help: "(15) as printed: a segment may cut through a disc unpunished." },
-    ],
-    "Where a path is tested for discs.",
-)
-.only_on(&[Kind::Discs]);
-pub(super) const PENALTY_WEIGHT: Parameter = Parameter::number(
-    "penalty_weight",
-    "w",
-    "Penalty weight",
-    [0.0, 1e6, 100.0],
-    "The safety factor w of (14): what a path through a disc’s centre costs.",
-)
-.only_on(&[Kind::Discs])
-.slider(1.0, 1000.0, true);
-
-pub(super) const ORDERED: Parameter = Parameter::flag(
-    "ordered",
-    "Sorted start",
-    true,
-    "Number each path’s initial way-points along the way from start to goal, so that none begins as a zigzag. Off: as drawn, uniformly (the paper says no more).",
-)
-.only_on(&[Kind::Discs]);
-
-const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
+pub(super) const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
     Reading { name, symbol, title, help, group }
 }
 
 /// What every swarm tells; those that perturb tell [`PERTURBED`].
-pub(super) const READINGS: &[Reading] = &[BEST, MEAN, FREE, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, EVALUATIONS];
-pub(super) const PERTURBED: &[Reading] = &[BEST, MEAN, FREE, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, HENS, CHICKS, EVALUATIONS];
+pub(super) const READINGS: &[Reading] = &[BEST, MEAN, FREE, LENGTH, SMOOTHNESS, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, EVALUATIONS];
+pub(super) const PERTURBED: &[Reading] =
+    &[BEST, MEAN, FREE, LENGTH, SMOOTHNESS, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, HENS, CHICKS, EVALUATIONS];
 
-const BEST: Reading = reading("best", "f(g)", "Best cost", Group::Cost, "The cost of the global best, penalty included.");
-const MEAN: Reading = reading("mean", "\\bar f", "Mean cost", Group::Cost, "The mean cost of the particles where they are now.");
-const FREE: Reading =
-    reading("free", "L_{\\text{free}}", "Best without penalty", Group::Cost, "The cheapest path without penalty so far: the result.");
-const K: Reading = reading("k", "k", "Update", Group::Count, "The number of the update that led here, counted from 0 as in the paper.");
+pub(super) const BEST: Reading = reading("best", "f(g)", "Best cost", Group::Cost, "The cost of the global best, penalty included.");
+pub(super) const MEAN: Reading = reading("mean", "\\bar f", "Mean cost", Group::Cost, "The mean cost of the particles where they are now.");
+pub(super) const FREE: Reading = reading(
+    "free",
+    "L_{\\text{free}}",
+    "Best without penalty",
+    Group::Cost,
+    "The cost of the cheapest path without penalty so far: the result.",
+);
+pub(super) const LENGTH: Reading =
+    reading("length", "L_D", "Length", Group::Length, "The result’s length before smoothing, [LTQPSO] (17).");
+pub(super) const SMOOTHNESS: Reading = reading(
+    "smoothness",
+    "L_S",
+    "Smoothness",
+    Group::Measure,
+    "The sum of the squared distances between the result’s points, [LTQPSO] (18): the smaller, the more even.",
+);
+pub(super) const K: Reading =
+    reading("k", "k", "Update", Group::Count, "The number of the update that led here, counted from 0 as in the paper.");
 const OMEGA: Reading = reading("w", "\\omega", "Inertia weight", Group::Schedule, "ω in the step that led here.");
 const COGNITIVE: Reading = reading("c1", "c_1", "Cognitive coefficient", Group::Schedule, "c1 in the step that led here.");
 const SOCIAL: Reading = reading("c2", "c_2", "Social coefficient", Group::Schedule, "c2 in the step that led here.");
-const STAGNATING: Reading =
+pub(super) const STAGNATING: Reading =
     reading("stagnating", "n_s", "Stagnating", Group::Count, "Particles whose cost has just risen in that many consecutive iterations.");
 const HENS: Reading = reading("hens", "n_h", "Moved by the hen", Group::Count, "Particles that the hen equation moved in this iteration.");
 const CHICKS: Reading =
     reading("chicks", "n_c", "Moved by the chick", Group::Count, "Particles that the chick equation moved in this iteration.");
-const EVALUATIONS: Reading = reading("evaluations", "n_f", "Evaluations", Group::Count, "How many positions were evaluated so far.");
+pub(super) const EVALUATIONS: Reading =
+    reading("evaluations", "n_f", "Evaluations", Group::Count, "How many positions were evaluated so far.");
 
 /// An equation that is filled in from the readings.
 pub(super) const fn schedule(
@@ -143,7 +125,13 @@ pub(super) const fn schedule(
     Formula { name, source, title, tex, live, scope: Scope::Iteration }
 }
 
-const fn of_particle(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
+pub(super) const fn of_particle(
+    name: &'static str,
+    source: &'static str,
+    title: &'static str,
+    tex: &'static str,
+    live: &'static str,
+) -> Formula {
     Formula { name, source, title, tex, live, scope: Scope::Item }
 }
 
@@ -193,17 +181,34 @@ pub(super) const LINEAR_W: Formula = schedule(
     "\\omega(@k@) = @w_max@ - (@w_max@ - @w_min@) \\cdot \\frac{@k@}{@iterations@} = @w@",
 );
 
-const fn layer(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Layer {
-    Layer { role, title, help, on, pickable }
+pub(super) const fn layer(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Layer {
+    Layer { role, title, help, on, pickable, when: None }
 }
 
 /// What every swarm draws; those that perturb draw [`PERTURBED_LAYERS`].
-pub(super) const LAYERS: &[Layer] = &[PERSONAL_BESTS, PARTICLES, VELOCITIES, GLOBAL_BEST];
-pub(super) const PERTURBED_LAYERS: &[Layer] = &[PERSONAL_BESTS, PARTICLES, HEN_LAYER, CHICK_LAYER, VELOCITIES, GLOBAL_BEST];
+pub(super) const LAYERS: &[Layer] = &[GUIDES, PERSONAL_BESTS, PARTICLES, VELOCITIES, GLOBAL_BEST, SMOOTHED];
+pub(super) const PERTURBED_LAYERS: &[Layer] =
+    &[GUIDES, PERSONAL_BESTS, PARTICLES, HEN_LAYER, CHICK_LAYER, VELOCITIES, GLOBAL_BEST, SMOOTHED];
 
-const PERSONAL_BESTS: Layer = layer(Role::PersonalBests, "Personal bests", false, false, "The best that each particle has found.");
-const PARTICLES: Layer = layer(Role::Particles, "Particles", true, true, "Where the particles are: points, or the paths they stand for.");
+pub(super) const GUIDES: Layer = Layer {
+    when: Some(When { parameter: "encoding", value: "polar" }),
+    ..layer(
+        Role::Guides,
+        "Circles",
+        true,
+        false,
+        "The circles on which a path’s points lie, as far as their angles are searched, [LTQPSO] (13).",
+    )
+};
+pub(super) const SMOOTHED: Layer = Layer {
+    when: Some(When { parameter: "smooth", value: "true" }),
+    ..layer(Role::Smoothed, "Smoothed", true, false, "The best, smoothed: the result that is handed over.")
+};
+pub(super) const PERSONAL_BESTS: Layer =
+    layer(Role::PersonalBests, "Personal bests", false, false, "The best that each particle has found.");
+pub(super) const PARTICLES: Layer =
+    layer(Role::Particles, "Particles", true, true, "Where the particles are: points, or the paths they stand for.");
 const HEN_LAYER: Layer = layer(Role::Hen, "Hens", true, false, "Particles that the hen equation moved in this iteration.");
 const CHICK_LAYER: Layer = layer(Role::Chick, "Chicks", true, false, "Particles that the chick equation moved in this iteration.");
 const VELOCITIES: Layer = layer(Role::Velocities, "Velocities", false, false, "The particles’ velocities, to scale.");
-const GLOBAL_BEST: Layer = layer(Role::Best, "Best", true, false, "The best so far: the result.");
+pub(super) const GLOBAL_BEST: Layer = layer(Role::Best, "Best", true, false, "The best so far: the result.");

@@ -1,13 +1,20 @@
 //! Positions, costs and bests: what every swarm has, whatever moves its particles.
 
-use crate::{digest::Digest, planner::Best, rng::Stream};
+use std::sync::Arc;
 
-use super::objective::Objective;
+use crate::{
+    digest::Digest,
+    planner::{Best, Readings},
+    rng::Stream,
+};
+
+use super::objective::{Objective, Scratch};
 
 /// A population of positions. Particle `i`'s coordinates are the `i`-th row of `dimension` numbers.
-#[derive(Debug, Clone)]
-pub(super) struct Population<O> {
-    pub(super) objective: O,
+#[derive(Clone)]
+pub(super) struct Population {
+    pub(super) objective: Arc<dyn Objective>,
+    scratch: Scratch,
     pub(super) size: usize,
     pub(super) dimension: usize,
     /// Positions x.
@@ -31,23 +38,17 @@ pub(super) struct Population<O> {
     pub(super) evaluations: u64,
 }
 
-impl<O: Objective> Population<O> {
-    /// Positions uniform in the box, evaluated.
-    pub(super) fn uniform(objective: O, size: usize, rng: &mut Stream) -> Self {
-        let search_box = objective.search_box().clone();
-        let dimension = search_box.dimension();
-        let mut x = Vec::with_capacity(size * dimension);
-        for _ in 0..size {
-            let first = x.len();
-            x.extend(search_box.low.iter().zip(&*search_box.high).map(|(&low, &high)| rng.between(low, high)));
-            objective.arrange(&mut x[first..]);
-        }
+impl Population {
+    /// Positions as the objective draws them, evaluated.
+    pub(super) fn new(objective: Arc<dyn Objective>, size: usize, rng: &mut Stream) -> Self {
+        let dimension = objective.search_box().dimension();
         let mut population = Self {
             objective,
+            scratch: Scratch::default(),
             size,
             dimension,
-            p: x.clone(),
-            x,
+            p: vec![0.0; size * dimension],
+            x: vec![0.0; size * dimension],
             cost: vec![f64::INFINITY; size],
             p_cost: vec![f64::INFINITY; size],
             g: vec![0.0; dimension],
@@ -56,9 +57,22 @@ impl<O: Objective> Population<O> {
             free_cost: f64::INFINITY,
             evaluations: 0,
         };
-        (0..size).for_each(|i| population.evaluate(i));
+        (0..size).for_each(|i| population.draw_particle(i, rng));
         population.settle();
         population
+    }
+
+    /// Draws particle `i` and evaluates it; while it violates a constraint, a few times anew.
+    fn draw_particle(&mut self, i: usize, rng: &mut Stream) {
+        let row = self.row(i);
+        for _ in 0..=self.objective.redraws() {
+            self.objective.draw(&mut self.x[row.clone()], rng);
+            // A draw that is given up leaves no personal best behind.
+            self.p_cost[i] = f64::INFINITY;
+            if self.evaluate(i) == 0.0 {
+                break;
+            }
+        }
     }
 
     /// Where particle `i`'s row lies.
@@ -67,12 +81,12 @@ impl<O: Objective> Population<O> {
         i * self.dimension..(i + 1) * self.dimension
     }
 
-    /// Evaluates particle `i` where it is now and keeps its personal best.
+    /// Evaluates particle `i` where it is now, keeps its personal best and returns the penalty.
     #[inline]
-    pub(super) fn evaluate(&mut self, i: usize) {
+    pub(super) fn evaluate(&mut self, i: usize) -> f64 {
         let row = self.row(i);
         let x = &self.x[row.clone()];
-        let found = self.objective.evaluate(x);
+        let found = self.objective.evaluate(x, &mut self.scratch);
         self.evaluations += 1;
         self.cost[i] = found.cost;
         if found.cost < self.p_cost[i] {
@@ -83,6 +97,7 @@ impl<O: Objective> Population<O> {
             self.free_cost = found.cost;
             self.free.copy_from_slice(x);
         }
+        found.penalty
     }
 
     /// Ends an iteration: the best personal best becomes the global best; the first of equals wins.
@@ -114,6 +129,16 @@ impl<O: Objective> Population<O> {
     /// The mean cost of the present positions.
     pub(super) fn mean(&self) -> f64 {
         self.cost.iter().sum::<f64>() / self.size as f64
+    }
+
+    /// Tells the costs, and what the reported path measures.
+    pub(super) fn read(&self, out: &mut Readings) {
+        out.push("best", self.g_cost);
+        out.push("mean", self.mean());
+        if self.objective.constrained() {
+            out.push("free", if self.free_cost.is_finite() { self.free_cost } else { f64::NAN });
+        }
+        self.objective.read(self.reported().1, out);
     }
 
     pub(super) fn digest(&self, out: &mut Digest) {

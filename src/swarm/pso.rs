@@ -3,10 +3,9 @@
 use crate::catalogue::Entry;
 
 use super::{
+    encoding::with_paths,
     flight::Flight,
-    parameters::{
-        C1, C2, ITERATIONS, KINDS, LAYERS, ORDERED, PENALTY, PENALTY_WEIGHT, POPULATION, POSITION, READINGS, V_MAX, VELOCITY, W, WAYPOINTS,
-    },
+    parameters::{C1, C2, ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, READINGS, V_MAX, VELOCITY, W},
     schedule::{Law, Schedule},
 };
 
@@ -18,12 +17,13 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §1",
     summary: "Particles keep part of their velocity and are drawn to their own best and to the swarm’s. All coefficients stay constant.",
     kinds: KINDS,
-    parameters: &[POPULATION, ITERATIONS, W, C1, C2, V_MAX, WAYPOINTS, PENALTY, PENALTY_WEIGHT, ORDERED],
+    parameters: with_paths![POPULATION, ITERATIONS, W, C1, C2, V_MAX],
     readings: READINGS,
     formulas: &[VELOCITY, POSITION],
     layers: LAYERS,
+    suggest: |_| None,
     start: |scene, settings, seed| {
         let [w, c1, c2] = ["w", "c1", "c2"].map(|name| Law::Constant(settings.number(name)));
-        Ok(super::start(scene, settings, seed, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None }))
+        super::start(scene, settings, seed, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None })
     },
 };

@@ -6,10 +6,10 @@ use crate::{
 };
 
 use super::{
+    encoding::with_paths,
     flight::Flight,
     parameters::{
-        CHICK, HEN, ITERATIONS, KINDS, ORDERED, PENALTY, PENALTY_WEIGHT, PERTURBED, PERTURBED_LAYERS, POPULATION, POSITION, S1, S2, V_MAX,
-        VELOCITY, W_MAX, W_MIN, WAYPOINTS, schedule,
+        CHICK, HEN, ITERATIONS, KINDS, PERTURBED, PERTURBED_LAYERS, POPULATION, POSITION, S1, S2, V_MAX, VELOCITY, W_MAX, W_MIN, schedule,
     },
     perturbation::Perturbation,
     schedule::{Law, Schedule},
@@ -66,26 +66,11 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §2",
     summary: "Inertia falls along a cosine, the pulls cross along sines, and particles that stagnate jump like hens, then like chicks.",
     kinds: KINDS,
-    parameters: &[
-        POPULATION,
-        ITERATIONS,
-        W_MAX,
-        W_MIN,
-        C_A,
-        C_B,
-        C_ALPHA,
-        C_BETA,
-        PATIENCE,
-        F_L,
-        V_MAX,
-        WAYPOINTS,
-        PENALTY,
-        PENALTY_WEIGHT,
-        ORDERED,
-    ],
+    parameters: with_paths![POPULATION, ITERATIONS, W_MAX, W_MIN, C_A, C_B, C_ALPHA, C_BETA, PATIENCE, F_L, V_MAX],
     readings: PERTURBED,
     formulas: &[INERTIA, COGNITIVE, SOCIAL, VELOCITY, POSITION, HEN, S1, S2, CHICK],
     layers: PERTURBED_LAYERS,
+    suggest: |_| None,
     start: |scene, settings, seed| {
         let schedule = Schedule {
             w: Law::Cosine { max: settings.number("w_max"), min: settings.number("w_min") },
@@ -93,6 +78,6 @@ pub const ENTRY: Entry = Entry {
             c2: Law::Sine { amplitude: -settings.number("c_alpha"), middle: settings.number("c_beta") },
         };
         let perturbation = Perturbation { patience: settings.integer("patience") as u8, f_l: settings.number("f_l") };
-        Ok(super::start(scene, settings, seed, Flight { schedule, perturbation: Some(perturbation) }))
+        super::start(scene, settings, seed, Flight { schedule, perturbation: Some(perturbation) })
     },
 };

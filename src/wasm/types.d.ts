@@ -2,7 +2,7 @@
 export type Point = [number, number];
 
 /** What a scene is made of. Planners say which kinds they run on. */
-export type Kind = 'function' | 'discs';
+export type Kind = 'function' | 'discs' | 'grid';
 
 interface SceneBase {
   format: 'forage-scene';
@@ -40,10 +40,42 @@ export interface DiscsScene extends SceneBase {
   discs: Disc[];
 }
 
+/** The robot of a grid scene. Its radius is that of the circle about `length` × `width`; without them it is a point. */
+export interface Robot {
+  length?: number;
+  width?: number;
+  speed?: number;
+  turn_time?: number;
+  sensor?: number;
+}
+
+/** A grid of free and blocked cells. The grid covers (0, 0) to (columns · cell, rows · cell). */
+export interface GridScene extends SceneBase {
+  kind: 'grid';
+  /** A cell's side, in the scene's unit. */
+  cell: number;
+  /** Top row first; `.` free, `#` blocked. */
+  rows: string[];
+  /** `down` (default): origin at the top left; `up`: at the bottom left. A checked scene always says. */
+  y_axis?: 'down' | 'up';
+  start?: Point;
+  goal?: Point;
+  stops?: Point[];
+  corner_cutting?: boolean;
+  robot?: Robot;
+  moving?: { center: Point; radius: number; velocity: Point }[];
+}
+
 /** A scene file's content. */
-export type Scene = FunctionScene | DiscsScene;
+export type Scene = FunctionScene | DiscsScene | GridScene;
 
 export type ParameterValue = number | string | boolean;
+
+/** Another parameter, and the value that it must have. */
+export interface When {
+  parameter: string;
+  value: string;
+}
 
 /** What a parameter means and what it may be: enough to make a control of it. */
 export interface Parameter {
@@ -58,6 +90,8 @@ export interface Parameter {
   defaults: Partial<Record<Kind, ParameterValue>>;
   /** The kinds of scene on which the parameter means something. */
   kinds: Kind[];
+  /** It means something only while another parameter has this value (as text: `polar`, `true`), and that one means something. */
+  when?: When;
   /** Numbers and integers only: the allowed range, both ends included. */
   min?: number;
   max?: number;
@@ -79,8 +113,9 @@ export interface Reading {
   symbol: string;
   title: string;
   help: string;
-  /** Where it belongs: a curve of costs, a parameter's schedule, a count of particles. */
-  group: 'cost' | 'schedule' | 'count';
+  /** Where it belongs: a curve of costs, lengths (comparable with the exact optimum), a parameter's schedule, another
+   * measure of the result, a count of particles. */
+  group: 'cost' | 'length' | 'schedule' | 'measure' | 'count';
 }
 
 /** An equation of the paper. `live` holds `@name@` where a reading or an inspected value goes. */
@@ -120,6 +155,68 @@ export interface Layer {
   on: boolean;
   /** Its pieces can be picked and inspected. */
   pickable: boolean;
+  /** It is drawn only while a parameter has this value. */
+  when?: When;
+}
+
+/** Sizes that a planner's paper recommends for a setup. */
+export interface Suggestion {
+  population: number;
+  iterations: number;
+  /** E.g. `[LTQPSO] (10), uniform start`. */
+  source: string;
+}
+
+/** A number that a drive tells for each moment. */
+export interface DriveColumn {
+  name: string;
+  title: string;
+  symbol: string;
+  /** `s`, `m`, `rad/s`, …; empty for a bare number. Lengths are in the scene's unit. */
+  unit: string;
+}
+
+/** How a drive along a path went. */
+export interface DriveOutcome {
+  /** Seconds from start to stop. */
+  time: number;
+  /** How far the robot's centre went. */
+  distance: number;
+  /** It stopped at the goal. */
+  arrived: boolean;
+  /** Its outline touched an obstacle somewhere. */
+  touched: boolean;
+  /** Where its centre was when it first did. */
+  touched_at?: Point;
+  /** The smallest distance of its outline from an obstacle; negative: overlap. `null` without obstacles. */
+  clearance: number | null;
+  /** The largest distance of its centre from the path. */
+  max_error: number;
+  /** The root of the mean squared distance. */
+  rms_error: number;
+  /** What the wheel encoders counted in all: left, right. */
+  counts: [number, number];
+}
+
+/** The robot driving along a path, one row for each control period. */
+export interface Drive {
+  /** Names of the row's numbers, as in `catalogue().drive.columns`; `time`, `x`, `y` and `heading` (radians) among them. */
+  columns: string[];
+  rows: Float64Array;
+  outcome: DriveOutcome;
+  /** The robot's outline: along and across its heading. */
+  outline: { length: number; width: number };
+  parameters: Record<string, ParameterValue>;
+}
+
+/** What there is to know about driving along a path. */
+export interface DriveEntry {
+  /** E.g. `[LTQPSO] §5`. */
+  source: string;
+  summary: string;
+  parameters: Parameter[];
+  columns: DriveColumn[];
+  formulas: Formula[];
 }
 
 export interface Catalogue {
@@ -128,6 +225,8 @@ export interface Catalogue {
   planners: Planner[];
   /** The scenes that ship. */
   scenes: Scene[];
+  /** How a robot drives along what a planner found. */
+  drive: DriveEntry;
   /** Names of role numbers in a frame's span table. */
   roles: string[];
   /** Every TeX string that stands outside a formula, so that a page can typeset them when it is built. */
@@ -157,7 +256,7 @@ export interface LinkSetup {
   hash?: string;
 }
 
-/** `running`, or why it stopped: `solved`, `exhausted` (the iteration limit), `infeasible`. */
+/** `running`, or why it stopped: `solved`, `exhausted` (the iteration limit or an early stop), `infeasible`. */
 export type Status = 'running' | 'solved' | 'exhausted' | 'infeasible';
 
 /** Views into the wasm memory: valid until the next call of anything in this module. Copy what you keep. */
@@ -212,6 +311,10 @@ export interface Outcome {
   exact: number | null;
   /** (length − exact) / exact. */
   gap: number | null;
+  /** How much the path turns in all, in radians. Paths only. */
+  turning?: number;
+  /** How the scene's robot drives along the path, with the usual parameters. Scenes with a robot that has an outline only. */
+  drive?: DriveOutcome;
   path?: Point[];
   position?: number[];
   readings: Record<string, number>;

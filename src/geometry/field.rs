@@ -1,0 +1,254 @@
+//! The blocked cells of a grid, grown by a robot's radius, and what a path meets among them.
+
+use super::Block;
+
+/// What a point robot's obstacles are smaller by, in cells: it may touch them, and rounding must not turn touching into
+/// crossing.
+const HAIR: f64 = 1e-9;
+
+/// A grid's blocked cells as the centre of a round robot meets them. A robot may touch an obstacle, not enter it.
+///
+/// Row `k` covers `k · cell ≤ y ≤ (k + 1) · cell`. The cells of a row that lie side by side form one [`Block`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    size: [f64; 2],
+    /// What every block is grown by; negative by a hair for a point.
+    grow: f64,
+    /// The robot's radius.
+    radius: f64,
+    cells: Rows,
+    /// For a point robot: what lies across the line between two rows, so that it cannot slip along it.
+    seams: Rows,
+}
+
+/// Blocks row by row, those of a row from left to right.
+#[derive(Debug, Clone, PartialEq)]
+struct Rows {
+    /// The side of a cell.
+    cell: f64,
+    /// How many cells high the blocks are.
+    height: usize,
+    blocks: Vec<Block>,
+    /// `blocks[first[k]..first[k + 1]]` are those that begin in row `k`.
+    first: Vec<usize>,
+}
+
+impl Field {
+    /// The obstacles of a grid of `columns` cells a row, `blocked` row by row, for a robot of this radius.
+    pub fn new(cell: f64, columns: usize, blocked: &[bool], radius: f64) -> Self {
+        let rows = blocked.len() / columns.max(1);
+        let is = |row: usize, column: usize| blocked[row * columns + column];
+        let (cells, seams, grow) = if radius > 0.0 {
+            (Rows::new(cell, [columns, rows], 1, is), Rows::new(cell, [columns, 0], 2, is), radius)
+        } else {
+            let grow = -HAIR * cell;
+            let seam = |row, column| is(row, column) && is(row + 1, column);
+            let seams = Rows::new(cell, [columns, rows.saturating_sub(1)], 2, seam);
+            (Rows::new(cell, [columns, rows], 1, is), seams, grow)
+        };
+        Self { size: [columns as f64 * cell, rows as f64 * cell], grow, radius, cells, seams }
+    }
+
+    /// The robot's radius.
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// The blocked cells, those side by side in a row as one block, row by row.
+    pub fn blocks(&self) -> &[Block] {
+        &self.cells.blocks
+    }
+
+    fn all(&self) -> impl Iterator<Item = &Block> {
+        self.cells.blocks.iter().chain(&self.seams.blocks)
+    }
+
+    /// The blocks that a segment could come within the radius of.
+    #[inline]
+    fn near(&self, a: [f64; 2], b: [f64; 2]) -> impl Iterator<Item = &Block> {
+        self.cells.near(a, b, self.radius).chain(self.seams.near(a, b, self.radius))
+    }
+
+    /// Whether the robot's centre may go from `a` straight to `b`.
+    #[inline]
+    pub fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        self.near(a, b).all(|block| !self.hits(block, a, b))
+    }
+
+    #[inline]
+    fn hits(&self, block: &Block, a: [f64; 2], b: [f64; 2]) -> bool {
+        if self.grow > 0.0 { block.distance_squared(a, b) < self.grow * self.grow } else { block.grown(self.grow).clip(a, b).is_some() }
+    }
+
+    /// The length of the part of `a`–`b` on which the robot overlaps an obstacle, exactly: pieces of the segment, and
+    /// where they overlap counted once. More than 0 whenever [`Field::is_free`] says no. `pieces` is scratch space.
+    pub fn length_inside(&self, a: [f64; 2], b: [f64; 2], pieces: &mut Vec<[f64; 2]>) -> f64 {
+        pieces.clear();
+        for block in self.near(a, b).filter(|block| self.hits(block, a, b)) {
+            let piece = if self.grow > 0.0 { block.clip_grown(self.grow, a, b) } else { block.grown(self.grow).clip(a, b) };
+            pieces.push(piece.unwrap_or([0.0, 0.0]));
+        }
+        if pieces.is_empty() {
+            return 0.0;
+        }
+        pieces.sort_unstable_by(|p, q| p[0].total_cmp(&q[0]));
+        let (mut covered, mut end) = (0.0, 0.0);
+        for &[from, to] in pieces.iter() {
+            covered += (to - from.max(end)).max(0.0);
+            end = to.max(end);
+        }
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        (covered * (dx * dx + dy * dy).sqrt()).max(f64::MIN_POSITIVE)
+    }
+
+    /// The robot's distance from the nearest obstacle along `a`–`b`; negative: how deep they overlap (at least: what
+    /// several rows form together may be deeper). `None` without obstacles.
+    pub fn clearance(&self, a: [f64; 2], b: [f64; 2]) -> Option<f64> {
+        let signed = |block: &Block| {
+            let squared = block.distance_squared(a, b);
+            if squared > 0.0 { squared.sqrt() } else { -block.depth(a, b) }
+        };
+        self.all().map(signed).reduce(f64::min).map(|least| least - self.radius)
+    }
+
+    /// The size of the whole grid.
+    pub fn size(&self) -> [f64; 2] {
+        self.size
+    }
+}
+
+impl Rows {
+    /// Runs of cells that are `on`, `height` cells high.
+    fn new(cell: f64, [columns, rows]: [usize; 2], height: usize, on: impl Fn(usize, usize) -> bool) -> Self {
+        let (mut blocks, mut first) = (Vec::new(), vec![0]);
+        let corner = |column: usize, row: usize| [column as f64 * cell, row as f64 * cell];
+        for row in 0..rows {
+            push_runs(
+                columns,
+                |column| on(row, column),
+                |from, to| {
+                    blocks.push(Block { min: corner(from, row), max: corner(to, row + height) });
+                },
+            );
+            first.push(blocks.len());
+        }
+        Self { cell, height, blocks, first }
+    }
+
+    /// The blocks that a segment could come within `reach` of: whole rows are passed over, and within a row what lies
+    /// beside the segment.
+    #[inline]
+    fn near(&self, a: [f64; 2], b: [f64; 2], reach: f64) -> impl Iterator<Item = &Block> {
+        let (y0, y1) = if a[1] <= b[1] { (a[1], b[1]) } else { (b[1], a[1]) };
+        let rows = self.first.len() - 1;
+        let from = ((y0 - reach) / self.cell - self.height as f64).max(0.0) as usize;
+        // A negative number becomes 0: one row more than needed.
+        let to = (((y1 + reach) / self.cell) as usize + 1).min(rows);
+        (from.min(to)..to).flat_map(move |row| self.near_in_row(row, a, b, reach))
+    }
+
+    #[inline]
+    fn near_in_row(&self, row: usize, a: [f64; 2], b: [f64; 2], reach: f64) -> impl Iterator<Item = &Block> {
+        let blocks = &self.blocks[self.first[row]..self.first[row + 1]];
+        let (mut x0, mut x1) = if a[0] <= b[0] { (a[0], b[0]) } else { (b[0], a[0]) };
+        let dy = b[1] - a[1];
+        if dy != 0.0 && !blocks.is_empty() {
+            // Where the segment is while it is within reach of this row.
+            let (low, high) = (row as f64 * self.cell - reach, (row + self.height) as f64 * self.cell + reach);
+            let at = |y: f64| a[0] + (b[0] - a[0]) * ((y - a[1]) / dy).clamp(0.0, 1.0);
+            let (p, q) = (at(low), at(high));
+            x0 = x0.max(p.min(q));
+            x1 = x1.min(p.max(q));
+        }
+        let slack = reach + self.cell * HAIR;
+        let from = blocks.partition_point(|block| block.max[0] < x0 - slack);
+        blocks[from..].iter().take_while(move |block| block.min[0] <= x1 + slack)
+    }
+}
+
+/// Calls `push` with every maximal run of columns that are `on`.
+fn push_runs(columns: usize, on: impl Fn(usize) -> bool, mut push: impl FnMut(usize, usize)) {
+    let mut from = None;
+    for column in 0..=columns {
+        match (from, column < columns && on(column)) {
+            (None, true) => from = Some(column),
+            (Some(begin), false) => {
+                push(begin, column);
+                from = None;
+            }
+            _ => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows from y = 0 upwards.
+    fn field(rows: &[&str], radius: f64) -> Field {
+        let blocked: Vec<_> = rows.iter().flat_map(|row| row.chars().map(|c| c == '#')).collect();
+        Field::new(1.0, rows[0].len(), &blocked, radius)
+    }
+
+    #[test]
+    fn a_point_may_touch_cells_but_not_slip_between_them() {
+        let field = field(&["....", ".##.", ".##.", "...."], 0.0);
+        assert!(field.is_free([0.0, 1.0], [4.0, 1.0]), "along the lower side");
+        assert!(field.is_free([0.0, 2.0], [2.0, 0.0]), "past the corner (1, 1)");
+        assert!(!field.is_free([0.0, 2.0], [4.0, 2.0]), "along the seam between two rows");
+        assert!(!field.is_free([2.0, 0.0], [2.0, 4.0]), "along the seam between two columns");
+        assert!(!field.is_free([0.0, 2.0], [2.0, 0.01]));
+        assert_eq!(field.clearance([0.0, 0.5], [4.0, 0.5]), Some(0.5));
+        assert_eq!(field.clearance([0.0, 1.0], [4.0, 1.0]), Some(0.0));
+        assert!(field.clearance([0.0, 1.5], [4.0, 1.5]).unwrap() < -0.49);
+    }
+
+    #[test]
+    fn a_round_robot_keeps_its_radius_away_and_corners_are_round() {
+        let field = field(&["....", ".##.", "....", "...."], 0.5);
+        assert!(field.is_free([0.0, 0.5], [4.0, 0.5]) && !field.is_free([0.0, 0.501], [4.0, 0.501]));
+        let off = 1.0 - 0.5 * std::f64::consts::FRAC_1_SQRT_2;
+        assert!(field.is_free([off - 1e-9, off - 1e-9], [off - 1e-9, off - 1e-9]), "just off the rounded corner");
+        assert!(!field.is_free([off + 1e-9, off + 1e-9], [off + 1e-9, off + 1e-9]));
+        assert_eq!(field.clearance([0.0, 3.0], [4.0, 3.0]), Some(0.5));
+        assert_eq!(field.clearance([2.0, 0.0], [2.0, 0.75]), Some(-0.25));
+    }
+
+    #[test]
+    fn length_inside_counts_overlaps_once() {
+        let mut pieces = Vec::new();
+        let field = field(&["......", ".#.##.", ".#....", "......"], 0.5);
+        // Along y = 1.5: from 0.5 to 2.5 and from 2.5 to 5.5, touching; 5 in all of 6.
+        assert!((field.length_inside([0.0, 1.5], [6.0, 1.5], &mut pieces) - 5.0).abs() < 1e-12);
+        // Up x = 1.5: rows 1 and 2 together, from 0.5 to 3.5.
+        assert!((field.length_inside([1.5, 0.0], [1.5, 4.0], &mut pieces) - 3.0).abs() < 1e-12);
+        assert_eq!(field.length_inside([0.0, 0.5], [6.0, 0.5], &mut pieces), 0.0, "touching");
+    }
+
+    /// The rows and columns that are passed over never hide a hit: against a look at every block.
+    #[test]
+    fn passing_over_far_rows_changes_nothing() {
+        let mut rng = crate::rng::Stream::new(5, 0);
+        for case in 0..60 {
+            let radius = [0.0, 0.3, 0.5, 1.7][case % 4];
+            let blocked: Vec<_> = (0..12 * 9).map(|_| rng.unit() < 0.2).collect();
+            let field = Field::new(0.5, 12, &blocked, radius);
+            for _ in 0..300 {
+                let [a, b] = [0, 1].map(|_| [rng.between(0.0, 6.0), rng.between(0.0, 4.5)]);
+                let b = if case % 3 == 0 { [b[0], a[1]] } else { b };
+                let all = field.all().any(|block| field.hits(block, a, b));
+                assert_eq!(field.is_free(a, b), !all, "{a:?} {b:?} radius {radius}");
+                let inside = field.length_inside(a, b, &mut Vec::new());
+                assert_eq!(inside > 0.0, all);
+                let sampled = (0..2000)
+                    .map(|i| f64::from(i) / 2000.0)
+                    .map(|t| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])])
+                    .filter(|&p| field.all().any(|block| field.hits(block, p, p)))
+                    .count() as f64;
+                let length = super::super::length(&[a, b]);
+                assert!((inside - length * sampled / 2000.0).abs() < length * 0.01, "{inside} {sampled}");
+            }
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! Smoothing of polylines, [LTQPSO] §4 (9).
+
+/// Into how many pieces each segment is cut first. A filter that averages neighbours can only round a corner that has
+/// neighbours near it.
+pub const PIECES: usize = 8;
+
+/// The path with each segment cut into `pieces` equal ones.
+pub fn subdivided(path: &[[f64; 2]], pieces: usize) -> Vec<[f64; 2]> {
+    let between = |w: &[[f64; 2]], i: usize| {
+        let t = i as f64 / pieces as f64;
+        [0, 1].map(|axis| w[0][axis] + t * (w[1][axis] - w[0][axis]))
+    };
+    let cut = path.windows(2).flat_map(|w| (0..pieces).map(move |i| between(w, i)));
+    cut.chain(path.last().copied()).collect()
+}
+
+/// The Shuman filter, `passes` times: s_i = (1 − S) f_i + S/2 (f_{i−1} + f_{i+1}) with 0 ≤ S ≤ 1. The ends stay.
+///
+/// A point moves only if both segments that meet there are `free` afterwards. So a path that is free stays free, and
+/// one that is not is never made worse where it was free.
+pub fn shuman(path: &mut [[f64; 2]], strength: f64, passes: u64, free: impl Fn([f64; 2], [f64; 2]) -> bool) {
+    let mut before = path.to_vec();
+    for _ in 0..passes {
+        before.copy_from_slice(path);
+        for i in 1..path.len().saturating_sub(1) {
+            let smoothed =
+                [0, 1].map(|axis| (1.0 - strength) * before[i][axis] + strength / 2.0 * (before[i - 1][axis] + before[i + 1][axis]));
+            // The neighbour behind has moved or stayed already, the one ahead has not.
+            if free(path[i - 1], smoothed) && free(smoothed, path[i + 1]) {
+                path[i] = smoothed;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_filter_averages_neighbours_and_keeps_the_ends() {
+        let mut path = [[0.0, 0.0], [1.0, 4.0], [2.0, 0.0], [7.0, 0.0]];
+        shuman(&mut path, 0.5, 1, |_, _| true);
+        // (1 − ½) · 4 + ¼ · (0 + 0); x: ½ · 2 + ¼ · (1 + 7).
+        assert_eq!(path, [[0.0, 0.0], [1.0, 2.0], [3.0, 1.0], [7.0, 0.0]]);
+        shuman(&mut path, 1.0, 1, |_, _| true);
+        assert_eq!(path, [[0.0, 0.0], [1.5, 0.5], [4.0, 1.0], [7.0, 0.0]]);
+        shuman(&mut path, 0.0, 5, |_, _| true);
+        assert_eq!(path, [[0.0, 0.0], [1.5, 0.5], [4.0, 1.0], [7.0, 0.0]]);
+    }
+
+    #[test]
+    fn a_point_that_would_make_a_segment_cross_stays() {
+        let start = [[0.0, 0.0], [1.0, 4.0], [2.0, 0.0]];
+        // Whatever dips below y = 3 between x = 0.9 and x = 1.1 is not free.
+        let free = |a: [f64; 2], b: [f64; 2]| [a, b].iter().all(|p| !(0.9..1.1).contains(&p[0]) || p[1] >= 3.0);
+        let mut path = start;
+        shuman(&mut path, 1.0, 9, free);
+        assert_eq!(path, start);
+        shuman(&mut path, 0.25, 9, free);
+        assert_eq!(path, [[0.0, 0.0], [1.0, 3.0], [2.0, 0.0]], "one pass, then it would go too low");
+    }
+
+    #[test]
+    fn segments_are_cut_into_equal_pieces() {
+        let cut = subdivided(&[[0.0, 0.0], [4.0, 8.0], [4.0, 9.0]], 2);
+        assert_eq!(cut, [[0.0, 0.0], [2.0, 4.0], [4.0, 8.0], [4.0, 8.5], [4.0, 9.0]]);
+    }
+}

@@ -1,0 +1,308 @@
+//! Scenes of kind `grid`: free and blocked cells, a robot with a size, a start and a goal or stops, [LTQPSO] §4.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::{
+    error::Error,
+    exact::Exact,
+    geometry::{self, Field},
+};
+
+use super::{Bounds, LARGEST, Verdict, coordinate, finite};
+
+/// The most rows and columns of a grid.
+pub const MAX_SIDE: usize = 2048;
+
+/// Which way y grows in a scene's coordinates. The file lists the top row first in either case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum YAxis {
+    /// Origin at the top left, as in pictures.
+    #[default]
+    Down,
+    /// Origin at the bottom left, as on paper.
+    Up,
+}
+
+impl YAxis {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Down, Self::Up];
+
+    /// The name that scene files use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Down => "down",
+            Self::Up => "up",
+        }
+    }
+}
+
+/// The robot that goes through a grid; what is not given is `None`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Robot {
+    /// Its outline along its heading, in the scene's unit.
+    pub length: Option<f64>,
+    /// Its outline across.
+    pub width: Option<f64>,
+    /// How fast it drives, in the scene's unit per second.
+    pub speed: Option<f64>,
+    /// Seconds that a turn takes.
+    pub turn_time: Option<f64>,
+    /// How far it sees.
+    pub sensor: Option<f64>,
+}
+
+impl Robot {
+    /// The fields by name.
+    pub fn fields(&self) -> [(&'static str, Option<f64>); 5] {
+        let Self { length, width, speed, turn_time, sensor } = *self;
+        [("length", length), ("width", width), ("speed", speed), ("turn_time", turn_time), ("sensor", sensor)]
+    }
+
+    /// The radius of its circumscribed circle; 0 for a robot without a size.
+    pub fn radius(&self) -> f64 {
+        let (length, width) = (self.length.unwrap_or(0.0), self.width.unwrap_or(0.0));
+        (length * length + width * width).sqrt() / 2.0
+    }
+}
+
+/// A disc that moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moving {
+    /// Where its centre begins.
+    pub center: [f64; 2],
+    /// Its radius.
+    pub radius: f64,
+    /// How far it goes in a second.
+    pub velocity: [f64; 2],
+}
+
+/// A grid of free and blocked cells.
+#[derive(Debug, Clone)]
+pub struct GridScene {
+    /// The side of a cell, in the scene's unit.
+    pub cell: f64,
+    /// Cells a row.
+    pub columns: usize,
+    /// Blocked cells, row by row. Row `k` covers `k · cell ≤ y ≤ (k + 1) · cell`, whichever way y grows.
+    pub blocked: Vec<bool>,
+    /// Which way y grows.
+    pub y_axis: YAxis,
+    /// Where a path begins.
+    pub start: Option<[f64; 2]>,
+    /// Where it must lead.
+    pub goal: Option<[f64; 2]>,
+    /// Where a tour must call.
+    pub stops: Vec<[f64; 2]>,
+    /// Whether a step from cell to cell may cut a blocked cell's corner.
+    pub corner_cutting: bool,
+    /// Who goes there.
+    pub robot: Option<Robot>,
+    /// Discs that move.
+    pub moving: Vec<Moving>,
+    /// The blocked cells grown by the robot, made when first asked for.
+    field: OnceLock<Arc<Field>>,
+}
+
+impl PartialEq for GridScene {
+    fn eq(&self, other: &Self) -> bool {
+        let key = |s: &Self| (s.cell, s.columns, s.y_axis, s.start, s.goal, s.corner_cutting, s.robot);
+        key(self) == key(other) && self.blocked == other.blocked && self.stops == other.stops && self.moving == other.moving
+    }
+}
+
+impl GridScene {
+    /// A grid of these cells with nothing else in it.
+    pub fn new(cell: f64, columns: usize, blocked: Vec<bool>) -> Self {
+        Self {
+            cell,
+            columns,
+            blocked,
+            y_axis: YAxis::default(),
+            start: None,
+            goal: None,
+            stops: Vec::new(),
+            corner_cutting: false,
+            robot: None,
+            moving: Vec::new(),
+            field: OnceLock::new(),
+        }
+    }
+
+    /// The number of rows.
+    pub fn rows(&self) -> usize {
+        self.blocked.len() / self.columns.max(1)
+    }
+
+    /// The rows as a file lists them: top row first.
+    pub fn lines(&self) -> Vec<String> {
+        let lines = self.blocked.chunks(self.columns.max(1)).map(|row| row.iter().map(|&b| if b { '#' } else { '.' }).collect());
+        match self.y_axis {
+            YAxis::Down => lines.collect(),
+            YAxis::Up => lines.rev().collect(),
+        }
+    }
+
+    /// The whole grid.
+    pub fn bounds(&self) -> Bounds {
+        Bounds { min: [0.0, 0.0], max: [self.columns as f64 * self.cell, self.rows() as f64 * self.cell] }
+    }
+
+    /// The robot's radius; 0 where there is no robot or it has no size.
+    pub fn radius(&self) -> f64 {
+        self.robot.map_or(0.0, |robot| robot.radius())
+    }
+
+    /// The blocked cells as the robot's centre meets them: grown by the radius of its circumscribed circle, exactly.
+    pub fn field(&self) -> &Arc<Field> {
+        self.field.get_or_init(|| Arc::new(Field::new(self.cell, self.columns, &self.blocked, self.radius())))
+    }
+
+    /// Start and goal.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] if the scene has none (but stops, perhaps).
+    pub fn ends(&self) -> Result<([f64; 2], [f64; 2]), Error> {
+        let one =
+            |name, point: Option<_>| point.ok_or_else(|| Error::refused(name, "nothing", "a point: this planner goes from start to goal"));
+        Ok((one("start", self.start)?, one("goal", self.goal)?))
+    }
+
+    pub(super) fn check(&self) -> Result<(), Error> {
+        positive("cell", self.cell)?;
+        for (name, count) in [("rows", self.rows()), ("rows[0]", self.columns)] {
+            if !(1..=MAX_SIDE).contains(&count) {
+                return Err(Error::refused(name, count, format!("from 1 to {MAX_SIDE}")));
+            }
+        }
+        self.check_robot()?;
+        match (self.start, self.goal) {
+            (Some(_), None) if self.stops.is_empty() => return Err(Error::refused("goal", "nothing", "a point, [x, y]")),
+            (None, Some(_)) => return Err(Error::refused("start", "nothing", "a point, [x, y]")),
+            (None, None) if self.stops.is_empty() => {
+                return Err(Error::refused("start", "nothing", "a start and a goal, or stops"));
+            }
+            _ => {}
+        }
+        for (name, point) in [("start", self.start), ("goal", self.goal)] {
+            point.iter().try_for_each(|&point| self.check_point(name, point))?;
+        }
+        self.stops.iter().enumerate().try_for_each(|(i, &stop)| self.check_point(&format!("stops[{i}]"), stop))?;
+        for (i, disc) in self.moving.iter().enumerate() {
+            for axis in 0..2 {
+                coordinate(&format!("moving[{i}].center"), disc.center, axis)?;
+                coordinate(&format!("moving[{i}].velocity"), disc.velocity, axis)?;
+            }
+            positive(&format!("moving[{i}].radius"), disc.radius)?;
+        }
+        Ok(())
+    }
+
+    fn check_robot(&self) -> Result<(), Error> {
+        let Some(robot) = self.robot else {
+            return Ok(());
+        };
+        for (name, value) in robot.fields().into_iter().filter_map(|(name, value)| value.map(|value| (name, value))) {
+            let field = format!("robot.{name}");
+            if name == "turn_time" {
+                finite(&field, value)?;
+                if !(0.0..=LARGEST).contains(&value) {
+                    return Err(Error::refused(field, value, format!("from 0 to {LARGEST}")));
+                }
+            } else {
+                positive(&field, value)?;
+            }
+        }
+        match (robot.length, robot.width) {
+            (Some(_), None) => Err(Error::refused("robot.width", "nothing", "a width, as there is a length")),
+            (None, Some(_)) => Err(Error::refused("robot.length", "nothing", "a length, as there is a width")),
+            _ => Ok(()),
+        }
+    }
+
+    /// A point of the path must lie in the grid, and the robot must fit there; it may touch.
+    fn check_point(&self, field: &str, point: [f64; 2]) -> Result<(), Error> {
+        (0..2).try_for_each(|axis| coordinate(field, point, axis))?;
+        let shown = || format!("({}, {})", point[0], point[1]);
+        let max = self.bounds().max;
+        if (0..2).any(|axis| point[axis] < 0.0 || point[axis] > max[axis]) {
+            return Err(Error::refused(field, shown(), format!("inside the grid, (0, 0) to ({}, {})", max[0], max[1])));
+        }
+        if self.field().is_free(point, point) {
+            return Ok(());
+        }
+        let allowed = match self.radius() {
+            0.0 => "outside every blocked cell".to_owned(),
+            radius => format!("where the robot fits: at least its radius, {radius}, from every blocked cell"),
+        };
+        Err(Error::refused(field, shown(), allowed))
+    }
+
+    pub(super) fn exact(&self) -> Option<Exact> {
+        None
+    }
+
+    pub(super) fn judge(&self, path: &[[f64; 2]]) -> Verdict {
+        let max = self.bounds().max;
+        let inside = path.iter().all(|p| (0..2).all(|axis| (0.0..=max[axis]).contains(&p[axis])));
+        let joins = path.first().copied() == self.start && path.last().copied() == self.goal;
+        let field = self.field();
+        let free = path.windows(2).all(|w| field.is_free(w[0], w[1]));
+        let clearance = path.windows(2).filter_map(|w| field.clearance(w[0], w[1])).reduce(f64::min);
+        Verdict { length: Some(geometry::length(path)), feasible: joins && inside && free, clearance }
+    }
+}
+
+fn positive(field: &str, value: f64) -> Result<(), Error> {
+    finite(field, value)?;
+    if value <= 0.0 || value > LARGEST {
+        return Err(Error::refused(field, value, format!("greater than 0, at most {LARGEST}")));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene() -> GridScene {
+        let blocked = [".....", "..#..", "....."].iter().flat_map(|row| row.chars().map(|c| c == '#')).collect();
+        GridScene { start: Some([0.5, 0.5]), goal: Some([4.5, 2.5]), ..GridScene::new(1.0, 5, blocked) }
+    }
+
+    #[test]
+    fn a_path_is_judged_with_the_robot_s_size() {
+        let path = [[0.5, 0.5], [4.5, 0.5], [4.5, 2.5]];
+        let point = scene().judge(&path);
+        assert_eq!((point.length, point.feasible, point.clearance), (Some(6.0), true, Some(0.5)));
+        let robot = |length| Some(Robot { length: Some(length), width: Some(0.0), ..Robot::default() });
+        let wide = GridScene { robot: robot(1.0), ..scene() }.judge(&path);
+        assert_eq!((wide.feasible, wide.clearance), (true, Some(0.0)), "it touches");
+        let wider = GridScene { robot: robot(1.25), ..scene() }.judge(&path);
+        assert_eq!((wider.feasible, wider.clearance), (false, Some(-0.125)));
+        assert!(!scene().judge(&[[0.5, 0.5], [4.5, 2.5]]).feasible, "through the blocked cell");
+        assert!(!scene().judge(&[[0.5, 0.5], [4.5, -0.5], [4.5, 2.5]]).feasible, "out of the grid");
+        assert!(!scene().judge(&path[..2]).feasible, "it must end at the goal");
+    }
+
+    #[test]
+    fn each_wrong_field_is_named() {
+        let field = |change: fn(&mut GridScene)| {
+            let mut scene = scene();
+            change(&mut scene);
+            scene.check().unwrap_err().field().to_owned()
+        };
+        assert_eq!(field(|s| s.cell = 0.0), "cell");
+        assert_eq!(field(|s| s.blocked = Vec::new()), "rows");
+        assert_eq!(field(|s| s.start = Some([2.5, 1.5])), "start");
+        assert_eq!(field(|s| s.goal = Some([5.5, 1.5])), "goal");
+        assert_eq!(field(|s| s.goal = None), "goal");
+        assert_eq!(field(|s| (s.start, s.goal) = (None, None)), "start");
+        assert_eq!(field(|s| s.stops = vec![[0.5, 0.5], [2.5, 1.5]]), "stops[1]");
+        assert_eq!(field(|s| s.robot = Some(Robot { length: Some(1.0), ..Robot::default() })), "robot.width");
+        assert_eq!(field(|s| s.robot = Some(Robot { speed: Some(-1.0), ..Robot::default() })), "robot.speed");
+        assert_eq!(field(|s| s.moving = vec![Moving { center: [1.0, 1.0], radius: 0.0, velocity: [0.0, 1.0] }]), "moving[0].radius");
+        let tight = GridScene { robot: Some(Robot { length: Some(3.0), width: Some(2.0), ..Robot::default() }), ..scene() };
+        assert!(tight.check().unwrap_err().allowed().contains("robot fits"));
+        assert!(scene().check().is_ok());
+    }
+}

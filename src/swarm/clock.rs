@@ -1,0 +1,62 @@
+//! How many iterations a swarm has taken and when it stops.
+
+use crate::{digest::Digest, params::Settings, planner::Status};
+
+/// The iterations of a run, and its two reasons to stop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Clock {
+    pub(super) iteration: u64,
+    pub(super) limit: u64,
+    /// Stop when the best has not changed for this many iterations; 0: never.
+    early_stop: u64,
+    /// For how many iterations it has not.
+    pub(super) unchanged: u64,
+    best: f64,
+}
+
+impl Clock {
+    /// With the settings `iterations` and `early_stop`; `best` is the best cost before the first iteration.
+    pub(super) fn new(settings: &Settings, best: f64) -> Self {
+        Self { iteration: 0, limit: settings.integer("iterations"), early_stop: settings.integer("early_stop"), unchanged: 0, best }
+    }
+
+    /// Counts an iteration that ended with this best cost.
+    pub(super) fn tick(&mut self, best: f64) {
+        self.iteration += 1;
+        self.unchanged = if best < self.best { 0 } else { self.unchanged + 1 };
+        self.best = best;
+    }
+
+    pub(super) fn running(&self) -> bool {
+        self.iteration < self.limit && (self.early_stop == 0 || self.unchanged < self.early_stop)
+    }
+
+    pub(super) fn status(&self) -> Status {
+        if self.running() { Status::Running } else { Status::Exhausted }
+    }
+
+    pub(super) fn digest(&self, out: &mut Digest) {
+        out.word(self.iteration);
+        if self.early_stop > 0 {
+            out.word(self.unchanged);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_stops_at_its_limit_or_when_the_best_has_stood_still() {
+        let clock = |limit, early_stop| Clock { iteration: 0, limit, early_stop, unchanged: 0, best: 9.0 };
+        let run =
+            |mut clock: Clock, costs: &[f64]| costs.iter().take_while(|&&cost| clock.running().then(|| clock.tick(cost)).is_some()).count();
+        let costs = [9.0, 8.0, 8.0, 8.0, 7.0, 7.0, 7.0, 7.0];
+        assert_eq!(run(clock(5, 0), &costs), 5);
+        assert_eq!(run(clock(99, 0), &costs), 8);
+        assert_eq!(run(clock(99, 1), &costs), 1, "the first iteration brought nothing");
+        assert_eq!(run(clock(99, 2), &costs), 4);
+        assert_eq!(run(clock(99, 3), &costs), 8);
+    }
+}

@@ -1,0 +1,151 @@
+//! Why a particle leapt where it did: (9) with its numbers, and whose place it took afterwards.
+
+use crate::{
+    frame::Role,
+    planner::{Column, Inspection, Item},
+    swarm::tell::{Label, arrows, column as head, mark, particle, quantities, sheet},
+};
+
+use super::{Leap, Quantum, Watch, column, deviation};
+
+const LEAPT: [Label; 13] = [
+    ("alpha", "\\alpha", "contraction–expansion"),
+    ("c1", "c_1", "cognitive coefficient"),
+    ("c2", "c_2", "social coefficient"),
+    ("r1", "r_1", "random number, first coordinate"),
+    ("r2", "r_2", "random number, first coordinate"),
+    ("phi", "\\varphi", "share of the own best, first coordinate"),
+    ("p", "P", "personal best, first coordinate"),
+    ("g", "G", "global best, first coordinate"),
+    ("attractor", "p", "local attractor, first coordinate"),
+    ("m", "m", "mean best, first coordinate"),
+    ("u", "u", "random number, first coordinate"),
+    ("sign", "\\pm", "direction, first coordinate"),
+    ("x_before", "X", "position before, first coordinate"),
+];
+const LANDED: [Label; 1] = [("x", "X'", "position after the leap, first coordinate")];
+const EVOLVED: [Label; 6] = [
+    ("ip", "ip", "evolution speed"),
+    ("f_g", "f(G)", "global best before"),
+    ("f_p", "f(P)", "own personal best before"),
+    ("gs", "gs", "dispersion, first coordinate"),
+    ("sigma_p", "\\sigma(P)", "spread of personal bests, first coordinate"),
+    ("sigma_x", "\\sigma(X)", "spread of positions, first coordinate"),
+];
+const COSTS: [Label; 3] = [("cost_before", "f(X)", "cost before"), ("cost", "f(X)", "cost after"), ("p_cost", "f(P)", "personal best")];
+
+const COLUMNS: [Column; 8] = [
+    head("x_before", "X", "position before"),
+    head("phi", "\\varphi", "share of the own best"),
+    head("attractor", "p", "local attractor"),
+    head("m", "m", "mean best"),
+    head("gs", "gs", "dispersion"),
+    head("u", "u", "random number"),
+    head("sign", "\\pm", "direction"),
+    head("x", "X'", "position after the leap"),
+];
+
+struct Record {
+    particle: usize,
+    leaps: Vec<Leap>,
+}
+
+impl Watch for Record {
+    fn wants(&self, i: usize) -> bool {
+        i == self.particle
+    }
+
+    fn leap(&mut self, leap: Leap) {
+        self.leaps.push(leap);
+    }
+}
+
+impl Quantum {
+    /// What the next step does to the particle.
+    pub(super) fn explain_step(&self, item: Item) -> Option<Inspection> {
+        let i = particle(&self.population, item)?;
+        let mut record = Record { particle: i, leaps: Vec::new() };
+        let mut after = self.clone();
+        after.advance(&mut record);
+        let (now, next, leaps) = (&self.population, &after.population, &record.leaps);
+        let (row, n) = (now.row(i), now.dimension);
+        let (x, p, attractor) = (&now.x[row.clone()], &now.p[row.clone()], &after.attractors[row.clone()]);
+        let landed: Vec<_> = leaps.iter().map(|leap| leap.to).collect();
+        let meaning = &*now.objective;
+
+        let leapt = format!("Particle {i} leaps about its attractor, a point between its own best and the swarm’s");
+        let (event, summary) = match after.replaced[i] {
+            None => ("leap", format!("{leapt}.")),
+            Some(other) => ("replaced", format!("{leapt}; there it is among the worse half, so it takes the place of particle {other}.")),
+        };
+        let mut told = sheet(meaning, item, event, summary, n);
+        told.columns = COLUMNS.to_vec();
+        told.rows = leaps
+            .iter()
+            .enumerate()
+            .map(|(j, leap)| vec![x[j], leap.phi, attractor[j], after.m[j], after.gs[j], leap.u, leap.sign, leap.to])
+            .collect();
+        told.formulas = vec!["leap", "attractor", "phi"];
+        let Leap { r: [r1, r2], phi, u, sign, to } = leaps[0];
+        let [c1, c2] = self.c;
+        told.values
+            .extend(quantities(&LEAPT, &[after.width, c1, c2, r1, r2, phi, p[0], now.g[0], attractor[0], after.m[0], u, sign, x[0]]));
+        told.values.extend(quantities(&LANDED, &[to]));
+        if self.adaptive {
+            told.formulas.extend(["ip", "gs"]);
+            let sigma = |rows| deviation(column(rows, n, 0));
+            let numbers = [after.ip[i], now.g_cost, now.p_cost[i], after.gs[0], sigma(&now.p), sigma(&now.x)];
+            told.values.extend(quantities(&EVOLVED, &numbers));
+        }
+        told.values.extend(quantities(&COSTS, &[now.cost[i], next.cost[i], next.p_cost[i]]));
+        told.marks = vec![
+            mark(meaning, Role::Before, x),
+            mark(meaning, Role::MeanBest, &after.m),
+            mark(meaning, Role::Attractors, attractor),
+            arrows(meaning, Role::Jump, x, &landed),
+            mark(meaning, Role::After, &next.x[row]),
+        ];
+        Some(told)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use crate::{
+        Given, Session, Setup, Value,
+        frame::{Frame, Role},
+        planner::Item,
+        shipped,
+    };
+
+    /// Every particle of several iterations: the numbers told give the leap, and the leap (or the exchange) ends where
+    /// the particle is drawn. Both events come up.
+    #[test]
+    fn the_explanation_ends_where_the_particle_is() {
+        let scene = Arc::clone(&shipped("qpso-10m").unwrap());
+        let params = Given::from_iter([("population", Value::from(12.0))]);
+        let mut session = Session::new(Setup { planner: "ltqpso".into(), scene, params, seed: 3 }).unwrap();
+        let mut seen = std::collections::BTreeMap::new();
+        for _ in 0..20 {
+            session.step(1);
+            let mut frame = Frame::default();
+            session.draw(&mut frame, usize::MAX);
+            let drawn: Vec<Vec<_>> = frame.spans().filter(|s| s.role == Role::Particles).map(|s| frame.points(s).collect()).collect();
+            for (index, path) in drawn.iter().enumerate() {
+                let told = session.inspect(Item { role: Role::Particles, index }).unwrap();
+                *seen.entry(told.event).or_insert(0) += 1;
+                let of = |name| told.values.iter().find(|v| v.name == name).unwrap().value;
+                let to =
+                    of("attractor") + of("sign") * of("alpha") * of("gs") * (of("m") - of("x_before")).abs() * -crate::math::ln(of("u"));
+                assert!((of("x") - to).abs() < 1e-12 || of("x") == 0.0 || of("x") > 1.57, "{} {to}", of("x"));
+                let after = &told.marks.iter().find(|m| m.role == Role::After).unwrap().vertices;
+                for (a, b) in after.iter().zip(path) {
+                    assert!((a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5);
+                }
+            }
+        }
+        assert_eq!((seen["leap"], seen["replaced"]), (120, 120));
+    }
+}

@@ -1,0 +1,57 @@
+//! `ltqpso`: the quantum swarm with evolution speed, dispersion and natural selection, [LTQPSO] §2.2.
+
+use crate::{
+    catalogue::{Entry, Formula},
+    swarm::{
+        encoding::with_paths,
+        parameters::{
+            BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, PARTICLES, PERSONAL_BESTS, SMOOTHED,
+            SMOOTHNESS, of_particle,
+        },
+    },
+};
+
+use super::parameters::{
+    ALPHA, ALPHA_END, ALPHA_START, ATTRACTORS, C1, C2, GS, IP, ITERATIONS, MEAN, MEAN_BEST, PHI, POPULATION, SELECTED, SELECTED_LAYER,
+    WIDTH, suggest,
+};
+
+const ATTRACTOR: Formula = of_particle(
+    "attractor",
+    "[LTQPSO] (7)",
+    "Local attractor",
+    "p_{ij} = G_j + \\varphi \\cdot ip_i \\, (P_{ij} - G_j)",
+    "p = @g@ + @phi@ \\cdot @ip@ \\, (@p@ - @g@) = @attractor@",
+);
+const LEAP: Formula = of_particle(
+    "leap",
+    "[LTQPSO] (9)",
+    "Leap",
+    "X_{ij} \\leftarrow p_{ij} \\pm \\alpha \\cdot gs_j \\, |m_j - X_{ij}| \\ln\\frac{1}{u}",
+    "X = @attractor@ + (@sign@) \\cdot @alpha@ \\cdot @gs@ \\, |@m@ - @x_before@| \\ln\\frac{1}{@u@} \\;\\to\\; @x@",
+);
+const EVOLUTION: Formula =
+    of_particle("ip", "[LTQPSO] (5)", "Evolution speed", "ip_i = \\frac{F(G)}{F(P_i)}", "ip = \\frac{@f_g@}{@f_p@} = @ip@");
+const DISPERSION: Formula = of_particle(
+    "gs",
+    "[LTQPSO] (6), at most 1",
+    "Dispersion",
+    "gs_j = \\frac{\\sigma(P_{\\cdot j})}{\\sigma(X_{\\cdot j})}",
+    "gs = \\frac{@sigma_p@}{@sigma_x@} \\;\\to\\; @gs@",
+);
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "ltqpso",
+    title: "LTQPSO: evolving quantum swarm",
+    family: "swarm",
+    source: "[LTQPSO] §2.2",
+    summary: "A quantum swarm whose pull follows each particle’s evolution speed and whose leaps follow the swarm’s dispersion; the better half then takes the worse half’s places.",
+    kinds: KINDS,
+    parameters: with_paths![POPULATION, ITERATIONS, ALPHA_START, ALPHA_END, C1, C2],
+    readings: &[BEST, MEAN_COST, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS],
+    formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN],
+    layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, SELECTED_LAYER, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],
+    suggest,
+    start: |scene, settings, seed| super::start(scene, settings, seed, true),
+};

@@ -1,0 +1,389 @@
+//! The quantum swarm of [LTQPSO]: particles without velocity that leap about their attractors.
+//!
+//! `qpso` leaps by (1)–(4), `ltqpso` by (5)–(9): the same leap, with the pull scaled by evolution speed, the width by
+//! dispersion, and natural selection afterwards. The flight of [WCPSO] shares the population with it and nothing else.
+
+mod explain;
+pub mod ltqpso;
+mod parameters;
+pub mod qpso;
+
+use std::sync::Arc;
+
+use crate::{
+    digest::Digest,
+    error::Error,
+    frame::{Frame, Role},
+    math,
+    params::Settings,
+    planner::{Best, Inspection, Item, Planner, Readings, Status},
+    rng::Stream,
+    scene::Scene,
+    session,
+};
+
+use super::{clock::Clock, draw::CONTEXT, encoding, population::Population, schedule::Law, tell};
+
+/// Starts a quantum swarm on whatever kind of scene it is given.
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: bool) -> Result<Box<dyn session::AnyPlanner>, Error> {
+    let mut rng = Stream::new(seed, 0);
+    let population = Population::new(encoding::objective(scene, settings)?, settings.integer("population") as usize, &mut rng);
+    Ok(Box::new(Quantum::new(population, settings, rng, adaptive)))
+}
+
+/// A swarm that leaps: X ← p ± α gs |m − X| ln(1/u).
+#[derive(Clone)]
+struct Quantum {
+    population: Population,
+    /// c1 and c2 of (22).
+    c: [f64; 2],
+    alpha: Law,
+    /// Evolution speed, dispersion and natural selection, (5)–(9).
+    adaptive: bool,
+    /// α of the step that led here (of the first step, before it).
+    width: f64,
+    /// Evolution speed of each particle, (5); 1 without it.
+    ip: Vec<f64>,
+    /// Dispersion of each coordinate, (6); 1 without it.
+    gs: Vec<f64>,
+    /// Mean best, (8).
+    m: Vec<f64>,
+    /// Each particle's local attractor, (7).
+    attractors: Vec<f64>,
+    /// Whose position each particle got by natural selection.
+    replaced: Vec<Option<u32>>,
+    /// Particles by cost; scratch space.
+    order: Vec<(f64, usize)>,
+    rng: Stream,
+    clock: Clock,
+}
+
+/// What was drawn for a coordinate, and where it led.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Leap {
+    r: [f64; 2],
+    phi: f64,
+    u: f64,
+    /// 1 or −1.
+    sign: f64,
+    /// Where it landed, kept in the box.
+    to: f64,
+}
+
+/// Sees a particle's leap. `()` sees nothing and costs nothing.
+trait Watch {
+    fn wants(&self, _i: usize) -> bool {
+        false
+    }
+    fn leap(&mut self, _leap: Leap) {}
+}
+
+impl Watch for () {}
+
+impl Quantum {
+    fn new(population: Population, settings: &Settings, rng: Stream, adaptive: bool) -> Self {
+        let (size, dimension) = (population.size, population.dimension);
+        let mut swarm = Self {
+            c: [settings.number("c1"), settings.number("c2")],
+            alpha: Law::Linear(settings.number("alpha_start"), settings.number("alpha_end")),
+            adaptive,
+            width: settings.number("alpha_start"),
+            ip: vec![1.0; size],
+            gs: vec![1.0; dimension],
+            m: vec![0.0; dimension],
+            attractors: population.p.clone(),
+            replaced: vec![None; size],
+            order: Vec::with_capacity(size),
+            rng,
+            clock: Clock::new(settings, population.g_cost),
+            population,
+        };
+        swarm.prepare();
+        swarm
+    }
+
+    /// One iteration. `watch` sees what happens to a particle that somebody asked about.
+    fn advance(&mut self, watch: &mut impl Watch) {
+        self.width = self.alpha.at(self.clock.iteration, self.clock.limit);
+        self.prepare();
+        for i in 0..self.population.size {
+            if watch.wants(i) {
+                self.leap(i, watch);
+            } else {
+                self.leap(i, &mut ());
+            }
+            self.population.evaluate(i);
+        }
+        self.population.settle();
+        if self.adaptive {
+            self.select();
+        }
+        self.clock.tick(self.population.g_cost);
+    }
+
+    /// What is the same for all particles of an iteration: mean best, evolution speed, dispersion.
+    fn prepare(&mut self) {
+        let population = &self.population;
+        mean(&population.p, &mut self.m);
+        if self.adaptive {
+            self.ip.iter_mut().zip(&population.p_cost).for_each(|(ip, &cost)| *ip = evolution_speed(population.g_cost, cost));
+            for (j, gs) in self.gs.iter_mut().enumerate() {
+                *gs = dispersion(column(&population.p, population.dimension, j), column(&population.x, population.dimension, j));
+            }
+        }
+    }
+
+    /// (7) and (9), or with ip = gs = 1 (4) and (1). Reading: positions are kept in the box, [LTQPSO] §4 (8).
+    #[inline]
+    fn leap(&mut self, i: usize, watch: &mut impl Watch) {
+        let [c1, c2] = self.c;
+        let (ip, alpha) = (self.ip[i], self.width);
+        let row = self.population.row(i);
+        let n = row.len();
+        let Population { x, p, g, objective, .. } = &mut self.population;
+        let search_box = objective.search_box();
+        let (x, p, attractors) = (&mut x[row.clone()], &p[row.clone()], &mut self.attractors[row]);
+        let (g, m, gs, low, high) = (&g[..n], &self.m[..n], &self.gs[..n], &search_box.low[..n], &search_box.high[..n]);
+        for j in 0..n {
+            let r = [self.rng.positive_unit(), self.rng.positive_unit()];
+            let phi = c1 * r[0] / (c1 * r[0] + c2 * r[1]);
+            attractors[j] = g[j] + phi * ip * (p[j] - g[j]);
+            let u = self.rng.positive_unit();
+            let sign = if self.rng.unit() < 0.5 { 1.0 } else { -1.0 };
+            let reached = attractors[j] + sign * (alpha * gs[j] * (m[j] - x[j]).abs() * -math::ln(u));
+            x[j] = math::limit(reached, low[j], high[j]);
+            watch.leap(Leap { r, phi, u, sign, to: x[j] });
+        }
+    }
+
+    /// Natural selection: the best half's positions overwrite the worst half's, in the order of their costs. Each keeps
+    /// its own personal best. Reading: in an odd population the middle one is left alone.
+    fn select(&mut self) {
+        let Population { x, cost, size, dimension, .. } = &mut self.population;
+        self.order.clear();
+        self.order.extend(cost.iter().copied().zip(0..));
+        math::sort(&mut self.order);
+        self.replaced.fill(None);
+        let half = *size / 2;
+        for k in 0..half {
+            let (from, to) = (self.order[k].1, self.order[*size - half + k].1);
+            x.copy_within(from * *dimension..(from + 1) * *dimension, to * *dimension);
+            cost[to] = cost[from];
+            self.replaced[to] = Some(from as u32);
+        }
+    }
+}
+
+/// ip = F(G) / F(P), (5): how far a personal best is from the global best's cost. Reading: a zero denominator gives 1,
+/// and costs that are not positive are kept in 0..1.
+fn evolution_speed(global: f64, personal: f64) -> f64 {
+    if personal == 0.0 { 1.0 } else { math::limit(global / personal, 0.0, 1.0) }
+}
+
+/// gs = σ(P) / σ(X), (6): how scattered the personal bests are beside the positions, in one coordinate. Reading: a zero
+/// denominator gives 1, and it is at most 1.
+fn dispersion<'a>(p: impl Iterator<Item = &'a f64> + Clone, x: impl Iterator<Item = &'a f64> + Clone) -> f64 {
+    let around = deviation(x);
+    if around == 0.0 { 1.0 } else { (deviation(p) / around).min(1.0) }
+}
+
+/// The standard deviation over the particles.
+fn deviation<'a>(numbers: impl Iterator<Item = &'a f64> + Clone) -> f64 {
+    let (count, sum) = numbers.clone().fold((0.0, 0.0), |(count, sum), x| (count + 1.0, sum + x));
+    let mean = sum / count;
+    (numbers.map(|x| (x - mean) * (x - mean)).sum::<f64>() / count).sqrt()
+}
+
+/// Coordinate `j` of all rows.
+fn column(rows: &[f64], dimension: usize, j: usize) -> impl Iterator<Item = &f64> + Clone {
+    rows[j..].iter().step_by(dimension)
+}
+
+/// m_j = the mean of coordinate j over all rows, (8).
+fn mean(rows: &[f64], m: &mut [f64]) {
+    m.fill(0.0);
+    for row in rows.chunks_exact(m.len()) {
+        m.iter_mut().zip(row).for_each(|(m, x)| *m += x);
+    }
+    let count = (rows.len() / m.len()) as f64;
+    m.iter_mut().for_each(|m| *m /= count);
+}
+
+impl Planner for Quantum {
+    fn step(&mut self) -> Status {
+        if self.clock.running() {
+            self.advance(&mut ());
+        }
+        self.status()
+    }
+
+    fn status(&self) -> Status {
+        self.clock.status()
+    }
+
+    fn iteration(&self) -> u64 {
+        self.clock.iteration
+    }
+
+    fn limit(&self) -> u64 {
+        self.clock.limit
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.population.evaluations
+    }
+
+    fn best(&self) -> Option<Best> {
+        Some(self.population.best())
+    }
+
+    fn read(&self, out: &mut Readings) {
+        self.population.read(out);
+        out.push("k", self.clock.iteration.saturating_sub(1) as f64);
+        out.push("alpha", self.width);
+        if self.adaptive {
+            out.push("ip", self.ip.iter().sum::<f64>() / self.ip.len() as f64);
+            out.push("gs", self.gs.iter().sum::<f64>() / self.gs.len() as f64);
+            out.push("selected", self.replaced.iter().flatten().count() as f64);
+        }
+        out.push("evaluations", self.population.evaluations as f64);
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        let population = &self.population;
+        population.draw_members(frame);
+        if self.adaptive {
+            population.draw(frame, Role::Selected, &population.x, |i| self.replaced[i].is_some(), |_| 0.0, 1);
+        }
+        population.draw(frame, Role::Attractors, &self.attractors, |_| true, |_| 0.0, CONTEXT);
+        population.draw_one(frame, Role::MeanBest, &self.m, 0.0);
+        population.draw_result(frame);
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "; it has no velocity, now or later")).flatten()
+    }
+
+    fn explain(&self, item: Item) -> Option<Inspection> {
+        self.explain_step(item)
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.clock.digest(out);
+        self.population.digest(out);
+        out.numbers(&self.attractors);
+        out.numbers(&self.m);
+        self.replaced.iter().for_each(|from| out.word(from.map_or(u64::MAX, u64::from)));
+        self.rng.digest(out);
+    }
+
+    fn bytes(&self) -> usize {
+        self.population.bytes() + 8 * self.attractors.len() + 32 * self.ip.len() + 16 * self.m.len() + size_of::<Self>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn evolution_speed_is_the_ratio_of_costs_5() {
+        assert_eq!(evolution_speed(2.0, 8.0), 0.25);
+        assert_eq!(evolution_speed(2.0, 2.0), 1.0);
+        assert_eq!(evolution_speed(0.0, 3.0), 0.0);
+        assert_eq!(evolution_speed(0.0, 0.0), 1.0, "reading: a zero denominator");
+        assert_eq!(evolution_speed(-4.0, -2.0), 1.0, "reading: negative costs");
+    }
+
+    #[test]
+    fn dispersion_is_the_ratio_of_deviations_6() {
+        // σ of 1, 3 is 1; of 0, 8 it is 4.
+        assert_eq!(dispersion([1.0, 3.0].iter(), [0.0, 8.0].iter()), 0.25);
+        assert_eq!(dispersion([0.0, 8.0].iter(), [1.0, 3.0].iter()), 1.0, "reading: at most 1");
+        assert_eq!(dispersion([1.0, 3.0].iter(), [5.0, 5.0].iter()), 1.0, "reading: a zero denominator");
+        assert_eq!(dispersion([1.0].iter(), [5.0].iter()), 1.0);
+        // σ of 2, 4, 4, 4, 5, 5, 7, 9 is 2.
+        assert_eq!(deviation([2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0].iter()), 2.0);
+    }
+
+    #[test]
+    fn mean_best_is_the_mean_of_each_coordinate_8() {
+        let mut m = [9.0; 2];
+        mean(&[1.0, 10.0, 2.0, 20.0, 6.0, 60.0], &mut m);
+        assert_eq!(m, [3.0, 30.0]);
+        assert_eq!(column(&[1.0, 10.0, 2.0, 20.0, 6.0, 60.0], 2, 1).copied().collect::<Vec<_>>(), [10.0, 20.0, 60.0]);
+    }
+
+    fn swarm(population: f64, adaptive: bool) -> Quantum {
+        let entry = if adaptive { ltqpso::ENTRY } else { qpso::ENTRY };
+        let scene = crate::shipped("sphere").unwrap();
+        let given = [("population", population.into())].into_iter().collect();
+        let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
+        let mut rng = Stream::new(4, 0);
+        let population = Population::new(encoding::objective(&scene, &settings).unwrap(), population as usize, &mut rng);
+        Quantum::new(population, &settings, rng, adaptive)
+    }
+
+    /// (22), (7) and (9) with the numbers that were drawn, by hand.
+    #[test]
+    fn a_leap_lands_where_9_says() {
+        #[derive(Default)]
+        struct Seen(Vec<Leap>);
+        impl Watch for Seen {
+            fn wants(&self, i: usize) -> bool {
+                i == 3
+            }
+            fn leap(&mut self, leap: Leap) {
+                self.0.push(leap);
+            }
+        }
+        for adaptive in [false, true] {
+            let mut swarm = swarm(6.0, adaptive);
+            swarm.advance(&mut ());
+            let before = swarm.clone();
+            let mut seen = Seen::default();
+            swarm.advance(&mut seen);
+            let Population { x, p, g, p_cost, g_cost, .. } = &before.population;
+            let row = before.population.row(3);
+            let alpha = 1.0 - 0.5 * (1.0 / before.clock.limit as f64);
+            let ip = if adaptive { g_cost / p_cost[3] } else { 1.0 };
+            for (j, leap) in seen.0.iter().enumerate() {
+                let at = row.start + j;
+                let phi = 2.0 * leap.r[0] / (2.0 * leap.r[0] + 2.1 * leap.r[1]);
+                let attractor = g[j] + phi * ip * (p[at] - g[j]);
+                let of = |rows: &[f64]| (0..6).map(|i| rows[i * 10 + j]).collect::<Vec<_>>();
+                let sigma = |v: Vec<f64>| {
+                    let mean = v.iter().sum::<f64>() / 6.0;
+                    (v.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / 6.0).sqrt()
+                };
+                let m = of(p).iter().sum::<f64>() / 6.0;
+                let gs = if adaptive { (sigma(of(p)) / sigma(of(x))).min(1.0) } else { 1.0 };
+                let to = attractor + leap.sign * alpha * gs * (m - x[at]).abs() * math::ln(1.0 / leap.u);
+                assert!((leap.to - to.clamp(-100.0, 100.0)).abs() < 1e-9, "{} is not {to}", leap.to);
+                assert!((swarm.attractors[at] - attractor).abs() < 1e-9);
+            }
+            assert_eq!(seen.0.len(), 10);
+        }
+    }
+
+    #[test]
+    fn the_best_half_overwrites_the_worst_half_and_bests_stay() {
+        for size in [1.0, 2.0, 7.0, 8.0] {
+            let mut swarm = swarm(size, true);
+            let n = size as usize;
+            swarm.population.cost = (0..n).map(|i| ((i * 5) % n) as f64).collect();
+            let before = swarm.population.clone();
+            swarm.select();
+            let after = &swarm.population;
+            assert_eq!((&after.p, &after.p_cost, &after.g), (&before.p, &before.p_cost, &before.g));
+            for i in 0..n {
+                let rank = (i * 5) % n;
+                let source = if rank < n.div_ceil(2) { rank } else { rank - n.div_ceil(2) };
+                let from = (0..n).find(|&k| (k * 5) % n == source).unwrap();
+                assert_eq!(after.x[after.row(i)], before.x[before.row(from)], "particle {i} of {n}");
+                assert_eq!(after.cost[i], before.cost[from]);
+                assert_eq!(swarm.replaced[i], (from != i).then_some(from as u32));
+            }
+        }
+    }
+}

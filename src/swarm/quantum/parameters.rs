@@ -1,0 +1,133 @@
+//! What the entries of the quantum swarms share.
+
+use crate::{
+    catalogue::{Formula, Group, Layer, Reading, Suggestion},
+    frame::Role,
+    math,
+    params::{Parameter, Preset, Settings},
+    scene::Kind,
+    swarm::parameters::{layer, of_particle, reading, schedule},
+};
+
+pub(super) const POPULATION: Parameter = Parameter::integer(
+    "population",
+    "N",
+    "Population",
+    [1, 100_000, 60],
+    "How many particles. Published: 20 on functions (fig. 1), 30 on the 10 m grid; (10) and (11) suggest a number.",
+)
+.defaults_on(&[(Kind::Function, Preset::Number(20.0)), (Kind::Discs, Preset::Number(150.0)), (Kind::Grid, Preset::Number(30.0))])
+.slider(2.0, 2000.0, true);
+pub(super) const ITERATIONS: Parameter = Parameter::integer(
+    "iterations",
+    "k_{\\max}",
+    "Iterations",
+    [1, 1_000_000_000, 500],
+    "After how many iterations it stops; α falls over them. Published: 100 on functions (fig. 1), 50 on the 10 m grid; (10) and (11) suggest a number.",
+)
+.defaults_on(&[(Kind::Function, Preset::Number(100.0)), (Kind::Grid, Preset::Number(50.0))])
+.slider(10.0, 5000.0, true);
+pub(super) const ALPHA_START: Parameter = Parameter::number(
+    "alpha_start",
+    "\\alpha_0",
+    "Width at the start",
+    [0.0, 3.0, 1.0],
+    "The contraction–expansion coefficient α falls from here: the wider, the farther the leaps.",
+);
+pub(super) const ALPHA_END: Parameter =
+    Parameter::number("alpha_end", "\\alpha_{\\max}", "Width at the end", [0.0, 3.0, 0.5], "The coefficient α falls to here.");
+pub(super) const C1: Parameter = Parameter::number(
+    "c1",
+    "c_1",
+    "Cognitive coefficient",
+    [0.001, 5.0, 2.0],
+    "Beside c2 the larger, the nearer the attractor to the particle’s own best, (22).",
+);
+pub(super) const C2: Parameter = Parameter::number(
+    "c2",
+    "c_2",
+    "Social coefficient",
+    [0.001, 5.0, 2.1],
+    "Beside c1 the larger, the nearer the attractor to the swarm’s best, (22).",
+);
+
+pub(super) const ALPHA: Reading = reading("alpha", "\\alpha", "Contraction–expansion", Group::Schedule, "α in the step that led here.");
+pub(super) const IP: Reading = reading(
+    "ip",
+    "\\overline{ip}",
+    "Evolution speed",
+    Group::Schedule,
+    "The mean of F(G) / F(P) over the particles, (5): near 1 when all have found as much as the best.",
+);
+pub(super) const GS: Reading = reading(
+    "gs",
+    "\\overline{gs}",
+    "Dispersion",
+    Group::Schedule,
+    "The mean of σ(P) / σ(X) over the coordinates, (6): how scattered the personal bests are beside the positions, at most 1.",
+);
+pub(super) const SELECTED: Reading =
+    reading("selected", "n_r", "Replaced", Group::Count, "Particles whose position natural selection replaced in this iteration.");
+
+pub(super) const SELECTED_LAYER: Layer =
+    layer(Role::Selected, "Replaced", false, false, "Particles that natural selection put where a better one was.");
+pub(super) const ATTRACTORS: Layer =
+    layer(Role::Attractors, "Attractors", false, false, "Each particle’s local attractor p: between its own best and the swarm’s.");
+pub(super) const MEAN_BEST: Layer = layer(
+    Role::MeanBest,
+    "Mean best",
+    false,
+    false,
+    "The mean m of all personal bests: the farther a particle is from it, the wider it leaps.",
+);
+
+pub(super) const WIDTH: Formula = schedule(
+    "alpha",
+    "[LTQPSO] §2.2, α from 1.0 to 0.5",
+    "Contraction–expansion",
+    "\\alpha(k) = \\alpha_0 + (\\alpha_{\\max} - \\alpha_0) \\frac{k}{k_{\\max}}",
+    "\\alpha(@k@) = @alpha_start@ + (@alpha_end@ - @alpha_start@) \\cdot \\frac{@k@}{@iterations@} = @alpha@",
+);
+pub(super) const PHI: Formula = of_particle(
+    "phi",
+    "[LTQPSO] (22)",
+    "Share of the own best",
+    "\\varphi = \\frac{c_1 r_1}{c_1 r_1 + c_2 r_2}",
+    "\\varphi = \\frac{@c1@ \\cdot @r1@}{@c1@ \\cdot @r1@ + @c2@ \\cdot @r2@} = @phi@",
+);
+pub(super) const MEAN: Formula = of_particle("mean", "[LTQPSO] (3, 8)", "Mean best", "m_j = \\frac{1}{N} \\sum_i P_{ij}", "m = @m@");
+
+/// What (10) and (11) recommend for D segments; the fits cover 5 ≤ D ≤ 20.
+pub(super) fn suggest(settings: &Settings) -> Option<Suggestion> {
+    let d = settings.integer("segments");
+    if settings.choice("encoding") != "polar" || !(5..=20).contains(&d) {
+        return None;
+    }
+    let power = |factor: f64, exponent: f64| (factor * math::pow(d as f64, exponent)).round() as u64;
+    Some(match settings.choice("initial") {
+        "normal" => {
+            Suggestion { population: power(0.3161, 1.8376), iterations: power(0.1525, 2.3358), source: "[LTQPSO] (11), normal start" }
+        }
+        _ => Suggestion { population: power(0.4321, 1.7292), iterations: power(0.2855, 2.2180), source: "[LTQPSO] (10), uniform start" },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Value;
+
+    /// By hand: 8^1.7292 = 36.455…, 8^2.218 = 100.70…; 16^1.8376 = 163.19…, 16^2.3358 = 649.5….
+    #[test]
+    fn sizes_are_suggested_by_10_and_11() {
+        let of = |pairs: &[(&'static str, Value)]| {
+            suggest(&Settings::new(super::super::ltqpso::ENTRY.parameters, Kind::Grid, &pairs.iter().cloned().collect()).unwrap())
+        };
+        let uniform = of(&[]).unwrap();
+        assert_eq!((uniform.population, uniform.iterations), (16, 29));
+        let normal = of(&[("segments", 16.0.into()), ("initial", "normal".into())]).unwrap();
+        assert_eq!((normal.population, normal.iterations), (52, 99));
+        assert_eq!(of(&[("segments", 21.0.into())]), None, "outside what the fit covers");
+        assert_eq!(of(&[("encoding", "waypoints".into())]), None);
+    }
+}

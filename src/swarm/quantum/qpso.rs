@@ -1,0 +1,45 @@
+//! `qpso`: the quantum swarm, [LTQPSO] §2.1.
+
+use crate::{
+    catalogue::{Entry, Formula},
+    swarm::{
+        encoding::with_paths,
+        parameters::{
+            BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, PARTICLES, PERSONAL_BESTS, SMOOTHED,
+            SMOOTHNESS, of_particle,
+        },
+    },
+};
+
+use super::parameters::{ALPHA, ALPHA_END, ALPHA_START, ATTRACTORS, C1, C2, ITERATIONS, MEAN, MEAN_BEST, PHI, POPULATION, WIDTH, suggest};
+
+const ATTRACTOR: Formula = of_particle(
+    "attractor",
+    "[LTQPSO] (2, 4)",
+    "Local attractor",
+    "p_{ij} = \\varphi P_{ij} + (1 - \\varphi) G_j = G_j + \\varphi (P_{ij} - G_j)",
+    "p = @g@ + @phi@ \\, (@p@ - @g@) = @attractor@",
+);
+const LEAP: Formula = of_particle(
+    "leap",
+    "[LTQPSO] (1, 23)",
+    "Leap",
+    "X_{ij} \\leftarrow p_{ij} \\pm \\alpha \\, |m_j - X_{ij}| \\ln\\frac{1}{u}",
+    "X = @attractor@ + (@sign@) \\cdot @alpha@ \\cdot |@m@ - @x_before@| \\ln\\frac{1}{@u@} \\;\\to\\; @x@",
+);
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "qpso",
+    title: "QPSO: quantum swarm",
+    family: "swarm",
+    source: "[LTQPSO] §2.1",
+    summary: "No velocity: each particle leaps about a point between its own best and the swarm’s, the wider the farther it is from the mean of all bests.",
+    kinds: KINDS,
+    parameters: with_paths![POPULATION, ITERATIONS, ALPHA_START, ALPHA_END, C1, C2],
+    readings: &[BEST, MEAN_COST, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS],
+    formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, MEAN],
+    layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],
+    suggest,
+    start: |scene, settings, seed| super::start(scene, settings, seed, false),
+};

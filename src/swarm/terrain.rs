@@ -1,0 +1,180 @@
+//! What a path costs in its scene, however it is encoded: [WCPSO] (14) and (15) among discs, [LTQPSO] (16)–(18) on grids.
+
+use std::sync::Arc;
+
+use crate::{
+    error::Error,
+    frame::{Frame, Role, Shape},
+    geometry::{Disc, Field, PIECES, distance_squared, shuman, subdivided},
+    params::Settings,
+    planner::{Readings, Solution},
+    scene::{Bounds, DiscsScene, GridScene},
+};
+
+use super::objective::{Evaluation, Scratch};
+
+/// What a path must go round.
+#[derive(Debug, Clone)]
+pub(super) enum Obstacles {
+    /// Discs, and where (15) looks for a path in them.
+    Discs(Arc<[Disc]>, Penalty),
+    /// Blocked cells, grown by the robot's radius.
+    Field(Arc<Field>),
+}
+
+/// Where (15) looks for a path in a disc.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Penalty {
+    /// At the way-points, as printed. A segment may cut through a disc unpunished.
+    Waypoints,
+    /// At each segment's point closest to the disc's centre (our reading).
+    Segments,
+}
+
+/// How the result is smoothed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Smoothing {
+    /// S of the Shuman filter.
+    pub(super) strength: f64,
+    /// How often it is applied.
+    pub(super) passes: u64,
+}
+
+/// Where paths lead from and to, what they must go round, and what they cost.
+#[derive(Debug, Clone)]
+pub(super) struct Terrain {
+    pub(super) start: [f64; 2],
+    pub(super) goal: [f64; 2],
+    pub(super) bounds: Bounds,
+    pub(super) obstacles: Obstacles,
+    /// f1 and f2 of (16).
+    pub(super) f: [f64; 2],
+    pub(super) weight: f64,
+    pub(super) redraws: u64,
+    pub(super) smoothing: Option<Smoothing>,
+}
+
+/// L_D of (17), L_S of (18), and how much of the path breaks the rules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Measures {
+    pub(super) length: f64,
+    pub(super) squares: f64,
+    pub(super) violation: f64,
+}
+
+impl Terrain {
+    /// A plane with discs, with the settings `penalty`, `penalty_weight` and those of every path.
+    pub(super) fn among_discs(scene: &DiscsScene, settings: &Settings) -> Self {
+        let penalty = if settings.choice("penalty") == "waypoints" { Penalty::Waypoints } else { Penalty::Segments };
+        Self::new((scene.start, scene.goal), scene.bounds, Obstacles::Discs(scene.discs.as_slice().into(), penalty), settings)
+    }
+
+    /// A grid, with the settings `penalty_weight` and those of every path.
+    ///
+    /// # Errors
+    /// A grid without start and goal.
+    pub(super) fn on_grid(scene: &GridScene, settings: &Settings) -> Result<Self, Error> {
+        Ok(Self::new(scene.ends()?, scene.bounds(), Obstacles::Field(Arc::clone(scene.field())), settings))
+    }
+
+    fn new((start, goal): ([f64; 2], [f64; 2]), bounds: Bounds, obstacles: Obstacles, settings: &Settings) -> Self {
+        let smoothing = Smoothing { strength: settings.number("smoothing"), passes: settings.integer("passes") };
+        Self {
+            start,
+            goal,
+            bounds,
+            obstacles,
+            f: [settings.number("f1"), settings.number("f2")],
+            weight: settings.number("penalty_weight"),
+            redraws: settings.integer("redraws"),
+            smoothing: settings.flag("smooth").then_some(smoothing),
+        }
+    }
+
+    /// F = f1 L_D + f2 L_S + w Σ violations, (14) and (16).
+    #[inline]
+    pub(super) fn evaluate(&self, points: impl Iterator<Item = [f64; 2]>, scratch: &mut Scratch) -> Evaluation {
+        let Measures { length, squares, violation } = self.measure(points, scratch);
+        let penalty = self.weight * violation;
+        Evaluation { cost: self.f[0] * length + self.f[1] * squares + penalty, penalty }
+    }
+
+    /// What the path through these points measures.
+    #[inline]
+    pub(super) fn measure(&self, points: impl Iterator<Item = [f64; 2]>, scratch: &mut Scratch) -> Measures {
+        let mut sum = Measures { length: 0.0, squares: 0.0, violation: 0.0 };
+        let mut from = self.start;
+        let mut add = |to: [f64; 2], to_goal| {
+            let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+            // By the law of cosines this is the summand of (18).
+            let squared = dx * dx + dy * dy;
+            sum.length += squared.sqrt();
+            sum.squares += squared;
+            sum.violation += self.violation(from, to, to_goal, scratch);
+            from = to;
+        };
+        points.for_each(|point| add(point, false));
+        add(self.goal, true);
+        sum
+    }
+
+    /// How much the path's piece from `a` to `b` breaks the rules: Σ_k V(k) of (15), or its length inside obstacles.
+    #[inline]
+    fn violation(&self, a: [f64; 2], b: [f64; 2], to_goal: bool, scratch: &mut Scratch) -> f64 {
+        match &self.obstacles {
+            Obstacles::Field(field) => field.length_inside(a, b, &mut scratch.pieces),
+            Obstacles::Discs(_, Penalty::Waypoints) if to_goal => 0.0,
+            Obstacles::Discs(discs, penalty) => {
+                let from = if *penalty == Penalty::Waypoints { b } else { a };
+                let mut sum = 0.0;
+                for disc in &**discs {
+                    let squared = distance_squared(from, b, disc.center);
+                    if squared < disc.radius * disc.radius {
+                        sum += 1.0 - squared.sqrt() / disc.radius;
+                    }
+                }
+                sum
+            }
+        }
+    }
+
+    fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        match &self.obstacles {
+            Obstacles::Field(field) => field.is_free(a, b),
+            Obstacles::Discs(discs, _) => discs.iter().all(|disc| disc.clearance_of_segment(a, b) >= 0.0),
+        }
+    }
+
+    /// The corners of the path through these points.
+    pub(super) fn path(&self, points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+        std::iter::once(self.start).chain(points).chain([self.goal]).collect()
+    }
+
+    /// The path as it is handed over: smoothed, if that is wanted.
+    pub(super) fn solution(&self, points: impl Iterator<Item = [f64; 2]>) -> Solution {
+        let raw = self.path(points);
+        Solution::Path(self.smoothed(&raw).unwrap_or(raw))
+    }
+
+    fn smoothed(&self, path: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
+        let Smoothing { strength, passes } = self.smoothing?;
+        let mut path = subdivided(path, PIECES);
+        shuman(&mut path, strength, passes, |a, b| self.is_free(a, b));
+        Some(path)
+    }
+
+    /// Tells L_D and L_S of the path through these points.
+    pub(super) fn read(&self, points: impl Iterator<Item = [f64; 2]>, out: &mut Readings) {
+        let Measures { length, squares, .. } = self.measure(points, &mut Scratch::default());
+        out.push("length", length);
+        out.push("smoothness", squares);
+    }
+
+    /// Draws the smoothed path through these points.
+    pub(super) fn draw_result(&self, points: impl Iterator<Item = [f64; 2]>, frame: &mut Frame) {
+        if let Some(path) = self.smoothed(&self.path(points)) {
+            frame.begin(Role::Smoothed, Shape::Polyline);
+            path.into_iter().for_each(|point| frame.push(point, 0.0));
+        }
+    }
+}
