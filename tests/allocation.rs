@@ -34,7 +34,7 @@ static ALLOCATOR: Counting = Counting;
 #[test]
 fn no_step_of_any_swarm_allocates() {
     for entry in PLANNERS.iter().filter(|entry| entry.family == "swarm") {
-        for name in ["wcpso-discs", "ackley"] {
+        for name in ["wcpso-discs", "qpso-10m", "ackley"] {
             let scene = shipped(name).unwrap();
             let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
             let mut planner = (entry.start)(&scene, &settings, 1).unwrap();

@@ -8,7 +8,7 @@ use forage::{
     Frame, Given, Scene, Session, Setup, Status, Value,
     catalogue::{Entry, Group, PLANNERS, Scope},
     frame::{Role, Shape},
-    params::Domain,
+    params::{Domain, Parameter, When},
     planner::Item,
     shipped_names,
 };
@@ -42,6 +42,7 @@ proptest! {
         let (entry, scene) = &pairs()[pair];
         let mut session = session(entry, scene, given(&[("population", f64::from(population)), ("iterations", 60.0)]), seed);
         let (mut best, mut free) = (f64::INFINITY, f64::INFINITY);
+        let first = session.outcome().evaluations;
         loop {
             let now = session.readings().get("best").unwrap();
             prop_assert!(now <= best, "best rose from {best} to {now}");
@@ -56,17 +57,14 @@ proptest! {
         }
         let outcome = session.outcome();
         prop_assert_eq!(outcome.iterations, 60);
-        prop_assert_eq!(outcome.evaluations, u64::from(population) * 61, "each particle is evaluated once per iteration");
-        if let (Some(path), forage::scene::Body::Discs(discs)) = (&outcome.path, scene.body()) {
-            prop_assert_eq!(path[0], discs.start);
-            prop_assert_eq!(path[path.len() - 1], discs.goal);
-            let deepest = path
-                .windows(2)
-                .flat_map(|w| (0..=2000).map(move |i| f64::from(i) / 2000.0).map(move |t| [w[0][0] + t * (w[1][0] - w[0][0]), w[0][1] + t * (w[1][1] - w[0][1])]))
-                .flat_map(|p| discs.discs.iter().map(move |d| ((p[0] - d.center[0]) * (p[0] - d.center[0]) + (p[1] - d.center[1]) * (p[1] - d.center[1])).sqrt() - d.radius))
-                .fold(f64::INFINITY, f64::min);
-            prop_assert!(!outcome.feasible || deepest > -1e-12, "said to be free, but {deepest} inside a disc");
-            prop_assert!(deepest >= outcome.clearance.unwrap() - 1e-12, "sampling found it deeper than the clearance says");
+        prop_assert_eq!(outcome.evaluations - first, u64::from(population) * 60, "each particle is evaluated once per iteration");
+        prop_assert!(first >= u64::from(population));
+        if let (Some(path), Some((start, goal))) = (&outcome.path, scene.ends()) {
+            prop_assert_eq!(path[0], start);
+            prop_assert_eq!(path[path.len() - 1], goal);
+            let deepest = samples(path).map(|point| clearance(scene, point)).fold(f64::INFINITY, f64::min);
+            prop_assert!(!outcome.feasible || deepest > -1e-12, "said to be free, but {deepest} inside an obstacle");
+            prop_assert!(deepest >= outcome.clearance.unwrap_or(f64::INFINITY) - 1e-12, "sampling found it deeper than the clearance says");
             if outcome.feasible {
                 prop_assert!(outcome.gap.unwrap() > -1e-9, "shorter than the exact optimum: {:?}", outcome.gap);
             }
@@ -118,6 +116,35 @@ proptest! {
     }
 }
 
+/// Points along a path, close together.
+fn samples(path: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
+    let pieces = (20_000 / path.len()).max(50);
+    path.windows(2).flat_map(move |w| {
+        (0..=pieces).map(move |i| i as f64 / pieces as f64).map(move |t| [0, 1].map(|axis| w[0][axis] + t * (w[1][axis] - w[0][axis])))
+    })
+}
+
+/// A point's distance from the nearest obstacle (robot included), computed without the crate's geometry: disc by disc,
+/// cell by cell. Inside a cell it is only said to be inside.
+fn clearance(scene: &Scene, p: [f64; 2]) -> f64 {
+    match scene.body() {
+        forage::scene::Body::Function(_) => f64::INFINITY,
+        forage::scene::Body::Discs(discs) => {
+            discs.discs.iter().map(|d| (p[0] - d.center[0]).hypot(p[1] - d.center[1]) - d.radius).fold(f64::INFINITY, f64::min)
+        }
+        forage::scene::Body::Grid(grid) => {
+            let (cell, radius) = (grid.cell, grid.radius());
+            let outside = (0..2).any(|axis| p[axis] < 0.0 || p[axis] > grid.bounds().max[axis]);
+            let blocked = (0..grid.blocked.len()).filter(|&i| grid.blocked[i]).map(|i| [i % grid.columns, i / grid.columns]);
+            let from = |[column, row]: [usize; 2]| {
+                let beyond = |x: f64, low: usize| (low as f64 * cell - x).max(x - (low + 1) as f64 * cell).max(0.0);
+                beyond(p[0], column).hypot(beyond(p[1], row)) - radius
+            };
+            if outside { f64::NEG_INFINITY } else { blocked.map(from).fold(f64::INFINITY, f64::min) }
+        }
+    }
+}
+
 fn snapshot(session: &mut Session) -> (String, String, Vec<u32>) {
     let mut frame = Frame::default();
     session.draw(&mut frame, Frame::BUDGET);
@@ -150,10 +177,11 @@ fn every_population_from_one_to_a_hundred_thousand_runs() {
 /// Every parameter of every planner: both ends of its range run, what lies beyond is refused by name, value and range.
 #[test]
 fn every_parameter_is_checked_at_both_ends() {
-    for (entry, scene) in pairs().into_iter().filter(|(_, scene)| ["wcpso-discs", "sphere"].contains(&scene.name())) {
+    for (entry, scene) in pairs().into_iter().filter(|(_, scene)| ["wcpso-discs", "sphere", "qpso-10m"].contains(&scene.name())) {
         for parameter in entry.parameters_on(scene.kind()) {
             let start = |value: f64| {
                 let mut params = given(&[("population", 4.0), ("iterations", 20.0)]);
+                meet_conditions(entry, parameter, &mut params);
                 params.insert(parameter.name, Value::from(value));
                 Session::new(Setup { planner: entry.name.to_owned(), scene: Arc::clone(&scene), params, seed: 1 })
             };
@@ -179,6 +207,48 @@ fn every_parameter_is_checked_at_both_ends() {
                 let error = start(value).err().unwrap_or_else(|| panic!("{} accepts {}={value}", entry.name, parameter.name));
                 assert_eq!((error.field(), error.value()), (parameter.name, value.to_string().as_str()));
                 assert!(error.allowed().contains(&min.to_string()) && error.allowed().contains(&max.to_string()), "{error}");
+            }
+        }
+    }
+}
+
+/// Gives the parameters that this one depends on the values that it needs.
+fn meet_conditions(entry: &Entry, parameter: &Parameter, params: &mut Given) {
+    if let Some(When { parameter: name, value }) = parameter.when {
+        params.insert(name, Value::from(value));
+        meet_conditions(entry, entry.parameters.iter().find(|p| p.name == name).unwrap(), params);
+    }
+}
+
+/// Every condition names a parameter of the same planner and a value that it may have; so does every layer's.
+#[test]
+fn every_condition_can_be_met() {
+    for entry in PLANNERS {
+        for when in entry.parameters.iter().filter_map(|p| p.when).chain(entry.layers.iter().filter_map(|l| l.when)) {
+            let other = entry.parameters.iter().find(|p| p.name == when.parameter).unwrap();
+            other.check(&Value::from(when.value)).unwrap();
+        }
+    }
+}
+
+/// Encoding and planner vary independently: every swarm on every kind of path, way-points or polar, smoothed or not.
+#[test]
+fn every_swarm_runs_on_every_encoding() {
+    for (entry, scene) in pairs().into_iter().filter(|(_, scene)| scene.ends().is_some()) {
+        for (encoding, points) in [("waypoints", 5), ("polar", 9)] {
+            let run = |smooth: bool| {
+                let params = [("encoding", encoding.into()), ("smooth", Value::Flag(smooth)), ("iterations", 150.0.into())];
+                let mut session = session(entry, &scene, params.into_iter().collect(), 7);
+                session.step(u64::MAX);
+                session.outcome()
+            };
+            let (raw, smooth) = (run(false), run(true));
+            assert_eq!(raw.path.as_ref().unwrap().len(), points, "{} {encoding}", entry.name);
+            assert_eq!(smooth.path.as_ref().unwrap().len(), (points - 1) * 8 + 1);
+            assert_eq!(raw.cost, smooth.cost, "smoothing is not part of the search");
+            assert_eq!(raw.feasible, smooth.feasible, "{} {encoding} on {}: smoothing never leaves free space", entry.name, scene.name());
+            if raw.feasible {
+                assert!(smooth.length.unwrap() <= raw.length.unwrap() + 1e-12, "{} {encoding} on {}", entry.name, scene.name());
             }
         }
     }

@@ -23,6 +23,20 @@ pub(super) enum Command {
     /// Run a planner on a scene and judge what it found.
     #[command(after_help = super::list::after_help())]
     Run(RunArgs),
+    /// The population and iterations that a planner's paper recommends for a scene and parameters.
+    Suggest {
+        /// The planner's name.
+        planner: String,
+        /// A scene file, a shipped scene's name, or a link.
+        #[arg(long, value_name = "FILE|NAME|LINK")]
+        scene: String,
+        /// A parameter that the recommendation depends on; may be given many times.
+        #[arg(long = "set", value_name = "NAME=VALUE")]
+        set: Vec<String>,
+        /// As JSON: population, iterations and source.
+        #[arg(long)]
+        json: bool,
+    },
     /// The exact optimum of a scene.
     Exact {
         /// A scene file, a shipped scene's name, or a link.
@@ -51,6 +65,9 @@ pub(super) struct RunArgs {
     /// A parameter; may be given many times. `forage list` names them.
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub(super) set: Vec<String>,
+    /// Population and iterations as the planner's paper recommends for the other parameters; what is set explicitly stays.
+    #[arg(long)]
+    pub(super) suggested: bool,
     /// Print one JSON object.
     #[arg(long)]
     pub(super) json: bool,

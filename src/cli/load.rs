@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path, sync::Arc};
 
-use forage::{Error, Link, Scene, Setup, Value, rng, shipped, shipped_names};
+use forage::{Error, Link, Scene, Setup, Value, catalogue::Suggestion, rng, shipped, shipped_names};
 
 use super::{Failure, args::RunArgs};
 
@@ -88,9 +88,31 @@ fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
     if let Some(iterations) = &args.iterations {
         setup.params.insert("iterations", Value::from(iterations.as_str()));
     }
-    for pair in &args.set {
+    set(setup, &args.set)?;
+    if args.suggested {
+        let (suggested, _) = suggestion(setup)?;
+        for (name, value) in [("population", suggested.population), ("iterations", suggested.iterations)] {
+            if setup.params.get(name).is_none() {
+                setup.params.insert(name, Value::from(value as f64));
+            }
+        }
+    }
+    Ok(args.seed.is_some() || args.iterations.is_some() || args.suggested || !args.set.is_empty())
+}
+
+/// Puts name=value pairs into the setup.
+pub(super) fn set(setup: &mut Setup, pairs: &[String]) -> Result<(), Error> {
+    for pair in pairs {
         let (name, value) = pair.split_once('=').ok_or_else(|| Error::refused("--set", pair, "name=value"))?;
         setup.params.insert(name.trim(), Value::from(value));
     }
-    Ok(args.seed.is_some() || args.iterations.is_some() || !args.set.is_empty())
+    Ok(())
+}
+
+/// What the planner's paper recommends for a setup, and the planner's title.
+pub(super) fn suggestion(setup: &Setup) -> Result<(Suggestion, &'static str), Error> {
+    let (entry, _) = setup.check()?;
+    let allowed = "one whose paper recommends sizes for this scene and these parameters";
+    let suggested = setup.suggest()?.ok_or_else(|| Error::refused("planner", entry.name, allowed))?;
+    Ok((suggested, entry.title))
 }

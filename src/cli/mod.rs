@@ -8,6 +8,7 @@ mod exact;
 mod list;
 mod load;
 mod run;
+mod suggest;
 
 use std::process::ExitCode;
 
@@ -49,6 +50,7 @@ pub(crate) fn main() -> ExitCode {
             Ok(ExitCode::SUCCESS)
         }
         Command::Run(args) => run::run(&args),
+        Command::Suggest { planner, scene, set, json } => suggest::suggest(planner, &scene, &set, json),
         Command::Exact { scene, json } => exact::exact(&scene, json),
     };
     outcome.unwrap_or_else(|failure| {

@@ -12,7 +12,7 @@ pub use outcome::Outcome;
 pub use trace::{Trace, csv_heading, csv_row};
 
 use crate::{
-    catalogue::{Entry, find},
+    catalogue::{Entry, Suggestion, find},
     digest::Digest,
     error::Error,
     frame::Frame,
@@ -48,6 +48,23 @@ impl Setup {
         entry.check_kind(self.scene.kind())?;
         check_seed(self.seed)?;
         Ok((entry, Settings::new(entry.parameters, self.scene.kind(), &self.params)?))
+    }
+
+    /// The sizes that the planner's paper recommends for this setup, if it says anything.
+    ///
+    /// ```
+    /// let scene = forage::shipped("qpso-10m")?;
+    /// let setup = forage::Setup { planner: "ltqpso".into(), scene, params: Default::default(), seed: 1 };
+    /// let suggested = setup.suggest()?.unwrap();
+    /// assert_eq!((suggested.population, suggested.iterations), (16, 29));
+    /// # Ok::<(), forage::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Setup::check`].
+    pub fn suggest(&self) -> Result<Option<Suggestion>, Error> {
+        let (entry, settings) = self.check()?;
+        Ok((entry.suggest)(&settings))
     }
 }
 

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::{
+    geometry::turning,
     params::{Value, as_object},
     planner::{Solution, Status},
 };
@@ -36,6 +37,9 @@ pub struct Outcome {
     pub exact: Option<f64>,
     /// (length − exact) / exact; `None` where the optimum is 0 or there is no length.
     pub gap: Option<f64>,
+    /// How much the path turns in all, in radians.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turning: Option<f64>,
     /// The path's corners.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<Vec<[f64; 2]>>,
@@ -79,6 +83,7 @@ impl Outcome {
             clearance: verdict.and_then(|v| v.clearance),
             exact,
             gap,
+            turning: path.as_deref().map(turning),
             path,
             position,
             readings,

@@ -143,7 +143,7 @@ pub(super) const REDRAWS: Parameter = Parameter::integer(
     "n_r",
     "Redraws",
     [0, 10_000, 0],
-    "How often a particle that begins in collision is drawn anew at most, [LTQPSO] §4 (5). Each counts as an evaluation.",
+    "How often an angle whose piece of the path collides is drawn anew at first, and then a particle that still does, [LTQPSO] §4 (5); 20,000 particles in all. Each particle counts as an evaluation.",
 )
 .only_on(PATHS)
 .defaults_on(&[(Kind::Grid, Preset::Number(100.0))])
@@ -176,9 +176,10 @@ pub(super) const PENALTY_WEIGHT: Parameter = Parameter::number(
     "w",
     "Penalty weight",
     [0.0, 1e6, 100.0],
-    "Among discs the safety factor w of (14): what a path through a disc’s centre costs. On grids what a unit of length inside obstacles costs.",
+    "Among discs the safety factor w of (14): what a path through a disc’s centre costs. On grids what a unit of length inside obstacles costs; that paper gives no value.",
 )
 .only_on(PATHS)
+.defaults_on(&[(Kind::Grid, Preset::Number(10.0))])
 .slider(1.0, 1000.0, true);
 pub(super) const SMOOTH: Parameter =
     Parameter::flag("smooth", "Smoothing", false, "Smooth the result with a Shuman filter that never leaves free space, [LTQPSO] §4 (9).")

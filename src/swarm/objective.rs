@@ -93,10 +93,17 @@ impl dyn Objective + '_ {
 }
 
 /// Room for an evaluation to work in.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Scratch {
     /// Pieces of a segment.
     pub pieces: Vec<[f64; 2]>,
+}
+
+impl Default for Scratch {
+    /// Room for as many pieces as a segment usually meets obstacles.
+    fn default() -> Self {
+        Self { pieces: Vec::with_capacity(64) }
+    }
 }
 
 /// A test function of [WCPSO] Table 1 on its box.

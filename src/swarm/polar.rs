@@ -59,6 +59,13 @@ impl Polar {
         [0, 1].map(|axis| math::limit(point[axis], min[axis], max[axis]))
     }
 
+    fn first_angle(&self, j: usize, rng: &mut Stream) -> f64 {
+        match self.initial {
+            Initial::Uniform => rng.between(self.search_box.low[j], self.search_box.high[j]),
+            Initial::Normal(mean, std) => self.search_box.clamp(j, mean + std * rng.normal()),
+        }
+    }
+
     #[inline]
     fn course<'a>(&'a self, x: &'a [f64]) -> impl Iterator<Item = [f64; 2]> + 'a {
         self.radii.iter().zip(x).map(|(&rho, &alpha)| self.at(rho, alpha))
@@ -101,12 +108,24 @@ impl Objective for Polar {
         self.terrain.evaluate(self.course(x), scratch)
     }
 
+    /// Angle after angle; one whose piece of the path collides is drawn anew, at most `redraws` times. Beyond a dead end
+    /// nothing is.
     fn draw(&self, x: &mut [f64], rng: &mut Stream) {
-        for (j, x) in x.iter_mut().enumerate() {
-            *x = match self.initial {
-                Initial::Uniform => rng.between(self.search_box.low[j], self.search_box.high[j]),
-                Initial::Normal(mean, std) => self.search_box.clamp(j, mean + std * rng.normal()),
-            };
+        let mut from = self.terrain.start;
+        let mut redraws = self.terrain.redraws;
+        for j in 0..x.len() {
+            let mut free = false;
+            for _ in 0..=redraws {
+                x[j] = self.first_angle(j, rng);
+                free = redraws > 0 && self.terrain.is_free(from, self.point(x, j));
+                if free {
+                    break;
+                }
+            }
+            if !free {
+                redraws = 0;
+            }
+            from = self.point(x, j);
         }
     }
 
@@ -233,7 +252,7 @@ mod tests {
         polar.terrain.obstacles = super::super::terrain::Obstacles::Field(Field::new(0.5, 20, &blocked, 0.25).into());
         // Straight through the diagonal: the cell's own, and a radius before and after it.
         let found = polar.evaluate(&[PI / 4.0], &mut Scratch::default());
-        close(found.penalty, 100.0 * (0.5 * std::f64::consts::SQRT_2 + 0.5));
+        close(found.penalty, 10.0 * (0.5 * std::f64::consts::SQRT_2 + 0.5));
         close(found.cost, 200_f64.sqrt() + found.penalty);
     }
 

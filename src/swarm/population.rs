@@ -38,6 +38,9 @@ pub(super) struct Population {
     pub(super) evaluations: u64,
 }
 
+/// How often particles are drawn anew in all: where no path is free, a big swarm must begin all the same.
+const MOST_REDRAWS: u64 = 20_000;
+
 impl Population {
     /// Positions as the objective draws them, evaluated.
     pub(super) fn new(objective: Arc<dyn Objective>, size: usize, rng: &mut Stream) -> Self {
@@ -57,19 +60,21 @@ impl Population {
             free_cost: f64::INFINITY,
             evaluations: 0,
         };
-        (0..size).for_each(|i| population.draw_particle(i, rng));
+        let mut left = MOST_REDRAWS;
+        (0..size).for_each(|i| population.draw_particle(i, rng, &mut left));
         population.settle();
         population
     }
 
-    /// Draws particle `i` and evaluates it; while it violates a constraint, a few times anew.
-    fn draw_particle(&mut self, i: usize, rng: &mut Stream) {
+    /// Draws particle `i` and evaluates it; while it violates a constraint, a few times anew, if any are `left`.
+    fn draw_particle(&mut self, i: usize, rng: &mut Stream, left: &mut u64) {
         let row = self.row(i);
-        for _ in 0..=self.objective.redraws() {
+        for attempt in 0..=self.objective.redraws() {
+            *left = left.saturating_sub(u64::from(attempt > 0));
             self.objective.draw(&mut self.x[row.clone()], rng);
             // A draw that is given up leaves no personal best behind.
             self.p_cost[i] = f64::INFINITY;
-            if self.evaluate(i) == 0.0 {
+            if self.evaluate(i) == 0.0 || *left == 0 {
                 break;
             }
         }

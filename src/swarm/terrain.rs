@@ -138,7 +138,7 @@ impl Terrain {
         }
     }
 
-    fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+    pub(super) fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
         match &self.obstacles {
             Obstacles::Field(field) => field.is_free(a, b),
             Obstacles::Discs(discs, _) => discs.iter().all(|disc| disc.clearance_of_segment(a, b) >= 0.0),

@@ -26,8 +26,8 @@ use crate::{
 pub use types::*;
 
 use read::{
-    property, read_item, read_kind, read_list, read_number, read_parameter, read_parameters, read_point, read_role, read_scene, read_text,
-    refused, whole,
+    property, read_item, read_kind, read_list, read_number, read_parameter, read_parameters, read_point, read_role, read_scene, read_setup,
+    read_text,
 };
 
 #[wasm_bindgen(start)]
@@ -109,6 +109,15 @@ pub fn check_parameter(planner: &str, kind: &JsKind, name: &str, value: &JsParam
     crate::params::Settings::new(entry.parameters, kind, &given).map(drop).map_err(|error| js_error(&error))
 }
 
+/// The sizes that the planner's paper recommends for a setup; null where it says nothing.
+///
+/// # Errors
+/// As the constructor of `Session`.
+#[wasm_bindgen]
+pub fn suggest(setup: &JsSetup) -> Result<JsSuggestionOrNull, JsValue> {
+    read_setup(setup)?.suggest().map(|suggestion| plain(&suggestion)).map_err(|error| js_error(&error))
+}
+
 /// A fresh seed from the system.
 ///
 /// # Errors
@@ -133,15 +142,7 @@ impl Session {
     /// An `Error` with `field`, `value` and `allowed` for whatever is refused.
     #[wasm_bindgen(constructor)]
     pub fn new(setup: &JsSetup) -> Result<Session, JsValue> {
-        if !setup.is_object() {
-            return Err(refused("setup", setup, "an object with planner, scene, params and seed"));
-        }
-        let part = |name| property(setup, name);
-        let seed = part("seed");
-        let seed = if seed.is_undefined() || seed.is_null() { 1 } else { whole("seed", read_number("seed", &seed)?)? };
-        let planner = read_text("planner", &part("planner"))?;
-        let params = read_parameters(&part("params"))?;
-        let setup = Setup { planner, scene: read_scene(&part("scene"))?, params, seed };
+        let setup = read_setup(setup)?;
         session::Session::new(setup).map(Session::of).map_err(|error| js_error(&error))
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use wasm_bindgen::{JsCast, JsValue};
 
 use crate::{
-    Error, Given, Scene, Value,
+    Error, Given, Scene, Setup, Value,
     frame::Role,
     planner::Item,
     rng,
@@ -103,4 +103,17 @@ pub(super) fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
     } else {
         Err(js_error(&Error::refused(field, number, rng::SEED_RANGE)))
     }
+}
+
+/// A setup: planner, scene (or a shipped one's name), parameters and seed.
+pub(super) fn read_setup(setup: &JsValue) -> Result<Setup, JsValue> {
+    if !setup.is_object() {
+        return Err(refused("setup", setup, "an object with planner, scene, params and seed"));
+    }
+    let part = |name| property(setup, name);
+    let seed = part("seed");
+    let seed = if seed.is_undefined() || seed.is_null() { 1 } else { whole("seed", read_number("seed", &seed)?)? };
+    let planner = read_text("planner", &part("planner"))?;
+    let params = read_parameters(&part("params"))?;
+    Ok(Setup { planner, scene: read_scene(&part("scene"))?, params, seed })
 }

@@ -40,6 +40,9 @@ extern "C" {
     /// `Outcome`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Outcome")]
     pub type JsOutcome;
+    /// `Suggestion | null`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Suggestion | null")]
+    pub type JsSuggestionOrNull;
     /// `Item`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Item")]
     pub type JsItem;
