@@ -19,6 +19,7 @@ impl Block {
     }
 
     /// The same, larger by `by` on all sides (smaller for a negative `by`).
+    #[must_use]
     pub fn grown(&self, by: f64) -> Self {
         Self { min: self.min.map(|c| c - by), max: self.max.map(|c| c + by) }
     }

@@ -208,8 +208,8 @@ mod tests {
             close(polar.search_box.low[j], low);
             close(polar.search_box.high[j], high);
         }
-        // ρ₇ = 12.374…: arccos 0.808… = 36.0°…
-        close(polar.search_box.low[6], 0.6298395339484211);
+        // ρ₇ = 12.374…: arccos 0.808… = 36.1°…
+        close(polar.search_box.low[6], 0.629_839_533_948_421_1);
     }
 
     #[test]

@@ -13,7 +13,7 @@ use wasm_bindgen::{JsCast, prelude::*};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
 use crate::{
-    Error, Frame, Given, Link, Scene, Setup,
+    Error, Frame, Given, Link, Scene,
     catalogue::find,
     params::as_object,
     picture,
@@ -25,10 +25,7 @@ use crate::{
 
 pub use types::*;
 
-use read::{
-    property, read_item, read_kind, read_list, read_number, read_parameter, read_parameters, read_point, read_role, read_scene, read_setup,
-    read_text,
-};
+use read::{read_item, read_kind, read_list, read_parameter, read_point, read_role, read_scene, read_setup, read_text};
 
 #[wasm_bindgen(start)]
 fn start() {

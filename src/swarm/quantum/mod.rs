@@ -354,7 +354,7 @@ mod tests {
                 let of = |rows: &[f64]| (0..6).map(|i| rows[i * 10 + j]).collect::<Vec<_>>();
                 let sigma = |v: Vec<f64>| {
                     let mean = v.iter().sum::<f64>() / 6.0;
-                    (v.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / 6.0).sqrt()
+                    (v.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / 6.0).sqrt()
                 };
                 let m = of(p).iter().sum::<f64>() / 6.0;
                 let gs = if adaptive { (sigma(of(p)) / sigma(of(x))).min(1.0) } else { 1.0 };
