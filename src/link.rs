@@ -5,7 +5,7 @@
 
 use std::{fmt, sync::Arc};
 
-use base64::{Engine, engine::general_purpose::URL_SAFE_NO_PAD};
+use base64ct::{Base64UrlUnpadded, Encoding};
 
 use crate::{
     error::Error,
@@ -94,7 +94,7 @@ fn packed(scene: &Arc<Scene>) -> String {
         return scene.name().to_owned();
     }
     let deflated = miniz_oxide::deflate::compress_to_vec(scene.to_compact_json().as_bytes(), 9);
-    format!("~{}", URL_SAFE_NO_PAD.encode(deflated))
+    format!("~{}", Base64UrlUnpadded::encode_string(&deflated))
 }
 
 fn unpacked(text: &str) -> Result<Arc<Scene>, Error> {
@@ -102,7 +102,7 @@ fn unpacked(text: &str) -> Result<Arc<Scene>, Error> {
         return shipped(text);
     };
     let broken = |problem: &dyn fmt::Display| Error::malformed("link", format!("its scene is damaged: {problem}"));
-    let deflated = URL_SAFE_NO_PAD.decode(code).map_err(|e| broken(&e))?;
+    let deflated = Base64UrlUnpadded::decode_vec(code).map_err(|e| broken(&e))?;
     let bytes = miniz_oxide::inflate::decompress_to_vec_with_limit(&deflated, LARGEST_SCENE).map_err(|e| broken(&e))?;
     let text = String::from_utf8(bytes).map_err(|e| broken(&e))?;
     Scene::from_json(&text).map(Arc::new)
