@@ -45,7 +45,14 @@ pub enum Error {
 impl Error {
     /// A field's value is outside what is allowed.
     pub fn refused(field: impl Into<String>, value: impl fmt::Display, allowed: impl Into<String>) -> Self {
-        Self::Refused { field: field.into(), value: value.to_string(), allowed: allowed.into() }
+        Self::refuse(field.into(), &value, allowed.into())
+    }
+
+    /// The same, compiled once.
+    #[cold]
+    #[inline(never)]
+    fn refuse(field: String, value: &dyn fmt::Display, allowed: String) -> Self {
+        Self::Refused { field, value: value.to_string(), allowed }
     }
 
     /// A name that is not one of `known`.

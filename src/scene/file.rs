@@ -93,9 +93,11 @@ impl Scene {
                 out.extend([("function", text(function.name())), ("dimension", Value::from(*dimension))]);
             }
             Body::Discs(DiscsScene { bounds, start, goal, discs }) => {
-                let bounds = object([("min", point(bounds.min)), ("max", point(bounds.max))]);
-                let discs =
-                    discs.iter().map(|disc| object([("center", point(disc.center)), ("radius", Value::from(disc.radius))])).collect();
+                let bounds = object(&mut [("min", point(bounds.min)), ("max", point(bounds.max))].into_iter());
+                let discs = discs
+                    .iter()
+                    .map(|disc| object(&mut [("center", point(disc.center)), ("radius", Value::from(disc.radius))].into_iter()))
+                    .collect();
                 out.extend([("bounds", bounds), ("start", point(*start)), ("goal", point(*goal)), ("discs", Value::Array(discs))]);
             }
             Body::Grid(grid) => grid_fields(grid, &mut out),
@@ -115,8 +117,13 @@ fn points(points: &[[f64; 2]]) -> Value {
     Value::Array(points.iter().copied().map(point).collect())
 }
 
-fn object<'a>(fields: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
-    Value::Object(fields.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+/// One by one: collecting would bring in a sort for every number of fields.
+fn object(fields: &mut dyn Iterator<Item = (&'static str, Value)>) -> Value {
+    let mut object = Map::new();
+    for (name, value) in fields {
+        object.insert(name.to_owned(), value);
+    }
+    Value::Object(object)
 }
 
 fn grid_fields(grid: &GridScene, out: &mut Vec<(&'static str, Value)>) {
@@ -132,11 +139,13 @@ fn grid_fields(grid: &GridScene, out: &mut Vec<(&'static str, Value)>) {
         out.push(("corner_cutting", Value::Bool(true)));
     }
     if let Some(robot) = grid.robot {
-        let given = robot.fields().into_iter().filter_map(|(name, value)| value.map(|value| (name, Value::from(value))));
-        out.push(("robot", object(given)));
+        let mut given = robot.fields().into_iter().filter_map(|(name, value)| value.map(|value| (name, Value::from(value))));
+        out.push(("robot", object(&mut given)));
     }
     if !grid.moving.is_empty() {
-        let disc = |m: &Moving| object([("center", point(m.center)), ("radius", m.radius.into()), ("velocity", point(m.velocity))]);
+        let disc = |m: &Moving| {
+            object(&mut [("center", point(m.center)), ("radius", m.radius.into()), ("velocity", point(m.velocity))].into_iter())
+        };
         out.push(("moving", Value::Array(grid.moving.iter().map(disc).collect())));
     }
 }
