@@ -1,6 +1,6 @@
 //! The blocked cells of a grid, grown by a robot's radius, and what a path meets among them.
 
-use super::Block;
+use super::{Block, Oriented};
 
 /// What a point robot's obstacles are smaller by, in cells: it may touch them, and rounding must not turn touching into
 /// crossing.
@@ -60,6 +60,33 @@ impl Field {
     /// The blocked cells, those side by side in a row as one block, row by row.
     pub fn blocks(&self) -> &[Block] {
         &self.cells.blocks
+    }
+
+    /// The blocks that come within `reach` of a point, and perhaps some more.
+    pub fn blocks_near(&self, point: [f64; 2], reach: f64) -> impl Iterator<Item = &Block> {
+        self.cells.near(point, point, reach)
+    }
+
+    /// The distance of a turned rectangle from the nearest blocked cell; negative: how deep they overlap (at least:
+    /// what several rows form together may be deeper). `None` without obstacles. The robot's radius does not count.
+    pub fn distance(&self, outline: &Oriented) -> Option<f64> {
+        let (center, radius) = (outline.center, outline.radius());
+        let mut reach = self.cells.cell;
+        // Every block that is nearer than `reach` has been looked at; the first look that finds one so near is the last.
+        while !self.cells.blocks.is_empty() && reach.is_finite() {
+            let mut least = f64::INFINITY;
+            for block in self.blocks_near(center, radius + reach) {
+                let bound = (least + radius).max(0.0);
+                if block.distance_squared_to(center) <= bound * bound {
+                    least = least.min(outline.distance(block));
+                }
+            }
+            if least <= reach {
+                return Some(least);
+            }
+            reach = if least.is_finite() { least } else { 2.0 * reach };
+        }
+        None
     }
 
     fn all(&self) -> impl Iterator<Item = &Block> {
@@ -215,6 +242,28 @@ mod tests {
         assert!(!field.is_free([off + 1e-9, off + 1e-9], [off + 1e-9, off + 1e-9]));
         assert_eq!(field.clearance([0.0, 3.0], [4.0, 3.0]), Some(0.5));
         assert_eq!(field.clearance([2.0, 0.0], [2.0, 0.75]), Some(-0.25));
+    }
+
+    /// However far the search for the nearest block has to go: against a look at every block.
+    #[test]
+    fn a_turned_rectangle_s_distance_is_from_the_nearest_block() {
+        let mut rng = crate::rng::Stream::new(6, 0);
+        for case in 0..200 {
+            let blocked: Vec<_> = (0..40 * 30).map(|i| rng.unit() < 0.03 * f64::from(case % 4) || (case % 4 == 0 && i == 77)).collect();
+            let field = Field::new(0.5, 40, &blocked, 0.3);
+            for _ in 0..20 {
+                let angle = rng.between(-3.0, 3.0);
+                let outline = Oriented {
+                    center: [rng.between(-5.0, 25.0), rng.between(-5.0, 20.0)],
+                    direction: [crate::math::cos(angle), crate::math::sin(angle)],
+                    half: [rng.between(0.1, 1.0), rng.between(0.1, 0.5)],
+                };
+                let least = field.blocks().iter().map(|block| outline.distance(block)).reduce(f64::min);
+                assert_eq!(field.distance(&outline), least);
+            }
+        }
+        let center = [1.0, 1.0];
+        assert_eq!(Field::new(1.0, 3, &[false; 6], 0.3).distance(&Oriented { center, direction: [1.0, 0.0], half: [0.2; 2] }), None);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod block;
 mod disc;
 mod field;
+mod oriented;
 mod polyline;
 mod segment;
 mod smooth;
@@ -10,6 +11,7 @@ mod smooth;
 pub use block::Block;
 pub use disc::Disc;
 pub use field::Field;
+pub use oriented::Oriented;
 pub use polyline::{arc_outline, length, turning};
 pub use segment::{closest_parameter, distance_squared};
 pub use smooth::{PIECES, shuman, subdivided};
