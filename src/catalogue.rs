@@ -5,6 +5,7 @@ use std::sync::Arc;
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use crate::{
+    drive,
     error::Error,
     frame::{Role, Shape},
     params::{Domain, Parameter, Settings, Value, When, as_object},
@@ -170,6 +171,7 @@ pub struct Catalogue {
     version: &'static str,
     planners: Vec<EntryView>,
     scenes: Vec<&'static Scene>,
+    drive: DriveView,
     roles: [&'static str; Role::ALL.len()],
     shapes: [&'static str; Shape::ALL.len()],
     /// Every TeX string that can appear outside a formula, so that pages can typeset them when they are built.
@@ -181,7 +183,9 @@ pub fn catalogue() -> Catalogue {
     let all = PLANNERS
         .iter()
         .flat_map(|e| e.parameters.iter().map(|p| p.symbol).chain(e.readings.iter().map(|r| r.symbol)))
-        .chain(swarm::SYMBOLS.iter().copied());
+        .chain(swarm::SYMBOLS.iter().copied())
+        .chain(drive::PARAMETERS.iter().map(|p| p.symbol))
+        .chain(drive::COLUMNS.iter().map(|c| c.symbol));
     let mut symbols = Vec::new();
     for symbol in all {
         if !symbol.is_empty() && !symbols.contains(&symbol) {
@@ -192,6 +196,7 @@ pub fn catalogue() -> Catalogue {
         version: env!("CARGO_PKG_VERSION"),
         planners: PLANNERS.iter().map(EntryView).collect(),
         scenes: shipped_names().map(|scene| &**scene).collect(),
+        drive: DriveView(&drive::ENTRY),
         roles: Role::ALL.map(Role::name),
         shapes: Shape::ALL.map(Shape::name),
         symbols,
@@ -205,7 +210,7 @@ struct EntryView(&'static Entry);
 impl Serialize for EntryView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let entry = self.0;
-        let parameters: Vec<_> = entry.parameters.iter().map(|p| ParameterView { parameter: p, planner: entry }).collect();
+        let parameters = views(entry.parameters, entry.kinds);
         let mut out = serializer.serialize_struct("Planner", 10)?;
         out.serialize_field("name", entry.name)?;
         out.serialize_field("title", entry.title)?;
@@ -221,6 +226,22 @@ impl Serialize for EntryView {
     }
 }
 
+/// How a robot drives along a path.
+#[derive(Debug)]
+struct DriveView(&'static drive::Entry);
+
+impl Serialize for DriveView {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut out = serializer.serialize_struct("DriveEntry", 5)?;
+        out.serialize_field("source", self.0.source)?;
+        out.serialize_field("summary", self.0.summary)?;
+        out.serialize_field("parameters", &views(self.0.parameters, &[Kind::Grid]))?;
+        out.serialize_field("columns", self.0.columns)?;
+        out.serialize_field("formulas", self.0.formulas)?;
+        out.end()
+    }
+}
+
 /// Pairs as an object.
 struct Object<'a>(&'a [(&'static str, Value)]);
 
@@ -232,13 +253,18 @@ impl Serialize for Object<'_> {
 
 struct ParameterView {
     parameter: &'static Parameter,
-    planner: &'static Entry,
+    /// The kinds of scene that it could mean something on.
+    kinds: &'static [Kind],
+}
+
+fn views(parameters: &'static [Parameter], kinds: &'static [Kind]) -> Vec<ParameterView> {
+    parameters.iter().map(|parameter| ParameterView { parameter, kinds }).collect()
 }
 
 impl Serialize for ParameterView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let p = self.parameter;
-        let kinds: Vec<Kind> = self.planner.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
+        let kinds: Vec<Kind> = self.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
         let defaults: Vec<_> = p.defaults.iter().map(|&(kind, preset)| (kind.name(), preset.into())).collect();
         let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(Kind::Function));
         let mut out = serializer.serialize_struct("Parameter", 15)?;

@@ -19,6 +19,7 @@
 //! - [`catalogue`]: every planner and its parameters; nothing else lists planners.
 //! - [`scene`]: what is planned in, one file a kind, and the scene files. [`exact`]: the oracles for them.
 //! - [`swarm`]: particle swarms. A folder a family; a file a planner or a part of one.
+//! - [`drive`]: a robot that follows what was found, and what its outline touches.
 //! - [`session`]: one run, with rewind, hash and link. [`frame`] and [`picture`]: what it looks like.
 //! - [`geometry`], [`math`], [`rng`], [`digest`], [`error`](mod@error): the ground.
 //!
@@ -29,6 +30,7 @@
 
 pub mod catalogue;
 pub mod digest;
+pub mod drive;
 pub mod error;
 pub mod exact;
 pub mod frame;
@@ -47,6 +49,7 @@ pub mod swarm;
 pub mod wasm;
 
 pub use catalogue::catalogue;
+pub use drive::{Drive, DriveOutcome};
 pub use error::Error;
 pub use frame::Frame;
 pub use link::Link;

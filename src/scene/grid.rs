@@ -152,6 +152,11 @@ impl GridScene {
         self.robot.map_or(0.0, |robot| robot.radius())
     }
 
+    /// The robot's length and width, if it has both.
+    pub fn outline(&self) -> Option<[f64; 2]> {
+        self.robot.and_then(|robot| Some([robot.length?, robot.width?]))
+    }
+
     /// The blocked cells as the robot's centre meets them: grown by the radius of its circumscribed circle, exactly.
     pub fn field(&self) -> &Arc<Field> {
         self.field.get_or_init(|| Arc::new(Field::new(self.cell, self.columns, &self.blocked, self.radius())))

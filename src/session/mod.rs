@@ -9,16 +9,17 @@ use std::sync::Arc;
 
 pub use any::AnyPlanner;
 pub use outcome::Outcome;
-pub use trace::{Trace, csv_heading, csv_row};
+pub use trace::{Trace, csv_heading, csv_line, csv_row};
 
 use crate::{
     catalogue::{Entry, Suggestion, find},
     digest::Digest,
+    drive::{self, Drive},
     error::Error,
     frame::Frame,
     link::Link,
     params::{Given, Settings},
-    planner::{Inspection, Item, Readings, Status},
+    planner::{Inspection, Item, Readings, Solution, Status},
     rng::check_seed,
     scene::Scene,
 };
@@ -268,6 +269,18 @@ impl Session {
     /// Everything there is to say about where the run stands.
     pub fn outcome(&mut self) -> Outcome {
         Outcome::of(self)
+    }
+
+    /// The scene's robot driving along the best path so far. `None` unless the scene is a grid with a robot that has
+    /// length and width, and a path was found.
+    ///
+    /// # Errors
+    /// For a parameter that is not one of [`drive::PARAMETERS`], or its value.
+    pub fn drive(&self, given: &Given) -> Result<Option<Drive>, Error> {
+        match self.planner.best().map(|best| best.solution) {
+            Some(Solution::Path(path)) => drive::along(&self.scene, Some(&path), given),
+            _ => drive::along(&self.scene, None, given),
+        }
     }
 
     /// The hash of iteration, best and the whole state, in hexadecimal.

@@ -3,8 +3,9 @@
 use serde::Serialize;
 
 use crate::{
-    geometry::turning,
-    params::{Value, as_object},
+    drive::{self, DriveOutcome},
+    geometry,
+    params::{Given, Value, as_object},
     planner::{Solution, Status},
 };
 
@@ -40,6 +41,9 @@ pub struct Outcome {
     /// How much the path turns in all, in radians.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turning: Option<f64>,
+    /// How the scene's robot drives along the path, with the default parameters.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drive: Option<DriveOutcome>,
     /// The path's corners.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<Vec<[f64; 2]>>,
@@ -70,6 +74,8 @@ impl Outcome {
             Some(Solution::Position(position)) => (None, Some(position)),
             None => (None, None),
         };
+        // The defaults are never refused.
+        let drive = drive::along(&session.scene, path.as_deref(), &Given::new()).ok().flatten().map(|drive| drive.outcome);
         Self {
             planner: session.entry.name,
             scene: session.scene.name().to_owned(),
@@ -83,7 +89,8 @@ impl Outcome {
             clearance: verdict.and_then(|v| v.clearance),
             exact,
             gap,
-            turning: path.as_deref().map(turning),
+            turning: path.as_deref().map(geometry::turning),
+            drive,
             path,
             position,
             readings,

@@ -1,6 +1,6 @@
 //! The readings of past iterations, thinned as history grows.
 
-use std::io;
+use std::{fmt::Display, io};
 
 use crate::planner::Readings;
 
@@ -82,14 +82,13 @@ impl Trace {
     }
 }
 
-/// Writes a CSV heading: `iteration` and the readings' names. They are identifiers: nothing ever needs quotes.
+/// Writes a CSV heading: `iteration` and the readings' names.
 ///
 /// # Errors
 /// Whatever the writer reports.
 pub fn csv_heading<'a>(out: &mut impl io::Write, names: impl Iterator<Item = &'a str>) -> io::Result<()> {
-    write!(out, "iteration")?;
-    names.into_iter().try_for_each(|name| write!(out, ",{name}"))?;
-    writeln!(out)
+    write!(out, "iteration,")?;
+    csv_line(out, names)
 }
 
 /// Writes a CSV line: the iteration and its readings.
@@ -97,8 +96,18 @@ pub fn csv_heading<'a>(out: &mut impl io::Write, names: impl Iterator<Item = &'a
 /// # Errors
 /// Whatever the writer reports.
 pub fn csv_row(out: &mut impl io::Write, iteration: u64, values: impl Iterator<Item = f64>) -> io::Result<()> {
-    write!(out, "{iteration}")?;
-    values.into_iter().try_for_each(|value| write!(out, ",{value}"))?;
+    write!(out, "{iteration},")?;
+    csv_line(out, values)
+}
+
+/// Writes numbers or names with commas between them. Names are identifiers: nothing ever needs quotes.
+///
+/// # Errors
+/// Whatever the writer reports.
+pub fn csv_line<T: Display>(out: &mut impl io::Write, values: impl Iterator<Item = T>) -> io::Result<()> {
+    for (i, value) in values.enumerate() {
+        write!(out, "{}{value}", if i == 0 { "" } else { "," })?;
+    }
     writeln!(out)
 }
 

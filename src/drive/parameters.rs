@@ -1,0 +1,110 @@
+//! What can be set about a drive, what it tells, and the equations it carries out.
+
+use crate::{
+    catalogue::{Formula, Scope},
+    params::Parameter,
+};
+
+use super::{Column, Entry};
+
+/// The entry in the catalogue.
+pub const ENTRY: Entry = Entry {
+    source: "[LTQPSO] §5",
+    summary: "A robot with two driven wheels follows the path by pure pursuit, within its limits. Its outline, turned as it \
+              stands, is checked against the obstacles all along the way.",
+    parameters: PARAMETERS,
+    columns: COLUMNS,
+    formulas: FORMULAS,
+};
+
+/// Everything that can be set. The figures are those of the paper’s robot, in metres and seconds; look-ahead excepted.
+/// Beside a path on which the circle about the robot just touches, its outline has 0.1 m to spare. On the 10 m grid it
+/// keeps 0.08 m of that when it looks 0.35 m ahead; with 0.25 m it keeps a centimetre more and takes a second longer,
+/// with 0.8 m hardly any is left.
+/// (Its mass, 2.3 kg, is not among them: how it moves is given, not what forces it takes.)
+pub const PARAMETERS: &[Parameter] = &[
+    Parameter::number(
+        "speed",
+        "v_{\\max}",
+        "Top speed",
+        [0.001, 1000.0, 0.24],
+        "How fast the robot drives at most, a second. Published: 0.24 m/s; a scene’s robot may say otherwise.",
+    )
+    .slider(0.02, 2.0, true),
+    Parameter::number(
+        "turn_rate",
+        "\\omega_{\\max}",
+        "Top turn rate",
+        [0.001, 10.0, 0.2],
+        "How fast the robot turns at most, in radians a second. Published: 0.2.",
+    )
+    .slider(0.05, 3.0, true),
+    Parameter::number("period", "T", "Control period", [0.01, 2.0, 0.4], "Seconds from one command to the next. Published: 0.4.")
+        .slider(0.05, 1.0, false),
+    Parameter::number(
+        "look_ahead",
+        "L_d",
+        "Look-ahead distance",
+        [0.001, 1000.0, 0.35],
+        "How far ahead the point lies that the robot steers for. Shorter keeps closer to the path, longer goes faster round \
+         corners. It must be well more than the way of one period. The paper gives none; 0.35 m is a little less than its \
+         robot’s length.",
+    )
+    .slider(0.1, 2.0, true),
+    Parameter::number("wheel_radius", "R", "Wheel radius", [0.001, 1000.0, 0.068], "Of the driven wheels. Published: 0.068 m.")
+        .slider(0.02, 0.2, false),
+    Parameter::number("wheel_distance", "b", "Wheel distance", [0.001, 1000.0, 0.3], "Between the driven wheels. Published: 0.3 m.")
+        .slider(0.1, 1.0, false),
+    Parameter::integer("pulses", "n_p", "Encoder pulses", [1, 100_000, 16], "Pulses a turn of the motor. Published: 16.")
+        .slider(1.0, 1000.0, true),
+    Parameter::integer("decoder", "n_d", "Decoder", [1, 4, 2], "How many edges of a pulse are counted. Published: 2."),
+    Parameter::integer("gear", "n_g", "Gear ratio", [1, 10_000, 131], "Turns of the motor a turn of the wheel. Published: 131.")
+        .slider(1.0, 300.0, true),
+];
+
+/// The numbers of a row: where the robot is at the end of a period, and what it was told in it (at the start, nothing).
+/// Without obstacles the clearance is infinite.
+pub const COLUMNS: &[Column] = &[
+    column("time", "t", "Time", "s"),
+    column("x", "x", "Centre, x", "m"),
+    column("y", "y", "Centre, y", "m"),
+    column("heading", "\\theta", "Heading, from x towards y", "rad"),
+    column("speed", "v", "Speed", "m/s"),
+    column("turn_rate", "\\omega", "Turn rate, from x towards y", "rad/s"),
+    column("left", "\\omega_l", "Left wheel", "rad/s"),
+    column("right", "\\omega_r", "Right wheel", "rad/s"),
+    column("left_count", "N_l", "Left encoder", ""),
+    column("right_count", "N_r", "Right encoder", ""),
+    column("error", "e", "Off the path, to the left", "m"),
+    column("clearance", "d", "From the nearest obstacle", "m"),
+];
+
+const fn column(name: &'static str, symbol: &'static str, title: &'static str, unit: &'static str) -> Column {
+    Column { name, title, symbol, unit }
+}
+
+const FORMULAS: &[Formula] = &[
+    formula("curvature", "Coulter, CMU-RI-TR-92-01", "Pure pursuit", "\\kappa = \\frac{2 \\sin\\eta}{L_d}"),
+    formula(
+        "command",
+        "limits of [LTQPSO] §5",
+        "Command",
+        "v = \\min\\left(v_{\\max},\\, \\frac{\\omega_{\\max}}{|\\kappa|}\\right), \\quad \\omega = \\kappa v",
+    ),
+    formula(
+        "wheels",
+        "differential drive",
+        "Wheel speeds",
+        "\\omega_l = \\frac{v - \\omega b / 2}{R}, \\quad \\omega_r = \\frac{v + \\omega b / 2}{R}",
+    ),
+    formula(
+        "counts",
+        "[LTQPSO] §5",
+        "Encoder counts",
+        "N = \\left\\lfloor \\frac{n_p\\, n_d\\, n_g}{2\\pi} \\int \\omega_{l,r}\\, \\mathrm{d}t \\right\\rfloor",
+    ),
+];
+
+const fn formula(name: &'static str, source: &'static str, title: &'static str, tex: &'static str) -> Formula {
+    Formula { name, source, title, tex, live: "", scope: Scope::Iteration }
+}
