@@ -78,6 +78,9 @@ fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
         (&["run", "pso"], "--scene"),
         (&["run", "pso", "--scene", "#v=9&planner=pso"], "version 9"),
         (&["run", "pso", "--scene", "sphere", "--svg", "no/such/folder/a.svg"], "no/such/folder/a.svg"),
+        (&["run", "ltqpso", "--scene", "qpso-10m", "--drive-set", "gear=0"], "gear: 0 is not allowed"),
+        (&["run", "ltqpso", "--scene", "qpso-10m", "--drive-set", "gear"], "name=value"),
+        (&["run", "pso", "--scene", "sphere", "--drive", "a.csv"], "--drive: sphere"),
         (&["exact", "--scene", "Cargo.toml"], "not JSON"),
         (&["fly"], "fly"),
     ] {
@@ -133,6 +136,30 @@ fn svg_and_trace_are_written() {
     let rows = std::fs::read_to_string(csv).unwrap();
     assert_eq!(rows.lines().count(), 42, "a heading, the start and a row per iteration");
     assert!(rows.starts_with("iteration,best,mean,free,k,w,c1,c2"));
+}
+
+#[test]
+fn a_drive_is_summed_up_and_written() {
+    let csv = temporary("drive.csv");
+    let path = csv.to_str().unwrap();
+    let run = ["run", "ltqpso", "--scene", "qpso-10m", "--seed", "2"];
+    let plain = json(&[&run[..], &["--json"]].concat());
+    assert_eq!((&plain["drive"]["arrived"], &plain["drive"]["touched"]), (&true.into(), &false.into()));
+    assert!(plain["turning"].as_f64().unwrap() > 0.1 && plain["drive"]["touched_at"].is_null());
+    let slow = json(&[&run[..], &["--json", "--drive", path, "--drive-set", "speed=0.12", "--drive-set", "look_ahead=0.3"]].concat());
+    assert_eq!(slow["hash"], plain["hash"]);
+    assert!(slow["drive"]["time"].as_f64().unwrap() > 1.5 * plain["drive"]["time"].as_f64().unwrap());
+    let rows = std::fs::read_to_string(csv).unwrap();
+    assert!(rows.starts_with("time,x,y,heading,speed,turn_rate,left,right,left_count,right_count,error,clearance\n0,0,0,"), "{rows}");
+    let last: Vec<f64> = rows.lines().last().unwrap().split(',').map(|number| number.parse().unwrap()).collect();
+    assert_eq!((last[0], last[8]), (slow["drive"]["time"].as_f64().unwrap(), slow["drive"]["counts"][0].as_f64().unwrap()));
+    let text = String::from_utf8(forage(&run).stdout).unwrap();
+    let line = text.lines().find(|line| line.starts_with("  drive ")).unwrap();
+    assert!(["error at most", "clearance", "counts"].iter().all(|part| line.contains(part)), "{line}");
+    let scraping = forage(&[&run[..], &["--drive-set", "look_ahead=1.5"]].concat());
+    assert!(String::from_utf8(scraping.stdout).unwrap().contains("TOUCHES an obstacle at ("));
+    let text = String::from_utf8(forage(&["list"]).stdout).unwrap();
+    assert!(text.contains("wheel_radius"), "{text}");
 }
 
 #[cfg(unix)]

@@ -1,11 +1,11 @@
 //! Golden hashes of complete runs: every planner, every kind of scene, several seeds. `tests/wasm.rs` checks the same
-//! stored file in wasm under Node.
+//! stored files in wasm under Node.
 #![cfg(not(target_arch = "wasm32"))]
 
 mod support;
 
 use forage::{Given, Session, Setup, Value, catalogue::PLANNERS, shipped_names};
-use support::{Golden, ITERATIONS, bits, stored};
+use support::{Driven, Golden, ITERATIONS, bits, digest, drives, stored};
 
 fn run(planner: &str, scene: &str, seed: u32) -> Golden {
     let params = Given::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
@@ -41,6 +41,28 @@ fn every_planner_gives_the_stored_bits_on_every_scene() {
     for (run, stored) in runs.iter().zip(&stored) {
         assert_eq!(run, stored);
     }
+}
+
+fn drive(planner: &str, scene: &str, seed: u32, look_ahead: f64) -> Driven {
+    let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params: Given::new(), seed: u64::from(seed) };
+    let mut session = Session::new(setup).unwrap();
+    session.step(u64::MAX);
+    let drive = session.drive(&Given::from_iter([("look_ahead", Value::from(look_ahead))])).unwrap().unwrap();
+    Driven { planner: planner.to_owned(), scene: scene.to_owned(), seed, look_ahead, rows: digest(&drive.rows) }
+}
+
+/// Whole drives, to the last bit: free ones and one or another that touches.
+#[test]
+fn every_drive_gives_the_stored_bits() {
+    let mut runs = vec![drive("ltqpso", "qpso-10m-empty", 1, 0.35), drive("wcpso", "qpso-10m", 1, 0.35)];
+    for seed in [1, 2, 12_345] {
+        runs.extend([0.2, 0.35, 1.0].map(|look_ahead| drive("ltqpso", "qpso-10m", seed, look_ahead)));
+    }
+    if std::env::var_os("FORAGE_BLESS").is_some() {
+        std::fs::write("tests/drives.json", serde_json::to_string_pretty(&runs).unwrap() + "\n").unwrap();
+        return;
+    }
+    assert_eq!(runs, drives());
 }
 
 #[test]

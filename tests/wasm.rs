@@ -6,10 +6,11 @@
 mod support;
 
 use forage::wasm::{
-    JsItem, JsKind, JsNames, JsParameterValue, JsScene, JsSetup, Session, catalogue, check_parameter, check_scene, new_seed, parse_link,
+    JsGiven, JsItem, JsKind, JsNames, JsParameterValue, JsScene, JsSetup, Session, catalogue, check_parameter, check_scene, new_seed,
+    parse_link,
 };
-use js_sys::{Array, Float32Array, JSON, Object, Reflect, Uint32Array};
-use support::{ITERATIONS, bits, stored};
+use js_sys::{Array, Float32Array, Float64Array, JSON, Object, Reflect, Uint32Array};
+use support::{ITERATIONS, bits, digest, drives, stored};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -62,6 +63,49 @@ fn every_golden_run_gives_the_bits_that_it_gives_natively() {
         assert_eq!(session.hash(), run.end, "{params}");
         assert_eq!(bits(get(session.outcome(), "cost").as_f64()), run.cost, "{params}");
     }
+}
+
+#[wasm_bindgen_test]
+fn every_stored_drive_gives_the_bits_that_it_gives_natively() {
+    let all = drives();
+    assert!(all.len() >= 10);
+    for stored in all {
+        let run = format!(r#"{{"planner": "{}", "scene": "{}", "seed": {}}}"#, stored.planner, stored.scene, stored.seed);
+        let mut session = setup(&run);
+        session.step(Some(1e9));
+        let params = js::<JsGiven>(&format!(r#"{{"look_ahead": {}}}"#, stored.look_ahead));
+        let drive = session.drive(&params).ok().unwrap();
+        let rows = get(&drive, "rows").unchecked_into::<Float64Array>().to_vec();
+        assert_eq!(digest(&rows), stored.rows, "{run}");
+        assert_eq!(number(get(&drive, "parameters"), "look_ahead"), stored.look_ahead);
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_drive_crosses_as_its_types_say() {
+    let none: JsGiven = JsValue::UNDEFINED.unchecked_into();
+    let mut session = setup(r#"{"planner": "ltqpso", "scene": "qpso-10m"}"#);
+    session.step(Some(50.0));
+    let drive = session.drive(&none).ok().unwrap();
+    let columns = get(&drive, "columns").unchecked_into::<Array>().to_vec();
+    let entry = get(catalogue(), "drive");
+    let named: Vec<_> = get(&entry, "columns").unchecked_into::<Array>().iter().map(|column| get(column, "name")).collect();
+    assert_eq!(columns, named);
+    assert_eq!(get(&drive, "rows").unchecked_into::<Float64Array>().length() as usize % columns.len(), 0);
+    assert_eq!((number(get(&drive, "outline"), "length"), number(get(&drive, "outline"), "width")), (0.4, 0.3));
+    assert_eq!(get(get(&drive, "outcome"), "arrived").as_bool(), Some(true));
+    assert_eq!(number(get(session.outcome(), "drive"), "time"), number(get(&drive, "outcome"), "time"));
+    assert_eq!(get(get(&entry, "parameters").unchecked_into::<Array>().get(0), "kinds").unchecked_into::<Array>().join(","), "grid");
+    for (params, field) in [(r#"{"speed": 0}"#, "speed"), (r#"{"speed": []}"#, "speed"), (r#"{"mass": 2.3}"#, "parameter"), ("3", "params")]
+    {
+        assert_eq!(text(session.drive(&js::<JsGiven>(params)).err().unwrap(), "field"), field);
+    }
+    let discs = setup(r#"{"planner": "pso", "scene": "wcpso-discs"}"#);
+    assert!(discs.drive(&none).ok().unwrap().is_null() && get(setup_outcome(discs), "drive").is_undefined());
+}
+
+fn setup_outcome(mut session: Session) -> JsValue {
+    session.outcome().into()
 }
 
 #[wasm_bindgen_test]

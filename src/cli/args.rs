@@ -77,4 +77,10 @@ pub(super) struct RunArgs {
     /// Write the readings of every iteration as CSV.
     #[arg(long, value_name = "FILE")]
     pub(super) trace: Option<PathBuf>,
+    /// Write how the scene's robot drives along the path as CSV, a line for each control period.
+    #[arg(long, value_name = "FILE")]
+    pub(super) drive: Option<PathBuf>,
+    /// A parameter of the drive; may be given many times. `forage list` names them.
+    #[arg(long = "drive-set", value_name = "NAME=VALUE")]
+    pub(super) drive_set: Vec<String>,
 }

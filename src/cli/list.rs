@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use forage::{catalogue, catalogue::PLANNERS, shipped_names};
+use forage::{catalogue, catalogue::PLANNERS, drive, scene::Kind, shipped_names};
 
 use super::{print, print_json};
 
@@ -29,6 +29,12 @@ pub(super) fn list(json: bool) {
             let _ = writeln!(text, "    {:<16} {}; default {}", parameter.name, parameter.allowed(), defaults.join(", "));
             let _ = writeln!(text, "    {:<16} {}", "", parameter.help);
         }
+    }
+    let _ = writeln!(text, "\nDRIVE {}\n  {}", drive::ENTRY.source, drive::ENTRY.summary);
+    for parameter in drive::PARAMETERS {
+        let default = parameter.default_on(Kind::Grid);
+        let _ = writeln!(text, "    {:<16} {}; default {default}", parameter.name, parameter.allowed());
+        let _ = writeln!(text, "    {:<16} {}", "", parameter.help);
     }
     text.push_str("\nSCENES\n\n");
     for scene in shipped_names() {

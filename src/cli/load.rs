@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path, sync::Arc};
 
-use forage::{Error, Link, Scene, Setup, Value, catalogue::Suggestion, rng, shipped, shipped_names};
+use forage::{Error, Given, Link, Scene, Setup, Value, catalogue::Suggestion, drive, rng, shipped, shipped_names};
 
 use super::{Failure, args::RunArgs};
 
@@ -48,7 +48,7 @@ pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
                 scene: scene(
                     args.scene.as_deref().ok_or_else(|| Error::refused("--scene", "nothing", "a file, a shipped name or a link"))?,
                 )?,
-                params: forage::Given::new(),
+                params: Given::new(),
                 seed: 1,
             },
             stop_at: None,
@@ -71,10 +71,33 @@ fn from_link(link: Link, planner: Option<&str>) -> Task {
                 "forage: the link is for {}; running {name} on its scene and seed, with {name}’s default parameters",
                 link.setup.planner
             );
-            let setup = Setup { planner: name.to_owned(), params: forage::Given::new(), ..link.setup };
+            let setup = Setup { planner: name.to_owned(), params: Given::new(), ..link.setup };
             Task { setup, stop_at: None, promised: None }
         }
     }
+}
+
+/// Puts what was typed as name=value into parameters.
+pub(super) fn read_pairs(option: &str, pairs: &[String], params: &mut Given) -> Result<(), Failure> {
+    for pair in pairs {
+        let (name, value) = pair.split_once('=').ok_or_else(|| Error::refused(option, pair, "name=value"))?;
+        params.insert(name.trim(), Value::from(value));
+    }
+    Ok(())
+}
+
+/// The drive's parameters, checked before the run; refused where no robot could drive.
+pub(super) fn drive(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
+    let mut given = Given::new();
+    read_pairs("--drive-set", &args.drive_set, &mut given)?;
+    let robot = drive::robot(scene).and_then(|(grid, _)| grid.robot);
+    if robot.is_none() && (args.drive.is_some() || !given.is_empty()) {
+        let option = if args.drive.is_some() { "--drive" } else { "--drive-set" };
+        let allowed = "left out unless the scene is a grid whose robot has length and width";
+        return Err(Error::refused(option, scene.name(), allowed).into());
+    }
+    drive::settings(robot, &given)?;
+    Ok(given)
 }
 
 /// Puts --seed, --iterations and --set into the setup; says whether there was anything to put in.
@@ -88,7 +111,7 @@ fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
     if let Some(iterations) = &args.iterations {
         setup.params.insert("iterations", Value::from(iterations.as_str()));
     }
-    set(setup, &args.set)?;
+    read_pairs("--set", &args.set, &mut setup.params)?;
     if args.suggested {
         let (suggested, _) = suggestion(setup)?;
         for (name, value) in [("population", suggested.population), ("iterations", suggested.iterations)] {
@@ -98,15 +121,6 @@ fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
         }
     }
     Ok(args.seed.is_some() || args.iterations.is_some() || args.suggested || !args.set.is_empty())
-}
-
-/// Puts name=value pairs into the setup.
-pub(super) fn set(setup: &mut Setup, pairs: &[String]) -> Result<(), Error> {
-    for pair in pairs {
-        let (name, value) = pair.split_once('=').ok_or_else(|| Error::refused("--set", pair, "name=value"))?;
-        setup.params.insert(name.trim(), Value::from(value));
-    }
-    Ok(())
 }
 
 /// What the planner's paper recommends for a setup, and the planner's title.

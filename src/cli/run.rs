@@ -14,10 +14,11 @@ use std::{
 };
 
 use forage::{
-    Outcome, Session, Status,
+    Drive, DriveOutcome, Outcome, Session, Status,
+    drive::COLUMNS,
     frame::Role,
     picture,
-    session::{csv_heading, csv_row},
+    session::{csv_heading, csv_line, csv_row},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
@@ -34,9 +35,19 @@ struct Report {
 
 pub(super) fn run(args: &RunArgs) -> super::Outcome {
     let task = load::task(args)?;
+    let given = load::drive(args, &task.setup.scene)?;
     let mut session = Session::with_keyframes(task.setup, 0)?;
     let elapsed_ms = carry_out(&mut session, task.stop_at, args.trace.as_deref())?;
-    let outcome = session.outcome();
+    let mut outcome = session.outcome();
+    if args.drive.is_some() || !given.is_empty() {
+        let drive = session.drive(&given)?;
+        match (&args.drive, &drive) {
+            (Some(path), Some(drive)) => write_drive(path, drive).map_err(|error| file(path, error))?,
+            (Some(path), None) => eprintln!("forage: no path was found to drive along; {} is not written", path.display()),
+            (None, _) => {}
+        }
+        outcome.drive = drive.map(|drive| drive.outcome);
+    }
     if let Some(path) = &args.svg {
         let roles: Vec<_> = session.entry().layers.iter().filter(|layer| layer.on).map(|layer| layer.role).chain([Role::Exact]).collect();
         std::fs::write(path, picture::svg(&session, false, &roles)).map_err(|error| file(path, error))?;
@@ -115,6 +126,15 @@ fn write_row(rows: &mut impl Write, session: &mut Session) -> io::Result<()> {
     csv_row(rows, iteration, readings.iter().map(|(_, value)| value))
 }
 
+fn write_drive(path: &Path, drive: &Drive) -> io::Result<()> {
+    let mut out = io::BufWriter::new(File::create(path)?);
+    csv_line(&mut out, COLUMNS.iter().map(|column| column.name))?;
+    for row in drive.rows.chunks_exact(COLUMNS.len()) {
+        csv_line(&mut out, row.iter())?;
+    }
+    out.flush()
+}
+
 fn file(path: &Path, error: io::Error) -> Failure {
     Failure::File(path.display().to_string(), error)
 }
@@ -147,6 +167,9 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
         }
         None => {}
     }
+    if let Some(drive) = &outcome.drive {
+        let _ = writeln!(text, "  drive      {}", driven(drive));
+    }
     if let Some(path) = &outcome.path {
         let points: Vec<_> = path.iter().map(|[x, y]| format!("({x:.4}, {y:.4})")).collect();
         let _ = writeln!(text, "  path       {}", points.join(" → "));
@@ -156,5 +179,26 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
         let _ = writeln!(text, "  position   ({})", numbers.join(", "));
     }
     let _ = writeln!(text, "  hash       {}", outcome.hash);
+    text
+}
+
+/// How a drive went, in a line.
+fn driven(drive: &DriveOutcome) -> String {
+    let mut text = format!("{:.1} s, {:.3} m, error at most {:.4}", drive.time, drive.distance, drive.max_error);
+    match (drive.touched_at, drive.clearance) {
+        (Some([x, y]), clearance) => {
+            let depth = -clearance.unwrap_or(0.0);
+            let _ = write!(text, ", TOUCHES an obstacle at ({x:.4}, {y:.4}), {depth:.4} deep at most");
+        }
+        (None, Some(clearance)) => {
+            let _ = write!(text, ", clearance {clearance:.4}");
+        }
+        (None, None) => {}
+    }
+    if !drive.arrived {
+        text.push_str(", did NOT arrive");
+    }
+    let [left, right] = drive.counts;
+    let _ = write!(text, ", {left} / {right} counts");
     text
 }

@@ -8,7 +8,7 @@ use super::{load, print, print_json};
 
 pub(super) fn suggest(planner: String, scene: &str, set: &[String], json: bool) -> super::Outcome {
     let mut setup = Setup { planner, scene: load::scene(scene)?, params: Given::new(), seed: 1 };
-    load::set(&mut setup, set)?;
+    load::read_pairs("--set", set, &mut setup.params)?;
     let (suggested, title) = load::suggestion(&setup)?;
     if json {
         print_json(&suggested);

@@ -15,6 +15,7 @@ use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 use crate::{
     Error, Frame, Given, Link, Scene,
     catalogue::find,
+    drive,
     params::as_object,
     picture,
     planner::{Column, Inspection, Item, Mark, Quantity, Status},
@@ -243,6 +244,24 @@ impl Session {
     /// Everything there is to say about where the run stands.
     pub fn outcome(&mut self) -> JsOutcome {
         plain(&self.run.outcome())
+    }
+
+    /// The scene's robot driving along the best path so far; null where it has no outline or there is no path.
+    ///
+    /// # Errors
+    /// An `Error` with `field`, `value` and `allowed` for a parameter that is refused.
+    pub fn drive(&self, params: &JsGiven) -> Result<JsDriveOrNull, JsValue> {
+        let Some(drive) = self.run.drive(&read_parameters(params)?).map_err(|error| js_error(&error))? else {
+            return Ok(JsValue::NULL.unchecked_into());
+        };
+        let [length, width] = drive.outline;
+        Ok(object(&[
+            ("columns", plain(&drive::COLUMNS.iter().map(|column| column.name).collect::<Vec<_>>())),
+            ("rows", Float64Array::from(drive.rows.as_slice()).into()),
+            ("outcome", plain(&drive.outcome)),
+            ("outline", object(&[("length", length.into()), ("width", width.into())])),
+            ("parameters", plain(&Numbers(drive.settings.all()))),
+        ]))
     }
 
     /// Why an item did what it did in the step that led here.

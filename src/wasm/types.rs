@@ -37,6 +37,12 @@ extern "C" {
     /// `FrameViews`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "FrameViews")]
     pub type JsFrame;
+    /// `Drive | null`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Drive | null")]
+    pub type JsDriveOrNull;
+    /// `Record<string, ParameterValue> | undefined`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Record<string, ParameterValue> | undefined")]
+    pub type JsGiven;
     /// `Outcome`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Outcome")]
     pub type JsOutcome;

@@ -31,3 +31,30 @@ pub const ITERATIONS: u32 = 200;
 pub fn bits(cost: Option<f64>) -> String {
     cost.map_or_else(|| "none".to_owned(), |cost| format!("{:016x}", cost.to_bits()))
 }
+
+/// A drive along what a complete run found.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Driven {
+    /// The planner's name.
+    pub planner: String,
+    /// A shipped scene's name.
+    pub scene: String,
+    /// The seed.
+    pub seed: u32,
+    /// The look-ahead distance.
+    pub look_ahead: f64,
+    /// The digest of all rows' bits.
+    pub rows: String,
+}
+
+/// The stored drives, written anew as [`stored`] is.
+pub fn drives() -> Vec<Driven> {
+    serde_json::from_str(include_str!("../drives.json")).expect("tests/drives.json is a list of drives")
+}
+
+/// The digest of the bits of many numbers.
+pub fn digest(numbers: &[f64]) -> String {
+    let mut digest = forage::digest::Digest::default();
+    digest.numbers(numbers);
+    digest.hex()
+}
