@@ -12,7 +12,7 @@ use crate::{
     math,
 };
 
-use super::Exact;
+use super::{Exact, Length};
 
 /// How deep, relative to the scene's size, a tangent may seem to cut a third disc before it counts as blocked:
 /// tangents that touch three discs are common in drawn scenes and must not be lost to rounding.
@@ -223,24 +223,6 @@ fn overlaps(from: f64, sweep: f64, middle: f64, half: f64, slack: f64) -> bool {
     let begin = (middle - half - from).rem_euclid(TAU);
     let end = begin + 2.0 * half;
     sweep.min(end) - begin > slack || sweep.min(end - TAU) > slack
-}
-
-/// A length that can be ordered; lengths here are never NaN.
-#[derive(PartialEq)]
-struct Length(f64);
-
-impl Eq for Length {}
-
-impl PartialOrd for Length {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Length {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.total_cmp(&other.0)
-    }
 }
 
 #[cfg(test)]

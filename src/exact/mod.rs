@@ -1,8 +1,12 @@
 //! The oracles: exact optima that every result is measured by.
 
 mod discs;
+mod grid;
+
+use std::cmp::Ordering;
 
 pub use discs::shortest_among_discs;
+pub use grid::shortest_on_grid;
 
 /// The shortest way there is.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,4 +15,22 @@ pub struct Exact {
     pub length: f64,
     /// Its course; arcs as corners just outside their discs, so this line is collision-free and hardly longer.
     pub path: Vec<[f64; 2]>,
+}
+
+/// A length that can be ordered; lengths here are never NaN.
+#[derive(PartialEq)]
+struct Length(f64);
+
+impl Eq for Length {}
+
+impl PartialOrd for Length {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Length {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.total_cmp(&other.0)
+    }
 }

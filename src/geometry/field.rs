@@ -105,6 +105,13 @@ impl Field {
         self.near(a, b).all(|block| !self.hits(block, a, b))
     }
 
+    /// The same for a round robot whose radius is less by `slack`: what touches by construction must not be lost to
+    /// rounding. (Or greater, if `slack` is negative: by up to a billionth of a cell.) A point stays a point.
+    pub fn is_nearly_free(&self, a: [f64; 2], b: [f64; 2], slack: f64) -> bool {
+        let grow = (self.radius - slack).max(self.radius / 2.0);
+        if self.radius > 0.0 { self.near(a, b).all(|block| block.distance_squared(a, b) >= grow * grow) } else { self.is_free(a, b) }
+    }
+
     #[inline]
     fn hits(&self, block: &Block, a: [f64; 2], b: [f64; 2]) -> bool {
         if self.grow > 0.0 { block.distance_squared(a, b) < self.grow * self.grow } else { block.grown(self.grow).clip(a, b).is_some() }

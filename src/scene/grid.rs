@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::{
     error::Error,
-    exact::Exact,
+    exact::{Exact, shortest_on_grid},
     geometry::{self, Field},
 };
 
@@ -243,7 +243,8 @@ impl GridScene {
     }
 
     pub(super) fn exact(&self) -> Option<Exact> {
-        None
+        let ends = [self.start?, self.goal?];
+        shortest_on_grid(ends, self.cell, self.columns, &self.blocked, self.field(), self.corner_cutting)
     }
 
     pub(super) fn judge(&self, path: &[[f64; 2]]) -> Verdict {
