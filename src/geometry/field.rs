@@ -47,7 +47,14 @@ impl Field {
             let grow = -HAIR * cell;
             let seam = |row, column| is(row, column) && is(row + 1, column);
             let seams = Rows::new(cell, [columns, rows.saturating_sub(1)], 2, seam);
-            (Rows::new(cell, [columns, rows], 1, is), seams, grow)
+            let mut cells = Rows::new(cell, [columns, rows], 1, is);
+            // Nor between a cell at the border and the border itself.
+            for block in &mut cells.blocks {
+                let size = [columns as f64 * cell, rows as f64 * cell];
+                block.min = block.min.map(|low| if low == 0.0 { -cell } else { low });
+                block.max = [0, 1].map(|axis| block.max[axis] + if block.max[axis] == size[axis] { cell } else { 0.0 });
+            }
+            (cells, seams, grow)
         };
         Self { size: [columns as f64 * cell, rows as f64 * cell], grow, radius, cells, seams }
     }
@@ -57,7 +64,8 @@ impl Field {
         self.radius
     }
 
-    /// The blocked cells, those side by side in a row as one block, row by row.
+    /// The blocked cells, those side by side in a row as one block, row by row. For a point robot those at the border
+    /// reach beyond it.
     pub fn blocks(&self) -> &[Block] {
         &self.cells.blocks
     }
@@ -235,6 +243,9 @@ mod tests {
         assert!(!field.is_free([0.0, 2.0], [4.0, 2.0]), "along the seam between two rows");
         assert!(!field.is_free([2.0, 0.0], [2.0, 4.0]), "along the seam between two columns");
         assert!(!field.is_free([0.0, 2.0], [2.0, 0.01]));
+        let walled = self::field(&["...", "#..", ".##"], 0.0);
+        assert!(!walled.is_free([0.0, 0.0], [0.0, 3.0]), "between a cell and the border");
+        assert!(!walled.is_free([0.0, 3.0], [3.0, 3.0]) && walled.is_free([0.0, 0.0], [3.0, 0.0]));
         assert_eq!(field.clearance([0.0, 0.5], [4.0, 0.5]), Some(0.5));
         assert_eq!(field.clearance([0.0, 1.0], [4.0, 1.0]), Some(0.0));
         assert!(field.clearance([0.0, 1.5], [4.0, 1.5]).unwrap() < -0.49);

@@ -111,7 +111,9 @@ impl Canvas {
             }
             Body::Grid(grid) => {
                 for block in grid.field().blocks() {
-                    self.rectangle(block.min, block.max, &format!(r#"fill="{fill}" stroke="{fill}" stroke-width="1""#));
+                    let max = grid.bounds().max;
+                    let inside = |corner: [f64; 2]| [0, 1].map(|axis| corner[axis].clamp(0.0, max[axis]));
+                    self.rectangle(inside(block.min), inside(block.max), &format!(r#"fill="{fill}" stroke="{fill}" stroke-width="1""#));
                 }
                 self.frame_of(grid.bounds());
             }

@@ -26,7 +26,7 @@ use crate::{
 
 pub use types::*;
 
-use read::{read_item, read_kind, read_list, read_parameter, read_point, read_role, read_scene, read_setup, read_text};
+use read::{read_item, read_kind, read_list, read_parameter, read_parameters, read_point, read_role, read_scene, read_setup, read_text};
 
 #[wasm_bindgen(start)]
 fn start() {
