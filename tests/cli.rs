@@ -119,7 +119,7 @@ fn exact_and_list_speak_json() {
     let names: Vec<_> = list["planners"].as_array().unwrap().iter().map(|p| p["name"].as_str().unwrap()).collect();
     assert!(["pso", "wpso", "cpso", "wcpso"].iter().all(|name| names.contains(name)));
     let text = String::from_utf8(forage(&["list"]).stdout).unwrap();
-    assert!(text.contains("population") && text.contains("150 on discs, 60 on function"), "{text}");
+    assert!(text.contains("population") && text.contains("150 on discs, 150 on grid, 60 on function"), "{text}");
     let help = String::from_utf8(forage(&["run", "--help"]).stdout).unwrap();
     assert!(names.iter().all(|name| help.contains(name)));
 }
@@ -135,7 +135,7 @@ fn svg_and_trace_are_written() {
     assert!(picture.starts_with("<svg") && picture.contains(r#"class="best""#) && picture.contains(r#"class="exact""#));
     let rows = std::fs::read_to_string(csv).unwrap();
     assert_eq!(rows.lines().count(), 42, "a heading, the start and a row per iteration");
-    assert!(rows.starts_with("iteration,best,mean,free,k,w,c1,c2"));
+    assert!(rows.starts_with("iteration,best,mean,free,length,smoothness,k,w,c1,c2"));
 }
 
 #[test]
@@ -179,4 +179,34 @@ fn an_interrupt_prints_the_best_so_far() {
     assert_eq!(result["status"], "running");
     assert!(result["iterations"].as_u64().unwrap() > 0 && result["cost"].is_number());
     assert!(String::from_utf8_lossy(&output.stderr).contains("interrupted"));
+}
+
+/// [LTQPSO] (10) by hand: 0.4321 · 8^1.7292 = 15.75, 0.2855 · 8^2.218 = 28.75.
+#[test]
+fn suggested_sizes_are_printed_and_used() {
+    let suggested = json(&["suggest", "ltqpso", "--scene", "qpso-10m", "--json"]);
+    assert_eq!((&suggested["population"], &suggested["iterations"]), (&16.into(), &29.into()));
+    let run = json(&["run", "ltqpso", "--scene", "qpso-10m", "--suggested", "--set", "population=9", "--json"]);
+    assert_eq!((&run["parameters"]["population"], &run["parameters"]["iterations"]), (&9.0.into(), &29.0.into()));
+    for args in [&["suggest", "wcpso", "--scene", "qpso-10m"][..], &["run", "qpso", "--scene", "sphere", "--suggested"]] {
+        let output = forage(args);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
+        assert!(String::from_utf8_lossy(&output.stderr).contains("recommends sizes"));
+    }
+}
+
+#[test]
+fn a_run_on_a_grid_tells_what_smoothing_and_driving_made_of_the_path() {
+    let file = temporary("drive.csv");
+    let run = json(&["run", "ltqpso", "--scene", "scenes/qpso-10m.json", "--json", "--drive", file.to_str().unwrap()]);
+    let number = |value: &Value| value.as_f64().unwrap();
+    assert!(number(&run["length"]) < number(&run["readings"]["length"]), "shorter after smoothing");
+    assert!(run["feasible"] == true && number(&run["gap"]) > 0.0 && number(&run["clearance"]) >= 0.0);
+    assert!(run["drive"]["touched"] == false && run["drive"]["arrived"] == true);
+    let rows = std::fs::read_to_string(file).unwrap();
+    assert!(rows.starts_with("time,x,y,heading,speed,turn_rate,left,right,left_count,right_count,error,clearance\n0,0,0,"));
+    assert_eq!(rows.lines().last().unwrap().split(',').next().unwrap(), run["drive"]["time"].to_string());
+    let refused = forage(&["run", "ltqpso", "--scene", "qpso-10m", "--drive-set", "look_ahead=-1"]);
+    assert_eq!((refused.status.code(), refused.stdout.len()), (Some(2), 0));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("look_ahead"));
 }

@@ -26,7 +26,8 @@ pub(super) fn list(json: bool) {
                 let only = if parameter.kinds.is_empty() { String::new() } else { format!(", on {} only", kinds_of(parameter)) };
                 defaults = vec![defaults[0].split(" on ").next().unwrap_or_default().to_owned() + &only];
             }
-            let _ = writeln!(text, "    {:<16} {}; default {}", parameter.name, parameter.allowed(), defaults.join(", "));
+            let when = parameter.when.map_or(String::new(), |when| format!("; only with {}={}", when.parameter, when.value));
+            let _ = writeln!(text, "    {:<16} {}; default {}{when}", parameter.name, parameter.allowed(), defaults.join(", "));
             let _ = writeln!(text, "    {:<16} {}", "", parameter.help);
         }
     }

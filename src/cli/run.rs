@@ -147,7 +147,12 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
     );
     match (outcome.length, outcome.cost) {
         (Some(length), _) => {
-            let _ = writeln!(text, "  length     {length}");
+            let before = outcome.readings.iter().find(|(name, raw)| *name == "length" && *raw != length);
+            let before = before.map_or(String::new(), |(_, raw)| format!(" ({raw} before smoothing)"));
+            let _ = writeln!(text, "  length     {length}{before}");
+            if let Some(turning) = outcome.turning {
+                let _ = writeln!(text, "  turns      {:.1}° in all", turning.to_degrees());
+            }
         }
         (None, Some(cost)) => {
             let _ = writeln!(text, "  cost       {cost:e}");
