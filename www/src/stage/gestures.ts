@@ -20,6 +20,8 @@ const WHEEL = 0.0016
 export function gestures(element: HTMLElement, act: Gestures): () => void {
   const fingers = new Map<number, Point>()
   let holding = false
+  /** Only the first button takes hold and taps; the others move the view. */
+  let first = true
   let moved = false
   let origin: Point = [0, 0]
 
@@ -29,14 +31,15 @@ export function gestures(element: HTMLElement, act: Gestures): () => void {
   }
 
   const down = (event: PointerEvent): void => {
-    if (event.button > 1) return
+    if (event.button > 2) return
     const at = where(event)
     element.setPointerCapture(event.pointerId)
     fingers.set(event.pointerId, at)
     if (fingers.size === 1) {
       origin = at
       moved = false
-      holding = event.button === 0 && act.grab(at, event.pointerType !== 'mouse')
+      first = event.button === 0
+      holding = first && act.grab(at, event.pointerType !== 'mouse')
     } else if (holding) {
       holding = false
       act.drop(true)
@@ -72,7 +75,7 @@ export function gestures(element: HTMLElement, act: Gestures): () => void {
     if (!fingers.delete(event.pointerId)) return
     const cancelled = event.type === 'pointercancel'
     if (holding) act.drop(cancelled || !moved)
-    if (!moved && !cancelled && fingers.size === 0) act.tap(where(event), event.pointerType !== 'mouse')
+    if (!moved && !cancelled && first && fingers.size === 0) act.tap(where(event), event.pointerType !== 'mouse')
     holding = false
   }
 
@@ -93,6 +96,7 @@ export function gestures(element: HTMLElement, act: Gestures): () => void {
   element.addEventListener('pointerup', up, { signal })
   element.addEventListener('pointercancel', up, { signal })
   element.addEventListener('pointerleave', leave, { signal })
+  element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal })
   element.addEventListener('wheel', wheel, { signal, passive: false })
   return () => abort.abort()
 }

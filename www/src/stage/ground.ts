@@ -1,5 +1,6 @@
-import type { DiscsScene, Scene } from 'forage'
-import { type Handle, place, same, type Selection } from '../state/edits'
+import type { DiscsScene, GridScene, Scene } from 'forage'
+import { type Cell, middleOf } from '../state/cells'
+import { discOf, ends, type Handle, place, type Plane, same, type Selection } from '../state/edits'
 import type { Pen } from './pen'
 import { type Box, extent, tick, toScene, toScreen } from './view'
 
@@ -21,7 +22,7 @@ export function drawGrid({ context, view, size, palette }: Pen, scene: Scene, li
   context.strokeStyle = palette.get('--grid')
   context.beginPath()
   const columns = ticks(left, right, step).map((value) => [value, snap(toScreen(view, size, [value, 0])[0])] as const)
-  const rows = ticks(bottom, top, step).map((value) => [value, snap(toScreen(view, size, [0, value])[1])] as const)
+  const rows = ticks(Math.min(bottom, top), Math.max(bottom, top), step).map((value) => [value, snap(toScreen(view, size, [0, value])[1])] as const)
   if (lines) {
     for (const [, x] of columns) context.rect(x, -1, 0, size.height + 2)
     for (const [, y] of rows) context.rect(-1, y, size.width + 2, 0)
@@ -58,7 +59,8 @@ function frameOf({ context, view, size, palette }: Pen, { min, max }: Box): void
   const [right, top] = toScreen(view, size, max)
   context.strokeStyle = palette.get('--axis')
   context.lineWidth = 1
-  context.strokeRect(Math.round(left) + 0.5, Math.round(top) + 0.5, Math.round(right - left), Math.round(bottom - top))
+  const [high, low] = [Math.min(top, bottom), Math.max(top, bottom)]
+  context.strokeRect(Math.round(left) + 0.5, Math.round(high) + 0.5, Math.round(right - left), Math.round(low - high))
 }
 
 export function drawDiscs(pen: Pen, { discs }: DiscsScene, blamed: Selection | null): void {
@@ -78,11 +80,11 @@ export function drawDiscs(pen: Pen, { discs }: DiscsScene, blamed: Selection | n
 }
 
 /** Start, goal, and what of the scene is selected or under the pointer. */
-export function drawEnds(pen: Pen, scene: DiscsScene, selection: Selection | null, hover: Handle | null, blamed: Selection | null, names: { start: string; goal: string }): void {
+export function drawEnds(pen: Pen, scene: Plane, selection: Selection | null, hover: Handle | null, blamed: Selection | null, names: { start: string; goal: string }): void {
   const { context, view, size, palette } = pen
   context.setLineDash([])
-  for (const kind of ['start', 'goal'] as const) {
-    const [x, y] = toScreen(view, size, scene[kind])
+  for (const { kind, at } of ends(scene)) {
+    const [x, y] = toScreen(view, size, at)
     const colour = palette.get(blamed?.kind === kind ? '--danger' : '--ink')
     context.beginPath()
     context.arc(x, y, HANDLE, 0, 2 * Math.PI)
@@ -110,9 +112,9 @@ export function drawEnds(pen: Pen, scene: DiscsScene, selection: Selection | nul
   if (held !== null) rim(pen, scene, held)
 }
 
-function ring({ context, view, size }: Pen, scene: DiscsScene, handle: Selection, colour: string): void {
+function ring({ context, view, size }: Pen, scene: Plane, handle: Selection, colour: string): void {
   const [x, y] = toScreen(view, size, place(scene, handle))
-  const radius = handle.kind === 'disc' ? (scene.discs[handle.index]?.radius ?? 0) * view.scale + 3 : HANDLE + 4
+  const radius = handle.kind === 'disc' ? (discOf(scene, handle.index)?.radius ?? 0) * view.scale + 3 : HANDLE + 4
   context.beginPath()
   context.arc(x, y, Math.max(0, radius), 0, 2 * Math.PI)
   context.lineWidth = 2
@@ -120,8 +122,8 @@ function ring({ context, view, size }: Pen, scene: DiscsScene, handle: Selection
   context.stroke()
 }
 
-function rim({ context, view, size, palette }: Pen, scene: DiscsScene, index: number): void {
-  const disc = scene.discs[index]
+function rim({ context, view, size, palette }: Pen, scene: Plane, index: number): void {
+  const disc = discOf(scene, index)
   if (!disc) return
   const [x, y] = toScreen(view, size, [disc.center[0] + disc.radius, disc.center[1]])
   context.beginPath()
@@ -131,4 +133,14 @@ function rim({ context, view, size, palette }: Pen, scene: DiscsScene, index: nu
   context.lineWidth = 2
   context.fill()
   context.stroke()
+}
+
+/** The cell that will be painted. */
+export function drawCell({ context, view, size, palette }: Pen, scene: GridScene, cell: Cell): void {
+  const [x, y] = toScreen(view, size, middleOf(scene, cell))
+  const side = Math.max(scene.cell * view.scale, 5)
+  context.setLineDash([])
+  context.lineWidth = 2
+  context.strokeStyle = palette.get('--focus')
+  context.strokeRect(x - side / 2, y - side / 2, side, side)
 }

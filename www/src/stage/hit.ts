@@ -1,17 +1,18 @@
-import type { DiscsScene, Point } from 'forage'
-import type { Handle, Selection } from '../state/edits'
+import type { Point } from 'forage'
+import { discOf, ends, type Handle, type Plane, type Selection } from '../state/edits'
 import { type Size, toScreen, type View } from './view'
 
 /** What of the scene lies under a point of the screen. Ends win over rims, rims over discs, small discs over big. */
-export function hit(scene: DiscsScene, view: View, size: Size, at: Point, selection: Selection | null, coarse: boolean): Handle | null {
+export function hit(scene: Plane, view: View, size: Size, at: Point, selection: Selection | null, coarse: boolean): Handle | null {
   const reach = coarse ? 24 : 11
   const away = (point: Point): number => {
     const [x, y] = toScreen(view, size, point)
     return Math.hypot(x - at[0], y - at[1])
   }
-  for (const kind of ['goal', 'start'] as const) if (away(scene[kind]) <= reach) return { kind }
+  for (const { kind, at: end } of ends(scene).reverse()) if (away(end) <= reach) return { kind }
+  if (scene.kind !== 'discs') return null
   if (selection?.kind === 'disc') {
-    const disc = scene.discs[selection.index]
+    const disc = discOf(scene, selection.index)
     if (disc && away([disc.center[0] + disc.radius, disc.center[1]]) <= reach) return { kind: 'rim', index: selection.index }
   }
   const near = scene.discs

@@ -6,6 +6,10 @@ interface Acts {
   pan(dx: number, dy: number): void
   /** Moves the selected object by steps. */
   nudge(dx: number, dy: number): void
+  /** Where cells are painted: moves the cell that is meant; rows count from the top. */
+  walk?(columns: number, rows: number): void
+  /** Paints or erases it. */
+  toggle?(): void
   leave(): void
 }
 
@@ -24,14 +28,16 @@ export function stageKey(event: KeyboardEvent, acts: Acts): boolean {
   if (arrow) {
     const [dx, dy] = arrow
     const far = event.shiftKey ? 10 : 1
-    if (lab.selection) acts.nudge(dx * far, dy * far)
+    if (acts.walk) acts.walk(dx * far, -dy * far)
+    else if (lab.selection) acts.nudge(dx * far, dy * far)
     else if (dy !== 0) acts.pan(0, dy * PAN)
     else lab.stepBy(dx * far)
     return true
   }
   switch (event.key) {
     case ' ':
-      lab.toggle()
+      if (acts.toggle) acts.toggle()
+      else lab.toggle()
       return true
     case 'Home':
       lab.seek(0)

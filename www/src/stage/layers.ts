@@ -1,7 +1,8 @@
-import type { Disc, Inspection, Point } from 'forage'
+import type { Inspection, Point, Scene } from 'forage'
 import type { FrameMessage } from '../worker/protocol'
-import { applyStyle, Lines, type Pen, points } from './pen'
-import { styleOf } from './styles'
+import { insideCells, insideDiscs } from './inside'
+import { applyStyle, Lines, marked, type Pen, points } from './pen'
+import { closer, resultOf, type Style, styleBeside, styleOf } from './styles'
 import { toScreen } from './view'
 
 export interface Names {
@@ -10,31 +11,37 @@ export interface Names {
 }
 
 /** Draws a frame's layers that are on, in the style sheet's order. */
-export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (role: string) => boolean, discs: readonly Disc[]): void {
+export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (role: string) => boolean, scene: Scene): void {
   const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
-  const roles = [...rolesIn(spans)].sort((a, b) => styleOf(names.roles[a] ?? '').order - styleOf(names.roles[b] ?? '').order)
+  const order = (role: number): number => styleOf(names.roles[role] ?? '').order
+  const roles = [...rolesIn(spans)].filter((role) => on(names.roles[role] ?? '')).sort((a, b) => order(a) - order(b))
+  const result = resultOf(roles.some((role) => names.roles[role] === 'smoothed'))
   for (const number of roles) {
     const role = names.roles[number] ?? ''
-    if (!on(role)) continue
-    const style = styleOf(role)
+    const style = styleBeside(role, result)
     const lines = new Lines(pen)
+    const ways: [first: number, count: number][] = []
     for (let at = 0; at < spans.length; at += 4) {
       if (spans[at] !== number) continue
       const shape = names.shapes[spans[at + 1] ?? 0]
       const [first, count] = [spans[at + 2] ?? 0, spans[at + 3] ?? 0]
       if (shape === 'points') points(pen, style, vertices, first, count)
-      else if (shape === 'polyline') lines.polyline(vertices, first, count)
-      else if (shape === 'segments') lines.segments(vertices, first, count)
+      else if (shape === 'polyline') {
+        lines.polyline(vertices, first, count)
+        ways.push([first, count])
+      } else if (shape === 'segments') lines.segments(vertices, first, count)
     }
-    if (role === 'best') {
-      halo(lines)
-      lines.stroke(style)
-      insideDiscs(pen, lines, discs)
-    } else {
-      lines.stroke(style)
-    }
+    if (role === result) halo(lines, style)
+    lines.stroke(style)
+    if (role !== result) continue
+    if (scene.kind === 'discs') insideDiscs(pen, lines, scene.discs)
+    if (scene.kind === 'grid') for (const [first, count] of ways) insideCells(pen, scene, pathOf(vertices, first, count))
   }
+}
+
+function pathOf(vertices: Float32Array, first: number, count: number): Point[] {
+  return Array.from({ length: count }, (_, at) => [vertices[4 * (first + at)] ?? 0, vertices[4 * (first + at) + 1] ?? 0])
 }
 
 function rolesIn(spans: Uint32Array): Set<number> {
@@ -44,28 +51,12 @@ function rolesIn(spans: Uint32Array): Set<number> {
 }
 
 /** Lifts the result off the crowd beneath it. */
-function halo(lines: Lines): void {
-  lines.stroke({ ...styleOf('best'), colour: '--stage', width: styleOf('best').width + 3, alpha: [0.75, 0.75] })
+function halo(lines: Lines, style: Style): void {
+  lines.stroke({ ...style, colour: '--stage', width: style.width + 3, alpha: [0.75, 0.75] })
 }
 
-/** Whatever part of the result lies inside an obstacle is drawn in red. */
-function insideDiscs(pen: Pen, lines: Lines, discs: readonly Disc[]): void {
-  if (discs.length === 0) return
-  const { context, view, size } = pen
-  const inside = new Path2D()
-  for (const { center, radius } of discs) {
-    const [x, y] = toScreen(view, size, center)
-    inside.moveTo(x + radius * view.scale, y)
-    inside.arc(x, y, Math.max(0, radius * view.scale - 1), 0, 2 * Math.PI)
-  }
-  context.save()
-  context.clip(inside)
-  lines.stroke({ ...styleOf('best'), colour: '--danger', width: 4 })
-  context.restore()
-}
-
-export function drawPath(pen: Pen, path: readonly Point[], role: string): void {
-  applyStyle(pen, styleOf(role))
+export function drawPath(pen: Pen, path: readonly Point[], style: Style): void {
+  applyStyle(pen, style)
   trace(pen, path)
   pen.context.stroke()
 }
@@ -83,10 +74,10 @@ function trace({ context, view, size }: Pen, path: readonly Point[]): void {
 export function drawInspection(pen: Pen, { layers }: Inspection): void {
   const { context, view, size } = pen
   for (const { role, shape, vertices } of [...layers].sort((a, b) => styleOf(a.role).order - styleOf(b.role).order)) {
-    const style = styleOf(role)
+    const style = closer(role)
     applyStyle(pen, style)
     context.globalAlpha = style.alpha[0]
-    if (shape === 'polyline') drawPath(pen, vertices, role)
+    if (shape === 'polyline') drawPath(pen, vertices, style)
     else if (shape === 'segments') {
       for (let at = 0; at + 1 < vertices.length; at += 2) {
         const [from, to] = [vertices[at], vertices[at + 1]]
@@ -95,6 +86,10 @@ export function drawInspection(pen: Pen, { layers }: Inspection): void {
     } else {
       for (const vertex of vertices) {
         const [x, y] = toScreen(view, size, vertex)
+        if (style.mark) {
+          marked(pen, style, x, y)
+          continue
+        }
         context.beginPath()
         context.arc(x, y, style.point / 2 + 1, 0, 2 * Math.PI)
         if (style.dash) context.stroke()

@@ -1,4 +1,4 @@
-import type { Size, View } from './view'
+import { rise, type Size, type View } from './view'
 import type { Palette } from './palette'
 import type { Style } from './styles'
 
@@ -38,10 +38,11 @@ export function points(pen: Pen, style: Style, vertices: Float32Array, first: nu
   applyStyle(pen, style)
   const { scale } = view
   const left = size.width / 2 - view.x * scale - style.point / 2
-  const top = size.height / 2 + view.y * scale - style.point / 2
+  const up = rise(view) * scale
+  const top = size.height / 2 + view.y * up - style.point / 2
   const end = (first + count) * 4
   if (style.mark && count < 500) {
-    for (let at = first * 4; at < end; at += 4) marked(pen, style, left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * scale)
+    for (let at = first * 4; at < end; at += 4) marked(pen, style, left + style.point / 2 + (vertices[at] ?? 0) * scale, top + style.point / 2 - (vertices[at + 1] ?? 0) * up)
     return
   }
   const round = count <= ROUND
@@ -50,7 +51,7 @@ export function points(pen: Pen, style: Style, vertices: Float32Array, first: nu
     context.globalAlpha = Math.max(FAINTEST_POINT, alphaAt(style, step))
     for (let at = first * 4; at < end; at += 4) {
       if (stepOf(vertices[at + 3] ?? 0) !== step) continue
-      const [x, y] = [left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * scale]
+      const [x, y] = [left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * up]
       if (round) dot(context, x, y, style.point / 2)
       else context.fillRect(x, y, style.point, style.point)
     }
@@ -64,9 +65,9 @@ function dot(context: CanvasRenderingContext2D, left: number, top: number, radiu
   context.fill()
 }
 
-function marked({ context }: Pen, style: Style, left: number, top: number): void {
+/** A mark that is told by its form. */
+export function marked({ context }: Pen, style: Style, x: number, y: number): void {
   const half = style.point / 2
-  const [x, y] = [left + half, top + half]
   context.beginPath()
   context.setLineDash([])
   context.lineWidth = 2
@@ -109,7 +110,7 @@ export class Lines {
   private vertex(path: Path2D, vertices: Float32Array, at: number, begins: boolean): void {
     const { view, size } = this.pen
     const x = size.width / 2 + ((vertices[at * 4] ?? 0) - view.x) * view.scale
-    const y = size.height / 2 - ((vertices[at * 4 + 1] ?? 0) - view.y) * view.scale
+    const y = size.height / 2 - rise(view) * ((vertices[at * 4 + 1] ?? 0) - view.y) * view.scale
     if (begins) path.moveTo(x, y)
     else path.lineTo(x, y)
   }

@@ -17,13 +17,18 @@ export interface Style {
 const PLAIN: Style = { colour: '--ink-2', width: 1, order: 20, point: 3, alpha: [0.8, 0.8] }
 
 const STYLES: Readonly<Record<string, Style>> = {
+  guides: { colour: '--guide', width: 1, order: 5, dash: [2, 4], point: 3, alpha: [1, 1] },
   'personal-bests': { colour: '--accent', width: 0.75, order: 10, point: 2.5, alpha: [0.35, 0.35] },
   velocities: { colour: '--inertia', width: 0.75, order: 25, point: 2, alpha: [0.55, 0.55] },
   particles: { colour: '--particle', width: 1, order: 20, point: 5, alpha: [0.55, 0.1] },
+  attractors: { colour: '--attractor', width: 1, order: 22, dash: [8, 2, 1, 2], point: 4, alpha: [0.6, 0.6] },
+  selected: { colour: '--selected', width: 1.6, order: 29, point: 6, alpha: [0.9, 0.9], mark: 'diamond' },
   hen: { colour: '--hen', width: 1.6, order: 30, point: 5, alpha: [0.9, 0.9], mark: 'ring' },
   chick: { colour: '--chick', width: 1.6, order: 31, dash: [7, 3], point: 5, alpha: [0.95, 0.95], mark: 'diamond' },
+  'mean-best': { colour: '--mean', width: 2.25, order: 33, dash: [7, 4], point: 8, alpha: [1, 1], mark: 'diamond' },
   exact: { colour: '--exact', width: 1.75, order: 35, dash: [2, 5], point: 4, alpha: [1, 1] },
   best: { colour: '--best', width: 3, order: 40, point: 9, alpha: [1, 1], mark: 'ring' },
+  smoothed: { colour: '--best', width: 3.25, order: 41, point: 9, alpha: [1, 1], mark: 'ring' },
   before: { colour: '--ink', width: 1.5, order: 50, dash: [3, 3], point: 6, alpha: [0.7, 0.7] },
   after: { colour: '--ink', width: 2, order: 51, point: 7, alpha: [1, 1] },
   inertia: { colour: '--inertia', width: 2, order: 52, point: 3, alpha: [1, 1] },
@@ -31,6 +36,23 @@ const STYLES: Readonly<Record<string, Style>> = {
   social: { colour: '--social', width: 2, order: 54, point: 3, alpha: [1, 1] },
   velocity: { colour: '--ink', width: 1.5, order: 55, dash: [5, 3], point: 3, alpha: [1, 1] },
   jump: { colour: '--hen', width: 2.25, order: 56, point: 3, alpha: [1, 1] },
+}
+
+/** The best where a smoothed path is the result: how that came about. */
+const RAW: Partial<Style> = { width: 1.5, alpha: [0.75, 0.75], dash: [1, 4] }
+
+/** Which of the roles that are shown is the result. */
+export const resultOf = (smoothed: boolean): 'smoothed' | 'best' => (smoothed ? 'smoothed' : 'best')
+
+/** In an inspection there is only one of each: it is drawn clearly. */
+export function closer(role: string): Style {
+  const style = styleOf(role)
+  return { ...style, width: Math.max(style.width, 1.75), alpha: [Math.max(style.alpha[0], 0.85), 1] }
+}
+
+/** A role's style beside the role that is the result. */
+export function styleBeside(role: string, result: string): Style {
+  return role === 'best' && result !== 'best' ? { ...styleOf(role), ...RAW } : styleOf(role)
 }
 
 export const styleOf = (role: string): Style => STYLES[role] ?? PLAIN

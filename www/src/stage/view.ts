@@ -5,6 +5,8 @@ export interface View {
   x: number
   y: number
   scale: number
+  /** y grows downwards, as in pictures. */
+  down?: boolean
 }
 
 export interface Size {
@@ -32,30 +34,37 @@ const REACH: Readonly<Record<FunctionScene['function'], number>> = {
 /** Where a scene takes place. */
 export function extent(scene: Scene): Box {
   if (scene.kind === 'discs') return scene.bounds
+  if (scene.kind === 'grid') return { min: [0, 0], max: [(scene.rows[0]?.length ?? 1) * scene.cell, scene.rows.length * scene.cell] }
   const reach = REACH[scene.function]
   return { min: [-reach, -reach], max: [reach, reach] }
 }
 
+/** Whether a scene's y grows downwards. */
+export const isDown = (scene: Scene): boolean => scene.kind === 'grid' && scene.y_axis !== 'up'
+
+/** What y has to be multiplied by to grow upwards on the screen. */
+export const rise = ({ down }: View): 1 | -1 => (down ? -1 : 1)
+
 /** The view that shows the whole box. */
-export function fit({ min, max }: Box, { width, height }: Size, margin: number): View {
+export function fit({ min, max }: Box, { width, height }: Size, margin: number, down = false): View {
   const scale = Math.min((width - 2 * margin) / (max[0] - min[0]), (height - 2 * margin) / (max[1] - min[1]))
-  return { x: (min[0] + max[0]) / 2, y: (min[1] + max[1]) / 2, scale: Math.max(scale, 1e-6) }
+  return { x: (min[0] + max[0]) / 2, y: (min[1] + max[1]) / 2, scale: Math.max(scale, 1e-6), down }
 }
 
-export const toScreen = ({ x, y, scale }: View, { width, height }: Size, at: Point): Point => [
-  width / 2 + (at[0] - x) * scale,
-  height / 2 - (at[1] - y) * scale,
+export const toScreen = (view: View, { width, height }: Size, at: Point): Point => [
+  width / 2 + (at[0] - view.x) * view.scale,
+  height / 2 - rise(view) * (at[1] - view.y) * view.scale,
 ]
 
-export const toScene = ({ x, y, scale }: View, { width, height }: Size, at: Point): Point => [
-  x + (at[0] - width / 2) / scale,
-  y - (at[1] - height / 2) / scale,
+export const toScene = (view: View, { width, height }: Size, at: Point): Point => [
+  view.x + (at[0] - width / 2) / view.scale,
+  view.y - (rise(view) * (at[1] - height / 2)) / view.scale,
 ]
 
 export const pan = (view: View, dx: number, dy: number): View => ({
   ...view,
   x: view.x - dx / view.scale,
-  y: view.y + dy / view.scale,
+  y: view.y + (rise(view) * dy) / view.scale,
 })
 
 /** Zooms so that what is under `at` stays there. `whole` is the scale at which all is seen. */
@@ -63,9 +72,10 @@ export function zoom(view: View, size: Size, by: number, at: Point, whole: numbe
   const scale = Math.min(Math.max(view.scale * by, whole * ZOOM.least), whole * ZOOM.most)
   const [x, y] = toScene(view, size, at)
   return {
+    ...view,
     scale,
     x: x - (at[0] - size.width / 2) / scale,
-    y: y + (at[1] - size.height / 2) / scale,
+    y: y + (rise(view) * (at[1] - size.height / 2)) / scale,
   }
 }
 

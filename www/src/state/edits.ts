@@ -1,4 +1,7 @@
-import type { Disc, DiscsScene, Point, Scene } from 'forage'
+import type { Disc, DiscsScene, GridScene, Point, Scene } from 'forage'
+
+/** Scenes in which a path is looked for. */
+export type Plane = DiscsScene | GridScene
 
 /** Something of a scene that can be taken hold of. */
 export type Handle = { kind: 'start' } | { kind: 'goal' } | { kind: 'disc'; index: number } | { kind: 'rim'; index: number }
@@ -15,12 +18,27 @@ export function same(a: Selection | null, b: Selection | null): boolean {
   return a?.kind === b?.kind && (a?.kind !== 'disc' || (b?.kind === 'disc' && a.index === b.index))
 }
 
-export function place(scene: DiscsScene, handle: Selection): Point {
-  if (handle.kind === 'disc') return scene.discs[handle.index]?.center ?? [0, 0]
-  return scene[handle.kind]
+/** Where a path begins and ends, as far as the scene says. */
+export function ends(scene: Plane): { kind: 'start' | 'goal'; at: Point }[] {
+  return (['start', 'goal'] as const).flatMap((kind) => {
+    const at = scene[kind]
+    return at ? [{ kind, at }] : []
+  })
 }
 
-export function move(scene: DiscsScene, handle: Selection, [x, y]: Point): DiscsScene {
+export function place(scene: Plane, handle: Selection): Point {
+  if (handle.kind === 'disc') return discOf(scene, handle.index)?.center ?? [0, 0]
+  return scene[handle.kind] ?? [0, 0]
+}
+
+export const discOf = (scene: Plane, index: number): Disc | undefined => (scene.kind === 'discs' ? scene.discs[index] : undefined)
+
+/** Moves an object. In a grid it stays inside. */
+export function move(scene: Plane, handle: Selection, [x, y]: Point): Plane {
+  if (scene.kind === 'grid') {
+    const within = (value: number, cells: number): number => rounded(Math.min(Math.max(value, 0), cells * scene.cell))
+    return { ...scene, [handle.kind]: [within(x, scene.rows[0]?.length ?? 0), within(y, scene.rows.length)] }
+  }
   const at: Point = [rounded(x), rounded(y)]
   if (handle.kind === 'disc') return withDisc(scene, handle.index, (disc) => ({ ...disc, center: at }))
   return { ...scene, [handle.kind]: at }

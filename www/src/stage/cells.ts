@@ -1,0 +1,108 @@
+import type { GridScene } from 'forage'
+import { columnsOf, radiusOf } from '../state/cells'
+import { outlineOf } from './outline'
+import type { Palette } from './palette'
+import type { Pen } from './pen'
+import { type Size, toScreen, type View } from './view'
+
+/** Cells of fewer pixels have no lines between them. */
+const LINES_FROM = 7
+/** Grids of more pieces are drawn anew only when the view has come to rest. */
+const HEAVY = 3000
+const REST = 90
+
+interface Place {
+  left: number
+  top: number
+  /** Pixels a cell. */
+  side: number
+}
+
+/** A grid's cells with the margin around them, kept as a picture: a run draws it sixty times a second. */
+export class Cells {
+  private canvas: OffscreenCanvas | null = null
+  private what = ''
+  private where = ''
+  private place: Place | null = null
+  private size: Size | null = null
+  private rest: ReturnType<typeof setTimeout> | undefined
+  private rows: readonly string[] = []
+
+  constructor(private readonly changed: () => void) {}
+
+  draw(pen: Pen, scene: GridScene, margin: boolean): void {
+    const { context, view, size, palette } = pen
+    const density = devicePixelRatio || 1
+    const what = [scene.cell, radiusOf(scene), margin, palette.get('--wall'), palette.get('--margin'), size.width, size.height, density].join()
+    const where = [view.x, view.y, view.scale].join()
+    const same = this.what === what && this.rows === scene.rows
+    if (!same || (this.where !== where && outlineOf(scene.rows).pieces <= HEAVY)) this.render(pen, scene, margin, density, what, where)
+    else if (this.where !== where) this.soon()
+    if (!this.canvas || !this.place || !this.size) return
+    const now = placeOf(scene, view, size)
+    const by = now.side / this.place.side
+    const { width, height } = this.size
+    context.drawImage(this.canvas, now.left - this.place.left * by, now.top - this.place.top * by, width * by, height * by)
+  }
+
+  private soon(): void {
+    clearTimeout(this.rest)
+    this.rest = setTimeout(() => {
+      this.what = ''
+      this.changed()
+    }, REST)
+  }
+
+  private render({ view, size, palette }: Pen, scene: GridScene, margin: boolean, density: number, what: string, where: string): void {
+    Object.assign(this, { what, where, size, rows: scene.rows })
+    const [width, height] = [Math.max(1, Math.round(size.width * density)), Math.max(1, Math.round(size.height * density))]
+    this.canvas ??= new OffscreenCanvas(width, height)
+    Object.assign(this.canvas, { width, height })
+    this.place = placeOf(scene, view, size)
+    const context = this.canvas.getContext('2d')
+    if (context) paintCells(context, this.place, scene, palette, margin, density)
+  }
+}
+
+function placeOf(scene: GridScene, view: View, size: Size): Place {
+  const [left, top] = toScreen(view, size, [0, view.down ? 0 : scene.rows.length * scene.cell])
+  return { left, top, side: scene.cell * view.scale }
+}
+
+function paintCells(context: OffscreenCanvasRenderingContext2D, { left, top, side }: Place, scene: GridScene, palette: Palette, margin: boolean, density: number): void {
+  const [columns, rows] = [columnsOf(scene), scene.rows.length]
+  const { filled, edge } = outlineOf(scene.rows)
+  const pixel = 1 / side
+  context.setTransform(density * side, 0, 0, density * side, density * left, density * top)
+  context.save()
+  context.beginPath()
+  context.rect(0, 0, columns, rows)
+  context.clip()
+  context.lineCap = 'round'
+  const reach = (2 * radiusOf(scene)) / scene.cell
+  if (margin && reach * side > 1) {
+    for (const [token, more] of [['--margin-edge', 2 * pixel], ['--margin', 0]] as const) {
+      context.strokeStyle = palette.get(token)
+      context.lineWidth = reach + more
+      context.stroke(edge)
+    }
+    context.fillStyle = palette.get('--margin')
+    context.fill(filled)
+  }
+  context.restore()
+  context.fillStyle = palette.get('--wall')
+  context.fill(filled)
+  if (side >= LINES_FROM) lines(context, columns, rows, pixel, palette)
+  context.strokeStyle = palette.get('--wall-edge')
+  context.lineWidth = 1.25 * pixel
+  if (side >= 3) context.stroke(edge)
+}
+
+function lines(context: OffscreenCanvasRenderingContext2D, columns: number, rows: number, pixel: number, palette: Palette): void {
+  context.beginPath()
+  for (let column = 1; column < columns; column += 1) context.rect(column, 0, 0, rows)
+  for (let row = 1; row < rows; row += 1) context.rect(0, row, columns, 0)
+  context.strokeStyle = palette.get('--cell-line')
+  context.lineWidth = pixel
+  context.stroke()
+}

@@ -1,0 +1,139 @@
+import type { Point } from 'forage'
+import { between, type Cell, cellAt, isBlocked, middleOf, paint } from '../state/cells'
+import { discOf, type Handle, LEAST_RADIUS, move, place, resize, type Selection } from '../state/edits'
+import { lab } from '../state/lab.svelte'
+import { hit } from './hit'
+import { type Size, toScene, type View } from './view'
+
+/** What a press on the stage is for: looking and moving, a new disc, cells. */
+export type Tool = 'look' | 'add' | 'paint'
+
+const NEW_RADIUS = 0.5
+const DOUBLE = { time: 350, apart: 12 }
+
+const objectOf = (handle: Handle): Selection => (handle.kind === 'rim' ? { kind: 'disc', index: handle.index } : handle)
+
+/** What pointer and keys do to the scene on the stage. */
+export class Hands {
+  tool = $state<Tool>('look')
+  hover = $state.raw<Handle | null>(null)
+  held = $state.raw<Handle | null>(null)
+  /** The cell under the pointer, or where the keys have gone. */
+  cell = $state.raw<Cell | null>(null)
+  private offset: Point = [0, 0]
+  private stroke: { block: boolean; last: Cell } | null = null
+  private lastTap = { time: 0, at: [0, 0] as Point }
+
+  /** A tool that the scene has no use for is put away. */
+  readonly using = $derived<Tool>(
+    (this.tool === 'paint' && lab.grid) || (this.tool === 'add' && lab.discs) ? this.tool : 'look',
+  )
+
+  take(tool: Tool): void {
+    this.tool = this.using === tool ? 'look' : tool
+    if (this.tool === 'look') this.cell = null
+    else lab.select(null)
+  }
+
+  grab(view: View, size: Size, at: Point, coarse: boolean): boolean {
+    const { plane, grid } = lab
+    if (!plane || this.using === 'add') return false
+    const [x, y] = toScene(view, size, at)
+    this.held = hit(plane, view, size, at, lab.selection, coarse)
+    if (this.held) {
+      const anchor = place(plane, objectOf(this.held))
+      this.offset = [anchor[0] - x, anchor[1] - y]
+      return true
+    }
+    const cell = this.using === 'paint' && grid ? cellAt(grid, [x, y]) : null
+    if (!grid || !cell) return false
+    this.cell = cell
+    this.stroke = { block: !isBlocked(grid, cell), last: cell }
+    return true
+  }
+
+  drag(view: View, size: Size, at: Point): void {
+    const { plane, grid, discs } = lab
+    const [x, y] = toScene(view, size, at)
+    if (this.stroke && grid) {
+      const cell = cellAt(grid, [x, y])
+      if (!cell) return
+      const cells = between(this.stroke.last, cell)
+      this.stroke.last = this.cell = cell
+      const painted = paint(grid, cells, this.stroke.block)
+      if (painted !== grid) lab.drag(painted)
+    } else if (this.held?.kind === 'rim' && discs) {
+      const center = discOf(discs, this.held.index)?.center ?? [x, y]
+      lab.select(objectOf(this.held))
+      lab.drag(resize(discs, this.held.index, Math.max(LEAST_RADIUS, Math.hypot(x - center[0], y - center[1]))))
+    } else if (this.held && this.held.kind !== 'rim' && plane) {
+      lab.select(this.held)
+      lab.drag(move(plane, this.held, [x + this.offset[0], y + this.offset[1]]))
+    }
+  }
+
+  drop(cancelled: boolean): void {
+    this.held = null
+    this.stroke = null
+    if (cancelled) lab.abandon()
+    else lab.settle()
+  }
+
+  tap(view: View, size: Size, at: Point, coarse: boolean): void {
+    const { plane, discs, grid } = lab
+    const [x, y] = toScene(view, size, at)
+    const doubled = performance.now() - this.lastTap.time < DOUBLE.time && Math.hypot(at[0] - this.lastTap.at[0], at[1] - this.lastTap.at[1]) < DOUBLE.apart
+    this.lastTap = { time: performance.now(), at }
+    const handle = plane && this.using !== 'add' ? hit(plane, view, size, at, lab.selection, coarse) : null
+    const cell = this.using === 'paint' && grid ? cellAt(grid, [x, y]) : null
+    if (discs && (this.using === 'add' || (doubled && !handle))) {
+      this.tool = 'look'
+      lab.inspect(null)
+      lab.addDisc(x, y, NEW_RADIUS)
+    } else if (handle) {
+      lab.select(objectOf(handle))
+    } else if (cell) {
+      this.cell = cell
+      this.toggle()
+    } else {
+      lab.select(null)
+      void lab.pick(x, y, (coarse ? 22 : 10) / view.scale)
+    }
+  }
+
+  over(view: View | null, size: Size, at: Point | null): void {
+    const { plane, grid } = lab
+    this.hover = at && plane && view ? hit(plane, view, size, at, lab.selection, false) : null
+    if (this.using === 'paint' && grid && view && at) this.cell = this.hover ? null : cellAt(grid, toScene(view, size, at))
+  }
+
+  /** The cell that keys paint moves; the first move shows it. */
+  walk(columns: number, rows: number): void {
+    const { grid } = lab
+    if (!grid) return
+    const limit = (at: number, count: number): number => Math.min(Math.max(at, 0), count - 1)
+    const from = this.cell ?? cellAt(grid, grid.start ?? [0, 0]) ?? { column: 0, row: grid.rows.length - 1 }
+    this.cell = {
+      column: limit(from.column + columns, grid.rows[0]?.length ?? 1),
+      row: limit(from.row + rows, grid.rows.length),
+    }
+  }
+
+  toggle(): void {
+    const { grid } = lab
+    if (grid && this.cell) lab.edit(paint(grid, [this.cell], !isBlocked(grid, this.cell)))
+  }
+
+  /** Lets go of everything. */
+  leave(): void {
+    this.tool = 'look'
+    this.cell = null
+    lab.select(null)
+    lab.inspect(null)
+  }
+
+  /** Where the cell is that keys paint, for the view to follow. */
+  get cursor(): Point | null {
+    return lab.grid && this.cell ? middleOf(lab.grid, this.cell) : null
+  }
+}
