@@ -61,6 +61,11 @@ export function percent(share: number, signed = false): string {
   return `${sign}${text} %`
 }
 
+/** Radians as degrees. */
+export function angle(radians: number): string {
+  return `${number((radians * 180) / Math.PI)}°`
+}
+
 export function superscript(exponent: number): string {
   return [...String(exponent)].map((digit) => SUPERSCRIPT[digit] ?? digit).join('')
 }

@@ -1,10 +1,11 @@
-import type { Catalogue, DiscsScene, Inspection, Item, LinkSetup, Outcome, ParameterValue, Planner, Scene, Status } from 'forage'
+import type { Catalogue, DiscsScene, GridScene, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
 import { en } from '../i18n/en'
 import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
 import { address } from './address'
 import { Client } from './client'
 import { Curve } from './curve'
-import { add, edited, move, place, remove, type Selection } from './edits'
+import { applies, met } from './applicable'
+import { add, edited, move, place, type Plane, remove, type Selection } from './edits'
 import * as history from './history'
 import { stillness } from './theme.svelte'
 
@@ -50,6 +51,8 @@ class Lab {
   hidden = $state.raw<Record<string, boolean>>({})
   speed = $state(30)
 
+  /** The sizes that the planner's paper recommends. */
+  suggestion = $state.raw<Suggestion | null>(null)
   sceneError = $state.raw<Refusal | null>(null)
   paramErrors = $state.raw<Record<string, string>>({})
   notice = $state('')
@@ -58,6 +61,8 @@ class Lab {
 
   readonly scene = $derived(this.draft ?? this.scenes?.present ?? null)
   readonly discs = $derived<DiscsScene | null>(this.scene?.kind === 'discs' ? this.scene : null)
+  readonly grid = $derived<GridScene | null>(this.scene?.kind === 'grid' ? this.scene : null)
+  readonly plane = $derived<Plane | null>(this.discs ?? this.grid)
   readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
   readonly limit = $derived(this.run?.limit ?? 0)
   readonly canUndo = $derived((this.scenes?.past.length ?? 0) > 0)
@@ -71,6 +76,7 @@ class Lab {
   /** The fingerprint that an opened link promises, and where. */
   private promised: { hash: string; at: number } | undefined
   private nudged: { selection: Selection; at: number } | null = null
+  private asked = ''
   private starting = false
   private pending: Opening | null = null
 
@@ -148,14 +154,13 @@ class Lab {
   private async begin(opening: Opening): Promise<void> {
     const { scene } = this
     if (!scene || this.phase !== 'ready') return
-    const answer = await this.client.api.start(
-      { planner: this.plannerName, scene, params: this.applicable(), seed: this.seed },
-      opening,
-    )
+    const setup: Setup = { planner: this.plannerName, scene, params: this.applicable(), seed: this.seed }
+    const answer = await this.client.api.start(setup, opening)
     if (!answer.ok) {
       this.refuse(answer.refusal)
       return
     }
+    void this.ask(setup)
     this.run = answer.value
     this.sceneError = null
     this.hash = ''
@@ -165,11 +170,27 @@ class Lab {
     this.item = null
   }
 
-  /** What of the changed parameters means something here. The rest waits for a planner and a scene where it does. */
-  private applicable(): Record<string, ParameterValue> {
-    const known = this.planner?.parameters.filter(({ kinds }) => this.scene && kinds.includes(this.scene.kind)) ?? []
-    return Object.fromEntries(Object.entries(this.params).filter(([key]) => known.some(({ name }) => name === key)))
+  /** The recommendation hangs on the planner and its parameters; cells that are painted don't change it. */
+  private async ask(setup: Setup): Promise<void> {
+    const key = JSON.stringify([setup.planner, this.scene?.kind, setup.params])
+    if (key === this.asked) return
+    this.asked = key
+    const answer = await this.client.api.suggest(setup)
+    if (this.asked === key) this.suggestion = answer.ok ? answer.value : null
   }
+
+  /** What of these parameters means something here. The rest waits for a planner, a scene and values with which it does. */
+  private applicable(values = this.params): Record<string, ParameterValue> {
+    const { planner, scene } = this
+    if (!planner || !scene) return {}
+    const known = planner.parameters.filter((parameter) => applies(parameter, planner.parameters, scene.kind, values))
+    return Object.fromEntries(Object.entries(values).filter(([key]) => known.some(({ name }) => name === key)))
+  }
+
+  /** The layers that there can be with these parameters. */
+  readonly layers = $derived<Layer[]>(
+    this.planner?.layers.filter(({ when }) => this.planner && this.scene && met(when, this.planner.parameters, this.scene.kind, this.params)) ?? [],
+  )
 
   private refuse(refusal: Refusal): void {
     if (this.planner?.parameters.some(({ name }) => name === refusal.field)) {
@@ -306,8 +327,10 @@ class Lab {
   setParameter = async (name: string, value: ParameterValue | string): Promise<void> => {
     const { scene, plannerName } = this
     if (!scene) return
-    const answer = await this.client.api.checkParameter(plannerName, scene.kind, name, value)
-    if (!answer.ok) {
+    const params = this.applicable({ ...this.params, [name]: value as ParameterValue })
+    // Whoever is asked for sizes checks the whole setup.
+    const answer = await this.client.api.suggest({ planner: plannerName, scene, params, seed: this.seed })
+    if (!answer.ok && answer.refusal.field === name) {
       this.paramErrors = { ...this.paramErrors, [name]: answer.refusal.message }
       return
     }
@@ -321,6 +344,14 @@ class Lab {
     this.params = name === undefined ? {} : rest
     if (name === undefined) this.paramErrors = {}
     else this.forgive(name)
+    this.again()
+  }
+
+  /** Both sizes at once, and one new run. */
+  useSuggestion = ({ population, iterations }: Suggestion): void => {
+    this.forgive('population')
+    this.forgive('iterations')
+    this.params = { ...this.params, population, iterations }
     this.again()
   }
 
@@ -342,6 +373,11 @@ class Lab {
     if (!this.draft) return
     this.draft = null
     this.again()
+  }
+
+  /** What was being dragged stays as it is now. */
+  settle = (): void => {
+    if (this.draft) this.edit(this.draft)
   }
 
   edit = (scene: Scene): void => {
@@ -382,10 +418,10 @@ class Lab {
   }
 
   nudge = (dx: number, dy: number): void => {
-    const { discs, selection } = this
-    if (!discs || !selection) return
-    const [x, y] = place(discs, selection)
-    const moved = move(discs, selection, [x + dx, y + dy])
+    const { plane, selection } = this
+    if (!plane || !selection) return
+    const [x, y] = place(plane, selection)
+    const moved = move(plane, selection, [x + dx, y + dy])
     // A row of key presses is one edit.
     const goesOn = this.nudged?.selection === selection && performance.now() - this.nudged.at < NUDGING
     if (goesOn && this.scenes) {

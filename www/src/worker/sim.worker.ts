@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink'
-import init, { catalogue, checkParameter, checkScene, newSeed, parseLink, Session } from 'forage'
-import type { Catalogue, Item, Kind, LinkSetup, Outcome, ParameterValue, Scene, Setup } from 'forage'
+import init, { catalogue, checkScene, newSeed, parseLink, Session, suggest } from 'forage'
+import type { Catalogue, Item, LinkSetup, Outcome, Scene, Setup, Suggestion } from 'forage'
 import { breathe } from './pace'
 import { Simulation } from './simulation'
 import type { Answer, FieldRequest, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
@@ -52,8 +52,7 @@ const api = {
     return picked.ok ? picked.value : null
   },
   checkScene: (scene: Scene): Answer<Scene> => answer(() => checkScene(scene)),
-  checkParameter: (planner: string, kind: Kind, name: string, value: ParameterValue): Answer<void> =>
-    answer(() => checkParameter(planner, kind, name, value)),
+  suggest: (setup: Setup): Answer<Suggestion | null> => answer(() => suggest(setup)),
   parseLink: (link: string): Answer<LinkSetup> => answer(() => parseLink(link)),
   newSeed: (): number => newSeed(),
   outcome: (): Answer<Outcome> => answer(() => current().outcome()),
