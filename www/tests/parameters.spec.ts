@@ -1,3 +1,4 @@
+import { panels } from '../src/i18n/panels.en'
 import { number } from '../src/panels/format'
 import { hashOf, linkTo, sessionAt, verified } from './support/core'
 import { en, expect, test } from './support/lab'
@@ -47,7 +48,7 @@ test('every parameter of every planner has a control with help, range and defaul
   await lab.open(linkTo({}, 1))
   await lab.settled(1)
   const section = await lab.section('parameters')
-  for (const planner of ['wcpso', 'pso', 'wpso', 'cpso']) {
+  for (const planner of ['wcpso', 'pso', 'wpso', 'cpso', 'ltqpso', 'qpso']) {
     await page.getByTestId('planner').selectOption(planner)
     const { parameters } = sessionAt({ planner }, 0, (session) => ({ parameters: Object.keys(session.parameters) }))
     await expect(section.locator('[data-parameter]')).toHaveCount(parameters.length)
@@ -72,4 +73,58 @@ test('the formulas hold the numbers of the iteration', async ({ lab, page }) => 
   await expect(live).toContainText(`(${k})`)
   await expect(live).toContainText(`=${number(w)}`)
   await expect(live).not.toContainText('□')
+})
+
+const GRID = { planner: 'ltqpso', scene: 'qpso-10m' }
+
+test('what hangs on another parameter is shown while that one has the value; a given value waits', async ({ lab }) => {
+  await lab.open(linkTo(GRID, 3))
+  await lab.settled(3)
+  const section = await lab.section('parameters')
+  const row = (name: string) => section.locator(`[data-parameter="${name}"]`)
+  const choose = (name: string, value: string) => row(name).locator('select').selectOption(value)
+  await expect(row('segments')).toBeVisible()
+  for (const hidden of ['waypoints', 'initial_mean', 'initial_std', 'penalty']) await expect(row(hidden)).toHaveCount(0)
+
+  await choose('initial', 'normal')
+  const spread = row('initial_std').locator('input.typed')
+  await spread.fill('12')
+  await spread.press('Enter')
+  await lab.restarted()
+  const normal = { initial: 'normal', initial_std: 12 }
+  expect(await lab.seek(5)).toBe(hashOf({ ...GRID, params: normal }, 5))
+
+  // The condition's own condition isn't met: both go, and the core isn't told of them.
+  await choose('encoding', 'waypoints')
+  for (const gone of ['initial', 'initial_std', 'segments']) await expect(row(gone)).toHaveCount(0)
+  await expect(row('waypoints')).toBeVisible()
+  await expect(lab.page.getByTestId('layer-guides')).toHaveCount(0)
+  const count = row('waypoints').locator('input.typed')
+  await count.fill('4')
+  await count.press('Enter')
+  await lab.restarted()
+  expect(await lab.seek(5)).toBe(hashOf({ ...GRID, params: { encoding: 'waypoints', waypoints: 4 } }, 5))
+
+  await choose('encoding', 'polar')
+  await expect(spread).toHaveValue('12')
+  await lab.restarted()
+  expect(await lab.seek(5)).toBe(hashOf({ ...GRID, params: normal }, 5))
+})
+
+test('the paper’s sizes are offered, used at once, and told to be in use', async ({ lab, page }) => {
+  await lab.open(linkTo(GRID, 3))
+  await lab.settled(3)
+  await lab.section('parameters')
+  const offered = page.getByTestId('suggested')
+  await expect(offered).toContainText('N = 16, M = 29')
+  await offered.getByRole('button').click()
+  await expect(lab.root).toHaveAttribute('data-limit', '29')
+  await expect(offered).toContainText(panels.parameters.inUse)
+  const hash = await lab.seek(29)
+  expect(hash).toBe(hashOf({ ...GRID, params: { population: 16, iterations: 29 } }, 29))
+  expect(verified(await lab.link(hash)).params).toEqual({ population: 16, iterations: 29 })
+
+  await page.locator('[data-parameter="segments"] input.typed').fill('21')
+  await page.locator('[data-parameter="segments"] input.typed').press('Enter')
+  await expect(offered).toHaveCount(0)
 })

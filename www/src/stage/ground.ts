@@ -102,7 +102,9 @@ export function drawEnds(pen: Pen, scene: Plane, selection: Selection | null, ho
     context.font = `600 12px Inter, "Segoe UI", system-ui, sans-serif`
     context.fillStyle = colour
     context.textBaseline = 'middle'
-    const leftwards = x > size.width - 64
+    // Away from the path, where there is room.
+    const other = scene[kind === 'start' ? 'goal' : 'start']
+    const leftwards = x > size.width - 64 || (other !== undefined && other[0] > at[0] && x > 64)
     context.textAlign = leftwards ? 'right' : 'left'
     plate(context, palette.get('--stage'), names[kind], x + (leftwards ? -13 : 13), y - 12)
   }

@@ -1,0 +1,151 @@
+import type { GridScene, Point, Scene } from '../../pkg/node.js'
+import { isBlocked, middleOf } from '../src/state/cells'
+import { tooNear } from '../src/stage/inside'
+import { hashOf, linkTo, sceneOf, verified } from './support/core'
+import { en, expect, type Lab, test } from './support/lab'
+
+const GRID = { planner: 'ltqpso', scene: 'qpso-10m' }
+
+function grid(scene: Scene): GridScene {
+  if (scene.kind !== 'grid') throw new Error(scene.kind)
+  return scene
+}
+
+const shipped = grid(sceneOf(GRID))
+const corner: Point = [0, 0]
+
+async function sceneAt(lab: Lab, iteration: number): Promise<GridScene> {
+  const hash = await lab.seek(iteration)
+  return grid(verified(await lab.link(hash)).scene)
+}
+
+/** The cells in which two grids differ. */
+const difference = (a: GridScene, b: GridScene): string[] =>
+  a.rows.flatMap((line, row) => [...line].flatMap((cell, column) => (cell === b.rows[row]?.[column] ? [] : [`${column},${row} ${cell}`])))
+
+test('a grid opens, runs to its end and comes to the core’s hash; its margin is a layer', async ({ lab }) => {
+  await lab.open(linkTo(GRID, 0))
+  await lab.settled(0)
+  await lab.press(en.transport.end)
+  expect(await lab.settled(50)).toBe(hashOf(GRID, 50))
+  const whole = await lab.wholePicture()
+  for (const role of ['margin', 'smoothed', 'best', 'guides']) {
+    await lab.layer(role, false)
+    expect((await lab.picture()).digest).not.toBe(whole.digest)
+    await lab.layer(role, true)
+  }
+  expect((await lab.wholePicture()).digest).toBe(whole.digest)
+})
+
+test('the start is dragged, and kept within the grid', async ({ lab }) => {
+  await lab.open(linkTo(GRID, 20))
+  await lab.settled(20)
+  await lab.dragFrom(await lab.whereIs(shipped, shipped.start ?? corner), 30, 60)
+  const edited = await sceneAt(lab, 7)
+  expect(edited.start?.[0]).toBeGreaterThan(0.2)
+  expect(edited.start?.[1]).toBe(0)
+  expect(edited.goal).toEqual(shipped.goal)
+  expect(await lab.settled(7)).toBe(hashOf({ ...GRID, scene: edited }, 7))
+})
+
+test('cells are painted and erased, a stroke is one step, and undo brings back the same run', async ({ lab, page }) => {
+  await lab.open(linkTo(GRID, 20))
+  const before = await lab.settled(20)
+  await page.getByTestId('tool-paint').click()
+  const cell = async (column: number, row: number) => lab.whereIs(shipped, middleOf(shipped, { column, row }))
+  const [from, to] = [await cell(11, 2), await cell(15, 2)]
+  await lab.dragFrom(from, to.x - from.x, to.y - from.y)
+  const painted = await sceneAt(lab, 6)
+  expect(difference(painted, shipped)).toEqual([11, 12, 13, 14, 15].map((column) => `${column},2 #`))
+  expect(await lab.settled(6)).toBe(hashOf({ ...GRID, scene: painted }, 6))
+
+  // A press on a blocked cell erases, also with a tap.
+  const wall = await cell(13, 2)
+  await page.mouse.click(wall.x, wall.y)
+  expect(difference(await sceneAt(lab, 5), painted)).toEqual(['13,2 .'])
+
+  await lab.press(en.bar.undo)
+  await lab.press(en.bar.undo)
+  expect(await lab.seek(20)).toBe(before)
+  expect((await sceneAt(lab, 9)).rows).toEqual(shipped.rows)
+})
+
+test('a cell painted onto the start is refused with the core’s words, and undone', async ({ lab, page }) => {
+  await lab.open(linkTo(GRID, 20))
+  await lab.settled(20)
+  await page.getByTestId('tool-paint').click()
+  const at = await lab.whereIs(shipped, [0.9, 0.25])
+  await page.mouse.move(at.x, at.y)
+  await page.mouse.down()
+  await page.mouse.move(at.x - 15, at.y, { steps: 3 })
+  await page.mouse.move(at.x - 27, at.y, { steps: 3 })
+  await page.mouse.up()
+  const message = page.getByRole('alert').filter({ hasText: 'start' })
+  await expect(message.first()).toContainText('robot fits')
+  await page.keyboard.press('ControlOrMeta+z')
+  await expect(message).toHaveCount(0)
+  expect((await sceneAt(lab, 4)).rows).toEqual(shipped.rows)
+})
+
+test('cells are painted with the keyboard, which says what is where', async ({ lab, page }) => {
+  await lab.open(linkTo(GRID, 20))
+  await lab.settled(20)
+  await page.getByTestId('tool-paint').click()
+  await lab.stage.focus()
+  for (const key of ['ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowUp', 'ArrowUp']) await page.keyboard.press(key)
+  await expect(page.getByTestId('cell')).toHaveText(en.stage.cell(4, 18, false))
+  await page.keyboard.press('Space')
+  await expect(page.getByTestId('cell')).toHaveText(en.stage.cell(4, 18, true))
+  expect(difference(await sceneAt(lab, 4), shipped)).toEqual(['3,17 #'])
+  await lab.stage.focus()
+  await page.keyboard.press('Escape')
+  await expect(page.getByTestId('tool-paint')).toHaveAttribute('aria-pressed', 'false')
+})
+
+test('a scene whose y grows downwards is painted where it is seen', async ({ lab, page }) => {
+  await lab.open(linkTo(GRID, 0))
+  const { exact: _, published: __, ...rest } = shipped
+  const down: GridScene = { ...rest, name: 'down', title: 'Down', y_axis: 'down' }
+  await lab.section('scene')
+  await page.getByTestId('scene-file').setInputFiles({ name: 'down.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(down)) })
+  await expect(page.getByText('Down', { exact: true })).toBeVisible()
+  await page.getByTestId('tool-paint').click()
+  // The first row is on top; its y is the smallest.
+  const at = await lab.whereIs(down, [5.25, 0.25])
+  expect(at.y).toBeLessThan((await lab.whereIs(down, [5.25, 9.75])).y)
+  await page.mouse.click(at.x, at.y)
+  expect(difference(await sceneAt(lab, 3), down)).toEqual(['10,0 #'])
+})
+
+test('cell and robot are edited in the panel; what the core refuses is said there', async ({ lab, page }) => {
+  await lab.open(linkTo(GRID, 10))
+  await lab.settled(10)
+  await lab.section('scene')
+  const set = async (label: string, value: string): Promise<void> => {
+    const field = page.getByLabel(label, { exact: true })
+    await field.fill(value)
+    await field.press('Enter')
+  }
+  await set(en.scene.cell, '1')
+  let scene = await sceneAt(lab, 3)
+  expect([scene.cell, scene.goal]).toEqual([1, [20, 20]])
+  await set(en.scene.robot.length, '0.8')
+  scene = await sceneAt(lab, 4)
+  expect(scene.robot).toEqual({ ...shipped.robot, length: 0.8 })
+  await set(en.scene.robot.width, '-1')
+  await expect(page.getByTestId('scene-error')).toContainText('robot.width')
+  await set(en.scene.robot.width, '0.3')
+  await expect(page.getByTestId('scene-error')).toHaveCount(0)
+})
+
+test('what is too near to a cell is told exactly, corners rounded', () => {
+  const scene: GridScene = { ...shipped, cell: 1, y_axis: 'down', rows: ['...', '.#.', '...'], robot: { length: 0.6, width: 0.8 } }
+  expect(isBlocked(scene, { column: 1, row: 1 })).toBe(true)
+  expect(tooNear(scene, [0.51, 1.5], 0)).toBe(true)
+  expect(tooNear(scene, [0.49, 1.5], 0)).toBe(false)
+  const diagonal = 0.5 / Math.SQRT2
+  expect(tooNear(scene, [1 - diagonal + 0.01, 1 - diagonal + 0.01], 0)).toBe(true)
+  expect(tooNear(scene, [1 - diagonal - 0.01, 1 - diagonal - 0.01], 0)).toBe(false)
+  expect(tooNear({ ...scene, robot: {} }, [1.5, 1.5], 0.01)).toBe(true)
+  expect(tooNear({ ...scene, robot: {} }, [1.005, 1.5], 0.01)).toBe(false)
+})
