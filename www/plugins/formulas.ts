@@ -14,6 +14,11 @@ interface Symbols {
     readings: { symbol: string }[]
     formulas: { tex: string; live?: string }[]
   }[]
+  drive: {
+    parameters: { symbol: string }[]
+    columns: { symbol: string }[]
+    formulas: { tex: string; live?: string }[]
+  }
   /** The TeX strings that only turn up at run time. */
   symbols?: string[]
 }
@@ -57,12 +62,13 @@ async function readCatalogue(script: string, wasm: string): Promise<Symbols> {
   return core.catalogue()
 }
 
-function collect({ planners, symbols = [] }: Symbols): { inline: Set<string>; display: Set<string> } {
+function collect({ planners, drive, symbols = [] }: Symbols): { inline: Set<string>; display: Set<string> } {
   const inline = new Set(symbols)
   const display = new Set<string>()
-  for (const planner of planners) {
-    for (const { symbol } of [...planner.parameters, ...planner.readings]) inline.add(symbol)
-    for (const { tex, live } of planner.formulas) {
+  for (const { parameters, formulas, ...numbers } of [...planners, drive]) {
+    const told = 'readings' in numbers ? numbers.readings : numbers.columns
+    for (const { symbol } of [...parameters, ...told]) inline.add(symbol)
+    for (const { tex, live } of formulas) {
       display.add(tex)
       if (live) display.add(live)
     }

@@ -17,7 +17,7 @@ export const en = {
   },
   stage: {
     label: 'Stage: the scene and what the planner makes of it',
-    help: 'Space plays and pauses. Left and right step through the iterations, with Shift by ten; Home and End jump. Plus and minus zoom, 0 shows all, up and down move the view. With an object selected, arrows move it, Delete removes a disc and Escape lets go. While cells are painted, arrows move the cell that is meant, Space paints or erases it and Escape puts the brush away. The scene can also be edited in the Scene panel.',
+    help: 'Space plays and pauses. Left and right step through the iterations, with Shift by ten; Home and End jump. Plus and minus zoom, 0 shows all, up and down move the view. With an object selected, arrows move it, Delete removes a disc and Escape lets go. While cells are painted, arrows move the cell that is meant, Space paints or erases it and Escape puts the brush away. While the robot drives, Space, arrows, Home and End are for the drive’s time and Escape leads back to the run. The scene can also be edited in the Scene panel.',
     tools: 'Stage tools',
     add: 'Add a disc',
     remove: 'Delete the selected disc',
@@ -25,6 +25,7 @@ export const en = {
     paint: 'Paint cells',
     painting: 'Drag over free cells to paint, over blocked ones to erase. The right button or two fingers move the view.',
     cell: (column: number, row: number, blocked: boolean) => `Column ${column}, row ${row} from the top: ${blocked ? 'blocked' : 'free'}`,
+    drive: 'Let the robot drive along the path',
     margin: 'Safety margin',
     marginHelp: 'Where the robot’s centre may not be: nearer to a blocked cell than the radius of the circle about the robot.',
     adding: 'Click where the new disc should be.',
@@ -36,6 +37,8 @@ export const en = {
     legend: 'Layers',
     exact: 'Exact optimum',
     exactHelp: 'The shortest path that there is.',
+    touches: 'touches',
+    stopped: 'stopped here',
     thinned: (n: number) => `1 of ${n} drawn`,
   },
   transport: {
@@ -73,6 +76,7 @@ export const en = {
     setup: 'Experiment',
     chart: 'Convergence',
     readings: 'This iteration',
+    drive: 'Drive',
     inspect: 'Looking closer',
     parameters: 'Parameters',
     scene: 'Scene',

@@ -20,6 +20,8 @@ export class Hands {
   held = $state.raw<Handle | null>(null)
   /** The cell under the pointer, or where the keys have gone. */
   cell = $state.raw<Cell | null>(null)
+  /** The hint has done its work. */
+  painted = $state(false)
   private offset: Point = [0, 0]
   private stroke: { block: boolean; last: Cell } | null = null
   private lastTap = { time: 0, at: [0, 0] as Point }
@@ -61,7 +63,9 @@ export class Hands {
       const cells = between(this.stroke.last, cell)
       this.stroke.last = this.cell = cell
       const painted = paint(grid, cells, this.stroke.block)
-      if (painted !== grid) lab.drag(painted)
+      if (painted === grid) return
+      this.painted = true
+      lab.drag(painted)
     } else if (this.held?.kind === 'rim' && discs) {
       const center = discOf(discs, this.held.index)?.center ?? [x, y]
       lab.select(objectOf(this.held))
@@ -121,6 +125,7 @@ export class Hands {
 
   toggle(): void {
     const { grid } = lab
+    this.painted = true
     if (grid && this.cell) lab.edit(paint(grid, [this.cell], !isBlocked(grid, this.cell)))
   }
 

@@ -21,6 +21,24 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
 }
 const PAN = 40
 
+/** While the robot drives, time is that of the drive. */
+export function driveKey(event: KeyboardEvent): boolean {
+  const { driving } = lab
+  if (event.ctrlKey || event.metaKey || event.altKey) return false
+  const far = event.shiftKey ? 10 : 1
+  const acts: Readonly<Record<string, () => void>> = {
+    ' ': driving.toggle,
+    ArrowLeft: () => driving.seek(driving.time - far),
+    ArrowRight: () => driving.seek(driving.time + far),
+    Home: () => driving.seek(0),
+    End: () => driving.seek(driving.end),
+    Escape: lab.leaveDrive,
+  }
+  const act = acts[event.key]
+  act?.()
+  return act !== undefined
+}
+
 /** What a key does on the stage; true if it did something. Arrows move the selected object, otherwise the time. */
 export function stageKey(event: KeyboardEvent, acts: Acts): boolean {
   if (event.ctrlKey || event.metaKey || event.altKey) return false

@@ -1,2 +1,14 @@
-/** The canvas, for those who want to save what it shows. */
-export const picture: { canvas: HTMLCanvasElement | null } = { canvas: null }
+/** The canvases, lowest first, for those who want to save what they show. */
+export const picture: { canvas: HTMLCanvasElement | null; over: HTMLCanvasElement | null } = { canvas: null, over: null }
+
+/** What is seen, as one picture. */
+export function seen(): HTMLCanvasElement | null {
+  const { canvas, over } = picture
+  if (!canvas || !over) return canvas
+  const whole = document.createElement('canvas')
+  Object.assign(whole, { width: canvas.width, height: canvas.height })
+  const context = whole.getContext('2d')
+  context?.drawImage(canvas, 0, 0)
+  context?.drawImage(over, 0, 0, canvas.width, canvas.height)
+  return whole
+}

@@ -4,6 +4,7 @@ import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
 import { address } from './address'
 import { Client } from './client'
 import { Curve } from './curve'
+import { Driving } from './driving.svelte'
 import { applies, met } from './applicable'
 import { add, edited, move, place, type Plane, remove, type Selection } from './edits'
 import * as history from './history'
@@ -73,11 +74,20 @@ class Lab {
     onframe: (frame) => this.receive(frame),
     oncrash: (message) => this.breakDown(message),
   })
+  readonly driving = new Driving((params) => this.client.api.drive(params))
+  /** The scene has a robot with an outline. */
+  readonly hasRobot = $derived(this.grid?.robot?.length !== undefined && this.grid.robot.width !== undefined)
+  /** There is a path of this very scene to drive along. */
+  readonly drivable = $derived(
+    this.hasRobot && this.outcome?.length != null && !this.stale && !this.sceneError && this.target === null,
+  )
   /** The fingerprint that an opened link promises, and where. */
   private promised: { hash: string; at: number } | undefined
   private nudged: { selection: Selection; at: number } | null = null
   private asked = ''
   private starting = false
+  /** The run was going on when the robot set off. */
+  private resumes = false
   private pending: Opening | null = null
 
   async open(): Promise<void> {
@@ -134,6 +144,7 @@ class Lab {
 
   /** Starts the run anew. One request is on its way at a time; of those that come meanwhile the newest counts. */
   private async restart(opening: Opening): Promise<void> {
+    this.driving.leave()
     this.pending = opening
     this.stale = true
     if (this.starting) return
@@ -204,6 +215,7 @@ class Lab {
 
   private breakDown(message: string): void {
     this.phase = 'crashed'
+    this.driving.leave()
     this.crash = message
     this.playing = false
     this.target = null
@@ -242,6 +254,9 @@ class Lab {
     }
     this.playing = frame.playing
     this.target = null
+    const { of } = this.driving
+    // A drive along another result would be a lie.
+    if (this.driving.track && (of.generation !== frame.generation || of.iteration !== frame.iteration)) this.driving.leave()
     address.now(report.link)
     if (this.promised?.at === frame.iteration) {
       if (this.promised.hash !== report.settledHash) this.notice = en.notices.hash
@@ -254,6 +269,7 @@ class Lab {
   toggle = (): void => (this.playing ? this.pause() : this.play())
 
   play = (): void => {
+    this.driving.leave()
     this.playing = true
     this.target = null
     void this.client.api.play()
@@ -266,6 +282,7 @@ class Lab {
 
   seek = (to: number): void => {
     const iteration = Math.min(Math.max(Math.round(to), 0), this.limit)
+    this.driving.leave()
     this.playing = false
     this.target = iteration
     void this.client.api.seek(iteration)
@@ -358,6 +375,22 @@ class Lab {
   private forgive(name: string): void {
     const { [name]: _gone, ...rest } = this.paramErrors
     this.paramErrors = rest
+  }
+
+  // The robot's drive along the result
+
+  beginDrive = async (): Promise<void> => {
+    this.resumes = this.playing
+    if (this.playing) this.pause()
+    this.inspect(null)
+    await this.driving.begin()
+  }
+
+  /** Back to the run as it was. */
+  leaveDrive = (): void => {
+    this.driving.leave()
+    if (this.resumes) this.play()
+    this.resumes = false
   }
 
   // Edits of the scene

@@ -1,4 +1,4 @@
-import type { Inspection, Item, Outcome, ParameterValue, Point, Scene, Status } from 'forage'
+import type { Drive, Inspection, Item, Outcome, ParameterValue, Point, Scene, Status } from 'forage'
 
 /** A refusal of the core as plain data: errors lose their fields on the way between threads. */
 export interface Refusal {
@@ -32,6 +32,13 @@ export interface Report {
   link: string
   /** Only when the run stands still. */
   settledHash: string | null
+}
+
+/** A drive, and the state of the run whose result it follows. */
+export interface Driven {
+  drive: Drive | null
+  generation: number
+  iteration: number
 }
 
 export interface TraceRows {

@@ -1,9 +1,9 @@
 import * as Comlink from 'comlink'
 import init, { catalogue, checkScene, newSeed, parseLink, Session, suggest } from 'forage'
-import type { Catalogue, Item, LinkSetup, Outcome, Scene, Setup, Suggestion } from 'forage'
+import type { Catalogue, Item, LinkSetup, Outcome, ParameterValue, Scene, Setup, Suggestion } from 'forage'
 import { breathe } from './pace'
 import { Simulation } from './simulation'
-import type { Answer, FieldRequest, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
+import type { Answer, Driven, FieldRequest, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
 
 let simulation: Simulation | undefined
 let port: MessagePort | undefined
@@ -47,6 +47,7 @@ const api = {
   speed: (speed: Speed): void => running().setSpeed(speed),
   seek: (iteration: number): void => running().seek(iteration),
   watch: (item: Item | null): void => running().watch(item),
+  drive: (params: Record<string, ParameterValue>): Answer<Driven> => answer(() => running().drive(params)),
   pick: (x: number, y: number, reach: number): Item | null => {
     const picked = answer(() => running().session?.pick(x, y, reach) ?? null)
     return picked.ok ? picked.value : null

@@ -1,8 +1,8 @@
 import { Session } from 'forage'
-import type { Item, Setup } from 'forage'
+import type { Item, ParameterValue, Setup } from 'forage'
 import { breathe, SLICE, wait } from './pace'
 import { Pool } from './pool'
-import type { FrameMessage, Opening, Report, Run, Speed } from './protocol'
+import type { Driven, FrameMessage, Opening, Report, Run, Speed } from './protocol'
 
 /** Vertices a layer may have: what a canvas draws in a few tens of milliseconds. */
 const BUDGET = 100_000
@@ -78,6 +78,13 @@ export class Simulation {
   seek(iteration: number): void {
     this.playing = false
     this.loop((token) => this.reach(iteration, token))
+  }
+
+  /** The robot drives along what has been found; the run stands still for it. */
+  drive(params: Record<string, ParameterValue>): Driven {
+    if (this.playing) this.pause()
+    const { session, generation } = this
+    return { drive: session?.drive(params) ?? null, generation, iteration: session?.iteration ?? 0 }
   }
 
   watch(item: Item | null): void {
