@@ -43,6 +43,24 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await expect(page.getByTestId('export-dialog')).toBeVisible()
         expect(await violations(lab)).toEqual([])
       })
+
+      test('axe finds nothing wrong with a grid, its fields, a particle’s leap and the drive; nothing is too wide', async ({ lab, page }) => {
+        await lab.open(linkTo({ planner: 'ltqpso', scene: 'qpso-10m' }, 10))
+        await lab.settled(10)
+        for (const id of ['parameters', 'scene', 'result', 'readings', 'chart', 'inspect', 'drive']) await lab.section(id)
+        await page.getByTestId('tool-paint').click()
+        expect(await violations(lab)).toEqual([])
+        await page.getByTestId('tool-paint').click()
+
+        await page.getByTestId('drive-begin').click()
+        await expect(page.getByTestId('drive-bar')).toBeVisible()
+        await page.getByTestId('drive-play').click()
+        for (const details of await page.getByTestId('drive').locator('details > summary').all()) await details.click()
+        expect(await violations(lab)).toEqual([])
+        expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
+        await page.getByTestId('drive-leave').click()
+        await expect(page.getByTestId('drive-bar')).toHaveCount(0)
+      })
     })
   }
 }

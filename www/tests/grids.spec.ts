@@ -1,7 +1,8 @@
 import type { GridScene, Point, Scene } from '../../pkg/node.js'
+import { number } from '../src/panels/format'
 import { isBlocked, middleOf } from '../src/state/cells'
 import { tooNear } from '../src/stage/inside'
-import { hashOf, linkTo, sceneOf, verified } from './support/core'
+import { bends, hashOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 
 const GRID = { planner: 'ltqpso', scene: 'qpso-10m' }
@@ -149,3 +150,31 @@ test('what is too near to a cell is told exactly, corners rounded', () => {
   expect(tooNear({ ...scene, robot: {} }, [1.5, 1.5], 0.01)).toBe(true)
   expect(tooNear({ ...scene, robot: {} }, [1.005, 1.5], 0.01)).toBe(false)
 })
+
+for (const event of ['leap', 'replaced']) {
+  test(`a ${event} is explained with its numbers in the formulas and a key to what is drawn`, async ({ lab, page }) => {
+    await lab.open(linkTo(GRID, 4))
+    await lab.settled(4)
+    // A bend where the core picks a particle to which this happened.
+    const reach = 0.05
+    const [at, told] = bends(GRID, 4)
+      .map((bend) => {
+        const inspection = sessionAt(GRID, 4, (session) => {
+          const item = session.pick(...bend, reach)
+          return item && session.inspect(item)
+        })
+        return [bend, inspection] as const
+      })
+      .find(([, inspection]) => inspection?.event === event) ?? [corner, null]
+    if (!told) throw new Error(`no ${event}`)
+    const { x, y } = await lab.whereIs(shipped, at)
+    await page.mouse.click(x, y)
+    const panel = page.getByTestId('inspect')
+    await expect(panel.getByRole('heading')).toHaveText(told.title)
+    await expect(panel.locator('[data-event]')).toHaveAttribute('data-event', event)
+    for (const { name, value } of told.values) await expect(panel.locator(`[data-value="${name}"]`)).toHaveText(number(value))
+    for (const formula of ['leap', 'attractor', 'phi', 'ip', 'gs']) await expect(panel.getByTestId(`live-${formula}`)).not.toContainText('□')
+    const key = panel.getByTestId('inspect-key').locator('[data-role]')
+    expect(await key.evaluateAll((items) => items.map((item) => item.getAttribute('data-role')))).toEqual(['before', 'mean-best', 'attractors', 'jump', 'after'])
+  })
+}

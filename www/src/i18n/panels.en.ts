@@ -97,7 +97,7 @@ export const panels = {
     rmsError: 'Error, rms',
     clearance: 'Clearance',
     none: 'no obstacles',
-    counts: 'Counts, left / right',
+    counts: 'Counts L / R',
     now: 'At this moment',
     parameters: 'Parameters of the drive',
     formulas: 'Formulas of the drive',

@@ -27,22 +27,37 @@ export class Cells {
   private size: Size | null = null
   private rest: ReturnType<typeof setTimeout> | undefined
   private rows: readonly string[] = []
+  private pieces = 0
 
   constructor(private readonly changed: () => void) {}
 
   draw(pen: Pen, scene: GridScene, margin: boolean): void {
     const { context, view, size, palette } = pen
     const density = devicePixelRatio || 1
-    const what = [scene.cell, radiusOf(scene), margin, palette.get('--wall'), palette.get('--margin'), size.width, size.height, density].join()
+    const what = [scene.cell, radiusOf(scene), margin, palette.get('--wall'), scene.rows.length, columnsOf(scene), size.width, size.height, density].join()
     const where = [view.x, view.y, view.scale].join()
-    const same = this.what === what && this.rows === scene.rows
-    if (!same || (this.where !== where && outlineOf(scene.rows).pieces <= HEAVY)) this.render(pen, scene, margin, density, what, where)
-    else if (this.where !== where) this.soon()
+    const moved = this.where !== where || this.rows !== scene.rows
+    if (this.what !== what || (moved && this.pieces <= HEAVY)) this.render(pen, scene, margin, density, what, where)
+    else if (moved) this.soon()
     if (!this.canvas || !this.place || !this.size) return
     const now = placeOf(scene, view, size)
     const by = now.side / this.place.side
     const { width, height } = this.size
     context.drawImage(this.canvas, now.left - this.place.left * by, now.top - this.place.top * by, width * by, height * by)
+    if (this.rows !== scene.rows) this.patch(pen, scene, now)
+  }
+
+  /** Cells that have changed since the picture was drawn; their margin follows at rest. */
+  private patch({ context, palette }: Pen, { rows }: GridScene, { left, top, side }: Place): void {
+    rows.forEach((line, row) => {
+      const before = this.rows[row] ?? ''
+      if (line === before) return
+      for (let column = 0; column < line.length; column += 1) {
+        if (line[column] === before[column]) continue
+        context.fillStyle = palette.get(line[column] === '#' ? '--wall' : '--stage')
+        context.fillRect(left + column * side, top + row * side, side, side)
+      }
+    })
   }
 
   private soon(): void {
@@ -54,7 +69,7 @@ export class Cells {
   }
 
   private render({ view, size, palette }: Pen, scene: GridScene, margin: boolean, density: number, what: string, where: string): void {
-    Object.assign(this, { what, where, size, rows: scene.rows })
+    Object.assign(this, { what, where, size, rows: scene.rows, pieces: outlineOf(scene.rows).pieces })
     const [width, height] = [Math.max(1, Math.round(size.width * density)), Math.max(1, Math.round(size.height * density))]
     this.canvas ??= new OffscreenCanvas(width, height)
     Object.assign(this.canvas, { width, height })

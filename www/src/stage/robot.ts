@@ -21,7 +21,6 @@ export function drawDrive(pen: Pen, track: Track, time: number, path: readonly P
   context.setLineDash([])
   context.lineJoin = context.lineCap = 'round'
   line(pen, path)
-  stroke(pen, '--stage', 4.5)
   stroke(pen, '--best', 2)
   const now = track.at(time)
   const behind = Array.from({ length: track.row(time) + 1 }, (_, row) => track.pose(row))

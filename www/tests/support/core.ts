@@ -33,6 +33,20 @@ export const particles = (setup: Partial<Setup>, iteration: number): [number, nu
     return found
   })
 
+/** Bends of the particles' paths, ends left out. */
+export const bends = (setup: Partial<Setup>, iteration: number): [number, number][] =>
+  sessionAt(setup, iteration, (session) => {
+    const role = catalogue().roles.indexOf('particles')
+    const { vertices, spans } = session.frame(1e6)
+    const found: [number, number][] = []
+    for (let span = 0; span < spans.length; span += 4) {
+      const [of = -1, , first = 0, count = 0] = spans.subarray(span, span + 4)
+      if (of !== role) continue
+      for (let at = 4 * (first + 1); at < 4 * (first + count - 1); at += 4) found.push([vertices[at] ?? NaN, vertices[at + 1] ?? NaN])
+    }
+    return found
+  })
+
 /** What a link of the page says, and that the core agrees with the hash in it. */
 export function verified(link: string): ReturnType<typeof parseLink> {
   const setup = parseLink(link)

@@ -84,7 +84,9 @@ function power(value: number): string {
 
 /** As many decimals as the distance of the labels needs. */
 function label(value: number, step: number): string {
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9))
+  let decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9))
+  // Steps of 0.025 need a digit more than those of 0.02.
+  if (Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals += 1
   const size = Math.abs(value)
   if (decimals > 6 || size >= 1e6) return number(value, 3)
   return `${value < 0 ? '−' : ''}${size.toFixed(decimals)}`

@@ -1,0 +1,123 @@
+import { readFileSync } from 'node:fs'
+import type { Drive } from '../../pkg/node.js'
+import { panels } from '../src/i18n/panels.en'
+import { number } from '../src/panels/format'
+import { Track } from '../src/state/track'
+import { linkTo, sessionAt } from './support/core'
+import { en, expect, type Lab, test } from './support/lab'
+
+const GRID = { planner: 'ltqpso', scene: 'qpso-10m' }
+const text = panels.drive
+
+/** What the core says of the drive along the result at an iteration. */
+function driven(iteration: number, params = {}): Drive {
+  const drive = sessionAt(GRID, iteration, (session) => session.drive(params))
+  if (!drive) throw new Error('no drive')
+  return drive
+}
+
+async function begin(lab: Lab, iteration: number): Promise<string> {
+  await lab.open(linkTo(GRID, iteration))
+  const hash = await lab.settled(iteration)
+  await lab.section('drive')
+  await lab.page.getByTestId('drive-begin').click()
+  await expect(lab.page.getByTestId('drive-bar')).toBeVisible()
+  return hash
+}
+
+async function figuresAre(lab: Lab, { outcome }: Drive): Promise<void> {
+  const figure = (name: string) => lab.page.getByTestId('drive-figures').locator(`[data-figure="${name}"]`)
+  await expect(figure('time')).toHaveText(`${number(outcome.time)} s`)
+  await expect(figure('distance')).toHaveText(`${number(outcome.distance)} m`)
+  await expect(figure('max_error')).toHaveText(`${number(outcome.max_error, 3)} m`)
+  await expect(figure('rms_error')).toHaveText(`${number(outcome.rms_error, 3)} m`)
+  await expect(figure('clearance')).toHaveText(`${number(outcome.clearance, 3)} m`)
+  await expect(figure('counts')).toHaveText(outcome.counts.map((count) => number(Math.round(count))).join(' / '))
+  const verdict = lab.page.getByTestId('drive-verdict')
+  await expect(verdict).toHaveAttribute('data-arrived', String(outcome.arrived))
+  await expect(verdict).toHaveAttribute('data-touched', String(outcome.touched))
+}
+
+/** How much of the layer over the stage is drawn on. */
+const inked = (lab: Lab): Promise<number> =>
+  lab.page.getByTestId('drive-layer').evaluate((layer: HTMLCanvasElement) => {
+    const copy = new OffscreenCanvas(layer.width, layer.height).getContext('2d', { willReadFrequently: true })
+    copy?.drawImage(layer, 0, 0)
+    const pixels = copy?.getImageData(0, 0, layer.width, layer.height).data ?? []
+    let sum = 0
+    for (let at = 3; at < pixels.length; at += 4) if (pixels[at]) sum += 1
+    return sum
+  })
+
+test('the robot drives along the result: played, scrubbed, and told as the core tells it', async ({ lab, page }) => {
+  const hash = await begin(lab, 50)
+  const drive = driven(50)
+  const track = new Track(drive)
+  await figuresAre(lab, drive)
+  const time = page.getByTestId('drive-time')
+  await expect.poll(async () => Number(await time.inputValue())).toBeGreaterThan(1)
+  expect(await inked(lab)).toBeGreaterThan(500)
+  await lab.press(text.pause)
+
+  const middle = Math.round(track.end / 2)
+  await time.fill(String(middle))
+  const row = track.row(middle)
+  for (const [name, value] of Object.entries(track.values(row))) {
+    if (['time', 'x', 'y', 'heading'].includes(name)) continue
+    await expect(page.getByTestId('drive').locator(`[data-now="${name}"]`)).toContainText(number(value))
+  }
+  await time.fill('0')
+  const least = await inked(lab)
+  await page.getByTestId('drive-chart').first().press('End')
+  await expect.poll(() => inked(lab)).toBeGreaterThan(least)
+
+  // The run stands where it stood.
+  await lab.press(text.leave)
+  await expect(page.getByTestId('drive-layer')).toHaveCount(0)
+  expect(await lab.settled(50)).toBe(hash)
+})
+
+test('on the stage, keys are for the drive’s time; Escape leads back, a step of the run too', async ({ lab, page }) => {
+  await begin(lab, 30)
+  const time = page.getByTestId('drive-time')
+  const now = async (): Promise<number> => Number(await time.inputValue())
+  await lab.stage.focus()
+  await page.keyboard.press('Home')
+  expect(await now()).toBe(0)
+  await page.keyboard.press('ArrowRight')
+  await page.keyboard.press('Shift+ArrowRight')
+  expect(await now()).toBe(11)
+  await page.keyboard.press('Space')
+  await expect.poll(now).toBeGreaterThan(12)
+  await page.keyboard.press('Space')
+  expect(await lab.iteration()).toBe(30)
+  await page.keyboard.press('Escape')
+  await expect(page.getByTestId('drive-bar')).toHaveCount(0)
+  await expect(lab.button(en.transport.play)).toBeVisible()
+
+  await page.getByTestId('tool-drive').click()
+  await expect(page.getByTestId('drive-layer')).toHaveCount(1)
+  await page.getByTestId('chart-plot').press('ArrowLeft')
+  await expect(page.getByTestId('drive-layer')).toHaveCount(0)
+  await lab.settled(29)
+})
+
+test.describe('without motion', () => {
+  test.use({ reducedMotion: 'reduce' })
+
+  test('a drive stands at its beginning until it is played', async ({ lab, page }) => {
+    await begin(lab, 50)
+    await expect(lab.button(text.play)).toBeVisible()
+    await expect(page.getByTestId('drive-time')).toHaveValue('0')
+  })
+})
+
+test('a drive is saved as the core’s rows', async ({ lab, page }) => {
+  await begin(lab, 50)
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByTestId('drive-csv').click()])
+  const lines = readFileSync(await download.path(), 'utf8').trimEnd().split('\n')
+  const { columns, rows } = driven(50)
+  expect(lines[0]).toBe(columns.join(','))
+  expect(lines).toHaveLength(1 + rows.length / columns.length)
+  expect(lines.at(-1)).toBe([...rows.subarray(-columns.length)].join(','))
+})
