@@ -1,5 +1,5 @@
 import { readFileSync } from 'node:fs'
-import type { Drive } from '../../pkg/node.js'
+import { catalogue, type Drive } from '../../pkg/node.js'
 import { panels } from '../src/i18n/panels.en'
 import { number } from '../src/panels/format'
 import { Track } from '../src/state/track'
@@ -120,4 +120,40 @@ test('a drive is saved as the core’s rows', async ({ lab, page }) => {
   expect(lines[0]).toBe(columns.join(','))
   expect(lines).toHaveLength(1 + rows.length / columns.length)
   expect(lines.at(-1)).toBe([...rows.subarray(-columns.length)].join(','))
+})
+
+test('a run that was going on stands still for the drive and goes on after it', async ({ lab, page }) => {
+  await lab.open(linkTo(GRID, 2))
+  await lab.settled(2)
+  await page.getByTestId('speed').selectOption('5')
+  await lab.press(en.transport.play)
+  await expect.poll(() => lab.iteration()).toBeGreaterThan(3)
+  await page.getByTestId('tool-drive').click()
+  await lab.section('drive')
+  await expect(page.getByTestId('drive-figures')).toBeVisible()
+  await lab.settled()
+  const stood = await lab.iteration()
+  await figuresAre(lab, driven(stood))
+  expect(await lab.iteration()).toBe(stood)
+  await page.getByTestId('drive-leave').click()
+  await expect.poll(() => lab.iteration()).toBeGreaterThan(stood + 1)
+})
+
+test('the drive’s parameters make another drive; what the core refuses is said beside them', async ({ lab, page }) => {
+  await begin(lab, 50)
+  const parameter = catalogue().drive.parameters.find(({ type, max }) => type === 'number' && max !== undefined)
+  if (!parameter) throw new Error('no parameter')
+  await page.getByText(text.parameters, { exact: true }).click()
+  const row = page.getByTestId('drive').locator(`[data-parameter="${parameter.name}"]`)
+  const field = row.locator('input.typed')
+  await field.fill(String((parameter.max ?? 0) + 1))
+  await field.press('Enter')
+  await expect(row.getByRole('alert')).toContainText(parameter.name)
+  await figuresAre(lab, driven(50))
+
+  const value = Number(parameter.default) * 0.8
+  await field.fill(String(value))
+  await field.press('Enter')
+  await expect(row.getByRole('alert')).toHaveCount(0)
+  await figuresAre(lab, driven(50, { [parameter.name]: value }))
 })

@@ -73,6 +73,7 @@ export const panels = {
   drive: {
     begin: 'Let the robot drive',
     notYet: 'As soon as a path has been found.',
+    nothing: 'There is nothing to drive along.',
     leave: 'Back to the run',
     csv: 'Save as CSV',
     transport: 'Time of the drive',
@@ -124,7 +125,7 @@ export const panels = {
     evaluations: 'Evaluations',
     turning: 'Turning in all',
     raw: 'Before smoothing',
-    smoothness: 'Smoothness L_S',
+    smoothness: 'Smoothness',
     state: 'State',
     status: {
       running: 'searching',

@@ -9,7 +9,7 @@ import { type Size, toScreen, type View } from './view'
 const LINES_FROM = 7
 /** Grids of more pieces are drawn anew only when the view has come to rest. */
 const HEAVY = 3000
-const REST = 90
+const REST = 220
 
 interface Place {
   left: number

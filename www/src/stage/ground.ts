@@ -104,9 +104,11 @@ export function drawEnds(pen: Pen, scene: Plane, selection: Selection | null, ho
     context.textBaseline = 'middle'
     // Away from the path, where there is room.
     const other = scene[kind === 'start' ? 'goal' : 'start']
-    const leftwards = x > size.width - 64 || (other !== undefined && other[0] > at[0] && x > 64)
+    const [otherX, otherY] = other ? toScreen(view, size, other) : [x, y]
+    const leftwards = x > size.width - 64 || (otherX > x && x > 64)
+    const below = !leftwards && otherX > x && otherY < y
     context.textAlign = leftwards ? 'right' : 'left'
-    plate(context, palette.get('--stage'), names[kind], x + (leftwards ? -13 : 13), y - 12)
+    plate(context, palette.get('--stage'), names[kind], x + (leftwards ? -13 : 13), y + (below ? 14 : -12))
   }
   if (hover && !(hover.kind === 'rim')) ring(pen, scene, hover, palette.get('--line-strong'))
   if (selection) ring(pen, scene, selection, palette.get('--focus'))

@@ -1,4 +1,5 @@
 import type { ParameterValue } from 'forage'
+import { panels } from '../i18n/panels.en'
 import type { Answer, Driven } from '../worker/protocol'
 import { stillness } from './theme.svelte'
 import { Track } from './track'
@@ -64,7 +65,7 @@ export class Driving {
     }
     const { drive, generation, iteration } = answer.value
     this.errors = {}
-    this.problem = ''
+    this.problem = drive ? '' : panels.drive.nothing
     this.of = { generation, iteration }
     this.track = drive && new Track(drive)
     this.time = Math.min(this.time, this.end)

@@ -4,6 +4,7 @@ import type { Stroke } from './plot'
 /** Readings that most planners tell have a colour of their own; the others take the next of these. */
 const KNOWN: Readonly<Record<string, Stroke>> = {
   best: { token: '--best', width: 2.25 },
+  length: { token: '--best', width: 2.25 },
   mean: { token: '--particle', width: 1.25 },
   free: { token: '--accent', width: 1.5, dash: [2, 3] },
 }
