@@ -102,6 +102,22 @@ test('on the stage, keys are for the drive’s time; Escape leads back, a step o
   await lab.settled(29)
 })
 
+test('a drive that touches an obstacle says so, and where', async ({ lab, page }) => {
+  await begin(lab, 50)
+  await expect(page.getByTestId('drive-verdict')).toContainText(text.fine)
+  // Who looks far ahead cuts corners.
+  const params = { look_ahead: 2 }
+  const { outcome } = driven(50, params)
+  expect(outcome.touched).toBe(true)
+  await page.getByText(text.parameters, { exact: true }).click()
+  const field = page.getByTestId('drive').locator('[data-parameter="look_ahead"] input.typed')
+  await field.fill('2')
+  await field.press('Enter')
+  await figuresAre(lab, { ...driven(50, params) })
+  const [x = NaN, y = NaN] = outcome.touched_at ?? []
+  await expect(page.getByTestId('drive-verdict')).toContainText(text.touched(number(x, 3), number(y, 3)))
+})
+
 test.describe('without motion', () => {
   test.use({ reducedMotion: 'reduce' })
 

@@ -1,4 +1,5 @@
 import type { GridScene, Point, Scene } from '../../pkg/node.js'
+import { panels } from '../src/i18n/panels.en'
 import { number } from '../src/panels/format'
 import { isBlocked, middleOf } from '../src/state/cells'
 import { tooNear } from '../src/stage/inside'
@@ -36,6 +37,22 @@ test('a grid opens, runs to its end and comes to the core’s hash; its margin i
     await lab.layer(role, true)
   }
   expect((await lab.wholePicture()).digest).toBe(whole.digest)
+})
+
+test('the exact optimum stands among the lengths, and not among costs that are none', async ({ lab, page }) => {
+  await lab.open(linkTo(GRID, 50))
+  await lab.settled(50)
+  const exact = sessionAt(GRID, 0, (session) => session.exact()?.length)
+  const chart = page.getByTestId('chart')
+  const level = chart.locator('.readout').getByText(panels.chart.exact)
+  await expect(chart.getByText('Length', { exact: true })).toBeVisible()
+  await expect(level).toHaveCount(0)
+  await chart.getByRole('radio', { name: panels.chart.lengths }).check()
+  await expect(level).toHaveCount(1)
+  await expect(chart.locator('.readout')).toContainText(number(exact, 4))
+  await chart.getByRole('radio', { name: panels.chart.schedules }).check()
+  await expect(level).toHaveCount(0)
+  await expect(page.getByTestId('layer-exact')).toBeChecked()
 })
 
 test('the start is dragged, and kept within the grid', async ({ lab }) => {

@@ -34,7 +34,8 @@ export function drawDrive(pen: Pen, track: Track, time: number, path: readonly P
     const { x, y } = track.pose(track.times.length - 1)
     cross(pen, [x, y], names.stopped)
   }
-  body(pen, now, outline, palette.get('--robot'), palette.get('--robot-soft'))
+  const touching = track.value('clearance', track.row(time)) < 0
+  body(pen, now, outline, palette.get(touching ? '--danger' : '--robot'), palette.get(touching ? '--danger-soft' : '--robot-soft'))
 }
 
 function line({ context, view, size }: Pen, points: readonly Point[]): void {
