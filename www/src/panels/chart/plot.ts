@@ -16,6 +16,8 @@ export interface PlotOptions {
   /** Asked whenever the data changed. */
   range(): Range
   last(): number
+  /** Room for the labels on the left, in pixels; absent: as much as they need. */
+  gutter?: number
   onhover(point: number | null): void
   /** The scales hold only once it is drawn. */
   ondrawn(): void
@@ -25,7 +27,7 @@ const DECADES = 6
 const NARROW = 44
 
 /** A chart in `host`, coloured by the tokens that hold there. */
-export function createPlot(host: HTMLElement, { strokes, scale, range, last, onhover, ondrawn }: PlotOptions): uPlot {
+export function createPlot(host: HTMLElement, { strokes, scale, range, last, gutter, onhover, ondrawn }: PlotOptions): uPlot {
   const [ink, line, ...colours] = resolve(host, ['--ink-2', '--line', ...strokes.map(({ token }) => token)])
   const font = `11px ${getComputedStyle(host).fontFamily}`
   const axis: uPlot.Axis = {
@@ -49,7 +51,7 @@ export function createPlot(host: HTMLElement, { strokes, scale, range, last, onh
       { ...axis, size: 26, grid: { show: false }, values: (_, splits) => splits.map((k) => (Number.isInteger(k) ? number(k) : '')) },
       {
         ...axis,
-        size: (_, labels) => 10 + 6.4 * Math.max(2, ...(labels ?? []).map((label) => label.length)),
+        size: (_, labels) => gutter ?? 10 + 6.4 * Math.max(2, ...(labels ?? []).map((label) => label.length)),
         ...(log
           ? {
               splits: (_: uPlot, __: number, min: number, max: number) => decades([min, max], DECADES),
