@@ -88,9 +88,14 @@ test('what hangs on another parameter is shown while that one has the value; a g
 
   await choose('initial', 'normal')
   const spread = row('initial_std').locator('input.typed')
-  await spread.fill('12')
-  await spread.press('Enter')
-  await lab.restarted()
+  // A value that was taken can be reset; the run starts anew with it.
+  const set = async (name: string, value: string): Promise<void> => {
+    await row(name).locator('input.typed').fill(value)
+    await row(name).locator('input.typed').press('Enter')
+    await expect(row(name).locator('.reset')).toBeVisible()
+    await lab.restarted()
+  }
+  await set('initial_std', '12')
   const normal = { initial: 'normal', initial_std: 12 }
   expect(await lab.seek(5)).toBe(hashOf({ ...GRID, params: normal }, 5))
 
@@ -99,10 +104,7 @@ test('what hangs on another parameter is shown while that one has the value; a g
   for (const gone of ['initial', 'initial_std', 'segments']) await expect(row(gone)).toHaveCount(0)
   await expect(row('waypoints')).toBeVisible()
   await expect(lab.page.getByTestId('layer-guides')).toHaveCount(0)
-  const count = row('waypoints').locator('input.typed')
-  await count.fill('4')
-  await count.press('Enter')
-  await lab.restarted()
+  await set('waypoints', '4')
   expect(await lab.seek(5)).toBe(hashOf({ ...GRID, params: { encoding: 'waypoints', waypoints: 4 } }, 5))
 
   await choose('encoding', 'polar')
