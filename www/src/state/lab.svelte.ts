@@ -1,32 +1,25 @@
-import type { Catalogue, DiscsScene, GridScene, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
+import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
 import { en } from '../i18n/en'
 import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
 import { address } from './address'
+import { applies, met } from './applicable'
 import { Client } from './client'
 import { Curve } from './curve'
 import { Driving } from './driving.svelte'
-import { applies, met } from './applicable'
-import { add, edited, move, place, type Plane, remove, type Selection } from './edits'
-import * as history from './history'
+import { Scenes } from './scenes.svelte'
 import { stillness } from './theme.svelte'
-
-/** Key presses that follow each other within this many milliseconds are one edit. */
-const NUDGING = 800
 
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
 export type Phase = 'loading' | 'ready' | 'crashed'
 
 /** Everything the page knows. Components read it and call its methods; nothing else holds state of the run. */
-class Lab {
+class Lab extends Scenes {
   phase = $state<Phase>('loading')
   crash = $state('')
   catalogue = $state.raw<Catalogue | null>(null)
 
   plannerName = $state(FIRST.planner)
-  private scenes = $state.raw<history.History<Scene> | null>(null)
-  /** A scene while it is being dragged: not yet a step of the history. */
-  private draft = $state.raw<Scene | null>(null)
   params = $state.raw<Record<string, ParameterValue>>({})
   seed = $state(FIRST.seed)
 
@@ -46,7 +39,6 @@ class Lab {
   curve = $state.raw<Pick<Curve, 'columns' | 'iterations' | 'rows'>>({ columns: [], iterations: [], rows: [] })
   curveVersion = $state(0)
 
-  selection = $state.raw<Selection | null>(null)
   inspection = $state.raw<Inspection | null>(null)
   private item: Item | null = null
   hidden = $state.raw<Record<string, boolean>>({})
@@ -60,14 +52,8 @@ class Lab {
   /** True from a change until its first picture: the old one must not pass for the new. */
   stale = $state(false)
 
-  readonly scene = $derived(this.draft ?? this.scenes?.present ?? null)
-  readonly discs = $derived<DiscsScene | null>(this.scene?.kind === 'discs' ? this.scene : null)
-  readonly grid = $derived<GridScene | null>(this.scene?.kind === 'grid' ? this.scene : null)
-  readonly plane = $derived<Plane | null>(this.discs ?? this.grid)
   readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
   readonly limit = $derived(this.run?.limit ?? 0)
-  readonly canUndo = $derived((this.scenes?.past.length ?? 0) > 0)
-  readonly canRedo = $derived((this.scenes?.future.length ?? 0) > 0)
   readonly finished = $derived(this.status !== 'running')
 
   private readonly client = new Client({
@@ -75,15 +61,12 @@ class Lab {
     oncrash: (message) => this.breakDown(message),
   })
   readonly driving = new Driving((params) => this.client.api.drive(params))
-  /** The scene has a robot with an outline. */
-  readonly hasRobot = $derived(this.grid?.robot?.length !== undefined && this.grid.robot.width !== undefined)
   /** There is a path of this very scene to drive along. */
   readonly drivable = $derived(
     this.hasRobot && this.outcome?.length != null && !this.stale && !this.sceneError && this.target === null,
   )
   /** The fingerprint that an opened link promises, and where. */
   private promised: { hash: string; at: number } | undefined
-  private nudged: { selection: Selection; at: number } | null = null
   private asked = ''
   private starting = false
   /** The run was going on when the robot set off. */
@@ -103,11 +86,11 @@ class Lab {
     this.frame = null
     this.traced.clear()
     await this.client.api.speed(this.speed)
-    if (this.scenes) {
+    if (this.scene) {
       await this.restart({ at: this.iteration, play: false })
       return
     }
-    this.scenes = history.begin(this.shipped(FIRST.scene))
+    this.put(this.shipped(FIRST.scene), false)
     const opened = location.hash.length > 1 && (await this.openLink(location.hash))
     if (!opened) await this.restart({ at: 0, play: !stillness.matches })
   }
@@ -131,13 +114,12 @@ class Lab {
     const { planner, scene, params, seed, iteration, hash }: LinkSetup = answer.value
     this.plannerName = planner
     // A page that opens on a link has nothing to go back to.
-    this.scenes = this.scenes && this.run ? history.commit(this.scenes, scene) : history.begin(scene)
+    this.put(scene, this.run !== null)
     this.params = params
     this.paramErrors = {}
     this.seed = seed
     this.promised = hash === undefined ? undefined : { hash, at: iteration }
     this.notice = ''
-    this.selection = null
     await this.restart({ at: iteration, play: false })
     return true
   }
@@ -297,7 +279,7 @@ class Lab {
 
   // What is planned with what
 
-  private again(): void {
+  protected again(): void {
     this.promised = undefined
     void this.restart({ at: 0, play: this.playing || !this.run || (this.finished && !stillness.matches) })
   }
@@ -315,9 +297,7 @@ class Lab {
       this.notice = en.notices.kind(this.planner?.title ?? '', scene.title)
       return
     }
-    this.scenes = this.scenes ? history.commit(this.scenes, scene) : history.begin(scene)
-    this.draft = null
-    this.selection = null
+    this.put(scene, true)
     this.again()
   }
 
@@ -391,79 +371,6 @@ class Lab {
     this.driving.leave()
     if (this.resumes) this.play()
     this.resumes = false
-  }
-
-  // Edits of the scene
-
-  /** An edit on its way, shown and run at once; `edit` with the last of them makes it one step of the history. */
-  drag = (scene: Scene): void => {
-    this.draft = edited(scene)
-    this.again()
-  }
-
-  /** Lets go of an edit that wasn't meant. */
-  abandon = (): void => {
-    if (!this.draft) return
-    this.draft = null
-    this.again()
-  }
-
-  /** What was being dragged stays as it is now. */
-  settle = (): void => {
-    if (this.draft) this.edit(this.draft)
-  }
-
-  edit = (scene: Scene): void => {
-    if (!this.scenes) return
-    this.draft = null
-    this.scenes = history.commit(this.scenes, edited(scene))
-    this.again()
-  }
-
-  undo = (): void => this.travel(history.undo)
-  redo = (): void => this.travel(history.redo)
-
-  private travel(by: (from: history.History<Scene>) => history.History<Scene>): void {
-    if (!this.scenes) return
-    this.draft = null
-    this.scenes = by(this.scenes)
-    this.selection = null
-    this.again()
-  }
-
-  select = (selection: Selection | null): void => {
-    this.selection = selection
-  }
-
-  addDisc = (x: number, y: number, radius: number): void => {
-    const { discs } = this
-    if (!discs) return
-    this.edit(add(discs, { center: [x, y], radius }))
-    this.selection = { kind: 'disc', index: discs.discs.length }
-  }
-
-  removeSelected = (): void => {
-    if (this.discs && this.selection?.kind === 'disc') {
-      const { index } = this.selection
-      this.selection = null
-      this.edit(remove(this.discs, index))
-    }
-  }
-
-  nudge = (dx: number, dy: number): void => {
-    const { plane, selection } = this
-    if (!plane || !selection) return
-    const [x, y] = place(plane, selection)
-    const moved = move(plane, selection, [x + dx, y + dy])
-    // A row of key presses is one edit.
-    const goesOn = this.nudged?.selection === selection && performance.now() - this.nudged.at < NUDGING
-    if (goesOn && this.scenes) {
-      this.scenes = history.amend(this.scenes, edited(moved))
-      this.again()
-    } else {
-      this.edit(moved)
-    }
-    this.nudged = { selection, at: performance.now() }
   }
 
   // Looking closer

@@ -1,0 +1,105 @@
+import type { DiscsScene, GridScene, Scene } from 'forage'
+import { add, edited, move, place, type Plane, remove, type Selection } from './edits'
+import * as history from './history'
+
+/** Key presses that follow each other within this many milliseconds are one edit. */
+const NUDGING = 800
+
+/** The scene, its edits and what of it is selected. What follows from a change is told by whoever runs it. */
+export abstract class Scenes {
+  private scenes = $state.raw<history.History<Scene> | null>(null)
+  /** A scene while it is being dragged: not yet a step of the history. */
+  private draft = $state.raw<Scene | null>(null)
+  selection = $state.raw<Selection | null>(null)
+  private nudged: { selection: Selection; at: number } | null = null
+
+  readonly scene = $derived(this.draft ?? this.scenes?.present ?? null)
+  readonly discs = $derived<DiscsScene | null>(this.scene?.kind === 'discs' ? this.scene : null)
+  readonly grid = $derived<GridScene | null>(this.scene?.kind === 'grid' ? this.scene : null)
+  readonly plane = $derived<Plane | null>(this.discs ?? this.grid)
+  /** The scene has a robot with an outline. */
+  readonly hasRobot = $derived(this.grid?.robot?.length !== undefined && this.grid.robot.width !== undefined)
+  readonly canUndo = $derived((this.scenes?.past.length ?? 0) > 0)
+  readonly canRedo = $derived((this.scenes?.future.length ?? 0) > 0)
+
+  /** The run begins anew. */
+  protected abstract again(): void
+
+  /** Another scene takes the place, as a step of the history or as its beginning. */
+  protected put(scene: Scene, step: boolean): void {
+    this.scenes = this.scenes && step ? history.commit(this.scenes, scene) : history.begin(scene)
+    this.draft = null
+    this.selection = null
+  }
+
+  /** An edit on its way, shown and run at once; `edit` with the last of them makes it one step of the history. */
+  drag = (scene: Scene): void => {
+    this.draft = edited(scene)
+    this.again()
+  }
+
+  /** Lets go of an edit that wasn't meant. */
+  abandon = (): void => {
+    if (!this.draft) return
+    this.draft = null
+    this.again()
+  }
+
+  /** What was being dragged stays as it is now. */
+  settle = (): void => {
+    if (this.draft) this.edit(this.draft)
+  }
+
+  edit = (scene: Scene): void => {
+    if (!this.scenes) return
+    this.draft = null
+    this.scenes = history.commit(this.scenes, edited(scene))
+    this.again()
+  }
+
+  undo = (): void => this.travel(history.undo)
+  redo = (): void => this.travel(history.redo)
+
+  private travel(by: (from: history.History<Scene>) => history.History<Scene>): void {
+    if (!this.scenes) return
+    this.draft = null
+    this.scenes = by(this.scenes)
+    this.selection = null
+    this.again()
+  }
+
+  select = (selection: Selection | null): void => {
+    this.selection = selection
+  }
+
+  addDisc = (x: number, y: number, radius: number): void => {
+    const { discs } = this
+    if (!discs) return
+    this.edit(add(discs, { center: [x, y], radius }))
+    this.selection = { kind: 'disc', index: discs.discs.length }
+  }
+
+  removeSelected = (): void => {
+    if (this.discs && this.selection?.kind === 'disc') {
+      const { index } = this.selection
+      this.selection = null
+      this.edit(remove(this.discs, index))
+    }
+  }
+
+  nudge = (dx: number, dy: number): void => {
+    const { plane, selection } = this
+    if (!plane || !selection) return
+    const [x, y] = place(plane, selection)
+    const moved = move(plane, selection, [x + dx, y + dy])
+    // A row of key presses is one edit.
+    const goesOn = this.nudged?.selection === selection && performance.now() - this.nudged.at < NUDGING
+    if (goesOn && this.scenes) {
+      this.scenes = history.amend(this.scenes, edited(moved))
+      this.again()
+    } else {
+      this.edit(moved)
+    }
+    this.nudged = { selection, at: performance.now() }
+  }
+}
