@@ -21,6 +21,7 @@
 //! - [`swarm`]: particle swarms. A folder a family; a file a planner or a part of one.
 //! - [`drive`]: a robot that follows what was found, and what its outline touches.
 //! - [`session`]: one run, with rewind, hash and link. [`frame`] and [`picture`]: what it looks like.
+//! - `experiment` (not in wasm): many runs beside published figures, with statistics.
 //! - [`geometry`], [`math`], [`rng`], [`digest`], [`error`](mod@error): the ground.
 //!
 //! Imports point one way: faces → session → catalogue → families → scene, geometry, exact → math, rng, error.
@@ -33,6 +34,8 @@ pub mod digest;
 pub mod drive;
 pub mod error;
 pub mod exact;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod experiment;
 pub mod frame;
 pub mod geometry;
 pub mod json;

@@ -1,0 +1,73 @@
+//! Log-log pictures of fits beside published ones.
+
+use std::{error::Error, io, path::Path};
+
+use plotters::{element::DashedPathElement, prelude::*};
+
+use crate::math;
+
+use super::{
+    Failure,
+    fit::Fit,
+    regression::{Case, QUANTITIES, Range},
+};
+
+const SIZE: (u32, u32) = (1040, 480);
+/// For the smallest and the largest: apart without colours, too, by their symbols.
+const COLOURS: [RGBColor; 2] = [RGBColor(0, 98, 155), RGBColor(200, 80, 0)];
+
+/// N and M over D: points, our lines and the published ones (dashed).
+///
+/// # Errors
+/// A file that cannot be written.
+pub(super) fn draw(path: &Path, case: &Case, ranges: &[Range], fits: &[Option<Fit>; 4]) -> Result<(), Failure> {
+    picture(path, case, ranges, fits).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+}
+
+fn picture(path: &Path, case: &Case, ranges: &[Range], fits: &[Option<Fit>; 4]) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::new(path, SIZE).into_drawing_area();
+    root.fill(&WHITE)?;
+    let largest = ranges.iter().flat_map(|range| [range.n[1], range.m[1]]).max().unwrap_or(0).max(250) as f64;
+    for (k, area) in root.split_evenly((1, 2)).into_iter().enumerate() {
+        let letter = ["N", "M"][k];
+        let mut chart = ChartBuilder::on(&area)
+            .caption(format!("{}: {letter} over D", case.title), ("sans-serif", 18))
+            .margin(12)
+            .x_label_area_size(38)
+            .y_label_area_size(52)
+            .build_cartesian_2d((4.5..22.0_f64).log_scale(), (3.0..largest * 1.3).log_scale())?;
+        let label = |number: &f64| format!("{number:.0}");
+        chart.configure_mesh().x_desc("D").y_desc(letter).x_label_formatter(&label).y_label_formatter(&label).draw()?;
+        for (j, colour) in COLOURS.into_iter().enumerate() {
+            let q = 2 * k + j;
+            let (name, of) = QUANTITIES[q];
+            let points = ranges.iter().map(|range| (range.d as f64, of(range) as f64));
+            if j == 0 {
+                chart.draw_series(points.map(|point| Circle::new(point, 4, colour.filled())))?;
+            } else {
+                chart.draw_series(points.map(|point| TriangleMarker::new(point, 6, colour.filled())))?;
+            }
+            let published = curve(case.published[q].b, [5.0, 20.0]);
+            chart
+                .draw_series(DashedLineSeries::new(published, 6, 4, colour.stroke_width(1)))?
+                .label(format!("{name}, published"))
+                .legend(move |(x, y)| DashedPathElement::new([(x, y), (x + 24, y)], 6, 4, colour.stroke_width(1)));
+            if let (Some(fit), Some(first), Some(last)) = (fits[q], ranges.first(), ranges.last()) {
+                chart
+                    .draw_series(LineSeries::new(curve(fit.b, [first.d as f64, last.d as f64]), colour.stroke_width(2)))?
+                    .label(format!("{name}, here, R² {:.3}", fit.r2))
+                    .legend(move |(x, y)| PathElement::new([(x, y), (x + 24, y)], colour.stroke_width(2)));
+            }
+        }
+        chart.configure_series_labels().position(SeriesLabelPosition::LowerRight).background_style(WHITE.mix(0.85)).draw()?;
+    }
+    root.present()?;
+    Ok(())
+}
+
+/// exp(b0) D^b1, close enough together for dashes.
+fn curve([b0, b1]: [f64; 2], [from, to]: [f64; 2]) -> Vec<(f64, f64)> {
+    const PIECES: usize = 60;
+    let at = |i: usize| from * math::pow(to / from, i as f64 / PIECES as f64);
+    (0..=PIECES).map(at).map(|d| (d, math::exp(b0 + b1 * math::ln(d)))).collect()
+}

@@ -1,0 +1,105 @@
+//! What a reproduction has to say: tables, verdicts, what was chosen where the paper is silent, and how to repeat it.
+
+use std::{fmt::Write, fs, path::PathBuf};
+
+use serde::Serialize;
+
+use super::{Failure, Options, Reproduction, at, table::Table};
+
+/// Whether something that was published is found here too.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Verdict {
+    /// What is claimed.
+    pub claim: String,
+    /// Whether the runs bear it out; `None` if they cannot say.
+    pub holds: Option<bool>,
+    /// The numbers it rests on.
+    pub because: String,
+}
+
+/// A reproduction's result.
+#[derive(Debug, Clone, Serialize)]
+pub struct Report {
+    /// The reproduction's name.
+    pub name: &'static str,
+    /// A line for people.
+    pub title: &'static str,
+    /// Where it was published.
+    pub source: &'static str,
+    /// Runs a cell, where they are fewer or more than published.
+    pub shortened: Option<String>,
+    /// The tables.
+    pub tables: Vec<Table>,
+    /// The claims.
+    pub verdicts: Vec<Verdict>,
+    /// What was chosen where the paper is silent, and what should be known when reading the tables.
+    pub notes: Vec<String>,
+    /// Command lines that repeat single runs.
+    pub commands: Vec<String>,
+    /// What was written.
+    pub files: Vec<PathBuf>,
+}
+
+impl Report {
+    /// Nothing to say yet.
+    pub fn new(reproduction: &Reproduction, runs: u64, published: u64) -> Self {
+        let shortened = (runs != published).then(|| format!("{runs} runs a cell, published: {published}"));
+        let Reproduction { name, title, source, .. } = *reproduction;
+        let (tables, verdicts, notes, commands, files) = Default::default();
+        Self { name, title, source, shortened, tables, verdicts, notes, commands, files }
+    }
+
+    /// Writes each table as CSV and the whole as Markdown.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write(&mut self, options: &Options) -> Result<(), Failure> {
+        for table in &self.tables {
+            let path = options.out.join(format!("{}-{}.csv", self.name, table.name));
+            table.csv().and_then(|text| fs::write(&path, text)).map_err(at(&path))?;
+            self.files.push(path);
+        }
+        let path = options.out.join(format!("{}.md", self.name));
+        fs::write(&path, self.markdown()).map_err(at(&path))?;
+        self.files.push(path);
+        Ok(())
+    }
+
+    fn heading(&self) -> String {
+        let shortened = self.shortened.as_ref().map_or(String::new(), |text| format!(" ({text})"));
+        format!("{}: {}, {}{shortened}", self.name, self.title, self.source)
+    }
+
+    /// For a terminal.
+    pub fn text(&self) -> String {
+        let mut text = format!("{}\n\n", self.heading());
+        self.tables.iter().for_each(|table| text += &(table.text() + "\n"));
+        self.verdicts.iter().for_each(|verdict| text += &(line(verdict) + "\n"));
+        let files = self.files.iter().map(|path| path.display().to_string());
+        for (title, items) in [("Notes", self.notes.clone()), ("To repeat a run", self.commands.clone()), ("Written", files.collect())] {
+            let _ = writeln!(text, "\n{title}");
+            items.iter().for_each(|item| text.extend(["  ", item, "\n"]));
+        }
+        text
+    }
+
+    fn markdown(&self) -> String {
+        let mut text = format!("## {}\n\n", self.heading());
+        self.tables.iter().for_each(|table| text += &(table.markdown() + "\n"));
+        self.verdicts.iter().for_each(|verdict| text.extend(["- ", &line(verdict), "\n"]));
+        text += "\n";
+        self.notes.iter().for_each(|note| text.extend(["- ", note, "\n"]));
+        text += "\nTo repeat a run:\n\n";
+        self.commands.iter().for_each(|command| text.extend(["    ", command, "\n"]));
+        text
+    }
+}
+
+fn line(Verdict { claim, holds, because }: &Verdict) -> String {
+    let word = match holds {
+        Some(true) => "yes",
+        Some(false) => "NO",
+        None => "not decided",
+    };
+    format!("{claim}: {word} ({because})")
+}

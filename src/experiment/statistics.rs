@@ -1,0 +1,80 @@
+//! What many results have in common.
+
+use serde::Serialize;
+
+/// Mean, spread and order statistics of a sample.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Summary {
+    /// How many.
+    pub count: usize,
+    /// The mean.
+    pub mean: f64,
+    /// The sample's standard deviation, with n − 1 as in Matlab's `std`; `None` for a single number.
+    pub std: Option<f64>,
+    /// The middle one, or the mean of the two in the middle.
+    pub median: f64,
+    /// The smallest.
+    pub min: f64,
+    /// The largest.
+    pub max: f64,
+}
+
+impl Summary {
+    /// Of these numbers; `None` if there are none.
+    pub fn of(numbers: impl IntoIterator<Item = f64>) -> Option<Self> {
+        let mut sorted: Vec<f64> = numbers.into_iter().collect();
+        sorted.sort_by(f64::total_cmp);
+        let (count, half) = (sorted.len(), sorted.len() / 2);
+        let (&min, &max) = (sorted.first()?, sorted.last()?);
+        let moments = sorted.iter().fold(Moments::default(), |moments, &x| moments.with(x));
+        let median = if count % 2 == 1 { sorted[half] } else { f64::midpoint(sorted[half - 1], sorted[half]) };
+        Some(Self { count, mean: moments.mean, std: moments.std(), median, min, max })
+    }
+}
+
+/// Count, mean and sum of squared deviations, one number after the other (Welford).
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Moments {
+    /// How many.
+    pub count: f64,
+    /// Their mean.
+    pub mean: f64,
+    /// Σ (x − mean)². A further number never makes it smaller.
+    pub squares: f64,
+}
+
+impl Moments {
+    /// With one number more.
+    #[must_use]
+    pub fn with(self, x: f64) -> Self {
+        let count = self.count + 1.0;
+        let deviation = x - self.mean;
+        let mean = self.mean + deviation / count;
+        Self { count, mean, squares: self.squares + deviation * (x - mean) }
+    }
+
+    /// The standard deviation with n − 1.
+    pub fn std(&self) -> Option<f64> {
+        (self.count > 1.0).then(|| (self.squares / (self.count - 1.0)).sqrt())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// python3 -c 'import numpy as n; x=[2,4,4,4,5,5,7,9.5]; print(n.mean(x), n.std(x, ddof=1), n.median(x))'
+    #[test]
+    fn a_summary_agrees_with_numpy() {
+        let found = Summary::of([5.0, 9.5, 4.0, 2.0, 4.0, 7.0, 5.0, 4.0]).unwrap();
+        assert_eq!((found.count, found.mean, found.median, found.min, found.max), (8, 5.0625, 4.5, 2.0, 9.5));
+        assert!((found.std.unwrap() - 2.274_666_380_561_585).abs() < 1e-14, "{:?}", found.std);
+    }
+
+    #[test]
+    fn one_number_has_no_spread_and_none_has_nothing() {
+        let one = Summary::of([3.0]).unwrap();
+        assert_eq!((one.mean, one.median, one.std), (3.0, 3.0, None));
+        assert_eq!(Summary::of([]), None);
+    }
+}

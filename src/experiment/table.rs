@@ -1,0 +1,167 @@
+//! Tables: as text, Markdown, CSV and JSON.
+
+use serde::{Serialize, Serializer, ser::SerializeMap};
+
+/// What stands in a table.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    /// Nothing.
+    Empty,
+    /// Words.
+    Text(String),
+    /// A number, shown with so many digits after the point.
+    Number(f64, usize),
+}
+
+impl Cell {
+    /// A number that may be missing.
+    pub fn maybe(number: Option<f64>, digits: usize) -> Self {
+        number.map_or(Self::Empty, |number| Self::Number(number, digits))
+    }
+
+    /// A whole number.
+    pub fn whole(number: u64) -> Self {
+        Self::Number(number as f64, 0)
+    }
+
+    fn shown(&self) -> String {
+        match self {
+            Self::Empty => String::new(),
+            Self::Text(text) => text.clone(),
+            Self::Number(number, digits) => format!("{number:.digits$}"),
+        }
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl Serialize for Cell {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Empty => serializer.serialize_none(),
+            Self::Text(text) => serializer.serialize_str(text),
+            Self::Number(number, _) => serializer.serialize_f64(*number),
+        }
+    }
+}
+
+/// Named columns and rows of as many cells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// An identifier.
+    pub name: String,
+    /// What it shows.
+    pub title: String,
+    /// The columns' names.
+    pub columns: Vec<String>,
+    /// The rows.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+impl Table {
+    /// Without rows yet.
+    pub fn new(name: impl Into<String>, title: impl Into<String>, columns: &[&str]) -> Self {
+        Self { name: name.into(), title: title.into(), columns: columns.iter().map(|&name| name.to_owned()).collect(), rows: Vec::new() }
+    }
+
+    fn widths(&self, shown: &[Vec<String>]) -> Vec<usize> {
+        let width = |text: &String| text.chars().count();
+        (0..self.columns.len())
+            .map(|j| shown.iter().map(|row| width(&row[j])).chain([width(&self.columns[j])]).max().unwrap_or(0))
+            .collect()
+    }
+
+    /// A line of cells: texts to the left, numbers to the right.
+    fn line(&self, cells: &[String], widths: &[usize], between: &str) -> String {
+        let number = |j: usize| self.rows.iter().any(|row| matches!(row[j], Cell::Number(..)));
+        let pad = |(j, text): (usize, &String)| {
+            let width = widths[j];
+            if number(j) { format!("{text:>width$}") } else { format!("{text:<width$}") }
+        };
+        cells.iter().enumerate().map(pad).collect::<Vec<_>>().join(between)
+    }
+
+    fn lines(&self, between: &str) -> (String, Vec<usize>, Vec<String>) {
+        let shown: Vec<Vec<String>> = self.rows.iter().map(|row| row.iter().map(Cell::shown).collect()).collect();
+        let widths = self.widths(&shown);
+        let rows = shown.iter().map(|row| self.line(row, &widths, between)).collect();
+        (self.line(&self.columns, &widths, between), widths, rows)
+    }
+
+    /// For a terminal.
+    pub fn text(&self) -> String {
+        let (heading, _, rows) = self.lines("  ");
+        let lines = [self.title.clone(), heading].into_iter().chain(rows);
+        lines.flat_map(|line| [line.trim_end().to_owned(), "\n".to_owned()]).collect()
+    }
+
+    /// For a document.
+    pub fn markdown(&self) -> String {
+        let (heading, widths, rows) = self.lines(" | ");
+        let rule = widths.iter().map(|&width| "-".repeat(width.max(3))).collect::<Vec<_>>().join(" | ");
+        let body: String = [heading, rule].into_iter().chain(rows).flat_map(|line| ["| ".to_owned(), line, " |\n".to_owned()]).collect();
+        format!("**{}**\n\n{body}", self.title)
+    }
+
+    /// For other programs, with all digits.
+    ///
+    /// # Errors
+    /// None that is known: it is written to memory.
+    pub fn csv(&self) -> Result<Vec<u8>, std::io::Error> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record(&self.columns).map_err(std::io::Error::other)?;
+        for row in &self.rows {
+            let all_digits = row.iter().map(|cell| match cell {
+                Cell::Number(number, _) => number.to_string(),
+                other => other.shown(),
+            });
+            writer.write_record(all_digits).map_err(std::io::Error::other)?;
+        }
+        writer.into_inner().map_err(|error| std::io::Error::other(error.to_string()))
+    }
+}
+
+/// A row as an object.
+struct Named<'a>(&'a [String], &'a [Cell]);
+
+impl Serialize for Named<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().zip(self.1))
+    }
+}
+
+impl Serialize for Table {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut out = serializer.serialize_map(Some(3))?;
+        out.serialize_entry("name", &self.name)?;
+        out.serialize_entry("title", &self.title)?;
+        out.serialize_entry("rows", &self.rows.iter().map(|row| Named(&self.columns, row)).collect::<Vec<_>>())?;
+        out.end()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_is_shown_four_ways() {
+        let mut table = Table::new("t", "Title", &["who", "x", "y"]);
+        table.rows =
+            vec![vec!["a".into(), Cell::Number(1.25, 1), Cell::Empty], vec!["bcd, e".into(), Cell::Number(10.0, 1), Cell::whole(3)]];
+        assert_eq!(table.text(), "Title\nwho        x  y\na        1.2\nbcd, e  10.0  3\n");
+        assert_eq!(
+            table.markdown(),
+            "**Title**\n\n| who    |    x | y |\n| ------ | ---- | --- |\n| a      |  1.2 |   |\n| bcd, e | 10.0 | 3 |\n"
+        );
+        assert_eq!(String::from_utf8(table.csv().unwrap()).unwrap(), "who,x,y\na,1.25,\n\"bcd, e\",10,3\n");
+        assert_eq!(
+            serde_json::to_value(&table).unwrap()["rows"],
+            serde_json::json!([{ "who": "a", "x": 1.25, "y": null }, { "who": "bcd, e", "x": 10.0, "y": 3.0 }])
+        );
+    }
+}
