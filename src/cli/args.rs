@@ -1,6 +1,6 @@
 //! What can be typed.
 
-use std::path::PathBuf;
+use std::{num::NonZeroUsize, path::PathBuf};
 
 use clap::{Args, Parser, Subcommand};
 
@@ -46,6 +46,32 @@ pub(super) enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Carry out a published experiment anew and print the result beside the published one.
+    ///
+    /// Rows are kept as they are finished: after an interruption the same command goes on from there.
+    #[command(after_help = super::reproduce::after_help())]
+    Reproduce(ReproduceArgs),
+}
+
+#[derive(Args)]
+pub(super) struct ReproduceArgs {
+    /// Which one. All, if left out.
+    pub(super) name: Option<String>,
+    /// The folder for rows, tables (CSV and Markdown) and pictures.
+    #[arg(long, value_name = "DIR", default_value = "reproduce")]
+    pub(super) out: PathBuf,
+    /// How many threads; the rows do not depend on it. All cores, if left out.
+    #[arg(long, value_name = "N")]
+    pub(super) jobs: Option<NonZeroUsize>,
+    /// Runs a cell, fewer for a quick look. As many as published, if left out.
+    #[arg(long, value_name = "N")]
+    pub(super) runs: Option<u64>,
+    /// Throw away the rows that are there, and begin anew.
+    #[arg(long)]
+    pub(super) fresh: bool,
+    /// Print the reports as JSON.
+    #[arg(long)]
+    pub(super) json: bool,
 }
 
 #[derive(Args)]

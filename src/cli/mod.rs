@@ -1,12 +1,14 @@
 //! The shell face, the only place that knows clap.
 //!
 //! Exit codes: 0 a feasible result, 1 none found, 2 the input was refused (message on standard error, nothing on
-//! standard output).
+//! standard output), 130 an experiment was interrupted (what is finished is kept).
 
 mod args;
 mod exact;
+mod interrupt;
 mod list;
 mod load;
+mod reproduce;
 mod run;
 mod suggest;
 
@@ -25,6 +27,8 @@ enum Failure {
     Refused(forage::Error),
     /// A file could not be read or written.
     File(String, std::io::Error),
+    /// Ctrl-C ended an experiment: exit code 130, as shells have it.
+    Interrupted(String),
 }
 
 impl From<forage::Error> for Failure {
@@ -38,6 +42,7 @@ impl std::fmt::Display for Failure {
         match self {
             Self::Refused(error) => error.fmt(f),
             Self::File(path, error) => write!(f, "{path}: {error}"),
+            Self::Interrupted(message) => f.write_str(message),
         }
     }
 }
@@ -52,10 +57,11 @@ pub(crate) fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Suggest { planner, scene, set, json } => suggest::suggest(planner, &scene, &set, json),
         Command::Exact { scene, json } => exact::exact(&scene, json),
+        Command::Reproduce(args) => reproduce::reproduce(args),
     };
     outcome.unwrap_or_else(|failure| {
         eprintln!("forage: {failure}");
-        ExitCode::from(2)
+        ExitCode::from(if matches!(failure, Failure::Interrupted(_)) { 130 } else { 2 })
     })
 }
 

@@ -6,10 +6,7 @@ use std::{
     io::{self, Write},
     path::Path,
     process::ExitCode,
-    sync::{
-        Arc,
-        atomic::{AtomicBool, Ordering},
-    },
+    sync::atomic::Ordering,
     time::Duration,
 };
 
@@ -23,7 +20,7 @@ use forage::{
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
-use super::{Failure, args::RunArgs, load, print, print_json};
+use super::{Failure, args::RunArgs, interrupt, load, print, print_json};
 
 /// The outcome and what only the shell knows.
 #[derive(Serialize)]
@@ -67,14 +64,7 @@ pub(super) fn run(args: &RunArgs) -> super::Outcome {
 /// Steps to the end, to `stop_at`, or to Ctrl-C, whichever comes first. Returns the milliseconds it took.
 #[expect(clippy::disallowed_types, reason = "the shell tells how long a run took; no planner sees it")]
 fn carry_out(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) -> Result<f64, Failure> {
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&interrupted);
-    // A second Ctrl-C ends the program at once; without a handler (none could be set) the first does.
-    let _ = ctrlc::set_handler(move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
+    let interrupted = interrupt::flag();
     let end = stop_at.unwrap_or(u64::MAX).min(session.limit());
     let (bar, mut shown) = (progress(end), false);
     let mut rows = trace.map(|path| File::create(path).map(io::BufWriter::new).map_err(|error| file(path, error))).transpose()?;

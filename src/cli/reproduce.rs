@@ -1,0 +1,68 @@
+//! `forage reproduce`.
+
+use std::{process::ExitCode, time::Duration};
+
+use forage::experiment::{self, Options, REPRODUCTIONS, Reproduction, runner::Control};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::{Failure, args::ReproduceArgs, interrupt, print, print_json};
+
+pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
+    let chosen: Vec<&Reproduction> = match &args.name {
+        Some(name) => vec![experiment::find(name)?],
+        None => REPRODUCTIONS.iter().collect(),
+    };
+    let options = Options { out: args.out, threads: args.jobs.map(usize::from), runs: args.runs, fresh: args.fresh };
+    let stop = interrupt::flag();
+    let mut reports = Vec::new();
+    for reproduction in chosen {
+        let bar = progress(reproduction.name);
+        let show = |done, total| {
+            if bar.length() != Some(total) {
+                // What was there before says nothing about how long the rest takes.
+                bar.set_length(total);
+                bar.set_position(done);
+                bar.reset_eta();
+            }
+            bar.set_position(done);
+        };
+        let report = (reproduction.run)(&options, &Control { stop: &stop, progress: &show });
+        bar.finish_and_clear();
+        let report = report?;
+        if !args.json {
+            print(&format!("{}\n", report.text()));
+        }
+        reports.push(report);
+    }
+    if args.json {
+        print_json(&reports);
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The names and what they stand for, below the options of `forage reproduce --help`.
+pub(super) fn after_help() -> String {
+    let width = REPRODUCTIONS.iter().map(|reproduction| reproduction.name.len()).max().unwrap_or(0);
+    let line = |r: &Reproduction| format!("  {:width$}  {}, {}", r.name, r.title, r.source);
+    format!("Names:\n{}", REPRODUCTIONS.iter().map(line).collect::<Vec<_>>().join("\n"))
+}
+
+/// A bar on standard error, which shows it only on a terminal.
+fn progress(name: &'static str) -> ProgressBar {
+    let bar = ProgressBar::no_length().with_message(name);
+    if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent} %, {eta} left") {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(500));
+    bar
+}
+
+impl From<experiment::Failure> for Failure {
+    fn from(failure: experiment::Failure) -> Self {
+        match failure {
+            experiment::Failure::Refused(error) => Self::Refused(error),
+            experiment::Failure::File(path, error) => Self::File(path.display().to_string(), error),
+            interrupted @ experiment::Failure::Interrupted { .. } => Self::Interrupted(interrupted.to_string()),
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! The shell's `forage reproduce`: what it prints, writes, refuses and keeps.
+#![cfg(not(target_arch = "wasm32"))]
+
+use std::{
+    fs,
+    path::PathBuf,
+    process::{Command, Output},
+};
+
+use serde_json::Value;
+
+fn forage(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_forage")).args(args).output().unwrap()
+}
+
+/// An empty folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("reproduce").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    folder
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+#[test]
+fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
+    for (args, part) in [
+        (&["reproduce", "waldo"] as &[&str], "known: ltqpso, ltqpso-regression"),
+        (&["reproduce", "ltqpso", "--runs", "1"], "runs: 1 is not allowed; it must be from 2"),
+        (&["reproduce", "ltqpso", "--jobs", "0"], "--jobs"),
+        (&["reproduce", "ltqpso", "--out", "Cargo.toml", "--runs", "2"], "Cargo.toml"),
+    ] {
+        let output = forage(args);
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        assert!(output.stdout.is_empty(), "{args:?}");
+        assert!(text(&output.stderr).contains(part), "{args:?}: {}", text(&output.stderr));
+    }
+    let help = text(&forage(&["reproduce", "--help"]).stdout);
+    assert!(help.contains("ltqpso-regression") && help.contains("--fresh"), "{help}");
+}
+
+/// Everything but the times, which are the last column.
+fn without_times(csv: &str) -> Vec<String> {
+    csv.lines().map(|line| line.rsplit_once(',').unwrap().0.to_owned()).collect()
+}
+
+#[test]
+fn both_tables_are_printed_written_and_repeatable() {
+    let out = folder("ltqpso");
+    let args = ["reproduce", "ltqpso", "--runs", "2", "--out", out.to_str().unwrap()];
+    let output = forage(&args);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    for part in ["2 runs a cell, published: 50", "Table 3: uniform start, D = 8, N = 30, M = 50", "16.4604", "Table 4", "1.1982"] {
+        assert!(printed.contains(part), "{part}: {printed}");
+    }
+    assert!(printed.contains("Evaluations are equal seed by seed"), "{printed}");
+    let rows = fs::read_to_string(out.join("ltqpso-runs.csv")).unwrap();
+    assert_eq!(rows.lines().count(), 1 + 4 * 2 * 2);
+    assert!(fs::read_to_string(out.join("ltqpso.md")).unwrap().contains("| qpso "));
+    assert!(fs::read_to_string(out.join("ltqpso-table-3.csv")).unwrap().starts_with("planner,of,published mean"));
+
+    // The command that is named gives the row of seed 1 again.
+    let command = printed.lines().find(|line| line.contains("forage run ltqpso") && line.contains("normal")).unwrap();
+    let words: Vec<_> = command.split_whitespace().skip(1).chain(["--json"]).collect();
+    let again: Value = serde_json::from_slice(&forage(&words).stdout).unwrap();
+    let row = rows.lines().find(|line| line.starts_with("table-4,ltqpso,1,")).unwrap();
+    assert_eq!(row.split(',').nth(3).unwrap().parse(), Ok(again["cost"].as_f64().unwrap()));
+    assert_eq!(row.split(',').nth(4).unwrap().parse(), Ok(again["length"].as_f64().unwrap()));
+
+    // Killed after some rows, in the middle of a line: on one core the rest gives the same rows.
+    fs::write(out.join("ltqpso-runs.csv"), &rows[..rows.len() / 2]).unwrap();
+    let resumed = forage(&[&args[..], &["--jobs", "1", "--json"]].concat());
+    assert_eq!(without_times(&fs::read_to_string(out.join("ltqpso-runs.csv")).unwrap()), without_times(&rows));
+    let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
+    assert_eq!(report[0]["tables"][0]["rows"][0]["published mean"], 16.4604);
+}
+
+/// Ctrl-C: what is finished is kept, and the same command goes on from there.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_keeps_what_is_finished() {
+    let out = folder("interrupt");
+    let args = ["reproduce", "ltqpso", "--runs", "500", "--jobs", "1", "--out", out.to_str().unwrap()];
+    let child = Command::new(env!("CARGO_BIN_EXE_forage")).args(args).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    let rows = out.join("ltqpso-runs.csv");
+    let lines = || fs::read_to_string(&rows).map_or(0, |text| text.lines().count());
+    for _ in 0..600 {
+        if lines() > 2 {
+            break;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    let message = text(&output.stderr);
+    assert!(message.contains(&format!("{} of 4000 rows are kept", lines() - 1)), "{message}");
+}
