@@ -13,6 +13,16 @@ pub struct Regression {
     pub f: f64,
 }
 
+impl Regression {
+    /// How many points the paper fits: D = 5 … 20.
+    pub const POINTS: f64 = 16.0;
+
+    /// R² as printed, or where that cannot be read as it follows from F: F / (F + n − 2).
+    pub fn r2(&self) -> f64 {
+        self.r2.unwrap_or(self.f / (self.f + Self::POINTS - 2.0))
+    }
+}
+
 const fn regression(b: [f64; 2], interval: [[f64; 2]; 2], r2: Option<f64>, f: f64) -> Regression {
     Regression { b, interval, r2, f }
 }
@@ -41,3 +51,27 @@ pub const TABLE_3: Results = [[16.4604, 3.2653, 4.2507], [15.7631, 1.0213, 2.528
 
 /// Table 4: start N(45°, 30°), D = 16, 50 runs.
 pub const TABLE_4: Results = [[16.0554, 5.6474, 2.8812], [15.8156, 1.1982, 1.6082]];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where R² can be read it is what F and 16 points give, so the paper fits one point a D.
+    #[test]
+    fn a_legible_r2_agrees_with_f() {
+        let legible: Vec<_> = TABLE_1.into_iter().chain(TABLE_2).filter(|line| line.r2.is_some()).collect();
+        assert_eq!(legible.len(), 3);
+        for line in legible {
+            assert!((line.r2() - Regression { r2: None, ..line }.r2()).abs() < 1e-4, "{line:?}");
+        }
+    }
+
+    /// The printed interval about M min's exponent in Table 1 is not about it; all others are, to their two digits.
+    #[test]
+    fn one_interval_is_misprinted() {
+        let off = |line: &Regression, k: usize| (f64::midpoint(line.interval[k][0], line.interval[k][1]) - line.b[k]).abs() > 0.02;
+        let lines: Vec<_> = TABLE_1.iter().chain(&TABLE_2).flat_map(|line| [off(line, 0), off(line, 1)]).collect();
+        assert_eq!(lines.iter().filter(|&&off| off).count(), 1);
+        assert!(lines[5]);
+    }
+}
