@@ -66,6 +66,7 @@ mod tests {
         assert!((fit.p / SCIPY[8] - 1.0).abs() < 1e-6, "{}", fit.p);
     }
 
+    #[expect(clippy::unreadable_literal, reason = "as it was printed")]
     const SCIPY: [f64; 9] = [
         -0.019999999999998685,
         2.0199999999999996,

@@ -225,7 +225,7 @@ impl Job for Task {
 mod tests {
     use super::*;
 
-    const NEVER: AtomicBool = AtomicBool::new(false);
+    static NEVER: AtomicBool = AtomicBool::new(false);
 
     #[test]
     fn n_and_m_grow_in_turn() {
