@@ -95,7 +95,7 @@ pub fn check_scene(scene: &JsScene) -> Result<JsScene, JsValue> {
     Ok(plain(&*read_scene(scene)?))
 }
 
-/// Checks one parameter's value.
+/// Checks one parameter's value by itself, whatever the other parameters are.
 ///
 /// # Errors
 /// An `Error` with `field`, `value` and `allowed`.
@@ -103,8 +103,10 @@ pub fn check_scene(scene: &JsScene) -> Result<JsScene, JsValue> {
 pub fn check_parameter(planner: &str, kind: &JsKind, name: &str, value: &JsParameterValue) -> Result<(), JsValue> {
     let entry = find(planner).map_err(|error| js_error(&error))?;
     let kind = read_kind(kind)?;
-    let given = Given::from_iter([(name, read_parameter(name, value)?)]);
-    crate::params::Settings::new(entry.parameters, kind, &given).map(drop).map_err(|error| js_error(&error))
+    let known = || entry.parameters_on(kind);
+    let parameter =
+        known().find(|p| p.name == name).ok_or_else(|| js_error(&Error::unknown("parameter", name, known().map(|p| p.name))))?;
+    parameter.check(&read_parameter(name, value)?).map_err(|error| js_error(&error))
 }
 
 /// The sizes that the planner's paper recommends for a setup; null where it says nothing.
