@@ -67,6 +67,35 @@ fn wcpso_finds_the_way_among_the_seven_discs() {
     assert!(good >= 9, "{good} of 10");
 }
 
+/// [LTQPSO] Table 3's order, with the published sizes (N = 30, M = 50, D = 8, uniform start), 50 seeds each: at equal
+/// evaluations ltqpso has the smaller mean and the smaller standard deviation, before smoothing and after.
+#[test]
+fn ltqpso_does_better_than_qpso_on_the_ten_metre_grid() {
+    let runs = |planner: &str| {
+        let outcome = |seed| {
+            let setup = Setup { planner: planner.into(), scene: shipped("qpso-10m").unwrap(), params: Given::new(), seed };
+            let mut session = Session::with_keyframes(setup, 0).unwrap();
+            session.step(u64::MAX);
+            let outcome = session.outcome();
+            assert!(outcome.feasible, "{planner}, seed {seed}");
+            let raw = outcome.readings.iter().find(|(name, _)| *name == "length").unwrap().1;
+            (outcome.evaluations, [raw, outcome.length.unwrap()])
+        };
+        (1..=50).map(outcome).collect::<Vec<_>>()
+    };
+    let (q, lt) = (runs("qpso"), runs("ltqpso"));
+    assert!(q.iter().zip(&lt).all(|(q, lt)| q.0 == lt.0), "equal evaluations, seed by seed");
+    for which in 0..2 {
+        let statistics = |runs: &[(u64, [f64; 2])]| {
+            let mean = runs.iter().map(|(_, lengths)| lengths[which]).sum::<f64>() / 50.0;
+            let squares = runs.iter().map(|(_, lengths)| (lengths[which] - mean) * (lengths[which] - mean)).sum::<f64>();
+            (mean, (squares / 49.0).sqrt())
+        };
+        let (q, lt) = (statistics(&q), statistics(&lt));
+        assert!(lt.0 < q.0 && lt.1 < q.1, "qpso {q:?}, ltqpso {lt:?}");
+    }
+}
+
 /// As printed, (15) does not see what lies between the way-points; the outcome says so all the same.
 #[test]
 fn the_printed_penalty_is_judged_by_the_whole_path() {

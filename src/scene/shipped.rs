@@ -14,6 +14,7 @@ const FILES: &[&str] = &[
     include_str!("../../scenes/qpso-10m.json"),
     include_str!("../../scenes/qpso-10m-empty.json"),
     include_str!("../../scenes/sphere.json"),
+    include_str!("../../scenes/sphere-4.json"),
     include_str!("../../scenes/rosenbrock.json"),
     include_str!("../../scenes/ackley.json"),
     include_str!("../../scenes/rastrigin.json"),

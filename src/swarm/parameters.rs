@@ -93,7 +93,7 @@ pub(super) const FREE: Reading = reading(
     "The cost of the cheapest path without penalty so far: the result.",
 );
 pub(super) const LENGTH: Reading =
-    reading("length", "L_D", "Length", Group::Length, "The result’s length before smoothing, [LTQPSO] (17).");
+    reading("length", "L_D", "Raw length", Group::Length, "The result’s length before smoothing, [LTQPSO] (17).");
 pub(super) const SMOOTHNESS: Reading = reading(
     "smoothness",
     "L_S",
