@@ -1,4 +1,5 @@
-//! Whole runs: 60 particles × 1000 iterations in 10 dimensions, and the same through argmin's `ParticleSwarm`.
+//! Whole runs: 60 particles × 1000 iterations in 10 dimensions, and the same through argmin's `ParticleSwarm`; and on the
+//! 10 m grid, where an evaluation is a path of eight segments among grown cells.
 //!
 //! `cargo bench --bench swarms`; `scripts/bench-wasm` prints the ratio of wasm under Node to native.
 
@@ -10,7 +11,7 @@ use argmin::{
 };
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use forage::{
-    Given, Scene,
+    Scene,
     catalogue::{Entry, PLANNERS},
     params::Settings,
     scene::Function,
@@ -33,7 +34,9 @@ fn scene(function: Function) -> Arc<Scene> {
 }
 
 fn whole_run(entry: &Entry, scene: &Arc<Scene>) -> f64 {
-    let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).expect("defaults are valid");
+    let sizes = [("population", PARTICLES as f64), ("iterations", ITERATIONS as f64)];
+    let given = sizes.into_iter().map(|(name, size)| (name, size.into())).collect();
+    let settings = Settings::new(entry.parameters, scene.kind(), &given).expect("the sizes are valid");
     let mut planner: Box<dyn AnyPlanner> = (entry.start)(scene, &settings, 1).expect("defaults start");
     while planner.step_taken() {}
     planner.best().map_or(f64::NAN, |best| best.cost)
@@ -87,6 +90,16 @@ fn swarms(criterion: &mut Criterion) {
     }
 }
 
+fn grid(criterion: &mut Criterion) {
+    let scene = forage::shipped("qpso-10m").expect("it ships");
+    let mut group = criterion.benchmark_group(format!("10 m grid D8, {PARTICLES} x {ITERATIONS}"));
+    group.sample_size(20);
+    for entry in PLANNERS.iter().filter(|entry| entry.family == "swarm") {
+        group.bench_with_input(BenchmarkId::new("forage", entry.name), entry, |b, entry| b.iter(|| black_box(whole_run(entry, &scene))));
+    }
+    group.finish();
+}
+
 /// Why the inner loop does not draw from ChaCha directly: 1.2 million uniform numbers, what such a run needs.
 fn generators(criterion: &mut Criterion) {
     use rand::RngExt;
@@ -99,5 +112,5 @@ fn generators(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, swarms, generators);
+criterion_group!(benches, swarms, grid, generators);
 criterion_main!(benches);

@@ -238,17 +238,23 @@ fn every_condition_can_be_met() {
 /// Encoding and planner vary independently: every swarm on every kind of path, way-points or polar, smoothed or not.
 #[test]
 fn every_swarm_runs_on_every_encoding() {
-    for (entry, scene) in pairs().into_iter().filter(|(_, scene)| scene.ends().is_some()) {
+    let mut all: Vec<_> = pairs().into_iter().filter(|(_, scene)| scene.ends().is_some()).collect();
+    // A point among the same walls: its best paths touch corners exactly, where rounding decides.
+    let mut point: serde_json::Value = serde_json::from_str(&forage::shipped("qpso-10m").unwrap().to_json()).unwrap();
+    point.as_object_mut().unwrap().remove("robot");
+    let point = Arc::new(Scene::from_value(point).unwrap());
+    all.extend(PLANNERS.iter().map(|entry| (entry, Arc::clone(&point))));
+    for (entry, scene) in all {
         for (encoding, points) in [("waypoints", 5), ("polar", 9)] {
             let run = |smooth: bool| {
-                let params = [("encoding", encoding.into()), ("smooth", Value::Flag(smooth)), ("iterations", 150.0.into())];
+                let params = [("encoding", encoding.into()), ("smooth", Value::Flag(smooth)), ("iterations", 400.0.into())];
                 let mut session = session(entry, &scene, params.into_iter().collect(), 7);
                 session.step(u64::MAX);
                 session.outcome()
             };
             let (raw, smooth) = (run(false), run(true));
             assert_eq!(raw.path.as_ref().unwrap().len(), points, "{} {encoding}", entry.name);
-            assert_eq!(smooth.path.as_ref().unwrap().len(), (points - 1) * 8 + 1);
+            assert!(smooth.path.as_ref().unwrap().len() <= (points - 1) * 8 + 1);
             assert_eq!(raw.cost, smooth.cost, "smoothing is not part of the search");
             assert_eq!(raw.feasible, smooth.feasible, "{} {encoding} on {}: smoothing never leaves free space", entry.name, scene.name());
             if raw.feasible {

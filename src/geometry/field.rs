@@ -6,6 +6,10 @@ use super::{Block, Oriented};
 /// crossing.
 const HAIR: f64 = 1e-9;
 
+/// What planners keep away beyond that, in cells, so that a path that cost them nothing is still free when it is cut into
+/// pieces and their ends are rounded.
+const MARGIN: f64 = 5e-10;
+
 /// Up to this many blocks in a row are looked at one after the other.
 const FEW: usize = 8;
 
@@ -19,6 +23,8 @@ pub struct Field {
     grow: f64,
     /// The robot's radius.
     radius: f64,
+    /// [`MARGIN`] in the scene's unit.
+    margin: f64,
     cells: Rows,
     /// For a point robot: what lies across the line between two rows, so that it cannot slip along it.
     seams: Rows,
@@ -56,7 +62,7 @@ impl Field {
             }
             (cells, seams, grow)
         };
-        Self { size: [columns as f64 * cell, rows as f64 * cell], grow, radius, cells, seams }
+        Self { size: [columns as f64 * cell, rows as f64 * cell], grow, radius, margin: MARGIN * cell, cells, seams }
     }
 
     /// The robot's radius.
@@ -110,7 +116,7 @@ impl Field {
     /// Whether the robot's centre may go from `a` straight to `b`.
     #[inline]
     pub fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
-        self.near(a, b).all(|block| !self.hits(block, a, b))
+        self.near(a, b).all(|block| !hits(block, self.grow, a, b))
     }
 
     /// The same for a round robot whose radius is less by `slack`: what touches by construction must not be lost to
@@ -120,17 +126,15 @@ impl Field {
         if self.radius > 0.0 { self.near(a, b).all(|block| block.distance_squared(a, b) >= grow * grow) } else { self.is_free(a, b) }
     }
 
-    #[inline]
-    fn hits(&self, block: &Block, a: [f64; 2], b: [f64; 2]) -> bool {
-        if self.grow > 0.0 { block.distance_squared(a, b) < self.grow * self.grow } else { block.grown(self.grow).clip(a, b).is_some() }
-    }
-
     /// The length of the part of `a`–`b` on which the robot overlaps an obstacle, exactly: pieces of the segment, and
-    /// where they overlap counted once. More than 0 whenever [`Field::is_free`] says no. `pieces` is scratch space.
+    /// where they overlap counted once. The robot is larger by half a billionth of a cell here, so where this is 0 the
+    /// segment is free, and stays it when it is cut into pieces. `pieces` is scratch space.
     pub fn length_inside(&self, a: [f64; 2], b: [f64; 2], pieces: &mut Vec<[f64; 2]>) -> f64 {
         pieces.clear();
-        for block in self.near(a, b).filter(|block| self.hits(block, a, b)) {
-            let piece = if self.grow > 0.0 { block.clip_grown(self.grow, a, b) } else { block.grown(self.grow).clip(a, b) };
+        let (margin, grow) = (self.margin, self.grow + self.margin);
+        let near = self.cells.near(a, b, self.radius + margin).chain(self.seams.near(a, b, self.radius + margin));
+        for block in near.filter(|block| hits(block, grow, a, b)) {
+            let piece = if grow > 0.0 { block.clip_grown(grow, a, b) } else { block.grown(grow).clip(a, b) };
             pieces.push(piece.unwrap_or([0.0, 0.0]));
         }
         if pieces.is_empty() {
@@ -151,7 +155,9 @@ impl Field {
     pub fn clearance(&self, a: [f64; 2], b: [f64; 2]) -> Option<f64> {
         let signed = |block: &Block| {
             let squared = block.distance_squared(a, b);
-            if squared > 0.0 { squared.sqrt() } else { -block.depth(a, b) }
+            // A hair's overlap is what a point robot is allowed: it touches.
+            let depth = || Some(block.depth(a, b)).filter(|&depth| depth > -self.grow.min(0.0)).unwrap_or(0.0);
+            if squared > 0.0 { squared.sqrt() } else { -depth() }
         };
         self.all().map(signed).reduce(f64::min).map(|least| least - self.radius)
     }
@@ -208,6 +214,12 @@ impl Rows {
             blocks.iter().take_while(move |block| block.min[0] <= x1).filter(move |block| block.max[0] >= x0 && !beside(block))
         })
     }
+}
+
+/// Whether a segment enters a block grown by `grow`.
+#[inline]
+fn hits(block: &Block, grow: f64, a: [f64; 2], b: [f64; 2]) -> bool {
+    if grow > 0.0 { block.distance_squared(a, b) < grow * grow } else { block.grown(grow).clip(a, b).is_some() }
 }
 
 /// Calls `push` with every maximal run of columns that are `on`.
@@ -289,10 +301,12 @@ mod tests {
         let mut pieces = Vec::new();
         let field = field(&["......", ".#.##.", ".#....", "......"], 0.5);
         // Along y = 1.5: from 0.5 to 2.5 and from 2.5 to 5.5, touching; 5 in all of 6.
-        assert!((field.length_inside([0.0, 1.5], [6.0, 1.5], &mut pieces) - 5.0).abs() < 1e-12);
+        assert!((field.length_inside([0.0, 1.5], [6.0, 1.5], &mut pieces) - 5.0 - 2.0 * MARGIN).abs() < 1e-12);
         // Up x = 1.5: rows 1 and 2 together, from 0.5 to 3.5.
-        assert!((field.length_inside([1.5, 0.0], [1.5, 4.0], &mut pieces) - 3.0).abs() < 1e-12);
-        assert_eq!(field.length_inside([0.0, 0.5], [6.0, 0.5], &mut pieces), 0.0, "touching");
+        assert!((field.length_inside([1.5, 0.0], [1.5, 4.0], &mut pieces) - 3.0 - 2.0 * MARGIN).abs() < 1e-12);
+        assert_eq!(field.length_inside([0.0, 0.5 - 1e-9], [6.0, 0.5 - 1e-9], &mut pieces), 0.0, "a hair beside");
+        assert!(field.length_inside([0.0, 0.5], [6.0, 0.5], &mut pieces) > 2.9, "planners keep a margin");
+        assert!(field.is_free([0.0, 0.5], [6.0, 0.5]), "but to touch is free");
     }
 
     /// The rows and columns that are passed over never hide a hit: against a look at every block.
@@ -306,14 +320,15 @@ mod tests {
             for _ in 0..60 {
                 let [a, b] = [0, 1].map(|_| [rng.between(0.0, 6.0), rng.between(0.0, 4.5)]);
                 let b = if case % 3 == 0 { [b[0], a[1]] } else { b };
-                let all = field.all().any(|block| field.hits(block, a, b));
+                let all = field.all().any(|block| hits(block, field.grow, a, b));
                 assert_eq!(field.is_free(a, b), !all, "{a:?} {b:?} radius {radius}");
                 let inside = field.length_inside(a, b, &mut Vec::new());
-                assert_eq!(inside > 0.0, all);
+                let strict = field.all().any(|block| hits(block, field.grow + field.margin, a, b));
+                assert_eq!(inside > 0.0, strict);
                 let sampled = (0..400)
                     .map(|i| f64::from(i) / 400.0)
                     .map(|t| [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])])
-                    .filter(|&p| field.all().any(|block| field.hits(block, p, p)))
+                    .filter(|&p| field.all().any(|block| hits(block, field.grow, p, p)))
                     .count() as f64;
                 let length = super::super::length(&[a, b]);
                 assert!((inside - length * sampled / 400.0).abs() < length * 0.03, "{inside} {sampled}");

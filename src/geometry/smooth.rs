@@ -4,14 +4,20 @@
 /// neighbours near it.
 pub const PIECES: usize = 8;
 
-/// The path with each segment cut into `pieces` equal ones.
-pub fn subdivided(path: &[[f64; 2]], pieces: usize) -> Vec<[f64; 2]> {
-    let between = |w: &[[f64; 2]], i: usize| {
-        let t = i as f64 / pieces as f64;
-        [0, 1].map(|axis| w[0][axis] + t * (w[1][axis] - w[0][axis]))
-    };
-    let cut = path.windows(2).flat_map(|w| (0..pieces).map(move |i| between(w, i)));
-    cut.chain(path.last().copied()).collect()
+/// The path with each segment cut into `pieces` equal ones. A segment that is `free` stays whole if one of its pieces
+/// would not be: a line that touches an obstacle exactly may lose that to the rounding of a point on it.
+pub fn subdivided(path: &[[f64; 2]], pieces: usize, free: impl Fn([f64; 2], [f64; 2]) -> bool) -> Vec<[f64; 2]> {
+    let mut cut: Vec<_> = path.first().copied().into_iter().collect();
+    for w in path.windows(2) {
+        let from = cut.len();
+        cut.extend((1..pieces).map(|i| i as f64 / pieces as f64).map(|t| [0, 1].map(|axis| w[0][axis] + t * (w[1][axis] - w[0][axis]))));
+        cut.push(w[1]);
+        if !cut[from - 1..].windows(2).all(|piece| free(piece[0], piece[1])) && free(w[0], w[1]) {
+            cut.truncate(from);
+            cut.push(w[1]);
+        }
+    }
+    cut
 }
 
 /// The Shuman filter, `passes` times: s_i = (1 − S) f_i + S/2 (f_{i−1} + f_{i+1}) with 0 ≤ S ≤ 1. The ends stay.
@@ -63,7 +69,10 @@ mod tests {
 
     #[test]
     fn segments_are_cut_into_equal_pieces() {
-        let cut = subdivided(&[[0.0, 0.0], [4.0, 8.0], [4.0, 9.0]], 2);
-        assert_eq!(cut, [[0.0, 0.0], [2.0, 4.0], [4.0, 8.0], [4.0, 8.5], [4.0, 9.0]]);
+        let path = [[0.0, 0.0], [4.0, 8.0], [4.0, 9.0]];
+        let cut = [[0.0, 0.0], [2.0, 4.0], [4.0, 8.0], [4.0, 8.5], [4.0, 9.0]];
+        assert_eq!(subdivided(&path, 2, |_, _| true), cut);
+        assert_eq!(subdivided(&path, 2, |_, _| false), cut, "what is not free anyway is cut all the same");
+        assert_eq!(subdivided(&path, 2, |_, b| b != [2.0, 4.0]), [[0.0, 0.0], [4.0, 8.0], [4.0, 8.5], [4.0, 9.0]]);
     }
 }

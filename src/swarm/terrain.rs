@@ -158,8 +158,9 @@ impl Terrain {
 
     fn smoothed(&self, path: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
         let Smoothing { strength, passes } = self.smoothing?;
-        let mut path = subdivided(path, PIECES);
-        shuman(&mut path, strength, passes, |a, b| self.is_free(a, b));
+        let free = |a, b| self.is_free(a, b);
+        let mut path = subdivided(path, PIECES, free);
+        shuman(&mut path, strength, passes, free);
         Some(path)
     }
 
