@@ -61,6 +61,7 @@ export const en = {
     free: 'collision-free',
     cuts: 'cuts through an obstacle',
     above: (gap: string) => `${gap} above the exact optimum`,
+    below: (gap: string) => `${gap} below the exact optimum`,
     equal: 'equal to the exact optimum',
     iteration: 'iteration',
     evaluations: 'evaluations',

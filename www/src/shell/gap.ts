@@ -1,0 +1,12 @@
+import { en } from '../i18n/en'
+import { percent } from '../panels/format'
+
+/** Two results that differ by rounding alone are equal. */
+const ROUNDING = 1e-12
+
+/** How a result stands to the exact optimum. One that cuts through obstacles may be shorter. */
+export function compared(gap: number): string {
+  if (Math.abs(gap) < ROUNDING) return en.result.equal
+  const share = percent(Math.abs(gap))
+  return gap > 0 ? en.result.above(share) : en.result.below(share)
+}
