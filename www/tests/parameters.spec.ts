@@ -130,3 +130,15 @@ test('the paper’s sizes are offered, used at once, and told to be in use', asy
   await page.locator('[data-parameter="segments"] input.typed').press('Enter')
   await expect(offered).toHaveCount(0)
 })
+
+test('a run that stops early doesn’t claim to have reached its limit; a path that cuts corners is below the optimum', async ({ lab, page }) => {
+  await lab.open(linkTo({ planner: 'ltqpso', scene: 'qpso-10m', params: { early_stop: 5 } }, 50))
+  await lab.settled()
+  const result = await lab.section('result')
+  await expect(result.locator('[data-figure="state"]')).toHaveText(panels.result.early)
+
+  await lab.open('#v=1&planner=pso&scene=wcpso-discs&seed=1&p.penalty=waypoints&at=500')
+  await lab.settled(500)
+  await expect(page.getByTestId('result-strip')).toContainText(en.result.below(''))
+  await expect(page.getByTestId('result-strip')).not.toContainText(en.result.above(''))
+})

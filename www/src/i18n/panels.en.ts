@@ -96,7 +96,7 @@ export const panels = {
     distance: 'Distance',
     maxError: 'Largest error',
     rmsError: 'Error, rms',
-    clearance: 'Clearance',
+    clearance: 'Outline’s clearance',
     none: 'no obstacles',
     counts: 'Encoder counts, left / right',
     now: 'At this moment',
@@ -105,6 +105,7 @@ export const panels = {
   },
   result: {
     drive: 'Drive',
+    driveDefault: 'Drive with default parameters',
     driven: (time: string, distance: string, error: string) => `${time} s, ${distance}, off by at most ${error}`,
     driveTouches: 'touches an obstacle',
     driveLost: 'does not arrive',
@@ -134,6 +135,7 @@ export const panels = {
       exhausted: 'iteration limit reached',
       infeasible: 'no solution',
     },
+    early: 'stopped early',
     published: 'Published for this scene',
   },
 } as const
