@@ -173,3 +173,37 @@ test('the drive’s parameters make another drive; what the core refuses is said
   await expect(row.getByRole('alert')).toHaveCount(0)
   await figuresAre(lab, driven(50, { [parameter.name]: value }))
 })
+
+test('by keyboard: the drive takes the focus of the button that is gone, and the stage gets it back', async ({ lab, page }) => {
+  await lab.open(linkTo(GRID, 50))
+  await lab.settled(50)
+  await lab.section('drive')
+  await page.getByTestId('drive-begin').press('Enter')
+  await expect(page.getByTestId('drive-play')).toBeFocused()
+  await page.getByTestId('drive-leave').press('Enter')
+  await expect(lab.stage).toBeFocused()
+})
+
+test('other parameters of the drive: the result’s own figures say that they are the default’s', async ({ lab, page }) => {
+  await begin(lab, 50)
+  await lab.section('result')
+  const told = page.getByTestId('result-drive')
+  await expect(told).not.toContainText(panels.result.driveDefault)
+  await page.getByText(text.parameters, { exact: true }).click()
+  const field = page.getByTestId('drive').locator('[data-parameter="look_ahead"] input.typed')
+  await field.fill('2')
+  await field.press('Enter')
+  await expect(told).toContainText(panels.result.driveDefault)
+})
+
+for (const width of [360, 920, 1000]) {
+  test(`the bar of the drive fits ${width} pixels, with its time`, async ({ lab, page }) => {
+    await page.setViewportSize({ width, height: 900 })
+    await lab.open(linkTo(GRID, 50))
+    await lab.settled(50)
+    await page.getByTestId('tool-drive').click()
+    const bar = page.getByTestId('drive-bar')
+    await expect(bar.locator('p')).toBeVisible()
+    expect(await bar.evaluate((node) => [node.scrollWidth, ...[...node.children].map((child) => child.getBoundingClientRect().right)].every((edge) => edge <= node.getBoundingClientRect().right))).toBe(true)
+  })
+}
