@@ -195,3 +195,13 @@ for (const event of ['leap', 'replaced']) {
     expect(await key.evaluateAll((items) => items.map((item) => item.getAttribute('data-role')))).toEqual(['before', 'mean-best', 'attractors', 'jump', 'after'])
   })
 }
+
+test('beside the panels in a narrow window, the tools don’t cover the goal', async ({ lab, page }) => {
+  await page.setViewportSize({ width: 960, height: 1080 })
+  await lab.open(linkTo(GRID, 20))
+  await lab.settled(20)
+  const goal = await lab.whereIs(shipped, shipped.goal ?? corner)
+  expect(await page.evaluate(({ x, y }) => document.elementFromPoint(x + 8, y)?.getAttribute('data-testid'), goal)).toBe('stage')
+  await lab.dragFrom(goal, -60, 60)
+  expect((await sceneAt(lab, 3)).goal?.[0]).toBeLessThan(9)
+})

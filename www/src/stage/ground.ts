@@ -79,6 +79,9 @@ export function drawDiscs(pen: Pen, { discs }: DiscsScene, blamed: Selection | n
   })
 }
 
+/** The room that a label needs, in pixels, with the column of tools beside it. */
+const LABEL = 104
+
 /** Start, goal, and what of the scene is selected or under the pointer. */
 export function drawEnds(pen: Pen, scene: Plane, selection: Selection | null, hover: Handle | null, blamed: Selection | null, names: { start: string; goal: string }): void {
   const { context, view, size, palette } = pen
@@ -105,7 +108,7 @@ export function drawEnds(pen: Pen, scene: Plane, selection: Selection | null, ho
     // Away from the path, where there is room.
     const other = scene[kind === 'start' ? 'goal' : 'start']
     const [otherX, otherY] = other ? toScreen(view, size, other) : [x, y]
-    const leftwards = x > size.width - 64 || (otherX > x && x > 64)
+    const leftwards = x > size.width - LABEL || (otherX > x && x > 64)
     const below = !leftwards && otherX > x && otherY < y
     context.textAlign = leftwards ? 'right' : 'left'
     plate(context, palette.get('--stage'), names[kind], x + (leftwards ? -13 : 13), y + (below ? 14 : -12))

@@ -1,13 +1,10 @@
 import { test as base, expect, type Locator, type Page } from '@playwright/test'
 import type { Point, Scene } from '../../../pkg/node.js'
 import { en } from '../../src/i18n/en'
-import { extent, fit, isDown, toScreen } from '../../src/stage/view'
+import { extent, fit, isDown, margins, toScreen } from '../../src/stage/view'
 import { SITE } from './site'
 
 export const HASH = /^[0-9a-f]{16}$/
-
-/** The view's margin around a scene that is shown whole, in pixels. */
-const MARGIN = 38
 
 /** The page as somebody uses it. */
 export class Lab {
@@ -68,7 +65,7 @@ export class Lab {
   async whereIs(scene: Scene, point: Point): Promise<{ x: number; y: number }> {
     const box = await this.stage.boundingBox()
     if (!box) throw new Error('no stage')
-    const [x, y] = toScreen(fit(extent(scene), box, MARGIN, isDown(scene)), box, point)
+    const [x, y] = toScreen(fit(extent(scene), box, margins((this.page.viewportSize()?.width ?? 0) > 900), isDown(scene)), box, point)
     return { x: box.x + x, y: box.y + y }
   }
 
