@@ -205,3 +205,11 @@ test('beside the panels in a narrow window, the tools don’t cover the goal', a
   await lab.dragFrom(goal, -60, 60)
   expect((await sceneAt(lab, 3)).goal?.[0]).toBeLessThan(9)
 })
+
+test('where walls shut the goal off, the result says that there is no way', async ({ lab, page }) => {
+  const shut = { ...shipped, rows: shipped.rows.map((line, row) => (row === 12 ? '#'.repeat(line.length) : line)) }
+  await lab.open(linkTo({ ...GRID, scene: shut }, 20))
+  await lab.settled(20)
+  await lab.section('result')
+  await expect(page.getByTestId('result-gap')).toHaveText(panels.result.noWay)
+})

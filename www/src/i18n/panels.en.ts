@@ -115,6 +115,7 @@ export const panels = {
     above: (gap: string, exact: string) => `${gap} above the exact optimum ${exact}`,
     below: (gap: string, exact: string) => `${gap} below the exact optimum ${exact}, which no free path can be`,
     equal: (exact: string) => `equal to the exact optimum ${exact}`,
+    noWay: 'there is no collision-free path here',
     noGap: (exact: string) => `the exact optimum is ${exact}`,
     free: 'Collision-free',
     cuts: (depth: string) => `Cuts ${depth} into an obstacle`,
