@@ -7,15 +7,20 @@ mod support;
 use forage::{Given, Session, Setup, Value, catalogue::PLANNERS, shipped_names};
 use support::{Driven, Golden, ITERATIONS, bits, digest, drives, stored};
 
-fn run(planner: &str, scene: &str, seed: u32) -> Golden {
-    let params = Given::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
+fn run(planner: &str, scene: &str, seed: u32, set: &str) -> Golden {
+    let mut params = Given::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
+    let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
+    more.into_iter().for_each(|(name, value)| params.insert(name, Value::from(value.to_string().trim_matches('"'))));
     let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
     let mut session = Session::new(setup).unwrap();
     session.step(u64::from(ITERATIONS / 2));
     let half = session.hash();
     session.step(u64::MAX);
-    let cost = bits(session.outcome().cost);
-    Golden { planner: planner.to_owned(), scene: scene.to_owned(), seed, half, end: session.hash(), cost }
+    let outcome = session.outcome();
+    let exact = session.scene().exact().map(|exact| exact.path.clone());
+    let paths = outcome.path.map_or_else(|| "none".to_owned(), |path| digest([path, exact.unwrap_or_default()].concat().as_flattened()));
+    let cost = bits(outcome.cost);
+    Golden { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), paths, half, end: session.hash(), cost }
 }
 
 /// All planners on all shipped scenes they run on, three seeds each.
@@ -23,9 +28,18 @@ fn every_run() -> Vec<Golden> {
     let mut runs = Vec::new();
     for entry in PLANNERS {
         for scene in shipped_names().filter(|scene| entry.check_kind(scene.kind()).is_ok()) {
-            runs.extend([1, 2, 12_345].map(|seed| run(entry.name, scene.name(), seed)));
+            runs.extend([1, 2, 12_345].map(|seed| run(entry.name, scene.name(), seed, "")));
         }
     }
+    // What no default reaches.
+    runs.extend([
+        run("ltqpso", "qpso-10m", 1, r#""initial": "normal", "segments": 12"#),
+        run("qpso", "qpso-10m", 2, r#""encoding": "waypoints", "redraws": 20"#),
+        run("wcpso", "qpso-10m", 3, r#""encoding": "waypoints", "smoothing": 0.9"#),
+        run("ltqpso", "wcpso-discs", 4, r#""encoding": "polar", "smooth": true"#),
+        run("pso", "wcpso-discs", 5, r#""encoding": "polar", "initial": "normal", "initial_std": 60, "redraws": 5"#),
+        run("cpso", "discs-slalom", 6, r#""early_stop": 30, "ordered": false"#),
+    ]);
     runs
 }
 

@@ -146,3 +146,54 @@ fn each_wrong_scene_file_is_refused_by_field() {
     assert!(unknown.contains("walls"), "{unknown}");
     assert!(Scene::from_json("{").unwrap_err().to_string().contains("line 1"));
 }
+
+fn grid(cell: f64, rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Result<Scene, forage::Error> {
+    Scene::from_value(serde_json::json!({
+        "format": "forage-scene", "version": 1, "kind": "grid", "name": "g", "title": "G",
+        "cell": cell, "rows": rows, "start": start, "goal": goal
+    }))
+}
+
+/// Cells whose multiples are not exact (3 · 0.1 / 0.1 is not 3): ends on every border and every line all have a way.
+#[test]
+fn ends_on_the_lines_of_any_grid_have_an_exact_optimum() {
+    for cell in [0.1, 0.15, 0.7, 1.0 / 3.0, 1.0, 20.0] {
+        let at = |k: usize| [k as f64 * cell, (k as f64 / 10.0) * (cell * 10.0)];
+        for (x, y) in (0..=4).flat_map(|x| (0..=3).map(move |y| (x, y))) {
+            for start in at(x).into_iter().flat_map(|x| at(y).map(|y| [x, y])) {
+                let scene = grid(cell, &["....", "..#.", "...."], start, [0.4 * cell, 0.6 * cell]).unwrap();
+                let exact = scene.exact().unwrap_or_else(|| panic!("no way from {start:?}, cell {cell}"));
+                let straight = [0, 1].map(|i| start[i] - [0.4, 0.6][i] * cell).iter().map(|d| d * d).sum::<f64>();
+                assert!(exact.length >= straight.sqrt() * (1.0 - 1e-9) && exact.length < 6.0 * cell);
+            }
+        }
+    }
+}
+
+/// Where two blocked cells touch diagonally a point passes neither in the oracle nor in the judge, and no swarm finds a
+/// path that is shorter than the optimum.
+#[test]
+fn nothing_squeezes_between_two_cells_that_touch() {
+    let scene = std::sync::Arc::new(grid(1.0, &["....", ".#..", "..#.", "...."], [0.5, 3.5], [3.5, 0.5]).unwrap());
+    for planner in ["wcpso", "pso", "ltqpso"] {
+        for seed in 1..=5 {
+            let params = Given::from_iter([("segments", 2.0.into())]);
+            let mut session = Session::new(Setup { planner: planner.into(), scene: std::sync::Arc::clone(&scene), params, seed }).unwrap();
+            session.step(u64::MAX);
+            let outcome = session.outcome();
+            assert!(!outcome.feasible || outcome.gap.unwrap() > -1e-9, "{planner} {seed}: {:?}", outcome.gap);
+        }
+    }
+}
+
+/// A path along the border is smoothed without leaving the grid by a rounding.
+#[test]
+fn smoothing_keeps_to_the_border() {
+    for (y, strength) in [(3.0, 0.2), (8.1, 0.2), (12.8, 0.2), (6.3, 0.45)] {
+        let scene = grid(y / 3.0, &[".........."; 3], [0.0, 3.0 * (y / 3.0)], [10.0 * (y / 3.0), 3.0 * (y / 3.0)]).unwrap();
+        let params = Given::from_iter([("smoothing", strength.into())]);
+        let mut session = Session::new(Setup { planner: "pso".into(), scene: scene.into(), params, seed: 1 }).unwrap();
+        session.step(u64::MAX);
+        assert!(session.outcome().feasible, "y = {y}, S = {strength}");
+    }
+}

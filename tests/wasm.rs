@@ -53,16 +53,34 @@ fn every_golden_run_gives_the_bits_that_it_gives_natively() {
     assert!(runs.len() >= 100);
     for run in runs {
         let params = format!(
-            r#"{{"planner": "{}", "scene": "{}", "seed": {}, "params": {{"iterations": {ITERATIONS}}}}}"#,
-            run.planner, run.scene, run.seed
+            r#"{{"planner": "{}", "scene": "{}", "seed": {}, "params": {{"iterations": {ITERATIONS}{}{}}}}}"#,
+            run.planner,
+            run.scene,
+            run.seed,
+            if run.set.is_empty() { "" } else { ", " },
+            run.set
         );
         let mut session = setup(&params);
         session.step(Some(f64::from(ITERATIONS / 2)));
         assert_eq!(session.hash(), run.half, "{params}");
         session.step(Some(1e9));
         assert_eq!(session.hash(), run.end, "{params}");
-        assert_eq!(bits(get(session.outcome(), "cost").as_f64()), run.cost, "{params}");
+        let outcome = session.outcome();
+        assert_eq!(bits(get(&outcome, "cost").as_f64()), run.cost, "{params}");
+        let path = get(&outcome, "path");
+        let paths = if path.is_undefined() {
+            "none".to_owned()
+        } else {
+            digest(&[numbers(&path), numbers(&get(session.exact(), "path"))].concat())
+        };
+        assert_eq!(paths, run.paths, "{params}");
     }
+}
+
+/// The coordinates of a path, one after the other.
+fn numbers(path: &JsValue) -> Vec<f64> {
+    let points = js_sys::Array::from(path);
+    points.iter().flat_map(|point| js_sys::Array::from(&point).iter().filter_map(|c| c.as_f64()).collect::<Vec<_>>()).collect()
 }
 
 #[wasm_bindgen_test]

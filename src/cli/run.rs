@@ -157,10 +157,13 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
         Some(clearance) if outcome.feasible => {
             let _ = writeln!(text, "  free       yes, clearance {clearance:.6}");
         }
-        Some(clearance) => {
+        Some(clearance) if clearance < 0.0 => {
             let _ = writeln!(text, "  free       NO, it cuts {:.6} deep into an obstacle", -clearance);
         }
-        None => {}
+        _ if outcome.path.is_some() && !outcome.feasible => {
+            text.push_str("  free       NO, it leaves the scene or does not join the ends\n");
+        }
+        _ => {}
     }
     if let Some(drive) = &outcome.drive {
         let _ = writeln!(text, "  drive      {}", driven(drive));

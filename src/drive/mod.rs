@@ -23,7 +23,7 @@ use serde::Serialize;
 use crate::{
     catalogue::Formula,
     error::Error,
-    geometry,
+    geometry, math,
     params::{Given, Parameter, Settings, Value},
     scene::{Body, GridScene, Kind, Robot, Scene, YAxis},
 };
@@ -115,19 +115,37 @@ pub struct Drive {
     pub settings: Settings,
 }
 
-/// The values for a scene's robot: what was given, then what the scene says of its speed (as far as that is allowed),
-/// then the defaults.
+/// The values for a scene's robot: what was given, then what the scene says of it, then the defaults. Those are the
+/// figures of a robot 0.4 m long and 0.3 m wide; for another size (and another unit) lengths keep their proportion to it.
 ///
 /// # Errors
 /// As [`Settings::new`]: the field, its value and what is allowed.
 pub fn settings(robot: Option<Robot>, given: &Given) -> Result<Settings, Error> {
+    let usual = |name: &str| PARAMETERS.iter().find(|p| p.name == name).map_or(f64::NAN, |p| number(&p.default_on(Kind::Grid)));
+    let Robot { length, width, speed, .. } = robot.unwrap_or_default();
+    let (long, wide) = (length.map_or(1.0, |length| length / 0.4), width.map_or(1.0, |width| width / 0.3));
+    let asked = |name, otherwise: f64| given.get(name).map_or(otherwise, number);
+    let speed = speed.unwrap_or(usual("speed") * long);
+    // A target nearer than the way of a period would be overrun.
+    let way = asked("speed", speed) * asked("period", usual("period"));
+    let own = [
+        ("speed", speed),
+        ("look_ahead", math::limit(usual("look_ahead") * long, 2.0 * way, f64::INFINITY)),
+        ("wheel_radius", usual("wheel_radius") * long),
+        ("wheel_distance", usual("wheel_distance") * wide),
+    ];
     let mut given = given.clone();
-    let speed = PARAMETERS.iter().find(|parameter| parameter.name == "speed");
-    let own = robot.and_then(|robot| robot.speed).map(Value::from);
-    if let (None, Some(own)) = (given.get("speed"), own.filter(|own| speed.is_some_and(|speed| speed.check(own).is_ok()))) {
-        given.insert("speed", own);
+    for (name, value) in own {
+        let allowed = PARAMETERS.iter().any(|p| p.name == name && p.check(&Value::Number(value)).is_ok());
+        if given.get(name).is_none() && allowed {
+            given.insert(name, Value::Number(value));
+        }
     }
     Settings::new(PARAMETERS, Kind::Grid, &given)
+}
+
+fn number(value: &Value) -> f64 {
+    if let Value::Number(number) = value { *number } else { f64::NAN }
 }
 
 /// The scene and the robot's length and width, if it is a grid with such a robot.

@@ -40,7 +40,8 @@ pub fn line(points: &[[f64; 2]]) -> Option<Fit> {
     let errors = [inverse[(0, 0)] + x_mean * x_mean * inverse[(1, 1)], inverse[(1, 1)]].map(|diagonal| (variance * diagonal).sqrt());
     let t = StudentsT::new(0.0, 1.0, freedom).ok()?.inverse_cdf(0.975);
     let interval = [0, 1].map(|k| [b[k] - t * errors[k], b[k] + t * errors[k]]);
-    let f = (total - left) / variance;
+    // A level line explains nothing, and there is nothing to explain.
+    let f = if total > 0.0 { (total - left) / variance } else { 0.0 };
     let p = FisherSnedecor::new(1.0, freedom).ok().filter(|_| f.is_finite()).map_or(0.0, |of| of.sf(f));
     Some(Fit { b, interval, r2: if total > 0.0 { 1.0 - left / total } else { 1.0 }, f, p, count: points.len() })
 }

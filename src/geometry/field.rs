@@ -44,7 +44,8 @@ struct Rows {
 
 impl Field {
     /// The obstacles of a grid of `columns` cells a row, `blocked` row by row, for a robot of this radius.
-    pub fn new(cell: f64, columns: usize, blocked: &[bool], radius: f64) -> Self {
+    /// `squeeze`: a point robot may pass where two cells touch diagonally.
+    pub fn new(cell: f64, columns: usize, blocked: &[bool], radius: f64, squeeze: bool) -> Self {
         let rows = blocked.len() / columns.max(1);
         let is = |row: usize, column: usize| blocked[row * columns + column];
         let (cells, seams, grow) = if radius > 0.0 {
@@ -52,7 +53,10 @@ impl Field {
         } else {
             let grow = -HAIR * cell;
             let seam = |row, column| is(row, column) && is(row + 1, column);
-            let seams = Rows::new(cell, [columns, rows.saturating_sub(1)], 2, seam);
+            let mut seams = Rows::new(cell, [columns, rows.saturating_sub(1)], 2, seam);
+            if !squeeze {
+                seams.close_pinches(columns, is);
+            }
             let mut cells = Rows::new(cell, [columns, rows], 1, is);
             // Nor between a cell at the border and the border itself.
             for block in &mut cells.blocks {
@@ -103,6 +107,7 @@ impl Field {
         None
     }
 
+    #[cfg(test)]
     fn all(&self) -> impl Iterator<Item = &Block> {
         self.cells.blocks.iter().chain(&self.seams.blocks)
     }
@@ -159,7 +164,20 @@ impl Field {
             let depth = || Some(block.depth(a, b)).filter(|&depth| depth > -self.grow.min(0.0)).unwrap_or(0.0);
             if squared > 0.0 { squared.sqrt() } else { -depth() }
         };
-        self.all().map(signed).reduce(f64::min).map(|least| least - self.radius)
+        if self.cells.blocks.is_empty() {
+            return None;
+        }
+        // Every block that is nearer than `reach` has been looked at; the first look that finds one so near is the last.
+        let mut reach = self.radius.max(self.cells.cell);
+        loop {
+            let near = self.cells.near(a, b, reach).chain(self.seams.near(a, b, reach));
+            let least = near.map(signed).fold(f64::INFINITY, f64::min);
+            if least <= reach || !reach.is_finite() {
+                // Adding 0 turns −0 into 0.
+                return Some(least - self.radius + 0.0);
+            }
+            reach *= 2.0;
+        }
     }
 
     /// The size of the whole grid.
@@ -186,6 +204,25 @@ impl Rows {
         Self { cell, height, blocks, first }
     }
 
+    /// Adds a block, small but more than a hair, wherever two cells touch diagonally.
+    fn close_pinches(&mut self, columns: usize, is: impl Fn(usize, usize) -> bool) {
+        let (mut blocks, mut first) = (Vec::new(), vec![0]);
+        for row in 0..self.first.len() - 1 {
+            blocks.extend_from_slice(&self.blocks[self.first[row]..self.first[row + 1]]);
+            let begin = first[row];
+            for column in 1..columns {
+                let [a, b, c, d] = [(row, column - 1), (row, column), (row + 1, column - 1), (row + 1, column)].map(|(r, c)| is(r, c));
+                if (a && d && !b && !c) || (b && c && !a && !d) {
+                    let corner = [column as f64 * self.cell, (row + 1) as f64 * self.cell];
+                    blocks.push(Block { min: corner, max: corner }.grown(4.0 * HAIR * self.cell));
+                }
+            }
+            blocks[begin..].sort_unstable_by(|p: &Block, q: &Block| p.min[0].total_cmp(&q.min[0]));
+            first.push(blocks.len());
+        }
+        (self.blocks, self.first) = (blocks, first);
+    }
+
     /// The blocks that a segment could come within `reach` of: whole rows are passed over, and within a row what lies
     /// beside the segment's box or beyond its line.
     #[inline]
@@ -195,7 +232,7 @@ impl Rows {
         let rows = self.first.len() - 1;
         // A negative number becomes 0: a row more than needed.
         let from = (y0 / self.cell - self.height as f64) as usize;
-        let to = ((y1 / self.cell) as usize + 1).min(rows);
+        let to = ((y1 / self.cell) as usize).saturating_add(1).min(rows);
         // A normal of the line, and how far from it a point within reach may be, in the normal's own length.
         let normal = [a[1] - b[1], b[0] - a[0]];
         let width = reach * (normal[0] * normal[0] + normal[1] * normal[1]).sqrt();
@@ -244,7 +281,7 @@ mod tests {
     /// Rows from y = 0 upwards.
     fn field(rows: &[&str], radius: f64) -> Field {
         let blocked: Vec<_> = rows.iter().flat_map(|row| row.chars().map(|c| c == '#')).collect();
-        Field::new(1.0, rows[0].len(), &blocked, radius)
+        Field::new(1.0, rows[0].len(), &blocked, radius, false)
     }
 
     #[test]
@@ -255,6 +292,10 @@ mod tests {
         assert!(!field.is_free([0.0, 2.0], [4.0, 2.0]), "along the seam between two rows");
         assert!(!field.is_free([2.0, 0.0], [2.0, 4.0]), "along the seam between two columns");
         assert!(!field.is_free([0.0, 2.0], [2.0, 0.01]));
+        let diagonal = ["....", ".#..", "..#.", "...."];
+        assert!(!self::field(&diagonal, 0.0).is_free([0.5, 3.5], [3.5, 0.5]), "where two cells touch diagonally");
+        let blocked: Vec<_> = diagonal.iter().flat_map(|row| row.chars().map(|c| c == '#')).collect();
+        assert!(Field::new(1.0, 4, &blocked, 0.0, true).is_free([0.5, 3.5], [3.5, 0.5]), "unless squeezing is allowed");
         let walled = self::field(&["...", "#..", ".##"], 0.0);
         assert!(!walled.is_free([0.0, 0.0], [0.0, 3.0]), "between a cell and the border");
         assert!(!walled.is_free([0.0, 3.0], [3.0, 3.0]) && walled.is_free([0.0, 0.0], [3.0, 0.0]));
@@ -280,7 +321,7 @@ mod tests {
         let mut rng = crate::rng::Stream::new(6, 0);
         for case in 0..200 {
             let blocked: Vec<_> = (0..40 * 30).map(|i| rng.unit() < 0.03 * f64::from(case % 4) || (case % 4 == 0 && i == 77)).collect();
-            let field = Field::new(0.5, 40, &blocked, 0.3);
+            let field = Field::new(0.5, 40, &blocked, 0.3, false);
             for _ in 0..20 {
                 let angle = rng.between(-3.0, 3.0);
                 let outline = Oriented {
@@ -293,7 +334,7 @@ mod tests {
             }
         }
         let center = [1.0, 1.0];
-        assert_eq!(Field::new(1.0, 3, &[false; 6], 0.3).distance(&Oriented { center, direction: [1.0, 0.0], half: [0.2; 2] }), None);
+        assert_eq!(Field::new(1.0, 3, &[false; 6], 0.3, false).distance(&Oriented { center, direction: [1.0, 0.0], half: [0.2; 2] }), None);
     }
 
     #[test]
@@ -316,7 +357,7 @@ mod tests {
         for case in 0..24 {
             let radius = [0.0, 0.3, 0.5, 1.7][case % 4];
             let blocked: Vec<_> = (0..12 * 9).map(|_| rng.unit() < 0.2).collect();
-            let field = Field::new(0.5, 12, &blocked, radius);
+            let field = Field::new(0.5, 12, &blocked, radius, case % 2 == 0);
             for _ in 0..60 {
                 let [a, b] = [0, 1].map(|_| [rng.between(0.0, 6.0), rng.between(0.0, 4.5)]);
                 let b = if case % 3 == 0 { [b[0], a[1]] } else { b };

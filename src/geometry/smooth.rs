@@ -22,15 +22,22 @@ pub fn subdivided(path: &[[f64; 2]], pieces: usize, free: impl Fn([f64; 2], [f64
 
 /// The Shuman filter, `passes` times: s_i = (1 − S) f_i + S/2 (f_{i−1} + f_{i+1}) with 0 ≤ S ≤ 1. The ends stay.
 ///
-/// A point moves only if both segments that meet there are `free` afterwards. So a path that is free stays free, and
-/// one that is not is never made worse where it was free.
-pub fn shuman(path: &mut [[f64; 2]], strength: f64, passes: u64, free: impl Fn([f64; 2], [f64; 2]) -> bool) {
+/// `keep` puts a smoothed point back where it may be. A point moves only if both segments that meet there are `free`
+/// afterwards. So a path that is free stays free, and one that is not is never made worse where it was free.
+pub fn shuman(
+    path: &mut [[f64; 2]],
+    strength: f64,
+    passes: u64,
+    keep: impl Fn([f64; 2]) -> [f64; 2],
+    free: impl Fn([f64; 2], [f64; 2]) -> bool,
+) {
     let mut before = path.to_vec();
     for _ in 0..passes {
         before.copy_from_slice(path);
         for i in 1..path.len().saturating_sub(1) {
             let smoothed =
                 [0, 1].map(|axis| (1.0 - strength) * before[i][axis] + strength / 2.0 * (before[i - 1][axis] + before[i + 1][axis]));
+            let smoothed = keep(smoothed);
             // The neighbour behind has moved or stayed already, the one ahead has not.
             if free(path[i - 1], smoothed) && free(smoothed, path[i + 1]) {
                 path[i] = smoothed;
@@ -46,12 +53,12 @@ mod tests {
     #[test]
     fn the_filter_averages_neighbours_and_keeps_the_ends() {
         let mut path = [[0.0, 0.0], [1.0, 4.0], [2.0, 0.0], [7.0, 0.0]];
-        shuman(&mut path, 0.5, 1, |_, _| true);
+        shuman(&mut path, 0.5, 1, |p| p, |_, _| true);
         // (1 − ½) · 4 + ¼ · (0 + 0); x: ½ · 2 + ¼ · (1 + 7).
         assert_eq!(path, [[0.0, 0.0], [1.0, 2.0], [3.0, 1.0], [7.0, 0.0]]);
-        shuman(&mut path, 1.0, 1, |_, _| true);
+        shuman(&mut path, 1.0, 1, |p| p, |_, _| true);
         assert_eq!(path, [[0.0, 0.0], [1.5, 0.5], [4.0, 1.0], [7.0, 0.0]]);
-        shuman(&mut path, 0.0, 5, |_, _| true);
+        shuman(&mut path, 0.0, 5, |p| p, |_, _| true);
         assert_eq!(path, [[0.0, 0.0], [1.5, 0.5], [4.0, 1.0], [7.0, 0.0]]);
     }
 
@@ -61,9 +68,9 @@ mod tests {
         // Whatever dips below y = 3 between x = 0.9 and x = 1.1 is not free.
         let free = |a: [f64; 2], b: [f64; 2]| [a, b].iter().all(|p| !(0.9..1.1).contains(&p[0]) || p[1] >= 3.0);
         let mut path = start;
-        shuman(&mut path, 1.0, 9, free);
+        shuman(&mut path, 1.0, 9, |p| p, free);
         assert_eq!(path, start);
-        shuman(&mut path, 0.25, 9, free);
+        shuman(&mut path, 0.25, 9, |p| p, free);
         assert_eq!(path, [[0.0, 0.0], [1.0, 3.0], [2.0, 0.0]], "one pass, then it would go too low");
     }
 

@@ -26,7 +26,7 @@ fn style_of(role: Role) -> Style {
         Role::Particles | Role::Before => style("#5b5fa8", "#9aa2e8", 1.0, 0.35, ""),
         Role::PersonalBests => style("#4d8f8b", "#6fc0ba", 1.0, 0.3, ""),
         Role::Velocities | Role::Inertia => style("#7a7f78", "#98a39a", 1.0, 0.5, ""),
-        Role::Best | Role::After => style("#c27803", "#f2b33d", 3.0, 1.0, ""),
+        Role::Best | Role::After | Role::Smoothed => style("#c27803", "#f2b33d", 3.0, 1.0, ""),
         Role::Hen => style("#b4446c", "#ee86ac", 1.4, 0.8, ""),
         Role::Chick | Role::Jump => style("#8f3fb0", "#cf8df0", 1.4, 0.8, ""),
         Role::Exact => style("#2f6b4f", "#7fcf9f", 2.0, 0.9, "6 5"),
@@ -35,7 +35,6 @@ fn style_of(role: Role) -> Style {
         Role::Guides => style("#8c8674", "#56695f", 0.8, 0.5, "2 4"),
         Role::Selected => style("#8f3fb0", "#cf8df0", 1.0, 0.5, ""),
         Role::Attractors => style("#4d8f8b", "#6fc0ba", 1.0, 0.6, ""),
-        Role::Smoothed => style("#1f5f8b", "#7cc4f0", 3.0, 1.0, ""),
     }
 }
 
@@ -90,7 +89,7 @@ impl Canvas {
         session.draw(&mut frame, Frame::BUDGET / 4);
         self.layers(&frame, layers);
         if let Some(exact) = session.scene().exact().filter(|_| layers.contains(&Role::Exact)) {
-            self.line(Role::Exact, &exact.path);
+            self.line(Role::Exact, &style_of(Role::Exact), &exact.path);
         }
         self.ends(session.scene());
         self.text.push_str("</svg>\n");
@@ -110,6 +109,11 @@ impl Canvas {
                 }
             }
             Body::Grid(grid) => {
+                // What the robot's centre keeps away from: a line of twice its radius about each block, round at the corners.
+                let (margin, width) = (self.tone("#ece7d9", "#1a251f"), rounded(2.0 * grid.radius() * self.scale));
+                for block in grid.field().blocks().iter().filter(|_| width > 0.0) {
+                    self.rectangle(block.min, block.max, &format!(r#"fill="{margin}" stroke="{margin}" stroke-width="{width}""#));
+                }
                 for block in grid.field().blocks() {
                     let max = grid.bounds().max;
                     let inside = |corner: [f64; 2]| [0, 1].map(|axis| corner[axis].clamp(0.0, max[axis]));
@@ -132,18 +136,21 @@ impl Canvas {
     }
 
     fn layers(&mut self, frame: &Frame, layers: &[Role]) {
+        // Where the result is smoothed, what it was made of is drawn thin.
+        let smoothed = layers.contains(&Role::Smoothed) && frame.spans().any(|span| span.role == Role::Smoothed);
         for span in frame.spans().filter(|span| layers.contains(&span.role)) {
             let points: Vec<_> = frame.points(span).collect();
+            let look = style_of(if smoothed && span.role == Role::Best { Role::Guides } else { span.role });
             match span.shape {
-                Shape::Polyline => self.line(span.role, &points),
-                Shape::Segments => points.chunks_exact(2).for_each(|pair| self.line(span.role, pair)),
+                Shape::Polyline => self.line(span.role, &look, &points),
+                Shape::Segments => points.chunks_exact(2).for_each(|pair| self.line(span.role, &look, pair)),
                 Shape::Points | Shape::Field => points.iter().for_each(|&point| self.dot(span.role, point)),
             }
         }
     }
 
-    fn line(&mut self, role: Role, points: &[[f64; 2]]) {
-        let Style { light, dark, width, opacity, dash } = style_of(role);
+    fn line(&mut self, role: Role, look: &Style, points: &[[f64; 2]]) {
+        let &Style { light, dark, width, opacity, dash } = look;
         let mut list = String::new();
         for &point in points {
             let [x, y] = self.at(point);

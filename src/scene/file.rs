@@ -278,7 +278,7 @@ impl Fields {
         if self.left.contains_key("moving") {
             scene.moving = self.list("moving")?.into_iter().enumerate().map(|(i, value)| moving(i, value)).collect::<Result<_, _>>()?;
         }
-        Ok(scene)
+        Ok(scene.snapped())
     }
 
     /// The cells' rows: how many columns, and which cells are blocked, by growing y.

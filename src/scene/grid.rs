@@ -13,6 +13,12 @@ use super::{Bounds, LARGEST, Verdict, coordinate, finite};
 /// The most rows and columns of a grid.
 pub const MAX_SIDE: usize = 2048;
 
+/// The most cells of a grid whose exact optimum is computed: a few seconds' work. Beyond, results stand without one.
+pub const MAX_EXACT_CELLS: usize = 512 * 512;
+
+/// The smallest side of a cell.
+const SMALLEST_CELL: f64 = 1e-6;
+
 /// Which way y grows in a scene's coordinates. The file lists the top row first in either case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum YAxis {
@@ -128,6 +134,20 @@ impl GridScene {
         }
     }
 
+    /// Puts points that miss the far border only by rounding (0.9 where 6 · 0.15 is 0.8999999999999999) on it.
+    pub(super) fn snapped(mut self) -> Self {
+        let max = self.bounds().max;
+        let snap = |point: &mut [f64; 2]| {
+            for (c, most) in point.iter_mut().zip(max) {
+                if *c > most && *c <= most * (1.0 + 1e-12) {
+                    *c = most;
+                }
+            }
+        };
+        self.start.iter_mut().chain(&mut self.goal).chain(&mut self.stops).for_each(snap);
+        self
+    }
+
     /// The number of rows.
     pub fn rows(&self) -> usize {
         self.blocked.len() / self.columns.max(1)
@@ -159,7 +179,7 @@ impl GridScene {
 
     /// The blocked cells as the robot's centre meets them: grown by the radius of its circumscribed circle, exactly.
     pub fn field(&self) -> &Arc<Field> {
-        self.field.get_or_init(|| Arc::new(Field::new(self.cell, self.columns, &self.blocked, self.radius())))
+        self.field.get_or_init(|| Arc::new(Field::new(self.cell, self.columns, &self.blocked, self.radius(), self.corner_cutting)))
     }
 
     /// Start and goal.
@@ -174,6 +194,9 @@ impl GridScene {
 
     pub(super) fn check(&self) -> Result<(), Error> {
         positive("cell", self.cell)?;
+        if self.cell < SMALLEST_CELL {
+            return Err(Error::refused("cell", self.cell, format!("from {SMALLEST_CELL} to {LARGEST}")));
+        }
         for (name, count) in [("rows", self.rows()), ("rows[0]", self.columns)] {
             if !(1..=MAX_SIDE).contains(&count) {
                 return Err(Error::refused(name, count, format!("from 1 to {MAX_SIDE}")));
@@ -229,7 +252,7 @@ impl GridScene {
         (0..2).try_for_each(|axis| coordinate(field, point, axis))?;
         let shown = || format!("({}, {})", point[0], point[1]);
         let max = self.bounds().max;
-        if (0..2).any(|axis| point[axis] < 0.0 || point[axis] > max[axis]) {
+        if (0..2).any(|axis| !(0.0..=max[axis]).contains(&point[axis])) {
             return Err(Error::refused(field, shown(), format!("inside the grid, (0, 0) to ({}, {})", max[0], max[1])));
         }
         if self.field().is_free(point, point) {
@@ -244,6 +267,9 @@ impl GridScene {
 
     pub(super) fn exact(&self) -> Option<Exact> {
         let ends = [self.start?, self.goal?];
+        if self.blocked.len() > MAX_EXACT_CELLS {
+            return None;
+        }
         shortest_on_grid(ends, self.cell, self.columns, &self.blocked, self.field(), self.corner_cutting)
     }
 

@@ -16,7 +16,7 @@ use crate::{error::Error, exact::Exact, planner::Solution};
 
 pub use discs::{Bounds, DiscsScene, MAX_DISCS};
 pub use function::{Function, FunctionScene, MAX_DIMENSION};
-pub use grid::{GridScene, MAX_SIDE, Moving, Robot, YAxis};
+pub use grid::{GridScene, MAX_EXACT_CELLS, MAX_SIDE, Moving, Robot, YAxis};
 pub use shipped::{shipped, shipped_names};
 
 /// The kinds of scene. Planners say which they run on.

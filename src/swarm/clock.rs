@@ -11,19 +11,20 @@ pub(super) struct Clock {
     early_stop: u64,
     /// For how many iterations it has not.
     pub(super) unchanged: u64,
-    best: f64,
+    best: [f64; 2],
 }
 
 impl Clock {
-    /// With the settings `iterations` and `early_stop`; `best` is the best cost before the first iteration.
-    pub(super) fn new(settings: &Settings, best: f64) -> Self {
+    /// With the settings `iterations` and `early_stop`; `best` are the best costs, with and without penalty, before the first
+    /// iteration.
+    pub(super) fn new(settings: &Settings, best: [f64; 2]) -> Self {
         Self { iteration: 0, limit: settings.integer("iterations"), early_stop: settings.integer("early_stop"), unchanged: 0, best }
     }
 
-    /// Counts an iteration that ended with this best cost.
-    pub(super) fn tick(&mut self, best: f64) {
+    /// Counts an iteration that ended with these best costs.
+    pub(super) fn tick(&mut self, best: [f64; 2]) {
         self.iteration += 1;
-        self.unchanged = if best < self.best { 0 } else { self.unchanged + 1 };
+        self.unchanged = if best[0] < self.best[0] || best[1] < self.best[1] { 0 } else { self.unchanged + 1 };
         self.best = best;
     }
 
@@ -49,14 +50,18 @@ mod tests {
 
     #[test]
     fn a_run_stops_at_its_limit_or_when_the_best_has_stood_still() {
-        let clock = |limit, early_stop| Clock { iteration: 0, limit, early_stop, unchanged: 0, best: 9.0 };
-        let run =
-            |mut clock: Clock, costs: &[f64]| costs.iter().take_while(|&&cost| clock.running().then(|| clock.tick(cost)).is_some()).count();
+        let clock = |limit, early_stop| Clock { iteration: 0, limit, early_stop, unchanged: 0, best: [9.0, f64::INFINITY] };
+        let run = |mut clock: Clock, costs: &[f64]| {
+            costs.iter().take_while(|&&cost| clock.running().then(|| clock.tick([cost, f64::INFINITY])).is_some()).count()
+        };
         let costs = [9.0, 8.0, 8.0, 8.0, 7.0, 7.0, 7.0, 7.0];
         assert_eq!(run(clock(5, 0), &costs), 5);
         assert_eq!(run(clock(99, 0), &costs), 8);
         assert_eq!(run(clock(99, 1), &costs), 1, "the first iteration brought nothing");
         assert_eq!(run(clock(99, 2), &costs), 4);
         assert_eq!(run(clock(99, 3), &costs), 8);
+        let mut clock = clock(99, 1);
+        clock.tick([9.0, 12.0]);
+        assert!(clock.running(), "what is reported got better");
     }
 }

@@ -57,7 +57,7 @@ impl Swarm {
         let search_box = objective.search_box().clone();
         let v_max = search_box.low.iter().zip(&*search_box.high).map(|(low, high)| fraction * (high - low)).collect();
         let population = Population::new(objective, size, &mut rng);
-        let clock = Clock::new(settings, population.g_cost);
+        let clock = Clock::new(settings, population.bests());
         Self {
             v: vec![0.0; population.x.len()],
             v_max,
@@ -88,7 +88,7 @@ impl Swarm {
             self.patience[i].note(before, self.population.cost[i]);
         }
         self.population.settle();
-        self.clock.tick(self.population.g_cost);
+        self.clock.tick(self.population.bests());
     }
 
     /// (6) and (7). Reading: velocities are limited, positions are kept in the box, and a coordinate that hits a wall stops.

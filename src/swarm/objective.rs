@@ -42,8 +42,8 @@ impl SearchBox {
 pub struct Evaluation {
     /// What is minimised, penalty included.
     pub cost: f64,
-    /// The penalty's share of it; 0 where nothing is violated.
-    pub penalty: f64,
+    /// How much it breaks the rules, before any weight; 0 where it breaks none.
+    pub violation: f64,
 }
 
 /// What positions mean and cost. An encoding of paths is one of these; the planners know nothing else of the scene.
@@ -128,7 +128,7 @@ impl Objective for FunctionObjective {
     }
 
     fn evaluate(&self, x: &[f64], _scratch: &mut Scratch) -> Evaluation {
-        Evaluation { cost: self.function.value(x), penalty: 0.0 }
+        Evaluation { cost: self.function.value(x), violation: 0.0 }
     }
 
     fn point_count(&self) -> usize {

@@ -62,7 +62,12 @@ impl Polar {
     fn first_angle(&self, j: usize, rng: &mut Stream) -> f64 {
         match self.initial {
             Initial::Uniform => rng.between(self.search_box.low[j], self.search_box.high[j]),
-            Initial::Normal(mean, std) => self.search_box.clamp(j, mean + std * rng.normal()),
+            Initial::Normal(mean, std) => {
+                // By whole turns as near the range as it gets: 200° and −160° are the same direction.
+                let middle = f64::midpoint(self.search_box.low[j], self.search_box.high[j]);
+                let mean = mean + TAU * ((middle - mean) / TAU).round();
+                self.search_box.clamp(j, mean + std * rng.normal())
+            }
         }
     }
 
@@ -237,7 +242,7 @@ mod tests {
         close(last, 250.0 - 100.0 * std::f64::consts::SQRT_2);
         let found = polar.evaluate(&[alpha], &mut Scratch::default());
         close(found.cost, 3.0 * (rho_1 + last.sqrt()) + 0.5 * (rho_1 * rho_1 + last));
-        assert_eq!(found.penalty, 0.0);
+        assert_eq!(found.violation, 0.0);
         let mut readings = Readings::default();
         polar.read(&[alpha], &mut readings);
         close(readings.get("length").unwrap(), rho_1 + last.sqrt());
@@ -249,12 +254,12 @@ mod tests {
         let mut polar = polar(2.0, &[("f2", 0.0.into())]);
         let mut blocked = vec![false; 400];
         blocked[10 * 20 + 10] = true; // the cell from (5, 5) to (5.5, 5.5)
-        polar.terrain.obstacles = super::super::terrain::Obstacles::Field(Field::new(0.5, 20, &blocked, 0.25).into());
+        polar.terrain.obstacles = super::super::terrain::Obstacles::Field(Field::new(0.5, 20, &blocked, 0.25, false).into());
         // Straight through the diagonal: the cell's own, and a radius before and after it.
         let found = polar.evaluate(&[PI / 4.0], &mut Scratch::default());
         // (And twice the margin that planners keep, half a billionth of a cell.)
-        close(found.penalty, 10.0 * (0.5 * std::f64::consts::SQRT_2 + 0.5 + 2.0 * 5e-10 * 0.5));
-        close(found.cost, 200_f64.sqrt() + found.penalty);
+        close(found.violation, 0.5 * std::f64::consts::SQRT_2 + 0.5 + 2.0 * 5e-10 * 0.5);
+        close(found.cost, 200_f64.sqrt() + 10.0 * found.violation);
     }
 
     #[test]

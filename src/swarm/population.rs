@@ -29,7 +29,7 @@ pub(super) struct Population {
     pub(super) g: Vec<f64>,
     /// Its cost.
     pub(super) g_cost: f64,
-    /// The cheapest position without penalty that was ever evaluated, and its cost (infinite: none yet).
+    /// The cheapest position that violates nothing that was ever evaluated, and its cost (infinite: none yet).
     ///
     /// The swarm follows `g`, as published; but close to the optimum `g` often cuts a disc by a hair, because the
     /// penalty is finite. What is reported is this one, so that a collision-free path that was found is never lost.
@@ -86,7 +86,7 @@ impl Population {
         i * self.dimension..(i + 1) * self.dimension
     }
 
-    /// Evaluates particle `i` where it is now, keeps its personal best and returns the penalty.
+    /// Evaluates particle `i` where it is now, keeps its personal best and returns how much it violates.
     #[inline]
     pub(super) fn evaluate(&mut self, i: usize) -> f64 {
         let row = self.row(i);
@@ -98,11 +98,11 @@ impl Population {
             self.p_cost[i] = found.cost;
             self.p[row].copy_from_slice(x);
         }
-        if found.penalty == 0.0 && found.cost < self.free_cost {
+        if found.violation == 0.0 && found.cost < self.free_cost {
             self.free_cost = found.cost;
             self.free.copy_from_slice(x);
         }
-        found.penalty
+        found.violation
     }
 
     /// Ends an iteration: the best personal best becomes the global best; the first of equals wins.
@@ -134,6 +134,11 @@ impl Population {
     /// The mean cost of the present positions.
     pub(super) fn mean(&self) -> f64 {
         self.cost.iter().sum::<f64>() / self.size as f64
+    }
+
+    /// The best costs so far: with penalty, and of what breaks no rule.
+    pub(super) fn bests(&self) -> [f64; 2] {
+        [self.g_cost, self.free_cost]
     }
 
     /// Tells the costs, and what the reported path measures.

@@ -6,6 +6,7 @@ use crate::{
     error::Error,
     frame::{Frame, Role, Shape},
     geometry::{Disc, Field, PIECES, distance_squared, shuman, subdivided},
+    math,
     params::Settings,
     planner::{Readings, Solution},
     scene::{Bounds, DiscsScene, GridScene},
@@ -95,8 +96,7 @@ impl Terrain {
     #[inline]
     pub(super) fn evaluate(&self, points: impl Iterator<Item = [f64; 2]>, scratch: &mut Scratch) -> Evaluation {
         let Measures { length, squares, violation } = self.measure(points, scratch);
-        let penalty = self.weight * violation;
-        Evaluation { cost: self.f[0] * length + self.f[1] * squares + penalty, penalty }
+        Evaluation { cost: self.f[0] * length + self.f[1] * squares + self.weight * violation, violation }
     }
 
     /// What the path through these points measures.
@@ -160,7 +160,9 @@ impl Terrain {
         let Smoothing { strength, passes } = self.smoothing?;
         let free = |a, b| self.is_free(a, b);
         let mut path = subdivided(path, PIECES, free);
-        shuman(&mut path, strength, passes, free);
+        // The filter's rounding must not carry a point over the border.
+        let Bounds { min, max } = self.bounds;
+        shuman(&mut path, strength, passes, |point| [0, 1].map(|axis| math::limit(point[axis], min[axis], max[axis])), free);
         Some(path)
     }
 

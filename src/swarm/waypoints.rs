@@ -149,9 +149,9 @@ mod tests {
     #[test]
     fn waypoints_penalty_is_the_printed_one() {
         // The way-point (4, 0) is √5 from (2, 1): outside. Length 4 + 4; the segment through the disc is not seen.
-        assert_eq!(evaluate(&objective(Penalty::Waypoints), &[4.0, 0.0]), Evaluation { cost: 8.0, penalty: 0.0 });
+        assert_eq!(evaluate(&objective(Penalty::Waypoints), &[4.0, 0.0]), Evaluation { cost: 8.0, violation: 0.0 });
         // (2, 0) lies 1 from the centre: V = 1 − 1/2.
-        assert_eq!(evaluate(&objective(Penalty::Waypoints), &[2.0, 0.0]), Evaluation { cost: 58.0, penalty: 50.0 });
+        assert_eq!(evaluate(&objective(Penalty::Waypoints), &[2.0, 0.0]), Evaluation { cost: 58.0, violation: 0.5 });
         // In the other disc's centre: V = 1. Length 2 · 3 √5 … here √45 + √13.
         let deep = evaluate(&objective(Penalty::Waypoints), &[6.0, -3.0]);
         assert!((deep.cost - (45f64.sqrt() + 13f64.sqrt() + 100.0)).abs() < 1e-12);
@@ -160,10 +160,10 @@ mod tests {
     #[test]
     fn segments_penalty_sees_what_lies_between_the_waypoints() {
         // The first segment's closest point to (2, 1) is (2, 0): V = 1/2. The second segment is clear.
-        assert_eq!(evaluate(&objective(Penalty::Segments), &[4.0, 0.0]), Evaluation { cost: 58.0, penalty: 50.0 });
+        assert_eq!(evaluate(&objective(Penalty::Segments), &[4.0, 0.0]), Evaluation { cost: 58.0, violation: 0.5 });
         // Both segments meet at (2, 0), so both are charged.
-        assert_eq!(evaluate(&objective(Penalty::Segments), &[2.0, 0.0]), Evaluation { cost: 108.0, penalty: 100.0 });
+        assert_eq!(evaluate(&objective(Penalty::Segments), &[2.0, 0.0]), Evaluation { cost: 108.0, violation: 1.0 });
         let round = evaluate(&objective(Penalty::Segments), &[2.0, -4.0]);
-        assert_eq!(round.penalty, 0.0, "below the first disc and over the second");
+        assert_eq!(round.violation, 0.0, "below the first disc and over the second");
     }
 }

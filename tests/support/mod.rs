@@ -11,6 +11,11 @@ pub struct Golden {
     pub scene: String,
     /// The seed.
     pub seed: u32,
+    /// Parameters beside the iterations, as the inside of a JSON object.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub set: String,
+    /// The digest of the path that is handed over, smoothed and all, and of the exact one; `none` where there is no path.
+    pub paths: String,
     /// The hash of the whole state half way.
     pub half: String,
     /// The hash at the end.

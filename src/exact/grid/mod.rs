@@ -98,6 +98,9 @@ enum State {
     Blocked,
 }
 
+/// How near a line of the grid an end must be to lie on it, in cells.
+const SNAP: f64 = 1e-9;
+
 /// A turn that was reached.
 struct Turn {
     /// Its edges, by where they leave.
@@ -140,7 +143,12 @@ impl<'a> Search<'a> {
         let turns = (0..2 + 2 * lattice.corners().len()).map(|_| None).collect();
         let [width, height] = lattice.size();
         let size = width.max(height);
-        let ends = given.map(|p| p.map(|c| c / cell));
+        // A coordinate that is a line of the grid but for rounding (0.1 · 3 / 0.1) is that line; none lies outside.
+        let snap = |p: f64, most: f64| {
+            let (c, line) = (p / cell, (p / cell).round());
+            math::limit(if (c - line).abs() <= SNAP { line } else { c }, 0.0, most)
+        };
+        let ends = given.map(|p| [snap(p[0], width), snap(p[1], height)]);
         let radius = field.radius() / cell + if field.radius() > 0.0 { wider * size } else { 0.0 };
         Self { given, ends, cell, radius, size, slack: (SLACK - wider) * size, field, lattice, turns, edges: Vec::new(), seen: Vec::new() }
     }
@@ -286,7 +294,7 @@ impl<'a> Search<'a> {
         let distance = squared.sqrt();
         // How much further left the centre it goes to must lie than the one it comes from.
         let offset = (other - side) * self.radius;
-        let sine = offset / distance;
+        let sine = if offset == 0.0 { 0.0 } else { offset / distance };
         if from == to || sine.abs() > 1.0 + SLACK || sine.is_nan() {
             return;
         }

@@ -30,7 +30,7 @@ impl Grid {
     }
 
     fn field(&self, radius: f64) -> Field {
-        Field::new(self.cell, self.columns, &self.blocked, radius)
+        Field::new(self.cell, self.columns, &self.blocked, radius, self.squeeze)
     }
 
     /// The exact optimum; its path is checked.

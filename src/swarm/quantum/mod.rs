@@ -95,7 +95,7 @@ impl Quantum {
             replaced: vec![None; size],
             order: Vec::with_capacity(size),
             rng,
-            clock: Clock::new(settings, population.g_cost),
+            clock: Clock::new(settings, population.bests()),
             population,
         };
         swarm.prepare();
@@ -118,7 +118,7 @@ impl Quantum {
         if self.adaptive {
             self.select();
         }
-        self.clock.tick(self.population.g_cost);
+        self.clock.tick(self.population.bests());
     }
 
     /// What is the same for all particles of an iteration: mean best, evolution speed, dispersion.
