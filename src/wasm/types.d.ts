@@ -184,7 +184,7 @@ export interface DriveOutcome {
   distance: number;
   /** It stopped at the goal. */
   arrived: boolean;
-  /** Its outline touched an obstacle somewhere. */
+  /** Its outline overlapped an obstacle somewhere on its way; to touch with distance 0 is allowed. */
   touched: boolean;
   /** Where its centre was when it first did. */
   touched_at?: Point;
