@@ -112,23 +112,23 @@ impl Field {
         self.cells.blocks.iter().chain(&self.seams.blocks)
     }
 
-    /// The blocks that a segment could come within the radius of.
-    #[inline]
-    fn near(&self, a: [f64; 2], b: [f64; 2]) -> impl Iterator<Item = &Block> {
-        self.cells.near(a, b, self.radius).chain(self.seams.near(a, b, self.radius))
+    /// Visits the blocks that a segment could come within `reach` of.
+    /// Stops and says no where `visit` does. (One walk for all who need one: it is not small.)
+    fn all_near(&self, a: [f64; 2], b: [f64; 2], reach: f64, visit: &mut dyn FnMut(&Block) -> bool) -> bool {
+        [&self.cells, &self.seams].into_iter().all(|rows| rows.near(a, b, reach).all(&mut *visit))
     }
 
     /// Whether the robot's centre may go from `a` straight to `b`.
-    #[inline]
     pub fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
-        self.near(a, b).all(|block| !hits(block, self.grow, a, b))
+        self.all_near(a, b, self.radius, &mut |block| !hits(block, self.grow, a, b))
     }
 
     /// The same for a round robot whose radius is less by `slack`: what touches by construction must not be lost to
     /// rounding. (Or greater, if `slack` is negative: by up to a billionth of a cell.) A point stays a point.
     pub fn is_nearly_free(&self, a: [f64; 2], b: [f64; 2], slack: f64) -> bool {
         let grow = (self.radius - slack).max(self.radius / 2.0);
-        if self.radius > 0.0 { self.near(a, b).all(|block| block.distance_squared(a, b) >= grow * grow) } else { self.is_free(a, b) }
+        let apart = &mut |block: &Block| block.distance_squared(a, b) >= grow * grow;
+        if self.radius > 0.0 { self.all_near(a, b, self.radius, apart) } else { self.is_free(a, b) }
     }
 
     /// The length of the part of `a`–`b` on which the robot overlaps an obstacle, exactly: pieces of the segment, and
@@ -137,15 +137,20 @@ impl Field {
     pub fn length_inside(&self, a: [f64; 2], b: [f64; 2], pieces: &mut Vec<[f64; 2]>) -> f64 {
         pieces.clear();
         let (margin, grow) = (self.margin, self.grow + self.margin);
-        let near = self.cells.near(a, b, self.radius + margin).chain(self.seams.near(a, b, self.radius + margin));
-        for block in near.filter(|block| hits(block, grow, a, b)) {
+        self.all_near(a, b, self.radius + margin, &mut |block| {
+            if !hits(block, grow, a, b) {
+                return true;
+            }
             let piece = if grow > 0.0 { block.clip_grown(grow, a, b) } else { block.grown(grow).clip(a, b) };
-            pieces.push(piece.unwrap_or([0.0, 0.0]));
-        }
+            let piece = piece.unwrap_or([0.0, 0.0]);
+            // They are few: put in order one by one.
+            let at = pieces.iter().take_while(|other| other[0] <= piece[0]).count();
+            pieces.insert(at, piece);
+            true
+        });
         if pieces.is_empty() {
             return 0.0;
         }
-        pieces.sort_unstable_by(|p, q| p[0].total_cmp(&q[0]));
         let (mut covered, mut end) = (0.0, 0.0);
         for &[from, to] in pieces.iter() {
             covered += (to - from.max(end)).max(0.0);
@@ -170,8 +175,11 @@ impl Field {
         // Every block that is nearer than `reach` has been looked at; the first look that finds one so near is the last.
         let mut reach = self.radius.max(self.cells.cell);
         loop {
-            let near = self.cells.near(a, b, reach).chain(self.seams.near(a, b, reach));
-            let least = near.map(signed).fold(f64::INFINITY, f64::min);
+            let mut least = f64::INFINITY;
+            self.all_near(a, b, reach, &mut |block| {
+                least = least.min(signed(block));
+                true
+            });
             if least <= reach || !reach.is_finite() {
                 // Adding 0 turns −0 into 0.
                 return Some(least - self.radius + 0.0);
@@ -208,16 +216,18 @@ impl Rows {
     fn close_pinches(&mut self, columns: usize, is: impl Fn(usize, usize) -> bool) {
         let (mut blocks, mut first) = (Vec::new(), vec![0]);
         for row in 0..self.first.len() - 1 {
-            blocks.extend_from_slice(&self.blocks[self.first[row]..self.first[row + 1]]);
-            let begin = first[row];
+            let mut old = self.blocks[self.first[row]..self.first[row + 1]].iter().copied().peekable();
             for column in 1..columns {
                 let [a, b, c, d] = [(row, column - 1), (row, column), (row + 1, column - 1), (row + 1, column)].map(|(r, c)| is(r, c));
                 if (a && d && !b && !c) || (b && c && !a && !d) {
                     let corner = [column as f64 * self.cell, (row + 1) as f64 * self.cell];
+                    while let Some(block) = old.next_if(|block| block.min[0] < corner[0]) {
+                        blocks.push(block);
+                    }
                     blocks.push(Block { min: corner, max: corner }.grown(4.0 * HAIR * self.cell));
                 }
             }
-            blocks[begin..].sort_unstable_by(|p: &Block, q: &Block| p.min[0].total_cmp(&q.min[0]));
+            blocks.extend(old);
             first.push(blocks.len());
         }
         (self.blocks, self.first) = (blocks, first);
