@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::scene::Bounds;
+
 /// What a layer shows. The page has a style for each role and knows no planner by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -27,6 +29,16 @@ pub enum Role {
     Attractors,
     /// The mean of all personal bests, [LTQPSO] (8).
     MeanBest,
+    /// How much pheromone lies on each cell's strongest way out.
+    Pheromone,
+    /// How much pheromone lies on each step from cell to cell.
+    Trails,
+    /// The ways that an iteration's ants went, one line each.
+    Ants,
+    /// Cells that a search has settled, by their distance from the start.
+    Closed,
+    /// Cells that a search has reached and not settled.
+    Frontier,
     /// The result after smoothing.
     Smoothed,
     /// The exact optimum.
@@ -41,6 +53,8 @@ pub enum Role {
     Velocity,
     /// In an inspection: a jump that a perturbation made.
     Jump,
+    /// In an inspection: the steps to choose from.
+    Candidates,
     /// In an inspection: where the item was.
     Before,
     /// In an inspection: where the item is.
@@ -49,7 +63,7 @@ pub enum Role {
 
 impl Role {
     /// Every role, in the order of their numbers.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 25] = [
         Self::Particles,
         Self::Velocities,
         Self::PersonalBests,
@@ -60,6 +74,11 @@ impl Role {
         Self::Selected,
         Self::Attractors,
         Self::MeanBest,
+        Self::Pheromone,
+        Self::Trails,
+        Self::Ants,
+        Self::Closed,
+        Self::Frontier,
         Self::Smoothed,
         Self::Exact,
         Self::Inertia,
@@ -67,6 +86,7 @@ impl Role {
         Self::Social,
         Self::Velocity,
         Self::Jump,
+        Self::Candidates,
         Self::Before,
         Self::After,
     ];
@@ -84,6 +104,11 @@ impl Role {
             Self::Selected => "selected",
             Self::Attractors => "attractors",
             Self::MeanBest => "mean-best",
+            Self::Pheromone => "pheromone",
+            Self::Trails => "trails",
+            Self::Ants => "ants",
+            Self::Closed => "closed",
+            Self::Frontier => "frontier",
             Self::Smoothed => "smoothed",
             Self::Exact => "exact",
             Self::Inertia => "inertia",
@@ -91,6 +116,7 @@ impl Role {
             Self::Social => "social",
             Self::Velocity => "velocity",
             Self::Jump => "jump",
+            Self::Candidates => "candidates",
             Self::Before => "before",
             Self::After => "after",
         }
@@ -108,7 +134,8 @@ pub enum Shape {
     Polyline,
     /// Vertices in pairs, a line each.
     Segments,
-    /// A grid of values, row by row; z of the first vertex is the row's length.
+    /// A grid of values, row by row along x and then y; z of the first vertex is the row's length. A vertex is the middle of
+    /// its square, whose side is the distance of neighbours. A weight below 0 is nothing to draw.
     Field,
 }
 
@@ -148,6 +175,8 @@ pub struct Frame {
     table: Vec<u32>,
     budget: usize,
     thinning: u32,
+    /// The part of the plane that is looked at; `None`: all of it.
+    window: Option<Bounds>,
 }
 
 /// Numbers per vertex: x, y, z, weight.
@@ -157,7 +186,7 @@ pub const SPAN: usize = 4;
 
 impl Default for Frame {
     fn default() -> Self {
-        Self { vertices: Vec::new(), table: Vec::new(), budget: Self::BUDGET, thinning: 1 }
+        Self { vertices: Vec::new(), table: Vec::new(), budget: Self::BUDGET, thinning: 1, window: None }
     }
 }
 
@@ -171,6 +200,21 @@ impl Frame {
         self.table.clear();
         self.budget = budget.max(1);
         self.thinning = 1;
+    }
+
+    /// Layers that are only worth drawing from near are drawn for this part of the plane.
+    pub fn look_at(&mut self, window: Option<Bounds>) {
+        self.window = window;
+    }
+
+    /// The part of the plane that is looked at; `None`: all of it.
+    pub fn window(&self) -> Option<Bounds> {
+        self.window
+    }
+
+    /// How many vertices a layer may have.
+    pub fn budget(&self) -> usize {
+        self.budget
     }
 
     /// Which pieces to draw of `pieces` with `vertices` vertices each, so that the budget holds: every n-th.
@@ -190,6 +234,14 @@ impl Frame {
     /// Opens a span; vertices pushed from here on belong to it.
     pub fn begin(&mut self, role: Role, shape: Shape) {
         self.table.extend([role as u32, shape as u32, (self.vertices.len() / VERTEX) as u32, 0]);
+    }
+
+    /// Adds a vertex of a field's row of this length to the open span.
+    #[inline]
+    pub fn push_field(&mut self, [x, y]: [f64; 2], row: usize, weight: f64) {
+        self.push([x, y], weight);
+        let at = self.vertices.len() - 2;
+        self.vertices[at] = row as f32;
     }
 
     /// Adds a vertex in the plane to the open span.

@@ -3,11 +3,12 @@
 //! One step is one drawable iteration. A planner owns its random stream and shares its scene by `Arc`; a clone of it is
 //! a keyframe. The caller owns the loop.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::{
     digest::Digest,
     frame::{Frame, Role, Shape},
+    params::Given,
 };
 
 /// Whether there is more to do, or why not.
@@ -31,6 +32,49 @@ pub enum Solution {
     Path(Vec<[f64; 2]>),
     /// A point in a function's box.
     Position(Vec<f64>),
+}
+
+/// Which optimum a result is measured by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Yardstick {
+    /// The shortest way there is, at any angle.
+    #[default]
+    AnyAngle,
+    /// The shortest way from cell to neighbouring cell of a grid.
+    Cells,
+}
+
+/// A run of another planner on the same scene that the next step needs. Whoever steps may carry them out side by side
+/// and hand over what they found; a step that was handed nothing carries them out itself. The result is the same.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Job {
+    /// The planner's name.
+    pub planner: &'static str,
+    /// Parameters that differ from its defaults.
+    pub params: Given,
+    /// The seed.
+    pub seed: u64,
+}
+
+/// What a [`Job`] found.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Finding {
+    /// The best cost; `None` if nothing was found.
+    pub cost: Option<f64>,
+    /// The iteration in which the best was found.
+    pub converged: f64,
+    /// The best path; empty if nothing was found.
+    pub path: Vec<[f64; 2]>,
+}
+
+/// Parameters that a planner of planners recommends.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Tuned {
+    /// For this planner.
+    pub planner: &'static str,
+    /// Those that were searched and those that were given.
+    pub params: Given,
 }
 
 /// The best solution so far and what it costs the planner. Whether it is any good, [`crate::Scene::judge`] says.
@@ -164,6 +208,20 @@ pub trait Planner: Clone {
     /// What the next step does to an item and why; takes that step on a copy. The session asks the state before.
     /// So nothing has to be recorded in the inner loop for the one particle that somebody may click.
     fn explain(&self, _item: Item) -> Option<Inspection> {
+        None
+    }
+    /// Which optimum its results are measured by.
+    fn yardstick(&self) -> Yardstick {
+        Yardstick::default()
+    }
+    /// The runs of other planners that the next step needs; none, for most.
+    fn jobs(&self) -> Vec<Job> {
+        Vec::new()
+    }
+    /// Takes what the runs of [`Planner::jobs`] found, in their order; the next step uses it.
+    fn supply(&mut self, _found: Vec<Finding>) {}
+    /// The parameters that it recommends for another planner.
+    fn tuned(&self) -> Option<Tuned> {
         None
     }
     /// Adds the whole state to a hash.

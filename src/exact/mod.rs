@@ -1,10 +1,12 @@
 //! The oracles: exact optima that every result is measured by.
 
+mod cells;
 mod discs;
 mod grid;
 
 use std::cmp::Ordering;
 
+pub use cells::shortest_over_cells;
 pub use discs::shortest_among_discs;
 pub use grid::shortest_on_grid;
 

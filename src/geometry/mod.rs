@@ -12,7 +12,7 @@ pub use block::Block;
 pub use disc::Disc;
 pub use field::Field;
 pub use oriented::Oriented;
-pub use polyline::{arc_outline, length, turning};
+pub use polyline::{arc_outline, length, turning, turns};
 pub use segment::{closest_parameter, distance_squared};
 pub use smooth::{PIECES, shuman, subdivided};
 

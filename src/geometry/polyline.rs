@@ -13,17 +13,23 @@ pub fn length(path: &[[f64; 2]]) -> f64 {
 
 /// How much a polyline turns at its corners in all, in radians: 0 for a straight line. Segments of no length are skipped.
 pub fn turning(path: &[[f64; 2]]) -> f64 {
+    angles(path).sum()
+}
+
+/// At how many of its corners a polyline turns; by less than a millionth of a radian is straight on.
+pub fn turns(path: &[[f64; 2]]) -> usize {
+    angles(path).filter(|&angle| angle > 1e-6).count()
+}
+
+/// How much a polyline turns at each corner, in radians, either way.
+fn angles(path: &[[f64; 2]]) -> impl Iterator<Item = f64> + '_ {
     let steps = path.windows(2).map(|w| [w[1][0] - w[0][0], w[1][1] - w[0][1]]).filter(|d| *d != [0.0, 0.0]);
     let mut last: Option<[f64; 2]> = None;
-    let mut sum = 0.0;
-    for step in steps {
-        if let Some(last) = last {
-            let (cross, dot) = (last[0] * step[1] - last[1] * step[0], last[0] * step[0] + last[1] * step[1]);
-            sum += math::atan2(cross, dot).abs();
-        }
-        last = Some(step);
-    }
-    sum
+    steps.filter_map(move |step| {
+        let before = last.replace(step)?;
+        let (cross, dot) = (before[0] * step[1] - before[1] * step[0], before[0] * step[0] + before[1] * step[1]);
+        Some(math::atan2(cross, dot).abs())
+    })
 }
 
 /// Appends corners that take a polyline round the disc's rim from angle `from` over `sweep` (radians, positive
@@ -50,6 +56,7 @@ mod tests {
         assert_eq!(turning(&[[0.0, 0.0], [1.0, 0.0], [3.0, 0.0]]), 0.0);
         let zigzag = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [1.0, 2.0], [2.0, 3.0]];
         assert!((turning(&zigzag) - FRAC_PI_2 - FRAC_PI_4).abs() < 1e-15);
+        assert_eq!((turns(&zigzag), turns(&zigzag[..2])), (2, 0));
     }
 
     #[test]

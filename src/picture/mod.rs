@@ -1,9 +1,11 @@
 //! Pictures made in the core: a run as SVG, a function's heights as pixels, and what lies under a pointer.
 
 mod field;
+mod layer;
 mod svg;
 
 pub use field::heat_map;
+pub use layer::{Raster, raster};
 pub use svg::svg;
 
 use crate::{

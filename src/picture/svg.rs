@@ -27,6 +27,10 @@ fn style_of(role: Role) -> Style {
         Role::PersonalBests => style("#4d8f8b", "#6fc0ba", 1.0, 0.3, ""),
         Role::Velocities | Role::Inertia => style("#7a7f78", "#98a39a", 1.0, 0.5, ""),
         Role::Best | Role::After | Role::Smoothed => style("#c27803", "#f2b33d", 3.0, 1.0, ""),
+        Role::Pheromone | Role::Trails => style("#7b5ea7", "#b79be0", 1.5, 0.6, ""),
+        Role::Ants => style("#8a5a2b", "#d9a86c", 1.0, 0.3, ""),
+        Role::Closed => style("#7fa8c9", "#3f6f94", 1.0, 0.5, ""),
+        Role::Frontier | Role::Candidates => style("#1f6fb2", "#7cc0f5", 1.0, 0.9, ""),
         Role::Hen => style("#b4446c", "#ee86ac", 1.4, 0.8, ""),
         Role::Chick | Role::Jump => style("#8f3fb0", "#cf8df0", 1.4, 0.8, ""),
         Role::Exact => style("#2f6b4f", "#7fcf9f", 2.0, 0.9, "6 5"),
@@ -88,7 +92,7 @@ impl Canvas {
         let mut frame = Frame::default();
         session.draw(&mut frame, Frame::BUDGET / 4);
         self.layers(&frame, layers);
-        if let Some(exact) = session.scene().exact().filter(|_| layers.contains(&Role::Exact)) {
+        if let Some(exact) = session.exact().filter(|_| layers.contains(&Role::Exact)) {
             self.line(Role::Exact, &style_of(Role::Exact), &exact.path);
         }
         self.ends(session.scene());

@@ -4,11 +4,11 @@ use std::sync::{Arc, OnceLock};
 
 use crate::{
     error::Error,
-    exact::{Exact, shortest_on_grid},
+    exact::{Exact, shortest_on_grid, shortest_over_cells},
     geometry::{self, Field},
 };
 
-use super::{Bounds, LARGEST, Verdict, coordinate, finite};
+use super::{Bounds, Cells, Course, LARGEST, Verdict, coordinate, finite};
 
 /// The most rows and columns of a grid.
 pub const MAX_SIDE: usize = 2048;
@@ -105,8 +105,23 @@ pub struct GridScene {
     pub robot: Option<Robot>,
     /// Discs that move.
     pub moving: Vec<Moving>,
-    /// The blocked cells grown by the robot, made when first asked for.
+    /// What follows from the rest.
+    pub(crate) derived: Derived,
+}
+
+/// What is made of a grid when it is first asked for. A copy of a grid makes its own: it may be changed.
+#[derive(Debug, Default)]
+pub(crate) struct Derived {
+    /// The blocked cells grown by the robot.
     field: OnceLock<Arc<Field>>,
+    /// The steps from cell to cell.
+    cells: OnceLock<Arc<Cells>>,
+}
+
+impl Clone for Derived {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
 }
 
 impl PartialEq for GridScene {
@@ -130,7 +145,7 @@ impl GridScene {
             corner_cutting: false,
             robot: None,
             moving: Vec::new(),
-            field: OnceLock::new(),
+            derived: Derived::default(),
         }
     }
 
@@ -179,7 +194,12 @@ impl GridScene {
 
     /// The blocked cells as the robot's centre meets them: grown by the radius of its circumscribed circle, exactly.
     pub fn field(&self) -> &Arc<Field> {
-        self.field.get_or_init(|| Arc::new(Field::new(self.cell, self.columns, &self.blocked, self.radius(), self.corner_cutting)))
+        self.derived.field.get_or_init(|| Arc::new(Field::new(self.cell, self.columns, &self.blocked, self.radius(), self.corner_cutting)))
+    }
+
+    /// The free cells and the steps between them, for planners that go from cell to cell.
+    pub fn cells(&self) -> &Arc<Cells> {
+        self.derived.cells.get_or_init(|| Arc::new(Cells::new(self)))
     }
 
     /// Start and goal.
@@ -271,6 +291,11 @@ impl GridScene {
             return None;
         }
         shortest_on_grid(ends, self.cell, self.columns, &self.blocked, self.field(), self.corner_cutting)
+    }
+
+    /// The shortest way from cell to cell.
+    pub(super) fn exact_over_cells(&self) -> Option<Exact> {
+        shortest_over_cells(self.cells(), &Course::new(self).ok()?)
     }
 
     pub(super) fn judge(&self, path: &[[f64; 2]]) -> Verdict {

@@ -2,6 +2,7 @@
 //!
 //! A [`Scene`] that exists is valid: its numbers are finite, start and goal are inside and free.
 
+mod cells;
 mod discs;
 mod file;
 mod function;
@@ -12,8 +13,13 @@ use std::sync::OnceLock;
 
 use serde::Serialize;
 
-use crate::{error::Error, exact::Exact, planner::Solution};
+use crate::{
+    error::Error,
+    exact::Exact,
+    planner::{Solution, Yardstick},
+};
 
+pub use cells::{Cells, Course, DIRECTIONS, Steps, angle};
 pub use discs::{Bounds, DiscsScene, MAX_DISCS};
 pub use function::{Function, FunctionScene, MAX_DIMENSION};
 pub use grid::{GridScene, MAX_EXACT_CELLS, MAX_SIDE, Moving, Robot, YAxis};
@@ -81,6 +87,7 @@ pub struct Scene {
     header: Header,
     body: Body,
     exact: OnceLock<Option<Exact>>,
+    exact_over_cells: OnceLock<Option<Exact>>,
 }
 
 impl PartialEq for Scene {
@@ -114,7 +121,7 @@ impl Scene {
             Body::Discs(scene) => scene.check()?,
             Body::Grid(scene) => scene.check()?,
         }
-        Ok(Self { header, body, exact: OnceLock::new() })
+        Ok(Self { header, body, exact: OnceLock::new(), exact_over_cells: OnceLock::new() })
     }
 
     /// Name, title and where it comes from.
@@ -161,11 +168,30 @@ impl Scene {
             .as_ref()
     }
 
-    /// The exact minimum of what is measured: the shortest length, or a function's minimum.
-    pub fn optimum(&self) -> Option<f64> {
+    /// The exact shortest way by a rule; the same as [`Scene::exact`] but for grids by [`Yardstick::Cells`].
+    pub fn exact_by(&self, yardstick: Yardstick) -> Option<&Exact> {
+        match (&self.body, yardstick) {
+            (Body::Grid(scene), Yardstick::Cells) => self.exact_over_cells.get_or_init(|| scene.exact_over_cells()).as_ref(),
+            _ => self.exact(),
+        }
+    }
+
+    /// The exact minimum of what is measured: the shortest length by a rule, or a function's minimum.
+    pub fn optimum(&self, yardstick: Yardstick) -> Option<f64> {
         match &self.body {
             Body::Function(_) => Some(0.0),
-            Body::Discs(_) | Body::Grid(_) => self.exact().map(|exact| exact.length),
+            Body::Discs(_) | Body::Grid(_) => self.exact_by(yardstick).map(|exact| exact.length),
+        }
+    }
+
+    /// The grid in it.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for every other kind.
+    pub fn grid(&self) -> Result<&GridScene, Error> {
+        match &self.body {
+            Body::Grid(scene) => Ok(scene),
+            _ => Err(Error::refused("kind", self.kind().name(), "grid")),
         }
     }
 

@@ -13,6 +13,8 @@ const FILES: &[&str] = &[
     include_str!("../../scenes/discs-slalom.json"),
     include_str!("../../scenes/qpso-10m.json"),
     include_str!("../../scenes/qpso-10m-empty.json"),
+    include_str!("../../scenes/ant-bat-30.json"),
+    include_str!("../../scenes/wolf-ant-20.json"),
     include_str!("../../scenes/sphere.json"),
     include_str!("../../scenes/sphere-4.json"),
     include_str!("../../scenes/rosenbrock.json"),

@@ -4,7 +4,7 @@
 use crate::{
     digest::Digest,
     frame::Frame,
-    planner::{Best, Inspection, Item, Planner, Readings, Status},
+    planner::{Best, Finding, Inspection, Item, Job, Planner, Readings, Status, Tuned, Yardstick},
 };
 
 /// Any planner, boxed. Implemented for every [`Planner`] by one blanket implementation.
@@ -31,6 +31,14 @@ pub trait AnyPlanner: Send {
     fn inspect(&self, item: Item) -> Option<Inspection>;
     /// See [`Planner::explain`].
     fn explain(&self, item: Item) -> Option<Inspection>;
+    /// See [`Planner::yardstick`].
+    fn yardstick(&self) -> Yardstick;
+    /// See [`Planner::jobs`].
+    fn jobs(&self) -> Vec<Job>;
+    /// See [`Planner::supply`].
+    fn supply(&mut self, found: Vec<Finding>);
+    /// See [`Planner::tuned`].
+    fn tuned(&self) -> Option<Tuned>;
     /// See [`Planner::digest`].
     fn digest(&self, out: &mut Digest);
     /// See [`Planner::bytes`].
@@ -83,6 +91,22 @@ impl<P: Planner + Send + 'static> AnyPlanner for P {
 
     fn explain(&self, item: Item) -> Option<Inspection> {
         Planner::explain(self, item)
+    }
+
+    fn yardstick(&self) -> Yardstick {
+        Planner::yardstick(self)
+    }
+
+    fn jobs(&self) -> Vec<Job> {
+        Planner::jobs(self)
+    }
+
+    fn supply(&mut self, found: Vec<Finding>) {
+        Planner::supply(self, found);
+    }
+
+    fn tuned(&self) -> Option<Tuned> {
+        Planner::tuned(self)
     }
 
     fn digest(&self, out: &mut Digest) {

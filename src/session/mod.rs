@@ -1,6 +1,7 @@
 //! One run: a scene, a planner with parameters and a seed, stepped, rewound, judged and shared.
 
 mod any;
+mod jobs;
 mod keyframes;
 mod outcome;
 mod trace;
@@ -8,6 +9,7 @@ mod trace;
 use std::sync::Arc;
 
 pub use any::AnyPlanner;
+pub use jobs::{carry_out, carry_out_all};
 pub use outcome::Outcome;
 pub use trace::{Trace, csv_heading, csv_line, csv_row};
 
@@ -16,10 +18,11 @@ use crate::{
     digest::Digest,
     drive::{self, Drive},
     error::Error,
+    exact::Exact,
     frame::Frame,
     link::Link,
     params::{Given, Settings},
-    planner::{Inspection, Item, Readings, Solution, Status},
+    planner::{Finding, Inspection, Item, Job, Readings, Solution, Status},
     rng::check_seed,
     scene::Scene,
 };
@@ -241,7 +244,8 @@ impl Session {
         &self.trace
     }
 
-    /// Draws the present state, at most about `budget` vertices a layer.
+    /// Draws the present state, at most about `budget` vertices a layer; what is only worth drawing from near, in the
+    /// part of the plane that [`Frame::look_at`] said.
     pub fn draw(&self, frame: &mut Frame, budget: usize) {
         frame.clear(budget);
         self.planner.draw(frame);
@@ -264,6 +268,22 @@ impl Session {
         self.draw(&mut frame, usize::MAX);
         let pickable: Vec<_> = self.entry.layers.iter().filter(|l| l.pickable).map(|l| l.role).collect();
         crate::picture::nearest(&frame, &pickable, point, reach)
+    }
+
+    /// The exact optimum by the rule that the planner keeps to, as a path.
+    pub fn exact(&self) -> Option<&Exact> {
+        self.scene.exact_by(self.planner.yardstick())
+    }
+
+    /// The runs of other planners, on this scene, that the next step needs; see [`Session::supply`].
+    pub fn jobs(&self) -> Vec<Job> {
+        self.planner.jobs()
+    }
+
+    /// Hands over what the runs of [`Session::jobs`] found, in their order, so that the next step need not carry them
+    /// out itself. What it does with them does not depend on who carried them out.
+    pub fn supply(&mut self, found: Vec<Finding>) {
+        self.planner.supply(found);
     }
 
     /// Everything there is to say about where the run stands.

@@ -6,7 +6,7 @@ use crate::{
     drive::{self, DriveOutcome},
     geometry,
     params::{Given, Value, as_object},
-    planner::{Solution, Status},
+    planner::{Solution, Status, Tuned, Yardstick},
 };
 
 use super::Session;
@@ -34,10 +34,15 @@ pub struct Outcome {
     pub feasible: bool,
     /// The smallest distance to an obstacle; negative: how deep the path cuts.
     pub clearance: Option<f64>,
-    /// The exact optimum.
+    /// The exact optimum by the rule that the planner keeps to.
     pub exact: Option<f64>,
+    /// Which optimum that is: over the cells of a grid, or at any angle.
+    pub exact_by: Yardstick,
     /// (length − exact) / exact; `None` where the optimum is 0 or there is no length.
     pub gap: Option<f64>,
+    /// At how many corners the path turns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turns: Option<usize>,
     /// How much the path turns in all, in radians.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turning: Option<f64>,
@@ -53,6 +58,9 @@ pub struct Outcome {
     /// The numbers of this iteration.
     #[serde(serialize_with = "as_object")]
     pub readings: Vec<(&'static str, f64)>,
+    /// What a planner of planners recommends.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tuned: Option<Tuned>,
     /// The state's hash.
     pub hash: String,
     /// Every parameter's value.
@@ -65,7 +73,8 @@ impl Outcome {
         let readings = session.readings().iter().collect();
         let best = session.planner.best();
         let verdict = best.as_ref().map(|best| session.scene.judge(&best.solution));
-        let exact = session.scene.optimum();
+        let exact_by = session.planner.yardstick();
+        let exact = session.scene.optimum(exact_by);
         let length = verdict.and_then(|v| v.length);
         let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| (length - exact) / exact);
         let cost = best.as_ref().map(|best| best.cost);
@@ -88,12 +97,15 @@ impl Outcome {
             feasible: verdict.is_some_and(|v| v.feasible),
             clearance: verdict.and_then(|v| v.clearance),
             exact,
+            exact_by,
             gap,
+            turns: path.as_deref().map(geometry::turns),
             turning: path.as_deref().map(geometry::turning),
             drive,
             path,
             position,
             readings,
+            tuned: session.planner.tuned(),
             hash: session.hash(),
             parameters: session.settings.all().to_vec(),
         }

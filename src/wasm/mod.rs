@@ -118,6 +118,16 @@ pub fn suggest(setup: &JsSetup) -> Result<JsSuggestionOrNull, JsValue> {
     read_setup(setup)?.suggest().map(|suggestion| plain(&suggestion)).map_err(|error| js_error(&error))
 }
 
+/// Carries out a run that a planner of planners needs (`Session.jobs`), to its end.
+///
+/// # Errors
+/// As the constructor of `Session`.
+#[wasm_bindgen(js_name = carryOut)]
+pub fn carry_out(setup: &JsSetup) -> Result<JsFinding, JsValue> {
+    let setup = read_setup(setup)?;
+    session::carry_out(setup).map(|found| plain(&found)).map_err(|error| js_error(&error))
+}
+
 /// A fresh seed from the system.
 ///
 /// # Errors
@@ -233,6 +243,52 @@ impl Session {
         ])
     }
 
+    /// Which part of the plane is looked at: layers that are only worth drawing from near are drawn for it. Undefined: all.
+    ///
+    /// # Errors
+    /// For corners that are no points.
+    #[wasm_bindgen(js_name = lookAt)]
+    pub fn look_at(&mut self, min: &JsPointOrUndefined, max: &JsPointOrUndefined) -> Result<(), JsValue> {
+        let window = if min.is_undefined() { None } else { Some(Bounds { min: read_point("min", min)?, max: read_point("max", max)? }) };
+        self.frame.look_at(window);
+        Ok(())
+    }
+
+    /// A field of the frame that was drawn last, coloured: pheromone, settled cells; null if there is none of this role.
+    ///
+    /// # Errors
+    /// For an unknown role, or when there is no `ImageData` here.
+    #[wasm_bindgen(js_name = layerImage)]
+    pub fn layer_image(&self, role: &str, dark: bool) -> Result<JsLayerImageOrNull, JsValue> {
+        let Some(raster) = picture::raster(&self.frame, read_role(role)?, dark) else {
+            return Ok(JsValue::NULL.unchecked_into());
+        };
+        let (width, height) = (raster.width as u32, raster.height as u32);
+        let image = ImageData::new_with_u8_clamped_array_and_sh(wasm_bindgen::Clamped(&raster.pixels), width, height)?;
+        Ok(object(&[
+            ("image", image.into()),
+            ("min", plain(&raster.bounds.min)),
+            ("max", plain(&raster.bounds.max)),
+            ("range", plain(&raster.range)),
+        ]))
+    }
+
+    /// The runs of other planners, on this scene, that the next step needs; none for most planners. Carry them out with
+    /// `carryOut`, in workers if you like, and `supply` what they found; a step without that carries them out itself.
+    pub fn jobs(&self) -> JsJobs {
+        plain(&self.run.jobs())
+    }
+
+    /// Takes what the runs of `jobs` found, in their order.
+    ///
+    /// # Errors
+    /// For anything that is no list of findings.
+    pub fn supply(&mut self, findings: &JsFindings) -> Result<(), JsValue> {
+        let found = serde_wasm_bindgen::from_value(findings.into()).map_err(|problem| js_error(&Error::malformed("findings", problem)))?;
+        self.run.supply(found);
+        Ok(())
+    }
+
     /// Draws the present state; the arrays are views into the wasm memory, valid until the next call of anything here.
     #[expect(unsafe_code, reason = "a view must not outlive the next call; the types say so, and the worker copies at once")]
     pub fn frame(&mut self, budget: Option<f64>) -> JsFrame {
@@ -279,14 +335,14 @@ impl Session {
         plain(&self.run.pick([x, y], reach).map(ItemView::from))
     }
 
-    /// The exact optimum as a path; null where there is none.
+    /// The exact optimum as a path, by the rule that the planner keeps to; null where there is none.
     pub fn exact(&self) -> JsExactOrNull {
         #[derive(Serialize)]
         struct Exact<'a> {
             length: f64,
             path: &'a [[f64; 2]],
         }
-        plain(&self.run.scene().exact().map(|exact| Exact { length: exact.length, path: &exact.path }))
+        plain(&self.run.exact().map(|exact| Exact { length: exact.length, path: &exact.path }))
     }
 
     /// Fills a canvas with the scene's heights over a part of the plane; false if the scene has none.

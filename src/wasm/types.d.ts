@@ -84,7 +84,8 @@ export interface Parameter {
   symbol: string;
   title: string;
   help: string;
-  type: 'number' | 'integer' | 'choice' | 'flag';
+  /** `subset`: any of the options, as text, with commas between: `alpha,beta`. */
+  type: 'number' | 'integer' | 'choice' | 'flag' | 'subset';
   default: ParameterValue;
   /** Defaults that differ on a kind of scene (the published values). */
   defaults: Partial<Record<Kind, ParameterValue>>;
@@ -102,7 +103,7 @@ export interface Parameter {
   step?: number;
   /** True where a slider should be logarithmic. */
   logarithmic?: boolean;
-  /** Choices only. */
+  /** Choices and subsets only. */
   options?: { value: string; title: string; help: string }[];
 }
 
@@ -225,6 +226,8 @@ export interface Catalogue {
   planners: Planner[];
   /** The scenes that ship. */
   scenes: Scene[];
+  /** What can make a random grid. */
+  generators: Generator[];
   /** How a robot drives along what a planner found. */
   drive: DriveEntry;
   /** Names of role numbers in a frame's span table. */
@@ -269,6 +272,31 @@ export interface FrameViews {
   thinning: number;
 }
 
+/** A field of a frame, coloured: a pixel for each value, the row of the smallest y first. */
+export interface LayerImage {
+  image: ImageData;
+  /** The part of the plane that it covers. */
+  min: Point;
+  max: Point;
+  /** The smallest and the largest value. */
+  range: [number, number];
+}
+
+/** A run of another planner on the same scene that a planner of planners needs. */
+export interface Job {
+  planner: string;
+  params: Record<string, ParameterValue>;
+  seed: number;
+}
+
+/** What such a run found. */
+export interface Finding {
+  cost: number | null;
+  /** The iteration in which the best was found. */
+  converged: number;
+  path: Point[];
+}
+
 export interface Item {
   role: string;
   index: number;
@@ -307,10 +335,14 @@ export interface Outcome {
   feasible: boolean;
   /** Smallest distance to an obstacle; negative: how deep the path cuts. */
   clearance: number | null;
-  /** The exact optimum. */
+  /** The exact optimum by the rule that the planner keeps to. */
   exact: number | null;
+  /** Which optimum that is: over the cells of a grid, or at any angle. */
+  exact_by: 'any-angle' | 'cells';
   /** (length − exact) / exact. */
   gap: number | null;
+  /** At how many corners the path turns. Paths only. */
+  turns?: number;
   /** How much the path turns in all, in radians. Paths only. */
   turning?: number;
   /** How the scene's robot drives along the path, with the usual parameters. Scenes with a robot that has an outline only. */
@@ -318,6 +350,8 @@ export interface Outcome {
   path?: Point[];
   position?: number[];
   readings: Record<string, number>;
+  /** What a planner of planners recommends: a planner and its parameters. */
+  tuned?: { planner: string; params: Record<string, ParameterValue> };
   hash: string;
   parameters: Record<string, ParameterValue>;
 }
@@ -328,6 +362,37 @@ export interface Trace {
   /** The iterations that the rows belong to. */
   iterations: Float64Array;
   rows: Float64Array;
+}
+
+/** A file as bytes. */
+export interface NamedFile {
+  name: string;
+  bytes: Uint8Array;
+}
+
+/** A problem of a MovingAI `.scen` file. */
+export interface Problem {
+  start: Point;
+  goal: Point;
+  /** The length that the file gives, in cells. */
+  length: number;
+}
+
+/** What came of files of another format. */
+export interface Imported {
+  scene: GridScene;
+  /** What was read in some way that should be known: unknown cells taken as blocked, ends chosen, … */
+  notes: string[];
+  /** The problems of a `.scen` file, if one was among the files. The scene has the last one's ends. */
+  problems: Problem[];
+}
+
+/** What a random grid is made of. */
+export interface Generator {
+  name: string;
+  title: string;
+  help: string;
+  parameters: Parameter[];
 }
 
 /** An `Error` that says which field is wrong. */

@@ -70,4 +70,19 @@ extern "C" {
     /// `string[]`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "string[]")]
     pub type JsNames;
+    /// `Point | undefined`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Point | undefined")]
+    pub type JsPointOrUndefined;
+    /// `LayerImage | null`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "LayerImage | null")]
+    pub type JsLayerImageOrNull;
+    /// `Job[]`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Job[]")]
+    pub type JsJobs;
+    /// `Finding[]`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Finding[]")]
+    pub type JsFindings;
+    /// `Finding`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Finding")]
+    pub type JsFinding;
 }

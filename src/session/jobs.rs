@@ -1,0 +1,45 @@
+//! Runs of planners for planners: one after another, or natively side by side.
+
+use std::sync::Arc;
+
+use crate::{
+    error::Error,
+    planner::{Finding, Job, Solution, Status},
+    scene::Scene,
+};
+
+use super::{Session, Setup};
+
+/// Carries a run out to its end.
+///
+/// # Errors
+/// Whatever [`Session::new`] refuses.
+pub fn carry_out(setup: Setup) -> Result<Finding, Error> {
+    let mut session = Session::with_keyframes(setup, 0)?;
+    while session.step(u64::MAX) == Status::Running {}
+    let converged = session.readings().get("converged").unwrap_or(session.iteration() as f64);
+    let best = session.planner.best();
+    let cost = best.as_ref().map(|best| best.cost);
+    let path = best.map_or(Vec::new(), |best| match best.solution {
+        Solution::Path(path) => path,
+        Solution::Position(_) => Vec::new(),
+    });
+    Ok(Finding { cost, converged, path })
+}
+
+/// Carries jobs out, natively on all cores. The findings are in the jobs' order, whoever was first.
+///
+/// # Errors
+/// The first job's that is refused.
+pub fn carry_out_all(scene: &Arc<Scene>, jobs: &[Job]) -> Result<Vec<Finding>, Error> {
+    let one = |job: &Job| {
+        carry_out(Setup { planner: job.planner.to_owned(), scene: Arc::clone(scene), params: job.params.clone(), seed: job.seed })
+    };
+    #[cfg(not(target_arch = "wasm32"))]
+    {
+        use rayon::prelude::*;
+        jobs.par_iter().map(one).collect()
+    }
+    #[cfg(target_arch = "wasm32")]
+    jobs.iter().map(one).collect()
+}
