@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use crate::{
-    drive,
+    ants, drive,
     error::Error,
     frame::{Role, Shape},
     params::{Domain, Parameter, Settings, Value, When, as_object},
@@ -15,8 +15,18 @@ use crate::{
 };
 
 /// All planners, in the order in which they are offered.
-pub const PLANNERS: &[Entry] =
-    &[swarm::wcpso::ENTRY, swarm::pso::ENTRY, swarm::wpso::ENTRY, swarm::cpso::ENTRY, swarm::ltqpso::ENTRY, swarm::qpso::ENTRY];
+pub const PLANNERS: &[Entry] = &[
+    swarm::wcpso::ENTRY,
+    swarm::pso::ENTRY,
+    swarm::wpso::ENTRY,
+    swarm::cpso::ENTRY,
+    swarm::ltqpso::ENTRY,
+    swarm::qpso::ENTRY,
+    ants::aco_wolf::ENTRY,
+    ants::aco_direction::ENTRY,
+    ants::aco_dijkstra::ENTRY,
+    ants::aco::ENTRY,
+];
 
 /// Starts a run: refuses everything that can be refused.
 pub type Start = fn(&Arc<Scene>, &Settings, u64) -> Result<Box<dyn AnyPlanner>, Error>;
@@ -184,6 +194,7 @@ pub fn catalogue() -> Catalogue {
         .iter()
         .flat_map(|e| e.parameters.iter().map(|p| p.symbol).chain(e.readings.iter().map(|r| r.symbol)))
         .chain(swarm::SYMBOLS.iter().copied())
+        .chain(ants::SYMBOLS.iter().copied())
         .chain(drive::PARAMETERS.iter().map(|p| p.symbol))
         .chain(drive::COLUMNS.iter().map(|c| c.symbol));
     let mut symbols = Vec::new();

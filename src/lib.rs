@@ -29,6 +29,7 @@
 //! Papers are cited by tag and equation: `[WCPSO]` is Jia Huiqun et al., *Path planning based on improved particle
 //! swarm optimization algorithm*, Transactions of the Chinese Society for Agricultural Machinery, 2018 no. 12.
 
+pub mod ants;
 pub mod catalogue;
 pub mod digest;
 pub mod drive;

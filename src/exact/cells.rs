@@ -9,12 +9,18 @@ use super::{Exact, Length};
 
 /// The shortest way from start to goal from cell to neighbouring cell; `None` where there is none.
 pub fn shortest_over_cells(cells: &Cells, course: &Course) -> Option<Exact> {
+    let way = shortest_way(cells, course.start, course.goal)?;
+    Some(Exact { length: course.length(cells, cells.steps(&way)), path: course.path(cells, way) })
+}
+
+/// The cells of a shortest way from one to another; `None` where there is none.
+pub fn shortest_way(cells: &Cells, start: usize, goal: usize) -> Option<Vec<usize>> {
     let mut best = vec![Steps { straight: u32::MAX, diagonal: u32::MAX }; cells.len()];
     let mut from = vec![u8::MAX; cells.len()];
-    let mut open = BinaryHeap::from([Reverse((Length(0.0), course.start))]);
-    best[course.start] = Steps::default();
+    let mut open = BinaryHeap::from([Reverse((Length(0.0), start))]);
+    best[start] = Steps::default();
     while let Some(Reverse((Length(length), cell))) = open.pop() {
-        if cell == course.goal {
+        if cell == goal {
             break;
         }
         if length > best[cell].length() {
@@ -28,15 +34,34 @@ pub fn shortest_over_cells(cells: &Cells, course: &Course) -> Option<Exact> {
             }
         }
     }
-    let mut way = vec![course.goal];
-    while let Some(&cell) = way.last().filter(|&&cell| cell != course.start) {
+    let mut way = vec![goal];
+    while let Some(&cell) = way.last().filter(|&&cell| cell != start) {
         let d = usize::from(from[cell]);
         if d > 7 {
             return None;
         }
         way.push(cells.next(cell, (d + 4) % 8));
     }
-    Some(Exact { length: course.length(cells, best[course.goal]), path: course.path(cells, way.into_iter().rev()) })
+    way.reverse();
+    Some(way)
+}
+
+/// Whether there is a way over cells from one to another.
+pub fn is_reachable(cells: &Cells, start: usize, goal: usize) -> bool {
+    let mut seen = vec![false; cells.len()];
+    let mut open = vec![start];
+    seen[start] = true;
+    while let Some(cell) = open.pop() {
+        if cell == goal {
+            return true;
+        }
+        for next in (0..8).filter(|d| cells.moves(cell) >> d & 1 != 0).map(|d| cells.next(cell, d)) {
+            if !std::mem::replace(&mut seen[next], true) {
+                open.push(next);
+            }
+        }
+    }
+    false
 }
 
 #[cfg(test)]

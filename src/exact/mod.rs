@@ -6,7 +6,7 @@ mod grid;
 
 use std::cmp::Ordering;
 
-pub use cells::shortest_over_cells;
+pub use cells::{is_reachable, shortest_over_cells, shortest_way};
 pub use discs::shortest_among_discs;
 pub use grid::shortest_on_grid;
 

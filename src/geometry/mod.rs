@@ -6,6 +6,7 @@ mod field;
 mod oriented;
 mod polyline;
 mod segment;
+mod shortcut;
 mod smooth;
 
 pub use block::Block;
@@ -14,6 +15,7 @@ pub use field::Field;
 pub use oriented::Oriented;
 pub use polyline::{arc_outline, length, turning, turns};
 pub use segment::{closest_parameter, distance_squared};
+pub use shortcut::shortcut;
 pub use smooth::{PIECES, shuman, subdivided};
 
 /// A point or a displacement in the plane, in the scene's unit.

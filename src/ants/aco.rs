@@ -1,0 +1,42 @@
+//! `aco`: the traditional ant colony, [ANTBAT] §3.1.
+
+use crate::{catalogue::Entry, params::Parameter};
+
+use super::{
+    Traits,
+    ground::Heuristic,
+    parameters::{
+        CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH, STAYS, STEP_LIMIT, TAU_MAX, TRADITIONAL, alpha, ants,
+        beta, dead_end, q, rho, tau_0, tau_min,
+    },
+    update::Update,
+};
+
+pub(super) const ANTS: Parameter = ants(50, "How many ants set out in an iteration. Published: 50.");
+pub(super) const ALPHA: Parameter = alpha(1.5, "How much pheromone counts in an ant’s choice. Published: 1.5.");
+pub(super) const BETA: Parameter = beta(8.0, "How much the distance to the goal counts in an ant’s choice. Published: 8.");
+pub(super) const RHO: Parameter = rho(0.4, "The share of the pheromone that is gone after an iteration. Published: 0.4.");
+pub(super) const Q: Parameter = q(10.0, [1.0, 100.0], "An ant lays Q / L on each step of a way of length L. The paper gives no value.");
+
+pub(super) const TAU_0: Parameter =
+    tau_0(1.0, "What lies on every step before the first ant sets out. The paper gives no value; 1 is about what fifty ants lay.");
+pub(super) const TAU_MIN: Parameter = tau_min(1e-3);
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "aco",
+    title: "ACO: ants",
+    family: "ants",
+    source: "[ANTBAT] §3.1, (1)",
+    summary: "Ants go from cell to cell, the rather where pheromone lies and where the goal is near; short ways gather more of it.",
+    kinds: KINDS,
+    parameters: &[ANTS, ITERATIONS, ALPHA, BETA, RHO, Q, TAU_0, TAU_MIN, TAU_MAX, dead_end(STAYS), STEP_LIMIT, SMOOTH],
+    readings: READINGS,
+    formulas: &[CHOICE, DISTANCE, EVAPORATION, TRADITIONAL],
+    layers: LAYERS,
+    suggest: |_| None,
+    start: |scene, settings, seed| {
+        let traits = Traits { heuristic: Heuristic::Distance, gamma: 0.0, update: Update::Traditional, greed: [0.0; 2], seeded: 1.0 };
+        super::start(scene, settings, seed, traits)
+    },
+};

@@ -1,0 +1,99 @@
+//! `aco-dijkstra`: ants that set out on a Dijkstra path's pheromone and choose greedily more and more, the paper's [14].
+
+use crate::{
+    catalogue::{Entry, Formula, Scope},
+    params::Parameter,
+};
+
+use super::{
+    Traits,
+    aco::{ALPHA, ANTS, BETA, Q, RHO, TAU_0, TAU_MIN},
+    ground::Heuristic,
+    parameters::{
+        ANT_STEPS, ARRIVED, BEST, CHOICE, CONVERGED, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LENGTH, LOST, MEAN, SMOOTH,
+        SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, STAYS, STEP_LIMIT, STUCK, TAU_MAX, TRADITIONAL, TURNING, TURNS, dead_end,
+    },
+    update::Update,
+};
+
+const SEEDED: Parameter = Parameter::number(
+    "seeded",
+    "\\tau_D / \\tau_0",
+    "Pheromone of the Dijkstra path",
+    [1.0, 1000.0, 2.0],
+    "How many times τ0 lies on the steps of a Dijkstra path before the first ant sets out. The paper gives no value.",
+)
+.slider(1.0, 20.0, false);
+const Q0_START: Parameter = Parameter::number(
+    "q0_start",
+    "q_{0,\\text{start}}",
+    "Greed at the start",
+    [0.0, 1.0, 0.1],
+    "How often an ant takes the best step instead of drawing one, in the first iteration. Reading: the rule adapts by rising evenly.",
+);
+const Q0_END: Parameter =
+    Parameter::number("q0_end", "q_{0,\\text{end}}", "Greed at the end", [0.0, 1.0, 0.9], "The same, in the last iteration.");
+const RULE: Formula = Formula {
+    name: "rule",
+    source: "[ANTBAT] §3.1, its [14]",
+    title: "Pseudo-random proportional rule",
+    tex: "j = \\begin{cases} \\arg\\max_s \\tau_{is}^{\\alpha} \\eta_{is}^{\\beta} & u < q_0 \\\\ \\text{drawn by (1)} & \\text{otherwise} \\end{cases}",
+    live: "q_0 = @q0@",
+    scope: Scope::Iteration,
+};
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "aco-dijkstra",
+    title: "ACO on a Dijkstra path",
+    family: "ants",
+    source: "[ANTBAT] §3.1, its [14]",
+    summary: "A Dijkstra path lies on the map as pheromone before the first ant sets out; ants choose ever more greedily.",
+    kinds: KINDS,
+    parameters: &[
+        ANTS,
+        ITERATIONS,
+        ALPHA,
+        BETA,
+        RHO,
+        Q,
+        SEEDED,
+        Q0_START,
+        Q0_END,
+        TAU_0,
+        TAU_MIN,
+        TAU_MAX,
+        dead_end(STAYS),
+        STEP_LIMIT,
+        SMOOTH,
+    ],
+    readings: &[
+        BEST,
+        MEAN,
+        LENGTH,
+        TURNS,
+        TURNING,
+        SMOOTH_LENGTH,
+        SMOOTH_TURNS,
+        SMOOTH_TURNING,
+        CONVERGED,
+        ARRIVED,
+        STUCK,
+        LOST,
+        ANT_STEPS,
+        GREED,
+    ],
+    formulas: &[RULE, CHOICE, DISTANCE, EVAPORATION, TRADITIONAL],
+    layers: LAYERS,
+    suggest: |_| None,
+    start: |scene, settings, seed| {
+        let traits = Traits {
+            heuristic: Heuristic::Distance,
+            gamma: 0.0,
+            update: Update::Traditional,
+            greed: [settings.number("q0_start"), settings.number("q0_end")],
+            seeded: settings.number("seeded"),
+        };
+        super::start(scene, settings, seed, traits)
+    },
+};

@@ -1,0 +1,89 @@
+//! `aco-direction`: ants that mind their direction, rewarded and punished by the median, [ANTBAT] §3.1.
+
+use crate::{
+    catalogue::{Entry, Formula, Scope},
+    params::Parameter,
+};
+
+use super::{
+    Traits,
+    aco::{ALPHA, ANTS, BETA, Q, RHO, TAU_0, TAU_MIN},
+    ground::Heuristic,
+    parameters::{DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH, STAYS, STEP_LIMIT, TAU_MAX, dead_end},
+    update::Update,
+};
+
+const GAMMA: Parameter = Parameter::number(
+    "gamma",
+    "\\gamma",
+    "Weight of direction",
+    [0.0, 20.0, 2.5],
+    "How much it counts in an ant’s choice that a step goes straight on and towards the goal. Published: 2.5.",
+);
+const PHI1: Parameter = Parameter::number(
+    "phi1",
+    "\\varphi_1",
+    "Reward by the median",
+    [0.0, 1000.0, 1.0],
+    "How much more an ant lays that went less than the median, and how much less one that went more. The paper gives no value.",
+)
+.slider(0.0, 10.0, false);
+const PHI2: Parameter = Parameter::number(
+    "phi2",
+    "\\varphi_2",
+    "Reward by the best",
+    [0.0, 1000.0, 1.0],
+    "How much less an ant lays the longer its way is than the best so far. The paper gives no value.",
+)
+.slider(0.0, 10.0, false);
+
+const fn of_item(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
+    Formula { name, source, title, tex, live, scope: Scope::Item }
+}
+
+const CHOICE: Formula = of_item(
+    "choice",
+    "[ANTBAT] (3)",
+    "Choice",
+    "p_{ij} = \\frac{\\tau_{ij}^{\\alpha} \\, \\eta_j^{\\beta} \\, \\psi_{ij}^{\\gamma}}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_s^{\\beta} \\, \\psi_{is}^{\\gamma}}",
+    "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@} \\cdot @psi@^{@gamma@}}{@sum@} = @p@",
+);
+const DIRECTION: Formula = of_item(
+    "direction",
+    "[ANTBAT] (2)",
+    "Direction",
+    "\\psi = \\exp\\left(-\\left(\\frac{\\theta_1}{\\pi/2} + \\frac{\\theta_2}{\\pi/2}\\right)\\right)",
+    "\\psi = \\exp\\left(-\\frac{@theta1@ + @theta2@}{\\pi/2}\\right) = @psi@",
+);
+const REWARD: Formula = of_item(
+    "laid",
+    "[ANTBAT] (5)",
+    "What an ant lays",
+    "\\Delta\\tau^k = \\frac{Q}{L_k} + \\varphi_1 \\frac{L_{\\text{median}} - L_k}{L_{\\text{median}}} + \\varphi_2 \\frac{L_{\\text{global}} - L_k}{L_{\\text{global}}}",
+    "\\Delta\\tau = \\frac{@q@}{@length@} + @phi1@ \\cdot \\frac{@median@ - @length@}{@median@} + @phi2@ \\cdot \\frac{@global@ - @length@}{@global@} = @laid@",
+);
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "aco-direction",
+    title: "ACO with direction",
+    family: "ants",
+    source: "[ANTBAT] §3.1, (2)–(5)",
+    summary: "Ants that would rather go straight on and towards the goal; ways under the median are rewarded, those above it punished.",
+    kinds: KINDS,
+    parameters: &[ANTS, ITERATIONS, ALPHA, BETA, GAMMA, RHO, Q, PHI1, PHI2, TAU_0, TAU_MIN, TAU_MAX, dead_end(STAYS), STEP_LIMIT, SMOOTH],
+    readings: READINGS,
+    formulas: &[CHOICE, DISTANCE, DIRECTION, EVAPORATION, REWARD],
+    layers: LAYERS,
+    suggest: |_| None,
+    start: |scene, settings, seed| {
+        let traits = Traits {
+            heuristic: Heuristic::Distance,
+            gamma: settings.number("gamma"),
+            update: Update::Reward { phi1: settings.number("phi1"), phi2: settings.number("phi2") },
+            greed: [0.0; 2],
+            seeded: 1.0,
+        };
+        super::start(scene, settings, seed, traits)
+    },
+};

@@ -1,0 +1,103 @@
+//! `aco-wolf`: ants that rank the cells around them, whose best is rewarded and whose worst is punished like wolves,
+//! [WOLF-ANT] §5.1.
+
+use crate::{
+    catalogue::{Entry, Formula, Scope},
+    params::Parameter,
+};
+
+use super::{
+    Traits,
+    ground::Heuristic,
+    parameters::{
+        ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH, STAYS, STEP_LIMIT, TAU_MAX, alpha, ants, beta, dead_end, q, rho, tau_0, tau_min,
+    },
+    update::Update,
+};
+
+const EPSILON: Parameter = Parameter::number(
+    "epsilon",
+    "\\varepsilon",
+    "Unit of sight",
+    [0.0, 20.0, 2.0],
+    "What the ranks 1 to 5 are multiplied by, [WOLF-ANT] (6). Published: 2. It cancels out of the choice (4) unless it is 0: then nothing is seen.",
+);
+
+const CHOICE: Formula = Formula {
+    name: "choice",
+    source: "[WOLF-ANT] (4)",
+    title: "Choice",
+    tex: "p_{ij} = \\frac{\\tau_{ij}^{\\alpha} \\, \\eta_{ij}^{\\beta}}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_{is}^{\\beta}}",
+    live: "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}{@sum@} = @p@",
+    scope: Scope::Item,
+};
+const RANKED: Formula = Formula {
+    name: "ranked",
+    source: "[WOLF-ANT] (6)",
+    title: "Sight by rank",
+    tex: "\\eta_{ij} = \\varepsilon \\cdot (5, 4, 4, 3, 3, 2, 2, 1) \\text{ by distance to the goal}",
+    live: "\\eta = @epsilon@ \\cdot @rank@ = @eta@",
+    scope: Scope::Item,
+};
+const PHEROMONE: Formula = Formula {
+    name: "pheromone",
+    source: "[WOLF-ANT] (10)",
+    title: "Pheromone",
+    tex: "\\tau \\leftarrow (1 - \\rho) \\, \\tau + \\sum_a \\Delta\\tau^a + \\Delta\\tau_{\\text{best}} - \\Delta\\tau_{\\text{worst}}",
+    live: "\\tau \\leftarrow (1 - @rho@) \\, \\tau + \\textstyle\\sum_{a=1}^{@arrived@} \\Delta\\tau^a + \\Delta\\tau_{\\text{best}} - \\Delta\\tau_{\\text{worst}}",
+    scope: Scope::Iteration,
+};
+const LAID: Formula = Formula {
+    name: "laid",
+    source: "[WOLF-ANT] (9), (11), (12)",
+    title: "What an ant lays",
+    tex: "\\Delta\\tau^a = \\frac{Q}{L_a}, \\quad \\Delta\\tau_{\\text{best}} = \\delta \\frac{Q}{L_{\\text{best}}}, \\quad \\Delta\\tau_{\\text{worst}} = \\omega \\frac{Q}{L_{\\text{worst}}}",
+    live: "\\Delta\\tau = @share@ \\cdot \\frac{@q@}{@length@} = @laid@",
+    scope: Scope::Item,
+};
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "aco-wolf",
+    title: "ACO with wolves’ shares",
+    family: "ants",
+    source: "[WOLF-ANT] §5.1",
+    summary: "Ants that rank the cells around them by their distance to the goal; an iteration’s best way gets more pheromone, its worst way less.",
+    kinds: KINDS,
+    parameters: &[
+        ants(30, "How many ants set out in an iteration. Published: 30."),
+        ITERATIONS,
+        alpha(1.0, "How much pheromone counts in an ant’s choice. Published: 1, found by a particle swarm."),
+        beta(7.0, "How much a cell’s rank counts in an ant’s choice. Published: 7, found by a particle swarm."),
+        EPSILON,
+        rho(0.367, "The share of the pheromone that is gone after an iteration. Published: 0.367, found by a particle swarm."),
+        q(
+            333.0,
+            [100.0, 1000.0],
+            "An ant lays Q / L on each step of a way of length L, in the scene’s unit. Published: 333, found by a particle swarm.",
+        ),
+        tau_0(
+            50.0,
+            "What lies on every step before the first ant sets out. The paper gives no value; 50 is about what thirty ants keep on a way.",
+        ),
+        tau_min(1.0),
+        TAU_MAX,
+        dead_end(STAYS),
+        STEP_LIMIT,
+        SMOOTH,
+    ],
+    readings: READINGS,
+    formulas: &[CHOICE, RANKED, PHEROMONE, LAID],
+    layers: LAYERS,
+    suggest: |_| None,
+    start: |scene, settings, seed| {
+        let traits = Traits {
+            heuristic: Heuristic::Ranked { epsilon: settings.number("epsilon") },
+            gamma: 0.0,
+            update: Update::Wolf,
+            greed: [0.0; 2],
+            seeded: 1.0,
+        };
+        super::start(scene, settings, seed, traits)
+    },
+};

@@ -1,0 +1,253 @@
+//! Ants that go from cell to cell of a grid and lay pheromone on their ways, [ANTBAT] §3.1 and [WOLF-ANT] §5.1.
+//!
+//! There is one colony. What its planners differ in is exchanged: how an ant sees the cells around it (`ground`), how it
+//! chooses among them (`walk`), and what it lays (`update`). `pheromone` keeps τ and the choice weights, which are made
+//! once per iteration for each cell that an ant comes to; a step is then a look-up and one random number.
+
+pub mod aco;
+pub mod aco_dijkstra;
+pub mod aco_direction;
+pub mod aco_wolf;
+mod draw;
+mod ground;
+mod parameters;
+mod pheromone;
+mod result;
+mod tell;
+mod update;
+mod walk;
+
+use std::sync::Arc;
+
+use crate::{
+    digest::Digest,
+    error::Error,
+    exact,
+    frame::{Frame, Role},
+    params::Settings,
+    planner::{Best, Inspection, Item, Planner, Readings, Solution, Status, Yardstick},
+    rng::Stream,
+    scene::Scene,
+    session,
+};
+
+use ground::{Ground, Heuristic};
+use pheromone::Pheromone;
+use result::Found;
+use update::Update;
+use walk::{End, Rules, Seen, Walks, walk};
+
+pub use tell::SYMBOLS;
+
+/// What one colony has and another has not.
+#[derive(Debug, Clone, Copy)]
+struct Traits {
+    heuristic: Heuristic,
+    /// γ: how much the direction of a step counts.
+    gamma: f64,
+    update: Update,
+    /// q0 at the start and at the end.
+    greed: [f64; 2],
+    /// By how much a Dijkstra path's pheromone is multiplied before the first ant sets out; 1: not at all.
+    seeded: f64,
+}
+
+/// A colony of ants. One iteration: all ants walk, then pheromone evaporates and what they lay is added.
+#[derive(Clone)]
+struct Colony {
+    ground: Arc<Ground>,
+    traits: Traits,
+    rules: Rules,
+    ants: usize,
+    q: f64,
+    smooth: bool,
+    pheromone: Pheromone,
+    walks: Walks,
+    /// Scratch space.
+    seen: Seen,
+    lengths: Vec<f64>,
+    best: Option<Found>,
+    /// When the best was found.
+    converged: u64,
+    iteration: u64,
+    limit: u64,
+    rng: Stream,
+}
+
+/// Starts a colony with these traits.
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Box<dyn session::AnyPlanner>, Error> {
+    let bounds = [settings.number("tau_min"), settings.number("tau_max")];
+    if bounds[0] > bounds[1] {
+        return Err(Error::refused("tau_min", bounds[0], format!("at most tau_max, {}", bounds[1])));
+    }
+    let ground = Ground::new(scene, traits.heuristic, settings.number("beta"), traits.gamma)?;
+    let cells = &ground.cells;
+    let mut pheromone = Pheromone::new(cells, settings.number("tau_0"), settings.number("alpha"), settings.number("rho"), bounds);
+    if traits.seeded != 1.0
+        && let Some(way) = exact::shortest_way(cells, ground.course.start, ground.course.goal)
+    {
+        pheromone.favour(&way, |from, to| (0..8).find(|&d| cells.next(from, d) == to).unwrap_or(0), traits.seeded);
+    }
+    let limit = match settings.integer("step_limit") {
+        0 => 2 * cells.len() as u64,
+        steps => steps,
+    };
+    Ok(Box::new(Colony {
+        traits,
+        rules: Rules { backtracks: settings.choice("dead_end") == "backtrack", limit },
+        ants: settings.integer("ants") as usize,
+        q: settings.number("q"),
+        smooth: settings.flag("smooth"),
+        walks: Walks::default(),
+        seen: Seen::new(cells.len()),
+        lengths: Vec::new(),
+        best: None,
+        converged: 0,
+        iteration: 0,
+        limit: settings.integer("iterations"),
+        rng: Stream::new(seed, 0),
+        pheromone,
+        ground: Arc::new(ground),
+    }))
+}
+
+impl Colony {
+    /// q0 of an iteration, counted from 0: it changes evenly over the run.
+    fn greed(&self, iteration: u64) -> f64 {
+        let [from, to] = self.traits.greed;
+        from + (to - from) * (iteration as f64 / (self.limit.max(2) - 1) as f64).min(1.0)
+    }
+
+    /// All ants walk, one after another.
+    fn send(&mut self) {
+        let greed = self.greed(self.iteration);
+        self.walks.clear();
+        for _ in 0..self.ants {
+            walk(&self.ground, &mut self.pheromone, self.rules, greed, &mut self.seen, &mut self.rng, &mut self.walks);
+        }
+    }
+
+    /// Keeps the iteration's shortest way if it is shorter than the best so far.
+    fn judge(&mut self) {
+        let shortest = self.walks.arrived().min_by(|a, b| a.length.total_cmp(&b.length));
+        if let Some(ant) = shortest.filter(|ant| self.best.as_ref().is_none_or(|best| ant.length < best.length)) {
+            self.best = Some(Found::new(&self.ground, self.walks.of(ant), ant.length));
+            self.converged = self.iteration;
+        }
+    }
+
+    /// [ANTBAT] (4), [WOLF-ANT] (10).
+    fn renew(&mut self) {
+        self.pheromone.evaporate();
+        if let Some(best) = &self.best {
+            update::lay(self.traits.update, self.q, best.length, &mut self.walks, &mut self.lengths);
+        }
+        for ant in self.walks.arrived() {
+            let mut cell = self.ground.course.start;
+            for &d in self.walks.of(ant) {
+                self.pheromone.lay(cell, usize::from(d), ant.laid);
+                cell = self.ground.cells.next(cell, usize::from(d));
+            }
+        }
+        self.pheromone.settle();
+    }
+
+    fn count(&self, end: End) -> usize {
+        self.walks.ants.iter().filter(|ant| ant.end == end).count()
+    }
+}
+
+impl Planner for Colony {
+    fn step(&mut self) -> Status {
+        if self.status() == Status::Running {
+            self.iteration += 1;
+            self.send();
+            self.judge();
+            self.renew();
+        }
+        self.status()
+    }
+
+    fn status(&self) -> Status {
+        if !self.ground.reachable {
+            Status::Infeasible
+        } else if self.iteration >= self.limit {
+            Status::Exhausted
+        } else {
+            Status::Running
+        }
+    }
+
+    fn iteration(&self) -> u64 {
+        self.iteration
+    }
+
+    fn limit(&self) -> u64 {
+        self.limit
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.iteration * self.ants as u64
+    }
+
+    fn best(&self) -> Option<Best> {
+        let best = self.best.as_ref()?;
+        let path = if self.smooth { &best.smooth } else { &best.path };
+        Some(Best { cost: best.length, solution: Solution::Path(path.clone()) })
+    }
+
+    fn yardstick(&self) -> Yardstick {
+        if self.smooth { Yardstick::AnyAngle } else { Yardstick::Cells }
+    }
+
+    fn read(&self, out: &mut Readings) {
+        let (sum, arrived) = self.walks.arrived().fold((0.0, 0), |(sum, n), ant| (sum + ant.length, n + 1));
+        out.push("best", self.best.as_ref().map_or(f64::INFINITY, |best| best.length));
+        out.push("mean", if arrived > 0 { sum / f64::from(arrived) } else { f64::INFINITY });
+        result::read(self.best.as_ref(), out);
+        out.push("converged", self.converged as f64);
+        out.push("arrived", f64::from(arrived));
+        out.push("stuck", self.count(End::Stuck) as f64);
+        out.push("lost", self.count(End::Lost) as f64);
+        out.push("ant_steps", self.walks.taken as f64);
+        if self.traits.greed != [0.0; 2] {
+            out.push("q0", self.greed(self.iteration.saturating_sub(1)));
+        }
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        draw::pheromone(&self.ground.cells, &self.pheromone, frame);
+        draw::trails(&self.ground.cells, &self.pheromone, frame);
+        draw::ants(&self.ground, &self.walks, frame);
+        if let Some(best) = &self.best {
+            draw::line(frame, Role::Best, &best.path);
+            if self.smooth {
+                draw::line(frame, Role::Smoothed, &best.smooth);
+            }
+        }
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        match item.role {
+            Role::Pheromone => tell::cell(self, item),
+            Role::Ants => tell::ant(self, item),
+            _ => None,
+        }
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.pheromone.digest(out);
+        self.rng.digest(out);
+        out.word(self.converged);
+        out.word(self.walks.taken);
+        for ant in &self.walks.ants {
+            out.bytes(self.walks.of(ant));
+            out.number(ant.laid);
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        let best = self.best.as_ref().map_or(0, Found::bytes);
+        self.pheromone.bytes() + self.seen.bytes() + self.walks.bytes() + best + size_of::<Self>()
+    }
+}

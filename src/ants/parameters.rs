@@ -1,0 +1,150 @@
+//! What the entries of the colonies share: parameters, readings, equations and layers.
+
+use crate::{
+    catalogue::{Formula, Group, Layer, Reading, Scope},
+    frame::Role,
+    params::{Choice, Parameter, When},
+    scene::Kind,
+};
+
+/// The kinds of scene that a colony runs on.
+pub(super) const KINDS: &[Kind] = &[Kind::Grid];
+
+pub(super) const ITERATIONS: Parameter =
+    Parameter::integer("iterations", "t_{\\max}", "Iterations", [1, 1_000_000, 100], "After how many iterations it stops. Published: 100.")
+        .slider(10.0, 1000.0, true);
+pub(super) const fn ants(default: u64, help: &'static str) -> Parameter {
+    Parameter::integer("ants", "m", "Ants", [1, 10_000, default], help).slider(1.0, 500.0, true)
+}
+pub(super) const fn alpha(default: f64, help: &'static str) -> Parameter {
+    Parameter::number("alpha", "\\alpha", "Weight of pheromone", [0.0, 10.0, default], help)
+}
+pub(super) const fn beta(default: f64, help: &'static str) -> Parameter {
+    Parameter::number("beta", "\\beta", "Weight of sight", [0.0, 20.0, default], help)
+}
+pub(super) const fn rho(default: f64, help: &'static str) -> Parameter {
+    Parameter::number("rho", "\\rho", "Evaporation", [0.0, 1.0, default], help)
+}
+pub(super) const fn q(default: f64, [low, high]: [f64; 2], help: &'static str) -> Parameter {
+    Parameter::number("q", "Q", "Pheromone of an ant", [0.0, 1_000_000.0, default], help).slider(low, high, false)
+}
+pub(super) const fn tau_0(default: f64, help: &'static str) -> Parameter {
+    Parameter::number("tau_0", "\\tau_0", "Pheromone at the start", [1e-9, 1e9, default], help).slider(0.01, 1000.0, true)
+}
+pub(super) const fn tau_min(default: f64) -> Parameter {
+    Parameter::number(
+        "tau_min",
+        "\\tau_{\\min}",
+        "Least pheromone",
+        [1e-12, 1e9, default],
+        "No step keeps less than this, so that none is lost for ever and punishment leaves τ positive. The papers give no value.",
+    )
+    .slider(1e-6, 10.0, true)
+}
+pub(super) const TAU_MAX: Parameter =
+    Parameter::number("tau_max", "\\tau_{\\max}", "Most pheromone", [1e-9, 1e12, 1e6], "No step gathers more than this.")
+        .slider(1.0, 1e6, true);
+pub(super) const fn dead_end(options: &'static [Choice]) -> Parameter {
+    Parameter::choice(
+        "dead_end",
+        "",
+        "In a dead end",
+        options,
+        "What an ant does when every cell around it is blocked or already behind it.",
+    )
+}
+const STAY: Choice = Choice { value: "stay", title: "It stays", help: "The ant is out: it lays nothing." };
+const BACKTRACK: Choice = Choice {
+    value: "backtrack",
+    title: "It goes back",
+    help: "The ant takes its last step back and chooses again; with enough steps it always arrives.",
+};
+pub(super) const STAYS: &[Choice] = &[STAY, BACKTRACK];
+pub(super) const STEP_LIMIT: Parameter = Parameter::integer(
+    "step_limit",
+    "",
+    "Most steps of an ant",
+    [0, 1_000_000_000, 0],
+    "After how many steps an ant is lost. 0: twice as many as there are cells, which is enough for every way.",
+)
+.slider(0.0, 1000.0, false);
+pub(super) const SMOOTH: Parameter = Parameter::flag(
+    "smooth",
+    "Remove redundant nodes",
+    false,
+    "Hand over the best way without the nodes whose neighbours see each other. What is searched stays the same.",
+);
+
+const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
+    Reading { name, symbol, title, help, group }
+}
+
+pub(super) const BEST: Reading = reading("best", "L_{\\text{best}}", "Shortest", Group::Cost, "The shortest way so far: the result.");
+pub(super) const MEAN: Reading =
+    reading("mean", "\\bar L", "Mean", Group::Cost, "The mean length of the ways of this iteration’s ants that arrived.");
+pub(super) const LENGTH: Reading = reading("length", "L", "Length", Group::Length, "The result’s length from cell to cell.");
+pub(super) const TURNS: Reading = reading("turns", "", "Turns", Group::Count, "At how many cells the result turns.");
+pub(super) const TURNING: Reading = reading("turning", "", "Turning", Group::Measure, "By how much it turns in all, in radians.");
+pub(super) const SMOOTH_LENGTH: Reading =
+    reading("smooth_length", "L'", "Length, smoothed", Group::Length, "The result’s length without redundant nodes.");
+pub(super) const SMOOTH_TURNS: Reading =
+    reading("smooth_turns", "", "Turns, smoothed", Group::Count, "At how many points it turns without redundant nodes.");
+pub(super) const SMOOTH_TURNING: Reading =
+    reading("smooth_turning", "", "Turning, smoothed", Group::Measure, "By how much it turns in all without redundant nodes, in radians.");
+pub(super) const CONVERGED: Reading =
+    reading("converged", "t^*", "Converged", Group::Count, "The iteration in which the result was found.");
+pub(super) const ARRIVED: Reading = reading("arrived", "", "Arrived", Group::Count, "Ants of this iteration that reached the goal.");
+pub(super) const STUCK: Reading = reading("stuck", "", "In dead ends", Group::Count, "Ants of this iteration that had no way on.");
+pub(super) const LOST: Reading = reading("lost", "", "Lost", Group::Count, "Ants of this iteration that reached the step limit.");
+pub(super) const ANT_STEPS: Reading = reading("ant_steps", "", "Steps", Group::Count, "The steps of all ants so far.");
+pub(super) const GREED: Reading =
+    reading("q0", "q_0", "Greed", Group::Schedule, "How often an ant took the best step instead of drawing one.");
+
+const fn of_cell(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
+    Formula { name, source, title, tex, live, scope: Scope::Item }
+}
+
+pub(super) const CHOICE: Formula = of_cell(
+    "choice",
+    "[ANTBAT] (1)",
+    "Choice",
+    "p_{ij} = \\frac{\\tau_{ij}^{\\alpha} \\, \\eta_{ij}^{\\beta}}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_{is}^{\\beta}}",
+    "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}{@sum@} = @p@",
+);
+pub(super) const DISTANCE: Formula =
+    of_cell("distance", "[ANTBAT] §3.1", "Sight", "\\eta_j = \\frac{1}{d(j, \\text{goal})}", "\\eta = \\frac{1}{@d@} = @eta@");
+pub(super) const TRADITIONAL: Formula = of_cell(
+    "laid",
+    "[ANTBAT] §3.1",
+    "What an ant lays",
+    "\\Delta\\tau^k = \\frac{Q}{L_k}",
+    "\\Delta\\tau = \\frac{@q@}{@length@} = @laid@",
+);
+pub(super) const EVAPORATION: Formula = Formula {
+    name: "evaporation",
+    source: "[ANTBAT] (4)",
+    title: "Pheromone",
+    tex: "\\tau_{ij} \\leftarrow (1 - \\rho) \\, \\tau_{ij} + \\sum_k \\Delta\\tau_{ij}^k",
+    live: "\\tau \\leftarrow (1 - @rho@) \\, \\tau + \\textstyle\\sum_{k=1}^{@arrived@} \\Delta\\tau^k",
+    scope: Scope::Iteration,
+};
+
+const fn layer(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Layer {
+    Layer { role, title, help, on, pickable, when: None }
+}
+
+/// What every colony draws.
+pub(super) const LAYERS: &[Layer] = &[
+    layer(Role::Pheromone, "Pheromone", true, true, "How much lies on each cell’s strongest step."),
+    layer(Role::Trails, "Trails", true, false, "How much lies on each step; seen from near."),
+    layer(Role::Ants, "Ants", true, true, "The ways of this iteration’s ants."),
+    layer(Role::Best, "Shortest", true, false, "The shortest way so far: the result."),
+    Layer {
+        when: Some(When { parameter: "smooth", value: "true" }),
+        ..layer(Role::Smoothed, "Smoothed", true, false, "The shortest way without redundant nodes: the result that is handed over.")
+    },
+];
+
+/// What every colony tells.
+pub(super) const READINGS: &[Reading] =
+    &[BEST, MEAN, LENGTH, TURNS, TURNING, SMOOTH_LENGTH, SMOOTH_TURNS, SMOOTH_TURNING, CONVERGED, ARRIVED, STUCK, LOST, ANT_STEPS];

@@ -1,0 +1,79 @@
+//! What each ant of an iteration lays on its way.
+
+use super::walk::{Ant, End, Walks};
+
+/// How much pheromone an ant leaves, once all have walked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Update {
+    /// Δτ = Q / L.
+    Traditional,
+    /// [ANTBAT] (5): a reward for less than the median, a punishment for more.
+    Reward {
+        /// φ1.
+        phi1: f64,
+        /// φ2.
+        phi2: f64,
+    },
+    /// [WOLF-ANT] (10)–(12): the iteration's best way gets more, its worst way less.
+    Wolf,
+}
+
+/// Puts Δτ^k into every ant that arrived. `global` is the shortest length so far; `scratch` is only here to be re-used.
+pub(super) fn lay(update: Update, q: f64, global: f64, walks: &mut Walks, scratch: &mut Vec<f64>) {
+    match update {
+        Update::Traditional => each(walks, |ant| q / ant.length),
+        Update::Reward { phi1, phi2 } => {
+            scratch.clear();
+            scratch.extend(walks.arrived().map(|ant| ant.length));
+            let median = median(scratch);
+            each(walks, |ant| q / ant.length + phi1 * (median - ant.length) / median + phi2 * (global - ant.length) / global);
+        }
+        // Each of the δ ants on the best way lays Q / L_best once more, which makes δ Q / L_best; the worst likewise.
+        Update::Wolf => {
+            let Some((best, worst)) = extremes(walks) else {
+                return;
+            };
+            for i in 0..walks.ants.len() {
+                let ant = walks.ants[i];
+                if ant.end != End::Arrived {
+                    continue;
+                }
+                let same = |other: usize| walks.of(&walks.ants[other]) == walks.of(&ant);
+                let share = q / ant.length;
+                walks.ants[i].laid = share + if same(best) { share } else { 0.0 } - if same(worst) { share } else { 0.0 };
+            }
+        }
+    }
+}
+
+fn each(walks: &mut Walks, laid: impl Fn(&Ant) -> f64) {
+    for ant in walks.ants.iter_mut().filter(|ant| ant.end == End::Arrived) {
+        ant.laid = laid(ant);
+    }
+}
+
+/// The first ants with the shortest and with the longest way.
+fn extremes(walks: &Walks) -> Option<(usize, usize)> {
+    let all = || walks.ants.iter().enumerate().filter(|(_, ant)| ant.end == End::Arrived);
+    let (mut best, _) = all().next()?;
+    let mut worst = best;
+    for (i, ant) in all() {
+        if ant.length < walks.ants[best].length {
+            best = i;
+        }
+        if ant.length > walks.ants[worst].length {
+            worst = i;
+        }
+    }
+    Some((best, worst))
+}
+
+/// The middle one; of an even number the mean of the two in the middle.
+pub(super) fn median(values: &mut [f64]) -> f64 {
+    values.sort_unstable_by(f64::total_cmp);
+    match (values.len() / 2, values.len() % 2) {
+        (0, 0) => f64::NAN,
+        (middle, 1) => values[middle],
+        (middle, _) => f64::midpoint(values[middle - 1], values[middle]),
+    }
+}
