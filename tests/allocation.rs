@@ -47,3 +47,32 @@ fn no_step_of_any_swarm_allocates() {
         }
     }
 }
+
+/// What an iteration's ants leave is kept in buffers that soon are large enough; only a better way is new.
+#[test]
+fn no_step_of_any_ant_allocates() {
+    for entry in PLANNERS.iter().filter(|entry| entry.family == "ants") {
+        let scene = shipped("ant-bat-30").unwrap();
+        let given = [("iterations", forage::Value::from(1000.0))].into_iter().collect();
+        let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
+        let mut planner = (entry.start)(&scene, &settings, 1).unwrap();
+        for _ in 0..50 {
+            planner.step_taken();
+        }
+        let mut allocated = 0;
+        let mut unchanged = 0;
+        for _ in 0..300 {
+            let best = planner.best().map(|best| best.cost);
+            let before = COUNT.with(Cell::get);
+            planner.step_taken();
+            let count = COUNT.with(Cell::get) - before;
+            if planner.best().map(|best| best.cost) == best {
+                allocated += count;
+                unchanged += 1;
+            }
+        }
+        assert!(unchanged > 200, "most iterations find nothing better");
+        // More than ten thousand steps an ant; a buffer may still have doubled once or twice.
+        assert!(allocated <= 4, "{}: {allocated} allocations", entry.name);
+    }
+}

@@ -193,10 +193,10 @@ mod tests {
     fn the_goal_to_the_lower_right_gives_the_paper_s_example() {
         // Rows along y, here downwards: E, SE, S, SW, W, NW, N, NE.
         assert_eq!(ranked([9, 9]), [4.0, 5.0, 4.0, 3.0, 2.0, 1.0, 2.0, 3.0]);
-        assert_eq!(ranked([9, 0]), [5.0, 4.0, 3.0, 2.0, 1.0, 2.0, 3.0, 4.0]);
+        // Straight to the right: the cell behind is nearer than the two beside it, which share 2 and 1.
+        assert_eq!(ranked([9, 0]), [5.0, 4.0, 3.0, 1.5, 2.0, 1.5, 3.0, 4.0]);
         // A little below: squared distances 65, 64, 81, 100, 101, 104, 85, 68, no ties.
         assert_eq!(ranked([9, 1]), [4.0, 5.0, 3.0, 2.0, 2.0, 1.0, 3.0, 4.0]);
-        // Next to the goal the cell behind is nearer than the two beside it, which then share 2 and 1.
         assert_eq!(ranked([1, 0]), [5.0, 4.0, 3.0, 1.5, 2.0, 1.5, 3.0, 4.0]);
     }
 

@@ -14,6 +14,8 @@ mod parameters;
 mod pheromone;
 mod result;
 mod tell;
+#[cfg(test)]
+mod tests;
 mod update;
 mod walk;
 
@@ -77,9 +79,6 @@ struct Colony {
 /// Starts a colony with these traits.
 fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Box<dyn session::AnyPlanner>, Error> {
     let bounds = [settings.number("tau_min"), settings.number("tau_max")];
-    if bounds[0] > bounds[1] {
-        return Err(Error::refused("tau_min", bounds[0], format!("at most tau_max, {}", bounds[1])));
-    }
     let ground = Ground::new(scene, traits.heuristic, settings.number("beta"), traits.gamma)?;
     let cells = &ground.cells;
     let mut pheromone = Pheromone::new(cells, settings.number("tau_0"), settings.number("alpha"), settings.number("rho"), bounds);

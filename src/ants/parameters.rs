@@ -36,14 +36,14 @@ pub(super) const fn tau_min(default: f64) -> Parameter {
         "tau_min",
         "\\tau_{\\min}",
         "Least pheromone",
-        [1e-12, 1e9, default],
+        [1e-12, 1e3, default],
         "No step keeps less than this, so that none is lost for ever and punishment leaves τ positive. The papers give no value.",
     )
     .slider(1e-6, 10.0, true)
 }
 pub(super) const TAU_MAX: Parameter =
-    Parameter::number("tau_max", "\\tau_{\\max}", "Most pheromone", [1e-9, 1e12, 1e6], "No step gathers more than this.")
-        .slider(1.0, 1e6, true);
+    Parameter::number("tau_max", "\\tau_{\\max}", "Most pheromone", [1e3, 1e12, 1e6], "No step gathers more than this.")
+        .slider(1e3, 1e9, true);
 pub(super) const fn dead_end(options: &'static [Choice]) -> Parameter {
     Parameter::choice(
         "dead_end",

@@ -52,6 +52,13 @@ impl Walks {
         &self.directions[ant.first..ant.first + ant.count]
     }
 
+    #[cfg(test)]
+    pub fn push_for_test(&mut self, directions: &[u8], length: f64) {
+        let (first, count) = (self.directions.len(), directions.len());
+        self.directions.extend(directions);
+        self.ants.push(Ant { first, count, steps: Steps::default(), end: End::Arrived, length, laid: 0.0 });
+    }
+
     pub fn arrived(&self) -> impl Iterator<Item = &Ant> {
         self.ants.iter().filter(|ant| ant.end == End::Arrived)
     }

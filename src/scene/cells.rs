@@ -273,7 +273,7 @@ mod tests {
         let cells = Cells::new(&narrow);
         assert!(cells.is_free(1), "radius 0.495: it just fits beside the block");
         assert_eq!(cells.moves(1), 0b0001_0001, "but not past its corner");
-        assert!(!Cells::new(&GridScene { robot: robot(0.8), ..narrow }).is_free(1), "radius 0.566");
+        assert!(!Cells::new(&GridScene { robot: robot(0.8), ..narrow.clone() }).is_free(1), "radius 0.566");
     }
 
     #[test]

@@ -1,0 +1,209 @@
+//! The colony's formulas against hand-computed values, and what must hold for it on any map.
+
+use std::sync::Arc;
+
+use super::*;
+use crate::{
+    Given, Session, Setup, Value,
+    scene::{Body, GridScene, Header},
+};
+
+fn scene(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {
+    let blocked = rows.iter().flat_map(|row| row.chars().map(|c| c == '#')).collect();
+    let grid = GridScene { start: Some(start), goal: Some(goal), ..GridScene::new(1.0, rows[0].len(), blocked) };
+    let header = Header { name: "test".into(), title: "Test".into(), note: None, source: None, units: None, exact: None, published: None };
+    Arc::new(Scene::new(header, Body::Grid(grid)).unwrap())
+}
+
+const PLAIN: Traits = Traits { heuristic: Heuristic::Distance, gamma: 0.0, update: Update::Traditional, greed: [0.0; 2], seeded: 1.0 };
+
+/// A colony with given lengths instead of walks of its own: ant k went right `k`'s number of steps.
+fn colony(scene: &Scene, traits: Traits) -> Colony {
+    let ground = Ground::new(scene, traits.heuristic, 2.0, traits.gamma).unwrap();
+    Colony {
+        traits,
+        rules: Rules { backtracks: false, limit: 1000 },
+        ants: 1,
+        q: 12.0,
+        smooth: false,
+        pheromone: Pheromone::new(&ground.cells, 1.0, 1.0, 0.4, [0.1, 50.0]),
+        walks: Walks::default(),
+        seen: Seen::new(ground.cells.len()),
+        lengths: Vec::new(),
+        best: None,
+        converged: 0,
+        iteration: 0,
+        limit: 100,
+        rng: Stream::new(1, 0),
+        ground: Arc::new(ground),
+    }
+}
+
+fn run(scene: &Arc<Scene>, planner: &str, params: &[(&str, &str)], seed: u64) -> Session {
+    let params: Given = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
+    Session::new(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }).unwrap()
+}
+
+/// [ANTBAT] (1) by hand: two cells to choose from, at distances 1 and √2 from the goal, η² = 1 and 1/2; τ = 1 and 3.
+/// Shares: 1 · 1 to 3 · 1/2, i.e. 0.4 and 0.6.
+#[test]
+fn probabilities_follow_the_formula() {
+    let scene = scene(&["...", "...", "..."], [0.5, 0.5], [2.5, 1.5]);
+    let mut colony = colony(&scene, PLAIN);
+    // From (0, 0): east (1, 0) is √2 from (2, 1), south-east (1, 1) is 1 from it, south (0, 1) is 2 from it.
+    colony.pheromone.tau[0] = 3.0;
+    let told = tell::cell(&colony, Item { role: Role::Pheromone, index: 0 }).unwrap();
+    let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
+    let (east, diagonal, south) = (3.0 * 0.5, 1.0, 0.25);
+    let sum = east + diagonal + south;
+    for (p, weight) in p.iter().zip([east, diagonal, south, 0.0, 0.0, 0.0, 0.0, 0.0]) {
+        assert!((p - weight / sum).abs() < 1e-15, "{p} {}", weight / sum);
+    }
+    assert_eq!(told.labels[1], "south-east", "y grows downwards");
+    // And that is how often it is chosen.
+    let weights = *colony.pheromone.weights(&colony.ground.clone(), 0);
+    let mut rng = Stream::new(3, 0);
+    let n = 100_000;
+    let chosen = (0..n).filter(|_| walk::choose(&weights, &[1.0; 8], 0b0000_0111, 0.0, rng.unit()) == 0).count();
+    let (expected, deviation) = (east / sum, (east / sum * (1.0 - east / sum) / f64::from(n)).sqrt());
+    assert!((chosen as f64 / f64::from(n) - expected).abs() < 5.0 * deviation);
+}
+
+/// [ANTBAT] (2)–(3): ψ for an ant that came from the west and turns by 45°, with the goal straight ahead.
+#[test]
+fn a_turn_costs_what_psi_says() {
+    let scene = scene(&["....", "....", "...."], [0.5, 1.5], [3.5, 1.5]);
+    let colony = colony(&scene, Traits { gamma: 2.0, ..PLAIN });
+    let (cell, east, south_east) = (5, 0, 1);
+    let weights = colony.pheromone.weighed(&colony.ground, cell);
+    let ratio = weights[south_east] * colony.ground.turn[east][south_east] / (weights[east] * colony.ground.turn[east][east]);
+    // η: distances 1 and √2 to the goal, squared 1 and 1/2. ψ: θ1 = θ2 = π/4, so exp(−1), squared exp(−2).
+    assert!((ratio - 0.5 * (-2.0_f64).exp()).abs() < 1e-15);
+}
+
+fn lay(update: Update, lengths: &[(&str, f64)]) -> Vec<f64> {
+    // Ways are told apart by their directions, so each name becomes one.
+    let mut walks = Walks::default();
+    for &(way, length) in lengths {
+        walks.push_for_test(way.as_bytes(), length);
+    }
+    let global = lengths.iter().map(|l| l.1).fold(f64::INFINITY, f64::min);
+    update::lay(update, 12.0, global, &mut walks, &mut Vec::new());
+    walks.ants.iter().map(|ant| ant.laid).collect()
+}
+
+#[test]
+fn what_ants_lay_follows_the_formulas() {
+    let lengths = [("a", 3.0), ("b", 4.0), ("c", 6.0)];
+    assert_eq!(lay(Update::Traditional, &lengths), [4.0, 3.0, 2.0]);
+    // [ANTBAT] (5), φ1 = 8, φ2 = 3, median 4, global 3: 4 + 2 + 0, 3 + 0 − 1, 2 − 4 − 3.
+    assert_eq!(lay(Update::Reward { phi1: 8.0, phi2: 3.0 }, &lengths), [6.0, 2.0, -5.0]);
+    // The median of an even number is the mean of the middle two, here 5: 12/4 + 10 · (5 − 4)/5 and so on.
+    assert_eq!(lay(Update::Reward { phi1: 10.0, phi2: 0.0 }, &[("a", 4.0), ("b", 6.0)]), [5.0, 0.0]);
+    // [WOLF-ANT] (9)–(12): two ants share the best way, which gets 2 · 4 + δ · 4 with δ = 2; the worst gets 2 − ω · 2.
+    assert_eq!(lay(Update::Wolf, &[("a", 3.0), ("b", 4.0), ("a", 3.0), ("c", 6.0)]), [8.0, 3.0, 8.0, 0.0]);
+    // Equally short, but another way: only the first is the best; an only way is best and worst at once.
+    assert_eq!(lay(Update::Wolf, &[("a", 3.0), ("b", 3.0), ("c", 6.0)]), [8.0, 4.0, 0.0]);
+    assert_eq!(lay(Update::Wolf, &[("a", 3.0)]), [4.0]);
+}
+
+/// [ANTBAT] (4) by hand on a corridor: one way, one ant.
+#[test]
+fn pheromone_evaporates_and_is_laid_on_the_way() {
+    let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
+    let mut colony = colony(&scene, PLAIN);
+    colony.step();
+    // 0.6 · 1 + 12 / 3 along the way; 0.6 elsewhere, also on the way back.
+    assert_eq!([0, 8, 16].map(|at| colony.pheromone.tau[at]), [4.6; 3]);
+    assert_eq!(colony.pheromone.tau[8 + 4], 0.6);
+    colony.step();
+    assert!((colony.pheromone.tau[0] - (0.6 * 4.6 + 4.0)).abs() < 1e-15);
+    for _ in 0..90 {
+        colony.step();
+    }
+    assert_eq!(colony.pheromone.tau[8 + 4], 0.1, "no less than τ min");
+}
+
+#[test]
+fn a_dijkstra_path_seeds_the_pheromone() {
+    let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
+    let session = run(&scene, "aco-dijkstra", &[("seeded", "7"), ("tau_0", "2")], 1);
+    let mut frame = Frame::default();
+    session.draw(&mut frame, Frame::BUDGET);
+    let weights: Vec<_> = frame.vertices().chunks(4).take(8).map(|v| v[3]).collect();
+    assert_eq!(weights, [14.0, 14.0, 14.0, 2.0, -1.0, -1.0, -1.0, -1.0]);
+}
+
+/// A pocket whose mouth faces the start: ants that cannot go back stay in it, those that can arrive.
+#[test]
+fn dead_ends_and_unreachable_goals_end_and_are_told() {
+    let pocket = scene(&[".....#...", ".....#...", "######...", "........."], [0.5, 0.5], [8.5, 0.5]);
+    let mut session = run(&pocket, "aco", &[], 1);
+    assert_eq!(session.step(10), Status::Infeasible);
+    assert_eq!((session.iteration(), session.outcome().cost), (0, None));
+    // One cell wide: who goes in can't turn round.
+    let trap = scene(&["......", ".####.", "....#.", ".####.", "......"], [0.5, 2.5], [5.5, 2.5]);
+    for planner in ["aco", "aco-direction", "aco-dijkstra", "aco-wolf"] {
+        let mut dies = run(&trap, planner, &[("iterations", "5")], 1);
+        dies.step(1);
+        let stuck = dies.readings().get("stuck").unwrap();
+        assert!(stuck > 0.0, "{planner}: the pocket is a dead end");
+        let mut returns = run(&trap, planner, &[("iterations", "5"), ("dead_end", "backtrack")], 1);
+        returns.step(5);
+        let readings = returns.readings();
+        assert_eq!(readings.get("arrived"), Some(if planner == "aco-wolf" { 30.0 } else { 50.0 }), "{planner}");
+        let mut lost = run(&trap, planner, &[("iterations", "2"), ("step_limit", "3")], 1);
+        assert_eq!(lost.step(9), Status::Exhausted);
+        let outcome = lost.outcome();
+        assert_eq!((outcome.cost, outcome.feasible), (None, false), "no ant arrives in three steps");
+        assert!(lost.readings().get("lost").unwrap() > 0.0);
+    }
+}
+
+/// On any map: ways are connected and free, cut no corner, and cost what they say; τ keeps to its bounds.
+#[test]
+fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
+    let mut rng = Stream::new(11, 0);
+    let mut found = 0;
+    for round in 0..60 {
+        let (columns, rows) = (4 + rng.below(12), 4 + rng.below(12));
+        let mut blocked: Vec<_> = (0..columns * rows).map(|_| rng.unit() < 0.25).collect();
+        let (start, goal) = (rng.below(blocked.len()), rng.below(blocked.len()));
+        (blocked[start], blocked[goal]) = (false, false);
+        let centre = |i: usize| Some([(i % columns) as f64 * 0.5 + 0.25, (i / columns) as f64 * 0.5 + 0.25]);
+        let grid =
+            GridScene { start: centre(start), goal: centre(goal), corner_cutting: round % 3 == 0, ..GridScene::new(0.5, columns, blocked) };
+        let header =
+            Header { name: "test".into(), title: "Test".into(), note: None, source: None, units: None, exact: None, published: None };
+        let scene = Arc::new(Scene::new(header, Body::Grid(grid)).unwrap());
+        let exact = scene.exact_by(Yardstick::Cells).map(|exact| exact.length);
+        for planner in ["aco", "aco-direction", "aco-dijkstra", "aco-wolf"] {
+            let mut session =
+                run(&scene, planner, &[("iterations", "12"), ("dead_end", "backtrack"), ("tau_min", "0.01"), ("tau_max", "1000")], round);
+            let mut frame = Frame::default();
+            while session.step(1) == Status::Running {
+                session.draw(&mut frame, Frame::BUDGET);
+                let field = frame.spans().find(|span| span.role == Role::Pheromone).unwrap();
+                let tau = frame.vertices()[..4 * field.count as usize].chunks(4).map(|v| v[3]);
+                assert!(tau.clone().all(|tau| tau == -1.0 || (0.01..=1000.0).contains(&tau)));
+            }
+            let outcome = session.outcome();
+            let Some(exact) = exact else {
+                assert_eq!((outcome.status, outcome.cost), (Status::Infeasible, None));
+                continue;
+            };
+            found += 1;
+            let (path, cells) = (outcome.path.unwrap(), scene.grid().unwrap().cells());
+            let way: Vec<_> = path.iter().map(|&point| cells.at(point)).collect();
+            for w in way.windows(2) {
+                assert!((0..8).any(|d| cells.moves(w[0]) >> d & 1 == 1 && cells.next(w[0], d) == w[1]), "{planner}: {w:?}");
+            }
+            assert_eq!((way[0], way[way.len() - 1]), (start, goal));
+            assert_eq!(outcome.cost.unwrap(), 0.5 * cells.steps(&way).length());
+            assert!(outcome.feasible && outcome.cost.unwrap() >= exact - 1e-12);
+            let readings = session.readings();
+            assert!(readings.get("smooth_length").unwrap() <= readings.get("length").unwrap() + 1e-12);
+        }
+    }
+    assert!(found > 100, "most of the maps have a way");
+}
