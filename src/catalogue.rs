@@ -11,7 +11,7 @@ use crate::{
     params::{Domain, Parameter, Settings, Value, When, as_object},
     scene::{Kind, Scene, shipped_names},
     session::AnyPlanner,
-    swarm,
+    swarm, tuning,
 };
 
 /// All planners, in the order in which they are offered.
@@ -26,6 +26,7 @@ pub const PLANNERS: &[Entry] = &[
     ants::aco_direction::ENTRY,
     ants::aco_dijkstra::ENTRY,
     ants::aco::ENTRY,
+    tuning::ENTRY,
 ];
 
 /// Starts a run: refuses everything that can be refused.
@@ -195,6 +196,7 @@ pub fn catalogue() -> Catalogue {
         .flat_map(|e| e.parameters.iter().map(|p| p.symbol).chain(e.readings.iter().map(|r| r.symbol)))
         .chain(swarm::SYMBOLS.iter().copied())
         .chain(ants::SYMBOLS.iter().copied())
+        .chain(tuning::SYMBOLS.iter().copied())
         .chain(drive::PARAMETERS.iter().map(|p| p.symbol))
         .chain(drive::COLUMNS.iter().map(|c| c.symbol));
     let mut symbols = Vec::new();
@@ -300,6 +302,10 @@ impl Serialize for ParameterView {
             }
             Domain::Choice { options } => {
                 out.serialize_field("type", "choice")?;
+                out.serialize_field("options", options)?;
+            }
+            Domain::Subset { options, .. } => {
+                out.serialize_field("type", "subset")?;
                 out.serialize_field("options", options)?;
             }
             Domain::Flag { .. } => out.serialize_field("type", "flag")?,

@@ -49,6 +49,7 @@ pub mod rng;
 pub mod scene;
 pub mod session;
 pub mod swarm;
+pub mod tuning;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
 

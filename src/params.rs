@@ -141,6 +141,13 @@ pub enum Domain {
         /// The options; the first is the default.
         options: &'static [Choice],
     },
+    /// Any of a few, as text with commas between: `alpha,beta`. At least one.
+    Subset {
+        /// The options.
+        options: &'static [Choice],
+        /// The value unless another is given.
+        default: &'static str,
+    },
     /// Yes or no.
     Flag {
         /// The value unless another is given.
@@ -237,6 +244,17 @@ impl Parameter {
         Self::of(name, symbol, title, Domain::Choice { options }, help)
     }
 
+    /// Any of a few, at least one: text with commas between.
+    pub const fn subset(
+        name: &'static str,
+        title: &'static str,
+        options: &'static [Choice],
+        default: &'static str,
+        help: &'static str,
+    ) -> Self {
+        Self::of(name, "", title, Domain::Subset { options, default }, help)
+    }
+
     /// Yes or no.
     pub const fn flag(name: &'static str, title: &'static str, default: bool, help: &'static str) -> Self {
         Self::of(name, "", title, Domain::Flag { default }, help)
@@ -298,6 +316,7 @@ impl Parameter {
             Domain::Number { default, .. } => Value::Number(default),
             Domain::Integer { default, .. } => Value::Number(default as f64),
             Domain::Choice { options } => Value::Text(options.first().map_or("", |o| o.value).to_owned()),
+            Domain::Subset { default, .. } => Value::Text(default.to_owned()),
             Domain::Flag { default } => Value::Flag(default),
         }
     }
@@ -307,7 +326,8 @@ impl Parameter {
         match self.domain {
             Domain::Number { min, max, .. } => format!("a number from {min} to {max}"),
             Domain::Integer { min, max, .. } => format!("a whole number from {min} to {max}"),
-            Domain::Choice { options } => format!("one of {}", options.iter().map(|o| o.value).collect::<Vec<_>>().join(", ")),
+            Domain::Choice { options } => format!("one of {}", names(options)),
+            Domain::Subset { options, .. } => format!("some of {}, each once, with commas between", names(options)),
             Domain::Flag { .. } => "true or false".to_owned(),
         }
     }
@@ -321,11 +341,21 @@ impl Parameter {
             (Domain::Number { min, max, .. }, Value::Number(n)) => (*min..=*max).contains(n),
             (Domain::Integer { min, max, .. }, Value::Number(n)) => n.fract() == 0.0 && (*min as f64..=*max as f64).contains(n),
             (Domain::Choice { options }, Value::Text(text)) => options.iter().any(|o| o.value == text),
+            (Domain::Subset { options, .. }, Value::Text(text)) => {
+                let mut chosen: Vec<_> = text.split(',').collect();
+                let known = chosen.iter().all(|name| options.iter().any(|o| o.value == *name));
+                chosen.sort_unstable();
+                known && chosen.windows(2).all(|w| w[0] != w[1])
+            }
             (Domain::Flag { .. }, Value::Flag(_)) => true,
             _ => false,
         };
         if fits { Ok(()) } else { Err(Error::refused(self.name, value, self.allowed())) }
     }
+}
+
+fn names(options: &[Choice]) -> String {
+    options.iter().map(|o| o.value).collect::<Vec<_>>().join(", ")
 }
 
 /// A value for every parameter of a planner on a kind of scene; all of them allowed.
@@ -380,7 +410,7 @@ impl Settings {
         self.number(name) as u64
     }
 
-    /// A choice.
+    /// A choice, or a subset's text.
     pub fn choice(&self, name: &str) -> &str {
         match self.get(name) {
             Some(Value::Text(text)) => text,
@@ -430,6 +460,18 @@ mod tests {
         let on_function = Settings::new(&ALL, Kind::Function, &given("population", "7")).unwrap();
         assert_eq!(on_function.changed().iter().collect::<Vec<_>>(), [("population", &Value::from(7.0))]);
         assert_eq!(on_function.all().len(), 2, "the penalty means nothing on functions");
+    }
+
+    #[test]
+    fn a_subset_has_known_names_each_once() {
+        const OPTIONS: [Choice; 2] = [Choice { value: "a", title: "", help: "" }, Choice { value: "b", title: "", help: "" }];
+        let parameter = Parameter::subset("some", "", &OPTIONS, "a", "");
+        for good in ["a", "b,a"] {
+            parameter.check(&Value::from(good)).unwrap();
+        }
+        for bad in ["", "c", "a,a", "a,", "a b"] {
+            assert_eq!(parameter.check(&Value::from(bad)).unwrap_err().allowed(), "some of a, b, each once, with commas between");
+        }
     }
 
     /// A parameter that hangs on another's value, which hangs on a third's.

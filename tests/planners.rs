@@ -30,8 +30,14 @@ fn given(pairs: &[(&str, f64)]) -> Given {
 
 /// So many particles or ants, where the planner has some, and so many iterations.
 fn sized(entry: &Entry, size: f64, iterations: f64) -> Given {
-    let name = size_name(entry);
-    given(&[("iterations", iterations)].into_iter().chain(name.map(|name| (name, size))).collect::<Vec<_>>())
+    let mut given = given(&[("iterations", iterations)]);
+    // A planner of planners judges each particle by a short run.
+    for (name, value) in [("population", size), ("ants", size), ("seeds", 1.0), ("colony_iterations", 1.0)] {
+        if entry.parameters.iter().any(|p| p.name == name) {
+            given.insert(name, Value::from(value));
+        }
+    }
+    given
 }
 
 /// What the planner calls the number of those that search side by side.
@@ -210,7 +216,7 @@ fn every_parameter_is_checked_at_both_ends() {
             let (min, max) = match parameter.domain {
                 Domain::Number { min, max, .. } => (min, max),
                 Domain::Integer { min, max, .. } => (min as f64, max as f64),
-                Domain::Choice { .. } | Domain::Flag { .. } => {
+                Domain::Choice { .. } | Domain::Subset { .. } | Domain::Flag { .. } => {
                     assert_eq!(start(0.5).err().unwrap().field(), parameter.name);
                     continue;
                 }

@@ -72,8 +72,13 @@ pub(super) fn ants(ground: &Ground, walks: &Walks, frame: &mut Frame) {
     for ant in walks.ants.iter().step_by(every) {
         let weight = f64::from(u8::from(ant.end == End::Arrived));
         frame.begin(Role::Ants, Shape::Polyline);
+        let mut last = [0.0; 2];
         for cell in ground.way(walks.of(ant)) {
-            frame.push(ground.cells.centre(cell), weight);
+            last = ground.cells.centre(cell);
+            frame.push(last, weight);
+        }
+        if walks.of(ant).is_empty() {
+            frame.push(last, weight); // a line needs two ends
         }
     }
 }

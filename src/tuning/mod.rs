@@ -1,0 +1,324 @@
+//! A particle swarm over the parameters of an ant colony, [WOLF-ANT] §5.2: a planner that runs planners.
+//!
+//! It knows colonies only as everybody does, by the catalogue and the stepped contract. What the next step has to run is
+//! told beforehand ([`Planner::jobs`]), so that others may carry it out side by side; the outcome does not depend on it.
+
+mod parameters;
+mod tell;
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+
+use crate::{
+    catalogue::{self, Entry},
+    digest::Digest,
+    error::Error,
+    exact::is_reachable,
+    frame::{Frame, Role, Shape},
+    geometry, math,
+    params::{Domain, Given, Parameter, Settings, Value},
+    planner::{Best, Finding, Inspection, Item, Job, Planner, Readings, Solution, Status, Tuned, Yardstick},
+    rng::Stream,
+    scene::{Course, Scene},
+    session,
+};
+
+pub use parameters::{ENTRY, SYMBOLS};
+
+/// A parameter that is searched, in the range that its slider offers; where that is logarithmic, so is the search.
+#[derive(Debug, Clone, Copy)]
+struct Axis {
+    parameter: &'static Parameter,
+    low: f64,
+    high: f64,
+    whole: bool,
+}
+
+impl Axis {
+    fn new(parameter: &'static Parameter) -> Option<Self> {
+        let (min, max, whole) = match parameter.domain {
+            Domain::Number { min, max, .. } => (min, max, false),
+            Domain::Integer { min, max, .. } => (min as f64, max as f64, true),
+            _ => return None,
+        };
+        let (low, high) = parameter.slider.unwrap_or((min, max));
+        let scale = |x: f64| if parameter.logarithmic { math::log10(x) } else { x };
+        Some(Self { parameter, low: scale(low), high: scale(high), whole })
+    }
+
+    /// The parameter's value at a coordinate.
+    fn value(&self, x: f64) -> f64 {
+        let (low, high) = self.parameter.slider.unwrap_or((self.low, self.high));
+        let value = if self.parameter.logarithmic { math::pow(10.0, x) } else { x };
+        // Rounding must not lead out of what is allowed.
+        math::limit(if self.whole { value.round() } else { value }, low, high)
+    }
+}
+
+/// How good a set of parameters is. The less the better: first the mean length, then the mean iteration of convergence.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Fitness {
+    /// Infinite if a run found no way.
+    length: f64,
+    converged: f64,
+}
+
+const NONE: Fitness = Fitness { length: f64::INFINITY, converged: f64::INFINITY };
+
+impl Fitness {
+    /// The mean over some runs.
+    fn of(found: &[Finding]) -> Self {
+        let n = found.len() as f64;
+        let length = found.iter().map(|f| f.cost.unwrap_or(f64::INFINITY)).sum::<f64>() / n;
+        let converged = if length.is_finite() { found.iter().map(|f| f.converged).sum::<f64>() / n } else { f64::INFINITY };
+        Self { length, converged }
+    }
+
+    fn better_than(self, other: Self) -> bool {
+        self.length < other.length || (self.length == other.length && self.converged < other.converged)
+    }
+}
+
+/// The swarm. Positions are drawn when it starts; the first step judges them, each later one moves and judges them.
+#[derive(Clone)]
+struct Tuning {
+    scene: Arc<Scene>,
+    colony: &'static Entry,
+    rounds: u64,
+    axes: Vec<Axis>,
+    population: usize,
+    /// w, c1, c2.
+    weights: [f64; 3],
+    /// The seeds that every set of parameters is judged by.
+    seeds: Vec<u64>,
+    /// Positions of the particles, judged in the last step; then the positions that the next step judges.
+    shown: Vec<f64>,
+    x: Vec<f64>,
+    v: Vec<f64>,
+    cost: Vec<Fitness>,
+    p: Vec<f64>,
+    p_cost: Vec<Fitness>,
+    g: Vec<f64>,
+    g_cost: Fitness,
+    /// The shortest way that each particle's parameters gave in the last step, and the best one's.
+    ways: Vec<Vec<[f64; 2]>>,
+    best: Vec<[f64; 2]>,
+    supplied: Option<Vec<Finding>>,
+    reachable: bool,
+    iteration: u64,
+    limit: u64,
+    rng: Stream,
+}
+
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn session::AnyPlanner>, Error> {
+    let colony = catalogue::find(settings.choice("colony"))?;
+    let chosen = settings.choice("tune");
+    let axes: Vec<_> = colony.parameters.iter().filter(|p| chosen.split(',').any(|name| name == p.name)).filter_map(Axis::new).collect();
+    if axes.is_empty() {
+        let known: Vec<_> = colony.parameters.iter().filter_map(Axis::new).map(|axis| axis.parameter.name).collect();
+        return Err(Error::refused("tune", chosen, format!("some of {}, which {} has", known.join(", "), colony.name)));
+    }
+    let grid = scene.grid()?;
+    let course = Course::new(grid)?;
+    let population = settings.integer("population") as usize;
+    let mut rng = Stream::new(seed, 0);
+    let seeds = (0..settings.integer("seeds")).map(|_| rng.below(1 << 31) as u64).collect();
+    let mut x = Vec::with_capacity(population * axes.len());
+    let mut v = Vec::with_capacity(x.capacity());
+    for _ in 0..population {
+        for axis in &axes {
+            x.push(rng.between(axis.low, axis.high));
+            v.push(rng.between(axis.low - axis.high, axis.high - axis.low));
+        }
+    }
+    Ok(Box::new(Tuning {
+        scene: Arc::clone(scene),
+        colony,
+        rounds: settings.integer("colony_iterations"),
+        population,
+        weights: ["w", "c1", "c2"].map(|name| settings.number(name)),
+        seeds,
+        shown: x.clone(),
+        cost: vec![NONE; population],
+        p: x.clone(),
+        p_cost: vec![NONE; population],
+        g: x[..axes.len()].to_vec(),
+        g_cost: NONE,
+        ways: vec![Vec::new(); population],
+        best: Vec::new(),
+        supplied: None,
+        reachable: is_reachable(grid.cells(), course.start, course.goal),
+        iteration: 0,
+        limit: settings.integer("iterations"),
+        x,
+        v,
+        axes,
+        rng,
+    }))
+}
+
+impl Tuning {
+    /// The colony's parameters at a position.
+    fn given(&self, x: &[f64]) -> Given {
+        let mut given = Given::new();
+        given.insert("iterations", Value::from(self.rounds as f64));
+        for (axis, &x) in self.axes.iter().zip(x) {
+            given.insert(axis.parameter.name, Value::from(axis.value(x)));
+        }
+        given
+    }
+
+    fn row(&self, i: usize) -> std::ops::Range<usize> {
+        i * self.axes.len()..(i + 1) * self.axes.len()
+    }
+
+    /// The runs that judge the positions.
+    fn runs(&self) -> Vec<Job> {
+        let of = |i: usize| {
+            let params = self.given(&self.x[self.row(i)]);
+            self.seeds.iter().map(move |&seed| Job { planner: self.colony.name, params: params.clone(), seed })
+        };
+        (0..self.population).flat_map(of).collect()
+    }
+
+    /// What the runs found, particle by particle, and the bests that follow.
+    fn judge(&mut self, found: &[Finding]) {
+        self.shown.copy_from_slice(&self.x);
+        for (i, found) in found.chunks_exact(self.seeds.len()).enumerate() {
+            let row = self.row(i);
+            let cost = Fitness::of(found);
+            self.cost[i] = cost;
+            let shortest = found.iter().filter(|f| f.cost.is_some()).min_by(|a, b| a.cost.unwrap_or(0.0).total_cmp(&b.cost.unwrap_or(0.0)));
+            self.ways[i] = shortest.map_or(Vec::new(), |f| f.path.clone());
+            if cost.better_than(self.p_cost[i]) {
+                self.p_cost[i] = cost;
+                self.p[row.clone()].copy_from_slice(&self.x[row.clone()]);
+            }
+            if cost.better_than(self.g_cost) {
+                self.g_cost = cost;
+                self.g.copy_from_slice(&self.x[row]);
+                self.best.clone_from(&self.ways[i]);
+            }
+        }
+    }
+
+    /// v ← w v + c1 r1 (p − x) + c2 r2 (g − x), x ← x + v; both kept in their ranges.
+    fn fly(&mut self) {
+        let [w, c1, c2] = self.weights;
+        for i in 0..self.x.len() {
+            let j = i % self.axes.len();
+            let Axis { low, high, .. } = self.axes[j];
+            let (r1, r2) = (self.rng.unit(), self.rng.unit());
+            let v = w * self.v[i] + c1 * r1 * (self.p[i] - self.x[i]) + c2 * r2 * (self.g[j] - self.x[i]);
+            self.v[i] = math::limit(v, low - high, high - low);
+            self.x[i] = math::limit(self.x[i] + self.v[i], low, high);
+        }
+    }
+}
+
+impl Planner for Tuning {
+    fn step(&mut self) -> Status {
+        if Planner::status(self) == Status::Running {
+            self.iteration += 1;
+            // What starting could refuse was refused when the first job was made; a failure now finds nothing.
+            let found = self.supplied.take().or_else(|| session::carry_out_all(&self.scene, &self.runs()).ok());
+            self.judge(&found.unwrap_or_default());
+            self.fly();
+        }
+        Planner::status(self)
+    }
+
+    fn status(&self) -> Status {
+        if !self.reachable {
+            Status::Infeasible
+        } else if self.iteration >= self.limit {
+            Status::Exhausted
+        } else {
+            Status::Running
+        }
+    }
+
+    fn iteration(&self) -> u64 {
+        self.iteration
+    }
+
+    fn limit(&self) -> u64 {
+        self.limit
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.iteration * (self.population * self.seeds.len()) as u64
+    }
+
+    fn best(&self) -> Option<Best> {
+        self.g_cost.length.is_finite().then(|| Best { cost: self.g_cost.length, solution: Solution::Path(self.best.clone()) })
+    }
+
+    fn yardstick(&self) -> Yardstick {
+        Yardstick::Cells
+    }
+
+    fn jobs(&self) -> Vec<Job> {
+        let waiting = Planner::status(self) == Status::Running && self.supplied.is_none();
+        if waiting { self.runs() } else { Vec::new() }
+    }
+
+    fn supply(&mut self, found: Vec<Finding>) {
+        if found.len() == self.population * self.seeds.len() {
+            self.supplied = Some(found);
+        }
+    }
+
+    fn tuned(&self) -> Option<Tuned> {
+        self.g_cost.length.is_finite().then(|| Tuned { planner: self.colony.name, params: self.given(&self.g) })
+    }
+
+    fn read(&self, out: &mut Readings) {
+        let known = || self.cost.iter().filter(|cost| cost.length.is_finite());
+        let n = known().count();
+        out.push("best", self.g_cost.length);
+        out.push("mean", if n > 0 { known().map(|cost| cost.length).sum::<f64>() / n as f64 } else { f64::INFINITY });
+        out.push("length", if self.best.is_empty() { f64::INFINITY } else { geometry::length(&self.best) });
+        out.push("converged", if self.g_cost.converged.is_finite() { self.g_cost.converged } else { 0.0 });
+        out.push("runs", Planner::evaluations(self) as f64);
+        for (axis, &x) in self.axes.iter().zip(&self.g) {
+            out.push(axis.parameter.name, axis.value(x));
+        }
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        let longest = self.ways.iter().map(Vec::len).max().unwrap_or(0);
+        let every = frame.thin(self.population, longest, true);
+        // One that found nothing is a dot at the start, so that the others keep their numbers.
+        let nowhere = self.scene.ends().map_or([[0.0; 2]; 2], |(start, _)| [start; 2]);
+        let mut line = |role, way: &[[f64; 2]]| {
+            frame.begin(role, Shape::Polyline);
+            way.iter().for_each(|&point| frame.push(point, 0.0));
+        };
+        for way in self.ways.iter().step_by(every) {
+            line(Role::Particles, if way.len() > 1 { way } else { &nowhere });
+        }
+        if self.best.len() > 1 {
+            line(Role::Best, &self.best);
+        }
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        (item.role == Role::Particles && item.index < self.population).then(|| tell::particle(self, item))
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        [&self.x, &self.v, &self.p, &self.g].into_iter().for_each(|numbers| out.numbers(numbers));
+        for cost in self.cost.iter().chain(&self.p_cost).chain([&self.g_cost]) {
+            out.numbers(&[cost.length, cost.converged]);
+        }
+        out.numbers(self.best.as_flattened());
+        self.rng.digest(out);
+    }
+
+    fn bytes(&self) -> usize {
+        let ways: usize = self.ways.iter().map(|way| 16 * way.len() + 24).sum();
+        8 * 5 * self.x.len() + 48 * self.population + ways + size_of::<Self>()
+    }
+}

@@ -1,0 +1,157 @@
+//! The entry's parts: what is tuned, the swarm's own parameters, readings, equations and layers.
+
+use crate::{
+    catalogue::{Entry, Formula, Group, Layer, Reading, Scope},
+    frame::Role,
+    params::{Choice, Parameter},
+    scene::Kind,
+};
+
+const COLONIES: &[Choice] = &[
+    Choice { value: "aco-wolf", title: "Wolves’ shares", help: "[WOLF-ANT] §5.1, the colony that the paper tunes." },
+    Choice { value: "aco-direction", title: "Direction", help: "[ANTBAT] §3.1, the improved ants." },
+    Choice { value: "aco-dijkstra", title: "Dijkstra path", help: "[ANTBAT] §3.1, its [14]." },
+    Choice { value: "aco", title: "Traditional", help: "[ANTBAT] §3.1, the traditional ants." },
+];
+
+const fn tunable(value: &'static str, title: &'static str, help: &'static str) -> Choice {
+    Choice { value, title, help }
+}
+
+/// Every numeric parameter of the colonies; a test compares the list with the catalogue.
+pub(super) const TUNABLE: &[Choice] = &[
+    tunable("alpha", "α", "Weight of pheromone."),
+    tunable("beta", "β", "Weight of sight."),
+    tunable("rho", "ρ", "Evaporation."),
+    tunable("q", "Q", "Pheromone of an ant."),
+    tunable("epsilon", "ε", "Unit of sight; only of wolves’ shares, where it cancels out."),
+    tunable("gamma", "γ", "Weight of direction; only of direction."),
+    tunable("phi1", "φ1", "Reward by the median; only of direction."),
+    tunable("phi2", "φ2", "Reward by the best; only of direction."),
+    tunable("seeded", "τD", "Pheromone of the Dijkstra path; only of that colony."),
+    tunable("q0_start", "q0 start", "Greed at the start; only of the Dijkstra path."),
+    tunable("q0_end", "q0 end", "Greed at the end; only of the Dijkstra path."),
+    tunable("tau_0", "τ0", "Pheromone at the start."),
+    tunable("tau_min", "τ min", "Least pheromone."),
+    tunable("tau_max", "τ max", "Most pheromone."),
+    tunable("ants", "m", "Ants."),
+    tunable("step_limit", "Steps", "Most steps of an ant."),
+];
+
+const COLONY: Parameter = Parameter::choice("colony", "", "Colony", COLONIES, "Whose parameters are searched.");
+const TUNE: Parameter = Parameter::subset(
+    "tune",
+    "Parameters to tune",
+    TUNABLE,
+    "alpha,beta,rho,q,epsilon",
+    "Each is searched in the range that its slider offers. Those that the colony has not are left out. Published: α, β, ρ, Q, ε.",
+);
+const POPULATION: Parameter =
+    Parameter::integer("population", "N", "Particles", [1, 1000, 20], "How many sets of parameters are tried side by side. Published: 20.")
+        .slider(2.0, 100.0, true);
+const ITERATIONS: Parameter =
+    Parameter::integer("iterations", "k_{\\max}", "Iterations", [1, 100_000, 30], "After how many rounds it stops. Published: 30.")
+        .slider(2.0, 200.0, true);
+const W: Parameter =
+    Parameter::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.729], "How much of its velocity a particle keeps. Published: 0.729.");
+const C1: Parameter = Parameter::number(
+    "c1",
+    "c_1",
+    "Cognitive coefficient",
+    [0.0, 5.0, 1.4962],
+    "How strongly a particle is drawn to the best it has found itself. Published: 1.4962.",
+);
+const C2: Parameter = Parameter::number(
+    "c2",
+    "c_2",
+    "Social coefficient",
+    [0.0, 5.0, 1.4962],
+    "How strongly a particle is drawn to the best that the swarm has found. Published: 1.4962.",
+);
+const SEEDS: Parameter = Parameter::integer(
+    "seeds",
+    "n_s",
+    "Runs a particle",
+    [1, 100, 3],
+    "Over how many runs of the colony a set of parameters is judged: the same seeds for all, drawn at the start. The paper does not say; reading: a few.",
+)
+.slider(1.0, 20.0, false);
+const ROUNDS: Parameter = Parameter::integer(
+    "colony_iterations",
+    "t_{\\max}",
+    "Iterations of the colony",
+    [1, 5_000, 100],
+    "How many iterations each run of the colony has. Published: 100.",
+)
+.slider(5.0, 500.0, true);
+
+const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
+    Reading { name, symbol, title, help, group }
+}
+
+const fn tuned(name: &'static str, symbol: &'static str, title: &'static str) -> Reading {
+    Reading { name, symbol, title, help: "Its value in the best set so far.", group: Group::Schedule }
+}
+
+const VELOCITY: Formula = Formula {
+    name: "velocity",
+    source: "[WOLF-ANT] §5.2",
+    title: "Velocity and position",
+    tex: "v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x), \\quad x \\leftarrow x + v",
+    live: "",
+    scope: Scope::Iteration,
+};
+
+const fn layer(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Layer {
+    Layer { role, title, help, on, pickable, when: None }
+}
+
+/// The TeX strings that inspections use.
+pub const SYMBOLS: &[&str] = &["x", "v", "p", "g", "\\bar L", "\\bar t^*", "\\bar L_p", "\\bar L_g"];
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "pso-tuning",
+    title: "PSO tunes a colony",
+    family: "tuning",
+    source: "[WOLF-ANT] §5.2",
+    summary: "A particle swarm whose particles are parameters of an ant colony: each is judged by what a few runs of the colony find.",
+    kinds: &[Kind::Grid],
+    parameters: &[COLONY, TUNE, POPULATION, ITERATIONS, W, C1, C2, SEEDS, ROUNDS],
+    readings: &[
+        reading("best", "\\bar L_g", "Best", Group::Cost, "The mean length that the best parameters so far gave."),
+        reading("mean", "\\bar L", "Mean", Group::Cost, "The mean over this round’s particles whose colonies found a way."),
+        reading("length", "L", "Shortest", Group::Length, "The length of the best parameters’ shortest way."),
+        reading(
+            "converged",
+            "\\bar t^*",
+            "Converged",
+            Group::Count,
+            "The mean iteration in which the best parameters’ runs found their result.",
+        ),
+        reading("runs", "", "Runs", Group::Count, "Runs of the colony so far."),
+        tuned("alpha", "\\alpha", "Weight of pheromone"),
+        tuned("beta", "\\beta", "Weight of sight"),
+        tuned("rho", "\\rho", "Evaporation"),
+        tuned("q", "Q", "Pheromone of an ant"),
+        tuned("epsilon", "\\varepsilon", "Unit of sight"),
+        tuned("gamma", "\\gamma", "Weight of direction"),
+        tuned("phi1", "\\varphi_1", "Reward by the median"),
+        tuned("phi2", "\\varphi_2", "Reward by the best"),
+        tuned("seeded", "\\tau_D / \\tau_0", "Pheromone of the Dijkstra path"),
+        tuned("q0_start", "q_{0,\\text{start}}", "Greed at the start"),
+        tuned("q0_end", "q_{0,\\text{end}}", "Greed at the end"),
+        tuned("tau_0", "\\tau_0", "Pheromone at the start"),
+        tuned("tau_min", "\\tau_{\\min}", "Least pheromone"),
+        tuned("tau_max", "\\tau_{\\max}", "Most pheromone"),
+        tuned("ants", "m", "Ants"),
+        tuned("step_limit", "", "Most steps of an ant"),
+    ],
+    formulas: &[VELOCITY],
+    layers: &[
+        layer(Role::Particles, "Particles", true, true, "The shortest way that each particle’s parameters gave in this round."),
+        layer(Role::Best, "Best", true, false, "The shortest way that the best parameters gave."),
+    ],
+    suggest: |_| None,
+    start: super::start,
+};
