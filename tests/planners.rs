@@ -223,7 +223,7 @@ fn every_parameter_is_checked_at_both_ends() {
             };
             for value in [min, max] {
                 let mut session = start(value).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
-                session.step(if value >= 10_000.0 { 2 } else { 20 });
+                session.step(if value >= 1000.0 { 2 } else { 20 });
                 // A cost is infinite as long as nothing was found.
                 let group = |name: &str| entry.readings.iter().find(|reading| reading.name == name).unwrap().group;
                 let waits = |name| matches!(group(name), Group::Cost | Group::Length);

@@ -50,7 +50,7 @@ const POPULATION: Parameter =
     Parameter::integer("population", "N", "Particles", [1, 1000, 20], "How many sets of parameters are tried side by side. Published: 20.")
         .slider(2.0, 100.0, true);
 const ITERATIONS: Parameter =
-    Parameter::integer("iterations", "k_{\\max}", "Iterations", [1, 100_000, 30], "After how many rounds it stops. Published: 30.")
+    Parameter::integer("iterations", "k_{\\max}", "Iterations", [1, 1_000_000, 30], "After how many rounds it stops. Published: 30.")
         .slider(2.0, 200.0, true);
 const W: Parameter =
     Parameter::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.729], "How much of its velocity a particle keeps. Published: 0.729.");
