@@ -49,7 +49,7 @@ pub(super) fn trails(cells: &Cells, pheromone: &Pheromone, frame: &mut Frame) {
     if columns.len() * rows.len() > NEAR {
         return;
     }
-    let most = pheromone.tau.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    let most = pheromone.most();
     frame.begin(Role::Trails, Shape::Segments);
     for row in rows {
         for cell in columns.clone().map(|column| row * cells.columns + column) {
@@ -57,7 +57,7 @@ pub(super) fn trails(cells: &Cells, pheromone: &Pheromone, frame: &mut Frame) {
             let from = cells.centre(cell);
             for d in (0..8).filter(|d| allowed >> d & 1 != 0) {
                 let to = cells.centre(cells.next(cell, d));
-                let share = pheromone.tau[8 * cell + d] / most;
+                let share = pheromone.tau(cell, d) / most;
                 frame.push(from, share);
                 frame.push([f64::midpoint(from[0], to[0]), f64::midpoint(from[1], to[1])], share);
             }

@@ -34,12 +34,10 @@ pub(super) struct Ground {
     pub cells: Arc<Cells>,
     pub course: Course,
     pub field: Arc<Field>,
-    /// η^β ψ^γ of each step without its turn: eight numbers a cell.
-    pub attraction: Vec<f64>,
     /// What a turn from one direction to another leaves of a step's attraction: ψ^γ as far as θ1 goes.
     pub turn: [[f64; 8]; 9],
     pub heuristic: Heuristic,
-    pub beta: f64,
+    pub beta: Power,
     pub gamma: f64,
     /// Whether y grows downwards, for the names of directions.
     pub down: bool,
@@ -54,31 +52,15 @@ impl Ground {
         let course = Course::new(grid)?;
         let mut ground = Self {
             field: Arc::clone(grid.field()),
-            attraction: Vec::with_capacity(8 * cells.len()),
             turn: [[1.0; 8]; 9],
             heuristic,
-            beta,
+            beta: Power::new(beta),
             gamma,
             down: grid.y_axis == YAxis::Down,
             reachable: exact::is_reachable(&cells, course.start, course.goal),
             cells,
             course,
         };
-        let power = Power::new(beta);
-        for cell in 0..ground.cells.len() {
-            let eta = ground.eta(cell);
-            let allowed = ground.cells.moves(cell);
-            for (d, eta) in eta.into_iter().enumerate() {
-                let seen = if allowed >> d & 1 == 0 {
-                    0.0
-                } else if gamma == 0.0 {
-                    power.of(eta)
-                } else {
-                    power.of(eta) * math::exp(-gamma * ground.theta2(cell, d) / FRAC_PI_2)
-                };
-                ground.attraction.push(seen);
-            }
-        }
         if gamma != 0.0 {
             for from in 0..8 {
                 for to in 0..8 {
@@ -87,6 +69,21 @@ impl Ground {
             }
         }
         Ok(ground)
+    }
+
+    /// η^β ψ^γ of each step from a cell without its turn; 0 where none is allowed.
+    pub fn attraction(&self, cell: usize) -> [f64; 8] {
+        let eta = self.eta(cell);
+        let allowed = self.cells.moves(cell);
+        std::array::from_fn(|d| {
+            if allowed >> d & 1 == 0 {
+                0.0
+            } else if self.gamma == 0.0 {
+                self.beta.of(eta[d])
+            } else {
+                self.beta.of(eta[d]) * math::exp(-self.gamma * self.theta2(cell, d) / FRAC_PI_2)
+            }
+        })
     }
 
     /// η of each step from a cell.
@@ -210,13 +207,13 @@ mod tests {
         let eta = 1.0 / f64::sqrt(26.0 * 26.0 + 25.0 * 25.0);
         let theta2 = f64::atan2(25.0, 27.0);
         let expected = eta.powi(8) * (-2.5 * theta2 / FRAC_PI_2).exp();
-        assert!((ground.attraction[8 * cell] / expected - 1.0).abs() < 1e-12);
+        assert!((ground.attraction(cell)[0] / expected - 1.0).abs() < 1e-12);
         let right_angle = (-2.5_f64).exp();
         assert!((ground.turn[0][2] / right_angle - 1.0).abs() < 1e-14);
         assert_eq!((ground.turn[3][3], ground.turn[NOWHERE][5]), (1.0, 1.0));
         assert_eq!(ground.nearness(ground.course.goal), 2.0);
         let plain = Ground::new(&scene, Heuristic::Distance, 8.0, 0.0).unwrap();
-        assert!((plain.attraction[8 * cell] / eta.powi(8) - 1.0).abs() < 1e-12);
+        assert!((plain.attraction(cell)[0] / eta.powi(8) - 1.0).abs() < 1e-12);
         assert!(plain.turn.iter().flatten().all(|&factor| factor == 1.0));
     }
 

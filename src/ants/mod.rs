@@ -85,7 +85,10 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> 
     if traits.seeded != 1.0
         && let Some(way) = exact::shortest_way(cells, ground.course.start, ground.course.goal)
     {
-        pheromone.favour(&way, |from, to| (0..8).find(|&d| cells.next(from, d) == to).unwrap_or(0), traits.seeded);
+        for step in way.windows(2) {
+            let direction = (0..8).find(|&d| cells.next(step[0], d) == step[1]).unwrap_or(0);
+            pheromone.favour(&ground, step[0], direction, traits.seeded);
+        }
     }
     let limit = match settings.integer("step_limit") {
         0 => 2 * cells.len() as u64,

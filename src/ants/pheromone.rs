@@ -4,25 +4,44 @@ use crate::{digest::Digest, math, scene::Cells};
 
 use super::ground::{Ground, Power};
 
-/// τ of each step, eight numbers a cell in the order of [`crate::scene::DIRECTIONS`]. A step and the step back are two.
+/// τ of each step. A step and the step back are two.
+///
+/// Only cells that an ant has come to have numbers of their own: everywhere else the same lies on every step, so large
+/// maps cost what is walked of them.
 #[derive(Debug, Clone)]
 pub(super) struct Pheromone {
-    pub tau: Vec<f64>,
-    /// τ^α η^β ψ2^γ, made for a cell when an ant first comes there in an iteration.
-    weight: Vec<[f64; 8]>,
-    /// The iteration for which a cell's weights were made.
-    made: Vec<u32>,
+    /// Where a cell's numbers are in `known`; `UNKNOWN` for those that no ant has come to.
+    place: Vec<u32>,
+    known: Vec<Known>,
+    /// What lies on every other step.
+    elsewhere: f64,
+    /// Counts the iterations, so that a cell's weights are made once in each.
     now: u32,
     alpha: Power,
     rho: f64,
     /// Nothing falls below or rises above.
-    pub bounds: [f64; 2],
+    bounds: [f64; 2],
+}
+
+const UNKNOWN: u32 = u32::MAX;
+
+/// The steps from a cell, in the order of [`crate::scene::DIRECTIONS`].
+#[derive(Debug, Clone)]
+struct Known {
+    cell: u32,
+    /// The iteration for which the weights were made.
+    made: u32,
+    tau: [f64; 8],
+    /// η^β ψ2^γ.
+    attraction: [f64; 8],
+    /// τ^α η^β ψ2^γ.
+    weight: [f64; 8],
 }
 
 impl Pheromone {
     pub fn new(cells: &Cells, start: f64, alpha: f64, rho: f64, bounds: [f64; 2]) -> Self {
-        let tau = vec![math::limit(start, bounds[0], bounds[1]); 8 * cells.len()];
-        Self { tau, weight: vec![[0.0; 8]; cells.len()], made: vec![0; cells.len()], now: 1, alpha: Power::new(alpha), rho, bounds }
+        let elsewhere = math::limit(start, bounds[0], bounds[1]);
+        Self { place: vec![UNKNOWN; cells.len()], known: Vec::new(), elsewhere, now: 1, alpha: Power::new(alpha), rho, bounds }
     }
 
     /// α.
@@ -30,64 +49,95 @@ impl Pheromone {
         self.alpha.exponent
     }
 
-    /// Multiplies τ along a way.
-    pub fn favour(&mut self, way: &[usize], direction: impl Fn(usize, usize) -> usize, factor: f64) {
-        for step in way.windows(2) {
-            let tau = &mut self.tau[8 * step[0] + direction(step[0], step[1])];
-            *tau = math::limit(*tau * factor, self.bounds[0], self.bounds[1]);
-        }
+    /// τ of a step.
+    pub fn tau(&self, cell: usize, direction: usize) -> f64 {
+        self.known.get(self.place[cell] as usize).map_or(self.elsewhere, |known| known.tau[direction])
     }
 
-    /// τ_ij^α η_j^β ψ^γ of the steps from a cell, but for the turn.
+    /// Multiplies τ of a step.
+    pub fn favour(&mut self, ground: &Ground, cell: usize, direction: usize, factor: f64) {
+        let [low, high] = self.bounds;
+        let tau = &mut self.known(ground, cell).tau[direction];
+        *tau = math::limit(*tau * factor, low, high);
+    }
+
+    #[inline]
+    fn known(&mut self, ground: &Ground, cell: usize) -> &mut Known {
+        if self.place[cell] == UNKNOWN {
+            self.place[cell] = self.known.len() as u32;
+            let (tau, attraction) = ([self.elsewhere; 8], ground.attraction(cell));
+            self.known.push(Known { cell: cell as u32, made: 0, tau, attraction, weight: [0.0; 8] });
+        }
+        &mut self.known[self.place[cell] as usize]
+    }
+
+    /// τ_ij^α η_j^β ψ^γ of the steps from a cell, but for the turn; made when an ant first comes there in an iteration.
     #[inline]
     pub fn weights(&mut self, ground: &Ground, cell: usize) -> &[f64; 8] {
-        if self.made[cell] != self.now {
-            self.made[cell] = self.now;
-            self.weight[cell] = self.weighed(ground, cell);
+        let (alpha, now) = (self.alpha, self.now);
+        let known = self.known(ground, cell);
+        if known.made != now {
+            known.made = now;
+            known.weight = weighed(alpha, &known.tau, &known.attraction);
         }
-        &self.weight[cell]
+        &known.weight
     }
 
-    /// The same, computed anew.
-    #[inline(never)]
-    pub fn weighed(&self, ground: &Ground, cell: usize) -> [f64; 8] {
-        let at = 8 * cell;
-        std::array::from_fn(|d| {
-            let attraction = ground.attraction[at + d];
-            if attraction == 0.0 { 0.0 } else { self.alpha.of(self.tau[at + d]) * attraction }
-        })
+    /// The same for anybody who only looks.
+    pub fn look(&self, ground: &Ground, cell: usize) -> [f64; 8] {
+        weighed(self.alpha, &std::array::from_fn(|d| self.tau(cell, d)), &ground.attraction(cell))
     }
 
     /// (1 − ρ) τ of [ANTBAT] (4) and [WOLF-ANT] (10). What the ants lay comes next, then [`Pheromone::settle`].
     pub fn evaporate(&mut self) {
         let left = 1.0 - self.rho;
-        self.tau.iter_mut().for_each(|tau| *tau *= left);
+        self.elsewhere *= left;
+        self.known.iter_mut().for_each(|known| known.tau.iter_mut().for_each(|tau| *tau *= left));
     }
 
-    /// Adds to a step; what is laid may be negative.
+    /// Adds to a step that an ant took; what is laid may be negative.
     #[inline]
     pub fn lay(&mut self, cell: usize, direction: usize, amount: f64) {
-        self.tau[8 * cell + direction] += amount;
+        self.known[self.place[cell] as usize].tau[direction] += amount;
     }
 
     /// Keeps τ within its bounds; weights are made anew from here on.
     pub fn settle(&mut self) {
         let [low, high] = self.bounds;
-        self.tau.iter_mut().for_each(|tau| *tau = math::limit(*tau, low, high));
+        self.elsewhere = math::limit(self.elsewhere, low, high);
+        self.known.iter_mut().for_each(|known| known.tau.iter_mut().for_each(|tau| *tau = math::limit(*tau, low, high)));
         self.now += 1;
     }
 
     /// The strongest step from a cell; −1 where none is allowed.
     pub fn strongest(&self, cells: &Cells, cell: usize) -> f64 {
         let allowed = cells.moves(cell);
-        (0..8).filter(|d| allowed >> d & 1 != 0).map(|d| self.tau[8 * cell + d]).fold(-1.0, f64::max)
+        match self.known.get(self.place[cell] as usize) {
+            _ if allowed == 0 => -1.0,
+            None => self.elsewhere,
+            Some(known) => (0..8).filter(|d| allowed >> d & 1 != 0).map(|d| known.tau[d]).fold(-1.0, f64::max),
+        }
+    }
+
+    /// The most that lies on any step.
+    pub fn most(&self) -> f64 {
+        self.known.iter().flat_map(|known| known.tau).fold(self.elsewhere, f64::max)
     }
 
     pub fn digest(&self, out: &mut Digest) {
-        out.numbers(&self.tau);
+        out.number(self.elsewhere);
+        for known in &self.known {
+            out.word(u64::from(known.cell));
+            out.numbers(&known.tau);
+        }
     }
 
     pub fn bytes(&self) -> usize {
-        self.tau.len() * size_of::<f64>() + self.weight.len() * (size_of::<[f64; 8]>() + size_of::<u32>())
+        self.place.len() * size_of::<u32>() + self.known.len() * size_of::<Known>()
     }
+}
+
+#[inline(never)]
+fn weighed(alpha: Power, tau: &[f64; 8], attraction: &[f64; 8]) -> [f64; 8] {
+    std::array::from_fn(|d| if attraction[d] == 0.0 { 0.0 } else { alpha.of(tau[d]) * attraction[d] })
 }

@@ -65,7 +65,7 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
     let title = format!("Column {x}, row {}", if ground.down { y } else { cells.rows - 1 - y });
     let allowed = cells.moves(cell);
     let eta = ground.eta(cell);
-    let weights = colony.pheromone.weighed(ground, cell);
+    let weights = colony.pheromone.look(ground, cell);
     let weight = |d: usize| if allowed >> d & 1 == 0 { 0.0 } else { weights[d] * ground.turn[from][d] };
     let sum: f64 = (0..8).map(weight).sum();
     let ways = allowed.count_ones();
@@ -91,7 +91,7 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
     columns.push(column("p", "p", "probability"));
     let row = |d: usize| {
         let free = allowed >> d & 1 != 0;
-        let mut row = vec![if free { colony.pheromone.tau[8 * cell + d] } else { 0.0 }, if free { eta[d] } else { 0.0 }];
+        let mut row = vec![if free { colony.pheromone.tau(cell, d) } else { 0.0 }, if free { eta[d] } else { 0.0 }];
         if directed {
             row.extend([theta1(from, d), ground.theta2(cell, d), if free { psi(d) } else { 0.0 }]);
         }
@@ -113,12 +113,12 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
     if let (Some(d), "choice") = (best, event) {
         let parameters = [
             ("alpha", "\\alpha", "weight of pheromone", colony.pheromone.exponent()),
-            ("beta", "\\beta", "weight of sight", ground.beta),
+            ("beta", "\\beta", "weight of sight", ground.beta.exponent),
             ("gamma", "\\gamma", "weight of direction", ground.gamma),
         ];
         values = vec![
             quantity("p", "p", "probability of the likeliest step", share(d)),
-            quantity("tau", "\\tau", "its pheromone", colony.pheromone.tau[8 * cell + d]),
+            quantity("tau", "\\tau", "its pheromone", colony.pheromone.tau(cell, d)),
             quantity("eta", "\\eta", "its sight", eta[d]),
         ];
         if directed {

@@ -51,7 +51,7 @@ fn probabilities_follow_the_formula() {
     let scene = scene(&["...", "...", "..."], [0.5, 0.5], [2.5, 1.5]);
     let mut colony = colony(&scene, PLAIN);
     // From (0, 0): east (1, 0) is √2 from (2, 1), south-east (1, 1) is 1 from it, south (0, 1) is 2 from it.
-    colony.pheromone.tau[0] = 3.0;
+    colony.pheromone.favour(&colony.ground, 0, 0, 3.0);
     let told = tell::cell(&colony, Item { role: Role::Pheromone, index: 0 }).unwrap();
     let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
     let (east, diagonal, south) = (3.0 * 0.5, 1.0, 0.25);
@@ -75,7 +75,7 @@ fn a_turn_costs_what_psi_says() {
     let scene = scene(&["....", "....", "...."], [0.5, 1.5], [3.5, 1.5]);
     let colony = colony(&scene, Traits { gamma: 2.0, ..PLAIN });
     let (cell, east, south_east) = (5, 0, 1);
-    let weights = colony.pheromone.weighed(&colony.ground, cell);
+    let weights = colony.pheromone.look(&colony.ground, cell);
     let ratio = weights[south_east] * colony.ground.turn[east][south_east] / (weights[east] * colony.ground.turn[east][east]);
     // η: distances 1 and √2 to the goal, squared 1 and 1/2. ψ: θ1 = θ2 = π/4, so exp(−1), squared exp(−2).
     assert!((ratio - 0.5 * (-2.0_f64).exp()).abs() < 1e-15);
@@ -114,14 +114,14 @@ fn pheromone_evaporates_and_is_laid_on_the_way() {
     let mut colony = colony(&scene, PLAIN);
     colony.step();
     // 0.6 · 1 + 12 / 3 along the way; 0.6 elsewhere, also on the way back.
-    assert_eq!([0, 8, 16].map(|at| colony.pheromone.tau[at]), [4.6; 3]);
-    assert_eq!(colony.pheromone.tau[8 + 4], 0.6);
+    assert_eq!([0, 1, 2].map(|cell| colony.pheromone.tau(cell, 0)), [4.6; 3]);
+    assert_eq!(colony.pheromone.tau(1, 4), 0.6);
     colony.step();
-    assert!((colony.pheromone.tau[0] - (0.6 * 4.6 + 4.0)).abs() < 1e-15);
+    assert!((colony.pheromone.tau(0, 0) - (0.6 * 4.6 + 4.0)).abs() < 1e-15);
     for _ in 0..90 {
         colony.step();
     }
-    assert_eq!(colony.pheromone.tau[8 + 4], 0.1, "no less than τ min");
+    assert_eq!(colony.pheromone.tau(1, 4), 0.1, "no less than τ min");
 }
 
 #[test]

@@ -127,10 +127,7 @@ pub(super) fn walk(
         }
         taken += 1;
         let mut allowed = cells.moves(cell);
-        let mut left = allowed;
-        while left != 0 {
-            let d = left.trailing_zeros() as usize;
-            left &= left - 1;
+        for d in directions(allowed) {
             if seen.mark[cells.next(cell, d)] == seen.ant {
                 allowed &= !(1 << d);
             }
@@ -164,28 +161,34 @@ pub(super) fn walk(
 pub(super) fn choose(weights: &[f64; 8], turn: &[f64; 8], allowed: u8, greed: f64, u: f64) -> usize {
     let mut sum = 0.0;
     let mut sums = [0.0; 8];
-    for d in 0..8 {
-        if allowed >> d & 1 != 0 {
-            sum += weights[d] * turn[d];
-        }
+    for d in directions(allowed) {
+        sum += weights[d] * turn[d];
         sums[d] = sum;
     }
     let last = 7 - (allowed.leading_zeros() as usize & 7);
     if u < greed {
-        return (0..8).filter(|d| allowed >> d & 1 != 0).fold(last, |best, d| {
-            let (new, old) = (weights[d] * turn[d], weights[best] * turn[best]);
-            if new > old || (new == old && d < best) { d } else { best }
-        });
+        let share = |d: usize| weights[d] * turn[d];
+        return directions(allowed).reduce(|best, d| if share(d) > share(best) { d } else { best }).unwrap_or(last);
     }
     // What is left of u is uniform again.
     let u = if greed > 0.0 { (u - greed) / (1.0 - greed) } else { u };
     if sum <= 0.0 {
         // Nothing attracts: all alike.
         let skip = (u * f64::from(allowed.count_ones())) as usize;
-        return (0..8).filter(|d| allowed >> d & 1 != 0).nth(skip).unwrap_or(last);
+        return directions(allowed).nth(skip).unwrap_or(last);
     }
     let at = u * sum;
-    (0..8).find(|&d| allowed >> d & 1 != 0 && at < sums[d]).unwrap_or(last)
+    directions(allowed).find(|&d| at < sums[d]).unwrap_or(last)
+}
+
+/// The directions whose bits are set.
+#[inline]
+fn directions(mut mask: u8) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let next = (mask != 0).then(|| mask.trailing_zeros() as usize);
+        mask &= mask.wrapping_sub(1);
+        next
+    })
 }
 
 #[cfg(test)]

@@ -80,7 +80,7 @@ const ROUNDS: Parameter = Parameter::integer(
     "colony_iterations",
     "t_{\\max}",
     "Iterations of the colony",
-    [1, 5_000, 100],
+    [1, 2_000, 100],
     "How many iterations each run of the colony has. Published: 100.",
 )
 .slider(5.0, 500.0, true);
