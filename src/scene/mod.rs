@@ -1,12 +1,15 @@
-//! What is planned in: one file a kind, the scene file around them (`file`), and the scenes that ship (`shipped`).
+//! What is planned in: one file a kind, the scene file around them (`file`), the scenes that ship (`shipped`), and
+//! other programs' files ([`formats`]).
 //!
 //! A [`Scene`] that exists is valid: its numbers are finite, start and goal are inside and free.
 
 mod cells;
 mod discs;
 mod file;
+pub mod formats;
 mod function;
 mod grid;
+mod reach;
 mod shipped;
 
 use std::sync::OnceLock;

@@ -1,0 +1,195 @@
+//! MovingAI's `.map` (a grid) and `.scen` (problems on it). The origin is at the upper left, lengths are in cells, and
+//! steps don't cut corners: <https://movingai.com/benchmarks/formats.html>.
+
+use std::fmt::Write;
+
+use crate::{
+    error::Error,
+    exact::shortest_over_cells,
+    json,
+    scene::{Course, GridScene, YAxis},
+};
+
+use super::{Exported, Imported, NamedFile, Problem, ends, lost, note_other_name, scene};
+
+/// A scene of a map, with the ends of one of the problems if there are some.
+pub(super) fn import(map: &NamedFile, scen: Option<&NamedFile>, problem: Option<usize>) -> Result<Imported, Error> {
+    let mut notes = Vec::new();
+    let mut grid = read_map(map, &mut notes)?;
+    let mut problems = Vec::new();
+    if let Some(scen) = scen {
+        let (lines, named) = read_scen(scen, [grid.columns, grid.rows()])?;
+        note_other_name(scen, named, map, &mut notes);
+        let index = problem.unwrap_or(lines.len() - 1);
+        let Some((line, chosen)) = lines.get(index) else {
+            return Err(Error::refused("problem", index, format!("from 0 to {}: {} has as many", lines.len() - 1, scen.label())));
+        };
+        for (name, [x, y]) in [("start", chosen.start), ("goal", chosen.goal)] {
+            if grid.blocked[y as usize * grid.columns + x as usize] {
+                return Err(scen.wrong(*line, &format!("the {name} is in a blocked cell of {}", map.label())));
+            }
+        }
+        (grid.start, grid.goal) = (Some(chosen.start), Some(chosen.goal));
+        let length = chosen.length;
+        notes.push(format!("Problem {index} of {}, counted from 0; its optimum from cell to cell is given as {length}.", lines.len()));
+        problems = lines.into_iter().map(|(_, problem)| problem).collect();
+    } else {
+        notes.push(ends::choose(&mut grid).ok_or_else(|| Error::malformed(map.label(), "no cell of the map is free"))?);
+    }
+    Ok(Imported { scene: scene(map, "MovingAI map", None, grid, &notes)?, notes, problems })
+}
+
+fn read_map(file: &NamedFile, notes: &mut Vec<String>) -> Result<GridScene, Error> {
+    let mut lines = file.lines()?;
+    let (mut octile, mut height, mut width) = (false, None, None);
+    let mut last = 0;
+    let (columns, rows) = loop {
+        let Some((line, found)) = lines.next() else {
+            return Err(file.wrong(last + 1, "the file ends before the line `map`"));
+        };
+        last = line;
+        let mut words = found.split_ascii_whitespace();
+        match (words.next().unwrap_or(""), words.next(), words.next()) {
+            ("", ..) => {}
+            ("type", Some("octile"), None) => octile = true,
+            ("height", Some(n), None) => height = Some(file.side(line, "height", n)?),
+            ("width", Some(n), None) => width = Some(file.side(line, "width", n)?),
+            ("map", None, _) => match (width, height) {
+                (Some(columns), Some(rows)) if octile => break (columns, rows),
+                _ => return Err(file.wrong(line, "`map` before all of `type octile`, `height` and `width`")),
+            },
+            _ => return Err(file.unexpected(line, found, "`type octile`, `height N`, `width N` or `map`")),
+        }
+    };
+    let mut blocked = Vec::with_capacity(columns * rows);
+    let (mut swamp, mut water) = (0_usize, 0_usize);
+    for row in 0..rows {
+        let Some((line, cells)) = lines.next() else {
+            return Err(file.wrong(last + 1, &format!("the file ends after {row} rows, expected {rows}")));
+        };
+        last = line;
+        for (column, cell) in cells.chars().enumerate() {
+            blocked.push(match cell {
+                '.' | 'G' | 'S' => false,
+                '@' | 'O' | 'T' | 'W' => true,
+                _ => {
+                    let expected = format!("one of . G S @ O T W in column {}", column + 1);
+                    return Err(file.unexpected(line, cell.encode_utf8(&mut [0; 4]), &expected));
+                }
+            });
+            swamp += usize::from(cell == 'S');
+            water += usize::from(cell == 'W');
+        }
+        if blocked.len() != (row + 1) * columns {
+            return Err(file.wrong(line, &format!("found {} cells, expected {columns}", cells.len())));
+        }
+    }
+    if let Some((line, found)) = lines.find(|(_, line)| !line.is_empty()) {
+        return Err(file.unexpected(line, found, &format!("the end of the file after {rows} rows")));
+    }
+    for (count, what) in [(swamp, "swamp (S), free like the others"), (water, "water (W), taken as blocked")] {
+        if count > 0 {
+            notes.push(format!("{count} cells are {what}."));
+        }
+    }
+    Ok(GridScene::new(1.0, columns, blocked))
+}
+
+/// A problem with the number of its line.
+type Numbered = (usize, Problem);
+
+/// The problems of a file on a map with these columns and rows (at least one), and the map's name.
+fn read_scen(file: &NamedFile, [columns, rows]: [usize; 2]) -> Result<(Vec<Numbered>, &str), Error> {
+    let named = map_of(file)?;
+    let mut problems = Vec::new();
+    for (line, found) in file.lines()?.skip(1).filter(|(_, line)| !line.is_empty()) {
+        let [_, map, width, height, ax, ay, bx, by, length] = fields(file, line, found)?;
+        if map != named {
+            return Err(file.unexpected(line, map, &format!("{named}, as above: one map at a time")));
+        }
+        for (name, text, side) in [("width", width, columns), ("height", height, rows)] {
+            if text.parse() != Ok(side) {
+                return Err(file.unexpected(line, text, &format!("{side}, the map's {name}")));
+            }
+        }
+        let centre = |name: &str, text: &str, side: usize| {
+            let cell: Option<usize> = text.parse().ok().filter(|&cell| cell < side);
+            let cell = cell.ok_or_else(|| file.unexpected(line, text, &format!("a {name} from 0 to {}", side - 1)))?;
+            Ok(cell as f64 + 0.5)
+        };
+        let start = [centre("start's column", ax, columns)?, centre("start's row", ay, rows)?];
+        let goal = [centre("goal's column", bx, columns)?, centre("goal's row", by, rows)?];
+        let length = json::number(length)
+            .filter(|length| length.is_finite() && *length >= 0.0)
+            .ok_or_else(|| file.unexpected(line, length, "a length in cells"))?;
+        problems.push((line, Problem { start, goal, length }));
+    }
+    Ok((problems, named))
+}
+
+/// The map that a file's problems are on.
+pub(super) fn map_of(file: &NamedFile) -> Result<&str, Error> {
+    let mut lines = file.lines()?;
+    let (_, first) = lines.next().unwrap_or((1, ""));
+    let mut words = first.split_ascii_whitespace();
+    let number = if words.next() == Some("version") { words.next().and_then(json::number) } else { None };
+    if number != Some(1.0) || words.next().is_some() {
+        return Err(file.unexpected(1, first, "`version 1`"));
+    }
+    let (line, problem) =
+        lines.find(|(_, line)| !line.is_empty()).ok_or_else(|| file.wrong(2, "the file ends before the first problem"))?;
+    Ok(fields(file, line, problem)?[1])
+}
+
+/// A problem's fields: bucket, map, width, height, start x, start y, goal x, goal y, length.
+fn fields<'a>(file: &NamedFile, line: usize, found: &'a str) -> Result<[&'a str; 9], Error> {
+    // Between tabs, so that a map's name may hold spaces; some files have spaces only.
+    let all: Vec<_> = if found.contains('\t') { found.split('\t').map(str::trim).collect() } else { found.split_whitespace().collect() };
+    let count = all.len();
+    all.try_into().map_err(|_| {
+        file.wrong(line, &format!("found {count} fields, expected 9: bucket, map, width, height, start x, start y, goal x, goal y, length"))
+    })
+}
+
+/// A `.map`, and a `.scen` if there is a way from start to goal.
+pub(super) fn export(grid: &GridScene, stem: &str) -> Result<Exported, Error> {
+    let mut notes = Vec::new();
+    lost(grid, &mut notes);
+    let (columns, rows) = (grid.columns, grid.rows());
+    let mut map = format!("type octile\nheight {rows}\nwidth {columns}\nmap\n");
+    for line in grid.lines() {
+        map.extend(line.chars().map(|c| if c == '#' { '@' } else { c }));
+        map.push('\n');
+    }
+    let mut files = vec![NamedFile::new(format!("{stem}.map"), map)];
+    if grid.start.is_none() || grid.goal.is_none() {
+        notes.push("There is no .scen: the scene has no start and goal.".to_owned());
+    } else {
+        // As the format has it: a point that goes from centre to centre and cuts no corners.
+        let course = Course::new(&GridScene { robot: None, ..grid.clone() })?;
+        let mut plain = GridScene::new(1.0, columns, grid.blocked.clone());
+        let centre = |cell| [cell % columns, cell / columns].map(|i| i as f64 + 0.5);
+        (plain.start, plain.goal) = (Some(centre(course.start)), Some(centre(course.goal)));
+        if course.stubs > 0.0 {
+            notes.push("Start and goal were moved to the centres of their cells.".to_owned());
+        }
+        if let Some(exact) = shortest_over_cells(plain.cells(), &Course::new(&plain)?) {
+            let place = |cell: usize| {
+                let row = cell / columns;
+                [cell % columns, if grid.y_axis == YAxis::Up { rows - 1 - row } else { row }]
+            };
+            let ([ax, ay], [bx, by]) = (place(course.start), place(course.goal));
+            let (bucket, length) = ((exact.length / 4.0) as u64, exact.length);
+            let mut scen = String::from("version 1\n");
+            // Writing to a string cannot fail.
+            let _ = writeln!(scen, "{bucket}\t{stem}.map\t{columns}\t{rows}\t{ax}\t{ay}\t{bx}\t{by}\t{length}");
+            files.push(NamedFile::new(format!("{stem}.scen"), scen));
+        } else {
+            notes.push("There is no .scen: without cutting corners there is no way from start to goal.".to_owned());
+        }
+    }
+    if grid.cell != 1.0 {
+        notes.push(format!("Lengths are in cells there; a cell is {} here.", grid.cell));
+    }
+    Ok(Exported { files, notes })
+}

@@ -1,0 +1,108 @@
+//! Grey pictures: PGM as text (P2) and as bytes (P5).
+
+use crate::{error::Error, scene::MAX_SIDE};
+
+use super::NamedFile;
+
+/// A grey picture, top row first.
+#[derive(Debug)]
+pub(super) struct Image {
+    pub(super) columns: usize,
+    pub(super) rows: usize,
+    /// The value of white.
+    pub(super) white: u16,
+    pub(super) values: Vec<u16>,
+    /// The bytes after the picture.
+    pub(super) rest: usize,
+}
+
+/// The place up to which a file was read.
+struct Reader<'a> {
+    file: &'a NamedFile,
+    left: &'a [u8],
+    line: usize,
+}
+
+impl<'a> Reader<'a> {
+    fn skip(&mut self, count: usize) -> &'a [u8] {
+        let (skipped, left) = self.left.split_at(count);
+        self.left = left;
+        self.line += skipped.split(|&byte| byte == b'\n').count() - 1;
+        skipped
+    }
+
+    /// Skips spaces and comments.
+    fn space(&mut self) {
+        while let Some(&byte) = self.left.first() {
+            let count = match byte {
+                b'#' => self.left.iter().position(|&byte| byte == b'\n').unwrap_or(self.left.len()),
+                _ if byte.is_ascii_whitespace() => 1,
+                _ => break,
+            };
+            self.skip(count);
+        }
+    }
+
+    /// The next word, after spaces and comments.
+    fn word(&mut self) -> &'a [u8] {
+        self.space();
+        let count = self.left.iter().position(u8::is_ascii_whitespace).unwrap_or(self.left.len());
+        self.skip(count)
+    }
+
+    fn number(&mut self, name: &str, least: usize, most: usize) -> Result<usize, Error> {
+        let word = self.word();
+        let number = str::from_utf8(word).ok().and_then(|text| text.parse().ok()).filter(|number| (least..=most).contains(number));
+        number.ok_or_else(|| {
+            let expected = format!("{name} from {least} to {most}");
+            if word.is_empty() {
+                return self.file.wrong(self.line, &format!("the file ends, expected {expected}"));
+            }
+            self.file.unexpected(self.line, &String::from_utf8_lossy(word), &expected)
+        })
+    }
+}
+
+/// Reads a picture.
+pub(super) fn read(file: &NamedFile) -> Result<Image, Error> {
+    let mut reader = Reader { file, left: &file.bytes, line: 1 };
+    let magic = reader.word();
+    if !matches!(magic, b"P2" | b"P5") {
+        return Err(file.unexpected(1, &String::from_utf8_lossy(magic), "P2 or P5, a grey picture"));
+    }
+    let columns = reader.number("a width", 1, MAX_SIDE)?;
+    let rows = reader.number("a height", 1, MAX_SIDE)?;
+    let most = reader.number("the value of white", 1, usize::from(u16::MAX))?;
+    let mut values = Vec::with_capacity(columns * rows);
+    if magic == b"P2" {
+        for _ in 0..columns * rows {
+            values.push(reader.number("a pixel", 0, most)? as u16);
+        }
+        reader.space();
+    } else {
+        // One space, whatever it is, ends the heading.
+        reader.skip(reader.left.len().min(1));
+        let width = if most > 255 { 2 } else { 1 };
+        let needed = columns * rows * width;
+        let Some((pixels, rest)) = reader.left.split_at_checked(needed) else {
+            return Err(file.wrong(reader.line, &format!("found {} bytes of pixels, expected {needed}", reader.left.len())));
+        };
+        for (i, pixel) in pixels.chunks(width).enumerate() {
+            let value = pixel.iter().fold(0, |value, &byte| value << 8 | u16::from(byte));
+            if usize::from(value) > most {
+                let place = format!("a pixel from 0 to {most} in row {}, column {} of the picture", i / columns + 1, i % columns + 1);
+                return Err(file.unexpected(reader.line, &value.to_string(), &place));
+            }
+            values.push(value);
+        }
+        reader.left = rest;
+    }
+    Ok(Image { columns, rows, white: most as u16, values, rest: reader.left.len() })
+}
+
+/// A picture as bytes, of the values' rows from the top.
+pub(super) fn write(columns: usize, values: &[u8]) -> Vec<u8> {
+    let mut bytes = format!("P5\n{columns} {}\n255\n", values.len() / columns.max(1)).into_bytes();
+    bytes.extend(values);
+    bytes
+}

@@ -1,0 +1,247 @@
+//! The maps of ROS's map_server: a `.yaml` that says what the pixels of a `.pgm` mean,
+//! <https://wiki.ros.org/map_server>. The origin is at the lower left, lengths are in metres.
+//!
+//! A pixel's occupancy is (white − value) / white, or value / white if `negate`. Below `free_thresh` a cell is free, above
+//! `occupied_thresh` it is blocked, between them it is unknown (`mode: trinary`) or partly occupied (`mode: scale`). With
+//! `mode: raw` the value itself, of 255, is the occupancy in percent; above 100 it is unknown. What is not free is blocked
+//! in every mode, and a note counts the cells between.
+
+use crate::{
+    error::Error,
+    json,
+    scene::{GridScene, LARGEST, YAxis},
+};
+
+use super::{Exported, Imported, NamedFile, ends, lost, note_other_name, pgm, scene};
+
+/// A line `key: value`, or `key:` with a list below it.
+struct Entry<'a> {
+    line: usize,
+    key: &'a str,
+    /// One value, or a list's.
+    values: Vec<&'a str>,
+    listed: bool,
+}
+
+/// What a file says, and who asks.
+struct Yaml<'a> {
+    file: &'a NamedFile,
+    entries: Vec<Entry<'a>>,
+}
+
+/// A line without the comment at its end; a `#` counts only between quotes or inside a word.
+fn without_comment(line: &str) -> &str {
+    let (mut quote, mut before) = (None, b' ');
+    for (i, byte) in line.bytes().enumerate() {
+        match byte {
+            b'"' | b'\'' if quote.is_none() => quote = Some(byte),
+            _ if quote == Some(byte) => quote = None,
+            b'#' if quote.is_none() && before.is_ascii_whitespace() => return line[..i].trim_end(),
+            _ => {}
+        }
+        before = byte;
+    }
+    line
+}
+
+impl<'a> Yaml<'a> {
+    /// Reads the part of YAML that such files use: keys with values, lists on one line or below their key, comments, quotes.
+    fn read(file: &'a NamedFile) -> Result<Self, Error> {
+        let mut entries: Vec<Entry> = Vec::new();
+        for (line, whole) in file.lines()? {
+            let text = without_comment(whole);
+            if text.is_empty() || text == "---" {
+                continue;
+            }
+            if let Some(item) = text.trim_start().strip_prefix("- ") {
+                let Some(list) = entries.last_mut().filter(|entry| entry.listed) else {
+                    return Err(file.unexpected(line, text, "a list's key before its items"));
+                };
+                list.values.push(unquoted(file, line, item)?);
+                continue;
+            }
+            let Some((key, value)) = text.split_once(':').filter(|(key, _)| !key.starts_with([' ', '\t']) && !key.is_empty()) else {
+                return Err(file.unexpected(line, text, "`key: value`, not indented"));
+            };
+            let (key, value) = (key.trim(), value.trim());
+            if let Some(other) = entries.iter().find(|entry| entry.key == key) {
+                return Err(file.wrong(line, &format!("`{key}` again, it stands in line {}", other.line)));
+            }
+            let (values, listed) = if let Some(list) = value.strip_prefix('[') {
+                let list = list.strip_suffix(']').ok_or_else(|| file.unexpected(line, value, "a list with `]` at its end"))?;
+                (list.split(',').map(|item| unquoted(file, line, item)).collect::<Result<_, _>>()?, false)
+            } else if value.is_empty() {
+                (Vec::new(), true)
+            } else {
+                (vec![unquoted(file, line, value)?], false)
+            };
+            entries.push(Entry { line, key, values, listed });
+        }
+        Ok(Self { file, entries })
+    }
+
+    fn take(&mut self, key: &str) -> Option<Entry<'a>> {
+        let at = self.entries.iter().position(|entry| entry.key == key)?;
+        Some(self.entries.remove(at))
+    }
+
+    /// A key's only value, with its line.
+    fn one(&mut self, key: &str, expected: &str) -> Result<Option<(usize, &'a str)>, Error> {
+        let Some(Entry { line, values, .. }) = self.take(key) else {
+            return Ok(None);
+        };
+        match values[..] {
+            [value] => Ok(Some((line, value))),
+            _ => Err(self.file.wrong(line, &format!("`{key}` has {} values, expected {expected}", values.len()))),
+        }
+    }
+
+    /// A key's number, if it is given.
+    fn number(&mut self, key: &str, least: f64, most: f64) -> Result<Option<(usize, f64)>, Error> {
+        let expected = format!("for {key} a number from {least} to {most}");
+        let Some((line, text)) = self.one(key, &expected)? else {
+            return Ok(None);
+        };
+        let number = json::number(text).filter(|number| (least..=most).contains(number));
+        number.map(|number| Some((line, number))).ok_or_else(|| self.file.unexpected(line, text, &expected))
+    }
+
+    fn missing(&self, key: &str) -> Error {
+        let line = 1 + self.entries.iter().map(|entry| entry.line).max().unwrap_or(0);
+        self.file.wrong(line, &format!("the file ends without `{key}:`"))
+    }
+}
+
+/// A value without its spaces and quotes.
+fn unquoted<'a>(file: &NamedFile, line: usize, text: &'a str) -> Result<&'a str, Error> {
+    let text = text.trim();
+    let Some(quote) = text.chars().next().filter(|c| matches!(c, '"' | '\'')) else {
+        return Ok(text);
+    };
+    let inside = text[1..].strip_suffix(quote).filter(|inside| !inside.contains(quote));
+    inside.ok_or_else(|| file.unexpected(line, text, "a text between two quotes"))
+}
+
+fn image(yaml: &mut Yaml) -> Result<String, Error> {
+    match yaml.one("image", "the name of a .pgm file")? {
+        Some((line, "")) => Err(yaml.file.unexpected(line, "", "the name of a .pgm file")),
+        Some((_, name)) => Ok(name.to_owned()),
+        None => Err(yaml.missing("image")),
+    }
+}
+
+/// The picture that a file names.
+pub(super) fn image_of(file: &NamedFile) -> Result<String, Error> {
+    image(&mut Yaml::read(file)?)
+}
+
+/// What is to be done with a pixel's value.
+struct Rule {
+    free: f64,
+    occupied: f64,
+    negate: bool,
+    raw: bool,
+}
+
+impl Rule {
+    /// A pixel's occupancy; `None` if it says that it is unknown.
+    fn occupancy(&self, value: u16, white: u16) -> Option<f64> {
+        let (value, white) = (f64::from(value), f64::from(white));
+        if self.raw {
+            let percent = (value / white * 255.0).round();
+            return (percent <= 100.0).then_some(percent / 100.0);
+        }
+        Some(if self.negate { value } else { white - value } / white)
+    }
+}
+
+fn rule(yaml: &mut Yaml) -> Result<(Rule, &'static str), Error> {
+    let occupied = yaml.number("occupied_thresh", 0.0, 1.0)?;
+    let free = yaml.number("free_thresh", 0.0, 1.0)?;
+    let line = free.or(occupied).map_or(1, |(line, _)| line);
+    let (occupied, free) = (occupied.map_or(0.65, |(_, value)| value), free.map_or(0.196, |(_, value)| value));
+    if free > occupied {
+        return Err(yaml.file.wrong(line, &format!("free_thresh is {free}, expected at most occupied_thresh, {occupied}")));
+    }
+    let negate = match yaml.one("negate", "0 or 1")? {
+        None | Some((_, "0" | "false")) => false,
+        Some((_, "1" | "true")) => true,
+        Some((line, text)) => return Err(yaml.file.unexpected(line, text, "for negate 0 or 1")),
+    };
+    let (raw, between) = match yaml.one("mode", "trinary, scale or raw")? {
+        None | Some((_, "trinary")) => (false, "unknown"),
+        Some((_, "scale")) => (false, "partly occupied"),
+        Some((_, "raw")) => (true, "unknown or partly occupied"),
+        Some((line, text)) => return Err(yaml.file.unexpected(line, text, "for mode trinary, scale or raw")),
+    };
+    Ok((Rule { free, occupied, negate, raw }, between))
+}
+
+/// Where the lower left corner is in the robot's world: a scene begins at (0, 0), so a note keeps it.
+fn note_origin(yaml: &mut Yaml, notes: &mut Vec<String>) -> Result<(), Error> {
+    let Some(Entry { line, values, .. }) = yaml.take("origin") else {
+        return Ok(());
+    };
+    let numbers: Option<Vec<_>> = values.iter().map(|text| json::number(text).filter(|number| number.is_finite())).collect();
+    let Some([x, y, yaw]) = numbers.as_deref() else {
+        return Err(yaml.file.unexpected(line, &values.join(", "), "for origin three numbers, [x, y, yaw]"));
+    };
+    if [*x, *y, *yaw] != [0.0; 3] {
+        let turned = if *yaw == 0.0 { String::new() } else { format!(", turned by {yaw} rad (it is not turned here)") };
+        notes.push(format!("The lower left corner, (0, 0) here, is the file's origin ({x}, {y}){turned}."));
+    }
+    Ok(())
+}
+
+/// A scene of a map's two files.
+pub(super) fn import(file: &NamedFile, picture: &NamedFile) -> Result<Imported, Error> {
+    let mut yaml = Yaml::read(file)?;
+    let mut notes = Vec::new();
+    note_other_name(file, &image(&mut yaml)?, picture, &mut notes);
+    let (line, resolution) = yaml.number("resolution", 1e-6, LARGEST)?.ok_or_else(|| yaml.missing("resolution"))?;
+    note_origin(&mut yaml, &mut notes)?;
+    let (rule, between) = rule(&mut yaml)?;
+    for Entry { line, key, .. } in &yaml.entries {
+        notes.push(format!("Line {line} of {}, `{key}`, was not read.", file.label()));
+    }
+    let image = pgm::read(picture)?;
+    if image.rest > 0 {
+        notes.push(format!("The last {} bytes of {} were not read: its pixels end before.", image.rest, picture.label()));
+    }
+    let longest = LARGEST / image.columns.max(image.rows) as f64;
+    if resolution > longest {
+        return Err(file.wrong(line, &format!("resolution is {resolution}, expected at most {longest} for a picture of this size")));
+    }
+    let (mut blocked, mut unclear) = (Vec::with_capacity(image.values.len()), 0_usize);
+    // The picture has its top row first; rows of a scene go by growing y.
+    for row in image.values.chunks(image.columns).rev() {
+        for &value in row {
+            let occupancy = rule.occupancy(value, image.white);
+            blocked.push(occupancy.is_none_or(|occupancy| occupancy >= rule.free));
+            unclear += usize::from(occupancy.is_none_or(|occupancy| occupancy >= rule.free && occupancy <= rule.occupied));
+        }
+    }
+    if unclear > 0 {
+        notes.push(format!("{unclear} of {} cells are {between}, taken as blocked.", image.columns * image.rows));
+    }
+    let mut grid = GridScene { y_axis: YAxis::Up, ..GridScene::new(resolution, image.columns, blocked) };
+    notes.push(ends::choose(&mut grid).ok_or_else(|| Error::malformed(picture.label(), "no cell of the map is free"))?);
+    Ok(Imported { scene: scene(file, "ROS map", Some("m"), grid, &notes)?, notes, problems: Vec::new() })
+}
+
+/// A map's two files.
+pub(super) fn export(grid: &GridScene, stem: &str) -> Exported {
+    let mut notes = Vec::new();
+    lost(grid, &mut notes);
+    if grid.start.is_some() {
+        notes.push("Not kept, as the format has no place for them: start and goal.".to_owned());
+    }
+    let values: Vec<u8> = grid.lines().iter().flat_map(|line| line.bytes().map(|cell| if cell == b'#' { 0 } else { 254 })).collect();
+    let yaml = format!(
+        "image: \"{stem}.pgm\"\nmode: trinary\nresolution: {}\norigin: [0.0, 0.0, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
+        grid.cell
+    );
+    let files =
+        vec![NamedFile::new(format!("{stem}.yaml"), yaml), NamedFile::new(format!("{stem}.pgm"), pgm::write(grid.columns, &values))];
+    Exported { files, notes }
+}

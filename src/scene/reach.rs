@@ -1,0 +1,46 @@
+//! What hangs together in a grid: which cells can be reached from one another, and how far apart they are.
+
+/// The cells that share a side with one.
+pub(super) fn beside(cell: usize, columns: usize, count: usize) -> impl Iterator<Item = usize> {
+    let column = cell % columns;
+    let left = (column > 0).then(|| cell - 1);
+    let right = (column + 1 < columns).then(|| cell + 1);
+    let (before, after) = (cell.checked_sub(columns), Some(cell + columns).filter(|&next| next < count));
+    [right, after, left, before].into_iter().flatten()
+}
+
+/// Marks every cell that can be reached from one, and lists them, the farthest last, by straight steps. (Diagonal steps
+/// reach no more cells: without corner cutting they need both cells beside them free.)
+pub(super) fn reach(blocked: &[bool], columns: usize, from: usize, seen: &mut [bool]) -> Vec<usize> {
+    let mut found = vec![from];
+    seen[from] = true;
+    let mut next = 0;
+    while let Some(&cell) = found.get(next) {
+        next += 1;
+        for other in beside(cell, columns, blocked.len()) {
+            if !blocked[other] && !seen[other] {
+                seen[other] = true;
+                found.push(other);
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cells(rows: &[&str]) -> Vec<bool> {
+        rows.iter().flat_map(|row| row.chars().map(|c| c == '#')).collect()
+    }
+
+    #[test]
+    fn all_that_hangs_together_is_found_the_farthest_last() {
+        let blocked = cells(&["..#.", "#.#.", "...#"]);
+        let mut seen = vec![false; 12];
+        assert_eq!(reach(&blocked, 4, 0, &mut seen), [0, 1, 5, 9, 10, 8]);
+        assert_eq!(seen.iter().filter(|&&seen| seen).count(), 6);
+        assert_eq!(reach(&blocked, 4, 3, &mut seen), [3, 7], "not past the corner");
+    }
+}
