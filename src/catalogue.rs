@@ -9,7 +9,11 @@ use crate::{
     error::Error,
     frame::{Role, Shape},
     params::{Domain, Parameter, Settings, Value, When, as_object},
-    scene::{Kind, Scene, shipped_names},
+    scene::{
+        Kind, Scene,
+        generate::{GENERATORS, Generator},
+        shipped_names,
+    },
     session::AnyPlanner,
     swarm, tuning,
 };
@@ -182,6 +186,7 @@ pub struct Catalogue {
     version: &'static str,
     planners: Vec<EntryView>,
     scenes: Vec<&'static Scene>,
+    generators: Vec<GeneratorView>,
     drive: DriveView,
     roles: [&'static str; Role::ALL.len()],
     shapes: [&'static str; Shape::ALL.len()],
@@ -209,6 +214,7 @@ pub fn catalogue() -> Catalogue {
         version: env!("CARGO_PKG_VERSION"),
         planners: PLANNERS.iter().map(EntryView).collect(),
         scenes: shipped_names().map(|scene| &**scene).collect(),
+        generators: GENERATORS.iter().map(GeneratorView).collect(),
         drive: DriveView(&drive::ENTRY),
         roles: Role::ALL.map(Role::name),
         shapes: Shape::ALL.map(Shape::name),
@@ -235,6 +241,21 @@ impl Serialize for EntryView {
         out.serialize_field("readings", entry.readings)?;
         out.serialize_field("formulas", entry.formulas)?;
         out.serialize_field("layers", entry.layers)?;
+        out.end()
+    }
+}
+
+/// A generator without its function.
+#[derive(Debug)]
+struct GeneratorView(&'static Generator);
+
+impl Serialize for GeneratorView {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut out = serializer.serialize_struct("Generator", 4)?;
+        out.serialize_field("name", self.0.name)?;
+        out.serialize_field("title", self.0.title)?;
+        out.serialize_field("help", self.0.help)?;
+        out.serialize_field("parameters", &views(self.0.parameters, &[Kind::Grid]))?;
         out.end()
     }
 }

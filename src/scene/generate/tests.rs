@@ -1,0 +1,162 @@
+//! What every generator promises, over many sizes and seeds.
+
+use crate::{
+    Scene, Value,
+    params::Domain,
+    planner::Yardstick,
+    scene::reach::{beside, reach},
+};
+
+use super::*;
+
+fn given(pairs: &[(&str, f64)]) -> Given {
+    pairs.iter().map(|&(name, value)| (name, Value::from(value))).collect()
+}
+
+fn make(name: &str, pairs: &[(&str, f64)], seed: u64) -> Scene {
+    generate(name, &given(pairs), seed).unwrap()
+}
+
+fn blocked(scene: &Scene) -> usize {
+    scene.grid().unwrap().blocked.iter().filter(|&&blocked| blocked).count()
+}
+
+/// The cells that can be reached from the start; panics if the goal is not among them.
+fn reached(scene: &Scene) -> usize {
+    let grid = scene.grid().unwrap();
+    let (start, goal) = grid.ends().unwrap();
+    let mut seen = vec![false; grid.blocked.len()];
+    let region = reach(&grid.blocked, grid.columns, grid.cells().at(start), &mut seen);
+    assert!(seen[grid.cells().at(goal)], "{}", scene.name());
+    region.len()
+}
+
+#[test]
+fn start_and_goal_are_connected_whatever_the_size_the_seed_and_the_parameters() {
+    for generator in GENERATORS {
+        for seed in 0..60 {
+            let mut stream = Stream::new(seed, 9);
+            let mut values = given(&[("columns", 1.0 + stream.below(40) as f64), ("rows", 1.0 + stream.below(40) as f64)]);
+            for parameter in &generator.parameters[2..] {
+                let value = match parameter.domain {
+                    Domain::Number { min, max, .. } => stream.between(min, max),
+                    Domain::Integer { min, max, .. } => (min + stream.below(max.min(12) as usize) as u64) as f64,
+                    _ => continue,
+                };
+                values.insert(parameter.name, Value::from(value));
+            }
+            let scene = generate(generator.name, &values, seed).unwrap();
+            reached(&scene);
+            let exact = scene.exact_by(Yardstick::Cells);
+            assert!(exact.is_some(), "{:?}", scene.header());
+        }
+    }
+}
+
+#[test]
+fn a_share_is_met_to_the_cell_or_as_nearly_as_a_way_allows() {
+    for name in ["random", "rubble"] {
+        for (share, columns, rows, expected) in [
+            (0.0, 10, 10, 0),
+            (0.25, 30, 20, 150),
+            (0.4, 21, 17, 143),
+            (0.6, 40, 30, 720),
+            (0.81, 10, 10, 81),
+            (0.9, 10, 10, 81),
+            (1.0, 40, 30, 1131),
+            (1.0, 1, 1, 0),
+            (0.5, 1, 9, 0),
+            (0.5, 2, 2, 1),
+        ] {
+            for seed in 0..5 {
+                let scene = make(name, &[("share", share), ("columns", f64::from(columns)), ("rows", f64::from(rows))], seed);
+                assert_eq!(blocked(&scene), expected, "{name} {share} {columns} {rows}");
+                reached(&scene);
+                let exact = f64::from(expected as u32) >= (share * f64::from(columns * rows)).round();
+                assert_eq!(scene.header().note.is_none(), exact, "{:?}", scene.header().note);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_maze_without_loops_has_one_way_only_and_loops_add_more() {
+    for seed in 0..20 {
+        for (columns, rows) in [(21, 15), (20, 16), (2, 2), (1, 7), (3, 1)] {
+            let side = [("columns", f64::from(columns)), ("rows", f64::from(rows))];
+            let scene = make("maze", &side, seed);
+            let grid = scene.grid().unwrap();
+            let free = grid.blocked.len() - blocked(&scene);
+            assert_eq!(reached(&scene), free, "all corridors hang together");
+            // A tree: as many cells as joints, and one more.
+            let joints: usize = (0..grid.blocked.len())
+                .filter(|&cell| !grid.blocked[cell])
+                .map(|cell| beside(cell, grid.columns, grid.blocked.len()).filter(|&next| !grid.blocked[next]).count())
+                .sum();
+            assert_eq!(joints / 2 + 1, free);
+            assert!(blocked(&make("maze", &[side[0], side[1], ("loops", 1.0)], seed)) <= blocked(&scene));
+        }
+    }
+}
+
+#[test]
+fn every_room_can_be_reached_and_none_is_much_smaller_than_asked_for() {
+    for seed in 0..20 {
+        let scene = make("rooms", &[("columns", 61.0), ("rows", 45.0), ("room", 8.0), ("loops", 0.0), ("door", 2.0)], seed);
+        let grid = scene.grid().unwrap();
+        assert_eq!(reached(&scene), grid.blocked.len() - blocked(&scene));
+        // Each row of the first room is free up to its wall.
+        let room = grid.blocked.iter().position(|&blocked| blocked).unwrap();
+        assert!((6..=14).contains(&room), "{room}");
+    }
+    let hall = make("rooms", &[("columns", 9.0), ("rows", 9.0), ("room", 9.0)], 1);
+    assert_eq!(blocked(&hall), 0);
+}
+
+#[test]
+fn a_seed_gives_the_same_grid_again_and_another_seed_another() {
+    for generator in GENERATORS {
+        for seed in [1, 2, rng::MAX_SEED] {
+            let scene = make(generator.name, &[], seed);
+            assert_eq!(scene, make(generator.name, &[], seed));
+            assert_ne!(scene.grid(), make(generator.name, &[], seed - 1).grid());
+        }
+    }
+}
+
+#[test]
+fn a_scene_says_how_it_is_made_again() {
+    let scene = make("rubble", &[("columns", 12.0), ("share", 0.5), ("size", 3.0)], 5);
+    let header = scene.header();
+    assert_eq!((header.name.as_str(), header.title.as_str()), ("rubble-12x30-5", "Rubble, 12 × 30, seed 5"));
+    let source = "forage generate rubble --set columns=12 --set rows=30 --set cell=1 --set share=0.5 --set size=3 --seed 5";
+    assert_eq!(header.source.as_deref(), Some(source));
+}
+
+#[test]
+fn what_is_not_allowed_is_refused_by_name() {
+    for (name, pairs, seed, field) in [
+        ("sand", &[] as &[(&str, f64)], 1, "generator"),
+        ("random", &[("share", 1.5)], 1, "share"),
+        ("random", &[("share", f64::NAN)], 1, "share"),
+        ("rooms", &[("share", 0.5)], 1, "parameter"),
+        ("maze", &[("columns", 2049.0)], 1, "columns"),
+        ("maze", &[("rows", 0.0)], 1, "rows"),
+        ("maze", &[("cell", 0.0)], 1, "cell"),
+        ("maze", &[], rng::MAX_SEED + 1, "seed"),
+    ] {
+        assert_eq!(generate(name, &given(pairs), seed).unwrap_err().field(), field);
+    }
+    for generator in GENERATORS {
+        assert_eq!(generator.parameters[..3].iter().map(|p| p.name).collect::<Vec<_>>(), ["columns", "rows", "cell"]);
+        assert_eq!(find(generator.name).unwrap().name, generator.name);
+    }
+}
+
+#[test]
+fn the_largest_grid_is_made_too() {
+    for generator in GENERATORS {
+        let scene = make(generator.name, &[("columns", 2048.0), ("rows", 1025.0)], 3);
+        assert_eq!(scene.grid().unwrap().rows(), 1025);
+    }
+}
