@@ -3,11 +3,13 @@
 //! `wasm-pack test --node` or `cargo test --target wasm32-unknown-unknown --test wasm` runs it.
 #![cfg(target_arch = "wasm32")]
 
+#[path = "support/generated.rs"]
+mod generated;
 mod support;
 
 use forage::wasm::{
-    JsGiven, JsItem, JsKind, JsNames, JsParameterValue, JsScene, JsSetup, Session, catalogue, check_parameter, check_scene, new_seed,
-    parse_link,
+    JsFormat, JsGiven, JsItem, JsKind, JsNamedFiles, JsNames, JsParameterValue, JsScene, JsSetup, Session, catalogue, check_parameter,
+    check_scene, export_scene, generate_scene, import_scene, new_seed, parse_link,
 };
 use js_sys::{Array, Float32Array, Float64Array, JSON, Object, Reflect, Uint32Array};
 use support::{ITERATIONS, bits, digest, drives, stored};
@@ -233,4 +235,40 @@ fn the_face_tells_everything_a_page_needs() {
     let mut opened = Session::from_link(&link).unwrap();
     opened.seek(10.0);
     assert_eq!(opened.hash(), session.hash());
+}
+
+#[wasm_bindgen_test]
+fn random_grids_are_the_native_ones_and_survive_the_way_through_files() {
+    let generators = get(catalogue(), "generators").unchecked_into::<Array>();
+    assert!(generators.length() >= 4);
+    for (generator, digest) in generators.iter().zip(generated::GENERATED) {
+        let name = text(&generator, "name");
+        let scene = generate_scene(&name, &js::<JsGiven>(r#"{"columns": 31, "rows": 22}"#), 7.0).ok().unwrap();
+        let rows = get(&scene, "rows").unchecked_into::<Array>();
+        assert_eq!(generated::digest(&String::from(rows.join("\n"))), digest, "{name}");
+        for (format, count) in [("movingai", 2), ("ros", 2), ("json", 1)] {
+            let files = export_scene(&scene, &JsValue::from(format).unchecked_into::<JsFormat>()).ok().unwrap();
+            assert_eq!(files.unchecked_ref::<Array>().length(), count);
+            let read = import_scene(&files, None).ok().unwrap();
+            assert_eq!(get(get(&read, "scene"), "rows").unchecked_into::<Array>().join("\n"), rows.join("\n"));
+            assert_eq!(number(get(&read, "problems"), "length"), if format == "movingai" { 1.0 } else { 0.0 });
+            assert!(get(&read, "notes").is_instance_of::<Array>());
+        }
+    }
+    let files = |json: &str| {
+        let files = js::<Array>(json);
+        for file in files.iter() {
+            let bytes = text(&file, "bytes");
+            Reflect::set(&file, &"bytes".into(), &js_sys::Uint8Array::from(bytes.as_bytes())).unwrap();
+        }
+        files.unchecked_into::<JsNamedFiles>()
+    };
+    let error = import_scene(&files(r#"[{"name": "a.map", "bytes": "type octile\nheight 0\n"}]"#), None).err().unwrap();
+    assert_eq!(text(&error, "field"), "a.map");
+    assert!(text(&error, "message").contains("line 2: found `0`"));
+    assert!(import_scene(&js(r#"[{"name": "a.map", "bytes": [1]}]"#), None).is_err() && import_scene(&js("3"), None).is_err());
+    assert!(import_scene(&files(r#"[{"name": "a.map", "bytes": ""}]"#), Some(-1.0)).is_err());
+    let none: JsGiven = JsValue::UNDEFINED.unchecked_into();
+    assert_eq!(text(generate_scene("sand", &none, 1.0).err().unwrap(), "field"), "generator");
+    assert_eq!(text(generate_scene("maze", &none, 0.5).err().unwrap(), "field"), "seed");
 }

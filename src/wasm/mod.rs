@@ -1,9 +1,11 @@
 //! The JavaScript face, the only place that knows wasm-bindgen (but for `json`, which lets the engine read JSON).
-//! `types` names what crosses the boundary, `read` checks what comes in, this file does the work.
+//! `types` names what crosses the boundary, `read` checks what comes in, this file does the work, and `formats` that of
+//! other programs' files.
 //!
 //! Plain objects in and out; typed arrays for numbers; errors as `Error` with the native message and the fields
 //! `field`, `value` and `allowed`. Nothing panics across this boundary on any input.
 
+mod formats;
 mod read;
 mod types;
 
@@ -24,6 +26,7 @@ use crate::{
     session,
 };
 
+pub use formats::{export_scene, generate_scene, import_scene};
 pub use types::*;
 
 use read::{read_item, read_kind, read_list, read_parameter, read_parameters, read_point, read_role, read_scene, read_setup, read_text};

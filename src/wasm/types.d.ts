@@ -370,6 +370,9 @@ export interface NamedFile {
   bytes: Uint8Array;
 }
 
+/** What a scene can be written as: MovingAI's `.map` and `.scen`, map_server's `.yaml` and `.pgm` (grids only), or its JSON. */
+export type Format = 'movingai' | 'ros' | 'json';
+
 /** A problem of a MovingAI `.scen` file. */
 export interface Problem {
   start: Point;
@@ -380,10 +383,11 @@ export interface Problem {
 
 /** What came of files of another format. */
 export interface Imported {
-  scene: GridScene;
+  /** A grid, unless the file is a scene's own JSON. */
+  scene: Scene;
   /** What was read in some way that should be known: unknown cells taken as blocked, ends chosen, … */
   notes: string[];
-  /** The problems of a `.scen` file, if one was among the files. The scene has the last one's ends. */
+  /** The problems of a `.scen` file, if one was among the files. The scene has the last one's ends unless another is asked for. */
   problems: Problem[];
 }
 

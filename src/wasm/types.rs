@@ -85,4 +85,13 @@ extern "C" {
     /// `Finding`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Finding")]
     pub type JsFinding;
+    /// `NamedFile[]`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "NamedFile[]")]
+    pub type JsNamedFiles;
+    /// `Imported`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Imported")]
+    pub type JsImported;
+    /// `'movingai' | 'ros' | 'json'`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Format")]
+    pub type JsFormat;
 }

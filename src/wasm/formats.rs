@@ -1,0 +1,61 @@
+//! Grids from and for other programs, and random ones.
+
+use js_sys::{Array, Uint8Array};
+use wasm_bindgen::{JsCast, prelude::*};
+
+use crate::scene::{
+    formats::{self, Format, NamedFile},
+    generate,
+};
+
+use super::{
+    JsFormat, JsGiven, JsImported, JsNamedFiles, JsScene, js_error, object, plain,
+    read::{property, read_list, read_parameters, read_scene, read_text, refused, whole},
+};
+
+/// The scene in some files: a `.map`, alone or with a `.scen`; a `.yaml` with its `.pgm`; or a scene's `.json`. Of a
+/// `.scen` file's problems the scene takes the one with this number, from 0; the last one if none is asked for.
+///
+/// # Errors
+/// An `Error` whose `field` is the file and whose message says in which line what is wrong, or which file is missing.
+#[wasm_bindgen(js_name = importScene)]
+pub fn import_scene(files: &JsNamedFiles, problem: Option<f64>) -> Result<JsImported, JsValue> {
+    let files = read_list("files", files)?.iter().map(read_file).collect::<Result<Vec<_>, _>>()?;
+    let problem = problem.map(|number| whole("problem", number)).transpose()?.map(|number| number as usize);
+    formats::import(&files, problem).map(|read| plain(&read)).map_err(|error| js_error(&error))
+}
+
+/// A scene's files in another format.
+///
+/// # Errors
+/// For an unknown format, and for scenes that are no grids.
+#[wasm_bindgen(js_name = exportScene)]
+pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, JsValue> {
+    let scene = read_scene(scene)?;
+    let format = read_text("format", format)?;
+    let made = Format::named(&format).and_then(|format| formats::export(&scene, format, scene.name()));
+    let files = Array::new();
+    for file in made.map_err(|error| js_error(&error))?.files {
+        let bytes = Uint8Array::from(file.bytes.as_slice());
+        files.push(&object::<JsValue>(&[("name", file.name.into()), ("bytes", bytes.into())]));
+    }
+    Ok(files.unchecked_into())
+}
+
+/// A random grid: the same for the same parameters and seed.
+///
+/// # Errors
+/// An `Error` with `field`, `value` and `allowed` for whatever is refused.
+#[wasm_bindgen(js_name = generateScene)]
+pub fn generate_scene(name: &str, params: &JsGiven, seed: f64) -> Result<JsScene, JsValue> {
+    let given = read_parameters(params)?;
+    generate::generate(name, &given, whole("seed", seed)?).map(|scene| plain(&scene)).map_err(|error| js_error(&error))
+}
+
+fn read_file(value: &JsValue) -> Result<NamedFile, JsValue> {
+    let bytes = property(value, "bytes");
+    let Some(bytes) = bytes.dyn_ref::<Uint8Array>() else {
+        return Err(refused("bytes", &bytes, "a Uint8Array"));
+    };
+    Ok(NamedFile { name: read_text("name", &property(value, "name"))?, bytes: bytes.to_vec() })
+}
