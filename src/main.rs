@@ -1,4 +1,4 @@
-//! The shell: `forage list`, `forage run`, `forage exact`, `forage reproduce`.
+//! The shell: `forage list`, `forage run`, `forage exact`, `forage convert`, `forage generate`, `forage reproduce`.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod cli;

@@ -27,7 +27,7 @@ pub(super) enum Command {
     Suggest {
         /// The planner's name.
         planner: String,
-        /// A scene file, a shipped scene's name, or a link.
+        /// A scene file (.json, .map, .scen, .yaml), a shipped scene's name, or a link.
         #[arg(long, value_name = "FILE|NAME|LINK")]
         scene: String,
         /// A parameter that the recommendation depends on; may be given many times.
@@ -39,18 +39,53 @@ pub(super) enum Command {
     },
     /// The exact optimum of a scene.
     Exact {
-        /// A scene file, a shipped scene's name, or a link.
+        /// A scene file (.json, .map, .scen, .yaml), a shipped scene's name, or a link.
         #[arg(long, value_name = "FILE|NAME|LINK")]
         scene: String,
         /// As JSON: length and path.
         #[arg(long)]
         json: bool,
     },
+    /// Turn maps of other formats into scenes, and scenes into maps.
+    ///
+    /// A .scen needs its .map, a .yaml its .pgm; they are looked for beside it. What is read or written in some way that
+    /// should be known is told on standard error.
+    #[command(after_help = super::convert::AFTER_HELP, override_usage = "forage convert [OPTIONS] <IN>... <OUT>")]
+    Convert(ConvertArgs),
+    /// Make a random grid: the same for the same parameters and seed.
+    #[command(after_help = super::generate::after_help())]
+    Generate(GenerateArgs),
     /// Carry out a published experiment anew and print the result beside the published one.
     ///
     /// Rows are kept as they are finished: after an interruption the same command goes on from there.
     #[command(after_help = super::reproduce::after_help())]
     Reproduce(ReproduceArgs),
+}
+
+#[derive(Args)]
+pub(super) struct ConvertArgs {
+    /// Files of one scene (.map, .scen, .yaml, .pgm, .json), a shipped scene's name, or a link; and last what to write: a
+    /// .json, a .map or .scen (both are written), a .yaml or .pgm (both are written).
+    #[arg(required = true, value_name = "IN... OUT")]
+    pub(super) paths: Vec<String>,
+    /// Which problem of a .scen file to take, counted from 0. The last one, if left out.
+    #[arg(long, value_name = "N")]
+    pub(super) problem: Option<usize>,
+}
+
+#[derive(Args)]
+pub(super) struct GenerateArgs {
+    /// The generator's name.
+    pub(super) generator: String,
+    /// A parameter; may be given many times.
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub(super) set: Vec<String>,
+    /// 0 to 9007199254740991, or `random` for a fresh one.
+    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value = "1")]
+    pub(super) seed: String,
+    /// The file to write: .json, or a map as `forage convert` writes it. Standard output, if left out.
+    #[arg(long, value_name = "FILE")]
+    pub(super) out: Option<String>,
 }
 
 #[derive(Args)]
@@ -79,7 +114,7 @@ pub(super) struct RunArgs {
     /// The planner's name (or a link, which names planner and scene). May be left out when --scene is a link.
     #[arg(value_name = "PLANNER|LINK")]
     pub(super) planner: Option<String>,
-    /// A scene file, a shipped scene's name, or a link from the page.
+    /// A scene file (.json, .map, .scen, .yaml), a shipped scene's name, or a link from the page.
     #[arg(long, value_name = "FILE|NAME|LINK")]
     pub(super) scene: Option<String>,
     /// 0 to 9007199254740991, or `random` for a fresh one. Default 1, or the link's.

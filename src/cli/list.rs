@@ -37,6 +37,8 @@ pub(super) fn list(json: bool) {
         let _ = writeln!(text, "    {:<16} {}; default {default}", parameter.name, parameter.allowed());
         let _ = writeln!(text, "    {:<16} {}", "", parameter.help);
     }
+    text.push_str("\nGENERATORS of random grids\n");
+    text.push_str(&super::generate::generators());
     text.push_str("\nSCENES\n\n");
     for scene in shipped_names() {
         let _ = writeln!(text, "{:<16} {:<9} {}", scene.name(), scene.kind().name(), scene.header().title);

@@ -2,7 +2,13 @@
 
 use std::{fs, path::Path, sync::Arc};
 
-use forage::{Error, Given, Link, Scene, Setup, Value, catalogue::Suggestion, drive, rng, shipped, shipped_names};
+use forage::{
+    Error, Given, Link, Scene, Setup, Value,
+    catalogue::Suggestion,
+    drive, rng,
+    scene::formats::{self, Format, NamedFile},
+    shipped, shipped_names,
+};
 
 use super::{Failure, args::RunArgs};
 
@@ -15,7 +21,7 @@ pub(super) struct Task {
     pub(super) promised: Option<String>,
 }
 
-/// A scene file, a shipped scene's name, or the scene of a link.
+/// A scene file or a map, a shipped scene's name, or the scene of a link.
 pub(super) fn scene(text: &str) -> Result<Arc<Scene>, Failure> {
     if Link::is_link(text) {
         return Ok(Link::parse(text)?.setup.scene);
@@ -23,13 +29,52 @@ pub(super) fn scene(text: &str) -> Result<Arc<Scene>, Failure> {
     if !Path::new(text).exists() && shipped_names().any(|scene| scene.name() == text) {
         return Ok(shipped(text)?);
     }
-    match fs::read_to_string(text) {
-        Ok(json) => Ok(Arc::new(Scene::from_json(&json)?)),
+    match fs::read(text) {
+        Ok(bytes) if Format::of_file(text).is_some_and(|format| format != Format::Json) => {
+            import(&mut vec![NamedFile::new(text, bytes)], None).map(Arc::new)
+        }
+        Ok(bytes) => {
+            let json = String::from_utf8(bytes).map_err(|problem| Error::malformed("scene", format!("not JSON: {problem}")))?;
+            Ok(Arc::new(Scene::from_json(&json)?))
+        }
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
             let names: Vec<_> = shipped_names().map(|scene| scene.name()).collect();
             Err(Error::refused("scene", text, format!("a file, a link, or one of {}", names.join(", "))).into())
         }
         Err(error) => Err(Failure::File(text.to_owned(), error)),
+    }
+}
+
+/// The scene of some files; one that they name and that is not among them is looked for beside the first, under the
+/// folders it is named with and without them, and added. What should be known about it goes to standard error.
+pub(super) fn import(files: &mut Vec<NamedFile>, problem: Option<usize>) -> Result<Scene, Failure> {
+    if let Some(wanted) = formats::wanted(files)? {
+        let folder = files.first().and_then(|file| Path::new(&file.name).parent()).unwrap_or(Path::new(""));
+        let beside = [Some(Path::new(&wanted).as_os_str()), Path::new(&wanted).file_name()];
+        if let Some(path) = beside.into_iter().flatten().map(|name| folder.join(name)).find(|path| path.is_file()) {
+            files.push(read(&path.display().to_string())?);
+        }
+    }
+    let read = formats::import(files, problem)?;
+    tell(&read.notes);
+    Ok(read.scene)
+}
+
+/// A file with its name.
+pub(super) fn read(path: &str) -> Result<NamedFile, Failure> {
+    Ok(NamedFile::new(path, fs::read(path).map_err(|error| Failure::File(path.to_owned(), error))?))
+}
+
+/// Says what should be known.
+pub(super) fn tell(notes: &[String]) {
+    notes.iter().for_each(|note| eprintln!("forage: {note}"));
+}
+
+/// A seed as it is typed.
+pub(super) fn seed(text: &str) -> Result<u64, Error> {
+    match text {
+        "random" => rng::fresh_seed(),
+        number => number.parse().map_err(|_| Error::refused("seed", number, rng::SEED_RANGE)),
     }
 }
 
@@ -102,11 +147,8 @@ pub(super) fn drive(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
 
 /// Puts --seed, --iterations and --set into the setup; says whether there was anything to put in.
 fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
-    if let Some(seed) = args.seed.as_deref() {
-        setup.seed = match seed {
-            "random" => rng::fresh_seed()?,
-            number => number.parse().map_err(|_| Error::refused("seed", number, rng::SEED_RANGE))?,
-        };
+    if let Some(text) = args.seed.as_deref() {
+        setup.seed = seed(text)?;
     }
     if let Some(iterations) = &args.iterations {
         setup.params.insert("iterations", Value::from(iterations.as_str()));

@@ -4,7 +4,9 @@
 //! standard output), 130 an experiment was interrupted (what is finished is kept).
 
 mod args;
+mod convert;
 mod exact;
+mod generate;
 mod interrupt;
 mod list;
 mod load;
@@ -57,6 +59,8 @@ pub(crate) fn main() -> ExitCode {
         Command::Run(args) => run::run(&args),
         Command::Suggest { planner, scene, set, json } => suggest::suggest(planner, &scene, &set, json),
         Command::Exact { scene, json } => exact::exact(&scene, json),
+        Command::Convert(args) => convert::convert(&args),
+        Command::Generate(args) => generate::generate(&args),
         Command::Reproduce(args) => reproduce::reproduce(args),
     };
     outcome.unwrap_or_else(|failure| {
