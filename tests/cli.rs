@@ -197,7 +197,7 @@ fn suggested_sizes_are_printed_and_used() {
 
 #[test]
 fn a_run_on_a_grid_tells_what_smoothing_and_driving_made_of_the_path() {
-    let file = temporary("drive.csv");
+    let file = temporary("drive-refused.csv");
     let run = json(&["run", "ltqpso", "--scene", "scenes/qpso-10m.json", "--json", "--drive", file.to_str().unwrap()]);
     let number = |value: &Value| value.as_f64().unwrap();
     assert!(number(&run["length"]) < number(&run["readings"]["length"]), "shorter after smoothing");
