@@ -204,16 +204,17 @@ mod tests {
         let cell = ground.course.start;
         assert_eq!(ground.cells.place(cell), [1, 26]);
         // The goal is 27 columns to the right and 25 rows down; a step to the right leaves 26 and 25.
-        let eta = 1.0 / f64::sqrt(26.0 * 26.0 + 25.0 * 25.0);
-        let theta2 = f64::atan2(25.0, 27.0);
-        let expected = eta.powi(8) * (-2.5 * theta2 / FRAC_PI_2).exp();
+        // √(26² + 25²) to the eighth is 1301⁴; atan(25 / 27) = 0.746946.
+        let eighth = 1.0 / (1301.0 * 1301.0 * 1301.0 * 1301.0);
+        let theta2 = math::atan2(25.0, 27.0);
+        let expected = eighth * math::exp(-2.5 * theta2 / FRAC_PI_2);
         assert!((ground.attraction(cell)[0] / expected - 1.0).abs() < 1e-12);
-        let right_angle = (-2.5_f64).exp();
+        let right_angle = math::exp(-2.5);
         assert!((ground.turn[0][2] / right_angle - 1.0).abs() < 1e-14);
         assert_eq!((ground.turn[3][3], ground.turn[NOWHERE][5]), (1.0, 1.0));
         assert_eq!(ground.nearness(ground.course.goal), 2.0);
         let plain = Ground::new(&scene, Heuristic::Distance, 8.0, 0.0).unwrap();
-        assert!((plain.attraction(cell)[0] / eta.powi(8) - 1.0).abs() < 1e-12);
+        assert!((plain.attraction(cell)[0] / eighth - 1.0).abs() < 1e-12);
         assert!(plain.turn.iter().flatten().all(|&factor| factor == 1.0));
     }
 

@@ -1,13 +1,16 @@
 //! Why an ant would go where, and what one has laid.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::{
     frame::{Role, Shape},
+    math,
     planner::{Column, Inspection, Item, Mark, Quantity},
 };
 
 use super::{
     Colony,
-    ground::{Heuristic, NOWHERE, theta1},
+    ground::{Ground, Heuristic, NOWHERE, theta1},
     update::Update,
     walk::End,
 };
@@ -51,111 +54,176 @@ fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value
     Quantity { name, symbol, title, value }
 }
 
-/// The eight neighbours of a cell with τ, η, ψ and the probability of each, for an ant that comes there now. It comes as
-/// the best way so far does, if that leads through the cell; otherwise it starts there.
-pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
-    let ground = &*colony.ground;
-    let cells = &*ground.cells;
-    let cell = item.index;
-    if cell >= cells.len() {
-        return None;
-    }
-    let from = arrival(colony, cell);
-    let [x, y] = cells.place(cell);
-    let title = format!("Column {x}, row {}", if ground.down { y } else { cells.rows - 1 - y });
-    let allowed = cells.moves(cell);
-    let eta = ground.eta(cell);
-    let weights = colony.pheromone.look(ground, cell);
-    let weight = |d: usize| if allowed >> d & 1 == 0 { 0.0 } else { weights[d] * ground.turn[from][d] };
-    let sum: f64 = (0..8).map(weight).sum();
-    let ways = allowed.count_ones();
-    let share = |d: usize| match (allowed >> d & 1, sum > 0.0) {
-        (0, _) => 0.0,
-        (_, true) => weight(d) / sum,
-        _ => 1.0 / f64::from(ways),
-    };
-    let psi = |d: usize| {
-        let angles = theta1(from, d) + ground.theta2(cell, d);
-        crate::math::exp(-angles / std::f64::consts::FRAC_PI_2)
-    };
-    let names = &COMPASS[usize::from(ground.down)];
-    let directed = ground.gamma != 0.0;
-    let mut columns = vec![column("tau", "\\tau", "pheromone"), column("eta", "\\eta", "sight")];
-    if directed {
-        columns.extend([
-            column("theta1", "\\theta_1", "turn, radians"),
-            column("theta2", "\\theta_2", "off the goal, radians"),
-            column("psi", "\\psi", "direction"),
-        ]);
-    }
-    columns.push(column("p", "p", "probability"));
-    let row = |d: usize| {
-        let free = allowed >> d & 1 != 0;
-        let mut row = vec![if free { colony.pheromone.tau(cell, d) } else { 0.0 }, if free { eta[d] } else { 0.0 }];
-        if directed {
-            row.extend([theta1(from, d), ground.theta2(cell, d), if free { psi(d) } else { 0.0 }]);
+/// A cell as an ant sees it that comes there now: as the best way so far does, if that leads through the cell; otherwise
+/// it starts there.
+struct View<'a> {
+    colony: &'a Colony,
+    ground: &'a Ground,
+    cell: usize,
+    /// The direction in which it comes.
+    from: usize,
+    allowed: u8,
+    eta: [f64; 8],
+    /// τ^α η^β ψ^γ; 0 for what is not allowed.
+    weight: [f64; 8],
+    sum: f64,
+    /// The direction of a step counts, [ANTBAT] (2).
+    directed: bool,
+}
+
+impl<'a> View<'a> {
+    fn new(colony: &'a Colony, cell: usize) -> Self {
+        let ground = &*colony.ground;
+        let from = arrival(colony, cell);
+        let weights = colony.pheromone.look(ground, cell);
+        let weight: [f64; 8] = std::array::from_fn(|d| weights[d] * ground.turn[from][d]);
+        Self {
+            colony,
+            ground,
+            cell,
+            from,
+            allowed: ground.cells.moves(cell),
+            eta: ground.eta(cell),
+            weight,
+            sum: weight.iter().sum(),
+            directed: matches!(colony.traits.update, Update::Reward { .. }),
         }
-        row.push(share(d));
-        row
-    };
-    let best = (0..8).filter(|&d| allowed >> d & 1 != 0).max_by(|&a, &b| share(a).total_cmp(&share(b)));
-    let comes =
-        if from == NOWHERE { "starting here".to_owned() } else { format!("coming from the {}, as the best way does,", names[from ^ 4]) };
-    let (event, summary) = match best {
-        _ if !cells.is_free(cell) => ("blocked", "No ant comes here: the cell is blocked.".to_owned()),
-        _ if cell == ground.course.goal => ("goal", "This is the goal: an ant ends here.".to_owned()),
-        None => ("blocked", "There is no way on from here.".to_owned()),
-        Some(d) => ("choice", format!("An ant {comes} would most likely go {}: {:.1} %.", names[d], 100.0 * share(d))),
-    };
-    let mut values = Vec::new();
-    let mut formulas = Vec::new();
-    let mut marks = Vec::new();
-    if let (Some(d), "choice") = (best, event) {
-        let parameters = [
-            ("alpha", "\\alpha", "weight of pheromone", colony.pheromone.exponent()),
-            ("beta", "\\beta", "weight of sight", ground.beta.exponent),
-            ("gamma", "\\gamma", "weight of direction", ground.gamma),
-        ];
-        values = vec![
-            quantity("p", "p", "probability of the likeliest step", share(d)),
-            quantity("tau", "\\tau", "its pheromone", colony.pheromone.tau(cell, d)),
-            quantity("eta", "\\eta", "its sight", eta[d]),
-        ];
-        if directed {
-            values.push(quantity("psi", "\\psi", "its direction", psi(d)));
-            values.push(quantity("theta1", "\\theta_1", "its turn, radians", theta1(from, d)));
-            values.push(quantity("theta2", "\\theta_2", "its angle off the goal, radians", ground.theta2(cell, d)));
-        }
-        // The sum as the formula writes it: with η and ψ as they are.
-        values.push(quantity("sum", "\\Sigma", "the sum over all steps", sum));
-        values.extend(parameters.into_iter().filter(|(name, ..)| directed || *name != "gamma").map(|(n, s, t, v)| quantity(n, s, t, v)));
-        formulas.push("choice");
-        if let Heuristic::Ranked { epsilon } = ground.heuristic {
-            values.push(quantity("epsilon", "\\varepsilon", "unit of sight", epsilon));
-            values.push(quantity("rank", "\\eta / \\varepsilon", "its rank", if epsilon > 0.0 { eta[d] / epsilon } else { 0.0 }));
-            formulas.push("ranked");
+    }
+
+    fn allows(&self, d: usize) -> bool {
+        self.allowed >> d & 1 != 0
+    }
+
+    /// The probability of a step.
+    fn share(&self, d: usize) -> f64 {
+        if !self.allows(d) {
+            0.0
+        } else if self.sum > 0.0 {
+            self.weight[d] / self.sum
         } else {
-            values.push(quantity("d", "d", "from there to the goal, cells", 1.0 / eta[d]));
-            formulas.push("distance");
+            1.0 / f64::from(self.allowed.count_ones())
         }
-        if directed {
+    }
+
+    fn tau(&self, d: usize) -> f64 {
+        self.colony.pheromone.tau(self.cell, d)
+    }
+
+    /// θ1, θ2 and ψ, [ANTBAT] (2).
+    fn direction(&self, d: usize) -> [f64; 3] {
+        let (turn, off) = (theta1(self.from, d), self.ground.theta2(self.cell, d));
+        [turn, off, math::exp(-(turn + off) / FRAC_PI_2)]
+    }
+
+    fn likeliest(&self) -> Option<usize> {
+        (0..8).filter(|&d| self.allows(d)).max_by(|&a, &b| self.share(a).total_cmp(&self.share(b)))
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        let mut columns = vec![column("tau", "\\tau", "pheromone"), column("eta", "\\eta", "sight")];
+        if self.directed {
+            columns.extend([
+                column("theta1", "\\theta_1", "turn, radians"),
+                column("theta2", "\\theta_2", "off the goal, radians"),
+                column("psi", "\\psi", "direction"),
+            ]);
+        }
+        columns.push(column("p", "p", "probability"));
+        columns
+    }
+
+    fn row(&self, d: usize) -> Vec<f64> {
+        let [theta1, theta2, psi] = self.direction(d);
+        let mut row = if self.allows(d) { vec![self.tau(d), self.eta[d]] } else { vec![0.0; 2] };
+        if self.directed {
+            row.extend([theta1, theta2, if self.allows(d) { psi } else { 0.0 }]);
+        }
+        row.push(self.share(d));
+        row
+    }
+
+    /// What the formulas need for a step.
+    fn values(&self, d: usize) -> Vec<Quantity> {
+        let ground = self.ground;
+        let mut values = vec![
+            quantity("p", "p", "probability of the likeliest step", self.share(d)),
+            quantity("tau", "\\tau", "its pheromone", self.tau(d)),
+            quantity("eta", "\\eta", "its sight", self.eta[d]),
+            quantity("sum", "\\Sigma", "the sum over all steps", self.sum),
+            quantity("alpha", "\\alpha", "weight of pheromone", self.colony.pheromone.exponent()),
+            quantity("beta", "\\beta", "weight of sight", ground.beta.exponent),
+        ];
+        if self.directed {
+            let [theta1, theta2, psi] = self.direction(d);
+            values.extend([
+                quantity("psi", "\\psi", "its direction", psi),
+                quantity("theta1", "\\theta_1", "its turn, radians", theta1),
+                quantity("theta2", "\\theta_2", "its angle off the goal, radians", theta2),
+                quantity("gamma", "\\gamma", "weight of direction", ground.gamma),
+            ]);
+        }
+        match ground.heuristic {
+            Heuristic::Ranked { epsilon } => values.extend([
+                quantity("epsilon", "\\varepsilon", "unit of sight", epsilon),
+                quantity("rank", "\\eta / \\varepsilon", "its rank", if epsilon > 0.0 { self.eta[d] / epsilon } else { 0.0 }),
+            ]),
+            Heuristic::Distance => values.push(quantity("d", "d", "from there to the goal, cells", 1.0 / self.eta[d])),
+        }
+        values
+    }
+
+    fn formulas(&self) -> Vec<&'static str> {
+        let sight = if matches!(self.ground.heuristic, Heuristic::Distance) { "distance" } else { "ranked" };
+        let mut formulas = vec!["choice", sight];
+        if self.directed {
             formulas.push("direction");
         }
-        let centre = cells.centre(cell);
-        let vertices = (0..8).filter(|&d| share(d) > 0.001).flat_map(|d| [centre, cells.centre(cells.next(cell, d))]).collect();
-        marks.push(Mark { role: Role::Candidates, shape: Shape::Segments, vertices });
+        formulas
     }
+
+    fn mark(&self) -> Mark {
+        let cells = &*self.ground.cells;
+        let likely = (0..8).filter(|&d| self.share(d) > 0.001);
+        let vertices = likely.flat_map(|d| [cells.centre(self.cell), cells.centre(cells.next(self.cell, d))]).collect();
+        Mark { role: Role::Candidates, shape: Shape::Segments, vertices }
+    }
+}
+
+/// The eight neighbours of a cell with τ, η, ψ and the probability of each.
+pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
+    let cells = &*colony.ground.cells;
+    if item.index >= cells.len() {
+        return None;
+    }
+    let view = View::new(colony, item.index);
+    let down = colony.ground.down;
+    let names = &COMPASS[usize::from(down)];
+    let [x, y] = cells.place(item.index);
+    let likeliest = view.likeliest();
+    let (event, summary) = match likeliest {
+        _ if !cells.is_free(item.index) => ("blocked", "No ant comes here: the cell is blocked.".to_owned()),
+        _ if item.index == colony.ground.course.goal => ("goal", "This is the goal: an ant ends here.".to_owned()),
+        None => ("blocked", "There is no way on from here.".to_owned()),
+        Some(d) => {
+            let comes = match view.from {
+                NOWHERE => "starting here".to_owned(),
+                from => format!("coming from the {}, as the best way does,", names[from ^ 4]),
+            };
+            ("choice", format!("An ant {comes} would most likely go {}: {:.1} %.", names[d], 100.0 * view.share(d)))
+        }
+    };
+    let choice = likeliest.filter(|_| event == "choice");
     Some(Inspection {
         item,
-        title,
+        title: format!("Column {x}, row {}", if down { y } else { cells.rows - 1 - y }),
         event,
         summary,
-        values,
-        formulas,
-        columns,
+        values: choice.map_or(Vec::new(), |d| view.values(d)),
+        formulas: choice.map_or(Vec::new(), |_| view.formulas()),
+        columns: view.columns(),
         labels: names.iter().map(|&name| name.to_owned()).collect(),
-        rows: (0..8).map(row).collect(),
-        marks,
+        rows: (0..8).map(|d| view.row(d)).collect(),
+        marks: choice.map_or(Vec::new(), |_| vec![view.mark()]),
     })
 }
 

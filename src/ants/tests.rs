@@ -78,7 +78,7 @@ fn a_turn_costs_what_psi_says() {
     let weights = colony.pheromone.look(&colony.ground, cell);
     let ratio = weights[south_east] * colony.ground.turn[east][south_east] / (weights[east] * colony.ground.turn[east][east]);
     // η: distances 1 and √2 to the goal, squared 1 and 1/2. ψ: θ1 = θ2 = π/4, so exp(−1), squared exp(−2).
-    assert!((ratio - 0.5 * (-2.0_f64).exp()).abs() < 1e-15);
+    assert!((ratio - 0.5 * crate::math::exp(-2.0)).abs() < 1e-15);
 }
 
 fn lay(update: Update, lengths: &[(&str, f64)]) -> Vec<f64> {
