@@ -15,6 +15,7 @@ use forage::{
     drive::COLUMNS,
     frame::Role,
     picture,
+    planner::Yardstick,
     session::{csv_heading, csv_line, csv_row},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -140,8 +141,18 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
             let before = outcome.readings.iter().find(|(name, raw)| *name == "length" && *raw != length);
             let before = before.map_or(String::new(), |(_, raw)| format!(" ({raw} before smoothing)"));
             let _ = writeln!(text, "  length     {length}{before}");
-            if let Some(turning) = outcome.turning {
-                let _ = writeln!(text, "  turns      {:.1}° in all", turning.to_degrees());
+            if let (Some(turns), Some(turning)) = (outcome.turns, outcome.turning) {
+                let _ = writeln!(text, "  turns      {turns}, {:.1}° in all", turning.to_degrees());
+            }
+            let reading = |name: &str| outcome.readings.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
+            if let (Some(length), Some(turns), Some(turning)) =
+                (reading("smooth_length"), reading("smooth_turns"), reading("smooth_turning"))
+            {
+                let what = "without redundant nodes";
+                let _ = writeln!(text, "  smoothed   {length}, {turns} turns, {:.1}° in all, {what}", turning.to_degrees());
+            }
+            if let Some(converged) = reading("converged") {
+                let _ = writeln!(text, "  converged  in iteration {converged}");
             }
         }
         (None, Some(cost)) => {
@@ -151,7 +162,8 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
     }
     if let Some(exact) = outcome.exact {
         let gap = outcome.gap.map_or(String::new(), |gap| format!(" ({:+.4} %)", gap * 100.0));
-        let _ = writeln!(text, "  optimum    {exact}{gap}");
+        let by = if outcome.exact_by == Yardstick::Cells { ", from cell to cell" } else { "" };
+        let _ = writeln!(text, "  optimum    {exact}{by}{gap}");
     }
     match outcome.clearance {
         Some(clearance) if outcome.feasible => {
@@ -167,6 +179,10 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
     }
     if let Some(drive) = &outcome.drive {
         let _ = writeln!(text, "  drive      {}", driven(drive));
+    }
+    if let Some(tuned) = &outcome.tuned {
+        let pairs: Vec<_> = tuned.params.iter().map(|(name, value)| format!("--set {name}={value}")).collect();
+        let _ = writeln!(text, "  tuned      forage run {} --scene {} {}", tuned.planner, outcome.scene, pairs.join(" "));
     }
     if let Some(path) = &outcome.path {
         let points: Vec<_> = path.iter().map(|[x, y]| format!("({x:.4}, {y:.4})")).collect();
