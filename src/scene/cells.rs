@@ -60,12 +60,13 @@ impl Cells {
     /// The cells of a grid. `radius` is the robot's; 0 for a point.
     pub fn new(grid: &GridScene) -> Self {
         let (columns, rows) = (grid.columns, grid.rows());
-        let offsets = DIRECTIONS.map(|[x, y]| y as isize * columns as isize + x as isize);
+        let offsets = DIRECTIONS.map(|[x, y]| y as isize * columns.cast_signed() + x as isize);
         let mut cells = Self { side: grid.cell, columns, rows, moves: Vec::new(), free: Vec::new(), offsets };
         let wide = (grid.radius() > 0.0).then(|| &**grid.field());
-        cells.free = (0..columns * rows)
-            .map(|i| !grid.blocked[i] && wide.is_none_or(|field| field.is_free(cells.centre(i), cells.centre(i))))
-            .collect();
+        cells.free = grid.blocked.iter().map(|blocked| !blocked).collect();
+        if let Some(field) = wide {
+            cells.free = (0..columns * rows).map(|i| cells.free[i] && field.is_free(cells.centre(i), cells.centre(i))).collect();
+        }
         cells.moves = cells.allowed(grid.corner_cutting, wide);
         cells
     }
@@ -79,23 +80,22 @@ impl Cells {
             let from = (row + 1) * width + 1;
             padded[from..from + self.columns].iter_mut().zip(cells).for_each(|(to, &free)| *to = u8::from(free));
         }
-        let around = DIRECTIONS.map(|[x, y]| y as isize * width as isize + x as isize);
-        let mut moves = Vec::with_capacity(self.free.len());
-        for row in 0..self.rows {
-            for column in 0..self.columns {
-                let at = (row + 1) * width + column + 1;
+        // Whole rows at a time and without branches: compilers make vectors of that.
+        let corner = u8::from(cutting);
+        let mut moves = vec![0; self.free.len()];
+        for (row, moves) in moves.chunks_mut(self.columns.max(1)).enumerate() {
+            let line = |below: usize, left: usize| &padded[(row + below) * width + left..][..moves.len()];
+            let [before, at, after] = [0, 1, 2].map(|below| [0, 1, 2].map(|left| line(below, left)));
+            for i in 0..moves.len() {
+                let straight = [at[2][i], after[1][i], at[0][i], before[1][i]];
+                let diagonal = [after[2][i], after[0][i], before[0][i], before[2][i]];
                 let mut mask = 0;
-                if padded[at] != 0 {
-                    for (d, offset) in around.iter().enumerate() {
-                        mask |= padded[at.wrapping_add_signed(*offset)] << d;
-                    }
-                    if !cutting {
-                        // Bit d of `straight`: the cell in the straight direction d is free.
-                        let straight = mask & 0b0101_0101;
-                        mask = straight | (mask & 0b1010_1010 & (straight << 1) & straight.rotate_right(1));
-                    }
+                for d in 0..4 {
+                    let beside = straight[d] & straight[(d + 1) % 4] | corner;
+                    mask |= straight[d] << (2 * d) | (diagonal[d] & beside) << (2 * d + 1);
                 }
-                moves.push(mask);
+                // All bits of a free cell, none of a blocked one.
+                moves[i] = mask & at[1][i].wrapping_neg();
             }
         }
         if let Some(field) = wide {
@@ -262,6 +262,25 @@ mod tests {
         assert_eq!(open.moves(8), bits(&[4, 5, 6]));
         for d in 0..8 {
             assert_eq!(open.next(open.next(4, d), (d + 4) % 8), 4);
+        }
+    }
+
+    #[test]
+    fn the_steps_of_every_cell_are_those_of_the_definition() {
+        let mut rng = crate::rng::Stream::new(2, 0);
+        for (columns, rows) in [(1, 1), (1, 7), (7, 1), (5, 9), (40, 17)] {
+            for cutting in [false, true] {
+                let blocked: Vec<_> = (0..columns * rows).map(|_| rng.unit() < 0.4).collect();
+                let cells = Cells::new(&GridScene { corner_cutting: cutting, ..GridScene::new(1.0, columns as usize, blocked.clone()) });
+                let free = |x: i32, y: i32| (0..columns).contains(&x) && (0..rows).contains(&y) && !blocked[(y * columns + x) as usize];
+                for (d, [dx, dy]) in DIRECTIONS.into_iter().enumerate() {
+                    for (x, y) in (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y))) {
+                        let beside = cutting || d % 2 == 0 || (free(x + dx, y) && free(x, y + dy));
+                        let allowed = free(x, y) && free(x + dx, y + dy) && beside;
+                        assert_eq!(cells.moves((y * columns + x) as usize) >> d & 1 == 1, allowed);
+                    }
+                }
+            }
         }
     }
 
