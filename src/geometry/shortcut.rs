@@ -1,47 +1,71 @@
-//! Removing nodes that a path does not need.
+//! Paths without the nodes they do not need, [ANTBAT] §3.1.
 
-/// A path without its redundant nodes: a node goes if its neighbours see each other, [ANTBAT] §3.1, again and again until
-/// none goes. Ends stay. `sees` says whether the straight line between two points is free.
-pub fn shortcut(path: &[[f64; 2]], sees: impl Fn([f64; 2], [f64; 2]) -> bool) -> Vec<[f64; 2]> {
-    let mut kept: Vec<[f64; 2]> = Vec::with_capacity(path.len());
-    let mut nodes = path.to_vec();
-    loop {
-        kept.clear();
-        for (i, &node) in nodes.iter().enumerate() {
-            let redundant = match (kept.last(), nodes.get(i + 1)) {
-                (Some(&before), Some(&after)) => sees(before, after),
-                _ => false,
-            };
-            if !redundant {
-                kept.push(node);
-            }
+/// The path without its redundant nodes: a node goes if its neighbours see each other, from the first to the last, and
+/// again until none goes. The ends stay, and so does every node that keeps a neighbour out of sight; where `free` holds
+/// for all segments before, it holds for all afterwards, and the path is never longer.
+pub fn shortcut(path: &[[f64; 2]], free: impl Fn([f64; 2], [f64; 2]) -> bool) -> Vec<[f64; 2]> {
+    let mut path = path.to_vec();
+    while pass(&mut path, &free) {}
+    path
+}
+
+/// Goes over the path once; says whether a node went. (Compiled once for all who ask.)
+fn pass(path: &mut Vec<[f64; 2]>, free: &dyn Fn([f64; 2], [f64; 2]) -> bool) -> bool {
+    let before = path.len();
+    let mut kept = 1;
+    for i in 1..before.saturating_sub(1) {
+        if !free(path[kept - 1], path[i + 1]) {
+            path[kept] = path[i];
+            kept += 1;
         }
-        if kept.len() == nodes.len() {
-            return kept;
-        }
-        std::mem::swap(&mut kept, &mut nodes);
     }
+    if before > 1 {
+        path[kept] = path[before - 1];
+        path.truncate(kept + 1);
+    }
+    path.len() < before
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn what_neighbours_see_past_goes_and_ends_stay() {
-        let path = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0]];
-        assert_eq!(shortcut(&path, |_, _| true), [path[0], path[4]]);
-        assert_eq!(shortcut(&path, |_, _| false), path);
-        // Straight lines only.
-        assert_eq!(shortcut(&path, |a, b| a[0] == b[0] || a[1] == b[1]), [path[0], path[2], path[4]]);
-        assert_eq!(shortcut(&path[..1], |_, _| true), path[..1]);
+    /// A wall from (2, 0) up to (2, 3).
+    fn free(a: [f64; 2], b: [f64; 2]) -> bool {
+        let crosses = (a[0] - 2.0) * (b[0] - 2.0) < 0.0;
+        let at = a[1] + (2.0 - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+        !crosses || at >= 3.0
     }
 
     #[test]
-    fn a_node_that_was_needed_goes_once_its_neighbours_have_changed() {
-        // 0 does not see 2, so 1 stays at first; when 2 and 3 have gone, 0 sees what comes after 1.
-        let path = [0.0, 1.0, 2.0, 3.0, 4.0].map(|x| [x, 0.0]);
-        let sees = |a: [f64; 2], b: [f64; 2]| !(a[0] == 0.0 && b[0] == 2.0);
-        assert_eq!(shortcut(&path, sees), [[0.0, 0.0], [4.0, 0.0]]);
+    fn only_the_nodes_that_keep_neighbours_out_of_sight_stay() {
+        let path = [[0.0, 0.0], [0.0, 1.0], [0.0, 2.0], [0.0, 3.0], [1.0, 3.0], [2.0, 3.0], [3.0, 2.0], [4.0, 1.0], [4.0, 0.0]];
+        assert_eq!(shortcut(&path, free), [[0.0, 0.0], [2.0, 3.0], [4.0, 0.0]]);
+        assert_eq!(shortcut(&path, |_, _| true), [[0.0, 0.0], [4.0, 0.0]]);
+        assert_eq!(shortcut(&path, |_, _| false), path);
+    }
+
+    #[test]
+    fn what_a_node_hid_may_be_seen_when_another_has_gone() {
+        // Only neighbours at an odd distance of ranks see each other: the first pass takes some, the second the rest.
+        let path: Vec<_> = (0..6).map(|i| [f64::from(i), f64::from(i % 2)]).collect();
+        let near = |a: [f64; 2], b: [f64; 2]| (b[0] - a[0]).abs() <= 2.0 || (a[1], b[1]) == (0.0, 0.0);
+        let once = {
+            let mut once = path.clone();
+            pass(&mut once, &near);
+            once
+        };
+        let all = shortcut(&path, near);
+        assert!(once.len() < path.len() && all.len() < once.len(), "{once:?} {all:?}");
+        assert_eq!((all[0], all[all.len() - 1]), (path[0], path[5]));
+        assert!(all.windows(3).all(|w| !near(w[0], w[2])), "nothing is left to go");
+    }
+
+    #[test]
+    fn a_path_of_two_nodes_or_fewer_stays() {
+        for n in 0..3 {
+            let path = vec![[1.0, 2.0]; n];
+            assert_eq!(shortcut(&path, |_, _| true), path);
+        }
     }
 }
