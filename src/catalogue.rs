@@ -14,6 +14,7 @@ use crate::{
         generate::{GENERATORS, Generator},
         shipped_names,
     },
+    search,
     session::AnyPlanner,
     swarm, tuning,
 };
@@ -31,6 +32,9 @@ pub const PLANNERS: &[Entry] = &[
     ants::aco_dijkstra::ENTRY,
     ants::aco::ENTRY,
     tuning::ENTRY,
+    search::dijkstra::ENTRY,
+    search::a_star::ENTRY,
+    search::theta_star::ENTRY,
 ];
 
 /// Starts a run: refuses everything that can be refused.
@@ -202,6 +206,7 @@ pub fn catalogue() -> Catalogue {
         .chain(swarm::SYMBOLS.iter().copied())
         .chain(ants::SYMBOLS.iter().copied())
         .chain(tuning::SYMBOLS.iter().copied())
+        .chain(search::SYMBOLS.iter().copied())
         .chain(drive::PARAMETERS.iter().map(|p| p.symbol))
         .chain(drive::COLUMNS.iter().map(|c| c.symbol));
     let mut symbols = Vec::new();

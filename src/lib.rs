@@ -18,7 +18,8 @@
 //! - [`planner`]: the stepped contract that a planner's author implements.
 //! - [`catalogue`]: every planner and its parameters; nothing else lists planners.
 //! - [`scene`]: what is planned in, one file a kind, and the scene files. [`exact`]: the oracles for them.
-//! - [`swarm`]: particle swarms. A folder a family; a file a planner or a part of one.
+//! - [`swarm`]: particle swarms. [`search`]: exact searches over a grid's cells. A folder a family; a file a planner or a
+//!   part of one.
 //! - [`drive`]: a robot that follows what was found, and what its outline touches.
 //! - [`session`]: one run, with rewind, hash and link. [`frame`] and [`picture`]: what it looks like.
 //! - `experiment` (not in wasm): many runs beside published figures, with statistics.
@@ -47,6 +48,7 @@ pub mod picture;
 pub mod planner;
 pub mod rng;
 pub mod scene;
+pub mod search;
 pub mod session;
 pub mod swarm;
 pub mod tuning;

@@ -1,0 +1,24 @@
+//! `a-star`: the search with the octile heuristic, Hart, Nilsson and Raphael 1968.
+
+use crate::catalogue::Entry;
+
+use super::{
+    parameters::{BOUND, EXPAND, FORMULA_OCTILE, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH, WEIGHT},
+    rules::{Heuristic, Relaxation},
+};
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "a-star",
+    title: "A*: exact, towards the goal",
+    family: "search",
+    source: "Hart, Nilsson and Raphael 1968",
+    summary: "Settles first the cells whose way from the start and least way to the goal are together shortest. Exact from cell to cell, with fewer cells than Dijkstra.",
+    kinds: KINDS,
+    parameters: &[ITERATIONS, EXPAND, WEIGHT, SMOOTH],
+    readings: READINGS,
+    formulas: &[BOUND, FORMULA_STEP, FORMULA_OCTILE],
+    layers: LAYERS,
+    suggest: |_| None,
+    start: |scene, settings, _| super::start(scene, settings, Heuristic::Octile, settings.number("weight"), Relaxation::Step),
+};

@@ -1,0 +1,286 @@
+//! The search itself: the most promising cell is settled, its neighbours are reached from it, and so on to the goal.
+
+use std::sync::Arc;
+
+use crate::{
+    digest::Digest,
+    error::Error,
+    geometry::Field,
+    params::Settings,
+    planner::Status,
+    scene::{Cells, Course, DIRECTIONS, GridScene},
+};
+
+use super::{
+    found::Found,
+    link::{Link, onward},
+    open::{Open, Place, apart, place},
+    rules::{DIAGONAL, Relaxation, Rules, STRAIGHT, line},
+    sight::sees,
+};
+
+/// Steps that a run takes at most if the number of cells a step is automatic.
+const STEPS: usize = 1024;
+
+/// What does not change while a search runs.
+pub(super) struct Task {
+    pub(super) cells: Arc<Cells>,
+    pub(super) field: Arc<Field>,
+    pub(super) course: Course,
+    pub(super) rules: Rules,
+    /// What the heuristic is multiplied by.
+    pub(super) weight: f64,
+    /// Hand over the smoothed path.
+    pub(super) smooth: bool,
+    cutting: bool,
+    /// Cells settled a step.
+    expand: u64,
+    pub(super) limit: u64,
+    /// Column and row of the goal's cell.
+    goal: [i32; 2],
+}
+
+impl Task {
+    fn new(grid: &GridScene, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
+        let (cells, course) = (Arc::clone(grid.cells()), Course::new(grid)?);
+        let expand = match settings.integer("expand") {
+            0 => cells.len().div_ceil(STEPS) as u64,
+            given => given,
+        };
+        Ok(Self {
+            field: Arc::clone(grid.field()),
+            rules,
+            weight,
+            smooth: settings.flag("smooth"),
+            cutting: grid.corner_cutting,
+            expand,
+            limit: settings.integer("iterations"),
+            goal: apart(place(cells.place(course.goal))),
+            cells,
+            course,
+        })
+    }
+
+    /// The weighted heuristic of a place.
+    #[inline]
+    pub(super) fn ahead(&self, [x, y]: [i32; 2]) -> f64 {
+        self.weight * self.rules.heuristic.ahead([x - self.goal[0], y - self.goal[1]])
+    }
+
+    /// The distance that a step or a straight line adds.
+    #[inline]
+    pub(super) fn between(&self, from: usize, to: usize) -> f64 {
+        let ([x, y], [to_x, to_y]) = (apart(place(self.cells.place(from))), apart(place(self.cells.place(to))));
+        let by = [to_x - x, to_y - y];
+        match self.rules.relaxation {
+            Relaxation::Step => [STRAIGHT, DIAGONAL][usize::from(by[0] != 0 && by[1] != 0)],
+            Relaxation::Sight => line(by),
+        }
+    }
+
+    /// A length in the scene's unit.
+    pub(super) fn length(&self, units: f64) -> f64 {
+        units / STRAIGHT * self.cells.side
+    }
+}
+
+/// A best-first search over a grid's cells. Lengths are in units of a straight step by [`STRAIGHT`].
+#[derive(Clone)]
+pub(super) struct Search {
+    pub(super) task: Arc<Task>,
+    /// The best way known to each cell: the complement of its length's bits, so that a shorter way is a greater number,
+    /// and 0 no way at all (memory that is 0 costs nothing until it is used).
+    ways: Vec<u64>,
+    /// How each cell that was reached was reached.
+    links: Vec<Link>,
+    open: Open,
+    pub(super) status: Status,
+    pub(super) iteration: u64,
+    /// How many cells are settled.
+    pub(super) expanded: u64,
+    /// How many are reached and not settled.
+    pub(super) frontier: u64,
+    /// The lowest f on the frontier; once the goal is settled, the goal's.
+    pub(super) lowest: Option<f64>,
+    pub(super) found: Option<Arc<Found>>,
+}
+
+fn way(g: f64) -> u64 {
+    !g.to_bits()
+}
+
+fn length(way: u64) -> f64 {
+    f64::from_bits(!way)
+}
+
+impl Search {
+    pub(super) fn new(grid: &GridScene, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
+        let task = Task::new(grid, settings, rules, weight)?;
+        let (n, start) = (task.cells.len(), task.course.start);
+        let first = place(task.cells.place(start));
+        let h = task.ahead(apart(first));
+        let mut search = Self {
+            task: Arc::new(task),
+            ways: vec![0; n],
+            links: vec![Link::default(); n],
+            open: Open::default(),
+            status: Status::Running,
+            iteration: 0,
+            expanded: 0,
+            frontier: 1,
+            lowest: Some(h),
+            found: None,
+        };
+        (search.ways[start], search.links[start]) = (way(0.0), Link::new(start, 0));
+        search.open.push(h, first);
+        Ok(search)
+    }
+
+    /// One step: settles some cells.
+    pub(super) fn advance(&mut self) {
+        if self.status != Status::Running {
+            return;
+        }
+        self.iteration += 1;
+        for _ in 0..self.task.expand {
+            self.status = self.settle();
+            if self.status != Status::Running {
+                return;
+            }
+        }
+        self.drop_settled();
+        self.lowest = self.open.first().map(|(f, _)| f);
+        if self.lowest.is_none() {
+            self.status = Status::Infeasible;
+        } else if self.iteration >= self.task.limit {
+            self.status = Status::Exhausted;
+        }
+    }
+
+    /// Settles the first cell of the frontier and reaches its neighbours from it.
+    fn settle(&mut self) -> Status {
+        self.drop_settled();
+        let Some((f, at)) = self.open.pop() else {
+            self.lowest = None;
+            return Status::Infeasible;
+        };
+        let cell = self.task.cell(at);
+        let link = self.links[cell];
+        self.links[cell] = link.closed();
+        self.expanded += 1;
+        self.frontier -= 1;
+        if cell == self.task.course.goal {
+            self.lowest = Some(f);
+            self.found = Some(Arc::new(Found::new(&self.task, &self.way(cell), self.iteration)));
+            return Status::Solved;
+        }
+        self.expand(cell, link, apart(at));
+        Status::Running
+    }
+
+    /// Takes out of the queue what is settled already: those cells were put in again when a shorter way was found.
+    #[inline]
+    fn drop_settled(&mut self) {
+        while self.open.first().is_some_and(|(_, at)| self.links[self.task.cell(at)].is_closed()) {
+            self.open.pop();
+        }
+    }
+
+    /// Reaches the neighbours of a cell that are not settled, where the way over this cell is the shortest so far.
+    #[inline]
+    fn expand(&mut self, cell: usize, link: Link, [column, row]: [i32; 2]) {
+        let Self { task, ways, links, open, frontier, .. } = self;
+        let mut moves = task.moves(cell, link);
+        while moves != 0 {
+            let d = moves.trailing_zeros() as usize;
+            moves &= moves - 1;
+            let to = task.cells.next(cell, d);
+            let Some((parent, g)) = task.relax(ways, [cell, link.parent(), to], d) else { continue };
+            if links[to].is_closed() {
+                continue;
+            }
+            *frontier += u64::from(ways[to] == 0);
+            (ways[to], links[to]) = (way(g), Link::new(parent, d));
+            let next = [column + DIRECTIONS[d][0], row + DIRECTIONS[d][1]];
+            open.push(g + task.ahead(next), (next[1] << 16 | next[0]) as Place);
+        }
+    }
+
+    /// The cells from the start to a cell that was reached, each the child of the one before.
+    pub(super) fn way(&self, to: usize) -> Vec<usize> {
+        let mut way: Vec<_> = std::iter::successors(Some(to), |&cell| self.parent(cell)).collect();
+        way.reverse();
+        way
+    }
+
+    /// Whose child a cell is; `None` for the start.
+    pub(super) fn parent(&self, cell: usize) -> Option<usize> {
+        Some(self.links[cell].parent()).filter(|&parent| parent != cell)
+    }
+
+    /// The best way known to a cell; `None` before it is reached.
+    pub(super) fn reached(&self, cell: usize) -> Option<f64> {
+        Some(self.ways[cell]).filter(|&way| way != 0).map(length)
+    }
+
+    /// Whether a cell is settled.
+    pub(super) fn is_closed(&self, cell: usize) -> bool {
+        self.links[cell].is_closed()
+    }
+
+    /// Adds the cells that were reached, and the queue, to a hash.
+    pub(super) fn digest_cells(&self, out: &mut Digest) {
+        for (cell, (&way, link)) in self.ways.iter().zip(&self.links).enumerate().filter(|(_, (way, _))| **way != 0) {
+            out.word((cell as u64) << 32 | u64::from(link.word()));
+            out.word(way);
+        }
+        self.open.digest(out);
+    }
+
+    /// The memory that cells and queue take.
+    pub(super) fn bytes_of_cells(&self) -> usize {
+        size_of_val(&*self.ways) + size_of_val(&*self.links) + self.open.bytes()
+    }
+}
+
+impl Task {
+    /// The number of a place's cell.
+    #[inline]
+    fn cell(&self, at: Place) -> usize {
+        let [column, row] = apart(at);
+        row as usize * self.cells.columns + column as usize
+    }
+
+    /// The steps from a cell that may lead to something new.
+    #[inline]
+    fn moves(&self, cell: usize, link: Link) -> u8 {
+        let moves = self.cells.moves(cell);
+        match self.rules.relaxation {
+            Relaxation::Step if link.parent() != cell => moves & onward(self.cells.moves(link.parent()), link.direction()),
+            _ => moves,
+        }
+    }
+
+    /// The shortest way to a cell by a step from its neighbour, whose parent is `over`, if it is shorter than the best
+    /// known: whose child it becomes, and how long the way is.
+    #[inline]
+    fn relax(&self, ways: &[u64], [cell, over, to]: [usize; 3], d: usize) -> Option<(usize, f64)> {
+        match self.rules.relaxation {
+            Relaxation::Step => {
+                let g = length(ways[cell]) + if d & 1 == 0 { STRAIGHT } else { DIAGONAL };
+                (way(g) > ways[to]).then_some((cell, g))
+            }
+            Relaxation::Sight => self.relax_by_sight(ways, [cell, over, to]),
+        }
+    }
+
+    /// Path 2 of Nash et al. 2007 where the parent sees the cell, otherwise path 1, which is never shorter.
+    #[inline(never)]
+    fn relax_by_sight(&self, ways: &[u64], [cell, over, to]: [usize; 3]) -> Option<(usize, f64)> {
+        let from = |cell: usize| (cell, length(ways[cell]) + self.between(cell, to));
+        let shorter = |&(_, g): &(usize, f64)| way(g) > ways[to];
+        Some(from(over))
+            .filter(|path| shorter(path) && sees(&self.cells, &self.field, self.cutting, over, to))
+            .or_else(|| Some(from(cell)).filter(shorter))
+    }
+}

@@ -1,0 +1,126 @@
+//! What the entries of the searches share: parameters, readings, equations and layers.
+
+use crate::{
+    catalogue::{Formula, Group, Layer, Reading, Scope},
+    frame::Role,
+    params::{Parameter, When},
+    scene::{Kind, MAX_SIDE},
+};
+
+/// The kinds of scene that a search runs on.
+pub(super) const KINDS: &[Kind] = &[Kind::Grid];
+
+pub(super) const ITERATIONS: Parameter = Parameter::integer(
+    "iterations",
+    "k_{\\max}",
+    "Iterations",
+    [1, 1_000_000_000, 1_000_000],
+    "After how many steps it stops at the latest, found or not.",
+)
+.slider(1.0, 5000.0, true);
+pub(super) const EXPAND: Parameter = Parameter::integer(
+    "expand",
+    "n_e",
+    "Cells a step",
+    [0, (MAX_SIDE * MAX_SIDE) as u64, 0],
+    "How many cells a step settles; the result is the same. 0: as many as there are cells, over 1024, so that no run takes more steps than that.",
+)
+.slider(0.0, 1000.0, false);
+pub(super) const WEIGHT: Parameter = Parameter::number(
+    "weight",
+    "w",
+    "Weight of the heuristic",
+    [1.0, 5.0, 1.0],
+    "What the way to the goal is multiplied by. 1: the path is the shortest. Above, fewer cells are settled, and the path may be up to that many times as long as the shortest: the gap shows it.",
+);
+pub(super) const SMOOTH: Parameter = Parameter::flag(
+    "smooth",
+    "Smoothing",
+    false,
+    "Hand over the path without its redundant nodes: a node goes if its neighbours see each other, [ANTBAT] §3.1. It is then measured by the shortest path at any angle.",
+);
+
+const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
+    Reading { name, symbol, title, help, group }
+}
+
+/// What every search tells.
+pub(super) const READINGS: &[Reading] = &[
+    reading("best", "L", "Path found", Group::Cost, "The length of the path, once it is found."),
+    reading(
+        "f",
+        "f_{\\min}",
+        "Least on the frontier",
+        Group::Cost,
+        "The lowest f = g + h of a cell on the frontier. Where the heuristic is exact and unweighted it only rises, no path is shorter, and it ends as the path’s length.",
+    ),
+    reading("length", "L_{\\text{raw}}", "Raw length", Group::Length, "The path’s length before smoothing."),
+    reading("turns", "n_t", "Turns", Group::Measure, "At how many corners the path turns before smoothing."),
+    reading("turning", "\\theta", "Turning", Group::Measure, "How much it turns in all before smoothing, in radians."),
+    reading("smooth_length", "L_{\\text{smooth}}", "Smoothed length", Group::Length, "The length of the path without its redundant nodes."),
+    reading("smooth_turns", "n_t'", "Turns, smoothed", Group::Measure, "At how many corners the path without its redundant nodes turns."),
+    reading("smooth_turning", "\\theta'", "Turning, smoothed", Group::Measure, "How much that path turns in all, in radians."),
+    reading("expanded", "n_c", "Settled", Group::Count, "Cells settled so far."),
+    reading("frontier", "n_o", "Frontier", Group::Count, "Cells reached and not settled."),
+    reading("converged", "k^*", "Found after", Group::Count, "The step in which the path was found."),
+];
+
+const fn of_cell(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
+    Formula { name, source, title, tex, live, scope: Scope::Item }
+}
+
+pub(super) const BOUND: Formula = of_cell(
+    "f",
+    "Hart, Nilsson and Raphael 1968",
+    "Length of the way over a cell, at least",
+    "f(s) = g(s) + w\\,h(s)",
+    "f = @g@ + @w@ \\cdot @h@ = @f@",
+);
+pub(super) const FORMULA_STEP: Formula = of_cell(
+    "g",
+    "Dijkstra 1959",
+    "Length of the way to a cell",
+    "g(s') = \\min_s \\left(g(s) + c(s, s')\\right)",
+    "g = @g_parent@ + @c@ = @g@",
+);
+pub(super) const FORMULA_SIGHT: Formula = of_cell(
+    "g",
+    "Nash et al. 2007",
+    "Length of the way to a cell",
+    "g(s') = \\min_s \\begin{cases} g(p) + c(p, s') & \\text{if } p = \\operatorname{parent}(s) \\text{ sees } s' \\\\ g(s) + c(s, s') & \\text{otherwise} \\end{cases}",
+    "g = @g_parent@ + @c@ = @g@",
+);
+pub(super) const FORMULA_OCTILE: Formula = of_cell(
+    "h",
+    "octile distance",
+    "Length of the way to the goal, at least",
+    "h = l \\left(\\max(\\Delta x, \\Delta y) + (\\sqrt 2 - 1) \\min(\\Delta x, \\Delta y)\\right)",
+    "h = @side@ \\left(\\max(@dx@, @dy@) + (\\sqrt 2 - 1) \\min(@dx@, @dy@)\\right) = @h@",
+);
+pub(super) const FORMULA_STRAIGHT: Formula = of_cell(
+    "h",
+    "straight line",
+    "Length of the way to the goal, at least",
+    "h = l \\sqrt{\\Delta x^2 + \\Delta y^2}",
+    "h = @side@ \\sqrt{@dx@^2 + @dy@^2} = @h@",
+);
+
+const fn layer(role: Role, title: &'static str, pickable: bool, help: &'static str) -> Layer {
+    Layer { role, title, help, on: true, pickable, when: None }
+}
+
+/// What every search draws.
+pub(super) const LAYERS: &[Layer] = &[
+    layer(
+        Role::Closed,
+        "Settled",
+        true,
+        "Cells that are settled, the farther from the start the darker: no shorter way to them is looked for.",
+    ),
+    layer(Role::Frontier, "Frontier", false, "Cells that are reached and not settled: the next one is among them."),
+    layer(Role::Best, "Path", false, "The path, once the goal is settled."),
+    Layer {
+        when: Some(When { parameter: "smooth", value: "true" }),
+        ..layer(Role::Smoothed, "Smoothed", false, "The path without its redundant nodes: the result that is handed over.")
+    },
+];

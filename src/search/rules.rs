@@ -1,0 +1,80 @@
+//! What makes one best-first search another: how it guesses what is still to go, and whose child a cell becomes.
+
+/// The length of a straight step, and thereby of a cell's side. With [`DIAGONAL`] it makes the best fraction for √2 there
+/// is up to ten million, so sums of steps are whole numbers below 2^53 (exact), and for ways of up to six million steps
+/// they are equal where the ways are equally long, and ordered as the ways are.
+pub(super) const STRAIGHT: f64 = 6_625_109.0;
+/// The length of a diagonal step.
+pub(super) const DIAGONAL: f64 = 9_369_319.0;
+
+/// A lower bound for the way from a cell to the goal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Heuristic {
+    /// 0: the search spreads evenly, Dijkstra 1959.
+    Nothing,
+    /// The way from cell to cell if none were blocked.
+    Octile,
+    /// The straight line.
+    Straight,
+}
+
+impl Heuristic {
+    /// For a goal so many columns and rows away.
+    #[inline]
+    pub(super) fn ahead(self, [dx, dy]: [i32; 2]) -> f64 {
+        let (x, y) = (f64::from(dx.abs()), f64::from(dy.abs()));
+        match self {
+            Self::Nothing => 0.0,
+            Self::Octile => STRAIGHT * x.max(y) + (DIAGONAL - STRAIGHT) * x.min(y),
+            Self::Straight => line([dx, dy]),
+        }
+    }
+}
+
+/// The length of the straight line over so many columns and rows.
+#[inline]
+pub(super) fn line([dx, dy]: [i32; 2]) -> f64 {
+    let (x, y) = (f64::from(dx), f64::from(dy));
+    STRAIGHT * (x * x + y * y).sqrt()
+}
+
+/// Whose child a cell becomes when the search comes to it from a neighbour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Relaxation {
+    /// The neighbour's: paths go from cell to cell.
+    Step,
+    /// The neighbour's parent's if the two see each other, otherwise the neighbour's: paths go at any angle.
+    Sight,
+}
+
+/// A search's rules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rules {
+    pub(super) heuristic: Heuristic,
+    pub(super) relaxation: Relaxation,
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::SQRT_2;
+
+    use super::*;
+
+    #[test]
+    fn whole_numbers_order_ways_as_their_lengths_do() {
+        let (q, p) = (STRAIGHT as i128, DIAGONAL as i128);
+        assert_eq!((p * p - 2 * q * q).abs(), 1, "a convergent of √2: no fraction with a smaller denominator is between them");
+        let cells = (crate::scene::MAX_SIDE * crate::scene::MAX_SIDE) as f64;
+        assert!(cells < STRAIGHT && cells * DIAGONAL < 9_007_199_254_740_992.0);
+        assert!((DIAGONAL / STRAIGHT - SQRT_2).abs() < 1e-13);
+    }
+
+    #[test]
+    fn what_is_ahead_is_nothing_the_octile_way_or_the_straight_line() {
+        let cells = |heuristic: Heuristic, by| heuristic.ahead(by) / STRAIGHT;
+        assert_eq!(cells(Heuristic::Nothing, [3, -4]), 0.0);
+        assert_eq!(Heuristic::Octile.ahead([3, -4]), STRAIGHT + 3.0 * DIAGONAL);
+        assert_eq!(Heuristic::Octile.ahead([-5, 0]), 5.0 * STRAIGHT);
+        assert_eq!(cells(Heuristic::Straight, [3, -4]), 5.0);
+    }
+}

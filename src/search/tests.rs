@@ -1,0 +1,254 @@
+//! Whole searches: against hand-computed numbers, and against the oracles.
+
+use std::sync::Arc;
+
+use crate::{
+    Given, Scene, Session, Setup, Status, Value,
+    frame::Role,
+    geometry,
+    planner::{Item, Yardstick},
+    rng::Stream,
+    scene::{Body, GridScene, Robot},
+    shipped,
+};
+
+fn scene(grid: GridScene) -> Arc<Scene> {
+    Arc::new(Scene::new(shipped("ant-bat-30").unwrap().header().clone(), Body::Grid(grid)).unwrap())
+}
+
+fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, f64)]) -> Session {
+    let params: Given = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
+    Session::new(Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed: 1 }).unwrap()
+}
+
+fn small(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {
+    let blocked = rows.iter().flat_map(|row| row.chars().map(|c| c == '#')).collect();
+    scene(GridScene { start: Some(start), goal: Some(goal), ..GridScene::new(2.0, rows[0].len(), blocked) })
+}
+
+/// A grid of a random size, with a random robot, whose ends are free.
+fn random(rng: &mut Stream, size: usize) -> Option<Arc<Scene>> {
+    let [columns, rows] = [2 + rng.below(size), 2 + rng.below(size)];
+    let density = 0.4 * rng.unit();
+    let blocked: Vec<_> = (0..columns * rows).map(|_| rng.unit() < density).collect();
+    let side = [1.0, 0.15, 20.0][rng.below(3)];
+    let width = [0.0, 0.0, 0.3, 0.5, 0.9][rng.below(5)] * side;
+    let robot = (width > 0.0).then(|| Robot { length: Some(width), width: Some(width), ..Robot::default() });
+    let mut grid = GridScene { corner_cutting: rng.below(2) == 0, robot, ..GridScene::new(side, columns, blocked) };
+    let mut end = || {
+        let cell = rng.below(columns * rows);
+        let off = if rng.below(2) == 0 { 0.5 } else { 0.3 + 0.4 * rng.unit() };
+        Some([((cell % columns) as f64 + off) * side, ((cell / columns) as f64 + 0.5) * side])
+    };
+    (grid.start, grid.goal) = (end(), end());
+    let scene = Scene::new(shipped("ant-bat-30").unwrap().header().clone(), Body::Grid(grid)).ok()?;
+    crate::scene::Course::new(scene.grid().unwrap()).is_ok().then(|| Arc::new(scene))
+}
+
+#[test]
+fn from_cell_to_cell_the_searches_are_exact_to_the_bit() {
+    let mut rng = Stream::new(11, 0);
+    let mut count = [0; 2];
+    for scene in (0..700).filter_map(|_| random(&mut rng, 24)) {
+        let exact = scene.exact_by(Yardstick::Cells).map(|exact| exact.length.to_bits());
+        for name in ["dijkstra", "a-star"] {
+            let mut session = session(name, &scene, &[]);
+            let status = session.step(u64::MAX);
+            let outcome = session.outcome();
+            assert_eq!(outcome.cost.map(f64::to_bits), exact, "{name} in {:?}", scene.to_json());
+            assert_eq!(status, if exact.is_some() { Status::Solved } else { Status::Infeasible });
+            assert_eq!(outcome.feasible, exact.is_some());
+            assert!(session.iteration() <= 1024);
+            if let Some(length) = outcome.length {
+                let f = session.readings().get("f").unwrap();
+                assert!((length - outcome.cost.unwrap()).abs() < 1e-9 && (name == "dijkstra" || (f - length).abs() < 1e-9));
+                check_steps(&scene, outcome.path.as_ref().unwrap());
+            }
+        }
+        count[usize::from(exact.is_some())] += 1;
+    }
+    assert!(count.iter().all(|&n| n > 30), "{count:?}");
+}
+
+/// Between the ends, each node is the centre of a free cell, the next one's neighbour, and no corner is cut unless it may be.
+fn check_steps(scene: &Scene, path: &[[f64; 2]]) {
+    let grid = scene.grid().unwrap();
+    assert_eq!((Some(path[0]), path.last().copied()), (grid.start, grid.goal));
+    let cell = |p: [f64; 2]| p.map(|c| c / grid.cell - 0.5);
+    let inner: Vec<_> = path.iter().map(|&p| cell(p)).filter(|p| p.iter().all(|c| (c - c.round()).abs() < 1e-6)).collect();
+    assert!(inner.len() + 2 >= path.len());
+    let blocked = |x: f64, y: f64| grid.blocked[y.round() as usize * grid.columns + x.round() as usize];
+    for w in inner.windows(2) {
+        let ([ax, ay], [bx, by]) = (w[0], w[1]);
+        assert!((ax - bx).abs() < 1.5 && (ay - by).abs() < 1.5 && !blocked(bx, by));
+        assert!(grid.corner_cutting || !(blocked(ax, by) || blocked(bx, ay)));
+    }
+}
+
+#[test]
+fn at_any_angle_a_path_is_free_and_between_the_optimum_and_the_way_over_cells() {
+    let mut rng = Stream::new(12, 0);
+    let mut shorter = 0;
+    for scene in (0..500).filter_map(|_| random(&mut rng, 20)) {
+        let mut session = session("theta-star", &scene, &[]);
+        let status = session.step(u64::MAX);
+        let outcome = session.outcome();
+        let Some(over_cells) = scene.exact_by(Yardstick::Cells) else {
+            assert_eq!((status, outcome.cost), (Status::Infeasible, None));
+            continue;
+        };
+        let (cost, exact) = (outcome.cost.unwrap(), scene.exact().unwrap().length);
+        assert!(outcome.feasible, "{:?} {}", outcome.path, scene.to_json());
+        assert!(cost >= exact - 1e-9 && cost <= over_cells.length + 1e-9, "{exact} {cost} {}", over_cells.length);
+        assert_eq!((outcome.exact_by, outcome.length.map(f64::to_bits)), (Yardstick::AnyAngle, Some(cost.to_bits())));
+        shorter += usize::from(cost < over_cells.length - 1e-9);
+    }
+    assert!(shorter > 100, "{shorter}");
+}
+
+#[test]
+fn how_many_cells_a_step_settles_does_not_change_the_result() {
+    let mut rng = Stream::new(13, 0);
+    for scene in (0..60).filter_map(|_| random(&mut rng, 40)) {
+        for name in ["dijkstra", "a-star", "theta-star"] {
+            let run = |expand: f64| {
+                let mut session = session(name, &scene, &[("expand", expand)]);
+                session.step(u64::MAX);
+                let outcome = session.outcome();
+                assert_eq!(session.step(1), outcome.status, "a step afterwards does nothing");
+                assert_eq!((session.iteration(), outcome.hash), (outcome.iterations, session.hash()));
+                (outcome.status, outcome.cost.map(f64::to_bits), outcome.path, outcome.evaluations)
+            };
+            let one = run(1.0);
+            assert_eq!(one, run(7.0));
+            assert_eq!(one, run(0.0));
+            assert_eq!(one, run(4_194_304.0));
+        }
+    }
+}
+
+/// Without a reading of what was settled twice: f of A* only rises, and stays below the result.
+#[test]
+fn the_lowest_f_rises_to_the_result() {
+    let scene = shipped("wolf-ant-20").unwrap();
+    for name in ["dijkstra", "a-star"] {
+        let mut session = session(name, &scene, &[("expand", 1.0)]);
+        let best = scene.exact_by(Yardstick::Cells).unwrap().length;
+        let mut last = 0.0;
+        loop {
+            let f = session.readings().get("f").unwrap();
+            assert!(f >= last && f <= best + 1e-9, "{name}: {last} {f} {best}");
+            last = f;
+            if session.step(1) != Status::Running {
+                break;
+            }
+        }
+        assert_eq!(session.readings().get("converged"), Some(session.iteration() as f64));
+    }
+}
+
+/// Side 2, by hand. A* from (0, 0) to (2, 0) around the blocked (1, 0): down, right, right, up.
+#[test]
+fn g_h_and_f_are_those_computed_by_hand() {
+    let scene = small(&[".#.", "...", "..."], [1.0, 1.0], [5.0, 1.0]);
+    let mut session = session("a-star", &scene, &[("expand", 1.0)]);
+    let value = |session: &mut Session, cell: usize, name: &str| {
+        let told = session.inspect(Item { role: Role::Closed, index: cell }).unwrap();
+        (told.event, told.values.iter().find(|v| v.name == name).map(|v| (v.value * 1e9).round() / 1e9))
+    };
+    let root = std::f64::consts::SQRT_2;
+    let digits = |v: f64| Some((v * 1e9).round() / 1e9);
+    assert_eq!(value(&mut session, 0, "f"), ("frontier", Some(4.0)));
+    assert_eq!(value(&mut session, 4, "g"), ("unreached", None));
+    session.step(1);
+    assert_eq!(value(&mut session, 0, "g"), ("settled", Some(0.0)));
+    // (0, 1) is two columns and one row from the goal: h = 2 (2 + (√2 − 1)).
+    assert_eq!(value(&mut session, 3, "g"), ("frontier", Some(2.0)));
+    assert_eq!(value(&mut session, 3, "h"), ("frontier", digits(2.0 + 2.0 * root)));
+    assert_eq!(value(&mut session, 3, "f"), ("frontier", digits(4.0 + 2.0 * root)));
+    session.step(1);
+    // (1, 1): g = 2 + 2, h = 2 √2 (the diagonal counts, though it may not be taken); (1, 2): g = 2 + 2 √2.
+    assert_eq!(value(&mut session, 4, "f"), ("frontier", digits(4.0 + 2.0 * root)));
+    assert_eq!(value(&mut session, 7, "g"), ("frontier", digits(2.0 + 2.0 * root)));
+    assert_eq!(session.step(u64::MAX), Status::Solved);
+    assert_eq!(session.outcome().cost, Some(8.0));
+    assert_eq!(session.inspect(Item { role: Role::Closed, index: 1 }), None, "it is blocked");
+    assert_eq!(session.inspect(Item { role: Role::Closed, index: 9 }), None);
+    let told = session.inspect(Item { role: Role::Closed, index: 2 }).unwrap();
+    let way = told.marks.iter().find(|mark| mark.role == Role::Before).unwrap();
+    assert_eq!(way.vertices, [[1.0, 1.0], [1.0, 3.0], [3.0, 3.0], [5.0, 3.0], [5.0, 1.0]]);
+}
+
+#[test]
+fn a_weight_trades_length_for_fewer_cells() {
+    let mut rng = Stream::new(14, 0);
+    let (mut fewer, mut more) = (0, 0);
+    for scene in (0..80).filter_map(|_| random(&mut rng, 40)) {
+        let Some(exact) = scene.exact_by(Yardstick::Cells) else { continue };
+        let run = |weight: f64| {
+            let mut session = session("a-star", &scene, &[("weight", weight)]);
+            session.step(u64::MAX);
+            session.outcome()
+        };
+        let (plain, greedy) = (run(1.0), run(3.0));
+        assert!(greedy.feasible && greedy.cost.unwrap() >= exact.length && greedy.cost.unwrap() <= 3.0 * exact.length + 1e-9);
+        fewer += usize::from(greedy.evaluations < plain.evaluations);
+        more += usize::from(greedy.evaluations > plain.evaluations);
+    }
+    assert!(fewer > 12 && more < fewer / 4, "{fewer} {more}");
+}
+
+#[test]
+fn smoothing_hands_over_fewer_nodes_and_is_measured_at_any_angle() {
+    let scene = shipped("ant-bat-30").unwrap();
+    for name in ["dijkstra", "a-star", "theta-star"] {
+        let mut raw = session(name, &scene, &[]);
+        let params = [("smooth", Value::Flag(true))].into_iter().collect();
+        let mut smooth = Session::new(Setup { planner: name.to_owned(), scene: Arc::clone(&scene), params, seed: 1 }).unwrap();
+        raw.step(u64::MAX);
+        smooth.step(u64::MAX);
+        let (a, b) = (raw.outcome(), smooth.outcome());
+        assert_eq!(a.cost, b.cost, "smoothing is not part of the search");
+        assert!(b.feasible && b.length <= a.length && b.turns <= a.turns && b.exact_by == Yardstick::AnyAngle && b.gap > Some(-1e-12));
+        let path = b.path.unwrap();
+        let mut read = |name| raw.readings().get(name).unwrap();
+        assert_eq!([read("smooth_length"), read("smooth_turns")], [geometry::length(&path), geometry::turns(&path) as f64]);
+        assert_eq!([read("length"), read("turns")], [a.length.unwrap(), a.turns.unwrap() as f64]);
+    }
+}
+
+/// Every cell is closed, open or neither as the field shows it, on a budget smaller than the grid too.
+#[test]
+fn the_picture_keeps_to_its_budget() {
+    let scene = shipped("ant-bat-30").unwrap();
+    let mut session = session("dijkstra", &scene, &[("expand", 1.0)]);
+    session.step(300);
+    let mut frame = crate::Frame::default();
+    for (budget, cells) in [(usize::MAX, 900), (900, 900), (899, 225), (100, 100), (1, 1)] {
+        session.draw(&mut frame, budget);
+        let field = frame.spans().find(|span| span.role == Role::Closed).unwrap();
+        assert_eq!(field.count, cells);
+        assert!(frame.spans().all(|span| span.count as usize <= budget.max(1)));
+    }
+    session.draw(&mut frame, usize::MAX);
+    let field = frame.spans().find(|span| span.role == Role::Closed).unwrap();
+    let weights: Vec<_> = frame.vertices()[field.first as usize * 4..][..4 * 900].chunks_exact(4).map(|v| v[3]).collect();
+    assert_eq!(weights.iter().filter(|&&w| w >= 0.0).count(), 300);
+    let open = frame.spans().find(|span| span.role == Role::Frontier).unwrap();
+    assert_eq!(f64::from(open.count), session.readings().get("frontier").unwrap());
+}
+
+#[test]
+fn a_run_ends_at_its_limit_and_a_start_may_be_the_goal() {
+    let scene = shipped("ant-bat-30").unwrap();
+    let mut stopped = session("a-star", &scene, &[("expand", 1.0), ("iterations", 5.0)]);
+    assert_eq!((stopped.step(u64::MAX), stopped.iteration()), (Status::Exhausted, 5));
+    let readings = stopped.readings();
+    assert!(readings.get("best").unwrap().is_nan() && readings.get("smooth_length").unwrap().is_nan());
+    let here = small(&["..", ".."], [0.5, 1.0], [1.5, 1.0]);
+    for name in ["dijkstra", "a-star", "theta-star"] {
+        let mut session = session(name, &here, &[]);
+        assert_eq!(session.step(u64::MAX), Status::Solved);
+        assert_eq!(session.outcome().cost, Some(1.0));
+    }
+}

@@ -1,0 +1,24 @@
+//! `theta-star`: the search at any angle, Nash, Daniel, Koenig and Felner 2007.
+
+use crate::catalogue::Entry;
+
+use super::{
+    parameters::{BOUND, EXPAND, FORMULA_SIGHT, FORMULA_STRAIGHT, ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH},
+    rules::{Heuristic, Relaxation},
+};
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "theta-star",
+    title: "Theta*: at any angle",
+    family: "search",
+    source: "Nash et al. 2007",
+    summary: "A* whose cells are joined to their neighbour’s parent wherever they see it, so that paths go straight at any angle. Never longer than A*’s, and rarely much longer than the shortest there is.",
+    kinds: KINDS,
+    parameters: &[ITERATIONS, EXPAND, SMOOTH],
+    readings: READINGS,
+    formulas: &[BOUND, FORMULA_SIGHT, FORMULA_STRAIGHT],
+    layers: LAYERS,
+    suggest: |_| None,
+    start: |scene, settings, _| super::start(scene, settings, Heuristic::Straight, 1.0, Relaxation::Sight),
+};
