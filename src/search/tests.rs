@@ -252,3 +252,37 @@ fn a_run_ends_at_its_limit_and_a_start_may_be_the_goal() {
         assert_eq!(session.outcome().cost, Some(1.0));
     }
 }
+
+/// Rewound over keyframes or replayed from the start, an iteration is the same; whatever an inspection says, the entry
+/// lists, and its formulas have their numbers.
+#[test]
+fn every_iteration_comes_back_and_every_cell_explains_itself() {
+    let scene = shipped("ant-bat-30").unwrap();
+    for name in ["dijkstra", "a-star", "theta-star"] {
+        let mut session = session(name, &scene, &[("expand", 3.0)]);
+        let mut hashes = vec![session.hash()];
+        while session.step(1) == Status::Running {
+            hashes.push(session.hash());
+        }
+        hashes.push(session.hash());
+        for k in [hashes.len() / 2, 1, 40, 17, 0, hashes.len() - 1] {
+            session.seek(k as u64);
+            assert_eq!(session.hash(), hashes[k], "{name} {k}");
+        }
+        session.seek(hashes.len() as u64 / 2);
+        let entry = session.entry();
+        for index in 0..900 {
+            let Some(told) = session.inspect(Item { role: Role::Closed, index }) else {
+                assert!(!scene.grid().unwrap().cells().is_free(index));
+                continue;
+            };
+            assert!(told.rows.len() == told.labels.len() && told.rows.iter().all(|row| row.len() == told.columns.len()));
+            assert!(told.values.iter().all(|v| v.value.is_finite() && super::SYMBOLS.contains(&v.symbol)));
+            for formula in &told.formulas {
+                let formula = entry.formulas.iter().find(|f| f.name == *formula).unwrap();
+                let mut numbers = formula.live.split('@').skip(1).step_by(2);
+                assert!(numbers.all(|name| told.values.iter().any(|v| v.name == name)), "{name}: {}", formula.name);
+            }
+        }
+    }
+}
