@@ -31,10 +31,10 @@ pub const PLANNERS: &[Entry] = &[
     ants::aco_direction::ENTRY,
     ants::aco_dijkstra::ENTRY,
     ants::aco::ENTRY,
-    tuning::ENTRY,
-    search::dijkstra::ENTRY,
     search::a_star::ENTRY,
+    search::dijkstra::ENTRY,
     search::theta_star::ENTRY,
+    tuning::ENTRY,
 ];
 
 /// Starts a run: refuses everything that can be refused.

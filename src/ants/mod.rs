@@ -204,10 +204,10 @@ impl Planner for Colony {
 
     fn read(&self, out: &mut Readings) {
         let (sum, arrived) = self.walks.arrived().fold((0.0, 0), |(sum, n), ant| (sum + ant.length, n + 1));
-        out.push("best", self.best.as_ref().map_or(f64::INFINITY, |best| best.length));
-        out.push("mean", if arrived > 0 { sum / f64::from(arrived) } else { f64::INFINITY });
+        out.push("best", self.best.as_ref().map_or(f64::NAN, |best| best.length));
+        out.push("mean", if arrived > 0 { sum / f64::from(arrived) } else { f64::NAN });
         result::read(self.best.as_ref(), out);
-        out.push("converged", self.converged as f64);
+        out.push("converged", if self.best.is_some() { self.converged as f64 } else { f64::NAN });
         out.push("arrived", f64::from(arrived));
         out.push("stuck", self.count(End::Stuck) as f64);
         out.push("lost", self.count(End::Lost) as f64);

@@ -35,13 +35,14 @@ impl Found {
 
 /// What is measured of the best way, before and after.
 pub(super) fn read(best: Option<&Found>, out: &mut Readings) {
-    let none: &[[f64; 2]] = &[];
-    let (before, after) = best.map_or((none, none), |best| (&best.path, &best.smooth));
-    let length = |path| if best.is_some() { geometry::length(path) } else { f64::INFINITY };
-    out.push("length", length(before));
-    out.push("turns", geometry::turns(before) as f64);
-    out.push("turning", geometry::turning(before));
-    out.push("smooth_length", length(after));
-    out.push("smooth_turns", geometry::turns(after) as f64);
-    out.push("smooth_turning", geometry::turning(after));
+    let Some(Found { path, smooth, .. }) = best else {
+        NAMES.into_iter().for_each(|name| out.push(name, f64::NAN));
+        return;
+    };
+    for (names, path) in NAMES.chunks_exact(3).zip([path, smooth]) {
+        let measured = [geometry::length(path), geometry::turns(path) as f64, geometry::turning(path)];
+        names.iter().zip(measured).for_each(|(name, value)| out.push(name, value));
+    }
 }
+
+const NAMES: [&str; 6] = ["length", "turns", "turning", "smooth_length", "smooth_turns", "smooth_turning"];

@@ -277,10 +277,10 @@ impl Planner for Tuning {
     fn read(&self, out: &mut Readings) {
         let known = || self.cost.iter().filter(|cost| cost.length.is_finite());
         let n = known().count();
-        out.push("best", self.g_cost.length);
-        out.push("mean", if n > 0 { known().map(|cost| cost.length).sum::<f64>() / n as f64 } else { f64::INFINITY });
-        out.push("length", if self.best.is_empty() { f64::INFINITY } else { geometry::length(&self.best) });
-        out.push("converged", if self.g_cost.converged.is_finite() { self.g_cost.converged } else { 0.0 });
+        out.push("best", if self.best.is_empty() { f64::NAN } else { self.g_cost.length });
+        out.push("mean", if n > 0 { known().map(|cost| cost.length).sum::<f64>() / n as f64 } else { f64::NAN });
+        out.push("length", if self.best.is_empty() { f64::NAN } else { geometry::length(&self.best) });
+        out.push("converged", if self.best.is_empty() { f64::NAN } else { self.g_cost.converged });
         out.push("runs", Planner::evaluations(self) as f64);
         for (axis, &x) in self.axes.iter().zip(&self.g) {
             out.push(axis.parameter.name, axis.value(x));
