@@ -6,6 +6,7 @@
 //! one line in [`REPRODUCTIONS`]; nothing else lists them.
 
 pub mod chart;
+pub mod figure;
 pub mod fit;
 pub mod ltqpso;
 pub mod published;

@@ -1,4 +1,6 @@
-//! The figures of [LTQPSO], as far as the scan can be read.
+//! The figures of [LTQPSO], as far as the scan can be read, of [ANTBAT] and of [WOLF-ANT].
+
+use super::figure::Figure;
 
 /// A line of Table 1 or 2: ln N or ln M = b0 + b1 ln D.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,9 +54,48 @@ pub const TABLE_3: Results = [[16.4604, 3.2653, 4.2507], [15.7631, 1.0213, 2.528
 /// Table 4: start N(45°, 30°), D = 16, 50 runs.
 pub const TABLE_4: Results = [[16.0554, 5.6474, 2.8812], [15.8156, 1.1982, 1.6082]];
 
+/// What [ANTBAT] prints of a way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Way {
+    /// In cells.
+    pub length: Figure,
+    /// How many.
+    pub turns: Figure,
+    /// Of all turns, in radians.
+    pub turning: Figure,
+    /// In which iteration it was found.
+    pub converged: Figure,
+}
+
+const fn way(length: f64, turns: f64, turning: f64, converged: f64) -> Way {
+    Way {
+        length: Figure::new(length, 2),
+        turns: Figure::new(turns, 0),
+        turning: Figure::new(turning, 2),
+        converged: Figure::new(converged, 0),
+    }
+}
+
+/// [ANTBAT] §3.1, (1.5, 26.5) → (28.5, 1.5): the traditional ants, those of its [14], the improved ones.
+pub const ANTBAT: [Way; 3] = [way(45.53, 14.0, 13.38, 56.0), way(43.70, 12.0, 11.02, 52.0), way(42.06, 9.0, 7.07, 48.0)];
+
+/// [WOLF-ANT] Table 2, pixels and seconds: A*, the traditional ants, the improved ones.
+pub const WOLF_ANT: [[Figure; 2]; 3] = [drive(602.842, 40.1421), drive(579.412, 38.9706), drive(562.8427, 38.1421)];
+
+/// Turns of each of the three.
+pub const WOLF_ANT_TURNS: Figure = Figure::new(10.0, 0);
+
+const fn drive(length: f64, seconds: f64) -> [Figure; 2] {
+    [Figure::new(length, 4), Figure::new(seconds, 4)]
+}
+
+/// The optimum that the tuning of [WOLF-ANT] §5.2 found.
+pub const TUNED: [(&str, f64); 5] = [("alpha", 1.0), ("beta", 7.0), ("rho", 0.367), ("q", 333.0), ("epsilon", 2.0)];
+
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{super::figure::Steps, *};
+    use crate::{catalogue, params::Value, shipped};
 
     /// Where R² can be read it is what F and 16 points give, so the paper fits one point a D.
     #[test]
@@ -73,5 +114,34 @@ mod tests {
         let lines: Vec<_> = TABLE_1.iter().chain(&TABLE_2).flat_map(|line| [off(line, 0), off(line, 1)]).collect();
         assert_eq!(lines.iter().filter(|&&off| off).count(), 1);
         assert!(lines[5]);
+    }
+
+    /// Which printed lengths some path from cell to cell between those cells can have.
+    #[test]
+    fn lengths_that_no_path_has() {
+        let by = |name| Steps::of(&shipped(name).unwrap()).unwrap();
+        assert_eq!(by("ant-bat-30"), Steps { side: 1.0, apart: [27, 25] });
+        assert_eq!(by("wolf-ant-20"), Steps { side: 20.0, apart: [17, 17] });
+        assert_eq!(ANTBAT.map(|way| way.length.is_length(&by("ant-bat-30"))), [false, true, false]);
+        assert_eq!(WOLF_ANT.map(|[length, _]| length.is_length(&by("wolf-ant-20"))), [false, false, true]);
+        // The last digit of two: these are lengths.
+        assert!(Figure::new(602.8427, 4).is_length(&by("wolf-ant-20")) && Figure::new(579.4113, 4).is_length(&by("wolf-ant-20")));
+    }
+
+    #[test]
+    fn the_scenes_and_the_catalogue_carry_the_same_figures() {
+        let file = |name| shipped(name).unwrap().header().published.clone().unwrap();
+        let (antbat, wolf) = (file("ant-bat-30"), file("wolf-ant-20"));
+        for (k, (way, name)) in ANTBAT.iter().zip(["traditional", "[14]", "improved"]).enumerate() {
+            assert_eq!((antbat["pair"][name].as_f64(), antbat["turns"][k].as_f64()), (Some(way.length.value), Some(way.turns.value)));
+        }
+        for (published, name) in WOLF_ANT.iter().zip(["A*", "traditional ants", "improved ants"]) {
+            assert_eq!(published.map(|figure| Some(figure.value)), [0, 1].map(|k| wolf[name][k].as_f64()), "{name}");
+        }
+        assert_eq!(wolf["turns"].as_f64(), Some(WOLF_ANT_TURNS.value));
+        for (name, value) in TUNED {
+            let parameter = catalogue::find("aco-wolf").unwrap().parameters.iter().find(|p| p.name == name).unwrap();
+            assert_eq!(parameter.default_on(crate::scene::Kind::Grid), Value::Number(value), "{name}");
+        }
     }
 }
