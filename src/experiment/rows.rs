@@ -16,7 +16,7 @@ use crate::error::Error;
 use super::{Failure, at};
 
 /// What a job finds out. Its fields become columns, in their order.
-pub trait Row: Serialize + DeserializeOwned + Send {
+pub trait Row: Serialize + DeserializeOwned + Send + Sync {
     /// What tells it from all other rows of the file; the key of the job that made it.
     fn key(&self) -> String;
     /// Whether the job, carried out again, would give this row. Times do not count.

@@ -62,7 +62,7 @@ pub fn run<J: Job>(jobs: &[J], file: &Path, fresh: bool, threads: Option<usize>,
             others.push(row);
         }
     }
-    check(jobs, &done, file, control.stop)?;
+    pool.install(|| check(jobs, &done, file, control.stop))?;
 
     let mut left: Vec<&J> = jobs.iter().filter(|job| !done.contains_key(&job.key())).collect();
     left.sort_by_key(|job| std::cmp::Reverse(job.weight()));
