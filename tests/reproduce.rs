@@ -27,7 +27,7 @@ fn text(bytes: &[u8]) -> String {
 #[test]
 fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
     for (args, part) in [
-        (&["reproduce", "waldo"] as &[&str], "known: ltqpso, ltqpso-regression"),
+        (&["reproduce", "waldo"] as &[&str], "known: ltqpso, ltqpso-regression, antbat-paths"),
         (&["reproduce", "ltqpso", "--runs", "1"], "runs: 1 is not allowed; it must be from 2"),
         (&["reproduce", "ltqpso", "--jobs", "0"], "--jobs"),
         (&["reproduce", "ltqpso", "--out", "Cargo.toml", "--runs", "2"], "Cargo.toml"),
@@ -76,6 +76,56 @@ fn both_tables_are_printed_written_and_repeatable() {
     assert_eq!(without_times(&fs::read_to_string(out.join("ltqpso-runs.csv")).unwrap()), without_times(&rows));
     let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
     assert_eq!(report[0]["tables"][0]["rows"][0]["published mean"], 16.4604);
+}
+
+/// The cells of a JSON report's first row that has these texts.
+fn row<'a>(table: &'a Value, planner: &str, of: &str) -> &'a Value {
+    table["rows"].as_array().unwrap().iter().find(|row| row["planner"] == planner && row["of"] == of).unwrap()
+}
+
+#[test]
+fn ants_on_the_thirty_cells_are_printed_drawn_and_repeatable() {
+    let out = folder("antbat-paths");
+    let args = ["reproduce", "antbat-paths", "--runs", "3", "--out", out.to_str().unwrap()];
+    let output = forage(&args);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    let impossible = "45.53 (next to it are 45.4558 and 45.5563), 42.06 (next to it are 42.0416 and 42.1838)";
+    for part in ["3 seeds a planner instead of 30", "13.38", "length, smoothed", impossible, "All runs are feasible"] {
+        assert!(printed.contains(part), "{part}: {printed}");
+    }
+    let read = |name: &str| fs::read_to_string(out.join(name)).unwrap();
+    let rows = read("antbat-paths-runs.csv");
+    assert_eq!(rows.lines().count(), 1 + 3 * 3);
+    let curves = read("antbat-paths-convergence.csv");
+    assert!(curves.starts_with("iteration,aco,aco-dijkstra,aco-direction\n1,") && curves.lines().count() == 101, "{curves}");
+    let picture = read("antbat-paths-convergence.svg");
+    assert!(picture.starts_with("<svg") && ["aco-dijkstra", "exact optimum"].iter().all(|part| picture.contains(part)));
+
+    // Killed in the middle of a line and gone on with one thread: the same bytes.
+    fs::write(out.join("antbat-paths-runs.csv"), &rows[..rows.len() / 2]).unwrap();
+    let resumed = forage(&[&args[..], &["--jobs", "1", "--json"]].concat());
+    assert_eq!((read("antbat-paths-runs.csv"), read("antbat-paths-convergence.csv")), (rows.clone(), curves.clone()));
+
+    // What is told follows from the rows.
+    let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
+    let told = row(&report[0]["tables"][0], "aco-direction", "length");
+    let lengths: Vec<f64> = rows
+        .lines()
+        .filter(|line| line.starts_with("aco-direction,"))
+        .map(|line| line.split(',').nth(4).unwrap().parse().unwrap())
+        .collect();
+    assert!((told["mean"].as_f64().unwrap() - lengths.iter().sum::<f64>() / 3.0).abs() < 1e-12);
+    assert_eq!((told["published"].as_f64(), told["exact"].as_f64().map(|exact| exact > 42.0416)), (Some(42.06), Some(true)));
+    let last: Vec<f64> = curves.lines().last().unwrap().split(',').map(|number| number.parse().unwrap()).collect();
+    assert!((last[3] - told["mean"].as_f64().unwrap()).abs() < 1e-9, "the curve ends at the mean");
+
+    // And the command that is named gives the row of seed 1 again.
+    let command = printed.lines().find(|line| line.contains("forage run aco-dijkstra")).unwrap();
+    let words: Vec<_> = command.split_whitespace().skip(1).chain(["--json"]).collect();
+    let again: Value = serde_json::from_slice(&forage(&words).stdout).unwrap();
+    let first = rows.lines().find(|line| line.starts_with("aco-dijkstra,,1,")).unwrap();
+    assert_eq!(first.split(',').nth(4).unwrap().parse(), Ok(again["length"].as_f64().unwrap()));
 }
 
 /// Ctrl-C: what is finished is kept, and the same command goes on from there.

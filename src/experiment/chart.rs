@@ -1,4 +1,4 @@
-//! Log-log pictures of fits beside published ones.
+//! Pictures: fits beside published ones, log-log, and what many runs converge to.
 
 use std::{error::Error, io, path::Path};
 
@@ -61,6 +61,53 @@ fn picture(path: &Path, case: &Case, ranges: &[Range], fits: &[Option<Fit>; 4]) 
         }
         chart.configure_series_labels().position(SeriesLabelPosition::LowerRight).background_style(WHITE.mix(0.85)).draw()?;
     }
+    root.present()?;
+    Ok(())
+}
+
+/// A curve over the iterations.
+pub(super) struct Curve<'a> {
+    pub name: &'a str,
+    pub points: Vec<[f64; 2]>,
+}
+
+/// Up to three curves over the logarithm of the iteration, apart without colours too, and a thin line at `least`.
+///
+/// # Errors
+/// A file that cannot be written.
+pub(super) fn convergence(path: &Path, title: &str, curves: &[Curve], least: (&str, f64)) -> Result<(), Failure> {
+    lines(path, title, curves, least).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+}
+
+fn lines(path: &Path, title: &str, curves: &[Curve], (name, least): (&str, f64)) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::new(path, (SIZE.0 * 7 / 10, SIZE.1)).into_drawing_area();
+    root.fill(&WHITE)?;
+    let points = || curves.iter().flat_map(|curve| &curve.points);
+    let last = points().map(|point| point[0]).fold(2.0, f64::max);
+    let highest = points().map(|point| point[1]).fold(least, f64::max);
+    let margin = 0.05 * (highest - least).max(0.01 * least);
+    let mut chart = ChartBuilder::on(&root)
+        .caption(title, ("sans-serif", 18))
+        .margin(12)
+        .x_label_area_size(38)
+        .y_label_area_size(60)
+        .build_cartesian_2d((1.0..last).log_scale(), least - margin..highest + margin)?;
+    let label = |number: &f64| format!("{number:.0}");
+    chart.configure_mesh().x_desc("iteration").y_desc("mean length of the best way").x_label_formatter(&label).draw()?;
+    chart
+        .draw_series(LineSeries::new([(1.0, least), (last, least)], BLACK.mix(0.6).stroke_width(1)))?
+        .label(name)
+        .legend(|(x, y)| PathElement::new([(x, y), (x + 24, y)], BLACK.mix(0.6).stroke_width(1)));
+    // Whole, in long pieces, in short ones.
+    let styles = [(1, 0, COLOURS[0]), (12, 5, COLOURS[1]), (3, 3, RGBColor(90, 60, 140))];
+    for (curve, (piece, gap, colour)) in curves.iter().zip(styles) {
+        let style = colour.stroke_width(2);
+        chart
+            .draw_series(DashedLineSeries::new(curve.points.iter().map(|&[x, y]| (x, y)), piece, gap, style))?
+            .label(curve.name)
+            .legend(move |(x, y)| DashedPathElement::new([(x, y), (x + 24, y)], piece, gap, style));
+    }
+    chart.configure_series_labels().position(SeriesLabelPosition::UpperRight).background_style(WHITE.mix(0.85)).draw()?;
     root.present()?;
     Ok(())
 }

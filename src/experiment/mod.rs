@@ -2,10 +2,12 @@
 //!
 //! [`runner`] carries out keyed jobs on all cores and appends each finished one to [`rows`], so that an interruption
 //! loses nothing. [`statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
-//! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`]) and
-//! one line in [`REPRODUCTIONS`]; nothing else lists them.
+//! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
+//! [`antbat`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
 
+pub mod antbat;
 pub mod chart;
+mod colonies;
 pub mod figure;
 pub mod fit;
 pub mod ltqpso;
@@ -29,7 +31,7 @@ use report::Report;
 use runner::Control;
 
 /// Every published experiment that is repeated here, in the order in which they are carried out.
-pub const REPRODUCTIONS: &[Reproduction] = &[ltqpso::REPRODUCTION, regression::REPRODUCTION];
+pub const REPRODUCTIONS: &[Reproduction] = &[ltqpso::REPRODUCTION, regression::REPRODUCTION, antbat::REPRODUCTION];
 
 /// A published experiment.
 #[derive(Debug, Clone, Copy)]
