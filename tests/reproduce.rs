@@ -27,7 +27,7 @@ fn text(bytes: &[u8]) -> String {
 #[test]
 fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
     for (args, part) in [
-        (&["reproduce", "waldo"] as &[&str], "known: ltqpso, ltqpso-regression, antbat-paths"),
+        (&["reproduce", "waldo"] as &[&str], "known: ltqpso, ltqpso-regression, antbat-paths, wolf-ant"),
         (&["reproduce", "ltqpso", "--runs", "1"], "runs: 1 is not allowed; it must be from 2"),
         (&["reproduce", "ltqpso", "--jobs", "0"], "--jobs"),
         (&["reproduce", "ltqpso", "--out", "Cargo.toml", "--runs", "2"], "Cargo.toml"),
@@ -126,6 +126,38 @@ fn ants_on_the_thirty_cells_are_printed_drawn_and_repeatable() {
     let again: Value = serde_json::from_slice(&forage(&words).stdout).unwrap();
     let first = rows.lines().find(|line| line.starts_with("aco-dijkstra,,1,")).unwrap();
     assert_eq!(first.split(',').nth(4).unwrap().parse(), Ok(again["length"].as_f64().unwrap()));
+}
+
+#[test]
+fn ants_with_wolves_shares_and_their_tuning_stand_beside_the_paper() {
+    let out = folder("wolf-ant");
+    let args = ["reproduce", "wolf-ant", "--runs", "2", "--out", out.to_str().unwrap()];
+    let output = forage(&args);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    for part in ["602.8420", "40.1421", "found, seed 1", "A true A* cannot be longer", "it cannot be identified"] {
+        assert!(printed.contains(part), "{part}: {printed}");
+    }
+    let read = |name: &str| fs::read_to_string(out.join(name)).unwrap();
+    let (rows, tunings) = (read("wolf-ant-runs.csv"), read("wolf-ant-tunings.csv"));
+    // Two colonies and the one tuned set.
+    assert_eq!((rows.lines().count(), tunings.lines().count()), (1 + 3 * 2, 1 + 1));
+
+    fs::write(out.join("wolf-ant-runs.csv"), &rows[..rows.len() / 2]).unwrap();
+    // The tuning that is kept is carried out again to see whether it is this version's: with one thread it agrees.
+    let resumed = forage(&[&args[..], &["--jobs", "1", "--json"]].concat());
+    assert_eq!(resumed.status.code(), Some(0), "{}", text(&resumed.stderr));
+    assert_eq!((read("wolf-ant-runs.csv"), read("wolf-ant-tunings.csv")), (rows, tunings));
+    let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
+    let table = &report[0]["tables"][0];
+    let exact = row(table, "exact (A*)", "length");
+    assert!((exact["mean"].as_f64().unwrap() - 562.842_712_474_619).abs() < 1e-9, "{exact}");
+    for planner in ["exact (A*)", "aco", "aco-wolf"] {
+        let [length, turns, seconds] = ["length", "turns", "seconds"].map(|of| row(table, planner, of)["mean"].as_f64().unwrap());
+        assert!((seconds - length / 20.0 - turns).abs() < 1e-9, "20 px a second and a second for each turn");
+    }
+    let published = &report[0]["tables"][1]["rows"][0];
+    assert_eq!((published["α"].as_f64(), published["Q"].as_f64(), published["fitness"].as_f64()), (Some(1.0), Some(333.0), None));
 }
 
 /// Ctrl-C: what is finished is kept, and the same command goes on from there.

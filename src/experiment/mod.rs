@@ -3,7 +3,7 @@
 //! [`runner`] carries out keyed jobs on all cores and appends each finished one to [`rows`], so that an interruption
 //! loses nothing. [`statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
 //! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
-//! [`antbat`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
+//! [`antbat`], [`wolf`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
 
 pub mod antbat;
 pub mod chart;
@@ -19,6 +19,8 @@ pub mod runner;
 pub mod search;
 pub mod statistics;
 pub mod table;
+mod tuned;
+pub mod wolf;
 
 use std::{
     fmt, io,
@@ -31,7 +33,7 @@ use report::Report;
 use runner::Control;
 
 /// Every published experiment that is repeated here, in the order in which they are carried out.
-pub const REPRODUCTIONS: &[Reproduction] = &[ltqpso::REPRODUCTION, regression::REPRODUCTION, antbat::REPRODUCTION];
+pub const REPRODUCTIONS: &[Reproduction] = &[ltqpso::REPRODUCTION, regression::REPRODUCTION, antbat::REPRODUCTION, wolf::REPRODUCTION];
 
 /// A published experiment.
 #[derive(Debug, Clone, Copy)]
