@@ -96,6 +96,38 @@ fn ltqpso_does_better_than_qpso_on_the_ten_metre_grid() {
     }
 }
 
+/// A colony's results with the seeds 1 to 30 and its published parameters: cost and turns.
+fn colony(planner: &str, scene: &str) -> Vec<(f64, f64)> {
+    let run = |seed| {
+        let setup = Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params: Given::new(), seed };
+        let mut session = Session::with_keyframes(setup, 0).unwrap();
+        session.step(u64::MAX);
+        let outcome = session.outcome();
+        assert!(outcome.feasible && outcome.iterations == 100, "{planner}, seed {seed}");
+        (outcome.cost.unwrap(), outcome.turns.unwrap() as f64)
+    };
+    (1..=30).map(run).collect()
+}
+
+/// [WOLF-ANT] Table 2, 30 ants and 100 iterations: at least 27 of 30 seeds find the exact optimum.
+#[test]
+fn wolves_shares_find_the_optimum_of_the_twenty_cells() {
+    let found = colony("aco-wolf", "wolf-ant-20");
+    let hits = found.iter().filter(|(cost, _)| (cost - 562.842_712_474_619).abs() < 1e-9).count();
+    assert!(hits >= 27, "{hits} of 30");
+}
+
+/// [ANTBAT] §3.1's order, 50 ants and 100 iterations: ants with a direction find shorter ways with fewer turns.
+#[test]
+fn ants_with_a_direction_do_better_on_the_thirty_cells() {
+    let mean = |of: fn(&(f64, f64)) -> f64, found: &[(f64, f64)]| found.iter().map(of).sum::<f64>() / 30.0;
+    let (traditional, improved) = (colony("aco", "ant-bat-30"), colony("aco-direction", "ant-bat-30"));
+    for (name, of) in [("length", (|found| found.0) as fn(&(f64, f64)) -> f64), ("turns", |found| found.1)] {
+        let (less, more) = (mean(of, &improved), mean(of, &traditional));
+        assert!(less < more, "{name}: {less} is not less than {more}");
+    }
+}
+
 /// As printed, (15) does not see what lies between the way-points; the outcome says so all the same.
 #[test]
 fn the_printed_penalty_is_judged_by_the_whole_path() {
