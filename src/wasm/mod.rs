@@ -9,7 +9,7 @@ mod formats;
 mod read;
 mod types;
 
-use js_sys::{Float32Array, Float64Array, Uint32Array};
+use js_sys::{Float32Array, Float64Array, Uint8ClampedArray, Uint32Array};
 use serde::Serialize;
 use wasm_bindgen::{JsCast, prelude::*};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
@@ -267,7 +267,9 @@ impl Session {
             return Ok(JsValue::NULL.unchecked_into());
         };
         let (width, height) = (raster.width as u32, raster.height as u32);
-        let image = ImageData::new_with_u8_clamped_array_and_sh(wasm_bindgen::Clamped(&raster.pixels), width, height)?;
+        // A copy: an `ImageData` of a slice would show memory that is freed when this returns.
+        let pixels = Uint8ClampedArray::from(&raster.pixels[..]);
+        let image = ImageData::new_with_js_u8_clamped_array_and_sh(&pixels, width, height)?;
         Ok(object(&[
             ("image", image.into()),
             ("min", plain(&raster.bounds.min)),
