@@ -9,6 +9,8 @@ import { type Size, toScreen, type View } from './view'
 const LINES_FROM = 7
 /** Grids of more pieces are drawn anew only when the view has come to rest. */
 const HEAVY = 3000
+/** In larger ones even finding the pieces of what is being painted takes too long. */
+const LARGE = 10_000
 const REST = 220
 
 interface Place {
@@ -36,8 +38,10 @@ export class Cells {
     const density = devicePixelRatio || 1
     const what = [scene.cell, radiusOf(scene), margin, palette.get('--wall'), scene.rows.length, columnsOf(scene), size.width, size.height, density].join()
     const where = [view.x, view.y, view.scale].join()
-    const moved = this.where !== where || this.rows !== scene.rows
-    if (this.what !== what || (moved && this.pieces <= HEAVY)) this.render(pen, scene, margin, density, what, where)
+    const painted = this.rows !== scene.rows
+    const moved = this.where !== where || painted
+    const light = this.pieces <= HEAVY && (!painted || scene.rows.length * columnsOf(scene) <= LARGE)
+    if (this.what !== what || (moved && light)) this.render(pen, scene, margin, density, what, where)
     else if (moved) this.soon()
     if (!this.canvas || !this.place || !this.size) return
     const now = placeOf(scene, view, size)

@@ -22,7 +22,8 @@ function trace(rows: readonly string[]): Outline {
   const edge = new Path2D()
   let pieces = 0
   const columns = rows[0]?.length ?? 0
-  const blocked = (column: number, row: number): boolean => rows[row]?.[column] === '#'
+  const cells = padded(rows, columns)
+  const blocked = (column: number, row: number): boolean => cells[(row + 1) * (columns + 2) + column + 1] === 1
 
   // Runs of a row grow down for as long as the next row has the same run.
   let open = new Map<string, { from: number; to: number; top: number }>()
@@ -50,6 +51,15 @@ function trace(rows: readonly string[]): Outline {
     for (const [from, to] of runs(rows.length, (row) => blocked(column - 1, row) !== blocked(column, row))) line(column, from, column, to)
   }
   return { filled, edge, pieces }
+}
+
+/** 1 where a cell is blocked, with a border of free ones. */
+function padded(rows: readonly string[], columns: number): Uint8Array {
+  const cells = new Uint8Array((columns + 2) * (rows.length + 2))
+  rows.forEach((line, row) => {
+    for (let column = line.indexOf('#'); column >= 0; column = line.indexOf('#', column + 1)) cells[(row + 1) * (columns + 2) + column + 1] = 1
+  })
+  return cells
 }
 
 /** Stretches [from, to) in which something holds. */
