@@ -6,18 +6,26 @@ import type { Plugin } from 'vite'
 
 const ID = 'virtual:formulas'
 const RESOLVED = `\0${ID}`
+/** The name that the drive's formulas have beside those of the planners. */
+const DRIVE = 'drive'
+
+interface Formula {
+  tex: string
+  live?: string
+}
 
 /** What this plugin needs of the catalogue: wherever it holds TeX. */
 interface Symbols {
   planners: {
+    name: string
     parameters: { symbol: string }[]
     readings: { symbol: string }[]
-    formulas: { tex: string; live?: string }[]
+    formulas: Formula[]
   }[]
   drive: {
     parameters: { symbol: string }[]
     columns: { symbol: string }[]
-    formulas: { tex: string; live?: string }[]
+    formulas: Formula[]
   }
   /** The TeX strings that only turn up at run time. */
   symbols?: string[]
@@ -30,6 +38,7 @@ interface Core {
 
 /**
  * Provides `virtual:formulas`: the catalogue's TeX as MathML, made while building, so that the page ships no TeX engine.
+ * Symbols come at once, a planner's formulas (`virtual:formulas/wcpso`) when they are asked for.
  * @param core the folder that the wasm package was built into
  */
 export function formulas(core: string): Plugin {
@@ -38,16 +47,15 @@ export function formulas(core: string): Plugin {
 
   return {
     name: 'forage-formulas',
-    resolveId: (id) => (id === ID ? RESOLVED : undefined),
+    resolveId: (id) => (id === ID || id.startsWith(`${ID}/`) ? `\0${id}` : undefined),
     async load(id) {
-      if (id !== RESOLVED) return undefined
+      if (!id.startsWith(RESOLVED)) return undefined
       this.addWatchFile(wasm)
       const catalogue = await readCatalogue(script, wasm)
-      const { inline, display } = collect(catalogue)
-      return [
-        `export const inline = ${JSON.stringify(typeset(inline, false))}`,
-        `export const display = ${JSON.stringify(typeset(display, true))}`,
-      ].join('\n')
+      const displayed = formulasOf(catalogue)
+      if (id !== RESOLVED) return `export default ${JSON.stringify(typeset(displayed[id.slice(RESOLVED.length + 1)] ?? new Set(), true))}`
+      const loaders = Object.keys(displayed).map((name) => `${JSON.stringify(name)}: () => import(${JSON.stringify(`${ID}/${name}`)})`)
+      return [`export const inline = ${JSON.stringify(typeset(symbolsOf(catalogue), false))}`, `export const display = { ${loaders.join(', ')} }`].join('\n')
     },
   }
 }
@@ -62,18 +70,14 @@ async function readCatalogue(script: string, wasm: string): Promise<Symbols> {
   return core.catalogue()
 }
 
-function collect({ planners, drive, symbols = [] }: Symbols): { inline: Set<string>; display: Set<string> } {
-  const inline = new Set(symbols)
-  const display = new Set<string>()
-  for (const { parameters, formulas, ...numbers } of [...planners, drive]) {
-    const told = 'readings' in numbers ? numbers.readings : numbers.columns
-    for (const { symbol } of [...parameters, ...told]) inline.add(symbol)
-    for (const { tex, live } of formulas) {
-      display.add(tex)
-      if (live) display.add(live)
-    }
-  }
-  return { inline, display }
+function symbolsOf({ planners, drive, symbols = [] }: Symbols): Set<string> {
+  const told = [...planners.flatMap(({ parameters, readings }) => [...parameters, ...readings]), ...drive.parameters, ...drive.columns]
+  return new Set([...symbols, ...told.map(({ symbol }) => symbol)])
+}
+
+function formulasOf({ planners, drive }: Symbols): Record<string, Set<string>> {
+  const all = [...planners, { name: DRIVE, formulas: drive.formulas }]
+  return Object.fromEntries(all.map(({ name, formulas }) => [name, new Set(formulas.flatMap(({ tex, live }) => (live ? [tex, live] : [tex])))]))
 }
 
 function typeset(sources: Set<string>, displayMode: boolean): Record<string, string> {
