@@ -12,6 +12,8 @@ import { stillness } from './theme.svelte'
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
 export type Phase = 'loading' | 'ready' | 'crashed'
+/** Which optimum results are measured by. Only in a grid there is more than one. */
+export type Yardstick = 'plain' | Outcome['exact_by']
 
 /** Everything the page knows. Components read it and call its methods; nothing else holds state of the run. */
 class Lab extends Scenes {
@@ -54,6 +56,7 @@ class Lab extends Scenes {
 
   readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
   readonly limit = $derived(this.run?.limit ?? 0)
+  readonly yardstick = $derived<Yardstick>(this.grid && this.outcome ? this.outcome.exact_by : 'plain')
   readonly finished = $derived(this.status !== 'running')
 
   private readonly client = new Client({
