@@ -40,6 +40,15 @@ export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (rol
   }
 }
 
+/** Whether anything of a role that is only drawn from near is in the frame. */
+export function isNear(frame: FrameMessage, names: Names, on: (role: string) => boolean): boolean {
+  const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
+  return [...rolesIn(spans)].some((number) => {
+    const role = names.roles[number] ?? ''
+    return styleOf(role).near === true && on(role)
+  })
+}
+
 function pathOf(vertices: Float32Array, first: number, count: number): Point[] {
   return Array.from({ length: count }, (_, at) => [vertices[4 * (first + at)] ?? 0, vertices[4 * (first + at) + 1] ?? 0])
 }

@@ -122,6 +122,7 @@ export class Lines {
       const path = this.paths[step]
       if (!path || this.used[step] === 0) continue
       context.globalAlpha = alphaAt(style, step)
+      context.lineWidth = style.width + (((style.swell ?? style.width) - style.width) * step) / (STEPS - 1)
       context.stroke(path)
     }
     context.globalAlpha = 1

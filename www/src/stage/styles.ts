@@ -12,14 +12,27 @@ export interface Style {
   alpha: [number, number]
   /** Drawn with a mark of its own, so that colour isn't all that tells it apart. */
   mark?: 'ring' | 'diamond'
+  /** Points, also in a plane where most roles are lines. */
+  dots?: true
+  /** Lines grow from `width` to this with their weight. */
+  swell?: number
+  /** Drawn by the core only for the part of the plane that is seen. */
+  near?: true
+  /** Values over the plane: the tokens of their colours from weak to strong. */
+  ramp?: readonly string[]
 }
 
 const PLAIN: Style = { colour: '--ink-2', width: 1, order: 20, point: 3, alpha: [0.8, 0.8] }
 
 const STYLES: Readonly<Record<string, Style>> = {
+  closed: { colour: '--closed-high', ramp: ['--closed-low', '--closed', '--closed-high'], width: 1, order: 1, point: 3, alpha: [1, 1] },
+  pheromone: { colour: '--pheromone-high', ramp: ['--pheromone-low', '--pheromone', '--pheromone-high'], width: 1, order: 2, point: 3, alpha: [1, 1] },
+  trails: { colour: '--trail', width: 0.6, swell: 4, order: 4, near: true, point: 3, alpha: [0.06, 1] },
   guides: { colour: '--guide', width: 1, order: 5, dash: [2, 4], point: 3, alpha: [1, 1] },
   'personal-bests': { colour: '--accent', width: 0.75, order: 10, point: 2.5, alpha: [0.35, 0.35] },
   velocities: { colour: '--inertia', width: 0.75, order: 25, point: 2, alpha: [0.55, 0.55] },
+  frontier: { colour: '--frontier', width: 1, order: 16, dots: true, point: 4, alpha: [0.9, 0.9] },
+  ants: { colour: '--ant', width: 0.9, order: 18, point: 5, alpha: [0.14, 0.5] },
   particles: { colour: '--particle', width: 1, order: 20, point: 5, alpha: [0.55, 0.1] },
   attractors: { colour: '--attractor', width: 1, order: 22, dash: [8, 2, 1, 2], point: 4, alpha: [0.6, 0.6] },
   selected: { colour: '--selected', width: 1.6, order: 29, point: 6, alpha: [0.9, 0.9], mark: 'diamond' },
@@ -29,6 +42,7 @@ const STYLES: Readonly<Record<string, Style>> = {
   exact: { colour: '--exact', width: 1.75, order: 35, dash: [2, 5], point: 4, alpha: [1, 1] },
   best: { colour: '--best', width: 3, order: 40, point: 9, alpha: [1, 1], mark: 'ring' },
   smoothed: { colour: '--best', width: 3.25, order: 41, point: 9, alpha: [1, 1], mark: 'ring' },
+  candidates: { colour: '--ant', width: 1.75, order: 49, point: 3, alpha: [0.8, 0.8] },
   before: { colour: '--ink', width: 1.5, order: 50, dash: [3, 3], point: 6, alpha: [0.7, 0.7] },
   after: { colour: '--ink', width: 2, order: 51, point: 7, alpha: [1, 1] },
   inertia: { colour: '--inertia', width: 2, order: 52, point: 3, alpha: [1, 1] },

@@ -213,6 +213,7 @@ class Lab extends Scenes {
   private receive(frame: FrameMessage): void {
     const previous = this.frame
     if (previous) this.client.giveBack(previous.buffer)
+    previous?.fields.forEach(({ bitmap }) => bitmap.close())
     if (frame.generation !== previous?.generation) this.traced.clear()
     this.frame = frame
     if (this.traced.add(frame.trace) || frame.generation !== previous?.generation) {

@@ -47,6 +47,25 @@ export interface TraceRows {
   rows: Float64Array
 }
 
+/** What of a run is looked at. What is drawn hangs on it. */
+export interface Look {
+  dark: boolean
+  /** Roles of the fields that are shown. */
+  fields: string[]
+  /** The part of the plane that is seen, where a layer is only worth drawing from near; null: all of it. */
+  window: { min: Point; max: Point } | null
+}
+
+/** A layer of values over the plane, coloured: a pixel a value, the row of the smallest y first. */
+export interface FieldPicture {
+  role: string
+  bitmap: ImageBitmap
+  min: Point
+  max: Point
+  /** The smallest and the largest value. */
+  range: [number, number]
+}
+
 export interface FrameMessage {
   type: 'frame'
   generation: number
@@ -60,6 +79,8 @@ export interface FrameMessage {
   buffer: ArrayBuffer
   vertices: number
   spans: number
+  /** The fields that are shown; whoever has drawn them for the last time closes their bitmaps. */
+  fields: FieldPicture[]
   trace: TraceRows
   inspection: Inspection | null
   report: Report | null

@@ -1,9 +1,9 @@
 import * as Comlink from 'comlink'
 import init, { catalogue, checkScene, newSeed, parseLink, Session, suggest } from 'forage'
-import type { Catalogue, Item, LinkSetup, Outcome, ParameterValue, Scene, Setup, Suggestion } from 'forage'
+import type { Catalogue, Inspection, Item, LinkSetup, Outcome, ParameterValue, Scene, Setup, Suggestion } from 'forage'
 import { breathe } from './pace'
 import { Simulation } from './simulation'
-import type { Answer, Driven, FieldRequest, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
+import type { Answer, Driven, FieldRequest, Look, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
 
 let simulation: Simulation | undefined
 let port: MessagePort | undefined
@@ -37,9 +37,10 @@ const api = {
   async open(frames: MessagePort): Promise<Catalogue> {
     port = frames
     await init()
-    simulation = new Simulation(frames, crash)
+    const known = catalogue()
+    simulation = new Simulation(frames, crash, known.shapes.indexOf('field'))
     frames.onmessage = ({ data }: MessageEvent<ReturnedBuffer>) => simulation?.giveBack(data.buffer)
-    return catalogue()
+    return known
   },
   start: (setup: Setup, opening: Opening): Answer<Run> => answer(() => running().start(setup, opening)),
   play: (): void => running().play(),
@@ -47,6 +48,8 @@ const api = {
   speed: (speed: Speed): void => running().setSpeed(speed),
   seek: (iteration: number): void => running().seek(iteration),
   watch: (item: Item | null): void => running().watch(item),
+  look: (look: Look): void => running().look(look),
+  inspect: (item: Item): Answer<Inspection | null> => answer(() => current().inspect(item)),
   drive: (params: Record<string, ParameterValue>): Answer<Driven> => answer(() => running().drive(params)),
   pick: (x: number, y: number, reach: number): Item | null => {
     const picked = answer(() => running().session?.pick(x, y, reach) ?? null)

@@ -1,8 +1,10 @@
 import { Session } from 'forage'
 import type { Item, ParameterValue, Setup } from 'forage'
+import { fieldsOf } from './fields'
 import { breathe, SLICE, wait } from './pace'
+import { pack } from './pack'
 import { Pool } from './pool'
-import type { Driven, FrameMessage, Opening, Report, Run, Speed } from './protocol'
+import type { Driven, FrameMessage, Look, Opening, Report, Run, Speed } from './protocol'
 
 /** Vertices a layer may have: what a canvas draws in a few tens of milliseconds. */
 const BUDGET = 100_000
@@ -22,6 +24,7 @@ export class Simulation {
   private playing = false
   private pace: Speed = 30
   private watched: Item | null = null
+  private looked: Look = { dark: false, fields: [], window: null }
   /** Grows with each command that makes a running loop pointless. */
   private token = 0
   private stale = false
@@ -33,6 +36,8 @@ export class Simulation {
   constructor(
     private readonly port: MessagePort,
     private readonly crash: (error: unknown) => void,
+    /** The number of the shape that is a field. */
+    private readonly field: number,
   ) {}
 
   start(setup: Setup, { at, play }: Opening): Run {
@@ -40,6 +45,7 @@ export class Simulation {
     this.token += 1
     this.session?.free()
     this.session = session
+    this.lookAt()
     this.generation += 1
     this.computed = 0
     this.traced = -1
@@ -91,6 +97,18 @@ export class Simulation {
     this.watched = item
     this.stale = true
     this.picture()
+  }
+
+  look(look: Look): void {
+    this.looked = look
+    this.lookAt()
+    this.stale = true
+    this.picture()
+  }
+
+  private lookAt(): void {
+    const { window } = this.looked
+    this.session?.lookAt(window?.min, window?.max)
   }
 
   giveBack(buffer: ArrayBuffer): void {
@@ -193,9 +211,8 @@ export class Simulation {
     const { iteration, status } = session
     // The views last until the next call: nothing of the core may come between here and the copy.
     const { vertices, spans, thinning } = session.frame(BUDGET)
-    const buffer = this.pool.take(vertices.byteLength + spans.byteLength)
-    new Float32Array(buffer, 0, vertices.length).set(vertices)
-    new Uint32Array(buffer, vertices.byteLength, spans.length).set(spans)
+    const packed = pack(vertices, spans, this.field, (bytes) => this.pool.take(bytes))
+    const fields = fieldsOf(session, this.looked.fields, this.looked.dark)
     const message: FrameMessage = {
       type: 'frame',
       generation: this.generation,
@@ -205,14 +222,13 @@ export class Simulation {
       playing: this.playing,
       readings,
       thinning,
-      buffer,
-      vertices: vertices.length,
-      spans: spans.length,
+      ...packed,
+      fields,
       trace,
       inspection,
       report,
     }
-    this.port.postMessage(message, [buffer])
+    this.port.postMessage(message, [packed.buffer, ...fields.map(({ bitmap }) => bitmap)])
   }
 
   private report(): Report | null {
