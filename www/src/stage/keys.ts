@@ -1,3 +1,4 @@
+import type { Clock } from '../state/clock.svelte'
 import { lab } from '../state/lab.svelte'
 
 interface Acts {
@@ -21,18 +22,17 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
 }
 const PAN = 40
 
-/** While the robot drives, time is that of the drive. */
-export function driveKey(event: KeyboardEvent): boolean {
-  const { driving } = lab
+/** While there is another time beside the run's, keys are for that. */
+export function clockKey(event: KeyboardEvent, clock: Clock, leave: () => void): boolean {
   if (event.ctrlKey || event.metaKey || event.altKey) return false
   const far = event.shiftKey ? 10 : 1
   const acts: Readonly<Record<string, () => void>> = {
-    ' ': driving.toggle,
-    ArrowLeft: () => driving.seek(driving.time - far),
-    ArrowRight: () => driving.seek(driving.time + far),
-    Home: () => driving.seek(0),
-    End: () => driving.seek(driving.end),
-    Escape: lab.leaveDrive,
+    ' ': clock.toggle,
+    ArrowLeft: () => clock.seek(Math.ceil(clock.time) - far),
+    ArrowRight: () => clock.seek(Math.floor(clock.time) + far),
+    Home: () => clock.seek(0),
+    End: () => clock.seek(clock.end),
+    Escape: leave,
   }
   const act = acts[event.key]
   act?.()

@@ -22,6 +22,9 @@ export interface Style {
   ramp?: readonly string[]
 }
 
+/** Lines that something went along, a vertex a step. */
+export const WALKED = 'ants'
+
 const PLAIN: Style = { colour: '--ink-2', width: 1, order: 20, point: 3, alpha: [0.8, 0.8] }
 
 const STYLES: Readonly<Record<string, Style>> = {

@@ -1,14 +1,11 @@
 import type { ParameterValue } from 'forage'
 import { panels } from '../i18n/panels.en'
 import type { Answer, Driven } from '../worker/protocol'
-import { stillness } from './theme.svelte'
+import { Clock } from './clock.svelte'
 import { Track } from './track'
 
-export const PACES = [1, 4, 16] as const
-export type Pace = (typeof PACES)[number]
-
-/** Where motion is unwelcome, the picture changes this often, in milliseconds. */
-const JUMP = 1000
+/** How many times as fast as the robot. */
+const PACE = 4
 
 type Ask = (params: Record<string, ParameterValue>) => Promise<Answer<Driven>>
 
@@ -20,25 +17,16 @@ export class Driving {
   problem = $state('')
   track = $state.raw<Track | null>(null)
   /** Seconds since it set off. */
-  time = $state(0)
-  playing = $state(false)
-  pace = $state<Pace>(4)
+  readonly clock = new Clock(PACE)
   /** The state of the run that it belongs to. */
   of = { generation: -1, iteration: -1 }
-  private request = 0
   private asked = 0
 
   constructor(private readonly ask: Ask) {}
 
-  get end(): number {
-    return this.track?.end ?? 0
-  }
-
   /** Computes the drive and sets off. */
   async begin(): Promise<void> {
-    if (!(await this.renew(this.params))) return
-    this.time = 0
-    if (!stillness.matches) this.play()
+    if (await this.renew(this.params)) this.clock.begin(this.clock.end)
   }
 
   setParameter = async (name: string, value: ParameterValue | string): Promise<void> => {
@@ -68,47 +56,18 @@ export class Driving {
     this.problem = drive ? '' : panels.drive.nothing
     this.of = { generation, iteration }
     this.track = drive && new Track(drive)
-    this.time = Math.min(this.time, this.end)
+    this.clock.end = this.track?.end ?? 0
+    this.clock.time = Math.min(this.clock.time, this.clock.end)
     return drive !== null
-  }
-
-  toggle = (): void => (this.playing ? this.pause() : this.play())
-
-  play = (): void => {
-    if (!this.track) return
-    if (this.time >= this.end) this.time = 0
-    this.playing = true
-    cancelAnimationFrame(this.request)
-    let last = performance.now()
-    const tick = (now: number): void => {
-      if (!this.playing) return
-      if (!stillness.matches || now - last >= JUMP) {
-        this.time = Math.min(this.end, this.time + (Math.max(0, now - last) / 1000) * this.pace)
-        last = now
-      }
-      if (this.time >= this.end) this.playing = false
-      else this.request = requestAnimationFrame(tick)
-    }
-    this.request = requestAnimationFrame(tick)
-  }
-
-  pause = (): void => {
-    this.playing = false
-    cancelAnimationFrame(this.request)
-  }
-
-  seek = (time: number): void => {
-    this.pause()
-    this.time = Math.min(Math.max(time, 0), this.end)
   }
 
   /** The picture goes back to the run; whatever is still asked for comes too late. */
   leave(): void {
-    this.pause()
+    this.clock.pause()
     this.asked += 1
     this.track = null
     this.problem = ''
     this.errors = {}
-    this.time = 0
+    this.clock.time = 0
   }
 }

@@ -4,6 +4,7 @@ import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
 import { address } from './address'
 import { applies, met } from './applicable'
 import { Client } from './client'
+import type { Clock } from './clock.svelte'
 import { Curve } from './curve'
 import { Driving } from './driving.svelte'
 import { Scenes } from './scenes.svelte'
@@ -64,6 +65,10 @@ class Lab extends Scenes {
     oncrash: (message) => this.breakDown(message),
   })
   readonly driving = new Driving((params) => this.client.api.drive(params))
+  /** An iteration is shown step by step. */
+  unfolded = $state(false)
+  /** A time beside that of the run that the stage's keys are for, and the way back. */
+  beside = $state.raw<{ clock: Clock; leave(): void } | null>(null)
   /** There is a path of this very scene to drive along. */
   readonly drivable = $derived(
     this.hasRobot && this.outcome?.length != null && !this.stale && !this.sceneError && this.target === null,
@@ -130,6 +135,7 @@ class Lab extends Scenes {
   /** Starts the run anew. One request is on its way at a time; of those that come meanwhile the newest counts. */
   private async restart(opening: Opening): Promise<void> {
     this.driving.leave()
+    this.unfolded = false
     this.pending = opening
     this.stale = true
     if (this.starting) return
@@ -201,6 +207,7 @@ class Lab extends Scenes {
   private breakDown(message: string): void {
     this.phase = 'crashed'
     this.driving.leave()
+    this.unfolded = false
     this.crash = message
     this.playing = false
     this.target = null
@@ -256,6 +263,7 @@ class Lab extends Scenes {
 
   play = (): void => {
     this.driving.leave()
+    this.unfolded = false
     this.playing = true
     this.target = null
     void this.client.api.play()
@@ -365,6 +373,7 @@ class Lab extends Scenes {
 
   beginDrive = async (): Promise<void> => {
     this.resumes = this.playing
+    this.unfolded = false
     if (this.playing) this.pause()
     this.inspect(null)
     await this.driving.begin()
@@ -375,6 +384,18 @@ class Lab extends Scenes {
     this.driving.leave()
     if (this.resumes) this.play()
     this.resumes = false
+  }
+
+  /** Shows this iteration step by step. */
+  unfold = (): void => {
+    this.driving.leave()
+    if (this.playing) this.pause()
+    this.inspect(null)
+    this.unfolded = true
+  }
+
+  fold = (): void => {
+    this.unfolded = false
   }
 
   // Looking closer

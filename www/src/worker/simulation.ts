@@ -32,6 +32,8 @@ export class Simulation {
   private lastReport = 0
   private reportCost = 0
   private settled = false
+  /** What was told of the state in which it stands still. */
+  private told: Report | null = null
 
   constructor(
     private readonly port: MessagePort,
@@ -119,6 +121,7 @@ export class Simulation {
   private loop(body: (token: number) => Promise<void>): void {
     this.token += 1
     this.settled = false
+    this.told = null
     body(this.token).catch((error: unknown) => this.crash(error))
   }
 
@@ -233,11 +236,13 @@ export class Simulation {
 
   private report(): Report | null {
     const { session, settled } = this
+    if (settled && this.told) return this.told
     const now = performance.now()
     if (!session || (!settled && now - this.lastReport < Math.max(REPORT_INTERVAL, this.reportCost * REPORT_SHARE))) return null
     const report: Report = { outcome: session.outcome(), link: session.link(), settledHash: settled ? session.hash() : null }
     this.lastReport = performance.now()
     this.reportCost = this.lastReport - now
+    if (settled) this.told = report
     return report
   }
 }

@@ -1,0 +1,56 @@
+import type { Point } from 'forage'
+
+/** Numbers a vertex: x, y, z, weight. */
+const VERTEX = 4
+
+export interface Ant {
+  /** x and y of where it was at each step. */
+  places: Float32Array
+  /** The last of its steps. */
+  last: number
+  arrived: boolean
+}
+
+export interface Counts {
+  walking: number
+  arrived: number
+  stuck: number
+}
+
+/** The ways of an iteration's ants, step by step. */
+export class Walk {
+  readonly end: number
+
+  constructor(readonly ants: readonly Ant[]) {
+    this.end = ants.reduce((most, { last }) => Math.max(most, last), 0)
+  }
+
+  /** From the lines of a role in a frame: a vertex a step, of weight 1 where the ant arrived. */
+  static of(vertices: Float32Array, spans: Uint32Array, role: number): Walk {
+    const ants: Ant[] = []
+    for (let at = 0; at < spans.length; at += 4) {
+      const [of, , first = 0, count = 0] = spans.subarray(at, at + 4)
+      if (of !== role || count === 0) continue
+      const own = vertices.subarray(VERTEX * first, VERTEX * (first + count))
+      const places = Float32Array.from({ length: 2 * count }, (_, k) => own[VERTEX * (k >> 1) + (k & 1)] ?? 0)
+      ants.push({ places, last: count - 1, arrived: (own[3] ?? 0) > 0.5 })
+    }
+    return new Walk(ants)
+  }
+
+  /** How many are on their way, at the goal and at a dead end after a step. */
+  counts(step: number): Counts {
+    const there = this.ants.filter(({ last }) => last <= step)
+    const arrived = there.filter((ant) => ant.arrived).length
+    return { walking: this.ants.length - there.length, arrived, stuck: there.length - arrived }
+  }
+}
+
+/** Where an ant is between its steps. */
+export function placeAt({ places, last }: Ant, time: number): Point {
+  const step = Math.min(Math.floor(time), last)
+  const [from, to] = [2 * step, 2 * Math.min(step + 1, last)]
+  const share = Math.min(time, last) - step
+  const along = (axis: 0 | 1): number => (places[from + axis] ?? 0) * (1 - share) + (places[to + axis] ?? 0) * share
+  return [along(0), along(1)]
+}
