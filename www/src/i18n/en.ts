@@ -23,6 +23,8 @@ export const en = {
     remove: 'Delete the selected disc',
     look: 'Look around: drag to move the view, click to look closer',
     paint: 'Paint cells',
+    clear: 'Clear: remove all walls',
+    cells: 'Go from cell to cell with the arrow keys',
     painting: 'Drag over free cells to paint, over blocked ones to erase. The right button or two fingers move the view.',
     cell: (column: number, row: number, blocked: boolean) => `Column ${column}, row ${row} from the top: ${blocked ? 'blocked' : 'free'}`,
     drive: 'Let the robot drive along the path',

@@ -50,12 +50,14 @@ export const panels = {
       `${title} went from ${first} at iteration ${from} to ${last} at iteration ${to}.`,
   },
   inspect: {
-    empty: 'Click a path or a point on the stage to see why it is where it is.',
+    empty: 'Click a path, a point or a cell on the stage to see what is behind it.',
     close: 'Close the inspection',
     values: 'Values',
     formulas: 'Formulas with the numbers put in',
     table: (title: string) => `${title}, coordinate by coordinate`,
     coordinate: 'Coordinate',
+    neighbours: (title: string) => `${title}, neighbour by neighbour`,
+    neighbour: 'Neighbour',
     event: 'What happened:',
     key: 'On the stage',
     roles: {
@@ -68,6 +70,7 @@ export const panels = {
       jump: 'its leap',
       attractors: 'its attractor',
       'mean-best': 'mean best',
+      candidates: 'the steps to choose from',
     } as Readonly<Record<string, string>>,
   },
   walk: {

@@ -1,12 +1,13 @@
-import type { Point } from 'forage'
-import { between, type Cell, cellAt, isBlocked, middleOf, paint } from '../state/cells'
+import type { Item, Point } from 'forage'
+import { between, type Cell, cellAt, indexOf, isBlocked, middleOf, paint } from '../state/cells'
 import { discOf, type Handle, LEAST_RADIUS, move, place, resize, type Selection } from '../state/edits'
 import { lab } from '../state/lab.svelte'
 import { hit } from './hit'
+import { styleOf } from './styles'
 import { type Size, toScene, type View } from './view'
 
-/** What a press on the stage is for: looking and moving, a new disc, cells. */
-export type Tool = 'look' | 'add' | 'paint'
+/** What a press on the stage is for: looking and moving, a new disc, painting cells, going from cell to cell. */
+export type Tool = 'look' | 'add' | 'paint' | 'cells'
 
 const NEW_RADIUS = 0.5
 const DOUBLE = { time: 350, apart: 12 }
@@ -26,9 +27,16 @@ export class Hands {
   private stroke: { block: boolean; last: Cell } | null = null
   private lastTap = { time: 0, at: [0, 0] as Point }
 
+  /** The field that is shown and whose cells can be asked about. */
+  readonly role = $derived(lab.grid ? (lab.layers.find(({ role, on, pickable }) => pickable && styleOf(role).ramp && lab.shows(role, on))?.role ?? null) : null)
   /** A tool that the scene has no use for is put away. */
   readonly using = $derived<Tool>(
-    (this.tool === 'paint' && lab.grid) || (this.tool === 'add' && lab.discs) ? this.tool : 'look',
+    (this.tool === 'paint' && lab.grid) || (this.tool === 'add' && lab.discs) || (this.tool === 'cells' && this.role) ? this.tool : 'look',
+  )
+
+  /** The cell that is pointed at, to be asked about. */
+  readonly item = $derived<Item | null>(
+    this.role && this.cell && lab.grid && this.using !== 'paint' ? { role: this.role, index: indexOf(lab.grid, this.cell) } : null,
   )
 
   take(tool: Tool): void {
@@ -99,6 +107,10 @@ export class Hands {
     } else if (cell) {
       this.cell = cell
       this.toggle()
+    } else if (this.role && grid && cellAt(grid, [x, y])) {
+      lab.select(null)
+      this.cell = cellAt(grid, [x, y])
+      lab.inspect(this.item)
     } else {
       lab.select(null)
       void lab.pick(x, y, (coarse ? 22 : 10) / view.scale)
@@ -108,7 +120,9 @@ export class Hands {
   over(view: View | null, size: Size, at: Point | null): void {
     const { plane, grid } = lab
     this.hover = at && plane && view ? hit(plane, view, size, at, lab.selection, false) : null
-    if (this.using === 'paint' && grid && view && at) this.cell = this.hover ? null : cellAt(grid, toScene(view, size, at))
+    if (!grid || !view || (this.using === 'look' && !this.role)) return
+    if (at) this.cell = this.hover && this.using === 'paint' ? null : cellAt(grid, toScene(view, size, at))
+    else if (this.using === 'look') this.cell = null
   }
 
   /** The cell that keys paint moves; the first move shows it. */
@@ -123,7 +137,13 @@ export class Hands {
     }
   }
 
-  toggle(): void {
+  /** What the keys' cell is for. */
+  act(): void {
+    if (this.using === 'paint') this.toggle()
+    else lab.inspect(this.item)
+  }
+
+  private toggle(): void {
     const { grid } = lab
     this.painted = true
     if (grid && this.cell) lab.edit(paint(grid, [this.cell], !isBlocked(grid, this.cell)))

@@ -7,10 +7,10 @@ interface Acts {
   pan(dx: number, dy: number): void
   /** Moves the selected object by steps. */
   nudge(dx: number, dy: number): void
-  /** Where cells are painted: moves the cell that is meant; rows count from the top. */
+  /** Where cells are painted or asked about: moves the cell that is meant; rows count from the top. */
   walk?(columns: number, rows: number): void
-  /** Paints or erases it. */
-  toggle?(): void
+  /** Paints or erases it, or looks closer. */
+  act?(): void
   leave(): void
 }
 
@@ -54,7 +54,7 @@ export function stageKey(event: KeyboardEvent, acts: Acts): boolean {
   }
   switch (event.key) {
     case ' ':
-      if (acts.toggle) acts.toggle()
+      if (acts.act) acts.act()
       else lab.toggle()
       return true
     case 'Home':

@@ -35,6 +35,15 @@ export const middleOf = (scene: GridScene, { column, row }: Cell): Point => [
   depth(scene, (row + 0.5) * scene.cell),
 ]
 
+/** A cell's number in fields: row by row, the row of the smallest y first. */
+export const indexOf = (scene: GridScene, { column, row }: Cell): number =>
+  (scene.y_axis === 'up' ? scene.rows.length - 1 - row : row) * columnsOf(scene) + column
+
+/** The same grid with no cell blocked. */
+export const cleared = (scene: GridScene): GridScene => ({ ...scene, rows: scene.rows.map((line) => FREE.repeat(line.length)) })
+
+export const isClear = ({ rows }: GridScene): boolean => !rows.some((line) => line.includes(BLOCKED))
+
 /** The cells on the way from one to another: a fast hand leaves no gaps. */
 export function between(from: Cell, to: Cell): Cell[] {
   const steps = Math.max(Math.abs(to.column - from.column), Math.abs(to.row - from.row), 1)

@@ -1,0 +1,21 @@
+import type { Inspection } from 'forage'
+
+/** A cell's neighbours as they lie about it, row by row. */
+export const COMPASS = ['north-west', 'north', 'north-east', 'west', '', 'east', 'south-west', 'south', 'south-east'] as const
+/** The columns that a card has room for. */
+const TOLD = ['tau', 'eta', 'psi', 'g', 'h', 'f']
+const CHANCE = 'p'
+const MOST = 3
+
+export type Table = Inspection['table']
+
+/** Whether a table is about a cell's neighbours. */
+export const isCompass = ({ labels }: Table): boolean => labels.length > 0 && labels.every((label) => COMPASS.some((known) => known === label))
+
+/** The columns of a table that are told in short, and which is the chance. */
+export function columnsOf({ columns }: Table): { told: number[]; chance: number } {
+  const chance = columns.findIndex(({ name }) => name === CHANCE)
+  const others = columns.map((_, at) => at).filter((at) => at !== chance)
+  const known = others.filter((at) => TOLD.includes(columns[at]?.name ?? ''))
+  return { told: (known.length > 0 ? known : others).slice(0, MOST), chance }
+}
