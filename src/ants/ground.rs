@@ -10,7 +10,7 @@ use crate::{
     exact,
     geometry::Field,
     math,
-    scene::{Cells, Course, Scene, YAxis, angle},
+    scene::{Cells, Course, Scene, angle},
 };
 
 /// Directions of a step; `NOWHERE` stands for the direction from which an ant comes that has not moved yet.
@@ -39,8 +39,6 @@ pub(super) struct Ground {
     pub heuristic: Heuristic,
     pub beta: Power,
     pub gamma: f64,
-    /// Whether y grows downwards, for the names of directions.
-    pub down: bool,
     /// Whether there is a way at all.
     pub reachable: bool,
 }
@@ -56,7 +54,6 @@ impl Ground {
             heuristic,
             beta: Power::new(beta),
             gamma,
-            down: grid.y_axis == YAxis::Down,
             reachable: exact::is_reachable(&cells, course.start, course.goal),
             cells,
             course,

@@ -40,12 +40,6 @@ pub const SYMBOLS: &[&str] = &[
     "\\eta / \\varepsilon",
 ];
 
-/// Names of directions, for rows that grow upwards and for rows that grow downwards.
-const COMPASS: [[&str; 8]; 2] = [
-    ["east", "north-east", "north", "north-west", "west", "south-west", "south", "south-east"],
-    ["east", "south-east", "south", "south-west", "west", "north-west", "north", "north-east"],
-];
-
 const fn column(name: &'static str, symbol: &'static str, title: &'static str) -> Column {
     Column { name, symbol, title }
 }
@@ -196,9 +190,8 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
         return None;
     }
     let view = View::new(colony, item.index);
-    let down = colony.ground.down;
-    let names = &COMPASS[usize::from(down)];
-    let [x, y] = cells.place(item.index);
+    let names = cells.compass();
+    let [column, row] = cells.told(item.index);
     let likeliest = view.likeliest();
     let (event, summary) = match likeliest {
         _ if !cells.is_free(item.index) => ("blocked", "No ant comes here: the cell is blocked.".to_owned()),
@@ -215,7 +208,7 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
     let choice = likeliest.filter(|_| event == "choice");
     Some(Inspection {
         item,
-        title: format!("Column {x}, row {}", if down { y } else { cells.rows - 1 - y }),
+        title: format!("Column {column}, row {row}"),
         event,
         summary,
         values: choice.map_or(Vec::new(), |d| view.values(d)),

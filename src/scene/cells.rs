@@ -4,11 +4,17 @@ use std::f64::consts::{FRAC_PI_4, SQRT_2};
 
 use crate::{error::Error, geometry::Field};
 
-use super::GridScene;
+use super::{GridScene, YAxis};
 
 /// Column and row of a step in each direction; direction `d` points to `d · 45°`, odd ones are diagonal. Rows are counted
 /// along y, whichever way y grows.
 pub const DIRECTIONS: [[i32; 2]; 8] = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
+
+/// Names of directions, for rows that grow upwards and for rows that grow downwards.
+const COMPASS: [[&str; 8]; 2] = [
+    ["east", "north-east", "north", "north-west", "west", "south-west", "south", "south-east"],
+    ["east", "south-east", "south", "south-west", "west", "north-west", "north", "north-east"],
+];
 
 /// The direction's angle from the x axis, in radians.
 pub fn angle(direction: usize) -> f64 {
@@ -54,6 +60,8 @@ pub struct Cells {
     moves: Vec<u8>,
     free: Vec<bool>,
     offsets: [isize; 8],
+    /// Whether y grows downwards where people look at the grid.
+    down: bool,
 }
 
 impl Cells {
@@ -61,7 +69,8 @@ impl Cells {
     pub fn new(grid: &GridScene) -> Self {
         let (columns, rows) = (grid.columns, grid.rows());
         let offsets = DIRECTIONS.map(|[x, y]| y as isize * columns.cast_signed() + x as isize);
-        let mut cells = Self { side: grid.cell, columns, rows, moves: Vec::new(), free: Vec::new(), offsets };
+        let mut cells =
+            Self { side: grid.cell, columns, rows, moves: Vec::new(), free: Vec::new(), offsets, down: grid.y_axis == YAxis::Down };
         let wide = (grid.radius() > 0.0).then(|| &**grid.field());
         cells.free = grid.blocked.iter().map(|blocked| !blocked).collect();
         if let Some(field) = wide {
@@ -141,6 +150,17 @@ impl Cells {
     #[inline]
     pub fn place(&self, cell: usize) -> [usize; 2] {
         [cell % self.columns, cell / self.columns]
+    }
+
+    /// Column and row as people count them: from 1, the top row first.
+    pub fn told(&self, cell: usize) -> [usize; 2] {
+        let [column, row] = self.place(cell);
+        [column + 1, if self.down { row + 1 } else { self.rows - row }]
+    }
+
+    /// The directions' names as the grid is seen.
+    pub fn compass(&self) -> &'static [&'static str; 8] {
+        &COMPASS[usize::from(self.down)]
     }
 
     /// The centre, in the scene's unit.

@@ -31,11 +31,12 @@ impl Search {
         if item.role != Role::Closed || cell >= cells.len() || !cells.is_free(cell) {
             return None;
         }
+        let [column, row] = cells.told(cell);
         let mut told = Inspection {
             item,
-            title: self.name(cell),
+            title: format!("Column {column}, row {row}"),
             event: "unreached",
-            summary: format!("{} has not been reached yet.", self.name(cell)),
+            summary: "The cell has not been reached yet.".to_owned(),
             values: self.ahead_of(cell),
             formulas: self.heuristic().into_iter().collect(),
             columns: COLUMNS.to_vec(),
@@ -46,10 +47,11 @@ impl Search {
         if let Some(g) = self.reached(cell) {
             self.tell_way(cell, g, &mut told);
         }
-        for next in (0..8).filter(|d| cells.moves(cell) >> d & 1 != 0).map(|d| cells.next(cell, d)) {
+        for d in (0..8).filter(|d| cells.moves(cell) >> d & 1 != 0) {
+            let next = cells.next(cell, d);
             if let Some(g) = self.reached(next) {
                 let h = self.ahead(next);
-                told.labels.push(self.name(next));
+                told.labels.push(cells.compass()[d].to_owned());
                 told.rows.push(vec![self.task.length(g), h, self.task.length(g) + self.task.weight * h]);
             }
         }
@@ -64,9 +66,9 @@ impl Search {
         let closed = self.is_closed(cell);
         told.event = if closed { "settled" } else { "frontier" };
         told.summary = match (parent, closed) {
-            (None, _) => format!("{} is where the way begins.", self.name(cell)),
-            (Some(parent), true) => format!("{} is settled, as the child of {}.", self.name(cell), self.name(parent)),
-            (Some(parent), false) => format!("{} is on the frontier, so far as the child of {}.", self.name(cell), self.name(parent)),
+            (None, _) => "The way begins here.".to_owned(),
+            (Some(parent), true) => format!("The cell is settled, as the child of {}.", self.name(parent)),
+            (Some(parent), false) => format!("The cell is on the frontier, so far as the child of {}.", self.name(parent)),
         };
         told.values.extend([
             quantity("g", "g", "way from the start", g),
@@ -115,9 +117,8 @@ impl Search {
         ]
     }
 
-    /// A cell's name for people: column and row, counted from 0 along x and y.
     fn name(&self, cell: usize) -> String {
-        let [column, row] = self.task.cells.place(cell);
-        format!("Cell ({column}, {row})")
+        let [column, row] = self.task.cells.told(cell);
+        format!("column {column}, row {row}")
     }
 }
