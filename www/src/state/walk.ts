@@ -20,9 +20,12 @@ export interface Counts {
 /** The ways of an iteration's ants, step by step. */
 export class Walk {
   readonly end: number
+  /** How long a straight step is. */
+  readonly stride: number
 
   constructor(readonly ants: readonly Ant[]) {
     this.end = ants.reduce((most, { last }) => Math.max(most, last), 0)
+    this.stride = ants.reduce((least, { places, last }) => (last > 0 ? Math.min(least, strideOf(places)) : least), Infinity)
   }
 
   /** From the lines of a role in a frame: a vertex a step, of weight 1 where the ant arrived. */
@@ -44,6 +47,13 @@ export class Walk {
     const arrived = there.filter((ant) => ant.arrived).length
     return { walking: this.ants.length - there.length, arrived, stuck: there.length - arrived }
   }
+}
+
+/** Ends don't always lie in the middle of their cells: the first step may be shorter than others. */
+function strideOf(places: Float32Array): number {
+  const step = Math.min(1, places.length / 2 - 2)
+  const along = (axis: 0 | 1): number => Math.abs((places[2 * (step + 1) + axis] ?? 0) - (places[2 * step + axis] ?? 0))
+  return Math.max(along(0), along(1))
 }
 
 /** Where an ant is between its steps. */
