@@ -61,6 +61,28 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await page.getByTestId('drive-leave').click()
         await expect(page.getByTestId('drive-bar')).toHaveCount(0)
       })
+
+      test('axe finds nothing wrong with ants, a cell that is looked at and an unfolded iteration; nothing is too wide', async ({ lab, page }) => {
+        await lab.open(linkTo({ planner: 'aco-direction', scene: 'wolf-ant-20' }, 12))
+        await lab.settled(12)
+        for (const id of ['readings', 'inspect', 'result']) await lab.section(id)
+        await page.getByTestId('tool-cells').click()
+        await lab.stage.focus()
+        await page.keyboard.press('ArrowDown')
+        await page.keyboard.press('Space')
+        await expect(page.getByTestId('cell-card')).toBeVisible()
+        await expect(page.getByTestId('inspect').getByTestId('compass')).toBeVisible()
+        expect(await violations(lab)).toEqual([])
+
+        await page.getByTestId('unfold').click()
+        await expect(page.getByTestId('walk-bar')).toBeVisible()
+        await page.getByTestId('walk-play').click()
+        expect(await violations(lab)).toEqual([])
+        expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
+        if (screen !== 'phone') return
+        const low = await page.getByTestId('walk-bar').locator('button, input[type=range]').evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().height < 43.5).length)
+        expect(low).toBe(0)
+      })
     })
   }
 }

@@ -81,7 +81,7 @@ export const panels = {
     forward: 'One step of the walk forward',
     scrubber: 'Step within the iteration',
     speed: 'Speed of the walk',
-    pace: (steps: number) => `${steps} / s`,
+    pace: (steps: number) => `${steps}/s`,
     leave: 'Fold',
     step: 'Step',
     of: (end: string, k: string) => `of ${end} in iteration ${k}`,

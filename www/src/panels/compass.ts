@@ -1,4 +1,5 @@
 import type { Inspection } from 'forage'
+import { percent } from './format'
 
 /** A cell's neighbours as they lie about it, row by row. */
 export const COMPASS = ['north-west', 'north', 'north-east', 'west', '', 'east', 'south-west', 'south', 'south-east'] as const
@@ -11,6 +12,10 @@ export type Table = Inspection['table']
 
 /** Whether a table is about a cell's neighbours. */
 export const isCompass = ({ labels }: Table): boolean => labels.length > 0 && labels.every((label) => COMPASS.some((known) => known === label))
+
+/** What is less than this is told to be. */
+const LEAST = 1e-4
+export const chance = (share: number): string => (share > 0 && share < LEAST ? `< ${percent(LEAST)}` : percent(share))
 
 /** The columns of a table that are told in short, and which is the chance. */
 export function columnsOf({ columns }: Table): { told: number[]; chance: number } {

@@ -79,8 +79,9 @@ export function gestures(element: HTMLElement, act: Gestures): () => void {
     holding = false
   }
 
-  const leave = (): void => {
-    if (fingers.size === 0) act.hover(null)
+  // A finger leaves after each tap.
+  const leave = (event: PointerEvent): void => {
+    if (fingers.size === 0 && event.pointerType === 'mouse') act.hover(null)
   }
 
   const wheel = (event: WheelEvent): void => {

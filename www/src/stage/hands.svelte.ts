@@ -109,12 +109,20 @@ export class Hands {
       this.toggle()
     } else if (this.role && grid && cellAt(grid, [x, y])) {
       lab.select(null)
-      this.cell = cellAt(grid, [x, y])
-      lab.inspect(this.item)
+      this.look(cellAt(grid, [x, y]), coarse)
     } else {
       lab.select(null)
       void lab.pick(x, y, (coarse ? 22 : 10) / view.scale)
     }
+  }
+
+  /** Looks closer at a cell. A finger on the same cell again lets go of it: nothing else takes its card away. */
+  private look(cell: Cell | null, coarse: boolean): void {
+    const before = this.item
+    this.cell = cell
+    const again = coarse && lab.inspecting && before?.index === this.item?.index
+    if (again) this.cell = null
+    lab.inspect(again ? null : this.item)
   }
 
   over(view: View | null, size: Size, at: Point | null): void {
