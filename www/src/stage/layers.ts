@@ -20,7 +20,7 @@ export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (rol
   for (const number of roles) {
     const role = names.roles[number] ?? ''
     const style = styleBeside(role, result)
-    const lines = new Lines(pen)
+    const lines = new Lines(pen, style.swell !== undefined)
     const ways: [first: number, count: number][] = []
     for (let at = 0; at < spans.length; at += 4) {
       if (spans[at] !== number) continue

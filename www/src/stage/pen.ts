@@ -12,6 +12,10 @@ export interface Pen {
 
 /** Weights are drawn in steps: one stroke a step instead of one a line. */
 const STEPS = 6
+/** Lines that are thinner, in pixels, are hairlines. */
+const HAIR = 1
+/** Lines are drawn as far beyond the rim, in pixels, as the widest is wide. */
+const RIM = 10
 const FAINTEST_POINT = 0.65
 /** Up to so many points are drawn round; more are squares, which cost a tenth. */
 const ROUND = 3000
@@ -27,8 +31,9 @@ export function applyStyle({ context, palette }: Pen, style: Style): void {
   context.strokeStyle = colour
   context.fillStyle = colour
   context.lineWidth = style.width
-  context.lineJoin = 'round'
-  context.lineCap = 'round'
+  // On hairlines nobody sees what round ends cost.
+  context.lineJoin = style.width < HAIR ? 'bevel' : 'round'
+  context.lineCap = style.width < HAIR ? 'butt' : 'round'
   context.setLineDash(style.dash ?? [])
 }
 
@@ -87,17 +92,47 @@ export function marked({ context }: Pen, style: Style, x: number, y: number): vo
 export class Lines {
   private readonly paths = Array.from({ length: STEPS }, () => new Path2D())
   private readonly used = new Uint8Array(STEPS)
+  /** Where the plane lies on the screen. */
+  private readonly place: { left: number; top: number; right: number; up: number }
 
-  constructor(private readonly pen: Pen) {}
+  /** Lines that swell are told apart down to a few hundredths; what is less is left out. */
+  constructor(
+    private readonly pen: Pen,
+    private readonly swelling = false,
+  ) {
+    const { view, size } = pen
+    const up = rise(view) * view.scale
+    this.place = { left: size.width / 2 - view.x * view.scale, top: size.height / 2 + view.y * up, right: view.scale, up }
+  }
 
+  /** Leaves out what lies beyond a rim: much of a long way that is seen from near. */
   polyline(vertices: Float32Array, first: number, count: number): void {
     const path = this.pathFor(vertices[first * 4 + 3] ?? 0)
-    for (let at = first; at < first + count; at += 1) this.vertex(path, vertices, at, at === first)
+    const { left, top, right, up } = this.place
+    const { width, height } = this.pen.size
+    let [begun, x0, y0] = [false, 0, 0]
+    for (let at = first; at < first + count; at += 1) {
+      const x = left + (vertices[at * 4] ?? 0) * right
+      const y = top - (vertices[at * 4 + 1] ?? 0) * up
+      if (at > first) {
+        const beyond = Math.max(x0, x) < -RIM || Math.min(x0, x) > width + RIM || Math.max(y0, y) < -RIM || Math.min(y0, y) > height + RIM
+        if (!beyond && !begun) path.moveTo(x0, y0)
+        if (!beyond) path.lineTo(x, y)
+        begun = !beyond
+      }
+      x0 = x
+      y0 = y
+    }
   }
 
   segments(vertices: Float32Array, first: number, count: number): void {
-    for (let at = first; at < first + count; at += 1) {
-      this.vertex(this.pathFor(vertices[at * 4 + 3] ?? 0), vertices, at, (at - first) % 2 === 0)
+    for (let at = first; at < first + count; at += 2) {
+      const weight = vertices[at * 4 + 3] ?? 0
+      const shade = this.swelling ? Math.sqrt(weight) : weight
+      if (this.swelling && stepOf(shade) === 0) continue
+      const path = this.pathFor(shade)
+      this.vertex(path, vertices, at, true)
+      this.vertex(path, vertices, at + 1, false)
     }
   }
 
@@ -108,9 +143,9 @@ export class Lines {
   }
 
   private vertex(path: Path2D, vertices: Float32Array, at: number, begins: boolean): void {
-    const { view, size } = this.pen
-    const x = size.width / 2 + ((vertices[at * 4] ?? 0) - view.x) * view.scale
-    const y = size.height / 2 - rise(view) * ((vertices[at * 4 + 1] ?? 0) - view.y) * view.scale
+    const { left, top, right, up } = this.place
+    const x = left + (vertices[at * 4] ?? 0) * right
+    const y = top - (vertices[at * 4 + 1] ?? 0) * up
     if (begins) path.moveTo(x, y)
     else path.lineTo(x, y)
   }
