@@ -54,6 +54,7 @@ pub mod swarm;
 pub mod tuning;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
+pub mod way;
 
 pub use catalogue::catalogue;
 pub use drive::{Drive, DriveOutcome};

@@ -1,13 +1,13 @@
 //! `aco`: the traditional ant colony, [ANTBAT] §3.1.
 
-use crate::{catalogue::Entry, params::Parameter};
+use crate::{catalogue::Entry, params::Parameter, way::SMOOTH};
 
 use super::{
     Traits,
     ground::Heuristic,
     parameters::{
-        CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH, STAYS, STEP_LIMIT, TAU_MAX, TRADITIONAL, alpha, ants,
-        beta, dead_end, q, rho, tau_0, tau_min,
+        CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, TRADITIONAL, alpha, ants, beta,
+        dead_end, q, rho, tau_0, tau_min,
     },
     update::Update,
 };

@@ -3,6 +3,7 @@
 use crate::{
     catalogue::{Entry, Formula, Scope},
     params::Parameter,
+    way::{LENGTH, SMOOTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 use super::{
@@ -10,8 +11,8 @@ use super::{
     aco::{ALPHA, ANTS, BETA, Q, RHO, TAU_0, TAU_MIN},
     ground::Heuristic,
     parameters::{
-        ANT_STEPS, ARRIVED, BEST, CHOICE, CONVERGED, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LENGTH, LOST, MEAN, SMOOTH,
-        SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, STAYS, STEP_LIMIT, STUCK, TAU_MAX, TRADITIONAL, TURNING, TURNS, dead_end,
+        ANT_STEPS, ARRIVED, BEST, CHOICE, CONVERGED, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN, STAYS,
+        STEP_LIMIT, STUCK, TAU_MAX, TRADITIONAL, dead_end,
     },
     update::Update,
 };

@@ -3,13 +3,14 @@
 use crate::{
     catalogue::{Entry, Formula, Scope},
     params::Parameter,
+    way::SMOOTH,
 };
 
 use super::{
     Traits,
     aco::{ALPHA, ANTS, BETA, Q, RHO, TAU_0, TAU_MIN},
     ground::Heuristic,
-    parameters::{DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH, STAYS, STEP_LIMIT, TAU_MAX, dead_end},
+    parameters::{DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, dead_end},
     update::Update,
 };
 

@@ -4,14 +4,13 @@
 use crate::{
     catalogue::{Entry, Formula, Scope},
     params::Parameter,
+    way::SMOOTH,
 };
 
 use super::{
     Traits,
     ground::Heuristic,
-    parameters::{
-        ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH, STAYS, STEP_LIMIT, TAU_MAX, alpha, ants, beta, dead_end, q, rho, tau_0, tau_min,
-    },
+    parameters::{ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, alpha, ants, beta, dead_end, q, rho, tau_0, tau_min},
     update::Update,
 };
 

@@ -12,7 +12,6 @@ mod draw;
 mod ground;
 mod parameters;
 mod pheromone;
-mod result;
 mod tell;
 #[cfg(test)]
 mod tests;
@@ -31,11 +30,11 @@ use crate::{
     rng::Stream,
     scene::Scene,
     session,
+    way::{self, Way},
 };
 
 use ground::{Ground, Heuristic};
 use pheromone::Pheromone;
-use result::Found;
 use update::Update;
 use walk::{End, Rules, Seen, Walks, walk};
 
@@ -74,6 +73,27 @@ struct Colony {
     iteration: u64,
     limit: u64,
     rng: Stream,
+}
+
+/// The best way so far.
+#[derive(Debug, Clone)]
+struct Found {
+    /// Its directions from the start on.
+    directions: Vec<u8>,
+    /// In the scene's unit.
+    length: f64,
+    way: Way,
+}
+
+impl Found {
+    fn new(ground: &Ground, directions: &[u8], length: f64) -> Self {
+        let path = ground.course.path(&ground.cells, ground.way(directions));
+        Self { directions: directions.to_vec(), length, way: Way::new(path) }
+    }
+
+    fn bytes(&self) -> usize {
+        self.directions.len() + self.way.bytes()
+    }
 }
 
 /// Starts a colony with these traits.
@@ -194,8 +214,8 @@ impl Planner for Colony {
 
     fn best(&self) -> Option<Best> {
         let best = self.best.as_ref()?;
-        let path = if self.smooth { &best.smooth } else { &best.path };
-        Some(Best { cost: best.length, solution: Solution::Path(path.clone()) })
+        let path = if self.smooth { best.way.smooth(&self.ground.field) } else { &best.way.path };
+        Some(Best { cost: best.length, solution: Solution::Path(path.to_vec()) })
     }
 
     fn yardstick(&self) -> Yardstick {
@@ -206,7 +226,7 @@ impl Planner for Colony {
         let (sum, arrived) = self.walks.arrived().fold((0.0, 0), |(sum, n), ant| (sum + ant.length, n + 1));
         out.push("best", self.best.as_ref().map_or(f64::NAN, |best| best.length));
         out.push("mean", if arrived > 0 { sum / f64::from(arrived) } else { f64::NAN });
-        result::read(self.best.as_ref(), out);
+        way::read(self.best.as_ref().map(|best| &best.way), &self.ground.field, out);
         out.push("converged", if self.best.is_some() { self.converged as f64 } else { f64::NAN });
         out.push("arrived", f64::from(arrived));
         out.push("stuck", self.count(End::Stuck) as f64);
@@ -222,9 +242,9 @@ impl Planner for Colony {
         draw::trails(&self.ground.cells, &self.pheromone, frame);
         draw::ants(&self.ground, &self.walks, frame);
         if let Some(best) = &self.best {
-            draw::line(frame, Role::Best, &best.path);
+            draw::line(frame, Role::Best, &best.way.path);
             if self.smooth {
-                draw::line(frame, Role::Smoothed, &best.smooth);
+                draw::line(frame, Role::Smoothed, best.way.smooth(&self.ground.field));
             }
         }
     }

@@ -5,6 +5,7 @@ use crate::{
     frame::Role,
     params::{Choice, Parameter, When},
     scene::Kind,
+    way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 /// The kinds of scene that a colony runs on.
@@ -68,13 +69,6 @@ pub(super) const STEP_LIMIT: Parameter = Parameter::integer(
     "After how many steps an ant is lost. 0: twice as many as there are cells, which is enough for every way.",
 )
 .slider(0.0, 1000.0, false);
-pub(super) const SMOOTH: Parameter = Parameter::flag(
-    "smooth",
-    "Remove redundant nodes",
-    false,
-    "Hand over the best way without the nodes whose neighbours see each other. What is searched stays the same.",
-);
-
 const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
     Reading { name, symbol, title, help, group }
 }
@@ -82,15 +76,6 @@ const fn reading(name: &'static str, symbol: &'static str, title: &'static str, 
 pub(super) const BEST: Reading = reading("best", "L_{\\text{best}}", "Shortest", Group::Cost, "The shortest way so far: the result.");
 pub(super) const MEAN: Reading =
     reading("mean", "\\bar L", "Mean", Group::Cost, "The mean length of the ways of this iteration’s ants that arrived.");
-pub(super) const LENGTH: Reading = reading("length", "L", "Length", Group::Length, "The result’s length from cell to cell.");
-pub(super) const TURNS: Reading = reading("turns", "", "Turns", Group::Count, "At how many cells the result turns.");
-pub(super) const TURNING: Reading = reading("turning", "", "Turning", Group::Measure, "By how much it turns in all, in radians.");
-pub(super) const SMOOTH_LENGTH: Reading =
-    reading("smooth_length", "L'", "Length, smoothed", Group::Length, "The result’s length without redundant nodes.");
-pub(super) const SMOOTH_TURNS: Reading =
-    reading("smooth_turns", "", "Turns, smoothed", Group::Count, "At how many points it turns without redundant nodes.");
-pub(super) const SMOOTH_TURNING: Reading =
-    reading("smooth_turning", "", "Turning, smoothed", Group::Measure, "By how much it turns in all without redundant nodes, in radians.");
 pub(super) const CONVERGED: Reading =
     reading("converged", "t^*", "Converged", Group::Count, "The iteration in which the result was found.");
 pub(super) const ARRIVED: Reading = reading("arrived", "", "Arrived", Group::Count, "Ants of this iteration that reached the goal.");

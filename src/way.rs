@@ -1,0 +1,95 @@
+//! A path over cells, before and after its redundant nodes are removed, and what is told of both. Whatever goes from cell
+//! to cell tells the same of it.
+
+use std::sync::OnceLock;
+
+use crate::{
+    catalogue::{Group, Reading},
+    geometry::{self, Field, shortcut},
+    params::Parameter,
+    planner::Readings,
+};
+
+/// A path from start to goal.
+#[derive(Debug, Clone)]
+pub struct Way {
+    /// Through the cells' centres, in the scene's unit.
+    pub path: Vec<[f64; 2]>,
+    /// Made when it is first asked for.
+    smooth: OnceLock<Vec<[f64; 2]>>,
+}
+
+impl Way {
+    /// Of the corners of a path.
+    pub fn new(path: Vec<[f64; 2]>) -> Self {
+        Self { path, smooth: OnceLock::new() }
+    }
+
+    /// Without the nodes whose neighbours see each other, [ANTBAT] §3.1.
+    pub fn smooth(&self, field: &Field) -> &[[f64; 2]] {
+        self.smooth.get_or_init(|| shortcut(&self.path, |a, b| field.is_free(a, b)))
+    }
+
+    /// The memory it takes, in bytes.
+    pub fn bytes(&self) -> usize {
+        size_of::<[f64; 2]>() * (self.path.capacity() + self.smooth.get().map_or(0, Vec::capacity))
+    }
+}
+
+/// Tells [`LENGTH`] to [`SMOOTH_TURNING`]; of no way, that they are no numbers.
+pub fn read(way: Option<&Way>, field: &Field, out: &mut Readings) {
+    let measured = |path: &[[f64; 2]]| [geometry::length(path), geometry::turns(path) as f64, geometry::turning(path)];
+    let [before, after] = way.map_or([[f64::NAN; 3]; 2], |way| [measured(&way.path), measured(way.smooth(field))]);
+    let readings = [LENGTH, TURNS, TURNING, SMOOTH_LENGTH, SMOOTH_TURNS, SMOOTH_TURNING];
+    readings.iter().zip(before.into_iter().chain(after)).for_each(|(reading, value)| out.push(reading.name, value));
+}
+
+/// Whether the path is handed over without its redundant nodes.
+pub const SMOOTH: Parameter = Parameter::flag(
+    "smooth",
+    "Smoothing",
+    false,
+    "Hand over the path without its redundant nodes: a node goes if its neighbours see each other, [ANTBAT] §3.1. It is then measured by the shortest path at any angle. What is searched stays the same.",
+);
+
+const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
+    Reading { name, symbol, title, help, group }
+}
+
+/// The result's length from cell to cell.
+pub const LENGTH: Reading = reading("length", "L_{\\text{raw}}", "Raw length", Group::Length, "The path’s length before smoothing.");
+/// At how many corners it turns.
+pub const TURNS: Reading = reading("turns", "n_t", "Turns", Group::Measure, "At how many corners the path turns before smoothing.");
+/// By how much in all.
+pub const TURNING: Reading =
+    reading("turning", "\\theta", "Turning", Group::Measure, "How much it turns in all before smoothing, in radians.");
+/// The length without redundant nodes.
+pub const SMOOTH_LENGTH: Reading =
+    reading("smooth_length", "L_{\\text{smooth}}", "Smoothed length", Group::Length, "The length of the path without its redundant nodes.");
+/// The turns without them.
+pub const SMOOTH_TURNS: Reading =
+    reading("smooth_turns", "n_t'", "Turns, smoothed", Group::Measure, "At how many corners the path without its redundant nodes turns.");
+/// The turning without them.
+pub const SMOOTH_TURNING: Reading =
+    reading("smooth_turning", "\\theta'", "Turning, smoothed", Group::Measure, "How much that path turns in all, in radians.");
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_way_is_measured_before_and_after() {
+        let field = Field::new(1.0, 4, &[false; 16], 0.0, false);
+        let way = Way::new(vec![[0.5, 0.5], [1.5, 0.5], [2.5, 1.5], [3.5, 1.5]]);
+        let mut out = Readings::default();
+        read(Some(&way), &field, &mut out);
+        let quarter = std::f64::consts::FRAC_PI_4;
+        let expected = [2.0 + 2.0_f64.sqrt(), 2.0, 2.0 * quarter, 10.0_f64.sqrt(), 0.0, 0.0];
+        for ((_, value), expected) in out.iter().zip(expected) {
+            assert!((value - expected).abs() < 1e-15, "{value} {expected}");
+        }
+        out.clear();
+        read(None, &field, &mut out);
+        assert!(out.iter().len() == 6 && out.iter().all(|(_, value)| value.is_nan()));
+    }
+}
