@@ -159,13 +159,18 @@ impl Search {
 
     /// Settles the first cell of the frontier and reaches its neighbours from it.
     fn settle(&mut self) -> Status {
-        self.drop_settled();
-        let Some((f, at)) = self.open.pop() else {
-            self.lowest = None;
-            return Status::Infeasible;
+        let (f, at, cell, link) = loop {
+            let Some((f, at)) = self.open.pop() else {
+                self.lowest = None;
+                return Status::Infeasible;
+            };
+            let cell = self.task.cell(at);
+            let link = self.links[cell];
+            // A cell is put in again when a shorter way to it is found.
+            if !link.is_closed() {
+                break (f, at, cell, link);
+            }
         };
-        let cell = self.task.cell(at);
-        let link = self.links[cell];
         self.links[cell] = link.closed();
         self.expanded += 1;
         self.frontier -= 1;
@@ -178,8 +183,7 @@ impl Search {
         Status::Running
     }
 
-    /// Takes out of the queue what is settled already: those cells were put in again when a shorter way was found.
-    #[inline]
+    /// Takes out of the queue what is settled already, so that the first one is the next.
     fn drop_settled(&mut self) {
         while self.open.first().is_some_and(|(_, at)| self.links[self.task.cell(at)].is_closed()) {
             self.open.pop();
@@ -190,12 +194,13 @@ impl Search {
     #[inline]
     fn expand(&mut self, cell: usize, link: Link, [column, row]: [i32; 2]) {
         let Self { task, ways, links, open, frontier, .. } = self;
+        let g_cell = length(ways[cell]);
         let mut moves = task.moves(cell, link);
         while moves != 0 {
             let d = moves.trailing_zeros() as usize;
             moves &= moves - 1;
             let to = task.cells.next(cell, d);
-            let Some((parent, g)) = task.relax(ways, [cell, link.parent(), to], d) else { continue };
+            let Some((parent, g)) = task.relax(ways, g_cell, [cell, link.parent(), to], d) else { continue };
             if links[to].is_closed() {
                 continue;
             }
@@ -261,13 +266,13 @@ impl Task {
         }
     }
 
-    /// The shortest way to a cell by a step from its neighbour, whose parent is `over`, if it is shorter than the best
+    /// The shortest way to a cell by a step from its neighbour, `g` from the start and child of `over`, if it is shorter than the best
     /// known: whose child it becomes, and how long the way is.
     #[inline]
-    fn relax(&self, ways: &[u64], [cell, over, to]: [usize; 3], d: usize) -> Option<(usize, f64)> {
+    fn relax(&self, ways: &[u64], g: f64, [cell, over, to]: [usize; 3], d: usize) -> Option<(usize, f64)> {
         match self.rules.relaxation {
             Relaxation::Step => {
-                let g = length(ways[cell]) + if d & 1 == 0 { STRAIGHT } else { DIAGONAL };
+                let g = g + if d & 1 == 0 { STRAIGHT } else { DIAGONAL };
                 (way(g) > ways[to]).then_some((cell, g))
             }
             Relaxation::Sight => self.relax_by_sight(ways, [cell, over, to]),
