@@ -1,9 +1,9 @@
 //! `a-star`: the search with the octile heuristic, Hart, Nilsson and Raphael 1968.
 
-use crate::catalogue::Entry;
+use crate::{catalogue::Entry, way::SMOOTH};
 
 use super::{
-    parameters::{BOUND, EXPAND, FORMULA_OCTILE, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH, WEIGHT},
+    parameters::{BOUND, EXPAND, FORMULA_OCTILE, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS, WEIGHT},
     rules::{Heuristic, Relaxation},
 };
 

@@ -15,7 +15,7 @@ use super::{
     found::Found,
     link::{Link, onward},
     open::{Open, Place, apart, place},
-    rules::{DIAGONAL, Relaxation, Rules, STRAIGHT, line},
+    rules::{DIAGONAL, Guess, Relaxation, Rules, STRAIGHT, line},
     sight::sees,
 };
 
@@ -28,16 +28,13 @@ pub(super) struct Task {
     pub(super) field: Arc<Field>,
     pub(super) course: Course,
     pub(super) rules: Rules,
-    /// What the heuristic is multiplied by.
-    pub(super) weight: f64,
+    pub(super) guess: Guess,
     /// Hand over the smoothed path.
     pub(super) smooth: bool,
     cutting: bool,
     /// Cells settled a step.
     expand: u64,
     pub(super) limit: u64,
-    /// Column and row of the goal's cell.
-    goal: [i32; 2],
 }
 
 impl Task {
@@ -50,21 +47,14 @@ impl Task {
         Ok(Self {
             field: Arc::clone(grid.field()),
             rules,
-            weight,
+            guess: Guess { heuristic: rules.heuristic, weight, goal: apart(place(cells.place(course.goal))) },
             smooth: settings.flag("smooth"),
             cutting: grid.corner_cutting,
             expand,
             limit: settings.integer("iterations"),
-            goal: apart(place(cells.place(course.goal))),
             cells,
             course,
         })
-    }
-
-    /// The weighted heuristic of a place.
-    #[inline]
-    pub(super) fn ahead(&self, [x, y]: [i32; 2]) -> f64 {
-        self.weight * self.rules.heuristic.ahead([x - self.goal[0], y - self.goal[1]])
     }
 
     /// The distance that a step or a straight line adds.
@@ -118,7 +108,7 @@ impl Search {
         let task = Task::new(grid, settings, rules, weight)?;
         let (n, start) = (task.cells.len(), task.course.start);
         let first = place(task.cells.place(start));
-        let h = task.ahead(apart(first));
+        let h = task.guess.ahead(apart(first));
         let mut search = Self {
             task: Arc::new(task),
             ways: vec![0; n],
@@ -194,20 +184,27 @@ impl Search {
     #[inline]
     fn expand(&mut self, cell: usize, link: Link, [column, row]: [i32; 2]) {
         let Self { task, ways, links, open, frontier, .. } = self;
+        // What the loop needs, out of the shared memory that the compiler must expect to change.
+        let (cells, guess, relaxation) = (&*task.cells, task.guess, task.rules.relaxation);
+        let (ways, links) = (&mut ways[..], &mut links[..]);
         let g_cell = length(ways[cell]);
         let mut moves = task.moves(cell, link);
         while moves != 0 {
             let d = moves.trailing_zeros() as usize;
             moves &= moves - 1;
-            let to = task.cells.next(cell, d);
-            let Some((parent, g)) = task.relax(ways, g_cell, [cell, link.parent(), to], d) else { continue };
+            let to = cells.next(cell, d);
+            let child = match relaxation {
+                Relaxation::Step => Some((cell, g_cell + if d & 1 == 0 { STRAIGHT } else { DIAGONAL })).filter(|&(_, g)| way(g) > ways[to]),
+                Relaxation::Sight => task.by_sight(ways, [cell, link.parent(), to]),
+            };
+            let Some((parent, g)) = child else { continue };
             if links[to].is_closed() {
                 continue;
             }
             *frontier += u64::from(ways[to] == 0);
             (ways[to], links[to]) = (way(g), Link::new(parent, d));
             let next = [column + DIRECTIONS[d][0], row + DIRECTIONS[d][1]];
-            open.push(g + task.ahead(next), (next[1] << 16 | next[0]) as Place);
+            open.push(g + guess.ahead(next), (next[1] << 16 | next[0]) as Place);
         }
     }
 
@@ -266,22 +263,10 @@ impl Task {
         }
     }
 
-    /// The shortest way to a cell by a step from its neighbour, `g` from the start and child of `over`, if it is shorter than the best
-    /// known: whose child it becomes, and how long the way is.
-    #[inline]
-    fn relax(&self, ways: &[u64], g: f64, [cell, over, to]: [usize; 3], d: usize) -> Option<(usize, f64)> {
-        match self.rules.relaxation {
-            Relaxation::Step => {
-                let g = g + if d & 1 == 0 { STRAIGHT } else { DIAGONAL };
-                (way(g) > ways[to]).then_some((cell, g))
-            }
-            Relaxation::Sight => self.relax_by_sight(ways, [cell, over, to]),
-        }
-    }
-
-    /// Path 2 of Nash et al. 2007 where the parent sees the cell, otherwise path 1, which is never shorter.
+    /// Whose child a cell becomes that is reached from its neighbour, the child of `over`, and how long the way is, if that
+    /// is shorter than the best known: path 2 of Nash et al. 2007 where the parent sees the cell, otherwise path 1, which is never shorter.
     #[inline(never)]
-    fn relax_by_sight(&self, ways: &[u64], [cell, over, to]: [usize; 3]) -> Option<(usize, f64)> {
+    fn by_sight(&self, ways: &[u64], [cell, over, to]: [usize; 3]) -> Option<(usize, f64)> {
         let from = |cell: usize| (cell, length(ways[cell]) + self.between(cell, to));
         let shorter = |&(_, g): &(usize, f64)| way(g) > ways[to];
         Some(from(over))

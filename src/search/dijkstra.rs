@@ -1,9 +1,9 @@
 //! `dijkstra`: the search without a guess, Dijkstra 1959.
 
-use crate::catalogue::Entry;
+use crate::{catalogue::Entry, way::SMOOTH};
 
 use super::{
-    parameters::{BOUND, EXPAND, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH},
+    parameters::{BOUND, EXPAND, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS},
     rules::{Heuristic, Relaxation},
 };
 

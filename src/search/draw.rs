@@ -9,9 +9,9 @@ impl Search {
         self.draw_closed(frame);
         self.draw_frontier(frame);
         if let Some(found) = &self.found {
-            draw_path(frame, Role::Best, &found.path);
+            draw_path(frame, Role::Best, &found.way.path);
             if self.task.smooth {
-                draw_path(frame, Role::Smoothed, found.smooth(&self.task));
+                draw_path(frame, Role::Smoothed, found.way.smooth(&self.task.field));
             }
         }
     }

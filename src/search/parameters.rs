@@ -5,6 +5,7 @@ use crate::{
     frame::Role,
     params::{Parameter, When},
     scene::{Kind, MAX_SIDE},
+    way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 /// The kinds of scene that a search runs on.
@@ -33,13 +34,6 @@ pub(super) const WEIGHT: Parameter = Parameter::number(
     [1.0, 5.0, 1.0],
     "What the way to the goal is multiplied by. 1: the path is the shortest. Above, fewer cells are settled, and the path may be up to that many times as long as the shortest: the gap shows it.",
 );
-pub(super) const SMOOTH: Parameter = Parameter::flag(
-    "smooth",
-    "Smoothing",
-    false,
-    "Hand over the path without its redundant nodes: a node goes if its neighbours see each other, [ANTBAT] §3.1. It is then measured by the shortest path at any angle.",
-);
-
 const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
     Reading { name, symbol, title, help, group }
 }
@@ -54,12 +48,12 @@ pub(super) const READINGS: &[Reading] = &[
         Group::Cost,
         "The lowest f = g + h of a cell on the frontier. Where the heuristic is exact and unweighted it only rises, no path is shorter, and it ends as the path’s length.",
     ),
-    reading("length", "L_{\\text{raw}}", "Raw length", Group::Length, "The path’s length before smoothing."),
-    reading("turns", "n_t", "Turns", Group::Measure, "At how many corners the path turns before smoothing."),
-    reading("turning", "\\theta", "Turning", Group::Measure, "How much it turns in all before smoothing, in radians."),
-    reading("smooth_length", "L_{\\text{smooth}}", "Smoothed length", Group::Length, "The length of the path without its redundant nodes."),
-    reading("smooth_turns", "n_t'", "Turns, smoothed", Group::Measure, "At how many corners the path without its redundant nodes turns."),
-    reading("smooth_turning", "\\theta'", "Turning, smoothed", Group::Measure, "How much that path turns in all, in radians."),
+    LENGTH,
+    TURNS,
+    TURNING,
+    SMOOTH_LENGTH,
+    SMOOTH_TURNS,
+    SMOOTH_TURNING,
     reading("expanded", "n_c", "Settled", Group::Count, "Cells settled so far."),
     reading("frontier", "n_o", "Frontier", Group::Count, "Cells reached and not settled."),
     reading("converged", "k^*", "Found after", Group::Count, "The step in which the path was found."),

@@ -4,9 +4,10 @@ use crate::{
     digest::Digest,
     frame::Frame,
     planner::{Best, Inspection, Item, Planner, Readings, Solution, Status, Yardstick},
+    way,
 };
 
-use super::{best_first::Search, found::measures, rules::Relaxation};
+use super::{best_first::Search, rules::Relaxation};
 
 impl Planner for Search {
     fn step(&mut self) -> Status {
@@ -33,20 +34,16 @@ impl Planner for Search {
 
     fn best(&self) -> Option<Best> {
         let found = self.found.as_ref()?;
-        let path = if self.task.smooth { found.smooth(&self.task) } else { &found.path };
+        let path = if self.task.smooth { found.way.smooth(&self.task.field) } else { &found.way.path };
         Some(Best { cost: found.cost, solution: Solution::Path(path.to_vec()) })
     }
 
     fn read(&self, out: &mut Readings) {
-        const NOTHING: [f64; 3] = [f64::NAN; 3];
         let found = self.found.as_deref();
         let lowest = self.lowest.map_or(f64::NAN, |f| self.task.length(f) + self.task.course.stubs);
-        let raw = found.map_or(NOTHING, |found| measures(&found.path));
-        let smooth = found.map_or(NOTHING, |found| measures(found.smooth(&self.task)));
         out.push("best", found.map_or(f64::NAN, |found| found.cost));
         out.push("f", lowest);
-        ["length", "turns", "turning"].into_iter().zip(raw).for_each(|(name, value)| out.push(name, value));
-        ["smooth_length", "smooth_turns", "smooth_turning"].into_iter().zip(smooth).for_each(|(name, value)| out.push(name, value));
+        way::read(found.map(|found| &found.way), &self.task.field, out);
         out.push("expanded", self.expanded as f64);
         out.push("frontier", self.frontier as f64);
         out.push("converged", found.map_or(f64::NAN, |found| found.iteration as f64));

@@ -38,6 +38,24 @@ pub(super) fn line([dx, dy]: [i32; 2]) -> f64 {
     STRAIGHT * (x * x + y * y).sqrt()
 }
 
+/// A heuristic, its weight and its goal: what it says of a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Guess {
+    pub(super) heuristic: Heuristic,
+    /// What the heuristic is multiplied by.
+    pub(super) weight: f64,
+    /// Column and row of the goal's cell.
+    pub(super) goal: [i32; 2],
+}
+
+impl Guess {
+    /// The weighted heuristic of a column and a row.
+    #[inline]
+    pub(super) fn ahead(&self, [x, y]: [i32; 2]) -> f64 {
+        self.weight * self.heuristic.ahead([x - self.goal[0], y - self.goal[1]])
+    }
+}
+
 /// Whose child a cell becomes when the search comes to it from a neighbour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Relaxation {

@@ -52,7 +52,7 @@ impl Search {
             if let Some(g) = self.reached(next) {
                 let h = self.ahead(next);
                 told.labels.push(cells.compass()[d].to_owned());
-                told.rows.push(vec![self.task.length(g), h, self.task.length(g) + self.task.weight * h]);
+                told.rows.push(vec![self.task.length(g), h, self.task.length(g) + self.task.guess.weight * h]);
             }
         }
         Some(told)
@@ -72,7 +72,7 @@ impl Search {
         };
         told.values.extend([
             quantity("g", "g", "way from the start", g),
-            quantity("f", "f", "together, as the queue is ordered", g + task.weight * h),
+            quantity("f", "f", "together, as the queue is ordered", g + task.guess.weight * h),
         ]);
         told.formulas.insert(0, "f");
         if let Some(parent) = parent {
@@ -110,7 +110,7 @@ impl Search {
         let [dx, dy] = self.goal_from(cell).map(f64::from);
         vec![
             quantity("h", "h", "way to the goal, at least", self.ahead(cell)),
-            quantity("w", "w", "weight of the heuristic", self.task.weight),
+            quantity("w", "w", "weight of the heuristic", self.task.guess.weight),
             quantity("side", "l", "side of a cell", self.task.cells.side),
             quantity("dx", "\\Delta x", "columns to the goal", dx),
             quantity("dy", "\\Delta y", "rows to the goal", dy),

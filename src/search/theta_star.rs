@@ -1,9 +1,9 @@
 //! `theta-star`: the search at any angle, Nash, Daniel, Koenig and Felner 2007.
 
-use crate::catalogue::Entry;
+use crate::{catalogue::Entry, way::SMOOTH};
 
 use super::{
-    parameters::{BOUND, EXPAND, FORMULA_SIGHT, FORMULA_STRAIGHT, ITERATIONS, KINDS, LAYERS, READINGS, SMOOTH},
+    parameters::{BOUND, EXPAND, FORMULA_SIGHT, FORMULA_STRAIGHT, ITERATIONS, KINDS, LAYERS, READINGS},
     rules::{Heuristic, Relaxation},
 };
 
