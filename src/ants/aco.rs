@@ -16,7 +16,7 @@ pub(super) const ANTS: Parameter = ants(50, "How many ants set out in an iterati
 pub(super) const ALPHA: Parameter = alpha(1.5, "How much pheromone counts in an ant’s choice. Published: 1.5.");
 pub(super) const BETA: Parameter = beta(8.0, "How much the distance to the goal counts in an ant’s choice. Published: 8.");
 pub(super) const RHO: Parameter = rho(0.4, "The share of the pheromone that is gone after an iteration. Published: 0.4.");
-pub(super) const Q: Parameter = q(10.0, [1.0, 100.0], "An ant lays Q / L on each step of a way of length L. The paper gives no value.");
+pub(super) const Q: Parameter = q(1.0, [0.1, 100.0], "An ant lays Q / L on each step of a way of length L. The paper gives no value.");
 
 pub(super) const TAU_0: Parameter =
     tau_0(1.0, "What lies on every step before the first ant sets out. The paper gives no value; 1 is about what fifty ants lay.");
