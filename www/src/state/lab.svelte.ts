@@ -52,6 +52,8 @@ class Lab extends Scenes {
   sceneError = $state.raw<Refusal | null>(null)
   paramErrors = $state.raw<Record<string, string>>({})
   notice = $state('')
+  /** A random map is being made. */
+  making = $state(false)
   /** True from a change until its first picture: the old one must not pass for the new. */
   stale = $state(false)
 
@@ -305,26 +307,23 @@ class Lab extends Scenes {
   }
 
   openScene = (scene: Scene): void => {
-    if (!this.planner?.kinds.includes(scene.kind)) {
-      this.notice = en.notices.kind(this.planner?.title ?? '', scene.title)
-      return
-    }
+    this.notice = ''
     this.put(scene, true)
+    if (!this.planner?.kinds.includes(scene.kind)) this.suit(scene)
     this.again()
   }
 
-  importScene = async (text: string): Promise<void> => {
-    let parsed: Scene
-    try {
-      parsed = JSON.parse(text) as Scene
-    } catch {
-      this.notice = en.notices.json
-      return
-    }
-    const answer = await this.client.api.checkScene(parsed)
-    if (answer.ok) this.openScene(answer.value)
-    else this.notice = en.notices.scene(answer.refusal.message)
+  /** Another planner takes the place of one that doesn't run on such scenes. */
+  private suit({ kind, title }: Scene): void {
+    const other = this.catalogue?.planners.find(({ kinds }) => kinds.includes(kind))
+    if (!other) return
+    this.notice = en.notices.kind(this.planner?.title ?? '', title, other.title)
+    this.paramErrors = {}
+    this.plannerName = other.name
   }
+
+  /** Scenes and maps, each of one file or of two that belong together. */
+  importFiles = async (files: Iterable<File>): Promise<void> => (await import('./imports')).importFiles([...files])
 
   setSeed = (seed: number): void => {
     this.seed = seed

@@ -1,6 +1,7 @@
 import type { DiscsScene, GridScene, Scene } from 'forage'
 import { add, edited, move, place, type Plane, remove, type Selection } from './edits'
 import * as history from './history'
+import type { ImportedFiles } from './imports'
 
 /** Key presses that follow each other within this many milliseconds are one edit. */
 const NUDGING = 800
@@ -11,6 +12,8 @@ export abstract class Scenes {
   /** A scene while it is being dragged: not yet a step of the history. */
   private draft = $state.raw<Scene | null>(null)
   selection = $state.raw<Selection | null>(null)
+  /** What was told of the files that the scene was read from. */
+  imported = $state.raw<ImportedFiles | null>(null)
   private nudged: { selection: Selection; at: number } | null = null
 
   readonly scene = $derived(this.draft ?? this.scenes?.present ?? null)
@@ -30,6 +33,7 @@ export abstract class Scenes {
     this.scenes = this.scenes && step ? history.commit(this.scenes, scene) : history.begin(scene)
     this.draft = null
     this.selection = null
+    this.imported = null
   }
 
   /** An edit on its way, shown and run at once; `edit` with the last of them makes it one step of the history. */
@@ -65,6 +69,7 @@ export abstract class Scenes {
     this.draft = null
     this.scenes = by(this.scenes)
     this.selection = null
+    this.imported = null
     this.again()
   }
 

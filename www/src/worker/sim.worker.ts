@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink'
-import init, { catalogue, checkScene, newSeed, parseLink, Session, suggest } from 'forage'
-import type { Catalogue, Inspection, Item, LinkSetup, Outcome, ParameterValue, Scene, Setup, Suggestion } from 'forage'
+import init, { catalogue, exportScene, generateScene, importScene, newSeed, parseLink, Session, suggest } from 'forage'
+import type { Catalogue, Format, Imported, Inspection, Item, LinkSetup, NamedFile, Outcome, ParameterValue, Scene, Setup, Suggestion } from 'forage'
 import { breathe } from './pace'
 import { Simulation } from './simulation'
 import type { Answer, Driven, FieldRequest, Look, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
@@ -55,7 +55,10 @@ const api = {
     const picked = answer(() => running().session?.pick(x, y, reach) ?? null)
     return picked.ok ? picked.value : null
   },
-  checkScene: (scene: Scene): Answer<Scene> => answer(() => checkScene(scene)),
+  importScene: (files: NamedFile[], problem?: number): Answer<Imported> => answer(() => importScene(files, problem)),
+  exportScene: (scene: Scene, format: Format): Answer<NamedFile[]> => answer(() => exportScene(scene, format)),
+  generateScene: (name: string, params: Record<string, ParameterValue>, seed: number): Answer<Scene> =>
+    answer(() => generateScene(name, params, seed)),
   suggest: (setup: Setup): Answer<Suggestion | null> => answer(() => suggest(setup)),
   parseLink: (link: string): Answer<LinkSetup> => answer(() => parseLink(link)),
   newSeed: (): number => newSeed(),

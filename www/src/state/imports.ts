@@ -1,0 +1,44 @@
+import type { NamedFile, Problem } from 'forage'
+import { en } from '../i18n/en'
+import { lab } from './lab.svelte'
+
+/** Files that a scene was read from, and what there is to say about it. */
+export interface ImportedFiles {
+  files: NamedFile[]
+  notes: string[]
+  problems: Problem[]
+  /** Which of the problems the scene has the ends of. */
+  problem: number
+}
+
+async function read(file: File): Promise<NamedFile> {
+  return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }
+}
+
+async function take(files: NamedFile[], problem?: number): Promise<void> {
+  const answer = await lab.api.importScene(files, problem)
+  if (!answer.ok) {
+    lab.notice = en.notices.files(answer.refusal.message)
+    return
+  }
+  const { scene, notes, problems } = answer.value
+  lab.openScene(scene)
+  if (notes.length > 0 || problems.length > 1) lab.imported = { files, notes, problems, problem: problem ?? problems.length - 1 }
+}
+
+export async function importFiles(files: readonly File[]): Promise<void> {
+  let named: NamedFile[]
+  try {
+    named = await Promise.all(files.map(read))
+  } catch {
+    // A folder, or a file that has gone meanwhile.
+    lab.notice = en.notices.unreadable(files.map(({ name }) => name).join(', '))
+    return
+  }
+  await take(named)
+}
+
+/** The ends of another of the problems, in the map as the file has it. */
+export async function chooseProblem({ files }: ImportedFiles, problem: number): Promise<void> {
+  await take(files, problem)
+}
