@@ -157,6 +157,8 @@ export const panels = {
       infeasible: 'no solution',
     },
     early: 'stopped early',
+    tuned: (planner: string) => `Best parameters for “${planner}”`,
+    useTuned: 'Use these parameters',
     published: 'Published for this scene',
   },
 } as const

@@ -1,12 +1,19 @@
 import * as Comlink from 'comlink'
 import type { Catalogue } from 'forage'
 import type { Api } from '../worker/sim.worker'
-import type { FrameMessage, FromWorker, ReturnedBuffer } from '../worker/protocol'
+import type { FrameMessage, FromWorker, ProgressMessage, ReturnedBuffer } from '../worker/protocol'
 
 interface Listeners {
   onframe(frame: FrameMessage): void
+  onprogress(progress: ProgressMessage): void
   oncrash(message: string): void
 }
+
+/** More threads than these cost more memory than they save time. */
+const MOST_HANDS = 8
+
+/** One thread is left for what is seen. */
+const hands = (): number => Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), MOST_HANDS)
 
 /** The thread that computes. After a crash it is thrown away and a new one started. */
 export class Client {
@@ -31,6 +38,7 @@ export class Client {
     port1.onmessage = ({ data }: MessageEvent<FromWorker>) => {
       if (worker !== this.worker) return
       if (data.type === 'frame') this.listeners.onframe(data)
+      else if (data.type === 'progress') this.listeners.onprogress(data)
       else this.listeners.oncrash(data.message)
     }
     const failed = new Promise<never>((_, reject) => {
@@ -41,7 +49,7 @@ export class Client {
         reject(new Error(message))
       }
     })
-    return Promise.race([this.remote.open(Comlink.transfer(port2, [port2])), failed])
+    return Promise.race([this.remote.open(Comlink.transfer(port2, [port2]), hands()), failed])
   }
 
   giveBack(buffer: ArrayBuffer): void {

@@ -1,6 +1,6 @@
 import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
 import { en } from '../i18n/en'
-import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
+import type { FrameMessage, Opening, ProgressMessage, Refusal, Run } from '../worker/protocol'
 import { address } from './address'
 import { applies, met } from './applicable'
 import { Client } from './client'
@@ -12,6 +12,7 @@ import { stillness } from './theme.svelte'
 
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
+export type Tuned = NonNullable<Outcome['tuned']>
 export type Phase = 'loading' | 'ready' | 'crashed'
 /** Which optimum results are measured by. Only in a grid there is more than one. */
 export type Yardstick = 'plain' | Outcome['exact_by']
@@ -34,6 +35,8 @@ class Lab extends Scenes {
   playing = $state(false)
   /** Where a seek is on its way to. */
   target = $state<number | null>(null)
+  /** Of the runs of other planners that the next step needs. */
+  private progress = $state.raw<ProgressMessage | null>(null)
   readings = $state.raw<Record<string, number>>({})
   outcome = $state.raw<Outcome | null>(null)
   hash = $state('')
@@ -44,6 +47,7 @@ class Lab extends Scenes {
 
   inspection = $state.raw<Inspection | null>(null)
   private item: Item | null = null
+  private tuner: Tuned | null = null
   hidden = $state.raw<Record<string, boolean>>({})
   speed = $state(30)
 
@@ -60,10 +64,13 @@ class Lab extends Scenes {
   readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
   readonly limit = $derived(this.run?.limit ?? 0)
   readonly yardstick = $derived<Yardstick>(this.grid && this.outcome ? this.outcome.exact_by : 'plain')
+  /** How far a step is that takes its time. */
+  readonly underway = $derived(this.progress?.generation === this.run?.generation ? this.progress : null)
   readonly finished = $derived(this.status !== 'running')
 
   private readonly client = new Client({
     onframe: (frame) => this.receive(frame),
+    onprogress: (progress) => (this.progress = progress),
     oncrash: (message) => this.breakDown(message),
   })
   readonly driving = new Driving((params) => this.client.api.drive(params))
@@ -213,6 +220,7 @@ class Lab extends Scenes {
     this.crash = message
     this.playing = false
     this.target = null
+    this.progress = null
     // What that thread was asked will never be answered.
     this.starting = false
     this.pending = null
@@ -249,6 +257,7 @@ class Lab extends Scenes {
     }
     this.playing = frame.playing
     this.target = null
+    this.progress = null
     const { of } = this.driving
     // A drive along another result would be a lie.
     if (this.driving.track && (of.generation !== frame.generation || of.iteration !== frame.iteration)) this.driving.leave()
@@ -273,6 +282,7 @@ class Lab extends Scenes {
 
   pause = (): void => {
     this.playing = false
+    this.progress = null
     void this.client.api.pause()
   }
 
@@ -302,6 +312,8 @@ class Lab extends Scenes {
     const planner = this.catalogue?.planners.find((candidate) => candidate.name === name)
     if (!planner || name === this.plannerName) return
     this.paramErrors = {}
+    if (this.tuner?.planner === name) this.params = this.tuner.params
+    this.tuner = null
     this.plannerName = name
     this.again()
   }
@@ -324,6 +336,15 @@ class Lab extends Scenes {
 
   /** Scenes and maps, each of one file or of two that belong together. */
   importFiles = async (files: Iterable<File>): Promise<void> => (await import('./imports')).importFiles([...files])
+
+  /** Runs the planner that was tuned, with what the tuning came to. The tuner's own parameters wait for its return. */
+  useTuned = ({ planner, params }: Tuned): void => {
+    this.tuner = { planner: this.plannerName, params: this.params }
+    this.paramErrors = {}
+    this.plannerName = planner
+    this.params = params
+    this.again()
+  }
 
   setSeed = (seed: number): void => {
     this.seed = seed

@@ -86,13 +86,21 @@ export interface FrameMessage {
   report: Report | null
 }
 
+/** How far the runs of other planners are that a step needs. */
+export interface ProgressMessage {
+  type: 'progress'
+  generation: number
+  done: number
+  total: number
+}
+
 /** The core broke down: nothing more comes from this worker. */
 export interface CrashMessage {
   type: 'crash'
   message: string
 }
 
-export type FromWorker = FrameMessage | CrashMessage
+export type FromWorker = FrameMessage | ProgressMessage | CrashMessage
 export interface ReturnedBuffer {
   buffer: ArrayBuffer
 }

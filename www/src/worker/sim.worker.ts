@@ -1,6 +1,8 @@
 import * as Comlink from 'comlink'
-import init, { catalogue, exportScene, generateScene, importScene, newSeed, parseLink, Session, suggest } from 'forage'
-import type { Catalogue, Format, Imported, Inspection, Item, LinkSetup, NamedFile, Outcome, ParameterValue, Scene, Setup, Suggestion } from 'forage'
+import init, { carryOut, catalogue, exportScene, generateScene, importScene, newSeed, parseLink, Session, suggest } from 'forage'
+import type { Catalogue, Finding, Format, Imported, Inspection, Item, LinkSetup, NamedFile, Outcome, ParameterValue, Scene, Setup, Suggestion } from 'forage'
+import { Crew } from './crew'
+import { oneself, thread } from './hands'
 import { breathe } from './pace'
 import { Simulation } from './simulation'
 import type { Answer, Driven, FieldRequest, Look, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
@@ -34,13 +36,19 @@ function running(): Simulation {
 }
 
 const api = {
-  async open(frames: MessagePort): Promise<Catalogue> {
+  /** `hands`: how many threads may work side by side. */
+  async open(frames: MessagePort, hands: number): Promise<Catalogue> {
     port = frames
     await init()
     const known = catalogue()
-    simulation = new Simulation(frames, crash, known.shapes.indexOf('field'))
+    simulation = new Simulation(frames, crash, known.shapes.indexOf('field'), new Crew(hands, thread, oneself))
     frames.onmessage = ({ data }: MessageEvent<ReturnedBuffer>) => simulation?.giveBack(data.buffer)
     return known
+  },
+  /** Of a thread that carries out runs for another one. */
+  async carryOut(setup: Setup): Promise<Finding> {
+    await init()
+    return carryOut(setup)
   },
   start: (setup: Setup, opening: Opening): Answer<Run> => answer(() => running().start(setup, opening)),
   play: (): void => running().play(),

@@ -1,16 +1,19 @@
 import { Session } from 'forage'
 import type { Item, ParameterValue, Setup } from 'forage'
+import type { Crew } from './crew'
 import { fieldsOf } from './fields'
 import { breathe, SLICE, wait } from './pace'
 import { pack } from './pack'
 import { Pool } from './pool'
-import type { Driven, FrameMessage, Look, Opening, Report, Run, Speed } from './protocol'
+import type { Driven, FrameMessage, Look, Opening, ProgressMessage, Report, Run, Speed } from './protocol'
 
 /** Vertices a layer may have: what a canvas draws in a few tens of milliseconds. */
 const BUDGET = 100_000
 const FRAME_INTERVAL = 1000 / 60
 /** The whole state's summary costs more than a picture: while playing it is told a few times a second. */
 const REPORT_INTERVAL = 250
+/** How often the progress of a step is told. */
+const PROGRESS_INTERVAL = 100
 /** At most this share of the time goes into reports. */
 const REPORT_SHARE = 20
 
@@ -30,6 +33,7 @@ export class Simulation {
   private stale = false
   private lastFrame = 0
   private lastReport = 0
+  private lastProgress = 0
   private reportCost = 0
   private settled = false
   /** What was told of the state in which it stands still. */
@@ -40,6 +44,7 @@ export class Simulation {
     private readonly crash: (error: unknown) => void,
     /** The number of the shape that is a field. */
     private readonly field: number,
+    private readonly crew: Crew,
   ) {}
 
   start(setup: Setup, { at, play }: Opening): Run {
@@ -55,6 +60,7 @@ export class Simulation {
     this.playing = play
     const { planner, scene, seed, limit, parameters } = session
     const exact = session.exact()
+    this.crew.begin(planner, scene)
     this.stale = true
     this.loop(async (token) => {
       await this.reach(at, token)
@@ -120,6 +126,7 @@ export class Simulation {
 
   private loop(body: (token: number) => Promise<void>): void {
     this.token += 1
+    this.crew.drop()
     this.settled = false
     this.told = null
     body(this.token).catch((error: unknown) => this.crash(error))
@@ -133,10 +140,31 @@ export class Simulation {
     }
   }
 
-  private step(n: number): void {
-    this.session?.step(n)
-    this.computed = Math.max(this.computed, this.session?.iteration ?? 0)
+  /** Takes a step, after the runs of other planners that it needs; false if a newer command has come meanwhile. */
+  private async step(token: number): Promise<boolean> {
+    const { session } = this
+    if (!session) return false
+    const jobs = session.jobs()
+    if (jobs.length > 0) {
+      const found = await this.crew.carryOut(jobs, (done) => this.progress(done, jobs.length))
+      if (token !== this.token) return false
+      // Without it the step carries them out itself.
+      if (found) session.supply(found)
+    }
+    session.step(1)
+    this.computed = Math.max(this.computed, session.iteration)
     this.stale = true
+    return true
+  }
+
+  private progress(done: number, total: number): void {
+    // A wait begins: what there is must be seen.
+    if (this.stale) this.guard(() => this.picture())
+    const now = performance.now()
+    if (now - this.lastProgress < PROGRESS_INTERVAL) return
+    this.lastProgress = now
+    const message: ProgressMessage = { type: 'progress', generation: this.generation, done, total }
+    this.port.postMessage(message)
   }
 
   private async reach(iteration: number, token: number): Promise<void> {
@@ -146,7 +174,8 @@ export class Simulation {
     this.stale = true
     while (session.iteration < iteration && session.status === 'running') {
       const fresh = session.iteration >= this.computed
-      this.slice(iteration)
+      await this.slice(iteration, token)
+      if (token !== this.token) return
       if (fresh) this.showWhenDue()
       await breathe()
       if (token !== this.token) return
@@ -155,10 +184,12 @@ export class Simulation {
   }
 
   /** Steps up to an iteration for as long as a slice lasts. */
-  private slice(to: number): void {
+  private async slice(to: number, token: number): Promise<void> {
     const { session } = this
     const until = performance.now() + SLICE
-    while (session && session.status === 'running' && session.iteration < to && performance.now() < until) this.step(1)
+    while (session && session.status === 'running' && session.iteration < to && performance.now() < until) {
+      if (!(await this.step(token))) return
+    }
   }
 
   private async run(token: number): Promise<void> {
@@ -167,16 +198,17 @@ export class Simulation {
     let due = performance.now()
     while (token === this.token && this.playing && session.status === 'running') {
       if (this.pace === Infinity) {
-        this.slice(Infinity)
+        await this.slice(Infinity, token)
       } else {
         const now = performance.now()
         // After a pause of the machine it goes on from here instead of catching up.
         if (now - due > 200) due = now
         while (due <= now && session.status === 'running') {
-          this.step(1)
+          if (!(await this.step(token))) return
           due += 1000 / this.pace
         }
       }
+      if (token !== this.token) return
       this.showWhenDue()
       if (this.pace === Infinity) await breathe()
       else await wait(Math.max(0, due - performance.now()))

@@ -1,0 +1,27 @@
+import { wrap } from 'comlink'
+import { carryOut } from 'forage'
+import type { Hand } from './crew'
+import { breathe } from './pace'
+import type { Api } from './sim.worker'
+
+/** Another thread with the same code and a core of its own. */
+export function thread(): Hand {
+  const worker = new Worker(self.location.href, { type: 'module' })
+  const remote = wrap<Api>(worker)
+  const failed = new Promise<never>((_, reject) => {
+    worker.onerror = (event) => {
+      event.preventDefault()
+      reject(new Error(event.message))
+    }
+  })
+  return { carryOut: (setup) => Promise.race([remote.carryOut(setup), failed]), dismiss: () => worker.terminate() }
+}
+
+/** This thread, which listens between two runs. */
+export const oneself: Hand = {
+  async carryOut(setup) {
+    await breathe()
+    return carryOut(setup)
+  },
+  dismiss() {},
+}
