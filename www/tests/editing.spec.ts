@@ -103,3 +103,17 @@ test('a scene file opens; one that is refused says why and changes nothing', asy
   await expect.poll(() => lab.iteration()).toBeLessThan(8)
   expect((await sceneAt(lab, 15)).discs).toEqual(good.discs)
 })
+
+test('a planner that doesn’t run here brings a scene of its own; undone, a planner that does run comes back with it', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 8))
+  await lab.settled(8)
+  await page.getByTestId('planner').selectOption('aco')
+  const hash = await lab.seek(4)
+  const there = verified(await lab.link(hash))
+  expect([there.planner, there.scene.kind]).toEqual(['aco', 'grid'])
+  await lab.press(en.bar.undo)
+  await expect(page.getByTestId('scene')).toHaveValue('wcpso-discs')
+  const back = verified(await lab.link(await lab.seek(4)))
+  expect(back.scene.kind).toBe('discs')
+  await expect(page.getByTestId('notice')).toContainText('takes its place')
+})

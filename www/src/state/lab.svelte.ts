@@ -305,6 +305,7 @@ class Lab extends Scenes {
 
   protected again(): void {
     this.promised = undefined
+    if (this.scene && this.planner && !this.planner.kinds.includes(this.scene.kind)) this.suit(this.scene)
     void this.restart({ at: 0, play: this.playing || !this.run || (this.finished && !stillness.matches) })
   }
 
@@ -315,13 +316,16 @@ class Lab extends Scenes {
     if (this.tuner?.planner === name) this.params = this.tuner.params
     this.tuner = null
     this.plannerName = name
+    // Where it doesn't run, it brings a scene of its own.
+    const { kinds } = planner
+    const other = this.scene && !kinds.includes(this.scene.kind) && this.catalogue?.scenes.find(({ kind }) => kinds.includes(kind))
+    if (other) this.put(other, true)
     this.again()
   }
 
   openScene = (scene: Scene): void => {
     this.notice = ''
     this.put(scene, true)
-    if (!this.planner?.kinds.includes(scene.kind)) this.suit(scene)
     this.again()
   }
 
