@@ -83,6 +83,34 @@ for (const colorScheme of ['light', 'dark'] as const) {
         const low = await page.getByTestId('walk-bar').locator('button, input[type=range]').evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().height < 43.5).length)
         expect(low).toBe(0)
       })
+
+      test('axe finds nothing wrong with a tuning, a map that was read and a random one; nothing is too wide or too low', async ({ lab, page }) => {
+        const wrong = async (): Promise<string[]> => {
+          const width = await page.evaluate(() => document.documentElement.scrollWidth)
+          const low = await page
+            .locator('[data-testid="tuned"], [data-testid="imported"], dialog')
+            .locator('button, select, input:not([type=checkbox])')
+            .evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML))
+          return [...(await violations(lab)), ...(width > viewport.width ? [`${width} wide`] : []), ...(screen === 'phone' ? low : [])]
+        }
+        const params = { population: 3, seeds: 1, colony_iterations: 5 }
+        await lab.open(linkTo({ planner: 'pso-tuning', scene: 'wolf-ant-20', params }, 2))
+        await lab.settled(2)
+        await expect(page.getByTestId('tuned')).toBeVisible()
+        await lab.section('parameters')
+        await page.locator('[data-parameter="tune"] button[aria-expanded]').click()
+        expect(await wrong()).toEqual([])
+
+        await lab.section('scene')
+        const map = Buffer.from('type octile\nheight 2\nwidth 3\nmap\n..@\n...\n')
+        await page.getByTestId('scene-file').setInputFiles({ name: 'nook.map', mimeType: 'text/plain', buffer: map })
+        await expect(page.getByTestId('imported')).toBeVisible()
+        expect(await wrong()).toEqual([])
+
+        await page.getByTestId('generate').click()
+        await expect(page.getByTestId('map-preview')).toBeVisible()
+        expect(await wrong()).toEqual([])
+      })
     })
   }
 }

@@ -140,8 +140,8 @@ export const en = {
   imported: {
     title: 'What was read',
     read: (names: string) => `Read ${names}`,
-    problem: (count: string) => `Problem, of ${count}`,
-    option: (n: number, start: string, goal: string, length: string) => `${n}: ${start} → ${goal}, length ${length} cells`,
+    problem: (last: string) => `Problem, 0 to ${last}`,
+    option: (n: number, start: string, goal: string, length: string) => `${n}: ${start} → ${goal}, ${length} cells`,
   },
   exports: {
     title: 'Export',

@@ -18,7 +18,10 @@ async function read(file: File): Promise<NamedFile> {
 async function take(files: NamedFile[], problem?: number): Promise<void> {
   const answer = await lab.api.importScene(files, problem)
   if (!answer.ok) {
-    lab.notice = en.notices.files(answer.refusal.message)
+    const { message } = answer.refusal
+    const names = files.map(({ name }) => name)
+    // What is wrong within a scene is told by its fields.
+    lab.notice = en.notices.files(names.some((name) => message.includes(name)) ? message : `${names.join(', ')}: ${message}`)
     return
   }
   const { scene, notes, problems } = answer.value
