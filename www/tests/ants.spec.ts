@@ -193,6 +193,31 @@ test('a cell that is pointed at shows its neighbours with the core’s numbers, 
   await expect(lab.root).toHaveAttribute('data-playing', 'true')
 })
 
+test('a search’s settled cells are a field too; a cell’s card has g, h and f of it and of its neighbours', async ({ lab, page }) => {
+  const search = { planner: 'a-star', scene: 'wolf-ant-20' }
+  await lab.open(linkTo(search, 60))
+  await lab.settled(60)
+  for (const role of ['closed', 'frontier']) {
+    const { digest } = await lab.wholePicture()
+    await lab.layer(role, false)
+    expect((await lab.wholePicture()).digest).not.toBe(digest)
+    await lab.layer(role, true)
+  }
+  const cell = { column: 7, row: 7 }
+  const inspection = sessionAt(search, 60, (session) => session.inspect({ role: 'closed', index: indexOf(scene, cell) }))
+  if (!inspection) throw new Error('nothing there')
+  const { x, y } = await lab.whereIs(scene, middleOf(scene, cell))
+  await page.mouse.move(x, y)
+  const card = page.getByTestId('cell-card')
+  const shown = (place: string) => card.locator(place).locator('[data-column]').allTextContents()
+  await expect(card).toContainText(inspection.title)
+  const own = ['g', 'h', 'f'].map((name) => number(inspection.values.find((value) => value.name === name)?.value, 3))
+  expect(await shown('.here')).toEqual(own)
+  for (const [at, label] of inspection.table.labels.entries()) {
+    expect(await shown(`[data-direction="${label}"]`)).toEqual(inspection.table.rows[at]?.map((value) => number(value, 3)))
+  }
+})
+
 test('with the lens, keys go from cell to cell, which is told, and look closer', async ({ lab, page }) => {
   await begin(lab)
   await page.getByTestId('tool-cells').click()

@@ -10,6 +10,8 @@ const MOST = 3
 
 export type Table = Inspection['table']
 
+export const valuesOf = ({ values }: Inspection): Record<string, number> => Object.fromEntries(values.map(({ name, value }) => [name, value]))
+
 /** Whether a table is about a cell's neighbours. */
 export const isCompass = ({ labels }: Table): boolean => labels.length > 0 && labels.every((label) => COMPASS.some((known) => known === label))
 
