@@ -51,7 +51,8 @@ impl Task {
             smooth: settings.flag("smooth"),
             cutting: grid.corner_cutting,
             expand,
-            limit: settings.integer("iterations"),
+            // No cell is settled twice: what is left of a higher limit would only be room on a timeline.
+            limit: settings.integer("iterations").min((cells.len() as u64).div_ceil(expand)),
             cells,
             course,
         })
