@@ -88,6 +88,7 @@ test('the chart’s scale follows the values', () => {
   expect(natural({ iterations, values: [decay.map((y) => y - 1e-3)] })).toBe('linear')
   const flat = iterations.map((k) => 13 - k / 50)
   expect(natural({ iterations, values: [flat, flat.map(() => 120)] })).toBe('near')
+  expect(natural({ iterations, values: [flat.map(() => null), flat.map((y) => 40 * y)] }), 'nothing is found yet').toBe('linear')
   const [low, high] = range({ iterations, values: [flat, flat.map(() => 120)] }, 'near', 11.9)
   expect(low).toBeLessThan(11.9)
   expect(high).toBeLessThan(20)

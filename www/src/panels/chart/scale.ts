@@ -15,7 +15,7 @@ const ENOUGH = 8
 export function natural({ values }: Curves): Scale {
   const [low, high] = extent(values)
   if (low > 0 && high / low > LOG_FROM) return 'log'
-  const [first = []] = values
+  const first = (values[0] ?? []).filter((value) => value !== null)
   const [least, most] = extent([first])
   return first.length >= ENOUGH && most - least < FLAT * (high - low) ? 'near' : 'linear'
 }
