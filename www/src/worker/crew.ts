@@ -6,10 +6,24 @@ export interface Hand {
   dismiss(): void
 }
 
+/** A run that needs others. */
+export interface Task {
+  planner: string
+  scene: Scene
+}
+
+/** A job in somebody's hands. */
+interface Turn {
+  key: string
+}
+
 interface Round {
   keys: string[]
+  jobs: ReadonlyMap<string, Job>
   /** Jobs that nobody has taken up. */
   waiting: string[]
+  /** Jobs of which nothing is known yet. */
+  missing: Set<string>
   tell(done: number): void
   /** With nothing if the round was dropped or cannot be carried out. */
   end(found: Finding[] | null): void
@@ -24,17 +38,15 @@ const keyOf = ({ planner, params, seed }: Job): string => JSON.stringify([planne
 
 /** Carries out the runs that a planner of planners needs, side by side. What they find doesn't depend on who they are. */
 export class Crew {
-  private scene: Scene | undefined
-  private planner = ''
-  private readonly jobs = new Map<string, Job>()
+  private task: Task | undefined
   private readonly found = new Map<string, Finding>()
-  private readonly busy = new Map<Hand, string>()
+  private readonly busy = new Map<Hand, Turn>()
   private idle: Hand[] = []
   private round: Round | undefined
   private leaving: ReturnType<typeof setTimeout> | undefined
 
   constructor(
-    private readonly size: number,
+    private size: number,
     /** Somebody from another thread; throws where there can be none. */
     private readonly hire: () => Hand,
     /** Takes the place of all others when they fail. */
@@ -42,31 +54,29 @@ export class Crew {
   ) {}
 
   /** Another run: what is known of the one before doesn't count any more. */
-  begin(planner: string, scene: Scene): void {
+  begin(task: Task): void {
+    if (task === this.task) return
     this.drop()
     for (const hand of this.busy.keys()) hand.dismiss()
     this.busy.clear()
-    this.jobs.clear()
     this.found.clear()
-    if (planner !== this.planner) this.dismiss()
-    this.planner = planner
-    this.scene = scene
+    if (task.planner !== this.task?.planner) this.dismiss()
+    this.task = task
   }
 
   /** What the jobs find, in their order, whoever was first; null if they were dropped or cannot be carried out. */
-  carryOut(jobs: readonly Job[], tell: (done: number) => void): Promise<Finding[] | null> {
+  carryOut(task: Task, jobs: readonly Job[], tell: (done: number) => void): Promise<Finding[] | null> {
+    this.begin(task)
     this.drop()
     clearTimeout(this.leaving)
     if (this.found.size > KEPT) this.found.clear()
     const keys = jobs.map(keyOf)
-    keys.forEach((key, index) => {
-      const job = jobs[index]
-      if (job) this.jobs.set(key, job)
-    })
-    const taken = new Set(this.busy.values())
-    const waiting = [...new Set(keys)].filter((key) => !this.found.has(key) && !taken.has(key))
+    const known = new Map(jobs.map((job, index) => [keys[index] ?? '', job]))
+    const missing = new Set(keys.filter((key) => !this.found.has(key)))
+    const taken = new Set([...this.busy.values()].map(({ key }) => key))
+    const waiting = [...missing].filter((key) => !taken.has(key))
     return new Promise((end) => {
-      this.round = { keys, waiting, tell, end }
+      this.round = { keys, jobs: known, waiting, missing, tell, end }
       this.staff(waiting.length)
       this.goOn()
     })
@@ -106,39 +116,41 @@ export class Crew {
     const { round } = this
     if (!round) return
     while (this.idle.length > 0 && round.waiting.length > 0) {
-      const [hand, key] = [this.idle.pop(), round.waiting.shift()]
-      if (hand && key !== undefined) void this.work(hand, key)
+      const hand = this.idle.pop()
+      const job = round.jobs.get(round.waiting.shift() ?? '')
+      if (hand && job) void this.work(hand, job)
     }
-    const found = round.keys.flatMap((key) => this.found.get(key) ?? [])
-    if (found.length === round.keys.length) this.end(found)
-    else round.tell(found.length)
+    if (round.missing.size === 0) this.end(round.keys.flatMap((key) => this.found.get(key) ?? []))
+    else round.tell(round.keys.length - round.missing.size)
   }
 
-  private async work(hand: Hand, key: string): Promise<void> {
-    const job = this.jobs.get(key)
-    if (!job || !this.scene) return
-    this.busy.set(hand, key)
-    const found = await hand.carryOut({ ...job, scene: this.scene }).catch(() => null)
+  private async work(hand: Hand, job: Job): Promise<void> {
+    if (!this.task) return
+    const turn = { key: keyOf(job) }
+    this.busy.set(hand, turn)
+    const found = await hand.carryOut({ ...job, scene: this.task.scene }).catch(() => null)
     // It was dismissed meanwhile.
-    if (this.busy.get(hand) !== key) return
+    if (this.busy.get(hand) !== turn) return
     this.busy.delete(hand)
     if (found) {
-      this.found.set(key, found)
+      this.found.set(turn.key, found)
+      this.round?.missing.delete(turn.key)
       this.idle.push(hand)
     } else {
-      this.fail(hand, key)
+      this.fail(hand, turn)
     }
     this.goOn()
   }
 
   /** Another hand takes up what one has failed at; when nobody is left, whoever asked has to do it. */
-  private fail(hand: Hand, key: string): void {
+  private fail(hand: Hand, { key }: Turn): void {
     hand.dismiss()
     if (hand === this.oneself) {
       this.end(null)
       return
     }
-    if (this.round?.keys.includes(key)) this.round.waiting.unshift(key)
+    this.size -= 1
+    if (this.round?.missing.has(key)) this.round.waiting.unshift(key)
     if (this.idle.length + this.busy.size === 0) this.idle.push(this.oneself)
   }
 }

@@ -1,7 +1,6 @@
 import * as Comlink from 'comlink'
 import init, { carryOut, catalogue, exportScene, generateScene, importScene, newSeed, parseLink, Session, suggest } from 'forage'
 import type { Catalogue, Finding, Format, Imported, Inspection, Item, LinkSetup, NamedFile, Outcome, ParameterValue, Scene, Setup, Suggestion } from 'forage'
-import { Crew } from './crew'
 import { oneself, thread } from './hands'
 import { breathe } from './pace'
 import { Simulation } from './simulation'
@@ -41,7 +40,10 @@ const api = {
     port = frames
     await init()
     const known = catalogue()
-    simulation = new Simulation(frames, crash, known.shapes.indexOf('field'), new Crew(hands, thread, oneself))
+    simulation = new Simulation(frames, crash, known.shapes.indexOf('field'), async () => {
+      const { Crew } = await import('./crew')
+      return new Crew(hands, thread, oneself)
+    })
     frames.onmessage = ({ data }: MessageEvent<ReturnedBuffer>) => simulation?.giveBack(data.buffer)
     return known
   },

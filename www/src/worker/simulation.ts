@@ -1,6 +1,6 @@
 import { Session } from 'forage'
 import type { Item, ParameterValue, Setup } from 'forage'
-import type { Crew } from './crew'
+import type { Crew, Task } from './crew'
 import { fieldsOf } from './fields'
 import { breathe, SLICE, wait } from './pace'
 import { pack } from './pack'
@@ -24,6 +24,9 @@ export class Simulation {
   private generation = 0
   private computed = 0
   private traced = -1
+  /** Those who carry out runs that steps need; most planners need none. */
+  private crew: Crew | undefined
+  private task: Task | undefined
   private playing = false
   private pace: Speed = 30
   private watched: Item | null = null
@@ -44,7 +47,7 @@ export class Simulation {
     private readonly crash: (error: unknown) => void,
     /** The number of the shape that is a field. */
     private readonly field: number,
-    private readonly crew: Crew,
+    private readonly hire: () => Promise<Crew>,
   ) {}
 
   start(setup: Setup, { at, play }: Opening): Run {
@@ -60,7 +63,8 @@ export class Simulation {
     this.playing = play
     const { planner, scene, seed, limit, parameters } = session
     const exact = session.exact()
-    this.crew.begin(planner, scene)
+    this.task = { planner, scene }
+    this.crew?.begin(this.task)
     this.stale = true
     this.loop(async (token) => {
       await this.reach(at, token)
@@ -126,7 +130,7 @@ export class Simulation {
 
   private loop(body: (token: number) => Promise<void>): void {
     this.token += 1
-    this.crew.drop()
+    this.crew?.drop()
     this.settled = false
     this.told = null
     body(this.token).catch((error: unknown) => this.crash(error))
@@ -146,7 +150,9 @@ export class Simulation {
     if (!session) return false
     const jobs = session.jobs()
     if (jobs.length > 0) {
-      const found = await this.crew.carryOut(jobs, (done) => this.progress(done, jobs.length))
+      this.crew ??= await this.hire().catch(() => undefined)
+      if (token !== this.token || !this.task) return false
+      const found = await this.crew?.carryOut(this.task, jobs, (done) => this.progress(done, jobs.length))
       if (token !== this.token) return false
       // Without it the step carries them out itself.
       if (found) session.supply(found)

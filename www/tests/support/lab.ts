@@ -1,8 +1,12 @@
 import { test as base, expect, type Locator, type Page } from '@playwright/test'
 import type { Point, Scene } from '../../../pkg/node.js'
-import { en } from '../../src/i18n/en'
+import { en as page } from '../../src/i18n/en'
+import { scenes } from '../../src/i18n/scenes.en'
 import { extent, fit, isDown, margins, toScreen } from '../../src/stage/view'
 import { SITE } from './site'
+
+/** All of the page's text. */
+const en = { ...page, ...scenes }
 
 export const HASH = /^[0-9a-f]{16}$/
 
