@@ -126,7 +126,7 @@ test('a scene whose y grows downwards is painted where it is seen', async ({ lab
   const down: GridScene = { ...rest, name: 'down', title: 'Down', y_axis: 'down' }
   await lab.section('scene')
   await page.getByTestId('scene-file').setInputFiles({ name: 'down.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(down)) })
-  await expect(page.getByText('Down', { exact: true })).toBeVisible()
+  await expect(page.getByTestId('section-scene').getByText('Down', { exact: true })).toBeVisible()
   await page.getByTestId('tool-paint').click()
   // The first row is on top; its y is the smallest.
   const at = await lab.whereIs(down, [5.25, 0.25])

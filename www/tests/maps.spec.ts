@@ -45,6 +45,8 @@ test('a random map is previewed, made, run, undone, and the same elsewhere by it
   await expect(dialog).toHaveCount(0)
   await expect.poll(() => lab.iteration()).toBeLessThan(8)
 
+  await expect(page.getByTestId('scene').locator('option:checked')).toHaveText('Maze, 21 × 15, seed 7')
+
   const made = generateScene('maze', { columns: 21, rows: 15 }, 7)
   const hash = await lab.seek(5)
   const link = await lab.link(hash)
