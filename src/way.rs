@@ -5,9 +5,10 @@ use std::sync::OnceLock;
 
 use crate::{
     catalogue::{Group, Reading},
-    geometry::{self, Field, shortcut},
+    geometry::{self, shortcut},
     params::Parameter,
     planner::Readings,
+    scene::Scene,
 };
 
 /// A path from start to goal.
@@ -26,8 +27,8 @@ impl Way {
     }
 
     /// Without the nodes whose neighbours see each other, [ANTBAT] §3.1.
-    pub fn smooth(&self, field: &Field) -> &[[f64; 2]] {
-        self.smooth.get_or_init(|| shortcut(&self.path, |a, b| field.is_free(a, b)))
+    pub fn smooth(&self, scene: &Scene) -> &[[f64; 2]] {
+        self.smooth.get_or_init(|| shortcut(&self.path, |a, b| scene.is_free(a, b)))
     }
 
     /// The memory it takes, in bytes.
@@ -37,9 +38,9 @@ impl Way {
 }
 
 /// Tells [`LENGTH`] to [`SMOOTH_TURNING`]; of no way, that they are no numbers.
-pub fn read(way: Option<&Way>, field: &Field, out: &mut Readings) {
+pub fn read(way: Option<&Way>, scene: &Scene, out: &mut Readings) {
     let measured = |path: &[[f64; 2]]| [geometry::length(path), geometry::turns(path) as f64, geometry::turning(path)];
-    let [before, after] = way.map_or([[f64::NAN; 3]; 2], |way| [measured(&way.path), measured(way.smooth(field))]);
+    let [before, after] = way.map_or([[f64::NAN; 3]; 2], |way| [measured(&way.path), measured(way.smooth(scene))]);
     let readings = [LENGTH, TURNS, TURNING, SMOOTH_LENGTH, SMOOTH_TURNS, SMOOTH_TURNING];
     readings.iter().zip(before.into_iter().chain(after)).for_each(|(reading, value)| out.push(reading.name, value));
 }
@@ -79,17 +80,17 @@ mod tests {
 
     #[test]
     fn a_way_is_measured_before_and_after() {
-        let field = Field::new(1.0, 4, &[false; 16], 0.0, false);
-        let way = Way::new(vec![[0.5, 0.5], [1.5, 0.5], [2.5, 1.5], [3.5, 1.5]]);
+        let scene = crate::shipped("ant-bat-30").unwrap();
+        let way = Way::new(vec![[10.5, 28.5], [11.5, 28.5], [12.5, 29.5], [13.5, 29.5]]);
         let mut out = Readings::default();
-        read(Some(&way), &field, &mut out);
+        read(Some(&way), &scene, &mut out);
         let quarter = std::f64::consts::FRAC_PI_4;
         let expected = [2.0 + 2.0_f64.sqrt(), 2.0, 2.0 * quarter, 10.0_f64.sqrt(), 0.0, 0.0];
         for ((_, value), expected) in out.iter().zip(expected) {
             assert!((value - expected).abs() < 1e-15, "{value} {expected}");
         }
         out.clear();
-        read(None, &field, &mut out);
+        read(None, &scene, &mut out);
         assert!(out.iter().len() == 6 && out.iter().all(|(_, value)| value.is_nan()));
     }
 }

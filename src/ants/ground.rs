@@ -7,9 +7,7 @@ use std::{
 
 use crate::{
     error::Error,
-    exact,
-    geometry::Field,
-    math,
+    exact, math,
     scene::{Cells, Course, Scene, angle},
 };
 
@@ -33,7 +31,7 @@ pub(super) enum Heuristic {
 pub(super) struct Ground {
     pub cells: Arc<Cells>,
     pub course: Course,
-    pub field: Arc<Field>,
+    pub scene: Arc<Scene>,
     /// What a turn from one direction to another leaves of a step's attraction: ψ^γ as far as θ1 goes.
     pub turn: [[f64; 8]; 9],
     pub heuristic: Heuristic,
@@ -44,12 +42,12 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    pub fn new(scene: &Scene, heuristic: Heuristic, beta: f64, gamma: f64) -> Result<Self, Error> {
+    pub fn new(scene: &Arc<Scene>, heuristic: Heuristic, beta: f64, gamma: f64) -> Result<Self, Error> {
         let grid = scene.grid()?;
         let cells = Arc::clone(grid.cells());
         let course = Course::new(grid)?;
         let mut ground = Self {
-            field: Arc::clone(grid.field()),
+            scene: Arc::clone(scene),
             turn: [[1.0; 8]; 9],
             heuristic,
             beta: Power::new(beta),

@@ -214,7 +214,7 @@ impl Planner for Colony {
 
     fn best(&self) -> Option<Best> {
         let best = self.best.as_ref()?;
-        let path = if self.smooth { best.way.smooth(&self.ground.field) } else { &best.way.path };
+        let path = if self.smooth { best.way.smooth(&self.ground.scene) } else { &best.way.path };
         Some(Best { cost: best.length, solution: Solution::Path(path.to_vec()) })
     }
 
@@ -226,7 +226,7 @@ impl Planner for Colony {
         let (sum, arrived) = self.walks.arrived().fold((0.0, 0), |(sum, n), ant| (sum + ant.length, n + 1));
         out.push("best", self.best.as_ref().map_or(f64::NAN, |best| best.length));
         out.push("mean", if arrived > 0 { sum / f64::from(arrived) } else { f64::NAN });
-        way::read(self.best.as_ref().map(|best| &best.way), &self.ground.field, out);
+        way::read(self.best.as_ref().map(|best| &best.way), &self.ground.scene, out);
         out.push("converged", if self.best.is_some() { self.converged as f64 } else { f64::NAN });
         out.push("arrived", f64::from(arrived));
         out.push("stuck", self.count(End::Stuck) as f64);
@@ -244,7 +244,7 @@ impl Planner for Colony {
         if let Some(best) = &self.best {
             draw::line(frame, Role::Best, &best.way.path);
             if self.smooth {
-                draw::line(frame, Role::Smoothed, best.way.smooth(&self.ground.field));
+                draw::line(frame, Role::Smoothed, best.way.smooth(&self.ground.scene));
             }
         }
     }

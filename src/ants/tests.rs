@@ -18,7 +18,7 @@ fn scene(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {
 const PLAIN: Traits = Traits { heuristic: Heuristic::Distance, gamma: 0.0, update: Update::Traditional, greed: [0.0; 2], seeded: 1.0 };
 
 /// A colony with given lengths instead of walks of its own: ant k went right `k`'s number of steps.
-fn colony(scene: &Scene, traits: Traits) -> Colony {
+fn colony(scene: &Arc<Scene>, traits: Traits) -> Colony {
     let ground = Ground::new(scene, traits.heuristic, 2.0, traits.gamma).unwrap();
     Colony {
         traits,

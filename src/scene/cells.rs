@@ -245,7 +245,11 @@ fn entrance(grid: &GridScene, name: &str, point: [f64; 2]) -> Result<usize, Erro
         [Some(i), before].into_iter().flatten().filter(move |&i| i < n)
     };
     let mut all = near(1, cells.rows).flat_map(|row| near(0, cells.columns).map(move |column| row * cells.columns + column));
-    all.find(|&cell| cells.is_free(cell) && grid.field().is_free(point, cells.centre(cell))).ok_or_else(|| {
+    let fits = |cell: usize| {
+        let centre = cells.centre(cell);
+        cells.is_free(cell) && (point == centre || grid.field().is_free(point, centre))
+    };
+    all.find(|&cell| fits(cell)).ok_or_else(|| {
         Error::refused(
             name,
             format!("({}, {})", point[0], point[1]),

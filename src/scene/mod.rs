@@ -199,6 +199,15 @@ impl Scene {
         }
     }
 
+    /// Whether the robot can go straight from one point to another; it may touch.
+    pub fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        match &self.body {
+            Body::Function(_) => true,
+            Body::Discs(scene) => scene.discs.iter().all(|disc| disc.clearance_of_segment(a, b) >= 0.0),
+            Body::Grid(scene) => scene.field().is_free(a, b),
+        }
+    }
+
     /// Measures and checks a solution.
     pub fn judge(&self, solution: &Solution) -> Verdict {
         match (&self.body, solution) {

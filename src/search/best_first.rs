@@ -5,10 +5,9 @@ use std::sync::Arc;
 use crate::{
     digest::Digest,
     error::Error,
-    geometry::Field,
     params::Settings,
     planner::Status,
-    scene::{Cells, Course, DIRECTIONS, GridScene},
+    scene::{Cells, Course, DIRECTIONS, Scene},
 };
 
 use super::{
@@ -16,7 +15,7 @@ use super::{
     link::{Link, onward},
     open::{Open, Place, apart, place},
     rules::{DIAGONAL, Guess, Relaxation, Rules, STRAIGHT, line},
-    sight::sees,
+    sight::walk,
 };
 
 /// Steps that a run takes at most if the number of cells a step is automatic.
@@ -25,27 +24,32 @@ const STEPS: usize = 1024;
 /// What does not change while a search runs.
 pub(super) struct Task {
     pub(super) cells: Arc<Cells>,
-    pub(super) field: Arc<Field>,
+    /// What is in the way. It is made when somebody looks farther than to the next cell.
+    pub(super) scene: Arc<Scene>,
     pub(super) course: Course,
     pub(super) rules: Rules,
     pub(super) guess: Guess,
     /// Hand over the smoothed path.
     pub(super) smooth: bool,
     cutting: bool,
+    /// The robot has a size.
+    wide: bool,
     /// Cells settled a step.
     expand: u64,
     pub(super) limit: u64,
 }
 
 impl Task {
-    fn new(grid: &GridScene, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
+    fn new(scene: &Arc<Scene>, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
+        let grid = scene.grid()?;
         let (cells, course) = (Arc::clone(grid.cells()), Course::new(grid)?);
         let expand = match settings.integer("expand") {
             0 => cells.len().div_ceil(STEPS) as u64,
             given => given,
         };
         Ok(Self {
-            field: Arc::clone(grid.field()),
+            scene: Arc::clone(scene),
+            wide: grid.radius() > 0.0,
             rules,
             guess: Guess { heuristic: rules.heuristic, weight, goal: apart(place(cells.place(course.goal))) },
             smooth: settings.flag("smooth"),
@@ -105,8 +109,8 @@ fn length(way: u64) -> f64 {
 }
 
 impl Search {
-    pub(super) fn new(grid: &GridScene, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
-        let task = Task::new(grid, settings, rules, weight)?;
+    pub(super) fn new(scene: &Arc<Scene>, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
+        let task = Task::new(scene, settings, rules, weight)?;
         let (n, start) = (task.cells.len(), task.course.start);
         let first = place(task.cells.place(start));
         let h = task.guess.ahead(apart(first));
@@ -264,14 +268,18 @@ impl Task {
         }
     }
 
+    /// Whether the robot can go straight between the centres of two free cells.
+    fn sees(&self, from: usize, to: usize) -> bool {
+        let cells = &self.cells;
+        if self.wide { self.scene.is_free(cells.centre(from), cells.centre(to)) } else { walk(cells, self.cutting, from, to) }
+    }
+
     /// Whose child a cell becomes that is reached from its neighbour, the child of `over`, and how long the way is, if that
     /// is shorter than the best known: path 2 of Nash et al. 2007 where the parent sees the cell, otherwise path 1, which is never shorter.
     #[inline(never)]
     fn by_sight(&self, ways: &[u64], [cell, over, to]: [usize; 3]) -> Option<(usize, f64)> {
         let from = |cell: usize| (cell, length(ways[cell]) + self.between(cell, to));
         let shorter = |&(_, g): &(usize, f64)| way(g) > ways[to];
-        Some(from(over))
-            .filter(|path| shorter(path) && sees(&self.cells, &self.field, self.cutting, over, to))
-            .or_else(|| Some(from(cell)).filter(shorter))
+        Some(from(over)).filter(|path| shorter(path) && self.sees(over, to)).or_else(|| Some(from(cell)).filter(shorter))
     }
 }

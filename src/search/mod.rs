@@ -24,6 +24,8 @@ mod tell;
 mod tests;
 pub mod theta_star;
 
+use std::sync::Arc;
+
 use crate::{error::Error, params::Settings, scene::Scene, session::AnyPlanner};
 
 pub use tell::SYMBOLS;
@@ -33,11 +35,11 @@ use rules::{Heuristic, Relaxation, Rules};
 
 /// Starts a search by its rules.
 fn start(
-    scene: &Scene,
+    scene: &Arc<Scene>,
     settings: &Settings,
     heuristic: Heuristic,
     weight: f64,
     relaxation: Relaxation,
 ) -> Result<Box<dyn AnyPlanner>, Error> {
-    Ok(Box::new(Search::new(scene.grid()?, settings, Rules { heuristic, relaxation }, weight)?))
+    Ok(Box::new(Search::new(scene, settings, Rules { heuristic, relaxation }, weight)?))
 }

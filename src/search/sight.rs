@@ -2,19 +2,14 @@
 
 use std::cmp::Ordering;
 
-use crate::{geometry::Field, scene::Cells};
-
-/// The same as [`Field::is_free`] between the centres of two free cells.
-pub(super) fn sees(cells: &Cells, field: &Field, cutting: bool, from: usize, to: usize) -> bool {
-    if field.radius() > 0.0 { field.is_free(cells.centre(from), cells.centre(to)) } else { walk(cells, cutting, from, to) }
-}
+use crate::scene::Cells;
 
 /// For a point robot, in whole numbers: every cell that the line enters must be free. Where it goes through a corner of
 /// cells, it only touches the two beside it; if both are blocked, it passes if corners may be cut.
 ///
-/// That is [`Field::is_free`]: a line between centres lies on no line of the grid, and if it misses a corner, then by at
+/// That is [`crate::geometry::Field::is_free`]: a line between centres lies on no line of the grid, and if it misses a corner, then by at
 /// least half a cell over its length, a ten thousandth of a cell; a field looks away from a billionth.
-fn walk(cells: &Cells, cutting: bool, from: usize, to: usize) -> bool {
+pub(super) fn walk(cells: &Cells, cutting: bool, from: usize, to: usize) -> bool {
     let ([x, y], [to_x, to_y]) = (cells.place(from), cells.place(to));
     let (dx, dy) = (x.abs_diff(to_x).cast_signed(), y.abs_diff(to_y).cast_signed());
     let across = if to_x > x { 1 } else { -1 };
