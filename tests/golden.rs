@@ -17,7 +17,7 @@ fn run(planner: &str, scene: &str, seed: u32, set: &str) -> Golden {
     let half = session.hash();
     session.step(u64::MAX);
     let outcome = session.outcome();
-    let exact = session.scene().exact().map(|exact| exact.path.clone());
+    let exact = session.exact().map(|exact| exact.path.clone());
     let paths = outcome.path.map_or_else(|| "none".to_owned(), |path| digest([path, exact.unwrap_or_default()].concat().as_flattened()));
     let cost = bits(outcome.cost);
     Golden { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), paths, half, end: session.hash(), cost }
