@@ -40,6 +40,9 @@ use walk::{End, Rules, Seen, Walks, walk};
 
 pub use tell::SYMBOLS;
 
+/// How many bytes a cell go into keeping the walks of an iteration; ants beyond go their ways again when they are needed.
+const KEPT: usize = 16;
+
 /// What one colony has and another has not.
 #[derive(Debug, Clone, Copy)]
 struct Traits {
@@ -64,7 +67,10 @@ struct Colony {
     smooth: bool,
     pheromone: Pheromone,
     walks: Walks,
-    /// Scratch space.
+    /// How many steps of an iteration are kept.
+    kept: usize,
+    /// An ant whose way was not kept goes it again here; scratch space.
+    again: Walks,
     seen: Seen,
     lengths: Vec<f64>,
     best: Option<Found>,
@@ -121,6 +127,8 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> 
         q: settings.number("q"),
         smooth: settings.flag("smooth"),
         walks: Walks::default(),
+        kept: KEPT * cells.len(),
+        again: Walks::default(),
         seen: Seen::new(cells.len()),
         lengths: Vec::new(),
         best: None,
@@ -140,20 +148,39 @@ impl Colony {
         from + (to - from) * (iteration as f64 / (self.limit.max(2) - 1) as f64).min(1.0)
     }
 
-    /// All ants walk, one after another.
+    /// All ants walk, one after another; the iteration is counted already.
     fn send(&mut self) {
-        let greed = self.greed(self.iteration);
+        let greed = self.greed(self.iteration - 1);
         self.walks.clear();
         for _ in 0..self.ants {
+            let begun = self.rng.clone();
             walk(&self.ground, &mut self.pheromone, self.rules, greed, &mut self.seen, &mut self.rng, &mut self.walks);
+            self.walks.forget(self.kept, begun);
         }
+    }
+
+    /// An ant's directions; one whose way was not kept goes it again. (The weights are those of its iteration until
+    /// pheromone has settled.)
+    fn way(&mut self, i: usize) -> Vec<u8> {
+        let ant = &self.walks.ants[i];
+        let Some(mut rng) = ant.again.clone() else {
+            return self.walks.of(ant).to_vec();
+        };
+        let greed = self.greed(self.iteration - 1);
+        self.again.clear();
+        walk(&self.ground, &mut self.pheromone, self.rules, greed, &mut self.seen, &mut rng, &mut self.again);
+        self.again.ants.first().map_or(Vec::new(), |ant| self.again.of(ant).to_vec())
     }
 
     /// Keeps the iteration's shortest way if it is shorter than the best so far.
     fn judge(&mut self) {
-        let shortest = self.walks.arrived().min_by(|a, b| a.length.total_cmp(&b.length));
-        if let Some(ant) = shortest.filter(|ant| self.best.as_ref().is_none_or(|best| ant.length < best.length)) {
-            self.best = Some(Found::new(&self.ground, self.walks.of(ant), ant.length));
+        let arrived = self.walks.ants.iter().enumerate().filter(|(_, ant)| ant.end == End::Arrived);
+        let Some((i, length)) = arrived.map(|(i, ant)| (i, ant.length)).min_by(|a, b| a.1.total_cmp(&b.1)) else {
+            return;
+        };
+        if self.best.as_ref().is_none_or(|best| length < best.length) {
+            let way = self.way(i);
+            self.best = Some(Found::new(&self.ground, &way, length));
             self.converged = self.iteration;
         }
     }
@@ -161,14 +188,20 @@ impl Colony {
     /// [ANTBAT] (4), [WOLF-ANT] (10).
     fn renew(&mut self) {
         self.pheromone.evaporate();
-        if let Some(best) = &self.best {
+        if let Some(best) = self.best.as_ref().filter(|_| self.walks.leads_anywhere()) {
             update::lay(self.traits.update, self.q, best.length, &mut self.walks, &mut self.lengths);
         }
-        for ant in self.walks.arrived() {
-            let mut cell = self.ground.course.start;
-            for &d in self.walks.of(ant) {
-                self.pheromone.lay(cell, usize::from(d), ant.laid);
-                cell = self.ground.cells.next(cell, usize::from(d));
+        for i in 0..self.walks.ants.len() {
+            let ant = &self.walks.ants[i];
+            let (laid, kept) = (ant.laid, ant.again.is_none());
+            if ant.end != End::Arrived {
+                continue;
+            }
+            if kept {
+                lay(&self.ground, &mut self.pheromone, self.walks.of(ant), laid);
+            } else {
+                let way = self.way(i);
+                lay(&self.ground, &mut self.pheromone, &way, laid);
             }
         }
         self.pheromone.settle();
@@ -176,6 +209,15 @@ impl Colony {
 
     fn count(&self, end: End) -> usize {
         self.walks.ants.iter().filter(|ant| ant.end == end).count()
+    }
+}
+
+/// Adds to each step of a way.
+fn lay(ground: &Ground, pheromone: &mut Pheromone, way: &[u8], amount: f64) {
+    let mut cell = ground.course.start;
+    for d in way.iter().map(|&d| usize::from(d)) {
+        pheromone.lay(cell, d, amount);
+        cell = ground.cells.next(cell, d);
     }
 }
 
@@ -264,6 +306,7 @@ impl Planner for Colony {
         out.word(self.walks.taken);
         for ant in &self.walks.ants {
             out.bytes(self.walks.of(ant));
+            out.word(ant.way);
             out.number(ant.laid);
         }
     }

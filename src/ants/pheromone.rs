@@ -132,6 +132,13 @@ impl Pheromone {
         }
     }
 
+    #[cfg(test)]
+    pub fn digest_of(&self) -> String {
+        let mut digest = Digest::default();
+        self.digest(&mut digest);
+        digest.hex()
+    }
+
     pub fn bytes(&self) -> usize {
         self.place.len() * size_of::<u32>() + self.known.len() * size_of::<Known>()
     }

@@ -68,15 +68,19 @@ struct View<'a> {
 impl<'a> View<'a> {
     fn new(colony: &'a Colony, cell: usize) -> Self {
         let ground = &*colony.ground;
-        let from = arrival(colony, cell);
+        let (from, behind) = arrival(colony, cell);
+        // Where it has been it does not go again.
+        let open = |d: usize| !behind.contains(&ground.cells.next(cell, d));
+        let moves = ground.cells.moves(cell);
+        let allowed = (0..8).filter(|&d| moves >> d & 1 != 0 && open(d)).fold(0, |mask, d| mask | 1 << d);
         let weights = colony.pheromone.look(ground, cell);
-        let weight: [f64; 8] = std::array::from_fn(|d| weights[d] * ground.turn[from][d]);
+        let weight: [f64; 8] = std::array::from_fn(|d| if allowed >> d & 1 == 0 { 0.0 } else { weights[d] * ground.turn[from][d] });
         Self {
             colony,
             ground,
             cell,
             from,
-            allowed: ground.cells.moves(cell),
+            allowed,
             eta: ground.eta(cell),
             weight,
             sum: weight.iter().sum(),
@@ -220,13 +224,11 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
     })
 }
 
-/// The direction in which the best way comes to a cell.
-fn arrival(colony: &Colony, cell: usize) -> usize {
-    let Some(best) = &colony.best else {
-        return NOWHERE;
-    };
-    let at = colony.ground.way(&best.directions).position(|c| c == cell);
-    at.and_then(|at| at.checked_sub(1)).map_or(NOWHERE, |before| usize::from(best.directions[before]))
+/// The direction in which the best way comes to a cell, and the cells that it comes over; nowhere and none if it does not.
+fn arrival(colony: &Colony, cell: usize) -> (usize, Vec<usize>) {
+    let way = colony.best.as_ref().map_or(&[][..], |best| &best.directions);
+    let behind: Vec<_> = colony.ground.way(way).take_while(|&c| c != cell).collect();
+    way.get(behind.len().wrapping_sub(1)).map_or((NOWHERE, Vec::new()), |&d| (usize::from(d), behind))
 }
 
 /// How far an ant of this iteration came and what it laid.
@@ -236,6 +238,7 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
     let path: Vec<_> = ground.way(colony.walks.of(ant)).map(|cell| ground.cells.centre(cell)).collect();
     let steps = colony.walks.of(ant).len();
     let (event, summary) = match ant.end {
+        _ if ant.again.is_some() => ("forgotten", format!("Ant {}’s steps are not kept: all ants’ together are too many.", item.index)),
         End::Arrived => ("arrived", format!("Ant {} reached the goal in {steps} steps.", item.index)),
         End::Stuck => ("stuck", format!("Ant {} came into a dead end after {steps} steps and lays nothing.", item.index)),
         End::Lost => ("lost", format!("Ant {} reached the step limit on its way and lays nothing.", item.index)),

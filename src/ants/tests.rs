@@ -28,6 +28,8 @@ fn colony(scene: &Arc<Scene>, traits: Traits) -> Colony {
         smooth: false,
         pheromone: Pheromone::new(&ground.cells, 1.0, 1.0, 0.4, [0.1, 50.0]),
         walks: Walks::default(),
+        kept: 1000,
+        again: Walks::default(),
         seen: Seen::new(ground.cells.len()),
         lengths: Vec::new(),
         best: None,
@@ -206,4 +208,65 @@ fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
         }
     }
     assert!(found > 100, "most of the maps have a way");
+}
+
+/// Forgetting the walks costs time and nothing else.
+#[test]
+fn ants_whose_ways_are_not_kept_go_them_again() {
+    let scene = crate::shipped("ant-bat-30").unwrap();
+    for update in [Update::Traditional, Update::Wolf, Update::Reward { phi1: 1.0, phi2: 1.0 }] {
+        let [mut keeps, mut forgets] = [100_000, 60].map(|kept| {
+            let traits = Traits { update, greed: [0.1, 0.5], ..PLAIN };
+            Colony { kept, ants: 20, ..colony(&scene, traits) }
+        });
+        for _ in 0..30 {
+            keeps.step();
+            forgets.step();
+            assert!(forgets.walks.ants.iter().any(|ant| ant.again.is_some()));
+            assert!(keeps.walks.ants.iter().all(|ant| ant.again.is_none()));
+            assert_eq!(keeps.pheromone.digest_of(), forgets.pheromone.digest_of());
+            assert_eq!(keeps.best().map(|best| best.solution), forgets.best().map(|best| best.solution));
+        }
+    }
+}
+
+/// q0 goes evenly from its start in the first iteration to its end in the last.
+#[test]
+fn greed_is_what_is_told() {
+    let scene = crate::shipped("ant-bat-30").unwrap();
+    let params = [("q0_start", "1"), ("q0_end", "0"), ("iterations", "3")];
+    let mut session = run(&scene, "aco-dijkstra", &params, 1);
+    let mut told = Vec::new();
+    for _ in 0..3 {
+        session.step(1);
+        let readings = session.readings();
+        told.push(readings.get("q0").unwrap());
+        let alike = (readings.get("mean").unwrap() - readings.get("best").unwrap()).abs() < 1e-9;
+        assert_eq!(alike, told.len() == 1, "all greedy: all alike");
+    }
+    assert_eq!(told, [1.0, 0.5, 0.0]);
+}
+
+/// No ant goes back to where the best way has come from, so the card gives it no chance.
+#[test]
+fn a_cell_s_card_leaves_out_what_lies_behind() {
+    let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
+    let mut colony = colony(&scene, PLAIN);
+    colony.step();
+    let told = tell::cell(&colony, Item { role: Role::Pheromone, index: 2 }).unwrap();
+    let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
+    assert_eq!((p[0], p[4]), (1.0, 0.0));
+    assert!(told.summary.contains("coming from the west"));
+}
+
+#[test]
+fn start_and_goal_in_one_cell_is_a_way_of_no_length() {
+    let scene = scene(&["..", ".."], [0.5, 0.5], [0.5, 0.5]);
+    for planner in ["aco", "aco-direction", "aco-wolf"] {
+        let mut session = run(&scene, planner, &[("iterations", "2")], 1);
+        session.step(2);
+        let outcome = session.outcome();
+        assert_eq!((outcome.cost, outcome.length.map(f64::to_bits), outcome.feasible), (Some(0.0), Some(0), true));
+        assert!(session.readings().iter().all(|(_, value)| value.is_finite()));
+    }
 }

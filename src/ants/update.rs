@@ -33,15 +33,11 @@ pub(super) fn lay(update: Update, q: f64, global: f64, walks: &mut Walks, scratc
             let Some((best, worst)) = extremes(walks) else {
                 return;
             };
-            for i in 0..walks.ants.len() {
-                let ant = walks.ants[i];
-                if ant.end != End::Arrived {
-                    continue;
-                }
-                let same = |other: usize| walks.of(&walks.ants[other]) == walks.of(&ant);
+            let [best, worst] = [best, worst].map(|i| walks.ants[i].way);
+            each(walks, |ant| {
                 let share = q / ant.length;
-                walks.ants[i].laid = share + if same(best) { share } else { 0.0 } - if same(worst) { share } else { 0.0 };
-            }
+                share + if ant.way == best { share } else { 0.0 } - if ant.way == worst { share } else { 0.0 }
+            });
         }
     }
 }

@@ -19,20 +19,23 @@ pub(super) enum End {
 }
 
 /// One ant of an iteration.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct Ant {
     /// Where its directions begin in [`Walks`], and how many there are.
     first: usize,
     count: usize,
-    pub steps: Steps,
     pub end: End,
     /// The length of its way, in the scene's unit, if it arrived.
     pub length: f64,
     /// Δτ of its way.
     pub laid: f64,
+    /// The same for ants that went the same way, and hardly ever for others.
+    pub way: u64,
+    /// Its directions were not kept: the random numbers with which it goes the same way again.
+    pub again: Option<Stream>,
 }
 
-/// The walks of an iteration's ants, a byte a step.
+/// The walks of an iteration's ants, a byte a step, as far as they are kept.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Walks {
     directions: Vec<u8>,
@@ -47,7 +50,18 @@ impl Walks {
         self.ants.clear();
     }
 
-    /// An ant's directions from the start on.
+    /// Forgets the last ant's directions if there are more than `most` in all, so that the memory does not grow with the
+    /// ants. With the random numbers that it began with it goes the same way again when that is asked for.
+    pub fn forget(&mut self, most: usize, begun: Stream) {
+        if self.directions.len() > most
+            && let Some(ant) = self.ants.last_mut()
+        {
+            self.directions.truncate(ant.first);
+            (ant.count, ant.again) = (0, Some(begun));
+        }
+    }
+
+    /// An ant's directions from the start on; none if they are forgotten.
     pub fn of(&self, ant: &Ant) -> &[u8] {
         &self.directions[ant.first..ant.first + ant.count]
     }
@@ -56,11 +70,17 @@ impl Walks {
     pub fn push_for_test(&mut self, directions: &[u8], length: f64) {
         let (first, count) = (self.directions.len(), directions.len());
         self.directions.extend(directions);
-        self.ants.push(Ant { first, count, steps: Steps::default(), end: End::Arrived, length, laid: 0.0 });
+        let way = fold(directions);
+        self.ants.push(Ant { first, count, end: End::Arrived, length, laid: 0.0, way, again: None });
     }
 
     pub fn arrived(&self) -> impl Iterator<Item = &Ant> {
         self.ants.iter().filter(|ant| ant.end == End::Arrived)
+    }
+
+    /// Whether there is anything to lay on: start and goal may be one cell.
+    pub fn leads_anywhere(&self) -> bool {
+        self.arrived().any(|ant| ant.length > 0.0)
     }
 
     pub fn bytes(&self) -> usize {
@@ -125,7 +145,6 @@ pub(super) fn walk(
         if taken >= rules.limit {
             break End::Lost;
         }
-        taken += 1;
         let mut allowed = cells.moves(cell);
         for d in directions(allowed) {
             if seen.mark[cells.next(cell, d)] == seen.ant {
@@ -136,6 +155,7 @@ pub(super) fn walk(
             if !rules.backtracks || walks.directions.len() == first {
                 break End::Stuck;
             }
+            taken += 1;
             // Back to where it came from; the dead end stays marked.
             cell = cells.next(cell, from ^ 4);
             walks.directions.pop();
@@ -143,6 +163,7 @@ pub(super) fn walk(
             continue;
         }
         let d = choose(pheromone.weights(ground, cell), &ground.turn[from], allowed, greed, rng.unit());
+        taken += 1;
         cell = cells.next(cell, d);
         seen.mark[cell] = seen.ant;
         walks.directions.push(d as u8);
@@ -152,7 +173,13 @@ pub(super) fn walk(
     let count = walks.directions.len() - first;
     let steps = walks.directions[first..].iter().fold(Steps::default(), |steps, &d| steps.and(usize::from(d)));
     let length = ground.course.length(cells, steps);
-    walks.ants.push(Ant { first, count, steps, end, length, laid: 0.0 });
+    let way = fold(&walks.directions[first..]);
+    walks.ants.push(Ant { first, count, end, length, laid: 0.0, way, again: None });
+}
+
+/// A number for a way: FNV-1a over its directions.
+fn fold(directions: &[u8]) -> u64 {
+    directions.iter().fold(0xcbf2_9ce4_8422_2325, |sum, &d| (sum ^ u64::from(d)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
 /// [ANTBAT] (3), [WOLF-ANT] (4): each allowed step with the probability of its share of the weights; with probability

@@ -2,7 +2,11 @@
 
 use std::process::ExitCode;
 
-use forage::{exact::Exact, planner::Yardstick, scene::Body};
+use forage::{
+    exact::Exact,
+    planner::Yardstick,
+    scene::{Body, MAX_EXACT_CELLS},
+};
 use serde::Serialize;
 
 use super::{Outcome, load, print, print_json};
@@ -41,8 +45,15 @@ pub(super) fn exact(scene: &str, json: bool) -> Outcome {
                 let over_cells = answer.cells.as_ref().map(|way| format!("; from cell to cell {}", way.length)).unwrap_or_default();
                 print(&format!("{}: shortest path {length}, {} points{over_cells}", scene.name(), answer.path.len()));
             }
-            None => print(&format!("{}: there is no way from start to goal", scene.name())),
+            None => match &answer.cells {
+                Some(way) => print(&format!(
+                    "{}: from cell to cell {}; at any angle not computed, there are more than {MAX_EXACT_CELLS} cells",
+                    scene.name(),
+                    way.length
+                )),
+                None => print(&format!("{}: there is no way from start to goal", scene.name())),
+            },
         }
     }
-    Ok(if answer.length.is_some() { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    Ok(if answer.length.is_some() || answer.cells.is_some() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }

@@ -6,7 +6,7 @@ use std::{
     io::{self, Write},
     path::Path,
     process::ExitCode,
-    sync::atomic::Ordering,
+    sync::atomic::{AtomicBool, Ordering},
     time::Duration,
 };
 
@@ -15,8 +15,8 @@ use forage::{
     drive::COLUMNS,
     frame::Role,
     picture,
-    planner::Yardstick,
-    session::{csv_heading, csv_line, csv_row},
+    planner::{Finding, Yardstick},
+    session::{carry_out_all, csv_heading, csv_line, csv_row},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
@@ -83,7 +83,12 @@ fn carry_out(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) 
         if done || interrupted.load(Ordering::Relaxed) {
             break;
         }
-        session.step(1);
+        if let Some(found) = runs(session, &interrupted)? {
+            session.supply(found);
+        }
+        if !interrupted.load(Ordering::Relaxed) {
+            session.step(1);
+        }
     }
     let elapsed = begun.elapsed();
     bar.finish_and_clear();
@@ -94,6 +99,20 @@ fn carry_out(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) 
         eprintln!("forage: interrupted at iteration {}; this is the best so far", session.iteration());
     }
     Ok(elapsed.as_secs_f64() * 1e3)
+}
+
+/// The runs of other planners that the next step needs, side by side, a few at a time so that Ctrl-C is heard. `None`: it
+/// needs none.
+fn runs(session: &Session, interrupted: &AtomicBool) -> Result<Option<Vec<Finding>>, Failure> {
+    let jobs = session.jobs();
+    let mut found = Vec::with_capacity(jobs.len());
+    for some in jobs.chunks(64) {
+        if interrupted.load(Ordering::Relaxed) {
+            break;
+        }
+        found.extend(carry_out_all(session.scene(), some)?);
+    }
+    Ok((!jobs.is_empty()).then_some(found))
 }
 
 /// After this long a run is long enough for a progress bar.

@@ -8,12 +8,15 @@ use super::Disc;
 
 /// The length of a polyline.
 pub fn length(path: &[[f64; 2]]) -> f64 {
-    path.windows(2).map(|w| ((w[1][0] - w[0][0]) * (w[1][0] - w[0][0]) + (w[1][1] - w[0][1]) * (w[1][1] - w[0][1])).sqrt()).sum()
+    path.windows(2)
+        .map(|w| ((w[1][0] - w[0][0]) * (w[1][0] - w[0][0]) + (w[1][1] - w[0][1]) * (w[1][1] - w[0][1])).sqrt())
+        .fold(0.0, |sum, length| sum + length)
 }
 
 /// How much a polyline turns at its corners in all, in radians: 0 for a straight line. Segments of no length are skipped.
 pub fn turning(path: &[[f64; 2]]) -> f64 {
-    angles(path).sum()
+    // From 0, so that nothing is not −0.
+    angles(path).fold(0.0, |sum, angle| sum + angle)
 }
 
 /// At how many of its corners a polyline turns; by less than a millionth of a radian is straight on.

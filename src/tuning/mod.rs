@@ -70,7 +70,10 @@ impl Fitness {
     /// The mean over some runs.
     fn of(found: &[Finding]) -> Self {
         let n = found.len() as f64;
-        let length = found.iter().map(|f| f.cost.unwrap_or(f64::INFINITY)).sum::<f64>() / n;
+        // Equal lengths in another order must give the same mean, or rounding would break ties.
+        let mut lengths: Vec<_> = found.iter().map(|f| f.cost.unwrap_or(f64::INFINITY)).collect();
+        lengths.sort_unstable_by(f64::total_cmp);
+        let length = lengths.iter().sum::<f64>() / n;
         let converged = if length.is_finite() { found.iter().map(|f| f.converged).sum::<f64>() / n } else { f64::INFINITY };
         Self { length, converged }
     }
@@ -116,7 +119,8 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn s
     let chosen = settings.choice("tune");
     let axes: Vec<_> = colony.parameters.iter().filter(|p| chosen.split(',').any(|name| name == p.name)).filter_map(Axis::new).collect();
     if axes.is_empty() {
-        let known: Vec<_> = colony.parameters.iter().filter_map(Axis::new).map(|axis| axis.parameter.name).collect();
+        let has = |name| colony.parameters.iter().any(|p| p.name == name);
+        let known: Vec<_> = parameters::TUNABLE.iter().map(|option| option.value).filter(|&name| has(name)).collect();
         return Err(Error::refused("tune", chosen, format!("some of {}, which {} has", known.join(", "), colony.name)));
     }
     let grid = scene.grid()?;

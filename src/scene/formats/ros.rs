@@ -23,6 +23,9 @@ struct Entry<'a> {
     listed: bool,
 }
 
+/// A map's description has about ten.
+const MOST_KEYS: usize = 100;
+
 /// What a file says, and who asks.
 struct Yaml<'a> {
     file: &'a NamedFile,
@@ -64,6 +67,9 @@ impl<'a> Yaml<'a> {
                 return Err(file.unexpected(line, text, "`key: value`, not indented"));
             };
             let (key, value) = (key.trim(), value.trim());
+            if entries.len() == MOST_KEYS {
+                return Err(file.wrong(line, &format!("more than {MOST_KEYS} keys: this describes no map")));
+            }
             if let Some(other) = entries.iter().find(|entry| entry.key == key) {
                 return Err(file.wrong(line, &format!("`{key}` again, it stands in line {}", other.line)));
             }
