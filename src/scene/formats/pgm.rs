@@ -80,10 +80,11 @@ pub(super) fn read(file: &NamedFile) -> Result<Image, Error> {
         }
         reader.space();
     } else {
-        // One space, whatever it is, ends the heading.
-        reader.skip(reader.left.len().min(1));
         let width = if most > 255 { 2 } else { 1 };
         let needed = columns * rows * width;
+        // One space, whatever it is, ends the heading; a line's end of two bytes only where that leaves all pixels.
+        let ending = if reader.left.starts_with(b"\r\n") && reader.left.len() == needed + 2 { 2 } else { 1 };
+        reader.skip(reader.left.len().min(ending));
         let Some((pixels, rest)) = reader.left.split_at_checked(needed) else {
             return Err(file.wrong(reader.line, &format!("found {} bytes of pixels, expected {needed}", reader.left.len())));
         };

@@ -170,8 +170,10 @@ fn rule(yaml: &mut Yaml) -> Result<(Rule, &'static str), Error> {
         return Err(yaml.file.wrong(line, &format!("free_thresh is {free}, expected at most occupied_thresh, {occupied}")));
     }
     let negate = match yaml.one("negate", "0 or 1")? {
-        None | Some((_, "0" | "false")) => false,
-        Some((_, "1" | "true")) => true,
+        None => false,
+        // Python writes its flags with capitals.
+        Some((_, text)) if ["0", "false"].iter().any(|no| text.eq_ignore_ascii_case(no)) => false,
+        Some((_, text)) if ["1", "true"].iter().any(|yes| text.eq_ignore_ascii_case(yes)) => true,
         Some((line, text)) => return Err(yaml.file.unexpected(line, text, "for negate 0 or 1")),
     };
     let (raw, between) = match yaml.one("mode", "trinary, scale or raw")? {

@@ -70,7 +70,7 @@ fn an_occupancy_grid_is_read_with_its_thresholds() {
     let grid = plain.scene.grid().unwrap();
     assert_eq!((grid.cell, grid.y_axis, plain.scene.header().units.as_deref()), (0.05, YAxis::Up, Some("m")));
     assert!(plain.notes[0].contains("(-1.5, 2)") && plain.notes[1].contains("1 of 8 cells are unknown"), "{:?}", plain.notes);
-    let negated = read(&YAML.replace("negate: 0", "negate: true"), PGM.as_bytes());
+    let negated = read(&YAML.replace("negate: 0", "negate: True"), PGM.as_bytes());
     assert_eq!(rows(&negated), ["##.#", "##.#"], "205 is blocked, not unknown");
     let scale = read(&format!("{YAML}mode: 'scale'\n"), PGM.as_bytes());
     assert!(scale.notes[1].contains("1 of 8 cells are partly occupied"), "{:?}", scale.notes);
@@ -80,6 +80,8 @@ fn an_occupancy_grid_is_read_with_its_thresholds() {
     assert!(raw.notes[1].contains("2 of 4"), "{:?}", raw.notes);
     // Two bytes a pixel, the high one first; a list below its key; what is not known is noted.
     let yaml = "image: 'test.pgm'\nresolution: 1\norigin:\n  - 0\n  - 0\n  - 1.5 # turned\nfree_thresh: 0.25\nsensor: lidar\n";
+    let ended = read(yaml, b"P5\r\n2 1\r\n255\r\n\xfe\x00");
+    assert_eq!(rows(&ended), [".#"], "a heading whose lines end in two bytes");
     let wide = read(yaml, b"P5\n2 2\n65535\n\xff\xff\x00\x00\xc0\x00\xbf\xff\n");
     assert_eq!(rows(&wide), [".#", ".#"]);
     let notes = wide.notes.join(" ");
