@@ -84,6 +84,13 @@ pub struct Reading {
     pub group: Group,
 }
 
+impl Reading {
+    /// A number by its name, TeX, title, group and help.
+    pub const fn new(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Self {
+        Self { name, symbol, title, help, group }
+    }
+}
+
 /// What a reading belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -118,6 +125,13 @@ pub struct Formula {
     pub scope: Scope,
 }
 
+impl Formula {
+    /// An equation that is filled in from an inspection's values.
+    pub const fn of_item(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Self {
+        Self { name, source, title, tex, live, scope: Scope::Item }
+    }
+}
+
 /// Where a formula's numbers come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -144,6 +158,13 @@ pub struct Layer {
     /// A parameter's value without which there is nothing to draw.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub when: Option<When>,
+}
+
+impl Layer {
+    /// A layer that there is whatever the parameters are.
+    pub const fn new(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Self {
+        Self { role, title, help, on, pickable, when: None }
+    }
 }
 
 /// Sizes that a paper recommends for a setup.

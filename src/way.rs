@@ -53,26 +53,32 @@ pub const SMOOTH: Parameter = Parameter::flag(
     "Hand over the path without its redundant nodes: a node goes if its neighbours see each other, [ANTBAT] §3.1. It is then measured by the shortest path at any angle. What is searched stays the same.",
 );
 
-const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
-    Reading { name, symbol, title, help, group }
-}
-
 /// The result's length from cell to cell.
-pub const LENGTH: Reading = reading("length", "L_{\\text{raw}}", "Raw length", Group::Length, "The path’s length before smoothing.");
+pub const LENGTH: Reading = Reading::new("length", "L_{\\text{raw}}", "Raw length", Group::Length, "The path’s length before smoothing.");
 /// At how many corners it turns.
-pub const TURNS: Reading = reading("turns", "n_t", "Turns", Group::Measure, "At how many corners the path turns before smoothing.");
+pub const TURNS: Reading = Reading::new("turns", "n_t", "Turns", Group::Measure, "At how many corners the path turns before smoothing.");
 /// By how much in all.
 pub const TURNING: Reading =
-    reading("turning", "\\theta", "Turning", Group::Measure, "How much it turns in all before smoothing, in radians.");
+    Reading::new("turning", "\\theta", "Turning", Group::Measure, "How much it turns in all before smoothing, in radians.");
 /// The length without redundant nodes.
-pub const SMOOTH_LENGTH: Reading =
-    reading("smooth_length", "L_{\\text{smooth}}", "Smoothed length", Group::Length, "The length of the path without its redundant nodes.");
+pub const SMOOTH_LENGTH: Reading = Reading::new(
+    "smooth_length",
+    "L_{\\text{smooth}}",
+    "Smoothed length",
+    Group::Length,
+    "The length of the path without its redundant nodes.",
+);
 /// The turns without them.
-pub const SMOOTH_TURNS: Reading =
-    reading("smooth_turns", "n_t'", "Turns, smoothed", Group::Measure, "At how many corners the path without its redundant nodes turns.");
+pub const SMOOTH_TURNS: Reading = Reading::new(
+    "smooth_turns",
+    "n_t'",
+    "Turns, smoothed",
+    Group::Measure,
+    "At how many corners the path without its redundant nodes turns.",
+);
 /// The turning without them.
 pub const SMOOTH_TURNING: Reading =
-    reading("smooth_turning", "\\theta'", "Turning, smoothed", Group::Measure, "How much that path turns in all, in radians.");
+    Reading::new("smooth_turning", "\\theta'", "Turning, smoothed", Group::Measure, "How much that path turns in all, in radians.");
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,7 @@
 //! `aco-direction`: ants that mind their direction, rewarded and punished by the median, [ANTBAT] §3.1.
 
 use crate::{
-    catalogue::{Entry, Formula, Scope},
+    catalogue::{Entry, Formula},
     params::Parameter,
     way::SMOOTH,
 };
@@ -38,25 +38,21 @@ const PHI2: Parameter = Parameter::number(
 )
 .slider(0.0, 10.0, false);
 
-const fn of_item(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
-    Formula { name, source, title, tex, live, scope: Scope::Item }
-}
-
-const CHOICE: Formula = of_item(
+const CHOICE: Formula = Formula::of_item(
     "choice",
     "[ANTBAT] (3)",
     "Choice",
     "p_{ij} = \\frac{\\tau_{ij}^{\\alpha} \\, \\eta_j^{\\beta} \\, \\psi_{ij}^{\\gamma}}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_s^{\\beta} \\, \\psi_{is}^{\\gamma}}",
     "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@} \\cdot @psi@^{@gamma@}}{@sum@} = @p@",
 );
-const DIRECTION: Formula = of_item(
+const DIRECTION: Formula = Formula::of_item(
     "direction",
     "[ANTBAT] (2)",
     "Direction",
     "\\psi = \\exp\\left(-\\left(\\frac{\\theta_1}{\\pi/2} + \\frac{\\theta_2}{\\pi/2}\\right)\\right)",
     "\\psi = \\exp\\left(-\\frac{@theta1@ + @theta2@}{\\pi/2}\\right) = @psi@",
 );
-const REWARD: Formula = of_item(
+const REWARD: Formula = Formula::of_item(
     "laid",
     "[ANTBAT] (5)",
     "What an ant lays",

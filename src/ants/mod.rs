@@ -313,6 +313,6 @@ impl Planner for Colony {
 
     fn bytes(&self) -> usize {
         let best = self.best.as_ref().map_or(0, Found::bytes);
-        self.pheromone.bytes() + self.seen.bytes() + self.walks.bytes() + best + size_of::<Self>()
+        self.pheromone.bytes() + self.seen.bytes() + self.walks.bytes() + self.again.bytes() + best + size_of::<Self>()
     }
 }

@@ -69,27 +69,19 @@ pub(super) const STEP_LIMIT: Parameter = Parameter::integer(
     "After how many steps an ant is lost. 0: twice as many as there are cells, which is enough for every way.",
 )
 .slider(0.0, 1000.0, false);
-const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
-    Reading { name, symbol, title, help, group }
-}
-
-pub(super) const BEST: Reading = reading("best", "L_{\\text{best}}", "Shortest", Group::Cost, "The shortest way so far: the result.");
+pub(super) const BEST: Reading = Reading::new("best", "L_{\\text{best}}", "Shortest", Group::Cost, "The shortest way so far: the result.");
 pub(super) const MEAN: Reading =
-    reading("mean", "\\bar L", "Mean", Group::Cost, "The mean length of the ways of this iteration’s ants that arrived.");
+    Reading::new("mean", "\\bar L", "Mean", Group::Cost, "The mean length of the ways of this iteration’s ants that arrived.");
 pub(super) const CONVERGED: Reading =
-    reading("converged", "t^*", "Converged", Group::Count, "The iteration in which the result was found.");
-pub(super) const ARRIVED: Reading = reading("arrived", "", "Arrived", Group::Count, "Ants of this iteration that reached the goal.");
-pub(super) const STUCK: Reading = reading("stuck", "", "In dead ends", Group::Count, "Ants of this iteration that had no way on.");
-pub(super) const LOST: Reading = reading("lost", "", "Lost", Group::Count, "Ants of this iteration that reached the step limit.");
-pub(super) const ANT_STEPS: Reading = reading("ant_steps", "", "Steps", Group::Count, "The steps of all ants so far.");
+    Reading::new("converged", "t^*", "Converged", Group::Count, "The iteration in which the result was found.");
+pub(super) const ARRIVED: Reading = Reading::new("arrived", "", "Arrived", Group::Count, "Ants of this iteration that reached the goal.");
+pub(super) const STUCK: Reading = Reading::new("stuck", "", "In dead ends", Group::Count, "Ants of this iteration that had no way on.");
+pub(super) const LOST: Reading = Reading::new("lost", "", "Lost", Group::Count, "Ants of this iteration that reached the step limit.");
+pub(super) const ANT_STEPS: Reading = Reading::new("ant_steps", "", "Steps", Group::Count, "The steps of all ants so far.");
 pub(super) const GREED: Reading =
-    reading("q0", "q_0", "Greed", Group::Schedule, "How often an ant took the best step instead of drawing one.");
+    Reading::new("q0", "q_0", "Greed", Group::Schedule, "How often an ant took the best step instead of drawing one.");
 
-const fn of_cell(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
-    Formula { name, source, title, tex, live, scope: Scope::Item }
-}
-
-pub(super) const CHOICE: Formula = of_cell(
+pub(super) const CHOICE: Formula = Formula::of_item(
     "choice",
     "[ANTBAT] (1)",
     "Choice",
@@ -97,8 +89,8 @@ pub(super) const CHOICE: Formula = of_cell(
     "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}{@sum@} = @p@",
 );
 pub(super) const DISTANCE: Formula =
-    of_cell("distance", "[ANTBAT] §3.1", "Sight", "\\eta_j = \\frac{1}{d(j, \\text{goal})}", "\\eta = \\frac{1}{@d@} = @eta@");
-pub(super) const TRADITIONAL: Formula = of_cell(
+    Formula::of_item("distance", "[ANTBAT] §3.1", "Sight", "\\eta_j = \\frac{1}{d(j, \\text{goal})}", "\\eta = \\frac{1}{@d@} = @eta@");
+pub(super) const TRADITIONAL: Formula = Formula::of_item(
     "laid",
     "[ANTBAT] §3.1",
     "What an ant lays",
@@ -114,19 +106,15 @@ pub(super) const EVAPORATION: Formula = Formula {
     scope: Scope::Iteration,
 };
 
-const fn layer(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Layer {
-    Layer { role, title, help, on, pickable, when: None }
-}
-
 /// What every colony draws.
 pub(super) const LAYERS: &[Layer] = &[
-    layer(Role::Pheromone, "Pheromone", true, true, "How much lies on each cell’s strongest step."),
-    layer(Role::Trails, "Trails", true, false, "How much lies on each step; seen from near."),
-    layer(Role::Ants, "Ants", true, true, "The ways of this iteration’s ants."),
-    layer(Role::Best, "Shortest", true, false, "The shortest way so far: the result."),
+    Layer::new(Role::Pheromone, "Pheromone", true, true, "How much lies on each cell’s strongest step."),
+    Layer::new(Role::Trails, "Trails", true, false, "How much lies on each step; seen from near."),
+    Layer::new(Role::Ants, "Ants", true, true, "The ways of this iteration’s ants."),
+    Layer::new(Role::Best, "Shortest", true, false, "The shortest way so far: the result."),
     Layer {
         when: Some(When { parameter: "smooth", value: "true" }),
-        ..layer(Role::Smoothed, "Smoothed", true, false, "The shortest way without redundant nodes: the result that is handed over.")
+        ..Layer::new(Role::Smoothed, "Smoothed", true, false, "The shortest way without redundant nodes: the result that is handed over.")
     },
 ];
 

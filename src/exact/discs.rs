@@ -79,7 +79,7 @@ impl<'a> Graph<'a> {
                     }
                 }
             }
-            for (j, &other) in discs.iter().enumerate().skip(i + 1) {
+            for (j, &other) in (i + 1..).zip(&discs[i + 1..]) {
                 let between = vector(other.center) - vector(disc.center);
                 for side in [1.0, -1.0] {
                     // Outer tangents keep both discs on one side, inner ones cross over between them.

@@ -1,7 +1,7 @@
 //! What the entries of the searches share: parameters, readings, equations and layers.
 
 use crate::{
-    catalogue::{Formula, Group, Layer, Reading, Scope},
+    catalogue::{Formula, Group, Layer, Reading},
     frame::Role,
     params::{Parameter, When},
     scene::{Kind, MAX_SIDE},
@@ -34,14 +34,10 @@ pub(super) const WEIGHT: Parameter = Parameter::number(
     [1.0, 5.0, 1.0],
     "What the way to the goal is multiplied by. 1: the path is the shortest. Above, fewer cells are settled, and the path may be up to that many times as long as the shortest: the gap shows it.",
 );
-const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
-    Reading { name, symbol, title, help, group }
-}
-
 /// What every search tells.
 pub(super) const READINGS: &[Reading] = &[
-    reading("best", "L", "Path found", Group::Cost, "The length of the path, once it is found."),
-    reading(
+    Reading::new("best", "L", "Path found", Group::Cost, "The length of the path, once it is found."),
+    Reading::new(
         "f",
         "f_{\\min}",
         "Least on the frontier",
@@ -54,44 +50,40 @@ pub(super) const READINGS: &[Reading] = &[
     SMOOTH_LENGTH,
     SMOOTH_TURNS,
     SMOOTH_TURNING,
-    reading("expanded", "n_c", "Settled", Group::Count, "Cells settled so far."),
-    reading("frontier", "n_o", "Frontier", Group::Count, "Cells reached and not settled."),
-    reading("converged", "k^*", "Found after", Group::Count, "The step in which the path was found."),
+    Reading::new("expanded", "n_c", "Settled", Group::Count, "Cells settled so far."),
+    Reading::new("frontier", "n_o", "Frontier", Group::Count, "Cells reached and not settled."),
+    Reading::new("converged", "k^*", "Found after", Group::Count, "The step in which the path was found."),
 ];
 
-const fn of_cell(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Formula {
-    Formula { name, source, title, tex, live, scope: Scope::Item }
-}
-
-pub(super) const BOUND: Formula = of_cell(
+pub(super) const BOUND: Formula = Formula::of_item(
     "f",
     "Hart, Nilsson and Raphael 1968",
     "Length of the way over a cell, at least",
     "f(s) = g(s) + w\\,h(s)",
     "f = @g@ + @w@ \\cdot @h@ = @f@",
 );
-pub(super) const FORMULA_STEP: Formula = of_cell(
+pub(super) const FORMULA_STEP: Formula = Formula::of_item(
     "g",
     "Dijkstra 1959",
     "Length of the way to a cell",
     "g(s') = \\min_s \\left(g(s) + c(s, s')\\right)",
     "g = @g_parent@ + @c@ = @g@",
 );
-pub(super) const FORMULA_SIGHT: Formula = of_cell(
+pub(super) const FORMULA_SIGHT: Formula = Formula::of_item(
     "g",
     "Nash et al. 2007",
     "Length of the way to a cell",
     "g(s') = \\min_s \\begin{cases} g(p) + c(p, s') & \\text{if } p = \\operatorname{parent}(s) \\text{ sees } s' \\\\ g(s) + c(s, s') & \\text{otherwise} \\end{cases}",
     "g = @g_parent@ + @c@ = @g@",
 );
-pub(super) const FORMULA_OCTILE: Formula = of_cell(
+pub(super) const FORMULA_OCTILE: Formula = Formula::of_item(
     "h",
     "octile distance",
     "Length of the way to the goal, at least",
     "h = l \\left(\\max(\\Delta x, \\Delta y) + (\\sqrt 2 - 1) \\min(\\Delta x, \\Delta y)\\right)",
     "h = @side@ \\left(\\max(@dx@, @dy@) + (\\sqrt 2 - 1) \\min(@dx@, @dy@)\\right) = @h@",
 );
-pub(super) const FORMULA_STRAIGHT: Formula = of_cell(
+pub(super) const FORMULA_STRAIGHT: Formula = Formula::of_item(
     "h",
     "straight line",
     "Length of the way to the goal, at least",

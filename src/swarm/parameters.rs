@@ -74,18 +74,15 @@ pub(super) const W_MIN: Parameter = Parameter::number(
     [0.0, 1.5, 0.4],
     "ω falls to here, so that the swarm settles.",
 );
-pub(super) const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
-    Reading { name, symbol, title, help, group }
-}
-
 /// What every swarm tells; those that perturb tell [`PERTURBED`].
 pub(super) const READINGS: &[Reading] = &[BEST, MEAN, FREE, LENGTH, SMOOTHNESS, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, EVALUATIONS];
 pub(super) const PERTURBED: &[Reading] =
     &[BEST, MEAN, FREE, LENGTH, SMOOTHNESS, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, HENS, CHICKS, EVALUATIONS];
 
-pub(super) const BEST: Reading = reading("best", "f(g)", "Best cost", Group::Cost, "The cost of the global best, penalty included.");
-pub(super) const MEAN: Reading = reading("mean", "\\bar f", "Mean cost", Group::Cost, "The mean cost of the particles where they are now.");
-pub(super) const FREE: Reading = reading(
+pub(super) const BEST: Reading = Reading::new("best", "f(g)", "Best cost", Group::Cost, "The cost of the global best, penalty included.");
+pub(super) const MEAN: Reading =
+    Reading::new("mean", "\\bar f", "Mean cost", Group::Cost, "The mean cost of the particles where they are now.");
+pub(super) const FREE: Reading = Reading::new(
     "free",
     "L_{\\text{free}}",
     "Best without penalty",
@@ -93,8 +90,8 @@ pub(super) const FREE: Reading = reading(
     "The cost of the cheapest path without penalty so far: the result.",
 );
 pub(super) const LENGTH: Reading =
-    reading("length", "L_D", "Raw length", Group::Length, "The result’s length before smoothing, [LTQPSO] (17).");
-pub(super) const SMOOTHNESS: Reading = reading(
+    Reading::new("length", "L_D", "Raw length", Group::Length, "The result’s length before smoothing, [LTQPSO] (17).");
+pub(super) const SMOOTHNESS: Reading = Reading::new(
     "smoothness",
     "L_S",
     "Smoothness",
@@ -102,17 +99,23 @@ pub(super) const SMOOTHNESS: Reading = reading(
     "The sum of the squared distances between the result’s points, [LTQPSO] (18): the smaller, the more even.",
 );
 pub(super) const K: Reading =
-    reading("k", "k", "Update", Group::Count, "The number of the update that led here, counted from 0 as in the paper.");
-const OMEGA: Reading = reading("w", "\\omega", "Inertia weight", Group::Schedule, "ω in the step that led here.");
-const COGNITIVE: Reading = reading("c1", "c_1", "Cognitive coefficient", Group::Schedule, "c1 in the step that led here.");
-const SOCIAL: Reading = reading("c2", "c_2", "Social coefficient", Group::Schedule, "c2 in the step that led here.");
-pub(super) const STAGNATING: Reading =
-    reading("stagnating", "n_s", "Stagnating", Group::Count, "Particles whose cost has just risen in that many consecutive iterations.");
-const HENS: Reading = reading("hens", "n_h", "Moved by the hen", Group::Count, "Particles that the hen equation moved in this iteration.");
+    Reading::new("k", "k", "Update", Group::Count, "The number of the update that led here, counted from 0 as in the paper.");
+const OMEGA: Reading = Reading::new("w", "\\omega", "Inertia weight", Group::Schedule, "ω in the step that led here.");
+const COGNITIVE: Reading = Reading::new("c1", "c_1", "Cognitive coefficient", Group::Schedule, "c1 in the step that led here.");
+const SOCIAL: Reading = Reading::new("c2", "c_2", "Social coefficient", Group::Schedule, "c2 in the step that led here.");
+pub(super) const STAGNATING: Reading = Reading::new(
+    "stagnating",
+    "n_s",
+    "Stagnating",
+    Group::Count,
+    "Particles whose cost has just risen in that many consecutive iterations.",
+);
+const HENS: Reading =
+    Reading::new("hens", "n_h", "Moved by the hen", Group::Count, "Particles that the hen equation moved in this iteration.");
 const CHICKS: Reading =
-    reading("chicks", "n_c", "Moved by the chick", Group::Count, "Particles that the chick equation moved in this iteration.");
+    Reading::new("chicks", "n_c", "Moved by the chick", Group::Count, "Particles that the chick equation moved in this iteration.");
 pub(super) const EVALUATIONS: Reading =
-    reading("evaluations", "n_f", "Evaluations", Group::Count, "How many positions were evaluated so far.");
+    Reading::new("evaluations", "n_f", "Evaluations", Group::Count, "How many positions were evaluated so far.");
 
 /// An equation that is filled in from the readings.
 pub(super) const fn schedule(
@@ -125,17 +128,7 @@ pub(super) const fn schedule(
     Formula { name, source, title, tex, live, scope: Scope::Iteration }
 }
 
-pub(super) const fn of_particle(
-    name: &'static str,
-    source: &'static str,
-    title: &'static str,
-    tex: &'static str,
-    live: &'static str,
-) -> Formula {
-    Formula { name, source, title, tex, live, scope: Scope::Item }
-}
-
-pub(super) const VELOCITY: Formula = of_particle(
+pub(super) const VELOCITY: Formula = Formula::of_item(
     "velocity",
     "[WCPSO] (1, 6)",
     "Velocity",
@@ -143,29 +136,29 @@ pub(super) const VELOCITY: Formula = of_particle(
     "v = @w@ \\cdot @v_before@ + @c1@ \\cdot @r1@ \\, (@p@ - @x_before@) + @c2@ \\cdot @r2@ \\, (@g@ - @x_before@) \\;\\to\\; @v@",
 );
 pub(super) const POSITION: Formula =
-    of_particle("position", "[WCPSO] (2, 7)", "Position", "x \\leftarrow x + v", "x = @x_before@ + @v@ \\;\\to\\; @x@");
-pub(super) const HEN: Formula = of_particle(
+    Formula::of_item("position", "[WCPSO] (2, 7)", "Position", "x \\leftarrow x + v", "x = @x_before@ + @v@ \\;\\to\\; @x@");
+pub(super) const HEN: Formula = Formula::of_item(
     "hen",
     "[WCPSO] (9)",
     "Hen",
     "x \\leftarrow x + s_1 r (p_g - x) + s_2 r' (x_t - x)",
     "x = @x_before@ + @s1@ \\cdot @r@ \\, (@g@ - @x_before@) + @s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@) \\;\\to\\; @x@",
 );
-pub(super) const S1: Formula = of_particle(
+pub(super) const S1: Formula = Formula::of_item(
     "s1",
     "[WCPSO] (10)",
     "Pull of the best",
     "s_1 = \\exp\\frac{f_i - f_g}{|f_i| + \\varepsilon}",
     "s_1 = \\exp\\frac{@f_i@ - @f_g@}{|@f_i@| + \\varepsilon} = @s1@",
 );
-pub(super) const S2: Formula = of_particle(
+pub(super) const S2: Formula = Formula::of_item(
     "s2",
     "[WCPSO] (11), exponent at most 1",
     "Pull of the other",
     "s_2 = \\exp\\left(f_i - f_t\\right)",
     "s_2 = \\exp\\left(\\min(@f_i@ - @f_t@,\\, 1)\\right) = @s2@",
 );
-pub(super) const CHICK: Formula = of_particle(
+pub(super) const CHICK: Formula = Formula::of_item(
     "chick",
     "[WCPSO] (12)",
     "Chick",
@@ -181,10 +174,6 @@ pub(super) const LINEAR_W: Formula = schedule(
     "\\omega(@k@) = @w_max@ - (@w_max@ - @w_min@) \\cdot \\frac{@k@}{@iterations@} = @w@",
 );
 
-pub(super) const fn layer(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Layer {
-    Layer { role, title, help, on, pickable, when: None }
-}
-
 /// What every swarm draws; those that perturb draw [`PERTURBED_LAYERS`].
 pub(super) const LAYERS: &[Layer] = &[GUIDES, PERSONAL_BESTS, PARTICLES, VELOCITIES, GLOBAL_BEST, SMOOTHED];
 pub(super) const PERTURBED_LAYERS: &[Layer] =
@@ -192,7 +181,7 @@ pub(super) const PERTURBED_LAYERS: &[Layer] =
 
 pub(super) const GUIDES: Layer = Layer {
     when: Some(When { parameter: "encoding", value: "polar" }),
-    ..layer(
+    ..Layer::new(
         Role::Guides,
         "Circles",
         true,
@@ -202,13 +191,13 @@ pub(super) const GUIDES: Layer = Layer {
 };
 pub(super) const SMOOTHED: Layer = Layer {
     when: Some(When { parameter: "smooth", value: "true" }),
-    ..layer(Role::Smoothed, "Smoothed", true, false, "The best, smoothed: the result that is handed over.")
+    ..Layer::new(Role::Smoothed, "Smoothed", true, false, "The best, smoothed: the result that is handed over.")
 };
 pub(super) const PERSONAL_BESTS: Layer =
-    layer(Role::PersonalBests, "Personal bests", false, false, "The best that each particle has found.");
+    Layer::new(Role::PersonalBests, "Personal bests", false, false, "The best that each particle has found.");
 pub(super) const PARTICLES: Layer =
-    layer(Role::Particles, "Particles", true, true, "Where the particles are: points, or the paths they stand for.");
-const HEN_LAYER: Layer = layer(Role::Hen, "Hens", true, false, "Particles that the hen equation moved in this iteration.");
-const CHICK_LAYER: Layer = layer(Role::Chick, "Chicks", true, false, "Particles that the chick equation moved in this iteration.");
-const VELOCITIES: Layer = layer(Role::Velocities, "Velocities", false, false, "The particles’ velocities, to scale.");
-pub(super) const GLOBAL_BEST: Layer = layer(Role::Best, "Best", true, false, "The best so far: the result.");
+    Layer::new(Role::Particles, "Particles", true, true, "Where the particles are: points, or the paths they stand for.");
+const HEN_LAYER: Layer = Layer::new(Role::Hen, "Hens", true, false, "Particles that the hen equation moved in this iteration.");
+const CHICK_LAYER: Layer = Layer::new(Role::Chick, "Chicks", true, false, "Particles that the chick equation moved in this iteration.");
+const VELOCITIES: Layer = Layer::new(Role::Velocities, "Velocities", false, false, "The particles’ velocities, to scale.");
+pub(super) const GLOBAL_BEST: Layer = Layer::new(Role::Best, "Best", true, false, "The best so far: the result.");

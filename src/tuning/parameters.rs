@@ -85,10 +85,6 @@ const ROUNDS: Parameter = Parameter::integer(
 )
 .slider(5.0, 500.0, true);
 
-const fn reading(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Reading {
-    Reading { name, symbol, title, help, group }
-}
-
 const fn tuned(name: &'static str, symbol: &'static str, title: &'static str) -> Reading {
     Reading { name, symbol, title, help: "Its value in the best set so far.", group: Group::Schedule }
 }
@@ -101,10 +97,6 @@ const VELOCITY: Formula = Formula {
     live: "",
     scope: Scope::Iteration,
 };
-
-const fn layer(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Layer {
-    Layer { role, title, help, on, pickable, when: None }
-}
 
 /// The TeX strings that inspections use.
 pub const SYMBOLS: &[&str] = &["x", "v", "p", "g", "\\bar L", "\\bar t^*", "\\bar L_p", "\\bar L_g"];
@@ -119,17 +111,17 @@ pub const ENTRY: Entry = Entry {
     kinds: &[Kind::Grid],
     parameters: &[COLONY, TUNE, POPULATION, ITERATIONS, W, C1, C2, SEEDS, ROUNDS],
     readings: &[
-        reading("best", "\\bar L_g", "Best", Group::Cost, "The mean length that the best parameters so far gave."),
-        reading("mean", "\\bar L", "Mean", Group::Cost, "The mean over this round’s particles whose colonies found a way."),
-        reading("length", "L", "Shortest", Group::Length, "The length of the best parameters’ shortest way."),
-        reading(
+        Reading::new("best", "\\bar L_g", "Best", Group::Cost, "The mean length that the best parameters so far gave."),
+        Reading::new("mean", "\\bar L", "Mean", Group::Cost, "The mean over this round’s particles whose colonies found a way."),
+        Reading::new("length", "L", "Shortest", Group::Length, "The length of the best parameters’ shortest way."),
+        Reading::new(
             "converged",
             "\\bar t^*",
             "Converged",
             Group::Count,
             "The mean iteration in which the best parameters’ runs found their result.",
         ),
-        reading("runs", "", "Runs", Group::Count, "Runs of the colony so far."),
+        Reading::new("runs", "", "Runs", Group::Count, "Runs of the colony so far."),
         tuned("alpha", "\\alpha", "Weight of pheromone"),
         tuned("beta", "\\beta", "Weight of sight"),
         tuned("rho", "\\rho", "Evaporation"),
@@ -149,8 +141,8 @@ pub const ENTRY: Entry = Entry {
     ],
     formulas: &[VELOCITY],
     layers: &[
-        layer(Role::Particles, "Particles", true, true, "The shortest way that each particle’s parameters gave in this round."),
-        layer(Role::Best, "Best", true, false, "The shortest way that the best parameters gave."),
+        Layer::new(Role::Particles, "Particles", true, true, "The shortest way that each particle’s parameters gave in this round."),
+        Layer::new(Role::Best, "Best", true, false, "The shortest way that the best parameters gave."),
     ],
     suggest: |_| None,
     start: super::start,

@@ -102,7 +102,9 @@ type Numbered = (usize, Problem);
 fn read_scen(file: &NamedFile, [columns, rows]: [usize; 2]) -> Result<(Vec<Numbered>, &str), Error> {
     let named = map_of(file)?;
     let mut problems = Vec::new();
-    for (line, found) in file.lines()?.skip(1).filter(|(_, line)| !line.is_empty()) {
+    let mut lines = file.lines()?;
+    lines.next();
+    for (line, found) in lines.filter(|(_, line)| !line.is_empty()) {
         let [_, map, width, height, ax, ay, bx, by, length] = fields(file, line, found)?;
         if map != named {
             return Err(file.unexpected(line, map, &format!("{named}, as above: one map at a time")));

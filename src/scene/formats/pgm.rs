@@ -24,7 +24,7 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn skip(&mut self, count: usize) -> &'a [u8] {
+    fn advance(&mut self, count: usize) -> &'a [u8] {
         let (skipped, left) = self.left.split_at(count);
         self.left = left;
         self.line += skipped.split(|&byte| byte == b'\n').count() - 1;
@@ -39,7 +39,7 @@ impl<'a> Reader<'a> {
                 _ if byte.is_ascii_whitespace() => 1,
                 _ => break,
             };
-            self.skip(count);
+            self.advance(count);
         }
     }
 
@@ -47,7 +47,7 @@ impl<'a> Reader<'a> {
     fn word(&mut self) -> &'a [u8] {
         self.space();
         let count = self.left.iter().position(u8::is_ascii_whitespace).unwrap_or(self.left.len());
-        self.skip(count)
+        self.advance(count)
     }
 
     fn number(&mut self, name: &str, least: usize, most: usize) -> Result<usize, Error> {
@@ -84,7 +84,7 @@ pub(super) fn read(file: &NamedFile) -> Result<Image, Error> {
         let needed = columns * rows * width;
         // One space, whatever it is, ends the heading; a line's end of two bytes only where that leaves all pixels.
         let ending = if reader.left.starts_with(b"\r\n") && reader.left.len() == needed + 2 { 2 } else { 1 };
-        reader.skip(reader.left.len().min(ending));
+        reader.advance(reader.left.len().min(ending));
         let Some((pixels, rest)) = reader.left.split_at_checked(needed) else {
             return Err(file.wrong(reader.line, &format!("found {} bytes of pixels, expected {needed}", reader.left.len())));
         };

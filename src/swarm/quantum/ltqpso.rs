@@ -6,7 +6,7 @@ use crate::{
         encoding::with_paths,
         parameters::{
             BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, PARTICLES, PERSONAL_BESTS, SMOOTHED,
-            SMOOTHNESS, of_particle,
+            SMOOTHNESS,
         },
     },
 };
@@ -16,14 +16,14 @@ use super::parameters::{
     WIDTH, suggest,
 };
 
-const ATTRACTOR: Formula = of_particle(
+const ATTRACTOR: Formula = Formula::of_item(
     "attractor",
     "[LTQPSO] (7)",
     "Local attractor",
     "p_{ij} = G_j + \\varphi \\cdot ip_i \\, (P_{ij} - G_j)",
     "p = @g@ + @phi@ \\cdot @ip@ \\, (@p@ - @g@) = @attractor@",
 );
-const LEAP: Formula = of_particle(
+const LEAP: Formula = Formula::of_item(
     "leap",
     "[LTQPSO] (9)",
     "Leap",
@@ -31,8 +31,8 @@ const LEAP: Formula = of_particle(
     "X = @attractor@ + (@sign@) \\cdot @alpha@ \\cdot @gs@ \\, |@m@ - @x_before@| \\ln\\frac{1}{@u@} \\;\\to\\; @x@",
 );
 const EVOLUTION: Formula =
-    of_particle("ip", "[LTQPSO] (5)", "Evolution speed", "ip_i = \\frac{F(G)}{F(P_i)}", "ip = \\frac{@f_g@}{@f_p@} = @ip@");
-const DISPERSION: Formula = of_particle(
+    Formula::of_item("ip", "[LTQPSO] (5)", "Evolution speed", "ip_i = \\frac{F(G)}{F(P_i)}", "ip = \\frac{@f_g@}{@f_p@} = @ip@");
+const DISPERSION: Formula = Formula::of_item(
     "gs",
     "[LTQPSO] (6), at most 1",
     "Dispersion",

@@ -6,7 +6,7 @@ use crate::{
     math,
     params::{Parameter, Preset, Settings},
     scene::Kind,
-    swarm::parameters::{layer, of_particle, reading, schedule},
+    swarm::parameters::schedule,
 };
 
 pub(super) const POPULATION: Parameter = Parameter::integer(
@@ -51,15 +51,16 @@ pub(super) const C2: Parameter = Parameter::number(
     "Beside c1 the larger, the nearer the attractor to the swarm’s best, (22).",
 );
 
-pub(super) const ALPHA: Reading = reading("alpha", "\\alpha", "Contraction–expansion", Group::Schedule, "α in the step that led here.");
-pub(super) const IP: Reading = reading(
+pub(super) const ALPHA: Reading =
+    Reading::new("alpha", "\\alpha", "Contraction–expansion", Group::Schedule, "α in the step that led here.");
+pub(super) const IP: Reading = Reading::new(
     "ip",
     "\\overline{ip}",
     "Evolution speed",
     Group::Schedule,
     "The mean of F(G) / F(P) over the particles, (5): near 1 when all have found as much as the best.",
 );
-pub(super) const GS: Reading = reading(
+pub(super) const GS: Reading = Reading::new(
     "gs",
     "\\overline{gs}",
     "Dispersion",
@@ -67,13 +68,13 @@ pub(super) const GS: Reading = reading(
     "The mean of σ(P) / σ(X) over the coordinates, (6): how scattered the personal bests are beside the positions, at most 1.",
 );
 pub(super) const SELECTED: Reading =
-    reading("selected", "n_r", "Replaced", Group::Count, "Particles whose position natural selection replaced in this iteration.");
+    Reading::new("selected", "n_r", "Replaced", Group::Count, "Particles whose position natural selection replaced in this iteration.");
 
 pub(super) const SELECTED_LAYER: Layer =
-    layer(Role::Selected, "Replaced", false, false, "Particles that natural selection put where a better one was.");
+    Layer::new(Role::Selected, "Replaced", false, false, "Particles that natural selection put where a better one was.");
 pub(super) const ATTRACTORS: Layer =
-    layer(Role::Attractors, "Attractors", false, false, "Each particle’s local attractor p: between its own best and the swarm’s.");
-pub(super) const MEAN_BEST: Layer = layer(
+    Layer::new(Role::Attractors, "Attractors", false, false, "Each particle’s local attractor p: between its own best and the swarm’s.");
+pub(super) const MEAN_BEST: Layer = Layer::new(
     Role::MeanBest,
     "Mean best",
     false,
@@ -88,14 +89,14 @@ pub(super) const WIDTH: Formula = schedule(
     "\\alpha(k) = \\alpha_0 + (\\alpha_{\\max} - \\alpha_0) \\frac{k}{k_{\\max}}",
     "\\alpha(@k@) = @alpha_start@ + (@alpha_end@ - @alpha_start@) \\cdot \\frac{@k@}{@iterations@} = @alpha@",
 );
-pub(super) const PHI: Formula = of_particle(
+pub(super) const PHI: Formula = Formula::of_item(
     "phi",
     "[LTQPSO] (22)",
     "Share of the own best",
     "\\varphi = \\frac{c_1 r_1}{c_1 r_1 + c_2 r_2}",
     "\\varphi = \\frac{@c1@ \\cdot @r1@}{@c1@ \\cdot @r1@ + @c2@ \\cdot @r2@} = @phi@",
 );
-pub(super) const MEAN: Formula = of_particle("mean", "[LTQPSO] (3, 8)", "Mean best", "m_j = \\frac{1}{N} \\sum_i P_{ij}", "m = @m@");
+pub(super) const MEAN: Formula = Formula::of_item("mean", "[LTQPSO] (3, 8)", "Mean best", "m_j = \\frac{1}{N} \\sum_i P_{ij}", "m = @m@");
 
 /// What (10) and (11) recommend for D segments; the fits cover 5 ≤ D ≤ 20.
 pub(super) fn suggest(settings: &Settings) -> Option<Suggestion> {

@@ -6,21 +6,21 @@ use crate::{
         encoding::with_paths,
         parameters::{
             BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, PARTICLES, PERSONAL_BESTS, SMOOTHED,
-            SMOOTHNESS, of_particle,
+            SMOOTHNESS,
         },
     },
 };
 
 use super::parameters::{ALPHA, ALPHA_END, ALPHA_START, ATTRACTORS, C1, C2, ITERATIONS, MEAN, MEAN_BEST, PHI, POPULATION, WIDTH, suggest};
 
-const ATTRACTOR: Formula = of_particle(
+const ATTRACTOR: Formula = Formula::of_item(
     "attractor",
     "[LTQPSO] (2, 4)",
     "Local attractor",
     "p_{ij} = \\varphi P_{ij} + (1 - \\varphi) G_j = G_j + \\varphi (P_{ij} - G_j)",
     "p = @g@ + @phi@ \\, (@p@ - @g@) = @attractor@",
 );
-const LEAP: Formula = of_particle(
+const LEAP: Formula = Formula::of_item(
     "leap",
     "[LTQPSO] (1, 23)",
     "Leap",
