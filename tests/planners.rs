@@ -355,7 +355,8 @@ fn check_inspections(entry: &Entry, session: &mut Session) {
 }
 
 fn placeholders(tex: &str) -> Vec<&str> {
-    tex.split('@').skip(1).step_by(2).collect()
+    let parts: Vec<_> = tex.split('@').collect();
+    parts.chunks(2).filter_map(|pair| pair.get(1).copied()).collect()
 }
 
 #[test]

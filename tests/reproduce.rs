@@ -64,7 +64,7 @@ fn both_tables_are_printed_written_and_repeatable() {
 
     // The command that is named gives the row of seed 1 again.
     let command = printed.lines().find(|line| line.contains("forage run ltqpso") && line.contains("normal")).unwrap();
-    let words: Vec<_> = command.split_whitespace().skip(1).chain(["--json"]).collect();
+    let words: Vec<_> = command.split_once("forage ").expect("a command and its words").1.split_whitespace().chain(["--json"]).collect();
     let again: Value = serde_json::from_slice(&forage(&words).stdout).unwrap();
     let row = rows.lines().find(|line| line.starts_with("table-4,ltqpso,1,")).unwrap();
     assert_eq!(row.split(',').nth(3).unwrap().parse(), Ok(again["cost"].as_f64().unwrap()));
@@ -122,7 +122,7 @@ fn ants_on_the_thirty_cells_are_printed_drawn_and_repeatable() {
 
     // And the command that is named gives the row of seed 1 again.
     let command = printed.lines().find(|line| line.contains("forage run aco-dijkstra")).unwrap();
-    let words: Vec<_> = command.split_whitespace().skip(1).chain(["--json"]).collect();
+    let words: Vec<_> = command.split_once("forage ").expect("a command and its words").1.split_whitespace().chain(["--json"]).collect();
     let again: Value = serde_json::from_slice(&forage(&words).stdout).unwrap();
     let first = rows.lines().find(|line| line.starts_with("aco-dijkstra,,1,")).unwrap();
     assert_eq!(first.split(',').nth(4).unwrap().parse(), Ok(again["length"].as_f64().unwrap()));
