@@ -10,7 +10,7 @@ use crate::{
     frame::{Role, Shape},
     params::{Domain, Parameter, Settings, Value, When, as_object},
     scene::{
-        Kind, Scene,
+        Body, Kind, Scene,
         generate::{GENERATORS, Generator},
         shipped_names,
     },
@@ -55,6 +55,8 @@ pub struct Entry {
     pub summary: &'static str,
     /// The kinds of scene it runs on.
     pub kinds: &'static [Kind],
+    /// Whether it calls at a scene's stops instead of going from start to goal.
+    pub stops: bool,
     /// Its parameters; every planner has `iterations`.
     pub parameters: &'static [Parameter],
     /// The numbers it tells after each iteration.
@@ -63,6 +65,8 @@ pub struct Entry {
     pub formulas: &'static [Formula],
     /// The layers it draws, in drawing order.
     pub layers: &'static [Layer],
+    /// The numbers that it tells of each of those that search side by side.
+    pub members: &'static [Member],
     /// What its paper recommends for these settings; `None` where it says nothing.
     pub suggest: fn(&Settings) -> Option<Suggestion>,
     /// How a run begins.
@@ -167,6 +171,25 @@ impl Layer {
     }
 }
 
+/// A number of each of those that search side by side.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Member {
+    /// An identifier.
+    pub name: &'static str,
+    /// TeX.
+    pub symbol: &'static str,
+    /// A few words.
+    pub title: &'static str,
+    /// What it says.
+    pub help: &'static str,
+    /// From 0 to this: drawn as a bar. `None`: only written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub full: Option<f64>,
+    /// What the numbers 0, 1, … stand for, if they are not numbers.
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    pub words: &'static [&'static str],
+}
+
 /// Sizes that a paper recommends for a setup.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Suggestion {
@@ -197,6 +220,22 @@ impl Entry {
         }
         let kinds: Vec<_> = self.kinds.iter().map(|k| k.name()).collect();
         Err(Error::Unsupported { planner: self.name.to_owned(), kind: kind.name().to_owned(), kinds: kinds.join(", ") })
+    }
+
+    /// Refuses a scene that this planner does not run on.
+    ///
+    /// # Errors
+    /// As [`Entry::check_kind`]; [`Error::Refused`] for a grid without what the planner goes to.
+    pub fn check_scene(&self, scene: &Scene) -> Result<(), Error> {
+        self.check_kind(scene.kind())?;
+        match scene.body() {
+            Body::Grid(grid) if self.stops && grid.stops.len() < 2 => {
+                let found = if grid.stops.is_empty() { "nothing" } else { "a list of 1" };
+                Err(Error::refused("stops", found, "two stops at least: this planner calls at stops"))
+            }
+            Body::Grid(grid) if !self.stops => grid.ends().map(|_| ()),
+            _ => Ok(()),
+        }
     }
 
     /// The parameters that mean something on this kind of scene.
@@ -256,17 +295,19 @@ impl Serialize for EntryView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let entry = self.0;
         let parameters = views(entry.parameters, entry.kinds);
-        let mut out = serializer.serialize_struct("Planner", 10)?;
+        let mut out = serializer.serialize_struct("Planner", 12)?;
         out.serialize_field("name", entry.name)?;
         out.serialize_field("title", entry.title)?;
         out.serialize_field("family", entry.family)?;
         out.serialize_field("source", entry.source)?;
         out.serialize_field("summary", entry.summary)?;
         out.serialize_field("kinds", entry.kinds)?;
+        out.serialize_field("stops", &entry.stops)?;
         out.serialize_field("parameters", &parameters)?;
         out.serialize_field("readings", entry.readings)?;
         out.serialize_field("formulas", entry.formulas)?;
         out.serialize_field("layers", entry.layers)?;
+        out.serialize_field("members", entry.members)?;
         out.end()
     }
 }

@@ -39,6 +39,14 @@ pub enum Role {
     Closed,
     /// Cells that a search has reached and not settled.
     Frontier,
+    /// The ways between stops, one line each; the weight is the length.
+    Roads,
+    /// The tours of those that search side by side, one line each.
+    Tours,
+    /// The best tour so far, in its direction: the result.
+    Tour,
+    /// The stops, in their order in the scene; the weight is the place in the best tour, from 0, or −1.
+    Stops,
     /// The result after smoothing.
     Smoothed,
     /// The exact optimum.
@@ -55,6 +63,8 @@ pub enum Role {
     Jump,
     /// In an inspection: the steps to choose from.
     Candidates,
+    /// In an inspection: what is not as in the best.
+    Different,
     /// In an inspection: where the item was.
     Before,
     /// In an inspection: where the item is.
@@ -63,7 +73,7 @@ pub enum Role {
 
 impl Role {
     /// Every role, in the order of their numbers.
-    pub const ALL: [Self; 25] = [
+    pub const ALL: [Self; 30] = [
         Self::Particles,
         Self::Velocities,
         Self::PersonalBests,
@@ -79,6 +89,10 @@ impl Role {
         Self::Ants,
         Self::Closed,
         Self::Frontier,
+        Self::Roads,
+        Self::Tours,
+        Self::Tour,
+        Self::Stops,
         Self::Smoothed,
         Self::Exact,
         Self::Inertia,
@@ -87,6 +101,7 @@ impl Role {
         Self::Velocity,
         Self::Jump,
         Self::Candidates,
+        Self::Different,
         Self::Before,
         Self::After,
     ];
@@ -109,6 +124,10 @@ impl Role {
             Self::Ants => "ants",
             Self::Closed => "closed",
             Self::Frontier => "frontier",
+            Self::Roads => "roads",
+            Self::Tours => "tours",
+            Self::Tour => "tour",
+            Self::Stops => "stops",
             Self::Smoothed => "smoothed",
             Self::Exact => "exact",
             Self::Inertia => "inertia",
@@ -117,6 +136,7 @@ impl Role {
             Self::Velocity => "velocity",
             Self::Jump => "jump",
             Self::Candidates => "candidates",
+            Self::Different => "different",
             Self::Before => "before",
             Self::After => "after",
         }

@@ -32,6 +32,62 @@ pub enum Solution {
     Path(Vec<[f64; 2]>),
     /// A point in a function's box.
     Position(Vec<f64>),
+    /// A tour that calls at every stop.
+    Tour {
+        /// The stops' numbers in the order in which it calls at them, each once.
+        order: Vec<usize>,
+        /// What its ends are.
+        round: Round,
+        /// The way through them, back to the first if it is closed, in the scene's unit.
+        path: Vec<[f64; 2]>,
+    },
+}
+
+impl Solution {
+    /// The corners of a path or of a tour's way.
+    pub fn path(&self) -> Option<&[[f64; 2]]> {
+        match self {
+            Self::Path(path) | Self::Tour { path, .. } => Some(path),
+            Self::Position(_) => None,
+        }
+    }
+}
+
+/// What the ends of a tour are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Round {
+    /// It goes back to where it began.
+    #[default]
+    Closed,
+    /// It begins at any stop and ends at any other.
+    Open,
+    /// It begins at the first stop and ends at any other.
+    FromFirst,
+    /// It begins at the first stop and ends at the last.
+    FirstToLast,
+}
+
+impl Round {
+    /// Every one.
+    pub const ALL: [Self; 4] = [Self::Closed, Self::Open, Self::FromFirst, Self::FirstToLast];
+
+    /// Whether it goes back to where it began.
+    pub fn closes(self) -> bool {
+        self == Self::Closed
+    }
+
+    /// Whether an order calls at each of `n` stops once and has such ends.
+    pub fn allows(self, order: &[usize], n: usize) -> bool {
+        let mut called = vec![false; n];
+        let once = |&stop: &usize| called.get_mut(stop).is_some_and(|called| !std::mem::replace(called, true));
+        let ends = match self {
+            Self::Closed | Self::Open => true,
+            Self::FromFirst => order.first() == Some(&0),
+            Self::FirstToLast => order.first() == Some(&0) && order.last() == Some(&(n - 1)),
+        };
+        order.len() == n && order.iter().all(once) && ends
+    }
 }
 
 /// Which optimum a result is measured by.
@@ -43,6 +99,10 @@ pub enum Yardstick {
     AnyAngle,
     /// The shortest way from cell to neighbouring cell of a grid.
     Cells,
+    /// The shortest tour by the distances that the scene gives.
+    Matrix,
+    /// The optimum that the scene's file gives: none could be computed.
+    Stored,
 }
 
 /// A run of another planner on the same scene that the next step needs. Whoever steps may carry them out side by side
@@ -55,6 +115,9 @@ pub struct Job {
     pub params: Given,
     /// The seed.
     pub seed: u64,
+    /// Where it starts and where it leads, if not where the scene says.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ends: Option<[[f64; 2]; 2]>,
 }
 
 /// What a [`Job`] found.
@@ -75,6 +138,17 @@ pub struct Tuned {
     pub planner: &'static str,
     /// Those that were searched and those that were given.
     pub params: Given,
+}
+
+/// A part of a run that has its own kind of step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Stage {
+    /// An identifier.
+    pub name: &'static str,
+    /// A few words.
+    pub title: &'static str,
+    /// Its last iteration; the next stage's first step follows.
+    pub end: u64,
 }
 
 /// The best solution so far and what it costs the planner. Whether it is any good, [`crate::Scene::judge`] says.
@@ -220,6 +294,17 @@ pub trait Planner: Clone {
     }
     /// Takes what the runs of [`Planner::jobs`] found, in their order; the next step uses it.
     fn supply(&mut self, _found: Vec<Finding>) {}
+    /// The parts of a run, in their order; none, for most: all steps are of one kind.
+    fn stages(&self) -> Vec<Stage> {
+        Vec::new()
+    }
+    /// What the ends of its tours are, if it finds tours.
+    fn round(&self) -> Option<Round> {
+        None
+    }
+    /// The numbers of those that search side by side: for each of them, in the order of the layer that can be inspected,
+    /// one for each of the entry's `members`.
+    fn members(&self, _out: &mut Vec<f64>) {}
     /// The parameters that it recommends for another planner.
     fn tuned(&self) -> Option<Tuned> {
         None

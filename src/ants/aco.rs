@@ -34,6 +34,8 @@ pub const ENTRY: Entry = Entry {
     readings: READINGS,
     formulas: &[CHOICE, DISTANCE, EVAPORATION, TRADITIONAL],
     layers: LAYERS,
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let traits = Traits { heuristic: Heuristic::Distance, gamma: 0.0, update: Update::Traditional, greed: [0.0; 2], seeded: 1.0 };

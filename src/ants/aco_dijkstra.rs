@@ -86,6 +86,8 @@ pub const ENTRY: Entry = Entry {
     ],
     formulas: &[RULE, CHOICE, DISTANCE, EVAPORATION, TRADITIONAL],
     layers: LAYERS,
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let traits = Traits {

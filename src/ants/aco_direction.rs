@@ -72,6 +72,8 @@ pub const ENTRY: Entry = Entry {
     readings: READINGS,
     formulas: &[CHOICE, DISTANCE, DIRECTION, EVAPORATION, REWARD],
     layers: LAYERS,
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let traits = Traits {

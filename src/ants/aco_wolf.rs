@@ -88,6 +88,8 @@ pub const ENTRY: Entry = Entry {
     readings: READINGS,
     formulas: &[CHOICE, RANKED, PHEROMONE, LAID],
     layers: LAYERS,
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let traits = Traits {

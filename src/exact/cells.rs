@@ -10,7 +10,7 @@ use super::{Exact, Length};
 /// The shortest way from start to goal from cell to neighbouring cell; `None` where there is none.
 pub fn shortest_over_cells(cells: &Cells, course: &Course) -> Option<Exact> {
     let way = shortest_way(cells, course.start, course.goal)?;
-    Some(Exact { length: course.length(cells, cells.steps(&way)), path: course.path(cells, way) })
+    Some(Exact::way(course.length(cells, cells.steps(&way)), course.path(cells, way)))
 }
 
 /// The cells of a shortest way from one to another; `None` where there is none.

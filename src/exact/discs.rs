@@ -168,7 +168,7 @@ impl<'a> Graph<'a> {
         best[START] = 0.0;
         while let Some(Reverse((Length(length), node))) = open.pop() {
             if node == GOAL {
-                return Some(Exact { length, path: self.outline(&via) });
+                return Some(Exact::way(length, self.outline(&via)));
             }
             if length > best[node] {
                 continue;

@@ -3,12 +3,14 @@
 mod cells;
 mod discs;
 mod grid;
+mod tours;
 
 use std::cmp::Ordering;
 
 pub use cells::{is_reachable, shortest_over_cells, shortest_way};
 pub use discs::shortest_among_discs;
 pub use grid::shortest_on_grid;
+pub use tours::{MAX_EXACT_STOPS, shortest_tour};
 
 /// The shortest way there is.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +19,17 @@ pub struct Exact {
     pub length: f64,
     /// Its course; arcs as corners just outside their discs, so this line is collision-free and hardly longer.
     pub path: Vec<[f64; 2]>,
+    /// Of a tour: the order of its stops. Otherwise empty.
+    pub order: Vec<usize>,
+    /// The scene's file says so; it was not computed.
+    pub stored: bool,
+}
+
+impl Exact {
+    /// A way of this length.
+    pub fn way(length: f64, path: Vec<[f64; 2]>) -> Self {
+        Self { length, path, order: Vec::new(), stored: false }
+    }
 }
 
 /// A length that can be ordered; lengths here are never NaN.

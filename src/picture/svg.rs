@@ -26,7 +26,10 @@ fn style_of(role: Role) -> Style {
         Role::Particles | Role::Before => style("#5b5fa8", "#9aa2e8", 1.0, 0.35, ""),
         Role::PersonalBests => style("#4d8f8b", "#6fc0ba", 1.0, 0.3, ""),
         Role::Velocities | Role::Inertia => style("#7a7f78", "#98a39a", 1.0, 0.5, ""),
-        Role::Best | Role::After | Role::Smoothed => style("#c27803", "#f2b33d", 3.0, 1.0, ""),
+        Role::Roads => style("#8c8674", "#56695f", 1.0, 0.6, ""),
+        Role::Tours => style("#5b5fa8", "#9aa2e8", 1.0, 0.2, ""),
+        Role::Stops | Role::Different => style("#8f3fb0", "#cf8df0", 1.4, 0.9, ""),
+        Role::Best | Role::After | Role::Smoothed | Role::Tour => style("#c27803", "#f2b33d", 3.0, 1.0, ""),
         Role::Pheromone | Role::Trails => style("#7b5ea7", "#b79be0", 1.5, 0.6, ""),
         Role::Ants => style("#8a5a2b", "#d9a86c", 1.0, 0.3, ""),
         Role::Closed => style("#7fa8c9", "#3f6f94", 1.0, 0.5, ""),
@@ -103,7 +106,7 @@ impl Canvas {
     fn obstacles(&mut self, scene: &Scene) {
         let (fill, stroke) = (self.tone("#d8d2c2", "#26352e"), self.tone("#8c8674", "#56695f"));
         match scene.body() {
-            Body::Function(_) => {}
+            Body::Function(_) | Body::Tour(_) => {}
             Body::Discs(discs) => {
                 self.frame_of(discs.bounds);
                 for disc in &discs.discs {

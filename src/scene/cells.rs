@@ -210,12 +210,20 @@ impl Course {
     /// [`Error::Refused`] if a grid has no ends, or if the robot cannot go from one to the centre of its cell.
     pub fn new(grid: &GridScene) -> Result<Self, Error> {
         let (start, goal) = grid.ends()?;
+        Self::between(grid, ["start", "goal"], [start, goal])
+    }
+
+    /// Finds the cells of two points.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] if the robot cannot go from one of them to the centre of its cell, by its name.
+    pub fn between(grid: &GridScene, names: [&str; 2], [start, goal]: [[f64; 2]; 2]) -> Result<Self, Error> {
         let cells = grid.cells();
         let stub = |point: [f64; 2], cell: usize| {
             let [x, y] = cells.centre(cell);
             ((x - point[0]) * (x - point[0]) + (y - point[1]) * (y - point[1])).sqrt()
         };
-        let (from, to) = (entrance(grid, "start", start)?, entrance(grid, "goal", goal)?);
+        let (from, to) = (entrance(grid, names[0], start)?, entrance(grid, names[1], goal)?);
         Ok(Self { start: from, goal: to, ends: [start, goal], stubs: stub(start, from) + stub(goal, to) })
     }
 

@@ -1,6 +1,7 @@
 //! The scene file: JSON in and out, every refusal with the field it is about.
 
 mod grid;
+mod tour;
 
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -60,6 +61,7 @@ impl Scene {
             Kind::Function => Body::Function(fields.function()?),
             Kind::Discs => Body::Discs(fields.discs_scene()?),
             Kind::Grid => Body::Grid(fields.grid()?),
+            Kind::Tour => Body::Tour(fields.tour()?),
         };
         fields.end()?;
         Self::new(header, body)
@@ -103,6 +105,7 @@ impl Scene {
                 out.extend([("bounds", bounds), ("start", point(*start)), ("goal", point(*goal)), ("discs", Value::Array(discs))]);
             }
             Body::Grid(grid) => grid::write(grid, &mut out),
+            Body::Tour(tour) => tour::write(tour, &mut out),
         }
         for (key, kept) in [("exact", exact), ("published", published)] {
             out.extend(kept.iter().map(|kept| (key, kept.clone())));
@@ -214,6 +217,14 @@ impl Fields {
         }
     }
 
+    fn flag(&mut self, name: &'static str, default: bool) -> Result<bool, Error> {
+        match self.take(name) {
+            Value::Null => Ok(default),
+            Value::Bool(flag) => Ok(flag),
+            other => Err(self.refuse(name, &other, "true or false")),
+        }
+    }
+
     fn function(&mut self) -> Result<FunctionScene, Error> {
         let function = self.one_of("function", Function::ALL, Function::name)?;
         let dimension = self.number("dimension")?;
@@ -306,7 +317,7 @@ mod tests {
         for (from, to, expected) in [
             ("forage-scene", "other", ["format", "\"other\"", "\"forage-scene\""]),
             (": 1,", ": 2,", ["version", "2", "1"]),
-            ("\"discs\",", "3,", ["kind", "3", "one of function, discs, grid"]),
+            ("\"discs\",", "3,", ["kind", "3", "one of function, discs, grid, tour"]),
             ("\"title\": \"A\",", "", ["title", "nothing", "a text"]),
             ("\"A\"", "true", ["title", "true", "a text"]),
             ("[8, 8]", "[8]", ["goal", "a list of 1", "a point, [x, y]"]),

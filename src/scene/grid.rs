@@ -4,17 +4,21 @@ use std::sync::{Arc, OnceLock};
 
 use crate::{
     error::Error,
-    exact::{Exact, shortest_on_grid, shortest_over_cells},
+    exact::{Exact, MAX_EXACT_STOPS, shortest_on_grid, shortest_over_cells, shortest_tour},
     geometry::{self, Field},
+    planner::{Round, Yardstick},
 };
 
-use super::{Bounds, Cells, Course, LARGEST, Verdict, coordinate, finite};
+use super::{Bounds, Cells, Course, Distances, LARGEST, Verdict, coordinate, finite};
 
 /// The most rows and columns of a grid.
 pub const MAX_SIDE: usize = 2048;
 
 /// The most cells of a grid whose exact optimum is computed: a few seconds' work. Beyond, results stand without one.
 pub const MAX_EXACT_CELLS: usize = 512 * 512;
+
+/// The most stops on a grid: there is a road for each pair of them.
+pub const MAX_GRID_STOPS: usize = 200;
 
 /// The smallest side of a cell.
 const SMALLEST_CELL: f64 = 1e-6;
@@ -163,6 +167,12 @@ impl GridScene {
         self
     }
 
+    /// The same grid with other ends.
+    pub(super) fn between(&self, [start, goal]: [[f64; 2]; 2]) -> Self {
+        let derived = Derived { field: self.derived.field.clone(), cells: self.derived.cells.clone() };
+        Self { start: Some(start), goal: Some(goal), derived, ..self.clone() }
+    }
+
     /// The number of rows.
     pub fn rows(&self) -> usize {
         self.blocked.len() / self.columns.max(1)
@@ -234,6 +244,9 @@ impl GridScene {
         for (name, point) in [("start", self.start), ("goal", self.goal)] {
             point.iter().try_for_each(|&point| self.check_point(name, point))?;
         }
+        if self.stops.len() > MAX_GRID_STOPS {
+            return Err(Error::refused("stops", format!("a list of {}", self.stops.len()), format!("at most {MAX_GRID_STOPS} stops")));
+        }
         self.stops.iter().enumerate().try_for_each(|(i, &stop)| self.check_point(&format!("stops[{i}]"), stop))?;
         for (i, disc) in self.moving.iter().enumerate() {
             for axis in 0..2 {
@@ -298,10 +311,58 @@ impl GridScene {
         shortest_over_cells(self.cells(), &Course::new(self).ok()?)
     }
 
+    /// The shortest tour through the stops, by the shortest way for each pair.
+    pub(super) fn exact_tour(&self, yardstick: Yardstick, round: Round) -> Option<Exact> {
+        let n = self.stops.len();
+        if !(2..=MAX_EXACT_STOPS).contains(&n) {
+            return None;
+        }
+        let way = |i: usize, j: usize| {
+            let ends = [self.stops[i], self.stops[j]];
+            match yardstick {
+                Yardstick::Cells => shortest_over_cells(self.cells(), &Course::between(self, ["stops", "stops"], ends).ok()?),
+                _ => self.between(ends).exact(),
+            }
+        };
+        let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
+        let ways: Vec<_> = pairs.map(|(i, j)| way(i, j)).collect::<Option<_>>()?;
+        // The pairs of the stops before i come first: n − 1, n − 2, … of them.
+        let of = |i: usize, j: usize| &ways[i * (2 * n - i - 1) / 2 + j - i - 1];
+        let distances = Distances::of(n, |i, j| of(i, j).length);
+        let (order, length) = shortest_tour(&distances, round)?;
+        let mut path = vec![self.stops[order[0]]];
+        let back = round.closes().then_some(order[0]);
+        for (i, j) in order.iter().copied().zip(order[1..].iter().copied().chain(back)) {
+            let way = &of(i.min(j), i.max(j)).path;
+            if i < j { path.extend(&way[1..]) } else { path.extend(way.iter().rev().skip(1)) }
+        }
+        Some(Exact { length, path, order, stored: false })
+    }
+
     pub(super) fn judge(&self, path: &[[f64; 2]]) -> Verdict {
+        self.judge_way(path, path.first().copied() == self.start && path.last().copied() == self.goal)
+    }
+
+    /// A tour must call at each stop in its order.
+    pub(super) fn judge_tour(&self, order: &[usize], round: Round, path: &[[f64; 2]]) -> Verdict {
+        let allowed = round.allows(order, self.stops.len());
+        let calls: Vec<_> = order.iter().chain(order.first().filter(|_| round.closes())).filter_map(|&i| self.stops.get(i)).collect();
+        let ends = path.first() == calls.first().copied() && path.last() == calls.last().copied();
+        let mut corners = path.iter();
+        // Two stops at the same place are one corner.
+        let mut at = None;
+        let in_order = calls.iter().all(|&call| {
+            at == Some(call) || {
+                at = corners.find(|&corner| corner == call);
+                at.is_some()
+            }
+        });
+        self.judge_way(path, allowed && ends && in_order)
+    }
+
+    fn judge_way(&self, path: &[[f64; 2]], joins: bool) -> Verdict {
         let max = self.bounds().max;
         let inside = path.iter().all(|p| (0..2).all(|axis| (0.0..=max[axis]).contains(&p[axis])));
-        let joins = path.first().copied() == self.start && path.last().copied() == self.goal;
         let field = self.field();
         let free = path.windows(2).all(|w| field.is_free(w[0], w[1]));
         let clearance = path.windows(2).filter_map(|w| field.clearance(w[0], w[1])).reduce(f64::min);

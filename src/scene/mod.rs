@@ -5,6 +5,7 @@
 
 mod cells;
 mod discs;
+mod distances;
 mod file;
 pub mod formats;
 mod function;
@@ -12,6 +13,7 @@ pub mod generate;
 mod grid;
 mod reach;
 mod shipped;
+mod tour;
 
 use std::sync::OnceLock;
 
@@ -20,14 +22,16 @@ use serde::Serialize;
 use crate::{
     error::Error,
     exact::Exact,
-    planner::{Solution, Yardstick},
+    planner::{Round, Solution, Yardstick},
 };
 
 pub use cells::{Cells, Course, DIRECTIONS, Steps, angle};
 pub use discs::{Bounds, DiscsScene, MAX_DISCS};
+pub use distances::{Distances, Metric};
 pub use function::{Function, FunctionScene, MAX_DIMENSION};
-pub use grid::{GridScene, MAX_EXACT_CELLS, MAX_SIDE, Moving, Robot, YAxis};
+pub use grid::{GridScene, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Moving, Robot, YAxis};
 pub use shipped::{shipped, shipped_names};
+pub use tour::{MAX_STOPS, TourScene};
 
 /// The kinds of scene. Planners say which they run on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -39,11 +43,13 @@ pub enum Kind {
     Discs,
     /// A grid of free and blocked cells.
     Grid,
+    /// Stops to call at, and their distances.
+    Tour,
 }
 
 impl Kind {
     /// Every kind.
-    pub const ALL: [Self; 3] = [Self::Function, Self::Discs, Self::Grid];
+    pub const ALL: [Self; 4] = [Self::Function, Self::Discs, Self::Grid, Self::Tour];
 
     /// The name that scene files use.
     pub const fn name(self) -> &'static str {
@@ -51,6 +57,7 @@ impl Kind {
             Self::Function => "function",
             Self::Discs => "discs",
             Self::Grid => "grid",
+            Self::Tour => "tour",
         }
     }
 }
@@ -83,6 +90,8 @@ pub enum Body {
     Discs(DiscsScene),
     /// See [`GridScene`].
     Grid(GridScene),
+    /// See [`TourScene`].
+    Tour(TourScene),
 }
 
 /// A valid scene.
@@ -92,6 +101,8 @@ pub struct Scene {
     body: Body,
     exact: OnceLock<Option<Exact>>,
     exact_over_cells: OnceLock<Option<Exact>>,
+    /// The shortest tours, by yardstick and by what their ends are.
+    exact_tours: [[OnceLock<Option<Exact>>; Round::ALL.len()]; 2],
 }
 
 impl PartialEq for Scene {
@@ -124,8 +135,9 @@ impl Scene {
             Body::Function(scene) => scene.check()?,
             Body::Discs(scene) => scene.check()?,
             Body::Grid(scene) => scene.check()?,
+            Body::Tour(scene) => scene.check()?,
         }
-        Ok(Self { header, body, exact: OnceLock::new(), exact_over_cells: OnceLock::new() })
+        Ok(Self { header, body, exact: OnceLock::new(), exact_over_cells: OnceLock::new(), exact_tours: Default::default() })
     }
 
     /// Name, title and where it comes from.
@@ -149,13 +161,14 @@ impl Scene {
             Body::Function(_) => Kind::Function,
             Body::Discs(_) => Kind::Discs,
             Body::Grid(_) => Kind::Grid,
+            Body::Tour(_) => Kind::Tour,
         }
     }
 
     /// Where a path begins and where it leads; `None` where there is no path to find.
     pub fn ends(&self) -> Option<([f64; 2], [f64; 2])> {
         match &self.body {
-            Body::Function(_) => None,
+            Body::Function(_) | Body::Tour(_) => None,
             Body::Discs(scene) => Some((scene.start, scene.goal)),
             Body::Grid(scene) => scene.ends().ok(),
         }
@@ -165,7 +178,7 @@ impl Scene {
     pub fn exact(&self) -> Option<&Exact> {
         self.exact
             .get_or_init(|| match &self.body {
-                Body::Function(_) => None,
+                Body::Function(_) | Body::Tour(_) => None,
                 Body::Discs(scene) => scene.exact(),
                 Body::Grid(scene) => scene.exact(),
             })
@@ -180,12 +193,45 @@ impl Scene {
         }
     }
 
+    /// The exact shortest tour through a scene's stops, with ways between them by a rule; computed at the first call.
+    /// `None` where there are no stops, where one cannot be reached, or where there are too many: of those the file's own
+    /// optimum counts, if it has one for such tours.
+    pub fn exact_tour(&self, yardstick: Yardstick, round: Round) -> Option<&Exact> {
+        let compute = || match &self.body {
+            Body::Grid(scene) => scene.exact_tour(yardstick, round),
+            Body::Tour(scene) => scene.exact_tour(round, self.header.exact.as_ref()),
+            _ => None,
+        };
+        let cell = &self.exact_tours[usize::from(yardstick == Yardstick::Cells)][round as usize];
+        cell.get_or_init(compute).as_ref()
+    }
+
+    /// Where a tour calls; empty where there are no stops.
+    pub fn stops(&self) -> Vec<[f64; 2]> {
+        match &self.body {
+            Body::Grid(scene) => scene.stops.clone(),
+            Body::Tour(scene) => scene.places(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The same grid with another start and goal; what follows from its cells is shared.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for every other kind, and for ends where the robot does not fit.
+    pub fn between(&self, ends: [[f64; 2]; 2]) -> Result<Self, Error> {
+        let header = Header { exact: None, published: None, ..self.header.clone() };
+        Self::new(header, Body::Grid(self.grid()?.between(ends)))
+    }
+
+    /// A function's minimum; `None` where it is a path that is looked for.
+    pub fn minimum(&self) -> Option<f64> {
+        (self.kind() == Kind::Function).then_some(0.0)
+    }
+
     /// The exact minimum of what is measured: the shortest length by a rule, or a function's minimum.
     pub fn optimum(&self, yardstick: Yardstick) -> Option<f64> {
-        match &self.body {
-            Body::Function(_) => Some(0.0),
-            Body::Discs(_) | Body::Grid(_) => self.exact_by(yardstick).map(|exact| exact.length),
-        }
+        self.minimum().or_else(|| self.exact_by(yardstick).map(|exact| exact.length))
     }
 
     /// The grid in it.
@@ -202,7 +248,7 @@ impl Scene {
     /// Whether the robot can go straight from one point to another; it may touch.
     pub fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
         match &self.body {
-            Body::Function(_) => true,
+            Body::Function(_) | Body::Tour(_) => true,
             Body::Discs(scene) => scene.discs.iter().all(|disc| disc.clearance_of_segment(a, b) >= 0.0),
             Body::Grid(scene) => scene.field().is_free(a, b),
         }
@@ -213,6 +259,8 @@ impl Scene {
         match (&self.body, solution) {
             (Body::Discs(scene), Solution::Path(path)) => scene.judge(path),
             (Body::Grid(scene), Solution::Path(path)) => scene.judge(path),
+            (Body::Grid(scene), Solution::Tour { order, round, path }) => scene.judge_tour(order, *round, path),
+            (Body::Tour(scene), solution) => scene.judge(solution),
             _ => Verdict { length: None, feasible: true, clearance: None },
         }
     }
@@ -223,6 +271,7 @@ impl Scene {
             Body::Function(scene) => scene.view(),
             Body::Discs(scene) => scene.view(),
             Body::Grid(scene) => scene.bounds(),
+            Body::Tour(scene) => scene.view(),
         }
     }
 }

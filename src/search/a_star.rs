@@ -19,6 +19,8 @@ pub const ENTRY: Entry = Entry {
     readings: READINGS,
     formulas: &[BOUND, FORMULA_STEP, FORMULA_OCTILE],
     layers: LAYERS,
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: |scene, settings, _| super::start(scene, settings, Heuristic::Octile, settings.number("weight"), Relaxation::Step),
 };

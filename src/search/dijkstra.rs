@@ -19,6 +19,8 @@ pub const ENTRY: Entry = Entry {
     readings: READINGS,
     formulas: &[BOUND, FORMULA_STEP],
     layers: LAYERS,
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: |scene, settings, _| super::start(scene, settings, Heuristic::Nothing, 1.0, Relaxation::Step),
 };

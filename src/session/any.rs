@@ -4,7 +4,7 @@
 use crate::{
     digest::Digest,
     frame::Frame,
-    planner::{Best, Finding, Inspection, Item, Job, Planner, Readings, Status, Tuned, Yardstick},
+    planner::{Best, Finding, Inspection, Item, Job, Planner, Readings, Round, Stage, Status, Tuned, Yardstick},
 };
 
 /// Any planner, boxed. Implemented for every [`Planner`] by one blanket implementation.
@@ -37,6 +37,12 @@ pub trait AnyPlanner: Send {
     fn jobs(&self) -> Vec<Job>;
     /// See [`Planner::supply`].
     fn supply(&mut self, found: Vec<Finding>);
+    /// See [`Planner::stages`].
+    fn stages(&self) -> Vec<Stage>;
+    /// See [`Planner::round`].
+    fn round(&self) -> Option<Round>;
+    /// Replaces `out` by the members' numbers.
+    fn members(&self, out: &mut Vec<f64>);
     /// See [`Planner::tuned`].
     fn tuned(&self) -> Option<Tuned>;
     /// See [`Planner::digest`].
@@ -103,6 +109,19 @@ impl<P: Planner + Send + 'static> AnyPlanner for P {
 
     fn supply(&mut self, found: Vec<Finding>) {
         Planner::supply(self, found);
+    }
+
+    fn stages(&self) -> Vec<Stage> {
+        Planner::stages(self)
+    }
+
+    fn round(&self) -> Option<Round> {
+        Planner::round(self)
+    }
+
+    fn members(&self, out: &mut Vec<f64>) {
+        out.clear();
+        Planner::members(self, out);
     }
 
     fn tuned(&self) -> Option<Tuned> {

@@ -21,7 +21,7 @@ pub fn carry_out(setup: Setup) -> Result<Finding, Error> {
     let best = session.planner.best();
     let cost = best.as_ref().map(|best| best.cost);
     let path = best.map_or(Vec::new(), |best| match best.solution {
-        Solution::Path(path) => path,
+        Solution::Path(path) | Solution::Tour { path, .. } => path,
         Solution::Position(_) => Vec::new(),
     });
     Ok(Finding { cost, converged, path })
@@ -33,7 +33,11 @@ pub fn carry_out(setup: Setup) -> Result<Finding, Error> {
 /// The first job's that is refused.
 pub fn carry_out_all(scene: &Arc<Scene>, jobs: &[Job]) -> Result<Vec<Finding>, Error> {
     let one = |job: &Job| {
-        carry_out(Setup { planner: job.planner.to_owned(), scene: Arc::clone(scene), params: job.params.clone(), seed: job.seed })
+        let scene = match job.ends {
+            Some(ends) => Arc::new(scene.between(ends)?),
+            None => Arc::clone(scene),
+        };
+        carry_out(Setup { planner: job.planner.to_owned(), scene, params: job.params.clone(), seed: job.seed })
     };
     #[cfg(not(target_arch = "wasm32"))]
     {

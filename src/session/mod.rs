@@ -22,7 +22,7 @@ use crate::{
     frame::Frame,
     link::Link,
     params::{Given, Settings},
-    planner::{Finding, Inspection, Item, Job, Readings, Solution, Status},
+    planner::{Finding, Inspection, Item, Job, Readings, Stage, Status},
     rng::check_seed,
     scene::Scene,
 };
@@ -49,7 +49,7 @@ impl Setup {
     /// The planner's name, a scene it does not run on, a parameter, the seed.
     pub fn check(&self) -> Result<(&'static Entry, Settings), Error> {
         let entry = find(&self.planner)?;
-        entry.check_kind(self.scene.kind())?;
+        entry.check_scene(&self.scene)?;
         check_seed(self.seed)?;
         Ok((entry, Settings::new(entry.parameters, self.scene.kind(), &self.params)?))
     }
@@ -272,7 +272,20 @@ impl Session {
 
     /// The exact optimum by the rule that the planner keeps to, as a path.
     pub fn exact(&self) -> Option<&Exact> {
-        self.scene.exact_by(self.planner.yardstick())
+        match self.planner.round() {
+            Some(round) => self.scene.exact_tour(self.planner.yardstick(), round),
+            None => self.scene.exact_by(self.planner.yardstick()),
+        }
+    }
+
+    /// The parts of the run that have their own kind of step, in their order; empty for most.
+    pub fn stages(&self) -> Vec<Stage> {
+        self.planner.stages()
+    }
+
+    /// The numbers of those that search side by side, row by row; the columns are the entry's `members`.
+    pub fn members(&self, out: &mut Vec<f64>) {
+        self.planner.members(out);
     }
 
     /// The runs of other planners, on this scene, that the next step needs; see [`Session::supply`].
@@ -297,10 +310,8 @@ impl Session {
     /// # Errors
     /// For a parameter that is not one of [`drive::PARAMETERS`], or its value.
     pub fn drive(&self, given: &Given) -> Result<Option<Drive>, Error> {
-        match self.planner.best().map(|best| best.solution) {
-            Some(Solution::Path(path)) => drive::along(&self.scene, Some(&path), given),
-            _ => drive::along(&self.scene, None, given),
-        }
+        let best = self.planner.best();
+        drive::along(&self.scene, best.as_ref().and_then(|best| best.solution.path()), given)
     }
 
     /// The hash of iteration, best and the whole state, in hexadecimal.

@@ -7,6 +7,7 @@ use crate::{
     geometry,
     params::{Given, Value, as_object},
     planner::{Solution, Status, Tuned, Yardstick},
+    scene::Kind,
 };
 
 use super::Session;
@@ -36,7 +37,7 @@ pub struct Outcome {
     pub clearance: Option<f64>,
     /// The exact optimum by the rule that the planner keeps to.
     pub exact: Option<f64>,
-    /// Which optimum that is: over the cells of a grid, or at any angle.
+    /// Which optimum that is: over the cells of a grid, at any angle, by the scene's distances, or as its file says.
     pub exact_by: Yardstick,
     /// (length − exact) / exact; `None` where the optimum is 0 or there is no length.
     pub gap: Option<f64>,
@@ -52,6 +53,9 @@ pub struct Outcome {
     /// The path's corners.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<Vec<[f64; 2]>>,
+    /// The stops' numbers in the tour's order.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub order: Option<Vec<usize>>,
     /// The point in a function's box.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub position: Option<Vec<f64>>,
@@ -73,20 +77,22 @@ impl Outcome {
         let readings = session.readings().iter().collect();
         let best = session.planner.best();
         let verdict = best.as_ref().map(|best| session.scene.judge(&best.solution));
-        let exact_by = session.planner.yardstick();
-        let exact = session.scene.optimum(exact_by);
-        let length = verdict.and_then(|v| v.length);
-        let nodes = match best.as_ref().map(|best| &best.solution) {
-            Some(Solution::Path(path)) => path.len(),
-            _ => 0,
+        let (exact, exact_by) = match session.exact() {
+            Some(exact) => (Some(exact.length), if exact.stored { Yardstick::Stored } else { session.planner.yardstick() }),
+            None => (session.scene.minimum(), session.planner.yardstick()),
         };
+        let length = verdict.and_then(|v| v.length);
+        let nodes = best.as_ref().and_then(|best| best.solution.path()).map_or(0, <[_]>::len);
         let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| gap(length, exact, nodes));
         let cost = best.as_ref().map(|best| best.cost);
-        let (path, position) = match best.map(|best| best.solution) {
-            Some(Solution::Path(path)) => (Some(path), None),
-            Some(Solution::Position(position)) => (None, Some(position)),
-            None => (None, None),
+        let (path, order, position) = match best.map(|best| best.solution) {
+            Some(Solution::Path(path)) => (Some(path), None, None),
+            Some(Solution::Tour { path, order, .. }) => (Some(path), Some(order), None),
+            Some(Solution::Position(position)) => (None, None, Some(position)),
+            None => (None, None, None),
         };
+        // Between stops of a tour there are no corners to count.
+        let turned = path.as_deref().filter(|_| session.scene.kind() != Kind::Tour);
         // The defaults are never refused.
         let drive = drive::along(&session.scene, path.as_deref(), &Given::new()).ok().flatten().map(|drive| drive.outcome);
         Self {
@@ -103,10 +109,11 @@ impl Outcome {
             exact,
             exact_by,
             gap,
-            turns: path.as_deref().map(geometry::turns),
-            turning: path.as_deref().map(geometry::turning),
+            turns: turned.map(geometry::turns),
+            turning: turned.map(geometry::turning),
             drive,
             path,
+            order,
             position,
             readings,
             tuned: session.planner.tuned(),

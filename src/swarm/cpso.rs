@@ -58,6 +58,8 @@ pub const ENTRY: Entry = Entry {
     readings: READINGS,
     formulas: &[COGNITIVE, SOCIAL, VELOCITY, POSITION],
     layers: LAYERS,
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let linear = |from, to| Law::Linear(settings.number(from), settings.number(to));

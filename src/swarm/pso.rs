@@ -21,6 +21,8 @@ pub const ENTRY: Entry = Entry {
     readings: READINGS,
     formulas: &[VELOCITY, POSITION],
     layers: LAYERS,
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let [w, c1, c2] = ["w", "c1", "c2"].map(|name| Law::Constant(settings.number(name)));

@@ -70,6 +70,8 @@ pub const ENTRY: Entry = Entry {
     readings: PERTURBED,
     formulas: &[INERTIA, COGNITIVE, SOCIAL, VELOCITY, POSITION, HEN, S1, S2, CHICK],
     layers: PERTURBED_LAYERS,
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let schedule = Schedule {

@@ -21,6 +21,8 @@ pub const ENTRY: Entry = Entry {
     readings: READINGS,
     formulas: &[LINEAR_W, VELOCITY, POSITION],
     layers: LAYERS,
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let schedule = Schedule {

@@ -181,7 +181,7 @@ impl Tuning {
     fn runs(&self) -> Vec<Job> {
         let of = |i: usize| {
             let params = self.given(&self.x[self.row(i)]);
-            self.seeds.iter().map(move |&seed| Job { planner: self.colony.name, params: params.clone(), seed })
+            self.seeds.iter().map(move |&seed| Job { planner: self.colony.name, params: params.clone(), seed, ends: None })
         };
         (0..self.population).flat_map(of).collect()
     }

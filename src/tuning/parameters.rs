@@ -144,6 +144,8 @@ pub const ENTRY: Entry = Entry {
         Layer::new(Role::Particles, "Particles", true, true, "The shortest way that each particle’s parameters gave in this round."),
         Layer::new(Role::Best, "Best", true, false, "The shortest way that the best parameters gave."),
     ],
+    stops: false,
+    members: &[],
     suggest: |_| None,
     start: super::start,
 };

@@ -9,6 +9,8 @@ mod formats;
 mod read;
 mod types;
 
+use std::sync::Arc;
+
 use js_sys::{Float32Array, Float64Array, Uint8ClampedArray, Uint32Array};
 use serde::Serialize;
 use wasm_bindgen::{JsCast, prelude::*};
@@ -29,7 +31,9 @@ use crate::{
 pub use formats::{export_scene, generate_scene, import_scene};
 pub use types::*;
 
-use read::{read_item, read_kind, read_list, read_parameter, read_parameters, read_point, read_role, read_scene, read_setup, read_text};
+use read::{
+    read_ends, read_item, read_kind, read_list, read_parameter, read_parameters, read_point, read_role, read_scene, read_setup, read_text,
+};
 
 #[wasm_bindgen(start)]
 fn start() {
@@ -121,13 +125,17 @@ pub fn suggest(setup: &JsSetup) -> Result<JsSuggestionOrNull, JsValue> {
     read_setup(setup)?.suggest().map(|suggestion| plain(&suggestion)).map_err(|error| js_error(&error))
 }
 
-/// Carries out a run that a planner of planners needs (`Session.jobs`), to its end.
+/// Carries out a run that a planner of planners needs (`Session.jobs`), to its end: the job and the scene it belongs to.
 ///
 /// # Errors
 /// As the constructor of `Session`.
 #[wasm_bindgen(js_name = carryOut)]
-pub fn carry_out(setup: &JsSetup) -> Result<JsFinding, JsValue> {
-    let setup = read_setup(setup)?;
+pub fn carry_out(setup: &JsRun) -> Result<JsFinding, JsValue> {
+    let ends = read_ends(setup)?;
+    let mut setup = read_setup(setup)?;
+    if let Some(ends) = ends {
+        setup.scene = Arc::new(setup.scene.between(ends).map_err(|error| js_error(&error))?);
+    }
     session::carry_out(setup).map(|found| plain(&found)).map_err(|error| js_error(&error))
 }
 
@@ -292,6 +300,19 @@ impl Session {
         let found = serde_wasm_bindgen::from_value(findings.into()).map_err(|problem| js_error(&Error::malformed("findings", problem)))?;
         self.run.supply(found);
         Ok(())
+    }
+
+    /// The parts of the run that have their own kind of step, in their order; empty for most planners.
+    #[wasm_bindgen(getter)]
+    pub fn stages(&self) -> JsStages {
+        plain(&self.run.stages())
+    }
+
+    /// The numbers of those that search side by side, row by row; the columns are the planner's `members`.
+    pub fn members(&self) -> Float64Array {
+        let mut rows = Vec::new();
+        self.run.members(&mut rows);
+        Float64Array::from(rows.as_slice())
     }
 
     /// Draws the present state; the arrays are views into the wasm memory, valid until the next call of anything here.

@@ -97,6 +97,18 @@ pub(super) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsVal
     }
 }
 
+/// The ends of a job, where it has its own.
+pub(super) fn read_ends(setup: &JsValue) -> Result<Option<[[f64; 2]; 2]>, JsValue> {
+    let ends = if setup.is_object() { property(setup, "ends") } else { JsValue::UNDEFINED };
+    if ends.is_undefined() {
+        return Ok(None);
+    }
+    match read_list("ends", &ends)?.as_slice() {
+        [start, goal] => Ok(Some([read_point("ends[0]", start)?, read_point("ends[1]", goal)?])),
+        _ => Err(refused("ends", &ends, "two points")),
+    }
+}
+
 pub(super) fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
     if (0.0..=rng::MAX_SEED as f64).contains(&number) && number.fract() == 0.0 {
         Ok(number as u64)

@@ -2,7 +2,7 @@
 export type Point = [number, number];
 
 /** What a scene is made of. Planners say which kinds they run on. */
-export type Kind = 'function' | 'discs' | 'grid';
+export type Kind = 'function' | 'discs' | 'grid' | 'tour';
 
 interface SceneBase {
   format: 'forage-scene';
@@ -14,7 +14,7 @@ interface SceneBase {
   source?: string;
   units?: string;
   /** The stored optimum, if the file carries one. */
-  exact?: { length: number };
+  exact?: { length: number; order?: number[] };
   /** Figures published for this scene, as they stand in the file. */
   published?: Record<string, unknown>;
 }
@@ -66,8 +66,21 @@ export interface GridScene extends SceneBase {
   moving?: { center: Point; radius: number; velocity: Point }[];
 }
 
+/** Stops to call at: points in the plane, or a matrix of their distances (with points or without). */
+export interface TourScene extends SceneBase {
+  kind: 'tour';
+  points?: Point[];
+  /** How far it is between points. All but `euclidean` are TSPLIB's, in whole numbers; of `geo` a point is [longitude, latitude]
+   * as degrees and minutes, DDD.MM. */
+  metric?: 'euclidean' | 'euc-2d' | 'ceil-2d' | 'att' | 'geo';
+  /** Distances, the same there and back. */
+  matrix?: number[][];
+  /** Whether a tour goes back to where it began. Default true. */
+  closed?: boolean;
+}
+
 /** A scene file's content. */
-export type Scene = FunctionScene | DiscsScene | GridScene;
+export type Scene = FunctionScene | DiscsScene | GridScene | TourScene;
 
 export type ParameterValue = number | string | boolean;
 
@@ -140,11 +153,36 @@ export interface Planner {
   source: string;
   summary: string;
   kinds: Kind[];
+  /** It calls at a scene's stops instead of going from start to goal: grids need two stops at least. */
+  stops: boolean;
   parameters: Parameter[];
   readings: Reading[];
   formulas: Formula[];
   /** Layers it can draw, in drawing order. */
   layers: Layer[];
+  /** The numbers that it tells of each of those that search side by side; empty: none. */
+  members: Member[];
+}
+
+/** A number of each of those that search side by side. */
+export interface Member {
+  name: string;
+  /** TeX. */
+  symbol: string;
+  title: string;
+  help: string;
+  /** From 0 to this: to be drawn as a bar. */
+  full?: number;
+  /** What the numbers 0, 1, … stand for, if they are not numbers. */
+  words?: string[];
+}
+
+/** A part of a run that has its own kind of step. */
+export interface Stage {
+  name: string;
+  title: string;
+  /** Its last iteration. */
+  end: number;
 }
 
 /** A layer's role, and how to name it in a legend. */
@@ -287,6 +325,8 @@ export interface Job {
   planner: string;
   params: Record<string, ParameterValue>;
   seed: number;
+  /** Where it starts and where it leads, if not where the scene says. */
+  ends?: [Point, Point];
 }
 
 /** What such a run found. */
@@ -337,8 +377,8 @@ export interface Outcome {
   clearance: number | null;
   /** The exact optimum by the rule that the planner keeps to. */
   exact: number | null;
-  /** Which optimum that is: over the cells of a grid, or at any angle. */
-  exact_by: 'any-angle' | 'cells';
+  /** Which optimum that is: over the cells of a grid, at any angle, by the scene's distances, or as its file says. */
+  exact_by: 'any-angle' | 'cells' | 'matrix' | 'stored';
   /** (length − exact) / exact. */
   gap: number | null;
   /** At how many corners the path turns. Paths only. */
@@ -348,6 +388,8 @@ export interface Outcome {
   /** How the scene's robot drives along the path, with the usual parameters. Scenes with a robot that has an outline only. */
   drive?: DriveOutcome;
   path?: Point[];
+  /** Tours only: the stops' numbers, from 0, in the order in which it calls at them. */
+  order?: number[];
   position?: number[];
   readings: Record<string, number>;
   /** What a planner of planners recommends: a planner and its parameters. */

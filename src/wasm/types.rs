@@ -79,6 +79,12 @@ extern "C" {
     /// `Job[]`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Job[]")]
     pub type JsJobs;
+    /// A job and its scene.
+    #[wasm_bindgen(typescript_type = "Setup & Pick<Job, 'ends'>", extends = JsSetup)]
+    pub type JsRun;
+    /// `Stage[]`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Stage[]")]
+    pub type JsStages;
     /// `Finding[]`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Finding[]")]
     pub type JsFindings;

@@ -55,7 +55,7 @@ pub fn shortest_on_grid(
     squeeze: bool,
 ) -> Option<Exact> {
     if start == goal {
-        return Some(Exact { length: 0.0, path: vec![start, goal] });
+        return Some(Exact::way(0.0, vec![start, goal]));
     }
     let solve = |wider| Search::new([start, goal], cell, Lattice::new(columns, blocked, squeeze, field.radius() > 0.0), field, wider).run();
     let (exact, is_free) = solve(0.0)?;
@@ -172,7 +172,7 @@ impl<'a> Search<'a> {
             let &Edge { to, arrive, .. } = &self.edges[edge];
             if to == GOAL {
                 let (path, is_free) = self.outline(&labels, at);
-                return Some((Exact { length: length * self.cell, path }, is_free));
+                return Some((Exact::way(length * self.cell, path), is_free));
             }
             if self.radius <= 0.0 && self.turns[to].is_some() {
                 // A point got here by a shorter way, from where it could go on as well.

@@ -47,11 +47,7 @@ impl Fields {
             scene.stops =
                 self.list("stops")?.iter().enumerate().map(|(i, stop)| point_of(&format!("stops[{i}]"), stop)).collect::<Result<_, _>>()?;
         }
-        scene.corner_cutting = match self.take("corner_cutting") {
-            Value::Null => false,
-            Value::Bool(flag) => flag,
-            other => return Err(self.refuse("corner_cutting", &other, "true or false")),
-        };
+        scene.corner_cutting = self.flag("corner_cutting", false)?;
         scene.robot = match self.take("robot") {
             Value::Null => None,
             value => Some(robot(value)?),

@@ -52,6 +52,8 @@ pub const ENTRY: Entry = Entry {
     readings: &[BEST, MEAN_COST, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS],
     formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN],
     layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, SELECTED_LAYER, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],
+    stops: false,
+    members: &[],
     suggest,
     start: |scene, settings, seed| super::start(scene, settings, seed, true),
 };

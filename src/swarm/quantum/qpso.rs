@@ -40,6 +40,8 @@ pub const ENTRY: Entry = Entry {
     readings: &[BEST, MEAN_COST, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS],
     formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, MEAN],
     layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],
+    stops: false,
+    members: &[],
     suggest,
     start: |scene, settings, seed| super::start(scene, settings, seed, false),
 };

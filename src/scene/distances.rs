@@ -1,0 +1,167 @@
+//! Distances between stops: what a tour is measured by.
+
+use crate::{error::Error, math};
+
+/// How far it is from one point to another. All but the first are TSPLIB's, whole numbers, by its own formulas: lengths
+/// that are compared with published optima are made of these.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Metric {
+    /// The straight line, unrounded.
+    #[default]
+    Euclidean,
+    /// The straight line, rounded to the nearest whole number.
+    Euc2d,
+    /// The straight line, rounded up.
+    Ceil2d,
+    /// Pseudo-Euclidean: the straight line over √10, rounded up.
+    Att,
+    /// Kilometres on a sphere; a point is longitude and latitude as degrees and minutes, DDD.MM.
+    Geo,
+}
+
+impl Metric {
+    /// Every metric.
+    pub const ALL: [Self; 5] = [Self::Euclidean, Self::Euc2d, Self::Ceil2d, Self::Att, Self::Geo];
+
+    /// The name that scene files use; in capitals and with `_` it is TSPLIB's.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Euclidean => "euclidean",
+            Self::Euc2d => "euc-2d",
+            Self::Ceil2d => "ceil-2d",
+            Self::Att => "att",
+            Self::Geo => "geo",
+        }
+    }
+
+    /// The distance of two points.
+    pub fn distance(self, a: [f64; 2], b: [f64; 2]) -> f64 {
+        let (dx, dy) = (a[0] - b[0], a[1] - b[1]);
+        let straight = || (dx * dx + dy * dy).sqrt();
+        match self {
+            Self::Euclidean => straight(),
+            Self::Euc2d => (straight() + 0.5).floor(),
+            Self::Ceil2d => straight().ceil(),
+            Self::Att => ((dx * dx + dy * dy) / 10.0).sqrt().ceil(),
+            Self::Geo if a == b => 0.0,
+            Self::Geo => on_sphere(a, b),
+        }
+    }
+}
+
+/// TSPLIB's kilometres between longitudes and latitudes, with its π and its radius of the earth.
+fn on_sphere(a: [f64; 2], b: [f64; 2]) -> f64 {
+    const PI: f64 = 3.141_592;
+    const RADIUS: f64 = 6378.388;
+    let radians = |x: f64| {
+        let degrees = x.trunc();
+        PI * (degrees + 5.0 * (x - degrees) / 3.0) / 180.0
+    };
+    let ([long_a, lat_a], [long_b, lat_b]) = (a.map(radians), b.map(radians));
+    let (q1, q2, q3) = (math::cos(long_a - long_b), math::cos(lat_a - lat_b), math::cos(lat_a + lat_b));
+    (RADIUS * math::acos(0.5 * ((1.0 + q1) * q2 - (1.0 - q1) * q3)) + 1.0).trunc()
+}
+
+/// The distances of `n` stops from each other, the same there and back.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Distances {
+    n: usize,
+    values: Vec<f64>,
+}
+
+impl Distances {
+    /// From a function of two stops; it is asked once for each pair, the smaller one first.
+    pub fn of(n: usize, mut between: impl FnMut(usize, usize) -> f64) -> Self {
+        let mut values = vec![0.0; n * n];
+        for i in 0..n {
+            for j in i + 1..n {
+                let d = between(i, j);
+                (values[i * n + j], values[j * n + i]) = (d, d);
+            }
+        }
+        Self { n, values }
+    }
+
+    /// From a matrix, row by row.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] with the entry of `field` that is negative, not finite, not the same both ways, or not 0 from a
+    /// stop to itself.
+    pub fn new(field: &str, n: usize, values: Vec<f64>) -> Result<Self, Error> {
+        for i in 0..n {
+            for j in 0..n {
+                let (there, back) = (values[i * n + j], values[j * n + i]);
+                let at = || format!("{field}[{i}][{j}]");
+                if !(0.0..=LONGEST).contains(&there) {
+                    return Err(Error::refused(at(), there, format!("a distance from 0 to {LONGEST}")));
+                }
+                if i == j && there != 0.0 {
+                    return Err(Error::refused(at(), there, "0, as it is the distance of a stop from itself"));
+                }
+                if there != back {
+                    return Err(Error::refused(at(), there, format!("{back}, as the way back is: distances are symmetric")));
+                }
+            }
+        }
+        Ok(Self { n, values })
+    }
+
+    /// How many stops.
+    pub fn len(&self) -> usize {
+        self.n
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.n == 0
+    }
+
+    /// From stop `i` to stop `j`.
+    #[inline]
+    pub fn between(&self, i: usize, j: usize) -> f64 {
+        self.values[i * self.n + j]
+    }
+
+    /// Row by row.
+    pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
+        self.values.chunks_exact(self.n.max(1))
+    }
+
+    /// The length of a way through stops in this order; a closed one goes back to the first.
+    pub fn length(&self, order: &[usize], closed: bool) -> f64 {
+        let back = order.first().zip(order.last()).filter(|_| closed).map_or(0.0, |(&first, &last)| self.between(last, first));
+        order.windows(2).map(|w| self.between(w[0], w[1])).sum::<f64>() + back
+    }
+}
+
+/// The longest distance of a matrix: sums of it keep their digits.
+const LONGEST: f64 = 1e12;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_metric_against_hand_computed_distances() {
+        let d = |metric: Metric, b| metric.distance([0.0, 0.0], b);
+        assert_eq!([3.0, 3.5, 4.0].map(|y| d(Metric::Euclidean, [0.0, y])), [3.0, 3.5, 4.0]);
+        assert_eq!([3.4, 3.5, 3.6].map(|y| d(Metric::Euc2d, [0.0, y])), [3.0, 4.0, 4.0]);
+        assert_eq!([3.0, 3.1].map(|y| d(Metric::Ceil2d, [0.0, y])), [3.0, 4.0]);
+        // √(100 / 10) = 3.16, √(1000 / 10) = 10.
+        assert_eq!([[10.0, 0.0], [30.0, 10.0]].map(|b| d(Metric::Att, b)), [4.0, 10.0]);
+        // A degree on the equator: 6378.388 · π / 180 = 111.32, + 1, cut off; half a degree is 30 minutes.
+        assert_eq!([[1.0, 0.0], [0.3, 0.0], [0.0, 1.0]].map(|b| d(Metric::Geo, b)), [112.0, 56.0, 112.0]);
+        assert_eq!(d(Metric::Geo, [0.0, 0.0]), 0.0);
+    }
+
+    #[test]
+    fn a_matrix_that_is_none_is_refused_by_its_entry() {
+        let refused = |values: [f64; 4]| Distances::new("matrix", 2, values.to_vec()).unwrap_err().field().to_owned();
+        assert_eq!(refused([0.0, 1.0, 2.0, 0.0]), "matrix[0][1]");
+        assert_eq!(refused([0.0, 1.0, 1.0, 3.0]), "matrix[1][1]");
+        assert_eq!(refused([0.0, -1.0, -1.0, 0.0]), "matrix[0][1]");
+        assert_eq!(refused([0.0, f64::NAN, 1.0, 0.0]), "matrix[0][1]");
+        let fine = Distances::new("matrix", 2, vec![0.0, 1.5, 1.5, 0.0]).unwrap();
+        assert_eq!([fine.length(&[1, 0], true), fine.length(&[1, 0], false)], [3.0, 1.5]);
+    }
+}
