@@ -104,9 +104,9 @@ impl TourScene {
     pub(super) fn view(&self) -> Bounds {
         let mut bounds = Bounds { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
         for place in self.places() {
-            for axis in 0..2 {
-                bounds.min[axis] = bounds.min[axis].min(place[axis]);
-                bounds.max[axis] = bounds.max[axis].max(place[axis]);
+            for (axis, c) in place.into_iter().enumerate() {
+                bounds.min[axis] = bounds.min[axis].min(c);
+                bounds.max[axis] = bounds.max[axis].max(c);
             }
         }
         let side = (bounds.max[0] - bounds.min[0]).max(bounds.max[1] - bounds.min[1]);
