@@ -16,7 +16,7 @@ use crate::{
     },
     search,
     session::AnyPlanner,
-    swarm, tuning,
+    swarm, tour, tuning,
 };
 
 /// All planners, in the order in which they are offered.
@@ -34,6 +34,7 @@ pub const PLANNERS: &[Entry] = &[
     search::a_star::ENTRY,
     search::dijkstra::ENTRY,
     search::theta_star::ENTRY,
+    tour::bat::ENTRY,
     tuning::ENTRY,
 ];
 
@@ -162,12 +163,15 @@ pub struct Layer {
     /// A parameter's value without which there is nothing to draw.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub when: Option<When>,
+    /// The kinds of scene on which there is something to draw; empty: all that the planner runs on.
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    pub kinds: &'static [Kind],
 }
 
 impl Layer {
     /// A layer that there is whatever the parameters are.
     pub const fn new(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Self {
-        Self { role, title, help, on, pickable, when: None }
+        Self { role, title, help, on, pickable, when: None, kinds: &[] }
     }
 }
 
@@ -267,6 +271,8 @@ pub fn catalogue() -> Catalogue {
         .chain(ants::SYMBOLS.iter().copied())
         .chain(tuning::SYMBOLS.iter().copied())
         .chain(search::SYMBOLS.iter().copied())
+        .chain(tour::SYMBOLS.iter().copied())
+        .chain(PLANNERS.iter().flat_map(|e| e.members.iter().map(|m| m.symbol)))
         .chain(drive::PARAMETERS.iter().map(|p| p.symbol))
         .chain(drive::COLUMNS.iter().map(|c| c.symbol));
     let mut symbols = Vec::new();

@@ -51,6 +51,7 @@ pub mod scene;
 pub mod search;
 pub mod session;
 pub mod swarm;
+pub mod tour;
 pub mod tuning;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;

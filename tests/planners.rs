@@ -18,9 +18,7 @@ use proptest::prelude::*;
 fn pairs() -> Vec<(&'static Entry, Arc<Scene>)> {
     PLANNERS
         .iter()
-        .flat_map(|entry| {
-            shipped_names().filter(|scene| entry.check_kind(scene.kind()).is_ok()).map(move |scene| (entry, Arc::clone(scene)))
-        })
+        .flat_map(|entry| shipped_names().filter(|scene| entry.check_scene(scene).is_ok()).map(move |scene| (entry, Arc::clone(scene))))
         .collect()
 }
 
@@ -36,6 +34,10 @@ fn sized(entry: &Entry, size: f64, iterations: f64) -> Given {
         if entry.parameters.iter().any(|p| p.name == name) {
             given.insert(name, Value::from(value));
         }
+    }
+    // Ants would build sixty-six roads a run.
+    if entry.stops {
+        given.insert("roads", Value::from("a-star"));
     }
     given
 }
@@ -151,7 +153,7 @@ fn samples(path: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
 /// cell by cell. Inside a cell it is only said to be inside.
 fn clearance(scene: &Scene, p: [f64; 2]) -> f64 {
     match scene.body() {
-        forage::scene::Body::Function(_) => f64::INFINITY,
+        forage::scene::Body::Function(_) | forage::scene::Body::Tour(_) => f64::INFINITY,
         forage::scene::Body::Discs(discs) => {
             discs.discs.iter().map(|d| apart(p[0] - d.center[0], p[1] - d.center[1]) - d.radius).fold(f64::INFINITY, f64::min)
         }

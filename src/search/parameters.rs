@@ -92,7 +92,7 @@ pub(super) const FORMULA_STRAIGHT: Formula = Formula::of_item(
 );
 
 const fn layer(role: Role, title: &'static str, pickable: bool, help: &'static str) -> Layer {
-    Layer { role, title, help, on: true, pickable, when: None }
+    Layer::new(role, title, true, pickable, help)
 }
 
 /// What every search draws.

@@ -196,6 +196,8 @@ export interface Layer {
   pickable: boolean;
   /** It is drawn only while a parameter has this value. */
   when?: When;
+  /** It is drawn only on these kinds of scene. */
+  kinds?: Kind[];
 }
 
 /** Sizes that a planner's paper recommends for a setup. */

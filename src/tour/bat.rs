@@ -1,0 +1,361 @@
+//! `bat`: discrete bats, [ANTBAT] §3.3.
+
+use std::sync::Arc;
+
+use crate::{
+    catalogue::{Entry, Formula, Group, Layer, Member, Reading},
+    digest::Digest,
+    frame::Role,
+    math,
+    params::{Parameter, Settings},
+    planner::{Inspection, Readings},
+    rng::Stream,
+};
+
+use super::{
+    Search, moves,
+    parameters::{
+        BEST, BUILT, CONVERGED, DIFFERENT, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
+        STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+    },
+    problem::{Problem, Tour},
+    tell::quantity,
+};
+
+/// How a bat looked for a better tour of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Range {
+    /// It has not flown yet.
+    None,
+    /// Far from the best: partially matched crossover with it.
+    Far,
+    /// Near the best: 2-opt moves.
+    Near,
+}
+
+/// What it did around the best tour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Local {
+    /// Its pulse rate kept it from looking there.
+    Passed,
+    /// It tried an insertion and did not take it.
+    Tried,
+    /// It took it.
+    Taken,
+}
+
+/// What a bat did in the last iteration.
+#[derive(Debug, Clone, Copy)]
+struct Deed {
+    range: Range,
+    /// The distance to the best before, and how many tries it drew.
+    hamming: usize,
+    tries: usize,
+    /// How much shorter its own tour became by them.
+    gain: f64,
+    local: Local,
+    /// The length of the tour that it tried around the best.
+    candidate: f64,
+    /// How much shorter its tour became by taking it.
+    local_gain: f64,
+}
+
+#[derive(Debug, Clone)]
+struct Bat {
+    tour: Tour,
+    loudness: f64,
+    pulse_rate: f64,
+    deed: Deed,
+}
+
+/// Bats and the best of their tours.
+#[derive(Clone)]
+struct Bats {
+    problem: Arc<Problem>,
+    swarm: Vec<Bat>,
+    best: Tour,
+    /// ε and λ.
+    epsilon: f64,
+    lambda: f64,
+    t: u64,
+    evaluations: u64,
+    rng: Stream,
+    /// Scratch space: a child and the best child, a place for each stop.
+    child: Tour,
+    kept: Tour,
+    places: Vec<u16>,
+}
+
+fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
+    let first = Tour::first(problem);
+    let deed = Deed { range: Range::None, hamming: 0, tries: 0, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
+    let bats: Vec<_> = (0..settings.integer("population"))
+        .map(|_| {
+            let mut tour = first.clone();
+            moves::shuffle(&mut tour.row, &mut rng);
+            tour.settle(problem);
+            // Reading: a loudness of 1 would never accept.
+            Bat { tour, loudness: rng.between(0.5, 1.0), pulse_rate: rng.unit(), deed }
+        })
+        .collect();
+    let best = bats.iter().map(|bat| &bat.tour).reduce(|best, tour| if tour.length < best.length { tour } else { best });
+    Bats {
+        problem: Arc::clone(problem),
+        best: best.unwrap_or(&first).clone(),
+        evaluations: bats.len() as u64,
+        swarm: bats,
+        epsilon: settings.number("epsilon"),
+        lambda: settings.number("lambda"),
+        t: 0,
+        rng,
+        child: first.clone(),
+        kept: first,
+        places: vec![0; problem.n + 1],
+    }
+}
+
+impl Bats {
+    /// Far from the best: `tries` times partially matched crossover with it, the best child is kept.
+    fn cross(&mut self, i: usize, tries: usize) {
+        let (own, m) = (&self.swarm[i].tour, self.child.len());
+        self.kept.length = f64::INFINITY;
+        for _ in 0..tries {
+            self.child.row.copy_from_slice(&own.row);
+            let cut = moves::two_places(m, &mut self.rng);
+            moves::pmx(&mut self.child.row, &self.best.row, cut, &mut self.places);
+            self.child.length = self.problem.length(&self.child.row);
+            if self.child.length < self.kept.length {
+                std::mem::swap(&mut self.child, &mut self.kept);
+            }
+        }
+    }
+
+    /// Near the best: `tries` random 2-opt moves, the best result is kept.
+    fn turn(&mut self, i: usize, tries: usize) {
+        let (own, m) = (&self.swarm[i].tour, self.child.len());
+        let (mut least, mut chosen) = (f64::INFINITY, (1, 1));
+        for _ in 0..tries {
+            let (a, b) = moves::two_places(m, &mut self.rng);
+            let added = moves::reversal(&self.problem, &own.row, a, b);
+            if added < least {
+                (least, chosen) = (added, (a, b));
+            }
+        }
+        self.kept.row.copy_from_slice(&own.row);
+        moves::reverse(&mut self.kept.row, chosen.0, chosen.1);
+    }
+
+    /// Moves bat `i`, [ANTBAT] §3.3.
+    fn fly(&mut self, i: usize) {
+        let m = self.child.len();
+        if m < 2 {
+            return; // there is one tour only
+        }
+        let hamming = moves::hamming(&self.problem, &self.swarm[i].tour.row, &self.best.row);
+        let tries = 1 + self.rng.below(hamming.max(1)); // (12)
+        let range = if 2 * hamming >= self.problem.n { Range::Far } else { Range::Near };
+        match range {
+            Range::Far => self.cross(i, tries),
+            _ => self.turn(i, tries),
+        }
+        self.kept.settle(&self.problem);
+        self.evaluations += tries as u64;
+        let bat = &mut self.swarm[i];
+        let mut deed = Deed { range, hamming, tries, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
+        if self.kept.length < bat.tour.length {
+            deed.gain = bat.tour.length - self.kept.length;
+            bat.tour.copy_from(&self.kept);
+        }
+        if self.rng.unit() > bat.pulse_rate {
+            // Around the best: a stop moves to just behind another.
+            let (from, to) = moves::stop_and_place(m, &mut self.rng);
+            let candidate = self.best.length + moves::insertion(&self.problem, &self.best.row, from, to);
+            self.evaluations += 1;
+            (deed.local, deed.candidate) = (Local::Tried, candidate);
+            if self.rng.unit() > bat.loudness && candidate < bat.tour.length {
+                self.kept.row.copy_from_slice(&self.best.row);
+                moves::insert(&mut self.kept.row, from, to);
+                self.kept.settle(&self.problem);
+                // The sum of differences may have promised what rounding gave.
+                if self.kept.length < bat.tour.length {
+                    deed.local = Local::Taken;
+                    deed.local_gain = bat.tour.length - self.kept.length;
+                    bat.tour.copy_from(&self.kept);
+                    bat.loudness *= self.epsilon; // (10)
+                    bat.pulse_rate *= 1.0 - math::exp(-self.lambda * self.t as f64); // (11)
+                }
+            }
+        }
+        bat.deed = deed;
+        if bat.tour.length < self.best.length {
+            self.best.copy_from(&bat.tour);
+        }
+    }
+
+    fn mean(&self, of: impl Fn(&Bat) -> f64) -> f64 {
+        self.swarm.iter().map(of).sum::<f64>() / self.swarm.len() as f64
+    }
+}
+
+impl Search for Bats {
+    fn step(&mut self) {
+        self.t += 1;
+        (0..self.swarm.len()).for_each(|i| self.fly(i));
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    fn best(&self) -> Option<&Tour> {
+        Some(&self.best)
+    }
+
+    fn members(&self) -> usize {
+        self.swarm.len()
+    }
+
+    fn member(&self, i: usize) -> Option<&Tour> {
+        self.swarm.get(i).map(|bat| &bat.tour)
+    }
+
+    fn read(&self, out: &mut Readings) {
+        out.push("loudness", self.mean(|bat| bat.loudness));
+        out.push("pulse_rate", self.mean(|bat| bat.pulse_rate));
+    }
+
+    fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
+        let Bat { tour, loudness, pulse_rate, deed } = &self.swarm[i];
+        let different = moves::hamming(&self.problem, &tour.row, &self.best.row);
+        out.extend([tour.length, *loudness, *pulse_rate, different as f64, f64::from(deed.range as u8), deed.gain + deed.local_gain]);
+    }
+
+    fn explain(&self, i: usize, told: &mut Inspection) {
+        let Bat { loudness, pulse_rate, deed, .. } = &self.swarm[i];
+        told.title = format!("Bat {}", i + 1);
+        let Deed { tries, hamming, .. } = *deed;
+        let (event, range) = match deed.range {
+            Range::None => ("start", "It begins with a random tour.".to_owned()),
+            Range::Far => (
+                "crossover",
+                format!("It differed from the best at {hamming} places, half of all or more: {tries} crossovers with it (PMX)."),
+            ),
+            Range::Near => {
+                ("2-opt", format!("It differed from the best at {hamming} places, fewer than half: {tries} random 2-opt moves."))
+            }
+        };
+        let gained = match deed.range {
+            Range::None => String::new(),
+            _ if deed.gain > 0.0 => format!(" The best of them made its tour {:.4} shorter.", deed.gain),
+            _ => " None of them was shorter than its own tour.".to_owned(),
+        };
+        let local = match deed.local {
+            Local::Passed => "",
+            Local::Tried => " Its pulse let it try an insertion in the best tour; it did not take that.",
+            Local::Taken => " It took the best tour with one stop inserted elsewhere: quieter now, and its pulse rate falls.",
+        };
+        (told.event, told.summary) = (if deed.local == Local::Taken { "insertion" } else { event }, format!("{range}{gained}{local}"));
+        let values = [
+            quantity("hamming", "HD", "places that differed", hamming as f64),
+            quantity("tries", "v", "tries", tries as f64),
+            quantity("gain", "\\Delta D", "gained by them", deed.gain),
+            quantity("candidate", "D'", "tour around the best", deed.candidate),
+            quantity("local_gain", "\\Delta D'", "gained by taking it", deed.local_gain),
+            quantity("loudness", "A", "loudness", *loudness),
+            quantity("pulse_rate", "r", "pulse rate", *pulse_rate),
+        ];
+        told.values.extend(values.into_iter().flatten());
+        told.formulas = match deed.range {
+            Range::None => vec!["length"],
+            _ => vec!["tries", "loudness", "pulse", "length"],
+        };
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.rng.digest(out);
+        for bat in &self.swarm {
+            bat.tour.row.iter().for_each(|&stop| out.word(stop.into()));
+            out.numbers(&[bat.tour.length, bat.loudness, bat.pulse_rate]);
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        (self.swarm.len() + 3) * (self.best.bytes() + size_of::<Bat>()) + 2 * self.places.len()
+    }
+}
+
+const EPSILON: Parameter = Parameter::number(
+    "epsilon",
+    "\\varepsilon",
+    "Fading of loudness",
+    [0.0, 1.0, 0.98],
+    "What a bat’s loudness is multiplied by when it accepts a tour around the best. Published: 0.98.",
+);
+const LAMBDA: Parameter = Parameter::number(
+    "lambda",
+    "\\lambda",
+    "Pulse coefficient",
+    [0.0, 100.0, 0.98],
+    "How fast the factor 1 − e^(−λt) that a pulse rate is multiplied by comes to 1. Published: 0.98.",
+)
+.slider(0.0, 2.0, false);
+
+/// [ANTBAT] (10).
+const LOUDNESS: Formula = Formula::of_item("loudness", "[ANTBAT] (10)", "Loudness", "A_i \\leftarrow \\varepsilon A_i", "A = @loudness@");
+/// [ANTBAT] (11).
+const PULSE: Formula =
+    Formula::of_item("pulse", "[ANTBAT] (11)", "Pulse rate", "r_i \\leftarrow r_i \\left(1 - e^{-\\lambda t}\\right)", "r = @pulse_rate@");
+const TRIES: Formula = Formula::of_item(
+    "tries",
+    "[ANTBAT] (12)",
+    "Velocity: how many tries",
+    "v_i = \\operatorname{rand}\\left[1, \\max(1, HD)\\right]",
+    "v = @tries@ \\in \\left[1, \\max(1, @hamming@)\\right]",
+);
+
+/// What is told of each bat.
+const MEMBERS: &[Member] = &[
+    MEMBER_LENGTH,
+    Member { full: Some(1.0), ..member("loudness", "A", "Loudness", "The louder, the rarer it accepts a tour around the best.") },
+    Member { full: Some(1.0), ..member("pulse_rate", "r", "Pulse rate", "The higher, the rarer it looks around the best tour.") },
+    MEMBER_DIFFERENT,
+    Member {
+        words: &["start", "PMX", "2-opt"],
+        ..member("operator", "", "Operator", "How it looked for a better tour of its own in the last iteration.")
+    },
+    member("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration."),
+];
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "bat",
+    title: "Discrete bats",
+    family: "tour",
+    source: "[ANTBAT] §3.3",
+    summary: "Bats that hold a tour each: far from the best one they cross with it, near it they turn parts round, and the quiet ones take what they find around it.",
+    kinds: KINDS,
+    parameters: &[
+        population("Bats", 50, "How many bats search. Published: 50."),
+        iterations(100, "After how many iterations of the bats it stops; building roads comes first. Published: 100."),
+        EPSILON,
+        LAMBDA,
+        ROUND,
+        ROADS,
+        SMOOTH,
+    ],
+    readings: &[
+        BEST,
+        MEAN,
+        BUILT,
+        CONVERGED,
+        DIFFERENT,
+        Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness."),
+        Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates."),
+    ],
+    formulas: &[TRIES, LOUDNESS, PULSE, LENGTH],
+    layers: &[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every bat."), TOUR_LAYER, STOPS_LAYER],
+    stops: true,
+    members: MEMBERS,
+    suggest: |_| None,
+    start: |scene, settings, seed| super::start(scene, settings, seed, begin),
+};

@@ -1,0 +1,326 @@
+//! Tours through many stops, [ANTBAT] §3.2 and §3.3: a road network first, then an order of the stops.
+//!
+//! There is one run of two stages, [`Tours`]. On a grid the first stage has other planners build the road between each
+//! two stops (`roads`); scenes of kind `tour` have their distances already. The second searches the order: what its
+//! planners differ in is a [`Search`], a file each. `problem` is what they search, `moves` are the changes that they make.
+
+pub mod bat;
+mod moves;
+mod parameters;
+mod problem;
+mod roads;
+mod tell;
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+
+use crate::{
+    digest::Digest,
+    error::Error,
+    frame::{Frame, Role, Shape},
+    params::Settings,
+    planner::{Best, Finding, Inspection, Item, Job, Planner, Readings, Round, Solution, Stage, Status, Yardstick},
+    rng::Stream,
+    scene::{Body, Scene},
+    session,
+};
+
+use problem::{Problem, Stop, Tour};
+use roads::Network;
+
+pub use tell::SYMBOLS;
+
+/// How a planner searches the order of the stops. It evaluates its first tours when it begins.
+trait Search: Clone + Send + 'static {
+    /// Takes one step.
+    fn step(&mut self);
+    /// Whether it has something left to do; the iteration limit is not its business.
+    fn status(&self) -> Status {
+        Status::Running
+    }
+    /// How many tours it has evaluated.
+    fn evaluations(&self) -> u64;
+    /// The shortest tour so far.
+    fn best(&self) -> Option<&Tour>;
+    /// How many search side by side.
+    fn members(&self) -> usize {
+        0
+    }
+    /// The tour of one of them.
+    fn member(&self, _i: usize) -> Option<&Tour> {
+        None
+    }
+    /// Adds numbers of its own to the readings.
+    fn read(&self, _out: &mut Readings) {}
+    /// Adds a member's numbers, those of the entry's `members` in their order.
+    fn tell_member(&self, _i: usize, _out: &mut Vec<f64>) {}
+    /// What a member did in the last step: completes what is told of every tour (its title, its order beside the best).
+    fn explain(&self, _i: usize, _told: &mut Inspection) {}
+    /// Adds its state to a hash.
+    fn digest(&self, out: &mut Digest);
+    /// About how much memory it takes, in bytes.
+    fn bytes(&self) -> usize;
+}
+
+/// How a search begins: the problem, the parameters, and its stream of random numbers.
+type Begin<S> = fn(&Arc<Problem>, &Settings, Stream) -> S;
+
+/// Roads, then a tour.
+#[derive(Clone)]
+struct Tours<S> {
+    settings: Arc<Settings>,
+    seed: u64,
+    begin: Begin<S>,
+    round: Round,
+    /// Where the stops are drawn.
+    places: Arc<[[f64; 2]]>,
+    network: Option<Network>,
+    search: Option<(Arc<Problem>, S)>,
+    /// No tour is possible: a road is missing, whatever stops it would lead over.
+    torn: bool,
+    iteration: u64,
+    /// The search's iteration in which its best was found.
+    converged: u64,
+    limit: u64,
+}
+
+/// Starts a tour planner.
+fn start<S: Search>(scene: &Arc<Scene>, settings: &Settings, seed: u64, begin: Begin<S>) -> Result<Box<dyn session::AnyPlanner>, Error> {
+    let network = match scene.body() {
+        Body::Grid(grid) => Some(Network::new(scene, grid, settings, seed)?),
+        _ => None,
+    };
+    let mut tours = Tours {
+        settings: Arc::new(settings.clone()),
+        seed,
+        begin,
+        round: parameters::round(scene, settings),
+        places: scene.stops().into(),
+        limit: settings.integer("iterations") + network.as_ref().map_or(0, Network::steps),
+        network,
+        search: None,
+        torn: false,
+        iteration: 0,
+        converged: 0,
+    };
+    if let Body::Tour(tour) = scene.body() {
+        tours.set_out(Problem::new(tour.distances(), tours.round));
+    }
+    Ok(Box::new(tours))
+}
+
+impl<S: Search> Tours<S> {
+    /// The roads stand: the search begins.
+    fn set_out(&mut self, problem: Problem) {
+        let problem = Arc::new(problem);
+        let search = (self.begin)(&problem, &self.settings, Stream::new(self.seed, 0));
+        self.search = Some((problem, search));
+    }
+
+    /// How many steps go into roads.
+    fn road_steps(&self) -> u64 {
+        self.network.as_ref().map_or(0, Network::steps)
+    }
+
+    fn build(&mut self) {
+        let Some(network) = &mut self.network else {
+            return;
+        };
+        network.step();
+        if network.is_built() {
+            match network.distances() {
+                Some(distances) => self.set_out(Problem::new(&distances, self.round)),
+                None => self.torn = true,
+            }
+        }
+    }
+
+    /// The way of a tour, by road if there are any, else straight.
+    fn path(&self, problem: &Problem, tour: &Tour) -> Vec<[f64; 2]> {
+        let stops: Vec<Stop> = tour.row.iter().copied().filter(|&stop| usize::from(stop) < problem.n).collect();
+        let Some(network) = &self.network else {
+            return stops.iter().map(|&stop| self.places[usize::from(stop)]).collect();
+        };
+        let mut path = vec![self.places[usize::from(stops[0])]];
+        for leg in stops.windows(2) {
+            path.extend(network.way(usize::from(leg[0]), usize::from(leg[1])).into_iter().skip(1));
+        }
+        path
+    }
+
+    fn best_tour(&self) -> Option<(&Problem, &Tour)> {
+        let (problem, search) = self.search.as_ref()?;
+        Some((problem, search.best()?))
+    }
+}
+
+impl<S: Search> Planner for Tours<S> {
+    fn step(&mut self) -> Status {
+        if self.status() != Status::Running {
+            return self.status();
+        }
+        self.iteration += 1;
+        let roads = self.road_steps();
+        match &mut self.search {
+            None => self.build(),
+            Some((_, search)) => {
+                let before = search.best().map(|tour| tour.length);
+                search.step();
+                if search.best().is_some_and(|now| before.is_none_or(|before| now.length < before)) {
+                    self.converged = self.iteration - roads;
+                }
+            }
+        }
+        self.status()
+    }
+
+    fn status(&self) -> Status {
+        if self.torn {
+            return Status::Infeasible;
+        }
+        match self.search.as_ref().map_or(Status::Running, |(_, search)| search.status()) {
+            Status::Running if self.iteration >= self.limit => Status::Exhausted,
+            status => status,
+        }
+    }
+
+    fn iteration(&self) -> u64 {
+        self.iteration
+    }
+
+    fn limit(&self) -> u64 {
+        self.limit
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.search.as_ref().map_or(0, |(_, search)| search.evaluations())
+    }
+
+    fn best(&self) -> Option<Best> {
+        let (problem, tour) = self.best_tour()?;
+        let solution = Solution::Tour { order: tour.order(problem), round: self.round, path: self.path(problem, tour) };
+        Some(Best { cost: tour.length, solution })
+    }
+
+    fn yardstick(&self) -> Yardstick {
+        match &self.network {
+            None => Yardstick::Matrix,
+            Some(_) if self.settings.flag("smooth") || self.settings.choice("roads") == "theta-star" => Yardstick::AnyAngle,
+            Some(_) => Yardstick::Cells,
+        }
+    }
+
+    fn round(&self) -> Option<Round> {
+        Some(self.round)
+    }
+
+    fn stages(&self) -> Vec<Stage> {
+        let search = Stage { name: "tour", title: "Tour", end: self.limit };
+        match self.road_steps() {
+            0 => vec![search],
+            end => vec![Stage { name: "roads", title: "Roads", end }, search],
+        }
+    }
+
+    fn jobs(&self) -> Vec<Job> {
+        let building = self.search.is_none() && self.status() == Status::Running;
+        self.network.as_ref().filter(|_| building).map_or(Vec::new(), Network::jobs)
+    }
+
+    fn supply(&mut self, found: Vec<Finding>) {
+        if let (Some(network), None) = (&mut self.network, &self.search) {
+            network.supply(found);
+        }
+    }
+
+    fn read(&self, out: &mut Readings) {
+        let best = self.best_tour();
+        out.push("best", best.map_or(f64::NAN, |(_, tour)| tour.length));
+        if let Some(network) = &self.network {
+            out.push("roads", network.roads.len() as f64);
+        }
+        out.push("converged", if best.is_some() { self.converged as f64 } else { f64::NAN });
+        if let Some((problem, search)) = &self.search {
+            let members = (0..search.members()).filter_map(|i| search.member(i));
+            if let (Some((_, best)), 1..) = (best, search.members()) {
+                let (sum, different) = members.fold((0.0, 0), |(sum, different), tour| {
+                    (sum + tour.length, different + moves::hamming(problem, &tour.row, &best.row))
+                });
+                out.push("mean", sum / search.members() as f64);
+                out.push("different", different as f64 / search.members() as f64);
+            }
+            search.read(out);
+        }
+    }
+
+    fn members(&self, out: &mut Vec<f64>) {
+        if let Some((_, search)) = &self.search {
+            (0..search.members()).for_each(|i| search.tell_member(i, out));
+        }
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        if let Some(network) = &self.network {
+            let longest = network.roads.iter().map(|road| road.path.len()).max().unwrap_or(0);
+            let every = frame.thin_context(network.roads.len(), longest, true);
+            for (number, road) in network.roads.iter().enumerate().step_by(every) {
+                // One that was not found is a dot at its first stop, so that the others keep their numbers.
+                let nowhere = [self.places[network.pair(number)[0]]; 2];
+                line(frame, Role::Roads, if road.path.len() > 1 { &road.path } else { &nowhere }, road.length);
+            }
+        }
+        let mut places = vec![-1.0; self.places.len()];
+        if let Some((problem, search)) = &self.search {
+            let members = search.members();
+            let corners = self.network.as_ref().map_or(1, |network| network.roads.iter().map(|road| road.path.len()).max().unwrap_or(1));
+            let every = frame.thin_context(members, corners * (self.places.len() + 1), true);
+            for tour in (0..members).step_by(every).filter_map(|i| search.member(i)) {
+                line(frame, Role::Tours, &self.path(problem, tour), tour.length);
+            }
+            if let Some(best) = search.best() {
+                line(frame, Role::Tour, &self.path(problem, best), best.length);
+                best.order(problem).iter().enumerate().for_each(|(place, &stop)| places[stop] = place as f64);
+            }
+        }
+        frame.begin(Role::Stops, Shape::Points);
+        self.places.iter().zip(places).for_each(|(&stop, place)| frame.push(stop, place));
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        match (item.role, &self.search) {
+            (Role::Roads, _) => tell::road(self.network.as_ref()?, item),
+            (Role::Stops, _) => tell::stop(self.best_tour(), &self.places, item),
+            (Role::Tours, Some((problem, search))) => {
+                let tour = search.member(item.index)?;
+                let mut told = tell::tour(problem, tour, search.best()?, &self.places, item);
+                told.marks.insert(0, tell::way(self.path(problem, tour)));
+                search.explain(item.index, &mut told);
+                Some(told)
+            }
+            _ => None,
+        }
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        out.word(self.converged);
+        if let Some(network) = &self.network {
+            for road in &network.roads {
+                out.numbers(road.path.as_flattened());
+            }
+        }
+        if let Some((_, search)) = &self.search {
+            search.digest(out);
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        let search = self.search.as_ref().map_or(0, |(_, search)| search.bytes());
+        size_of::<Self>() + self.network.as_ref().map_or(0, Network::bytes) + search
+    }
+}
+
+fn line(frame: &mut Frame, role: Role, path: &[[f64; 2]], weight: f64) {
+    frame.begin(role, Shape::Polyline);
+    path.iter().for_each(|&point| frame.push(point, weight));
+}

@@ -1,0 +1,158 @@
+//! Changes of a tour, and what each costs before it is made. Rows have their head at 0 and their tail at m + 1; the stops
+//! that may be moved are at 1 to m.
+
+use super::problem::{Problem, Stop};
+use crate::rng::Stream;
+
+/// What reversing the stops at `i` to `j` adds to the length: a 2-opt move. 1 ≤ i ≤ j ≤ m.
+#[inline]
+pub fn reversal(problem: &Problem, row: &[Stop], i: usize, j: usize) -> f64 {
+    let (a, b, c, d) = (row[i - 1], row[i], row[j], row[j + 1]);
+    problem.d(a, c) + problem.d(b, d) - problem.d(a, b) - problem.d(c, d)
+}
+
+/// Reverses the stops at `i` to `j`.
+pub fn reverse(row: &mut [Stop], i: usize, j: usize) {
+    row[i..=j].reverse();
+}
+
+/// What moving the stop at `i` to just behind the one at `j` adds to the length. 1 ≤ i ≤ m, 0 ≤ j ≤ m, i ≠ j.
+#[inline]
+pub fn insertion(problem: &Problem, row: &[Stop], i: usize, j: usize) -> f64 {
+    if j + 1 == i {
+        return 0.0; // it is there already
+    }
+    let (a, stop, b) = (row[i - 1], row[i], row[i + 1]);
+    let (c, d) = (row[j], row[j + 1]);
+    let taken = problem.d(a, b) - problem.d(a, stop) - problem.d(stop, b);
+    taken + problem.d(c, stop) + problem.d(stop, d) - problem.d(c, d)
+}
+
+/// Moves the stop at `i` to just behind the one at `j`.
+pub fn insert(row: &mut [Stop], i: usize, j: usize) {
+    if i < j { row[i..=j].rotate_left(1) } else { row[j + 1..=i].rotate_right(1) }
+}
+
+/// Two places among the `m` that may be moved, the smaller one first; they may be the same. `m` must not be 0.
+pub fn two_places(m: usize, rng: &mut Stream) -> (usize, usize) {
+    let (a, b) = (1 + rng.below(m), 1 + rng.below(m));
+    (a.min(b), a.max(b))
+}
+
+/// A stop's place and another place to put it behind: `i` in 1 to m, `j` in 0 to m, i ≠ j.
+pub fn stop_and_place(m: usize, rng: &mut Stream) -> (usize, usize) {
+    let i = 1 + rng.below(m);
+    let j = rng.below(m);
+    (i, if j >= i { j + 1 } else { j })
+}
+
+/// Partially matched crossover (Goldberg and Lingle 1985): `child`, a copy of one parent, takes over the other's stops at
+/// `i` to `j`; what stood there goes where they came from. `places` is scratch space, a place for each stop.
+pub fn pmx(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), places: &mut [u16]) {
+    for (place, &stop) in child.iter().enumerate().skip(1).take(child.len() - 2) {
+        places[usize::from(stop)] = place as u16;
+    }
+    for k in i..=j {
+        let (wanted, there) = (other[k], child[k]);
+        let from = usize::from(places[usize::from(wanted)]);
+        child.swap(k, from);
+        places[usize::from(there)] = from as u16;
+        places[usize::from(wanted)] = k as u16;
+    }
+}
+
+/// At how many places two rows differ; of tours that are the same backwards, in the direction that is nearer, [ANTBAT] (12).
+pub fn hamming(problem: &Problem, a: &[Stop], b: &[Stop]) -> usize {
+    let m = a.len() - 2;
+    let (a, b) = (&a[1..=m], &b[1..=m]);
+    let forward = a.iter().zip(b).filter(|(a, b)| a != b).count();
+    if !problem.two_way() {
+        return forward;
+    }
+    forward.min(a.iter().zip(b.iter().rev()).filter(|(a, b)| a != b).count())
+}
+
+/// Puts the stops that may be moved into random order.
+pub fn shuffle(row: &mut [Stop], rng: &mut Stream) {
+    for k in (2..row.len() - 1).rev() {
+        row.swap(k, 1 + rng.below(k));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{super::problem::Tour, *};
+    use crate::{planner::Round, scene::Distances};
+
+    fn problem(n: usize, round: Round, rng: &mut Stream) -> Problem {
+        Problem::new(&Distances::of(n, |_, _| rng.between(1.0, 9.0)), round)
+    }
+
+    /// Goldberg and Lingle's own example: 9 8 4 | 5 6 7 | 1 3 2 10 and 8 7 1 | 2 3 10 | 9 5 4 6.
+    #[test]
+    fn pmx_against_the_example_that_it_was_published_with() {
+        let a = [0, 9, 8, 4, 5, 6, 7, 1, 3, 2, 10, 0];
+        let b = [0, 8, 7, 1, 2, 3, 10, 9, 5, 4, 6, 0];
+        let mut child = a;
+        pmx(&mut child, &b, (4, 6), &mut [0; 11]);
+        assert_eq!(child, [0, 9, 8, 4, 2, 3, 10, 1, 6, 5, 7, 0]);
+        let mut child = b;
+        pmx(&mut child, &a, (4, 6), &mut [0; 11]);
+        assert_eq!(child, [0, 8, 10, 1, 5, 6, 7, 9, 2, 4, 3, 0]);
+    }
+
+    #[test]
+    fn insertion_reversal_and_distance_against_hand_worked_examples() {
+        let mut row = [0, 1, 2, 3, 4, 5, 0];
+        insert(&mut row, 2, 4); // the stop 2 behind the stop 4
+        assert_eq!(row, [0, 1, 3, 4, 2, 5, 0]);
+        insert(&mut row, 4, 0); // the stop 2 to the front
+        assert_eq!(row, [0, 2, 1, 3, 4, 5, 0]);
+        reverse(&mut row, 2, 4);
+        assert_eq!(row, [0, 2, 4, 3, 1, 5, 0]);
+        let mut rng = Stream::new(1, 0);
+        let closed = problem(6, Round::Closed, &mut rng);
+        assert_eq!(hamming(&closed, &row, &[0, 1, 2, 3, 4, 5, 0]), 3, "3 and 5 stand where they stood");
+        assert_eq!(hamming(&closed, &row, &[0, 5, 1, 3, 2, 4, 0]), 2, "backwards it is nearer");
+        let open = problem(7, Round::FromFirst, &mut rng);
+        assert_eq!(hamming(&open, &row, &[0, 5, 1, 3, 2, 4, 7]), 4);
+    }
+
+    #[test]
+    fn every_change_keeps_a_permutation_and_costs_what_adding_up_anew_says() {
+        let mut rng = Stream::new(7, 0);
+        for case in 0..2000 {
+            let n = 3 + rng.below(12);
+            let problem = problem(n, Round::ALL[case % 4], &mut rng);
+            let mut tour = Tour::first(&problem);
+            let m = tour.len();
+            shuffle(&mut tour.row, &mut rng);
+            let mut other = tour.row.clone();
+            shuffle(&mut other, &mut rng);
+            let before = problem.length(&tour.row);
+            let (i, j) = two_places(m, &mut rng);
+            let mut row = tour.row.clone();
+            let added = reversal(&problem, &row, i, j);
+            reverse(&mut row, i, j);
+            assert!((problem.length(&row) - before - added).abs() < 1e-12);
+            check(&problem, &row);
+            let (i, j) = stop_and_place(m, &mut rng);
+            let mut row = tour.row.clone();
+            let added = insertion(&problem, &row, i, j);
+            insert(&mut row, i, j);
+            assert!((problem.length(&row) - before - added).abs() < 1e-12);
+            check(&problem, &row);
+            let mut row = tour.row.clone();
+            let cut = two_places(m, &mut rng);
+            pmx(&mut row, &other, cut, &mut vec![0; n]);
+            check(&problem, &row);
+            assert_eq!(row[cut.0..=cut.1], other[cut.0..=cut.1]);
+        }
+    }
+
+    fn check(problem: &Problem, row: &[Stop]) {
+        let tour = Tour { row: row.to_vec(), length: 0.0 };
+        assert!(problem.round.allows(&tour.order(problem), problem.n));
+        assert_eq!((row[0], row[row.len() - 1]), (problem.head(), problem.tail()));
+    }
+}

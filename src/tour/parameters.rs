@@ -1,0 +1,115 @@
+//! What the entries of the tour planners share: parameters, readings, equations and layers.
+
+use crate::{
+    catalogue::{Formula, Group, Layer, Member, Reading, Scope},
+    frame::Role,
+    params::{Choice, Parameter, Settings},
+    planner::Round,
+    scene::{Body, Kind, Scene},
+};
+
+/// The kinds of scene that a tour planner runs on.
+pub(super) const KINDS: &[Kind] = &[Kind::Grid, Kind::Tour];
+
+/// Who can build roads; a test compares the list with the catalogue.
+pub(super) const BUILDERS: &[Choice] = &[
+    Choice { value: "aco-direction", title: "Ants with direction", help: "[ANTBAT] §3.1, the improved ants." },
+    Choice { value: "aco-dijkstra", title: "Ants on a Dijkstra path", help: "[ANTBAT] §3.1, its [14]." },
+    Choice { value: "aco", title: "Traditional ants", help: "[ANTBAT] §3.1, the traditional ants." },
+    Choice { value: "aco-wolf", title: "Ants with wolves’ shares", help: "[WOLF-ANT] §5.1." },
+    Choice { value: "a-star", title: "A*", help: "The shortest ways from cell to cell." },
+    Choice { value: "dijkstra", title: "Dijkstra", help: "The same, found the slower way." },
+    Choice { value: "theta-star", title: "Theta*", help: "Ways at any angle." },
+];
+
+pub(super) const ROADS: Parameter = Parameter::choice(
+    "roads",
+    "",
+    "Roads by",
+    BUILDERS,
+    "Which planner builds the road between each two stops, with its usual parameters and a seed of its own, [ANTBAT] §3.2.",
+)
+.only_on(&[Kind::Grid]);
+pub(super) const SMOOTH: Parameter = Parameter::flag(
+    "smooth",
+    "Smooth roads",
+    true,
+    "Roads without redundant nodes: a node goes if its neighbours see each other, [ANTBAT] §3.1. The tour is then measured by the shortest one at any angle, otherwise by the shortest from cell to cell.",
+)
+.only_on(&[Kind::Grid]);
+
+const ROUNDS: &[Choice] = &[
+    Choice { value: "scene", title: "As the scene says", help: "On grids: closed." },
+    Choice { value: "closed", title: "Closed", help: "Back to where it began." },
+    Choice { value: "open", title: "Open", help: "From any stop to any other." },
+    Choice { value: "from-first", title: "From the first stop", help: "From the first stop to any other." },
+    Choice { value: "first-to-last", title: "From the first to the last", help: "From the first stop to the last." },
+];
+pub(super) const ROUND: Parameter = Parameter::choice("round", "", "Tour", ROUNDS, "Where a tour begins and ends.");
+
+/// What the ends of the tours are.
+pub(super) fn round(scene: &Scene, settings: &Settings) -> Round {
+    match (settings.choice("round"), scene.body()) {
+        ("closed", _) => Round::Closed,
+        ("open", _) => Round::Open,
+        ("from-first", _) => Round::FromFirst,
+        ("first-to-last", _) => Round::FirstToLast,
+        (_, Body::Tour(tour)) => tour.round(),
+        _ => Round::Closed,
+    }
+}
+
+/// How many steps the search for the tour takes.
+pub(super) const fn iterations(default: u64, help: &'static str) -> Parameter {
+    Parameter::integer("iterations", "t_{\\max}", "Iterations", [1, 1_000_000, default], help).slider(10.0, 10_000.0, true)
+}
+
+pub(super) const fn population(title: &'static str, default: u64, help: &'static str) -> Parameter {
+    Parameter::integer("population", "N", title, [1, 100_000, default], help).slider(2.0, 500.0, true)
+}
+
+pub(super) const BEST: Reading =
+    Reading::new("best", "D_{\\text{best}}", "Shortest", Group::Cost, "The length of the shortest tour so far: the result.");
+pub(super) const MEAN: Reading = Reading::new("mean", "\\bar D", "Mean", Group::Cost, "The mean length of this iteration’s tours.");
+pub(super) const BUILT: Reading = Reading::new("roads", "", "Roads", Group::Count, "Roads built so far.");
+pub(super) const CONVERGED: Reading =
+    Reading::new("converged", "t^*", "Converged", Group::Count, "The search’s iteration in which the shortest tour was found.");
+pub(super) const DIFFERENT: Reading = Reading::new(
+    "different",
+    "\\overline{HD}",
+    "Different",
+    Group::Measure,
+    "At how many places a tour differs from the shortest one, on average: Hamming’s distance.",
+);
+
+/// What every planner with one tour tells.
+pub(super) const READINGS: &[Reading] = &[BEST, BUILT, CONVERGED];
+
+pub(super) const LENGTH: Formula = Formula {
+    name: "length",
+    source: "[ANTBAT] (6)",
+    title: "Length of a tour",
+    tex: "D(s) = \\sum_{i=1}^{n-1} d(s_i, s_{i+1}) + d(s_n, s_1)",
+    live: "",
+    scope: Scope::Iteration,
+};
+
+/// A number of each member.
+pub(super) const fn member(name: &'static str, symbol: &'static str, title: &'static str, help: &'static str) -> Member {
+    Member { name, symbol, title, help, full: None, words: &[] }
+}
+
+pub(super) const MEMBER_LENGTH: Member = member("length", "D", "Length", "The length of its tour.");
+pub(super) const MEMBER_DIFFERENT: Member =
+    member("different", "HD", "Different", "At how many places its tour differs from the shortest one.");
+
+pub(super) const ROADS_LAYER: Layer = Layer {
+    kinds: &[Kind::Grid],
+    ..Layer::new(Role::Roads, "Roads", true, true, "The way between each two stops, as far as they are built.")
+};
+pub(super) const TOUR_LAYER: Layer =
+    Layer::new(Role::Tour, "Shortest tour", true, false, "The shortest tour so far, in its direction: the result.");
+pub(super) const STOPS_LAYER: Layer = Layer::new(Role::Stops, "Stops", true, true, "The stops, numbered in the shortest tour’s order.");
+
+/// What a planner with one tour draws.
+pub(super) const LAYERS: &[Layer] = &[ROADS_LAYER, TOUR_LAYER, STOPS_LAYER];
