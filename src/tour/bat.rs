@@ -13,7 +13,9 @@ use crate::{
 };
 
 use super::{
-    Search, moves,
+    Search,
+    local::{Kicks, nearest_neighbour},
+    moves,
     parameters::{
         BEST, BUILT, CONVERGED, DIFFERENT, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
         STOPS_LAYER, TOUR_LAYER, iterations, member, population,
@@ -84,16 +86,24 @@ struct Bats {
     child: Tour,
     kept: Tour,
     places: Vec<u16>,
+    /// The local search, if tours are polished.
+    polish: Option<Kicks>,
 }
 
 fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
     let first = Tour::first(problem);
+    let mut polish = settings.flag("polish").then(|| Kicks::new(problem));
     let deed = Deed { range: Range::None, hamming: 0, tries: 0, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
     let bats: Vec<_> = (0..settings.integer("population"))
         .map(|_| {
             let mut tour = first.clone();
-            moves::shuffle(&mut tour.row, &mut rng);
-            tour.settle(problem);
+            if let Some(kicks) = &mut polish {
+                tour = nearest_neighbour(problem, &mut rng);
+                kicks.polish(&mut tour);
+            } else {
+                moves::shuffle(&mut tour.row, &mut rng);
+                tour.settle(problem);
+            }
             // Reading: a loudness of 1 would never accept.
             Bat { tour, loudness: rng.between(0.5, 1.0), pulse_rate: rng.unit(), deed }
         })
@@ -111,6 +121,7 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
         child: first.clone(),
         kept: first,
         places: vec![0; problem.n + 1],
+        polish,
     }
 }
 
@@ -160,6 +171,9 @@ impl Bats {
         }
         self.kept.settle(&self.problem);
         self.evaluations += tries as u64;
+        if let Some(kicks) = &mut self.polish {
+            kicks.polish(&mut self.kept);
+        }
         let bat = &mut self.swarm[i];
         let mut deed = Deed { range, hamming, tries, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
         if self.kept.length < bat.tour.length {
@@ -167,28 +181,48 @@ impl Bats {
             bat.tour.copy_from(&self.kept);
         }
         if self.rng.unit() > bat.pulse_rate {
-            // Around the best: a stop moves to just behind another.
-            let (from, to) = moves::stop_and_place(m, &mut self.rng);
-            let candidate = self.best.length + moves::insertion(&self.problem, &self.best.row, from, to);
-            self.evaluations += 1;
-            (deed.local, deed.candidate) = (Local::Tried, candidate);
-            if self.rng.unit() > bat.loudness && candidate < bat.tour.length {
-                self.kept.row.copy_from_slice(&self.best.row);
-                moves::insert(&mut self.kept.row, from, to);
-                self.kept.settle(&self.problem);
-                // The sum of differences may have promised what rounding gave.
-                if self.kept.length < bat.tour.length {
-                    deed.local = Local::Taken;
-                    deed.local_gain = bat.tour.length - self.kept.length;
-                    bat.tour.copy_from(&self.kept);
-                    bat.loudness *= self.epsilon; // (10)
-                    bat.pulse_rate *= 1.0 - math::exp(-self.lambda * self.t as f64); // (11)
-                }
-            }
+            self.look_around(i, &mut deed);
         }
+        let bat = &mut self.swarm[i];
         bat.deed = deed;
         if bat.tour.length < self.best.length {
             self.best.copy_from(&bat.tour);
+        }
+    }
+
+    /// Around the best: a stop moves to just behind another. A bat that is quiet enough takes what is shorter than its own.
+    fn look_around(&mut self, i: usize, deed: &mut Deed) {
+        let (from, to) = moves::stop_and_place(self.child.len(), &mut self.rng);
+        let candidate = match &mut self.polish {
+            None => self.best.length + moves::insertion(&self.problem, &self.best.row, from, to),
+            // Beyond the paper: stretches of it are swapped and repaired.
+            Some(kicks) => {
+                self.kept.copy_from(&self.best);
+                kicks.improve(&mut self.kept, self.problem.n, &mut self.rng);
+                self.kept.length
+            }
+        };
+        self.evaluations += if self.polish.is_some() { self.problem.n as u64 } else { 1 };
+        (deed.local, deed.candidate) = (Local::Tried, candidate);
+        let bat = &mut self.swarm[i];
+        let accepts = self.rng.unit() > bat.loudness;
+        // What polish found shorter than the best is not thrown away for a loud bat.
+        let found = self.polish.is_some() && candidate < self.best.length;
+        if !(found || accepts && candidate < bat.tour.length) {
+            return;
+        }
+        if self.polish.is_none() {
+            self.kept.row.copy_from_slice(&self.best.row);
+            moves::insert(&mut self.kept.row, from, to);
+            self.kept.settle(&self.problem);
+        }
+        // A sum of differences may have promised what rounding gave.
+        if self.kept.length < bat.tour.length {
+            deed.local = Local::Taken;
+            deed.local_gain = bat.tour.length - self.kept.length;
+            bat.tour.copy_from(&self.kept);
+            bat.loudness *= self.epsilon; // (10)
+            bat.pulse_rate *= 1.0 - math::exp(-self.lambda * self.t as f64); // (11)
         }
     }
 
@@ -280,7 +314,9 @@ impl Search for Bats {
     }
 
     fn bytes(&self) -> usize {
-        (self.swarm.len() + 3) * (self.best.bytes() + size_of::<Bat>()) + 2 * self.places.len()
+        self.polish.as_ref().map_or(0, Kicks::bytes)
+            + (self.swarm.len() + 3) * (self.best.bytes() + size_of::<Bat>())
+            + 2 * self.places.len()
     }
 }
 
@@ -299,6 +335,13 @@ const LAMBDA: Parameter = Parameter::number(
     "How fast the factor 1 − e^(−λt) that a pulse rate is multiplied by comes to 1. Published: 0.98.",
 )
 .slider(0.0, 2.0, false);
+
+const POLISH: Parameter = Parameter::flag(
+    "polish",
+    "Polish",
+    false,
+    "Beyond the paper: bats begin with the nearest neighbour’s tour, every tour that they find is made shorter by 2-opt and Or-opt moves until none helps, and around the best tour they swap stretches and repair, as often as there are stops.",
+);
 
 /// [ANTBAT] (10).
 const LOUDNESS: Formula = Formula::of_item("loudness", "[ANTBAT] (10)", "Loudness", "A_i \\leftarrow \\varepsilon A_i", "A = @loudness@");
@@ -339,6 +382,7 @@ pub const ENTRY: Entry = Entry {
         iterations(100, "After how many iterations of the bats it stops; building roads comes first. Published: 100."),
         EPSILON,
         LAMBDA,
+        POLISH,
         ROUND,
         ROADS,
         SMOOTH,

@@ -5,6 +5,7 @@
 //! planners differ in is a [`Search`], a file each. `problem` is what they search, `moves` are the changes that they make.
 
 pub mod bat;
+mod local;
 mod moves;
 mod parameters;
 mod problem;
@@ -12,6 +13,7 @@ mod roads;
 mod tell;
 #[cfg(test)]
 mod tests;
+pub mod two_opt;
 
 use std::sync::Arc;
 

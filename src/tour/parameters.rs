@@ -82,9 +82,6 @@ pub(super) const DIFFERENT: Reading = Reading::new(
     "At how many places a tour differs from the shortest one, on average: Hamming’s distance.",
 );
 
-/// What every planner with one tour tells.
-pub(super) const READINGS: &[Reading] = &[BEST, BUILT, CONVERGED];
-
 pub(super) const LENGTH: Formula = Formula {
     name: "length",
     source: "[ANTBAT] (6)",

@@ -1,0 +1,66 @@
+//! Tour planners: iterations a second on 12, 52, 100 and 280 stops, and how far each is from the optimum after a second.
+//!
+//! `cargo bench --bench tours` prints the table. The time is that of a machine; only ratios mean something elsewhere.
+
+use std::{
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+use forage::{Given, Scene, Session, Setup, Status, Value, catalogue::PLANNERS, shipped, shipped_names};
+
+const SEEDS: u64 = 3;
+
+/// The 12 stops of the published grid by exact roads, and the shipped tours.
+fn scenes() -> Vec<Arc<Scene>> {
+    let tours = shipped_names().filter(|scene| scene.kind() == forage::scene::Kind::Tour).cloned();
+    std::iter::once(shipped("ant-bat-30").unwrap()).chain(tours).collect()
+}
+
+fn session(planner: &str, scene: &Arc<Scene>, polish: bool, seed: u64) -> Session {
+    let mut params: Given = [("iterations", Value::from(1e6))].into_iter().collect();
+    if scene.name() == "ant-bat-30" {
+        params.insert("roads", Value::from("dijkstra"));
+        params.insert("smooth", Value::from("false"));
+    }
+    if polish {
+        params.insert("polish", Value::from("true"));
+    }
+    let mut session = Session::with_keyframes(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }, 0).unwrap();
+    // The roads are not what is measured.
+    session.step(session.stages().iter().rev().nth(1).map_or(0, |roads| roads.end));
+    session
+}
+
+/// Iterations and gap after a second; `None` for the gap where no optimum is known.
+fn second(mut session: Session) -> (f64, Option<f64>, Duration) {
+    let from = session.iteration();
+    let begun = Instant::now();
+    while begun.elapsed() < Duration::from_secs(1) && session.step(1) == Status::Running {}
+    let took = begun.elapsed();
+    ((session.iteration() - from) as f64 / took.as_secs_f64(), session.outcome().gap, took)
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_unstable_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+fn main() {
+    println!("{:16} {:>5} {:14} {:>14} {:>12} {:>10}", "scene", "stops", "planner", "iterations/s", "gap", "seconds");
+    for scene in scenes() {
+        let stops = scene.stops().len();
+        for entry in PLANNERS.iter().filter(|entry| entry.stops && entry.check_scene(&scene).is_ok()) {
+            let polish = entry.parameters.iter().any(|p| p.name == "polish");
+            for polish in [false, true].into_iter().take(1 + usize::from(polish)) {
+                let runs: Vec<_> = (1..=SEEDS).map(|seed| second(session(entry.name, &scene, polish, seed))).collect();
+                let name = format!("{}{}", entry.name, if polish { " polish" } else { "" });
+                let gaps: Vec<_> = runs.iter().filter_map(|(_, gap, _)| *gap).collect();
+                let gap = if gaps.is_empty() { "unknown".to_owned() } else { format!("{:.2} %", 100.0 * median(gaps)) };
+                let rate = median(runs.iter().map(|(rate, ..)| *rate).collect());
+                let seconds = median(runs.iter().map(|(.., took)| took.as_secs_f64()).collect());
+                println!("{:16} {stops:>5} {name:14} {rate:>14.0} {gap:>12} {seconds:>10.3}", scene.name());
+            }
+        }
+    }
+}

@@ -1,0 +1,495 @@
+//! Local search: 2-opt and Or-opt moves that make a tour shorter, until neither does (Bentley 1992).
+//!
+//! A stop is looked at only while something near it has changed, and only its nearest neighbours count as new ones: a move
+//! that helps makes some stop's way shorter. A move's gain is known in O(1) before it is made.
+
+use std::{collections::VecDeque, sync::Arc};
+
+use super::problem::{Problem, Stop, Tour};
+use crate::{math, rng::Stream};
+
+/// How many neighbours of a stop are tried.
+const NEIGHBOURS: usize = 10;
+/// The longest stretch that is moved as a whole.
+const STRETCH: usize = 3;
+/// A stop has no such place.
+const NONE: u16 = u16::MAX;
+
+/// Each stop's nearest neighbours, the nearest first.
+pub fn neighbours(problem: &Problem) -> Arc<[Vec<Stop>]> {
+    let n = problem.n;
+    let nearest = |stop: Stop| {
+        let mut others: Vec<_> =
+            (0..n).filter(|&other| other != usize::from(stop)).map(|other| (problem.d(stop, other as Stop), other)).collect();
+        math::sort(&mut others);
+        others.iter().take(NEIGHBOURS).map(|&(_, other)| other as Stop).collect()
+    };
+    (0..n as Stop).map(nearest).collect()
+}
+
+/// A move that makes the tour shorter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Move {
+    /// The stops at these places are reversed: 2-opt.
+    Reverse(usize, usize),
+    /// The stops from the first to the second place go behind the third, backwards or not: Or-opt.
+    Carry(usize, usize, usize, bool),
+}
+
+/// The local search of one row at a time.
+#[derive(Debug, Clone)]
+pub struct Local {
+    problem: Arc<Problem>,
+    near: Arc<[Vec<Stop>]>,
+    /// Where a stop stands with another behind it, and where it stands behind another. They differ for the ends alone: the
+    /// first stop of a closed tour is its head and its tail.
+    left: Vec<u16>,
+    right: Vec<u16>,
+    /// Stops to look at.
+    queue: VecDeque<Stop>,
+    queued: Vec<bool>,
+    /// Gains below this may be rounding: two tours must not each be shorter than the other.
+    least: f64,
+}
+
+impl Local {
+    /// For tours of a problem.
+    pub fn new(problem: &Arc<Problem>) -> Self {
+        let n = problem.n;
+        Self {
+            problem: Arc::clone(problem),
+            near: neighbours(problem),
+            left: vec![NONE; n + 1],
+            right: vec![NONE; n + 1],
+            queue: VecDeque::with_capacity(n + 1),
+            queued: vec![false; n + 1],
+            least: 0.0,
+        }
+    }
+
+    /// Begins with a row; nothing in it is to be looked at yet.
+    pub fn load(&mut self, row: &[Stop]) {
+        self.queue.clear();
+        self.queued.fill(false);
+        self.settle(row, 0, row.len() - 1);
+        self.left[usize::from(row[row.len() - 1])] = NONE;
+        self.right[usize::from(row[0])] = NONE;
+        self.left[usize::from(row[0])] = 0;
+        self.right[usize::from(row[row.len() - 1])] = (row.len() - 1) as u16;
+        self.least = 1e-10 * self.problem.length(row) / row.len() as f64;
+    }
+
+    /// Notes where the stops at some places stand; the ends keep theirs.
+    fn settle(&mut self, row: &[Stop], from: usize, to: usize) {
+        for (place, &stop) in row.iter().enumerate().take(to + 1).skip(from) {
+            let stop = usize::from(stop);
+            (self.left[stop], self.right[stop]) = (place as u16, place as u16);
+        }
+    }
+
+    /// A stop near which something has changed.
+    pub fn touch(&mut self, stop: Stop) {
+        let i = usize::from(stop);
+        if i < self.problem.n && !self.queued[i] {
+            self.queued[i] = true;
+            self.queue.push_back(stop);
+        }
+    }
+
+    /// Makes one move that helps; its gain. `None`: no more is found.
+    pub fn step(&mut self, row: &mut [Stop]) -> Option<f64> {
+        while let Some(&stop) = self.queue.front() {
+            if let Some((change, gain)) = self.reversal(row, stop).or_else(|| self.carry(row, stop)).or_else(|| self.fetch(row, stop)) {
+                self.apply(row, change);
+                return Some(gain);
+            }
+            self.queue.pop_front();
+            self.queued[usize::from(stop)] = false;
+        }
+        None
+    }
+
+    /// Makes moves until none helps; what they gain together.
+    pub fn descend(&mut self, row: &mut [Stop]) -> f64 {
+        let mut gained = 0.0;
+        while let Some(gain) = self.step(row) {
+            gained += gain;
+        }
+        gained
+    }
+
+    /// Takes over what is known of another row, without allocating.
+    fn copy_from(&mut self, other: &Self) {
+        self.left.copy_from_slice(&other.left);
+        self.right.copy_from_slice(&other.right);
+    }
+
+    /// Every stop is to be looked at.
+    pub fn touch_all(&mut self) {
+        (0..self.problem.n as Stop).for_each(|stop| self.touch(stop));
+    }
+
+    /// A tour that is as short as moves can make it. (What changes near one stop can give another a move; so all stops are
+    /// looked at until none has one.)
+    pub fn polish(&mut self, tour: &mut Tour) {
+        self.load(&tour.row);
+        self.touch_all();
+        while self.step(&mut tour.row).is_some() {
+            self.descend(&mut tour.row);
+            self.touch_all();
+        }
+        tour.settle(&self.problem);
+    }
+
+    /// The first 2-opt move that brings a near neighbour behind a stop, or before it.
+    fn reversal(&self, row: &[Stop], a: Stop) -> Option<(Move, f64)> {
+        let d = |a, b| self.problem.d(a, b);
+        let near = &self.near[usize::from(a)];
+        let p = usize::from(self.left[usize::from(a)]);
+        if p != usize::from(NONE) {
+            let b = row[p + 1];
+            let old = d(a, b);
+            for &c in near {
+                let nearer = old - d(a, c);
+                if nearer <= self.least {
+                    break;
+                }
+                let q = usize::from(self.left[usize::from(c)]);
+                if q == usize::from(NONE) {
+                    continue;
+                }
+                let gain = nearer + d(c, row[q + 1]) - d(b, row[q + 1]);
+                if gain > self.least {
+                    return Some((Move::Reverse(p.min(q) + 1, p.max(q)), gain));
+                }
+            }
+        }
+        let p = usize::from(self.right[usize::from(a)]);
+        if p != usize::from(NONE) {
+            let b = row[p - 1];
+            let old = d(a, b);
+            for &c in near {
+                let nearer = old - d(a, c);
+                if nearer <= self.least {
+                    break;
+                }
+                let q = usize::from(self.right[usize::from(c)]);
+                if q == usize::from(NONE) {
+                    continue;
+                }
+                let gain = nearer + d(c, row[q - 1]) - d(b, row[q - 1]);
+                if gain > self.least {
+                    return Some((Move::Reverse(p.min(q), p.max(q) - 1), gain));
+                }
+            }
+        }
+        None
+    }
+
+    /// The first Or-opt move that takes a stretch which begins or ends with a stop to one of its near neighbours.
+    fn carry(&self, row: &[Stop], a: Stop) -> Option<(Move, f64)> {
+        let d = |a, b| self.problem.d(a, b);
+        let m = row.len() - 2;
+        let p = usize::from(self.left[usize::from(a)]);
+        if !(1..=m).contains(&p) || row[p] != a {
+            return None; // an end stays
+        }
+        for (low, high, backward) in stretches(p, m) {
+            let (before, behind) = (row[low - 1], row[high + 1]);
+            let z = if backward { row[low] } else { row[high] };
+            let taken = d(before, row[low]) + d(row[high], behind) - d(before, behind);
+            for &c in &self.near[usize::from(a)] {
+                let nearer = taken - d(a, c);
+                if nearer <= self.least {
+                    break;
+                }
+                // Between c and the stop behind it, or between the stop before c and c: a is next to c.
+                let q = usize::from(self.left[usize::from(c)]);
+                if q != usize::from(NONE) && !(low - 1..=high).contains(&q) {
+                    let gain = nearer + d(c, row[q + 1]) - d(z, row[q + 1]);
+                    if gain > self.least {
+                        return Some((Move::Carry(low, high, q, backward), gain));
+                    }
+                }
+                let q = usize::from(self.right[usize::from(c)]);
+                if q != usize::from(NONE) && !(low..=high + 1).contains(&q) {
+                    let gain = nearer + d(row[q - 1], c) - d(z, row[q - 1]);
+                    if gain > self.least {
+                        return Some((Move::Carry(low, high, q - 1, !backward), gain));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// The first Or-opt move that fetches a stretch which begins or ends with a near neighbour of a stop: between that stop
+    /// and the one behind it, or the one before it.
+    fn fetch(&self, row: &[Stop], c: Stop) -> Option<(Move, f64)> {
+        let d = |a, b| self.problem.d(a, b);
+        let m = row.len() - 2;
+        for after in [true, false] {
+            let q = usize::from(if after { self.left[usize::from(c)] } else { self.right[usize::from(c)] });
+            if q == usize::from(NONE) {
+                continue;
+            }
+            // The stretch goes behind the place `gap`.
+            let (other, gap) = if after { (row[q + 1], q) } else { (row[q - 1], q - 1) };
+            let old = d(c, other);
+            for &a in &self.near[usize::from(c)] {
+                let nearer = old - d(c, a);
+                if nearer <= self.least {
+                    break;
+                }
+                let p = usize::from(self.left[usize::from(a)]);
+                if !(1..=m).contains(&p) || row[p] != a {
+                    continue;
+                }
+                for (low, high, backward) in stretches(p, m) {
+                    if (low - 1..=high).contains(&gap) {
+                        continue;
+                    }
+                    let z = if backward { row[low] } else { row[high] };
+                    let taken = d(row[low - 1], row[low]) + d(row[high], row[high + 1]) - d(row[low - 1], row[high + 1]);
+                    let gain = nearer + taken - d(z, other);
+                    if gain > self.least {
+                        return Some((Move::Carry(low, high, gap, backward == after), gain));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// Carries a move out; the stops at its seams are to be looked at again.
+    fn apply(&mut self, row: &mut [Stop], change: Move) {
+        match change {
+            Move::Reverse(i, j) => {
+                row[i..=j].reverse();
+                self.settle(row, i, j);
+                [i - 1, i, j, j + 1].into_iter().for_each(|place| self.touch(row[place]));
+            }
+            Move::Carry(low, high, behind, backward) => {
+                if backward {
+                    row[low..=high].reverse();
+                }
+                let length = high + 1 - low;
+                let (from, to) = if behind > high {
+                    row[low..=behind].rotate_left(length);
+                    (low, behind)
+                } else {
+                    row[behind + 1..=high].rotate_right(length);
+                    (behind + 1, high)
+                };
+                self.settle(row, from, to);
+                let at = if behind > high { behind + 1 - length } else { behind + 1 };
+                let seam = if behind > high { low } else { high + 1 };
+                for place in [at - 1, at, at + length - 1, at + length, seam - 1, seam] {
+                    self.touch(row[place]);
+                }
+            }
+        }
+    }
+
+    /// Swaps two neighbouring stretches of up to [`KICK`] stops: a change that 2-opt and Or-opt moves seldom undo. What it
+    /// adds to the length.
+    pub fn kick(&mut self, row: &mut [Stop], rng: &mut Stream) -> f64 {
+        let m = row.len() - 2;
+        if m < 3 {
+            return 0.0;
+        }
+        let span = (2 + rng.below(KICK - 1)).min(m);
+        let from = 1 + rng.below(m + 1 - span);
+        let middle = 1 + rng.below(span - 1);
+        let d = |place: usize, other: usize| self.problem.d(row[place], row[other]);
+        let (a, b, c) = (from, from + middle, from + span);
+        let added = d(a - 1, b) + d(c - 1, a) + d(b - 1, c) - d(a - 1, a) - d(b - 1, b) - d(c - 1, c);
+        row[from..from + span].rotate_left(middle);
+        self.settle(row, from, from + span - 1);
+        let seams = [from, from + span - middle, from + span];
+        for place in seams {
+            self.touch(row[place - 1]);
+            self.touch(row[place]);
+        }
+        added
+    }
+
+    /// The memory it takes, in bytes; the neighbours are shared.
+    pub fn bytes(&self) -> usize {
+        8 * self.left.len()
+    }
+}
+
+/// The stretches of up to [`STRETCH`] stops, among places 1 to m, that begin or (backward) end at a place.
+fn stretches(p: usize, m: usize) -> impl Iterator<Item = (usize, usize, bool)> {
+    let forward = (p..(p + STRETCH).min(m + 1)).map(move |high| (p, high, false));
+    let backward = (p.saturating_sub(STRETCH - 1).max(1)..p).rev().map(move |low| (low, p, true));
+    forward.chain(backward)
+}
+
+/// A tour that is kicked and repaired again and again: an iterated local search (Lourenço, Martin and Stützle 2003).
+#[derive(Debug, Clone)]
+pub struct Kicks {
+    local: Local,
+    row: Vec<Stop>,
+    /// As before the kick.
+    kept: Local,
+    kept_row: Vec<Stop>,
+}
+
+impl Kicks {
+    /// For tours of a problem.
+    pub fn new(problem: &Arc<Problem>) -> Self {
+        let local = Local::new(problem);
+        let row = Tour::first(problem).row;
+        Self { kept: local.clone(), local, kept_row: row.clone(), row }
+    }
+
+    /// See [`Local::polish`].
+    pub fn polish(&mut self, tour: &mut Tour) {
+        self.local.polish(tour);
+    }
+
+    /// Kicks a tour so often; what a kick and the moves after it made longer is undone.
+    pub fn improve(&mut self, tour: &mut Tour, kicks: usize, rng: &mut Stream) {
+        let Self { local, row, kept, kept_row } = self;
+        row.copy_from_slice(&tour.row);
+        local.load(row);
+        kept.copy_from(local);
+        kept_row.copy_from_slice(row);
+        for _ in 0..kicks {
+            let added = local.kick(row, rng);
+            // Equally long tours are taken: they lead away from where it has been.
+            if added - local.descend(row) <= 0.0 {
+                kept.copy_from(local);
+                kept_row.copy_from_slice(row);
+            } else {
+                local.copy_from(kept);
+                row.copy_from_slice(kept_row);
+            }
+        }
+        tour.row.copy_from_slice(kept_row);
+        tour.settle(&self.local.problem);
+    }
+
+    /// The memory it takes, in bytes.
+    pub fn bytes(&self) -> usize {
+        2 * (self.local.bytes() + size_of::<Stop>() * self.row.len())
+    }
+}
+
+/// The most stops that a kick moves.
+const KICK: usize = 50;
+
+/// The tour that goes on to the nearest stop not called at yet (Rosenkrantz et al. 1977), from a random one.
+pub fn nearest_neighbour(problem: &Problem, rng: &mut Stream) -> Tour {
+    let mut tour = Tour::first(problem);
+    let m = tour.len();
+    if m < 2 {
+        return tour;
+    }
+    // A closed tour may begin anywhere and is turned afterwards; where the first stop is fixed it begins there.
+    let closed = problem.round.closes();
+    if closed || problem.two_way() {
+        let first = usize::from(closed);
+        let row = &mut tour.row[1 - first..=m];
+        let start = rng.below(row.len());
+        row.swap(0, start);
+        chain(problem, row);
+        if let Some(home) = row.iter().position(|&stop| closed && stop == 0) {
+            row.rotate_left(home);
+        }
+    } else {
+        chain(problem, &mut tour.row[..=m]);
+    }
+    tour.settle(problem);
+    tour
+}
+
+/// Orders stops after the first, each by its distance from the one before.
+fn chain(problem: &Problem, row: &mut [Stop]) {
+    for k in 1..row.len() {
+        let from = row[k - 1];
+        let nearest = (k..row.len()).min_by(|&i, &j| problem.d(from, row[i]).total_cmp(&problem.d(from, row[j])).then(row[i].cmp(&row[j])));
+        row.swap(k, nearest.unwrap_or(k));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{super::moves, *};
+    use crate::{planner::Round, scene::Distances};
+
+    fn random(n: usize, round: Round, rng: &mut Stream) -> Arc<Problem> {
+        let points: Vec<_> = (0..n).map(|_| [rng.unit(), rng.unit()]).collect();
+        let d = |i: usize, j: usize| crate::geometry::length(&[points[i], points[j]]);
+        Arc::new(Problem::new(&Distances::of(n, d), round))
+    }
+
+    #[test]
+    fn every_move_gains_what_it_says_and_keeps_a_permutation() {
+        let mut rng = Stream::new(3, 0);
+        for case in 0..300 {
+            let round = Round::ALL[case % 4];
+            let n = 2 + rng.below(30);
+            let problem = random(n, round, &mut rng);
+            let mut tour = Tour::first(&problem);
+            moves::shuffle(&mut tour.row, &mut rng);
+            let mut local = Local::new(&problem);
+            local.load(&tour.row);
+            (0..n as Stop).for_each(|stop| local.touch(stop));
+            let mut length = problem.length(&tour.row);
+            loop {
+                while let Some(gain) = local.step(&mut tour.row) {
+                    let now = problem.length(&tour.row);
+                    assert!(gain > 0.0 && (length - now - gain).abs() < 1e-12, "{round:?}: {length} − {now} is not {gain}");
+                    length = now;
+                    assert!(round.allows(&tour.order(&problem), n));
+                    let m = tour.len();
+                    assert!((1..=m).all(|place| usize::from(local.left[usize::from(tour.row[place])]) == place));
+                }
+                if rng.unit() < 0.2 {
+                    break;
+                }
+                let added = local.kick(&mut tour.row, &mut rng);
+                assert!((problem.length(&tour.row) - length - added).abs() < 1e-12);
+                length = problem.length(&tour.row);
+                assert!(round.allows(&tour.order(&problem), n));
+            }
+        }
+    }
+
+    /// With all stops as neighbours nothing is left that a 2-opt move or an insertion could gain.
+    #[test]
+    fn where_it_ends_no_move_helps() {
+        let mut rng = Stream::new(8, 0);
+        for case in 0..80 {
+            let problem = random(4 + rng.below(7), Round::ALL[case % 4], &mut rng);
+            let mut tour = Tour::first(&problem);
+            moves::shuffle(&mut tour.row, &mut rng);
+            Local::new(&problem).polish(&mut tour);
+            let m = tour.len();
+            for i in 1..=m {
+                assert!((i..=m).all(|j| moves::reversal(&problem, &tour.row, i, j) > -1e-9));
+                assert!((0..=m).filter(|&j| j != i).all(|j| moves::insertion(&problem, &tour.row, i, j) > -1e-9));
+            }
+        }
+    }
+
+    #[test]
+    fn the_nearest_neighbour_comes_next() {
+        // Stops on a line at 0, 10, 1, 3: from any of them it goes on to the nearest.
+        let at = [0.0_f64, 10.0, 1.0, 3.0];
+        let distances = Distances::of(4, |i, j| (at[i] - at[j]).abs());
+        for round in [Round::FromFirst, Round::FirstToLast] {
+            let problem = Problem::new(&distances, round);
+            let order = nearest_neighbour(&problem, &mut Stream::new(1, 0)).order(&problem);
+            assert_eq!(order, if round == Round::FromFirst { [0, 2, 3, 1] } else { [0, 2, 1, 3] });
+        }
+        let problem = Problem::new(&distances, Round::Closed);
+        for seed in 0..9 {
+            let tour = nearest_neighbour(&problem, &mut Stream::new(seed, 0));
+            assert_eq!(tour.length, 20.0, "every such tour goes there and back");
+        }
+    }
+}

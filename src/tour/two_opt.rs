@@ -1,0 +1,114 @@
+//! `two-opt`: the nearest neighbour's tour, then 2-opt and Or-opt moves until neither helps, [ANTBAT] §3.3.
+
+use std::sync::Arc;
+
+use crate::{
+    catalogue::{Entry, Formula, Group, Reading},
+    digest::Digest,
+    params::Settings,
+    planner::{Readings, Status},
+    rng::Stream,
+};
+
+use super::{
+    Search,
+    local::{Local, nearest_neighbour},
+    parameters::{BEST, BUILT, CONVERGED, KINDS, LAYERS, LENGTH, ROADS, ROUND, SMOOTH, iterations},
+    problem::{Problem, Stop, Tour},
+};
+
+/// A tour that gets shorter move by move.
+#[derive(Clone)]
+struct Descent {
+    problem: Arc<Problem>,
+    local: Local,
+    /// As the moves left it, and as it is handed over.
+    row: Vec<Stop>,
+    best: Tour,
+    moves: u64,
+    gain: f64,
+    done: bool,
+}
+
+fn begin(problem: &Arc<Problem>, _: &Settings, mut rng: Stream) -> Descent {
+    let best = nearest_neighbour(problem, &mut rng);
+    let mut local = Local::new(problem);
+    local.load(&best.row);
+    local.touch_all();
+    Descent { problem: Arc::clone(problem), local, row: best.row.clone(), best, moves: 0, gain: 0.0, done: false }
+}
+
+impl Search for Descent {
+    fn step(&mut self) {
+        let change = self.local.step(&mut self.row).or_else(|| {
+            self.local.touch_all();
+            self.local.step(&mut self.row)
+        });
+        if let Some(gain) = change {
+            self.moves += 1;
+            self.gain = gain;
+            self.best.row.copy_from_slice(&self.row);
+            self.best.settle(&self.problem);
+        } else {
+            (self.gain, self.done) = (0.0, true);
+        }
+    }
+
+    /// A local optimum proves nothing: it is not solved.
+    fn status(&self) -> Status {
+        if self.done { Status::Exhausted } else { Status::Running }
+    }
+
+    fn evaluations(&self) -> u64 {
+        1 + self.moves
+    }
+
+    fn best(&self) -> Option<&Tour> {
+        Some(&self.best)
+    }
+
+    fn read(&self, out: &mut Readings) {
+        out.push("moves", self.moves as f64);
+        out.push("gain", self.gain);
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.row.iter().for_each(|&stop| out.word(stop.into()));
+        out.word(self.moves);
+    }
+
+    fn bytes(&self) -> usize {
+        self.local.bytes() + 2 * self.best.bytes() + size_of::<Self>()
+    }
+}
+
+const TWO_OPT: Formula = Formula::of_item("two-opt", "Croes 1958", "2-opt move", "\\Delta = d(a, c) + d(b, d) - d(a, b) - d(c, d) < 0", "");
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "two-opt",
+    title: "2-opt and Or-opt",
+    family: "tour",
+    source: "[ANTBAT] §3.3; Bentley 1992",
+    summary: "Goes on to the nearest stop, then reverses and carries stretches of the tour, a step for each move that makes it shorter, until none does.",
+    kinds: KINDS,
+    parameters: &[
+        iterations(100_000, "After how many moves it stops at the latest; mostly no move helps long before."),
+        ROUND,
+        ROADS,
+        SMOOTH,
+    ],
+    readings: &[
+        BEST,
+        BUILT,
+        CONVERGED,
+        Reading::new("moves", "", "Moves", Group::Count, "Moves that made the tour shorter."),
+        Reading::new("gain", "\\Delta D", "Gain", Group::Measure, "How much shorter the last move made it."),
+    ],
+    formulas: &[TWO_OPT, LENGTH],
+    layers: LAYERS,
+    stops: true,
+    members: &[],
+    suggest: |_| None,
+    start: |scene, settings, seed| super::start(scene, settings, seed, begin),
+};
