@@ -76,19 +76,30 @@ proptest! {
             }
         }
         let outcome = session.outcome();
-        prop_assert!(outcome.status != Status::Exhausted || outcome.iterations == 60);
-        if size_name(entry).is_some() {
+        prop_assert!(outcome.status != Status::Exhausted || outcome.iterations == 60 || entry.stops);
+        prop_assert!(outcome.iterations <= session.limit());
+        if size_name(entry).is_some() && !entry.stops {
             prop_assert_eq!(outcome.evaluations - first, u64::from(population) * 60, "each particle is evaluated once per iteration");
             prop_assert!(entry.family != "swarm" || first >= u64::from(population));
         }
         prop_assert_eq!(outcome.cost.is_some(), outcome.path.is_some() || outcome.position.is_some());
-        if let (Some(path), Some((start, goal))) = (&outcome.path, scene.ends()) {
+        if let Some(order) = &outcome.order {
+            let mut sorted = order.clone();
+            sorted.sort_unstable();
+            prop_assert_eq!(sorted, (0..scene.stops().len()).collect::<Vec<_>>(), "a tour is a permutation");
+            prop_assert!(outcome.feasible && outcome.gap.is_none_or(|gap| gap > -1e-9));
+        }
+        let ends = match &outcome.order {
+            Some(order) => Some(scene.stops()[order[0]]).map(|stop| (stop, stop)),
+            None => scene.ends(),
+        };
+        if let (Some(path), Some((start, goal))) = (&outcome.path, ends) {
             prop_assert_eq!(path[0], start);
             prop_assert_eq!(path[path.len() - 1], goal);
             let deepest = samples(path).map(|point| clearance(scene, point)).fold(f64::INFINITY, f64::min);
             prop_assert!(!outcome.feasible || deepest > -1e-12, "said to be free, but {deepest} inside an obstacle");
             prop_assert!(deepest >= outcome.clearance.unwrap_or(f64::INFINITY) - 1e-12, "sampling found it deeper than the clearance says");
-            if outcome.feasible {
+            if outcome.feasible && outcome.order.is_none() {
                 prop_assert!(outcome.gap.unwrap() > -1e-9, "shorter than the exact optimum: {:?}", outcome.gap);
             }
         }
@@ -188,7 +199,7 @@ fn every_population_from_one_to_a_hundred_thousand_runs() {
             let mut session = session(entry, &scene, sized(entry, population, iterations), 5);
             session.step(60);
             let outcome = session.outcome();
-            assert!(outcome.iterations == iterations.min(60.0) as u64 || outcome.status == Status::Solved);
+            assert!(outcome.iterations == iterations.min(60.0) as u64 || outcome.status == Status::Solved || entry.stops);
             assert!(outcome.cost.is_none_or(f64::is_finite), "{} on {}", entry.name, scene.name());
             assert!(outcome.cost.is_some() || entry.family != "swarm");
         }
