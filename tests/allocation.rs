@@ -76,3 +76,26 @@ fn no_step_of_any_ant_allocates() {
         assert!(allocated <= 4, "{}: {allocated} allocations", entry.name);
     }
 }
+
+/// Once the roads stand a tour's planner only moves stops about. (A planner that goes through sets of stops grows.)
+#[test]
+fn no_step_of_any_tour_allocates() {
+    for entry in PLANNERS.iter().filter(|entry| entry.stops && entry.name != "held-karp") {
+        for more in [None, Some(("polish", "true"))] {
+            let scene = shipped("ant-bat-30").unwrap();
+            let given = [("iterations", "1000"), ("roads", "a-star")].into_iter().chain(more);
+            let known = |name: &str| entry.parameters.iter().any(|p| p.name == name);
+            let given: Given = given.filter(|(name, _)| known(name)).map(|(name, value)| (name, forage::Value::from(value))).collect();
+            let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
+            let mut planner = (entry.start)(&scene, &settings, 1).unwrap();
+            while planner.stages().first().is_some_and(|roads| planner.iteration() < roads.end) {
+                planner.step_taken();
+            }
+            let before = COUNT.with(Cell::get);
+            for _ in 0..300 {
+                planner.step_taken();
+            }
+            assert_eq!(COUNT.with(Cell::get) - before, 0, "{} {more:?}", entry.name);
+        }
+    }
+}

@@ -3,8 +3,9 @@
 use std::process::ExitCode;
 
 use forage::{
+    Scene,
     exact::Exact,
-    planner::Yardstick,
+    planner::{Round, Yardstick},
     scene::{Body, MAX_EXACT_CELLS},
 };
 use serde::Serialize;
@@ -18,6 +19,43 @@ struct Answer<'a> {
     /// On grids: the same from cell to neighbouring cell.
     #[serde(skip_serializing_if = "Option::is_none")]
     cells: Option<Way<'a>>,
+    /// Of a scene with stops: the shortest tours through them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    tours: Vec<Tour<'a>>,
+}
+
+#[derive(Serialize)]
+struct Tour<'a> {
+    by: Yardstick,
+    length: f64,
+    order: &'a [usize],
+    path: &'a [[f64; 2]],
+}
+
+/// The shortest tours by each rule that there is for a scene.
+fn tours(scene: &Scene) -> Vec<Tour<'_>> {
+    let (rules, round): (&[_], _) = match scene.body() {
+        Body::Grid(_) => (&[Yardstick::AnyAngle, Yardstick::Cells], Round::Closed),
+        Body::Tour(tour) => (&[Yardstick::Matrix], tour.round()),
+        _ => (&[], Round::Closed),
+    };
+    let tour = |&by: &Yardstick| {
+        let exact = scene.exact_tour(by, round)?;
+        let by = if exact.stored { Yardstick::Stored } else { by };
+        Some(Tour { by, length: exact.length, order: &exact.order, path: &exact.path })
+    };
+    rules.iter().filter_map(tour).collect()
+}
+
+fn told(tour: &Tour<'_>) -> String {
+    let by = match tour.by {
+        Yardstick::AnyAngle => "at any angle",
+        Yardstick::Cells => "from cell to cell",
+        Yardstick::Matrix => "by the scene’s distances",
+        Yardstick::Stored => "as the scene’s file says",
+    };
+    let stops: Vec<_> = tour.order.iter().map(usize::to_string).collect();
+    format!("shortest tour {} {by}, through the stops {}", tour.length, stops.join(" "))
 }
 
 #[derive(Serialize)]
@@ -35,6 +73,7 @@ pub(super) fn exact(scene: &str, json: bool) -> Outcome {
         length: scene.optimum(Yardstick::AnyAngle),
         path: &any_angle,
         cells: cells.map(|exact| Way { length: exact.length, path: &exact.path }),
+        tours: tours(&scene),
     };
     if json {
         print_json(&answer);
@@ -51,9 +90,12 @@ pub(super) fn exact(scene: &str, json: bool) -> Outcome {
                     scene.name(),
                     way.length
                 )),
-                None => print(&format!("{}: there is no way from start to goal", scene.name())),
+                None if scene.ends().is_some() => print(&format!("{}: there is no way from start to goal", scene.name())),
+                None if answer.tours.is_empty() => print(&format!("{}: more stops than a shortest tour is computed for", scene.name())),
+                None => {}
             },
         }
+        answer.tours.iter().for_each(|tour| print(&format!("{}: {}", scene.name(), told(tour))));
     }
-    Ok(if answer.length.is_some() || answer.cells.is_some() { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    Ok(if answer.length.is_some() || answer.cells.is_some() || !answer.tours.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }

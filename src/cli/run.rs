@@ -181,7 +181,11 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
     }
     if let Some(exact) = outcome.exact {
         let gap = outcome.gap.map_or(String::new(), |gap| format!(" ({:+.4} %)", gap * 100.0));
-        let by = if outcome.exact_by == Yardstick::Cells { ", from cell to cell" } else { "" };
+        let by = match outcome.exact_by {
+            Yardstick::Cells => ", from cell to cell",
+            Yardstick::Stored => ", as the scene’s file says",
+            Yardstick::AnyAngle | Yardstick::Matrix => "",
+        };
         let _ = writeln!(text, "  optimum    {exact}{by}{gap}");
     }
     match outcome.clearance {
@@ -202,6 +206,10 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
     if let Some(tuned) = &outcome.tuned {
         let pairs: Vec<_> = tuned.params.iter().map(|(name, value)| format!("--set {name}={value}")).collect();
         let _ = writeln!(text, "  tuned      forage run {} --scene {} {}", tuned.planner, outcome.scene, pairs.join(" "));
+    }
+    if let Some(order) = &outcome.order {
+        let stops: Vec<_> = order.iter().map(usize::to_string).collect();
+        let _ = writeln!(text, "  order      {}", stops.join(" "));
     }
     if let Some(path) = &outcome.path {
         let points: Vec<_> = path.iter().map(|[x, y]| format!("({x:.4}, {y:.4})")).collect();
