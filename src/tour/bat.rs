@@ -318,6 +318,10 @@ impl Search for Bats {
             + (self.swarm.len() + 3) * (self.best.bytes() + size_of::<Bat>())
             + 2 * self.places.len()
     }
+
+    fn copy(&self) -> Box<dyn Search> {
+        Box::new(self.clone())
+    }
 }
 
 const EPSILON: Parameter = Parameter::number(
@@ -401,5 +405,5 @@ pub const ENTRY: Entry = Entry {
     stops: true,
     members: MEMBERS,
     suggest: |_| None,
-    start: |scene, settings, seed| super::start(scene, settings, seed, begin),
+    start: |scene, settings, seed| super::start(scene, settings, seed, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
 };

@@ -34,7 +34,7 @@ use roads::Network;
 pub use tell::SYMBOLS;
 
 /// How a planner searches the order of the stops. It evaluates its first tours when it begins.
-trait Search: Clone + Send + 'static {
+trait Search: Send {
     /// Takes one step.
     fn step(&mut self);
     /// Whether it has something left to do; the iteration limit is not its business.
@@ -63,22 +63,30 @@ trait Search: Clone + Send + 'static {
     fn digest(&self, out: &mut Digest);
     /// About how much memory it takes, in bytes.
     fn bytes(&self) -> usize;
+    /// The same once more.
+    fn copy(&self) -> Box<dyn Search>;
+}
+
+impl Clone for Box<dyn Search> {
+    fn clone(&self) -> Self {
+        self.copy()
+    }
 }
 
 /// How a search begins: the problem, the parameters, and its stream of random numbers.
-type Begin<S> = fn(&Arc<Problem>, &Settings, Stream) -> S;
+type Begin = fn(&Arc<Problem>, &Settings, Stream) -> Box<dyn Search>;
 
 /// Roads, then a tour.
 #[derive(Clone)]
-struct Tours<S> {
+struct Tours {
     settings: Arc<Settings>,
     seed: u64,
-    begin: Begin<S>,
+    begin: Begin,
     round: Round,
     /// Where the stops are drawn.
     places: Arc<[[f64; 2]]>,
     network: Option<Network>,
-    search: Option<(Arc<Problem>, S)>,
+    search: Option<(Arc<Problem>, Box<dyn Search>)>,
     /// No tour is possible: a road is missing, whatever stops it would lead over.
     torn: bool,
     iteration: u64,
@@ -88,7 +96,7 @@ struct Tours<S> {
 }
 
 /// Starts a tour planner.
-fn start<S: Search>(scene: &Arc<Scene>, settings: &Settings, seed: u64, begin: Begin<S>) -> Result<Box<dyn session::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, begin: Begin) -> Result<Box<dyn session::AnyPlanner>, Error> {
     let network = match scene.body() {
         Body::Grid(grid) => Some(Network::new(scene, grid, settings, seed)?),
         _ => None,
@@ -112,7 +120,7 @@ fn start<S: Search>(scene: &Arc<Scene>, settings: &Settings, seed: u64, begin: B
     Ok(Box::new(tours))
 }
 
-impl<S: Search> Tours<S> {
+impl Tours {
     /// The roads stand: the search begins.
     fn set_out(&mut self, problem: Problem) {
         let problem = Arc::new(problem);
@@ -157,7 +165,7 @@ impl<S: Search> Tours<S> {
     }
 }
 
-impl<S: Search> Planner for Tours<S> {
+impl Planner for Tours {
     fn step(&mut self) -> Status {
         if self.status() != Status::Running {
             return self.status();

@@ -80,6 +80,10 @@ impl Search for Descent {
     fn bytes(&self) -> usize {
         self.local.bytes() + 2 * self.best.bytes() + size_of::<Self>()
     }
+
+    fn copy(&self) -> Box<dyn Search> {
+        Box::new(self.clone())
+    }
 }
 
 const TWO_OPT: Formula = Formula::of_item("two-opt", "Croes 1958", "2-opt move", "\\Delta = d(a, c) + d(b, d) - d(a, b) - d(c, d) < 0", "");
@@ -110,5 +114,5 @@ pub const ENTRY: Entry = Entry {
     stops: true,
     members: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| super::start(scene, settings, seed, begin),
+    start: |scene, settings, seed| super::start(scene, settings, seed, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
 };
