@@ -52,7 +52,7 @@ pub(super) enum Command {
     /// should be known is told on standard error.
     #[command(after_help = super::convert::AFTER_HELP, override_usage = "forage convert [OPTIONS] <IN>... <OUT>")]
     Convert(ConvertArgs),
-    /// Make a random grid: the same for the same parameters and seed.
+    /// Make a random scene: the same for the same parameters and seed.
     #[command(after_help = super::generate::after_help())]
     Generate(GenerateArgs),
     /// Carry out a published experiment anew and print the result beside the published one.

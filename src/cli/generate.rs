@@ -4,10 +4,7 @@ use std::{fmt::Write, process::ExitCode};
 
 use forage::{
     Given,
-    scene::{
-        Kind,
-        generate::{self, GENERATORS},
-    },
+    scene::generate::{self, GENERATORS, TOURS},
 };
 
 use super::{args::GenerateArgs, convert, load, print};
@@ -28,11 +25,11 @@ pub(super) fn generate(args: &GenerateArgs) -> super::Outcome {
 /// The generators with their parameters.
 pub(super) fn generators() -> String {
     let mut text = String::new();
-    for generator in GENERATORS {
+    for generator in GENERATORS.iter().chain(TOURS) {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "\n{}  {}\n  {}", generator.name, generator.title, generator.help);
         for parameter in generator.parameters {
-            let default = parameter.default_on(Kind::Grid);
+            let default = parameter.default_on(generator.kind());
             let _ = writeln!(text, "    {:<16} {}; default {default}", parameter.name, parameter.allowed());
             let _ = writeln!(text, "    {:<16} {}", "", parameter.help);
         }
@@ -43,7 +40,7 @@ pub(super) fn generators() -> String {
 /// Generators and examples, below the options of `forage generate --help`.
 pub(super) fn after_help() -> String {
     format!(
-        "Generators:\n{}\nExamples:\n  forage generate maze --set columns=61 --set rows=41 --seed 7 --out maze.json\n  forage generate random --set share=0.35 --out random.map",
+        "Generators:\n{}\nExamples:\n  forage generate maze --set columns=61 --set rows=41 --seed 7 --out maze.json\n  forage generate random --set share=0.35 --out random.map\n  forage generate rooms --set stops=20 --out delivery.json\n  forage generate stops --set stops=100 --out stops.tsp",
         generators()
     )
 }

@@ -37,7 +37,7 @@ pub(super) fn list(json: bool) {
         let _ = writeln!(text, "    {:<16} {}; default {default}", parameter.name, parameter.allowed());
         let _ = writeln!(text, "    {:<16} {}", "", parameter.help);
     }
-    text.push_str("\nGENERATORS of random grids\n");
+    text.push_str("\nGENERATORS of random scenes\n");
     text.push_str(&super::generate::generators());
     text.push_str("\nSCENES\n\n");
     for scene in shipped_names() {

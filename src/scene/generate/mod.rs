@@ -1,6 +1,10 @@
-//! Random grids: each made by a generator with parameters and a seed, the same everywhere, and with a way from start to
-//! goal without cutting corners. `scatter` blocks a share of the cells, `rooms` begins with all blocked and opens some.
+//! Random scenes: each made by a generator with parameters and a seed, the same everywhere.
+//!
+//! Grids have a way from start to goal without cutting corners: `scatter` blocks a share of the cells, `rooms` begins with
+//! all blocked and opens some, and `calls` puts stops on them. `points` are stops in the plane.
 
+mod calls;
+mod points;
 mod rooms;
 mod scatter;
 #[cfg(test)]
@@ -14,12 +18,17 @@ use crate::{
     rng::{self, Stream},
 };
 
-use super::{Body, GridScene, Header, Kind, MAX_SIDE, Scene};
+use super::{Body, GridScene, Header, Kind, MAX_GRID_STOPS, MAX_SIDE, Scene, TourScene};
 
-/// All generators, in the order in which they are offered; nothing else lists them.
+pub use calls::with_stops;
+
+/// All generators of grids, in the order in which they are offered; nothing else lists them.
 pub const GENERATORS: &[Generator] = &[scatter::RANDOM, scatter::RUBBLE, rooms::ROOMS, rooms::MAZE];
 
-/// What a random grid is made of.
+/// All generators of stops in the plane.
+pub const TOURS: &[Generator] = &[points::STOPS];
+
+/// What a random scene is made of.
 #[derive(Debug, Clone, Copy)]
 pub struct Generator {
     /// The name in commands.
@@ -28,16 +37,43 @@ pub struct Generator {
     pub title: &'static str,
     /// A sentence or two.
     pub help: &'static str,
-    /// Its parameters; every generator has `columns`, `rows` and `cell`.
+    /// Its parameters; every generator of grids has `columns`, `rows`, `cell` and, last, `stops`.
     pub parameters: &'static [Parameter],
+    draw: Draw,
+}
+
+impl Generator {
+    /// The kind of its scenes.
+    pub const fn kind(&self) -> Kind {
+        match self.draw {
+            Draw::Grid(_) => Kind::Grid,
+            Draw::Tour(_) => Kind::Tour,
+        }
+    }
+}
+
+/// How a generator draws.
+#[derive(Debug, Clone, Copy)]
+enum Draw {
     /// Blocks cells, and sees to it that there is a way.
-    draw: fn(&Settings, &mut Plot, &mut Stream),
+    Grid(fn(&Settings, &mut Plot, &mut Stream)),
+    /// Makes stops.
+    Tour(fn(&Settings, &mut Stream) -> TourScene),
 }
 
 const COLUMNS: Parameter = columns(40);
 const ROWS: Parameter = rows(30);
 const CELL: Parameter =
     Parameter::number("cell", "", "Cell", [0.001, 100.0, 1.0], "The side of a cell, in the scene’s unit.").slider(0.1, 10.0, true);
+
+const STOPS: Parameter = Parameter::integer(
+    "stops",
+    "",
+    "Stops",
+    [0, MAX_GRID_STOPS as u64, 0],
+    "How many cells a tour must call at, besides start and goal: free ones that the start is connected with.",
+)
+.slider(0.0, 50.0, false);
 
 const fn columns(default: u64) -> Parameter {
     Parameter::integer("columns", "", "Columns", [1, MAX_SIDE as u64, default], "Cells a row.").slider(5.0, 200.0, true)
@@ -63,10 +99,11 @@ struct Plot {
 /// # Errors
 /// [`Error::Unknown`] with the names that exist.
 pub fn find(name: &str) -> Result<&'static Generator, Error> {
-    GENERATORS.iter().find(|g| g.name == name).ok_or_else(|| Error::unknown("generator", name, GENERATORS.iter().map(|g| g.name)))
+    let all = || GENERATORS.iter().chain(TOURS);
+    all().find(|g| g.name == name).ok_or_else(|| Error::unknown("generator", name, all().map(|g| g.name)))
 }
 
-/// Makes a grid: the same for the same parameters and seed. Its `source` is the command that makes it again.
+/// Makes a scene: the same for the same parameters and seed. Its `source` is the command that makes it again.
 ///
 /// ```
 /// use forage::{Given, Value, scene::generate::generate};
@@ -80,12 +117,21 @@ pub fn find(name: &str) -> Result<&'static Generator, Error> {
 /// [`Error::Unknown`] for a name that means nothing, [`Error::Refused`] for a value that is not allowed.
 pub fn generate(name: &str, given: &Given, seed: u64) -> Result<Scene, Error> {
     let generator = find(name)?;
-    let settings = Settings::new(generator.parameters, Kind::Grid, given)?;
+    let settings = Settings::new(generator.parameters, generator.kind(), given)?;
     let mut stream = Stream::new(rng::check_seed(seed)?, 0);
-    let (columns, rows) = (settings.integer("columns") as usize, settings.integer("rows") as usize);
-    let count = columns * rows;
-    let mut plot = Plot { columns, rows, blocked: vec![false; count], kept: vec![false; count], ends: [0, count - 1], note: None };
-    (generator.draw)(&settings, &mut plot, &mut stream);
+    let mut note = None;
+    let (body, size, title) = match generator.draw {
+        Draw::Grid(draw) => {
+            let grid = grid(draw, &settings, &mut stream, seed, &mut note);
+            let (columns, rows) = (grid.columns, grid.rows());
+            (Body::Grid(grid), format!("{columns}x{rows}"), format!("{columns} × {rows}"))
+        }
+        Draw::Tour(draw) => {
+            let tour = draw(&settings, &mut stream);
+            let size = tour.len().to_string();
+            (Body::Tour(tour), size.clone(), size)
+        }
+    };
     let mut source = format!("forage generate {name}");
     for (name, value) in settings.all() {
         // Writing to a string cannot fail.
@@ -93,15 +139,39 @@ pub fn generate(name: &str, given: &Given, seed: u64) -> Result<Scene, Error> {
     }
     let _ = write!(source, " --seed {seed}");
     let header = Header {
-        name: format!("{name}-{columns}x{rows}-{seed}"),
-        title: format!("{}, {columns} × {rows}, seed {seed}", generator.title),
-        note: plot.note,
+        name: format!("{name}-{size}-{seed}"),
+        title: format!("{}, {title}, seed {seed}", generator.title),
+        note,
         source: Some(source),
         units: None,
         exact: None,
         published: None,
     };
+    Scene::new(header, body)
+}
+
+fn grid(
+    draw: fn(&Settings, &mut Plot, &mut Stream),
+    settings: &Settings,
+    stream: &mut Stream,
+    seed: u64,
+    note: &mut Option<String>,
+) -> GridScene {
+    let [columns, rows, stops] = ["columns", "rows", "stops"].map(|name| settings.integer(name) as usize);
+    let count = columns * rows;
+    let mut plot = Plot { columns, rows, blocked: vec![false; count], kept: vec![false; count], ends: [0, count - 1], note: None };
+    draw(settings, &mut plot, stream);
     let cell = settings.number("cell");
     let [start, goal] = plot.ends.map(|end| Some([end % columns, end / columns].map(|i| (i as f64 + 0.5) * cell)));
-    Scene::new(header, Body::Grid(GridScene { start, goal, ..GridScene::new(cell, columns, plot.blocked) }))
+    let mut grid = GridScene { start, goal, ..GridScene::new(cell, columns, plot.blocked) };
+    *note = plot.note;
+    if stops > 0 {
+        // From a stream of their own: the grid is the same with stops and without.
+        let there = calls::place(&mut grid, stops, &mut Stream::new(seed, 1));
+        if there < stops {
+            let text = format!("There are {there} stops, not {stops}: there is room for no more.");
+            *note = Some(note.take().map_or(text.clone(), |before| format!("{before} {text}")));
+        }
+    }
+    grid
 }

@@ -6,7 +6,7 @@ use crate::{
     scene::reach::beside,
 };
 
-use super::{CELL, COLUMNS, Generator, MAX_SIDE, Plot, ROWS, columns, rows};
+use super::{CELL, COLUMNS, Draw, Generator, MAX_SIDE, Plot, ROWS, STOPS, columns, rows};
 
 pub(super) const ROOMS: Generator = Generator {
     name: "rooms",
@@ -27,12 +27,13 @@ pub(super) const ROOMS: Generator = Generator {
         Parameter::integer("door", "", "Door", [1, MAX_SIDE as u64, 1], "How many cells wide a door is, where the wall is long enough.")
             .slider(1.0, 10.0, false),
         Parameter::number("loops", "", "Loops", [0.0, 1.0, 0.3], LOOPS),
+        STOPS,
     ],
-    draw: |settings, plot, stream| {
+    draw: Draw::Grid(|settings, plot, stream| {
         let room = settings.integer("room") as usize;
         let spans = [plot.columns, plot.rows].map(|length| spans(length, room, stream));
         plot.open(&spans, settings, settings.integer("door") as usize, stream);
-    },
+    }),
 };
 
 pub(super) const MAZE: Generator = Generator {
@@ -40,12 +41,12 @@ pub(super) const MAZE: Generator = Generator {
     title: "Maze",
     help: "Corridors and walls one cell wide; without loops there is exactly one way between any two cells. In an even number of \
            columns or rows the last one is wall.",
-    parameters: &[columns(41), rows(31), CELL, Parameter::number("loops", "", "Loops", [0.0, 1.0, 0.0], LOOPS)],
-    draw: |settings, plot, stream| {
+    parameters: &[columns(41), rows(31), CELL, Parameter::number("loops", "", "Loops", [0.0, 1.0, 0.0], LOOPS), STOPS],
+    draw: Draw::Grid(|settings, plot, stream| {
         // What an even side has too much stays blocked.
         let spans = [plot.columns, plot.rows].map(|length| spans(length - usize::from(length % 2 == 0), 1, stream));
         plot.open(&spans, settings, 1, stream);
-    },
+    }),
 };
 
 const LOOPS: &str = "The chance of a door in each wall that does not need one; 0: one way only between any two rooms.";

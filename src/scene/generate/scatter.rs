@@ -11,7 +11,7 @@ use crate::{
     scene::reach::{beside, crossing},
 };
 
-use super::{CELL, COLUMNS, Generator, Plot, ROWS};
+use super::{CELL, COLUMNS, Draw, Generator, Plot, ROWS, STOPS};
 
 const SHARE: Parameter = Parameter::number("share", "", "Share", [0.0, 1.0, 0.3], "How much of the grid is blocked.");
 
@@ -20,15 +20,15 @@ pub(super) const RANDOM: Generator = Generator {
     title: "Random obstacles",
     help: "Single cells, each as likely as the others, until the share is blocked. Where that would leave no way, one is cleared \
            and as many other cells are blocked.",
-    parameters: &[COLUMNS, ROWS, CELL, SHARE],
-    draw: |settings, plot, stream| {
+    parameters: &[COLUMNS, ROWS, CELL, SHARE, STOPS],
+    draw: Draw::Grid(|settings, plot, stream| {
         plot.scatter(settings.number("share"), stream, &mut |plot, stream, count| {
             let mut free = plot.free();
             for _ in 0..count {
                 plot.blocked[free.swap_remove(stream.below(free.len()))] = true;
             }
         });
-    },
+    }),
 };
 
 pub(super) const RUBBLE: Generator = Generator {
@@ -42,8 +42,9 @@ pub(super) const RUBBLE: Generator = Generator {
         SHARE,
         Parameter::integer("size", "", "Largest heap", [1, 1000, 7], "Heaps are 1 to this many cells across, more or less round.")
             .slider(1.0, 30.0, false),
+        STOPS,
     ],
-    draw: rubble,
+    draw: Draw::Grid(rubble),
 };
 
 fn rubble(settings: &Settings, plot: &mut Plot, stream: &mut Stream) {

@@ -129,7 +129,7 @@ fn a_scene_says_how_it_is_made_again() {
     let scene = make("rubble", &[("columns", 12.0), ("share", 0.5), ("size", 3.0)], 5);
     let header = scene.header();
     assert_eq!((header.name.as_str(), header.title.as_str()), ("rubble-12x30-5", "Rubble, 12 × 30, seed 5"));
-    let source = "forage generate rubble --set columns=12 --set rows=30 --set cell=1 --set share=0.5 --set size=3 --seed 5";
+    let source = "forage generate rubble --set columns=12 --set rows=30 --set cell=1 --set share=0.5 --set size=3 --set stops=0 --seed 5";
     assert_eq!(header.source.as_deref(), Some(source));
 }
 
@@ -148,7 +148,8 @@ fn what_is_not_allowed_is_refused_by_name() {
         assert_eq!(generate(name, &given(pairs), seed).unwrap_err().field(), field);
     }
     for generator in GENERATORS {
-        assert_eq!(generator.parameters[..3].iter().map(|p| p.name).collect::<Vec<_>>(), ["columns", "rows", "cell"]);
+        let names: Vec<_> = generator.parameters.iter().map(|p| p.name).collect();
+        assert_eq!((&names[..3], names.last()), (&["columns", "rows", "cell"][..], Some(&"stops")));
         assert_eq!(find(generator.name).unwrap().name, generator.name);
     }
 }
@@ -159,4 +160,64 @@ fn the_largest_grid_is_made_too() {
         let scene = make(generator.name, &[("columns", 2048.0), ("rows", 1025.0)], 3);
         assert_eq!(scene.grid().unwrap().rows(), 1025);
     }
+}
+
+#[test]
+fn stops_are_free_cells_of_their_own_that_can_all_be_reached() {
+    for generator in GENERATORS {
+        for seed in 0..20 {
+            let scene = make(generator.name, &[("stops", 12.0)], seed);
+            let grid = scene.grid().unwrap();
+            let mut seen = vec![false; grid.blocked.len()];
+            reach(&grid.blocked, grid.columns, grid.cells().at(grid.start.unwrap()), &mut seen);
+            let mut cells: Vec<_> = grid.stops.iter().map(|&stop| grid.cells().at(stop)).collect();
+            assert!(cells.iter().all(|&cell| seen[cell] && Some(grid.cells().centre(cell)) != grid.start));
+            cells.sort_unstable();
+            cells.dedup();
+            assert_eq!(cells.len(), 12);
+            let without = make(generator.name, &[], seed);
+            assert_eq!(without.grid().unwrap().blocked, grid.blocked, "stops change nothing else");
+        }
+    }
+    let scene = make("maze", &[("columns", 3.0), ("rows", 3.0), ("stops", 20.0)], 1);
+    assert_eq!(scene.grid().unwrap().stops.len(), 5);
+    assert_eq!(scene.header().note.as_deref(), Some("There are 5 stops, not 20: there is room for no more."));
+}
+
+#[test]
+fn stops_can_be_put_on_any_grid_where_its_robot_fits() {
+    let scene = crate::shipped("qpso-10m").unwrap();
+    let with = with_stops(&scene, 6, 3).unwrap();
+    assert_eq!((with.name(), with.stops().len()), ("qpso-10m-6-stops", 6));
+    assert_eq!(with, with_stops(&scene, 6, 3).unwrap());
+    assert_ne!(with.stops(), with_stops(&scene, 6, 4).unwrap().stops());
+    let exact = with.exact_tour(Yardstick::Cells, crate::planner::Round::Closed);
+    assert!(exact.is_some_and(|exact| exact.order.len() == 6));
+    // Without a start the largest region counts: the right one.
+    let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "a", "title": "A", "cell": 1, "rows": [".#..."],
+        "stops": [[0.5, 0.5]]}"#;
+    let split = Scene::from_json(text).unwrap();
+    assert!(with_stops(&split, 3, 1).unwrap().stops().iter().all(|[x, _]| *x > 2.0));
+    for (n, field) in [(4, "stops"), (0, "stops")] {
+        let error = with_stops(&split, n, 1).unwrap_err();
+        assert_eq!((error.field(), error.allowed().starts_with("from 1 to 3")), (field, true));
+    }
+    assert_eq!(with_stops(&crate::shipped("sphere").unwrap(), 3, 1).unwrap_err().field(), "kind");
+}
+
+#[test]
+fn random_stops_are_whole_inside_and_apart() {
+    for (clusters, seed) in [(0.0, 1), (3.0, 2), (1.0, 3)] {
+        let scene = make("stops", &[("stops", 200.0), ("side", 500.0), ("clusters", clusters)], seed);
+        let points = scene.stops();
+        assert!(points.iter().flatten().all(|c| c.fract() == 0.0 && (0.0..=500.0).contains(c)));
+        assert!((0..200).all(|i| !points[..i].contains(&points[i])));
+    }
+    let crowded = make("stops", &[("stops", 2000.0), ("side", 10.0), ("clusters", 1.0), ("spread", 0.001)], 1);
+    assert_eq!(crowded.stops().len(), 2000);
+    let scene = make("stops", &[("stops", 5.0)], 7);
+    let source = "forage generate stops --set stops=5 --set side=1000 --set clusters=0 --set spread=0.05 --set metric=euc-2d --seed 7";
+    assert_eq!((scene.name(), scene.header().source.as_deref()), ("stops-5-7", Some(source)));
+    assert_eq!(scene, make("stops", &[("stops", 5.0)], 7));
+    assert_ne!(scene.stops(), make("stops", &[("stops", 5.0)], 8).stops());
 }

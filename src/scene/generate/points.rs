@@ -1,0 +1,67 @@
+//! Stops in the plane, evenly or in clusters: scenes of kind `tour`, with whole coordinates, as TSPLIB's instances have.
+
+use crate::{
+    params::{Choice, Parameter, Settings},
+    rng::Stream,
+    scene::{MAX_STOPS, Metric, TourScene},
+};
+
+use super::{Draw, Generator};
+
+pub(super) const STOPS: Generator = Generator {
+    name: "stops",
+    title: "Random stops",
+    help: "Stops in a square, with whole coordinates, each in a place of its own where there is room; evenly, or in clusters.",
+    parameters: &[
+        Parameter::integer("stops", "", "Stops", [2, MAX_STOPS as u64, 52], "How many.").slider(5.0, 300.0, true),
+        Parameter::integer("side", "", "Side", [10, 1_000_000, 1000], "Coordinates go from 0 to this.").slider(100.0, 10000.0, true),
+        Parameter::integer("clusters", "", "Clusters", [0, 100, 0], "How many clusters; 0: none, the stops are spread evenly.")
+            .slider(0.0, 20.0, false),
+        Parameter::number(
+            "spread",
+            "",
+            "Spread",
+            [0.001, 1.0, 0.05],
+            "How far a cluster spreads: the standard deviation from its centre along each axis, as a share of the side.",
+        ),
+        Parameter::choice(
+            "metric",
+            "",
+            "Metric",
+            &[
+                Choice { value: "euc-2d", title: "EUC_2D", help: "Straight lines, rounded to whole numbers, as TSPLIB measures." },
+                Choice { value: "euclidean", title: "Euclidean", help: "Straight lines, unrounded." },
+            ],
+            "How far it is from one stop to another.",
+        ),
+    ],
+    draw: Draw::Tour(draw),
+};
+
+/// How often another place is tried for a stop whose place is taken or outside.
+const TRIES: usize = 100;
+
+fn draw(settings: &Settings, stream: &mut Stream) -> TourScene {
+    let side = settings.integer("side") as f64;
+    let spread = settings.number("spread") * side;
+    let even = |stream: &mut Stream| stream.below(side as usize + 1) as f64;
+    let centres: Vec<_> = (0..settings.integer("clusters")).map(|_| [even(stream), even(stream)]).collect();
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    for _ in 0..settings.integer("stops") {
+        let mut place = [0.0; 2];
+        for _ in 0..TRIES {
+            place = if centres.is_empty() {
+                [even(stream), even(stream)]
+            } else {
+                // + 0.0: no −0.
+                centres[stream.below(centres.len())].map(|c| (c + spread * stream.normal()).round() + 0.0)
+            };
+            if place.iter().all(|c| (0.0..=side).contains(c)) && !points.contains(&place) {
+                break;
+            }
+        }
+        points.push(place.map(|c| c.clamp(0.0, side)));
+    }
+    let metric = if settings.choice("metric") == Metric::Euc2d.name() { Metric::Euc2d } else { Metric::Euclidean };
+    TourScene::through(points, metric)
+}
