@@ -11,10 +11,10 @@ use std::{
 
 use forage::{
     Error, Given, Scene, Value,
-    planner::Yardstick,
+    planner::{Round, Yardstick},
     scene::{
         formats::{Format, NamedFile, export, import, wanted},
-        generate::{GENERATORS, generate},
+        generate::{GENERATORS, TOURS, generate},
     },
 };
 use generated::{GENERATED, digest};
@@ -34,6 +34,30 @@ fn every_generator_gives_the_stored_grid() {
     }
 }
 
+/// What a grid can be written as.
+const OF_GRIDS: [Format; 3] = [Format::MovingAi, Format::Ros, Format::Json];
+
+/// What stops can be written as.
+const OF_TOURS: [Format; 3] = [Format::Tsplib, Format::Csv, Format::Json];
+
+/// Random stops by one of TSPLIB's metrics, or else by a matrix, with places or without.
+fn stops(n: usize, metric: usize, seed: u64) -> Scene {
+    let given = Given::from_iter([("stops", Value::from(n as f64)), ("side", Value::from(60.0))]);
+    let mut text = generate("stops", &given, seed).unwrap().to_json();
+    if let Some(metric) = ["euclidean", "euc-2d", "ceil-2d", "att", "geo"].get(metric) {
+        text = text.replace("\"euc-2d\"", &format!("\"{metric}\""));
+    } else {
+        let row = |i: usize| (0..n).map(|j| (i.abs_diff(j) as u64 * (seed % 97 + 1)).to_string()).collect::<Vec<_>>().join(", ");
+        let rows: Vec<_> = (0..n).map(|i| format!("[{}]", row(i))).collect();
+        let matrix = format!("\"matrix\": [{}]", rows.join(", "));
+        text = text.replace("\"metric\": \"euc-2d\"", &matrix);
+        if metric > 5 {
+            text = text.split("\"points\"").next().unwrap().to_owned() + &matrix + "}";
+        }
+    }
+    Scene::from_json(&text).unwrap()
+}
+
 /// The error of a refusal must name a field and say something about it.
 fn said(error: &Error) -> bool {
     let message = error.to_string();
@@ -45,9 +69,26 @@ fn valid() -> Vec<Vec<NamedFile>> {
     let scene = small(0, 9, 7, 4);
     let picture = "P2\n# by hand\n3 2\n15\n15 0 7\n15 15 15 ";
     let yaml = "image: \"a.pgm\" # its picture\nmode: scale\nresolution: 0.05\norigin:\n- -1\n- 0\n- 0.5\nnegate: 0\nfree_thresh: 0.25\n";
-    let mut all: Vec<_> = Format::ALL.map(|format| export(&scene, format, "a").unwrap().files).into();
+    let mut all: Vec<_> = OF_GRIDS.map(|format| export(&scene, format, "a").unwrap().files).into();
     all.push(vec![NamedFile::new("a.yaml", yaml), NamedFile::new("a.pgm", picture)]);
+    for (metric, formats) in [(4, &OF_TOURS[..2]), (5, &OF_TOURS[..1])] {
+        all.extend(formats.iter().map(|&format| export(&stops(6, metric, 5), format, "a").unwrap().files));
+    }
+    let half = "NAME: h\nTYPE: TSP\nDIMENSION: 3\nEDGE_WEIGHT_TYPE: EXPLICIT\nEDGE_WEIGHT_FORMAT: UPPER_ROW\nEDGE_WEIGHT_SECTION\n3 4 5\n";
+    all.push(vec![NamedFile::new("a.tsp", half), NamedFile::new("a.opt.tour", "TYPE : TOUR\nTOUR_SECTION\n1 3 2 -1\nEOF\n")]);
     all
+}
+
+/// How many `valid` makes.
+const VALID: usize = 8;
+
+#[test]
+fn the_valid_files_are_valid() {
+    let all = valid();
+    assert_eq!(all.len(), VALID);
+    for files in all {
+        assert!(import(&files, None).is_ok(), "{files:?}");
+    }
 }
 
 proptest! {
@@ -57,7 +98,7 @@ proptest! {
     #[test]
     fn what_is_written_is_read_back(generator in 0..GENERATORS.len(), columns in 1_usize..40, rows in 1_usize..40, seed in 0_u64..1 << 40) {
         let scene = small(generator, columns, rows, seed);
-        for format in Format::ALL {
+        for format in OF_GRIDS {
             let files = export(&scene, format, "a map").unwrap().files;
             prop_assert!(wanted(&files).unwrap().is_none());
             let read = import(&files, None).unwrap();
@@ -73,12 +114,42 @@ proptest! {
         }
     }
 
+    /// Places, distances and the shortest tour survive, but for what CSV has no place for.
+    #[test]
+    fn stops_that_are_written_are_read_back(n in 2_usize..20, metric in 0..7_usize, seed in 0_u64..1 << 40) {
+        let scene = stops(n, metric, seed);
+        let was = scene.tour().unwrap();
+        for format in OF_TOURS {
+            if metric == 6 && format == Format::Csv {
+                let error = export(&scene, format, "a").unwrap_err();
+                prop_assert_eq!(error.field(), "points");
+                continue;
+            }
+            let files = export(&scene, format, "a").unwrap().files;
+            let read = import(&files, None).unwrap();
+            let is = read.scene.tour().unwrap();
+            prop_assert_eq!(&was.points, &is.points);
+            if format != Format::Csv {
+                // Rounded where it was not.
+                let rounded = if metric == 0 && format == Format::Tsplib { 0.5 } else { 0.0 };
+                for (was, is) in was.distances().rows().flatten().zip(is.distances().rows().flatten()) {
+                    prop_assert!((was - is).abs() <= rounded);
+                }
+                let [was, is] = [&scene, &read.scene].map(|scene| scene.exact_tour(Yardstick::default(), Round::Closed).map(|exact| exact.length));
+                prop_assert!(metric == 0 || was == is, "{was:?} {is:?}");
+            }
+            if metric > 0 {
+                prop_assert_eq!(&files[0], &export(&read.scene, format, "a").unwrap().files[0]);
+            }
+        }
+    }
+
     #[test]
     fn random_bytes_are_refused_with_a_reason_or_read(
-        name in 0..7_usize, head in 0..5_usize, bytes in proptest::collection::vec(any::<u8>(), 0..200), partner in 0..4_usize,
+        name in 0..10_usize, head in 0..8_usize, bytes in proptest::collection::vec(any::<u8>(), 0..200), partner in 0..VALID,
     ) {
-        let name = ["a.map", "a.scen", "a.yaml", "a.pgm", "a.json", "a", ""][name];
-        let head: &[u8] = [b"" as &[u8], b"type octile\nheight 3\nwidth 3\nmap\n", b"version 1\n0\ta.map\t3\t3\t", b"P5 3 3 255\n", b"image: a.pgm\n"][head];
+        let name = ["a.map", "a.scen", "a.yaml", "a.pgm", "a.json", "a.tsp", "a.tour", "a.csv", "a", ""][name];
+        let head: &[u8] = [b"" as &[u8], b"type octile\nheight 3\nwidth 3\nmap\n", b"version 1\n0\ta.map\t3\t3\t", b"P5 3 3 255\n", b"image: a.pgm\n", b"TYPE : TSP\nDIMENSION : 3\nEDGE_WEIGHT_TYPE : GEO\nNODE_COORD_SECTION\n", b"TYPE : TOUR\nTOUR_SECTION\n", b"x,y\n"][head];
         let mut files = vec![NamedFile::new(name, [head, &bytes].concat())];
         files.extend(valid()[partner].iter().filter(|file| file.name != name).cloned());
         for count in 1..=files.len() {
@@ -91,7 +162,7 @@ proptest! {
 
     #[test]
     fn a_valid_file_with_some_bytes_changed_is_refused_with_a_reason_or_read(
-        which in 0..4_usize, part in 0..2_usize,
+        which in 0..VALID, part in 0..2_usize,
         changes in proptest::collection::vec((any::<prop::sample::Index>(), 0..4_u8, prop::sample::select(&b"0 9-.\n\t:[]\"'#@x\xff\x00e+"[..])), 1..5),
     ) {
         let mut files = valid().swap_remove(which);
@@ -169,6 +240,43 @@ fn the_command_in_a_random_grid_s_source_makes_it_again() {
 }
 
 #[test]
+fn stops_go_through_every_format_of_stops_and_their_shortest_tour_with_them() {
+    let at = |name: &str| place("tours", name);
+    let run = |args: &[&str]| {
+        let output = forage(args);
+        assert_eq!(output.status.code(), Some(0), "{args:?}: {}", words(&output.stderr));
+        words(&output.stderr)
+    };
+    let scene = |name: &str| Scene::from_json(&std::fs::read_to_string(at(name)).unwrap()).unwrap();
+    run(&["generate", "stops", "--set", "stops=9", "--seed", "4", "--out", &at("a.json")]);
+    run(&["convert", &at("a.json"), &at("b.tsp")]);
+    let said = run(&["convert", &at("b.tsp"), &at("b.opt.tour"), &at("c.json")]);
+    assert!(said.contains("The tour in b.opt.tour has the length"), "{said}");
+    let shortest = |name: &str| scene(name).exact_tour(Yardstick::default(), Round::Closed).map(|exact| exact.length);
+    let stored = scene("c.json").header().exact.as_ref().map(|exact| exact["length"].as_f64());
+    assert_eq!((stored, shortest("c.json")), (Some(shortest("a.json")), shortest("a.json")));
+    // A tour alone finds its instance; its name is the one that was asked for, and the instance goes with it.
+    run(&["convert", &at("b.opt.tour"), &at("d.json")]);
+    run(&["convert", &at("d.json"), &at("e.tour")]);
+    let tour = std::fs::read_to_string(at("e.tour")).unwrap();
+    let lines = |text: &str| text.lines().skip(1).map(str::to_owned).collect::<Vec<_>>();
+    assert_eq!(lines(&tour), lines(&std::fs::read_to_string(at("b.opt.tour")).unwrap()));
+    let said = run(&["convert", &at("d.json"), &at("f.csv")]);
+    assert!(said.contains("how distances are measured") && said.contains("the shortest tour"), "{said}");
+    let said = run(&["convert", &at("f.csv"), &at("g.TSP")]);
+    assert!(said.contains("EUC_2D rounds"), "{said}");
+    assert_eq!(
+        scene("a.json").tour().unwrap().points,
+        import(&[NamedFile::new("g.tsp", std::fs::read(at("g.TSP")).unwrap())], None).unwrap().scene.tour().unwrap().points
+    );
+    for name in ["b.tsp", "f.csv", "d.json"] {
+        let output = forage(&["run", "wcpso", "--scene", &at(name)]);
+        assert_eq!(output.status.code(), Some(2), "no planner of tours");
+        assert!(words(&output.stderr).contains("tour"), "{}", words(&output.stderr));
+    }
+}
+
+#[test]
 fn one_of_many_problems_can_be_chosen() {
     let at = |name: &str| place("problems", name);
     std::fs::write(at("a.map"), "type octile\nheight 1\nwidth 4\nmap\n....\n").unwrap();
@@ -192,6 +300,10 @@ fn what_is_refused_exits_with_2_and_writes_nothing() {
     std::fs::write(at("alone.yaml"), "image: gone.pgm\nresolution: 1\n").unwrap();
     let scene = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "a", "title": "A", "cell": 1, "rows": [".#."],"#;
     std::fs::write(at("split.json"), format!(r#"{scene} "start": [0.5, 0.5], "goal": [2.5, 0.5]}}"#)).unwrap();
+    std::fs::write(at("bad.tsp"), "NAME : bad\nTYPE : TSP\nDIMENSION : 2\nEDGE_WEIGHT_TYPE : MAN_2D\n").unwrap();
+    std::fs::write(at("alone.tour"), "TYPE : TOUR\nTOUR_SECTION\n1 2 -1\n").unwrap();
+    std::fs::write(at("many.csv"), (0..30).map(|i| format!("{i},{}\n", i * i % 11)).collect::<String>()).unwrap();
+    let [tsp, tour, many] = ["bad.tsp", "alone.tour", "many.csv"].map(at);
     let [bad, good, alone, yaml, split] = ["bad.map", "good.map", "alone.scen", "alone.yaml", "split.json"].map(at);
     let [out, scen] = ["out.json", "out.scen"].map(at);
     for (args, part) in [
@@ -210,10 +322,17 @@ fn what_is_refused_exits_with_2_and_writes_nothing() {
         (&["convert", "sphere", &at("out.map")], "kind: function is not allowed"),
         (&["convert", &at("nowhere.map"), &out], "nowhere.map"),
         (&["convert", &good, &at("no/such/folder/a.json")], "a.json"),
+        (&["convert", &tsp, &out], "bad.tsp: line 4: found `MAN_2D`, expected for EDGE_WEIGHT_TYPE EUC_2D, CEIL_2D, ATT, GEO or EXPLICIT"),
+        (&["convert", &tour, &out], "alone.tour: the file `alone.tsp` that belongs to it is missing"),
+        (&["convert", &many, &at("many.tour")], "OUT: the scene’s shortest closed tour is not known"),
+        (&["convert", &good, &at("out.tsp")], "kind: grid is not allowed; it must be tour"),
+        (&["convert", &many, &at("out.map")], "kind: tour is not allowed; it must be grid"),
+        (&["run", "wcpso", "--scene", &tsp], "bad.tsp: line 4"),
+        (&["run", "wcpso", "--scene", "wcpso-discs", "--tour", &at("out.tour")], "--tour: wcpso is not allowed"),
         (&["run", "wcpso", "--scene", &bad], "bad.map: line 5"),
         (&["exact", "--scene", &alone], "gone.map"),
         (&["suggest", "ltqpso", "--scene", &yaml], "gone.pgm"),
-        (&["generate", "sand"], "generator: there is no `sand`; known: random, rubble, rooms, maze"),
+        (&["generate", "sand"], "generator: there is no `sand`; known: random, rubble, rooms, maze, stops"),
         (&["generate", "maze", "--set", "columns=0"], "columns: 0 is not allowed; it must be a whole number from 1 to 2048"),
         (&["generate", "maze", "--set", "share=0.5"], "parameter: there is no `share`"),
         (&["generate", "maze", "--seed", "-1"], "seed: -1"),
@@ -234,7 +353,7 @@ fn what_is_refused_exits_with_2_and_writes_nothing() {
 fn help_and_list_follow_from_the_table_of_generators() {
     for args in [&["generate", "--help"] as &[&str], &["list"]] {
         let text = words(&forage(args).stdout);
-        for generator in GENERATORS {
+        for generator in GENERATORS.iter().chain(TOURS) {
             assert!(text.contains(generator.title) && generator.parameters.iter().all(|p| text.contains(p.name)), "{args:?}");
         }
     }

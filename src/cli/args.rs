@@ -27,7 +27,7 @@ pub(super) enum Command {
     Suggest {
         /// The planner's name.
         planner: String,
-        /// A scene file (.json, .map, .scen, .yaml), a shipped scene's name, or a link.
+        /// A scene file (.json, .map, .scen, .yaml, .tsp, .csv), a shipped scene's name, or a link.
         #[arg(long, value_name = "FILE|NAME|LINK")]
         scene: String,
         /// A parameter that the recommendation depends on; may be given many times.
@@ -39,16 +39,17 @@ pub(super) enum Command {
     },
     /// The exact optimum of a scene.
     Exact {
-        /// A scene file (.json, .map, .scen, .yaml), a shipped scene's name, or a link.
+        /// A scene file (.json, .map, .scen, .yaml, .tsp, .csv), a shipped scene's name, or a link.
         #[arg(long, value_name = "FILE|NAME|LINK")]
         scene: String,
         /// As JSON: length and path.
         #[arg(long)]
         json: bool,
     },
-    /// Turn maps of other formats into scenes, and scenes into maps.
+    /// Turn other programs’ files into scenes, and scenes into such files.
     ///
-    /// A .scen needs its .map, a .yaml its .pgm; they are looked for beside it. What is read or written in some way that
+    /// A .scen needs its .map, a .yaml its .pgm, a .tour its .tsp; they are looked for beside it. A tour is measured; a
+    /// .opt.tour becomes the scene’s stored optimum. What is read or written in some way that
     /// should be known is told on standard error.
     #[command(after_help = super::convert::AFTER_HELP, override_usage = "forage convert [OPTIONS] <IN>... <OUT>")]
     Convert(ConvertArgs),
@@ -64,8 +65,9 @@ pub(super) enum Command {
 
 #[derive(Args)]
 pub(super) struct ConvertArgs {
-    /// Files of one scene (.map, .scen, .yaml, .pgm, .json), a shipped scene's name, or a link; and last what to write: a
-    /// .json, a .map or .scen (both are written), a .yaml or .pgm (both are written).
+    /// Files of one scene (.map, .scen, .yaml, .pgm, .tsp, .tour, .csv, .json), a shipped scene's name, or a link; and last
+    /// what to write: a .json, a .map or .scen (both are written), a .yaml or .pgm (both are written), a .tsp or .tour (both
+    /// are written, the tour if the shortest one is known), a .csv of points.
     #[arg(required = true, value_name = "IN... OUT")]
     pub(super) paths: Vec<String>,
     /// Which problem of a .scen file to take, counted from 0. The last one, if left out.
@@ -83,7 +85,7 @@ pub(super) struct GenerateArgs {
     /// 0 to 9007199254740991, or `random` for a fresh one.
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value = "1")]
     pub(super) seed: String,
-    /// The file to write: .json, or a map as `forage convert` writes it. Standard output, if left out.
+    /// The file to write: .json, or what else `forage convert` writes. Standard output, if left out.
     #[arg(long, value_name = "FILE")]
     pub(super) out: Option<String>,
 }
@@ -114,7 +116,7 @@ pub(super) struct RunArgs {
     /// The planner's name (or a link, which names planner and scene). May be left out when --scene is a link.
     #[arg(value_name = "PLANNER|LINK")]
     pub(super) planner: Option<String>,
-    /// A scene file (.json, .map, .scen, .yaml), a shipped scene's name, or a link from the page.
+    /// A scene file (.json, .map, .scen, .yaml, .tsp, .csv), a shipped scene's name, or a link from the page.
     #[arg(long, value_name = "FILE|NAME|LINK")]
     pub(super) scene: Option<String>,
     /// 0 to 9007199254740991, or `random` for a fresh one. Default 1, or the link's.
@@ -141,6 +143,9 @@ pub(super) struct RunArgs {
     /// Write how the scene's robot drives along the path as CSV, a line for each control period.
     #[arg(long, value_name = "FILE")]
     pub(super) drive: Option<PathBuf>,
+    /// Write the tour that was found as a TSPLIB .tour.
+    #[arg(long, value_name = "FILE")]
+    pub(super) tour: Option<PathBuf>,
     /// A parameter of the drive; may be given many times. `forage list` names them.
     #[arg(long = "drive-set", value_name = "NAME=VALUE")]
     pub(super) drive_set: Vec<String>,

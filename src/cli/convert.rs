@@ -4,7 +4,7 @@ use std::{fs, path::Path, process::ExitCode};
 
 use forage::{
     Error, Scene,
-    scene::formats::{self, Format, NamedFile},
+    scene::formats::{self, ENDINGS, Format, NamedFile},
 };
 
 use super::{Failure, args::ConvertArgs, load};
@@ -14,7 +14,11 @@ pub(super) const AFTER_HELP: &str = "Examples:
   forage convert arena.map arena.json
   forage convert arena.scen --problem 12 arena.json
   forage convert office.yaml office.map
-  forage convert wolf-ant-20 wolf.yaml";
+  forage convert wolf-ant-20 wolf.yaml
+  forage convert berlin52.tsp berlin52.opt.tour berlin52.json
+  forage convert places.csv places.tsp";
+
+const NO_TOUR: &str = "the scene’s shortest closed tour is not known, and there is no other one to write";
 
 pub(super) fn convert(args: &ConvertArgs) -> super::Outcome {
     let Some((to, from @ [one, ..])) = args.paths.split_last() else {
@@ -33,21 +37,22 @@ pub(super) fn convert(args: &ConvertArgs) -> super::Outcome {
 
 /// The format of a file that is to be written.
 pub(super) fn format(field: &str, path: &str) -> Result<Format, Error> {
-    Format::of_file(path).ok_or_else(|| Error::refused(field, path, "a file that ends in .json, .map, .scen, .yaml, .yml or .pgm"))
+    Format::of_file(path).ok_or_else(|| Error::refused(field, path, format!("a file that ends in {ENDINGS}")))
 }
 
 /// Writes a scene's files in a format, called as `path` but for their endings. Files that were read stay as they are: one
 /// problem must not take the place of a thousand because OUT was forgotten.
 pub(super) fn write(scene: &Scene, format: Format, path: &str, read: &[String]) -> super::Outcome {
     let path = Path::new(path);
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-    let made = formats::export(scene, format, &stem)?;
-    let ending = path.extension().unwrap_or_default();
-    if ending.eq_ignore_ascii_case("scen") && made.files.len() < 2 {
-        return Err(Error::malformed("OUT", made.notes.join(" ")).into());
+    let name = path.to_string_lossy();
+    let made = formats::export(scene, format, formats::stem_of(&name))?;
+    // What belongs to a map or to an instance is not there for every scene.
+    if !made.files.iter().any(|file| formats::same_sort(&file.name, &name)) {
+        let reason = if format == Format::Tsplib { vec![NO_TOUR.to_owned()] } else { made.notes };
+        return Err(Error::malformed("OUT", reason.join(" ")).into());
     }
     // The file that was asked for is called as it was asked for, `.yml` and all.
-    let asked = |file: &NamedFile| formats::same_sort(&file.name, &path.to_string_lossy());
+    let asked = |file: &NamedFile| formats::same_sort(&file.name, &name);
     let to = |file: &NamedFile| if asked(file) { path.to_owned() } else { path.with_file_name(&file.name) };
     for to in made.files.iter().map(to) {
         // What is not there yet has no place to compare.

@@ -11,11 +11,12 @@ use std::{
 };
 
 use forage::{
-    Drive, DriveOutcome, Outcome, Session, Status,
+    Drive, DriveOutcome, Error, Outcome, Session, Status,
     drive::COLUMNS,
     frame::Role,
     picture,
     planner::{Finding, Yardstick},
+    scene::formats::tour_file,
     session::{carry_out_all, csv_heading, csv_line, csv_row},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -35,6 +36,9 @@ pub(super) fn run(args: &RunArgs) -> super::Outcome {
     let task = load::task(args)?;
     let given = load::drive(args, &task.setup.scene)?;
     let mut session = Session::with_keyframes(task.setup, 0)?;
+    if args.tour.is_some() && !session.entry().stops {
+        return Err(Error::refused("--tour", session.entry().name, "left out, or the planner one that looks for tours").into());
+    }
     let elapsed_ms = carry_out(&mut session, task.stop_at, args.trace.as_deref())?;
     let mut outcome = session.outcome();
     if args.drive.is_some() || !given.is_empty() {
@@ -45,6 +49,20 @@ pub(super) fn run(args: &RunArgs) -> super::Outcome {
             (None, _) => {}
         }
         outcome.drive = drive.map(|drive| drive.outcome);
+    }
+    if let Some(path) = &args.tour {
+        match &outcome.order {
+            Some(order) => {
+                write_tour(path, order).map_err(|error| file(path, error))?;
+                if outcome.path.as_ref().is_some_and(|way| way.first() != way.last()) {
+                    eprintln!(
+                        "forage: the tour does not go back to its beginning; who reads {} takes it for one that does",
+                        path.display()
+                    );
+                }
+            }
+            None => eprintln!("forage: no tour was found; {} is not written", path.display()),
+        }
     }
     if let Some(path) = &args.svg {
         let roles: Vec<_> = session.entry().layers.iter().filter(|layer| layer.on).map(|layer| layer.role).chain([Role::Exact]).collect();
@@ -143,6 +161,11 @@ fn write_drive(path: &Path, drive: &Drive) -> io::Result<()> {
         csv_line(&mut out, row.iter())?;
     }
     out.flush()
+}
+
+fn write_tour(path: &Path, order: &[usize]) -> io::Result<()> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    std::fs::write(path, tour_file(&name, order).bytes)
 }
 
 fn file(path: &Path, error: io::Error) -> Failure {

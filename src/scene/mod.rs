@@ -27,6 +27,7 @@ use crate::{
 
 pub use cells::{Cells, Course, DIRECTIONS, Steps, angle};
 pub use discs::{Bounds, DiscsScene, MAX_DISCS};
+use distances::LONGEST;
 pub use distances::{Distances, Metric};
 pub use function::{Function, FunctionScene, MAX_DIMENSION};
 pub use grid::{GridScene, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Moving, Robot, YAxis};
@@ -242,6 +243,17 @@ impl Scene {
         match &self.body {
             Body::Grid(scene) => Ok(scene),
             _ => Err(Error::refused("kind", self.kind().name(), "grid")),
+        }
+    }
+
+    /// The stops of a tour in it.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for every other kind.
+    pub fn tour(&self) -> Result<&TourScene, Error> {
+        match &self.body {
+            Body::Tour(scene) => Ok(scene),
+            _ => Err(Error::refused("kind", self.kind().name(), "tour")),
         }
     }
 

@@ -1,75 +1,29 @@
-//! Grids in other programs' formats: MovingAI's maps with their problems (`movingai`), and the occupancy grids of ROS's
-//! map_server (`ros`, with its picture in `pgm`).
+//! Scenes in other programs' formats: MovingAI's maps with their problems (`movingai`), the occupancy grids of ROS's
+//! map_server (`ros`, with its picture in `pgm`), TSPLIB's stops and tours (`tsplib`), and tables of points (`csv`).
 //!
 //! [`import`] takes files as bytes and says what it read in some way that should be known; [`export`] says what the
 //! format has no place for. A file that cannot be read is refused with its name, the line, and why.
 
+mod csv;
 mod ends;
+mod file;
 mod movingai;
 mod pgm;
 mod ros;
 #[cfg(test)]
 mod tests;
+mod tsplib;
 
 use serde::Serialize;
 
 use crate::error::Error;
 
-use super::{Body, GridScene, Header, MAX_SIDE, Scene};
+use super::{Body, GridScene, Header, Scene};
 
-/// A file as bytes.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct NamedFile {
-    /// Its name, with or without folders.
-    pub name: String,
-    /// What is in it.
-    pub bytes: Vec<u8>,
-}
+pub use file::NamedFile;
+pub use tsplib::tour_file;
 
-impl NamedFile {
-    /// A file of these bytes.
-    pub fn new(name: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Self {
-        Self { name: name.into(), bytes: bytes.into() }
-    }
-
-    /// Its name without folders, as messages have it.
-    fn label(&self) -> &str {
-        Some(base(&self.name)).filter(|name| !name.is_empty()).unwrap_or("file")
-    }
-
-    /// Its content as text.
-    fn text(&self) -> Result<&str, Error> {
-        let text = str::from_utf8(&self.bytes).map_err(|error| {
-            let line = self.bytes[..error.valid_up_to()].split(|&byte| byte == b'\n').count();
-            self.wrong(line, "bytes that are no text (UTF-8)")
-        })?;
-        Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
-    }
-
-    /// Its lines with their numbers, without spaces at their ends.
-    fn lines(&self) -> Result<impl Iterator<Item = (usize, &str)>, Error> {
-        Ok(self.text()?.lines().enumerate().map(|(i, line)| (i + 1, line.trim_end())))
-    }
-
-    /// What is wrong with it, and where.
-    fn wrong(&self, line: usize, problem: &str) -> Error {
-        Error::malformed(self.label(), format!("line {line}: {problem}"))
-    }
-
-    /// Refuses what was found at a place where something else is expected.
-    fn unexpected(&self, line: usize, found: &str, expected: &str) -> Error {
-        // The whole of a long line helps nobody.
-        let shown: String = found.chars().take(40).collect();
-        let more = if shown.len() < found.len() { "…" } else { "" };
-        self.wrong(line, &format!("found `{shown}{more}`, expected {expected}"))
-    }
-
-    /// A number of rows or columns.
-    fn side(&self, line: usize, name: &str, found: &str) -> Result<usize, Error> {
-        let side = found.parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
-        side.ok_or_else(|| self.unexpected(line, found, &format!("a {name} from 1 to {MAX_SIDE}")))
-    }
-}
+use file::{base, is_optimal, number_up_to, stem};
 
 /// A problem of a MovingAI `.scen` file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -93,6 +47,13 @@ pub struct Imported {
     pub problems: Vec<Problem>,
 }
 
+impl Imported {
+    /// A scene without problems to choose from.
+    fn new(scene: Scene, notes: Vec<String>) -> Self {
+        Self { scene, notes, problems: Vec::new() }
+    }
+}
+
 /// What a scene is in another format.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exported {
@@ -109,19 +70,25 @@ pub enum Format {
     MovingAi,
     /// ROS map_server: a `.yaml` and a `.pgm`.
     Ros,
+    /// TSPLIB: a `.tsp`, and a `.opt.tour` where the shortest tour is known.
+    Tsplib,
+    /// The points of a tour's stops.
+    Csv,
     /// The scene file.
     Json,
 }
 
 impl Format {
     /// Every format.
-    pub const ALL: [Self; 3] = [Self::MovingAi, Self::Ros, Self::Json];
+    pub const ALL: [Self; 5] = [Self::MovingAi, Self::Ros, Self::Tsplib, Self::Csv, Self::Json];
 
     /// Its name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::MovingAi => "movingai",
             Self::Ros => "ros",
+            Self::Tsplib => "tsplib",
+            Self::Csv => "csv",
             Self::Json => "json",
         }
     }
@@ -136,26 +103,28 @@ impl Format {
 
     /// The format that has files with this ending, if there is one.
     pub fn of_file(name: &str) -> Option<Self> {
-        Some(match Sort::by_name(name)? {
-            Sort::Map | Sort::Scen => Self::MovingAi,
-            Sort::Yaml | Sort::Pgm => Self::Ros,
-            Sort::Json => Self::Json,
-        })
+        Sort::by_name(name).map(|sort| sort.format())
     }
 }
 
-/// What a file is.
+/// The endings of the files that can be read and written, for messages.
+pub const ENDINGS: &str = ".json, .map, .scen, .yaml, .yml, .pgm, .tsp, .tour or .csv";
+
+/// What a file is. Files that belong together are read in this order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Sort {
     Map,
     Scen,
     Yaml,
     Pgm,
+    Csv,
     Json,
+    Tsp,
+    Tour,
 }
 
 /// The endings of files, and how such a file begins.
-const SORTS: [(&str, &[u8], Sort); 7] = [
+const SORTS: [(&str, &[u8], Sort); 13] = [
     ("map", b"type ", Sort::Map),
     ("scen", b"version ", Sort::Scen),
     ("yaml", b"image:", Sort::Yaml),
@@ -163,6 +132,12 @@ const SORTS: [(&str, &[u8], Sort); 7] = [
     ("pgm", b"P2", Sort::Pgm),
     ("pgm", b"P5", Sort::Pgm),
     ("json", b"{", Sort::Json),
+    ("tsp", b"NAME", Sort::Tsp),
+    ("tsp", b"TYPE", Sort::Tsp),
+    ("tsp", b"COMMENT", Sort::Tsp),
+    ("tour", b"TOUR_SECTION", Sort::Tour),
+    ("csv", b"x,y", Sort::Csv),
+    ("csv", b"X,Y", Sort::Csv),
 ];
 
 impl Sort {
@@ -172,81 +147,105 @@ impl Sort {
     }
 
     fn of(file: &NamedFile) -> Result<Self, Error> {
-        let by_content = || SORTS.iter().find(|(_, begin, _)| file.bytes.trim_ascii_start().starts_with(begin)).map(|&(.., sort)| sort);
+        let by_content = || {
+            let bytes = file.bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(&file.bytes).trim_ascii_start();
+            let begins = |part: &[u8]| bytes.starts_with(part);
+            let sort = SORTS.iter().find(|(_, begin, _)| begins(begin)).map(|&(.., sort)| sort)?;
+            // A tour begins as its instance does.
+            let tour = sort == Self::Tsp && file.text().is_ok_and(|text| text.contains("TOUR_SECTION"));
+            Some(if tour { Self::Tour } else { sort })
+        };
         Self::by_name(&file.name).or_else(by_content).ok_or_else(|| {
-            file.wrong(1, "neither a MovingAI .map or .scen, nor a .yaml with its .pgm from map_server, nor a scene's .json")
+            file.wrong(
+                1,
+                "neither a MovingAI .map or .scen, nor a .yaml with its .pgm from map_server, nor TSPLIB's .tsp or .tour, nor a .csv of \
+                 points, nor a scene's .json",
+            )
         })
     }
-}
 
-/// Files by what they are.
-#[derive(Default)]
-struct Files<'a> {
-    map: Option<&'a NamedFile>,
-    scen: Option<&'a NamedFile>,
-    yaml: Option<&'a NamedFile>,
-    pgm: Option<&'a NamedFile>,
-    json: Option<&'a NamedFile>,
-}
-
-impl<'a> Files<'a> {
-    fn of(files: &'a [NamedFile]) -> Result<Self, Error> {
-        let mut sorted = Self::default();
-        for file in files {
-            let place = match Sort::of(file)? {
-                Sort::Map => &mut sorted.map,
-                Sort::Scen => &mut sorted.scen,
-                Sort::Yaml => &mut sorted.yaml,
-                Sort::Pgm => &mut sorted.pgm,
-                Sort::Json => &mut sorted.json,
-            };
-            if let Some(other) = place.replace(file) {
-                return Err(Error::malformed(file.label(), format!("of the same sort as {}: one scene at a time", other.label())));
-            }
+    const fn format(self) -> Format {
+        match self {
+            Self::Map | Self::Scen => Format::MovingAi,
+            Self::Yaml | Self::Pgm => Format::Ros,
+            Self::Tsp | Self::Tour => Format::Tsplib,
+            Self::Csv => Format::Csv,
+            Self::Json => Format::Json,
         }
-        Ok(sorted)
     }
 }
 
-/// The scene in some files: a `.map`, alone or with a `.scen`; a `.yaml` with its `.pgm`; or a scene's `.json`.
+/// Files by what they are, in the order of the sorts; one of each sort at most.
+fn sorted(files: &[NamedFile]) -> Result<Vec<(Sort, &NamedFile)>, Error> {
+    let mut sorted: Vec<(Sort, &NamedFile)> = Vec::new();
+    for file in files {
+        let sort = Sort::of(file)?;
+        let at = sorted.partition_point(|(other, _)| (*other as u8) < sort as u8);
+        if let Some((_, other)) = sorted.get(at).filter(|(other, _)| *other == sort) {
+            return Err(Error::malformed(file.label(), format!("of the same sort as {}: one scene at a time", other.label())));
+        }
+        sorted.insert(at, (sort, file));
+    }
+    Ok(sorted)
+}
+
+/// The scene in some files: a `.map`, alone or with a `.scen`; a `.yaml` with its `.pgm`; a `.tsp` or a scene's `.json`,
+/// alone or with a `.tour`; or a `.csv` of points.
 ///
 /// Of a `.scen` file's problems the scene takes the one with number `problem`, counted from 0; the last one if none is
-/// asked for. A map without ends gets two, in free cells that are far apart.
+/// asked for. A map without ends gets two, in free cells that are far apart. A tour is measured, and kept as the scene's
+/// optimum if its file's name ends in `.opt.tour`.
 ///
 /// # Errors
 /// [`Error::Malformed`] with the file, the line and what is wrong there, or the file that is missing;
 /// [`Error::Refused`] for a problem that there is not, and whatever [`Scene::from_json`] refuses.
 pub fn import(files: &[NamedFile], problem: Option<usize>) -> Result<Imported, Error> {
-    let sorted = Files::of(files)?;
-    if problem.is_some() && sorted.scen.is_none() {
-        return Err(Error::refused("problem", problem.unwrap_or_default(), "left out: there is no .scen file"));
+    let sorted = sorted(files)?;
+    if let Some(problem) = problem.filter(|_| sorted.iter().all(|(sort, _)| *sort != Sort::Scen)) {
+        return Err(Error::refused("problem", problem, "left out: there is no .scen file"));
     }
-    match sorted {
-        Files { map: Some(map), scen, yaml: None, pgm: None, json: None } => movingai::import(map, scen, problem),
-        Files { yaml: Some(yaml), pgm: Some(pgm), map: None, scen: None, json: None } => ros::import(yaml, pgm),
-        Files { json: Some(json), map: None, scen: None, yaml: None, pgm: None } => {
-            Ok(Imported { scene: Scene::from_json(json.text()?)?, notes: Vec::new(), problems: Vec::new() })
-        }
+    let json = |file: &NamedFile| Ok::<_, Error>(Imported::new(Scene::from_json(file.text()?)?, Vec::new()));
+    match *sorted.as_slice() {
+        [(Sort::Map, map)] => movingai::import(map, None, problem),
+        [(Sort::Map, map), (Sort::Scen, scen)] => movingai::import(map, Some(scen), problem),
+        [(Sort::Yaml, yaml), (Sort::Pgm, pgm)] => ros::import(yaml, pgm),
+        [(Sort::Csv, csv)] => csv::import(csv),
+        [(Sort::Json, file)] => json(file),
+        [(Sort::Json, file), (Sort::Tour, tour)] => tsplib::with_tour(json(file)?, tour),
+        [(Sort::Tsp, tsp)] => tsplib::import(tsp),
+        [(Sort::Tsp, tsp), (Sort::Tour, tour)] => tsplib::with_tour(tsplib::import(tsp)?, tour),
         _ => match (wanted(files)?, files) {
             (Some(name), [file, ..]) => Err(Error::malformed(file.label(), format!("the file `{name}` that belongs to it is missing"))),
             (None, [file, ..]) => {
                 Err(Error::malformed(file.label(), "it belongs to another format than the other files: one scene at a time"))
             }
-            (_, []) => Err(Error::refused("files", "nothing", "a .map, a .scen and its .map, a .yaml and its .pgm, or a .json")),
+            (_, []) => Err(Error::refused(
+                "files",
+                "nothing",
+                "a .map, a .scen and its .map, a .yaml and its .pgm, a .tsp, a .tour and its .tsp, a .csv, or a .json",
+            )),
         },
     }
 }
 
 /// The file that is missing before [`import`] can read the others: the map of a `.scen`, the picture of a `.yaml`, the
-/// `.yaml` of a picture. With the folders that it has in the file that names it.
+/// `.yaml` of a picture, the `.tsp` of a `.tour`. With the folders that it has in the file that names it.
 ///
 /// # Errors
 /// As [`import`].
 pub fn wanted(files: &[NamedFile]) -> Result<Option<String>, Error> {
-    Ok(match Files::of(files)? {
-        Files { scen: Some(scen), map: None, .. } => Some(movingai::map_of(scen)?.to_owned()),
-        Files { yaml: Some(yaml), pgm: None, .. } => Some(ros::image_of(yaml)?),
-        Files { pgm: Some(pgm), yaml: None, .. } => Some(format!("{}.yaml", stem(&pgm.name))),
+    let sorted = sorted(files)?;
+    let find = |wanted: Sort| sorted.iter().find(|(sort, _)| *sort == wanted).map(|&(_, file)| file);
+    let without = |there: Sort, partner: Sort| find(there).filter(|_| find(partner).is_none());
+    if let Some(scen) = without(Sort::Scen, Sort::Map) {
+        return movingai::map_of(scen).map(|name| Some(name.to_owned()));
+    }
+    if let Some(yaml) = without(Sort::Yaml, Sort::Pgm) {
+        return ros::image_of(yaml).map(Some);
+    }
+    Ok(match *sorted.as_slice() {
+        [(Sort::Pgm, pgm)] => Some(format!("{}.yaml", stem(&pgm.name))),
+        [(Sort::Tour, tour)] => Some(format!("{}.tsp", stem(&tour.name))),
         _ => None,
     })
 }
@@ -254,13 +253,15 @@ pub fn wanted(files: &[NamedFile]) -> Result<Option<String>, Error> {
 /// A scene's files in a format, called `stem`; a scene's name will do.
 ///
 /// # Errors
-/// [`Error::Refused`] for a scene that is no grid, but for the scene file.
+/// [`Error::Refused`] for a scene of a kind that the format does not hold; the scene file holds all.
 pub fn export(scene: &Scene, format: Format, stem: &str) -> Result<Exported, Error> {
     // Names stand in tab-separated lines and between quotes.
     let stem: String = stem.chars().map(|c| if c.is_control() || "/\\\"'`".contains(c) { '-' } else { c }).collect();
     match format {
         Format::MovingAi => movingai::export(scene.grid()?, &stem),
         Format::Ros => Ok(ros::export(scene.grid()?, &stem)),
+        Format::Tsplib => tsplib::export(scene, &stem),
+        Format::Csv => csv::export(scene, &stem),
         Format::Json => Ok(Exported { files: vec![NamedFile::new(stem + ".json", scene.to_json() + "\n")], notes: Vec::new() }),
     }
 }
@@ -270,7 +271,12 @@ pub fn same_sort(a: &str, b: &str) -> bool {
     Sort::by_name(a).is_some_and(|sort| Sort::by_name(b) == Some(sort))
 }
 
-/// What neither format has a place for.
+/// The name of a file without folders and ending; `.opt.tour` is one ending.
+pub fn stem_of(path: &str) -> &str {
+    stem(path)
+}
+
+/// What no format of grids has a place for.
 fn lost(grid: &GridScene, notes: &mut Vec<String>) {
     for (there, what) in [
         (grid.robot.is_some(), "the robot"),
@@ -279,16 +285,25 @@ fn lost(grid: &GridScene, notes: &mut Vec<String>) {
         (grid.corner_cutting, "that steps may cut corners"),
     ] {
         if there {
-            notes.push(format!("Not kept, as the format has no place for it: {what}."));
+            not_kept(what, notes);
         }
     }
 }
 
-/// A scene of a grid that was read; `file` gives its name.
-fn scene(file: &NamedFile, source: &str, units: Option<&str>, grid: GridScene, notes: &[String]) -> Result<Scene, Error> {
-    let stem = stem(&file.name);
+/// Notes what a format has no place for.
+fn not_kept(what: &str, notes: &mut Vec<String>) {
+    notes.push(format!("Not kept, as the format has no place for it: {what}."));
+}
+
+/// A scene that was read; `file` gives its name.
+fn scene(file: &NamedFile, source: &str, units: Option<&str>, body: Body, notes: &[String]) -> Result<Scene, Error> {
+    scene_named(stem(&file.name), file, source, units, body, notes)
+}
+
+/// A scene that was read and has a name of its own.
+fn scene_named(name: &str, file: &NamedFile, source: &str, units: Option<&str>, body: Body, notes: &[String]) -> Result<Scene, Error> {
     // A scene's name has 1 to 100 bytes.
-    let name = if stem.is_empty() { "map" } else { &stem[..stem.floor_char_boundary(100)] };
+    let name = if name.is_empty() { "map" } else { &name[..name.floor_char_boundary(100)] };
     let header = Header {
         name: name.to_owned(),
         title: name.to_owned(),
@@ -298,7 +313,7 @@ fn scene(file: &NamedFile, source: &str, units: Option<&str>, grid: GridScene, n
         exact: None,
         published: None,
     };
-    Scene::new(header, Body::Grid(grid)).map_err(|error| Error::malformed(file.label(), error))
+    Scene::new(header, body).map_err(|error| Error::malformed(file.label(), error))
 }
 
 /// Notes that the file named is not the one that was given.
@@ -307,15 +322,4 @@ fn note_other_name(file: &NamedFile, named: &str, given: &NamedFile, notes: &mut
     if named != given {
         notes.push(format!("{} belongs to {named}; {given} was taken.", file.label()));
     }
-}
-
-/// A path without its folders.
-fn base(name: &str) -> &str {
-    name.rsplit(['/', '\\']).next().unwrap_or(name)
-}
-
-/// A path without folders and ending.
-fn stem(name: &str) -> &str {
-    let base = base(name);
-    base.rsplit_once('.').map_or(base, |(stem, _)| stem)
 }

@@ -7,7 +7,7 @@ use crate::{
     error::Error,
     exact::shortest_over_cells,
     json,
-    scene::{Course, GridScene, YAxis},
+    scene::{Body, Course, GridScene, YAxis},
 };
 
 use super::{Exported, Imported, NamedFile, Problem, ends, lost, note_other_name, scene};
@@ -36,7 +36,7 @@ pub(super) fn import(map: &NamedFile, scen: Option<&NamedFile>, problem: Option<
     } else {
         notes.push(ends::choose(&mut grid).ok_or_else(|| Error::malformed(map.label(), "no cell of the map is free"))?);
     }
-    Ok(Imported { scene: scene(map, "MovingAI map", None, grid, &notes)?, notes, problems })
+    Ok(Imported { scene: scene(map, "MovingAI map", None, Body::Grid(grid), &notes)?, notes, problems })
 }
 
 fn read_map(file: &NamedFile, notes: &mut Vec<String>) -> Result<GridScene, Error> {

@@ -9,7 +9,7 @@
 use crate::{
     error::Error,
     json,
-    scene::{GridScene, LARGEST, YAxis},
+    scene::{Body, GridScene, LARGEST, YAxis},
 };
 
 use super::{Exported, Imported, NamedFile, ends, lost, note_other_name, pgm, scene};
@@ -234,7 +234,7 @@ pub(super) fn import(file: &NamedFile, picture: &NamedFile) -> Result<Imported, 
     }
     let mut grid = GridScene { y_axis: YAxis::Up, ..GridScene::new(resolution, image.columns, blocked) };
     notes.push(ends::choose(&mut grid).ok_or_else(|| Error::malformed(picture.label(), "no cell of the map is free"))?);
-    Ok(Imported { scene: scene(file, "ROS map", Some("m"), grid, &notes)?, notes, problems: Vec::new() })
+    Ok(Imported::new(scene(file, "ROS map", Some("m"), Body::Grid(grid), &notes)?, notes))
 }
 
 /// A map's two files.

@@ -186,7 +186,7 @@ fn files_are_recognised_by_what_is_in_them_and_other_names_are_noted() {
     let scene = shipped("wcpso-discs").unwrap();
     assert_eq!(import(&[file("x", scene.to_json())], None).unwrap().scene, *scene);
     assert_eq!(Format::of_file("a/b.SCEN"), Some(Format::MovingAi));
-    assert_eq!((Format::of_file("a/map"), Format::named("png").unwrap_err().allowed()), (None, "movingai, ros, json"));
+    assert_eq!((Format::of_file("a/map"), Format::named("png").unwrap_err().allowed()), (None, "movingai, ros, tsplib, csv, json"));
 }
 
 #[test]
@@ -198,6 +198,7 @@ fn what_a_format_has_no_place_for_is_said() {
     assert_eq!(there.files.iter().map(|f| f.name.as_str()).collect::<Vec<_>>(), ["b--c.map", "b--c.scen"]);
     assert!(there.notes.join(" ").contains("a cell is"), "{:?}", there.notes);
     assert_eq!(export(&shipped("sphere").unwrap(), Format::Ros, "a").unwrap_err().field(), "kind");
+    assert_eq!(export(&shipped("sphere").unwrap(), Format::Tsplib, "a").unwrap_err().allowed(), "tour");
     // Without a way there is no optimum, and so no .scen.
     let split = import(&[file("a.json", shut("...#.", "[4.5, 0.5]"))], None).unwrap().scene;
     let out = export(&split, Format::MovingAi, "a").unwrap();
@@ -218,7 +219,7 @@ fn shipped_grids_survive_the_way_through_every_format() {
     for scene in crate::shipped_names().filter(|scene| scene.grid().is_ok()) {
         let grid = scene.grid().unwrap();
         grids += 1;
-        for format in Format::ALL {
+        for format in [Format::MovingAi, Format::Ros, Format::Json] {
             let written = export(scene, format, scene.name()).unwrap();
             let read = import(&written.files, None).unwrap();
             assert_eq!(rows(&read), grid.lines(), "{} as {}", scene.name(), format.name());

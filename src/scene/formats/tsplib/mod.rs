@@ -1,0 +1,15 @@
+//! TSPLIB's `.tsp` (stops and how far it is from one to another) and `.tour` (an order to call at them). Distances are by
+//! TSPLIB's own formulas, so that lengths can be compared with published ones; what is not supported is refused by its
+//! name, never measured in some other way.
+
+mod read;
+#[cfg(test)]
+mod tests;
+mod tour;
+mod words;
+mod write;
+
+pub(super) use read::import;
+pub use tour::tour_file;
+pub(super) use tour::with_tour;
+pub(super) use write::export;

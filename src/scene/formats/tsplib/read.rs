@@ -1,0 +1,227 @@
+//! Reading a `.tsp`.
+
+use crate::{
+    error::Error,
+    scene::{Body, Distances, LARGEST, LONGEST, MAX_STOPS, Metric, TourScene},
+};
+
+use super::{
+    super::{Imported, NamedFile, number_up_to, scene_named, stem},
+    words::Words,
+};
+
+/// What stands in a file.
+#[derive(Default)]
+struct Instance<'a> {
+    name: &'a str,
+    comments: Vec<String>,
+    notes: Vec<String>,
+    /// Keywords and sections with the lines where they stand: none may come twice.
+    seen: Vec<(&'a str, usize)>,
+    n: Option<usize>,
+    measure: Option<Measure>,
+    shape: Option<Shape>,
+    coordinates: Vec<[f64; 2]>,
+    places: Vec<[f64; 2]>,
+    /// Row by row.
+    weights: Vec<f64>,
+}
+
+/// How far it is from one stop to another: by a formula, or as a matrix says.
+#[derive(Clone, Copy, PartialEq)]
+enum Measure {
+    By(Metric),
+    Explicit,
+}
+
+/// Which entries of a matrix a file lists, row by row. By columns it is the other half of a symmetric one by rows.
+#[derive(Clone, Copy)]
+enum Shape {
+    Full,
+    /// From this far right of the diagonal on.
+    Upper(usize),
+    /// To this far right of the diagonal, without that.
+    Lower(usize),
+}
+
+const FORMS: &str = "FULL_MATRIX, or UPPER or LOWER with _ROW, _COL, _DIAG_ROW or _DIAG_COL: no other form is read";
+
+impl Shape {
+    fn named(name: &str) -> Option<Self> {
+        Some(match name {
+            "FULL_MATRIX" => Self::Full,
+            "UPPER_ROW" | "LOWER_COL" => Self::Upper(1),
+            "UPPER_DIAG_ROW" | "LOWER_DIAG_COL" => Self::Upper(0),
+            "LOWER_ROW" | "UPPER_COL" => Self::Lower(0),
+            "LOWER_DIAG_ROW" | "UPPER_DIAG_COL" => Self::Lower(1),
+            _ => return None,
+        })
+    }
+
+    /// The columns that row `i` of `n` lists.
+    fn row(self, i: usize, n: usize) -> std::ops::Range<usize> {
+        match self {
+            Self::Full => 0..n,
+            Self::Upper(from) => (i + from).min(n)..n,
+            Self::Lower(to) => 0..i + to,
+        }
+    }
+}
+
+/// A scene of a TSPLIB instance.
+pub(in super::super) fn import(file: &NamedFile) -> Result<Imported, Error> {
+    let mut words = Words::new(file)?;
+    let mut instance = Instance::default();
+    while let Some((keyword, value)) = words.keyword() {
+        instance.read(&mut words, keyword, value)?;
+    }
+    let body = Body::Tour(instance.scene(file, words.line)?);
+    // Some files have their own name there.
+    let name = instance.name.strip_suffix(".tsp").unwrap_or(instance.name);
+    let name = if name.is_empty() { stem(&file.name) } else { name };
+    let note = [instance.comments, instance.notes.clone()].concat();
+    Ok(Imported::new(scene_named(name, file, "TSPLIB file", None, body, &note)?, instance.notes))
+}
+
+impl<'a> Instance<'a> {
+    fn read(&mut self, words: &mut Words<'a>, keyword: &'a str, value: &'a str) -> Result<(), Error> {
+        let line = words.line;
+        let expect = |fits: bool, expected: &str| {
+            if fits { Ok(()) } else { Err(words.file.unexpected(line, value, &format!("for {keyword} {expected}"))) }
+        };
+        if let Some(before) = self.line_of(keyword).filter(|_| keyword != "COMMENT") {
+            return Err(words.file.wrong(line, &format!("`{keyword}` again, it stands in line {before}")));
+        }
+        self.seen.push((keyword, line));
+        match keyword {
+            "NAME" => self.name = value,
+            "COMMENT" => self.comments.extend((!value.is_empty()).then(|| value.to_owned())),
+            // Some files have a name behind it.
+            "TYPE" => expect(value.split_whitespace().next() == Some("TSP"), "TSP: no other problem is read")?,
+            "DIMENSION" => {
+                self.n = value.parse().ok().filter(|n| (2..=MAX_STOPS).contains(n));
+                expect(self.n.is_some(), &format!("a number of stops from 2 to {MAX_STOPS}"))?;
+            }
+            "EDGE_WEIGHT_TYPE" => {
+                self.measure = match value {
+                    "EUC_2D" => Some(Measure::By(Metric::Euc2d)),
+                    "CEIL_2D" => Some(Measure::By(Metric::Ceil2d)),
+                    "ATT" => Some(Measure::By(Metric::Att)),
+                    "GEO" => Some(Measure::By(Metric::Geo)),
+                    "EXPLICIT" => Some(Measure::Explicit),
+                    _ => None,
+                };
+                expect(self.measure.is_some(), "EUC_2D, CEIL_2D, ATT, GEO or EXPLICIT: no other distances are read")?;
+            }
+            "EDGE_WEIGHT_FORMAT" => {
+                self.shape = Shape::named(value);
+                // Files with a formula may say so; where there is none it is refused below.
+                expect(self.shape.is_some() || value == "FUNCTION", FORMS)?;
+            }
+            "NODE_COORD_TYPE" => expect(["TWOD_COORDS", "NO_COORDS"].contains(&value), "TWOD_COORDS or NO_COORDS")?,
+            "DISPLAY_DATA_TYPE" => {
+                expect(["COORD_DISPLAY", "TWOD_DISPLAY", "NO_DISPLAY"].contains(&value), "COORD_DISPLAY, TWOD_DISPLAY or NO_DISPLAY")?;
+            }
+            "NODE_COORD_SECTION" => self.coordinates = self.points(words, keyword)?,
+            "DISPLAY_DATA_SECTION" => self.places = self.points(words, keyword)?,
+            "EDGE_WEIGHT_SECTION" => self.matrix(words)?,
+            _ if keyword.ends_with("_SECTION") => {
+                let known = "NODE_COORD_SECTION, EDGE_WEIGHT_SECTION or DISPLAY_DATA_SECTION: other sections change the problem";
+                return Err(words.file.unexpected(line, keyword, known));
+            }
+            _ if keyword.bytes().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit() || c == b'_') && keyword.len() > 3 => {
+                self.notes.push(format!("Line {line} of {}, `{keyword}`, is not known and was not read.", words.file.label()));
+            }
+            _ => return Err(words.file.unexpected(line, keyword, "a keyword, a section or EOF")),
+        }
+        Ok(())
+    }
+
+    /// Where a keyword stands.
+    fn line_of(&self, keyword: &str) -> Option<usize> {
+        self.seen.iter().find(|(seen, _)| *seen == keyword).map(|(_, line)| *line)
+    }
+
+    /// How many stops there are, where a section needs to know it.
+    fn count(&self, words: &Words, section: &str) -> Result<usize, Error> {
+        self.n.ok_or_else(|| words.file.wrong(words.line, &format!("`{section}` before `DIMENSION`")))
+    }
+
+    /// A point for each stop, in the order of their numbers.
+    fn points(&self, words: &mut Words, section: &str) -> Result<Vec<[f64; 2]>, Error> {
+        let n = self.count(words, section)?;
+        let (mut points, mut called) = (vec![[0.0; 2]; n], vec![false; n]);
+        for _ in 0..n {
+            let stop = words.stop(n, &mut called)?;
+            for (axis, c) in points[stop].iter_mut().enumerate() {
+                let expected = || format!("for stop {} coordinate {} a number from -{LARGEST} to {LARGEST}", stop + 1, axis + 1);
+                *c = words.take(|word| number_up_to(LARGEST, word), &expected)?;
+            }
+        }
+        words.end_of_line(&|| format!("{n} stops"))?;
+        Ok(points)
+    }
+
+    fn matrix(&mut self, words: &mut Words) -> Result<(), Error> {
+        let n = self.count(words, "EDGE_WEIGHT_SECTION")?;
+        let shape = self.shape.ok_or_else(|| match self.line_of("EDGE_WEIGHT_FORMAT") {
+            Some(line) => words.file.unexpected(line, "FUNCTION", &format!("for EDGE_WEIGHT_FORMAT {FORMS}")),
+            None => words.file.wrong(words.line, "`EDGE_WEIGHT_SECTION` before `EDGE_WEIGHT_FORMAT`"),
+        })?;
+        self.weights = vec![f64::NAN; n * n];
+        let mut diagonal = 0;
+        for i in 0..n {
+            for j in shape.row(i, n) {
+                let expected = || format!("a distance from 0 to {LONGEST} between stops {} and {}", i + 1, j + 1);
+                let word = words.word();
+                let read = word.and_then(|word| number_up_to(LONGEST, word)).filter(|d| *d >= 0.0 || i == j);
+                let d = read.ok_or_else(|| words.refuse(word, &expected()))?;
+                let back = self.weights[j * n + i];
+                if i == j {
+                    diagonal += usize::from(d != 0.0);
+                } else if d != back && !back.is_nan() {
+                    let expected = format!("{back} from stop {} to {}, as the way back is: distances are symmetric", i + 1, j + 1);
+                    return Err(words.refuse(word, &expected));
+                }
+                (self.weights[i * n + j], self.weights[j * n + i]) = (d, d);
+            }
+        }
+        if diagonal > 0 {
+            self.notes.push(format!("{diagonal} distances from a stop to itself are not 0; no tour goes there, and they were left out."));
+        }
+        words.end_of_line(&|| format!("the distances of {n} stops"))
+    }
+
+    /// The stops, once all is read; the file ends in line `end`.
+    fn scene(&mut self, file: &NamedFile, end: usize) -> Result<TourScene, Error> {
+        let missing = |what: &str| file.wrong(end.max(1), &format!("the file ends without `{what}`"));
+        for keyword in ["TYPE", "DIMENSION", "EDGE_WEIGHT_TYPE"] {
+            self.line_of(keyword).ok_or_else(|| missing(keyword))?;
+        }
+        let n = self.n.unwrap_or_default();
+        match self.measure {
+            Some(Measure::By(metric)) => {
+                if let Some(line) = self.line_of("EDGE_WEIGHT_SECTION") {
+                    return Err(file.wrong(line, "`EDGE_WEIGHT_SECTION`, but `EDGE_WEIGHT_TYPE` is not EXPLICIT"));
+                }
+                if self.coordinates.is_empty() {
+                    return Err(missing("NODE_COORD_SECTION"));
+                }
+                if !self.places.is_empty() {
+                    self.notes.push("The places in `DISPLAY_DATA_SECTION` were left out: stops are drawn where they are.".to_owned());
+                }
+                let mut points = std::mem::take(&mut self.coordinates);
+                if metric == Metric::Geo {
+                    // Latitude first, as people say it; y grows to the north.
+                    points.iter_mut().for_each(|point| point.swap(0, 1));
+                }
+                Ok(TourScene::through(points, metric))
+            }
+            _ if self.weights.is_empty() => Err(missing("EDGE_WEIGHT_SECTION")),
+            _ => {
+                let places = if self.places.is_empty() { &mut self.coordinates } else { &mut self.places };
+                Ok(TourScene::by(Distances::of(n, |i, j| self.weights[i * n + j]), std::mem::take(places)))
+            }
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! Reading and writing a `.tour`.
+
+use std::fmt::Write;
+
+use serde_json::{Map, Value};
+
+use crate::{error::Error, scene::Scene};
+
+use super::{
+    super::{Imported, NamedFile, is_optimal},
+    words::Words,
+};
+
+/// A scene that was read, with a tour for it. The tour is measured; if its file says that it is the shortest one it is
+/// kept as the scene's optimum, and what it measures as the length: no file's own number is trusted.
+pub(in super::super) fn with_tour(read: Imported, file: &NamedFile) -> Result<Imported, Error> {
+    let Imported { scene, mut notes, problems } = read;
+    let tour = scene.tour()?;
+    if !tour.closed {
+        return Err(Error::malformed(file.label(), "its tour is closed, those of the scene are open"));
+    }
+    let order = order(file, tour.len())?;
+    let length = tour.distances().length(&order, true);
+    let label = file.label();
+    if !is_optimal(label) {
+        notes.push(format!("The tour in {label} has the length {length}; the scene is as it was."));
+        return Ok(Imported { scene, notes, problems });
+    }
+    notes.push(format!("The tour in {label} has the length {length}. That none is shorter is what the file’s name says."));
+    let mut exact = Map::new();
+    exact.insert("length".to_owned(), Value::from(length));
+    exact.insert("order".to_owned(), Value::Array(order.into_iter().map(Value::from).collect()));
+    let mut header = scene.header().clone();
+    header.exact = Some(Value::Object(exact));
+    Ok(Imported { scene: Scene::new(header, scene.body().clone())?, notes, problems })
+}
+
+/// The order of `n` stops, from 0.
+fn order(file: &NamedFile, n: usize) -> Result<Vec<usize>, Error> {
+    let mut words = Words::new(file)?;
+    let mut order: Option<Vec<usize>> = None;
+    while let Some((keyword, value)) = words.keyword() {
+        let line = words.line;
+        let expect = |fits: bool, expected: &str| if fits { Ok(()) } else { Err(file.unexpected(line, value, expected)) };
+        match keyword {
+            "TYPE" => expect(value.split_whitespace().next() == Some("TOUR"), "for TYPE TOUR")?,
+            "DIMENSION" => expect(value.parse() == Ok(n), &format!("for DIMENSION {n}, as many as the scene has stops"))?,
+            "TOUR_SECTION" if order.is_none() => order = Some(section(&mut words, n)?),
+            // The end of a list of tours, of which there is one.
+            "-1" if order.is_some() => {}
+            _ if keyword.bytes().all(|c| c.is_ascii_uppercase() || c == b'_') && !keyword.ends_with("_SECTION") => {}
+            _ if order.is_some() => return Err(file.unexpected(line, keyword, "the end of the file: one tour at a time")),
+            _ => return Err(file.unexpected(line, keyword, "a keyword or TOUR_SECTION")),
+        }
+    }
+    order.ok_or_else(|| file.wrong(words.line.max(1), "the file ends without `TOUR_SECTION`"))
+}
+
+fn section(words: &mut Words, n: usize) -> Result<Vec<usize>, Error> {
+    let mut called = vec![false; n];
+    let order: Vec<_> = (0..n).map(|_| words.stop(n, &mut called)).collect::<Result<_, _>>()?;
+    // Some programs leave out the −1.
+    match words.word() {
+        None | Some("-1" | "EOF") => Ok(order),
+        other => Err(words.refuse(other, &format!("-1 after {n} stops"))),
+    }
+}
+
+/// A tour as a TSPLIB file with this name: stops are counted from 0 here, from 1 there.
+///
+/// ```
+/// let file = forage::scene::formats::tour_file("a.tour", &[1, 0, 2]);
+/// assert_eq!(file.bytes, b"NAME : a.tour\nTYPE : TOUR\nDIMENSION : 3\nTOUR_SECTION\n2\n1\n3\n-1\nEOF\n");
+/// ```
+pub fn tour_file(name: &str, order: &[usize]) -> NamedFile {
+    let mut text = format!("NAME : {name}\nTYPE : TOUR\nDIMENSION : {}\nTOUR_SECTION\n", order.len());
+    for stop in order {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{}", stop + 1);
+    }
+    text.push_str("-1\nEOF\n");
+    NamedFile::new(name, text)
+}
