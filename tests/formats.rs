@@ -362,3 +362,40 @@ fn help_and_list_follow_from_the_table_of_generators() {
     assert_eq!(names, GENERATORS.iter().map(|g| g.name).collect::<Vec<_>>());
     assert_eq!(list["generators"][0]["parameters"][3]["default"], 0.3);
 }
+
+/// TSPLIB's own files do not ship, as it names no licence. Who has them lays `NAME.tsp` and `NAME.opt.tour` into a folder:
+/// `TSPLIB=folder cargo test --release --test formats -- --ignored`. Lengths as published with them.
+#[test]
+#[ignore = "needs TSPLIB's files in the folder that the variable TSPLIB names"]
+fn tsplib_s_own_tours_have_their_published_lengths() {
+    let folder = PathBuf::from(std::env::var_os("TSPLIB").expect("the variable TSPLIB with a folder"));
+    let file = |name: String| NamedFile::new(name.clone(), std::fs::read(folder.join(&name)).unwrap());
+    for (name, length) in [
+        ("a280", 2579),
+        ("att48", 10628),
+        ("bayg29", 1610),
+        ("bays29", 2020),
+        ("berlin52", 7542),
+        ("brg180", 1950),
+        ("ch150", 6528),
+        ("eil51", 426),
+        ("fri26", 937),
+        ("gr48", 5046),
+        ("gr96", 55209),
+        ("gr202", 40160),
+        ("kroA100", 21282),
+        ("pa561", 2763),
+        ("st70", 675),
+        ("ulysses16", 6859),
+        ("ulysses22", 7013),
+    ] {
+        let read = import(&[file(format!("{name}.tsp")), file(format!("{name}.opt.tour"))], None).unwrap();
+        assert_eq!(read.scene.header().exact.as_ref().unwrap()["length"], f64::from(length), "{name}");
+    }
+    // The tours 1, 2, 3, … whose lengths TSPLIB gives so that programs can check their formulas.
+    for (name, length) in [("pcb442", 221_440.0), ("gr666", 423_710.0), ("att532", 309_636.0)] {
+        let read = import(&[file(format!("{name}.tsp"))], None).unwrap();
+        let tour = read.scene.tour().unwrap();
+        assert_eq!(tour.distances().length(&(0..tour.len()).collect::<Vec<_>>(), true), length, "{name}");
+    }
+}

@@ -255,6 +255,14 @@ fn random_grids_are_the_native_ones_and_survive_the_way_through_files() {
             assert!(get(&read, "notes").is_instance_of::<Array>());
         }
     }
+    let stops = generate_scene("stops", &js::<JsGiven>(r#"{"stops": 9, "clusters": 2}"#), 7.0).ok().unwrap();
+    for (format, count) in [("tsplib", 2), ("csv", 1), ("json", 1)] {
+        let files = export_scene(&stops, &JsValue::from(format).unchecked_into::<JsFormat>()).ok().unwrap();
+        assert_eq!(files.unchecked_ref::<Array>().length(), count);
+        let read = import_scene(&files, None).ok().unwrap();
+        let points = |scene: &JsValue| get(scene, "points").unchecked_into::<Array>().join(" ");
+        assert_eq!(points(&get(&read, "scene")), points(&stops));
+    }
     let files = |json: &str| {
         let files = js::<Array>(json);
         for file in files.iter() {

@@ -15,6 +15,10 @@ const FILES: &[&str] = &[
     include_str!("../../scenes/qpso-10m-empty.json"),
     include_str!("../../scenes/ant-bat-30.json"),
     include_str!("../../scenes/wolf-ant-20.json"),
+    include_str!("../../scenes/open-12.json"),
+    include_str!("../../scenes/random-52.json"),
+    include_str!("../../scenes/clustered-100.json"),
+    include_str!("../../scenes/random-280.json"),
     include_str!("../../scenes/sphere.json"),
     include_str!("../../scenes/sphere-4.json"),
     include_str!("../../scenes/rosenbrock.json"),
@@ -45,7 +49,35 @@ pub fn shipped(name: &str) -> Result<Arc<Scene>, Error> {
 
 #[cfg(test)]
 mod tests {
+    use crate::{Given, Value, planner::Round, scene::generate::generate};
+
     use super::*;
+
+    /// Stops are what the command in their source makes, and their optimum is the length of its order.
+    #[test]
+    fn random_stops_are_made_again_by_their_source_and_their_optimum_is_a_tour() {
+        let tours: Vec<_> = all().iter().filter_map(|scene| Some((scene, scene.tour().ok()?))).collect();
+        assert_eq!(tours.iter().map(|(_, tour)| tour.len()).collect::<Vec<_>>(), [12, 52, 100, 280]);
+        for (scene, tour) in tours {
+            let source = scene.header().source.as_deref().unwrap().split(';').next().unwrap();
+            let words: Vec<_> = source.strip_prefix("forage generate stops ").unwrap().split(' ').collect();
+            let (mut given, mut seed) = (Given::new(), 0);
+            for pair in words.chunks(2) {
+                match (pair[0], pair[1].split_once('=')) {
+                    ("--seed", _) => seed = pair[1].parse().unwrap(),
+                    (_, Some((name, value))) => given.insert(name, Value::from(value)),
+                    _ => panic!("{source}"),
+                }
+            }
+            let made = generate("stops", &given, seed).unwrap();
+            let made = made.tour().unwrap();
+            assert_eq!((&made.points, made.metric), (&tour.points, tour.metric), "{}", scene.name());
+            if let Some(exact) = &scene.header().exact {
+                let found = scene.exact_tour(crate::planner::Yardstick::default(), Round::Closed).unwrap();
+                assert_eq!((found.order.len(), Some(found.length)), (tour.len(), exact["length"].as_f64()), "{}", scene.name());
+            }
+        }
+    }
 
     #[test]
     fn every_file_parses_survives_a_round_trip_and_has_a_name_of_its_own() {

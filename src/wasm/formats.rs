@@ -1,4 +1,4 @@
-//! Grids from and for other programs, and random ones.
+//! Scenes from and for other programs, and random ones.
 
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, prelude::*};
@@ -13,8 +13,9 @@ use super::{
     read::{property, read_list, read_parameters, read_scene, read_text, refused, whole},
 };
 
-/// The scene in some files: a `.map`, alone or with a `.scen`; a `.yaml` with its `.pgm`; or a scene's `.json`. Of a
-/// `.scen` file's problems the scene takes the one with this number, from 0; the last one if none is asked for.
+/// The scene in some files: a `.map`, alone or with a `.scen`; a `.yaml` with its `.pgm`; a `.tsp` or a scene's `.json`,
+/// alone or with a `.tour`; or a `.csv` of points. Of a `.scen` file's problems the scene takes the one with this number,
+/// from 0; the last one if none is asked for. A tour is measured, and kept as the scene's optimum if it is an `.opt.tour`.
 ///
 /// # Errors
 /// An `Error` whose `field` is the file and whose message says in which line what is wrong, or which file is missing.
@@ -28,7 +29,7 @@ pub fn import_scene(files: &JsNamedFiles, problem: Option<f64>) -> Result<JsImpo
 /// A scene's files in another format.
 ///
 /// # Errors
-/// For an unknown format, and for scenes that are no grids.
+/// For an unknown format, and for scenes of a kind that it does not hold.
 #[wasm_bindgen(js_name = exportScene)]
 pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, JsValue> {
     let scene = read_scene(scene)?;
@@ -42,7 +43,7 @@ pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, 
     Ok(files.unchecked_into())
 }
 
-/// A random grid: the same for the same parameters and seed.
+/// A random scene: the same for the same parameters and seed.
 ///
 /// # Errors
 /// An `Error` with `field`, `value` and `allowed` for whatever is refused.

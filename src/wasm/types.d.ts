@@ -414,8 +414,11 @@ export interface NamedFile {
   bytes: Uint8Array;
 }
 
-/** What a scene can be written as: MovingAI's `.map` and `.scen`, map_server's `.yaml` and `.pgm` (grids only), or its JSON. */
-export type Format = 'movingai' | 'ros' | 'json';
+/**
+ * What a scene can be written as: MovingAI's `.map` and `.scen`, map_server's `.yaml` and `.pgm` (grids only), TSPLIB's `.tsp` with an
+ * `.opt.tour` where the shortest tour is known, a CSV of points (stops of a tour only), or its JSON.
+ */
+export type Format = 'movingai' | 'ros' | 'tsplib' | 'csv' | 'json';
 
 /** A problem of a MovingAI `.scen` file. */
 export interface Problem {
@@ -427,9 +430,9 @@ export interface Problem {
 
 /** What came of files of another format. */
 export interface Imported {
-  /** A grid, unless the file is a scene's own JSON. */
+  /** A grid, a tour's stops (of a `.tsp` or `.csv`), or what a scene's own JSON is. */
   scene: Scene;
-  /** What was read in some way that should be known: unknown cells taken as blocked, ends chosen, … */
+  /** What was read in some way that should be known: unknown cells taken as blocked, ends chosen, how long a `.tour` is, … */
   notes: string[];
   /** The problems of a `.scen` file, if one was among the files. The scene has the last one's ends unless another is asked for. */
   problems: Problem[];

@@ -97,7 +97,7 @@ extern "C" {
     /// `Imported`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Imported")]
     pub type JsImported;
-    /// `'movingai' | 'ros' | 'json'`, as `types.d.ts` describes it.
+    /// `'movingai' | 'ros' | 'tsplib' | 'csv' | 'json'`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Format")]
     pub type JsFormat;
 }
