@@ -1,3 +1,7 @@
+const ENDINGS: Readonly<Record<string, string>> = { one: 'st', two: 'nd', few: 'rd' }
+const ordinals = new Intl.PluralRules('en', { type: 'ordinal' })
+const ordinal = (n: number): string => `${n}${ENDINGS[ordinals.select(n)] ?? 'th'}`
+
 /** Text about scenes and files: what is loaded when it is asked for. */
 export const scenes = {
   scene: {
@@ -21,6 +25,29 @@ export const scenes = {
     robot: { length: 'Robot, length', width: 'Robot, width' },
     paint: 'Cells are painted on the stage.',
     notNumber: (text: string) => `“${text}” is not a number.`,
+  },
+  stops: {
+    add: 'Add a stop',
+    removeSelected: 'Delete the selected stop',
+    name: (n: number) => `Stop ${n}`,
+    told: (n: number, place: number | null) => (place === null ? `Stop ${n}` : `Stop ${n}, ${ordinal(place)} on the tour`),
+    title: 'Stops',
+    count: 'Number of stops',
+    list: (from: number, to: number, count: number) => `${from} to ${to} of ${count}`,
+    earlier: 'Earlier stops',
+    later: 'Later stops',
+    metric: 'Distances',
+    metrics: {
+      euclidean: 'Straight line',
+      'euc-2d': 'Straight line, rounded (EUC_2D)',
+      'ceil-2d': 'Straight line, rounded up (CEIL_2D)',
+      att: 'Pseudo-Euclidean (ATT)',
+      geo: 'On the globe (GEO)',
+    },
+    geo: 'x is the longitude and y the latitude, both as degrees and minutes: DDD.MM.',
+    closed: 'Back to the first stop',
+    given: 'The distances are given as a matrix: where the stops are drawn means nothing, and they can’t be moved, added or removed here.',
+    onGrid: 'Planners of tours call at these instead of going from start to goal.',
   },
   generate: {
     title: 'Random map',

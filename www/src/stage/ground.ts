@@ -10,6 +10,8 @@ const FONT = '11px Inter, "Segoe UI", system-ui, sans-serif'
 
 /** Lines and numbers of the plane, and the edge of where things happen. */
 export function drawGrid({ context, view, size, palette }: Pen, scene: Scene, lines: boolean): void {
+  // Places that are made up have no coordinates.
+  if (scene.kind === 'tour' && !scene.points?.length) return
   const [left, top] = toScene(view, size, [0, 0])
   const [right, bottom] = toScene(view, size, [size.width, size.height])
   const step = tick(view.scale, 64)
@@ -82,11 +84,20 @@ export function drawDiscs(pen: Pen, { discs }: DiscsScene, blamed: Selection | n
 /** The room that a label needs, in pixels, with the column of tools beside it. */
 const LABEL = 104
 
-/** Start, goal, and what of the scene is selected or under the pointer. */
-export function drawEnds(pen: Pen, scene: Plane, selection: Selection | null, hover: Handle | null, blamed: Selection | null, names: { start: string; goal: string }): void {
+/** Start, goal, and what of them and of the discs is selected or under the pointer. */
+export function drawEnds(
+  pen: Pen,
+  scene: Plane,
+  touring: boolean,
+  selection: Selection | null,
+  hover: Handle | null,
+  blamed: Selection | null,
+  names: { start: string; goal: string },
+): void {
   const { context, view, size, palette } = pen
   context.setLineDash([])
-  for (const { kind, at } of ends(scene)) {
+  // A tour has no ends of its own, and its stops may lie there.
+  for (const { kind, at } of touring ? [] : ends(scene)) {
     const [x, y] = toScreen(view, size, at)
     const colour = palette.get(blamed?.kind === kind ? '--danger' : '--ink')
     context.beginPath()
@@ -106,15 +117,15 @@ export function drawEnds(pen: Pen, scene: Plane, selection: Selection | null, ho
     context.fillStyle = colour
     context.textBaseline = 'middle'
     // Away from the path, where there is room.
-    const other = scene[kind === 'start' ? 'goal' : 'start']
+    const other = ends(scene).find((end) => end.kind !== kind)?.at
     const [otherX, otherY] = other ? toScreen(view, size, other) : [x, y]
     const leftwards = x > size.width - LABEL || (otherX > x && x > 64)
     const below = !leftwards && otherX > x && otherY < y
     context.textAlign = leftwards ? 'right' : 'left'
     plate(context, palette.get('--stage'), names[kind], x + (leftwards ? -13 : 13), y + (below ? 14 : -12))
   }
-  if (hover && !(hover.kind === 'rim')) ring(pen, scene, hover, palette.get('--line-strong'))
-  if (selection) ring(pen, scene, selection, palette.get('--focus'))
+  if (hover && hover.kind !== 'rim' && hover.kind !== 'stop') ring(pen, scene, hover, palette.get('--line-strong'))
+  if (selection && selection.kind !== 'stop') ring(pen, scene, selection, palette.get('--focus'))
   const held = hover?.kind === 'rim' || hover?.kind === 'disc' ? hover.index : selection?.kind === 'disc' ? selection.index : null
   if (held !== null) rim(pen, scene, held)
 }

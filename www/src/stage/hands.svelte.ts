@@ -1,12 +1,13 @@
 import type { Item, Point } from 'forage'
 import { between, type Cell, cellAt, indexOf, isBlocked, middleOf, paint } from '../state/cells'
-import { discOf, type Handle, LEAST_RADIUS, move, place, resize, type Selection } from '../state/edits'
+import { discOf, type Handle, LEAST_RADIUS, move, place, resize, same, type Selection } from '../state/edits'
 import { lab } from '../state/lab.svelte'
-import { hit } from './hit'
-import { styleOf } from './styles'
+import { takesStops } from '../state/stops'
+import { CROWD, hit } from './hit'
+import { STOPS, styleOf } from './styles'
 import { type Size, toScene, type View } from './view'
 
-/** What a press on the stage is for: looking and moving, a new disc, painting cells, going from cell to cell. */
+/** What a press on the stage is for: looking and moving, a new disc or stop, painting cells, going from cell to cell. */
 export type Tool = 'look' | 'add' | 'paint' | 'cells'
 
 const NEW_RADIUS = 0.5
@@ -29,9 +30,11 @@ export class Hands {
 
   /** The field that is shown and whose cells can be asked about. */
   readonly role = $derived(lab.grid ? (lab.layers.find(({ role, on, pickable }) => pickable && styleOf(role).ramp && lab.shows(role, on))?.role ?? null) : null)
+  /** Stops mean something here and can be changed. */
+  readonly callsAt = $derived(lab.plane !== null && takesStops(lab.plane) && (lab.touring || lab.stops.length > 0))
   /** A tool that the scene has no use for is put away. */
   readonly using = $derived<Tool>(
-    (this.tool === 'paint' && lab.grid) || (this.tool === 'add' && lab.discs) || (this.tool === 'cells' && this.role) ? this.tool : 'look',
+    (this.tool === 'paint' && lab.grid) || (this.tool === 'add' && (lab.discs || this.callsAt)) || (this.tool === 'cells' && this.role) ? this.tool : 'look',
   )
 
   /** The cell that is pointed at, to be asked about. */
@@ -45,11 +48,22 @@ export class Hands {
     else lab.select(null)
   }
 
+  private under(view: View, size: Size, at: Point, coarse: boolean): Handle | null {
+    return lab.plane && hit(lab.plane, view, size, at, lab.selection, coarse, lab.touring)
+  }
+
+  /** Of many stops a finger moves only the one that is selected, and moves the view with the others. */
+  private holds(handle: Handle | null, coarse: boolean): boolean {
+    if (handle?.kind !== 'stop') return handle !== null
+    return this.callsAt && !(coarse && lab.stops.length > CROWD && !same(lab.selection, handle))
+  }
+
   grab(view: View, size: Size, at: Point, coarse: boolean): boolean {
     const { plane, grid } = lab
     if (!plane || this.using === 'add') return false
     const [x, y] = toScene(view, size, at)
-    this.held = hit(plane, view, size, at, lab.selection, coarse)
+    const handle = this.under(view, size, at, coarse)
+    this.held = this.holds(handle, coarse) ? handle : null
     if (this.held) {
       const anchor = place(plane, objectOf(this.held))
       this.offset = [anchor[0] - x, anchor[1] - y]
@@ -80,8 +94,14 @@ export class Hands {
       lab.drag(resize(discs, this.held.index, Math.max(LEAST_RADIUS, Math.hypot(x - center[0], y - center[1]))))
     } else if (this.held && this.held.kind !== 'rim' && plane) {
       lab.select(this.held)
-      lab.drag(move(plane, this.held, [x + this.offset[0], y + this.offset[1]]))
+      lab.drag(move(plane, this.held, this.held.kind === 'stop' ? this.meant(x + this.offset[0], y + this.offset[1]) : [x + this.offset[0], y + this.offset[1]]))
     }
+  }
+
+  /** A hand means a cell and not a place in it: ways go from middle to middle. */
+  private meant(x: number, y: number): Point {
+    const cell = lab.grid && cellAt(lab.grid, [x, y])
+    return lab.grid && cell ? middleOf(lab.grid, cell) : [x, y]
   }
 
   drop(cancelled: boolean): void {
@@ -92,18 +112,24 @@ export class Hands {
   }
 
   tap(view: View, size: Size, at: Point, coarse: boolean): void {
-    const { plane, discs, grid } = lab
+    const { discs, grid } = lab
     const [x, y] = toScene(view, size, at)
     const doubled = performance.now() - this.lastTap.time < DOUBLE.time && Math.hypot(at[0] - this.lastTap.at[0], at[1] - this.lastTap.at[1]) < DOUBLE.apart
     this.lastTap = { time: performance.now(), at }
-    const handle = plane && this.using !== 'add' ? hit(plane, view, size, at, lab.selection, coarse) : null
+    const handle = this.using !== 'add' ? this.under(view, size, at, coarse) : null
     const cell = this.using === 'paint' && grid ? cellAt(grid, [x, y]) : null
     if (discs && (this.using === 'add' || (doubled && !handle))) {
       this.tool = 'look'
       lab.inspect(null)
       lab.addDisc(x, y, NEW_RADIUS)
+    } else if (this.callsAt && (this.using === 'add' || (doubled && !handle && !cell && lab.touring))) {
+      this.tool = 'look'
+      lab.inspect(null)
+      lab.addStop(this.meant(x, y))
     } else if (handle) {
       lab.select(objectOf(handle))
+      // What the planner has to say about it.
+      if (handle.kind === 'stop' && lab.layers.some(({ role, pickable }) => pickable && role === STOPS)) lab.inspect({ role: STOPS, index: handle.index })
     } else if (cell) {
       this.cell = cell
       this.toggle()
@@ -126,8 +152,8 @@ export class Hands {
   }
 
   over(view: View | null, size: Size, at: Point | null): void {
-    const { plane, grid } = lab
-    this.hover = at && plane && view ? hit(plane, view, size, at, lab.selection, false) : null
+    const { grid } = lab
+    this.hover = at && view ? this.under(view, size, at, false) : null
     if (!grid || !view || (this.using === 'look' && !this.role)) return
     if (at) this.cell = this.hover && this.using === 'paint' ? null : cellAt(grid, toScene(view, size, at))
     else if (this.using === 'look') this.cell = null
@@ -138,7 +164,7 @@ export class Hands {
     const { grid } = lab
     if (!grid) return
     const limit = (at: number, count: number): number => Math.min(Math.max(at, 0), count - 1)
-    const from = this.cell ?? cellAt(grid, grid.start ?? [0, 0]) ?? { column: 0, row: grid.rows.length - 1 }
+    const from = this.cell ?? cellAt(grid, grid.start ?? lab.stops[0] ?? [0, 0]) ?? { column: 0, row: grid.rows.length - 1 }
     this.cell = {
       column: limit(from.column + columns, grid.rows[0]?.length ?? 1),
       row: limit(from.row + rows, grid.rows.length),

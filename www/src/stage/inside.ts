@@ -1,33 +1,13 @@
-import type { Disc, GridScene, Point } from 'forage'
+import type { GridScene, Point } from 'forage'
 import { cellAt, columnsOf, isBlocked, radiusOf } from '../state/cells'
-import type { Lines, Pen } from './pen'
-import { styleOf } from './styles'
+import type { Pen } from './pen'
 import { toScreen } from './view'
+import { TOUCH, WRONG } from './wrong'
 
-/** How near a rim is not yet inside, in pixels: what touches isn't wrong. */
-const TOUCH = 1
 /** Where the way goes in or out is found to a fraction of a step. */
 const HALVINGS = 5
 /** The most steps along a result. */
 const STEPS = 4000
-
-const WRONG = { ...styleOf('best'), colour: '--danger', width: 4 }
-
-/** Whatever part of the result lies inside a disc is drawn in red. */
-export function insideDiscs(pen: Pen, lines: Lines, discs: readonly Disc[]): void {
-  if (discs.length === 0) return
-  const { context, view, size } = pen
-  const inside = new Path2D()
-  for (const { center, radius } of discs) {
-    const [x, y] = toScreen(view, size, center)
-    inside.moveTo(x + radius * view.scale, y)
-    inside.arc(x, y, Math.max(0, radius * view.scale - TOUCH), 0, 2 * Math.PI)
-  }
-  context.save()
-  context.clip(inside)
-  lines.stroke(WRONG)
-  context.restore()
-}
 
 /** Whatever part of the result comes nearer to a blocked cell than the robot may is drawn in red. */
 export function insideCells(pen: Pen, scene: GridScene, path: readonly Point[]): void {

@@ -1,22 +1,28 @@
-import type { Inspection, Point, Scene } from 'forage'
+import type { GridScene, Inspection, Point, Scene } from 'forage'
 import type { FrameMessage } from '../worker/protocol'
-import { insideCells, insideDiscs } from './inside'
 import { applyStyle, Lines, marked, type Pen, points } from './pen'
-import { closer, resultOf, type Style, styleBeside, styleOf } from './styles'
+import { closer, resultOf, STOPS, type Style, styleBeside, styleOf } from './styles'
 import { toScreen } from './view'
+import { insideDiscs } from './wrong'
 
 export interface Names {
   roles: string[]
   shapes: string[]
 }
 
+/** What not every scene needs, once it is there. */
+interface More {
+  drawArrows?(pen: Pen, style: Style, vertices: Float32Array, first: number, count: number): void
+  insideCells?(pen: Pen, scene: GridScene, path: readonly Point[]): void
+}
+
 /** Draws a frame's layers that are on, in the style sheet's order. */
-export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (role: string) => boolean, scene: Scene): void {
+export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (role: string) => boolean, scene: Scene, more: More): void {
   const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
   const order = (role: number): number => styleOf(names.roles[role] ?? '').order
-  const roles = [...rolesIn(spans)].filter((role) => on(names.roles[role] ?? '')).sort((a, b) => order(a) - order(b))
-  const result = resultOf(roles.some((role) => names.roles[role] === 'smoothed'))
+  const roles = [...rolesIn(spans)].filter((role) => names.roles[role] !== STOPS && on(names.roles[role] ?? '')).sort((a, b) => order(a) - order(b))
+  const result = resultOf(roles.map((role) => names.roles[role] ?? ''))
   for (const number of roles) {
     const role = names.roles[number] ?? ''
     const style = styleBeside(role, result)
@@ -34,9 +40,10 @@ export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (rol
     }
     if (role === result) halo(lines, style)
     lines.stroke(style)
+    if (style.arrows) for (const [first, count] of ways) more.drawArrows?.(pen, style, vertices, first, count)
     if (role !== result) continue
     if (scene.kind === 'discs') insideDiscs(pen, lines, scene.discs)
-    if (scene.kind === 'grid') for (const [first, count] of ways) insideCells(pen, scene, pathOf(vertices, first, count))
+    if (scene.kind === 'grid') for (const [first, count] of ways) more.insideCells?.(pen, scene, pathOf(vertices, first, count))
   }
 }
 
@@ -79,6 +86,9 @@ function trace({ context, view, size }: Pen, path: readonly Point[]): void {
   })
 }
 
+/** So many marks are small. */
+const [MANY, SMALL] = [60, 13]
+
 /** The arrows and marks of what was picked. */
 export function drawInspection(pen: Pen, { layers }: Inspection): void {
   const { context, view, size } = pen
@@ -96,7 +106,7 @@ export function drawInspection(pen: Pen, { layers }: Inspection): void {
       for (const vertex of vertices) {
         const [x, y] = toScreen(view, size, vertex)
         if (style.mark) {
-          marked(pen, style, x, y)
+          marked(pen, vertices.length > MANY ? { ...style, point: Math.min(style.point, SMALL) } : style, x, y)
           continue
         }
         context.beginPath()

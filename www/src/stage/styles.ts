@@ -18,12 +18,17 @@ export interface Style {
   swell?: number
   /** Drawn by the core only for the part of the plane that is seen. */
   near?: true
+  /** Lines with a direction. */
+  arrows?: true
   /** Values over the plane: the tokens of their colours from weak to strong. */
   ramp?: readonly string[]
 }
 
 /** Lines that something went along, a vertex a step. */
 export const WALKED = 'ants'
+
+/** The scene's own: drawn with start and goal, and numbered as this layer says. */
+export const STOPS = 'stops'
 
 const PLAIN: Style = { colour: '--ink-2', width: 1, order: 20, point: 3, alpha: [0.8, 0.8] }
 
@@ -34,6 +39,8 @@ const STYLES: Readonly<Record<string, Style>> = {
   guides: { colour: '--guide', width: 1, order: 5, dash: [2, 4], point: 3, alpha: [1, 1] },
   'personal-bests': { colour: '--accent', width: 0.75, order: 10, point: 2.5, alpha: [0.35, 0.35] },
   velocities: { colour: '--inertia', width: 0.75, order: 25, point: 2, alpha: [0.55, 0.55] },
+  roads: { colour: '--road', width: 1.5, order: 12, point: 3, alpha: [0.55, 0.55] },
+  tours: { colour: '--particle', width: 1, order: 19, point: 3, alpha: [0.22, 0.22] },
   frontier: { colour: '--frontier', width: 1, order: 16, dots: true, point: 4, alpha: [0.9, 0.9] },
   ants: { colour: '--ant', width: 0.9, order: 18, point: 5, alpha: [0.14, 0.5] },
   particles: { colour: '--particle', width: 1, order: 20, point: 5, alpha: [0.55, 0.1] },
@@ -45,6 +52,8 @@ const STYLES: Readonly<Record<string, Style>> = {
   exact: { colour: '--exact', width: 1.75, order: 35, dash: [2, 5], point: 4, alpha: [1, 1] },
   best: { colour: '--best', width: 3, order: 40, point: 9, alpha: [1, 1], mark: 'ring' },
   smoothed: { colour: '--best', width: 3.25, order: 41, point: 9, alpha: [1, 1], mark: 'ring' },
+  tour: { colour: '--best', width: 2.75, order: 40, arrows: true, point: 9, alpha: [1, 1] },
+  [STOPS]: { colour: '--stop', width: 2, order: 45, dots: true, point: 9, alpha: [1, 1], mark: 'ring' },
   candidates: { colour: '--ant', width: 1.75, order: 49, point: 3, alpha: [0.8, 0.8] },
   before: { colour: '--ink', width: 1.5, order: 50, dash: [3, 3], point: 6, alpha: [0.7, 0.7] },
   after: { colour: '--ink', width: 2, order: 51, point: 7, alpha: [1, 1] },
@@ -52,6 +61,7 @@ const STYLES: Readonly<Record<string, Style>> = {
   cognitive: { colour: '--cognitive', width: 2, order: 53, point: 3, alpha: [1, 1] },
   social: { colour: '--social', width: 2, order: 54, point: 3, alpha: [1, 1] },
   velocity: { colour: '--ink', width: 1.5, order: 55, dash: [5, 3], point: 3, alpha: [1, 1] },
+  different: { colour: '--different', width: 2, order: 57, dots: true, point: 27, alpha: [1, 1], mark: 'ring' },
   jump: { colour: '--hen', width: 2.25, order: 56, point: 3, alpha: [1, 1] },
 }
 
@@ -59,7 +69,7 @@ const STYLES: Readonly<Record<string, Style>> = {
 const RAW: Partial<Style> = { width: 1.5, alpha: [0.75, 0.75], dash: [1, 4] }
 
 /** Which of the roles that are shown is the result. */
-export const resultOf = (smoothed: boolean): 'smoothed' | 'best' => (smoothed ? 'smoothed' : 'best')
+export const resultOf = (shown: readonly string[]): string => ['smoothed', 'tour'].find((role) => shown.includes(role)) ?? 'best'
 
 /** In an inspection there is only one of each: it is drawn clearly. */
 export function closer(role: string): Style {

@@ -1,12 +1,13 @@
-import type { Disc, DiscsScene, GridScene, Point, Scene } from 'forage'
+import type { Disc, DiscsScene, GridScene, Point, Scene, TourScene } from 'forage'
+import { stopsOf, withStops } from './stops'
 
-/** Scenes in which a path is looked for. */
-export type Plane = DiscsScene | GridScene
+/** Scenes with places that can be taken hold of. */
+export type Plane = DiscsScene | GridScene | TourScene
 
+/** Something of a scene that can be selected. */
+export type Selection = { kind: 'start' | 'goal' } | { kind: 'disc' | 'stop'; index: number }
 /** Something of a scene that can be taken hold of. */
-export type Handle = { kind: 'start' } | { kind: 'goal' } | { kind: 'disc'; index: number } | { kind: 'rim'; index: number }
-/** A handle that stays selected. */
-export type Selection = Exclude<Handle, { kind: 'rim' }>
+export type Handle = Selection | { kind: 'rim'; index: number }
 
 export const LEAST_RADIUS = 0.01
 const DIGITS = 1e4
@@ -14,33 +15,34 @@ const DIGITS = 1e4
 /** Short numbers in links and lists: a ten-thousandth of a unit is finer than a hand. */
 export const rounded = (value: number): number => Math.round(value * DIGITS) / DIGITS
 
-export function same(a: Selection | null, b: Selection | null): boolean {
-  return a?.kind === b?.kind && (a?.kind !== 'disc' || (b?.kind === 'disc' && a.index === b.index))
-}
+const numberOf = (handle: Handle | null): number => (handle && 'index' in handle ? handle.index : -1)
+
+export const same = (a: Selection | null, b: Selection | null): boolean => a?.kind === b?.kind && numberOf(a) === numberOf(b)
 
 /** Where a path begins and ends, as far as the scene says. */
 export function ends(scene: Plane): { kind: 'start' | 'goal'; at: Point }[] {
   return (['start', 'goal'] as const).flatMap((kind) => {
-    const at = scene[kind]
+    const at = scene.kind === 'tour' ? undefined : scene[kind]
     return at ? [{ kind, at }] : []
   })
 }
 
 export function place(scene: Plane, handle: Selection): Point {
   if (handle.kind === 'disc') return discOf(scene, handle.index)?.center ?? [0, 0]
-  return scene[handle.kind] ?? [0, 0]
+  if (handle.kind === 'stop') return stopsOf(scene)[handle.index] ?? [0, 0]
+  return ends(scene).find(({ kind }) => kind === handle.kind)?.at ?? [0, 0]
 }
 
 export const discOf = (scene: Plane, index: number): Disc | undefined => (scene.kind === 'discs' ? scene.discs[index] : undefined)
 
-/** Moves an object. In a grid it stays inside. */
+/** Moves an object. In a grid it stays inside; the same scene where it can't be moved. */
 export function move(scene: Plane, handle: Selection, [x, y]: Point): Plane {
-  if (scene.kind === 'grid') {
-    const within = (value: number, cells: number): number => rounded(Math.min(Math.max(value, 0), cells * scene.cell))
-    return { ...scene, [handle.kind]: [within(x, scene.rows[0]?.length ?? 0), within(y, scene.rows.length)] }
-  }
-  const at: Point = [rounded(x), rounded(y)]
-  if (handle.kind === 'disc') return withDisc(scene, handle.index, (disc) => ({ ...disc, center: at }))
+  const within = (value: number, cells = 0): number => (scene.kind === 'grid' ? Math.min(Math.max(value, 0), cells * scene.cell) : value)
+  const rows = scene.kind === 'grid' ? scene.rows : []
+  const at: Point = [rounded(within(x, rows[0]?.length)), rounded(within(y, rows.length))]
+  if (handle.kind === 'stop') return withStops(scene, (stops) => stops.with(handle.index, at))
+  if (scene.kind === 'tour') return scene
+  if (handle.kind === 'disc') return scene.kind === 'discs' ? withDisc(scene, handle.index, (disc) => ({ ...disc, center: at })) : scene
   return { ...scene, [handle.kind]: at }
 }
 
@@ -53,8 +55,11 @@ export function add(scene: DiscsScene, disc: Disc): DiscsScene {
   return { ...scene, discs: [...scene.discs, { center: [rounded(x), rounded(y)], radius: rounded(disc.radius) }] }
 }
 
-export function remove(scene: DiscsScene, index: number): DiscsScene {
-  return { ...scene, discs: scene.discs.filter((_, at) => at !== index) }
+/** The scene without a disc or a stop; the same where there is nothing to remove. */
+export function remove(scene: Plane, handle: Selection | null): Plane {
+  const others = (_: unknown, at: number): boolean => at !== numberOf(handle)
+  if (handle?.kind === 'stop') return withStops(scene, (stops) => stops.filter(others))
+  return handle?.kind === 'disc' && scene.kind === 'discs' ? { ...scene, discs: scene.discs.filter(others) } : scene
 }
 
 function withDisc(scene: DiscsScene, index: number, change: (disc: Disc) => Disc): DiscsScene {
@@ -69,8 +74,8 @@ export function edited<S extends Scene>(scene: S): S {
 
 /** Which object a refused field belongs to: `discs[2].radius`, `start`, … */
 export function blamed(field: string): Selection | null {
-  const disc = /^discs\[(\d+)\]/.exec(field)
-  if (disc) return { kind: 'disc', index: Number(disc[1]) }
+  const [, list, index] = /^(discs|stops|points)\[(\d+)\]/.exec(field) ?? []
+  if (list) return { kind: list === 'discs' ? 'disc' : 'stop', index: Number(index) }
   if (field.startsWith('start')) return { kind: 'start' }
   return field.startsWith('goal') ? { kind: 'goal' } : null
 }

@@ -8,13 +8,14 @@ import type { Clock } from './clock.svelte'
 import { Curve } from './curve'
 import { Driving } from './driving.svelte'
 import { Scenes } from './scenes.svelte'
+import { suits } from './stops'
 import { stillness } from './theme.svelte'
 
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
 export type Tuned = NonNullable<Outcome['tuned']>
 export type Phase = 'loading' | 'ready' | 'crashed'
-/** Which optimum results are measured by. Only in a grid there is more than one. */
+/** Which optimum results are measured by. Only in a grid and of tours there is more than one. */
 export type Yardstick = 'plain' | Outcome['exact_by']
 
 /** Everything the page knows. Components read it and call its methods; nothing else holds state of the run. */
@@ -62,8 +63,10 @@ class Lab extends Scenes {
   stale = $state(false)
 
   readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
+  /** What is looked for is a tour through the stops: start and goal mean nothing. */
+  readonly touring = $derived(this.scene?.kind === 'tour' || (this.grid !== null && (this.planner?.stops ?? false)))
   readonly limit = $derived(this.run?.limit ?? 0)
-  readonly yardstick = $derived<Yardstick>(this.grid && this.outcome ? this.outcome.exact_by : 'plain')
+  readonly yardstick = $derived<Yardstick>((this.grid || this.touring) && this.outcome ? this.outcome.exact_by : 'plain')
   /** How far a step is that takes its time. */
   readonly underway = $derived(this.progress?.generation === this.run?.generation ? this.progress : null)
   readonly finished = $derived(this.status !== 'running')
@@ -305,7 +308,10 @@ class Lab extends Scenes {
 
   protected again(): void {
     this.promised = undefined
-    if (this.scene && this.planner && !this.planner.kinds.includes(this.scene.kind)) this.suit(this.scene)
+    const { scene, planner } = this
+    // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
+    const another = scene?.kind !== this.run?.scene.kind || scene?.name !== this.run?.scene.name
+    if (scene && planner && another && !suits(planner, scene)) this.suit(scene)
     void this.restart({ at: 0, play: this.playing || !this.run || (this.finished && !stillness.matches) })
   }
 
@@ -317,8 +323,7 @@ class Lab extends Scenes {
     this.tuner = null
     this.plannerName = name
     // Where it doesn't run, it brings a scene of its own.
-    const { kinds } = planner
-    const other = this.scene && !kinds.includes(this.scene.kind) && this.catalogue?.scenes.find(({ kind }) => kinds.includes(kind))
+    const other = this.scene && !suits(planner, this.scene) && this.catalogue?.scenes.find((scene) => suits(planner, scene))
     if (other) this.put(other, true)
     this.again()
   }
@@ -330,10 +335,10 @@ class Lab extends Scenes {
   }
 
   /** Another planner takes the place of one that doesn't run on such scenes. */
-  private suit({ kind, title }: Scene): void {
-    const other = this.catalogue?.planners.find(({ kinds }) => kinds.includes(kind))
+  private suit(scene: Scene): void {
+    const other = this.catalogue?.planners.find((planner) => suits(planner, scene))
     if (!other) return
-    this.notice = en.notices.kind(this.planner?.title ?? '', title, other.title)
+    this.notice = en.notices.kind(this.planner?.title ?? '', scene.title, other.title)
     this.paramErrors = {}
     this.plannerName = other.name
   }

@@ -1,7 +1,8 @@
-import type { DiscsScene, GridScene, Scene } from 'forage'
-import { add, edited, move, place, type Plane, remove, type Selection } from './edits'
+import type { DiscsScene, GridScene, Point, Scene } from 'forage'
+import { add, edited, move, place, type Plane, remove, rounded, type Selection } from './edits'
 import * as history from './history'
 import type { ImportedFiles } from './imports'
+import { stopsOf, withStops } from './stops'
 
 /** Key presses that follow each other within this many milliseconds are one edit. */
 const NUDGING = 800
@@ -19,7 +20,9 @@ export abstract class Scenes {
   readonly scene = $derived(this.draft ?? this.scenes?.present ?? null)
   readonly discs = $derived<DiscsScene | null>(this.scene?.kind === 'discs' ? this.scene : null)
   readonly grid = $derived<GridScene | null>(this.scene?.kind === 'grid' ? this.scene : null)
-  readonly plane = $derived<Plane | null>(this.discs ?? this.grid)
+  readonly plane = $derived<Plane | null>(this.scene && this.scene.kind !== 'function' ? this.scene : null)
+  /** Where there is something to call at, in the scene's order. */
+  readonly stops = $derived(this.scene ? stopsOf(this.scene) : [])
   /** The scene has a robot with an outline. */
   readonly hasRobot = $derived(this.grid?.robot?.length !== undefined && this.grid.robot.width !== undefined)
   readonly canUndo = $derived((this.scenes?.past.length ?? 0) > 0)
@@ -84,12 +87,20 @@ export abstract class Scenes {
     this.selection = { kind: 'disc', index: discs.discs.length }
   }
 
+  addStop = (at: Point): void => {
+    const { plane, stops } = this
+    const added = plane && withStops(plane, (before) => [...before, [rounded(at[0]), rounded(at[1])]])
+    if (!added || added === plane) return
+    this.edit(added)
+    this.selection = { kind: 'stop', index: stops.length }
+  }
+
   removeSelected = (): void => {
-    if (this.discs && this.selection?.kind === 'disc') {
-      const { index } = this.selection
-      this.selection = null
-      this.edit(remove(this.discs, index))
-    }
+    const { plane, selection } = this
+    const without = plane && remove(plane, selection)
+    if (!without || without === plane) return
+    this.selection = null
+    this.edit(without)
   }
 
   nudge = (dx: number, dy: number): void => {
@@ -97,6 +108,7 @@ export abstract class Scenes {
     if (!plane || !selection) return
     const [x, y] = place(plane, selection)
     const moved = move(plane, selection, [x + dx, y + dy])
+    if (moved === plane) return
     // A row of key presses is one edit.
     const goesOn = this.nudged?.selection === selection && performance.now() - this.nudged.at < NUDGING
     if (goesOn && this.scenes) {

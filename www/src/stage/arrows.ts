@@ -1,0 +1,58 @@
+import type { Pen } from './pen'
+import type { Style } from './styles'
+import { rise } from './view'
+
+/** A straight stretch of at least this length, in pixels, has a head in its middle, a long one several. */
+const LONG = 34
+const APART = 130
+/** Where all stretches are short, there is one about every so often. */
+const OFTEN = 90
+/** An arrow head, along and to each side. */
+const [HEAD, SIDE] = [5, 4.2]
+
+/** Heads along a line that say in which direction it goes. */
+export function drawArrows({ context, view, size, palette }: Pen, style: Style, vertices: Float32Array, first: number, count: number): void {
+  const { scale } = view
+  const left = size.width / 2 - view.x * scale
+  const up = rise(view) * scale
+  const top = size.height / 2 + view.y * up
+  const x = (at: number): number => left + (vertices[4 * (first + at)] ?? 0) * scale
+  const y = (at: number): number => top - (vertices[4 * (first + at) + 1] ?? 0) * up
+  const heads = new Path2D()
+  let since = OFTEN / 2
+  let from = 0
+  for (let to = 1; to < count; to += 1) {
+    // Steps in one direction are one stretch.
+    if (to + 1 < count && straight(x(from), y(from), x(to), y(to), x(to + 1), y(to + 1))) continue
+    const [dx, dy] = [x(to) - x(from), y(to) - y(from)]
+    const length = Math.hypot(dx, dy)
+    const due = length >= LONG ? Math.max(1, Math.round(length / APART)) : Number(since + length / 2 >= OFTEN && length > 2 * HEAD)
+    for (let k = 0; k < due; k += 1) {
+      const part = (k + 0.5) / due
+      const [hx, hy] = [x(from) + part * dx, y(from) + part * dy]
+      if (hx > -HEAD && hy > -HEAD && hx < size.width + HEAD && hy < size.height + HEAD) head(heads, hx, hy, dx / length, dy / length)
+    }
+    since = due > 0 ? length / (2 * due) : since + length
+    from = to
+  }
+  context.setLineDash([])
+  context.lineJoin = 'round'
+  context.lineWidth = 2.5
+  context.strokeStyle = palette.get('--stage')
+  context.stroke(heads)
+  context.fillStyle = palette.get(style.colour)
+  context.fill(heads)
+}
+
+function straight(x0: number, y0: number, x1: number, y1: number, x2: number, y2: number): boolean {
+  const [ax, ay, bx, by] = [x1 - x0, y1 - y0, x2 - x1, y2 - y1]
+  return Math.abs(ax * by - ay * bx) < 1e-3 * Math.hypot(ax, ay) * Math.hypot(bx, by) && ax * bx + ay * by > 0
+}
+
+function head(path: Path2D, x: number, y: number, dx: number, dy: number): void {
+  const [backX, backY] = [x - HEAD * dx, y - HEAD * dy]
+  path.moveTo(x + HEAD * dx, y + HEAD * dy)
+  path.lineTo(backX - SIDE * dy, backY + SIDE * dx)
+  path.lineTo(backX + SIDE * dy, backY - SIDE * dx)
+  path.closePath()
+}
