@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use crate::{
-    frame::{Frame, Role, Shape},
+    frame::{Frame, Role, Shape, Span, VERTEX},
+    geometry,
     scene::{Body, Bounds, Scene, YAxis},
     session::Session,
 };
@@ -47,6 +48,8 @@ fn style_of(role: Role) -> Style {
 
 const SIZE: f64 = 900.0;
 const MARGIN: f64 = 24.0;
+/// Of more stops none has a number.
+const NUMBERED: usize = 100;
 
 /// The session's present state: the scene, the layers of these roles, and the exact optimum if `exact` is among them.
 pub fn svg(session: &Session, dark: bool, layers: &[Role]) -> String {
@@ -98,7 +101,11 @@ impl Canvas {
         if let Some(exact) = session.exact().filter(|_| layers.contains(&Role::Exact)) {
             self.line(Role::Exact, &style_of(Role::Exact), &exact.path);
         }
-        self.ends(session.scene());
+        if session.entry().stops {
+            self.stops(&session.scene().stops(), &frame, layers);
+        } else {
+            self.ends(session.scene());
+        }
         self.text.push_str("</svg>\n");
         self.text
     }
@@ -149,7 +156,13 @@ impl Canvas {
             let points: Vec<_> = frame.points(span).collect();
             let look = style_of(if smoothed && span.role == Role::Best { Role::Guides } else { span.role });
             match span.shape {
-                Shape::Polyline => self.line(span.role, &look, &points),
+                Shape::Polyline => {
+                    self.line(span.role, &look, &points);
+                    if span.role == Role::Tour {
+                        self.arrows(&look, &points);
+                    }
+                }
+                Shape::Points if span.role == Role::Stops => {}
                 Shape::Segments => points.chunks_exact(2).for_each(|pair| self.line(span.role, &look, pair)),
                 Shape::Points | Shape::Field => points.iter().for_each(|&point| self.dot(span.role, point)),
             }
@@ -185,6 +198,56 @@ impl Canvas {
         );
     }
 
+    /// Heads that say in which direction a tour goes: on each stretch with room for one, and every so often.
+    fn arrows(&mut self, look: &Style, points: &[[f64; 2]]) {
+        let places: Vec<_> = points.iter().map(|&point| self.at(point)).collect();
+        let often = (geometry::length(&places) / 100.0).max(90.0);
+        let mut since = often / 2.0;
+        let mut heads = String::new();
+        for leg in places.windows(2) {
+            let ([x0, y0], [x1, y1]) = (leg[0], leg[1]);
+            let length = geometry::length(leg);
+            since += length;
+            if length < 12.0 || (length < f64::max(34.0, often / 5.0) && since < often) {
+                continue;
+            }
+            since = length / 2.0;
+            let (x, y, dx, dy) = (f64::midpoint(x0, x1), f64::midpoint(y0, y1), 5.0 * (x1 - x0) / length, 5.0 * (y1 - y0) / length);
+            let corner = |along: f64, aside: f64| (rounded(x + along * dx - aside * dy), rounded(y + along * dy + aside * dx));
+            let ((tip_x, tip_y), (left_x, left_y), (right_x, right_y)) = (corner(1.0, 0.0), corner(-1.0, 0.85), corner(-1.0, -0.85));
+            let _ = write!(heads, "M{tip_x} {tip_y} {left_x} {left_y} {right_x} {right_y}Z");
+        }
+        put!(self, r#"<path d="{heads}" fill="{}"/>"#, self.tone(look.light, look.dark));
+    }
+
+    /// The stops with their places in the tour, as far as there is one, or else with the scene's own numbers.
+    fn stops(&mut self, stops: &[[f64; 2]], frame: &Frame, layers: &[Role]) {
+        let all = |span: &Span| span.role == Role::Stops && span.count as usize == stops.len() && layers.contains(&span.role);
+        let span = frame.spans().find(all);
+        let place = |stop: usize| span.map_or(-1.0, |span| frame.vertices()[(span.first as usize + stop) * VERTEX + 3]);
+        let Style { light, dark, .. } = style_of(Role::Tour);
+        let (ground, ink) = (self.tone("#faf8f2", "#101714"), self.tone("#26302a", "#e8ebe2"));
+        let numbered = stops.len() <= NUMBERED;
+        for (i, &stop) in stops.iter().enumerate() {
+            let [x, y] = self.at(stop);
+            let at = place(i);
+            let tone = if at < 0.0 { self.tone("#8c8674", "#56695f") } else { self.tone(light, dark) };
+            let radius = if numbered { 9.5 } else { 3.5 };
+            put!(self, r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="{ground}" stroke="{tone}" stroke-width="1.75"/>"#);
+            if at == 0.0 {
+                put!(self, r#"<circle cx="{x}" cy="{y}" r="{}" stroke="{tone}" stroke-width="2"/>"#, radius + 3.25);
+            }
+            if numbered {
+                let number = if at < 0.0 { i } else { at as usize } + 1;
+                put!(
+                    self,
+                    r#"<text x="{x}" y="{}" fill="{ink}" font-family="sans-serif" font-size="11" text-anchor="middle">{number}</text>"#,
+                    y + 4.0
+                );
+            }
+        }
+    }
+
     fn ends(&mut self, scene: &Scene) {
         let Some((start, goal)) = scene.ends() else {
             return;
@@ -209,6 +272,24 @@ fn escaped(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::{Setup, shipped};
+
+    #[test]
+    fn a_tour_is_drawn_with_its_direction_and_the_stops_with_their_places() {
+        let setup = Setup { planner: "bat".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Given::default(), seed: 1 };
+        let mut session = Session::new(setup).unwrap();
+        let before = svg(&session, false, &[Role::Tour, Role::Stops]);
+        assert_eq!(before.matches("<circle").count(), 12, "neither start nor goal");
+        assert!(before.contains(">12</text>") && !before.contains("<path"), "the scene's own numbers");
+        while session.outcome().length.is_none() {
+            session.step(1);
+        }
+        let picture = svg(&session, false, &[Role::Tour, Role::Stops]);
+        assert_eq!(picture.matches("<circle").count(), 12 + 1, "the first has a ring");
+        assert!(picture.matches("Z").count() >= 12, "a head on each leg");
+        let numbers: std::collections::BTreeSet<_> =
+            picture.lines().filter(|line| line.ends_with("</text>")).map(|line| line.rsplit('>').nth(1)).collect();
+        assert_eq!(numbers.len(), 12);
+    }
 
     #[test]
     fn a_picture_holds_the_scene_and_only_the_layers_asked_for() {

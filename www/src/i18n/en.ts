@@ -69,6 +69,7 @@ export const en = {
   },
   result: {
     length: 'best path',
+    tour: 'best tour',
     cost: 'best value',
     free: 'collision-free',
     cuts: 'cuts through an obstacle',

@@ -5,8 +5,8 @@ import { rise } from './view'
 /** A straight stretch of at least this length, in pixels, has a head in its middle, a long one several. */
 const LONG = 34
 const APART = 130
-/** Where all stretches are short, there is one about every so often. */
-const OFTEN = 90
+/** More heads than about these would hide the line. */
+const MOST = 110
 /** An arrow head, along and to each side. */
 const [HEAD, SIDE] = [5, 4.2]
 
@@ -18,26 +18,32 @@ export function drawArrows({ context, view, size, palette }: Pen, style: Style, 
   const top = size.height / 2 + view.y * up
   const x = (at: number): number => left + (vertices[4 * (first + at)] ?? 0) * scale
   const y = (at: number): number => top - (vertices[4 * (first + at) + 1] ?? 0) * up
+  let length = 0
+  for (let at = 1; at < count; at += 1) length += Math.hypot(x(at) - x(at - 1), y(at) - y(at - 1))
+  const apart = Math.max(APART, length / MOST)
+  const long = Math.max(LONG, apart / 5)
   const heads = new Path2D()
-  let since = OFTEN / 2
+  // Where all stretches are short, there is still one every so often.
+  let since = apart / 2
   let from = 0
   for (let to = 1; to < count; to += 1) {
     // Steps in one direction are one stretch.
     if (to + 1 < count && straight(x(from), y(from), x(to), y(to), x(to + 1), y(to + 1))) continue
     const [dx, dy] = [x(to) - x(from), y(to) - y(from)]
-    const length = Math.hypot(dx, dy)
-    const due = length >= LONG ? Math.max(1, Math.round(length / APART)) : Number(since + length / 2 >= OFTEN && length > 2 * HEAD)
+    const stretch = Math.hypot(dx, dy)
+    const often = stretch > 2 * HEAD && since + stretch / 2 >= 0.7 * apart ? 1 : 0
+    const due = stretch >= long ? Math.max(1, Math.round(stretch / apart)) : often
     for (let k = 0; k < due; k += 1) {
       const part = (k + 0.5) / due
       const [hx, hy] = [x(from) + part * dx, y(from) + part * dy]
-      if (hx > -HEAD && hy > -HEAD && hx < size.width + HEAD && hy < size.height + HEAD) head(heads, hx, hy, dx / length, dy / length)
+      if (hx > -HEAD && hy > -HEAD && hx < size.width + HEAD && hy < size.height + HEAD) head(heads, hx, hy, dx / stretch, dy / stretch)
     }
-    since = due > 0 ? length / (2 * due) : since + length
+    since = due > 0 ? stretch / (2 * due) : since + stretch
     from = to
   }
   context.setLineDash([])
   context.lineJoin = 'round'
-  context.lineWidth = 2.5
+  context.lineWidth = 1.75
   context.strokeStyle = palette.get('--stage')
   context.stroke(heads)
   context.fillStyle = palette.get(style.colour)

@@ -1,4 +1,5 @@
 import type { GridScene, Inspection, Point, Scene } from 'forage'
+import { stopsOf } from '../state/stops'
 import type { FrameMessage } from '../worker/protocol'
 import { applyStyle, Lines, marked, type Pen, points } from './pen'
 import { closer, resultOf, STOPS, type Style, styleBeside, styleOf } from './styles'
@@ -25,7 +26,7 @@ export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (rol
   const result = resultOf(roles.map((role) => names.roles[role] ?? ''))
   for (const number of roles) {
     const role = names.roles[number] ?? ''
-    const style = styleBeside(role, result)
+    const style = stopsOf(scene).length > CROWD ? thinner(styleBeside(role, result)) : styleBeside(role, result)
     const lines = new Lines(pen, style.swell !== undefined)
     const ways: [first: number, count: number][] = []
     for (let at = 0; at < spans.length; at += 4) {
@@ -65,6 +66,10 @@ function rolesIn(spans: Uint32Array): Set<number> {
   for (let at = 0; at < spans.length; at += 4) roles.add(spans[at] ?? 0)
   return roles
 }
+
+/** Tours of more stops are thinner. */
+const CROWD = 100
+const thinner = (style: Style): Style => (style.arrows ? { ...style, width: 1.75 } : style)
 
 /** Lifts the result off the crowd beneath it. */
 function halo(lines: Lines, style: Style): void {

@@ -1,5 +1,5 @@
 import type { Scene } from 'forage'
-import { type Handle, same, type Selection } from '../state/edits'
+import { ends, type Handle, same, type Selection } from '../state/edits'
 import { stopsOf } from '../state/stops'
 import type { FrameMessage } from '../worker/protocol'
 import type { Names } from './layers'
@@ -9,7 +9,7 @@ import { toScreen } from './view'
 
 /** A disc holds a number of two digits. */
 const DISC = 9.5
-const DOT = 3.5
+const DOT = 4
 /** Discs may overlap by a little: their rims tell them apart. */
 const ROOM = 2 * DISC - 3
 /** More numbers than these at once say nothing. */
@@ -62,12 +62,15 @@ function seen({ view, size }: Pen, scene: Scene): Seen[] {
 export function drawStops(pen: Pen, scene: Scene, { places, selection, hover, blamed, touring }: Marks): void {
   const { context, palette } = pen
   const stops = seen(pen, scene)
-  const dot = stops.length > MANY ? DOT - 1 : DOT
+  const dot = stops.length > MANY ? DOT - 1.5 : DOT
+  // Where a way begins or ends, there is a mark already.
+  const hidden = touring || scene.kind !== 'grid' ? [] : ends(scene).map(({ at }) => toScreen(pen.view, pen.size, at))
   context.setLineDash([])
   context.textAlign = 'center'
   context.textBaseline = 'middle'
   // The first lie on top.
   for (const { index, x, y, room } of stops.reverse()) {
+    if (hidden.some((end) => Math.hypot(x - end[0], y - end[1]) < DOT)) continue
     const handle: Selection = { kind: 'stop', index }
     const [wrong, place] = [same(blamed, handle), places?.[index] ?? -1]
     const radius = room >= ROOM ? DISC : dot
