@@ -1,16 +1,6 @@
-import { readFileSync } from 'node:fs'
-import { createRequire } from 'node:module'
-import type { AxeResults } from 'axe-core'
+import { violations } from './support/axe'
 import { linkTo, sceneOf, verified } from './support/core'
-import { en, expect, type Lab, test } from './support/lab'
-
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
-
-async function violations(lab: Lab): Promise<string[]> {
-  await lab.page.evaluate(axe)
-  const { violations: found } = await lab.page.evaluate(() => (window as unknown as { axe: { run(): Promise<AxeResults> } }).axe.run())
-  return found.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} at ${target.join(' ')}: ${failureSummary}`))
-}
+import { en, expect, test } from './support/lab'
 
 const screens = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } }
 
