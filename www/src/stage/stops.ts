@@ -14,6 +14,8 @@ const DOT = 4
 const ROOM = 2 * DISC - 3
 /** More numbers than these at once say nothing. */
 const MOST = 90
+/** The share of stops that must have room for numbers. */
+const ENOUGH = 0.7
 /** More dots than these are smaller. */
 const MANY = 400
 
@@ -55,7 +57,9 @@ function seen({ view, size }: Pen, scene: Scene): Seen[] {
   // Beyond that there are no numbers, and nobody asks.
   if (found.length > MOST) return found.map((stop) => ({ ...stop, room: 0 }))
   for (const a of found) for (const b of found) if (a !== b) a.room = Math.min(a.room, Math.hypot(a.x - b.x, a.y - b.y))
-  return found
+  // A number here and there would be more puzzling than none.
+  const roomy = found.filter(({ room }) => room >= ROOM).length
+  return roomy >= ENOUGH * found.length ? found : found.map((stop) => ({ ...stop, room: 0 }))
 }
 
 /** A tour numbers the stops as it calls at them; without one they have the scene's numbers, lighter. */
