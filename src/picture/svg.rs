@@ -285,7 +285,7 @@ mod tests {
         }
         let picture = svg(&session, false, &[Role::Tour, Role::Stops]);
         assert_eq!(picture.matches("<circle").count(), 12 + 1, "the first has a ring");
-        assert!(picture.matches("Z").count() >= 12, "a head on each leg");
+        assert!(picture.matches('Z').count() >= 12, "a head on each leg");
         let numbers: std::collections::BTreeSet<_> =
             picture.lines().filter(|line| line.ends_with("</text>")).map(|line| line.rsplit('>').nth(1)).collect();
         assert_eq!(numbers.len(), 12);
