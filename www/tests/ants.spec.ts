@@ -1,5 +1,5 @@
 import { catalogue, type GridScene, type Inspection, type Scene } from '../../pkg/node.js'
-import { panels } from '../src/i18n/panels.en'
+import { closer } from '../src/i18n/closer.en'
 import { chance, COMPASS } from '../src/panels/compass'
 import { number } from '../src/panels/format'
 import { indexOf, middleOf } from '../src/state/cells'
@@ -93,13 +93,13 @@ test('an iteration unfolds into its ants’ steps, keeps to the iteration, and f
   const line = page.getByTestId('walk-time')
   await expect(line).toHaveAttribute('max', String(walk.end))
   await expect.poll(async () => Number(await line.inputValue())).toBeGreaterThan(1)
-  await lab.press(panels.walk.pause)
+  await lab.press(closer.walk.pause)
   for (const step of [0, 7, walk.end]) {
     await line.fill(String(step))
     const { walking, arrived, stuck } = walk.counts(step)
-    await expect(line).toHaveAttribute('aria-valuetext', `${panels.walk.spoken(number(step), number(walk.end), String(AT))}: ${panels.walk.counts(number(walking), number(arrived), number(stuck))}`)
+    await expect(line).toHaveAttribute('aria-valuetext', `${closer.walk.spoken(number(step), number(walk.end), String(AT))}: ${closer.walk.counts(number(walking), number(arrived), number(stuck))}`)
   }
-  await lab.press(panels.walk.back)
+  await lab.press(closer.walk.back)
   await expect(line).toHaveValue(String(walk.end - 1))
 
   // The next iteration of the run is unfolded as it comes.
@@ -140,7 +140,7 @@ test.describe('without motion', () => {
   test('an unfolded iteration stands at its beginning until it is played', async ({ lab, page }) => {
     await begin(lab)
     await page.getByTestId('unfold').click()
-    await expect(lab.button(panels.walk.play)).toBeVisible()
+    await expect(lab.button(closer.walk.play)).toBeVisible()
     await expect(page.getByTestId('walk-time')).toHaveValue('0')
   })
 })

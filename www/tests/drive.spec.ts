@@ -1,13 +1,13 @@
 import { readFileSync } from 'node:fs'
 import { catalogue, type Drive } from '../../pkg/node.js'
-import { panels } from '../src/i18n/panels.en'
+import { closer } from '../src/i18n/closer.en'
 import { number } from '../src/panels/format'
 import { Track } from '../src/state/track'
 import { linkTo, sessionAt } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 
 const GRID = { planner: 'ltqpso', scene: 'qpso-10m' }
-const text = panels.drive
+const text = closer.drive
 
 /** What the core says of the drive along the result at an iteration. */
 function driven(iteration: number, params = {}): Drive {
@@ -188,12 +188,12 @@ test('other parameters of the drive: the result’s own figures say that they ar
   await begin(lab, 50)
   await lab.section('result')
   const told = page.getByTestId('result-drive')
-  await expect(told).not.toContainText(panels.result.driveDefault)
+  await expect(told).not.toContainText(closer.result.driveDefault)
   await page.getByText(text.parameters, { exact: true }).click()
   const field = page.getByTestId('drive').locator('[data-parameter="look_ahead"] input.typed')
   await field.fill('2')
   await field.press('Enter')
-  await expect(told).toContainText(panels.result.driveDefault)
+  await expect(told).toContainText(closer.result.driveDefault)
 })
 
 for (const width of [360, 920, 1000]) {

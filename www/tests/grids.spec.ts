@@ -1,4 +1,5 @@
 import type { GridScene, Point, Scene } from '../../pkg/node.js'
+import { closer } from '../src/i18n/closer.en'
 import { panels } from '../src/i18n/panels.en'
 import { number } from '../src/panels/format'
 import { isBlocked, middleOf } from '../src/state/cells'
@@ -211,5 +212,5 @@ test('where walls shut the goal off, the result says that there is no way', asyn
   await lab.open(linkTo({ ...GRID, scene: shut }, 20))
   await lab.settled(20)
   await lab.section('result')
-  await expect(page.getByTestId('result-gap')).toHaveText(panels.result.noWay)
+  await expect(page.getByTestId('result-gap')).toHaveText(closer.result.noWay)
 })

@@ -1,3 +1,4 @@
+import { closer } from '../src/i18n/closer.en'
 import { panels } from '../src/i18n/panels.en'
 import { number } from '../src/panels/format'
 import { hashOf, linkTo, sessionAt, verified } from './support/core'
@@ -135,7 +136,7 @@ test('a run that stops early doesn’t claim to have reached its limit; a path t
   await lab.open(linkTo({ planner: 'ltqpso', scene: 'qpso-10m', params: { early_stop: 5 } }, 50))
   await lab.settled()
   const result = await lab.section('result')
-  await expect(result.locator('[data-figure="state"]')).toHaveText(panels.result.early)
+  await expect(result.locator('[data-figure="state"]')).toHaveText(closer.result.early)
 
   await lab.open('#v=1&planner=pso&scene=wcpso-discs&seed=1&p.penalty=waypoints&at=500')
   await lab.settled(500)

@@ -1,5 +1,5 @@
 import type { ParameterValue } from 'forage'
-import { panels } from '../i18n/panels.en'
+import { en } from '../i18n/en'
 import type { Answer, Driven } from '../worker/protocol'
 import { Clock } from './clock.svelte'
 import { Track } from './track'
@@ -53,7 +53,7 @@ export class Driving {
     }
     const { drive, generation, iteration } = answer.value
     this.errors = {}
-    this.problem = drive ? '' : panels.drive.nothing
+    this.problem = drive ? '' : en.notices.nothing
     this.of = { generation, iteration }
     this.track = drive && new Track(drive)
     this.clock.end = this.track?.end ?? 0

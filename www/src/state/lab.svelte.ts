@@ -1,5 +1,6 @@
 import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
 import { en } from '../i18n/en'
+import { number } from '../panels/format'
 import type { FrameMessage, Opening, ProgressMessage, Refusal, Run } from '../worker/protocol'
 import { address } from './address'
 import { applies, met } from './applicable'
@@ -8,7 +9,11 @@ import type { Clock } from './clock.svelte'
 import { Curve } from './curve'
 import { Driving } from './driving.svelte'
 import { Scenes } from './scenes.svelte'
+<<<<<<< HEAD
 import { suits } from './stops'
+=======
+import { stageAt } from './stages'
+>>>>>>> 012c611 (Tours' roads in workers, parts of a run in the timeline, the members of a search as a table with bars)
 import { stillness } from './theme.svelte'
 
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
@@ -47,6 +52,8 @@ class Lab extends Scenes {
   curveVersion = $state(0)
 
   inspection = $state.raw<Inspection | null>(null)
+  /** The members' numbers, row by row, while somebody asks for them. */
+  members = $state.raw<Float64Array | null>(null)
   private item: Item | null = null
   private tuner: Tuned | null = null
   hidden = $state.raw<Record<string, boolean>>({})
@@ -66,14 +73,29 @@ class Lab extends Scenes {
   /** What is looked for is a tour through the stops: start and goal mean nothing. */
   readonly touring = $derived(this.scene?.kind === 'tour' || (this.grid !== null && (this.planner?.stops ?? false)))
   readonly limit = $derived(this.run?.limit ?? 0)
+<<<<<<< HEAD
   readonly yardstick = $derived<Yardstick>((this.grid || this.touring) && this.outcome ? this.outcome.exact_by : 'plain')
+=======
+  readonly yardstick = $derived<Yardstick>((this.grid ?? this.planner?.stops) && this.outcome ? this.outcome.exact_by : 'plain')
+  /** The optimum that results are measured by, in words. */
+  readonly optimum = $derived(en.result[this.planner?.stops ? 'tours' : 'optimum'][this.yardstick])
+  /** The part of the run that it is in, and how far in it. */
+  readonly part = $derived(stageAt(this.run?.stages, this.iteration))
+>>>>>>> 012c611 (Tours' roads in workers, parts of a run in the timeline, the members of a search as a table with bars)
   /** How far a step is that takes its time. */
   readonly underway = $derived(this.progress?.generation === this.run?.generation ? this.progress : null)
+  /** What is done before there can be a tour: how many of the roads between the stops stand. */
+  readonly building = $derived.by(() => {
+    const { roads } = this.readings
+    const stops = this.grid?.stops?.length ?? 0
+    if (!this.planner?.stops || roads === undefined || this.outcome?.order) return ''
+    return en.result.roads(number(roads), number((stops * (stops - 1)) / 2))
+  })
   readonly finished = $derived(this.status !== 'running')
 
   private readonly client = new Client({
     onframe: (frame) => this.receive(frame),
-    onprogress: (progress) => (this.progress = progress),
+    onprogress: (progress) => (this.progress = progress.total > 0 ? progress : null),
     oncrash: (message) => this.breakDown(message),
   })
   readonly driving = new Driving((params) => this.client.api.drive(params))
@@ -203,7 +225,7 @@ class Lab extends Scenes {
 
   /** The layers that there can be with these parameters. */
   readonly layers = $derived<Layer[]>(
-    this.planner?.layers.filter(({ when }) => this.planner && this.scene && met(when, this.planner.parameters, this.scene.kind, this.params)) ?? [],
+    this.planner?.layers.filter(({ when, kinds }) => this.planner && this.scene && (kinds?.includes(this.scene.kind) ?? true) && met(when, this.planner.parameters, this.scene.kind, this.params)) ?? [],
   )
 
   private refuse(refusal: Refusal): void {
@@ -246,6 +268,7 @@ class Lab extends Scenes {
     this.status = frame.status
     this.readings = frame.readings
     this.inspection = frame.inspection
+    if (frame.members || frame.generation !== previous?.generation) this.members = frame.members
     if (this.run?.generation === frame.generation && !this.starting && !this.sceneError) this.stale = false
     if (frame.report) this.hear(frame, frame.report)
     else this.hash = ''

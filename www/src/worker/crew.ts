@@ -1,8 +1,11 @@
-import type { Finding, Job, Scene, Setup } from 'forage'
+import type { carryOut, Finding, Job, Scene } from 'forage'
+
+/** A job with the scene that it belongs to. */
+export type Errand = Parameters<typeof carryOut>[0]
 
 /** Somebody who carries runs out, one at a time. */
 export interface Hand {
-  carryOut(setup: Setup): Promise<Finding>
+  carryOut(errand: Errand): Promise<Finding>
   dismiss(): void
 }
 
@@ -34,7 +37,7 @@ const PATIENCE = 30_000
 /** Findings that are kept, so that a run can go back and forth without carrying its jobs out again. */
 const KEPT = 5_000
 
-const keyOf = ({ planner, params, seed }: Job): string => JSON.stringify([planner, params, seed])
+const keyOf = ({ planner, params, seed, ends }: Job): string => JSON.stringify([planner, params, seed, ends])
 
 /** Carries out the runs that a planner of planners needs, side by side. What they find doesn't depend on who they are. */
 export class Crew {

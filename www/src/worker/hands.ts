@@ -14,14 +14,14 @@ export function thread(): Hand {
       reject(new Error(event.message))
     }
   })
-  return { carryOut: (setup) => Promise.race([remote.carryOut(setup), failed]), dismiss: () => worker.terminate() }
+  return { carryOut: (errand) => Promise.race([remote.carryOut(errand), failed]), dismiss: () => worker.terminate() }
 }
 
 /** This thread, which listens between two runs. */
 export const oneself: Hand = {
-  async carryOut(setup) {
+  async carryOut(errand) {
     await breathe()
-    return carryOut(setup)
+    return carryOut(errand)
   },
   dismiss() {},
 }

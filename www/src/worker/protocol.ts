@@ -1,4 +1,4 @@
-import type { Drive, Inspection, Item, Outcome, ParameterValue, Point, Scene, Status } from 'forage'
+import type { Drive, Inspection, Item, Outcome, ParameterValue, Point, Scene, Stage, Status } from 'forage'
 
 /** A refusal of the core as plain data: errors lose their fields on the way between threads. */
 export interface Refusal {
@@ -18,6 +18,8 @@ export interface Run {
   limit: number
   parameters: Record<string, ParameterValue>
   exact: { length: number; path: Point[] } | null
+  /** Parts that have their own kind of step; most runs have none. */
+  stages: Stage[]
 }
 
 /** Where a new run starts. */
@@ -83,10 +85,12 @@ export interface FrameMessage {
   fields: FieldPicture[]
   trace: TraceRows
   inspection: Inspection | null
+  /** The members' numbers, row by row; null: not asked for, or not again yet. */
+  members: Float64Array | null
   report: Report | null
 }
 
-/** How far the runs of other planners are that a step needs. */
+/** How far the runs of other planners are that a step needs; `total` 0: the steps need none any more. */
 export interface ProgressMessage {
   type: 'progress'
   generation: number

@@ -1,6 +1,7 @@
 import * as Comlink from 'comlink'
 import init, { carryOut, catalogue, exportScene, generateScene, importScene, newSeed, parseLink, Session, suggest } from 'forage'
 import type { Catalogue, Finding, Format, Imported, Inspection, Item, LinkSetup, NamedFile, Outcome, ParameterValue, Scene, Setup, Suggestion } from 'forage'
+import type { Errand } from './crew'
 import { oneself, thread } from './hands'
 import { breathe } from './pace'
 import { Simulation } from './simulation'
@@ -48,9 +49,9 @@ const api = {
     return known
   },
   /** Of a thread that carries out runs for another one. */
-  async carryOut(setup: Setup): Promise<Finding> {
+  async carryOut(errand: Errand): Promise<Finding> {
     await init()
-    return carryOut(setup)
+    return carryOut(errand)
   },
   start: (setup: Setup, opening: Opening): Answer<Run> => answer(() => running().start(setup, opening)),
   play: (): void => running().play(),
@@ -59,6 +60,8 @@ const api = {
   seek: (iteration: number): void => running().seek(iteration),
   watch: (item: Item | null): void => running().watch(item),
   look: (look: Look): void => running().look(look),
+  /** Tells the members' numbers with the pictures, at most so often (in milliseconds); null: not at all. */
+  tellMembers: (interval: number | null): void => running().tellMembers(interval),
   inspect: (item: Item): Answer<Inspection | null> => answer(() => current().inspect(item)),
   drive: (params: Record<string, ParameterValue>): Answer<Driven> => answer(() => running().drive(params)),
   pick: (x: number, y: number, reach: number): Item | null => {

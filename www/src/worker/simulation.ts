@@ -37,7 +37,12 @@ export class Simulation {
   private lastFrame = 0
   private lastReport = 0
   private lastProgress = 0
+  /** The page has been told of runs that a step waits for. */
+  private waits = false
   private reportCost = 0
+  /** How often the members' numbers are told. */
+  private membersInterval: number | null = null
+  private lastMembers = 0
   private settled = false
   /** What was told of the state in which it stands still. */
   private told: Report | null = null
@@ -61,7 +66,7 @@ export class Simulation {
     this.traced = -1
     this.watched = null
     this.playing = play
-    const { planner, scene, seed, limit, parameters } = session
+    const { planner, scene, seed, limit, parameters, stages } = session
     const exact = session.exact()
     this.task = { planner, scene }
     this.crew?.begin(this.task)
@@ -70,7 +75,7 @@ export class Simulation {
       await this.reach(at, token)
       if (this.playing) await this.run(token)
     })
-    return { generation: this.generation, planner, scene, seed, limit, parameters, exact }
+    return { generation: this.generation, planner, scene, seed, limit, parameters, exact, stages }
   }
 
   play(): void {
@@ -118,6 +123,13 @@ export class Simulation {
     this.picture()
   }
 
+  tellMembers(interval: number | null): void {
+    this.membersInterval = interval
+    this.lastMembers = 0
+    this.stale = true
+    this.picture()
+  }
+
   private lookAt(): void {
     const { window } = this.looked
     this.session?.lookAt(window?.min, window?.max)
@@ -156,6 +168,8 @@ export class Simulation {
       if (token !== this.token) return false
       // Without it the step carries them out itself.
       if (found) session.supply(found)
+    } else if (this.waits) {
+      this.tellProgress(0, 0)
     }
     session.step(1)
     this.computed = Math.max(this.computed, session.iteration)
@@ -169,6 +183,11 @@ export class Simulation {
     const now = performance.now()
     if (now - this.lastProgress < PROGRESS_INTERVAL) return
     this.lastProgress = now
+    this.tellProgress(done, total)
+  }
+
+  private tellProgress(done: number, total: number): void {
+    this.waits = total > 0
     const message: ProgressMessage = { type: 'progress', generation: this.generation, done, total }
     this.port.postMessage(message)
   }
@@ -249,6 +268,7 @@ export class Simulation {
     const trace = session.trace(this.traced)
     this.traced = trace.iterations.at(-1) ?? this.traced
     const inspection = this.watched ? session.inspect(this.watched) : null
+    const members = this.members()
     const { iteration, status } = session
     // The views last until the next call: nothing of the core may come between here and the copy.
     const { vertices, spans, thinning } = session.frame(BUDGET)
@@ -267,9 +287,20 @@ export class Simulation {
       fields,
       trace,
       inspection,
+      members,
       report,
     }
-    this.port.postMessage(message, [packed.buffer, ...fields.map(({ bitmap }) => bitmap)])
+    const numbers = members ? [members.buffer] : []
+    this.port.postMessage(message, [packed.buffer, ...numbers, ...fields.map(({ bitmap }) => bitmap)])
+  }
+
+  private members(): Float64Array<ArrayBuffer> | null {
+    const { session, settled, membersInterval: interval } = this
+    if (!session || interval === null) return null
+    const now = performance.now()
+    if (!settled && now - this.lastMembers < interval) return null
+    this.lastMembers = now
+    return session.members() as Float64Array<ArrayBuffer>
   }
 
   private report(): Report | null {

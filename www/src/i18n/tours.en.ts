@@ -1,0 +1,20 @@
+/** Text about tours and those that search side by side: loaded when there are any. */
+export const tours = {
+  step: (title: string, k: string, of: string, runs: string) => `${title} ${k} of ${of}: ${runs}`,
+  order: {
+    title: (stops: string) => `Order of the ${stops} stops`,
+    copy: 'Copy the order',
+    copied: 'Copied',
+    failed: 'Copying was not allowed.',
+  },
+  members: {
+    none: 'They begin to search as soon as the roads are built.',
+    number: 'Number',
+    sort: (title: string) => `Sort by ${title}`,
+    range: (least: string, mean: string, most: string) => `${least} … ${most}, mean ${mean}`,
+    row: (name: string, numbers: string) => `${name}: ${numbers}`,
+    layer: (title: string) => `Show on the stage: ${title.toLowerCase()}`,
+    pick: 'Click a bar to look closer',
+    hint: 'Click a row, or press Enter on it, to look closer.',
+  },
+} as const
