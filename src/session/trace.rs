@@ -45,6 +45,7 @@ impl Trace {
                 return;
             }
         }
+        debug_assert!(readings.iter().map(|(name, _)| name).eq(self.columns.iter().copied()), "a run tells the same names all along");
         self.iterations.push(iteration);
         self.values.extend(readings.iter().map(|(_, value)| value));
     }

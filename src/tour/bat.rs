@@ -373,6 +373,9 @@ const MEMBERS: &[Member] = &[
     member("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration."),
 ];
 
+/// See [`super::start`].
+const TELLS: &[&str] = &["mean", "different", "loudness", "pulse_rate"];
+
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "bat",
@@ -405,5 +408,7 @@ pub const ENTRY: Entry = Entry {
     stops: true,
     members: MEMBERS,
     suggest: |_| None,
-    start: |scene, settings, seed| super::start(scene, settings, seed, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    start: |scene, settings, seed| {
+        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+    },
 };

@@ -81,6 +81,8 @@ type Begin = fn(&Arc<Problem>, &Settings, Stream) -> Box<dyn Search>;
 struct Tours {
     settings: Arc<Settings>,
     seed: u64,
+    /// What the search adds to the readings, of its members and of its own, in this order: unknown while roads are built.
+    tells: &'static [&'static str],
     begin: Begin,
     round: Round,
     /// Where the stops are drawn.
@@ -95,8 +97,14 @@ struct Tours {
     limit: u64,
 }
 
-/// Starts a tour planner.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, begin: Begin) -> Result<Box<dyn session::AnyPlanner>, Error> {
+/// Starts a tour planner, which tells readings of these names beside those of every tour.
+fn start(
+    scene: &Arc<Scene>,
+    settings: &Settings,
+    seed: u64,
+    tells: &'static [&'static str],
+    begin: Begin,
+) -> Result<Box<dyn session::AnyPlanner>, Error> {
     let network = match scene.body() {
         Body::Grid(grid) => Some(Network::new(scene, grid, settings, seed)?),
         _ => None,
@@ -104,6 +112,7 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, begin: Begin) -> Re
     let mut tours = Tours {
         settings: Arc::new(settings.clone()),
         seed,
+        tells,
         begin,
         round: parameters::round(scene, settings),
         places: scene.stops().into(),
@@ -261,6 +270,8 @@ impl Planner for Tours {
                 out.push("different", different as f64 / search.members() as f64);
             }
             search.read(out);
+        } else {
+            self.tells.iter().for_each(|name| out.push(name, f64::NAN));
         }
     }
 
@@ -308,6 +319,8 @@ impl Planner for Tours {
                 search.explain(item.index, &mut told);
                 Some(told)
             }
+            // Asked of the state before, it would have the roads built once more.
+            (Role::Tours, None) => Some(tell::no_tour(item)),
             _ => None,
         }
     }

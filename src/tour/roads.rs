@@ -84,6 +84,11 @@ impl Network {
         self.stops.len() as u64 - 1
     }
 
+    /// How many pairs of stops there are.
+    pub fn pairs(&self) -> usize {
+        self.seeds.len()
+    }
+
     /// The stops of a pair, by its number.
     pub fn pair(&self, number: usize) -> [usize; 2] {
         let n = self.stops.len();

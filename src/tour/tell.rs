@@ -47,10 +47,20 @@ pub(super) fn way(vertices: Vec<[f64; 2]>) -> Mark {
     Mark { role: Role::After, shape: Shape::Polyline, vertices }
 }
 
+/// A tour that is asked about before there are any.
+pub(super) fn no_tour(item: Item) -> Inspection {
+    plain(item, format!("Tour {}", item.index + 1), "waiting", "There is no tour yet.".to_owned())
+}
+
 /// The road of a pair of stops.
 pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
-    let road = network.roads.get(item.index)?;
+    if item.index >= network.pairs() {
+        return None;
+    }
     let [i, j] = network.pair(item.index);
+    let Some(road) = network.roads.get(item.index) else {
+        return Some(plain(item, format!("Road {} – {}", i + 1, j + 1), "waiting", "It is not built yet.".to_owned()));
+    };
     let straight = geometry::length(&[network.stops[i], network.stops[j]]);
     let (event, summary) = if road.path.is_empty() {
         ("failed", format!("The run from stop {} to stop {} found no way.", i + 1, j + 1))

@@ -88,6 +88,9 @@ impl Search for Descent {
 
 const TWO_OPT: Formula = Formula::of_item("two-opt", "Croes 1958", "2-opt move", "\\Delta = d(a, c) + d(b, d) - d(a, b) - d(c, d) < 0", "");
 
+/// See [`super::start`].
+const TELLS: &[&str] = &["moves", "gain"];
+
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "two-opt",
@@ -114,5 +117,7 @@ pub const ENTRY: Entry = Entry {
     stops: true,
     members: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| super::start(scene, settings, seed, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    start: |scene, settings, seed| {
+        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+    },
 };
