@@ -27,6 +27,8 @@ export const closer = {
       'mean-best': 'mean best',
       candidates: 'the steps to choose from',
       different: 'stops where it differs',
+      'tours after': 'its tour',
+      'roads after': 'its way',
     } as Readonly<Record<string, string>>,
   },
   walk: {

@@ -10,7 +10,7 @@ export const tours = {
   members: {
     none: 'They begin to search as soon as the roads are built.',
     number: 'Number',
-    sort: (title: string) => `Sort by ${title}`,
+    sort: (title: string) => `${title} (click to sort)`,
     range: (least: string, mean: string, most: string) => `${least} … ${most}, mean ${mean}`,
     row: (name: string, numbers: string) => `${name}: ${numbers}`,
     layer: (title: string) => `Show on the stage: ${title.toLowerCase()}`,

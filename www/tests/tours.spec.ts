@@ -1,0 +1,297 @@
+import type { Outcome } from '../../pkg/node.js'
+import { closer } from '../src/i18n/closer.en'
+import { tours } from '../src/i18n/tours.en'
+import { number, percent } from '../src/panels/format'
+import { condensed, seenRows, sorted } from '../src/panels/rows'
+import { boundary, stageAt } from '../src/state/stages'
+import { violations } from './support/axe'
+import { hashOf, linkTo, sessionAt } from './support/core'
+import { en, expect, type Lab, test } from './support/lab'
+
+/** Roads by ants take a while; those by A* are there at once. */
+const ANTS = { planner: 'bat', scene: 'ant-bat-30', seed: 4 }
+const SETUP = { ...ANTS, params: { roads: 'a-star' } }
+/** Steps of the roads, and the first with differing tours and gains. */
+const [ROADS, AT] = [11, 15]
+const END = ROADS + 100
+
+const COLUMNS = ['length', 'loudness', 'pulse_rate', 'different', 'operator', 'gain'] as const
+
+function membersAt(setup: Parameters<typeof hashOf>[0], iteration: number): Record<(typeof COLUMNS)[number], number>[] {
+  return sessionAt(setup, iteration, (session) => {
+    const rows = session.members()
+    return Array.from({ length: rows.length / COLUMNS.length }, (_, member) =>
+      Object.fromEntries(COLUMNS.map((name, column) => [name, rows[member * COLUMNS.length + column] ?? NaN])),
+    ) as Record<(typeof COLUMNS)[number], number>[]
+  })
+}
+
+async function begin(lab: Lab, iteration = AT, setup: Parameters<typeof hashOf>[0] = SETUP): Promise<string> {
+  await lab.open(linkTo(setup, iteration))
+  return lab.settled(iteration)
+}
+
+test('roads in several threads, then bats: one run, both parts told, the same state as without threads, also back and forth', async ({ lab, page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => 4 })
+    const told = new Set<string>()
+    Object.assign(window, { told })
+    const look = (): void => {
+      const text = document.querySelector('[data-testid="step-progress"] span')?.textContent
+      if (text) told.add(text)
+      requestAnimationFrame(look)
+    }
+    look()
+  })
+  let workers = 0
+  page.on('worker', () => (workers += 1))
+  await begin(lab, 0, ANTS)
+  await expect(page.getByTestId('result-strip')).toContainText(en.result.roads('0', '66'))
+  await expect(page.getByTestId('transport-count')).toHaveText(`Roads 0 / ${ROADS}`)
+  await page.getByTestId('speed').selectOption('Infinity')
+  await lab.press(en.transport.play)
+  expect(await lab.settled(END)).toBe(hashOf(ANTS, END))
+  expect(workers).toBe(1 + 3)
+  const told = await page.evaluate(() => [...(window as unknown as { told: Set<string> }).told])
+  expect(told.length).toBeGreaterThan(0)
+  for (const text of told) expect(text).toMatch(/^Roads \d+ of 11: \d+ of \d+ runs$/)
+  await expect(page.getByTestId('step-progress')).toHaveCount(0)
+  await expect(lab.timeline).toHaveAttribute('aria-valuetext', en.transport.part(String(END), 'Tour', '100', '100'))
+  await expect(page.getByTestId('parts').locator('.now')).toHaveAttribute('data-part', 'tour')
+
+  expect(await lab.seek(5)).toBe(hashOf(ANTS, 5))
+  await expect(lab.timeline).toHaveAttribute('aria-valuetext', en.transport.part('5', 'Roads', '5', '11'))
+  const { roads } = sessionAt(ANTS, 5, (session) => session.readings())
+  await expect(page.getByTestId('result-strip')).toContainText(en.result.roads(String(roads), '66'))
+  expect(await lab.seek(40)).toBe(hashOf(ANTS, 40))
+  await expect(page.getByTestId('count')).toHaveText('Tour 29 / 100')
+  await expect(page.getByTestId('live')).toContainText('tour 29 of 100')
+})
+
+test('the page keys go from part to part, on the stage and on the slider', async ({ lab, page }) => {
+  await begin(lab, 5)
+  await lab.stage.focus()
+  await page.keyboard.press('PageUp')
+  await lab.settled(ROADS)
+  await page.keyboard.press('PageUp')
+  expect(await lab.settled(END)).toBe(hashOf(SETUP, END))
+  await lab.timeline.focus()
+  await page.keyboard.press('PageDown')
+  await lab.settled(ROADS)
+  await page.keyboard.press('PageDown')
+  await lab.settled(0)
+
+  // A run of one part has nowhere to go: the slider's own keys stay.
+  await lab.open()
+  await lab.open(linkTo({}, 30))
+  await lab.settled(30)
+  await expect(page.getByTestId('parts')).toHaveCount(0)
+  await lab.timeline.focus()
+  await page.keyboard.press('PageUp')
+  await expect.poll(() => lab.iteration()).toBe(80)
+})
+
+test('the bats’ numbers are the core’s: bars, words and lengths; a head sorts them, once more the other way round', async ({ lab, page }) => {
+  await begin(lab)
+  const members = membersAt(SETUP, AT)
+  const table = page.getByRole('grid', { name: 'Bats' })
+  await expect(table).toHaveAttribute('aria-rowcount', String(members.length + 1))
+  const [first] = members
+  if (!first) throw new Error('no bats')
+  const row = table.locator('[data-member="0"]')
+  await expect(row.getByRole('gridcell')).toHaveText([
+    number(first.length, 5), number(first.loudness, 3), number(first.pulse_rate, 3), number(first.different, 5),
+    ['start', 'PMX', '2-opt'][first.operator] ?? '', number(first.gain, 5),
+  ])
+  expect(await row.locator('[data-share]').evaluateAll((bars) => bars.map((bar) => Number((bar as HTMLElement).dataset['share'])))).toEqual([
+    Number(first.loudness.toFixed(4)),
+    Number(first.pulse_rate.toFixed(4)),
+  ])
+  const counts = [1, 2].map((word) => members.filter(({ operator }) => operator === word).length)
+  for (const [at, word] of ['PMX', '2-opt'].entries()) if (counts[at]) await expect(page.getByTestId('words-operator')).toContainText(`${word} ${counts[at]}`)
+  await expect(page.getByTestId('strip-loudness')).toContainText(number(Math.min(...members.map(({ loudness }) => loudness)), 3))
+
+  const shown = (): Promise<(string | undefined)[]> =>
+    table.locator('[data-member]').evaluateAll((rows) =>
+      rows.sort((a, b) => Number(a.ariaRowIndex) - Number(b.ariaRowIndex)).slice(0, 8).map((node) => (node as HTMLElement).dataset['member']),
+    )
+  const head = table.getByRole('columnheader').filter({ has: page.getByRole('button', { name: 'Loudness', exact: true }) })
+  const by = (descending: boolean): string[] => sorted(members.length, (member) => members[member]?.loudness ?? NaN, descending).slice(0, 8).map(String)
+  await expect(head).toHaveAttribute('aria-sort', 'none')
+  await head.getByRole('button').click()
+  await expect(head).toHaveAttribute('aria-sort', 'ascending')
+  expect(await shown()).toEqual(by(false))
+  await head.getByRole('button').click()
+  await expect(head).toHaveAttribute('aria-sort', 'descending')
+  expect(await shown()).toEqual(by(true))
+})
+
+test('a bat that is picked tells what it did; where its tour differs is marked', async ({ lab, page }) => {
+  await begin(lab)
+  const members = membersAt(SETUP, AT)
+  const member = members.findIndex(({ different }) => different > 1)
+  const inspection = sessionAt(SETUP, AT, (session) => session.inspect({ role: 'tours', index: member }))
+  if (!inspection) throw new Error('nothing there')
+  const table = page.getByTestId('member-table')
+  const row = table.locator(`[data-member="${member}"]`)
+  await row.click()
+  await expect(row).toHaveAttribute('aria-selected', 'true')
+  await expect(page.getByTestId('member-told')).toContainText(inspection.summary)
+  const panel = page.getByTestId('inspect')
+  await expect(panel.getByRole('heading')).toHaveText(inspection.title)
+  await expect(panel.locator('caption')).toHaveText(closer.inspect.places(inspection.title))
+  const differing = inspection.table.rows.flatMap((cells, at) => (cells.at(-1) === 1 ? [inspection.table.labels[at] ?? ''] : []))
+  expect(differing.length).toBeGreaterThan(1)
+  await expect(panel.locator('tr.differs').getByRole('rowheader')).toHaveText(differing)
+  await expect(panel.locator('tr.differs').first()).toContainText('≠')
+  await expect(panel.getByTestId('inspect-key').locator('[data-role="different"]')).toHaveText(closer.inspect.roles['different'] ?? '')
+
+  // It is told of in the roads too, without having them built once more; and again when the bats fly.
+  await lab.seek(5)
+  await expect(panel).toContainText('There is no tour yet')
+  await expect(page.getByTestId('members')).toContainText(tours.members.none)
+  expect(await lab.seek(AT)).toBe(hashOf(SETUP, AT))
+  await expect(row).toHaveAttribute('aria-selected', 'true')
+  await row.click()
+  await expect(row).toHaveAttribute('aria-selected', 'false')
+
+  // A bar of the strips is a bat as well.
+  const strip = page.getByTestId('strip-loudness').locator('canvas')
+  const box = await strip.boundingBox()
+  if (!box) throw new Error('no strip')
+  await page.mouse.click(box.x + (box.width * (member + 0.5)) / members.length, box.y + 20)
+  await expect(row).toHaveAttribute('aria-selected', 'true')
+})
+
+test('with the keyboard alone: rows, both ends, pages, and looking closer', async ({ lab, page }) => {
+  await begin(lab)
+  const table = page.getByTestId('member-table')
+  await table.focus()
+  const active = async (): Promise<string | null> => {
+    const id = await table.getAttribute('aria-activedescendant')
+    return id === null ? null : page.locator(`[id="${id}"]`).getAttribute('data-member')
+  }
+  await expect.poll(active).toBe('0')
+  await page.keyboard.press('End')
+  await expect.poll(active).toBe('49')
+  await page.keyboard.press('Home')
+  await page.keyboard.press('ArrowDown')
+  await page.keyboard.press('ArrowDown')
+  await expect.poll(active).toBe('2')
+  await page.keyboard.press('Enter')
+  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText('Bat 3')
+  await page.keyboard.press('PageDown')
+  await expect.poll(async () => Number(await active())).toBeGreaterThan(6)
+  await page.keyboard.press('Escape')
+  await expect(table.locator('[aria-selected="true"]')).toHaveCount(0)
+  expect(await lab.iteration()).toBe(AT)
+  await page.keyboard.press('Shift+Tab')
+  await page.keyboard.press('Space')
+  await expect(page.getByTestId('layer-tours')).toBeChecked()
+})
+
+test('all tours are shown on demand, and the legend agrees', async ({ lab, page }) => {
+  await begin(lab)
+  const { digest } = await lab.wholePicture()
+  await page.getByTestId('members-layer').check()
+  await expect(page.getByTestId('layer-tours')).toBeChecked()
+  expect((await lab.wholePicture()).digest).not.toBe(digest)
+  await lab.layer('tours', false)
+  await expect(page.getByTestId('members-layer')).not.toBeChecked()
+  expect((await lab.wholePicture()).digest).toBe(digest)
+})
+
+test('the result is told as a tour: its gap, by which optimum, its order, which can be copied', async ({ lab, page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+  await begin(lab, 60)
+  const outcome: Outcome = sessionAt(SETUP, 60, (session) => session.outcome())
+  await expect(page.getByTestId('result-strip')).toContainText(en.result.tours['any-angle'])
+  await expect(page.getByTestId('result-strip')).toContainText(percent(outcome.gap ?? NaN))
+  await lab.section('result')
+  const order = (outcome.order ?? []).map((stop) => stop + 1)
+  await expect(page.getByTestId('tour-order')).toContainText([...order, order[0]].join(' → '))
+  await page.getByTestId('copy-order').click()
+  await expect(page.getByTestId('tour-order')).toContainText(tours.order.copied)
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(order.join(' '))
+
+  await lab.seek(3)
+  await expect(page.getByTestId('result')).toContainText(en.result.roads(String(sessionAt(SETUP, 3, (session) => session.readings()['roads'])), '66'))
+})
+
+test('the curve of a run of two parts begins where there is a tour, and every reading has one', async ({ lab }) => {
+  await begin(lab, 30)
+  const panel = await lab.section('readings')
+  for (const [name, value] of Object.entries(sessionAt(SETUP, 30, (session) => session.readings()))) {
+    await expect(panel.locator(`[data-reading="${name}"]`)).toHaveText(number(value))
+  }
+  const { columns, rows } = sessionAt(SETUP, 30, (session) => session.trace(-1))
+  const best = (row: number): number => rows[row * columns.length + columns.indexOf('best')] ?? 0
+  expect(columns).toContain('loudness')
+  expect(rows).toHaveLength(31 * columns.length)
+  expect([0, 10].map(best)).toEqual([NaN, NaN])
+  expect(best(30)).toBeGreaterThan(100)
+})
+
+test('thousands of bats: only the rows that are seen are there', async ({ lab, page }) => {
+  const setup = { ...SETUP, params: { ...SETUP.params, population: 4000 } }
+  await begin(lab, 12, setup)
+  const table = page.getByTestId('member-table')
+  await expect(table).toHaveAttribute('aria-rowcount', '4001')
+  expect(await table.locator('[data-member]').count()).toBeLessThan(40)
+  await table.focus()
+  await page.keyboard.press('End')
+  await expect(table.locator('[data-member="3999"]')).toBeVisible()
+  expect(await table.locator('[data-member]').count()).toBeLessThan(40)
+})
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const [screen, viewport] of Object.entries({ desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } })) {
+    test.describe(`${screen}, ${colorScheme}`, () => {
+      test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
+
+      test('axe finds nothing wrong with bats, one that is looked at and a tour’s order; nothing is too wide or too low', async ({ lab, page }) => {
+        await begin(lab)
+        for (const id of ['members', 'inspect', 'result', 'readings']) await lab.section(id)
+        await expect(page.getByTestId('tour-order')).toBeVisible()
+        await page.getByTestId('member-table').locator('[data-member="2"]').click()
+        await expect(page.getByTestId('inspect').locator('table')).toBeVisible()
+        expect(await violations(lab)).toEqual([])
+        expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
+        if (screen !== 'phone') return
+        const low = await page
+          .locator('[data-testid="members"], [data-testid="tour-order"]')
+          .locator('button, label, [data-member]')
+          .evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML))
+        expect(low).toEqual([])
+        const [label, buttons] = [await page.getByTestId('parts').boundingBox(), await page.getByTestId('play').boundingBox()]
+        expect((label?.y ?? 0) + (label?.height ?? 0)).toBeLessThanOrEqual(buttons?.y ?? 0)
+      })
+    })
+  }
+}
+
+test('an iteration knows its part, and the boundaries beside it', () => {
+  const stages = [
+    { name: 'roads', title: 'Roads', end: 11 },
+    { name: 'tour', title: 'Tour', end: 111 },
+  ]
+  expect(stageAt(stages, 0)).toEqual({ title: 'Roads', k: 0, of: 11 })
+  expect(stageAt(stages, 11)).toEqual({ title: 'Roads', k: 11, of: 11 })
+  expect(stageAt(stages, 12)).toEqual({ title: 'Tour', k: 1, of: 100 })
+  expect(stageAt(stages.slice(1), 12)).toBeNull()
+  expect(stageAt(undefined, 0)).toBeNull()
+  expect([0, 5, 11, 60, 111].map((k) => boundary(stages, k, true))).toEqual([11, 11, 111, 111, 111])
+  expect([0, 5, 11, 60, 111].map((k) => boundary(stages, k, false))).toEqual([0, 0, 0, 11, 11])
+})
+
+test('rows: those that are seen, sorted, and spans of many', () => {
+  expect(seenRows(0, 280, 28, 50)).toEqual([0, 14])
+  expect(seenRows(2800, 280, 28, 1000)).toEqual([96, 114])
+  expect(seenRows(28_000, 280, 28, 50)).toEqual([50, 50])
+  expect(seenRows(0, 280, 28, 0)).toEqual([0, 0])
+  const values = [3, NaN, 1, 3]
+  expect(sorted(4, (member) => values[member] ?? NaN, false)).toEqual([2, 0, 3, 1])
+  expect(sorted(4, (member) => values[member] ?? NaN, true)).toEqual([0, 3, 2, 1])
+  expect(condensed([1, 2, 3, 4, 5, 6], 3)).toEqual([1.5, 3.5, 5.5])
+  expect(condensed([1, 2], 300)).toEqual([1, 2])
+})
