@@ -6,6 +6,7 @@
 //! [`antbat`], [`wolf`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
 
 pub mod antbat;
+pub mod antbat_tours;
 pub mod chart;
 mod colonies;
 pub mod figure;
@@ -19,6 +20,7 @@ pub mod runner;
 pub mod search;
 pub mod statistics;
 pub mod table;
+mod tours;
 mod tuned;
 pub mod wolf;
 
@@ -33,7 +35,8 @@ use report::Report;
 use runner::Control;
 
 /// Every published experiment that is repeated here, in the order in which they are carried out.
-pub const REPRODUCTIONS: &[Reproduction] = &[ltqpso::REPRODUCTION, regression::REPRODUCTION, antbat::REPRODUCTION, wolf::REPRODUCTION];
+pub const REPRODUCTIONS: &[Reproduction] =
+    &[ltqpso::REPRODUCTION, regression::REPRODUCTION, antbat::REPRODUCTION, antbat_tours::REPRODUCTION, wolf::REPRODUCTION];
 
 /// A published experiment.
 #[derive(Debug, Clone, Copy)]

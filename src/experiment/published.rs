@@ -79,6 +79,50 @@ const fn way(length: f64, turns: f64, turning: f64, converged: f64) -> Way {
 /// [ANTBAT] §3.1, (1.5, 26.5) → (28.5, 1.5): the traditional ants, those of its [14], the improved ones.
 pub const ANTBAT: [Way; 3] = [way(45.53, 14.0, 13.38, 56.0), way(43.70, 12.0, 11.02, 52.0), way(42.06, 9.0, 7.07, 48.0)];
 
+/// What [ANTBAT] Table 2 prints of a planner's runs: the tours' lengths in cells.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tours {
+    /// The name in the table.
+    pub name: &'static str,
+    /// The shortest.
+    pub best: Figure,
+    /// The longest.
+    pub worst: Figure,
+    /// The mean.
+    pub mean: Figure,
+    /// The variance.
+    pub variance: Figure,
+}
+
+impl Tours {
+    /// How many runs a planner has.
+    pub const RUNS: u64 = 30;
+
+    const fn new(name: &'static str, [best, worst, mean, variance]: [f64; 4]) -> Self {
+        let [best, worst, mean, variance] = [Figure::new(best, 2), Figure::new(worst, 2), Figure::new(mean, 2), Figure::new(variance, 2)];
+        Self { name, best, worst, mean, variance }
+    }
+
+    /// The largest variance (with n − 1) that so many numbers with the printed best, worst and mean can have, however the
+    /// three were rounded: n / (n − 1) · (worst − mean) (mean − best), reached when there are no numbers in between
+    /// (Bhatia and Davis).
+    pub fn largest_variance(&self) -> f64 {
+        let half = |figure: Figure| 0.5 / (0..figure.digits).fold(1.0, |power, _| power * 10.0);
+        let (best, worst) = (self.best.value - half(self.best), self.worst.value + half(self.worst));
+        let mean = f64::midpoint(best, worst).clamp(self.mean.value - half(self.mean), self.mean.value + half(self.mean));
+        Self::RUNS as f64 / (Self::RUNS - 1) as f64 * (worst - mean) * (mean - best)
+    }
+}
+
+/// [ANTBAT] Table 2, 12 stops: bats, those of its [25], genetic algorithm, swarm, annealing.
+pub const ANTBAT_TOURS: [Tours; 5] = [
+    Tours::new("bat", [122.02, 123.98, 122.74, 0.95]),
+    Tours::new("[25]", [122.88, 125.94, 123.46, 1.83]),
+    Tours::new("GA", [123.04, 127.27, 124.27, 2.59]),
+    Tours::new("PSO", [123.67, 129.18, 124.55, 3.43]),
+    Tours::new("SA", [125.94, 131.02, 128.32, 5.46]),
+];
+
 /// [WOLF-ANT] Table 2, pixels and seconds: A*, the traditional ants, the improved ones.
 pub const WOLF_ANT: [[Figure; 2]; 3] = [drive(602.842, 40.1421), drive(579.412, 38.9706), drive(562.8427, 38.1421)];
 
@@ -94,7 +138,10 @@ pub const TUNED: [(&str, f64); 5] = [("alpha", 1.0), ("beta", 7.0), ("rho", 0.36
 
 #[cfg(test)]
 mod tests {
-    use super::{super::figure::Steps, *};
+    use super::{
+        super::{figure::Steps, statistics::Summary},
+        *,
+    };
     use crate::{catalogue, params::Value, shipped};
 
     /// Where R² can be read it is what F and 16 points give, so the paper fits one point a D.
@@ -128,12 +175,32 @@ mod tests {
         assert!(Figure::new(602.8427, 4).is_length(&by("wolf-ant-20")) && Figure::new(579.4113, 4).is_length(&by("wolf-ant-20")));
     }
 
+    /// Two of the printed variances are larger than thirty numbers between best and worst with that mean can have.
+    #[test]
+    fn variances_that_no_thirty_runs_have() {
+        let variance = |numbers: &[f64]| Summary::of(numbers.iter().copied()).unwrap().std.map(|std| std * std).unwrap();
+        let possible = |row: &Tours| row.variance.like(row.largest_variance()) >= row.variance.value;
+        assert_eq!(ANTBAT_TOURS.each_ref().map(possible), [false, false, true, true, true]);
+        // Thirty numbers at the two ends and one that makes the mean right come near the bound and do not pass it.
+        for row in &ANTBAT_TOURS {
+            let (best, worst, mean) = (row.best.value, row.worst.value, row.mean.value);
+            let high = (30.0 * (mean - best) / (worst - best)).floor() as usize;
+            let rest = 30.0 * mean - high as f64 * worst - (29 - high) as f64 * best;
+            let numbers: Vec<_> = [vec![worst; high], vec![best; 29 - high], vec![rest]].concat();
+            let ratio = variance(&numbers) / row.largest_variance();
+            assert!((0.8..=1.0).contains(&ratio), "{}: {ratio}", row.name);
+        }
+    }
+
     #[test]
     fn the_scenes_and_the_catalogue_carry_the_same_figures() {
         let file = |name| shipped(name).unwrap().header().published.clone().unwrap();
         let (antbat, wolf) = (file("ant-bat-30"), file("wolf-ant-20"));
         for (k, (way, name)) in ANTBAT.iter().zip(["traditional", "[14]", "improved"]).enumerate() {
             assert_eq!((antbat["pair"][name].as_f64(), antbat["turns"][k].as_f64()), (Some(way.length.value), Some(way.turns.value)));
+        }
+        for row in ANTBAT_TOURS {
+            assert_eq!(antbat["tour"][row.name].as_f64(), Some(row.best.value), "{}", row.name);
         }
         for (published, name) in WOLF_ANT.iter().zip(["A*", "traditional ants", "improved ants"]) {
             assert_eq!(published.map(|figure| Some(figure.value)), [0, 1].map(|k| wolf[name][k].as_f64()), "{name}");
