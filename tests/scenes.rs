@@ -1,7 +1,12 @@
 //! The scenes that ship, and the oracle that results are measured by.
 #![cfg(not(target_arch = "wasm32"))]
 
-use forage::{Given, Scene, Session, Setup, planner::Solution, scene::Kind, shipped, shipped_names};
+use forage::{
+    Given, Scene, Session, Setup,
+    planner::{Round, Solution, Yardstick},
+    scene::Kind,
+    shipped, shipped_names,
+};
 
 #[test]
 fn the_exact_optimum_agrees_with_the_one_stored_in_the_scene() {
@@ -125,6 +130,39 @@ fn ants_with_a_direction_do_better_on_the_thirty_cells() {
     for (name, of) in [("length", (|found| found.0) as fn(&(f64, f64)) -> f64), ("turns", |found| found.1)] {
         let (less, more) = (mean(of, &improved), mean(of, &traditional));
         assert!(less < more, "{name}: {less} is not less than {more}");
+    }
+}
+
+/// [ANTBAT] Table 2's bats, 50 of them and 100 iterations: at least 28 of 30 seeds find the exact tour of the twelve stops,
+/// by exact roads and by those that the paper's ants build from cell to cell.
+#[test]
+fn bats_find_the_exact_tour_of_the_twelve_stops() {
+    let scene = shipped("ant-bat-30").unwrap();
+    let exact = scene.exact_tour(Yardstick::Cells, Round::Closed).unwrap();
+    assert!((exact.length - 122.083_261_120_685).abs() < 1e-9, "{}", exact.length);
+    // From the first stop, in the direction whose second stop has the smaller number.
+    let told = |order: &[usize]| {
+        let at = order.iter().position(|&stop| stop == 0).unwrap();
+        let mut told = [&order[at..], &order[..at]].concat();
+        if told[1] > told[order.len() - 1] {
+            told[1..].reverse();
+        }
+        told
+    };
+    for roads in ["dijkstra", "aco-direction"] {
+        let outcome = |seed| {
+            let params = Given::from_iter([("roads", roads.into()), ("smooth", "false".into())]);
+            let setup = Setup { planner: "bat".into(), scene: std::sync::Arc::clone(&scene), params, seed };
+            let mut session = Session::with_keyframes(setup, 0).unwrap();
+            session.step(u64::MAX);
+            let outcome = session.outcome();
+            assert!(outcome.feasible && outcome.iterations == 11 + 100, "{roads}, seed {seed}");
+            outcome
+        };
+        let found: Vec<_> = (1..=30).map(outcome).collect();
+        let as_long = found.iter().filter(|outcome| outcome.gap == Some(0.0)).count();
+        let ordered = found.iter().filter(|outcome| told(outcome.order.as_ref().unwrap()) == told(&exact.order)).count();
+        assert!(as_long >= 28 && ordered >= 28, "{roads}: {as_long} as long as the exact tour, {ordered} in its order, of 30");
     }
 }
 
