@@ -27,7 +27,7 @@ fn text(bytes: &[u8]) -> String {
 #[test]
 fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
     for (args, part) in [
-        (&["reproduce", "waldo"] as &[&str], "known: ltqpso, ltqpso-regression, antbat-paths, wolf-ant"),
+        (&["reproduce", "waldo"] as &[&str], "known: ltqpso, ltqpso-regression, antbat-paths, antbat-tours, antbat-time, wolf-ant"),
         (&["reproduce", "ltqpso", "--runs", "1"], "runs: 1 is not allowed; it must be from 2"),
         (&["reproduce", "ltqpso", "--jobs", "0"], "--jobs"),
         (&["reproduce", "ltqpso", "--out", "Cargo.toml", "--runs", "2"], "Cargo.toml"),
@@ -158,6 +158,96 @@ fn ants_with_wolves_shares_and_their_tuning_stand_beside_the_paper() {
     }
     let published = &report[0]["tables"][1]["rows"][0];
     assert_eq!((published["α"].as_f64(), published["Q"].as_f64(), published["fitness"].as_f64()), (Some(1.0), Some(333.0), None));
+}
+
+/// The words of the first printed command with this part, as `forage` takes them.
+fn command<'a>(printed: &'a str, part: &str) -> Vec<&'a str> {
+    let command = printed.lines().find(|line| line.contains(part)).unwrap();
+    command.split_once("forage ").expect("a command and its words").1.split_whitespace().chain(["--json"]).collect()
+}
+
+#[test]
+fn tours_of_twelve_stops_stand_beside_all_five_published_rows() {
+    let out = folder("antbat-tours");
+    let args = ["reproduce", "antbat-tours", "--runs", "2", "--out", out.to_str().unwrap()];
+    let output = forage(&args);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    for (planner, published) in [
+        ("bat", "122.02 123.98 122.74 0.95"),
+        ("hybrid-bat", "122.88 125.94 123.46 1.83"),
+        ("ga", "123.04 127.27 124.27 2.59"),
+        ("tour-pso", "123.67 129.18 124.55 3.43"),
+        ("sa", "125.94 131.02 128.32 5.46"),
+    ] {
+        let line = printed.lines().find(|line| line.split_whitespace().next() == Some(planner)).unwrap();
+        assert!(published.split(' ').all(|figure| line.split_whitespace().any(|word| word == figure)), "{published}: {line}");
+    }
+    for part in ["2 runs a cell, published: 30", "the exact tour is 122.0833", "0.95 of bat (at most 0.94)", "All runs are feasible"] {
+        assert!(printed.contains(part), "{part}: {printed}");
+    }
+    let read = |name: &str| fs::read_to_string(out.join(format!("antbat-tours{name}"))).unwrap();
+    let names = ["-runs.csv", "-ants.csv", "-exact-roads.csv", "-smoothed.csv", ".md"];
+    let files = names.map(read);
+    let rows = &files[0];
+    assert_eq!(rows.lines().count(), 1 + 3 * 7 * 2);
+
+    // Killed in the middle of a line and gone on with one thread: the same bytes, and so without any roads to share.
+    fs::write(out.join("antbat-tours-runs.csv"), &rows[..rows.len() / 2]).unwrap();
+    let resumed = forage(&[&args[..], &["--jobs", "1", "--json"]].concat());
+    assert_eq!(names.map(read), files);
+
+    // What is told follows from the rows.
+    let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
+    let tables = report[0]["tables"].as_array().unwrap();
+    let told = &tables[0]["rows"][0];
+    let lengths: Vec<f64> =
+        rows.lines().filter(|line| line.starts_with("ants,bat,")).map(|line| line.split(',').nth(4).unwrap().parse().unwrap()).collect();
+    let [a, b] = lengths[..] else { panic!("{lengths:?}") };
+    assert!((told["mean"].as_f64().unwrap() - f64::midpoint(a, b)).abs() < 1e-12);
+    assert!((told["variance"].as_f64().unwrap() - (a - b) * (a - b) / 2.0).abs() < 1e-12, "with n − 1");
+    for table in tables {
+        let exact = table["rows"].as_array().unwrap().iter().find(|row| row["planner"] == "held-karp").unwrap();
+        assert_eq!(exact["best order"], "2 of 2", "{table}");
+    }
+    assert_eq!(tables[1]["rows"][6]["exact tour"], "2 of 2");
+
+    let again: Value = serde_json::from_slice(&forage(&command(&printed, "forage run bat")).stdout).unwrap();
+    assert_eq!(again["length"].as_f64(), Some(a));
+}
+
+#[test]
+fn the_time_of_tours_is_measured_and_drawn_over_the_number_of_stops() {
+    let out = folder("antbat-time");
+    let args = ["reproduce", "antbat-time", "--runs", "2", "--out", out.to_str().unwrap()];
+    let output = forage(&args);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    for part in ["2 runs a planner and number of stops instead of 5", "The times are not reproducible", "timed one after the other"] {
+        assert!(printed.contains(part), "{part}: {printed}");
+    }
+    let read = |name: &str| fs::read_to_string(out.join(name)).unwrap();
+    let (rows, picture) = (read("antbat-time-runs.csv"), read("antbat-time.svg"));
+    // Six numbers of stops; held-karp takes three of them.
+    assert_eq!(rows.lines().count(), 1 + (6 * 6 + 3) * 2);
+    assert!(rows.starts_with("planner,stops,seed,feasible,length,gap,evaluations,measured_threads,measured_roads_ms,"), "{rows}");
+    assert!(picture.starts_with("<svg") && ["order alone", "held-karp", "stops"].iter().all(|part| picture.contains(part)));
+    assert!(read("antbat-time-growth.csv").lines().count() > 3);
+
+    // Everything but what was measured is the same, interrupted and with two at once.
+    let computed = |rows: &str| rows.lines().map(|line| line.split(',').take(7).collect::<Vec<_>>().join(",")).collect::<Vec<_>>();
+    fs::write(out.join("antbat-time-runs.csv"), &rows[..rows.len() - 150]).unwrap();
+    let resumed = forage(&[&args[..], &["--jobs", "2", "--json"]].concat());
+    assert_eq!(computed(&read("antbat-time-runs.csv")), computed(&rows));
+    let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
+    assert!(report[0]["notes"].as_array().unwrap().iter().any(|note| note.as_str().unwrap().contains("SIDE BY SIDE")));
+    let told = &report[0]["tables"][0]["rows"][0];
+    assert_eq!((told["planner"].as_str(), told["stops"].as_f64(), told["roads"].as_f64()), (Some("bat"), Some(5.0), Some(10.0)));
+
+    // The scenes are written, so that the commands that are named work.
+    let again: Value = serde_json::from_slice(&forage(&command(&printed, "ant-bat-30-10-stops-1.json")).stdout).unwrap();
+    let row = rows.lines().find(|line| line.starts_with("bat,10,1,")).unwrap();
+    assert_eq!(row.split(',').nth(4).unwrap().parse().ok(), again["length"].as_f64());
 }
 
 /// Ctrl-C: what is finished is kept, and the same command goes on from there.

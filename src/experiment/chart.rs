@@ -1,4 +1,4 @@
-//! Pictures: fits beside published ones, log-log, and what many runs converge to.
+//! Pictures: fits beside published ones, log-log, what many runs converge to, and times over the number of stops.
 
 use std::{error::Error, io, path::Path};
 
@@ -108,6 +108,58 @@ fn lines(path: &Path, title: &str, curves: &[Curve], (name, least): (&str, f64))
             .legend(move |(x, y)| DashedPathElement::new([(x, y), (x + 24, y)], piece, gap, style));
     }
     chart.configure_series_labels().position(SeriesLabelPosition::UpperRight).background_style(WHITE.mix(0.85)).draw()?;
+    root.present()?;
+    Ok(())
+}
+
+/// Milliseconds over the number of stops, both by their logarithms: a picture for each title, with a curve a planner.
+///
+/// # Errors
+/// A file that cannot be written.
+pub(super) fn times(path: &Path, pictures: &[(&str, &[Curve])]) -> Result<(), Failure> {
+    over_stops(path, pictures).map_err(|problem| Failure::File(path.to_owned(), io::Error::other(problem.to_string())))
+}
+
+/// The curves' colours, told apart by lightness too.
+const MANY: [RGBColor; 7] = [
+    RGBColor(0, 98, 155),
+    RGBColor(200, 80, 0),
+    RGBColor(90, 60, 140),
+    RGBColor(0, 130, 90),
+    RGBColor(190, 30, 90),
+    RGBColor(120, 100, 40),
+    RGBColor(40, 40, 40),
+];
+/// A curve's piece and gap: whole, long, short, by turns.
+const DASHES: [(u32, u32); 3] = [(1, 0), (12, 5), (3, 3)];
+
+fn over_stops(path: &Path, pictures: &[(&str, &[Curve])]) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::new(path, SIZE).into_drawing_area();
+    root.fill(&WHITE)?;
+    for (&(title, curves), area) in pictures.iter().zip(root.split_evenly((1, pictures.len()))) {
+        let range = |axis: usize| {
+            let values = || curves.iter().flat_map(|curve| &curve.points).map(move |point| point[axis]);
+            (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max))
+        };
+        let ((left, right), (low, high)) = (range(0), range(1));
+        let mut chart = ChartBuilder::on(&area)
+            .caption(title, ("sans-serif", 18))
+            .margin(12)
+            .x_label_area_size(38)
+            .y_label_area_size(60)
+            .build_cartesian_2d((left / 1.1..right * 1.1).log_scale(), (low / 1.5..high * 1.5).log_scale())?;
+        let (whole, number) = (|number: &f64| format!("{number:.0}"), |number: &f64| format!("{number}"));
+        chart.configure_mesh().x_desc("stops").y_desc("ms").x_label_formatter(&whole).y_label_formatter(&number).draw()?;
+        for (k, curve) in curves.iter().enumerate() {
+            let (style, (piece, gap)) = (MANY[k % MANY.len()].stroke_width(2), DASHES[k % DASHES.len()]);
+            chart
+                .draw_series(DashedLineSeries::new(curve.points.iter().map(|&[x, y]| (x, y)), piece, gap, style))?
+                .label(curve.name)
+                .legend(move |(x, y)| DashedPathElement::new([(x, y), (x + 24, y)], piece, gap, style));
+            chart.draw_series(curve.points.iter().map(|&[x, y]| Circle::new((x, y), 3, style.filled())))?;
+        }
+        chart.configure_series_labels().position(SeriesLabelPosition::UpperLeft).background_style(WHITE.mix(0.85)).draw()?;
+    }
     root.present()?;
     Ok(())
 }

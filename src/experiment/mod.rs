@@ -3,9 +3,10 @@
 //! [`runner`] carries out keyed jobs on all cores and appends each finished one to [`rows`], so that an interruption
 //! loses nothing. [`statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
 //! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
-//! [`antbat`], [`wolf`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
+//! [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
 
 pub mod antbat;
+pub mod antbat_time;
 pub mod antbat_tours;
 pub mod chart;
 mod colonies;
@@ -35,8 +36,14 @@ use report::Report;
 use runner::Control;
 
 /// Every published experiment that is repeated here, in the order in which they are carried out.
-pub const REPRODUCTIONS: &[Reproduction] =
-    &[ltqpso::REPRODUCTION, regression::REPRODUCTION, antbat::REPRODUCTION, antbat_tours::REPRODUCTION, wolf::REPRODUCTION];
+pub const REPRODUCTIONS: &[Reproduction] = &[
+    ltqpso::REPRODUCTION,
+    regression::REPRODUCTION,
+    antbat::REPRODUCTION,
+    antbat_tours::REPRODUCTION,
+    antbat_time::REPRODUCTION,
+    wolf::REPRODUCTION,
+];
 
 /// A published experiment.
 #[derive(Debug, Clone, Copy)]

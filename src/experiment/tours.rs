@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// In the order of [ANTBAT] Table 2, and then two that it does not have.
-pub(super) const PLANNERS: [&str; 1] = ["bat"];
+pub(super) const PLANNERS: [&str; 2] = ["bat", "two-opt"];
 
 /// The roads between a scene's stops. For the same seed all planners ask for the same ones, so they are found once, by
 /// whoever comes first; the others wait.
