@@ -128,7 +128,7 @@ mod tests {
     use crate::{Given, Value, shipped};
 
     fn setup(seed: u64) -> Setup {
-        let params = Given::from_iter([("smooth", Value::from(false)), ("roads", Value::from("aco")), ("iterations", Value::from(20.0))]);
+        let params = Given::from_iter([("smooth", Value::Flag(false)), ("roads", Value::from("aco")), ("iterations", Value::from(20.0))]);
         Setup { planner: "bat".into(), scene: shipped("ant-bat-30").unwrap(), params, seed }
     }
 

@@ -74,7 +74,6 @@ export const en = {
     cost: 'best value',
     free: 'collision-free',
     cuts: 'cuts through an obstacle',
-    tour: 'best tour',
     roads: (built: string, all: string) => `Building roads: ${built} of ${all}`,
     optimum: {
       plain: 'the exact optimum',

@@ -9,11 +9,8 @@ import type { Clock } from './clock.svelte'
 import { Curve } from './curve'
 import { Driving } from './driving.svelte'
 import { Scenes } from './scenes.svelte'
-<<<<<<< HEAD
-import { suits } from './stops'
-=======
 import { stageAt } from './stages'
->>>>>>> 012c611 (Tours' roads in workers, parts of a run in the timeline, the members of a search as a table with bars)
+import { suits } from './stops'
 import { stillness } from './theme.svelte'
 
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
@@ -73,15 +70,11 @@ class Lab extends Scenes {
   /** What is looked for is a tour through the stops: start and goal mean nothing. */
   readonly touring = $derived(this.scene?.kind === 'tour' || (this.grid !== null && (this.planner?.stops ?? false)))
   readonly limit = $derived(this.run?.limit ?? 0)
-<<<<<<< HEAD
   readonly yardstick = $derived<Yardstick>((this.grid || this.touring) && this.outcome ? this.outcome.exact_by : 'plain')
-=======
-  readonly yardstick = $derived<Yardstick>((this.grid ?? this.planner?.stops) && this.outcome ? this.outcome.exact_by : 'plain')
   /** The optimum that results are measured by, in words. */
   readonly optimum = $derived(en.result[this.planner?.stops ? 'tours' : 'optimum'][this.yardstick])
   /** The part of the run that it is in, and how far in it. */
   readonly part = $derived(stageAt(this.run?.stages, this.iteration))
->>>>>>> 012c611 (Tours' roads in workers, parts of a run in the timeline, the members of a search as a table with bars)
   /** How far a step is that takes its time. */
   readonly underway = $derived(this.progress?.generation === this.run?.generation ? this.progress : null)
   /** What is done before there can be a tour: how many of the roads between the stops stand. */
