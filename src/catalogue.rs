@@ -59,6 +59,8 @@ pub struct Entry {
     pub kinds: &'static [Kind],
     /// Whether it calls at a scene's stops instead of going from start to goal.
     pub stops: bool,
+    /// The most stops that it can do with.
+    pub most_stops: Option<usize>,
     /// Its parameters; every planner has `iterations`.
     pub parameters: &'static [Parameter],
     /// The numbers it tells after each iteration.
@@ -230,7 +232,7 @@ impl Entry {
     /// Refuses a scene that this planner does not run on.
     ///
     /// # Errors
-    /// As [`Entry::check_kind`]; [`Error::Refused`] for a grid without what the planner goes to.
+    /// As [`Entry::check_kind`]; [`Error::Refused`] for a grid without what the planner goes to, and for too many stops.
     pub fn check_scene(&self, scene: &Scene) -> Result<(), Error> {
         self.check_kind(scene.kind())?;
         match scene.body() {
@@ -239,6 +241,17 @@ impl Entry {
                 Err(Error::refused("stops", found, "two stops at least: this planner calls at stops"))
             }
             Body::Grid(grid) if !self.stops => grid.ends().map(|_| ()),
+            Body::Grid(grid) => self.check_most("stops", grid.stops.len()),
+            Body::Tour(tour) => self.check_most(if tour.matrix.is_some() { "matrix" } else { "points" }, tour.len()),
+            _ => Ok(()),
+        }
+    }
+
+    fn check_most(&self, field: &str, n: usize) -> Result<(), Error> {
+        match self.most_stops {
+            Some(most) if n > most => {
+                Err(Error::refused(field, format!("a list of {n}"), format!("at most {most} stops for {}", self.name)))
+            }
             _ => Ok(()),
         }
     }
@@ -302,7 +315,7 @@ impl Serialize for EntryView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let entry = self.0;
         let parameters = views(entry.parameters, entry.kinds);
-        let mut out = serializer.serialize_struct("Planner", 12)?;
+        let mut out = serializer.serialize_struct("Planner", 13)?;
         out.serialize_field("name", entry.name)?;
         out.serialize_field("title", entry.title)?;
         out.serialize_field("family", entry.family)?;
@@ -310,6 +323,9 @@ impl Serialize for EntryView {
         out.serialize_field("summary", entry.summary)?;
         out.serialize_field("kinds", entry.kinds)?;
         out.serialize_field("stops", &entry.stops)?;
+        if let Some(most) = entry.most_stops {
+            out.serialize_field("most_stops", &most)?;
+        }
         out.serialize_field("parameters", &parameters)?;
         out.serialize_field("readings", entry.readings)?;
         out.serialize_field("formulas", entry.formulas)?;

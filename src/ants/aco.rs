@@ -35,6 +35,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[CHOICE, DISTANCE, EVAPORATION, TRADITIONAL],
     layers: LAYERS,
     stops: false,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {

@@ -87,6 +87,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[RULE, CHOICE, DISTANCE, EVAPORATION, TRADITIONAL],
     layers: LAYERS,
     stops: false,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {

@@ -73,6 +73,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[CHOICE, DISTANCE, DIRECTION, EVAPORATION, REWARD],
     layers: LAYERS,
     stops: false,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {

@@ -89,6 +89,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[CHOICE, RANKED, PHEROMONE, LAID],
     layers: LAYERS,
     stops: false,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {

@@ -20,6 +20,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[BOUND, FORMULA_STEP, FORMULA_OCTILE],
     layers: LAYERS,
     stops: false,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: |scene, settings, _| super::start(scene, settings, Heuristic::Octile, settings.number("weight"), Relaxation::Step),

@@ -20,6 +20,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[BOUND, FORMULA_STEP],
     layers: LAYERS,
     stops: false,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: |scene, settings, _| super::start(scene, settings, Heuristic::Nothing, 1.0, Relaxation::Step),

@@ -59,6 +59,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[COGNITIVE, SOCIAL, VELOCITY, POSITION],
     layers: LAYERS,
     stops: false,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {

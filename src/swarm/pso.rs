@@ -22,6 +22,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[VELOCITY, POSITION],
     layers: LAYERS,
     stops: false,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {

@@ -71,6 +71,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[INERTIA, COGNITIVE, SOCIAL, VELOCITY, POSITION, HEN, S1, S2, CHICK],
     layers: PERTURBED_LAYERS,
     stops: false,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {

@@ -406,6 +406,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[TRIES, LOUDNESS, PULSE, LENGTH],
     layers: &[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every bat."), TOUR_LAYER, STOPS_LAYER],
     stops: true,
+    most_stops: None,
     members: MEMBERS,
     suggest: |_| None,
     start: |scene, settings, seed| {

@@ -115,6 +115,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[TWO_OPT, LENGTH],
     layers: LAYERS,
     stops: true,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {

@@ -145,6 +145,7 @@ pub const ENTRY: Entry = Entry {
         Layer::new(Role::Best, "Best", true, false, "The shortest way that the best parameters gave."),
     ],
     stops: false,
+    most_stops: None,
     members: &[],
     suggest: |_| None,
     start: super::start,

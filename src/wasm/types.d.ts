@@ -155,6 +155,8 @@ export interface Planner {
   kinds: Kind[];
   /** It calls at a scene's stops instead of going from start to goal: grids need two stops at least. */
   stops: boolean;
+  /** The most stops that it can do with. Absent: as many as a scene may have. */
+  most_stops?: number;
   parameters: Parameter[];
   readings: Reading[];
   formulas: Formula[];

@@ -53,6 +53,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN],
     layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, SELECTED_LAYER, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],
     stops: false,
+    most_stops: None,
     members: &[],
     suggest,
     start: |scene, settings, seed| super::start(scene, settings, seed, true),

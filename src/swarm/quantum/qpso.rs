@@ -41,6 +41,7 @@ pub const ENTRY: Entry = Entry {
     formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, MEAN],
     layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],
     stops: false,
+    most_stops: None,
     members: &[],
     suggest,
     start: |scene, settings, seed| super::start(scene, settings, seed, false),
