@@ -10,6 +10,7 @@ mod moves;
 mod parameters;
 mod problem;
 mod roads;
+mod swaps;
 mod tell;
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,7 @@
 //! Changes of a tour, and what each costs before it is made. Rows have their head at 0 and their tail at m + 1; the stops
 //! that may be moved are at 1 to m.
 
-use super::problem::{Problem, Stop};
+use super::problem::{Problem, Stop, Tour};
 use crate::rng::Stream;
 
 /// What reversing the stops at `i` to `j` adds to the length: a 2-opt move. 1 ≤ i ≤ j ≤ m.
@@ -33,10 +33,43 @@ pub fn insert(row: &mut [Stop], i: usize, j: usize) {
     if i < j { row[i..=j].rotate_left(1) } else { row[j + 1..=i].rotate_right(1) }
 }
 
+/// What exchanging the stretches `i` to `j` and `j` + 1 to `k` adds to the length: a double bridge (Martin et al. 1991),
+/// three edges replaced and nothing reversed. 1 ≤ i ≤ j < k ≤ m.
+#[inline]
+pub fn double_bridge(problem: &Problem, row: &[Stop], [i, j, k]: [usize; 3]) -> f64 {
+    let (a, b, c, d, e, f) = (row[i - 1], row[i], row[j], row[j + 1], row[k], row[k + 1]);
+    let taken = problem.d(a, b) + problem.d(c, d) + problem.d(e, f);
+    problem.d(a, d) + problem.d(e, b) + problem.d(c, f) - taken
+}
+
+/// Exchanges the stretches `i` to `j` and `j` + 1 to `k`.
+pub fn bridge(row: &mut [Stop], [i, j, k]: [usize; 3]) {
+    row[i..=k].rotate_left(j + 1 - i);
+}
+
 /// Two places among the `m` that may be moved, the smaller one first; they may be the same. `m` must not be 0.
 pub fn two_places(m: usize, rng: &mut Stream) -> (usize, usize) {
     let (a, b) = (1 + rng.below(m), 1 + rng.below(m));
     (a.min(b), a.max(b))
+}
+
+/// The same, never one place twice. `m` must be 2 at least.
+pub fn two_apart(m: usize, rng: &mut Stream) -> (usize, usize) {
+    let (a, b) = (1 + rng.below(m), 1 + rng.below(m - 1));
+    let b = if b >= a { b + 1 } else { b };
+    (a.min(b), a.max(b))
+}
+
+/// Two stretches next to each other, for [`bridge`]. `m` must be 2 at least.
+pub fn two_stretches(m: usize, rng: &mut Stream) -> [usize; 3] {
+    // Three different gaps among the m + 1 before, between and behind the stops.
+    let (first, second) = two_apart(m + 1, rng);
+    let third = 1 + rng.below(m - 1);
+    let third = if third >= first { third + 1 } else { third };
+    let third = if third >= second { third + 1 } else { third };
+    let mut gaps = [first, second, third];
+    gaps.sort_unstable();
+    [gaps[0], gaps[1] - 1, gaps[2] - 1]
 }
 
 /// A stop's place and another place to put it behind: `i` in 1 to m, `j` in 0 to m, i ≠ j.
@@ -44,6 +77,13 @@ pub fn stop_and_place(m: usize, rng: &mut Stream) -> (usize, usize) {
     let i = 1 + rng.below(m);
     let j = rng.below(m);
     (i, if j >= i { j + 1 } else { j })
+}
+
+/// The same, never where the stop is already. `m` must be 2 at least.
+pub fn stop_elsewhere(m: usize, rng: &mut Stream) -> (usize, usize) {
+    let i = 1 + rng.below(m);
+    let j = rng.below(m - 1);
+    (i, if j + 1 >= i { j + 2 } else { j })
 }
 
 /// Partially matched crossover (Goldberg and Lingle 1985): `child`, a copy of one parent, takes over the other's stops at
@@ -61,15 +101,41 @@ pub fn pmx(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), places: &
     }
 }
 
+/// Order crossover (Davis 1985): `child`, a copy of one parent, keeps its stops at `i` to `j`; the others follow behind
+/// them, round the end, in the order in which the other parent has them from there on. `kept` is scratch space, a place
+/// for each stop.
+pub fn ox(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), kept: &mut [u16]) {
+    let m = child.len() - 2;
+    for (place, &stop) in child.iter().enumerate().skip(1).take(m) {
+        kept[usize::from(stop)] = u16::from(i <= place && place <= j);
+    }
+    let next = |place: usize| if place == m { 1 } else { place + 1 };
+    let (mut to, mut from) = (next(j), next(j));
+    for _ in 0..m {
+        let stop = other[from];
+        if kept[usize::from(stop)] == 0 {
+            child[to] = stop;
+            to = next(to);
+        }
+        from = next(from);
+    }
+}
+
 /// At how many places two rows differ; of tours that are the same backwards, in the direction that is nearer, [ANTBAT] (12).
 pub fn hamming(problem: &Problem, a: &[Stop], b: &[Stop]) -> usize {
+    nearer(problem, a, b).0
+}
+
+/// The same, and whether that is the other direction of `b`.
+pub fn nearer(problem: &Problem, a: &[Stop], b: &[Stop]) -> (usize, bool) {
     let m = a.len() - 2;
     let (a, b) = (&a[1..=m], &b[1..=m]);
     let forward = a.iter().zip(b).filter(|(a, b)| a != b).count();
     if !problem.two_way() {
-        return forward;
+        return (forward, false);
     }
-    forward.min(a.iter().zip(b.iter().rev()).filter(|(a, b)| a != b).count())
+    let backward = a.iter().zip(b.iter().rev()).filter(|(a, b)| a != b).count();
+    (forward.min(backward), backward < forward)
 }
 
 /// Puts the stops that may be moved into random order.
@@ -79,9 +145,23 @@ pub fn shuffle(row: &mut [Stop], rng: &mut Stream) {
     }
 }
 
+/// A tour in random order.
+pub fn random_tour(problem: &Problem, rng: &mut Stream) -> Tour {
+    let mut tour = Tour::first(problem);
+    shuffle(&mut tour.row, rng);
+    tour.settle(problem);
+    tour
+}
+
+/// The shortest of some tours, the first of equals.
+pub fn shortest<'a>(mut tours: impl Iterator<Item = &'a Tour>) -> Option<&'a Tour> {
+    let first = tours.next()?;
+    Some(tours.fold(first, |best, tour| if tour.length < best.length { tour } else { best }))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{super::problem::Tour, *};
+    use super::*;
     use crate::{planner::Round, scene::Distances};
 
     fn problem(n: usize, round: Round, rng: &mut Stream) -> Problem {
@@ -99,6 +179,29 @@ mod tests {
         let mut child = b;
         pmx(&mut child, &a, (4, 6), &mut [0; 11]);
         assert_eq!(child, [0, 8, 10, 1, 5, 6, 7, 9, 2, 4, 3, 0]);
+    }
+
+    /// Michalewicz's example (1992): 1 2 3 | 4 5 6 7 | 8 9 and 4 5 2 | 1 8 7 6 | 9 3.
+    #[test]
+    fn order_crossover_against_an_example_from_a_book() {
+        let a = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 0];
+        let b = [0, 4, 5, 2, 1, 8, 7, 6, 9, 3, 0];
+        let mut child = a;
+        ox(&mut child, &b, (4, 7), &mut [0; 10]);
+        assert_eq!(child, [0, 2, 1, 8, 4, 5, 6, 7, 9, 3, 0]);
+        let mut child = b;
+        ox(&mut child, &a, (4, 7), &mut [0; 10]);
+        assert_eq!(child, [0, 3, 4, 5, 1, 8, 7, 6, 9, 2, 0]);
+        let mut child = b;
+        ox(&mut child, &a, (1, 9), &mut [0; 10]);
+        assert_eq!(child, b, "a stretch of all leaves nothing to take over");
+    }
+
+    #[test]
+    fn a_double_bridge_against_a_hand_worked_example() {
+        let mut row = [0, 1, 2, 3, 4, 5, 6, 7, 0];
+        bridge(&mut row, [2, 3, 6]); // 1 | 2 3 | 4 5 6 | 7
+        assert_eq!(row, [0, 1, 4, 5, 6, 2, 3, 7, 0]);
     }
 
     #[test]
@@ -147,6 +250,22 @@ mod tests {
             pmx(&mut row, &other, cut, &mut vec![0; n]);
             check(&problem, &row);
             assert_eq!(row[cut.0..=cut.1], other[cut.0..=cut.1]);
+            let mut row = tour.row.clone();
+            ox(&mut row, &other, cut, &mut vec![0; n]);
+            check(&problem, &row);
+            assert_eq!(row[cut.0..=cut.1], tour.row[cut.0..=cut.1]);
+            if m > 1 {
+                let stretches = two_stretches(m, &mut rng);
+                let mut row = tour.row.clone();
+                let added = double_bridge(&problem, &row, stretches);
+                bridge(&mut row, stretches);
+                assert!((problem.length(&row) - before - added).abs() < 1e-12);
+                check(&problem, &row);
+                let (i, j) = two_apart(m, &mut rng);
+                assert!(1 <= i && i < j && j <= m);
+                let (i, j) = stop_elsewhere(m, &mut rng);
+                assert!(1 <= i && i <= m && j <= m && i != j && i != j + 1);
+            }
         }
     }
 

@@ -13,8 +13,40 @@ use super::{
 };
 
 /// The TeX strings that inspections use beside the members' own.
-pub const SYMBOLS: &[&str] =
-    &["D", "HD", "s_i", "s_i^*", "\\ne", "v", "D'", "\\Delta D'", "A", "r", "\\Delta D", "L", "t^*", "d", "d_-", "d_+", "i"];
+pub const SYMBOLS: &[&str] = &[
+    "D",
+    "HD",
+    "s_i",
+    "s_i^*",
+    "\\ne",
+    "v",
+    "D'",
+    "\\Delta D'",
+    "A",
+    "r",
+    "\\Delta D",
+    "L",
+    "t^*",
+    "d",
+    "d_-",
+    "d_+",
+    "i",
+    "f",
+    "D_a",
+    "D_b",
+    "D_p",
+    "w v",
+    "p \\ominus x",
+    "g \\ominus x",
+    "|v|",
+    "|x^* \\ominus x|",
+    "T",
+    "T'",
+    "k",
+    "k_+",
+    "\\Delta_{\\max}",
+    "P",
+];
 
 const ORDER: [Column; 3] = [
     Column { name: "own", symbol: "s_i", title: "its stop" },
