@@ -5,6 +5,7 @@
 //! planners differ in is a [`Search`], a file each. `problem` is what they search, `moves` are the changes that they make.
 
 pub mod bat;
+pub mod ga;
 mod local;
 mod moves;
 mod parameters;

@@ -1,0 +1,345 @@
+//! `ga`: a genetic algorithm with order crossover (Davis 1985), one of those that [ANTBAT] §4 compares with.
+//!
+//! A generation follows another: the shortest tours are kept, the others are children of parents that won a tournament.
+//! The paper prints neither operators nor parameters; order crossover and inversion are the usual ones for tours.
+
+use std::sync::Arc;
+
+use crate::{
+    catalogue::{Entry, Formula, Group, Layer, Member, Reading},
+    digest::Digest,
+    frame::Role,
+    math,
+    params::{Parameter, Settings},
+    planner::{Inspection, Readings},
+    rng::Stream,
+};
+
+use super::{
+    Search, moves,
+    parameters::{
+        BEST, BUILT, CONVERGED, DIFFERENT, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
+        STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+    },
+    problem::{Problem, Tour},
+    tell::quantity,
+};
+
+/// How a tour came into its generation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Origin {
+    /// Random, in the first generation.
+    Start,
+    /// It was one of the shortest of the generation before.
+    Kept,
+    /// Of one parent, unchanged.
+    Copy,
+    /// Of two parents.
+    Crossover,
+    /// Of one parent, with a stretch reversed.
+    Mutation,
+    /// Of two parents, with a stretch reversed.
+    Both,
+}
+
+/// What made a tour. All places are those of the row before it was turned into the direction that counts.
+#[derive(Debug, Clone, Copy)]
+struct Birth {
+    origin: Origin,
+    /// Numbers and lengths in the generation before; of one parent, twice the same.
+    parents: [usize; 2],
+    lengths: [f64; 2],
+    /// From where to where it follows its first parent.
+    cut: (usize, usize),
+    /// From where to where it was reversed then.
+    reversed: (usize, usize),
+}
+
+#[derive(Debug, Clone)]
+struct One {
+    tour: Tour,
+    birth: Birth,
+}
+
+impl One {
+    /// How much shorter it is than the shorter parent.
+    fn gain(&self) -> f64 {
+        match self.birth.origin {
+            Origin::Start => 0.0,
+            _ => self.birth.lengths[0].min(self.birth.lengths[1]) - self.tour.length,
+        }
+    }
+}
+
+/// A generation, and the shortest tour of all generations.
+#[derive(Clone)]
+struct Genetic {
+    problem: Arc<Problem>,
+    now: Vec<One>,
+    /// The next one while it is made.
+    next: Vec<One>,
+    best: Tour,
+    elite: usize,
+    tournament: usize,
+    crossover: f64,
+    mutation: f64,
+    evaluations: u64,
+    rng: Stream,
+    /// Scratch space: the generation by length, and a place for each stop.
+    ranks: Vec<(f64, usize)>,
+    places: Vec<u16>,
+}
+
+fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Genetic {
+    let birth = Birth { origin: Origin::Start, parents: [0; 2], lengths: [f64::NAN; 2], cut: (0, 0), reversed: (0, 0) };
+    let size = settings.integer("population") as usize;
+    let now: Vec<_> = (0..size).map(|_| One { tour: moves::random_tour(problem, &mut rng), birth }).collect();
+    let best = moves::shortest(now.iter().map(|one| &one.tour)).cloned();
+    Genetic {
+        problem: Arc::clone(problem),
+        best: best.unwrap_or_else(|| Tour::first(problem)),
+        next: now.clone(),
+        // A child at least is born.
+        elite: (settings.integer("elite") as usize).min(size - 1),
+        tournament: settings.integer("tournament") as usize,
+        crossover: settings.number("crossover"),
+        mutation: settings.number("mutation"),
+        evaluations: size as u64,
+        rng,
+        ranks: vec![(0.0, 0); size],
+        places: vec![0; problem.n + 1],
+        now,
+    }
+}
+
+impl Genetic {
+    /// The shortest tours of this generation are the first of the next.
+    fn keep(&mut self) {
+        for (rank, (i, one)) in self.ranks.iter_mut().zip(self.now.iter().enumerate()) {
+            *rank = (one.tour.length, i);
+        }
+        math::sort(&mut self.ranks);
+        for (heir, &(length, i)) in self.next.iter_mut().zip(&self.ranks[..self.elite]) {
+            heir.tour.copy_from(&self.now[i].tour);
+            heir.birth = Birth { origin: Origin::Kept, parents: [i; 2], lengths: [length; 2], cut: (0, 0), reversed: (0, 0) };
+        }
+    }
+
+    /// The shortest of a few that are drawn.
+    fn select(&mut self) -> usize {
+        let mut winner = self.rng.below(self.now.len());
+        for _ in 1..self.tournament {
+            let other = self.rng.below(self.now.len());
+            if self.now[other].tour.length < self.now[winner].tour.length {
+                winner = other;
+            }
+        }
+        winner
+    }
+
+    /// A child of the tournaments' winners: number `i` of the next generation.
+    fn breed(&mut self, i: usize) {
+        let m = self.best.len();
+        let first = self.select();
+        let crossed = m > 1 && self.rng.unit() < self.crossover;
+        let second = if crossed { self.select() } else { first };
+        let child = &mut self.next[i];
+        let (cut, reversed);
+        child.tour.copy_from(&self.now[first].tour);
+        if crossed {
+            cut = moves::two_places(m, &mut self.rng);
+            moves::ox(&mut child.tour.row, &self.now[second].tour.row, cut, &mut self.places);
+        } else {
+            cut = (0, 0);
+        }
+        let mutated = m > 1 && self.rng.unit() < self.mutation;
+        if mutated {
+            reversed = moves::two_apart(m, &mut self.rng);
+            moves::reverse(&mut child.tour.row, reversed.0, reversed.1);
+        } else {
+            reversed = (0, 0);
+        }
+        child.tour.settle(&self.problem);
+        self.evaluations += 1;
+        let origin = match (crossed, mutated) {
+            (false, false) => Origin::Copy,
+            (true, false) => Origin::Crossover,
+            (false, true) => Origin::Mutation,
+            (true, true) => Origin::Both,
+        };
+        let parents = [first, second];
+        child.birth = Birth { origin, parents, lengths: parents.map(|parent| self.now[parent].tour.length), cut, reversed };
+        if child.tour.length < self.best.length {
+            self.best.copy_from(&child.tour);
+        }
+    }
+}
+
+impl Search for Genetic {
+    fn step(&mut self) {
+        self.keep();
+        (self.elite..self.now.len()).for_each(|i| self.breed(i));
+        std::mem::swap(&mut self.now, &mut self.next);
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    fn best(&self) -> Option<&Tour> {
+        Some(&self.best)
+    }
+
+    fn members(&self) -> usize {
+        self.now.len()
+    }
+
+    fn member(&self, i: usize) -> Option<&Tour> {
+        self.now.get(i).map(|one| &one.tour)
+    }
+
+    fn read(&self, out: &mut Readings) {
+        let children = &self.now[self.elite..];
+        let shorter = children.iter().filter(|one| one.gain() > 0.0).count();
+        out.push("shorter", shorter as f64 / children.len() as f64);
+    }
+
+    fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
+        let one = &self.now[i];
+        let different = moves::hamming(&self.problem, &one.tour.row, &self.best.row);
+        out.extend([one.tour.length, different as f64, f64::from(one.birth.origin as u8), one.gain()]);
+    }
+
+    fn explain(&self, i: usize, told: &mut Inspection) {
+        let one = &self.now[i];
+        let Birth { origin, parents: [a, b], lengths, cut, reversed } = one.birth;
+        told.event = WORDS[origin as usize];
+        told.summary = match origin {
+            Origin::Start => "It is one of the random tours of the first generation.".to_owned(),
+            Origin::Kept => format!("It was tour {} of the generation before; the shortest are kept.", a + 1),
+            Origin::Copy | Origin::Mutation => format!("A child of tour {} alone, which won a tournament.", a + 1),
+            Origin::Crossover | Origin::Both => format!(
+                "A child of the tours {} and {}, which won a tournament each: places {} to {} from the first, the others in the order of the second.",
+                a + 1,
+                b + 1,
+                cut.0,
+                cut.1
+            ),
+        };
+        if reversed.1 > 0 {
+            let mutation = format!(" Then a mutation reversed places {} to {}.", reversed.0, reversed.1);
+            told.summary.push_str(&mutation);
+        }
+        if origin == Origin::Start {
+            return;
+        }
+        let values = [
+            quantity("first", "D_a", "length of the first parent", lengths[0]),
+            quantity("second", "D_b", "length of the second parent", lengths[1]),
+            quantity("gain", "\\Delta D", "shorter than the shorter parent by", one.gain()),
+        ];
+        told.values.extend(values.into_iter().flatten());
+        told.formulas = vec!["gain", "length"];
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.rng.digest(out);
+        for one in &self.now {
+            one.tour.row.iter().for_each(|&stop| out.word(stop.into()));
+            out.number(one.tour.length);
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        (2 * self.now.len() + 1) * (self.best.bytes() + size_of::<One>()) + 16 * self.ranks.len() + 2 * self.places.len()
+    }
+
+    fn copy(&self) -> Box<dyn Search> {
+        Box::new(self.clone())
+    }
+}
+
+const TOURNAMENT: Parameter = Parameter::integer(
+    "tournament",
+    "k",
+    "Tournament",
+    [1, 1000, 3],
+    "How many tours are drawn for the shortest of them to be a parent. 1: any tour may be one. [ANTBAT] gives no parameters of its genetic algorithm; this is a usual one.",
+)
+.slider(1.0, 20.0, false);
+const ELITE: Parameter = Parameter::integer(
+    "elite",
+    "e",
+    "Kept",
+    [0, 100_000, 1],
+    "How many of the shortest tours go on unchanged; one child at least is born. Ours, like all of this planner’s parameters.",
+)
+.slider(0.0, 20.0, false);
+const CROSSOVER: Parameter = Parameter::number(
+    "crossover",
+    "p_c",
+    "Crossover rate",
+    [0.0, 1.0, 0.9],
+    "How many of the children have two parents: a stretch of the first, the other stops in the order of the second.",
+);
+const MUTATION: Parameter =
+    Parameter::number("mutation", "p_m", "Mutation rate", [0.0, 1.0, 0.2], "How many of the children then have a random stretch reversed.");
+
+const GAIN: Formula = Formula::of_item(
+    "gain",
+    "Davis 1985",
+    "What a child gained",
+    "\\Delta D = \\min(D_a, D_b) - D",
+    "\\Delta D = \\min(@first@, @second@) - @length@ = @gain@",
+);
+
+const WORDS: &[&str] = &["start", "kept", "copy", "crossover", "mutation", "both"];
+
+/// What is told of each tour.
+const MEMBERS: &[Member] = &[
+    MEMBER_LENGTH,
+    MEMBER_DIFFERENT,
+    Member { words: WORDS, ..member("operator", "", "Operator", "How it came into this generation.") },
+    member("gain", "\\Delta D", "Gain", "How much shorter it is than the shorter of its parents; below zero: longer."),
+];
+
+/// See [`super::start`].
+const TELLS: &[&str] = &["mean", "different", "shorter"];
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "ga",
+    title: "Genetic algorithm",
+    family: "tour",
+    source: "Davis 1985",
+    summary: "Generations of tours: children take a stretch of one parent and the order of the other, some have a stretch reversed, and the shortest are kept.",
+    kinds: KINDS,
+    parameters: &[
+        population("Tours", 50, "How many tours a generation has. As many as [ANTBAT] has bats; it says nothing of its genetic algorithm."),
+        iterations(100, "After how many generations it stops; building roads comes first. As many as [ANTBAT]’s bats fly."),
+        TOURNAMENT,
+        ELITE,
+        CROSSOVER,
+        MUTATION,
+        ROUND,
+        ROADS,
+        SMOOTH,
+    ],
+    readings: &[
+        BEST,
+        MEAN,
+        BUILT,
+        CONVERGED,
+        DIFFERENT,
+        Reading::new("shorter", "", "Shorter children", Group::Measure, "How many of the children are shorter than both their parents."),
+    ],
+    formulas: &[GAIN, LENGTH],
+    layers: &[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tours of this generation."), TOUR_LAYER, STOPS_LAYER],
+    stops: true,
+    most_stops: None,
+    members: MEMBERS,
+    suggest: |_| None,
+    start: |scene, settings, seed| {
+        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+    },
+};
