@@ -36,6 +36,7 @@ pub const PLANNERS: &[Entry] = &[
     search::theta_star::ENTRY,
     tour::bat::ENTRY,
     tour::ga::ENTRY,
+    tour::tour_pso::ENTRY,
     tour::two_opt::ENTRY,
     tuning::ENTRY,
 ];

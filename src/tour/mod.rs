@@ -15,6 +15,7 @@ mod swaps;
 mod tell;
 #[cfg(test)]
 mod tests;
+pub mod tour_pso;
 pub mod two_opt;
 
 use std::sync::Arc;

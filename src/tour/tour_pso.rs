@@ -1,0 +1,304 @@
+//! `tour-pso`: particle swarms on orders, by swap sequences (Wang et al. 2003; Clerc 2004).
+//!
+//! The swarm's two equations with other signs: a position is an order, a velocity is a list of swaps, the difference of
+//! two orders is the list that leads from one to the other, a number times a list keeps each swap with that probability,
+//! and ⊕ puts lists behind each other or carries them out.
+
+use std::sync::Arc;
+
+use crate::{
+    catalogue::{Entry, Formula, Group, Layer, Member, Reading},
+    digest::Digest,
+    frame::Role,
+    params::{Parameter, Settings},
+    planner::{Inspection, Readings},
+    rng::Stream,
+};
+
+use super::{
+    Search, moves,
+    parameters::{
+        BEST, BUILT, CONVERGED, DIFFERENT, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
+        STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+    },
+    problem::{Problem, Stop, Tour},
+    swaps::{self, Swap},
+    tell::quantity,
+};
+
+/// What a particle did in the last iteration.
+#[derive(Debug, Clone, Copy, Default)]
+struct Deed {
+    /// How many swaps it kept of its velocity, took towards its own best and towards the swarm's.
+    kept: usize,
+    own: usize,
+    swarm: usize,
+    /// How much shorter its tour became.
+    gain: f64,
+    /// It is the shortest that this particle had.
+    record: bool,
+}
+
+#[derive(Debug, Clone)]
+struct Particle {
+    tour: Tour,
+    best: Tour,
+    velocity: Vec<Swap>,
+    deed: Deed,
+}
+
+/// Particles and the best of their tours.
+#[derive(Clone)]
+struct Swarm {
+    problem: Arc<Problem>,
+    particles: Vec<Particle>,
+    best: Tour,
+    w: f64,
+    c1: f64,
+    c2: f64,
+    evaluations: u64,
+    rng: Stream,
+    /// Scratch space: a row, a list of swaps, and a place for each stop.
+    row: Vec<Stop>,
+    list: Vec<Swap>,
+    places: Vec<u16>,
+}
+
+fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Swarm {
+    let first = Tour::first(problem);
+    let m = first.len();
+    let particles: Vec<_> = (0..settings.integer("population"))
+        .map(|_| {
+            let tour = moves::random_tour(problem, &mut rng);
+            Particle { best: tour.clone(), tour, velocity: Vec::with_capacity(m), deed: Deed::default() }
+        })
+        .collect();
+    Swarm {
+        problem: Arc::clone(problem),
+        best: moves::shortest(particles.iter().map(|particle| &particle.tour)).unwrap_or(&first).clone(),
+        w: settings.number("w"),
+        c1: settings.number("c1"),
+        c2: settings.number("c2"),
+        evaluations: particles.len() as u64,
+        particles,
+        rng,
+        row: first.row,
+        list: Vec::with_capacity(3 * m),
+        places: vec![0; problem.n + 1],
+    }
+}
+
+impl Swarm {
+    /// Adds `share` · (`to` ⊖ tour `i`) to the list: how many swaps those are.
+    fn draw_towards(&mut self, i: usize, own: bool, share: f64) -> usize {
+        let before = self.list.len();
+        let particle = &self.particles[i];
+        let to = if own { &particle.best.row } else { &self.best.row };
+        // Of a tour that is the same backwards, the direction that is nearer.
+        let (_, backwards) = moves::nearer(&self.problem, &particle.tour.row, to);
+        self.row.copy_from_slice(&particle.tour.row);
+        swaps::difference(&mut self.row, to, backwards, &mut self.places, &mut self.list);
+        swaps::thin(&mut self.list, before, share, &mut self.rng);
+        self.list.len() - before
+    }
+
+    /// Moves particle `i`.
+    fn fly(&mut self, i: usize) {
+        let m = self.best.len();
+        if m < 2 {
+            return; // there is one tour only
+        }
+        // v ← w v ⊕ c₁ r₁ (p ⊖ x) ⊕ c₂ r₂ (g ⊖ x)
+        self.list.clear();
+        self.list.extend_from_slice(&self.particles[i].velocity);
+        swaps::thin(&mut self.list, 0, self.w, &mut self.rng);
+        let kept = self.list.len();
+        let (r1, r2) = (self.rng.unit(), self.rng.unit());
+        let own = self.draw_towards(i, true, self.c1 * r1);
+        let swarm = self.draw_towards(i, false, self.c2 * r2);
+
+        // x ← x ⊕ v, and v becomes the basic sequence that does the same: it has fewer swaps than there are stops.
+        let particle = &mut self.particles[i];
+        let length = particle.tour.length;
+        self.row.copy_from_slice(&particle.tour.row);
+        swaps::apply(&mut particle.tour.row, &self.list);
+        particle.velocity.clear();
+        swaps::difference(&mut self.row, &particle.tour.row, false, &mut self.places, &mut particle.velocity);
+        let front = particle.tour.row[1];
+        particle.tour.settle(&self.problem);
+        if particle.tour.row[1] != front {
+            swaps::mirror(&mut particle.velocity, m); // the row was turned, so its velocity is
+        }
+        self.evaluations += 1;
+
+        let record = particle.tour.length < particle.best.length;
+        if record {
+            particle.best.copy_from(&particle.tour);
+        }
+        particle.deed = Deed { kept, own, swarm, gain: length - particle.tour.length, record };
+        if particle.tour.length < self.best.length {
+            self.best.copy_from(&particle.tour);
+        }
+    }
+}
+
+impl Search for Swarm {
+    fn step(&mut self) {
+        (0..self.particles.len()).for_each(|i| self.fly(i));
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    fn best(&self) -> Option<&Tour> {
+        Some(&self.best)
+    }
+
+    fn members(&self) -> usize {
+        self.particles.len()
+    }
+
+    fn member(&self, i: usize) -> Option<&Tour> {
+        self.particles.get(i).map(|particle| &particle.tour)
+    }
+
+    fn read(&self, out: &mut Readings) {
+        let swaps: usize = self.particles.iter().map(|particle| particle.velocity.len()).sum();
+        out.push("swaps", swaps as f64 / self.particles.len() as f64);
+    }
+
+    fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
+        let Particle { tour, best, velocity, deed } = &self.particles[i];
+        let different = moves::hamming(&self.problem, &tour.row, &self.best.row);
+        out.extend([tour.length, best.length, different as f64, velocity.len() as f64, deed.gain]);
+    }
+
+    fn explain(&self, i: usize, told: &mut Inspection) {
+        let Particle { best, velocity, deed, .. } = &self.particles[i];
+        told.title = format!("Particle {}", i + 1);
+        let Deed { kept, own, swarm, gain, record } = *deed;
+        (told.event, told.summary) = if kept + own + swarm == 0 {
+            ("rests", "It made no swap: it begins, or nothing drew it anywhere.".to_owned())
+        } else {
+            let better = if record { ": the shortest that it had" } else { "" };
+            let how = if gain > 0.0 { "shorter" } else { "longer" };
+            let summary = format!(
+                "{} swaps: {kept} of its velocity, {own} towards its own best, {swarm} towards the swarm’s. Its tour became {:.4} {how}{better}.",
+                kept + own + swarm,
+                gain.abs()
+            );
+            (if record { "record" } else { "swaps" }, summary)
+        };
+        let values = [
+            quantity("own_best", "D_p", "its own best", best.length),
+            quantity("kept", "w v", "swaps of its velocity", kept as f64),
+            quantity("own", "p \\ominus x", "swaps towards its own best", own as f64),
+            quantity("swarm", "g \\ominus x", "swaps towards the swarm’s", swarm as f64),
+            quantity("velocity", "|v|", "velocity: swaps that do the same", velocity.len() as f64),
+        ];
+        told.values.extend(values.into_iter().flatten());
+        told.formulas = vec!["velocity", "position", "length"];
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.rng.digest(out);
+        for particle in &self.particles {
+            let rows = particle.tour.row.iter().chain(&particle.best.row).chain(particle.velocity.as_flattened());
+            rows.for_each(|&word| out.word(word.into()));
+            out.numbers(&[particle.tour.length, particle.best.length]);
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        let m = self.row.len();
+        self.particles.len() * (2 * self.best.bytes() + 4 * m + size_of::<Particle>()) + 20 * m
+    }
+
+    fn copy(&self) -> Box<dyn Search> {
+        Box::new(self.clone())
+    }
+}
+
+const W: Parameter = Parameter::number(
+    "w",
+    "w",
+    "Inertia",
+    [0.0, 1.0, 0.6],
+    "With what probability each swap of a velocity is kept. Wang et al. keep all: 1. [ANTBAT] gives no parameters of its swarm; these are the best that we found for its twelve stops.",
+);
+const C1: Parameter = Parameter::number(
+    "c1",
+    "c_1",
+    "Towards its own best",
+    [0.0, 4.0, 2.0],
+    "With what probability, times a random number from 0 to 1, a particle makes each swap towards its own best. Wang et al.: 1.",
+)
+.slider(0.0, 2.0, false);
+const C2: Parameter = Parameter::number(
+    "c2",
+    "c_2",
+    "Towards the swarm’s best",
+    [0.0, 4.0, 0.3],
+    "With what probability, times a random number from 0 to 1, a particle makes each swap towards the swarm’s best. Wang et al.: 1, with which the particles soon are all alike.",
+)
+.slider(0.0, 2.0, false);
+
+const VELOCITY: Formula = Formula::of_item(
+    "velocity",
+    "Wang et al. 2003",
+    "Velocity: a list of swaps",
+    "v \\leftarrow w\\,v \\oplus c_1 r_1 (p \\ominus x) \\oplus c_2 r_2 (g \\ominus x)",
+    "|v| \\le @kept@ + @own@ + @swarm@",
+);
+const POSITION: Formula =
+    Formula::of_item("position", "Wang et al. 2003", "Position: an order", "x \\leftarrow x \\oplus v", "|v| = @velocity@");
+
+/// What is told of each particle.
+const MEMBERS: &[Member] = &[
+    MEMBER_LENGTH,
+    member("own_best", "D_p", "Own best", "The length of the shortest tour that it had."),
+    MEMBER_DIFFERENT,
+    member("swaps", "|v|", "Velocity", "How many swaps its velocity has."),
+    member("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration; below zero: longer."),
+];
+
+/// See [`super::start`].
+const TELLS: &[&str] = &["mean", "different", "swaps"];
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "tour-pso",
+    title: "Particle swarm with swaps",
+    family: "tour",
+    source: "Wang et al. 2003",
+    summary: "Particles that hold a tour each and swap stops: some of the swaps of their velocity, some towards their own best tour, some towards the swarm’s.",
+    kinds: KINDS,
+    parameters: &[
+        population("Particles", 50, "How many particles search. As many as [ANTBAT] has bats; it says nothing of its swarm."),
+        iterations(100, "After how many iterations of the swarm it stops; building roads comes first. As many as [ANTBAT]’s bats fly."),
+        W,
+        C1,
+        C2,
+        ROUND,
+        ROADS,
+        SMOOTH,
+    ],
+    readings: &[
+        BEST,
+        MEAN,
+        BUILT,
+        CONVERGED,
+        DIFFERENT,
+        Reading::new("swaps", "\\overline{|v|}", "Velocity", Group::Measure, "How many swaps a velocity has, on average."),
+    ],
+    formulas: &[VELOCITY, POSITION, LENGTH],
+    layers: &[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every particle."), TOUR_LAYER, STOPS_LAYER],
+    stops: true,
+    most_stops: None,
+    members: MEMBERS,
+    suggest: |_| None,
+    start: |scene, settings, seed| {
+        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+    },
+};
