@@ -37,6 +37,7 @@ pub const PLANNERS: &[Entry] = &[
     tour::bat::ENTRY,
     tour::ga::ENTRY,
     tour::tour_pso::ENTRY,
+    tour::sa::ENTRY,
     tour::two_opt::ENTRY,
     tuning::ENTRY,
 ];

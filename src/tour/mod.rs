@@ -11,6 +11,7 @@ mod moves;
 mod parameters;
 mod problem;
 mod roads;
+pub mod sa;
 mod swaps;
 mod tell;
 #[cfg(test)]

@@ -1,0 +1,297 @@
+//! `sa`: simulated annealing with 2-opt moves (Kirkpatrick et al. 1983).
+//!
+//! One tour is changed again and again. What makes it longer is accepted the more rarely, the longer it becomes and the
+//! colder it is. An iteration is one temperature.
+
+use std::sync::Arc;
+
+use crate::{
+    catalogue::{Entry, Formula, Group, Layer, Member, Reading},
+    digest::Digest,
+    frame::Role,
+    math,
+    params::{Parameter, Settings},
+    planner::{Inspection, Readings},
+    rng::Stream,
+};
+
+use super::{
+    Search, moves,
+    parameters::{
+        BEST, BUILT, CONVERGED, DIFFERENT, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH, STOPS_LAYER,
+        TOUR_LAYER, iterations, member,
+    },
+    problem::{Problem, Tour},
+    tell::quantity,
+};
+
+/// How many moves say how hot it must be.
+const MEASURED: u64 = 100;
+
+/// What happened at the last temperature.
+#[derive(Debug, Clone, Copy, Default)]
+struct Deed {
+    tried: u64,
+    /// Accepted because they were not longer, and although they were.
+    shorter: u64,
+    longer: u64,
+    /// The longest step up that was accepted.
+    highest: f64,
+    /// How much shorter the tour became.
+    gain: f64,
+}
+
+/// One tour that is annealed, and the shortest that it was.
+#[derive(Clone)]
+struct Annealing {
+    problem: Arc<Problem>,
+    now: Tour,
+    best: Tour,
+    /// Scratch space.
+    noted: Tour,
+    /// Of the last iteration's moves, and of the next one's.
+    temperature: f64,
+    next: f64,
+    cooling: f64,
+    moves: u64,
+    evaluations: u64,
+    deed: Deed,
+    rng: Stream,
+}
+
+fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Annealing {
+    let now = moves::random_tour(problem, &mut rng);
+    let temperature = first_temperature(problem, &now, settings.number("accept_start"), &mut rng);
+    Annealing {
+        problem: Arc::clone(problem),
+        best: now.clone(),
+        noted: now.clone(),
+        temperature,
+        next: temperature,
+        cooling: settings.number("cooling"),
+        moves: settings.integer("moves") * problem.n as u64,
+        evaluations: 1 + if now.len() > 1 { MEASURED } else { 0 },
+        deed: Deed::default(),
+        now,
+        rng,
+    }
+}
+
+/// The temperature at which a move that makes this random tour longer by what such moves do on average is accepted with
+/// the probability `share`: T₀ = −Δ̄ / ln share (Johnson et al. 1989). 0 if no move makes it longer.
+fn first_temperature(problem: &Problem, tour: &Tour, share: f64, rng: &mut Stream) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for _ in 0..if tour.len() > 1 { MEASURED } else { 0 } {
+        let (i, j) = moves::two_apart(tour.len(), rng);
+        let added = moves::reversal(problem, &tour.row, i, j);
+        if added > 0.0 {
+            (sum, count) = (sum + added, count + 1.0);
+        }
+    }
+    if count > 0.0 { -sum / count / math::ln(share) } else { 0.0 }
+}
+
+impl Annealing {
+    /// Notes the present tour if it is the shortest so far. It stays as it stands: a move may be under way.
+    fn remember(&mut self) {
+        if self.now.length < self.best.length {
+            self.noted.copy_from(&self.now);
+            self.noted.settle(&self.problem);
+            // The sum of differences may have promised what rounding gave.
+            if self.noted.length < self.best.length {
+                std::mem::swap(&mut self.noted, &mut self.best);
+            }
+        }
+    }
+
+    /// Whether a move that makes the tour longer by so much is accepted, Metropolis et al. 1953.
+    fn accepts(&mut self, added: f64) -> bool {
+        added <= 0.0 || self.rng.unit() < math::exp(-added / self.temperature)
+    }
+
+    /// Tries one random 2-opt move.
+    fn attempt(&mut self) {
+        let (i, j) = moves::two_apart(self.now.len(), &mut self.rng);
+        let added = moves::reversal(&self.problem, &self.now.row, i, j);
+        if !self.accepts(added) {
+            return;
+        }
+        if added > 0.0 {
+            // Only here a shortest tour can get lost: to note every step down would take time.
+            self.remember();
+            self.deed.longer += 1;
+            self.deed.highest = self.deed.highest.max(added);
+        } else {
+            self.deed.shorter += 1;
+        }
+        moves::reverse(&mut self.now.row, i, j);
+        self.now.length += added;
+    }
+}
+
+impl Search for Annealing {
+    fn step(&mut self) {
+        self.temperature = self.next;
+        self.deed = Deed::default();
+        let before = self.now.length;
+        if self.now.len() > 1 {
+            (0..self.moves).for_each(|_| self.attempt());
+            self.deed.tried = self.moves;
+            self.evaluations += self.moves;
+        }
+        self.now.settle(&self.problem);
+        self.remember();
+        self.deed.gain = before - self.now.length;
+        self.next *= self.cooling;
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    fn best(&self) -> Option<&Tour> {
+        Some(&self.best)
+    }
+
+    fn members(&self) -> usize {
+        1
+    }
+
+    fn member(&self, i: usize) -> Option<&Tour> {
+        (i == 0).then_some(&self.now)
+    }
+
+    fn read(&self, out: &mut Readings) {
+        let Deed { tried, shorter, longer, .. } = self.deed;
+        out.push("temperature", self.temperature);
+        out.push("accepted", (shorter + longer) as f64 / tried.max(1) as f64);
+    }
+
+    fn tell_member(&self, _i: usize, out: &mut Vec<f64>) {
+        let different = moves::hamming(&self.problem, &self.now.row, &self.best.row);
+        out.extend([self.now.length, different as f64, self.deed.gain, self.deed.highest]);
+    }
+
+    fn explain(&self, _i: usize, told: &mut Inspection) {
+        let Deed { tried, shorter, longer, highest, gain } = self.deed;
+        told.title = String::from("Present tour");
+        (told.event, told.summary) = match (tried, shorter + longer) {
+            (0, _) => ("start", "It begins with a random tour.".to_owned()),
+            (_, 0) => ("frozen", format!("None of {tried} moves was accepted.")),
+            _ => (
+                "annealed",
+                format!(
+                    "Of {tried} moves {shorter} were accepted because they made it no longer, {longer} although they made it longer, by up to {highest:.4}."
+                ),
+            ),
+        };
+        let values = [
+            quantity("temperature", "T", "temperature", self.temperature),
+            quantity("next", "T'", "the next temperature", self.next),
+            quantity("tried", "k", "moves tried", tried as f64),
+            quantity("longer", "k_+", "accepted although longer", longer as f64),
+            quantity("highest", "\\Delta_{\\max}", "longest step up", highest),
+            // What is colder than a number can say has no quotient.
+            quantity("chance", "P", "chance of such a step", if highest > 0.0 { math::exp(-highest / self.temperature) } else { 1.0 }),
+            quantity("gain", "\\Delta D", "shorter by", gain),
+        ];
+        told.values.extend(values.into_iter().flatten());
+        told.formulas = vec!["metropolis", "cooling", "length"];
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.rng.digest(out);
+        self.now.row.iter().for_each(|&stop| out.word(stop.into()));
+        out.numbers(&[self.now.length, self.best.length, self.temperature, self.next]);
+    }
+
+    fn bytes(&self) -> usize {
+        3 * self.now.bytes() + size_of::<Self>()
+    }
+
+    fn copy(&self) -> Box<dyn Search> {
+        Box::new(self.clone())
+    }
+}
+
+const ACCEPT_START: Parameter = Parameter::number(
+    "accept_start",
+    "\\chi_0",
+    "Accepted at first",
+    [0.01, 0.99, 0.8],
+    "How hot it begins: a move that makes the first tour longer by what such moves do on average is accepted with this probability. Measured on 100 random moves. [ANTBAT] gives no parameters of its simulated annealing; this is a usual one.",
+);
+const COOLING: Parameter = Parameter::number(
+    "cooling",
+    "\\alpha",
+    "Cooling",
+    [0.01, 1.0, 0.95],
+    "What the temperature is multiplied by after each iteration. With more iterations it should be nearer to 1. Ours, like all of this planner’s parameters.",
+)
+.slider(0.8, 1.0, false);
+const MOVES: Parameter = Parameter::integer(
+    "moves",
+    "k",
+    "Moves for each stop",
+    [1, 100_000, 20],
+    "How many moves are tried at a temperature, for each stop. A move is evaluated by the four distances that it changes, so they are cheap.",
+)
+.slider(1.0, 1000.0, true);
+
+const METROPOLIS: Formula = Formula::of_item(
+    "metropolis",
+    "Metropolis et al. 1953",
+    "Chance of a move that makes the tour longer",
+    "P = e^{-\\Delta / T}",
+    "P = e^{-@highest@ / @temperature@} = @chance@",
+);
+const GEOMETRIC: Formula =
+    Formula::of_item("cooling", "Kirkpatrick et al. 1983", "Cooling", "T \\leftarrow \\alpha T", "T = @temperature@ \\to @next@");
+
+/// What is told of the tour.
+const MEMBERS: &[Member] = &[
+    MEMBER_LENGTH,
+    MEMBER_DIFFERENT,
+    member("gain", "\\Delta D", "Gain", "How much shorter it became in the last iteration; below zero: longer."),
+    member("highest", "\\Delta_{\\max}", "Longest step up", "The most that an accepted move made it longer in the last iteration."),
+];
+
+/// See [`super::start`].
+const TELLS: &[&str] = &["mean", "different", "temperature", "accepted"];
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "sa",
+    title: "Simulated annealing",
+    family: "tour",
+    source: "Kirkpatrick et al. 1983",
+    summary: "One tour, parts of which are turned round again and again: what makes it longer is accepted more and more rarely as it grows colder.",
+    kinds: KINDS,
+    parameters: &[
+        iterations(100, "After how many temperatures it stops; building roads comes first. As many as [ANTBAT]’s bats fly iterations."),
+        ACCEPT_START,
+        COOLING,
+        MOVES,
+        ROUND,
+        ROADS,
+        SMOOTH,
+    ],
+    readings: &[
+        BEST,
+        Reading::new("mean", "D", "Present", Group::Cost, "The length of the present tour."),
+        BUILT,
+        CONVERGED,
+        DIFFERENT,
+        Reading::new("temperature", "T", "Temperature", Group::Schedule, "How hot it was in this iteration, as a length."),
+        Reading::new("accepted", "\\chi", "Accepted", Group::Measure, "How many of this iteration’s moves were accepted."),
+    ],
+    formulas: &[METROPOLIS, GEOMETRIC, LENGTH],
+    layers: &[ROADS_LAYER, Layer::new(Role::Tours, "Present tour", false, true, "The tour that is changed."), TOUR_LAYER, STOPS_LAYER],
+    stops: true,
+    most_stops: None,
+    members: MEMBERS,
+    suggest: |_| None,
+    start: |scene, settings, seed| {
+        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+    },
+};
