@@ -35,6 +35,7 @@ pub const PLANNERS: &[Entry] = &[
     search::dijkstra::ENTRY,
     search::theta_star::ENTRY,
     tour::bat::ENTRY,
+    tour::hybrid_bat::ENTRY,
     tour::ga::ENTRY,
     tour::tour_pso::ENTRY,
     tour::sa::ENTRY,

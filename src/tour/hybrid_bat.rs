@@ -1,0 +1,398 @@
+//! `hybrid-bat`: a bat with perturbation local search, what [ANTBAT] §4 compares with as its [25].
+//!
+//! All that [ANTBAT] says of it is "a hybrid bat algorithm that looks for the best neighbourhood by perturbation"
+//! (Worasan et al. 2022, whose problem, vehicles with cross-docking, is another). So this is a reading of ours, with
+//! nothing that the paper's own bats add:
+//!
+//! - A bat flies by (7) to (9), with orders as positions: the difference from the best is a list of swaps, and of these it
+//!   makes a share, its frequency.
+//! - When its pulse lets it, it looks around the best tour instead: a few perturbations, each of a kind drawn by lot
+//!   (a stretch reversed, a stop moved, two stretches exchanged); the shortest is its candidate.
+//! - A candidate that is shorter than its own tour it accepts with its loudness as the probability; then it becomes
+//!   quieter, and its pulse rate rises (Yang 2010). A tour that is shorter than the best becomes the best either way, as
+//!   in Yang's own programme.
+
+use std::sync::Arc;
+
+use crate::{
+    catalogue::{Entry, Formula, Group, Layer, Member, Reading},
+    digest::Digest,
+    frame::Role,
+    math,
+    params::{Parameter, Settings},
+    planner::{Inspection, Readings},
+    rng::Stream,
+};
+
+use super::{
+    Search, moves,
+    parameters::{
+        BEST, BUILT, CONVERGED, DIFFERENT, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
+        STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+    },
+    problem::{Problem, Tour},
+    swaps::{self, Swap},
+    tell::quantity,
+};
+
+/// How a bat's candidate was made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Operator {
+    /// There was none yet.
+    None,
+    /// Its own tour with swaps towards the best.
+    Flight,
+    /// The best tour with a stretch reversed,
+    Reversal,
+    /// with a stop moved,
+    Insertion,
+    /// with two stretches exchanged.
+    Bridge,
+}
+
+/// What it did in the last iteration.
+#[derive(Debug, Clone, Copy)]
+struct Deed {
+    operator: Operator,
+    /// The frequency of its flight, the swaps that led to the best, and how many of them it made.
+    frequency: f64,
+    distance: usize,
+    swaps: usize,
+    candidate: f64,
+    accepted: bool,
+    /// How much shorter its tour became.
+    gain: f64,
+}
+
+#[derive(Debug, Clone)]
+struct Bat {
+    tour: Tour,
+    loudness: f64,
+    pulse_rate: f64,
+    deed: Deed,
+}
+
+/// Bats and the best of their tours.
+#[derive(Clone)]
+struct Bats {
+    problem: Arc<Problem>,
+    swarm: Vec<Bat>,
+    best: Tour,
+    frequencies: [f64; 2],
+    perturbations: u64,
+    alpha: f64,
+    gamma: f64,
+    r0: f64,
+    t: u64,
+    evaluations: u64,
+    rng: Stream,
+    /// Scratch space: a candidate, swaps, and a place for each stop.
+    candidate: Tour,
+    list: Vec<Swap>,
+    places: Vec<u16>,
+}
+
+fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
+    let first = Tour::first(problem);
+    let deed = Deed { operator: Operator::None, frequency: 0.0, distance: 0, swaps: 0, candidate: f64::NAN, accepted: false, gain: 0.0 };
+    let loudness = settings.number("a0");
+    let swarm: Vec<_> = (0..settings.integer("population"))
+        .map(|_| Bat { tour: moves::random_tour(problem, &mut rng), loudness, pulse_rate: 0.0, deed })
+        .collect();
+    let [low, high] = ["f_min", "f_max"].map(|name| settings.number(name));
+    Bats {
+        problem: Arc::clone(problem),
+        best: moves::shortest(swarm.iter().map(|bat| &bat.tour)).unwrap_or(&first).clone(),
+        frequencies: [low, high.max(low)],
+        perturbations: settings.integer("perturbations"),
+        alpha: settings.number("alpha"),
+        gamma: settings.number("gamma"),
+        r0: settings.number("r0"),
+        t: 0,
+        evaluations: swarm.len() as u64,
+        swarm,
+        rng,
+        list: Vec::with_capacity(first.len()),
+        candidate: first,
+        places: vec![0; problem.n + 1],
+    }
+}
+
+impl Bats {
+    /// A flight towards the best: the candidate is the bat's own tour after a share of the swaps that lead there.
+    fn fly(&mut self, i: usize) -> Deed {
+        let own = &self.swarm[i].tour;
+        let frequency = self.rng.between(self.frequencies[0], self.frequencies[1]); // (7)
+        self.list.clear();
+        self.candidate.row.copy_from_slice(&own.row);
+        let (_, backwards) = moves::nearer(&self.problem, &own.row, &self.best.row);
+        swaps::difference(&mut self.candidate.row, &self.best.row, backwards, &mut self.places, &mut self.list);
+        let distance = self.list.len();
+        swaps::thin(&mut self.list, 0, frequency, &mut self.rng); // (8)
+        self.candidate.row.copy_from_slice(&own.row);
+        swaps::apply(&mut self.candidate.row, &self.list); // (9)
+        self.evaluations += 1;
+        let swaps = self.list.len();
+        Deed { operator: Operator::Flight, frequency, distance, swaps, candidate: f64::NAN, accepted: false, gain: 0.0 }
+    }
+
+    /// Around the best: the candidate is the shortest of a few perturbations.
+    fn perturb(&mut self) -> Deed {
+        let (m, row) = (self.best.len(), &self.best.row);
+        let (mut operator, mut least, mut at) = (Operator::Reversal, f64::INFINITY, [1, 1, 1]);
+        for _ in 0..self.perturbations {
+            let (kind, places, added) = match self.rng.below(3) {
+                0 => {
+                    let (a, b) = moves::two_apart(m, &mut self.rng);
+                    (Operator::Reversal, [a, b, 0], moves::reversal(&self.problem, row, a, b))
+                }
+                1 => {
+                    let (from, to) = moves::stop_elsewhere(m, &mut self.rng);
+                    (Operator::Insertion, [from, to, 0], moves::insertion(&self.problem, row, from, to))
+                }
+                _ => {
+                    let places = moves::two_stretches(m, &mut self.rng);
+                    (Operator::Bridge, places, moves::double_bridge(&self.problem, row, places))
+                }
+            };
+            if added < least {
+                (operator, least, at) = (kind, added, places);
+            }
+        }
+        self.candidate.row.copy_from_slice(row);
+        match operator {
+            Operator::Insertion => moves::insert(&mut self.candidate.row, at[0], at[1]),
+            Operator::Bridge => moves::bridge(&mut self.candidate.row, at),
+            _ => moves::reverse(&mut self.candidate.row, at[0], at[1]),
+        }
+        self.evaluations += self.perturbations;
+        Deed { operator, frequency: 0.0, distance: 0, swaps: 0, candidate: f64::NAN, accepted: false, gain: 0.0 }
+    }
+
+    /// Moves bat `i`.
+    fn call(&mut self, i: usize) {
+        if self.best.len() < 2 {
+            return; // there is one tour only
+        }
+        let mut deed = if self.rng.unit() > self.swarm[i].pulse_rate { self.perturb() } else { self.fly(i) };
+        self.candidate.settle(&self.problem);
+        deed.candidate = self.candidate.length;
+        let bat = &mut self.swarm[i];
+        if self.candidate.length < bat.tour.length && self.rng.unit() < bat.loudness {
+            deed.accepted = true;
+            deed.gain = bat.tour.length - self.candidate.length;
+            bat.tour.copy_from(&self.candidate);
+            bat.loudness *= self.alpha;
+            bat.pulse_rate = self.r0 * (1.0 - math::exp(-self.gamma * self.t as f64));
+        }
+        bat.deed = deed;
+        if self.candidate.length < self.best.length {
+            self.best.copy_from(&self.candidate);
+        }
+    }
+
+    fn mean(&self, of: impl Fn(&Bat) -> f64) -> f64 {
+        self.swarm.iter().map(of).sum::<f64>() / self.swarm.len() as f64
+    }
+}
+
+impl Search for Bats {
+    fn step(&mut self) {
+        self.t += 1;
+        (0..self.swarm.len()).for_each(|i| self.call(i));
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+
+    fn best(&self) -> Option<&Tour> {
+        Some(&self.best)
+    }
+
+    fn members(&self) -> usize {
+        self.swarm.len()
+    }
+
+    fn member(&self, i: usize) -> Option<&Tour> {
+        self.swarm.get(i).map(|bat| &bat.tour)
+    }
+
+    fn read(&self, out: &mut Readings) {
+        out.push("loudness", self.mean(|bat| bat.loudness));
+        out.push("pulse_rate", self.mean(|bat| bat.pulse_rate));
+    }
+
+    fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
+        let Bat { tour, loudness, pulse_rate, deed } = &self.swarm[i];
+        let different = moves::hamming(&self.problem, &tour.row, &self.best.row);
+        out.extend([tour.length, *loudness, *pulse_rate, different as f64, f64::from(deed.operator as u8), deed.gain]);
+    }
+
+    fn explain(&self, i: usize, told: &mut Inspection) {
+        let Bat { loudness, pulse_rate, deed, .. } = &self.swarm[i];
+        let Deed { operator, frequency, distance, swaps, candidate, accepted, gain } = *deed;
+        told.title = format!("Bat {}", i + 1);
+        told.event = WORDS[operator as usize];
+        told.summary = match operator {
+            Operator::None => "It begins with a random tour.".to_owned(),
+            Operator::Flight => format!("It flew towards the best tour: {swaps} of the {distance} swaps that lead there."),
+            _ => {
+                let what = match operator {
+                    Operator::Reversal => "a stretch reversed",
+                    Operator::Insertion => "a stop moved",
+                    _ => "two stretches exchanged",
+                };
+                format!("It looked around the best tour; the shortest of {} perturbations was one with {what}.", self.perturbations)
+            }
+        };
+        told.summary.push_str(match (operator, accepted) {
+            (Operator::None, _) => "",
+            (_, true) => " It took that tour: quieter now, and it looks around the best more rarely.",
+            (_, false) => " It kept its own tour.",
+        });
+        let values = [
+            quantity("candidate", "D'", "tour that it tried", candidate),
+            quantity("gain", "\\Delta D", "gained by taking it", gain),
+            quantity("loudness", "A", "loudness", *loudness),
+            quantity("pulse_rate", "r", "pulse rate", *pulse_rate),
+        ];
+        told.values.extend(values.into_iter().flatten());
+        told.formulas = vec!["loudness", "pulse", "length"];
+        if operator == Operator::Flight {
+            let flight = [
+                quantity("frequency", "f", "frequency", frequency),
+                quantity("distance", "|x^* \\ominus x|", "swaps to the best", distance as f64),
+                quantity("swaps", "|v|", "swaps that it made", swaps as f64),
+            ];
+            told.values.extend(flight.into_iter().flatten());
+            told.formulas.insert(0, "velocity");
+        }
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.rng.digest(out);
+        for bat in &self.swarm {
+            bat.tour.row.iter().for_each(|&stop| out.word(stop.into()));
+            out.numbers(&[bat.tour.length, bat.loudness, bat.pulse_rate]);
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        (self.swarm.len() + 2) * (self.best.bytes() + size_of::<Bat>()) + 6 * self.places.len()
+    }
+
+    fn copy(&self) -> Box<dyn Search> {
+        Box::new(self.clone())
+    }
+}
+
+const F_MIN: Parameter = Parameter::number(
+    "f_min",
+    "f_{\\min}",
+    "Least frequency",
+    [0.0, 1.0, 0.0],
+    "Of a flight: the least share of the swaps towards the best that it makes. A reading of ours, like all of this planner’s parameters: [ANTBAT] gives none of its [25].",
+);
+const F_MAX: Parameter = Parameter::number(
+    "f_max",
+    "f_{\\max}",
+    "Greatest frequency",
+    [0.0, 1.0, 1.0],
+    "The greatest share; not below the least. 1: a flight can end at the best.",
+);
+const PERTURBATIONS: Parameter = Parameter::integer(
+    "perturbations",
+    "k",
+    "Perturbations",
+    [1, 100_000, 3],
+    "How many changes of the best tour are tried when a bat looks around it; the shortest is its candidate. With 3 it evaluates about as many tours as [ANTBAT]’s bats do.",
+)
+.slider(1.0, 100.0, true);
+const LOUDNESS_START: Parameter =
+    Parameter::number("a0", "A_0", "Loudness at first", [0.0, 1.0, 1.0], "With what probability it accepts a shorter tour at first.");
+const ALPHA: Parameter = Parameter::number(
+    "alpha",
+    "\\alpha",
+    "Fading of loudness",
+    [0.0, 1.0, 0.9],
+    "What a bat’s loudness is multiplied by when it accepts a tour. Yang 2010: 0.9.",
+);
+const PULSE_RATE: Parameter = Parameter::number(
+    "r0",
+    "r_0",
+    "Pulse rate in the end",
+    [0.0, 1.0, 0.5],
+    "What a bat’s pulse rate rises to: the probability that it flies instead of looking around the best tour.",
+);
+const GAMMA: Parameter =
+    Parameter::number("gamma", "\\gamma", "Pulse coefficient", [0.0, 100.0, 0.9], "How fast pulse rates rise. Yang 2010: 0.9.")
+        .slider(0.0, 2.0, false);
+
+const VELOCITY: Formula = Formula::of_item(
+    "velocity",
+    "[ANTBAT] (7)–(9)",
+    "Flight: swaps towards the best",
+    "v_i = f_i \\, (x^* \\ominus x_i), \\quad f_i = f_{\\min} + (f_{\\max} - f_{\\min}) \\beta, \\quad x_i' = x_i \\oplus v_i",
+    "f = @frequency@, \\quad |v| = @swaps@ \\text{ of } @distance@",
+);
+const LOUDNESS: Formula = Formula::of_item("loudness", "Yang 2010", "Loudness", "A_i \\leftarrow \\alpha A_i", "A = @loudness@");
+const PULSE: Formula =
+    Formula::of_item("pulse", "Yang 2010", "Pulse rate", "r_i \\leftarrow r_0 \\left(1 - e^{-\\gamma t}\\right)", "r = @pulse_rate@");
+
+const WORDS: &[&str] = &["start", "flight", "reversal", "insertion", "exchange"];
+
+/// What is told of each bat.
+const MEMBERS: &[Member] = &[
+    MEMBER_LENGTH,
+    Member { full: Some(1.0), ..member("loudness", "A", "Loudness", "The louder, the likelier it accepts a shorter tour.") },
+    Member { full: Some(1.0), ..member("pulse_rate", "r", "Pulse rate", "The higher, the rarer it looks around the best tour.") },
+    MEMBER_DIFFERENT,
+    Member { words: WORDS, ..member("operator", "", "Operator", "How it made the tour that it tried in the last iteration.") },
+    member("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration."),
+];
+
+/// See [`super::start`].
+const TELLS: &[&str] = &["mean", "different", "loudness", "pulse_rate"];
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "hybrid-bat",
+    title: "Bats with perturbation",
+    family: "tour",
+    source: "[ANTBAT] §4, its [25]",
+    summary: "Bats that hold a tour each: they swap stops towards the best one, or take the best of a few perturbations of it.",
+    kinds: KINDS,
+    parameters: &[
+        population("Bats", 50, "How many bats search. As many as [ANTBAT] has."),
+        iterations(100, "After how many iterations of the bats it stops; building roads comes first. As many as [ANTBAT]’s bats fly."),
+        F_MIN,
+        F_MAX,
+        PERTURBATIONS,
+        LOUDNESS_START,
+        ALPHA,
+        PULSE_RATE,
+        GAMMA,
+        ROUND,
+        ROADS,
+        SMOOTH,
+    ],
+    readings: &[
+        BEST,
+        MEAN,
+        BUILT,
+        CONVERGED,
+        DIFFERENT,
+        Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness."),
+        Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates."),
+    ],
+    formulas: &[VELOCITY, LOUDNESS, PULSE, LENGTH],
+    layers: &[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every bat."), TOUR_LAYER, STOPS_LAYER],
+    stops: true,
+    most_stops: None,
+    members: MEMBERS,
+    suggest: |_| None,
+    start: |scene, settings, seed| {
+        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+    },
+};
