@@ -40,6 +40,7 @@ pub const PLANNERS: &[Entry] = &[
     tour::tour_pso::ENTRY,
     tour::sa::ENTRY,
     tour::two_opt::ENTRY,
+    tour::held_karp::ENTRY,
     tuning::ENTRY,
 ];
 

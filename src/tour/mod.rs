@@ -6,6 +6,7 @@
 
 pub mod bat;
 pub mod ga;
+pub mod held_karp;
 pub mod hybrid_bat;
 mod local;
 mod moves;
