@@ -2,7 +2,16 @@
 
 use std::sync::Arc;
 
-use crate::{Given, Session, Setup, Status, catalogue, params::Value, planner::Round, shipped};
+use crate::{
+    Given, Scene, Session, Setup, Status,
+    catalogue::{self, Entry},
+    frame::Role,
+    params::{Domain, Value},
+    planner::{Item, Round},
+    rng::Stream,
+    scene::{Body, Distances},
+    shipped,
+};
 
 fn session(planner: &str, scene: &str, params: &[(&'static str, &str)], seed: u64) -> Session {
     let params: Given = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
@@ -66,4 +75,197 @@ fn a_stop_behind_walls_is_named() {
     let setup = Setup { planner: "bat".into(), scene, params: Given::new(), seed: 1 };
     let error = Session::new(setup).err().unwrap();
     assert_eq!((error.field(), error.value()), ("stops[2]", "(3.5, 0.5)"));
+}
+
+const ROUNDS: [&str; 4] = ["closed", "open", "from-first", "first-to-last"];
+
+fn tour_planners() -> impl Iterator<Item = &'static Entry> {
+    catalogue::PLANNERS.iter().filter(|entry| entry.family == "tour")
+}
+
+/// Stops here and there.
+fn stops(n: usize, rng: &mut Stream) -> Arc<Scene> {
+    let points: Vec<_> = (0..n).map(|_| [rng.between(0.0, 10.0), rng.between(0.0, 10.0)]).collect();
+    let text = format!(r#"{{"format": "forage-scene", "version": 1, "kind": "tour", "name": "t", "title": "T", "points": {points:?}}}"#);
+    Arc::new(Scene::from_json(&text).unwrap())
+}
+
+fn distances(scene: &Scene) -> &Distances {
+    match scene.body() {
+        Body::Tour(tour) => tour.distances(),
+        _ => unreachable!(),
+    }
+}
+
+fn run(planner: &str, scene: &Arc<Scene>, params: &[(&'static str, Value)], seed: u64) -> Session {
+    let params: Given = params.iter().cloned().collect();
+    Session::new(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }).unwrap()
+}
+
+fn names(entry: &Entry, parameter: &str) -> bool {
+    entry.parameters.iter().any(|p| p.name == parameter)
+}
+
+/// The tour of every member is a permutation with the ends that it should have and as long as it says.
+fn check_members(session: &mut Session, round: Round) {
+    let scene = Arc::clone(session.scene());
+    let n = scene.stops().len();
+    for index in 0.. {
+        let Some(told) = session.inspect(Item { role: Role::Tours, index }) else {
+            break;
+        };
+        let order: Vec<_> = told.rows.iter().map(|row| row[0] as usize - 1).collect();
+        assert!(round.allows(&order, n), "{} {order:?}", session.entry().name);
+        let length = told.values.iter().find(|value| value.name == "length").unwrap().value;
+        assert!((distances(&scene).length(&order, round.closes()) - length).abs() < 1e-9);
+        assert!(length >= session.readings().get("best").unwrap());
+    }
+}
+
+#[test]
+fn tours_stay_permutations_and_the_best_never_rises_whatever_the_planner_and_the_round() {
+    let mut rng = Stream::new(11, 0);
+    for entry in tour_planners() {
+        for n in 2..=20 {
+            let scene = stops(n, &mut rng);
+            if entry.check_scene(&scene).is_err() {
+                continue;
+            }
+            for (round, name) in Round::ALL.into_iter().zip(ROUNDS) {
+                let mut params = vec![("round", Value::from(name)), ("iterations", Value::from(25.0))];
+                if names(entry, "population") {
+                    params.push(("population", Value::from((n % 7 + 1) as f64)));
+                }
+                let mut session = run(entry.name, &scene, &params, n as u64);
+                let mut best = f64::INFINITY;
+                loop {
+                    let outcome = session.outcome();
+                    if let Some(order) = &outcome.order {
+                        assert!(round.allows(order, n), "{} {order:?}", entry.name);
+                        let cost = outcome.cost.unwrap();
+                        assert!(cost <= best, "{}: the best rose from {best} to {cost}", entry.name);
+                        assert_eq!(cost, distances(&scene).length(order, round.closes()), "{} adds up", entry.name);
+                        best = cost;
+                        check_members(&mut session, round);
+                    }
+                    if session.status() != Status::Running {
+                        break;
+                    }
+                    session.step(1);
+                }
+                assert!(best.is_finite(), "{} finds a tour of {n} stops, {name}", entry.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_number_of_a_tour_planner_runs_at_both_ends_of_its_range() {
+    let mut rng = Stream::new(12, 0);
+    for n in [2, 3, 9] {
+        let scene = stops(n, &mut rng);
+        for (entry, parameter) in tour_planners().flat_map(|entry| entry.parameters.iter().map(move |parameter| (entry, parameter))) {
+            let (min, max) = match parameter.domain {
+                Domain::Number { min, max, .. } => (min, max),
+                Domain::Integer { min, max, .. } => (min as f64, max as f64),
+                _ => continue,
+            };
+            for value in [min, max] {
+                let mut params = vec![(parameter.name, Value::from(value))];
+                if names(entry, "population") && parameter.name != "population" {
+                    params.push(("population", Value::from(3.0)));
+                }
+                let mut session = run(entry.name, &scene, &params, 3);
+                session.step(if value >= 1000.0 { 2 } else { 12 });
+                let found = session.outcome().cost.is_some();
+                for (name, value) in session.readings().iter() {
+                    let waits = !found || name == "partial";
+                    assert!(value.is_finite() || (value.is_nan() && waits), "{} {}={value}: {name}", entry.name, parameter.name);
+                }
+            }
+        }
+    }
+}
+
+/// Every order there is, one after another.
+fn by_trying(order: &mut Vec<usize>, k: usize, distances: &Distances, round: Round) -> f64 {
+    if k == order.len() {
+        return if round.allows(order, k) { distances.length(order, round.closes()) } else { f64::INFINITY };
+    }
+    (k..order.len()).fold(f64::INFINITY, |best, i| {
+        order.swap(k, i);
+        let length = by_trying(order, k + 1, distances, round);
+        order.swap(k, i);
+        best.min(length)
+    })
+}
+
+#[test]
+fn held_and_karp_find_the_shortest_of_all_orders() {
+    let mut rng = Stream::new(13, 0);
+    for n in 2..=12 {
+        let scene = stops(n, &mut rng);
+        for (round, name) in Round::ALL.into_iter().zip(ROUNDS) {
+            let mut session = run("held-karp", &scene, &[("round", Value::from(name))], 1);
+            session.step(u64::MAX);
+            let outcome = session.outcome();
+            assert_eq!(outcome.status, Status::Solved);
+            let expected = match n {
+                2..=8 => by_trying(&mut (0..n).collect(), 0, distances(&scene), round),
+                _ => crate::exact::shortest_tour(distances(&scene), round).unwrap().1,
+            };
+            assert!((outcome.cost.unwrap() - expected).abs() < 1e-12, "{n} stops, {name}");
+            assert!((session.readings().get("partial").unwrap() - expected).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn held_and_karp_take_no_more_stops_than_they_say() {
+    let mut rng = Stream::new(14, 0);
+    let refused = |n: usize, rng: &mut Stream| {
+        let setup = Setup { planner: "held-karp".into(), scene: stops(n, rng), params: Given::new(), seed: 1 };
+        Session::new(setup).err().map(|error| (error.field().to_owned(), error.value().to_owned(), error.allowed().to_owned()))
+    };
+    assert_eq!(refused(15, &mut rng), None);
+    let (field, value, allowed) = refused(16, &mut rng).unwrap();
+    assert_eq!((field.as_str(), value.as_str()), ("points", "a list of 16"));
+    assert!(allowed.contains("15"), "{allowed}");
+}
+
+#[test]
+fn annealing_cools_from_where_it_would_accept_what_was_asked_for() {
+    let mut rng = Stream::new(15, 0);
+    let scene = stops(20, &mut rng);
+    let mut session = run("sa", &scene, &[("cooling", Value::from(1.0)), ("moves", Value::from(1000.0))], 1);
+    session.step(5);
+    let accepted = session.readings().get("accepted").unwrap();
+    // 0.8 of the moves up and all down, of moves on a random tour; while it is hot tours stay nearly random.
+    assert!((0.75..0.95).contains(&accepted), "{accepted}");
+    let mut session = run("sa", &scene, &[("cooling", Value::from(0.5))], 1);
+    session.step(1);
+    let first = session.readings().get("temperature").unwrap();
+    session.step(3);
+    assert_eq!(session.readings().get("temperature"), Some(first / 8.0));
+    session.step(u64::MAX);
+    assert_eq!(session.outcome().status, Status::Exhausted);
+    assert!(session.readings().get("temperature").unwrap() >= 0.0);
+}
+
+#[test]
+fn two_thousand_stops_are_not_too_many() {
+    let mut rng = Stream::new(16, 0);
+    let scene = stops(2000, &mut rng);
+    for entry in tour_planners().filter(|entry| entry.most_stops.is_none()) {
+        let mut params = vec![("iterations", Value::from(2.0))];
+        if names(entry, "population") {
+            params.push(("population", Value::from(5.0)));
+        }
+        let mut session = run(entry.name, &scene, &params, 1);
+        let first = session.outcome().cost.unwrap();
+        session.step(u64::MAX);
+        let outcome = session.outcome();
+        assert!(Round::Closed.allows(&outcome.order.unwrap(), 2000), "{}", entry.name);
+        assert!(outcome.cost.unwrap() <= first);
+    }
 }
