@@ -2,6 +2,8 @@
 //!
 //! `cargo bench --bench tours` prints the table. The time is that of a machine; only ratios mean something elsewhere.
 
+#![expect(clippy::disallowed_types, reason = "a benchmark tells time")]
+
 use std::{
     sync::Arc,
     time::{Duration, Instant},

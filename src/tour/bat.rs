@@ -14,8 +14,9 @@ use crate::{
 
 use super::{
     Search,
-    local::{Kicks, nearest_neighbour},
+    kicks::Kicks,
     moves,
+    nearest::nearest_neighbour,
     parameters::{
         BEST, BUILT, CONVERGED, DIFFERENT, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
         STOPS_LAYER, TOUR_LAYER, iterations, member, population,

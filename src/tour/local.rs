@@ -119,7 +119,7 @@ impl Local {
     }
 
     /// Takes over what is known of another row, without allocating.
-    fn copy_from(&mut self, other: &Self) {
+    pub fn copy_from(&mut self, other: &Self) {
         self.left.copy_from_slice(&other.left);
         self.right.copy_from_slice(&other.right);
     }
@@ -327,93 +327,8 @@ fn stretches(p: usize, m: usize) -> impl Iterator<Item = (usize, usize, bool)> {
     forward.chain(backward)
 }
 
-/// A tour that is kicked and repaired again and again: an iterated local search (Lourenço, Martin and Stützle 2003).
-#[derive(Debug, Clone)]
-pub struct Kicks {
-    local: Local,
-    row: Vec<Stop>,
-    /// As before the kick.
-    kept: Local,
-    kept_row: Vec<Stop>,
-}
-
-impl Kicks {
-    /// For tours of a problem.
-    pub fn new(problem: &Arc<Problem>) -> Self {
-        let local = Local::new(problem);
-        let row = Tour::first(problem).row;
-        Self { kept: local.clone(), local, kept_row: row.clone(), row }
-    }
-
-    /// See [`Local::polish`].
-    pub fn polish(&mut self, tour: &mut Tour) {
-        self.local.polish(tour);
-    }
-
-    /// Kicks a tour so often; what a kick and the moves after it made longer is undone.
-    pub fn improve(&mut self, tour: &mut Tour, kicks: usize, rng: &mut Stream) {
-        let Self { local, row, kept, kept_row } = self;
-        row.copy_from_slice(&tour.row);
-        local.load(row);
-        kept.copy_from(local);
-        kept_row.copy_from_slice(row);
-        for _ in 0..kicks {
-            let added = local.kick(row, rng);
-            // Equally long tours are taken: they lead away from where it has been.
-            if added - local.descend(row) <= 0.0 {
-                kept.copy_from(local);
-                kept_row.copy_from_slice(row);
-            } else {
-                local.copy_from(kept);
-                row.copy_from_slice(kept_row);
-            }
-        }
-        tour.row.copy_from_slice(kept_row);
-        tour.settle(&self.local.problem);
-    }
-
-    /// The memory it takes, in bytes.
-    pub fn bytes(&self) -> usize {
-        2 * (self.local.bytes() + size_of::<Stop>() * self.row.len())
-    }
-}
-
 /// The most stops that a kick moves.
 const KICK: usize = 50;
-
-/// The tour that goes on to the nearest stop not called at yet (Rosenkrantz et al. 1977), from a random one.
-pub fn nearest_neighbour(problem: &Problem, rng: &mut Stream) -> Tour {
-    let mut tour = Tour::first(problem);
-    let m = tour.len();
-    if m < 2 {
-        return tour;
-    }
-    // A closed tour may begin anywhere and is turned afterwards; where the first stop is fixed it begins there.
-    let closed = problem.round.closes();
-    if closed || problem.two_way() {
-        let first = usize::from(closed);
-        let row = &mut tour.row[1 - first..=m];
-        let start = rng.below(row.len());
-        row.swap(0, start);
-        chain(problem, row);
-        if let Some(home) = row.iter().position(|&stop| closed && stop == 0) {
-            row.rotate_left(home);
-        }
-    } else {
-        chain(problem, &mut tour.row[..=m]);
-    }
-    tour.settle(problem);
-    tour
-}
-
-/// Orders stops after the first, each by its distance from the one before.
-fn chain(problem: &Problem, row: &mut [Stop]) {
-    for k in 1..row.len() {
-        let from = row[k - 1];
-        let nearest = (k..row.len()).min_by(|&i, &j| problem.d(from, row[i]).total_cmp(&problem.d(from, row[j])).then(row[i].cmp(&row[j])));
-        row.swap(k, nearest.unwrap_or(k));
-    }
-}
 
 #[cfg(test)]
 mod tests {
@@ -473,23 +388,6 @@ mod tests {
                 assert!((i..=m).all(|j| moves::reversal(&problem, &tour.row, i, j) > -1e-9));
                 assert!((0..=m).filter(|&j| j != i).all(|j| moves::insertion(&problem, &tour.row, i, j) > -1e-9));
             }
-        }
-    }
-
-    #[test]
-    fn the_nearest_neighbour_comes_next() {
-        // Stops on a line at 0, 10, 1, 3: from any of them it goes on to the nearest.
-        let at = [0.0_f64, 10.0, 1.0, 3.0];
-        let distances = Distances::of(4, |i, j| (at[i] - at[j]).abs());
-        for round in [Round::FromFirst, Round::FirstToLast] {
-            let problem = Problem::new(&distances, round);
-            let order = nearest_neighbour(&problem, &mut Stream::new(1, 0)).order(&problem);
-            assert_eq!(order, if round == Round::FromFirst { [0, 2, 3, 1] } else { [0, 2, 1, 3] });
-        }
-        let problem = Problem::new(&distances, Round::Closed);
-        for seed in 0..9 {
-            let tour = nearest_neighbour(&problem, &mut Stream::new(seed, 0));
-            assert_eq!(tour.length, 20.0, "every such tour goes there and back");
         }
     }
 }

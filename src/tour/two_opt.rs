@@ -12,7 +12,8 @@ use crate::{
 
 use super::{
     Search,
-    local::{Local, nearest_neighbour},
+    local::Local,
+    nearest::nearest_neighbour,
     parameters::{BEST, BUILT, CONVERGED, KINDS, LAYERS, LENGTH, ROADS, ROUND, SMOOTH, iterations},
     problem::{Problem, Stop, Tour},
 };
