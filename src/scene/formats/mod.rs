@@ -103,7 +103,7 @@ impl Format {
 
     /// The format that has files with this ending, if there is one.
     pub fn of_file(name: &str) -> Option<Self> {
-        Sort::by_name(name).map(|sort| sort.format())
+        Sort::by_name(name).map(Sort::format)
     }
 }
 
