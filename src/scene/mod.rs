@@ -1,5 +1,5 @@
 //! What is planned in: one file a kind, the scene file around them (`file`), the scenes that ship (`shipped`), other
-//! programs' files ([`formats`]) and random grids ([`generate`](mod@generate)).
+//! programs' files ([`formats`]) and random scenes ([`generate`](mod@generate)).
 //!
 //! A [`Scene`] that exists is valid: its numbers are finite, start and goal are inside and free.
 
