@@ -149,7 +149,7 @@ test('a bat that is picked tells what it did; where its tour differs is marked',
   // It is told of in the roads too, without having them built once more; and again when the bats fly.
   await lab.seek(5)
   await expect(panel).toContainText('There is no tour yet')
-  await expect(page.getByTestId('members')).toContainText(tours.members.none)
+  await expect(page.getByTestId('members')).toContainText(tours.members.waiting)
   expect(await lab.seek(AT)).toBe(hashOf(SETUP, AT))
   await expect(row).toHaveAttribute('aria-selected', 'true')
   await row.click()

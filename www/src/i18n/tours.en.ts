@@ -8,7 +8,8 @@ export const tours = {
     failed: 'Copying was not allowed.',
   },
   members: {
-    none: 'They begin to search as soon as the roads are built.',
+    waiting: 'They begin to search as soon as the roads are built.',
+    none: 'Nothing is known of them before the first step.',
     number: 'Number',
     sort: (title: string) => `${title} (click to sort)`,
     range: (least: string, mean: string, most: string) => `${least} … ${most}, mean ${mean}`,

@@ -94,6 +94,8 @@ export interface FrameMessage {
 export interface ProgressMessage {
   type: 'progress'
   generation: number
+  /** The iteration that the step leads to. */
+  step: number
   done: number
   total: number
 }
