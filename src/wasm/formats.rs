@@ -37,8 +37,7 @@ pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, 
     let made = Format::named(&format).and_then(|format| formats::export(&scene, format, scene.name()));
     let files = Array::new();
     for file in made.map_err(|error| js_error(&error))?.files {
-        let bytes = Uint8Array::from(file.bytes.as_slice());
-        files.push(&object::<JsValue>(&[("name", file.name.into()), ("bytes", bytes.into())]));
+        files.push(&named_file::<JsValue>(file));
     }
     Ok(files.unchecked_into())
 }
@@ -51,6 +50,12 @@ pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, 
 pub fn generate_scene(name: &str, params: &JsGiven, seed: f64) -> Result<JsScene, JsValue> {
     let given = read_parameters(params)?;
     generate::generate(name, &given, whole("seed", seed)?).map(|scene| plain(&scene)).map_err(|error| js_error(&error))
+}
+
+/// A file as an object.
+pub(super) fn named_file<T: JsCast>(file: NamedFile) -> T {
+    let bytes = Uint8Array::from(file.bytes.as_slice());
+    object(&[("name", file.name.into()), ("bytes", bytes.into())])
 }
 
 fn read_file(value: &JsValue) -> Result<NamedFile, JsValue> {

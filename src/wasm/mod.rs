@@ -24,7 +24,7 @@ use crate::{
     picture,
     planner::{Column, Inspection, Item, Mark, Quantity, Status},
     rng,
-    scene::Bounds,
+    scene::{Bounds, formats::tour_file},
     session,
 };
 
@@ -396,6 +396,15 @@ impl Session {
         let names = read_list("layers", layers)?;
         let roles = names.iter().map(|name| read_role(&read_text("layers", name)?)).collect::<Result<Vec<_>, _>>()?;
         Ok(picture::svg(&self.run, dark, &roles))
+    }
+
+    /// The best tour so far as a TSPLIB `.tour` file; null where no tour was found.
+    #[wasm_bindgen(js_name = tourFile)]
+    pub fn tour_file(&mut self) -> JsNamedFileOrNull {
+        let Some(order) = self.run.outcome().order else {
+            return JsValue::NULL.unchecked_into();
+        };
+        formats::named_file(tour_file(&format!("{}.tour", self.run.scene().name()), &order))
     }
 
     /// The readings of past iterations as CSV.

@@ -91,6 +91,9 @@ extern "C" {
     /// `Finding`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Finding")]
     pub type JsFinding;
+    /// `NamedFile` or null, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "NamedFile | null")]
+    pub type JsNamedFileOrNull;
     /// `NamedFile[]`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "NamedFile[]")]
     pub type JsNamedFiles;

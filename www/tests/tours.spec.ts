@@ -1,11 +1,12 @@
-import type { Outcome } from '../../pkg/node.js'
+import { readFile } from 'node:fs/promises'
+import { exportScene, generateScene, importScene, type NamedFile, type Outcome } from '../../pkg/node.js'
 import { closer } from '../src/i18n/closer.en'
 import { tours } from '../src/i18n/tours.en'
 import { number, percent } from '../src/panels/format'
 import { condensed, seenRows, sorted } from '../src/panels/rows'
 import { boundary, stageAt } from '../src/state/stages'
 import { violations } from './support/axe'
-import { hashOf, linkTo, sessionAt } from './support/core'
+import { hashOf, linkTo, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 
 /** Roads by ants take a while; those by A* are there at once. */
@@ -269,6 +270,76 @@ for (const colorScheme of ['light', 'dark'] as const) {
     })
   }
 }
+
+const TSP = `NAME : five\nTYPE : TSP\nDIMENSION : 5\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n1 0 0\n2 30 0\n3 0 40\n4 30 40\n5 15 60\nEOF\n`
+const TOUR = `NAME : five.opt.tour\nTYPE : TOUR\nDIMENSION : 5\nTOUR_SECTION\n1\n2\n4\n5\n3\n-1\nEOF\n`
+
+const bytes = (text: string): Uint8Array => new TextEncoder().encode(text)
+
+/** What is saved by one of the export's buttons, file by file. */
+async function saved(lab: Lab, id: string, count: number): Promise<NamedFile[]> {
+  const downloads: NamedFile[] = []
+  lab.page.on('download', async (download) => {
+    const content = await readFile(await download.path())
+    downloads.push({ name: download.suggestedFilename(), bytes: new Uint8Array(content) })
+  })
+  await lab.page.getByTestId(`export-${id}`).click()
+  await expect.poll(() => downloads.length).toBe(count)
+  lab.page.removeAllListeners('download')
+  return downloads.sort((a, b) => a.name.localeCompare(b.name))
+}
+
+test('stops are read from TSPLIB’s files and from a table, toured, and saved again, as is the tour', async ({ lab, page }) => {
+  const named = [{ name: 'five.tsp', bytes: bytes(TSP) }, { name: 'five.opt.tour', bytes: bytes(TOUR) }]
+  const { scene } = importScene(named)
+  await begin(lab)
+  await lab.section('scene')
+  const file = ({ name, bytes: content }: NamedFile) => ({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(content) })
+  await page.getByTestId('scene-file').setInputFiles(named.map(file))
+  await expect(lab.root).toHaveAttribute('data-limit', '100')
+  await expect(page.getByTestId('parts')).toHaveCount(0)
+  await lab.restarted()
+  const hash = await lab.seek(7)
+  expect(verified(await lab.link(hash)).scene).toEqual(scene)
+  await expect(page.getByTestId('result-strip')).toContainText(en.result.equal(en.result.tours.stored))
+  await expect(page.getByTestId('result-strip')).not.toContainText(en.result.free)
+
+  await lab.press(en.bar.exports)
+  for (const id of ['movingai', 'ros']) await expect(page.getByTestId(`export-${id}`)).toHaveCount(0)
+  const written = exportScene(scene, 'tsplib').sort((a, b) => a.name.localeCompare(b.name))
+  expect(written.map(({ name }) => name)).toEqual(['five.opt.tour', 'five.tsp'])
+  expect(await saved(lab, 'tsplib', 2)).toEqual(written)
+  expect(await saved(lab, 'points', 1)).toEqual(exportScene(scene, 'csv'))
+  const [tour] = await saved(lab, 'tour', 1)
+  expect(tour).toEqual(sessionAt({ planner: 'bat', scene, seed: ANTS.seed }, 7, (session) => session.tourFile()))
+  await page.keyboard.press('Escape')
+
+  await page.getByTestId('scene-file').setInputFiles([file({ name: 'three.csv', bytes: bytes('x,y\n0,0\n3,0\n0,4\n') })])
+  await expect(page.getByTestId('result-strip')).toContainText('12')
+  await expect(page.getByTestId('result-strip')).toContainText(en.result.equal(en.result.tours.matrix))
+})
+
+test('random stops are previewed and made; of more than are toured exactly no optimum is claimed', async ({ lab, page }) => {
+  await begin(lab)
+  await lab.section('scene')
+  await page.getByTestId('generate').click()
+  await page.getByTestId('generator').selectOption('stops')
+  await page.getByTestId('map-seed').fill('3')
+  await page.getByTestId('map-seed').press('Enter')
+  const stops = page.getByTestId('generate-dialog').locator('[data-parameter="stops"] input.typed')
+  await stops.fill('20')
+  await stops.press('Tab')
+  await expect(page.getByTestId('stops-preview').locator('circle')).toHaveCount(20)
+  await page.getByTestId('make').click()
+  await expect(lab.root).toHaveAttribute('data-limit', '100')
+  const scene = generateScene('stops', { stops: 20 }, 3)
+  const hash = await lab.seek(9)
+  expect(verified(await lab.link(hash)).scene).toEqual(scene)
+  expect(hash).toBe(hashOf({ planner: 'bat', scene, seed: ANTS.seed }, 9))
+  await lab.section('result')
+  await expect(page.getByTestId('result-gap')).toHaveText(closer.result.noTour)
+  await expect(page.getByTestId('tour-order')).toContainText(tours.order.title('20'))
+})
 
 test('an iteration knows its part, and the boundaries beside it', () => {
   const stages = [

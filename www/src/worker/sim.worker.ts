@@ -79,6 +79,7 @@ const api = {
   svg: (dark: boolean, layers: string[]): Answer<string> => answer(() => current().svg(dark, layers)),
   link: (): Answer<string> => answer(() => current().link()),
   csv: (): Answer<string> => answer(() => current().csv()),
+  tourFile: (): Answer<NamedFile | null> => answer(() => current().tourFile()),
   async field({ min, max, width, height, dark }: FieldRequest): Promise<ImageBitmap | null> {
     await breathe()
     const canvas = new OffscreenCanvas(width, height)
