@@ -11,7 +11,7 @@ use crate::{
     params::{Domain, Parameter, Settings, Value, When, as_object},
     scene::{
         Body, Kind, Scene,
-        generate::{GENERATORS, Generator},
+        generate::{GENERATORS, Generator, TOURS},
         shipped_names,
     },
     search,
@@ -304,7 +304,7 @@ pub fn catalogue() -> Catalogue {
         version: env!("CARGO_PKG_VERSION"),
         planners: PLANNERS.iter().map(EntryView).collect(),
         scenes: shipped_names().map(|scene| &**scene).collect(),
-        generators: GENERATORS.iter().map(GeneratorView).collect(),
+        generators: GENERATORS.iter().chain(TOURS).map(GeneratorView).collect(),
         drive: DriveView(&drive::ENTRY),
         roles: Role::ALL.map(Role::name),
         shapes: Shape::ALL.map(Shape::name),

@@ -359,6 +359,6 @@ fn help_and_list_follow_from_the_table_of_generators() {
     }
     let list: serde_json::Value = serde_json::from_slice(&forage(&["list", "--json"]).stdout).unwrap();
     let names: Vec<_> = list["generators"].as_array().unwrap().iter().map(|g| g["name"].as_str().unwrap()).collect();
-    assert_eq!(names, GENERATORS.iter().map(|g| g.name).collect::<Vec<_>>());
+    assert_eq!(names, GENERATORS.iter().chain(TOURS).map(|g| g.name).collect::<Vec<_>>());
     assert_eq!(list["generators"][0]["parameters"][3]["default"], 0.3);
 }

@@ -301,7 +301,7 @@ test('stops are read from TSPLIB’s files and from a table, toured, and saved a
   await lab.restarted()
   const hash = await lab.seek(7)
   expect(verified(await lab.link(hash)).scene).toEqual(scene)
-  await expect(page.getByTestId('result-strip')).toContainText(en.result.equal(en.result.tours.stored))
+  await expect(page.getByTestId('result-strip')).toContainText(en.result.equal(en.result.tours.matrix))
   await expect(page.getByTestId('result-strip')).not.toContainText(en.result.free)
 
   await lab.press(en.bar.exports)
@@ -317,6 +317,14 @@ test('stops are read from TSPLIB’s files and from a table, toured, and saved a
   await page.getByTestId('scene-file').setInputFiles([file({ name: 'three.csv', bytes: bytes('x,y\n0,0\n3,0\n0,4\n') })])
   await expect(page.getByTestId('result-strip')).toContainText('12')
   await expect(page.getByTestId('result-strip')).toContainText(en.result.equal(en.result.tours.matrix))
+})
+
+test('where the file knows the optimum, that is the yardstick', async ({ lab, page }) => {
+  const setup = { planner: 'bat', scene: 'random-52' }
+  await begin(lab, 5, setup)
+  const outcome: Outcome = sessionAt(setup, 5, (session) => session.outcome())
+  expect(outcome.exact_by).toBe('stored')
+  await expect(page.getByTestId('result-strip')).toContainText(en.result.above(percent(outcome.gap ?? NaN), en.result.tours.stored))
 })
 
 test('random stops are previewed and made; of more than are toured exactly no optimum is claimed', async ({ lab, page }) => {
