@@ -10,6 +10,7 @@ use forage::{
     frame::Shape,
     params::{Domain, Parameter, When},
     planner::Item,
+    scene::Kind,
     shipped_names,
 };
 use proptest::prelude::*;
@@ -27,7 +28,7 @@ fn given(pairs: &[(&str, f64)]) -> Given {
 }
 
 /// So many particles or ants, where the planner has some, and so many iterations.
-fn sized(entry: &Entry, size: f64, iterations: f64) -> Given {
+fn sized(entry: &Entry, scene: &Scene, size: f64, iterations: f64) -> Given {
     let mut given = given(&[("iterations", iterations)]);
     // A planner of planners judges each particle by a short run.
     for (name, value) in [("population", size), ("ants", size), ("seeds", 1.0), ("colony_iterations", 1.0)] {
@@ -36,7 +37,7 @@ fn sized(entry: &Entry, size: f64, iterations: f64) -> Given {
         }
     }
     // Ants would build sixty-six roads a run.
-    if entry.stops {
+    if entry.stops && scene.kind() == Kind::Grid {
         given.insert("roads", Value::from("a-star"));
     }
     given
@@ -59,7 +60,7 @@ proptest! {
     #[test]
     fn a_run_only_gets_better_and_its_verdict_is_true(pair in 0..pairs().len(), seed in 0..10_000_u64, population in 1..60_u32) {
         let (entry, scene) = &pairs()[pair];
-        let mut session = session(entry, scene, sized(entry, f64::from(population), 60.0), seed);
+        let mut session = session(entry, scene, sized(entry, scene, f64::from(population), 60.0), seed);
         let (mut best, mut free) = (f64::INFINITY, f64::INFINITY);
         let first = session.outcome().evaluations;
         loop {
@@ -90,7 +91,11 @@ proptest! {
             prop_assert!(outcome.feasible && outcome.gap.is_none_or(|gap| gap > -1e-9));
         }
         let ends = match &outcome.order {
-            Some(order) => Some(scene.stops()[order[0]]).map(|stop| (stop, stop)),
+            Some(order) => {
+                let stops = scene.stops();
+                let closed = !matches!(scene.body(), forage::scene::Body::Tour(tour) if !tour.closed);
+                Some((stops[order[0]], stops[if closed { order[0] } else { order[order.len() - 1] }]))
+            }
             None => scene.ends(),
         };
         if let (Some(path), Some((start, goal))) = (&outcome.path, ends) {
@@ -113,7 +118,7 @@ proptest! {
     #[test]
     fn rewinding_is_exact(pair in 0..pairs().len(), seed in 0..1000_u64, visits in prop::collection::vec(0..80_u64, 6)) {
         let (entry, scene) = &pairs()[pair];
-        let params = sized(entry, 12.0, 80.0);
+        let params = sized(entry, scene, 12.0, 80.0);
         let mut forward = session(entry, scene, params.clone(), seed);
         let mut once = vec![snapshot(&mut forward)];
         while forward.status() == Status::Running {
@@ -140,7 +145,7 @@ proptest! {
         let (entry, scene) = &pairs()[pair];
         let edited = scene.to_json().replace(scene.header().title.as_str(), "edited & <named> 5 % \u{2713}");
         let scene = Arc::new(Scene::from_json(&edited).unwrap());
-        let mut session = session(entry, &scene, sized(entry, f64::from(population), 40.0), seed);
+        let mut session = session(entry, &scene, sized(entry, &scene, f64::from(population), 40.0), seed);
         session.seek(k);
         let k = session.iteration();
         let link = forage::Link::parse(&session.link()).unwrap();
@@ -196,7 +201,7 @@ fn snapshot(session: &mut Session) -> (String, String, Vec<u32>) {
 fn every_population_from_one_to_a_hundred_thousand_runs() {
     for (entry, scene) in pairs() {
         for (population, iterations) in [(1.0, 1.0), (1.0, 50.0), (2.0, 50.0), (3.0, 1_000_000.0)] {
-            let mut session = session(entry, &scene, sized(entry, population, iterations), 5);
+            let mut session = session(entry, &scene, sized(entry, &scene, population, iterations), 5);
             session.step(60);
             let outcome = session.outcome();
             assert!(outcome.iterations == iterations.min(60.0) as u64 || outcome.status == Status::Solved || entry.stops);
@@ -222,7 +227,7 @@ fn every_parameter_is_checked_at_both_ends() {
     for (entry, scene) in pairs().into_iter().filter(|(_, scene)| ["wcpso-discs", "sphere", "qpso-10m"].contains(&scene.name())) {
         for parameter in entry.parameters_on(scene.kind()) {
             let start = |value: f64| {
-                let mut params = sized(entry, 4.0, 20.0);
+                let mut params = sized(entry, &scene, 4.0, 20.0);
                 meet_conditions(entry, parameter, &mut params);
                 params.insert(parameter.name, Value::from(value));
                 Session::new(Setup { planner: entry.name.to_owned(), scene: Arc::clone(&scene), params, seed: 1 })
@@ -312,7 +317,7 @@ fn every_swarm_runs_on_every_encoding() {
 #[test]
 fn every_entry_describes_what_its_planner_does() {
     for (entry, scene) in pairs() {
-        let mut session = session(entry, &scene, sized(entry, 80.0, 120.0), 3);
+        let mut session = session(entry, &scene, sized(entry, &scene, 80.0, 120.0), 3);
         session.step(60);
         let known: Vec<_> = entry.readings.iter().map(|reading| reading.name).collect();
         let told: Vec<_> = session.readings().iter().map(|(name, _)| name).collect();
@@ -340,7 +345,9 @@ fn check_inspections(entry: &Entry, session: &mut Session) {
     session.draw(&mut frame, usize::MAX);
     let symbols = serde_json::to_value(forage::catalogue()).unwrap()["symbols"].clone();
     let symbols: Vec<_> = symbols.as_array().unwrap().iter().map(|symbol| symbol.as_str().unwrap()).collect();
-    for role in entry.layers.iter().filter(|layer| layer.pickable).map(|layer| layer.role) {
+    let kind = session.scene().kind();
+    let here = entry.layers.iter().filter(|layer| layer.kinds.is_empty() || layer.kinds.contains(&kind));
+    for role in here.filter(|layer| layer.pickable).map(|layer| layer.role) {
         let spans = || frame.spans().filter(|span| span.role == role);
         let pieces: usize = spans().map(|span| if span.shape == Shape::Polyline { 1 } else { span.count as usize }).sum();
         assert!(pieces > 0, "{} draws nothing that could be picked", entry.name);
