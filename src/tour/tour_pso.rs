@@ -225,7 +225,7 @@ const W: Parameter = Parameter::number(
     "w",
     "Inertia",
     [0.0, 1.0, 0.6],
-    "With what probability each swap of a velocity is kept. Wang et al. keep all: 1. [ANTBAT] gives no parameters of its swarm; these are the best that we found for its twelve stops.",
+    "With what probability each swap of a velocity is kept. Wang et al. keep all: 1. [ANTBAT] gives no parameters of its swarm; these lie on the best plateau that we found for its twelve stops, so its result there is a favourable one.",
 );
 const C1: Parameter = Parameter::number(
     "c1",
