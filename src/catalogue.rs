@@ -350,7 +350,8 @@ impl Serialize for GeneratorView {
         out.serialize_field("name", self.0.name)?;
         out.serialize_field("title", self.0.title)?;
         out.serialize_field("help", self.0.help)?;
-        out.serialize_field("parameters", &views(self.0.parameters, &[Kind::Grid]))?;
+        let kinds: &[Kind] = if self.0.kind() == Kind::Tour { &[Kind::Tour] } else { &[Kind::Grid] };
+        out.serialize_field("parameters", &views(self.0.parameters, kinds))?;
         out.end()
     }
 }
