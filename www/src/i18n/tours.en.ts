@@ -3,6 +3,7 @@ export const tours = {
   step: (title: string, k: string, of: string, runs: string) => `${title} ${k} of ${of}: ${runs}`,
   order: {
     title: (stops: string) => `Order of the ${stops} stops`,
+    numbers: 'The stops’ numbers in the scene; the stage counts along the tour.',
     copy: 'Copy the order',
     copied: 'Copied',
     failed: 'Copying was not allowed.',
