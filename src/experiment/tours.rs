@@ -14,7 +14,7 @@ use crate::{
 };
 
 /// In the order of [ANTBAT] Table 2, and then two that it does not have.
-pub(super) const PLANNERS: [&str; 2] = ["bat", "two-opt"];
+pub(super) const PLANNERS: [&str; 7] = ["bat", "hybrid-bat", "ga", "tour-pso", "sa", "two-opt", "held-karp"];
 
 /// The roads between a scene's stops. For the same seed all planners ask for the same ones, so they are found once, by
 /// whoever comes first; the others wait.
@@ -120,6 +120,11 @@ pub(super) fn order(told: &str) -> Vec<usize> {
 /// Whether two lengths are the same up to the order in which steps are added.
 pub(super) fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * b.abs()
+}
+
+/// Less by more than rounding.
+pub(super) fn less(a: f64, b: f64) -> bool {
+    b - a > 1e-9
 }
 
 #[cfg(test)]
