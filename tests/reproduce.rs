@@ -245,7 +245,7 @@ fn the_time_of_tours_is_measured_and_drawn_over_the_number_of_stops() {
     assert_eq!((told["planner"].as_str(), told["stops"].as_f64(), told["roads"].as_f64()), (Some("bat"), Some(5.0), Some(10.0)));
 
     // The scenes are written, so that the commands that are named work.
-    let again: Value = serde_json::from_slice(&forage(&command(&printed, "ant-bat-30-10-stops-1.json")).stdout).unwrap();
+    let again: Value = serde_json::from_slice(&forage(&command(&printed, "ant-bat-30-10-stops.json")).stdout).unwrap();
     let row = rows.lines().find(|line| line.starts_with("bat,10,1,")).unwrap();
     assert_eq!(row.split(',').nth(4).unwrap().parse().ok(), again["length"].as_f64());
 }

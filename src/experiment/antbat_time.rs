@@ -10,11 +10,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     Given, Setup, Value,
+    catalogue::find,
     error::Error,
-    exact::{MAX_EXACT_STOPS, is_reachable},
+    exact::MAX_EXACT_STOPS,
     math,
-    rng::Stream,
-    scene::{Body, Header, Scene, shipped},
+    scene::{Scene, generate, shipped},
 };
 
 use super::{
@@ -40,8 +40,6 @@ const STOPS: [usize; 6] = [5, 10, 15, 20, 25, 30];
 const RUNS: u64 = 5;
 /// Roads take time in proportion to their number if the exponent is this near to 1.
 const NEAR: f64 = 0.1;
-/// This planner is exact, and does not take more stops than [`MAX_EXACT_STOPS`].
-const EXACT: &str = "held-karp";
 
 /// A run. What begins with `measured` is no result: it differs each time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -121,10 +119,10 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let grid = shipped("ant-bat-30")?;
     let scenes: Vec<Vec<Arc<Scene>>> = STOPS
         .iter()
-        .map(|&n| (1..=runs).map(|seed| with_stops(&grid, n, seed).map(Arc::new)).collect::<Result<_, _>>())
+        .map(|&n| (1..=runs).map(|seed| generate::with_stops(&grid, n, seed).map(Arc::new)).collect::<Result<_, _>>())
         .collect::<Result<_, _>>()?;
     let path = options.out.join("antbat-time-runs.csv");
-    let rows = runner::run(&tasks(&scenes, threads), &path, options.fresh, Some(threads), control)?;
+    let rows = runner::run(&tasks(&scenes, threads)?, &path, options.fresh, Some(threads), control)?;
 
     let mut report = Report::new(&REPRODUCTION, runs, RUNS);
     report.shortened = (runs != RUNS).then(|| format!("{runs} runs a planner and number of stops instead of {RUNS}"));
@@ -144,26 +142,6 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// The grid with `n` stops: the centres of different cells at random that its start can be reached from. For the same seed
-/// the stops of a smaller number are among those of a larger.
-fn with_stops(grid: &Scene, n: usize, seed: u64) -> Result<Scene, Error> {
-    let mut body = grid.grid()?.clone();
-    let cells = body.cells();
-    let start = cells.at(body.ends()?.0);
-    let mut free: Vec<usize> = (0..cells.len()).filter(|&cell| cells.is_free(cell) && is_reachable(cells, start, cell)).collect();
-    let mut rng = Stream::new(seed, 0);
-    let stops = (0..n.min(free.len())).map(|_| cells.centre(free.swap_remove(rng.below(free.len())))).collect();
-    body.stops = stops;
-    let header = Header {
-        name: format!("{}-{n}-stops-{seed}", grid.name()),
-        title: format!("{}: {n} stops at random, seed {seed}", grid.header().title),
-        exact: None,
-        published: None,
-        ..grid.header().clone()
-    };
-    Scene::new(header, Body::Grid(body))
-}
-
 fn setup(scene: &Arc<Scene>, planner: &str, seed: u64) -> Setup {
     // The ways of Table 2: from cell to cell.
     let params = Given::from_iter([("smooth", Value::from("false"))]);
@@ -171,12 +149,12 @@ fn setup(scene: &Arc<Scene>, planner: &str, seed: u64) -> Setup {
 }
 
 /// Planner by planner, as many stops as each takes.
-fn tasks(scenes: &[Vec<Arc<Scene>>], threads: usize) -> Vec<Task> {
+fn tasks(scenes: &[Vec<Arc<Scene>>], threads: usize) -> Result<Vec<Task>, Error> {
     let networks: Vec<Vec<Arc<Network>>> = scenes.iter().map(|scenes| scenes.iter().map(|_| Arc::default()).collect()).collect();
     let mut tasks = Vec::new();
     for planner in PLANNERS {
         for ((stops, scenes), networks) in STOPS.into_iter().zip(scenes).zip(&networks) {
-            if planner == EXACT && stops > MAX_EXACT_STOPS {
+            if find(planner)?.most_stops.is_some_and(|most| stops > most) {
                 continue;
             }
             tasks.extend((1..).zip(scenes).zip(networks).map(|((seed, scene), network)| Task {
@@ -187,7 +165,7 @@ fn tasks(scenes: &[Vec<Arc<Scene>>], threads: usize) -> Vec<Task> {
             }));
         }
     }
-    tasks
+    Ok(tasks)
 }
 
 /// A planner's runs through so many stops.
@@ -260,9 +238,11 @@ fn growths(points: &[Point]) -> Vec<Growth> {
         let logs: Vec<_> = points.iter().filter(|p| p.planner == planner).map(|p| [math::ln(x(p)), math::ln(y(p))]).collect();
         Growth { of: of.to_owned(), over, fit: fit::line(&logs) }
     };
-    let (stops, roads): (fn(&Point) -> f64, fn(&Point) -> f64) = (|p| p.stops as f64, |p| pairs(p.stops) as f64);
-    let mut all =
-        vec![growth("roads", "stops", PLANNERS[0], stops, |p| p.roads), growth("roads", "roads", PLANNERS[0], roads, |p| p.roads)];
+    let stops = |p: &Point| p.stops as f64;
+    let mut all = vec![
+        growth("roads", "stops", PLANNERS[0], stops, |p| p.roads),
+        growth("roads", "roads", PLANNERS[0], |p| pairs(p.stops) as f64, |p| p.roads),
+    ];
     all.extend(PLANNERS.map(|planner| growth(planner, "stops", planner, stops, |p| p.order)));
     all
 }
@@ -322,7 +302,7 @@ fn judge(growths: &[Growth], points: &[Point]) -> Vec<Verdict> {
 fn notes(rows: &[Run]) -> Vec<String> {
     let mut notes = vec![
         "The times are not reproducible: in the rows all that begins with `measured` differs from run to run and from machine to machine; the rest is computed and does not. So the verdicts are about shape only. Published times are none: fig. 8 is a picture of three algorithms without numbers in the text, not even of the stops, so ours are 5 to 30.".to_owned(),
-        "Stops are centres of free cells at random, others for each seed. The roads of a network are built one after the other on one thread (aco-direction, from cell to cell) and timed once; all planners then order the stops by these same roads, so that their totals differ in the order only. Time for the order is that of the whole search with the planner’s default sizes: see `evaluations`. `gap` and `exact tour` where the exact tour is computed, up to 15 stops.".to_owned(),
+        "Stops are centres of free cells at random, others for each seed. The roads of a network are built one after the other on one thread (aco-direction, from cell to cell) and timed once; all planners then order the stops by these same roads, so that their totals differ in the order only. Time for the order is that of the whole search with the planner’s default sizes: see `evaluations`. `gap` and `exact tour` where the exact tour is computed, up to 15 stops; what held-karp has of a gap is the roads’. Its time is no power of the number of stops but exponential: three points fit either.".to_owned(),
     ];
     let most = rows.iter().map(|run| run.measured_threads).max().unwrap_or(1);
     notes.push(match most {
@@ -361,19 +341,6 @@ fn keep(scene: &Scene, options: &Options) -> Result<PathBuf, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn stops_at_random_are_free_different_and_the_same_for_a_seed() {
-        let grid = shipped("ant-bat-30").unwrap();
-        let stops = |n, seed| with_stops(&grid, n, seed).unwrap().stops();
-        let all = stops(30, 1);
-        assert_eq!((all.len(), &all[..10]), (30, &stops(10, 1)[..]), "fewer stops are the first of more");
-        assert_ne!(all, stops(30, 2));
-        let body = grid.grid().unwrap();
-        for (i, stop) in all.iter().enumerate() {
-            assert!(body.cells().is_free(body.cells().at(*stop)) && !all[..i].contains(stop), "{stop:?}");
-        }
-    }
 
     #[test]
     fn growth_is_the_exponent_of_a_power() {
