@@ -21,7 +21,7 @@ pub enum Status {
     Solved,
     /// The iteration limit is reached.
     Exhausted,
-    /// There is no solution.
+    /// There is no solution, or no way to one was found.
     Infeasible,
 }
 
@@ -103,6 +103,8 @@ pub enum Yardstick {
     Matrix,
     /// The optimum that the scene's file gives: none could be computed.
     Stored,
+    /// None: the scene's file gives an optimum, and this result is better.
+    Refuted,
 }
 
 /// A run of another planner on the same scene that the next step needs. Whoever steps may carry them out side by side
@@ -305,6 +307,10 @@ pub trait Planner: Clone {
     /// The numbers of those that search side by side: for each of them, in the order of the layer that can be inspected,
     /// one for each of the entry's `members`.
     fn members(&self, _out: &mut Vec<f64>) {}
+    /// What keeps it from a result, if something does, in a sentence without a full stop.
+    fn trouble(&self) -> Option<String> {
+        None
+    }
     /// The parameters that it recommends for another planner.
     fn tuned(&self) -> Option<Tuned> {
         None

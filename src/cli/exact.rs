@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use forage::{
     Scene,
-    exact::Exact,
+    exact::{Exact, MAX_EXACT_STOPS},
     planner::{Round, Yardstick},
     scene::{Body, MAX_EXACT_CELLS},
 };
@@ -47,12 +47,21 @@ fn tours(scene: &Scene) -> Vec<Tour<'_>> {
     rules.iter().filter_map(tour).collect()
 }
 
+/// Why there is no exact tour.
+fn no_tour(stops: usize) -> String {
+    match stops {
+        0 | 1 => "one stop makes no tour".to_owned(),
+        2..=MAX_EXACT_STOPS => "there is no tour: some stop cannot be reached from the others".to_owned(),
+        _ => format!("{stops} stops, and a shortest tour is computed for {MAX_EXACT_STOPS} at most"),
+    }
+}
+
 fn told(tour: &Tour<'_>) -> String {
     let by = match tour.by {
         Yardstick::AnyAngle => "at any angle",
         Yardstick::Cells => "from cell to cell",
         Yardstick::Matrix => "by the scene’s distances",
-        Yardstick::Stored => "as the scene’s file says",
+        Yardstick::Stored | Yardstick::Refuted => "as the scene’s file says",
     };
     let stops: Vec<_> = tour.order.iter().map(usize::to_string).collect();
     format!("shortest tour {} {by}, through the stops {}", tour.length, stops.join(" "))
@@ -91,7 +100,7 @@ pub(super) fn exact(scene: &str, json: bool) -> Outcome {
                     way.length
                 )),
                 None if scene.ends().is_some() => print(&format!("{}: there is no way from start to goal", scene.name())),
-                None if answer.tours.is_empty() => print(&format!("{}: more stops than a shortest tour is computed for", scene.name())),
+                None if answer.tours.is_empty() => print(&format!("{}: {}", scene.name(), no_tour(scene.stops().len()))),
                 None => {}
             },
         }

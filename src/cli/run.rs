@@ -207,9 +207,15 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
         let by = match outcome.exact_by {
             Yardstick::Cells => ", from cell to cell",
             Yardstick::Stored => ", as the scene’s file says",
-            Yardstick::AnyAngle | Yardstick::Matrix => "",
+            Yardstick::AnyAngle | Yardstick::Matrix | Yardstick::Refuted => "",
         };
         let _ = writeln!(text, "  optimum    {exact}{by}{gap}");
+    }
+    if outcome.exact_by == Yardstick::Refuted {
+        text.push_str("  optimum    the scene’s file gives one, and this is shorter: it was none\n");
+    }
+    if let Some(trouble) = &outcome.trouble {
+        let _ = writeln!(text, "  trouble    {trouble}");
     }
     match outcome.clearance {
         Some(clearance) if outcome.feasible => {

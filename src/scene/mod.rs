@@ -136,7 +136,7 @@ impl Scene {
             Body::Function(scene) => scene.check()?,
             Body::Discs(scene) => scene.check()?,
             Body::Grid(scene) => scene.check()?,
-            Body::Tour(scene) => scene.check()?,
+            Body::Tour(scene) => scene.check(header.exact.as_ref())?,
         }
         Ok(Self { header, body, exact: OnceLock::new(), exact_over_cells: OnceLock::new(), exact_tours: Default::default() })
     }

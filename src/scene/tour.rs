@@ -81,7 +81,7 @@ impl TourScene {
         if self.closed { Round::Closed } else { Round::Open }
     }
 
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(super) fn check(&self, stored: Option<&Value>) -> Result<(), Error> {
         let field = if self.matrix.is_some() { "matrix" } else { "points" };
         let n = self.len();
         if !(2..=MAX_STOPS).contains(&n) {
@@ -97,7 +97,37 @@ impl TourScene {
         for (i, &point) in self.points.iter().enumerate() {
             (0..2).try_for_each(|axis| coordinate(&format!("points[{i}]"), point, axis))?;
         }
-        Ok(())
+        stored.map_or(Ok(()), |stored| self.check_stored(stored))
+    }
+
+    /// A stored optimum must be a tour, and as long as it says.
+    fn check_stored(&self, stored: &Value) -> Result<(), Error> {
+        let length = stored.get("length").filter(|length| !length.is_null());
+        if let Some(length) = length.filter(|length| !length.as_f64().is_some_and(|length| (0.0..f64::MAX).contains(&length))) {
+            return Err(Error::refused("exact.length", length, "a length: a number, not negative"));
+        }
+        let Some(order) = stored.get("order").filter(|order| !order.is_null()) else {
+            return Ok(());
+        };
+        let wrong = |field: &str, found: &Value| Error::refused(field, found, format!("each stop from 0 to {} once", self.len() - 1));
+        let items = order
+            .as_array()
+            .filter(|items| items.len() == self.len())
+            .ok_or_else(|| Error::refused("exact.order", "no such list", format!("{} stops", self.len())))?;
+        let mut called = vec![false; self.len()];
+        let mut stops = Vec::with_capacity(items.len());
+        for (i, item) in items.iter().enumerate() {
+            let stop = item.as_f64().filter(|stop| stop.fract() == 0.0 && *stop >= 0.0).map(|stop| stop as usize);
+            let free = stop.and_then(|stop| called.get_mut(stop)).filter(|called| !**called);
+            *free.ok_or_else(|| wrong(&format!("exact.order[{i}]"), item))? = true;
+            stops.extend(stop);
+        }
+        let measured = self.distances().length(&stops, self.closed);
+        // Of unrounded distances the last digits may have been added in another order.
+        match length.and_then(Value::as_f64).filter(|length| (length - measured).abs() > 1e-9 * measured) {
+            Some(length) => Err(Error::refused("exact.length", length, format!("{measured}, what exact.order adds up to"))),
+            None => Ok(()),
+        }
     }
 
     /// All places, with a margin.
@@ -143,5 +173,32 @@ impl TourScene {
         let feasible = round.allows(order, self.len());
         let length = feasible.then(|| self.distances().length(order, round.closes()));
         Verdict { length, feasible, clearance: None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Scene;
+
+    /// Four stops at the corners of a unit square, and what the file says of the shortest tour.
+    fn square(exact: &str) -> Result<Scene, crate::Error> {
+        Scene::from_json(&format!(
+            r#"{{"format": "forage-scene", "version": 1, "kind": "tour", "name": "s", "title": "S",
+                "points": [[0, 0], [1, 0], [1, 1], [0, 1]], "exact": {exact}}}"#
+        ))
+    }
+
+    #[test]
+    fn a_stored_optimum_must_be_a_tour_and_as_long_as_it_says() {
+        let refused = |exact: &str| square(exact).unwrap_err().field().to_owned();
+        assert_eq!(refused(r#"{"length": -5}"#), "exact.length");
+        assert_eq!(refused(r#"{"length": "four"}"#), "exact.length");
+        assert_eq!(refused(r#"{"order": [0, 1, 2]}"#), "exact.order");
+        assert_eq!(refused(r#"{"order": [0, 1, 1, 3]}"#), "exact.order[2]");
+        assert_eq!(refused(r#"{"order": [0, 0.7, 2, 3]}"#), "exact.order[1]");
+        assert_eq!(refused(r#"{"order": [0, 1, 2, 4]}"#), "exact.order[3]");
+        assert_eq!(refused(r#"{"length": 3, "order": [0, 1, 2, 3]}"#), "exact.length");
+        assert!(square(r#"{"length": 4, "order": [0, 1, 2, 3]}"#).is_ok());
+        assert!(square(r#"{"length": 4}"#).is_ok());
     }
 }

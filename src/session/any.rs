@@ -43,6 +43,8 @@ pub trait AnyPlanner: Send {
     fn round(&self) -> Option<Round>;
     /// Replaces `out` by the members' numbers.
     fn members(&self, out: &mut Vec<f64>);
+    /// See [`Planner::trouble`].
+    fn trouble(&self) -> Option<String>;
     /// See [`Planner::tuned`].
     fn tuned(&self) -> Option<Tuned>;
     /// See [`Planner::digest`].
@@ -122,6 +124,10 @@ impl<P: Planner + Send + 'static> AnyPlanner for P {
     fn members(&self, out: &mut Vec<f64>) {
         out.clear();
         Planner::members(self, out);
+    }
+
+    fn trouble(&self) -> Option<String> {
+        Planner::trouble(self)
     }
 
     fn tuned(&self) -> Option<Tuned> {

@@ -62,6 +62,9 @@ pub struct Outcome {
     /// The numbers of this iteration.
     #[serde(serialize_with = "as_object")]
     pub readings: Vec<(&'static str, f64)>,
+    /// What keeps the planner from a result, if something does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub trouble: Option<String>,
     /// What a planner of planners recommends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tuned: Option<Tuned>,
@@ -77,11 +80,12 @@ impl Outcome {
         let readings = session.readings().iter().collect();
         let best = session.planner.best();
         let verdict = best.as_ref().map(|best| session.scene.judge(&best.solution));
+        let length = verdict.and_then(|v| v.length);
         let (exact, exact_by) = match session.exact() {
+            Some(exact) if exact.stored && length.is_some_and(|length| length < exact.length) => (None, Yardstick::Refuted),
             Some(exact) => (Some(exact.length), if exact.stored { Yardstick::Stored } else { session.planner.yardstick() }),
             None => (session.scene.minimum(), session.planner.yardstick()),
         };
-        let length = verdict.and_then(|v| v.length);
         let nodes = best.as_ref().and_then(|best| best.solution.path()).map_or(0, <[_]>::len);
         let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| gap(length, exact, nodes));
         let cost = best.as_ref().map(|best| best.cost);
@@ -116,6 +120,7 @@ impl Outcome {
             order,
             position,
             readings,
+            trouble: session.planner.trouble(),
             tuned: session.planner.tuned(),
             hash: session.hash(),
             parameters: session.settings.all().to_vec(),

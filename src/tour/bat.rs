@@ -1,4 +1,8 @@
 //! `bat`: discrete bats, [ANTBAT] §3.3.
+//!
+//! Readings beyond those of our specification: the best tour that a bat crosses with is taken in the direction in which its
+//! distance was counted; a tour around the best is *better* if it is shorter than the bat's own; the first stop of a closed
+//! tour, which every tour is turned to begin with, is not the one that is moved there.
 
 use std::sync::Arc;
 
@@ -18,10 +22,10 @@ use super::{
     moves,
     nearest::nearest_neighbour,
     parameters::{
-        BEST, BUILT, CONVERGED, DIFFERENT, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
+        BEST, BUILT, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
         STOPS_LAYER, TOUR_LAYER, iterations, member, population,
     },
-    problem::{Problem, Tour},
+    problem::{Problem, Stop, Tour},
     tell::quantity,
 };
 
@@ -87,6 +91,8 @@ struct Bats {
     child: Tour,
     kept: Tour,
     places: Vec<u16>,
+    /// The best tour's row, forwards or backwards.
+    mate: Vec<Stop>,
     /// The local search, if tours are polished.
     polish: Option<Kicks>,
 }
@@ -120,6 +126,7 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
         t: 0,
         rng,
         child: first.clone(),
+        mate: first.row.clone(),
         kept: first,
         places: vec![0; problem.n + 1],
         polish,
@@ -131,10 +138,15 @@ impl Bats {
     fn cross(&mut self, i: usize, tries: usize) {
         let (own, m) = (&self.swarm[i].tour, self.child.len());
         self.kept.length = f64::INFINITY;
+        // In the direction in which their distance was counted.
+        self.mate.copy_from_slice(&self.best.row);
+        if moves::nearer(&self.problem, &own.row, &self.best.row).1 {
+            self.mate[1..=m].reverse();
+        }
         for _ in 0..tries {
             self.child.row.copy_from_slice(&own.row);
             let cut = moves::two_places(m, &mut self.rng);
-            moves::pmx(&mut self.child.row, &self.best.row, cut, &mut self.places);
+            moves::pmx(&mut self.child.row, &self.mate, cut, &mut self.places);
             self.child.length = self.problem.length(&self.child.row);
             if self.child.length < self.kept.length {
                 std::mem::swap(&mut self.child, &mut self.kept);
@@ -147,7 +159,7 @@ impl Bats {
         let (own, m) = (&self.swarm[i].tour, self.child.len());
         let (mut least, mut chosen) = (f64::INFINITY, (1, 1));
         for _ in 0..tries {
-            let (a, b) = moves::two_places(m, &mut self.rng);
+            let (a, b) = moves::two_apart(m, &mut self.rng);
             let added = moves::reversal(&self.problem, &own.row, a, b);
             if added < least {
                 (least, chosen) = (added, (a, b));
@@ -193,7 +205,7 @@ impl Bats {
 
     /// Around the best: a stop moves to just behind another. A bat that is quiet enough takes what is shorter than its own.
     fn look_around(&mut self, i: usize, deed: &mut Deed) {
-        let (from, to) = moves::stop_and_place(self.child.len(), &mut self.rng);
+        let (from, to) = moves::stop_elsewhere(self.child.len(), &mut self.rng);
         let candidate = match &mut self.polish {
             None => self.best.length + moves::insertion(&self.problem, &self.best.row, from, to),
             // Beyond the paper: stretches of it are swapped and repaired.
@@ -203,7 +215,7 @@ impl Bats {
                 self.kept.length
             }
         };
-        self.evaluations += if self.polish.is_some() { self.problem.n as u64 } else { 1 };
+        self.evaluations += u64::from(self.polish.is_none());
         (deed.local, deed.candidate) = (Local::Tried, candidate);
         let bat = &mut self.swarm[i];
         let accepts = self.rng.unit() > bat.loudness;
@@ -239,7 +251,7 @@ impl Search for Bats {
     }
 
     fn evaluations(&self) -> u64 {
-        self.evaluations
+        self.evaluations + self.polish.as_ref().map_or(0, Kicks::tried)
     }
 
     fn best(&self) -> Option<&Tour> {
@@ -273,16 +285,19 @@ impl Search for Bats {
             Range::None => ("start", "It begins with a random tour.".to_owned()),
             Range::Far => (
                 "crossover",
-                format!("It differed from the best at {hamming} places, half of all or more: {tries} crossovers with it (PMX)."),
+                format!(
+                    "Before, it differed from the best at {hamming} places, half of all or more, and tried {tries} × crossover with it (PMX)."
+                ),
             ),
-            Range::Near => {
-                ("2-opt", format!("It differed from the best at {hamming} places, fewer than half: {tries} random 2-opt moves."))
-            }
+            Range::Near => (
+                "2-opt",
+                format!("Before, it differed from the best at {hamming} places, fewer than half, and tried {tries} × a random 2-opt move."),
+            ),
         };
         let gained = match deed.range {
             Range::None => String::new(),
-            _ if deed.gain > 0.0 => format!(" The best of them made its tour {:.4} shorter.", deed.gain),
-            _ => " None of them was shorter than its own tour.".to_owned(),
+            _ if deed.gain > 0.0 => format!(" The best try made its tour {:.4} shorter.", deed.gain),
+            _ => " No try was shorter than its own tour.".to_owned(),
         };
         let local = match deed.local {
             Local::Passed => "",
@@ -291,7 +306,7 @@ impl Search for Bats {
         };
         (told.event, told.summary) = (if deed.local == Local::Taken { "insertion" } else { event }, format!("{range}{gained}{local}"));
         let values = [
-            quantity("hamming", "HD", "places that differed", hamming as f64),
+            quantity("hamming", "HD", "places that differed before", hamming as f64),
             quantity("tries", "v", "tries", tries as f64),
             quantity("gain", "\\Delta D", "gained by them", deed.gain),
             quantity("candidate", "D'", "tour around the best", deed.candidate),
@@ -316,7 +331,7 @@ impl Search for Bats {
 
     fn bytes(&self) -> usize {
         self.polish.as_ref().map_or(0, Kicks::bytes)
-            + (self.swarm.len() + 3) * (self.best.bytes() + size_of::<Bat>())
+            + (self.swarm.len() + 4) * (self.best.bytes() + size_of::<Bat>())
             + 2 * self.places.len()
     }
 
@@ -399,6 +414,7 @@ pub const ENTRY: Entry = Entry {
         BEST,
         MEAN,
         BUILT,
+        FAILED,
         CONVERGED,
         DIFFERENT,
         Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness."),
@@ -414,3 +430,92 @@ pub const ENTRY: Entry = Entry {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
     },
 };
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        params::Given,
+        planner::Round,
+        scene::{Distances, Kind},
+    };
+
+    /// A bat at the tour 0 1 2 … n − 1 of stops on a circle, which is the shortest, but for `wrong` reversed places from 1
+    /// on; the best is the shortest but for its last two stops.
+    fn bats(n: usize, wrong: usize, pulse_rate: f64, loudness: f64) -> Bats {
+        let place = |i: usize| [math::cos_turns(i as f64 / n as f64), math::cos_turns(i as f64 / n as f64 - 0.25)];
+        let distances = Distances::of(n, |i, j| crate::geometry::length(&[place(i), place(j)]));
+        let problem = Arc::new(Problem::new(&distances, Round::Closed));
+        let given: Given = [("population", crate::Value::from(1.0))].into_iter().collect();
+        let settings = Settings::new(ENTRY.parameters, Kind::Tour, &given).unwrap();
+        let mut bats = begin(&problem, &settings, Stream::new(1, 0));
+        let mut best = Tour::first(&problem);
+        best.row.swap(n - 2, n - 1);
+        best.settle(&problem);
+        let mut own = best.clone();
+        own.row[1..=wrong].reverse();
+        own.settle(&problem);
+        bats.best = best;
+        bats.swarm[0] = Bat { tour: own, loudness, pulse_rate, ..bats.swarm[0].clone() };
+        bats
+    }
+
+    #[test]
+    fn half_of_all_places_is_far_and_fewer_are_near() {
+        for (n, wrong, hamming, range) in [(12, 6, 6, Range::Far), (12, 4, 4, Range::Near), (8, 4, 4, Range::Far), (8, 2, 2, Range::Near)] {
+            let mut bats = bats(n, wrong, 1.0, 1.0);
+            bats.step();
+            let deed = bats.swarm[0].deed;
+            assert_eq!((deed.hamming, deed.range), (hamming, range), "{n} stops, {wrong} reversed");
+            assert!((1..=hamming).contains(&deed.tries));
+            assert_eq!(deed.local, Local::Passed, "with a pulse rate of 1 nobody looks around the best");
+        }
+    }
+
+    #[test]
+    fn a_bat_that_takes_a_tour_gets_quieter_and_its_pulse_rate_falls() {
+        let mut taken = 0;
+        for t in 0..40 {
+            // Its own tour is bad: what is found around the best is often shorter. It always looks there, and always accepts.
+            let mut bats = bats(12, 10, -1.0, -1.0);
+            bats.rng = Stream::new(t, 1);
+            bats.t = t;
+            bats.swarm[0].tour.row = vec![0, 6, 1, 7, 2, 8, 3, 9, 4, 10, 5, 11, 0];
+            bats.swarm[0].tour.settle(&bats.problem);
+            bats.step();
+            let bat = &bats.swarm[0];
+            if bat.deed.local == Local::Taken {
+                taken += 1;
+                assert_eq!(bat.loudness, -0.98, "(10): ε A");
+                let factor = 1.0 - math::exp(-0.98 * (t + 1) as f64);
+                assert_eq!(bat.pulse_rate, -factor, "(11): r (1 − e^(−λt))");
+                assert!(bat.deed.local_gain > 0.0);
+            } else {
+                assert_eq!((bat.loudness, bat.pulse_rate), (-1.0, -1.0));
+            }
+        }
+        assert!(taken >= 10, "only {taken} of 40 took what they found");
+    }
+
+    #[test]
+    fn a_loud_bat_takes_nothing_from_around_the_best() {
+        for seed in 0..40 {
+            let mut bats = bats(12, 10, -1.0, 1.0);
+            bats.rng = Stream::new(seed, 1);
+            bats.step();
+            assert_eq!(bats.swarm[0].deed.local, Local::Tried);
+            assert_eq!((bats.swarm[0].loudness, bats.swarm[0].pulse_rate), (1.0, -1.0));
+        }
+    }
+
+    #[test]
+    fn bats_begin_half_loud_at_least_and_with_any_pulse_rate() {
+        let problem = Arc::new(Problem::new(&Distances::of(9, |i, j| (j - i) as f64), Round::Closed));
+        let given: Given = [("population", crate::Value::from(400.0))].into_iter().collect();
+        let settings = Settings::new(ENTRY.parameters, Kind::Tour, &given).unwrap();
+        let bats = begin(&problem, &settings, Stream::new(1, 0));
+        assert!(bats.swarm.iter().all(|bat| (0.5..1.0).contains(&bat.loudness) && (0.0..1.0).contains(&bat.pulse_rate)));
+        let mean = |of: fn(&Bat) -> f64| bats.mean(of);
+        assert!((mean(|bat| bat.loudness) - 0.75).abs() < 0.03 && (mean(|bat| bat.pulse_rate) - 0.5).abs() < 0.05);
+    }
+}

@@ -18,7 +18,7 @@ use crate::{
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, CONVERGED, DIFFERENT, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
+        BEST, BUILT, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
         STOPS_LAYER, TOUR_LAYER, iterations, member, population,
     },
     problem::{Problem, Tour},
@@ -329,6 +329,7 @@ pub const ENTRY: Entry = Entry {
         BEST,
         MEAN,
         BUILT,
+        FAILED,
         CONVERGED,
         DIFFERENT,
         Reading::new("shorter", "", "Shorter children", Group::Measure, "How many of the children are shorter than both their parents."),

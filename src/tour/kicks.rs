@@ -17,6 +17,8 @@ pub struct Kicks {
     /// As before the kick.
     kept: Local,
     kept_row: Vec<Stop>,
+    /// Kicks so far.
+    made: u64,
 }
 
 impl Kicks {
@@ -24,7 +26,7 @@ impl Kicks {
     pub fn new(problem: &Arc<Problem>) -> Self {
         let local = Local::new(problem);
         let row = Tour::first(problem).row;
-        Self { problem: Arc::clone(problem), kept: local.clone(), local, kept_row: row.clone(), row }
+        Self { made: 0, problem: Arc::clone(problem), kept: local.clone(), local, kept_row: row.clone(), row }
     }
 
     /// See [`Local::polish`].
@@ -34,6 +36,7 @@ impl Kicks {
 
     /// Kicks a tour so often; what a kick and the moves after it made longer is undone.
     pub fn improve(&mut self, tour: &mut Tour, kicks: usize, rng: &mut Stream) {
+        self.made += kicks as u64;
         let Self { local, row, kept, kept_row, .. } = self;
         row.copy_from_slice(&tour.row);
         local.load(row);
@@ -52,6 +55,11 @@ impl Kicks {
         }
         tour.row.copy_from_slice(kept_row);
         tour.settle(&self.problem);
+    }
+
+    /// How many moves and kicks it has measured so far.
+    pub fn tried(&self) -> u64 {
+        self.local.tried() + self.made
     }
 
     /// The memory it takes, in bytes.

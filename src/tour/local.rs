@@ -3,7 +3,7 @@
 //! A stop is looked at only while something near it has changed, and only its nearest neighbours count as new ones: a move
 //! that helps makes some stop's way shorter. A move's gain is known in O(1) before it is made.
 
-use std::{collections::VecDeque, sync::Arc};
+use std::{cell::Cell, collections::VecDeque, sync::Arc};
 
 use super::problem::{Problem, Stop, Tour};
 use crate::{math, rng::Stream};
@@ -50,6 +50,8 @@ pub struct Local {
     queued: Vec<bool>,
     /// Gains below this may be rounding: two tours must not each be shorter than the other.
     least: f64,
+    /// How many moves were measured.
+    tried: Cell<u64>,
 }
 
 impl Local {
@@ -64,6 +66,7 @@ impl Local {
             queue: VecDeque::with_capacity(n + 1),
             queued: vec![false; n + 1],
             least: 0.0,
+            tried: Cell::new(0),
         }
     }
 
@@ -85,6 +88,15 @@ impl Local {
             let stop = usize::from(stop);
             (self.left[stop], self.right[stop]) = (place as u16, place as u16);
         }
+    }
+
+    /// How many moves it has measured so far.
+    pub fn tried(&self) -> u64 {
+        self.tried.get()
+    }
+
+    fn count(&self) {
+        self.tried.set(self.tried.get() + 1);
     }
 
     /// A stop near which something has changed.
@@ -158,6 +170,7 @@ impl Local {
                 if q == usize::from(NONE) {
                     continue;
                 }
+                self.count();
                 let gain = nearer + d(c, row[q + 1]) - d(b, row[q + 1]);
                 if gain > self.least {
                     return Some((Move::Reverse(p.min(q) + 1, p.max(q)), gain));
@@ -177,6 +190,7 @@ impl Local {
                 if q == usize::from(NONE) {
                     continue;
                 }
+                self.count();
                 let gain = nearer + d(c, row[q - 1]) - d(b, row[q - 1]);
                 if gain > self.least {
                     return Some((Move::Reverse(p.min(q), p.max(q) - 1), gain));
@@ -206,6 +220,7 @@ impl Local {
                 // Between c and the stop behind it, or between the stop before c and c: a is next to c.
                 let q = usize::from(self.left[usize::from(c)]);
                 if q != usize::from(NONE) && !(low - 1..=high).contains(&q) {
+                    self.count();
                     let gain = nearer + d(c, row[q + 1]) - d(z, row[q + 1]);
                     if gain > self.least {
                         return Some((Move::Carry(low, high, q, backward), gain));
@@ -213,6 +228,7 @@ impl Local {
                 }
                 let q = usize::from(self.right[usize::from(c)]);
                 if q != usize::from(NONE) && !(low..=high + 1).contains(&q) {
+                    self.count();
                     let gain = nearer + d(row[q - 1], c) - d(z, row[q - 1]);
                     if gain > self.least {
                         return Some((Move::Carry(low, high, q - 1, !backward), gain));
@@ -251,6 +267,7 @@ impl Local {
                     }
                     let z = if backward { row[low] } else { row[high] };
                     let taken = d(row[low - 1], row[low]) + d(row[high], row[high + 1]) - d(row[low - 1], row[high + 1]);
+                    self.count();
                     let gain = nearer + taken - d(z, other);
                     if gain > self.least {
                         return Some((Move::Carry(low, high, gap, backward == after), gain));

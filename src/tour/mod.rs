@@ -261,11 +261,16 @@ impl Planner for Tours {
         }
     }
 
+    fn trouble(&self) -> Option<String> {
+        self.network.as_ref().filter(|_| self.torn).and_then(Network::trouble)
+    }
+
     fn read(&self, out: &mut Readings) {
         let best = self.best_tour();
         out.push("best", best.map_or(f64::NAN, |(_, tour)| tour.length));
         if let Some(network) = &self.network {
             out.push("roads", network.roads.len() as f64);
+            out.push("failed", network.failed() as f64);
         }
         out.push("converged", if best.is_some() { self.converged as f64 } else { f64::NAN });
         if let Some((problem, search)) = &self.search {
@@ -336,6 +341,7 @@ impl Planner for Tours {
     fn digest(&self, out: &mut Digest) {
         out.word(self.converged);
         if let Some(network) = &self.network {
+            network.seeds.iter().for_each(|&seed| out.word(seed));
             for road in &network.roads {
                 out.numbers(road.path.as_flattened());
             }

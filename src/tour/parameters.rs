@@ -72,6 +72,8 @@ pub(super) const BEST: Reading =
     Reading::new("best", "D_{\\text{best}}", "Shortest", Group::Cost, "The length of the shortest tour so far: the result.");
 pub(super) const MEAN: Reading = Reading::new("mean", "\\bar D", "Mean", Group::Cost, "The mean length of this iteration’s tours.");
 pub(super) const BUILT: Reading = Reading::new("roads", "", "Roads", Group::Count, "Roads built so far.");
+pub(super) const FAILED: Reading =
+    Reading::new("failed", "", "Failed", Group::Count, "Roads that their runs did not find: other roads lead there instead.");
 pub(super) const CONVERGED: Reading =
     Reading::new("converged", "t^*", "Converged", Group::Count, "The search’s iteration in which the shortest tour was found.");
 pub(super) const DIFFERENT: Reading = Reading::new(

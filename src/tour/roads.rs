@@ -22,12 +22,21 @@ pub struct Road {
     pub length: f64,
     /// The iteration in which the run found it.
     pub converged: f64,
+    /// The stops that it leads over: none, unless the run found no way and other roads serve instead.
+    pub over: Vec<usize>,
+}
+
+impl Road {
+    /// Whether the run found it.
+    pub fn is_found(&self) -> bool {
+        !self.path.is_empty() && self.over.is_empty()
+    }
 }
 
 impl From<Finding> for Road {
     fn from(found: Finding) -> Self {
         let length = if found.cost.is_some() { geometry::length(&found.path) } else { f64::INFINITY };
-        Self { path: found.path, length, converged: found.converged }
+        Self { path: found.path, length, converged: found.converged, over: Vec::new() }
     }
 }
 
@@ -39,7 +48,7 @@ pub struct Network {
     planner: &'static str,
     params: Given,
     /// A seed for each pair.
-    seeds: Arc<[u64]>,
+    pub seeds: Arc<[u64]>,
     /// Those that are built, pair by pair.
     pub roads: Vec<Arc<Road>>,
     /// All of them, once somebody had to build them here: what is built again is the same, so copies share it.
@@ -147,7 +156,7 @@ impl Network {
             let found = session::carry_out_all(&self.scene, &jobs).unwrap_or_default();
             found.into_iter().map(|found| Arc::new(Road::from(found))).collect()
         });
-        let none = || Arc::new(Road { path: Vec::new(), length: f64::INFINITY, converged: 0.0 });
+        let none = || Arc::new(Road { path: Vec::new(), length: f64::INFINITY, converged: 0.0, over: Vec::new() });
         self.roads.extend(next.map(|pair| all.get(pair).cloned().unwrap_or_else(none)));
     }
 
@@ -156,26 +165,67 @@ impl Network {
         self.roads.len() == self.seeds.len()
     }
 
-    /// The distances by road. Where a run found no road the way leads over other stops; `None` if it cannot.
-    pub fn distances(&mut self) -> Option<Distances> {
-        let n = self.stops.len();
-        for (number, via) in (0..self.roads.len()).flat_map(|number| (0..n).map(move |via| (number, via))) {
-            let [i, j] = self.pair(number);
-            if self.roads[number].path.is_empty() && via != i && via != j {
-                self.join(number, via);
-            }
-        }
-        self.roads.iter().all(|road| !road.path.is_empty()).then(|| Distances::of(n, |i, j| self.roads[self.number(i, j)].length))
+    /// How many runs found no road.
+    pub fn failed(&self) -> usize {
+        self.roads.iter().filter(|road| !road.is_found()).count()
     }
 
-    /// Makes the missing road of a pair over another stop, if there are roads to and from that one.
-    fn join(&mut self, number: usize, via: usize) {
-        let [i, j] = self.pair(number);
-        let (mut path, rest) = (self.way(i, via), self.way(via, j));
-        if !path.is_empty() && !rest.is_empty() {
-            path.extend(&rest[1..]);
-            self.roads[number] = Arc::new(Road { length: geometry::length(&path), path, converged: f64::NAN });
+    /// The distances by road. Where a run found none, the shortest way over other stops takes its place; `None` if there
+    /// is not for every pair such a way.
+    pub fn distances(&mut self) -> Option<Distances> {
+        if self.failed() > 0 {
+            self.join();
         }
+        let built = self.roads.iter().all(|road| !road.path.is_empty());
+        built.then(|| Distances::of(self.stops.len(), |i, j| self.roads[self.number(i, j)].length))
+    }
+
+    /// Makes the missing roads of those that were found (Floyd 1962).
+    fn join(&mut self) {
+        let n = self.stops.len();
+        let length = |i: usize, j: usize| if i == j { 0.0 } else { self.roads[self.number(i, j)].length };
+        let mut best: Vec<_> = (0..n * n).map(|k| length(k / n, k % n)).collect();
+        // The stop that comes next on the way from i to j.
+        let mut next: Vec<_> = (0..n * n).map(|k| k % n).collect();
+        for via in 0..n {
+            for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+                let over = best[i * n + via] + best[via * n + j];
+                if over < best[i * n + j] {
+                    (best[i * n + j], next[i * n + j]) = (over, next[i * n + via]);
+                }
+            }
+        }
+        let missing: Vec<_> = (0..self.roads.len()).filter(|&number| self.roads[number].path.is_empty()).collect();
+        let joined: Vec<_> = missing.into_iter().filter_map(|number| Some((number, self.over(number, &best, &next)?))).collect();
+        for (number, road) in joined {
+            self.roads[number] = Arc::new(road);
+        }
+    }
+
+    /// The road of a pair over other stops; `None` if none leads there.
+    fn over(&self, number: usize, best: &[f64], next: &[usize]) -> Option<Road> {
+        let n = self.stops.len();
+        let [from, to] = self.pair(number);
+        if best[from * n + to].is_infinite() {
+            return None;
+        }
+        let (mut at, mut over, mut path) = (from, Vec::new(), vec![self.stops[from]]);
+        while at != to {
+            let hop = next[at * n + to];
+            path.extend(self.way(at, hop).into_iter().skip(1));
+            over.extend((hop != to).then_some(hop));
+            at = hop;
+        }
+        Some(Road { length: geometry::length(&path), path, converged: f64::NAN, over })
+    }
+
+    /// Why there is no tour: the first pair of stops without a road, and what to do.
+    pub fn trouble(&self) -> Option<String> {
+        let [i, j] = self.pair(self.roads.iter().position(|road| road.path.is_empty())?);
+        Some(format!(
+            "{} found no road from stops[{i}] to stops[{j}], and none leads there over other stops; roads=a-star finds one wherever there is one",
+            self.planner
+        ))
     }
 
     /// The road between two stops in the direction in which it is gone; empty if there is none.
@@ -190,5 +240,59 @@ impl Network {
     /// The memory it takes, in bytes; roads are shared.
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + size_of::<Arc<Road>>() * self.roads.len() + 16 * self.stops.len()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{params::Settings, scene::Body};
+
+    /// An open grid with stops at (0.5, 0.5), (3.5, 0.5), (0.5, 3.5), (3.5, 3.5), and the lengths of the roads that were
+    /// found: between 0 and 1, 0 and 2, 0 and 3, 1 and 2, 1 and 3, 2 and 3.
+    fn network(found: [Option<f64>; 6]) -> Network {
+        let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "o", "title": "O", "cell": 1,
+            "rows": ["....", "....", "....", "...."], "stops": [[0.5, 0.5], [3.5, 0.5], [0.5, 3.5], [3.5, 3.5]]}"#;
+        let scene = Arc::new(Scene::from_json(text).unwrap());
+        let Body::Grid(grid) = scene.body() else { unreachable!() };
+        let entry = crate::catalogue::find("bat").unwrap();
+        let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
+        let mut network = Network::new(&scene, grid, &settings, 1).unwrap();
+        let road = |(number, length): (usize, Option<f64>)| {
+            let path = network.pair(number).map(|stop| network.stops[stop]).to_vec();
+            Arc::new(match length {
+                Some(length) => Road { path, length, converged: 1.0, over: Vec::new() },
+                None => Road { path: Vec::new(), length: f64::INFINITY, converged: 0.0, over: Vec::new() },
+            })
+        };
+        network.roads = found.into_iter().enumerate().map(road).collect();
+        network
+    }
+
+    #[test]
+    fn a_missing_road_leads_the_shortest_way_over_those_that_were_found() {
+        // From 0 to 3: over 1 it is 3 + 9, over 2 it is 4 + 5.
+        let mut over = network([Some(3.0), Some(4.0), None, Some(6.0), Some(9.0), Some(5.0)]);
+        assert!(over.distances().is_some());
+        assert_eq!((over.failed(), &over.roads[2].over[..]), (1, &[2][..]));
+        assert_eq!(over.roads[2].path, [[0.5, 0.5], [0.5, 3.5], [3.5, 3.5]]);
+        assert_eq!(over.way(3, 0), [[3.5, 3.5], [0.5, 3.5], [0.5, 0.5]]);
+        assert_eq!(over.trouble(), None);
+    }
+
+    #[test]
+    fn a_chain_of_roads_is_enough_for_all_pairs() {
+        // 0 – 3 – 2 – 1 and nothing else.
+        let mut chain = network([None, None, Some(1.0), Some(1.0), None, Some(1.0)]);
+        assert!(chain.distances().is_some());
+        assert_eq!(chain.roads[0].over, [3, 2]);
+        assert_eq!(chain.failed(), 3);
+    }
+
+    #[test]
+    fn what_no_road_leads_to_is_named() {
+        let mut apart = network([Some(1.0), None, None, None, None, Some(1.0)]);
+        assert!(apart.distances().is_none());
+        assert!(apart.trouble().unwrap().contains("stops[0] to stops[2]"));
     }
 }

@@ -94,10 +94,14 @@ pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
         return Some(plain(item, format!("Road {} – {}", i + 1, j + 1), "waiting", "It is not built yet.".to_owned()));
     };
     let straight = geometry::length(&[network.stops[i], network.stops[j]]);
-    let (event, summary) = if road.path.is_empty() {
-        ("failed", format!("The run from stop {} to stop {} found no way.", i + 1, j + 1))
+    let (from, to) = (i + 1, j + 1);
+    let (event, summary) = if road.is_found() {
+        ("built", format!("From stop {from} to stop {to}: {:.4}.", road.length))
+    } else if road.path.is_empty() {
+        ("failed", format!("The run from stop {from} to stop {to} found no way."))
     } else {
-        ("built", format!("From stop {} to stop {}: {:.4}.", i + 1, j + 1, road.length))
+        let over: Vec<_> = road.over.iter().map(|stop| (stop + 1).to_string()).collect();
+        ("joined", format!("The run from stop {from} to stop {to} found no way; over stop {} it is {:.4}.", over.join(", "), road.length))
     };
     let mut told = plain(item, format!("Road {} – {}", i + 1, j + 1), event, summary);
     let values = [

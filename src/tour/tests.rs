@@ -269,3 +269,33 @@ fn two_thousand_stops_are_not_too_many() {
         assert!(outcome.cost.unwrap() <= first);
     }
 }
+
+#[test]
+fn an_optimum_that_is_longer_than_what_is_found_is_none() {
+    let text = shipped("random-52").unwrap().to_json();
+    let mut file: serde_json::Value = serde_json::from_str(&text).unwrap();
+    file["exact"] = serde_json::json!({"length": 100_000});
+    let scene = Arc::new(crate::Scene::from_value(file).unwrap());
+    let mut session = Session::new(Setup { planner: "two-opt".into(), scene, params: Given::new(), seed: 1 }).unwrap();
+    session.step(u64::MAX);
+    let outcome = session.outcome();
+    assert_eq!((outcome.exact, outcome.gap, outcome.exact_by), (None, None, crate::planner::Yardstick::Refuted));
+}
+
+#[test]
+fn ants_that_build_no_road_are_told_of() {
+    let text = crate::scene::generate::generate("maze", &[("stops", Value::from(3.0))].into_iter().collect(), 2).unwrap().to_json();
+    let scene = Arc::new(crate::Scene::from_json(&text).unwrap());
+    let run = |roads: &str| {
+        let params: Given = [("roads", Value::from(roads)), ("iterations", Value::from(5.0))].into_iter().collect();
+        let mut session = Session::new(Setup { planner: "held-karp".into(), scene: Arc::clone(&scene), params, seed: 1 }).unwrap();
+        session.step(u64::MAX);
+        session.outcome()
+    };
+    let (ants, exact) = (run("aco-direction"), run("a-star"));
+    assert_eq!((exact.status, exact.trouble), (Status::Solved, None));
+    match ants.status {
+        Status::Infeasible => assert!(ants.trouble.unwrap().starts_with("aco-direction found no road from stops[0]")),
+        status => assert!(status == Status::Solved && ants.trouble.is_none()),
+    }
+}

@@ -18,7 +18,7 @@ use crate::{
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, CONVERGED, DIFFERENT, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
+        BEST, BUILT, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
         STOPS_LAYER, TOUR_LAYER, iterations, member, population,
     },
     problem::{Problem, Stop, Tour},
@@ -288,6 +288,7 @@ pub const ENTRY: Entry = Entry {
         BEST,
         MEAN,
         BUILT,
+        FAILED,
         CONVERGED,
         DIFFERENT,
         Reading::new("swaps", "\\overline{|v|}", "Velocity", Group::Measure, "How many swaps a velocity has, on average."),

@@ -14,7 +14,7 @@ use super::{
     Search,
     local::Local,
     nearest::nearest_neighbour,
-    parameters::{BEST, BUILT, CONVERGED, KINDS, LAYERS, LENGTH, ROADS, ROUND, SMOOTH, iterations},
+    parameters::{BEST, BUILT, CONVERGED, FAILED, KINDS, LAYERS, LENGTH, ROADS, ROUND, SMOOTH, iterations},
     problem::{Problem, Stop, Tour},
 };
 
@@ -61,7 +61,7 @@ impl Search for Descent {
     }
 
     fn evaluations(&self) -> u64 {
-        1 + self.moves
+        1 + self.local.tried()
     }
 
     fn best(&self) -> Option<&Tour> {
@@ -109,6 +109,7 @@ pub const ENTRY: Entry = Entry {
     readings: &[
         BEST,
         BUILT,
+        FAILED,
         CONVERGED,
         Reading::new("moves", "", "Moves", Group::Count, "Moves that made the tour shorter."),
         Reading::new("gain", "\\Delta D", "Gain", Group::Measure, "How much shorter the last move made it."),

@@ -1,6 +1,6 @@
 //! What JavaScript gives, read and checked: every refusal names the field, the value and what is allowed.
 
-use std::sync::Arc;
+use std::{cell::RefCell, sync::Arc};
 
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -65,12 +65,24 @@ pub(super) fn read_parameters(value: &JsValue) -> Result<Given, JsValue> {
 pub(super) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
     match value.as_string() {
         Some(name) => shipped(&name),
-        None => serde_wasm_bindgen::from_value(value.clone())
-            .map_err(|problem| Error::malformed("scene", problem))
-            .and_then(Scene::from_value)
-            .map(Arc::new),
+        None => same_scene(value),
     }
     .map_err(|error| js_error(&error))
+}
+
+/// The scene of an object. The one that was read last is kept: what follows from a scene, an exact optimum above all, takes
+/// longer than to see that it is the same.
+fn same_scene(value: &JsValue) -> Result<Arc<Scene>, Error> {
+    thread_local!(static LAST: RefCell<Option<(String, Arc<Scene>)>> = const { RefCell::new(None) });
+    let text = js_sys::JSON::stringify(value).ok().and_then(|text| text.as_string());
+    let last = LAST.with_borrow(|last| last.as_ref().filter(|(known, _)| text.as_ref() == Some(known)).map(|(_, scene)| Arc::clone(scene)));
+    if let Some(scene) = last {
+        return Ok(scene);
+    }
+    let read = serde_wasm_bindgen::from_value(value.clone()).map_err(|problem| Error::malformed("scene", problem));
+    let scene = Arc::new(read.and_then(Scene::from_value)?);
+    LAST.set(text.map(|text| (text, Arc::clone(&scene))));
+    Ok(scene)
 }
 
 pub(super) fn read_kind(value: &JsValue) -> Result<Kind, JsValue> {

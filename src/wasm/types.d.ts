@@ -381,8 +381,9 @@ export interface Outcome {
   clearance: number | null;
   /** The exact optimum by the rule that the planner keeps to. */
   exact: number | null;
-  /** Which optimum that is: over the cells of a grid, at any angle, by the scene's distances, or as its file says. */
-  exact_by: 'any-angle' | 'cells' | 'matrix' | 'stored';
+  /** Which optimum that is: over the cells of a grid, at any angle, by the scene's distances, or as its file says; `refuted`: this result is
+   * shorter than what the file gives, so there is none. */
+  exact_by: 'any-angle' | 'cells' | 'matrix' | 'stored' | 'refuted';
   /** (length − exact) / exact. */
   gap: number | null;
   /** At how many corners the path turns. Paths only. */
@@ -396,6 +397,8 @@ export interface Outcome {
   order?: number[];
   position?: number[];
   readings: Record<string, number>;
+  /** What keeps the planner from a result, if something does. */
+  trouble?: string;
   /** What a planner of planners recommends: a planner and its parameters. */
   tuned?: { planner: string; params: Record<string, ParameterValue> };
   hash: string;

@@ -82,6 +82,7 @@ class Lab extends Scenes {
     const { roads } = this.readings
     const stops = this.grid?.stops?.length ?? 0
     if (!this.planner?.stops || roads === undefined || this.outcome?.order) return ''
+    if (this.finished) return this.outcome?.trouble ?? ''
     return en.result.roads(number(roads), number((stops * (stops - 1)) / 2))
   })
   readonly finished = $derived(this.status !== 'running')

@@ -42,6 +42,7 @@ const keyOf = ({ planner, params, seed, ends }: Job): string => JSON.stringify([
 /** Carries out the runs that a planner of planners needs, side by side. What they find doesn't depend on who they are. */
 export class Crew {
   private task: Task | undefined
+  private scene = ''
   private readonly found = new Map<string, Finding>()
   private readonly busy = new Map<Hand, Turn>()
   private idle: Hand[] = []
@@ -56,13 +57,17 @@ export class Crew {
     private readonly oneself: Hand,
   ) {}
 
-  /** Another run: what is known of the one before doesn't count any more. */
+  /** Another run. On the same scene what was found still counts: other planners may ask for the same roads. */
   begin(task: Task): void {
     if (task === this.task) return
     this.drop()
-    for (const hand of this.busy.keys()) hand.dismiss()
-    this.busy.clear()
-    this.found.clear()
+    const scene = JSON.stringify(task.scene)
+    if (scene !== this.scene) {
+      for (const hand of this.busy.keys()) hand.dismiss()
+      this.busy.clear()
+      this.found.clear()
+      this.scene = scene
+    }
     if (task.planner !== this.task?.planner) this.dismiss()
     this.task = task
   }
