@@ -334,7 +334,7 @@ impl GridScene {
         let back = round.closes().then_some(order[0]);
         for (i, j) in order.iter().copied().zip(order[1..].iter().copied().chain(back)) {
             let way = &of(i.min(j), i.max(j)).path;
-            if i < j { path.extend(&way[1..]) } else { path.extend(way.iter().rev().skip(1)) }
+            if i < j { path.extend(&way[1..]) } else { path.extend(way[..way.len() - 1].iter().rev()) }
         }
         Some(Exact { length, path, order, stored: false })
     }

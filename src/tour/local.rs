@@ -84,7 +84,7 @@ impl Local {
 
     /// Notes where the stops at some places stand; the ends keep theirs.
     fn settle(&mut self, row: &[Stop], from: usize, to: usize) {
-        for (place, &stop) in row.iter().enumerate().take(to + 1).skip(from) {
+        for (place, &stop) in (from..).zip(&row[from..=to]) {
             let stop = usize::from(stop);
             (self.left[stop], self.right[stop]) = (place as u16, place as u16);
         }

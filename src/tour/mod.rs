@@ -1,8 +1,8 @@
 //! Tours through many stops, [ANTBAT] §3.2 and §3.3: a road network first, then an order of the stops.
 //!
-//! There is one run of two stages, [`Tours`]. On a grid the first stage has other planners build the road between each
+//! There is one run of two stages, `Tours`. On a grid the first stage has other planners build the road between each
 //! two stops (`roads`); scenes of kind `tour` have their distances already. The second searches the order: what its
-//! planners differ in is a [`Search`], a file each. `problem` is what they search, `moves` are the changes that they make.
+//! planners differ in is a `Search`, a file each. `problem` is what they search, `moves` are the changes that they make.
 
 pub mod bat;
 pub mod ga;
@@ -171,7 +171,8 @@ impl Tours {
         };
         let mut path = vec![self.places[usize::from(stops[0])]];
         for leg in stops.windows(2) {
-            path.extend(network.way(usize::from(leg[0]), usize::from(leg[1])).into_iter().skip(1));
+            let way = network.way(usize::from(leg[0]), usize::from(leg[1]));
+            path.extend_from_slice(way.get(1..).unwrap_or_default());
         }
         path
     }

@@ -79,10 +79,15 @@ pub fn stop_elsewhere(m: usize, rng: &mut Stream) -> (usize, usize) {
     (i, if j + 1 >= i { j + 2 } else { j })
 }
 
+/// The stops that may be moved, with their places.
+pub fn placed(row: &[Stop]) -> impl Iterator<Item = (usize, Stop)> + '_ {
+    (1..).zip(row[1..row.len() - 1].iter().copied())
+}
+
 /// Partially matched crossover (Goldberg and Lingle 1985): `child`, a copy of one parent, takes over the other's stops at
 /// `i` to `j`; what stood there goes where they came from. `places` is scratch space, a place for each stop.
 pub fn pmx(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), places: &mut [u16]) {
-    for (place, &stop) in child.iter().enumerate().skip(1).take(child.len() - 2) {
+    for (place, stop) in placed(child) {
         places[usize::from(stop)] = place as u16;
     }
     for k in i..=j {
@@ -99,7 +104,7 @@ pub fn pmx(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), places: &
 /// for each stop.
 pub fn ox(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), kept: &mut [u16]) {
     let m = child.len() - 2;
-    for (place, &stop) in child.iter().enumerate().skip(1).take(m) {
+    for (place, stop) in placed(child) {
         kept[usize::from(stop)] = u16::from(i <= place && place <= j);
     }
     let next = |place: usize| if place == m { 1 } else { place + 1 };

@@ -64,7 +64,7 @@ impl Network {
     pub fn new(scene: &Arc<Scene>, grid: &GridScene, settings: &Settings, seed: u64) -> Result<Self, Error> {
         let planner = super::parameters::BUILDERS.iter().map(|builder| builder.value).find(|name| *name == settings.choice("roads"));
         let stops = grid.stops.clone();
-        for (i, &stop) in stops.iter().enumerate().skip(1) {
+        for (i, &stop) in (1..).zip(&stops[1..]) {
             let name = format!("stops[{i}]");
             let course = Course::between(grid, ["stops[0]", &name], [stops[0], stop])?;
             if !is_reachable(grid.cells(), course.start, course.goal) {
@@ -212,7 +212,7 @@ impl Network {
         let (mut at, mut over, mut path) = (from, Vec::new(), vec![self.stops[from]]);
         while at != to {
             let hop = next[at * n + to];
-            path.extend(self.way(at, hop).into_iter().skip(1));
+            path.extend_from_slice(self.way(at, hop).get(1..).unwrap_or_default());
             over.extend((hop != to).then_some(hop));
             at = hop;
         }

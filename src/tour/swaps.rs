@@ -3,7 +3,7 @@
 //! A swap exchanges the stops at two places. A list of swaps, carried out one after another, leads from one order to
 //! another; it is what a velocity is to a position.
 
-use super::problem::Stop;
+use super::{moves, problem::Stop};
 use crate::rng::Stream;
 
 /// The two places whose stops are exchanged.
@@ -21,7 +21,7 @@ pub fn apply(row: &mut [Stop], swaps: &[Swap]) {
 /// each place but the last. `places` is scratch space, a place for each stop.
 pub fn difference(row: &mut [Stop], to: &[Stop], backwards: bool, places: &mut [u16], swaps: &mut Vec<Swap>) {
     let m = row.len() - 2;
-    for (place, &stop) in row.iter().enumerate().skip(1).take(m) {
+    for (place, stop) in moves::placed(row) {
         places[usize::from(stop)] = place as u16;
     }
     for k in 1..=m {
