@@ -25,8 +25,8 @@ use super::{
     moves,
     nearest::nearest_neighbour,
     parameters::{
-        BEST, BUILT, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
-        STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER,
+        ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member, population,
     },
     problem::{Problem, Stop, Tour},
     tell::quantity,
@@ -418,6 +418,7 @@ pub const ENTRY: Entry = Entry {
         MEAN,
         BUILT,
         FAILED,
+        BY_ROAD,
         CONVERGED,
         DIFFERENT,
         Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness."),

@@ -18,8 +18,8 @@ use crate::{
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
-        STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER,
+        ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member, population,
     },
     problem::{Problem, Tour},
     tell::quantity,
@@ -330,6 +330,7 @@ pub const ENTRY: Entry = Entry {
         MEAN,
         BUILT,
         FAILED,
+        BY_ROAD,
         CONVERGED,
         DIFFERENT,
         Reading::new("shorter", "", "Shorter children", Group::Measure, "How many of the children are shorter than both their parents."),

@@ -18,7 +18,7 @@ use crate::{
 
 use super::{
     Search,
-    parameters::{BEST, BUILT, CONVERGED, FAILED, KINDS, LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER},
+    parameters::{BEST, BUILT, BY_ROAD, CONVERGED, FAILED, KINDS, LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER},
     problem::{Problem, Stop, Tour},
 };
 
@@ -227,6 +227,7 @@ pub const ENTRY: Entry = Entry {
         BEST,
         BUILT,
         FAILED,
+        BY_ROAD,
         CONVERGED,
         Reading::new("size", "|S|", "Size", Group::Count, "How many stops the sets have that it has come to."),
         Reading::new(

@@ -27,8 +27,8 @@ use crate::{
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
-        STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER,
+        ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member, population,
     },
     problem::{Problem, Tour},
     swaps::{self, Swap},
@@ -382,6 +382,7 @@ pub const ENTRY: Entry = Entry {
         MEAN,
         BUILT,
         FAILED,
+        BY_ROAD,
         CONVERGED,
         DIFFERENT,
         Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness."),

@@ -28,6 +28,7 @@ use std::sync::Arc;
 use crate::{
     digest::Digest,
     error::Error,
+    exact::{MAX_EXACT_STOPS, shortest_tour},
     frame::{Frame, Role, Shape},
     params::Settings,
     planner::{Best, Finding, Inspection, Item, Job, Planner, Readings, Round, Solution, Stage, Status, Yardstick},
@@ -97,6 +98,8 @@ struct Tours {
     places: Arc<[[f64; 2]]>,
     network: Option<Network>,
     search: Option<(Arc<Problem>, Box<dyn Search>)>,
+    /// The length of the shortest tour by these very roads, while it can be computed.
+    by_road: f64,
     /// No tour is possible: a road is missing, whatever stops it would lead over.
     torn: bool,
     iteration: u64,
@@ -127,6 +130,7 @@ fn start(
         limit: settings.integer("iterations") + network.as_ref().map_or(0, Network::steps),
         network,
         search: None,
+        by_road: f64::NAN,
         torn: false,
         iteration: 0,
         converged: 0,
@@ -157,7 +161,10 @@ impl Tours {
         network.step();
         if network.is_built() {
             match network.distances() {
-                Some(distances) => self.set_out(Problem::new(&distances, self.round)),
+                Some(distances) => {
+                    self.by_road = shortest_tour(&distances, self.round).map_or(f64::NAN, |(_, length)| length);
+                    self.set_out(Problem::new(&distances, self.round));
+                }
                 None => self.torn = true,
             }
         }
@@ -272,6 +279,9 @@ impl Planner for Tours {
         if let Some(network) = &self.network {
             out.push("roads", network.roads.len() as f64);
             out.push("failed", network.failed() as f64);
+            if network.stops.len() <= MAX_EXACT_STOPS {
+                out.push("by_road", self.by_road);
+            }
         }
         out.push("converged", if best.is_some() { self.converged as f64 } else { f64::NAN });
         if let Some((problem, search)) = &self.search {

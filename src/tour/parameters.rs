@@ -74,6 +74,13 @@ pub(super) const MEAN: Reading = Reading::new("mean", "\\bar D", "Mean", Group::
 pub(super) const BUILT: Reading = Reading::new("roads", "", "Roads", Group::Count, "Roads built so far.");
 pub(super) const FAILED: Reading =
     Reading::new("failed", "", "Failed", Group::Count, "Roads that their runs did not find: other roads lead there instead.");
+pub(super) const BY_ROAD: Reading = Reading::new(
+    "by_road",
+    "D_{\\text{road}}",
+    "Shortest by road",
+    Group::Length,
+    "The shortest tour by these very roads, computed for up to 15 stops: what is above it is the order’s fault, what it is above the exact optimum is the roads’.",
+);
 pub(super) const CONVERGED: Reading =
     Reading::new("converged", "t^*", "Converged", Group::Count, "The search’s iteration in which the shortest tour was found.");
 pub(super) const DIFFERENT: Reading = Reading::new(

@@ -18,8 +18,8 @@ use crate::{
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
-        STOPS_LAYER, TOUR_LAYER, iterations, member,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND,
+        SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member,
     },
     problem::{Problem, Tour},
     tell::quantity,
@@ -281,6 +281,7 @@ pub const ENTRY: Entry = Entry {
         Reading::new("mean", "D", "Present", Group::Cost, "The length of the present tour."),
         BUILT,
         FAILED,
+        BY_ROAD,
         CONVERGED,
         DIFFERENT,
         Reading::new("temperature", "T", "Temperature", Group::Schedule, "How hot it was in this iteration, as a length."),

@@ -299,3 +299,14 @@ fn ants_that_build_no_road_are_told_of() {
         status => assert!(status == Status::Solved && ants.trouble.is_none()),
     }
 }
+
+#[test]
+fn the_shortest_tour_by_road_is_what_held_karp_finds_on_those_roads() {
+    for (roads, round) in [("a-star", "closed"), ("theta-star", "open"), ("aco", "first-to-last")] {
+        let mut session = session("held-karp", "ant-bat-30", &[("roads", roads), ("round", round)], 3);
+        assert!(session.readings().get("by_road").unwrap().is_nan(), "there are no roads yet");
+        session.step(u64::MAX);
+        let (best, by_road) = (session.readings().get("best").unwrap(), session.readings().get("by_road").unwrap());
+        assert!((best - by_road).abs() < 1e-9, "{roads}, {round}: {best} and {by_road}");
+    }
+}

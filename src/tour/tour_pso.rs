@@ -18,8 +18,8 @@ use crate::{
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH,
-        STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER,
+        ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member, population,
     },
     problem::{Problem, Stop, Tour},
     swaps::{self, Swap},
@@ -289,6 +289,7 @@ pub const ENTRY: Entry = Entry {
         MEAN,
         BUILT,
         FAILED,
+        BY_ROAD,
         CONVERGED,
         DIFFERENT,
         Reading::new("swaps", "\\overline{|v|}", "Velocity", Group::Measure, "How many swaps a velocity has, on average."),

@@ -14,7 +14,7 @@ use super::{
     Search,
     local::Local,
     nearest::nearest_neighbour,
-    parameters::{BEST, BUILT, CONVERGED, FAILED, KINDS, LAYERS, LENGTH, ROADS, ROUND, SMOOTH, iterations},
+    parameters::{BEST, BUILT, BY_ROAD, CONVERGED, FAILED, KINDS, LAYERS, LENGTH, ROADS, ROUND, SMOOTH, iterations},
     problem::{Problem, Stop, Tour},
 };
 
@@ -110,6 +110,7 @@ pub const ENTRY: Entry = Entry {
         BEST,
         BUILT,
         FAILED,
+        BY_ROAD,
         CONVERGED,
         Reading::new("moves", "", "Moves", Group::Count, "Moves that made the tour shorter."),
         Reading::new("gain", "\\Delta D", "Gain", Group::Measure, "How much shorter the last move made it."),
