@@ -138,12 +138,12 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
 
 impl Bats {
     /// Far from the best: `tries` times partially matched crossover with it, the best child is kept.
-    fn cross(&mut self, i: usize, tries: usize) {
+    fn cross(&mut self, i: usize, tries: usize, backwards: bool) {
         let (own, m) = (&self.swarm[i].tour, self.child.len());
         self.kept.length = f64::INFINITY;
         // In the direction in which their distance was counted.
         self.mate.copy_from_slice(&self.best.row);
-        if moves::nearer(&self.problem, &own.row, &self.best.row).1 {
+        if backwards {
             self.mate[1..=m].reverse();
         }
         for _ in 0..tries {
@@ -178,11 +178,11 @@ impl Bats {
         if m < 2 {
             return; // there is one tour only
         }
-        let hamming = moves::hamming(&self.problem, &self.swarm[i].tour.row, &self.best.row);
+        let (hamming, backwards) = moves::nearer(&self.problem, &self.swarm[i].tour.row, &self.best.row);
         let tries = 1 + self.rng.below(hamming.max(1)); // (12)
         let range = if 2 * hamming >= self.problem.n { Range::Far } else { Range::Near };
         match range {
-            Range::Far => self.cross(i, tries),
+            Range::Far => self.cross(i, tries, backwards),
             _ => self.turn(i, tries),
         }
         self.kept.settle(&self.problem);
