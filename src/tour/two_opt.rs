@@ -100,12 +100,7 @@ pub const ENTRY: Entry = Entry {
     source: "[ANTBAT] §3.3; Bentley 1992",
     summary: "Goes on to the nearest stop, then reverses and carries stretches of the tour, a step for each move that makes it shorter, until none does.",
     kinds: KINDS,
-    parameters: &[
-        iterations(100_000, "After how many moves it stops at the latest; mostly no move helps long before."),
-        ROUND,
-        ROADS,
-        SMOOTH,
-    ],
+    parameters: &[iterations(1000, "After how many moves it stops at the latest; mostly no move helps before that."), ROUND, ROADS, SMOOTH],
     readings: &[
         BEST,
         BUILT,
