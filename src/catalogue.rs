@@ -76,6 +76,8 @@ pub struct Entry {
     pub layers: &'static [Layer],
     /// The numbers that it tells of each of those that search side by side.
     pub members: &'static [Member],
+    /// The kinds of events that it tells of.
+    pub events: &'static [EventKind],
     /// What its paper recommends for these settings; `None` where it says nothing.
     pub suggest: fn(&Settings) -> Option<Suggestion>,
     /// How a run begins.
@@ -202,6 +204,35 @@ pub struct Member {
     pub words: &'static [&'static str],
 }
 
+/// A kind of event in simulated time.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct EventKind {
+    /// An identifier.
+    pub name: &'static str,
+    /// A few words.
+    pub title: &'static str,
+    /// What it means.
+    pub help: &'static str,
+    /// How it is to be taken.
+    pub tone: Tone,
+}
+
+/// How an event is to be taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Tone {
+    /// Something came about.
+    Plain,
+    /// Something was seen or foreseen that calls for a decision.
+    Warning,
+    /// A decision.
+    Decision,
+    /// Something went as it should.
+    Good,
+    /// Something must not happen and did.
+    Bad,
+}
+
 /// Sizes that a paper recommends for a setup.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Suggestion {
@@ -275,7 +306,7 @@ pub struct Catalogue {
     scenes: Vec<&'static Scene>,
     generators: Vec<GeneratorView>,
     drive: DriveView,
-    roles: [&'static str; Role::ALL.len()],
+    roles: Vec<&'static str>,
     shapes: [&'static str; Shape::ALL.len()],
     /// Every TeX string that can appear outside a formula, so that pages can typeset them when they are built.
     symbols: Vec<&'static str>,
@@ -306,7 +337,7 @@ pub fn catalogue() -> Catalogue {
         scenes: shipped_names().map(|scene| &**scene).collect(),
         generators: GENERATORS.iter().chain(TOURS).map(GeneratorView).collect(),
         drive: DriveView(&drive::ENTRY),
-        roles: Role::ALL.map(Role::name),
+        roles: Role::ALL.map(Role::name).to_vec(),
         shapes: Shape::ALL.map(Shape::name),
         symbols,
     }
@@ -320,7 +351,7 @@ impl Serialize for EntryView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let entry = self.0;
         let parameters = views(entry.parameters, entry.kinds);
-        let mut out = serializer.serialize_struct("Planner", 13)?;
+        let mut out = serializer.serialize_struct("Planner", 14)?;
         out.serialize_field("name", entry.name)?;
         out.serialize_field("title", entry.title)?;
         out.serialize_field("family", entry.family)?;
@@ -336,6 +367,7 @@ impl Serialize for EntryView {
         out.serialize_field("formulas", entry.formulas)?;
         out.serialize_field("layers", entry.layers)?;
         out.serialize_field("members", entry.members)?;
+        out.serialize_field("events", entry.events)?;
         out.end()
     }
 }

@@ -47,6 +47,22 @@ pub enum Role {
     Tour,
     /// The stops, in their order in the scene; the weight is the place in the best tour, from 0, or −1.
     Stops,
+    /// Obstacles that move, where they are now: tubes of one vertex, as wide as they are.
+    Moving,
+    /// Where a robot expects the obstacles that it sees to come, grown by itself and its margin: one tube each.
+    Predicted,
+    /// How far a robot sees: a tube of one vertex.
+    Sensor,
+    /// The robot: a tube of one vertex, and a segment from its centre to its front.
+    Robot,
+    /// The way that a robot has gone.
+    Track,
+    /// The way that a robot means to go.
+    Ahead,
+    /// Where a detour comes back to the planned way.
+    LocalGoal,
+    /// Where something happened or was decided, one point each.
+    Events,
     /// The result after smoothing.
     Smoothed,
     /// The exact optimum.
@@ -73,7 +89,7 @@ pub enum Role {
 
 impl Role {
     /// Every role, in the order of their numbers.
-    pub const ALL: [Self; 30] = [
+    pub const ALL: [Self; 38] = [
         Self::Particles,
         Self::Velocities,
         Self::PersonalBests,
@@ -93,6 +109,14 @@ impl Role {
         Self::Tours,
         Self::Tour,
         Self::Stops,
+        Self::Moving,
+        Self::Predicted,
+        Self::Sensor,
+        Self::Robot,
+        Self::Track,
+        Self::Ahead,
+        Self::LocalGoal,
+        Self::Events,
         Self::Smoothed,
         Self::Exact,
         Self::Inertia,
@@ -128,6 +152,14 @@ impl Role {
             Self::Tours => "tours",
             Self::Tour => "tour",
             Self::Stops => "stops",
+            Self::Moving => "moving",
+            Self::Predicted => "predicted",
+            Self::Sensor => "sensor",
+            Self::Robot => "robot",
+            Self::Track => "track",
+            Self::Ahead => "ahead",
+            Self::LocalGoal => "local-goal",
+            Self::Events => "events",
             Self::Smoothed => "smoothed",
             Self::Exact => "exact",
             Self::Inertia => "inertia",
@@ -157,11 +189,13 @@ pub enum Shape {
     /// A grid of values, row by row along x and then y; z of the first vertex is the row's length. A vertex is the middle of
     /// its square, whose side is the distance of neighbours. A weight below 0 is nothing to draw.
     Field,
+    /// The vertices form one line with round ends, whose weight is half its width, in the scene's unit. One vertex: a disc.
+    Tube,
 }
 
 impl Shape {
     /// Every shape, in the order of their numbers.
-    pub const ALL: [Self; 4] = [Self::Points, Self::Polyline, Self::Segments, Self::Field];
+    pub const ALL: [Self; 5] = [Self::Points, Self::Polyline, Self::Segments, Self::Field, Self::Tube];
 
     /// The name that the page uses.
     pub const fn name(self) -> &'static str {
@@ -170,6 +204,7 @@ impl Shape {
             Self::Polyline => "polyline",
             Self::Segments => "segments",
             Self::Field => "field",
+            Self::Tube => "tube",
         }
     }
 }

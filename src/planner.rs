@@ -41,13 +41,39 @@ pub enum Solution {
         /// The way through them, back to the first if it is closed, in the scene's unit.
         path: Vec<[f64; 2]>,
     },
+    /// A drive among moving obstacles, from start to goal in simulated time.
+    Drive(Track),
+}
+
+/// Where a robot was, and when.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Track {
+    /// The corners of its way, in the scene's unit; where it stood there is one.
+    pub path: Vec<[f64; 2]>,
+    /// [t, x, y] wherever its motion changed, by growing time; between them it went straight at an even speed, or stood.
+    pub moments: Vec<[f64; 3]>,
+    /// The radius of the robot as moving obstacles meet it.
+    pub radius: f64,
+    /// What the moving obstacles do at the border.
+    pub border: Border,
+}
+
+/// What a moving obstacle does when it comes to the border of its scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Border {
+    /// It goes on and is gone.
+    #[default]
+    Leave,
+    /// It bounces off as soon as it touches.
+    Bounce,
 }
 
 impl Solution {
     /// The corners of a path or of a tour's way.
     pub fn path(&self) -> Option<&[[f64; 2]]> {
         match self {
-            Self::Path(path) | Self::Tour { path, .. } => Some(path),
+            Self::Path(path) | Self::Tour { path, .. } | Self::Drive(Track { path, .. }) => Some(path),
             Self::Position(_) => None,
         }
     }
@@ -151,6 +177,24 @@ pub struct Stage {
     pub title: &'static str,
     /// Its last iteration; the next stage's first step follows.
     pub end: u64,
+}
+
+/// Something that happened in a run in simulated time, or that was decided, and why.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Event {
+    /// The iteration after which it is known.
+    pub iteration: u64,
+    /// When, in seconds of simulated time.
+    pub time: f64,
+    /// Where the robot was, in the scene's unit.
+    pub place: [f64; 2],
+    /// What: one of the entry's `events`.
+    pub kind: &'static str,
+    /// The number of the moving obstacle that it is about.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub obstacle: Option<usize>,
+    /// Why, in a sentence.
+    pub reason: String,
 }
 
 /// The best solution so far and what it costs the planner. Whether it is any good, [`crate::Scene::judge`] says.
@@ -299,6 +343,10 @@ pub trait Planner: Clone {
     /// The parts of a run, in their order; none, for most: all steps are of one kind.
     fn stages(&self) -> Vec<Stage> {
         Vec::new()
+    }
+    /// What happened so far, in the order of time; nothing, for most.
+    fn events(&self) -> &[Event] {
+        &[]
     }
     /// What the ends of its tours are, if it finds tours.
     fn round(&self) -> Option<Round> {

@@ -37,6 +37,7 @@ pub const ENTRY: Entry = Entry {
     stops: false,
     most_stops: None,
     members: &[],
+    events: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let traits = Traits { heuristic: Heuristic::Distance, gamma: 0.0, update: Update::Traditional, greed: [0.0; 2], seeded: 1.0 };

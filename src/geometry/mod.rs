@@ -1,5 +1,6 @@
 //! Points, segments, discs and polylines in the plane. Whatever asks "does it touch?" or "how long?" asks here.
 
+mod approach;
 mod block;
 mod disc;
 mod field;
@@ -9,6 +10,7 @@ mod segment;
 mod shortcut;
 mod smooth;
 
+pub use approach::{closest_approach, first_within};
 pub use block::Block;
 pub use disc::Disc;
 pub use field::Field;

@@ -9,7 +9,7 @@ pub use layer::{Raster, raster};
 pub use svg::svg;
 
 use crate::{
-    frame::{Frame, Role, Shape},
+    frame::{Frame, Role, Shape, VERTEX},
     geometry::distance_squared,
     planner::Item,
 };
@@ -22,16 +22,27 @@ pub fn nearest(frame: &Frame, roles: &[Role], point: [f64; 2], reach: f64) -> Op
     for span in frame.spans().filter(|span| roles.contains(&span.role)) {
         let first = &mut count[span.role as usize];
         let points: Vec<_> = frame.points(span).collect();
-        let mut offer = |piece: usize, a, b| {
-            let squared = distance_squared(a, b, point);
+        let mut offer_at = |squared: f64, piece: usize| {
             if squared < found.0 || (squared == found.0 && found.1.is_none()) {
                 found = (squared, Some(Item { role: span.role, index: *first + piece }));
             }
         };
+        let mut offer = |piece: usize, a, b| offer_at(distance_squared(a, b, point), piece);
         let pieces = match span.shape {
             Shape::Points | Shape::Field => {
                 points.iter().enumerate().for_each(|(i, &p)| offer(i, p, p));
                 points.len()
+            }
+            Shape::Tube => {
+                let half = frame.vertices().get(span.first as usize * VERTEX + 3).map_or(0.0, |&half| f64::from(half));
+                let last = points.len().saturating_sub(1);
+                // What is inside is nearer than any line.
+                for i in 0..points.len() {
+                    let (a, b) = (points[i], points[(i + 1).min(last)]);
+                    let to = (distance_squared(a, b, point).sqrt() - half).max(0.0);
+                    offer_at(to * to, 0);
+                }
+                1
             }
             Shape::Polyline => {
                 points.windows(2).for_each(|w| offer(0, w[0], w[1]));

@@ -37,6 +37,14 @@ fn style_of(role: Role) -> Style {
         Role::Frontier | Role::Candidates => style("#1f6fb2", "#7cc0f5", 1.0, 0.9, ""),
         Role::Hen => style("#b4446c", "#ee86ac", 1.4, 0.8, ""),
         Role::Chick | Role::Jump => style("#8f3fb0", "#cf8df0", 1.4, 0.8, ""),
+        Role::Moving => style("#b03a2e", "#ff8f80", 1.6, 0.9, ""),
+        Role::Predicted => style("#b03a2e", "#ff8f80", 1.0, 0.16, ""),
+        Role::Sensor => style("#1f6fb2", "#7cc0f5", 1.0, 0.7, "4 4"),
+        Role::Robot => style("#1f6fb2", "#7cc0f5", 2.0, 1.0, ""),
+        Role::Track => style("#1f6fb2", "#7cc0f5", 2.5, 1.0, ""),
+        Role::Ahead => style("#c27803", "#f2b33d", 2.0, 0.9, "2 4"),
+        Role::LocalGoal => style("#c27803", "#f2b33d", 4.0, 1.0, ""),
+        Role::Events => style("#26302a", "#e8ebe2", 1.8, 0.9, ""),
         Role::Exact => style("#2f6b4f", "#7fcf9f", 2.0, 0.9, "6 5"),
         Role::Cognitive => style("#4d8f8b", "#6fc0ba", 1.6, 1.0, ""),
         Role::Social | Role::Velocity | Role::MeanBest => style("#c27803", "#f2b33d", 1.6, 1.0, ""),
@@ -162,6 +170,7 @@ impl Canvas {
                         self.arrows(&look, &points);
                     }
                 }
+                Shape::Tube => self.tube(span.role, &look, &points, f64::from(frame.vertices()[span.first as usize * VERTEX + 3])),
                 Shape::Points if span.role == Role::Stops => {}
                 Shape::Segments => points.chunks_exact(2).for_each(|pair| self.line(span.role, &look, pair)),
                 Shape::Points | Shape::Field => points.iter().for_each(|&point| self.dot(span.role, point)),
@@ -184,6 +193,26 @@ impl Canvas {
             list.trim_end(),
             self.tone(light, dark)
         );
+    }
+
+    /// A line as wide as it says, with round ends; of one point a disc. Where robots and obstacles are, they are outlined.
+    fn tube(&mut self, role: Role, look: &Style, points: &[[f64; 2]], half: f64) {
+        let (tone, opacity, radius) = (self.tone(look.light, look.dark), look.opacity, rounded(half * self.scale));
+        match points {
+            [point] => {
+                let [x, y] = self.at(*point);
+                let fill = if role == Role::Sensor { "none" } else { tone };
+                let dash = if look.dash.is_empty() { String::new() } else { format!(r#" stroke-dasharray="{}""#, look.dash) };
+                put!(
+                    self,
+                    r#"<circle class="{}" cx="{x}" cy="{y}" r="{radius}" fill="{fill}" fill-opacity="{}" stroke="{tone}" stroke-width="{}" stroke-opacity="{opacity}"{dash}/>"#,
+                    role.name(),
+                    opacity / 2.0,
+                    look.width
+                );
+            }
+            _ => self.line(role, &Style { width: 2.0 * radius, ..*look }, points),
+        }
     }
 
     fn dot(&mut self, role: Role, point: [f64; 2]) {

@@ -6,10 +6,13 @@ use crate::{
     error::Error,
     exact::{Exact, MAX_EXACT_STOPS, shortest_on_grid, shortest_over_cells, shortest_tour},
     geometry::{self, Field},
-    planner::{Round, Yardstick},
+    planner::{Round, Track, Yardstick},
 };
 
-use super::{Bounds, Cells, Course, Distances, LARGEST, Verdict, coordinate, finite};
+use super::{
+    Bounds, Cells, Course, Distances, LARGEST, Verdict, coordinate, finite,
+    moving::{MAX_MOVING, Moving},
+};
 
 /// The most rows and columns of a grid.
 pub const MAX_SIDE: usize = 2048;
@@ -22,6 +25,9 @@ pub const MAX_GRID_STOPS: usize = 200;
 
 /// The smallest side of a cell.
 const SMALLEST_CELL: f64 = 1e-6;
+
+/// By how much of a cell the robot and a moving obstacle may overlap by rounding alone.
+pub const CONTACT: f64 = 1e-9;
 
 /// Which way y grows in a scene's coordinates. The file lists the top row first in either case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -59,13 +65,28 @@ pub struct Robot {
     pub turn_time: Option<f64>,
     /// How far it sees.
     pub sensor: Option<f64>,
+    /// The radius of the disc that it is for moving obstacles.
+    pub disc: Option<f64>,
+    /// How far it keeps moving obstacles away beyond that.
+    pub margin: Option<f64>,
+    /// How many seconds it looks ahead.
+    pub look_ahead: Option<f64>,
 }
 
 impl Robot {
     /// The fields by name.
-    pub fn fields(&self) -> [(&'static str, Option<f64>); 5] {
-        let Self { length, width, speed, turn_time, sensor } = *self;
-        [("length", length), ("width", width), ("speed", speed), ("turn_time", turn_time), ("sensor", sensor)]
+    pub fn fields(&self) -> [(&'static str, Option<f64>); 8] {
+        let Self { length, width, speed, turn_time, sensor, disc, margin, look_ahead } = *self;
+        [
+            ("length", length),
+            ("width", width),
+            ("speed", speed),
+            ("turn_time", turn_time),
+            ("sensor", sensor),
+            ("radius", disc),
+            ("margin", margin),
+            ("look_ahead", look_ahead),
+        ]
     }
 
     /// The radius of its circumscribed circle; 0 for a robot without a size.
@@ -73,17 +94,6 @@ impl Robot {
         let (length, width) = (self.length.unwrap_or(0.0), self.width.unwrap_or(0.0));
         (length * length + width * width).sqrt() / 2.0
     }
-}
-
-/// A disc that moves.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Moving {
-    /// Where its centre begins.
-    pub center: [f64; 2],
-    /// Its radius.
-    pub radius: f64,
-    /// How far it goes in a second.
-    pub velocity: [f64; 2],
 }
 
 /// A grid of free and blocked cells.
@@ -248,13 +258,14 @@ impl GridScene {
             return Err(Error::refused("stops", format!("a list of {}", self.stops.len()), format!("at most {MAX_GRID_STOPS} stops")));
         }
         self.stops.iter().enumerate().try_for_each(|(i, &stop)| self.check_point(&format!("stops[{i}]"), stop))?;
-        for (i, disc) in self.moving.iter().enumerate() {
-            for axis in 0..2 {
-                coordinate(&format!("moving[{i}].center"), disc.center, axis)?;
-                coordinate(&format!("moving[{i}].velocity"), disc.velocity, axis)?;
-            }
-            positive(&format!("moving[{i}].radius"), disc.radius)?;
+        if self.moving.len() > MAX_MOVING {
+            return Err(Error::refused(
+                "moving",
+                format!("a list of {}", self.moving.len()),
+                format!("at most {MAX_MOVING} moving obstacles"),
+            ));
         }
+        self.moving.iter().enumerate().try_for_each(|(i, disc)| disc.check(&format!("moving[{i}]")))?;
         Ok(())
     }
 
@@ -264,7 +275,7 @@ impl GridScene {
         };
         for (name, value) in robot.fields().into_iter().filter_map(|(name, value)| value.map(|value| (name, value))) {
             let field = format!("robot.{name}");
-            if name == "turn_time" {
+            if matches!(name, "turn_time" | "margin") {
                 finite(&field, value)?;
                 if !(0.0..=LARGEST).contains(&value) {
                     return Err(Error::refused(field, value, format!("from 0 to {LARGEST}")));
@@ -360,6 +371,29 @@ impl GridScene {
         self.judge_way(path, allowed && ends && in_order)
     }
 
+    /// A drive must arrive, cross nothing, and never touch what moves. Its way must be the one that its moments tell.
+    pub(super) fn judge_drive(&self, track: &Track) -> Verdict {
+        let verdict = self.judge(&track.path);
+        let mut told: Vec<_> = track.moments.iter().map(|&[_, x, y]| [x, y]).collect();
+        told.dedup();
+        let gap = self.gap(track).unwrap_or(f64::INFINITY);
+        let clearance = verdict.clearance.into_iter().chain(gap.is_finite().then_some(gap)).reduce(f64::min);
+        Verdict { feasible: verdict.feasible && told == track.path && gap >= -CONTACT * self.cell, clearance, ..verdict }
+    }
+
+    /// The smallest distance between the robot of a track and a moving obstacle, negative where they overlap; `None`
+    /// without one.
+    pub fn gap(&self, track: &Track) -> Option<f64> {
+        let legs = track.moments.windows(2).flat_map(|leg| self.moving.iter().map(move |disc| (leg, disc)));
+        legs.map(|(leg, disc)| {
+            let ([from, x, y], [until, to_x, to_y]) = (leg[0], leg[1]);
+            let seconds = until - from;
+            let velocity = if seconds > 0.0 { [(to_x - x) / seconds, (to_y - y) / seconds] } else { [0.0; 2] };
+            disc.least_distance([x, y], velocity, [from, until], track.border, self.bounds()) - disc.radius - track.radius
+        })
+        .reduce(f64::min)
+    }
+
     fn judge_way(&self, path: &[[f64; 2]], joins: bool) -> Verdict {
         let max = self.bounds().max;
         let inside = path.iter().all(|p| (0..2).all(|axis| (0.0..=max[axis]).contains(&p[axis])));
@@ -370,7 +404,7 @@ impl GridScene {
     }
 }
 
-fn positive(field: &str, value: f64) -> Result<(), Error> {
+pub(super) fn positive(field: &str, value: f64) -> Result<(), Error> {
     finite(field, value)?;
     if value <= 0.0 || value > LARGEST {
         return Err(Error::refused(field, value, format!("greater than 0, at most {LARGEST}")));
@@ -418,7 +452,7 @@ mod tests {
         assert_eq!(field(|s| s.stops = vec![[0.5, 0.5], [2.5, 1.5]]), "stops[1]");
         assert_eq!(field(|s| s.robot = Some(Robot { length: Some(1.0), ..Robot::default() })), "robot.width");
         assert_eq!(field(|s| s.robot = Some(Robot { speed: Some(-1.0), ..Robot::default() })), "robot.speed");
-        assert_eq!(field(|s| s.moving = vec![Moving { center: [1.0, 1.0], radius: 0.0, velocity: [0.0, 1.0] }]), "moving[0].radius");
+        assert_eq!(field(|s| s.moving = vec![Moving::straight([1.0, 1.0], 0.0, [0.0, 1.0])]), "moving[0].radius");
         let tight = GridScene { robot: Some(Robot { length: Some(3.0), width: Some(2.0), ..Robot::default() }), ..scene() };
         assert!(tight.check().unwrap_err().allowed().contains("robot fits"));
         assert!(scene().check().is_ok());

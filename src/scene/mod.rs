@@ -11,6 +11,7 @@ pub mod formats;
 mod function;
 pub mod generate;
 mod grid;
+mod moving;
 mod reach;
 mod shipped;
 mod tour;
@@ -30,7 +31,8 @@ pub use discs::{Bounds, DiscsScene, MAX_DISCS};
 use distances::LONGEST;
 pub use distances::{Distances, Metric};
 pub use function::{Function, FunctionScene, MAX_DIMENSION};
-pub use grid::{GridScene, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Moving, Robot, YAxis};
+pub use grid::{CONTACT, GridScene, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot, YAxis};
+pub use moving::{Leg, MAX_MOVING, MAX_WAYPOINTS, Motion, Moving};
 pub use shipped::{shipped, shipped_names};
 pub use tour::{MAX_STOPS, TourScene};
 
@@ -272,6 +274,7 @@ impl Scene {
             (Body::Discs(scene), Solution::Path(path)) => scene.judge(path),
             (Body::Grid(scene), Solution::Path(path)) => scene.judge(path),
             (Body::Grid(scene), Solution::Tour { order, round, path }) => scene.judge_tour(order, *round, path),
+            (Body::Grid(scene), Solution::Drive(track)) => scene.judge_drive(track),
             (Body::Tour(scene), solution) => scene.judge(solution),
             _ => Verdict { length: None, feasible: true, clearance: None },
         }

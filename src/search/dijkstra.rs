@@ -22,6 +22,7 @@ pub const ENTRY: Entry = Entry {
     stops: false,
     most_stops: None,
     members: &[],
+    events: &[],
     suggest: |_| None,
     start: |scene, settings, _| super::start(scene, settings, Heuristic::Nothing, 1.0, Relaxation::Step),
 };

@@ -4,7 +4,7 @@
 use crate::{
     digest::Digest,
     frame::Frame,
-    planner::{Best, Finding, Inspection, Item, Job, Planner, Readings, Round, Stage, Status, Tuned, Yardstick},
+    planner::{Best, Event, Finding, Inspection, Item, Job, Planner, Readings, Round, Stage, Status, Tuned, Yardstick},
 };
 
 /// Any planner, boxed. Implemented for every [`Planner`] by one blanket implementation.
@@ -39,6 +39,8 @@ pub trait AnyPlanner: Send {
     fn supply(&mut self, found: Vec<Finding>);
     /// See [`Planner::stages`].
     fn stages(&self) -> Vec<Stage>;
+    /// See [`Planner::events`].
+    fn events(&self) -> &[Event];
     /// See [`Planner::round`].
     fn round(&self) -> Option<Round>;
     /// Replaces `out` by the members' numbers.
@@ -115,6 +117,10 @@ impl<P: Planner + Send + 'static> AnyPlanner for P {
 
     fn stages(&self) -> Vec<Stage> {
         Planner::stages(self)
+    }
+
+    fn events(&self) -> &[Event] {
+        Planner::events(self)
     }
 
     fn round(&self) -> Option<Round> {

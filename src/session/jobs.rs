@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     error::Error,
-    planner::{Finding, Job, Solution, Status},
+    planner::{Finding, Job, Status},
     scene::Scene,
 };
 
@@ -20,10 +20,7 @@ pub fn carry_out(setup: Setup) -> Result<Finding, Error> {
     let converged = session.readings().get("converged").unwrap_or(session.iteration() as f64);
     let best = session.planner.best();
     let cost = best.as_ref().map(|best| best.cost);
-    let path = best.map_or(Vec::new(), |best| match best.solution {
-        Solution::Path(path) | Solution::Tour { path, .. } => path,
-        Solution::Position(_) => Vec::new(),
-    });
+    let path = best.and_then(|best| best.solution.path().map(<[_]>::to_vec)).unwrap_or_default();
     Ok(Finding { cost, converged, path })
 }
 

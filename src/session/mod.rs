@@ -22,7 +22,7 @@ use crate::{
     frame::Frame,
     link::Link,
     params::{Given, Settings},
-    planner::{Finding, Inspection, Item, Job, Readings, Stage, Status},
+    planner::{Event, Finding, Inspection, Item, Job, Readings, Stage, Status},
     rng::check_seed,
     scene::Scene,
 };
@@ -281,6 +281,11 @@ impl Session {
     /// The parts of the run that have their own kind of step, in their order; empty for most.
     pub fn stages(&self) -> Vec<Stage> {
         self.planner.stages()
+    }
+
+    /// What happened so far in simulated time, and what was decided and why; empty for most.
+    pub fn events(&self) -> &[Event] {
+        self.planner.events()
     }
 
     /// The numbers of those that search side by side, row by row; the columns are the entry's `members`.

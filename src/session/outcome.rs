@@ -6,7 +6,7 @@ use crate::{
     drive::{self, DriveOutcome},
     geometry,
     params::{Given, Value, as_object},
-    planner::{Solution, Status, Tuned, Yardstick},
+    planner::{Event, Solution, Status, Track, Tuned, Yardstick},
     scene::Kind,
 };
 
@@ -65,6 +65,9 @@ pub struct Outcome {
     /// What keeps the planner from a result, if something does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trouble: Option<String>,
+    /// What happened in simulated time, and what was decided and why.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub events: Vec<Event>,
     /// What a planner of planners recommends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tuned: Option<Tuned>,
@@ -90,7 +93,7 @@ impl Outcome {
         let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| gap(length, exact, nodes));
         let cost = best.as_ref().map(|best| best.cost);
         let (path, order, position) = match best.map(|best| best.solution) {
-            Some(Solution::Path(path)) => (Some(path), None, None),
+            Some(Solution::Path(path) | Solution::Drive(Track { path, .. })) => (Some(path), None, None),
             Some(Solution::Tour { path, order, .. }) => (Some(path), Some(order), None),
             Some(Solution::Position(position)) => (None, None, Some(position)),
             None => (None, None, None),
@@ -121,6 +124,7 @@ impl Outcome {
             position,
             readings,
             trouble: session.planner.trouble(),
+            events: session.planner.events().to_vec(),
             tuned: session.planner.tuned(),
             hash: session.hash(),
             parameters: session.settings.all().to_vec(),

@@ -61,6 +61,7 @@ pub const ENTRY: Entry = Entry {
     stops: false,
     most_stops: None,
     members: &[],
+    events: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let linear = |from, to| Law::Linear(settings.number(from), settings.number(to));

@@ -24,6 +24,7 @@ pub const ENTRY: Entry = Entry {
     stops: false,
     most_stops: None,
     members: &[],
+    events: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let schedule = Schedule {

@@ -429,6 +429,7 @@ pub const ENTRY: Entry = Entry {
     stops: true,
     most_stops: None,
     members: MEMBERS,
+    events: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))

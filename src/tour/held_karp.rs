@@ -248,6 +248,7 @@ pub const ENTRY: Entry = Entry {
     stops: true,
     most_stops: Some(MOST),
     members: &[],
+    events: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))

@@ -115,6 +115,7 @@ pub const ENTRY: Entry = Entry {
     stops: true,
     most_stops: None,
     members: &[],
+    events: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))

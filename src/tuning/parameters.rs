@@ -147,6 +147,7 @@ pub const ENTRY: Entry = Entry {
     stops: false,
     most_stops: None,
     members: &[],
+    events: &[],
     suggest: |_| None,
     start: super::start,
 };

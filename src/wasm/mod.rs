@@ -308,6 +308,11 @@ impl Session {
         plain(&self.run.stages())
     }
 
+    /// What happened so far in simulated time, and what was decided and why, in the order of time; empty for most planners.
+    pub fn events(&self) -> JsEvents {
+        plain(&self.run.events())
+    }
+
     /// The numbers of those that search side by side, row by row; the columns are the planner's `members`.
     pub fn members(&self) -> Float64Array {
         let mut rows = Vec::new();

@@ -46,7 +46,25 @@ export interface Robot {
   width?: number;
   speed?: number;
   turn_time?: number;
+  /** How far it sees. */
   sensor?: number;
+  /** The radius of the disc that it is for moving obstacles. */
+  radius?: number;
+  /** How far it keeps them away beyond that. */
+  margin?: number;
+  /** How many seconds it looks ahead. */
+  look_ahead?: number;
+}
+
+/** A disc that moves: at an even speed, or from way-point to way-point. */
+export interface Moving {
+  /** Where its centre is at time 0. */
+  center: Point;
+  radius: number;
+  /** How far it goes in a second. */
+  velocity?: Point;
+  /** Instead of a velocity: [t, x, y] by growing t > 0; at the last it stays. */
+  waypoints?: [number, number, number][];
 }
 
 /** A grid of free and blocked cells. The grid covers (0, 0) to (columns · cell, rows · cell). */
@@ -63,7 +81,7 @@ export interface GridScene extends SceneBase {
   stops?: Point[];
   corner_cutting?: boolean;
   robot?: Robot;
-  moving?: { center: Point; radius: number; velocity: Point }[];
+  moving?: Moving[];
 }
 
 /** Stops to call at: points in the plane, or a matrix of their distances (with points or without). */
@@ -164,6 +182,8 @@ export interface Planner {
   layers: Layer[];
   /** The numbers that it tells of each of those that search side by side; empty: none. */
   members: Member[];
+  /** The kinds of events that it tells of. */
+  events: EventKind[];
 }
 
 /** A number of each of those that search side by side. */
@@ -177,6 +197,31 @@ export interface Member {
   full?: number;
   /** What the numbers 0, 1, … stand for, if they are not numbers. */
   words?: string[];
+}
+
+/** A kind of event in simulated time. */
+export interface EventKind {
+  name: string;
+  title: string;
+  help: string;
+  /** How it is to be taken: it came about, it calls for a decision, it is one, it is as it should be, it must not happen. */
+  tone: 'plain' | 'warning' | 'decision' | 'good' | 'bad';
+}
+
+/** Something that happened in simulated time, or was decided. */
+export interface RunEvent {
+  /** The iteration after which it is known. */
+  iteration: number;
+  /** In seconds of simulated time. */
+  time: number;
+  /** Where the robot was. */
+  place: Point;
+  /** One of the planner's `events`. */
+  kind: string;
+  /** The number of the moving obstacle that it is about. */
+  obstacle?: number;
+  /** Why, in a sentence. */
+  reason: string;
 }
 
 /** A part of a run that has its own kind of step. */
@@ -277,7 +322,7 @@ export interface Catalogue {
   /** Every TeX string that stands outside a formula, so that a page can typeset them when it is built. */
   symbols: string[];
   /** Names of shape numbers in a frame's span table. */
-  shapes: ('points' | 'polyline' | 'segments' | 'field')[];
+  shapes: ('points' | 'polyline' | 'segments' | 'field' | 'tube')[];
 }
 
 export interface Setup {
@@ -399,6 +444,8 @@ export interface Outcome {
   readings: Record<string, number>;
   /** What keeps the planner from a result, if something does. */
   trouble?: string;
+  /** What happened in simulated time, and what was decided and why. */
+  events?: RunEvent[];
   /** What a planner of planners recommends: a planner and its parameters. */
   tuned?: { planner: string; params: Record<string, ParameterValue> };
   hash: string;

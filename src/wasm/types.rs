@@ -85,6 +85,9 @@ extern "C" {
     /// `Stage[]`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Stage[]")]
     pub type JsStages;
+    /// `RunEvent[]`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "RunEvent[]")]
+    pub type JsEvents;
     /// `Finding[]`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Finding[]")]
     pub type JsFindings;

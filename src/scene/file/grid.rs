@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::error::Error;
 
 use super::{
-    super::{GridScene, Moving, Robot, YAxis},
+    super::{GridScene, Motion, Moving, Robot, YAxis},
     Fields, object, point, point_of, points, shown,
 };
 
@@ -28,7 +28,11 @@ pub(super) fn write(grid: &GridScene, out: &mut Vec<(&'static str, Value)>) {
     }
     if !grid.moving.is_empty() {
         let disc = |m: &Moving| {
-            object(&mut [("center", point(m.center)), ("radius", m.radius.into()), ("velocity", point(m.velocity))].into_iter())
+            let motion = match &m.motion {
+                Motion::Velocity(velocity) => ("velocity", point(*velocity)),
+                Motion::Waypoints(list) => ("waypoints", list.iter().map(|moment| Value::from(moment.to_vec())).collect()),
+            };
+            object(&mut [("center", point(m.center)), ("radius", m.radius.into()), motion].into_iter())
         };
         out.push(("moving", Value::Array(grid.moving.iter().map(disc).collect())));
     }
@@ -85,7 +89,7 @@ impl Fields {
 }
 
 fn robot(value: Value) -> Result<Robot, Error> {
-    let mut fields = Fields::of("robot", value, "an object with length, width, speed, turn_time, sensor")?;
+    let mut fields = Fields::of("robot", value, "an object with length, width, speed, turn_time, sensor, radius, margin, look_ahead")?;
     let mut number = |name| if fields.left.contains_key(name) { fields.number(name).map(Some) } else { Ok(None) };
     let robot = Robot {
         length: number("length")?,
@@ -93,6 +97,9 @@ fn robot(value: Value) -> Result<Robot, Error> {
         speed: number("speed")?,
         turn_time: number("turn_time")?,
         sensor: number("sensor")?,
+        disc: number("radius")?,
+        margin: number("margin")?,
+        look_ahead: number("look_ahead")?,
     };
     fields.known = robot.fields().map(|(name, _)| name).to_vec();
     fields.end()?;
@@ -100,8 +107,22 @@ fn robot(value: Value) -> Result<Robot, Error> {
 }
 
 fn moving(i: usize, value: Value) -> Result<Moving, Error> {
-    let mut fields = Fields::of(&format!("moving[{i}]"), value, "an object with center, radius and velocity")?;
-    let moving = Moving { center: fields.point("center")?, radius: fields.number("radius")?, velocity: fields.point("velocity")? };
+    let name = format!("moving[{i}]");
+    let mut fields = Fields::of(&name, value, "an object with center, radius, and velocity or waypoints")?;
+    let (center, radius) = (fields.point("center")?, fields.number("radius")?);
+    let motion = if fields.left.contains_key("waypoints") {
+        let moment = |(k, value): (usize, Value)| {
+            let numbers: Option<Vec<f64>> = value.as_array().and_then(|list| list.iter().map(Value::as_f64).collect());
+            let moment = numbers.and_then(|numbers| <[f64; 3]>::try_from(numbers).ok());
+            moment.ok_or_else(|| Error::refused(format!("{name}.waypoints[{k}]"), shown(&value), "a time and a point, [t, x, y]"))
+        };
+        Motion::Waypoints(fields.list("waypoints")?.into_iter().enumerate().map(moment).collect::<Result<_, _>>()?)
+    } else {
+        Motion::Velocity(fields.point("velocity")?)
+    };
+    if matches!(motion, Motion::Waypoints(_)) && fields.left.contains_key("velocity") {
+        return Err(Error::refused(format!("{name}.velocity"), "both", "velocity or waypoints, not both"));
+    }
     fields.end()?;
-    Ok(moving)
+    Ok(Moving { center, radius, motion })
 }

@@ -43,6 +43,7 @@ pub const ENTRY: Entry = Entry {
     stops: false,
     most_stops: None,
     members: &[],
+    events: &[],
     suggest,
     start: |scene, settings, seed| super::start(scene, settings, seed, false),
 };
