@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use crate::{
-    ants, drive,
+    ants, drive, dynamic,
     error::Error,
     frame::{Role, Shape},
     params::{Domain, Parameter, Settings, Value, When, as_object},
@@ -41,6 +41,9 @@ pub const PLANNERS: &[Entry] = &[
     tour::sa::ENTRY,
     tour::two_opt::ENTRY,
     tour::held_karp::ENTRY,
+    dynamic::wolf_ant_drive::ENTRY,
+    dynamic::a_star_drive::ENTRY,
+    dynamic::d_star_lite_drive::ENTRY,
     tuning::ENTRY,
 ];
 
@@ -322,6 +325,7 @@ pub fn catalogue() -> Catalogue {
         .chain(tuning::SYMBOLS.iter().copied())
         .chain(search::SYMBOLS.iter().copied())
         .chain(tour::SYMBOLS.iter().copied())
+        .chain(dynamic::SYMBOLS.iter().copied())
         .chain(PLANNERS.iter().flat_map(|e| e.members.iter().map(|m| m.symbol)))
         .chain(drive::PARAMETERS.iter().map(|p| p.symbol))
         .chain(drive::COLUMNS.iter().map(|c| c.symbol));

@@ -34,6 +34,7 @@ pub mod ants;
 pub mod catalogue;
 pub mod digest;
 pub mod drive;
+mod dynamic;
 pub mod error;
 pub mod exact;
 #[cfg(not(target_arch = "wasm32"))]

@@ -1,6 +1,10 @@
 //! `aco`: the traditional ant colony, [ANTBAT] §3.1.
 
-use crate::{catalogue::Entry, params::Parameter, way::SMOOTH};
+use crate::{
+    catalogue::Entry,
+    params::{Parameter, Settings},
+    way::SMOOTH,
+};
 
 use super::{
     Traits,
@@ -39,8 +43,10 @@ pub const ENTRY: Entry = Entry {
     members: &[],
     events: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| {
-        let traits = Traits { heuristic: Heuristic::Distance, gamma: 0.0, update: Update::Traditional, greed: [0.0; 2], seeded: 1.0 };
-        super::start(scene, settings, seed, traits)
-    },
+    start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
 };
+
+/// What sets this colony apart.
+pub(super) fn traits(_: &Settings) -> Traits {
+    Traits { heuristic: Heuristic::Distance, gamma: 0.0, update: Update::Traditional, greed: [0.0; 2], seeded: 1.0 }
+}

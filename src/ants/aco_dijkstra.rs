@@ -2,7 +2,7 @@
 
 use crate::{
     catalogue::{Entry, Formula, Scope},
-    params::Parameter,
+    params::{Parameter, Settings},
     way::{LENGTH, SMOOTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
@@ -91,14 +91,16 @@ pub const ENTRY: Entry = Entry {
     members: &[],
     events: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| {
-        let traits = Traits {
-            heuristic: Heuristic::Distance,
-            gamma: 0.0,
-            update: Update::Traditional,
-            greed: [settings.number("q0_start"), settings.number("q0_end")],
-            seeded: settings.number("seeded"),
-        };
-        super::start(scene, settings, seed, traits)
-    },
+    start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
 };
+
+/// What sets this colony apart.
+pub(super) fn traits(settings: &Settings) -> Traits {
+    Traits {
+        heuristic: Heuristic::Distance,
+        gamma: 0.0,
+        update: Update::Traditional,
+        greed: [settings.number("q0_start"), settings.number("q0_end")],
+        seeded: settings.number("seeded"),
+    }
+}

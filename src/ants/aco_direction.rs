@@ -2,7 +2,7 @@
 
 use crate::{
     catalogue::{Entry, Formula},
-    params::Parameter,
+    params::{Parameter, Settings},
     way::SMOOTH,
 };
 
@@ -77,14 +77,16 @@ pub const ENTRY: Entry = Entry {
     members: &[],
     events: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| {
-        let traits = Traits {
-            heuristic: Heuristic::Distance,
-            gamma: settings.number("gamma"),
-            update: Update::Reward { phi1: settings.number("phi1"), phi2: settings.number("phi2") },
-            greed: [0.0; 2],
-            seeded: 1.0,
-        };
-        super::start(scene, settings, seed, traits)
-    },
+    start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
 };
+
+/// What sets this colony apart.
+pub(super) fn traits(settings: &Settings) -> Traits {
+    Traits {
+        heuristic: Heuristic::Distance,
+        gamma: settings.number("gamma"),
+        update: Update::Reward { phi1: settings.number("phi1"), phi2: settings.number("phi2") },
+        greed: [0.0; 2],
+        seeded: 1.0,
+    }
+}

@@ -3,7 +3,7 @@
 
 use crate::{
     catalogue::{Entry, Formula, Scope},
-    params::Parameter,
+    params::{Parameter, Settings},
     way::SMOOTH,
 };
 
@@ -22,7 +22,7 @@ const EPSILON: Parameter = Parameter::number(
     "What the ranks 1 to 5 are multiplied by, [WOLF-ANT] (6). Published: 2. It cancels out of the choice (4) unless it is 0: then nothing is seen.",
 );
 
-const CHOICE: Formula = Formula {
+pub(crate) const CHOICE: Formula = Formula {
     name: "choice",
     source: "[WOLF-ANT] (4)",
     title: "Choice",
@@ -30,7 +30,7 @@ const CHOICE: Formula = Formula {
     live: "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}{@sum@} = @p@",
     scope: Scope::Item,
 };
-const RANKED: Formula = Formula {
+pub(crate) const RANKED: Formula = Formula {
     name: "ranked",
     source: "[WOLF-ANT] (6)",
     title: "Sight by rank",
@@ -46,7 +46,7 @@ const PHEROMONE: Formula = Formula {
     live: "\\tau \\leftarrow (1 - @rho@) \\, \\tau + \\textstyle\\sum_{a=1}^{@arrived@} \\Delta\\tau^a + \\Delta\\tau_{\\text{best}} - \\Delta\\tau_{\\text{worst}}",
     scope: Scope::Iteration,
 };
-const LAID: Formula = Formula {
+pub(crate) const LAID: Formula = Formula {
     name: "laid",
     source: "[WOLF-ANT] (9), (11), (12)",
     title: "What an ant lays",
@@ -93,14 +93,16 @@ pub const ENTRY: Entry = Entry {
     members: &[],
     events: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| {
-        let traits = Traits {
-            heuristic: Heuristic::Ranked { epsilon: settings.number("epsilon") },
-            gamma: 0.0,
-            update: Update::Wolf,
-            greed: [0.0; 2],
-            seeded: 1.0,
-        };
-        super::start(scene, settings, seed, traits)
-    },
+    start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
 };
+
+/// What sets this colony apart.
+pub(super) fn traits(settings: &Settings) -> Traits {
+    Traits {
+        heuristic: Heuristic::Ranked { epsilon: settings.number("epsilon") },
+        gamma: 0.0,
+        update: Update::Wolf,
+        greed: [0.0; 2],
+        seeded: 1.0,
+    }
+}

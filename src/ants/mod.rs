@@ -12,6 +12,7 @@ mod draw;
 mod ground;
 mod parameters;
 mod pheromone;
+mod scouts;
 mod tell;
 #[cfg(test)]
 mod tests;
@@ -21,11 +22,12 @@ mod walk;
 use std::sync::Arc;
 
 use crate::{
+    catalogue::Entry,
     digest::Digest,
     error::Error,
     exact,
     frame::{Frame, Role},
-    params::Settings,
+    params::{Given, Settings},
     planner::{Best, Inspection, Item, Planner, Readings, Solution, Status, Yardstick},
     rng::Stream,
     scene::Scene,
@@ -58,7 +60,7 @@ struct Traits {
 
 /// A colony of ants. One iteration: all ants walk, then pheromone evaporates and what they lay is added.
 #[derive(Clone)]
-struct Colony {
+pub(crate) struct Colony {
     ground: Arc<Ground>,
     traits: Traits,
     rules: Rules,
@@ -104,44 +106,67 @@ impl Found {
 
 /// Starts a colony with these traits.
 fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Box<dyn session::AnyPlanner>, Error> {
-    let bounds = [settings.number("tau_min"), settings.number("tau_max")];
-    let ground = Ground::new(scene, traits.heuristic, settings.number("beta"), traits.gamma)?;
-    let cells = &ground.cells;
-    let mut pheromone = Pheromone::new(cells, settings.number("tau_0"), settings.number("alpha"), settings.number("rho"), bounds);
-    if traits.seeded != 1.0
-        && let Some(way) = exact::shortest_way(cells, ground.course.start, ground.course.goal)
-    {
-        for step in way.windows(2) {
-            let direction = (0..8).find(|&d| cells.next(step[0], d) == step[1]).unwrap_or(0);
-            pheromone.favour(&ground, step[0], direction, traits.seeded);
-        }
-    }
-    let limit = match settings.integer("step_limit") {
-        0 => 2 * cells.len() as u64,
-        steps => steps,
-    };
-    Ok(Box::new(Colony {
-        traits,
-        rules: Rules { backtracks: settings.choice("dead_end") == "backtrack", limit },
-        ants: settings.integer("ants") as usize,
-        q: settings.number("q"),
-        smooth: settings.flag("smooth"),
-        walks: Walks::default(),
-        kept: KEPT * cells.len(),
-        again: Walks::default(),
-        seen: Seen::new(cells.len()),
-        lengths: Vec::new(),
-        best: None,
-        converged: 0,
-        iteration: 0,
-        limit: settings.integer("iterations"),
-        rng: Stream::new(seed, 0),
-        pheromone,
-        ground: Arc::new(ground),
-    }))
+    Ok(Box::new(Colony::new(scene, settings, seed, traits)?))
+}
+
+/// Every colony, and what sets it apart.
+const COLONIES: &[(Entry, fn(&Settings) -> Traits)] = &[
+    (aco_wolf::ENTRY, aco_wolf::traits),
+    (aco_direction::ENTRY, aco_direction::traits),
+    (aco_dijkstra::ENTRY, aco_dijkstra::traits),
+    (aco::ENTRY, aco::traits),
+];
+
+/// A colony by its planner's name, with its usual parameters but for those that are given: for planners that go on with
+/// its pheromone.
+///
+/// # Errors
+/// As that planner's start.
+pub(crate) fn colony(name: &str, scene: &Arc<Scene>, given: &Given, seed: u64) -> Result<Colony, Error> {
+    let (entry, traits) = COLONIES.iter().find(|(entry, _)| entry.name == name).unwrap_or(&COLONIES[0]);
+    let settings = Settings::new(entry.parameters, scene.kind(), given)?;
+    Colony::new(scene, &settings, seed, traits(&settings))
 }
 
 impl Colony {
+    fn new(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Self, Error> {
+        let bounds = [settings.number("tau_min"), settings.number("tau_max")];
+        let ground = Ground::new(scene, traits.heuristic, settings.number("beta"), traits.gamma)?;
+        let cells = &ground.cells;
+        let mut pheromone = Pheromone::new(cells, settings.number("tau_0"), settings.number("alpha"), settings.number("rho"), bounds);
+        if traits.seeded != 1.0
+            && let Some(way) = exact::shortest_way(cells, ground.course.start, ground.course.goal)
+        {
+            for step in way.windows(2) {
+                let direction = (0..8).find(|&d| cells.next(step[0], d) == step[1]).unwrap_or(0);
+                pheromone.favour(&ground, step[0], direction, traits.seeded);
+            }
+        }
+        let limit = match settings.integer("step_limit") {
+            0 => 2 * cells.len() as u64,
+            steps => steps,
+        };
+        Ok(Self {
+            traits,
+            rules: Rules { backtracks: settings.choice("dead_end") == "backtrack", limit },
+            ants: settings.integer("ants") as usize,
+            q: settings.number("q"),
+            smooth: settings.flag("smooth"),
+            walks: Walks::default(),
+            kept: KEPT * cells.len(),
+            again: Walks::default(),
+            seen: Seen::new(cells.len()),
+            lengths: Vec::new(),
+            best: None,
+            converged: 0,
+            iteration: 0,
+            limit: settings.integer("iterations"),
+            rng: Stream::new(seed, 0),
+            pheromone,
+            ground: Arc::new(ground),
+        })
+    }
+
     /// q0 of an iteration, counted from 0: it changes evenly over the run.
     fn greed(&self, iteration: u64) -> f64 {
         let [from, to] = self.traits.greed;

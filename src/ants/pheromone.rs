@@ -88,6 +88,15 @@ impl Pheromone {
         weighed(self.alpha, &std::array::from_fn(|d| self.tau(cell, d)), &ground.attraction(cell))
     }
 
+    /// The same pheromone under ants that see the cells otherwise: with another goal, or where other steps are allowed.
+    pub fn seen_from(&self, ground: &Ground) -> Self {
+        let mut other = self.clone();
+        for known in &mut other.known {
+            (known.attraction, known.made) = (ground.attraction(known.cell as usize), 0);
+        }
+        other
+    }
+
     /// (1 − ρ) τ of [ANTBAT] (4) and [WOLF-ANT] (10). What the ants lay comes next, then [`Pheromone::settle`].
     pub fn evaporate(&mut self) {
         let left = 1.0 - self.rho;

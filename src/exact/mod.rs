@@ -34,7 +34,7 @@ impl Exact {
 
 /// A length that can be ordered; lengths here are never NaN.
 #[derive(PartialEq)]
-struct Length(f64);
+pub(crate) struct Length(pub f64);
 
 impl Eq for Length {}
 

@@ -119,6 +119,19 @@ impl Cells {
         moves
     }
 
+    /// The same without the steps into some cells; who stands there may leave.
+    #[must_use]
+    pub fn without(&self, occupied: &[bool]) -> Self {
+        let mut cells = self.clone();
+        for (cell, _) in occupied.iter().enumerate().filter(|(_, occupied)| **occupied) {
+            for d in (0..8).filter(|d| self.moves[cell] >> d & 1 != 0) {
+                // A step and the step back are allowed alike.
+                cells.moves[self.next(cell, d)] &= !(1 << (d ^ 4));
+            }
+        }
+        cells
+    }
+
     /// How many cells there are.
     pub fn len(&self) -> usize {
         self.moves.len()

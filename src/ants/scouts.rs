@@ -1,0 +1,58 @@
+//! Ants that are sent round something on pheromone that a colony has laid, [WOLF-ANT] §5.3.
+
+use std::sync::Arc;
+
+use crate::{
+    exact,
+    frame::Frame,
+    planner::{Planner, Status},
+    rng::Stream,
+    scene::Course,
+};
+
+use super::{Colony, draw, ground::Ground, update::Update, walk::Walks};
+
+/// How often the ants that look for a way round set out.
+const SORTIES: u64 = 10;
+
+impl Colony {
+    /// The cells of the shortest way so far.
+    pub(crate) fn best_way(&self) -> Option<Vec<usize>> {
+        self.best.as_ref().map(|best| self.ground.way(&best.directions).collect())
+    }
+
+    /// The length of that way, in the scene's unit.
+    pub(crate) fn shortest(&self) -> Option<f64> {
+        self.best.as_ref().map(|best| best.length)
+    }
+
+    /// Draws the pheromone and the trails.
+    pub(crate) fn draw_pheromone(&self, frame: &mut Frame) {
+        draw::pheromone(&self.ground.cells, &self.pheromone, frame);
+        draw::trails(&self.ground.cells, &self.pheromone, frame);
+    }
+
+    /// Whether it is [WOLF-ANT]'s.
+    pub(crate) fn is_wolf(&self) -> bool {
+        self.traits.update == Update::Wolf
+    }
+
+    /// Goes on along the pheromone from one cell to another without entering an occupied one: as many ants as in an
+    /// iteration, [`SORTIES`] times, on a copy of the pheromone as it lies. The shortest of their ways; `None` if none arrives.
+    pub(crate) fn scouts(&self, occupied: &[bool], from: usize, to: usize, rng: &mut Stream) -> Option<Vec<usize>> {
+        let cells = Arc::new(self.ground.cells.without(occupied));
+        if !exact::is_reachable(&cells, from, to) {
+            return None;
+        }
+        let ends = [from, to].map(|cell| cells.centre(cell));
+        let course = Course { start: from, goal: to, ends, stubs: 0.0 };
+        let ground = Ground { course, cells, scene: Arc::clone(&self.ground.scene), ..*self.ground };
+        let pheromone = self.pheromone.seen_from(&ground);
+        let (walks, best) = (Walks::default(), None);
+        let mut colony =
+            Self { ground: Arc::new(ground), pheromone, walks, best, iteration: 0, limit: SORTIES, rng: rng.clone(), ..self.clone() };
+        while colony.step() == Status::Running {}
+        *rng = colony.rng.clone();
+        colony.best_way()
+    }
+}

@@ -1,0 +1,159 @@
+//! A* over cells of which some are occupied, each time from scratch: P. Hart, N. Nilsson, B. Raphael, *A formal basis for
+//! the heuristic determination of minimum cost paths*, IEEE Transactions on Systems Science and Cybernetics 4(2), 1968.
+
+use std::sync::Arc;
+
+use crate::scene::{Cells, Steps};
+
+use super::{
+    queue::Queue,
+    steps::{NEVER, all_next, octile, ordered, previous, shorter, straightest, sum},
+};
+
+/// A shortest way over cells of which some are occupied. The robot may stand on an occupied cell and leave it; it enters
+/// none.
+///
+/// Among cells with equal f the one with the larger g is settled first, for it is nearer to the goal; among those the one
+/// with the smaller number. The way is read backwards from the goal, by lengths alone, and among the shortest ways over
+/// cells that were reached it is one with few turns ([`straightest`]).
+#[derive(Debug, Clone)]
+pub(super) struct AStar {
+    cells: Arc<Cells>,
+    /// The shortest way known to each cell.
+    g: Vec<Steps>,
+    /// The cells to which there is one.
+    reached: Vec<u32>,
+    open: Queue,
+    expanded: u64,
+}
+
+impl AStar {
+    pub(super) fn new(cells: &Arc<Cells>) -> Self {
+        let n = cells.len();
+        Self { cells: Arc::clone(cells), g: vec![NEVER; n], reached: Vec::new(), open: Queue::new(n), expanded: 0 }
+    }
+
+    /// The cells of a shortest way, both ends included; `None` where there is none.
+    pub(super) fn way(&mut self, occupied: &[bool], from: usize, to: usize) -> Option<Vec<usize>> {
+        if occupied[to] && from != to {
+            return None; // all there is to reach would be searched for nothing
+        }
+        let cells = Arc::clone(&self.cells);
+        self.forget();
+        self.reach(from, Steps::default(), to);
+        while let Some(cell) = self.open.pop() {
+            self.expanded += 1;
+            if cell == to {
+                return self.back(from, to);
+            }
+            // No cell is settled twice: the octile distance is consistent, Hart et al., theorem 2 and lemma 2.
+            for (next, d) in all_next(&cells, cell).filter(|&(next, _)| !occupied[next]) {
+                let g = self.g[cell].and(d);
+                if shorter(g, self.g[next]) {
+                    self.reach(next, g, to);
+                }
+            }
+        }
+        None
+    }
+
+    /// A cell is reached by a shorter way than before.
+    fn reach(&mut self, cell: usize, g: Steps, to: usize) {
+        if self.g[cell] == NEVER {
+            self.reached.push(cell as u32);
+        }
+        self.g[cell] = g;
+        let f = sum(g, octile(&self.cells, cell, to));
+        self.open.put(cell, [ordered(f), !ordered(g)]);
+    }
+
+    /// The way back from the goal. A neighbour is on a shortest way if with the step its length is the goal-side cell's:
+    /// had it not been settled, it would have its shortest length all the same, or the goal's side would be shorter.
+    fn back(&self, from: usize, to: usize) -> Option<Vec<usize>> {
+        let on = |cell: usize, before: usize, d| self.g[before] != NEVER && self.g[before].and(d) == self.g[cell];
+        let mut way = straightest(to, from, |cell, d| previous(&self.cells, cell, d).filter(|&before| on(cell, before, d)))?;
+        way.reverse();
+        Some(way)
+    }
+
+    /// Makes room for the next search: only what the last one reached is wiped.
+    fn forget(&mut self) {
+        self.reached.drain(..).for_each(|cell| self.g[cell as usize] = NEVER);
+        self.open.clear();
+    }
+
+    /// How many cells were settled so far, over all searches.
+    pub(super) fn expanded(&self) -> u64 {
+        self.expanded
+    }
+
+    /// The memory it takes besides itself and the cells.
+    pub(super) fn bytes(&self) -> usize {
+        size_of::<Steps>() * self.g.capacity() + size_of::<u32>() * self.reached.capacity() + self.open.bytes()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::GridScene;
+
+    fn cells(rows: &[&str]) -> Arc<Cells> {
+        let blocked = rows.iter().flat_map(|row| row.chars().map(|c| c == '#')).collect();
+        Arc::new(Cells::new(&GridScene::new(1.0, rows[0].len(), blocked)))
+    }
+
+    /// The cells marked with an `x`.
+    fn occupied(rows: &[&str]) -> Vec<bool> {
+        rows.iter().flat_map(|row| row.chars().map(|c| c == 'x')).collect()
+    }
+
+    #[test]
+    fn it_goes_round_what_is_occupied_past_its_corners_but_not_past_those_of_walls() {
+        let map = ["....", ".#..", "...."];
+        let (cells, none) = (cells(&map), [false; 12]);
+        let mut search = AStar::new(&cells);
+        // To the wall's other side: 4 straight steps round it by either side, as its corners must not be cut.
+        let way = search.way(&none, 4, 6).unwrap();
+        assert_eq!(cells.steps(&way), Steps { straight: 4, diagonal: 0 });
+        // From (2, 0) to (3, 2): 1 straight and 1 diagonal step, past the occupied cell (3, 1).
+        let way = search.way(&occupied(&["....", ".#.x", "...."]), 2, 11);
+        assert_eq!(way, Some(vec![2, 6, 11]));
+        let way = search.way(&occupied(&["..x.", ".#..", "..x."]), 0, 3);
+        assert_eq!(way, None, "the wall's corners and the occupied cells close both sides");
+    }
+
+    #[test]
+    fn straight_ahead_only_the_cells_of_the_way_are_settled() {
+        let cells = cells(&["........."; 7]);
+        let mut search = AStar::new(&cells);
+        assert_eq!(search.way(&[false; 63], 0, 62), Some(vec![0, 10, 20, 30, 40, 50, 60, 61, 62]), "one turn");
+        assert_eq!(search.expanded(), 9, "the larger g first");
+        search.way(&[false; 63], 0, 62);
+        assert_eq!(search.expanded(), 18, "over all searches");
+    }
+
+    #[test]
+    fn the_robot_leaves_an_occupied_cell_and_enters_none() {
+        let cells = cells(&["....", "####"]);
+        let mut search = AStar::new(&cells);
+        assert_eq!(search.way(&occupied(&["x...", "...."]), 0, 3), Some(vec![0, 1, 2, 3]));
+        assert_eq!(search.way(&occupied(&["xx..", "...."]), 0, 3), None);
+        assert_eq!(search.way(&occupied(&["...x", "...."]), 0, 3), None, "nor the goal");
+        assert_eq!(search.way(&occupied(&["...x", "...."]), 3, 3), Some(vec![3]), "where it is already");
+        assert_eq!(search.way(&[false; 8], 4, 3), None, "nothing leaves a wall");
+    }
+
+    /// What a search leaves behind does not reach the next.
+    #[test]
+    fn a_used_one_answers_as_a_new_one() {
+        let mut rng = crate::rng::Stream::new(4, 0);
+        let cells = Arc::new(Cells::new(&GridScene::new(1.0, 12, (0..120).map(|_| rng.unit() < 0.2).collect())));
+        let mut used = AStar::new(&cells);
+        for _ in 0..300 {
+            let occupied: Vec<_> = (0..120).map(|_| rng.unit() < 0.2).collect();
+            let (from, to) = (rng.below(120), rng.below(120));
+            assert_eq!(used.way(&occupied, from, to), AStar::new(&cells).way(&occupied, from, to));
+        }
+    }
+}

@@ -1,0 +1,564 @@
+//! The drive: period by period the robot looks around, foresees, decides and goes on, [WOLF-ANT] §5.3.
+//!
+//! When its plan would come too near to an obstacle: round its predicted range to a local goal on the planned way; if that
+//! gives no way, a new way to the goal; if there is none, it waits; and where standing is not safe either, it gets out of
+//! the way. What does not keep the margin is tried only when nothing does.
+
+use std::sync::Arc;
+
+use crate::{digest::Digest, planner::Event, scene::CONTACT};
+
+use super::{
+    Ground,
+    body::{Deed, Done, Plan, Pose, Stretch},
+    escape::{Escape, escape},
+    route::{Route, plan, steps},
+    world::{Conflict, Distance, View},
+};
+
+/// How often a robot that waits looks for a way round, in seconds.
+const RETRY: f64 = 0.5;
+
+/// How many conflicts a way round takes into account at most.
+const BLOCKERS: usize = 8;
+
+/// What a drive has cost so far.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Tally {
+    pub length: f64,
+    pub turns: u64,
+    /// Seconds it stood, turns included.
+    pub stood: f64,
+    pub detours: u64,
+    pub replans: u64,
+    pub waits: u64,
+    pub escapes: u64,
+    pub collisions: u64,
+    /// The smallest distance to an obstacle so far, negative where they overlapped; infinite without obstacles.
+    pub gap: f64,
+}
+
+/// The robot stands though its plan leads on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Hold {
+    since: f64,
+    obstacle: usize,
+    /// When it looks for a way round next.
+    retry: f64,
+}
+
+/// A drive under way.
+#[derive(Clone)]
+pub(super) struct Journey {
+    pub ground: Arc<Ground>,
+    pub now: f64,
+    pub pose: Pose,
+    pub plan: Plan,
+    pub view: View,
+    pub tally: Tally,
+    pub events: Vec<Event>,
+    /// [t, x, y] wherever its motion changed.
+    pub moments: Vec<[f64; 3]>,
+    /// Where a detour comes back to the planned way.
+    pub local_goal: Option<usize>,
+    pub arrived: bool,
+    hold: Option<Hold>,
+    /// What it keeps away by now.
+    distance: Distance,
+    /// It was said already that nothing is safe.
+    cornered: bool,
+    /// Of each obstacle: whether it was seen, whether it touches.
+    seen: Vec<bool>,
+    touching: Vec<bool>,
+    velocity: [f64; 2],
+    heading: [f64; 2],
+    iteration: u64,
+    /// Scratch space.
+    stretches: Vec<Stretch>,
+    occupied: Vec<bool>,
+}
+
+/// A plan that could be taken.
+struct Offer {
+    plan: Plan,
+    local_goal: Option<usize>,
+    end: f64,
+}
+
+impl Journey {
+    /// At the start of a way over cells.
+    pub fn new(ground: &Arc<Ground>, way: &[usize]) -> Self {
+        let at = ground.course.ends[0];
+        let n = ground.grid().moving.len();
+        let mut journey = Self {
+            now: 0.0,
+            pose: Pose { at, between: [ground.course.start; 2], heading: [0.0; 2], turn: None },
+            plan: plan(&ground.cells, &ground.course, way),
+            view: View::default(),
+            tally: Tally {
+                length: 0.0,
+                turns: 0,
+                stood: 0.0,
+                detours: 0,
+                replans: 0,
+                waits: 0,
+                escapes: 0,
+                collisions: 0,
+                gap: f64::INFINITY,
+            },
+            events: Vec::new(),
+            moments: vec![[0.0, at[0], at[1]]],
+            local_goal: None,
+            arrived: false,
+            hold: None,
+            distance: Distance::Margin,
+            cornered: false,
+            seen: vec![false; n],
+            touching: vec![false; n],
+            velocity: [0.0; 2],
+            heading: [0.0; 2],
+            iteration: 0,
+            stretches: Vec::new(),
+            occupied: vec![false; ground.cells.len()],
+            ground: Arc::clone(ground),
+        };
+        journey.view.look(ground.grid(), &ground.body, at, 0.0);
+        journey
+    }
+
+    /// One period, or less if it arrives.
+    pub fn step(&mut self, route: &mut dyn Route, iteration: u64) {
+        self.iteration = iteration;
+        if self.now == 0.0 {
+            self.tell(
+                "set-out",
+                None,
+                format!("It sets out on a way of {} with {} turns.", self.length_of(self.left()), self.turns_left()),
+            );
+        }
+        self.look();
+        self.think(route);
+        self.advance();
+        if let Some(goal) = self.local_goal.filter(|&goal| self.pose.between == [goal; 2]) {
+            self.local_goal = None;
+            let [x, y] = self.ground.cells.centre(goal);
+            self.tell("back", None, format!("The local goal at ({x:.1}, {y:.1}) is reached: on along the planned way."));
+        }
+        if self.arrived {
+            let Tally { length, turns, collisions, .. } = self.tally;
+            let said = match collisions {
+                0 => "without touching anything that moves".to_owned(),
+                1 => "after a collision".to_owned(),
+                n => format!("after {n} collisions"),
+            };
+            let way = self.length_of(length);
+            self.tell("arrived", None, format!("It is at the goal after {:.1} s, {way} and {turns} turns, {said}.", self.now));
+        }
+    }
+
+    /// Looks around, and says what it sees for the first time.
+    fn look(&mut self) {
+        let ground = Arc::clone(&self.ground);
+        self.view.look(ground.grid(), &ground.body, self.pose.at, self.now);
+        for i in 0..self.view.threats.len() {
+            let (number, distance) = (self.view.threats[i].number, self.view.threats[i].distance);
+            if !std::mem::replace(&mut self.seen[number], true) {
+                let rim = distance - ground.grid().moving[number].radius;
+                let said = format!("Obstacle {number} comes into the sensor’s reach, {} away.", self.length_of(rim.max(0.0)));
+                self.tell("seen", Some(number), said);
+            }
+        }
+    }
+
+    /// Whether the plan will do, and if not, what instead.
+    fn think(&mut self, route: &mut dyn Route) {
+        if self.distance == Distance::Contact && self.conflict(Distance::Margin).is_none() {
+            self.distance = Distance::Margin;
+        }
+        match (self.conflict(self.distance), self.hold) {
+            (None, None) => self.cornered = false,
+            (None, Some(hold)) => {
+                (self.hold, self.cornered) = (None, false);
+                let waited = self.now - hold.since;
+                self.tell("go-on", Some(hold.obstacle), format!("The way is clear as far as it looks ahead: on after {waited:.1} s."));
+            }
+            (Some(conflict), Some(hold)) => {
+                if self.now >= hold.retry {
+                    self.hold = Some(Hold { retry: self.now + RETRY, ..hold });
+                    if self.around(route, self.distance, conflict) {
+                        return;
+                    }
+                }
+                if !self.stands(self.distance) {
+                    self.hold = None;
+                    self.decide(route, conflict);
+                }
+            }
+            (Some(conflict), None) => {
+                if !self.cornered {
+                    self.foresee(conflict);
+                }
+                self.decide(route, conflict);
+            }
+        }
+    }
+
+    fn foresee(&mut self, conflict: Conflict) {
+        let (within, [x, y]) = (conflict.time - self.now, conflict.place);
+        let number = conflict.obstacle;
+        let near = match self.distance {
+            Distance::Margin => format!("come nearer than the margin of {}", self.length_of(self.ground.body.margin)),
+            Distance::Contact => "touch it".to_owned(),
+        };
+        self.tell("foreseen", Some(number), format!("In {within:.1} s, at ({x:.1}, {y:.1}), obstacle {number} would {near}."));
+    }
+
+    fn decide(&mut self, route: &mut dyn Route, conflict: Conflict) {
+        let mut conflict = conflict;
+        let first = self.distance;
+        for distance in [Distance::Margin, Distance::Contact] {
+            if distance == Distance::Margin && first == Distance::Contact {
+                continue;
+            }
+            if distance != first {
+                self.distance = distance;
+                let number = conflict.obstacle;
+                match self.conflict(distance) {
+                    None => {
+                        let said = format!("No way keeps the margin from obstacle {number}: on as planned, which does not touch it.");
+                        self.tell("squeeze", Some(number), said);
+                        return;
+                    }
+                    Some(other) => conflict = other,
+                }
+            }
+            if self.around(route, distance, conflict) || self.wait(distance, conflict) || self.evade(route, distance, conflict) {
+                return;
+            }
+        }
+        self.put_off(route, conflict);
+    }
+
+    /// The first conflict of the plan as far as it looks ahead.
+    fn conflict(&mut self, distance: Distance) -> Option<Conflict> {
+        let (pose, plan) = (self.pose, std::mem::take(&mut self.plan));
+        let conflict = self.conflict_of(pose, &plan, distance);
+        self.plan = plan;
+        conflict
+    }
+
+    fn conflict_of(&mut self, mut pose: Pose, plan: &Plan, distance: Distance) -> Option<Conflict> {
+        let body = &self.ground.body;
+        let horizon = self.now + body.look_ahead;
+        let (stretches, mut done) = (&mut self.stretches, plan.done);
+        stretches.clear();
+        pose.follow(&plan.steps, &mut done, body, [self.now, horizon], &mut |stretch| stretches.push(stretch));
+        self.view.conflict(stretches, distance, horizon, self.ground.grid(), body)
+    }
+
+    /// Whether it may stand where it is as far as it looks ahead.
+    fn stands(&self, distance: Distance) -> bool {
+        let horizon = self.now + self.ground.body.look_ahead;
+        self.view.is_clear(&self.standing(horizon), distance, horizon, self.ground.grid(), &self.ground.body)
+    }
+
+    fn standing(&self, until: f64) -> Stretch {
+        Stretch { from: self.now, until, at: self.pose.at, velocity: [0.0; 2], deed: Deed::Wait, step: 0 }
+    }
+
+    /// The cells that it can go to next: on to the middle ahead of it, or back.
+    fn origins(&self) -> impl Iterator<Item = usize> + use<> {
+        let [behind, ahead] = self.pose.between;
+        [Some(ahead), (behind != ahead).then_some(behind)].into_iter().flatten()
+    }
+
+    /// A detour, or else a new way, that keeps away from everything: the one that is at the goal first.
+    fn around(&mut self, route: &mut dyn Route, distance: Distance, conflict: Conflict) -> bool {
+        let rest: Vec<usize> = self.plan.left().iter().map(|step| step.cell).collect();
+        for detour in [true, false] {
+            let mut blockers = vec![conflict];
+            for _ in 0..BLOCKERS {
+                self.occupy(&blockers);
+                let (mut best, mut other): (Option<Offer>, _) = (None, None);
+                for origin in self.origins() {
+                    let Some((way, local_goal)) = self.way(route, origin, detour.then_some((&rest[..], conflict.step))) else {
+                        continue;
+                    };
+                    let plan = plan(&self.ground.cells, &self.ground.course, &way);
+                    match self.conflict_of(self.pose, &plan, distance) {
+                        Some(next) => other = other.or(Some(next)),
+                        None => {
+                            let (mut pose, mut done) = (self.pose, Done::default());
+                            let span = [self.now, f64::INFINITY];
+                            let end = pose.follow(&plan.steps, &mut done, &self.ground.body, span, &mut |_| {});
+                            if best.as_ref().is_none_or(|best| end < best.end) {
+                                best = Some(Offer { plan, local_goal, end });
+                            }
+                        }
+                    }
+                }
+                if let Some(offer) = best {
+                    self.take(offer, detour, &blockers);
+                    return true;
+                }
+                match other {
+                    Some(other) => blockers.push(other),
+                    None => break,
+                }
+            }
+        }
+        false
+    }
+
+    /// Marks the predicted ranges of what is in the way.
+    fn occupy(&mut self, blockers: &[Conflict]) {
+        let ground = Arc::clone(&self.ground);
+        self.occupied.fill(false);
+        for conflict in blockers {
+            self.view.occupy(conflict, ground.grid(), &ground.cells, &ground.body, &mut self.occupied);
+        }
+    }
+
+    /// A way from a cell to the goal round the occupied cells. `along`: the cells of the planned way that are left, and the
+    /// one at which it meets an obstacle; then the way comes back to the first free one beyond it.
+    fn way(&self, route: &mut dyn Route, origin: usize, along: Option<(&[usize], usize)>) -> Option<(Vec<usize>, Option<usize>)> {
+        let Some((rest, met)) = along else {
+            return Some((route.replan(&self.occupied, origin)?, None));
+        };
+        let beyond = (met + 1..rest.len()).find(|&i| !self.occupied[rest[i]])?;
+        let mut way = route.detour(&self.occupied, origin, rest[beyond])?;
+        way.extend(&rest[beyond + 1..]);
+        way.dedup();
+        Some((way, Some(rest[beyond])))
+    }
+
+    fn take(&mut self, offer: Offer, detour: bool, blockers: &[Conflict]) {
+        let mut blockers: Vec<_> = blockers.iter().map(|conflict| conflict.obstacle).collect();
+        blockers.sort_unstable();
+        blockers.dedup();
+        (self.plan, self.local_goal, self.hold, self.cornered) = (offer.plan, offer.local_goal, None, false);
+        let what = if blockers.len() == 1 { format!("obstacle {}", blockers[0]) } else { "obstacles ".to_owned() + &list(&blockers) };
+        let length = self.length_of(self.left());
+        match offer.local_goal.filter(|_| detour) {
+            Some(goal) => {
+                self.tally.detours += 1;
+                let [x, y] = self.ground.cells.centre(goal);
+                let said =
+                    format!("Round the predicted range of {what} along the pheromone to a local goal at ({x:.1}, {y:.1}); {length} to go.");
+                self.tell("detour", Some(blockers[0]), said);
+            }
+            None => {
+                self.tally.replans += 1;
+                let said = format!("A new way to the goal round the predicted range of {what}; {length} to go.");
+                self.tell("replan", Some(blockers[0]), said);
+            }
+        }
+    }
+
+    fn wait(&mut self, distance: Distance, conflict: Conflict) -> bool {
+        let safe = self.stands(distance);
+        if safe {
+            self.hold = Some(Hold { since: self.now, obstacle: conflict.obstacle, retry: self.now + RETRY });
+            self.cornered = false;
+            self.tally.waits += 1;
+            let number = conflict.obstacle;
+            self.tell("wait", Some(number), format!("There is no safe way round obstacle {number} now: it stands until the way is clear."));
+        }
+        safe
+    }
+
+    fn evade(&mut self, route: &mut dyn Route, distance: Distance, conflict: Conflict) -> bool {
+        let found = escape(&self.view, distance, &self.pose, &self.ground);
+        let safe = found.safe && self.follow(route, found);
+        if safe {
+            self.cornered = false;
+            self.tally.escapes += 1;
+            let number = conflict.obstacle;
+            self.tell("evade", Some(number), format!("Standing is not safe from obstacle {number} either: it gets out of its way."));
+        }
+        safe
+    }
+
+    /// Nothing is safe: what is so for longest.
+    fn put_off(&mut self, route: &mut dyn Route, conflict: Conflict) {
+        if !std::mem::replace(&mut self.cornered, true) {
+            let number = conflict.obstacle;
+            self.tell("cornered", Some(number), format!("No motion is safe from obstacle {number}: what puts it off for longest."));
+        }
+        let found = escape(&self.view, Distance::Contact, &self.pose, &self.ground);
+        self.follow(route, found);
+    }
+
+    /// Takes the steps of an escape, and from their end the way to the goal.
+    fn follow(&mut self, route: &mut dyn Route, found: Escape) -> bool {
+        let mut all = found.steps;
+        let from = all.last().map_or(self.pose.between[1], |step| step.cell);
+        self.occupied.fill(false);
+        let Some(way) = route.replan(&self.occupied, from) else {
+            return false;
+        };
+        all.extend(steps(&self.ground.cells, &self.ground.course, &way));
+        (self.plan, self.local_goal, self.hold) = (Plan::new(all), None, None);
+        true
+    }
+
+    /// Drives for a period.
+    fn advance(&mut self) {
+        let ground = Arc::clone(&self.ground);
+        let until = self.now + ground.period;
+        self.stretches.clear();
+        let end = if self.hold.is_some() {
+            self.pose.turn = None;
+            let standing = self.standing(until);
+            self.stretches.push(standing);
+            until
+        } else {
+            let (stretches, pose, done) = (&mut self.stretches, &mut self.pose, &mut self.plan.done);
+            let end = pose.follow(&self.plan.steps, done, &ground.body, [self.now, until], &mut |stretch| stretches.push(stretch));
+            self.arrived = self.plan.left().is_empty();
+            end
+        };
+        for i in 0..self.stretches.len() {
+            let stretch = self.stretches[i];
+            self.count(&stretch);
+            self.watch(&stretch);
+        }
+        self.now = end;
+        if self.arrived {
+            self.mark(end, self.pose.at);
+        }
+    }
+
+    /// Adds a stretch to the tally and to the track.
+    fn count(&mut self, stretch: &Stretch) {
+        let seconds = stretch.until - stretch.from;
+        if stretch.deed == Deed::Go {
+            self.tally.length += seconds * self.ground.body.speed;
+            let heading = stretch.velocity.map(|c| c / self.ground.body.speed);
+            let turned = (heading[0] - self.heading[0]).abs() + (heading[1] - self.heading[1]).abs() > 1e-6;
+            self.tally.turns += u64::from(turned && self.heading != [0.0; 2]);
+            self.heading = heading;
+        } else {
+            self.tally.stood += seconds;
+        }
+        let slack = 1e-6 * self.ground.body.speed;
+        if (0..2).any(|axis| (stretch.velocity[axis] - self.velocity[axis]).abs() > slack) {
+            self.mark(stretch.from, stretch.at);
+            self.velocity = stretch.velocity;
+        }
+    }
+
+    fn mark(&mut self, time: f64, [x, y]: [f64; 2]) {
+        if self.moments.last() != Some(&[time, x, y]) {
+            self.moments.push([time, x, y]);
+        }
+    }
+
+    /// How near the obstacles really come, seen or not; that they touch is told once for each time.
+    fn watch(&mut self, stretch: &Stretch) {
+        let ground = Arc::clone(&self.ground);
+        let (grid, body) = (ground.grid(), &ground.body);
+        let span = [stretch.from, stretch.until];
+        for (number, disc) in grid.moving.iter().enumerate() {
+            let contact = disc.radius + body.radius;
+            let least = disc.least_distance(stretch.at, stretch.velocity, span, body.border, grid.bounds());
+            self.tally.gap = self.tally.gap.min(least - contact);
+            let reach = contact - CONTACT * grid.cell;
+            let met = disc.first_within(stretch.at, stretch.velocity, span, reach, body.border, grid.bounds());
+            let Some(time) = met else {
+                self.touching[number] = false;
+                continue;
+            };
+            if !std::mem::replace(&mut self.touching[number], true) {
+                self.tally.collisions += 1;
+                let place = [0, 1].map(|axis| stretch.at[axis] + (time - stretch.from) * stretch.velocity[axis]);
+                let stood = if stretch.deed == Deed::Go { "drove" } else { "stood" };
+                let reason = format!("The robot and obstacle {number} touch while the robot {stood}.");
+                let iteration = self.iteration;
+                self.events.push(Event { iteration, time, place, kind: "collision", obstacle: Some(number), reason });
+            }
+        }
+    }
+
+    fn tell(&mut self, kind: &'static str, obstacle: Option<usize>, reason: String) {
+        self.events.push(Event { iteration: self.iteration, time: self.now, place: self.pose.at, kind, obstacle, reason });
+    }
+
+    /// The length of the plan that is left.
+    pub fn left(&self) -> f64 {
+        let mut at = self.pose.at;
+        self.plan.left().iter().fold(0.0, |sum, step| {
+            let (_, distance) = super::body::course(at, step.to);
+            at = step.to;
+            sum + distance
+        })
+    }
+
+    fn turns_left(&self) -> usize {
+        let corners: Vec<_> = std::iter::once(self.pose.at).chain(self.plan.left().iter().map(|step| step.to)).collect();
+        crate::geometry::turns(&corners)
+    }
+
+    /// A length with the scene's unit.
+    fn length_of(&self, length: f64) -> String {
+        match &self.ground.scene.header().units {
+            Some(units) => format!("{length:.1} {units}"),
+            None => format!("{length:.1}"),
+        }
+    }
+
+    /// Seconds that turns took, the one that it is in included.
+    pub fn turning(&self) -> f64 {
+        let under_way = match self.pose.turn {
+            Some((_, done)) => done,
+            // Turned, and not gone on yet.
+            None if self.pose.heading != self.heading && self.heading != [0.0; 2] => self.ground.body.turn_time,
+            None => 0.0,
+        };
+        self.tally.turns as f64 * self.ground.body.turn_time + under_way
+    }
+
+    /// Seconds it stood that no turn took; a turn that was given up is waiting too.
+    pub fn waited(&self) -> f64 {
+        (self.tally.stood - self.turning()).max(0.0)
+    }
+
+    /// How far it goes in a second, each way.
+    pub fn velocity(&self) -> [f64; 2] {
+        self.velocity
+    }
+
+    /// What it waits for, and since when.
+    pub fn waits_for(&self) -> Option<(usize, f64)> {
+        self.hold.map(|hold| (hold.obstacle, hold.since))
+    }
+
+    /// The places where it was when its motion changed, one after another.
+    pub fn path(&self) -> Vec<[f64; 2]> {
+        let mut path: Vec<_> = self.moments.iter().map(|&[_, x, y]| [x, y]).collect();
+        path.dedup();
+        path
+    }
+
+    pub fn digest(&self, out: &mut Digest) {
+        out.number(self.now);
+        self.pose.digest(out);
+        out.numbers(self.moments.as_flattened());
+        out.numbers(&[self.tally.length, self.tally.stood, self.tally.gap]);
+        for event in &self.events {
+            out.number(event.time);
+            out.bytes(event.kind.as_bytes());
+            out.bytes(event.reason.as_bytes());
+        }
+    }
+
+    pub fn bytes(&self) -> usize {
+        let events: usize = self.events.iter().map(|event| size_of::<Event>() + event.reason.len()).sum();
+        size_of::<Self>() + 24 * self.moments.capacity() + events + self.occupied.len() + 48 * self.plan.steps.len()
+    }
+}
+
+/// Numbers with commas between them.
+fn list(numbers: &[usize]) -> String {
+    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}

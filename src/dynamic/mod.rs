@@ -1,0 +1,269 @@
+//! Drives among moving obstacles, [WOLF-ANT] §5.3: a way is planned, then a robot drives it in simulated time, sees what
+//! moves, foresees collisions and goes round, plans anew or waits.
+//!
+//! There is one drive (`journey`). What its planners differ in is who plans the ways, a `Route`, a file each. `body` is how
+//! the robot moves, `world` what it sees and foresees, `escape` what it does when neither a way round nor standing is safe.
+
+mod a_star;
+pub mod a_star_drive;
+mod body;
+mod d_star_lite;
+pub mod d_star_lite_drive;
+mod draw;
+mod escape;
+mod journey;
+mod parameters;
+mod queue;
+mod route;
+mod steps;
+mod tell;
+#[cfg(test)]
+mod tests;
+pub mod wolf_ant_drive;
+mod world;
+
+use std::{
+    cmp::Reverse,
+    collections::BinaryHeap,
+    sync::{Arc, OnceLock},
+};
+
+use crate::{
+    digest::Digest,
+    error::Error,
+    exact,
+    frame::Frame,
+    geometry,
+    params::Settings,
+    planner::{Best, Event, Inspection, Item, Planner, Readings, Solution, Stage, Status, Track, Yardstick},
+    scene::{Body as SceneBody, Cells, Course, GridScene, Scene},
+    session,
+};
+
+use body::Body;
+use journey::Journey;
+use route::Route;
+
+pub use tell::SYMBOLS;
+
+/// Up to this many cells a drive is driven ahead of time when it begins, only to know how long it takes.
+const KNOWN: usize = 10_000;
+
+/// What never changes during a drive.
+struct Ground {
+    scene: Arc<Scene>,
+    cells: Arc<Cells>,
+    course: Course,
+    body: Body,
+    /// Seconds a step.
+    period: f64,
+    /// Seconds from each cell to the goal without turns; made when it is first needed.
+    ahead: OnceLock<Vec<f64>>,
+}
+
+impl Ground {
+    fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
+        let grid = scene.grid()?;
+        let body = Body::new(grid, settings)?;
+        Ok(Self {
+            cells: Arc::clone(grid.cells()),
+            course: Course::new(grid)?,
+            body,
+            period: settings.number("period"),
+            ahead: OnceLock::new(),
+            scene: Arc::clone(scene),
+        })
+    }
+
+    fn grid(&self) -> &GridScene {
+        match self.scene.body() {
+            SceneBody::Grid(grid) => grid,
+            _ => unreachable!("a drive starts on grids only"),
+        }
+    }
+
+    /// Seconds from a cell to the goal without turns, by Dijkstra's search from the goal; infinite where no way leads.
+    fn ahead(&self, cell: usize) -> f64 {
+        let all = || {
+            let cells = &self.cells;
+            let mut best = vec![f64::INFINITY; cells.len()];
+            let mut open = BinaryHeap::from([(Reverse(exact::Length(0.0)), self.course.goal)]);
+            best[self.course.goal] = 0.0;
+            while let Some((Reverse(exact::Length(length)), at)) = open.pop() {
+                if length > best[at] {
+                    continue;
+                }
+                for d in (0..8).filter(|d| cells.moves(at) >> d & 1 != 0) {
+                    let (next, to) = (cells.next(at, d), length + if d & 1 == 0 { 1.0 } else { std::f64::consts::SQRT_2 });
+                    if to < best[next] {
+                        best[next] = to;
+                        open.push((Reverse(exact::Length(to)), next));
+                    }
+                }
+            }
+            best.iter_mut().for_each(|length| *length *= cells.side / self.body.speed);
+            best
+        };
+        self.ahead.get_or_init(all)[cell]
+    }
+}
+
+/// A plan, then a drive.
+#[derive(Clone)]
+struct Dynamic {
+    ground: Arc<Ground>,
+    route: Box<dyn Route>,
+    journey: Option<Journey>,
+    /// Planning found no way.
+    lost: bool,
+    iteration: u64,
+    /// Seconds after which it gives up, and steps.
+    most: f64,
+    limit: u64,
+    /// The last iteration, once somebody knows: all copies of a run end alike.
+    end: Arc<OnceLock<u64>>,
+}
+
+/// Starts a drive on ways of this kind.
+fn start(
+    scene: &Arc<Scene>,
+    settings: &Settings,
+    route: impl FnOnce(&Arc<Ground>) -> Result<Box<dyn Route>, Error>,
+) -> Result<Box<dyn session::AnyPlanner>, Error> {
+    let ground = Arc::new(Ground::new(scene, settings)?);
+    let route = route(&ground)?;
+    let most = match settings.number("time_limit") {
+        0.0 => {
+            let (cells, course) = (&ground.cells, &ground.course);
+            let way = exact::shortest_way(cells, course.start, course.goal).unwrap_or_default();
+            let path = course.path(cells, way);
+            // As long as the shortest way takes four times over, and a minute.
+            60.0 + 4.0 * (geometry::length(&path) / ground.body.speed + geometry::turns(&path) as f64 * ground.body.turn_time)
+        }
+        seconds => seconds,
+    };
+    let planning = route.steps();
+    let driving = (most / ground.period).ceil() as u64;
+    // Those who plan step by step count only that; the others their drive.
+    let limit = if planning > 0 { planning + driving } else { driving.min(settings.integer("iterations")) };
+    let mut dynamic = Dynamic { ground, route, journey: None, lost: false, iteration: 0, most, limit, end: Arc::default() };
+    if dynamic.route.steps() == 0 {
+        dynamic.set_out();
+    }
+    Ok(Box::new(dynamic))
+}
+
+impl Dynamic {
+    /// The way is planned: the drive begins.
+    fn set_out(&mut self) {
+        match self.route.way() {
+            Some(way) => {
+                self.journey = Some(Journey::new(&self.ground, &way));
+                if self.ground.cells.len() <= KNOWN && self.end.get().is_none() {
+                    let mut other = self.clone();
+                    while Planner::step(&mut other) == Status::Running {}
+                    let _ = self.end.set(other.iteration);
+                }
+            }
+            None => self.lost = true,
+        }
+    }
+
+    fn track(&self, journey: &Journey) -> Track {
+        let Body { radius, border, .. } = self.ground.body;
+        Track { path: journey.path(), moments: journey.moments.clone(), radius, border }
+    }
+}
+
+impl Planner for Dynamic {
+    fn step(&mut self) -> Status {
+        if self.status() != Status::Running {
+            return self.status();
+        }
+        self.iteration += 1;
+        match &mut self.journey {
+            Some(journey) => journey.step(&mut *self.route, self.iteration),
+            None => {
+                self.route.step();
+                if self.iteration >= self.route.steps() {
+                    self.set_out();
+                }
+            }
+        }
+        self.status()
+    }
+
+    fn status(&self) -> Status {
+        match &self.journey {
+            _ if self.lost => Status::Infeasible,
+            Some(journey) if journey.arrived => Status::Solved,
+            Some(journey) if journey.now >= self.most || self.iteration >= self.limit => Status::Exhausted,
+            _ => Status::Running,
+        }
+    }
+
+    fn iteration(&self) -> u64 {
+        self.iteration
+    }
+
+    fn limit(&self) -> u64 {
+        self.end.get().copied().unwrap_or(self.limit)
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.route.evaluations()
+    }
+
+    /// There is a result when the robot is at the goal; it costs the time that it took.
+    fn best(&self) -> Option<Best> {
+        let journey = self.journey.as_ref().filter(|journey| journey.arrived)?;
+        Some(Best { cost: journey.now, solution: Solution::Drive(self.track(journey)) })
+    }
+
+    fn yardstick(&self) -> Yardstick {
+        Yardstick::Cells
+    }
+
+    fn stages(&self) -> Vec<Stage> {
+        let drive = Stage { name: "drive", title: "Drive", end: self.limit() };
+        match self.route.steps() {
+            0 => vec![drive],
+            end => vec![Stage { name: "plan", title: "Plan", end }, drive],
+        }
+    }
+
+    fn events(&self) -> &[Event] {
+        self.journey.as_ref().map_or(&[], |journey| &journey.events)
+    }
+
+    fn trouble(&self) -> Option<String> {
+        match &self.journey {
+            _ if self.lost => Some("no way to the goal was found to drive on".to_owned()),
+            Some(journey) if self.status() == Status::Exhausted => Some(tell::why_not(journey)),
+            _ => None,
+        }
+    }
+
+    fn read(&self, out: &mut Readings) {
+        tell::read(self, out);
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        draw::draw(self, frame);
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        tell::inspect(self, item)
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.route.digest(out);
+        if let Some(journey) = &self.journey {
+            journey.digest(out);
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        size_of::<Self>() + self.route.bytes() + self.journey.as_ref().map_or(0, Journey::bytes)
+    }
+}

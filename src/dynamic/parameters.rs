@@ -1,0 +1,202 @@
+//! What the entries of the drives share: parameters, readings, equations, layers and kinds of events.
+
+use crate::{
+    catalogue::{EventKind, Formula, Group, Layer, Reading, Scope, Tone},
+    frame::Role,
+    params::{Choice, Parameter},
+    scene::Kind,
+};
+
+/// The kinds of scene that a robot drives on.
+pub(super) const KINDS: &[Kind] = &[Kind::Grid];
+
+/// For drives that do not plan step by step.
+pub(super) const ITERATIONS: Parameter = Parameter::integer(
+    "iterations",
+    "k_{\\max}",
+    "Iterations",
+    [1, 1_000_000_000, 1_000_000],
+    "After how many periods the drive stops at the latest, arrived or not.",
+)
+.slider(1.0, 5000.0, true);
+pub(super) const BORDER: Parameter = Parameter::choice(
+    "border",
+    "",
+    "At the border obstacles",
+    &[
+        Choice { value: "leave", title: "Leave", help: "They go on and are gone." },
+        Choice { value: "bounce", title: "Bounce", help: "They bounce off as soon as they touch it." },
+    ],
+    "What obstacles with a velocity do when they come to the border of the grid. Walls inside it do not stop them.",
+);
+pub(super) const ROBOT: Parameter = Parameter::choice(
+    "robot",
+    "",
+    "Robot",
+    &[
+        Choice {
+            value: "scene",
+            title: "As the scene says",
+            help: "What its robot leaves open: radius (where it has no length and width either) and margin half a cell, a cell a second, a second a turn, sensor 8 cells, 6 seconds ahead.",
+        },
+        Choice { value: "given", title: "Given here", help: "By the parameters below, lengths in cells." },
+    ],
+    "What the robot can do. Published: 20 px/s and 1 s a turn.",
+);
+const fn given(name: &'static str, symbol: &'static str, title: &'static str, range: [f64; 3], help: &'static str) -> Parameter {
+    Parameter::number(name, symbol, title, range, help).when("robot", "given")
+}
+pub(super) const ROBOT_RADIUS: Parameter = given(
+    "robot_radius",
+    "R",
+    "Robot’s radius",
+    [0.0, 1000.0, 0.5],
+    "The robot is a disc for moving obstacles, in cells. At most half a cell, unless the scene’s robot is larger. The paper’s is a point, and nothing would ever be foreseen in its case.",
+)
+.slider(0.0, 1.0, false);
+pub(super) const MARGIN: Parameter = given(
+    "margin",
+    "m",
+    "Safety margin",
+    [0.0, 1000.0, 0.5],
+    "How far obstacles are kept from the robot’s rim, in cells; given up only where nothing keeps it.",
+)
+.slider(0.0, 3.0, false);
+pub(super) const SPEED: Parameter =
+    given("speed", "v", "Speed", [1e-3, 1000.0, 1.0], "How far the robot goes, in cells a second. Published: 20 px, a cell.")
+        .slider(0.1, 10.0, true);
+pub(super) const TURN_TIME: Parameter = given(
+    "turn_time",
+    "t_t",
+    "Time of a turn",
+    [0.0, 1000.0, 1.0],
+    "Seconds that a turn takes, by however much; the robot stands meanwhile. Published: 1.",
+)
+.slider(0.0, 5.0, false);
+pub(super) const SENSOR: Parameter =
+    given("sensor", "r_s", "Sensor", [0.0, 1e6, 8.0], "How far the robot sees the rim of an obstacle, in cells. Walls do not hide it.")
+        .slider(0.0, 30.0, false);
+pub(super) const LOOK_AHEAD: Parameter = given(
+    "look_ahead",
+    "t_a",
+    "Look-ahead",
+    [0.0, 1000.0, 6.0],
+    "How many seconds ahead the robot foresees: it expects what it sees to go on as it goes.",
+)
+.slider(0.0, 30.0, false);
+pub(super) const PERIOD: Parameter = Parameter::number(
+    "period",
+    "\\Delta t",
+    "Period",
+    [0.001, 10.0, 0.1],
+    "Seconds from step to step: how often the robot looks and decides. Whether anything meets is exact between steps too.",
+)
+.slider(0.01, 1.0, true);
+pub(super) const TIME_LIMIT: Parameter = Parameter::number(
+    "time_limit",
+    "",
+    "Time limit",
+    [0.0, 1e6, 0.0],
+    "After how many seconds the robot gives up. 0: four times what the shortest way takes without obstacles, and a minute.",
+)
+.slider(0.0, 1000.0, false);
+
+const fn event(name: &'static str, title: &'static str, tone: Tone, help: &'static str) -> EventKind {
+    EventKind { name, title, help, tone }
+}
+
+pub(super) const EVENTS: &[EventKind] = &[
+    event("set-out", "Sets out", Tone::Plain, "The drive begins on the planned way."),
+    event("seen", "Seen", Tone::Plain, "An obstacle comes into the sensor’s reach for the first time."),
+    event("foreseen", "Foreseen", Tone::Warning, "The plan would come too near to an obstacle."),
+    event("detour", "Detour", Tone::Decision, "Round the predicted range along the pheromone to a local goal on the planned way."),
+    event("back", "Back", Tone::Good, "The local goal is reached: on along the planned way."),
+    event("replan", "New plan", Tone::Decision, "A new way to the goal round the predicted range."),
+    event("wait", "Waits", Tone::Decision, "There is no safe way round: the robot stands, which is safe."),
+    event("go-on", "Goes on", Tone::Good, "What it waited for is past."),
+    event("evade", "Evades", Tone::Decision, "Standing is not safe either: the robot gets out of the way."),
+    event("squeeze", "Without margin", Tone::Warning, "Nothing keeps the margin: on as planned, which does not touch."),
+    event("cornered", "Cornered", Tone::Warning, "No motion is safe: the robot does what puts a collision off for longest."),
+    event("collision", "Collision", Tone::Bad, "The robot and an obstacle touch."),
+    event("arrived", "Arrived", Tone::Good, "The robot is at the goal."),
+];
+
+/// What every drive tells.
+pub(super) const READINGS: &[Reading] = &[
+    Reading::new(
+        "best",
+        "L",
+        "Planned",
+        Group::Cost,
+        "The length of the way in all, as it is planned now: what is gone and what is ahead. It rises where the robot goes round something.",
+    ),
+    Reading::new("time", "T", "Time", Group::Measure, "Seconds since the robot set out."),
+    Reading::new("driving", "t_d", "Driving", Group::Measure, "Seconds that it drove."),
+    Reading::new("turning_time", "n_t t_t", "Turning", Group::Measure, "Seconds that it turned."),
+    Reading::new("waited", "t_w", "Waiting", Group::Measure, "Seconds that it stood without turning."),
+    Reading::new("length", "L_{\\text{gone}}", "Gone", Group::Length, "The length of the way that it has gone."),
+    Reading::new("turns", "n_t", "Turns", Group::Count, "How often it has turned."),
+    Reading::new("detours", "", "Detours", Group::Count, "How often it went round along the pheromone."),
+    Reading::new("replans", "", "New plans", Group::Count, "How often it planned a new way to the goal."),
+    Reading::new("waits", "", "Waits", Group::Count, "How often it began to wait."),
+    Reading::new("escapes", "", "Escapes", Group::Count, "How often it had to get out of the way."),
+    Reading::new("in_sight", "", "In sight", Group::Count, "Moving obstacles that it sees now."),
+    Reading::new(
+        "smallest_distance",
+        "d_{\\min}",
+        "Nearest",
+        Group::Measure,
+        "The smallest distance between the robot’s rim and an obstacle’s so far, seen or not; negative where they overlapped.",
+    ),
+    Reading::new("collisions", "", "Collisions", Group::Count, "How often an obstacle has touched it."),
+];
+
+pub(super) const FORMULA_APPROACH: Formula = Formula::of_item(
+    "approach",
+    "[WOLF-ANT] §5",
+    "Closest approach",
+    "t^* = \\max\\left(0, -\\frac{\\Delta p \\cdot \\Delta v}{|\\Delta v|^2}\\right), \\quad d^* = |\\Delta p + t^* \\Delta v| - R - r",
+    "t^* = \\max\\left(0, \\frac{@towards@}{@squared@}\\right) = @t@, \\quad d^* = @centres@ - @robot@ - @radius@ = @d@",
+);
+pub(super) const FORMULA_TIME: Formula = Formula {
+    name: "time",
+    source: "[WOLF-ANT] §6",
+    title: "Time",
+    tex: "T = \\frac{L}{v} + n_t \\, t_t + t_w",
+    live: "T = @driving@ + @turning_time@ + @waited@ = @time@",
+    scope: Scope::Iteration,
+};
+
+const PREDICTED: Layer = Layer::new(
+    Role::Predicted,
+    "Predicted",
+    true,
+    false,
+    "Where the robot expects the obstacles that it sees as far as it looks ahead, grown by itself and its margin: its centre must stay out while they are there.",
+);
+const TRACK: Layer = Layer::new(Role::Track, "Track", true, false, "The way that the robot has gone.");
+const AHEAD: Layer = Layer::new(Role::Ahead, "Ahead", true, false, "The way that it means to go.");
+const LOCAL_GOAL: Layer = Layer::new(Role::LocalGoal, "Local goal", true, false, "Where a detour comes back to the planned way.");
+const SENSOR_LAYER: Layer = Layer::new(Role::Sensor, "Sensor", true, false, "How far the robot sees the rims of obstacles.");
+const MOVING: Layer = Layer::new(Role::Moving, "Moving obstacles", true, true, "Where they are now.");
+const ROBOT_LAYER: Layer = Layer::new(Role::Robot, "Robot", true, false, "The robot, and where it is headed.");
+const HAPPENED: Layer = Layer::new(Role::Events, "Events", true, true, "Where something happened or was decided.");
+
+/// What a drive on searched ways draws.
+pub(super) const LAYERS_BARE: &[Layer] = &[PREDICTED, SENSOR_LAYER, AHEAD, TRACK, LOCAL_GOAL, HAPPENED, MOVING, ROBOT_LAYER];
+
+/// What a drive on pheromone draws.
+pub(super) const LAYERS: &[Layer] = &[
+    Layer::new(Role::Pheromone, "Pheromone", true, true, "How much lies on each cell’s strongest step; the drive leaves it as it is."),
+    Layer::new(Role::Trails, "Trails", true, false, "How much lies on each step; seen from near."),
+    Layer::new(Role::Ants, "Ants", true, true, "The ways of this iteration’s ants, while they plan."),
+    Layer::new(Role::Best, "Planned", true, false, "The shortest way so far, while the ants plan."),
+    PREDICTED,
+    SENSOR_LAYER,
+    AHEAD,
+    TRACK,
+    LOCAL_GOAL,
+    HAPPENED,
+    MOVING,
+    ROBOT_LAYER,
+];

@@ -1,0 +1,129 @@
+//! The numbers of a drive, and why it went as it did.
+
+use crate::{
+    frame::{Role, Shape},
+    geometry::closest_approach,
+    planner::{Inspection, Item, Mark, Quantity, Readings},
+};
+
+use super::{Dynamic, journey::Journey};
+
+/// The TeX strings that inspections use.
+pub const SYMBOLS: &[&str] =
+    &["t^*", "d^*", "-\\Delta p \\cdot \\Delta v", "|\\Delta v|^2", "|\\Delta p + t^* \\Delta v|", "r", "d", "|v|", "t"];
+
+pub(super) fn read(dynamic: &Dynamic, out: &mut Readings) {
+    let journey = dynamic.journey.as_ref();
+    let number = |of: &dyn Fn(&Journey) -> f64| journey.map_or(0.0, of);
+    let planned = journey.map_or(dynamic.route.shortest(), |journey| Some(journey.tally.length + journey.left()));
+    out.push("best", planned.unwrap_or(f64::NAN));
+    out.push("time", number(&|journey| journey.now));
+    out.push("driving", number(&|journey| journey.tally.length / dynamic.ground.body.speed));
+    out.push("turning_time", number(&Journey::turning));
+    out.push("waited", number(&Journey::waited));
+    out.push("length", number(&|journey| journey.tally.length));
+    out.push("turns", number(&|journey| journey.tally.turns as f64));
+    out.push("detours", number(&|journey| journey.tally.detours as f64));
+    out.push("replans", number(&|journey| journey.tally.replans as f64));
+    out.push("waits", number(&|journey| journey.tally.waits as f64));
+    out.push("escapes", number(&|journey| journey.tally.escapes as f64));
+    out.push("in_sight", number(&|journey| journey.view.threats.len() as f64));
+    let gap = journey.map(|journey| journey.tally.gap).filter(|gap| gap.is_finite());
+    out.push("smallest_distance", gap.unwrap_or(f64::NAN));
+    out.push("collisions", number(&|journey| journey.tally.collisions as f64));
+}
+
+/// Why the goal was not reached in time.
+pub(super) fn why_not(journey: &Journey) -> String {
+    let [x, y] = journey.pose.at;
+    match journey.waits_for() {
+        Some((obstacle, since)) => format!(
+            "after {:.0} s the robot still waits at ({x:.1}, {y:.1}) for obstacle {obstacle}, since {since:.1} s; time_limit gives it longer",
+            journey.now
+        ),
+        None => format!("after {:.0} s the robot is at ({x:.1}, {y:.1}) and not at the goal; time_limit gives it longer", journey.now),
+    }
+}
+
+pub(super) fn inspect(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
+    match item.role {
+        Role::Moving => obstacle(dynamic, item),
+        Role::Events => event(dynamic.journey.as_ref()?, item),
+        _ => dynamic.route.inspect(item),
+    }
+}
+
+fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value: f64) -> Quantity {
+    Quantity { name, symbol, title, value }
+}
+
+fn told(item: Item, title: String, event: &'static str, summary: String) -> Inspection {
+    let (values, formulas, columns, labels, rows, marks) = Default::default();
+    Inspection { item, title, event, summary, values, formulas, columns, labels, rows, marks }
+}
+
+/// When an obstacle and the robot come nearest if both go on as they go now.
+fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
+    let ground = &*dynamic.ground;
+    let (grid, body) = (ground.grid(), &ground.body);
+    let disc = grid.moving.get(item.index)?;
+    let journey = dynamic.journey.as_ref();
+    let now = journey.map_or(0.0, |journey| journey.now);
+    let (at, going) = journey.map_or((ground.course.ends[0], [0.0; 2]), |journey| (journey.pose.at, journey.velocity()));
+    let leg = disc.leg(now, body.border, grid.bounds());
+    let apart = [leg.at[0] - at[0], leg.at[1] - at[1]];
+    let closing = [leg.velocity[0] - going[0], leg.velocity[1] - going[1]];
+    let (time, centres) = closest_approach(apart, closing, leg.until - now);
+    let rims = body.radius + disc.radius;
+    let apart_now = closest_approach(apart, [0.0; 2], 0.0).1 - rims;
+    let speed = closest_approach(leg.velocity, [0.0; 2], 0.0).1;
+    let seen = apart_now + body.radius <= body.sensor;
+    let (least, sight) = (centres - rims, if seen { "The robot sees it" } else { "It is beyond the sensor’s reach" });
+    let summary = if time == 0.0 {
+        format!("{sight}; it is {apart_now:.1} from the robot’s rim and comes no nearer if both go on.")
+    } else {
+        format!("{sight}; if both go on, it comes as near as {least:.1} in {time:.1} s.")
+    };
+    let mut told = told(item, format!("Obstacle {}", item.index), if seen { "seen" } else { "unseen" }, summary);
+    told.values = vec![
+        quantity("t", "t^*", "until it is nearest, seconds", time),
+        quantity("d", "d^*", "distance of the rims then", least),
+        quantity("now", "d", "distance of the rims now", apart_now),
+        quantity("speed", "|v|", "its speed", speed),
+        quantity(
+            "towards",
+            "-\\Delta p \\cdot \\Delta v",
+            "how fast they approach, times their distance",
+            -(apart[0] * closing[0] + apart[1] * closing[1]),
+        ),
+        quantity(
+            "squared",
+            "|\\Delta v|^2",
+            "the square of how fast they move against each other",
+            closing[0] * closing[0] + closing[1] * closing[1],
+        ),
+        quantity("centres", "|\\Delta p + t^* \\Delta v|", "distance of the centres then", centres),
+        quantity("robot", "R", "the robot’s radius", body.radius),
+        quantity("radius", "r", "its radius", disc.radius),
+    ];
+    if closing != [0.0; 2] {
+        told.formulas = vec!["approach"];
+    }
+    let then = |from: [f64; 2], velocity: [f64; 2]| [0, 1].map(|axis| from[axis] + time * velocity[axis]);
+    told.marks = vec![
+        Mark { role: Role::Velocity, shape: Shape::Segments, vertices: vec![leg.at, [0, 1].map(|axis| leg.at[axis] + leg.velocity[axis])] },
+        Mark { role: Role::Candidates, shape: Shape::Segments, vertices: vec![then(at, going), then(leg.at, leg.velocity)] },
+        Mark { role: Role::After, shape: Shape::Points, vertices: vec![leg.at] },
+    ];
+    Some(told)
+}
+
+/// What happened at a place, and why.
+fn event(journey: &Journey, item: Item) -> Option<Inspection> {
+    let event = journey.events.get(item.index)?;
+    let kind = super::parameters::EVENTS.iter().find(|kind| kind.name == event.kind)?;
+    let mut told = told(item, format!("{}, {:.1} s", kind.title, event.time), event.kind, event.reason.clone());
+    told.values = vec![quantity("t", "t", "when, seconds", event.time)];
+    told.marks = vec![Mark { role: Role::After, shape: Shape::Points, vertices: vec![event.place] }];
+    Some(told)
+}

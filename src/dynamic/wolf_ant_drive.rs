@@ -1,0 +1,159 @@
+//! `wolf-ant-drive`: ants plan, the robot drives, and pheromone leads it round what moves, [WOLF-ANT] §5.3.
+
+use std::sync::Arc;
+
+use crate::{
+    ants::{self, Colony, aco_wolf},
+    catalogue::Entry,
+    digest::Digest,
+    frame::{Frame, Role},
+    params::{Choice, Given, Parameter, Value},
+    planner::{Inspection, Item, Planner},
+    rng::Stream,
+};
+
+use super::{
+    Ground,
+    a_star::AStar,
+    parameters::{
+        BORDER, EVENTS, FORMULA_APPROACH, FORMULA_TIME, KINDS, LAYERS, LOOK_AHEAD, MARGIN, PERIOD, READINGS, ROBOT, ROBOT_RADIUS, SENSOR,
+        SPEED, TIME_LIMIT, TURN_TIME,
+    },
+    route::Route,
+};
+
+/// Who can plan; a test compares the list with the catalogue.
+const COLONIES: &[Choice] = &[
+    Choice { value: "aco-wolf", title: "Ants with wolves’ shares", help: "[WOLF-ANT] §5.1: the paper’s." },
+    Choice { value: "aco-direction", title: "Ants with direction", help: "[ANTBAT] §3.1, the improved ants." },
+    Choice { value: "aco-dijkstra", title: "Ants on a Dijkstra path", help: "[ANTBAT] §3.1, its [14]." },
+    Choice { value: "aco", title: "Traditional ants", help: "[ANTBAT] §3.1, the traditional ants." },
+];
+
+const COLONY: Parameter = Parameter::choice(
+    "colony",
+    "",
+    "Colony",
+    COLONIES,
+    "Who plans the way and lays the pheromone that leads round obstacles; but for the number of ants and iterations with its usual parameters.",
+);
+const ITERATIONS: Parameter = Parameter::integer(
+    "iterations",
+    "t_{\\max}",
+    "Iterations",
+    [1, 100_000, 100],
+    "How many iterations the colony plans before the robot sets out. Published: 100.",
+)
+.slider(10.0, 1000.0, true);
+const ANTS: Parameter = Parameter::integer("ants", "m", "Ants", [1, 10_000, 30], "How many ants set out in an iteration. Published: 30.")
+    .slider(1.0, 500.0, true);
+
+/// A colony that plans, and whose pheromone is followed.
+#[derive(Clone)]
+struct Ants {
+    ground: Arc<Ground>,
+    /// It does not change any more once the robot drives: copies share it.
+    colony: Arc<Colony>,
+    steps: u64,
+    /// For ants that are sent round obstacles.
+    rng: Stream,
+    /// For a new way where the pheromone gives none.
+    search: AStar,
+}
+
+impl Route for Ants {
+    fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    fn step(&mut self) {
+        Arc::make_mut(&mut self.colony).step();
+    }
+
+    fn evaluations(&self) -> u64 {
+        Planner::evaluations(&*self.colony)
+    }
+
+    fn way(&mut self) -> Option<Vec<usize>> {
+        self.colony.best_way()
+    }
+
+    fn shortest(&self) -> Option<f64> {
+        self.colony.shortest()
+    }
+
+    fn detour(&mut self, occupied: &[bool], from: usize, to: usize) -> Option<Vec<usize>> {
+        self.colony.scouts(occupied, from, to, &mut self.rng)
+    }
+
+    fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
+        self.search.way(occupied, from, self.ground.course.goal)
+    }
+
+    fn draw(&self, driving: bool, frame: &mut Frame) {
+        if driving {
+            self.colony.draw_pheromone(frame);
+        } else {
+            self.colony.draw(frame);
+        }
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        if !matches!(item.role, Role::Pheromone | Role::Ants) {
+            return None;
+        }
+        let mut told = Planner::inspect(&*self.colony, item)?;
+        // Those of other colonies are not among this planner's.
+        told.formulas.retain(|name| ENTRY.formulas.iter().any(|formula| formula.name == *name) && self.colony.is_wolf());
+        Some(told)
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        Planner::digest(&*self.colony, out);
+        self.rng.digest(out);
+    }
+
+    fn bytes(&self) -> usize {
+        // The colony is shared once it has planned; until then it is what a copy takes.
+        Planner::bytes(&*self.colony) + self.search.bytes()
+    }
+
+    fn copy(&self) -> Box<dyn Route> {
+        Box::new(self.clone())
+    }
+}
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "wolf-ant-drive",
+    title: "Ants, then a drive among what moves",
+    family: "dynamic",
+    source: "[WOLF-ANT] §5.3",
+    summary: "A colony plans, then a robot drives in simulated time: where it foresees a collision it follows the pheromone round the obstacle’s predicted range to a local goal, plans anew, or waits.",
+    kinds: KINDS,
+    parameters: &[COLONY, ITERATIONS, ANTS, BORDER, ROBOT, ROBOT_RADIUS, MARGIN, SPEED, TURN_TIME, SENSOR, LOOK_AHEAD, PERIOD, TIME_LIMIT],
+    readings: READINGS,
+    formulas: &[FORMULA_APPROACH, FORMULA_TIME, aco_wolf::CHOICE, aco_wolf::RANKED, aco_wolf::LAID],
+    layers: LAYERS,
+    stops: false,
+    most_stops: None,
+    members: &[],
+    events: EVENTS,
+    suggest: |_| None,
+    start: |scene, settings, seed| {
+        let mut given = Given::new();
+        for name in ["iterations", "ants"] {
+            given.insert(name, Value::from(settings.integer(name) as f64));
+        }
+        let colony = ants::colony(settings.choice("colony"), scene, &given, seed)?;
+        super::start(scene, settings, |ground| {
+            Ok(Box::new(Ants {
+                colony: Arc::new(colony),
+                steps: settings.integer("iterations"),
+                rng: Stream::new(seed, 1),
+                search: AStar::new(&ground.cells),
+                ground: Arc::clone(ground),
+            }))
+        })
+    },
+};
