@@ -13,7 +13,8 @@ use forage::{
 };
 use proptest::prelude::*;
 
-const ROBOT: Robot = Robot { length: Some(0.4), width: Some(0.3), speed: None, turn_time: None, sensor: None };
+const ROBOT: Robot =
+    Robot { length: Some(0.4), width: Some(0.3), speed: None, turn_time: None, sensor: None, disc: None, margin: None, look_ahead: None };
 
 fn with_robot(mut scene: GridScene, y_axis: YAxis) -> GridScene {
     scene.robot = Some(ROBOT);

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use forage::{
     Frame, Given, Scene, Session, Setup, Status, Value,
     catalogue::{Entry, Group, PLANNERS, Scope},
-    frame::Shape,
+    frame::{Role, Shape},
     params::{Domain, Parameter, When},
     planner::Item,
     scene::Kind,
@@ -77,9 +77,11 @@ proptest! {
             }
         }
         let outcome = session.outcome();
-        prop_assert!(outcome.status != Status::Exhausted || outcome.iterations == 60 || entry.stops);
+        // What has stages counts its iterations in one of them.
+        let staged = !session.stages().is_empty();
+        prop_assert!(outcome.status != Status::Exhausted || outcome.iterations == 60 || staged);
         prop_assert!(outcome.iterations <= session.limit());
-        if size_name(entry).is_some() && !entry.stops {
+        if size_name(entry).is_some() && !staged {
             prop_assert_eq!(outcome.evaluations - first, u64::from(population) * 60, "each particle is evaluated once per iteration");
             prop_assert!(entry.family != "swarm" || first >= u64::from(population));
         }
@@ -204,7 +206,8 @@ fn every_population_from_one_to_a_hundred_thousand_runs() {
             let mut session = session(entry, &scene, sized(entry, &scene, population, iterations), 5);
             session.step(60);
             let outcome = session.outcome();
-            assert!(outcome.iterations == iterations.min(60.0) as u64 || outcome.status == Status::Solved || entry.stops);
+            let staged = !session.stages().is_empty();
+            assert!(outcome.iterations == iterations.min(60.0) as u64 || outcome.status == Status::Solved || staged);
             assert!(outcome.cost.is_none_or(f64::is_finite), "{} on {}", entry.name, scene.name());
             assert!(outcome.cost.is_some() || entry.family != "swarm");
         }
@@ -335,12 +338,24 @@ fn every_entry_describes_what_its_planner_does() {
                 assert!(numbers.contains(&name), "{}: nothing fills @{name}@ in {}", entry.name, formula.name);
             }
         }
-        check_inspections(entry, &mut session);
+        let mut picked = check_inspections(entry, &mut session);
+        // What has stages shows some things only later.
+        if !session.stages().is_empty() {
+            session.step(10_000);
+            picked.extend(check_inspections(entry, &mut session));
+        }
+        let kind = scene.kind();
+        let still = scene.grid().is_ok_and(|grid| grid.moving.is_empty());
+        for layer in entry.layers.iter().filter(|layer| layer.pickable && (layer.kinds.is_empty() || layer.kinds.contains(&kind))) {
+            let there = picked.contains(&layer.role) || (layer.role == Role::Moving && still);
+            assert!(there, "{} on {} draws no {} that could be picked", entry.name, scene.name(), layer.role.name());
+        }
     }
 }
 
-/// Whatever can be picked can be asked about, and what is told can be typeset.
-fn check_inspections(entry: &Entry, session: &mut Session) {
+/// Whatever can be picked can be asked about, and what is told can be typeset. Returns the roles of what there was.
+fn check_inspections(entry: &Entry, session: &mut Session) -> Vec<Role> {
+    let mut there = Vec::new();
     let mut frame = Frame::default();
     session.draw(&mut frame, usize::MAX);
     let symbols = serde_json::to_value(forage::catalogue()).unwrap()["symbols"].clone();
@@ -350,7 +365,9 @@ fn check_inspections(entry: &Entry, session: &mut Session) {
     for role in here.filter(|layer| layer.pickable).map(|layer| layer.role) {
         let spans = || frame.spans().filter(|span| span.role == role);
         let pieces: usize = spans().map(|span| if span.shape == Shape::Polyline { 1 } else { span.count as usize }).sum();
-        assert!(pieces > 0, "{} draws nothing that could be picked", entry.name);
+        if pieces > 0 {
+            there.push(role);
+        }
         for index in (0..pieces).step_by((pieces / 80).max(1)) {
             let Some(told) = session.inspect(Item { role, index }) else {
                 // A field has values for all cells, and nothing to say of some.
@@ -372,6 +389,7 @@ fn check_inspections(entry: &Entry, session: &mut Session) {
         }
         assert!(session.inspect(Item { role, index: usize::MAX }).is_none());
     }
+    there
 }
 
 fn placeholders(tex: &str) -> Vec<&str> {

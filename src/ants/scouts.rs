@@ -38,8 +38,8 @@ impl Colony {
     }
 
     /// Goes on along the pheromone from one cell to another without entering an occupied one: as many ants as in an
-    /// iteration, [`SORTIES`] times, on a copy of the pheromone as it lies. The shortest of their ways; `None` if none arrives.
-    pub(crate) fn scouts(&self, occupied: &[bool], from: usize, to: usize, rng: &mut Stream) -> Option<Vec<usize>> {
+    /// iteration, [`SORTIES`] times, on a copy of the pheromone as it lies. The shortest of their ways; `None` if none arrives. `sent` counts them.
+    pub(crate) fn scouts(&self, occupied: &[bool], from: usize, to: usize, rng: &mut Stream, sent: &mut u64) -> Option<Vec<usize>> {
         let cells = Arc::new(self.ground.cells.without(occupied));
         if !exact::is_reachable(&cells, from, to) {
             return None;
@@ -53,6 +53,7 @@ impl Colony {
             Self { ground: Arc::new(ground), pheromone, walks, best, iteration: 0, limit: SORTIES, rng: rng.clone(), ..self.clone() };
         while colony.step() == Status::Running {}
         *rng = colony.rng.clone();
+        *sent += colony.evaluations();
         colony.best_way()
     }
 }

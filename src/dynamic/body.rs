@@ -57,9 +57,9 @@ impl Body {
             }
         };
         if body.radius > fits * (1.0 + 1e-12) {
+            let why = "what goes from cell to cell without touching blocked ones; a larger robot needs a length and a width";
             let (field, value, most) =
                 if given { ("robot_radius", number("robot_radius"), fits / grid.cell) } else { ("robot.radius", body.radius, fits) };
-            let why = "what goes from cell to cell without touching blocked ones; give the scene’s robot a length and a width";
             return Err(Error::refused(field, value, format!("at most {most}: {why}")));
         }
         let border = if settings.choice("border") == "bounce" { Border::Bounce } else { Border::Leave };

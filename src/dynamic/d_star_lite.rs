@@ -17,6 +17,9 @@ use super::{
 /// [`shorter`]; a way has at most six million cells' length). A robot drives there for a long time.
 const FAR: f64 = 4_194_304.0;
 
+/// Cells that are compared at once.
+const STRIP: usize = 64;
+
 /// A shortest way to one goal over cells of which some are occupied, kept up while they change and the robot moves.
 ///
 /// The edge from u to v costs what the step costs; it is infinite if v is occupied or the step is not allowed. So the
@@ -78,25 +81,27 @@ impl DStarLite {
 
     /// Tells which cells are occupied now. Only what changed since the last call costs anything beyond the comparison.
     pub(super) fn occupy(&mut self, occupied: &[bool]) {
-        for (cell, &occupied) in occupied.iter().enumerate() {
-            if self.occupied[cell] != occupied {
-                self.occupied[cell] = occupied;
-                self.change(cell);
+        for (i, now) in occupied.chunks(STRIP).enumerate() {
+            // Most strips are as they were, and whole strips are compared at once.
+            if self.occupied[i * STRIP..][..now.len()] != *now {
+                now.iter().enumerate().for_each(|(j, &now)| self.change(i * STRIP + j, now));
             }
         }
     }
 
-    /// A cell became occupied or free: all steps into it changed their costs.
-    fn change(&mut self, cell: usize) {
+    /// If a cell became occupied or free, all steps into it changed their costs.
+    fn change(&mut self, cell: usize, occupied: bool) {
+        if std::mem::replace(&mut self.occupied[cell], occupied) == occupied {
+            return;
+        }
         let (cells, goal) = (Arc::clone(&self.cells), self.goal);
         for (before, d) in all_previous(&cells, cell).filter(|&(before, _)| before != goal) {
             let through = and(self.g[cell], d);
-            if !self.occupied[cell] {
+            if occupied {
+                self.worsen(before, through);
+            } else {
                 self.improve(before, through);
-            } else if self.rhs[before] == through {
-                self.rhs[before] = self.look_ahead(before);
             }
-            self.update(before);
         }
     }
 
@@ -152,7 +157,6 @@ impl DStarLite {
         let cells = Arc::clone(&self.cells);
         for (before, d) in self.entrances(&cells, cell) {
             self.improve(before, self.g[cell].and(d));
-            self.update(before);
         }
     }
 
@@ -162,10 +166,7 @@ impl DStarLite {
         self.update(cell);
         let cells = Arc::clone(&self.cells);
         for (before, d) in self.entrances(&cells, cell) {
-            if self.rhs[before] == old.and(d) {
-                self.rhs[before] = self.look_ahead(before);
-            }
-            self.update(before);
+            self.worsen(before, old.and(d));
         }
     }
 
@@ -175,10 +176,20 @@ impl DStarLite {
         all_previous(cells, cell).filter(move |&(before, _)| free && before != goal)
     }
 
-    /// A way that may be shorter than the one that was seen from here.
+    /// There is a way from here that may be shorter than the one that was seen. (The paper updates the cell in any case;
+    /// but where rhs stays, its key in the queue is a lower bound as it was.)
     fn improve(&mut self, cell: usize, way: Steps) {
         if shorter(way, self.rhs[cell]) {
             self.rhs[cell] = way;
+            self.update(cell);
+        }
+    }
+
+    /// There is a way from here no more; it may have been the one that was seen.
+    fn worsen(&mut self, cell: usize, way: Steps) {
+        if self.rhs[cell] == way {
+            self.rhs[cell] = self.look_ahead(cell);
+            self.update(cell);
         }
     }
 

@@ -6,7 +6,12 @@
 
 use std::sync::Arc;
 
-use crate::{digest::Digest, planner::Event, scene::CONTACT};
+use crate::{
+    digest::Digest,
+    geometry::{closest_approach, first_within},
+    planner::Event,
+    scene::CONTACT,
+};
 
 use super::{
     Ground,
@@ -454,28 +459,33 @@ impl Journey {
         }
     }
 
-    /// How near the obstacles really come, seen or not; that they touch is told once for each time.
+    /// How near the obstacles really come, seen or not. Each time that one touches is told once, at the moment when it
+    /// begins, however long a period is.
     fn watch(&mut self, stretch: &Stretch) {
         let ground = Arc::clone(&self.ground);
         let (grid, body) = (ground.grid(), &ground.body);
-        let span = [stretch.from, stretch.until];
         for (number, disc) in grid.moving.iter().enumerate() {
             let contact = disc.radius + body.radius;
-            let least = disc.least_distance(stretch.at, stretch.velocity, span, body.border, grid.bounds());
-            self.tally.gap = self.tally.gap.min(least - contact);
             let reach = contact - CONTACT * grid.cell;
-            let met = disc.first_within(stretch.at, stretch.velocity, span, reach, body.border, grid.bounds());
-            let Some(time) = met else {
-                self.touching[number] = false;
-                continue;
-            };
-            if !std::mem::replace(&mut self.touching[number], true) {
-                self.tally.collisions += 1;
-                let place = [0, 1].map(|axis| stretch.at[axis] + (time - stretch.from) * stretch.velocity[axis]);
-                let stood = if stretch.deed == Deed::Go { "drove" } else { "stood" };
-                let reason = format!("The robot and obstacle {number} touch while the robot {stood}.");
-                let iteration = self.iteration;
-                self.events.push(Event { iteration, time, place, kind: "collision", obstacle: Some(number), reason });
+            let span = [stretch.from, stretch.until];
+            for (start, seconds, apart, closing) in disc.stretches(stretch.at, stretch.velocity, span, body.border, grid.bounds()) {
+                let (_, least) = closest_approach(apart, closing, seconds);
+                self.tally.gap = self.tally.gap.min(least - contact);
+                let Some(after) = first_within(apart, closing, seconds, reach) else {
+                    self.touching[number] = false;
+                    continue;
+                };
+                let end = [0, 1].map(|axis| apart[axis] + seconds * closing[axis]);
+                let still = end[0] * end[0] + end[1] * end[1] < reach * reach;
+                if !std::mem::replace(&mut self.touching[number], still) {
+                    self.tally.collisions += 1;
+                    let time = start + after;
+                    let place = [0, 1].map(|axis| stretch.at[axis] + (time - stretch.from) * stretch.velocity[axis]);
+                    let drove = if stretch.deed == Deed::Go { "drove" } else { "stood" };
+                    let reason = format!("The robot and obstacle {number} touch while the robot {drove}.");
+                    let iteration = self.iteration;
+                    self.events.push(Event { iteration, time, place, kind: "collision", obstacle: Some(number), reason });
+                }
             }
         }
     }

@@ -50,10 +50,9 @@ pub(super) const ROBOT_RADIUS: Parameter = given(
     "robot_radius",
     "R",
     "Robot’s radius",
-    [0.0, 1000.0, 0.5],
-    "The robot is a disc for moving obstacles, in cells. At most half a cell, unless the scene’s robot is larger. The paper’s is a point, and nothing would ever be foreseen in its case.",
-)
-.slider(0.0, 1.0, false);
+    [0.0, 0.5, 0.5],
+    "The robot is a disc for moving obstacles, in cells; of half a cell’s radius it touches no wall as it goes from cell to cell. The paper’s is a point, and nothing would ever be foreseen in its case.",
+);
 pub(super) const MARGIN: Parameter = given(
     "margin",
     "m",
@@ -124,7 +123,7 @@ pub(super) const EVENTS: &[EventKind] = &[
 /// What every drive tells.
 pub(super) const READINGS: &[Reading] = &[
     Reading::new(
-        "best",
+        "planned",
         "L",
         "Planned",
         Group::Cost,

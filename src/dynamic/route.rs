@@ -17,7 +17,7 @@ pub(super) trait Route: Send {
     }
     /// Takes one of them.
     fn step(&mut self) {}
-    /// How many ways it has tried so far: ants sent, or cells settled.
+    /// What it has cost so far: ants sent, and cells settled.
     fn evaluations(&self) -> u64;
     /// The cells of the way to drive, once it has taken its steps.
     fn way(&mut self) -> Option<Vec<usize>>;

@@ -55,7 +55,12 @@ pub(super) fn next(cells: &Cells, cell: usize, direction: usize) -> Option<usize
 /// a wide robot that just touches, the one may be allowed and the other not, by rounding.
 #[inline]
 pub(super) fn previous(cells: &Cells, cell: usize, direction: usize) -> Option<usize> {
-    let ([x, y], [dx, dy]) = (cells.place(cell), DIRECTIONS[direction]);
+    previous_to(cells, cells.place(cell), direction)
+}
+
+#[inline]
+fn previous_to(cells: &Cells, [x, y]: [usize; 2], direction: usize) -> Option<usize> {
+    let [dx, dy] = DIRECTIONS[direction];
     let column = x.checked_add_signed(-dx as isize).filter(|&column| column < cells.columns)?;
     let row = y.checked_add_signed(-dy as isize).filter(|&row| row < cells.rows)?;
     let previous = row * cells.columns + column;
@@ -71,7 +76,8 @@ pub(super) fn all_next(cells: &Cells, cell: usize) -> impl Iterator<Item = (usiz
 /// All cells from which a step leads here, each with its direction.
 #[inline]
 pub(super) fn all_previous(cells: &Cells, cell: usize) -> impl Iterator<Item = (usize, usize)> {
-    (0..8).filter_map(move |d| Some((previous(cells, cell, d)?, d)))
+    let place = cells.place(cell);
+    (0..8).filter_map(move |d| Some((previous_to(cells, place, d)?, d)))
 }
 
 /// One of the shortest ways between two cells, with few turns. `step` leads from a cell in a direction if that is part of

@@ -16,7 +16,7 @@ pub(super) fn read(dynamic: &Dynamic, out: &mut Readings) {
     let journey = dynamic.journey.as_ref();
     let number = |of: &dyn Fn(&Journey) -> f64| journey.map_or(0.0, of);
     let planned = journey.map_or(dynamic.route.shortest(), |journey| Some(journey.tally.length + journey.left()));
-    out.push("best", planned.unwrap_or(f64::NAN));
+    out.push("planned", planned.unwrap_or(f64::NAN));
     out.push("time", number(&|journey| journey.now));
     out.push("driving", number(&|journey| journey.tally.length / dynamic.ground.body.speed));
     out.push("turning_time", number(&Journey::turning));

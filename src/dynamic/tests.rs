@@ -1,1 +1,285 @@
+use std::sync::Arc;
 
+use crate::{
+    Scene, Session, Setup, Status, Value,
+    catalogue::PLANNERS,
+    params::Given,
+    planner::{Border, Event, Solution, Track},
+    scene::Body as SceneBody,
+    session::Outcome,
+    shipped,
+};
+
+use super::wolf_ant_drive;
+
+const DRIVES: [&str; 3] = ["wolf-ant-drive", "a-star-drive", "d-star-lite-drive"];
+
+fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Session {
+    let params: Given = params.iter().map(|(name, value)| (*name, value.clone())).collect();
+    Session::new(Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
+}
+
+fn run(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Outcome {
+    let mut session = session(planner, scene, params, seed);
+    while session.step(u64::MAX) == Status::Running {}
+    session.outcome()
+}
+
+/// A grid of cells of side 2 with a robot of radius 1 that goes 2 a second and turns in 1 s, margin 1.
+fn scene(rows: &[&str], ends: [[f64; 2]; 2], moving: &str) -> Arc<Scene> {
+    let text = format!(
+        r#"{{"format": "forage-scene", "version": 1, "kind": "grid", "name": "m", "title": "M", "cell": 2, "rows": {rows:?},
+            "start": {:?}, "goal": {:?}, "robot": {{"speed": 2, "turn_time": 1, "sensor": 12, "radius": 1, "margin": 1, "look_ahead": 6}},
+            "moving": [{moving}]}}"#,
+        ends[0], ends[1]
+    );
+    Arc::new(Scene::from_json(&text).unwrap())
+}
+
+fn kinds(outcome: &Outcome) -> Vec<&str> {
+    outcome.events.iter().map(|event| event.kind).collect()
+}
+
+fn event<'a>(outcome: &'a Outcome, kind: &str) -> &'a Event {
+    outcome.events.iter().find(|event| event.kind == kind).unwrap_or_else(|| panic!("no {kind} in {:?}", outcome.events))
+}
+
+fn reading(outcome: &Outcome, name: &str) -> f64 {
+    outcome.readings.iter().find(|(n, _)| *n == name).unwrap().1
+}
+
+/// The identities that every drive keeps.
+fn check(outcome: &Outcome, scene: &Scene, name: &str) {
+    let number = |reading_name| reading(outcome, reading_name);
+    let parts = number("driving") + number("turning_time") + number("waited");
+    assert!((number("time") - parts).abs() < 1e-6, "{name}: {} {parts}", number("time"));
+    assert!(outcome.events.windows(2).all(|pair| pair[0].iteration <= pair[1].iteration), "{name}");
+    let told = outcome.events.iter().filter(|event| event.kind == "collision").count();
+    assert_eq!(told as f64, number("collisions"), "{name}: each is told");
+    if outcome.status == Status::Solved {
+        assert_eq!(outcome.events.last().unwrap().kind, "arrived");
+        assert!((outcome.length.unwrap() - number("length")).abs() < 1e-6, "{name}");
+        assert_eq!(outcome.feasible, told == 0, "{name}: what touches nothing is feasible, and nothing else");
+        assert!((outcome.cost.unwrap() - number("time")).abs() < 1e-12);
+    } else {
+        assert!(outcome.trouble.is_some() && outcome.path.is_none() && !outcome.feasible, "{name}");
+    }
+    let moving = !scene.grid().unwrap().moving.is_empty();
+    assert_eq!(number("smallest_distance").is_finite(), moving && number("time") > 0.0);
+}
+
+#[test]
+fn the_colonies_to_choose_from_are_those_of_the_catalogue() {
+    let options = wolf_ant_drive::COLONIES;
+    let mut colonies: Vec<_> = PLANNERS.iter().filter(|entry| entry.family == "ants").map(|entry| entry.name).collect();
+    let mut names: Vec<_> = options.iter().map(|option| option.value).collect();
+    colonies.sort_unstable();
+    names.sort_unstable();
+    assert_eq!(names, colonies);
+}
+
+/// The published case: all arrive on a shortest way, in its length over 20 px/s and a second a turn, and touch nothing.
+#[test]
+fn the_published_case_is_driven_without_collision() {
+    let scene = shipped("wolf-ant-20").unwrap();
+    for planner in DRIVES {
+        for seed in 1..=if planner == "wolf-ant-drive" { 12 } else { 1 } {
+            let outcome = run(planner, &scene, &[], seed);
+            let name = format!("{planner}, seed {seed}");
+            check(&outcome, &scene, &name);
+            assert!(outcome.feasible && outcome.status == Status::Solved, "{name}");
+            assert!(reading(&outcome, "smallest_distance") >= 10.0 - 1e-6, "{name}: the margin is kept");
+        }
+    }
+    // D* Lite meets nothing: 16 straight and 10 diagonal… whatever the ties, 562.84 px.
+    let outcome = run("d-star-lite-drive", &scene, &[], 1);
+    assert!((outcome.length.unwrap() - 562.842_712_474_619).abs() < 1e-9 && outcome.gap == Some(0.0));
+    assert!((outcome.cost.unwrap() - outcome.length.unwrap() / 20.0 - reading(&outcome, "turns")).abs() < 1e-9);
+}
+
+/// Along y = 5 from x = 1 at 2 a second; from (11, 17) a disc of radius 1 comes down at 2.4 a second and would be at y = 5
+/// after 5 s, as the robot is at x = 11. Margin and both radii are 3: foreseen is what comes nearer.
+#[test]
+fn a_collision_is_foreseen_at_the_exact_time_and_avoided() {
+    let rows = [".........."; 5];
+    let scene = scene(&rows, [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [11, 17], "radius": 1, "velocity": [0, -2.4]}"#);
+    // Apart (10, 12), closing by (−2, −2.4): |d|² = (10 − 2 t)² + (12 − 2.4 t)² = 9, so t = 5 − 3 / √(4 + 5.76).
+    let exact = 5.0 - 3.0 / 9.76_f64.sqrt();
+    for planner in DRIVES {
+        let outcome = run(planner, &scene, &[("border", Value::from("leave"))], 1);
+        check(&outcome, &scene, planner);
+        assert!(outcome.feasible, "{planner}: {:?}", outcome.events);
+        let foreseen = event(&outcome, "foreseen");
+        assert!(foreseen.reason.contains("obstacle 0"));
+        // It is told when the sensor (12) first sees its rim, within 6 s.
+        let told = foreseen.time;
+        let within: f64 = foreseen.reason.split(" s").next().unwrap().rsplit(' ').next().unwrap().parse().unwrap();
+        assert!((told + within - exact).abs() < 0.06, "{planner}: {told} + {within}, not {exact}");
+        assert!(reading(&outcome, "smallest_distance") >= 1.0 - 1e-6, "{planner}: the margin is kept");
+        let way = ["detour", "replan", "wait", "evade"].iter().any(|kind| kinds(&outcome).contains(kind));
+        assert!(way, "{planner}: {:?}", kinds(&outcome));
+    }
+}
+
+/// A corridor one cell wide with a crossing: there is no way round, so the robot waits at it until the disc is past.
+#[test]
+fn it_waits_where_there_is_no_way_round() {
+    let rows = ["#####.####", "#####.####", "..........", "#####.####", "#####.####"];
+    let scene = scene(&rows, [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [11, 17], "radius": 0.8, "velocity": [0, -2.2]}"#);
+    for planner in DRIVES {
+        let outcome = run(planner, &scene, &[], 3);
+        check(&outcome, &scene, planner);
+        assert!(outcome.feasible && outcome.gap == Some(0.0), "{planner}");
+        let waited = reading(&outcome, "waited");
+        assert!(kinds(&outcome).contains(&"wait") && kinds(&outcome).contains(&"go-on") && waited > 0.0, "{:?}", kinds(&outcome));
+        assert!((outcome.cost.unwrap() - 9.0 - waited).abs() < 1e-9, "18 at 2 a second, no turn");
+    }
+}
+
+/// In a dead end something wide and fast comes: nothing helps. The collision is told, counted, and makes the result bad.
+#[test]
+fn a_collision_that_cannot_be_avoided_is_told() {
+    let rows = ["##########", "..........", "##########"];
+    let scene = scene(&rows, [[1.0, 3.0], [19.0, 3.0]], r#"{"center": [30, 3], "radius": 2, "velocity": [-8, 0]}"#);
+    for planner in DRIVES {
+        let outcome = run(planner, &scene, &[], 1);
+        check(&outcome, &scene, planner);
+        assert!(!outcome.feasible && reading(&outcome, "collisions") == 1.0, "{planner}: {:?}", outcome.events);
+        assert!(kinds(&outcome).contains(&"cornered") && reading(&outcome, "smallest_distance") < 0.0);
+        // It goes through the robot, and the robot arrives nevertheless: after a collision.
+        assert!(event(&outcome, "arrived").reason.contains("after a collision"));
+        let collision = event(&outcome, "collision");
+        let SceneBody::Grid(grid) = scene.body() else { unreachable!() };
+        let [x, y] = grid.moving[0].at(collision.time, Border::Leave, grid.bounds());
+        let apart = ((x - collision.place[0]).powi(2) + (y - collision.place[1]).powi(2)).sqrt();
+        assert!((apart - 3.0).abs() < 1e-6, "told at the moment of contact: {apart}");
+    }
+}
+
+/// What is in nobody's way changes nothing.
+#[test]
+fn an_obstacle_far_away_is_no_reason_for_anything() {
+    let rows = [".........."; 5];
+    let scene = scene(&rows, [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [1, 60], "radius": 1, "velocity": [0, 1]}"#);
+    for planner in DRIVES {
+        let outcome = run(planner, &scene, &[], 1);
+        assert_eq!(kinds(&outcome), ["set-out", "arrived"]);
+    }
+}
+
+/// A blind robot drives its way whatever comes. However long a period is and however fast the obstacle, the smallest
+/// distance and the collisions are the same, and those that fine steps find.
+#[test]
+fn nothing_tunnels_at_any_speed() {
+    let rows = ["............"; 6];
+    for (k, speed) in [0.3, 3.0, 50.0, 1_000.0, 30_000.0].into_iter().enumerate() {
+        for aim in [[11.0, 5.2], [6.0, 4.0], [17.0, 7.0]] {
+            let center = [3.0 + 4.0 * k as f64, 11.0];
+            let way = ((aim[0] - center[0]) as f64).hypot(aim[1] - center[1]);
+            let [vx, vy] = [0, 1].map(|axis| (aim[axis] - center[axis]) / way * speed);
+            let moving = format!(r#"{{"center": {center:?}, "radius": 0.6, "velocity": [{vx}, {vy}]}}"#);
+            let scene = scene(&rows, [[1.0, 5.0], [23.0, 5.0]], &moving);
+            let told = |period: f64| {
+                let params = [("sensor", 0.0), ("period", period)].map(|(name, value)| (name, Value::from(value)));
+                let params = [("robot", Value::from("given")), ("border", Value::from("bounce"))].into_iter().chain(params);
+                let outcome = run("a-star-drive", &scene, &params.collect::<Vec<_>>(), 1);
+                check(&outcome, &scene, "blind");
+                (reading(&outcome, "collisions"), reading(&outcome, "smallest_distance"))
+            };
+            let all = [10.0, 1.0, 0.1, 0.037].map(told);
+            for (collisions, gap) in all {
+                assert_eq!(collisions, all[0].0, "{speed}: {all:?}");
+                assert!((gap - all[0].1).abs() < 1e-6, "{speed}: {all:?}");
+            }
+            let SceneBody::Grid(grid) = scene.body() else { unreachable!() };
+            let disc = &grid.moving[0];
+            let sampled = (0..=110_000).map(|i| f64::from(i) * 1e-4).map(|t| {
+                let [x, y] = disc.at(t, Border::Bounce, grid.bounds());
+                (x - 1.0 - 2.0 * t).hypot(y - 5.0) - 1.6
+            });
+            let least = sampled.fold(f64::INFINITY, f64::min);
+            assert!(all[0].1 <= least + 1e-9, "fine steps come nearer: {least}, {all:?}");
+            assert!(speed > 100.0 || all[0].1 > least - 0.01, "{speed}: {least}, {all:?}");
+        }
+    }
+}
+
+/// The verdict on a drive is found anew from scene and track: a track that leads through a disc is refused.
+#[test]
+fn a_track_through_an_obstacle_is_not_feasible() {
+    let rows = [".........."; 5];
+    let scene = scene(&rows, [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [11, 15], "radius": 1, "velocity": [0, -2]}"#);
+    let track = |moments: &[[f64; 3]], path: &[[f64; 2]]| {
+        let track = Track { path: path.to_vec(), moments: moments.to_vec(), radius: 1.0, border: Border::Leave };
+        scene.judge(&Solution::Drive(track))
+    };
+    let straight = [[1.0, 5.0], [19.0, 5.0]];
+    let hit = track(&[[0.0, 1.0, 5.0], [9.0, 19.0, 5.0]], &straight);
+    assert_eq!((hit.feasible, hit.length, hit.clearance), (false, Some(18.0), Some(-2.0)), "together at (11, 5) after 5 s");
+    let late = track(&[[0.0, 1.0, 5.0], [6.0, 1.0, 5.0], [15.0, 19.0, 5.0]], &straight);
+    assert!(late.feasible && late.clearance.unwrap() > 0.0);
+    assert!(!track(&[[0.0, 1.0, 5.0], [15.0, 19.0, 5.0]], &[[1.0, 5.0], [9.0, 7.0], [19.0, 5.0]]).feasible, "another way than it tells");
+}
+
+/// Whatever the scene is: drives end, keep their identities, never tell less than happens, and rewind exactly.
+#[test]
+fn every_drive_on_random_scenes_keeps_its_promises() {
+    let mut rng = crate::rng::Stream::new(17, 0);
+    let (mut arrived, mut collided, mut decided) = (0, 0, 0);
+    for k in 0..40 {
+        let rows: Vec<String> = (0..9).map(|_| (0..12).map(|_| if rng.unit() < 0.18 { '#' } else { '.' }).collect()).collect();
+        let mut rows = rows;
+        rows[0].replace_range(0..1, ".");
+        rows[8].replace_range(11..12, ".");
+        let discs: Vec<String> = (0..1 + k % 6)
+            .map(|_| {
+                let mut number = |low: f64, high: f64| rng.between(low, high);
+                let (x, y, r) = (number(5.0, 24.0), number(5.0, 18.0), number(0.3, 1.5));
+                if k % 3 == 2 {
+                    let points: Vec<_> = (1..9).map(|i| [f64::from(i) * 3.0, number(0.0, 24.0), number(0.0, 18.0)]).collect();
+                    format!(r#"{{"center": [{x}, {y}], "radius": {r}, "waypoints": {points:?}}}"#)
+                } else {
+                    format!(r#"{{"center": [{x}, {y}], "radius": {r}, "velocity": [{}, {}]}}"#, number(-3.0, 3.0), number(-3.0, 3.0))
+                }
+            })
+            .collect();
+        let rows: Vec<&str> = rows.iter().map(String::as_str).collect();
+        let scene = scene(&rows, [[1.0, 1.0], [23.0, 17.0]], &discs.join(", "));
+        let planner = DRIVES[k % 3];
+        let border = Value::from(if k % 2 == 0 { "bounce" } else { "leave" });
+        let params = [("border", border), ("iterations", Value::from(if k % 3 == 0 { 20.0 } else { 1e6 }))];
+        let mut session = session(planner, &scene, &params, k as u64);
+        while session.step(u64::MAX) == Status::Running {}
+        let outcome = session.outcome();
+        if outcome.status == Status::Infeasible {
+            continue;
+        }
+        check(&outcome, &scene, &format!("{planner}, {k}"));
+        arrived += usize::from(outcome.status == Status::Solved);
+        collided += usize::from(reading(&outcome, "collisions") > 0.0);
+        decided += usize::from(kinds(&outcome).contains(&"foreseen"));
+        let (end, hash) = (session.iteration(), session.hash());
+        session.seek(end / 2);
+        session.seek(end);
+        assert_eq!((session.hash(), session.limit()), (hash, end));
+    }
+    assert!(arrived > 20 && decided > 10, "{arrived} {collided} {decided}");
+}
+
+#[test]
+fn what_the_robot_cannot_be_is_refused_by_name() {
+    let rows = ["...", "...", "..."];
+    let refused = |robot: &str, params: &[(&str, Value)]| {
+        let text = format!(
+            r#"{{"format": "forage-scene", "version": 1, "kind": "grid", "name": "m", "title": "M", "cell": 2, "rows": {rows:?},
+                "start": [1, 1], "goal": [5, 5], "robot": {robot}}}"#
+        );
+        let scene = Arc::new(Scene::from_json(&text).unwrap());
+        let params: Given = params.iter().map(|(name, value)| (*name, value.clone())).collect();
+        let error = Session::new(Setup { planner: "a-star-drive".to_owned(), scene, params, seed: 1 }).err().unwrap();
+        (error.field().to_owned(), error.value().to_owned())
+    };
+    assert_eq!(refused(r#"{"radius": 1.5}"#, &[]), ("robot.radius".to_owned(), "1.5".to_owned()));
+    let given = [("robot", Value::from("given")), ("robot_radius", Value::from(0.6))];
+    assert_eq!(refused(r#"{"radius": 1}"#, &given), ("robot_radius".to_owned(), "0.6".to_owned()));
+}

@@ -23,7 +23,7 @@ use super::{
 };
 
 /// Who can plan; a test compares the list with the catalogue.
-const COLONIES: &[Choice] = &[
+pub(super) const COLONIES: &[Choice] = &[
     Choice { value: "aco-wolf", title: "Ants with wolves’ shares", help: "[WOLF-ANT] §5.1: the paper’s." },
     Choice { value: "aco-direction", title: "Ants with direction", help: "[ANTBAT] §3.1, the improved ants." },
     Choice { value: "aco-dijkstra", title: "Ants on a Dijkstra path", help: "[ANTBAT] §3.1, its [14]." },
@@ -57,6 +57,8 @@ struct Ants {
     steps: u64,
     /// For ants that are sent round obstacles.
     rng: Stream,
+    /// How many of those have set out.
+    scouts: u64,
     /// For a new way where the pheromone gives none.
     search: AStar,
 }
@@ -71,7 +73,7 @@ impl Route for Ants {
     }
 
     fn evaluations(&self) -> u64 {
-        Planner::evaluations(&*self.colony)
+        Planner::evaluations(&*self.colony) + self.scouts + self.search.expanded()
     }
 
     fn way(&mut self) -> Option<Vec<usize>> {
@@ -83,7 +85,7 @@ impl Route for Ants {
     }
 
     fn detour(&mut self, occupied: &[bool], from: usize, to: usize) -> Option<Vec<usize>> {
-        self.colony.scouts(occupied, from, to, &mut self.rng)
+        self.colony.scouts(occupied, from, to, &mut self.rng, &mut self.scouts)
     }
 
     fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
@@ -151,6 +153,7 @@ pub const ENTRY: Entry = Entry {
                 colony: Arc::new(colony),
                 steps: settings.integer("iterations"),
                 rng: Stream::new(seed, 1),
+                scouts: 0,
                 search: AStar::new(&ground.cells),
                 ground: Arc::clone(ground),
             }))

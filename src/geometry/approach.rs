@@ -72,7 +72,7 @@ mod tests {
             let closing = [0, 1].map(|axis| (aim[axis] - apart[axis]) / 100.0 * fast);
             let (seconds, reach) = (rng.between(0.0, 10.0), rng.between(0.1, 20.0));
             let at = |t: f64| [apart[0] + t * closing[0], apart[1] + t * closing[1]];
-            let distance = |t: f64| at(t)[0].hypot(at(t)[1]);
+            let distance = |t: f64| (at(t)[0] * at(t)[0] + at(t)[1] * at(t)[1]).sqrt();
             let (nearest, least) = closest_approach(apart, closing, seconds);
             match first_within(apart, closing, seconds, reach) {
                 Some(time) => {

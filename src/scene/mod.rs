@@ -85,6 +85,7 @@ pub struct Header {
 }
 
 /// What is in a scene.
+#[expect(clippy::large_enum_variant, reason = "scenes are few, and shared")]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
     /// See [`FunctionScene`].
