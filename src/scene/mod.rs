@@ -301,9 +301,12 @@ pub(crate) fn finite(field: &str, value: f64) -> Result<(), Error> {
 const LARGEST: f64 = 1e6;
 
 fn coordinate(field: &str, point: [f64; 2], axis: usize) -> Result<(), Error> {
-    let value = point[axis];
-    let field = format!("{field}[{axis}]");
-    finite(&field, value)?;
+    limited(&format!("{field}[{axis}]"), point[axis])
+}
+
+/// Refuses numbers that are not finite or too large.
+fn limited(field: &str, value: f64) -> Result<(), Error> {
+    finite(field, value)?;
     if value.abs() > LARGEST {
         return Err(Error::refused(field, value, format!("from -{LARGEST} to {LARGEST}")));
     }

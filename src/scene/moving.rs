@@ -8,13 +8,16 @@ use crate::{
     planner::Border,
 };
 
-use super::{Bounds, coordinate, grid::positive};
+use super::{Bounds, LARGEST, coordinate, finite, grid::positive, limited};
 
 /// The most way-points of a moving obstacle.
 pub const MAX_WAYPOINTS: usize = 10_000;
 
 /// The most moving obstacles of a scene.
 pub const MAX_MOVING: usize = 1000;
+
+/// The least time from one border to the other, in seconds.
+const SHORTEST: f64 = 1e-6;
 
 /// A disc that moves.
 #[derive(Debug, Clone, PartialEq)]
@@ -147,19 +150,22 @@ impl Moving {
                 if points.is_empty() || points.len() > MAX_WAYPOINTS {
                     return Err(Error::refused(field, format!("a list of {}", points.len()), format!("1 to {MAX_WAYPOINTS} way-points")));
                 }
-                let mut before = 0.0;
-                for (i, &[time, x, y]) in points.iter().enumerate() {
+                let [x, y] = self.center;
+                let mut before = [0.0, x, y];
+                for (i, &point) in points.iter().enumerate() {
                     let field = format!("{field}[{i}]");
-                    coordinate(&field, [time, x], 0)?;
-                    (0..2).try_for_each(|axis| coordinate(&field, [x, y], axis))?;
-                    if time <= before {
-                        return Err(Error::refused(
-                            format!("{field}[0]"),
-                            time,
-                            format!("a time after {before}: way-points follow each other"),
-                        ));
+                    (0..3).try_for_each(|k| finite(&format!("{field}[{k}]"), point[k]))?;
+                    (1..3).try_for_each(|k| limited(&format!("{field}[{k}]"), point[k]))?;
+                    let (time, seconds) = (format!("{field}[0]"), point[0] - before[0]);
+                    if seconds <= 0.0 || point[0] > LARGEST {
+                        let allowed = format!("after {}, at most {LARGEST}: way-points follow each other", before[0]);
+                        return Err(Error::refused(time, point[0], allowed));
                     }
-                    before = time;
+                    // Nothing is faster than what has a velocity; a time too short to divide by would lead nowhere.
+                    if (1..3).any(|k| (point[k] - before[k]).abs() > seconds * LARGEST) {
+                        return Err(Error::refused(time, point[0], format!("late enough to be there at no more than {LARGEST} a second")));
+                    }
+                    before = point;
                 }
                 Ok(())
             }
@@ -170,7 +176,8 @@ impl Moving {
 /// A coordinate that goes to and fro in a range: where it is at a time, how fast it goes, and when it turns next.
 fn bounced(start: f64, velocity: f64, [low, high]: [f64; 2], time: f64) -> [f64; 3] {
     let span = high - low;
-    if velocity == 0.0 || span <= 0.0 {
+    // Between borders that it all but touches both it stands: it would turn more often than anybody can follow.
+    if velocity == 0.0 || span <= velocity.abs() * SHORTEST {
         return [start, 0.0, f64::INFINITY];
     }
     let speed = velocity.abs();
@@ -267,12 +274,40 @@ mod tests {
         }
     }
 
+    /// However little room it has and however fast it is: the stretches of a minute can be counted.
+    #[test]
+    fn a_disc_that_all_but_fills_the_grid_stands() {
+        for room in [0.0, 1e-300, 1e-12, 1e-6] {
+            let disc = Moving::straight([5.0, 5.0], 5.0 - room / 2.0, [1e6, 1e-3]);
+            assert_eq!(disc.leg(1e6, Border::Bounce, BOUNDS).velocity[0], 0.0);
+            assert!(disc.stretches([0.0; 2], [0.0; 2], [0.0, 60.0], Border::Bounce, BOUNDS).count() < 3);
+        }
+        let disc = Moving::straight([5.0, 5.0], 4.0, [1e4, 0.0]);
+        let count = disc.stretches([0.0; 2], [0.0; 2], [0.0, 1.0], Border::Bounce, BOUNDS).count();
+        assert!((5000..=5001).contains(&count), "2 wide at 10 000 a second: {count}");
+    }
+
     #[test]
     fn what_is_no_motion_is_refused_by_name() {
         let disc = |points: Vec<[f64; 3]>| Moving { motion: Motion::Waypoints(points), ..Moving::straight([4.0, 5.0], 1.0, [0.0; 2]) };
         let refused = |points| disc(points).check("moving[2]").unwrap_err().to_string();
         assert!(refused(vec![[1.0, 2.0, 3.0], [1.0, 4.0, 5.0]]).contains("moving[2].waypoints[1][0]"));
         assert!(refused(vec![]).contains("moving[2].waypoints"));
+        for k in 0..3 {
+            for wrong in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
+                let mut point = [2.0, 3.0, 4.0];
+                point[k] = wrong;
+                assert!(refused(vec![[1.0, 2.0, 3.0], point]).contains(&format!("moving[2].waypoints[1][{k}]")));
+            }
+        }
+        for (wrong, field) in [
+            (Moving::straight([f64::NAN, 5.0], 1.0, [0.0; 2]), "moving[0].center[0]"),
+            (Moving::straight([4.0, 5.0], f64::NAN, [0.0; 2]), "moving[0].radius"),
+            (Moving::straight([4.0, 5.0], f64::INFINITY, [0.0; 2]), "moving[0].radius"),
+            (Moving::straight([4.0, 5.0], 1.0, [0.0, f64::NAN]), "moving[0].velocity[1]"),
+        ] {
+            assert_eq!(wrong.check("moving[0]").unwrap_err().field(), field);
+        }
         assert!(disc(vec![[1.0, 2.0, 3.0]]).check("moving[0]").is_ok());
     }
 }

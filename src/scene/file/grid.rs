@@ -6,7 +6,7 @@ use crate::error::Error;
 
 use super::{
     super::{GridScene, Motion, Moving, Robot, YAxis},
-    Fields, object, point, point_of, points, shown,
+    Fields, number, object, point, point_of, points, shown,
 };
 
 /// Its fields, in the order in which they are written.
@@ -90,16 +90,16 @@ impl Fields {
 
 fn robot(value: Value) -> Result<Robot, Error> {
     let mut fields = Fields::of("robot", value, "an object with length, width, speed, turn_time, sensor, radius, margin, look_ahead")?;
-    let mut number = |name| if fields.left.contains_key(name) { fields.number(name).map(Some) } else { Ok(None) };
+    let mut given = |name| if fields.left.contains_key(name) { fields.number(name).map(Some) } else { Ok(None) };
     let robot = Robot {
-        length: number("length")?,
-        width: number("width")?,
-        speed: number("speed")?,
-        turn_time: number("turn_time")?,
-        sensor: number("sensor")?,
-        disc: number("radius")?,
-        margin: number("margin")?,
-        look_ahead: number("look_ahead")?,
+        length: given("length")?,
+        width: given("width")?,
+        speed: given("speed")?,
+        turn_time: given("turn_time")?,
+        sensor: given("sensor")?,
+        disc: given("radius")?,
+        margin: given("margin")?,
+        look_ahead: given("look_ahead")?,
     };
     fields.known = robot.fields().map(|(name, _)| name).to_vec();
     fields.end()?;
@@ -110,19 +110,183 @@ fn moving(i: usize, value: Value) -> Result<Moving, Error> {
     let name = format!("moving[{i}]");
     let mut fields = Fields::of(&name, value, "an object with center, radius, and velocity or waypoints")?;
     let (center, radius) = (fields.point("center")?, fields.number("radius")?);
-    let motion = if fields.left.contains_key("waypoints") {
-        let moment = |(k, value): (usize, Value)| {
-            let numbers: Option<Vec<f64>> = value.as_array().and_then(|list| list.iter().map(Value::as_f64).collect());
-            let moment = numbers.and_then(|numbers| <[f64; 3]>::try_from(numbers).ok());
-            moment.ok_or_else(|| Error::refused(format!("{name}.waypoints[{k}]"), shown(&value), "a time and a point, [t, x, y]"))
-        };
-        Motion::Waypoints(fields.list("waypoints")?.into_iter().enumerate().map(moment).collect::<Result<_, _>>()?)
-    } else {
-        Motion::Velocity(fields.point("velocity")?)
+    let motion = match ["velocity", "waypoints"].map(|name| fields.left.contains_key(name)) {
+        [true, false] => Motion::Velocity(fields.point("velocity")?),
+        [false, true] => {
+            let list = fields.list("waypoints")?;
+            Motion::Waypoints(
+                list.iter().enumerate().map(|(k, value)| moment(&format!("{name}.waypoints[{k}]"), value)).collect::<Result<_, _>>()?,
+            )
+        }
+        [false, false] => return Err(fields.refuse("velocity", &Value::Null, "a velocity, [vx, vy], or else waypoints")),
+        [true, true] => return Err(Error::refused(fields.path("velocity"), "this field", "left out where there are waypoints")),
     };
-    if matches!(motion, Motion::Waypoints(_)) && fields.left.contains_key("velocity") {
-        return Err(Error::refused(format!("{name}.velocity"), "both", "velocity or waypoints, not both"));
-    }
+    fields.known = vec!["center", "radius", "velocity", "waypoints"];
     fields.end()?;
     Ok(Moving { center, radius, motion })
+}
+
+/// A way-point, with the field it stands in.
+fn moment(path: &str, found: &Value) -> Result<[f64; 3], Error> {
+    let Some([time, x, y]) = found.as_array().map(Vec::as_slice) else {
+        return Err(Error::refused(path, shown(found), "a time and a point, [t, x, y]"));
+    };
+    Ok([number(format!("{path}[0]"), time)?, number(format!("{path}[1]"), x)?, number(format!("{path}[2]"), y)?])
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{MAX_MOVING, MAX_WAYPOINTS};
+
+    use super::{super::super::Scene, *};
+
+    const DISC: &str = r#"{"center": [1, 1.5], "radius": 0.5, "velocity": [0.25, -1]}"#;
+    const GUARD: &str = r#"{"center": [2, 1], "radius": 0.25, "waypoints": [[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]}"#;
+    const ROBOT: &str =
+        r#"{"length": 0.5, "width": 0.25, "speed": 2, "turn_time": 0, "sensor": 3, "radius": 0.75, "margin": 0, "look_ahead": 8}"#;
+
+    fn text(robot: &str, moving: &str) -> String {
+        format!(
+            r#"{{"format": "forage-scene", "version": 1, "kind": "grid", "name": "a", "title": "A", "cell": 1, "rows": ["...", "...", ".#."],
+            "start": [0.5, 0.5], "goal": [2.5, 0.5], "robot": {robot}, "moving": {moving}}}"#
+        )
+    }
+
+    #[test]
+    fn every_field_of_what_moves_and_of_the_robot_survives_a_round_trip() {
+        let scene = Scene::from_json(&text(ROBOT, &format!("[{DISC}, {GUARD}]"))).unwrap();
+        let grid = scene.grid().unwrap();
+        let guard = Motion::Waypoints(vec![[1.5, 2.0, 3.0], [3.0, 2.0, 3.0], [4.5, -2.0, 1000.0]]);
+        let expected = [Moving::straight([1.0, 1.5], 0.5, [0.25, -1.0]), Moving { center: [2.0, 1.0], radius: 0.25, motion: guard }];
+        assert_eq!(grid.moving, expected);
+        let robot = Robot {
+            length: Some(0.5),
+            width: Some(0.25),
+            speed: Some(2.0),
+            turn_time: Some(0.0),
+            sensor: Some(3.0),
+            disc: Some(0.75),
+            margin: Some(0.0),
+            look_ahead: Some(8.0),
+        };
+        assert_eq!(grid.robot, Some(robot));
+        for again in [scene.to_json(), scene.to_compact_json()] {
+            assert_eq!(Scene::from_json(&again).unwrap(), scene);
+            assert_eq!(again.matches("velocity").count() + again.matches("waypoints").count(), 2);
+        }
+    }
+
+    /// JavaScript's whole numbers lose the sign of 0 on their way in: the bits must not depend on it.
+    #[test]
+    fn no_number_of_what_moves_is_minus_zero() {
+        let signs = DISC.replace("[1, 1.5]", "[-0.0, 1]").replace("[0.25, -1]", "[-0.0, -0.0]");
+        let guard = GUARD.replace("[3, 2, 3]", "[3, -0.0, -0.0]");
+        let scene = Scene::from_json(&text(ROBOT, &format!("[{signs}, {guard}]"))).unwrap();
+        let moving = &scene.grid().unwrap().moving;
+        let (Motion::Velocity(velocity), Motion::Waypoints(points)) = (&moving[0].motion, &moving[1].motion) else { panic!("{moving:?}") };
+        let all = [&moving[0].center[..], velocity, points.as_flattened()].concat();
+        assert!(all.iter().all(|c| c.to_bits() != (-0.0_f64).to_bits()), "{all:?}");
+    }
+
+    #[test]
+    fn each_wrong_field_is_refused_with_what_it_holds_and_what_is_allowed() {
+        let change = |text: &str, from: &str, to: &str| {
+            assert!(text.contains(from), "{from}");
+            text.replacen(from, to, 1)
+        };
+        let refused = |robot: &str, moving: &str| {
+            let error = Scene::from_json(&text(robot, moving)).unwrap_err();
+            [error.field(), error.value(), error.allowed()].map(str::to_owned)
+        };
+        let far = "from -1000000 to 1000000";
+        let size = "greater than 0, at most 1000000";
+        for (from, to, expected) in [
+            ("\"center\": [1, 1.5], ", "", ["center", "nothing", "a point, [x, y]"]),
+            ("[1, 1.5]", "[1]", ["center", "a list of 1", "a point, [x, y]"]),
+            ("[1, 1.5]", "[1, -1000001]", ["center[1]", "-1000001", far]),
+            ("\"radius\": 0.5, ", "", ["radius", "nothing", "a finite number"]),
+            ("0.5", "0", ["radius", "0", size]),
+            ("0.5", "-0.5", ["radius", "-0.5", size]),
+            ("0.5", "2e6", ["radius", "2000000", size]),
+            ("0.5", "\"0.5\"", ["radius", "\"0.5\"", "a finite number"]),
+            (", \"velocity\": [0.25, -1]", "", ["velocity", "nothing", "a velocity, [vx, vy], or else waypoints"]),
+            ("[0.25, -1]", "null", ["velocity", "nothing", "a point, [x, y]"]),
+            ("[0.25, -1]", "[0.25, null]", ["velocity[1]", "nothing", "a finite number"]),
+            ("[0.25, -1]", "[-1e7, -1]", ["velocity[0]", "-10000000", far]),
+            ("\"velocity\"", "\"waypoints\": [[1, 2, 3]], \"velocity\"", ["velocity", "this field", "left out where there are waypoints"]),
+            ("\"velocity\"", "\"speed\"", ["velocity", "nothing", "a velocity, [vx, vy], or else waypoints"]),
+            (
+                "\"velocity\"",
+                "\"mass\": 1, \"velocity\"",
+                ["mass", "this field", "left out, or one of center, radius, velocity, waypoints"],
+            ),
+        ] {
+            let [field, value, allowed] = refused(ROBOT, &format!("[{GUARD}, {}]", change(DISC, from, to)));
+            let path = format!("moving[1].{}", expected[0]);
+            assert_eq!([field.as_str(), &value, &allowed], [&path, expected[1], expected[2]]);
+        }
+        for (from, to, expected) in [
+            ("[[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]", "3", ["", "3", "a list"]),
+            ("[[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]", "[]", ["", "a list of 0", "1 to 10000 way-points"]),
+            ("[3, 2, 3]", "[2, 3]", ["[1]", "a list of 2", "a time and a point, [t, x, y]"]),
+            ("[3, 2, 3]", "[3, 2, 3, 4]", ["[1]", "a list of 4", "a time and a point, [t, x, y]"]),
+            ("[3, 2, 3]", "{}", ["[1]", "an object", "a time and a point, [t, x, y]"]),
+            ("[3, 2, 3]", "[3, 2, true]", ["[1][2]", "true", "a finite number"]),
+            ("[3, 2, 3]", "[\"3\", 2, 3]", ["[1][0]", "\"3\"", "a finite number"]),
+            ("[3, 2, 3]", "[3, 2e6, 3]", ["[1][1]", "2000000", far]),
+            ("[3, 2, 3]", "[3, 2, -2e6]", ["[1][2]", "-2000000", far]),
+            ("[3, 2, 3]", "[1.5, 2, 3]", ["[1][0]", "1.5", "after 1.5, at most 1000000: way-points follow each other"]),
+            ("[3, 2, 3]", "[1, 2, 3]", ["[1][0]", "1", "after 1.5, at most 1000000: way-points follow each other"]),
+            ("[4.5, -2, 1e3]", "[1e7, -2, 1e3]", ["[2][0]", "10000000", "after 3, at most 1000000: way-points follow each other"]),
+            ("[1.5, 2, 3]", "[0, 2, 3]", ["[0][0]", "0", "after 0, at most 1000000: way-points follow each other"]),
+            ("[1.5, 2, 3]", "[1e-9, 2, 3]", ["[0][0]", "0.000000001", "late enough to be there at no more than 1000000 a second"]),
+            ("[1.5, 2, 3]", "[4e-324, 2, 3]", ["[0][0]", "0", "late enough to be there at no more than 1000000 a second"]),
+        ] {
+            let [field, value, allowed] = refused(ROBOT, &format!("[{}]", change(GUARD, from, to)));
+            let path = format!("moving[0].waypoints{}", expected[0]);
+            let value = if value.len() > 20 { "0" } else { &value };
+            assert_eq!([field.as_str(), value, &allowed], [&path, expected[1], expected[2]]);
+        }
+        for (from, to, expected) in [
+            ("\"speed\": 2", "\"speed\": 0", ["speed", "0", size]),
+            ("\"sensor\": 3", "\"sensor\": -3", ["sensor", "-3", size]),
+            ("\"radius\": 0.75", "\"radius\": 0", ["radius", "0", size]),
+            ("\"radius\": 0.75", "\"radius\": \"big\"", ["radius", "\"big\"", "a finite number"]),
+            ("\"margin\": 0", "\"margin\": -1", ["margin", "-1", "from 0 to 1000000"]),
+            ("\"turn_time\": 0", "\"turn_time\": 1e7", ["turn_time", "10000000", "from 0 to 1000000"]),
+            ("\"look_ahead\": 8", "\"look_ahead\": 1e7", ["look_ahead", "10000000", size]),
+            ("\"look_ahead\": 8", "\"look_ahead\": null", ["look_ahead", "nothing", "a finite number"]),
+            ("\"width\": 0.25, ", "", ["width", "nothing", "a width, as there is a length"]),
+            (
+                "\"margin\"",
+                "\"disc\"",
+                ["disc", "this field", "left out, or one of length, width, speed, turn_time, sensor, radius, margin, look_ahead"],
+            ),
+        ] {
+            let [field, value, allowed] = refused(&change(ROBOT, from, to), "[]");
+            assert_eq!([field.as_str(), &value, &allowed], [&format!("robot.{}", expected[0]), expected[1], expected[2]]);
+        }
+        let all = "an object with center, radius, and velocity or waypoints";
+        for (moving, expected) in
+            [("3", ["moving", "3", "a list"]), ("[[1, 2]]", ["moving[0]", "a list of 2", all]), ("[null]", ["moving[0]", "nothing", all])]
+        {
+            assert_eq!(refused(ROBOT, moving), expected);
+        }
+    }
+
+    #[test]
+    fn there_is_a_most_of_discs_and_of_way_points() {
+        let list = |n: usize, one: &dyn Fn(usize) -> String| (1..=n).map(one).collect::<Vec<_>>().join(", ");
+        let discs = |n| text(ROBOT, &format!("[{}]", list(n, &|_| DISC.to_owned())));
+        let guard = |n| {
+            let points = list(n, &|k| format!("[{k}, 1, 1]"));
+            text(ROBOT, &format!(r#"[{{"center": [1, 1], "radius": 1, "waypoints": [{points}]}}]"#))
+        };
+        for (most, more, field) in
+            [(discs(MAX_MOVING), discs(MAX_MOVING + 1), "moving"), (guard(MAX_WAYPOINTS), guard(MAX_WAYPOINTS + 1), "moving[0].waypoints")]
+        {
+            assert!(Scene::from_json(&most).is_ok());
+            assert_eq!(Scene::from_json(&more).unwrap_err().field(), field);
+        }
+    }
 }
