@@ -1,9 +1,10 @@
 //! Random scenes: each made by a generator with parameters and a seed, the same everywhere.
 //!
 //! Grids have a way from start to goal without cutting corners: `scatter` blocks a share of the cells, `rooms` begins with
-//! all blocked and opens some, and `calls` puts stops on them. `points` are stops in the plane.
+//! all blocked and opens some, `calls` puts stops on them, and `moving` what moves. `points` are stops in the plane.
 
 mod calls;
+mod moving;
 mod points;
 mod rooms;
 mod scatter;
@@ -19,6 +20,8 @@ use crate::{
 };
 
 use super::{Body, GridScene, Header, Kind, MAX_GRID_STOPS, MAX_SIDE, Scene, TourScene};
+
+use moving::{MOVING, MOVING_RADIUS, MOVING_SPEED};
 
 pub use calls::with_stops;
 
@@ -37,7 +40,7 @@ pub struct Generator {
     pub title: &'static str,
     /// A sentence or two.
     pub help: &'static str,
-    /// Its parameters; every generator of grids has `columns`, `rows`, `cell` and, last, `stops`.
+    /// Its parameters; every generator of grids has `columns`, `rows`, `cell` and, last, `stops` and those of what moves.
     pub parameters: &'static [Parameter],
     draw: Draw,
 }
@@ -133,7 +136,9 @@ pub fn generate(name: &str, given: &Given, seed: u64) -> Result<Scene, Error> {
         }
     };
     let mut source = format!("forage generate {name}");
-    for (name, value) in settings.all() {
+    // Where nothing moves, the command is the one that it was before anything did.
+    let moves = settings.number(MOVING.name) > 0.0;
+    for (name, value) in settings.all().iter().filter(|(name, _)| moves || !name.starts_with(MOVING.name)) {
         // Writing to a string cannot fail.
         let _ = write!(source, " --set {name}={value}");
     }
@@ -157,21 +162,27 @@ fn grid(
     seed: u64,
     note: &mut Option<String>,
 ) -> GridScene {
-    let [columns, rows, stops] = ["columns", "rows", "stops"].map(|name| settings.integer(name) as usize);
+    let [columns, rows, stops, moving] = ["columns", "rows", "stops", "moving"].map(|name| settings.integer(name) as usize);
     let count = columns * rows;
     let mut plot = Plot { columns, rows, blocked: vec![false; count], kept: vec![false; count], ends: [0, count - 1], note: None };
     draw(settings, &mut plot, stream);
     let cell = settings.number("cell");
     let [start, goal] = plot.ends.map(|end| Some([end % columns, end / columns].map(|i| (i as f64 + 0.5) * cell)));
     let mut grid = GridScene { start, goal, ..GridScene::new(cell, columns, plot.blocked) };
-    *note = plot.note;
+    let mut notes: Vec<_> = plot.note.into_iter().collect();
+    // Both from streams of their own: the grid is the same with them and without.
     if stops > 0 {
-        // From a stream of their own: the grid is the same with stops and without.
         let there = calls::place(&mut grid, stops, &mut Stream::new(seed, 1));
         if there < stops {
-            let text = format!("There are {there} stops, not {stops}: there is room for no more.");
-            *note = Some(note.take().map_or(text.clone(), |before| format!("{before} {text}")));
+            notes.push(format!("There are {there} stops, not {stops}: there is room for no more."));
         }
     }
+    if moving > 0 {
+        let there = moving::place(&mut grid, settings, &mut Stream::new(seed, 2));
+        if there < moving {
+            notes.push(format!("There are {there} moving obstacles, not {moving}: there is no room for more clear of the start."));
+        }
+    }
+    *note = Some(notes.join(" ")).filter(|text| !text.is_empty());
     grid
 }

@@ -6,7 +6,7 @@ use crate::{
     scene::reach::beside,
 };
 
-use super::{CELL, COLUMNS, Draw, Generator, MAX_SIDE, Plot, ROWS, STOPS, columns, rows};
+use super::{CELL, COLUMNS, Draw, Generator, MAX_SIDE, MOVING, MOVING_RADIUS, MOVING_SPEED, Plot, ROWS, STOPS, columns, rows};
 
 pub(super) const ROOMS: Generator = Generator {
     name: "rooms",
@@ -28,6 +28,9 @@ pub(super) const ROOMS: Generator = Generator {
             .slider(1.0, 10.0, false),
         Parameter::number("loops", "", "Loops", [0.0, 1.0, 0.3], LOOPS),
         STOPS,
+        MOVING,
+        MOVING_SPEED,
+        MOVING_RADIUS,
     ],
     draw: Draw::Grid(|settings, plot, stream| {
         let room = settings.integer("room") as usize;
@@ -41,7 +44,16 @@ pub(super) const MAZE: Generator = Generator {
     title: "Maze",
     help: "Corridors and walls one cell wide; without loops there is exactly one way between any two cells. In an even number of \
            columns or rows the last one is wall.",
-    parameters: &[columns(41), rows(31), CELL, Parameter::number("loops", "", "Loops", [0.0, 1.0, 0.0], LOOPS), STOPS],
+    parameters: &[
+        columns(41),
+        rows(31),
+        CELL,
+        Parameter::number("loops", "", "Loops", [0.0, 1.0, 0.0], LOOPS),
+        STOPS,
+        MOVING,
+        MOVING_SPEED,
+        MOVING_RADIUS,
+    ],
     draw: Draw::Grid(|settings, plot, stream| {
         // What an even side has too much stays blocked.
         let spans = [plot.columns, plot.rows].map(|length| spans(length - usize::from(length % 2 == 0), 1, stream));

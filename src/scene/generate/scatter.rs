@@ -11,7 +11,7 @@ use crate::{
     scene::reach::{beside, crossing},
 };
 
-use super::{CELL, COLUMNS, Draw, Generator, Plot, ROWS, STOPS};
+use super::{CELL, COLUMNS, Draw, Generator, MOVING, MOVING_RADIUS, MOVING_SPEED, Plot, ROWS, STOPS};
 
 const SHARE: Parameter = Parameter::number("share", "", "Share", [0.0, 1.0, 0.3], "How much of the grid is blocked.");
 
@@ -20,7 +20,7 @@ pub(super) const RANDOM: Generator = Generator {
     title: "Random obstacles",
     help: "Single cells, each as likely as the others, until the share is blocked. Where that would leave no way, one is cleared \
            and as many other cells are blocked.",
-    parameters: &[COLUMNS, ROWS, CELL, SHARE, STOPS],
+    parameters: &[COLUMNS, ROWS, CELL, SHARE, STOPS, MOVING, MOVING_SPEED, MOVING_RADIUS],
     draw: Draw::Grid(|settings, plot, stream| {
         plot.scatter(settings.number("share"), stream, &mut |plot, stream, count| {
             let mut free = plot.free();
@@ -43,6 +43,9 @@ pub(super) const RUBBLE: Generator = Generator {
         Parameter::integer("size", "", "Largest heap", [1, 1000, 7], "Heaps are 1 to this many cells across, more or less round.")
             .slider(1.0, 30.0, false),
         STOPS,
+        MOVING,
+        MOVING_SPEED,
+        MOVING_RADIUS,
     ],
     draw: Draw::Grid(rubble),
 };

@@ -2,9 +2,13 @@
 
 use crate::{
     Scene, Value,
+    digest::Digest,
     params::Domain,
     planner::Yardstick,
-    scene::reach::{beside, reach},
+    scene::{
+        Motion, Robot,
+        reach::{beside, reach},
+    },
 };
 
 use super::*;
@@ -149,7 +153,8 @@ fn what_is_not_allowed_is_refused_by_name() {
     }
     for generator in GENERATORS {
         let names: Vec<_> = generator.parameters.iter().map(|p| p.name).collect();
-        assert_eq!((&names[..3], names.last()), (&["columns", "rows", "cell"][..], Some(&"stops")));
+        assert_eq!(names[..3], ["columns", "rows", "cell"]);
+        assert_eq!(names[names.len() - 4..], ["stops", "moving", "moving_speed", "moving_radius"]);
         assert_eq!(find(generator.name).unwrap().name, generator.name);
     }
 }
@@ -203,6 +208,92 @@ fn stops_can_be_put_on_any_grid_where_its_robot_fits() {
         assert_eq!((error.field(), error.allowed().starts_with("from 1 to 3")), (field, true));
     }
     assert_eq!(with_stops(&crate::shipped("sphere").unwrap(), 3, 1).unwrap_err().field(), "kind");
+}
+
+/// The digest of a scene's file.
+fn digest(scene: &Scene) -> String {
+    let mut digest = Digest::default();
+    digest.bytes(scene.to_json().as_bytes());
+    digest.hex()
+}
+
+/// The stored digests were written before there were moving obstacles.
+#[test]
+fn without_moving_obstacles_a_scene_is_what_it_was_before_there_were_any() {
+    let stored = ["9db03a78527c7747", "f77f5658f5be08f8", "ff8ec597874781b1", "a807ce8980010fc8"];
+    for (generator, stored) in GENERATORS.iter().zip(stored) {
+        assert_eq!(digest(&make(generator.name, &[("columns", 31.0), ("stops", 3.0)], 7)), stored, "{}", generator.name);
+        let fast = make(generator.name, &[("columns", 31.0), ("stops", 3.0), ("moving", 0.0), ("moving_speed", 9.0)], 7);
+        assert_eq!(digest(&fast), stored, "of what moves there is nothing");
+    }
+}
+
+fn length([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y).sqrt()
+}
+
+/// Stored when they came: the same parameters and seed give the same discs for ever.
+#[test]
+fn a_seed_s_moving_obstacles_are_the_stored_ones() {
+    let scene = make("random", &[("stops", 3.0), ("moving", 5.0), ("moving_speed", 1.5)], 7);
+    assert_eq!(digest(&scene), "9491b695fc36df03");
+    let source = "forage generate random --set columns=40 --set rows=30 --set cell=1 --set share=0.3 --set stops=3 --set moving=5 \
+                  --set moving_speed=1.5 --set moving_radius=0.5 --seed 7";
+    assert_eq!(scene.header().source.as_deref(), Some(source));
+}
+
+#[test]
+fn what_moves_is_clear_of_the_start_as_fast_and_as_large_as_allowed_and_changes_nothing_else() {
+    for (generator, cell) in GENERATORS.iter().flat_map(|generator| [(generator, 1.0), (generator, 0.05)]) {
+        let (mut speeds, mut radii, mut quarters) = (Vec::new(), Vec::new(), [0; 4]);
+        for seed in 0..20 {
+            let size = [("columns", 12.0), ("rows", 9.0), ("cell", cell), ("stops", 4.0)];
+            let discs = [("moving", 20.0), ("moving_speed", 2.0), ("moving_radius", 0.8)];
+            let scene = make(generator.name, &[&size[..], &discs].concat(), seed);
+            let grid = scene.grid().unwrap();
+            assert_eq!((grid.moving.len(), scene.header().note.as_ref()), (20, None));
+            let robot = Robot { speed: Some(cell), turn_time: Some(1.0), ..Robot::default() };
+            assert_eq!(grid.robot, Some(robot));
+            for disc in &grid.moving {
+                let (Motion::Velocity([x, y]), start) = (&disc.motion, grid.start.unwrap()) else { panic!("{disc:?}") };
+                let apart = length([disc.center[0] - start[0], disc.center[1] - start[1]]);
+                assert!(apart > disc.radius + cell, "a robot of half a cell with half a cell around it");
+                let max = grid.bounds().max;
+                assert!((0..2).all(|axis| (0.0..max[axis]).contains(&disc.center[axis])));
+                speeds.push(length([*x, *y]) / cell);
+                radii.push(disc.radius / cell);
+                quarters[usize::from(*x < 0.0) + 2 * usize::from(*y < 0.0)] += 1;
+            }
+            let mut without = make(generator.name, &size, seed).grid().unwrap().clone();
+            (without.robot, without.moving) = (grid.robot, grid.moving.clone());
+            assert_eq!(&without, grid);
+            assert_eq!(Scene::from_json(&scene.to_json()).unwrap(), scene);
+        }
+        for (values, greatest) in [(speeds, 2.0), (radii, 0.8)] {
+            let (least, most) = values.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), &v| (a.min(v), b.max(v)));
+            assert!(least >= greatest / 4.0 * 0.999_999 && least < greatest * 0.3, "{least} of {greatest}");
+            assert!(most <= greatest * 1.000_001 && most > greatest * 0.95, "{most} of {greatest}");
+        }
+        assert!(quarters.iter().all(|n| (60..140).contains(n)), "all directions: {quarters:?}");
+    }
+}
+
+#[test]
+fn where_there_is_no_room_clear_of_the_start_fewer_discs_move_and_a_note_says_so() {
+    let small = [("columns", 2.0), ("rows", 2.0), ("moving", 4.0)];
+    // The far corner is 2.12 from the start: discs under 1.12 may begin near it, one of 1.25, the least of up to 5, not.
+    let tight = make("random", &[&small[..], &[("moving_radius", 2.0)]].concat(), 1);
+    assert_eq!(tight.grid().unwrap().moving.len(), 4, "small ones find room");
+    assert!(tight.grid().unwrap().moving.iter().all(|disc| disc.radius < 1.13));
+    let none = make("random", &[&small[..], &[("moving_radius", 5.0), ("stops", 9.0), ("share", 0.0)]].concat(), 1);
+    assert!(none.grid().unwrap().moving.is_empty());
+    let note = "There are 2 stops, not 9: there is room for no more. \
+                There are 0 moving obstacles, not 4: there is no room for more clear of the start.";
+    assert_eq!(none.header().note.as_deref(), Some(note));
+    assert!(none.header().source.as_ref().unwrap().contains("moving=4"));
+    for (name, wrong) in [("moving", 101.0), ("moving", 0.5), ("moving_speed", -1.0), ("moving_speed", f64::NAN), ("moving_radius", 0.0)] {
+        assert_eq!(generate("maze", &given(&[(name, wrong)]), 1).unwrap_err().field(), name);
+    }
 }
 
 #[test]
