@@ -15,6 +15,9 @@ const FILES: &[&str] = &[
     include_str!("../../scenes/qpso-10m-empty.json"),
     include_str!("../../scenes/ant-bat-30.json"),
     include_str!("../../scenes/wolf-ant-20.json"),
+    include_str!("../../scenes/crossing.json"),
+    include_str!("../../scenes/patrol.json"),
+    include_str!("../../scenes/corridor.json"),
     include_str!("../../scenes/open-12.json"),
     include_str!("../../scenes/random-52.json"),
     include_str!("../../scenes/clustered-100.json"),
@@ -49,7 +52,11 @@ pub fn shipped(name: &str) -> Result<Arc<Scene>, Error> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Given, Value, planner::Round, scene::generate::generate};
+    use crate::{
+        Given, Value,
+        planner::{Border, Round, Solution, Track, Yardstick},
+        scene::{Motion, generate::generate},
+    };
 
     use super::*;
 
@@ -89,5 +96,54 @@ mod tests {
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), FILES.len());
+    }
+
+    /// The robot's drive from corner to corner, before each of which it waits so many seconds: is it free, with its margin?
+    fn drives(scene: &Scene, corners: &[[f64; 3]], border: Border) -> bool {
+        let grid = scene.grid().unwrap();
+        let robot = grid.robot.unwrap();
+        let (mut path, mut moments) = (vec![grid.start.unwrap()], Vec::new());
+        let (mut time, mut heading) = (0.0, None);
+        for &[x, y, wait] in corners {
+            let from = path[path.len() - 1];
+            let way = [x - from[0], y - from[1]];
+            let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+            let turned = heading.is_some_and(|before: [f64; 2]| before.iter().zip(way).any(|(b, w)| (b - w / length).abs() > 1e-9));
+            moments.push([time, from[0], from[1]]);
+            time += wait + if turned { robot.turn_time.unwrap() } else { 0.0 };
+            moments.push([time, from[0], from[1]]);
+            time += length / robot.speed.unwrap();
+            heading = Some(way.map(|w| w / length));
+            path.push([x, y]);
+        }
+        moments.push([time, path[path.len() - 1][0], path[path.len() - 1][1]]);
+        let radius = robot.disc.unwrap() + robot.margin.unwrap();
+        scene.judge(&Solution::Drive(Track { path, moments, radius, border })).feasible
+    }
+
+    /// What each of the scenes for lectures is for: who does not look meets something, who waits or steps aside in time does not.
+    #[test]
+    fn where_something_moves_the_shortest_way_meets_it_and_another_drive_does_not() {
+        let drive: [(&str, &[[f64; 3]]); 3] = [
+            // Beside the shortest way, with a wait before the first turn and another in front of the second disc.
+            ("crossing", &[[2.5, 9.5, 0.0], [6.5, 9.5, 0.5], [15.5, 9.5, 0.5], [16.5, 8.5, 0.0], [22.5, 8.5, 0.0]]),
+            // In the doorway until the first guard has gone by; the others are just past.
+            ("patrol", &[[4.5, 4.5, 0.0], [4.5, 6.5, 0.0], [4.5, 7.5, 5.8], [16.5, 7.5, 0.0], [16.5, 12.5, 0.0], [18.5, 14.5, 0.0]]),
+            // Into the niche, and back when the disc has gone by.
+            ("corridor", &[[11.5, 3.5, 0.0], [11.5, 4.5, 1.0], [11.5, 3.5, 1.0], [21.5, 3.5, 0.0]]),
+        ];
+        for (name, corners) in drive {
+            let scene = shipped(name).unwrap();
+            let grid = scene.grid().unwrap();
+            assert!(grid.robot.unwrap().sensor.is_some() && !grid.corner_cutting);
+            let shortest: Vec<_> = scene.exact_by(Yardstick::Cells).unwrap().path[1..].iter().map(|&[x, y]| [x, y, 0.0]).collect();
+            for border in [Border::Leave, Border::Bounce] {
+                assert!(!drives(&scene, &shortest, border), "{name} calls for something");
+                assert!(drives(&scene, corners, border), "{name} can be done");
+            }
+        }
+        for guard in &shipped("patrol").unwrap().grid().unwrap().moving {
+            assert!(matches!(&guard.motion, Motion::Waypoints(points) if points[points.len() - 1][0] >= 120.0), "two minutes");
+        }
     }
 }
