@@ -240,6 +240,30 @@ fn the_command_in_a_random_grid_s_source_makes_it_again() {
 }
 
 #[test]
+fn moving_obstacles_are_asked_for_in_the_shell_and_made_again_by_their_source() {
+    let at = |name: &str| place("moving", name);
+    for generator in GENERATORS {
+        let set = ["--set", "columns=12", "--set", "moving=5", "--set", "moving_speed=0.5", "--seed", "9"];
+        let output = forage(&[&["generate", generator.name][..], &set, &["--out", &at("s.json")]].concat());
+        assert_eq!((output.status.code(), words(&output.stderr)), (Some(0), String::new()));
+        let scene = Scene::from_json(&std::fs::read_to_string(at("s.json")).unwrap()).unwrap();
+        let grid = scene.grid().unwrap();
+        assert_eq!((grid.moving.len(), grid.robot.and_then(|robot| robot.speed)), (5, Some(1.0)));
+        let source = scene.header().source.clone().unwrap();
+        let args: Vec<_> = source.split_once(' ').expect("a command and its words").1.split(' ').collect();
+        assert_eq!(Scene::from_json(&words(&forage(&args).stdout)).unwrap(), scene, "{source}");
+        // A map has no place for them, and that is told.
+        let output = forage(&["convert", &at("s.json"), &at("s.map")]);
+        let said = words(&output.stderr);
+        assert!(output.status.code() == Some(0) && said.contains("the moving discs") && said.contains("the robot"), "{said}");
+    }
+    let crowded = ["generate", "random", "--set", "columns=1", "--set", "rows=1", "--set", "moving=2", "--out", &at("none.json")];
+    let output = forage(&crowded);
+    let note = "There are 0 moving obstacles, not 2: there is no room for more clear of the start.";
+    assert!(output.status.code() == Some(0) && words(&output.stderr).contains(note), "{}", words(&output.stderr));
+}
+
+#[test]
 fn stops_go_through_every_format_of_stops_and_their_shortest_tour_with_them() {
     let at = |name: &str| place("tours", name);
     let run = |args: &[&str]| {
@@ -335,6 +359,8 @@ fn what_is_refused_exits_with_2_and_writes_nothing() {
         (&["generate", "sand"], "generator: there is no `sand`; known: random, rubble, rooms, maze, stops"),
         (&["generate", "maze", "--set", "columns=0"], "columns: 0 is not allowed; it must be a whole number from 1 to 2048"),
         (&["generate", "maze", "--set", "share=0.5"], "parameter: there is no `share`"),
+        (&["generate", "maze", "--set", "moving=101"], "moving: 101 is not allowed; it must be a whole number from 0 to 100"),
+        (&["generate", "stops", "--set", "moving=1"], "parameter: there is no `moving`"),
         (&["generate", "maze", "--seed", "-1"], "seed: -1"),
         (&["generate", "maze", "--out", "a.txt"], "--out: a.txt"),
     ] {
