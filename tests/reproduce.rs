@@ -27,7 +27,10 @@ fn text(bytes: &[u8]) -> String {
 #[test]
 fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
     for (args, part) in [
-        (&["reproduce", "waldo"] as &[&str], "known: ltqpso, ltqpso-regression, antbat-paths, antbat-tours, antbat-time, wolf-ant"),
+        (
+            &["reproduce", "waldo"] as &[&str],
+            "known: ltqpso, ltqpso-regression, antbat-paths, antbat-tours, antbat-time, wolf-ant, wolf-ant-dynamic",
+        ),
         (&["reproduce", "ltqpso", "--runs", "1"], "runs: 1 is not allowed; it must be from 2"),
         (&["reproduce", "ltqpso", "--jobs", "0"], "--jobs"),
         (&["reproduce", "ltqpso", "--out", "Cargo.toml", "--runs", "2"], "Cargo.toml"),

@@ -3,7 +3,8 @@
 //! [`runner`] carries out keyed jobs on all cores and appends each finished one to [`rows`], so that an interruption
 //! loses nothing. [`statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
 //! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
-//! [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
+//! [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`],
+//! [`wolf_dynamic`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
 
 pub mod antbat;
 pub mod antbat_time;
@@ -24,6 +25,7 @@ pub mod table;
 mod tours;
 mod tuned;
 pub mod wolf;
+pub mod wolf_dynamic;
 
 use std::{
     fmt, io,
@@ -43,6 +45,7 @@ pub const REPRODUCTIONS: &[Reproduction] = &[
     antbat_tours::REPRODUCTION,
     antbat_time::REPRODUCTION,
     wolf::REPRODUCTION,
+    wolf_dynamic::REPRODUCTION,
 ];
 
 /// A published experiment.
