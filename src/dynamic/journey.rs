@@ -15,17 +15,10 @@ use crate::{
 
 use super::{
     Ground,
-    body::{Deed, Done, Plan, Pose, Stretch},
-    escape::{Escape, escape},
-    route::{Route, plan, steps},
-    world::{Conflict, Distance, View},
+    body::{Deed, Plan, Pose, Stretch},
+    route::{Route, plan},
+    world::{Distance, View},
 };
-
-/// How often a robot that waits looks for a way round, in seconds.
-const RETRY: f64 = 0.5;
-
-/// How many conflicts a way round takes into account at most.
-const BLOCKERS: usize = 8;
 
 /// What a drive has cost so far.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,11 +38,11 @@ pub(super) struct Tally {
 
 /// The robot stands though its plan leads on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Hold {
-    since: f64,
-    obstacle: usize,
+pub(super) struct Hold {
+    pub since: f64,
+    pub obstacle: usize,
     /// When it looks for a way round next.
-    retry: f64,
+    pub retry: f64,
 }
 
 /// A drive under way.
@@ -67,11 +60,12 @@ pub(super) struct Journey {
     /// Where a detour comes back to the planned way.
     pub local_goal: Option<usize>,
     pub arrived: bool,
-    hold: Option<Hold>,
+    pub hold: Option<Hold>,
     /// What it keeps away by now.
-    distance: Distance,
-    /// It was said already that nothing is safe.
-    cornered: bool,
+    pub distance: Distance,
+    /// It was said already that nothing is safe; that it gets out of the way.
+    pub cornered: bool,
+    pub evading: bool,
     /// Of each obstacle: whether it was seen, whether it touches.
     seen: Vec<bool>,
     touching: Vec<bool>,
@@ -79,15 +73,8 @@ pub(super) struct Journey {
     heading: [f64; 2],
     iteration: u64,
     /// Scratch space.
-    stretches: Vec<Stretch>,
-    occupied: Vec<bool>,
-}
-
-/// A plan that could be taken.
-struct Offer {
-    plan: Plan,
-    local_goal: Option<usize>,
-    end: f64,
+    pub stretches: Vec<Stretch>,
+    pub occupied: Vec<bool>,
 }
 
 impl Journey {
@@ -118,6 +105,7 @@ impl Journey {
             hold: None,
             distance: Distance::Margin,
             cornered: false,
+            evading: false,
             seen: vec![false; n],
             touching: vec![false; n],
             velocity: [0.0; 2],
@@ -175,236 +163,8 @@ impl Journey {
         }
     }
 
-    /// Whether the plan will do, and if not, what instead.
-    fn think(&mut self, route: &mut dyn Route) {
-        if self.distance == Distance::Contact && self.conflict(Distance::Margin).is_none() {
-            self.distance = Distance::Margin;
-        }
-        match (self.conflict(self.distance), self.hold) {
-            (None, None) => self.cornered = false,
-            (None, Some(hold)) => {
-                (self.hold, self.cornered) = (None, false);
-                let waited = self.now - hold.since;
-                self.tell("go-on", Some(hold.obstacle), format!("The way is clear as far as it looks ahead: on after {waited:.1} s."));
-            }
-            (Some(conflict), Some(hold)) => {
-                if self.now >= hold.retry {
-                    self.hold = Some(Hold { retry: self.now + RETRY, ..hold });
-                    if self.around(route, self.distance, conflict) {
-                        return;
-                    }
-                }
-                if !self.stands(self.distance) {
-                    self.hold = None;
-                    self.decide(route, conflict);
-                }
-            }
-            (Some(conflict), None) => {
-                if !self.cornered {
-                    self.foresee(conflict);
-                }
-                self.decide(route, conflict);
-            }
-        }
-    }
-
-    fn foresee(&mut self, conflict: Conflict) {
-        let (within, [x, y]) = (conflict.time - self.now, conflict.place);
-        let number = conflict.obstacle;
-        let near = match self.distance {
-            Distance::Margin => format!("come nearer than the margin of {}", self.length_of(self.ground.body.margin)),
-            Distance::Contact => "touch it".to_owned(),
-        };
-        self.tell("foreseen", Some(number), format!("In {within:.1} s, at ({x:.1}, {y:.1}), obstacle {number} would {near}."));
-    }
-
-    fn decide(&mut self, route: &mut dyn Route, conflict: Conflict) {
-        let mut conflict = conflict;
-        let first = self.distance;
-        for distance in [Distance::Margin, Distance::Contact] {
-            if distance == Distance::Margin && first == Distance::Contact {
-                continue;
-            }
-            if distance != first {
-                self.distance = distance;
-                let number = conflict.obstacle;
-                match self.conflict(distance) {
-                    None => {
-                        let said = format!("No way keeps the margin from obstacle {number}: on as planned, which does not touch it.");
-                        self.tell("squeeze", Some(number), said);
-                        return;
-                    }
-                    Some(other) => conflict = other,
-                }
-            }
-            if self.around(route, distance, conflict) || self.wait(distance, conflict) || self.evade(route, distance, conflict) {
-                return;
-            }
-        }
-        self.put_off(route, conflict);
-    }
-
-    /// The first conflict of the plan as far as it looks ahead.
-    fn conflict(&mut self, distance: Distance) -> Option<Conflict> {
-        let (pose, plan) = (self.pose, std::mem::take(&mut self.plan));
-        let conflict = self.conflict_of(pose, &plan, distance);
-        self.plan = plan;
-        conflict
-    }
-
-    fn conflict_of(&mut self, mut pose: Pose, plan: &Plan, distance: Distance) -> Option<Conflict> {
-        let body = &self.ground.body;
-        let horizon = self.now + body.look_ahead;
-        let (stretches, mut done) = (&mut self.stretches, plan.done);
-        stretches.clear();
-        pose.follow(&plan.steps, &mut done, body, [self.now, horizon], &mut |stretch| stretches.push(stretch));
-        self.view.conflict(stretches, distance, horizon, self.ground.grid(), body)
-    }
-
-    /// Whether it may stand where it is as far as it looks ahead.
-    fn stands(&self, distance: Distance) -> bool {
-        let horizon = self.now + self.ground.body.look_ahead;
-        self.view.is_clear(&self.standing(horizon), distance, horizon, self.ground.grid(), &self.ground.body)
-    }
-
-    fn standing(&self, until: f64) -> Stretch {
+    pub fn standing(&self, until: f64) -> Stretch {
         Stretch { from: self.now, until, at: self.pose.at, velocity: [0.0; 2], deed: Deed::Wait, step: 0 }
-    }
-
-    /// The cells that it can go to next: on to the middle ahead of it, or back.
-    fn origins(&self) -> impl Iterator<Item = usize> + use<> {
-        let [behind, ahead] = self.pose.between;
-        [Some(ahead), (behind != ahead).then_some(behind)].into_iter().flatten()
-    }
-
-    /// A detour, or else a new way, that keeps away from everything: the one that is at the goal first.
-    fn around(&mut self, route: &mut dyn Route, distance: Distance, conflict: Conflict) -> bool {
-        let rest: Vec<usize> = self.plan.left().iter().map(|step| step.cell).collect();
-        for detour in [true, false] {
-            let mut blockers = vec![conflict];
-            for _ in 0..BLOCKERS {
-                self.occupy(&blockers);
-                let (mut best, mut other): (Option<Offer>, _) = (None, None);
-                for origin in self.origins() {
-                    let Some((way, local_goal)) = self.way(route, origin, detour.then_some((&rest[..], conflict.step))) else {
-                        continue;
-                    };
-                    let plan = plan(&self.ground.cells, &self.ground.course, &way);
-                    match self.conflict_of(self.pose, &plan, distance) {
-                        Some(next) => other = other.or(Some(next)),
-                        None => {
-                            let (mut pose, mut done) = (self.pose, Done::default());
-                            let span = [self.now, f64::INFINITY];
-                            let end = pose.follow(&plan.steps, &mut done, &self.ground.body, span, &mut |_| {});
-                            if best.as_ref().is_none_or(|best| end < best.end) {
-                                best = Some(Offer { plan, local_goal, end });
-                            }
-                        }
-                    }
-                }
-                if let Some(offer) = best {
-                    self.take(offer, detour, &blockers);
-                    return true;
-                }
-                match other {
-                    Some(other) => blockers.push(other),
-                    None => break,
-                }
-            }
-        }
-        false
-    }
-
-    /// Marks the predicted ranges of what is in the way.
-    fn occupy(&mut self, blockers: &[Conflict]) {
-        let ground = Arc::clone(&self.ground);
-        self.occupied.fill(false);
-        for conflict in blockers {
-            self.view.occupy(conflict, ground.grid(), &ground.cells, &ground.body, &mut self.occupied);
-        }
-    }
-
-    /// A way from a cell to the goal round the occupied cells. `along`: the cells of the planned way that are left, and the
-    /// one at which it meets an obstacle; then the way comes back to the first free one beyond it.
-    fn way(&self, route: &mut dyn Route, origin: usize, along: Option<(&[usize], usize)>) -> Option<(Vec<usize>, Option<usize>)> {
-        let Some((rest, met)) = along else {
-            return Some((route.replan(&self.occupied, origin)?, None));
-        };
-        let beyond = (met + 1..rest.len()).find(|&i| !self.occupied[rest[i]])?;
-        let mut way = route.detour(&self.occupied, origin, rest[beyond])?;
-        way.extend(&rest[beyond + 1..]);
-        way.dedup();
-        Some((way, Some(rest[beyond])))
-    }
-
-    fn take(&mut self, offer: Offer, detour: bool, blockers: &[Conflict]) {
-        let mut blockers: Vec<_> = blockers.iter().map(|conflict| conflict.obstacle).collect();
-        blockers.sort_unstable();
-        blockers.dedup();
-        (self.plan, self.local_goal, self.hold, self.cornered) = (offer.plan, offer.local_goal, None, false);
-        let what = if blockers.len() == 1 { format!("obstacle {}", blockers[0]) } else { "obstacles ".to_owned() + &list(&blockers) };
-        let length = self.length_of(self.left());
-        match offer.local_goal.filter(|_| detour) {
-            Some(goal) => {
-                self.tally.detours += 1;
-                let [x, y] = self.ground.cells.centre(goal);
-                let said =
-                    format!("Round the predicted range of {what} along the pheromone to a local goal at ({x:.1}, {y:.1}); {length} to go.");
-                self.tell("detour", Some(blockers[0]), said);
-            }
-            None => {
-                self.tally.replans += 1;
-                let said = format!("A new way to the goal round the predicted range of {what}; {length} to go.");
-                self.tell("replan", Some(blockers[0]), said);
-            }
-        }
-    }
-
-    fn wait(&mut self, distance: Distance, conflict: Conflict) -> bool {
-        let safe = self.stands(distance);
-        if safe {
-            self.hold = Some(Hold { since: self.now, obstacle: conflict.obstacle, retry: self.now + RETRY });
-            self.cornered = false;
-            self.tally.waits += 1;
-            let number = conflict.obstacle;
-            self.tell("wait", Some(number), format!("There is no safe way round obstacle {number} now: it stands until the way is clear."));
-        }
-        safe
-    }
-
-    fn evade(&mut self, route: &mut dyn Route, distance: Distance, conflict: Conflict) -> bool {
-        let found = escape(&self.view, distance, &self.pose, &self.ground);
-        let safe = found.safe && self.follow(route, found);
-        if safe {
-            self.cornered = false;
-            self.tally.escapes += 1;
-            let number = conflict.obstacle;
-            self.tell("evade", Some(number), format!("Standing is not safe from obstacle {number} either: it gets out of its way."));
-        }
-        safe
-    }
-
-    /// Nothing is safe: what is so for longest.
-    fn put_off(&mut self, route: &mut dyn Route, conflict: Conflict) {
-        if !std::mem::replace(&mut self.cornered, true) {
-            let number = conflict.obstacle;
-            self.tell("cornered", Some(number), format!("No motion is safe from obstacle {number}: what puts it off for longest."));
-        }
-        let found = escape(&self.view, Distance::Contact, &self.pose, &self.ground);
-        self.follow(route, found);
-    }
-
-    /// Takes the steps of an escape, and from their end the way to the goal.
-    fn follow(&mut self, route: &mut dyn Route, found: Escape) -> bool {
-        let mut all = found.steps;
-        let from = all.last().map_or(self.pose.between[1], |step| step.cell);
-        self.occupied.fill(false);
-        let Some(way) = route.replan(&self.occupied, from) else {
-            return false;
-        };
-        all.extend(steps(&self.ground.cells, &self.ground.course, &way));
-        (self.plan, self.local_goal, self.hold) = (Plan::new(all), None, None);
-        true
     }
 
     /// Drives for a period.
@@ -490,7 +250,7 @@ impl Journey {
         }
     }
 
-    fn tell(&mut self, kind: &'static str, obstacle: Option<usize>, reason: String) {
+    pub fn tell(&mut self, kind: &'static str, obstacle: Option<usize>, reason: String) {
         self.events.push(Event { iteration: self.iteration, time: self.now, place: self.pose.at, kind, obstacle, reason });
     }
 
@@ -510,7 +270,7 @@ impl Journey {
     }
 
     /// A length with the scene's unit.
-    fn length_of(&self, length: f64) -> String {
+    pub fn length_of(&self, length: f64) -> String {
         match &self.ground.scene.header().units {
             Some(units) => format!("{length:.1} {units}"),
             None => format!("{length:.1}"),
@@ -566,9 +326,4 @@ impl Journey {
         let events: usize = self.events.iter().map(|event| size_of::<Event>() + event.reason.len()).sum();
         size_of::<Self>() + 24 * self.moments.capacity() + events + self.occupied.len() + 48 * self.plan.steps.len()
     }
-}
-
-/// Numbers with commas between them.
-fn list(numbers: &[usize]) -> String {
-    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }

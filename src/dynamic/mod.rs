@@ -1,7 +1,7 @@
 //! Drives among moving obstacles, [WOLF-ANT] §5.3: a way is planned, then a robot drives it in simulated time, sees what
 //! moves, foresees collisions and goes round, plans anew or waits.
 //!
-//! There is one drive (`journey`). What its planners differ in is who plans the ways, a `Route`, a file each. `body` is how
+//! There is one drive (`journey`), and one way to decide (`decide`). What its planners differ in is who plans the ways, a `Route`, a file each. `body` is how
 //! the robot moves, `world` what it sees and foresees, `escape` what it does when neither a way round nor standing is safe.
 
 mod a_star;
@@ -9,6 +9,7 @@ pub mod a_star_drive;
 mod body;
 mod d_star_lite;
 pub mod d_star_lite_drive;
+mod decide;
 mod draw;
 mod escape;
 mod journey;

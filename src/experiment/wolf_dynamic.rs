@@ -350,7 +350,7 @@ fn judge(case: &[Run], among: &[Run]) -> Vec<Verdict> {
     vec![
         claim("in the published case every drive arrives and touches nothing", safe == case.len(), format!("{safe} of {}", case.len())),
         claim(
-            "in the published case the improved ants’ drive is 562.8427 px long",
+            "in the published case most drives of the improved ants are 562.8427 px long",
             2 * hits >= wolf().count(),
             format!("{hits} of {} are, to the last digit", wolf().count()),
         ),

@@ -1,0 +1,301 @@
+//! What the robot decides when its plan will not do.
+
+use std::sync::Arc;
+
+use super::{
+    body::{Done, Plan, Pose},
+    escape::{Escape, escape},
+    journey::{Hold, Journey},
+    route::{Route, plan, steps},
+    world::{Conflict, Distance},
+};
+
+/// How often a robot that waits looks for a way round, in seconds.
+const RETRY: f64 = 0.5;
+
+/// It acts on what is foreseen within this share of its look-ahead, and takes only what is safe for all of it: otherwise it
+/// would stop and go as obstacles come and leave at the edge of what it foresees.
+const ACT: f64 = 0.75;
+
+/// How many conflicts a way round takes into account at most.
+const BLOCKERS: usize = 8;
+
+/// A plan that could be taken.
+struct Offer {
+    plan: Plan,
+    local_goal: Option<usize>,
+    end: f64,
+}
+
+impl Journey {
+    /// Whether the plan will do, and if not, what instead.
+    pub fn think(&mut self, route: &mut dyn Route) {
+        if self.distance == Distance::Contact && self.conflict(Distance::Margin).is_none() {
+            self.distance = Distance::Margin;
+        }
+        match (self.conflict(self.distance), self.hold) {
+            (None, None) => self.calm(),
+            (None, Some(hold)) => {
+                self.calm();
+                self.hold = None;
+                let waited = self.now - hold.since;
+                self.tell("go-on", Some(hold.obstacle), format!("The way is clear as far as it looks ahead: on after {waited:.1} s."));
+            }
+            (Some(conflict), Some(hold)) => {
+                if self.now >= hold.retry {
+                    self.hold = Some(Hold { retry: self.now + RETRY, ..hold });
+                    if self.around(route, self.distance, conflict) {
+                        return;
+                    }
+                }
+                if !self.stands(self.distance) {
+                    self.hold = None;
+                    self.decide(route, conflict);
+                }
+            }
+            (Some(conflict), None) if conflict.time - self.now > ACT * self.ground.body.look_ahead => {}
+            (Some(conflict), None) => {
+                // Who is on the run looks for the best way out all the time: it is told once.
+                if !self.cornered && !self.evading {
+                    self.foresee(conflict);
+                }
+                self.decide(route, conflict);
+            }
+        }
+    }
+
+    fn calm(&mut self) {
+        (self.cornered, self.evading) = (false, false);
+    }
+
+    fn foresee(&mut self, conflict: Conflict) {
+        let (within, [x, y]) = (conflict.time - self.now, conflict.place);
+        let number = conflict.obstacle;
+        let near = match self.distance {
+            Distance::Margin => format!("come nearer than the margin of {}", self.length_of(self.ground.body.margin)),
+            Distance::Contact => "touch it".to_owned(),
+        };
+        self.tell("foreseen", Some(number), format!("In {within:.1} s, at ({x:.1}, {y:.1}), obstacle {number} would {near}."));
+    }
+
+    fn decide(&mut self, route: &mut dyn Route, conflict: Conflict) {
+        let mut conflict = conflict;
+        let first = self.distance;
+        for distance in [Distance::Margin, Distance::Contact] {
+            if distance == Distance::Margin && first == Distance::Contact {
+                continue;
+            }
+            if distance != first {
+                self.distance = distance;
+                let number = conflict.obstacle;
+                match self.conflict(distance) {
+                    None => {
+                        let said = format!("No way keeps the margin from obstacle {number}: on as planned, which does not touch it.");
+                        self.tell("squeeze", Some(number), said);
+                        return;
+                    }
+                    Some(other) => conflict = other,
+                }
+            }
+            if self.around(route, distance, conflict) || self.wait(distance, conflict) || self.evade(route, distance, conflict) {
+                return;
+            }
+        }
+        self.put_off(route, conflict);
+    }
+
+    /// The first conflict of the plan as far as it looks ahead.
+    fn conflict(&mut self, distance: Distance) -> Option<Conflict> {
+        let (pose, plan) = (self.pose, std::mem::take(&mut self.plan));
+        let conflict = self.conflict_of(pose, &plan, distance);
+        self.plan = plan;
+        conflict
+    }
+
+    fn conflict_of(&mut self, mut pose: Pose, plan: &Plan, distance: Distance) -> Option<Conflict> {
+        let body = &self.ground.body;
+        let horizon = self.now + body.look_ahead;
+        let (stretches, mut done) = (&mut self.stretches, plan.done);
+        stretches.clear();
+        pose.follow(&plan.steps, &mut done, body, [self.now, horizon], &mut |stretch| stretches.push(stretch));
+        self.view.conflict(stretches, distance, horizon, self.ground.grid(), body)
+    }
+
+    /// Whether it may stand where it is as far as it looks ahead.
+    fn stands(&self, distance: Distance) -> bool {
+        let horizon = self.now + self.ground.body.look_ahead;
+        self.view.is_clear(&self.standing(horizon), distance, horizon, self.ground.grid(), &self.ground.body)
+    }
+
+    /// The cells that it can go to next: on to the middle ahead of it, or back.
+    fn origins(&self) -> impl Iterator<Item = usize> + use<> {
+        let [behind, ahead] = self.pose.between;
+        [Some(ahead), (behind != ahead).then_some(behind)].into_iter().flatten()
+    }
+
+    /// A detour, or else a new way, that keeps away from everything: the one that is at the goal first.
+    fn around(&mut self, route: &mut dyn Route, distance: Distance, conflict: Conflict) -> bool {
+        let rest: Vec<usize> = self.plan.left().iter().map(|step| step.cell).collect();
+        for detour in [true, false] {
+            let mut blockers = vec![conflict];
+            for _ in 0..BLOCKERS {
+                self.occupy(&blockers);
+                let (mut best, mut other): (Option<Offer>, _) = (None, None);
+                for origin in self.origins() {
+                    let Some((way, local_goal)) = self.way(route, origin, detour.then_some((&rest[..], conflict.step))) else {
+                        continue;
+                    };
+                    let plan = plan(&self.ground.cells, &self.ground.course, &way);
+                    match self.conflict_of(self.pose, &plan, distance) {
+                        Some(next) => other = other.or(Some(next)),
+                        None => {
+                            let (mut pose, mut done) = (self.pose, Done::default());
+                            let span = [self.now, f64::INFINITY];
+                            let end = pose.follow(&plan.steps, &mut done, &self.ground.body, span, &mut |_| {});
+                            if best.as_ref().is_none_or(|best| end < best.end) {
+                                best = Some(Offer { plan, local_goal, end });
+                            }
+                        }
+                    }
+                }
+                if let Some(offer) = best {
+                    self.take(offer, detour, &blockers);
+                    return true;
+                }
+                match other {
+                    Some(other) => blockers.push(other),
+                    None => break,
+                }
+            }
+        }
+        false
+    }
+
+    /// Marks the predicted ranges of what is in the way.
+    fn occupy(&mut self, blockers: &[Conflict]) {
+        let ground = Arc::clone(&self.ground);
+        self.occupied.fill(false);
+        for conflict in blockers {
+            self.view.occupy(conflict, ground.grid(), &ground.cells, &ground.body, &mut self.occupied);
+        }
+    }
+
+    /// A way from a cell to the goal round the occupied cells. `along`: the cells of the planned way that are left, and the
+    /// one at which it meets an obstacle; then the way comes back to the first free one beyond it.
+    fn way(&self, route: &mut dyn Route, origin: usize, along: Option<(&[usize], usize)>) -> Option<(Vec<usize>, Option<usize>)> {
+        let Some((rest, met)) = along else {
+            return Some((route.replan(&self.occupied, origin)?, None));
+        };
+        let beyond = (met + 1..rest.len()).find(|&i| !self.occupied[rest[i]])?;
+        let mut way = route.detour(&self.occupied, origin, rest[beyond])?;
+        way.extend(&rest[beyond + 1..]);
+        // Where the detour meets what is left of the planned way elsewhere, what is in between is no way to anywhere.
+        let way = without_loops(&way);
+        let local_goal = Some(rest[beyond]).filter(|goal| way.contains(goal));
+        Some((way, local_goal))
+    }
+
+    fn take(&mut self, offer: Offer, detour: bool, blockers: &[Conflict]) {
+        let mut blockers: Vec<_> = blockers.iter().map(|conflict| conflict.obstacle).collect();
+        blockers.sort_unstable();
+        blockers.dedup();
+        self.calm();
+        (self.plan, self.local_goal, self.hold) = (offer.plan, offer.local_goal, None);
+        let what = if blockers.len() == 1 { format!("obstacle {}", blockers[0]) } else { "obstacles ".to_owned() + &list(&blockers) };
+        let length = self.length_of(self.left());
+        if detour {
+            self.tally.detours += 1;
+            let to = offer.local_goal.map_or("the planned way".to_owned(), |goal| {
+                let [x, y] = self.ground.cells.centre(goal);
+                format!("a local goal at ({x:.1}, {y:.1})")
+            });
+            self.tell(
+                "detour",
+                Some(blockers[0]),
+                format!("Round the predicted range of {what} along the pheromone to {to}; {length} to go."),
+            );
+        } else {
+            self.tally.replans += 1;
+            let said = format!("A new way to the goal round the predicted range of {what}; {length} to go.");
+            self.tell("replan", Some(blockers[0]), said);
+        }
+    }
+
+    fn wait(&mut self, distance: Distance, conflict: Conflict) -> bool {
+        let safe = self.stands(distance);
+        if safe {
+            self.hold = Some(Hold { since: self.now, obstacle: conflict.obstacle, retry: self.now + RETRY });
+            self.calm();
+            self.tally.waits += 1;
+            let number = conflict.obstacle;
+            self.tell("wait", Some(number), format!("There is no safe way round obstacle {number} now: it stands until the way is clear."));
+        }
+        safe
+    }
+
+    fn evade(&mut self, route: &mut dyn Route, distance: Distance, conflict: Conflict) -> bool {
+        let found = escape(&self.view, distance, &self.pose, &self.ground);
+        let safe = found.safe && self.follow(route, found);
+        if safe {
+            self.cornered = false;
+            if !std::mem::replace(&mut self.evading, true) {
+                self.tally.escapes += 1;
+                let number = conflict.obstacle;
+                self.tell("evade", Some(number), format!("Standing is not safe from obstacle {number} either: it gets out of its way."));
+            }
+        }
+        safe
+    }
+
+    /// Nothing is safe: what is so for longest.
+    fn put_off(&mut self, route: &mut dyn Route, conflict: Conflict) {
+        if !std::mem::replace(&mut self.cornered, true) {
+            let number = conflict.obstacle;
+            self.tell("cornered", Some(number), format!("No motion is safe from obstacle {number}: what puts it off for longest."));
+        }
+        let found = escape(&self.view, Distance::Contact, &self.pose, &self.ground);
+        self.follow(route, found);
+    }
+
+    /// Takes the steps of an escape, and from their end the way to the goal.
+    fn follow(&mut self, route: &mut dyn Route, found: Escape) -> bool {
+        let mut all = found.steps;
+        let from = all.last().map_or(self.pose.between[1], |step| step.cell);
+        self.occupied.fill(false);
+        let Some(way) = route.replan(&self.occupied, from) else {
+            return false;
+        };
+        all.extend(steps(&self.ground.cells, &self.ground.course, &way));
+        (self.plan, self.local_goal, self.hold) = (Plan::new(all), None, None);
+        true
+    }
+}
+
+/// A way that comes to no cell twice: from where it does it goes on as it does the last time.
+fn without_loops(way: &[usize]) -> Vec<usize> {
+    let mut out: Vec<usize> = Vec::with_capacity(way.len());
+    let mut i = 0;
+    while i < way.len() {
+        i = way.iter().rposition(|&cell| cell == way[i]).unwrap_or(i);
+        out.push(way[i]);
+        i += 1;
+    }
+    out
+}
+
+/// Numbers with commas between them.
+fn list(numbers: &[usize]) -> String {
+    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn loops_are_left_out() {
+        assert_eq!(without_loops(&[1, 2, 3, 4, 2, 5, 6, 5, 7]), [1, 2, 5, 7]);
+        assert_eq!(without_loops(&[1, 1, 2]), [1, 2]);
+        assert_eq!(without_loops(&[1, 2, 3]), [1, 2, 3]);
+    }
+}
