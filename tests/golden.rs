@@ -5,7 +5,7 @@
 mod support;
 
 use forage::{Given, Session, Setup, Value, catalogue::PLANNERS, shipped_names};
-use support::{Driven, Golden, ITERATIONS, bits, digest, drives, stored};
+use support::{Driven, Golden, ITERATIONS, Log, bits, digest, drives, line, logs, stored};
 
 fn run(planner: &str, scene: &str, seed: u32, set: &str) -> Golden {
     let mut params = Given::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
@@ -34,7 +34,12 @@ fn every_run() -> Vec<Golden> {
             if entry.stops && scene.kind() == forage::scene::Kind::Grid {
                 set = r#""roads": "a-star""#;
             }
+            // A drive takes longer than two hundred periods.
+            if ["a-star-drive", "d-star-lite-drive"].contains(&entry.name) {
+                set = r#""iterations": 5000"#;
+            }
             let seeds: &[u32] = match entry.name {
+                "a-star-drive" | "d-star-lite-drive" => &[1],
                 // What draws nothing has one run; what draws only where it begins soon has the same one again.
                 _ if entry.family == "search" => &[1],
                 "held-karp" => &[1],
@@ -103,6 +108,37 @@ fn every_drive_gives_the_stored_bits() {
         return;
     }
     assert_eq!(runs, drives());
+}
+
+fn log(planner: &str, scene: &str, seed: u32, set: &str) -> Log {
+    let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
+    let mut params = Given::new();
+    more.into_iter().for_each(|(name, value)| params.insert(name, Value::from(value.to_string().trim_matches('"'))));
+    let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
+    let mut session = Session::new(setup).unwrap();
+    session.step(u64::MAX);
+    let lines = session.events().iter().map(|e| line(e.iteration, e.time, e.place, e.kind, e.obstacle, &e.reason)).collect();
+    Log { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), lines }
+}
+
+/// Every decision of whole drives, with its time and place to the last bit and its reason to the last word.
+#[test]
+fn every_log_of_events_is_the_stored_one() {
+    let mut all = vec![log("wolf-ant-drive", "wolf-ant-20", 11, "")];
+    for planner in ["wolf-ant-drive", "a-star-drive", "d-star-lite-drive"] {
+        all.extend(["wolf-ant-20", "crossing", "patrol", "corridor"].map(|scene| log(planner, scene, 1, "")));
+    }
+    // A blind robot: what comes, comes.
+    all.push(log("a-star-drive", "crossing", 1, r#""robot": "given", "sensor": 0, "border": "bounce""#));
+    if std::env::var_os("FORAGE_BLESS").is_some() {
+        std::fs::write("tests/events.json", serde_json::to_string_pretty(&all).unwrap() + "\n").unwrap();
+        return;
+    }
+    assert_eq!(all, logs());
+    let told = |kind: &str| all.iter().flat_map(|log| &log.lines).any(|line| line.contains(kind));
+    for kind in ["set-out", "seen", "foreseen", "detour", "back", "replan", "wait", "go-on", "evade", "collision", "arrived"] {
+        assert!(told(kind), "no stored log has {kind}");
+    }
 }
 
 #[test]

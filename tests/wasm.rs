@@ -12,7 +12,7 @@ use forage::wasm::{
     check_scene, export_scene, generate_scene, import_scene, new_seed, parse_link,
 };
 use js_sys::{Array, Float32Array, Float64Array, JSON, Object, Reflect, Uint32Array};
-use support::{ITERATIONS, bits, digest, drives, stored};
+use support::{ITERATIONS, bits, digest, drives, line, logs, stored};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -83,6 +83,28 @@ fn every_golden_run_gives_the_bits_that_it_gives_natively() {
 fn numbers(path: &JsValue) -> Vec<f64> {
     let points = js_sys::Array::from(path);
     points.iter().flat_map(|point| js_sys::Array::from(&point).iter().filter_map(|c| c.as_f64()).collect::<Vec<_>>()).collect()
+}
+
+#[wasm_bindgen_test]
+fn every_stored_log_of_events_is_the_same_here() {
+    for log in logs() {
+        let mut session = setup(&format!(
+            r#"{{"planner": "{}", "scene": "{}", "seed": {}, "params": {{{}}}}}"#,
+            log.planner, log.scene, log.seed, log.set
+        ));
+        session.step(Some(1e9));
+        let told: Vec<_> = Array::from(&session.events(None))
+            .iter()
+            .map(|event| {
+                let place = get(&event, "place").unchecked_into::<Array>();
+                let obstacle = get(&event, "obstacle").as_f64().map(|number| number as usize);
+                let at = [0, 1].map(|axis| place.get(axis).as_f64().unwrap());
+                let iteration = number(&event, "iteration") as u64;
+                line(iteration, number(&event, "time"), at, &text(&event, "kind"), obstacle, &text(&event, "reason"))
+            })
+            .collect();
+        assert_eq!(told, log.lines, "{} on {}", log.planner, log.scene);
+    }
 }
 
 #[wasm_bindgen_test]

@@ -180,7 +180,9 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
     );
     match (outcome.length, outcome.cost) {
         (Some(length), _) => {
-            let before = outcome.readings.iter().find(|(name, raw)| *name == "length" && *raw != length);
+            // The same pieces added in another order are no other length.
+            let differs = |raw: f64| (raw - length).abs() > 1e-12 * length;
+            let before = outcome.readings.iter().find(|(name, raw)| *name == "length" && differs(*raw));
             let before = before.map_or(String::new(), |(_, raw)| format!(" ({raw} before smoothing)"));
             let _ = writeln!(text, "  length     {length}{before}");
             if let (Some(turns), Some(turning)) = (outcome.turns, outcome.turning) {
@@ -239,6 +241,7 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
     if let Some(drive) = &outcome.drive {
         let _ = writeln!(text, "  drive      {}", driven(drive));
     }
+    text += &log(outcome);
     if let Some(tuned) = &outcome.tuned {
         let pairs: Vec<_> = tuned.params.iter().map(|(name, value)| format!("--set {name}={value}")).collect();
         let _ = writeln!(text, "  tuned      forage run {} --scene {} {}", tuned.planner, outcome.scene, pairs.join(" "));
@@ -256,6 +259,23 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
         let _ = writeln!(text, "  position   ({})", numbers.join(", "));
     }
     let _ = writeln!(text, "  hash       {}", outcome.hash);
+    text
+}
+
+/// What happened in simulated time, a line each, and where the time went.
+fn log(outcome: &Outcome) -> String {
+    let mut text = String::new();
+    if outcome.events.is_empty() {
+        return text;
+    }
+    let reading = |name: &str| outcome.readings.iter().find(|(known, _)| *known == name).map_or(f64::NAN, |(_, value)| *value);
+    let [time, driving, turning, waited] = ["time", "driving", "turning_time", "waited"].map(reading);
+    let _ = writeln!(text, "  time       {time:.4} s: {driving:.4} driving, {turning:.4} turning, {waited:.4} waiting");
+    let _ = writeln!(text, "  collisions {}", reading("collisions"));
+    for (i, event) in outcome.events.iter().enumerate() {
+        let ([x, y], title) = (event.place, if i == 0 { "events" } else { "" });
+        let _ = writeln!(text, "  {title:<10} {:8.2} s  ({x:.2}, {y:.2})  {:<9}  {}", event.time, event.kind, event.reason);
+    }
     text
 }
 

@@ -70,12 +70,12 @@ impl Journey {
 
     fn foresee(&mut self, conflict: Conflict) {
         let (within, [x, y]) = (conflict.time - self.now, conflict.place);
-        let number = conflict.obstacle;
+        let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
         let near = match self.distance {
             Distance::Margin => format!("come nearer than the margin of {}", self.length_of(self.ground.body.margin)),
             Distance::Contact => "touch it".to_owned(),
         };
-        self.tell("foreseen", Some(number), format!("In {within:.1} s, at ({x:.1}, {y:.1}), obstacle {number} would {near}."));
+        self.tell("foreseen", Some(number), format!("In {within:.1} s, at ({x:.1}, {y:.1}), obstacle {told} would {near}."));
     }
 
     fn decide(&mut self, route: &mut dyn Route, conflict: Conflict) {
@@ -87,10 +87,10 @@ impl Journey {
             }
             if distance != first {
                 self.distance = distance;
-                let number = conflict.obstacle;
+                let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
                 match self.conflict(distance) {
                     None => {
-                        let said = format!("No way keeps the margin from obstacle {number}: on as planned, which does not touch it.");
+                        let said = format!("No way keeps the margin from obstacle {told}: on as planned, which does not touch it.");
                         self.tell("squeeze", Some(number), said);
                         return;
                     }
@@ -201,7 +201,7 @@ impl Journey {
         blockers.dedup();
         self.calm();
         (self.plan, self.local_goal, self.hold) = (offer.plan, offer.local_goal, None);
-        let what = if blockers.len() == 1 { format!("obstacle {}", blockers[0]) } else { "obstacles ".to_owned() + &list(&blockers) };
+        let what = if blockers.len() == 1 { format!("obstacle {}", blockers[0] + 1) } else { "obstacles ".to_owned() + &list(&blockers) };
         let length = self.length_of(self.left());
         if detour {
             self.tally.detours += 1;
@@ -227,8 +227,8 @@ impl Journey {
             self.hold = Some(Hold { since: self.now, obstacle: conflict.obstacle, retry: self.now + RETRY });
             self.calm();
             self.tally.waits += 1;
-            let number = conflict.obstacle;
-            self.tell("wait", Some(number), format!("There is no safe way round obstacle {number} now: it stands until the way is clear."));
+            let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
+            self.tell("wait", Some(number), format!("There is no safe way round obstacle {told} now: it stands until the way is clear."));
         }
         safe
     }
@@ -240,8 +240,8 @@ impl Journey {
             self.cornered = false;
             if !std::mem::replace(&mut self.evading, true) {
                 self.tally.escapes += 1;
-                let number = conflict.obstacle;
-                self.tell("evade", Some(number), format!("Standing is not safe from obstacle {number} either: it gets out of its way."));
+                let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
+                self.tell("evade", Some(number), format!("Standing is not safe from obstacle {told} either: it gets out of its way."));
             }
         }
         safe
@@ -250,8 +250,8 @@ impl Journey {
     /// Nothing is safe: what is so for longest.
     fn put_off(&mut self, route: &mut dyn Route, conflict: Conflict) {
         if !std::mem::replace(&mut self.cornered, true) {
-            let number = conflict.obstacle;
-            self.tell("cornered", Some(number), format!("No motion is safe from obstacle {number}: what puts it off for longest."));
+            let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
+            self.tell("cornered", Some(number), format!("No motion is safe from obstacle {told}: what puts it off for longest."));
         }
         let found = escape(&self.view, Distance::Contact, &self.pose, &self.ground);
         self.follow(route, found);
@@ -283,9 +283,9 @@ fn without_loops(way: &[usize]) -> Vec<usize> {
     out
 }
 
-/// Numbers with commas between them.
+/// Obstacles as people count them, with commas between.
 fn list(numbers: &[usize]) -> String {
-    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+    numbers.iter().map(|number| (number + 1).to_string()).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -156,8 +156,9 @@ impl Journey {
         for i in 0..self.view.threats.len() {
             let (number, distance) = (self.view.threats[i].number, self.view.threats[i].distance);
             if !std::mem::replace(&mut self.seen[number], true) {
+                let told = number + 1;
                 let rim = distance - ground.grid().moving[number].radius;
-                let said = format!("Obstacle {number} comes into the sensor’s reach, {} away.", self.length_of(rim.max(0.0)));
+                let said = format!("Obstacle {told} comes into the sensor’s reach, {} away.", self.length_of(rim.max(0.0)));
                 self.tell("seen", Some(number), said);
             }
         }
@@ -242,7 +243,8 @@ impl Journey {
                     let time = start + after;
                     let place = [0, 1].map(|axis| stretch.at[axis] + (time - stretch.from) * stretch.velocity[axis]);
                     let drove = if stretch.deed == Deed::Go { "drove" } else { "stood" };
-                    let reason = format!("The robot and obstacle {number} touch while the robot {drove}.");
+                    let told = number + 1;
+                    let reason = format!("The robot and obstacle {told} touch while the robot {drove}.");
                     let iteration = self.iteration;
                     self.events.push(Event { iteration, time, place, kind: "collision", obstacle: Some(number), reason });
                 }

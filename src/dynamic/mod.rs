@@ -47,8 +47,9 @@ use route::Route;
 
 pub use tell::SYMBOLS;
 
-/// Up to this many cells a drive is driven ahead of time when it begins, only to know how long it takes.
-const KNOWN: usize = 10_000;
+/// Up to this many cells a drive is driven ahead of time when it begins, and up to so many cells times steps of planning the
+/// whole run when it starts: only to know how long it takes.
+const KNOWN: [usize; 2] = [10_000, 100_000];
 
 /// What never changes during a drive.
 struct Ground {
@@ -150,6 +151,8 @@ fn start(
     let mut dynamic = Dynamic { ground, route, journey: None, lost: false, iteration: 0, most, limit, end: Arc::default() };
     if dynamic.route.steps() == 0 {
         dynamic.set_out();
+    } else if planning as usize * dynamic.ground.cells.len() <= KNOWN[1] {
+        dynamic.foretell();
     }
     Ok(Box::new(dynamic))
 }
@@ -160,13 +163,21 @@ impl Dynamic {
         match self.route.way() {
             Some(way) => {
                 self.journey = Some(Journey::new(&self.ground, &way));
-                if self.ground.cells.len() <= KNOWN && self.end.get().is_none() {
-                    let mut other = self.clone();
-                    while Planner::step(&mut other) == Status::Running {}
-                    let _ = self.end.set(other.iteration);
+                if self.ground.cells.len() <= KNOWN[0] {
+                    self.foretell();
                 }
             }
             None => self.lost = true,
+        }
+    }
+
+    /// Finds out when the run ends, if nobody knows.
+    fn foretell(&self) {
+        if self.end.get().is_none() {
+            // The copy knows of this one's end, and must not ask itself.
+            let mut other = Self { end: Arc::new(OnceLock::from(self.limit)), ..self.clone() };
+            while Planner::step(&mut other) == Status::Running {}
+            let _ = self.end.set(other.iteration);
         }
     }
 
@@ -239,7 +250,7 @@ impl Planner for Dynamic {
 
     fn trouble(&self) -> Option<String> {
         match &self.journey {
-            _ if self.lost => Some("no way to the goal was found to drive on".to_owned()),
+            _ if self.lost => Some("No way to the goal was found to drive on".to_owned()),
             Some(journey) if self.status() == Status::Exhausted => Some(tell::why_not(journey)),
             _ => None,
         }

@@ -38,10 +38,11 @@ pub(super) fn why_not(journey: &Journey) -> String {
     let [x, y] = journey.pose.at;
     match journey.waits_for() {
         Some((obstacle, since)) => format!(
-            "after {:.0} s the robot still waits at ({x:.1}, {y:.1}) for obstacle {obstacle}, since {since:.1} s; time_limit gives it longer",
-            journey.now
+            "After {:.0} s the robot still waits at ({x:.1}, {y:.1}) for obstacle {}, since {since:.1} s; time_limit gives it longer",
+            journey.now,
+            obstacle + 1
         ),
-        None => format!("after {:.0} s the robot is at ({x:.1}, {y:.1}) and not at the goal; time_limit gives it longer", journey.now),
+        None => format!("After {:.0} s the robot is at ({x:.1}, {y:.1}) and not at the goal; time_limit gives it longer", journey.now),
     }
 }
 
@@ -84,7 +85,7 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     } else {
         format!("{sight}; if both go on, it comes as near as {least:.1} in {time:.1} s.")
     };
-    let mut told = told(item, format!("Obstacle {}", item.index), if seen { "seen" } else { "unseen" }, summary);
+    let mut told = told(item, format!("Obstacle {}", item.index + 1), if seen { "seen" } else { "unseen" }, summary);
     told.values = vec![
         quantity("t", "t^*", "until it is nearest, seconds", time),
         quantity("d", "d^*", "distance of the rims then", least),

@@ -110,7 +110,7 @@ fn a_collision_is_foreseen_at_the_exact_time_and_avoided() {
         check(&outcome, &scene, planner);
         assert!(outcome.feasible, "{planner}: {:?}", outcome.events);
         let foreseen = event(&outcome, "foreseen");
-        assert!(foreseen.reason.contains("obstacle 0"));
+        assert!(foreseen.reason.contains("obstacle 1"));
         // It is told when the sensor (12) first sees its rim, within 6 s.
         let told = foreseen.time;
         let within: f64 = foreseen.reason.split(" s").next().unwrap().rsplit(' ').next().unwrap().parse().unwrap();

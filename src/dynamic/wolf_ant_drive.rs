@@ -41,7 +41,7 @@ const ITERATIONS: Parameter = Parameter::integer(
     "iterations",
     "t_{\\max}",
     "Iterations",
-    [1, 100_000, 100],
+    [1, 1_000_000, 100],
     "How many iterations the colony plans before the robot sets out. Published: 100.",
 )
 .slider(10.0, 1000.0, true);

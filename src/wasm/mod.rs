@@ -309,8 +309,10 @@ impl Session {
     }
 
     /// What happened so far in simulated time, and what was decided and why, in the order of time; empty for most planners.
-    pub fn events(&self) -> JsEvents {
-        plain(&self.run.events())
+    /// `from`: without so many of the first.
+    pub fn events(&self, from: Option<f64>) -> JsEvents {
+        let events = self.run.events();
+        plain(&&events[events.len().min(from.unwrap_or(0.0) as usize)..])
     }
 
     /// The numbers of those that search side by side, row by row; the columns are the planner's `members`.

@@ -57,6 +57,33 @@ pub fn drives() -> Vec<Driven> {
     serde_json::from_str(include_str!("../drives.json")).expect("tests/drives.json is a list of drives")
 }
 
+/// The events of a complete run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Log {
+    /// The planner's name.
+    pub planner: String,
+    /// A shipped scene's name.
+    pub scene: String,
+    /// The seed.
+    pub seed: u32,
+    /// Parameters, as the inside of a JSON object.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub set: String,
+    /// An event each.
+    pub lines: Vec<String>,
+}
+
+/// The stored logs, written anew as [`stored`] is.
+pub fn logs() -> Vec<Log> {
+    serde_json::from_str(include_str!("../events.json")).expect("tests/events.json is a list of logs")
+}
+
+/// An event with all digits: two lines are the same only if all bits are.
+pub fn line(iteration: u64, time: f64, [x, y]: [f64; 2], kind: &str, obstacle: Option<usize>, reason: &str) -> String {
+    let about = obstacle.map_or(String::new(), |number| format!(" {number}"));
+    format!("{iteration} {time:?} ({x:?}, {y:?}) {kind}{about}: {reason}")
+}
+
 /// The digest of the bits of many numbers.
 pub fn digest(numbers: &[f64]) -> String {
     let mut digest = forage::digest::Digest::default();
