@@ -1,4 +1,4 @@
-import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
+import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, RunEvent, Scene, Setup, Status, Suggestion } from 'forage'
 import { en } from '../i18n/en'
 import { number } from '../panels/format'
 import type { FrameMessage, Opening, ProgressMessage, Refusal, Run } from '../worker/protocol'
@@ -48,6 +48,8 @@ class Lab extends Scenes {
   curve = $state.raw<Pick<Curve, 'columns' | 'iterations' | 'rows'>>({ columns: [], iterations: [], rows: [] })
   curveVersion = $state(0)
 
+  /** What is known of this run in simulated time, also of what comes after the present iteration, once it was computed. */
+  events = $state.raw<readonly RunEvent[]>([])
   inspection = $state.raw<Inspection | null>(null)
   /** The members' numbers, row by row, while somebody asks for them. */
   members = $state.raw<Float64Array | null>(null)
@@ -69,6 +71,8 @@ class Lab extends Scenes {
   readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
   /** What is looked for is a tour through the stops: start and goal mean nothing. */
   readonly touring = $derived(this.scene?.kind === 'tour' || (this.grid !== null && (this.planner?.stops ?? false)))
+  /** It tells what happens and what it decides. */
+  readonly eventful = $derived((this.planner?.events.length ?? 0) > 0)
   readonly limit = $derived(this.run?.limit ?? 0)
   readonly yardstick = $derived<Yardstick>((this.grid || this.touring) && this.outcome ? this.outcome.exact_by : 'plain')
   /** The optimum that results are measured by, in words. */
@@ -77,8 +81,9 @@ class Lab extends Scenes {
   readonly part = $derived(stageAt(this.run?.stages, this.iteration))
   /** How far a step is that takes its time. */
   readonly underway = $derived(this.progress?.generation === this.run?.generation ? this.progress : null)
-  /** What is done before there can be a tour: how many of the roads between the stops stand. */
+  /** What is done before there can be a result: how many of the roads between the stops stand. In the end, what kept it from one. */
   readonly building = $derived.by(() => {
+    if (this.eventful && this.finished) return this.outcome?.trouble ?? ''
     const { roads } = this.readings
     const stops = this.grid?.stops?.length ?? 0
     if (!this.planner?.stops || roads === undefined || this.outcome?.order) return ''
@@ -250,8 +255,12 @@ class Lab extends Scenes {
     const previous = this.frame
     if (previous) this.client.giveBack(previous.buffer)
     previous?.fields.forEach(({ bitmap }) => bitmap.close())
-    if (frame.generation !== previous?.generation) this.traced.clear()
+    if (frame.generation !== previous?.generation) {
+      this.traced.clear()
+      this.events = []
+    }
     this.frame = frame
+    if (frame.events.length > 0) this.events = [...this.events, ...frame.events]
     if (this.traced.add(frame.trace) || frame.generation !== previous?.generation) {
       const { columns, iterations, rows } = this.traced
       this.curve = { columns, iterations, rows }

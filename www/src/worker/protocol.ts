@@ -1,4 +1,4 @@
-import type { Drive, Inspection, Item, Outcome, ParameterValue, Point, Scene, Stage, Status } from 'forage'
+import type { Drive, Inspection, Item, Outcome, ParameterValue, Point, RunEvent, Scene, Stage, Status } from 'forage'
 
 /** A refusal of the core as plain data: errors lose their fields on the way between threads. */
 export interface Refusal {
@@ -84,6 +84,8 @@ export interface FrameMessage {
   /** The fields that are shown; whoever has drawn them for the last time closes their bitmaps. */
   fields: FieldPicture[]
   trace: TraceRows
+  /** What happened in simulated time since the furthest state that was told of. */
+  events: RunEvent[]
   inspection: Inspection | null
   /** The members' numbers, row by row; null: not asked for, or not again yet. */
   members: Float64Array | null

@@ -41,7 +41,8 @@ const api = {
     port = frames
     await init()
     const known = catalogue()
-    simulation = new Simulation(frames, crash, known.shapes.indexOf('field'), async () => {
+    const tellers = new Set(known.planners.filter(({ events }) => events.length > 0).map(({ name }) => name))
+    simulation = new Simulation(frames, crash, known.shapes.indexOf('field'), tellers, async () => {
       const { Crew } = await import('./crew')
       return new Crew(hands, thread, oneself)
     })

@@ -1,5 +1,5 @@
 import { Session } from 'forage'
-import type { Item, ParameterValue, Setup } from 'forage'
+import type { Item, ParameterValue, RunEvent, Setup } from 'forage'
 import type { Crew, Task } from './crew'
 import { fieldsOf } from './fields'
 import { breathe, SLICE, wait } from './pace'
@@ -24,6 +24,8 @@ export class Simulation {
   private generation = 0
   private computed = 0
   private traced = -1
+  /** How many events the page knows, and up to which iteration they are all that there are. */
+  private heard = { events: 0, until: -1 }
   /** Those who carry out runs that steps need; most planners need none. */
   private crew: Crew | undefined
   private task: Task | undefined
@@ -52,6 +54,8 @@ export class Simulation {
     private readonly crash: (error: unknown) => void,
     /** The number of the shape that is a field. */
     private readonly field: number,
+    /** The planners that tell of events. */
+    private readonly tellers: ReadonlySet<string>,
     private readonly hire: () => Promise<Crew>,
   ) {}
 
@@ -64,6 +68,7 @@ export class Simulation {
     this.generation += 1
     this.computed = 0
     this.traced = -1
+    this.heard = { events: 0, until: -1 }
     this.watched = null
     this.playing = play
     const { planner, scene, seed, limit, parameters, stages } = session
@@ -267,6 +272,7 @@ export class Simulation {
     const readings = session.readings()
     const trace = session.trace(this.traced)
     this.traced = trace.iterations.at(-1) ?? this.traced
+    const events = this.events()
     const inspection = this.watched ? session.inspect(this.watched) : null
     const members = this.members()
     const { iteration, status } = session
@@ -286,12 +292,22 @@ export class Simulation {
       ...packed,
       fields,
       trace,
+      events,
       inspection,
       members,
       report,
     }
     const numbers = members ? [members.buffer] : []
     this.port.postMessage(message, [packed.buffer, ...numbers, ...fields.map(({ bitmap }) => bitmap)])
+  }
+
+  /** A run always happens in the same way: what was told once still holds after a step back. */
+  private events(): RunEvent[] {
+    const { session, heard } = this
+    if (!session || session.iteration <= heard.until || !this.tellers.has(session.planner)) return []
+    const fresh = session.events().slice(heard.events)
+    this.heard = { events: heard.events + fresh.length, until: session.iteration }
+    return fresh
   }
 
   private members(): Float64Array<ArrayBuffer> | null {
