@@ -17,7 +17,7 @@ export const en = {
   },
   stage: {
     label: 'Stage: the scene and what the planner makes of it',
-    help: 'Space plays and pauses. Left and right step through the iterations, with Shift by ten; Home and End jump, Page up and Page down from one part of a run to the next. Plus and minus zoom, 0 shows all, up and down move the view. With an object selected, arrows move it, Delete removes a disc or a stop and Escape lets go. While cells are painted, arrows move the cell that is meant, Space paints or erases it and Escape puts the brush away; with the lens, arrows go from cell to cell and Space looks closer. While the robot drives or an iteration is unfolded, Space, arrows, Home and End are for that time and Escape leads back to the run. The scene can also be edited in the Scene panel.',
+    help: 'Space plays and pauses. Left and right step through the iterations, with Shift by ten; Home and End jump, Page up and Page down from one part of a run to the next, N and P to its next and previous event. Plus and minus zoom, 0 shows all, up and down move the view. With an object selected, arrows move it, Delete removes a disc or a stop and Escape lets go. While cells are painted, arrows move the cell that is meant, Space paints or erases it and Escape puts the brush away; with the lens, arrows go from cell to cell and Space looks closer. While the robot drives or an iteration is unfolded, Space, arrows, Home and End are for that time and Escape leads back to the run. The scene can also be edited in the Scene panel.',
     tools: 'Stage tools',
     add: 'Add a disc',
     remove: 'Delete the selected disc',
@@ -63,6 +63,7 @@ export const en = {
     fastest: 'Fastest',
     of: (k: string, limit: string) => `iteration ${k} of ${limit}`,
     part: (iteration: string, title: string, k: string, of: string) => `iteration ${iteration}, ${title.toLowerCase()}, ${k} of ${of}`,
+    seconds: (time: string) => `${time} s`,
     runs: (done: string, total: string) => `${done} of ${total} runs`,
     progress: 'Runs of this step',
     cancel: 'Stop',
@@ -106,10 +107,12 @@ export const en = {
     at: (k: string, limit: string) => `iteration ${k} of ${limit}`,
     part: (title: string, k: string, of: string) => `${title.toLowerCase()} ${k} of ${of}`,
     best: (value: string) => `best ${value}`,
+    collisions: (count: string) => `collisions: ${count}`,
   },
   panels: {
     setup: 'Experiment',
     chart: 'Convergence',
+    events: 'Events',
     readings: 'This iteration',
     drive: 'Drive',
     members: 'Members',
@@ -119,6 +122,7 @@ export const en = {
     result: 'Result',
   },
   setup: {
+    case: 'Case',
     planner: 'Planner',
     scene: 'Scene',
     edited: (title: string) => `${title} (edited)`,
