@@ -360,6 +360,19 @@ class Lab extends Scenes {
     this.again()
   }
 
+  /** A planner, a scene and parameters at once, and with the first seed: they show what was meant to be seen. */
+  openCase = (planner: string, scene: Scene, params: Record<string, ParameterValue>): void => {
+    this.notice = ''
+    this.paramErrors = {}
+    this.tuner = null
+    this.promised = undefined
+    this.plannerName = planner
+    this.params = params
+    this.seed = FIRST.seed
+    if (scene !== this.scene) this.put(scene, true)
+    void this.restart({ at: 0, play: !stillness.matches })
+  }
+
   /** Another planner takes the place of one that doesn't run on such scenes. */
   private suit(scene: Scene): void {
     const other = this.catalogue?.planners.find((planner) => suits(planner, scene))

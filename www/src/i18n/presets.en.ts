@@ -1,0 +1,39 @@
+/** Text about cases that were published: loaded beside the choice of planners and scenes. */
+export const presets = {
+  choose: 'Choose one to run it',
+  see: 'What to see:',
+  cases: {
+    'moving-ants': {
+      title: '[WOLF-ANT] §5.3: one moving obstacle',
+      see: 'Ants plan the way; then the robot drives it, sees the disc come up, and the log tells what it decides and why.',
+    },
+    'moving-a-star': {
+      title: '[WOLF-ANT] §5.3, with A*',
+      see: 'The same drive on an exact plan: what it decides when it meets the disc, and what the new way costs.',
+    },
+    'moving-d-star-lite': {
+      title: '[WOLF-ANT] §5.3, with D* Lite',
+      see: 'The same drive with a plan that is mended instead of made anew.',
+    },
+    wolves: {
+      title: '[WOLF-ANT] §5.1: wolves’ shares',
+      see: 'How early the pheromone gathers on a shortest way over the cells; the published length is 562.8427 px.',
+    },
+    direction: {
+      title: '[ANTBAT] §3.1: ants with direction',
+      see: 'Ants that mind where the goal lies are on a shortest way within a few iterations.',
+    },
+    bats: {
+      title: '[ANTBAT] §3.3: bats and twelve stops',
+      see: 'First ants build the roads between the stops, then bats put the stops in order; the timeline has a part for each.',
+    },
+    quantum: {
+      title: '[LTQPSO] §4: ten metres of walls',
+      see: 'Particles leap about their attractors, less far as the run goes on; the robot can drive along the result.',
+    },
+    hens: {
+      title: '[WCPSO] §3.2: seven discs',
+      see: 'Hens and chicks shake a swarm that no longer improves; the exact optimum is 12.1416.',
+    },
+  },
+} as const

@@ -1,0 +1,43 @@
+import type { Catalogue, ParameterValue, Scene } from 'forage'
+import { equal } from './scenes.svelte'
+
+/** A case that was published: a planner on a scene that ships, with the parameters that differ from the defaults. */
+export interface Preset {
+  /** Its words are in presets.en.ts, by this name. */
+  name: keyof typeof import('../i18n/presets.en').presets.cases
+  planner: string
+  scene: string
+  params: Record<string, ParameterValue>
+}
+
+export const PRESETS: readonly Preset[] = [
+  { name: 'moving-ants', planner: 'wolf-ant-drive', scene: 'wolf-ant-20', params: {} },
+  { name: 'moving-a-star', planner: 'a-star-drive', scene: 'wolf-ant-20', params: {} },
+  { name: 'moving-d-star-lite', planner: 'd-star-lite-drive', scene: 'wolf-ant-20', params: {} },
+  { name: 'wolves', planner: 'aco-wolf', scene: 'wolf-ant-20', params: {} },
+  { name: 'direction', planner: 'aco-direction', scene: 'ant-bat-30', params: {} },
+  { name: 'bats', planner: 'bat', scene: 'ant-bat-30', params: {} },
+  { name: 'quantum', planner: 'ltqpso', scene: 'qpso-10m', params: {} },
+  { name: 'hens', planner: 'wcpso', scene: 'wcpso-discs', params: {} },
+]
+
+/** Those that can be run here. */
+export const offered = ({ planners, scenes }: Catalogue): readonly Preset[] =>
+  PRESETS.filter((preset) => planners.some(({ name }) => name === preset.planner) && scenes.some(({ name }) => name === preset.scene))
+
+/** The one that is set up just so, if any is. */
+export function chosen(
+  presets: readonly Preset[],
+  catalogue: Catalogue,
+  setup: { planner: string; scene: Scene | null; params: Record<string, ParameterValue> },
+): Preset | undefined {
+  return presets.find(({ planner, scene, params }) => {
+    const shipped = catalogue.scenes.find(({ name }) => name === scene)
+    return planner === setup.planner && shipped && equal(shipped, setup.scene) && same(params, setup.params)
+  })
+}
+
+function same(a: Record<string, ParameterValue>, b: Record<string, ParameterValue>): boolean {
+  const names = Object.keys(a)
+  return names.length === Object.keys(b).length && names.every((name) => a[name] === b[name])
+}
