@@ -91,6 +91,8 @@ export const scenes = {
     svgHelp: 'SVG: the visible layers as lines, for print.',
     csv: 'Curve',
     csvHelp: 'CSV: a row for each iteration.',
+    events: 'Events',
+    eventsHelp: 'CSV: a row for each thing that happened or was decided.',
     close: 'Close',
     failed: 'That could not be exported.',
   },

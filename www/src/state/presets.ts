@@ -1,5 +1,5 @@
 import type { Catalogue, ParameterValue, Scene } from 'forage'
-import { equal } from './scenes.svelte'
+import { sameParams, sameScene } from './same'
 
 /** A case that was published: a planner on a scene that ships, with the parameters that differ from the defaults. */
 export interface Preset {
@@ -33,11 +33,6 @@ export function chosen(
 ): Preset | undefined {
   return presets.find(({ planner, scene, params }) => {
     const shipped = catalogue.scenes.find(({ name }) => name === scene)
-    return planner === setup.planner && shipped && equal(shipped, setup.scene) && same(params, setup.params)
+    return planner === setup.planner && shipped && sameScene(shipped, setup.scene) && sameParams(params, setup.params)
   })
-}
-
-function same(a: Record<string, ParameterValue>, b: Record<string, ParameterValue>): boolean {
-  const names = Object.keys(a)
-  return names.length === Object.keys(b).length && names.every((name) => a[name] === b[name])
 }

@@ -7,9 +7,6 @@ import { stopsOf, withStops } from './stops'
 /** Key presses that follow each other within this many milliseconds are one edit. */
 const NUDGING = 800
 
-/** Two scenes with the same content. */
-export const equal = (a: Scene, b: Scene | null): boolean => a === b || (a.name === b?.name && JSON.stringify(a) === JSON.stringify(b))
-
 /** The scene, its edits and what of it is selected. What follows from a change is told by whoever runs it. */
 export abstract class Scenes {
   private scenes = $state.raw<history.History<Scene> | null>(null)
