@@ -74,6 +74,7 @@ export const en = {
     length: 'best path',
     tour: 'best tour',
     cost: 'best value',
+    planned: 'planned way',
     free: 'collision-free',
     cuts: 'cuts through an obstacle',
     roads: (built: string, all: string) => `Building roads: ${built} of ${all}`,

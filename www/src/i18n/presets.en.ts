@@ -5,15 +5,15 @@ export const presets = {
   cases: {
     'moving-ants': {
       title: '[WOLF-ANT] §5.3: one moving obstacle',
-      see: 'Ants plan the way; then the robot drives it, sees the disc come up, and the log tells what it decides and why.',
+      see: 'Ants find the published way. On it the robot foresees that the disc comes too near and goes round it along the pheromone; the log tells when and why.',
     },
     'moving-a-star': {
       title: '[WOLF-ANT] §5.3, with A*',
-      see: 'The same drive on an exact plan: what it decides when it meets the disc, and what the new way costs.',
+      see: 'The same drive on an exact way: before it sets out the robot foresees that the disc comes too near and plans anew, at no extra length.',
     },
     'moving-d-star-lite': {
       title: '[WOLF-ANT] §5.3, with D* Lite',
-      see: 'The same drive with a plan that is mended instead of made anew.',
+      see: 'The same drive on another of the shortest ways: the disc is seen, and nothing has to be decided.',
     },
     wolves: {
       title: '[WOLF-ANT] §5.1: wolves’ shares',

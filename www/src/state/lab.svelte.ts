@@ -1,4 +1,4 @@
-import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, RunEvent, Scene, Setup, Status, Suggestion } from 'forage'
+import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
 import { en } from '../i18n/en'
 import { number } from '../panels/format'
 import type { FrameMessage, Opening, ProgressMessage, Refusal, Run } from '../worker/protocol'
@@ -6,7 +6,7 @@ import { address } from './address'
 import { applies, met } from './applicable'
 import { Client } from './client'
 import type { Clock } from './clock.svelte'
-import { Curve } from './curve'
+import { Course } from './course.svelte'
 import { Driving } from './driving.svelte'
 import { Scenes } from './scenes.svelte'
 import { stageAt } from './stages'
@@ -43,13 +43,8 @@ class Lab extends Scenes {
   readings = $state.raw<Record<string, number>>({})
   outcome = $state.raw<Outcome | null>(null)
   hash = $state('')
-  private readonly traced = new Curve()
-  /** A new object with each change; its arrays grow in place. */
-  curve = $state.raw<Pick<Curve, 'columns' | 'iterations' | 'rows'>>({ columns: [], iterations: [], rows: [] })
-  curveVersion = $state(0)
+  readonly course = new Course()
 
-  /** What is known of this run in simulated time, also of what comes after the present iteration, once it was computed. */
-  events = $state.raw<readonly RunEvent[]>([])
   inspection = $state.raw<Inspection | null>(null)
   /** The members' numbers, row by row, while somebody asks for them. */
   members = $state.raw<Float64Array | null>(null)
@@ -73,12 +68,14 @@ class Lab extends Scenes {
   readonly touring = $derived(this.scene?.kind === 'tour' || (this.grid !== null && (this.planner?.stops ?? false)))
   /** It tells what happens and what it decides. */
   readonly eventful = $derived((this.planner?.events.length ?? 0) > 0)
-  readonly limit = $derived(this.run?.limit ?? 0)
+  private readonly span = $derived(this.course.of(this.run))
+  readonly limit = $derived(this.span.limit)
+  readonly stages = $derived(this.span.stages)
   readonly yardstick = $derived<Yardstick>((this.grid || this.touring) && this.outcome ? this.outcome.exact_by : 'plain')
   /** The optimum that results are measured by, in words. */
   readonly optimum = $derived(en.result[this.planner?.stops ? 'tours' : 'optimum'][this.yardstick])
   /** The part of the run that it is in, and how far in it. */
-  readonly part = $derived(stageAt(this.run?.stages, this.iteration))
+  readonly part = $derived(stageAt(this.stages, this.iteration))
   /** How far a step is that takes its time. */
   readonly underway = $derived(this.progress?.generation === this.run?.generation ? this.progress : null)
   /** What is done before there can be a result: how many of the roads between the stops stand. In the end, what kept it from one. */
@@ -125,7 +122,7 @@ class Lab extends Scenes {
     this.crash = ''
     // A new thread counts its runs anew: nothing of the old one may pass for its.
     this.frame = null
-    this.traced.clear()
+    this.course.clear()
     await this.client.api.speed(this.speed)
     if (this.scene) {
       await this.restart({ at: this.iteration, play: false })
@@ -255,23 +252,15 @@ class Lab extends Scenes {
     const previous = this.frame
     if (previous) this.client.giveBack(previous.buffer)
     previous?.fields.forEach(({ bitmap }) => bitmap.close())
-    if (frame.generation !== previous?.generation) {
-      this.traced.clear()
-      this.events = []
-    }
+    const anew = frame.generation !== previous?.generation
     this.frame = frame
-    if (frame.events.length > 0) this.events = [...this.events, ...frame.events]
-    if (this.traced.add(frame.trace) || frame.generation !== previous?.generation) {
-      const { columns, iterations, rows } = this.traced
-      this.curve = { columns, iterations, rows }
-      this.curveVersion += 1
-    }
+    this.course.receive(frame, anew)
     this.iteration = frame.iteration
     this.computed = frame.computed
     this.status = frame.status
     this.readings = frame.readings
     this.inspection = frame.inspection
-    if (frame.members || frame.generation !== previous?.generation) this.members = frame.members
+    if (frame.members || anew) this.members = frame.members
     if (this.run?.generation === frame.generation && !this.starting && !this.sceneError) this.stale = false
     if (frame.report) this.hear(frame, frame.report)
     else this.hash = ''
@@ -360,15 +349,15 @@ class Lab extends Scenes {
     this.again()
   }
 
-  /** A planner, a scene and parameters at once, and with the first seed: they show what was meant to be seen. */
-  openCase = (planner: string, scene: Scene, params: Record<string, ParameterValue>): void => {
+  /** A planner, a scene, parameters and a seed at once: they show what was meant to be seen. */
+  openCase = (planner: string, scene: Scene, params: Record<string, ParameterValue>, seed = FIRST.seed): void => {
     this.notice = ''
     this.paramErrors = {}
     this.tuner = null
     this.promised = undefined
     this.plannerName = planner
     this.params = params
-    this.seed = FIRST.seed
+    this.seed = seed
     if (scene !== this.scene) this.put(scene, true)
     void this.restart({ at: 0, play: !stillness.matches })
   }

@@ -8,10 +8,13 @@ export interface Preset {
   planner: string
   scene: string
   params: Record<string, ParameterValue>
+  /** Where another run shows it better than the first. */
+  seed?: number
 }
 
 export const PRESETS: readonly Preset[] = [
-  { name: 'moving-ants', planner: 'wolf-ant-drive', scene: 'wolf-ant-20', params: {} },
+  // Of several shortest ways the ants of this seed find the published one, on which the obstacle comes too near.
+  { name: 'moving-ants', planner: 'wolf-ant-drive', scene: 'wolf-ant-20', params: {}, seed: 11 },
   { name: 'moving-a-star', planner: 'a-star-drive', scene: 'wolf-ant-20', params: {} },
   { name: 'moving-d-star-lite', planner: 'd-star-lite-drive', scene: 'wolf-ant-20', params: {} },
   { name: 'wolves', planner: 'aco-wolf', scene: 'wolf-ant-20', params: {} },

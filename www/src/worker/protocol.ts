@@ -68,6 +68,12 @@ export interface FieldPicture {
   range: [number, number]
 }
 
+/** How long a run is, and its parts. */
+export interface Span {
+  limit: number
+  stages: Stage[]
+}
+
 export interface FrameMessage {
   type: 'frame'
   generation: number
@@ -86,6 +92,8 @@ export interface FrameMessage {
   trace: TraceRows
   /** What happened in simulated time since the furthest state that was told of. */
   events: RunEvent[]
+  /** If it is another one than was told before. */
+  span: Span | null
   inspection: Inspection | null
   /** The members' numbers, row by row; null: not asked for, or not again yet. */
   members: Float64Array | null

@@ -5,7 +5,7 @@ import { fieldsOf } from './fields'
 import { breathe, SLICE, wait } from './pace'
 import { pack } from './pack'
 import { Pool } from './pool'
-import type { Driven, FrameMessage, Look, Opening, ProgressMessage, Report, Run, Speed } from './protocol'
+import type { Driven, FrameMessage, Look, Opening, ProgressMessage, Report, Run, Span, Speed } from './protocol'
 
 /** Vertices a layer may have: what a canvas draws in a few tens of milliseconds. */
 const BUDGET = 100_000
@@ -26,6 +26,8 @@ export class Simulation {
   private traced = -1
   /** How many events the page knows, and up to which iteration they are all that there are. */
   private heard = { events: 0, until: -1 }
+  /** The end of the run, as it was told. */
+  private limit = 0
   /** Those who carry out runs that steps need; most planners need none. */
   private crew: Crew | undefined
   private task: Task | undefined
@@ -72,6 +74,7 @@ export class Simulation {
     this.watched = null
     this.playing = play
     const { planner, scene, seed, limit, parameters, stages } = session
+    this.limit = limit
     const exact = session.exact()
     this.task = { planner, scene }
     this.crew?.begin(this.task)
@@ -273,6 +276,7 @@ export class Simulation {
     const trace = session.trace(this.traced)
     this.traced = trace.iterations.at(-1) ?? this.traced
     const events = this.events()
+    const span = this.span()
     const inspection = this.watched ? session.inspect(this.watched) : null
     const members = this.members()
     const { iteration, status } = session
@@ -293,6 +297,7 @@ export class Simulation {
       fields,
       trace,
       events,
+      span,
       inspection,
       members,
       report,
@@ -308,6 +313,15 @@ export class Simulation {
     const fresh = session.events().slice(heard.events)
     this.heard = { events: heard.events + fresh.length, until: session.iteration }
     return fresh
+  }
+
+  /** A state of before knows less about the end. */
+  private span(): Span | null {
+    const { session } = this
+    if (!session || session.iteration < this.computed || session.limit === this.limit) return null
+    const { limit, stages } = session
+    this.limit = limit
+    return { limit, stages }
   }
 
   private members(): Float64Array<ArrayBuffer> | null {
