@@ -2,7 +2,7 @@ import type { ParameterValue } from 'forage'
 import { en } from '../i18n/en'
 import type { Answer, Driven } from '../worker/protocol'
 import { Clock } from './clock.svelte'
-import { Track } from './track'
+import type { Track } from './track'
 
 /** How many times as fast as the robot. */
 const PACE = 4
@@ -43,7 +43,7 @@ export class Driving {
   private async renew(params: Record<string, ParameterValue>, name = ''): Promise<boolean> {
     this.asked += 1
     const turn = this.asked
-    const answer = await this.ask(params)
+    const [answer, { Track }] = await Promise.all([this.ask(params), import('./track')])
     if (turn !== this.asked) return false
     if (!answer.ok) {
       const { field, message } = answer.refusal
