@@ -5,7 +5,7 @@ export const presets = {
   cases: {
     'moving-ants': {
       title: '[WOLF-ANT] §5.3: one moving obstacle',
-      see: 'Ants find the published way. On it the robot foresees that the disc comes too near and goes round it along the pheromone; the log tells when and why.',
+      see: 'Ants find a way of the published length. On it the robot foresees that the disc comes too near, and goes round it along the pheromone; the log tells when and why.',
     },
     'moving-a-star': {
       title: '[WOLF-ANT] §5.3, with A*',

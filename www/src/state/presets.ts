@@ -13,7 +13,7 @@ export interface Preset {
 }
 
 export const PRESETS: readonly Preset[] = [
-  // Of several shortest ways the ants of this seed find the published one, on which the obstacle comes too near.
+  // Of several shortest ways the ants of this seed find one on which the obstacle comes too near.
   { name: 'moving-ants', planner: 'wolf-ant-drive', scene: 'wolf-ant-20', params: {}, seed: 11 },
   { name: 'moving-a-star', planner: 'a-star-drive', scene: 'wolf-ant-20', params: {} },
   { name: 'moving-d-star-lite', planner: 'd-star-lite-drive', scene: 'wolf-ant-20', params: {} },
