@@ -124,11 +124,14 @@ export function drawEnds(
     context.textAlign = leftwards ? 'right' : 'left'
     plate(context, palette.get('--stage'), names[kind], x + (leftwards ? -13 : 13), y + (below ? 14 : -12))
   }
-  if (hover && hover.kind !== 'rim' && hover.kind !== 'stop') ring(pen, scene, hover, palette.get('--line-strong'))
-  if (selection && selection.kind !== 'stop') ring(pen, scene, selection, palette.get('--focus'))
+  if (isRinged(hover)) ring(pen, scene, hover, palette.get('--line-strong'))
+  if (isRinged(selection)) ring(pen, scene, selection, palette.get('--focus'))
   const held = hover?.kind === 'rim' || hover?.kind === 'disc' ? hover.index : selection?.kind === 'disc' ? selection.index : null
   if (held !== null) rim(pen, scene, held)
 }
+
+/** Stops and what moves are drawn elsewhere. */
+const isRinged = (handle: Handle | null): handle is Selection => handle !== null && ['start', 'goal', 'disc'].includes(handle.kind)
 
 function ring({ context, view, size }: Pen, scene: Plane, handle: Selection, colour: string): void {
   const [x, y] = toScreen(view, size, place(scene, handle))
