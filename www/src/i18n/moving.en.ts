@@ -6,6 +6,7 @@ export const moving = {
   name: (n: number) => `Obstacle ${n}`,
   tool: 'Add a moving obstacle',
   adding: 'Click where it should be, or drag to where it should be a second later.',
+  addingLater: 'Click where it should stand. Dragged it moves: it sets out from there at second 0.',
   add: 'Add an obstacle',
   remove: (name: string) => `Delete ${name}`,
   field: (name: string, field: string) => `${name}: ${field}`,

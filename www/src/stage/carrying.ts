@@ -1,9 +1,11 @@
 import type { GridScene, Point } from 'forage'
+import { moving } from '../i18n/moving.en'
 import { added, aimed, neatly, steered, strideOf, tipOf } from '../state/aiming'
 import { type Handle, move, place, same, type Selection } from '../state/edits'
 import { lab } from '../state/lab.svelte'
 import type { Hands } from './hands.svelte'
-import { hitMoving, MOVING } from './movers'
+import { drawMovers, eventAt, EVENTS, hitMoving, MOVING, placesNow } from './movers'
+import type { Pen } from './pen'
 import { type Size, toScene, type View } from './view'
 
 /** How near to an axis, in pixels, an arrow is straight. */
@@ -22,15 +24,25 @@ export class Carrying {
 
   constructor(private readonly hands: Hands) {}
 
+  /** Where what moves is now, as far as the planner tells. */
+  get now(): Point[] | null {
+    return lab.frame && lab.catalogue ? placesNow(lab.frame, lab.catalogue, lab.moving.length) : null
+  }
+
+  /** A drive goes on: what is on its way can't be caught. */
+  private get rushing(): boolean {
+    return lab.playing && this.now !== null
+  }
+
   /** What is meant by a press, beside what else lies there. Ends lie on top, but not of what is selected. */
   under(found: Handle | null, view: View, size: Size, at: Point, coarse: boolean): Handle | null {
     if (!lab.grid || this.hands.using === 'paint') return found
-    const mover = hitMoving(lab.grid, this.hands.now, view, size, at, lab.selection, coarse)
+    const mover = hitMoving(lab.grid, this.now, view, size, at, lab.selection, coarse)
     const covered = (found?.kind === 'start' || found?.kind === 'goal') && !same(lab.selection, moverOf(mover))
     return mover && !covered ? mover : found
   }
 
-  /** Takes hold of what lies there, or of a new one. What is on its way can't be caught. */
+  /** Takes hold of what lies there, or of a new one. */
   grab(view: View, size: Size, at: Point, handle: Handle | null): boolean {
     const { grid } = lab
     const [x, y] = toScene(view, size, at)
@@ -39,7 +51,7 @@ export class Carrying {
       return true
     }
     const object = moverOf(handle)
-    if (!grid || !object || (lab.playing && this.hands.now)) return false
+    if (!grid || !object || this.rushing) return false
     const one = handle?.kind === 'aim' && 'index' in object ? lab.moving[object.index] : undefined
     const anchor = (one && tipOf(one)) ?? place(grid, object)
     this.offset = [anchor[0] - x, anchor[1] - y]
@@ -75,18 +87,24 @@ export class Carrying {
     this.held = null
   }
 
-  /** True if the tap was meant for what moves. */
-  tap(view: View, size: Size, at: Point, handle: Handle | null): boolean {
+  /** True if the tap was meant for what moves, or for what happened on a drive. */
+  tap(view: View, size: Size, at: Point, handle: Handle | null, coarse: boolean): boolean {
     if (lab.grid && this.hands.using === 'add-moving') {
       lab.edit(added(lab.grid, toScene(view, size, at), [0, 0]))
       this.chooseLast()
       return true
     }
     const object = moverOf(handle)
-    if (!object || !('index' in object)) return false
-    lab.select(object)
-    // What the planner has to say about it.
-    if (lab.layers.some(({ role, pickable }) => pickable && role === MOVING)) lab.inspect({ role: MOVING, index: object.index })
+    if (object && 'index' in object) {
+      lab.select(object)
+      // What the planner has to say about it.
+      if (asked(MOVING)) lab.inspect({ role: MOVING, index: object.index })
+      return true
+    }
+    const event = handle === null && asked(EVENTS) && lab.frame && lab.catalogue ? eventAt(lab.frame, lab.catalogue, view, size, at, coarse) : null
+    if (event === null) return false
+    lab.select(null)
+    lab.inspect({ role: EVENTS, index: event })
     return true
   }
 
@@ -103,11 +121,24 @@ export class Carrying {
     if (grid && selection?.kind === 'moving') lab.press(steered(grid, selection.index, [right, up]))
   }
 
+  /** Where they begin and how they set out, and what of them is selected. */
+  draw(pen: Pen, scene: GridScene, hover: Handle | null, blamed: Selection | null): void {
+    drawMovers(pen, scene, { now: this.now, quiet: this.rushing, selection: lab.selection, hover, blamed })
+  }
+
+  /** What a new one needs, in words. */
+  get hint(): string {
+    return lab.readings['time'] && this.now ? moving.addingLater : moving.adding
+  }
+
   /** How far a key moves an obstacle. */
   get stride(): number {
     return lab.grid ? strideOf(lab.grid) : 0
   }
 }
+
+/** The planner tells about such things, and they are shown. */
+const asked = (role: string): boolean => lab.layers.some((layer) => layer.role === role && layer.pickable && lab.shows(role, layer.on))
 
 /** Near to an axis the hand means the axis. */
 function straight({ scale }: View, [x, y]: Point): Point {

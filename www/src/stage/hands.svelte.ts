@@ -46,11 +46,6 @@ export class Hands {
     this.role && this.cell && lab.grid && this.using !== 'paint' ? { role: this.role, index: indexOf(lab.grid, this.cell) } : null,
   )
 
-  /** Where what moves is now, as far as the planner tells. */
-  readonly now = $derived(
-    this.grids && lab.frame && lab.catalogue && !lab.stale ? this.grids.placesNow(lab.frame, lab.catalogue, lab.moving.length) : null,
-  )
-
   take(tool: Tool): void {
     this.tool = this.using === tool ? 'look' : tool
     if (this.tool === 'look') this.cell = null
@@ -130,7 +125,7 @@ export class Hands {
     const doubled = performance.now() - this.lastTap.time < DOUBLE.time && Math.hypot(at[0] - this.lastTap.at[0], at[1] - this.lastTap.at[1]) < DOUBLE.apart
     this.lastTap = { time: performance.now(), at }
     const handle = this.using !== 'add' ? this.under(view, size, at, coarse) : null
-    if (this.movers?.tap(view, size, at, handle)) return
+    if (this.movers?.tap(view, size, at, handle, coarse)) return
     const cell = this.using === 'paint' && grid ? cellAt(grid, [x, y]) : null
     if (discs && (this.using === 'add' || (doubled && !handle))) {
       this.tool = 'look'

@@ -9,6 +9,8 @@ import { type Size, toScreen, type View } from './view'
 
 /** The role of the obstacles where they are now. */
 export const MOVING = 'moving'
+/** The role of the places where something happened. */
+export const EVENTS = 'events'
 /** An arrow reaches at least this far out of its disc, in pixels. */
 const BEYOND = 15
 /** Below this, in pixels, an obstacle is where it began. */
@@ -22,17 +24,34 @@ const HEAD = 9
 /** How clear the start of one is that has left it. */
 const LEFT = 0.5
 
-/** A frame's obstacles where they are now; nothing where a planner doesn't tell of them, or not of so many. */
-export function placesNow(frame: FrameMessage, names: Names, count: number): Point[] | null {
+/** The vertices of a role. */
+function placesOf(frame: FrameMessage, names: Names, role: string): Point[] {
   const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
-  const role = names.roles.indexOf(MOVING)
+  const number = names.roles.indexOf(role)
   const found: Point[] = []
   for (let at = 0; at < spans.length; at += 4) {
-    const first = 4 * (spans[at + 2] ?? 0)
-    if (spans[at] === role) found.push([vertices[first] ?? NaN, vertices[first + 1] ?? NaN])
+    const [of, , first = 0, count = 0] = spans.subarray(at, at + 4)
+    if (of !== number) continue
+    for (let vertex = 4 * first; vertex < 4 * (first + count); vertex += 4) found.push([vertices[vertex] ?? NaN, vertices[vertex + 1] ?? NaN])
   }
+  return found
+}
+
+/** A frame's obstacles where they are now; nothing where a planner doesn't tell of them, or not of so many. */
+export function placesNow(frame: FrameMessage, names: Names, count: number): Point[] | null {
+  const found = count > 0 ? placesOf(frame, names, MOVING) : []
   return count > 0 && found.length === count ? found : null
+}
+
+/** The event at a point of the screen: of several the nearest, and at one place the latest. */
+export function eventAt(frame: FrameMessage, names: Names, view: View, size: Size, at: Point, coarse: boolean): number | null {
+  let best = { index: -1, from: coarse ? COARSE : NEAR }
+  placesOf(frame, names, EVENTS).forEach((place, index) => {
+    const from = apart(toScreen(view, size, place), at)
+    if (from <= best.from) best = { index, from }
+  })
+  return best.index < 0 ? null : best.index
 }
 
 interface Seen {
