@@ -1,11 +1,11 @@
-import type { GridScene, Moving, Point, Scene } from '../../pkg/node.js'
+import type { GridScene, Moving, Point, Scene, Session } from '../../pkg/node.js'
 import { moving as text } from '../src/i18n/moving.en'
 import { placed } from '../src/state/moving'
 import { rescale } from '../src/state/resizing'
 import { straightened } from '../src/state/aiming'
 import { blamed } from '../src/state/edits'
 import { violations } from './support/axe'
-import { hashOf, linkTo, sceneOf, verified } from './support/core'
+import { hashOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 
 /** A planner that knows nothing of what moves: that is shown all the same. */
@@ -243,6 +243,87 @@ test('a planner that knows nothing of them finds the same way', async ({ lab }) 
   const scene = await edited(lab)
   expect(scene.moving).not.toEqual([RIGHT])
   expect(await lab.settled(AT)).toBe(hashOf({ ...PLAN, scene }, AT))
+})
+
+const DRIVE = 'd-star-lite-drive'
+/** While the robot is on its way. */
+const UNDERWAY = 60
+
+/** The page at a moment of a drive. */
+async function drive(lab: Lab, scene: GridScene): Promise<string> {
+  await lab.open(linkTo({ planner: DRIVE, scene }, UNDERWAY))
+  return lab.settled(UNDERWAY)
+}
+
+const told = <T>(scene: GridScene, ask: (session: Session) => T): T => sessionAt({ planner: DRIVE, scene }, UNDERWAY, ask)
+
+test('an obstacle that is dropped into a drive leaves the moment as it is, and the drive goes on with it', async ({ lab, page }) => {
+  const scene = withMoving([RIGHT])
+  await drive(lab, scene)
+  await page.getByTestId('add-moving').click()
+  await expect(page.getByText(text.addingLater)).toBeVisible()
+  await click(lab, [230, 290])
+  await lab.restarted()
+  await lab.settled(UNDERWAY)
+  const link = verified(await lab.link(await lab.seek(UNDERWAY + 1)))
+  expect(grid(link.scene).moving).toHaveLength(2)
+  expect(await lab.settled()).toBe(hashOf({ planner: DRIVE, scene: link.scene }, UNDERWAY + 1))
+  await lab.press(en.bar.undo)
+  await lab.restarted()
+  await lab.settled(UNDERWAY + 1)
+  expect(await lab.seek(UNDERWAY)).toBe(hashOf({ planner: DRIVE, scene }, UNDERWAY))
+})
+
+test('while a drive stands still, an obstacle is dragged from where it is now, and is asked about', async ({ lab, page }) => {
+  const slow: Moving = { center: [300, 60], radius: 12, velocity: [0, 5] }
+  const scene = withMoving([slow])
+  await drive(lab, scene)
+  const seconds = told(scene, (session) => session.readings()['time'] ?? NaN)
+  expect(seconds).toBeGreaterThan(4)
+  const now: Point = [300, 60 + 5 * seconds]
+  await click(lab, now)
+  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText(told(scene, (session) => session.inspect({ role: 'moving', index: 0 })?.title ?? ''))
+  await drag(lab, now, [now[0] - 40, now[1]])
+  await lab.restarted()
+  await lab.settled(UNDERWAY)
+  const { scene: edited } = verified(await lab.link(await lab.seek(UNDERWAY + 1)))
+  const [moved] = grid(edited).moving ?? []
+  expect(moved?.center[0]).toBeCloseTo(260, 0)
+  expect(moved?.center[1]).toBeCloseTo(60, 0)
+})
+
+test('while a drive goes on, its obstacles can’t be caught; when it stands they can be chosen', async ({ lab, page }) => {
+  const scene = withMoving([{ center: [300, 60], radius: 14, velocity: [0, 0] }])
+  await drive(lab, scene)
+  await lab.press(en.transport.play)
+  await drag(lab, [300, 60], [250, 60])
+  await lab.press(en.transport.pause)
+  expect(grid(verified(await lab.link(await lab.settled())).scene).moving).toEqual(scene.moving)
+  await lab.press(en.stage.fit)
+  await click(lab, [300, 60])
+  await expect(page.getByTestId('mover-card')).toBeVisible()
+})
+
+test('a mark of an event tells what happened there and why', async ({ lab, page }) => {
+  const scene = withMoving([{ center: [230, 250], radius: 14, velocity: [-12, -12] }])
+  await drive(lab, scene)
+  const events = told(scene, (session) => session.outcome().events) ?? []
+  const index = events.findLastIndex(({ place: [x, y] }) => Math.hypot(x - 30, y - 30) > 30)
+  const event = events[index]
+  if (!event) throw new Error('nothing happened')
+  await click(lab, event.place)
+  await expect(page.getByTestId('inspect')).toContainText(event.reason)
+})
+
+test('what drives is drawn in layers that can be put away', async ({ lab }) => {
+  await drive(lab, withMoving([RIGHT, { center: [130, 200], radius: 10, velocity: [0, -3] }]))
+  const whole = await lab.wholePicture()
+  for (const role of ['robot', 'sensor', 'track', 'ahead', 'predicted', 'moving', 'events']) {
+    await lab.layer(role, false)
+    expect((await lab.wholePicture()).digest, role).not.toBe(whole.digest)
+    await lab.layer(role, true)
+  }
+  expect((await lab.wholePicture()).digest).toBe(whole.digest)
 })
 
 const screens = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } }

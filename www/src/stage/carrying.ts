@@ -4,8 +4,12 @@ import { added, aimed, neatly, steered, strideOf, tipOf } from '../state/aiming'
 import { type Handle, move, place, same, type Selection } from '../state/edits'
 import { lab } from '../state/lab.svelte'
 import type { Hands } from './hands.svelte'
-import { drawMovers, eventAt, EVENTS, hitMoving, MOVING, placesNow } from './movers'
+import { drawRobot } from './driven'
+import { drawHappenings } from './happenings'
+import { drawMovers, eventAt, EVENTS, hitMoving, MOVING, placesNow, placesOf } from './movers'
+import { piecesOf } from './layers'
 import type { Pen } from './pen'
+import { styleOf } from './styles'
 import { type Size, toScene, type View } from './view'
 
 /** How near to an axis, in pixels, an arrow is straight. */
@@ -30,7 +34,7 @@ export class Carrying {
   }
 
   /** A drive goes on: what is on its way can't be caught. */
-  private get rushing(): boolean {
+  get rushing(): boolean {
     return lab.playing && this.now !== null
   }
 
@@ -121,9 +125,25 @@ export class Carrying {
     if (grid && selection?.kind === 'moving') lab.press(steered(grid, selection.index, [right, up]))
   }
 
-  /** Where they begin and how they set out, and what of them is selected. */
+  /** Where obstacles begin and how they set out, and what of them is selected. */
   draw(pen: Pen, scene: GridScene, hover: Handle | null, blamed: Selection | null): void {
-    drawMovers(pen, scene, { now: this.now, quiet: this.rushing, selection: lab.selection, hover, blamed })
+    if (lab.shows(MOVING, true)) drawMovers(pen, scene, { now: this.now, quiet: this.rushing, selection: lab.selection, hover, blamed })
+  }
+
+  /** Where something happened. */
+  drawEvents(pen: Pen): void {
+    const { frame, catalogue, planner, outcome } = lab
+    if (!frame || !catalogue || !asked(EVENTS)) return
+    drawHappenings(pen, placesOf(frame, catalogue, EVENTS), (index) => planner?.events.find(({ name }) => name === outcome?.events?.[index]?.kind)?.tone)
+  }
+
+  /** On top of all, start and goal included. */
+  drawRobot(pen: Pen): void {
+    const { frame, catalogue } = lab
+    if (!frame || !catalogue || !lab.shows('robot', true)) return
+    const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
+    const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
+    drawRobot(pen, styleOf('robot'), vertices, piecesOf(spans, catalogue.roles.indexOf('robot'), catalogue.shapes))
   }
 
   /** What a new one needs, in words. */

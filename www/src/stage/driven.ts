@@ -7,7 +7,7 @@ const ROBOT = 8
 /** Nor is an obstacle's. */
 const OBSTACLE = 3
 
-type Draw = (pen: Pen, style: Style, vertices: Float32Array, pieces: readonly Piece[]) => void
+export type Draw = (pen: Pen, style: Style, vertices: Float32Array, pieces: readonly Piece[]) => void
 
 const tubesOf = (pieces: readonly Piece[]): Piece[] => pieces.filter(({ shape }) => shape === 'tube')
 
@@ -85,7 +85,7 @@ const sensor: Draw = (pen, style, vertices, pieces) => {
 }
 
 /** A disc on two wheels with an arrow head where it looks to. */
-const robot: Draw = (pen, style, vertices, pieces) => {
+export const drawRobot: Draw = (pen, style, vertices, pieces) => {
   const { context, palette } = pen
   const [disc] = tubesOf(pieces)
   const [body] = disc ? beads(pen, vertices, disc) : []
@@ -121,41 +121,36 @@ const robot: Draw = (pen, style, vertices, pieces) => {
   context.restore()
 }
 
-/** Filled marks: what they stand on is full of lines. */
-const marks =
-  (shape: (path: Path2D, x: number, y: number, half: number) => void, ground: string): Draw =>
-  (pen, style, vertices, pieces) => {
-    const path = new Path2D()
-    for (const piece of pieces) for (const [x, y] of beads(pen, vertices, piece)) shape(path, x, y, style.point / 2)
-    pen.context.lineJoin = 'round'
-    stroke(pen, path, '--stage', style.width + 3)
-    fill(pen, path, pen.palette.get(ground))
-    stroke(pen, path, style.colour, style.width)
+/** Where a detour comes back. */
+const goal: Draw = (pen, style, vertices, pieces) => {
+  const path = new Path2D()
+  for (const piece of pieces) {
+    for (const [x, y] of beads(pen, vertices, piece)) {
+      const half = style.point / 2
+      path.moveTo(x, y - half)
+      path.lineTo(x + half, y)
+      path.lineTo(x, y + half)
+      path.lineTo(x - half, y)
+      path.closePath()
+    }
   }
-
-function diamond(path: Path2D, x: number, y: number, half: number): void {
-  path.moveTo(x, y - half)
-  path.lineTo(x + half, y)
-  path.lineTo(x, y + half)
-  path.lineTo(x - half, y)
-  path.closePath()
+  pen.context.lineJoin = 'round'
+  stroke(pen, path, '--stage', style.width + 3)
+  fill(pen, path, pen.palette.get('--stage'))
+  stroke(pen, path, style.colour, style.width)
 }
 
-function triangle(path: Path2D, x: number, y: number, half: number): void {
-  path.moveTo(x, y - half)
-  path.lineTo(x + half, y + 0.75 * half)
-  path.lineTo(x - half, y + 0.75 * half)
-  path.closePath()
-}
+function nothing(): void {}
 
 /** Roles that have a drawing of their own. */
 export const own: Readonly<Record<string, Draw>> = {
   moving,
   predicted,
   sensor,
-  robot,
-  'local-goal': marks(diamond, '--stage'),
-  events: marks(triangle, '--event'),
+  'local-goal': goal,
+  // Drawn with start and goal, for which of them lies on top.
+  robot: nothing,
+  events: nothing,
 }
 
 /** Tubes of any other role: what they cover, shaded. */

@@ -57,7 +57,8 @@ export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (rol
   }
 }
 
-function piecesOf(spans: Uint32Array, role: number, shapes: readonly string[]): Piece[] {
+/** What a role is made of. */
+export function piecesOf(spans: Uint32Array, role: number, shapes: readonly string[]): Piece[] {
   const pieces: Piece[] = []
   for (let at = 0; at < spans.length; at += 4) {
     if (spans[at] === role) pieces.push({ shape: shapes[spans[at + 1] ?? 0] ?? '', first: spans[at + 2] ?? 0, count: spans[at + 3] ?? 0 })
@@ -90,7 +91,7 @@ const thinner = (style: Style): Style => (style.arrows ? { ...style, width: 1.75
 
 /** Lifts the result, and what else must be seen, off the crowd beneath it. */
 function halo(lines: Lines, style: Style): void {
-  lines.stroke({ ...style, colour: '--stage', width: style.width + 3, alpha: [0.75, 0.75] })
+  lines.stroke({ ...style, dash: [], colour: '--stage', width: style.width + 3, alpha: [0.75, 0.75] })
 }
 
 export function drawPath(pen: Pen, path: readonly Point[], style: Style): void {

@@ -25,7 +25,7 @@ const HEAD = 9
 const LEFT = 0.5
 
 /** The vertices of a role. */
-function placesOf(frame: FrameMessage, names: Names, role: string): Point[] {
+export function placesOf(frame: FrameMessage, names: Names, role: string): Point[] {
   const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
   const number = names.roles.indexOf(role)
@@ -121,6 +121,7 @@ export function drawMovers(pen: Pen, scene: GridScene, { now, quiet, selection, 
   const { context, view, size } = pen
   const all = movingOf(scene)
   context.lineJoin = context.lineCap = 'round'
+  context.setLineDash([])
   all.forEach((one, index) => {
     const handle: Selection = { kind: 'moving', index }
     const seen = seenAs(one, now?.[index], view, size)
@@ -141,7 +142,6 @@ export function drawMovers(pen: Pen, scene: GridScene, { now, quiet, selection, 
     if (selected) ring(pen, seen, '--focus')
     else if (hovered && !quiet) ring(pen, seen, '--line-strong')
   })
-  context.setLineDash([])
 }
 
 function circle(context: CanvasRenderingContext2D, [x, y]: Point, radius: number): void {
