@@ -34,11 +34,15 @@ async function begin(lab: Lab, scene: Scene | string = PLAN.scene, at = AT): Pro
   return hash
 }
 
-/** The scene that the address tells, after a run that came back to where it was. Its state there is as it was: only the next tells. */
+let asked = 0
+
+/** The scene that the address tells, after a run that came back to where it was. Planned states are as they were, whatever moves:
+ * only the address of one that nobody has asked for yet is new. */
 async function edited(lab: Lab): Promise<GridScene> {
+  asked += 1
   await lab.restarted()
   await lab.settled(AT)
-  const { scene } = verified(await lab.link(await lab.seek(AT + 1)))
+  const { scene } = verified(await lab.link(await lab.seek(AT + asked)))
   await lab.seek(AT)
   return grid(scene)
 }
