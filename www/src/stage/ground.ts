@@ -1,5 +1,4 @@
-import type { DiscsScene, GridScene, Scene } from 'forage'
-import { type Cell, middleOf } from '../state/cells'
+import type { DiscsScene, Scene } from 'forage'
 import { discOf, ends, type Handle, place, type Plane, same, type Selection } from '../state/edits'
 import type { Pen } from './pen'
 import { type Box, extent, tick, toScene, toScreen } from './view'
@@ -154,14 +153,4 @@ function rim({ context, view, size, palette }: Pen, scene: Plane, index: number)
   context.lineWidth = 2
   context.fill()
   context.stroke()
-}
-
-/** The cell that will be painted. */
-export function drawCell({ context, view, size, palette }: Pen, scene: GridScene, cell: Cell): void {
-  const [x, y] = toScreen(view, size, middleOf(scene, cell))
-  const side = Math.max(scene.cell * view.scale, 5)
-  context.setLineDash([])
-  context.lineWidth = 2
-  context.strokeStyle = palette.get('--focus')
-  context.strokeRect(x - side / 2, y - side / 2, side, side)
 }
