@@ -125,9 +125,9 @@ export class Carrying {
     if (grid && selection?.kind === 'moving') lab.press(steered(grid, selection.index, [right, up]))
   }
 
-  /** Where obstacles begin and how they set out, and what of them is selected. */
-  draw(pen: Pen, scene: GridScene, hover: Handle | null, blamed: Selection | null): void {
-    if (lab.shows(MOVING, true)) drawMovers(pen, scene, { now: this.now, quiet: this.rushing, selection: lab.selection, hover, blamed })
+  /** Where obstacles begin and how they set out, and what of them is selected; where they are now, if the picture is that of the scene. */
+  draw(pen: Pen, scene: GridScene, hover: Handle | null, blamed: Selection | null, fresh: boolean): void {
+    if (lab.shows(MOVING, true)) drawMovers(pen, scene, { now: fresh ? this.now : null, quiet: this.rushing, selection: lab.selection, hover, blamed })
   }
 
   /** Where something happened. */
