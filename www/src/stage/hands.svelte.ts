@@ -164,7 +164,7 @@ export class Hands {
     const { grid } = lab
     this.hover = at && view ? this.under(view, size, at, false) : null
     if (!grid || !view || (this.using === 'look' && !this.role)) return
-    if (at) this.cell = this.hover && this.using === 'paint' ? null : cellAt(grid, toScene(view, size, at))
+    if (at) this.cell = this.hover && (this.using === 'paint' || objectOf(this.hover).kind === 'moving') ? null : cellAt(grid, toScene(view, size, at))
     else if (this.using === 'look') this.cell = null
   }
 
