@@ -17,7 +17,7 @@ export const en = {
   },
   stage: {
     label: 'Stage: the scene and what the planner makes of it',
-    help: 'Space plays and pauses. Left and right step through the iterations, with Shift by ten; Home and End jump, Page up and Page down from one part of a run to the next. Plus and minus zoom, 0 shows all, up and down move the view. With an object selected, arrows move it, Delete removes a disc, a stop or a moving obstacle and Escape lets go. While cells are painted, arrows move the cell that is meant, Space paints or erases it and Escape puts the brush away; with the lens, arrows go from cell to cell and Space looks closer. While the robot drives or an iteration is unfolded, Space, arrows, Home and End are for that time and Escape leads back to the run. The scene can also be edited in the Scene panel.',
+    help: 'Space plays and pauses. Left and right step through the iterations, with Shift by ten; Home and End jump, Page up and Page down from one part of a run to the next. Plus and minus zoom, 0 shows all, up and down move the view. With an object selected, arrows move it, Delete removes a disc or a stop and Escape lets go. While cells are painted, arrows move the cell that is meant, Space paints or erases it and Escape puts the brush away; with the lens, arrows go from cell to cell and Space looks closer. While the robot drives or an iteration is unfolded, Space, arrows, Home and End are for that time and Escape leads back to the run. The scene can also be edited in the Scene panel.',
     tools: 'Stage tools',
     add: 'Add a disc',
     remove: 'Delete the selected disc',
