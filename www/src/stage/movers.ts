@@ -221,7 +221,16 @@ function ways(pen: Pen, points: readonly Point[], colour: string): void {
   const { context, view, size, palette } = pen
   const places = points.map((point) => toScreen(view, size, point))
   context.beginPath()
-  places.forEach(([x, y], at) => (at === 0 ? context.moveTo(x, y) : context.lineTo(x, y)))
+  // A round that is made again and again is one line.
+  const drawn = new Set<string>()
+  places.slice(1).forEach((to, at) => {
+    const from = places[at] ?? to
+    const key = [from.join(), to.join()].sort().join(' ')
+    if (drawn.has(key)) return
+    drawn.add(key)
+    context.moveTo(...from)
+    context.lineTo(...to)
+  })
   stroke(pen, colour, 1.75, [1, 4])
   context.fillStyle = palette.get(colour)
   places.slice(0, -1).forEach((place) => {
