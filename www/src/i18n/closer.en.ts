@@ -29,6 +29,10 @@ export const closer = {
       different: 'stops where it differs',
       'tours after': 'its tour',
       'roads after': 'its way',
+      'moving velocity': 'where it goes in a second',
+      'moving candidates': 'when they are nearest: from the robot to it',
+      'moving after': 'where it is now',
+      'events after': 'where it happened',
     } as Readonly<Record<string, string>>,
   },
   walk: {

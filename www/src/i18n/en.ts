@@ -29,6 +29,8 @@ export const en = {
     cell: (column: number, row: number, blocked: boolean) => `Column ${column}, row ${row} from the top: ${blocked ? 'blocked' : 'free'}`,
     drive: 'Let the robot drive along the path',
     margin: 'Safety margin',
+    moving: 'Moving obstacles',
+    movingHelp: 'Where they begin, and where they go in a second.',
     marginHelp: 'Where the robot’s centre may not be: nearer to a blocked cell than the radius of the circle about the robot.',
     adding: 'Click where it should be.',
     zoomIn: 'Zoom in',

@@ -1,5 +1,5 @@
 import type { GridScene } from 'forage'
-import { columnsOf, radiusOf } from '../state/cells'
+import { type Cell, columnsOf, middleOf, radiusOf } from '../state/cells'
 import { outlineOf } from './outline'
 import type { Palette } from './palette'
 import type { Pen } from './pen'
@@ -124,4 +124,14 @@ function lines(context: OffscreenCanvasRenderingContext2D, columns: number, rows
   context.strokeStyle = palette.get('--cell-line')
   context.lineWidth = pixel
   context.stroke()
+}
+
+/** The cell that will be painted. */
+export function drawCell({ context, view, size, palette }: Pen, scene: GridScene, cell: Cell): void {
+  const [x, y] = toScreen(view, size, middleOf(scene, cell))
+  const side = Math.max(scene.cell * view.scale, 5)
+  context.setLineDash([])
+  context.lineWidth = 2
+  context.strokeStyle = palette.get('--focus')
+  context.strokeRect(x - side / 2, y - side / 2, side, side)
 }

@@ -1,5 +1,4 @@
-import type { DiscsScene, GridScene, Scene } from 'forage'
-import { type Cell, middleOf } from '../state/cells'
+import type { DiscsScene, Scene } from 'forage'
 import { discOf, ends, type Handle, place, type Plane, same, type Selection } from '../state/edits'
 import type { Pen } from './pen'
 import { type Box, extent, tick, toScene, toScreen } from './view'
@@ -124,11 +123,14 @@ export function drawEnds(
     context.textAlign = leftwards ? 'right' : 'left'
     plate(context, palette.get('--stage'), names[kind], x + (leftwards ? -13 : 13), y + (below ? 14 : -12))
   }
-  if (hover && hover.kind !== 'rim' && hover.kind !== 'stop') ring(pen, scene, hover, palette.get('--line-strong'))
-  if (selection && selection.kind !== 'stop') ring(pen, scene, selection, palette.get('--focus'))
+  if (isRinged(hover)) ring(pen, scene, hover, palette.get('--line-strong'))
+  if (isRinged(selection)) ring(pen, scene, selection, palette.get('--focus'))
   const held = hover?.kind === 'rim' || hover?.kind === 'disc' ? hover.index : selection?.kind === 'disc' ? selection.index : null
   if (held !== null) rim(pen, scene, held)
 }
+
+/** Stops and what moves are drawn elsewhere. */
+const isRinged = (handle: Handle | null): handle is Selection => handle !== null && ['start', 'goal', 'disc'].includes(handle.kind)
 
 function ring({ context, view, size }: Pen, scene: Plane, handle: Selection, colour: string): void {
   const [x, y] = toScreen(view, size, place(scene, handle))
@@ -151,14 +153,4 @@ function rim({ context, view, size, palette }: Pen, scene: Plane, index: number)
   context.lineWidth = 2
   context.fill()
   context.stroke()
-}
-
-/** The cell that will be painted. */
-export function drawCell({ context, view, size, palette }: Pen, scene: GridScene, cell: Cell): void {
-  const [x, y] = toScreen(view, size, middleOf(scene, cell))
-  const side = Math.max(scene.cell * view.scale, 5)
-  context.setLineDash([])
-  context.lineWidth = 2
-  context.strokeStyle = palette.get('--focus')
-  context.strokeRect(x - side / 2, y - side / 2, side, side)
 }

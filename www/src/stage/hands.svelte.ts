@@ -7,13 +7,14 @@ import { CROWD, hit } from './hit'
 import { STOPS, styleOf } from './styles'
 import { type Size, toScene, type View } from './view'
 
-/** What a press on the stage is for: looking and moving, a new disc or stop, painting cells, going from cell to cell. */
-export type Tool = 'look' | 'add' | 'paint' | 'cells'
+/** What a press on the stage is for: looking and moving, a new disc or stop, one that moves, painting cells, going from cell to cell. */
+export type Tool = 'look' | 'add' | 'add-moving' | 'paint' | 'cells'
 
 const NEW_RADIUS = 0.5
 const DOUBLE = { time: 350, apart: 12 }
 
-const objectOf = (handle: Handle): Selection => (handle.kind === 'rim' ? { kind: 'disc', index: handle.index } : handle)
+const objectOf = (handle: Handle): Selection =>
+  handle.kind === 'rim' || handle.kind === 'aim' ? { kind: handle.kind === 'rim' ? 'disc' : 'moving', index: handle.index } : handle
 
 /** What pointer and keys do to the scene on the stage. */
 export class Hands {
@@ -24,6 +25,9 @@ export class Hands {
   cell = $state.raw<Cell | null>(null)
   /** The hint has done its work. */
   painted = $state(false)
+  /** What has to do with grids, once it is there, and what it does to those that move. */
+  grids = $state.raw<typeof import('./grids') | null>(null)
+  readonly movers = $derived(this.grids && new this.grids.Carrying(this))
   private offset: Point = [0, 0]
   private stroke: { block: boolean; last: Cell } | null = null
   private lastTap = { time: 0, at: [0, 0] as Point }
@@ -34,7 +38,7 @@ export class Hands {
   readonly callsAt = $derived(lab.plane !== null && takesStops(lab.plane) && (lab.touring || lab.stops.length > 0))
   /** A tool that the scene has no use for is put away. */
   readonly using = $derived<Tool>(
-    (this.tool === 'paint' && lab.grid) || (this.tool === 'add' && (lab.discs || this.callsAt)) || (this.tool === 'cells' && this.role) ? this.tool : 'look',
+    ((this.tool === 'paint' || this.tool === 'add-moving') && lab.grid) || (this.tool === 'add' && (lab.discs || this.callsAt)) || (this.tool === 'cells' && this.role) ? this.tool : 'look',
   )
 
   /** The cell that is pointed at, to be asked about. */
@@ -49,12 +53,13 @@ export class Hands {
   }
 
   private under(view: View, size: Size, at: Point, coarse: boolean): Handle | null {
-    return lab.plane && hit(lab.plane, view, size, at, lab.selection, coarse, lab.touring)
+    const found = lab.plane && hit(lab.plane, view, size, at, lab.selection, coarse, lab.touring)
+    return this.movers ? this.movers.under(found, view, size, at, coarse) : found
   }
 
   /** Of many stops a finger moves only the one that is selected, and moves the view with the others. */
   private holds(handle: Handle | null, coarse: boolean): boolean {
-    if (handle?.kind !== 'stop') return handle !== null
+    if (handle?.kind !== 'stop') return handle !== null && objectOf(handle).kind !== 'moving'
     return this.callsAt && !(coarse && lab.stops.length > CROWD && !same(lab.selection, handle))
   }
 
@@ -63,6 +68,7 @@ export class Hands {
     if (!plane || this.using === 'add') return false
     const [x, y] = toScene(view, size, at)
     const handle = this.under(view, size, at, coarse)
+    if (this.movers?.grab(view, size, at, handle)) return true
     this.held = this.holds(handle, coarse) ? handle : null
     if (this.held) {
       const anchor = place(plane, objectOf(this.held))
@@ -78,6 +84,7 @@ export class Hands {
 
   drag(view: View, size: Size, at: Point): void {
     const { plane, grid, discs } = lab
+    if (this.movers?.drag(view, size, at)) return
     const [x, y] = toScene(view, size, at)
     if (this.stroke && grid) {
       const cell = cellAt(grid, [x, y])
@@ -92,7 +99,7 @@ export class Hands {
       const center = discOf(discs, this.held.index)?.center ?? [x, y]
       lab.select(objectOf(this.held))
       lab.drag(resize(discs, this.held.index, Math.max(LEAST_RADIUS, Math.hypot(x - center[0], y - center[1]))))
-    } else if (this.held && this.held.kind !== 'rim' && plane) {
+    } else if (this.held && this.held.kind !== 'rim' && this.held.kind !== 'aim' && plane) {
       lab.select(this.held)
       lab.drag(move(plane, this.held, this.held.kind === 'stop' ? this.meant(x + this.offset[0], y + this.offset[1]) : [x + this.offset[0], y + this.offset[1]]))
     }
@@ -109,6 +116,7 @@ export class Hands {
     this.stroke = null
     if (cancelled) lab.abandon()
     else lab.settle()
+    this.movers?.drop(cancelled)
   }
 
   tap(view: View, size: Size, at: Point, coarse: boolean): void {
@@ -117,6 +125,7 @@ export class Hands {
     const doubled = performance.now() - this.lastTap.time < DOUBLE.time && Math.hypot(at[0] - this.lastTap.at[0], at[1] - this.lastTap.at[1]) < DOUBLE.apart
     this.lastTap = { time: performance.now(), at }
     const handle = this.using !== 'add' ? this.under(view, size, at, coarse) : null
+    if (this.movers?.tap(view, size, at, handle, coarse)) return
     const cell = this.using === 'paint' && grid ? cellAt(grid, [x, y]) : null
     if (discs && (this.using === 'add' || (doubled && !handle))) {
       this.tool = 'look'
@@ -155,7 +164,7 @@ export class Hands {
     const { grid } = lab
     this.hover = at && view ? this.under(view, size, at, false) : null
     if (!grid || !view || (this.using === 'look' && !this.role)) return
-    if (at) this.cell = this.hover && this.using === 'paint' ? null : cellAt(grid, toScene(view, size, at))
+    if (at) this.cell = this.hover && (this.using === 'paint' || objectOf(this.hover).kind === 'moving') ? null : cellAt(grid, toScene(view, size, at))
     else if (this.using === 'look') this.cell = null
   }
 

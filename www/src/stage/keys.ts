@@ -7,6 +7,8 @@ interface Acts {
   pan(dx: number, dy: number): void
   /** Moves the selected object by steps. */
   nudge(dx: number, dy: number): void
+  /** Of what moves by itself: makes it faster that way. */
+  aim(dx: number, dy: number): void
   /** Where cells are painted or asked about: moves the cell that is meant; rows count from the top. */
   walk?(columns: number, rows: number): void
   /** Paints or erases it, or looks closer. */
@@ -47,6 +49,7 @@ export function stageKey(event: KeyboardEvent, acts: Acts): boolean {
     const [dx, dy] = arrow
     const far = event.shiftKey ? 10 : 1
     if (acts.walk) acts.walk(dx * far, -dy * far)
+    else if (lab.selection?.kind === 'moving' && event.shiftKey) acts.aim(dx, dy)
     else if (lab.selection) acts.nudge(dx * far, dy * far)
     else if (dy !== 0) acts.pan(0, dy * PAN)
     else lab.stepBy(dx * far)

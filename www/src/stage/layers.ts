@@ -3,6 +3,7 @@ import { stopsOf } from '../state/stops'
 import type { FrameMessage } from '../worker/protocol'
 import { applyStyle, Lines, marked, type Pen, points } from './pen'
 import { closer, resultOf, STOPS, type Style, styleBeside, styleOf } from './styles'
+import type { Piece } from './tubes'
 import { toScreen } from './view'
 import { insideDiscs } from './wrong'
 
@@ -11,8 +12,13 @@ export interface Names {
   shapes: string[]
 }
 
+type Draw = (pen: Pen, style: Style, vertices: Float32Array, pieces: readonly Piece[]) => void
+
 /** What not every scene needs, once it is there. */
 interface More {
+  /** Roles that have a drawing of their own. */
+  own?: Readonly<Record<string, Draw>>
+  drawTubes?: Draw
   drawArrows?(pen: Pen, style: Style, vertices: Float32Array, first: number, count: number): void
   insideCells?(pen: Pen, scene: GridScene, path: readonly Point[]): void
 }
@@ -27,25 +33,37 @@ export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (rol
   for (const number of roles) {
     const role = names.roles[number] ?? ''
     const style = stopsOf(scene).length > CROWD ? thinner(styleBeside(role, result)) : styleBeside(role, result)
+    const pieces = piecesOf(spans, number, names.shapes)
+    const own = more.own?.[role] ?? (pieces[0]?.shape === 'tube' ? more.drawTubes : undefined)
+    if (own) {
+      own(pen, style, vertices, pieces)
+      continue
+    }
     const lines = new Lines(pen, style.swell !== undefined)
     const ways: [first: number, count: number][] = []
-    for (let at = 0; at < spans.length; at += 4) {
-      if (spans[at] !== number) continue
-      const shape = names.shapes[spans[at + 1] ?? 0]
-      const [first, count] = [spans[at + 2] ?? 0, spans[at + 3] ?? 0]
+    for (const { shape, first, count } of pieces) {
       if (shape === 'points') points(pen, style, vertices, first, count)
       else if (shape === 'polyline') {
         lines.polyline(vertices, first, count)
         ways.push([first, count])
       } else if (shape === 'segments') lines.segments(vertices, first, count)
     }
-    if (role === result) halo(lines, style)
+    if (role === result || style.lifted) halo(lines, style)
     lines.stroke(style)
     if (style.arrows) for (const [first, count] of ways) more.drawArrows?.(pen, style, vertices, first, count)
     if (role !== result) continue
     if (scene.kind === 'discs') insideDiscs(pen, lines, scene.discs)
     if (scene.kind === 'grid') for (const [first, count] of ways) more.insideCells?.(pen, scene, pathOf(vertices, first, count))
   }
+}
+
+/** What a role is made of. */
+export function piecesOf(spans: Uint32Array, role: number, shapes: readonly string[]): Piece[] {
+  const pieces: Piece[] = []
+  for (let at = 0; at < spans.length; at += 4) {
+    if (spans[at] === role) pieces.push({ shape: shapes[spans[at + 1] ?? 0] ?? '', first: spans[at + 2] ?? 0, count: spans[at + 3] ?? 0 })
+  }
+  return pieces
 }
 
 /** Whether anything of a role that is only drawn from near is in the frame. */
@@ -71,9 +89,9 @@ function rolesIn(spans: Uint32Array): Set<number> {
 const CROWD = 100
 const thinner = (style: Style): Style => (style.arrows ? { ...style, width: 1.75 } : style)
 
-/** Lifts the result off the crowd beneath it. */
+/** Lifts the result, and what else must be seen, off the crowd beneath it. */
 function halo(lines: Lines, style: Style): void {
-  lines.stroke({ ...style, colour: '--stage', width: style.width + 3, alpha: [0.75, 0.75] })
+  lines.stroke({ ...style, dash: [], colour: '--stage', width: style.width + 3, alpha: [0.75, 0.75] })
 }
 
 export function drawPath(pen: Pen, path: readonly Point[], style: Style): void {

@@ -12,6 +12,10 @@ export interface Style {
   alpha: [number, number]
   /** Drawn with a mark of its own, so that colour isn't all that tells it apart. */
   mark?: 'ring' | 'diamond'
+  /** Of what has a width, or a mark like no other: how the legend shows it. */
+  area?: 'disc' | 'band' | 'reach' | 'robot' | 'event'
+  /** Lines that are lifted off what lies beneath. */
+  lifted?: true
   /** Points, also in a plane where most roles are lines. */
   dots?: true
   /** Lines grow from `width` to this with their weight. */
@@ -53,6 +57,14 @@ const STYLES: Readonly<Record<string, Style>> = {
   best: { colour: '--best', width: 3, order: 40, point: 9, alpha: [1, 1], mark: 'ring' },
   smoothed: { colour: '--best', width: 3.25, order: 41, point: 9, alpha: [1, 1], mark: 'ring' },
   tour: { colour: '--best', width: 2.75, order: 40, arrows: true, point: 9, alpha: [1, 1] },
+  predicted: { colour: '--predicted-edge', width: 1.25, order: 7, area: 'band', point: 3, alpha: [1, 1] },
+  sensor: { colour: '--robot', width: 1.25, order: 8, dash: [3, 6], area: 'reach', point: 3, alpha: [0.7, 0.7] },
+  ahead: { colour: '--robot', width: 2, order: 42, dash: [1, 5], lifted: true, point: 3, alpha: [1, 1] },
+  track: { colour: '--robot', width: 2.5, order: 43, lifted: true, point: 3, alpha: [1, 1] },
+  moving: { colour: '--moving', width: 2, order: 44, area: 'disc', point: 9, alpha: [1, 1] },
+  'local-goal': { colour: '--robot', width: 2, order: 46, dots: true, point: 13, alpha: [1, 1], mark: 'diamond' },
+  events: { colour: '--ink', width: 1.5, order: 47, area: 'event', point: 13, alpha: [1, 1] },
+  robot: { colour: '--robot', width: 2.25, order: 48, area: 'robot', point: 9, alpha: [1, 1] },
   [STOPS]: { colour: '--stop', width: 2, order: 45, dots: true, point: 9, alpha: [1, 1], mark: 'ring' },
   candidates: { colour: '--ant', width: 1.75, order: 49, point: 3, alpha: [0.8, 0.8] },
   before: { colour: '--ink', width: 1.5, order: 50, dash: [3, 3], point: 6, alpha: [0.7, 0.7] },

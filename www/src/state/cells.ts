@@ -1,5 +1,4 @@
 import type { GridScene, Point } from 'forage'
-import { rounded } from './edits'
 
 /** A cell of a grid; rows count from the top, as scene files list them. */
 export interface Cell {
@@ -64,20 +63,4 @@ export function paint(scene: GridScene, cells: readonly Cell[], block: boolean):
   }
   if (changed.size === 0) return scene
   return { ...scene, rows: scene.rows.map((line, row) => changed.get(row)?.join('') ?? line) }
-}
-
-/** Everything grows with the cells: start, goal and stops stay in theirs. */
-export function rescale(scene: GridScene, cell: number): GridScene {
-  const factor = cell / scene.cell
-  if (!Number.isFinite(factor) || factor <= 0) return { ...scene, cell }
-  const grown = ([x, y]: Point): Point => [rounded(x * factor), rounded(y * factor)]
-  const { start, goal, stops } = scene
-  return { ...scene, cell, ...(start && { start: grown(start) }), ...(goal && { goal: grown(goal) }), ...(stops && { stops: stops.map(grown) }) }
-}
-
-/** A robot with one side has both: the other is as long until it is given. */
-export function resizeRobot(scene: GridScene, side: Side, value: number): GridScene {
-  const { robot } = scene
-  const other = side === 'length' ? 'width' : 'length'
-  return { ...scene, robot: { ...robot, [other]: robot?.[other] ?? value, [side]: value } }
 }

@@ -1,13 +1,14 @@
 import type { Disc, DiscsScene, GridScene, Point, Scene, TourScene } from 'forage'
+import { movingOf, placed, withMoving } from './moving'
 import { stopsOf, withStops } from './stops'
 
 /** Scenes with places that can be taken hold of. */
 export type Plane = DiscsScene | GridScene | TourScene
 
 /** Something of a scene that can be selected. */
-export type Selection = { kind: 'start' | 'goal' } | { kind: 'disc' | 'stop'; index: number }
-/** Something of a scene that can be taken hold of. */
-export type Handle = Selection | { kind: 'rim'; index: number }
+export type Selection = { kind: 'start' | 'goal' } | { kind: 'disc' | 'stop' | 'moving'; index: number }
+/** Something of a scene that can be taken hold of; the tip of a moving obstacle's arrow is its aim. */
+export type Handle = Selection | { kind: 'rim'; index: number } | { kind: 'aim'; index: number }
 
 export const LEAST_RADIUS = 0.01
 const DIGITS = 1e4
@@ -30,13 +31,19 @@ export function ends(scene: Plane): { kind: 'start' | 'goal'; at: Point }[] {
 export function place(scene: Plane, handle: Selection): Point {
   if (handle.kind === 'disc') return discOf(scene, handle.index)?.center ?? [0, 0]
   if (handle.kind === 'stop') return stopsOf(scene)[handle.index] ?? [0, 0]
+  if (handle.kind === 'moving') return movingOf(scene)[handle.index]?.center ?? [0, 0]
   return ends(scene).find(({ kind }) => kind === handle.kind)?.at ?? [0, 0]
 }
 
 export const discOf = (scene: Plane, index: number): Disc | undefined => (scene.kind === 'discs' ? scene.discs[index] : undefined)
 
-/** Moves an object. In a grid it stays inside; the same scene where it can't be moved. */
+/** Moves an object. In a grid it stays inside, unless it moves by itself; the same scene where it can't be moved. */
 export function move(scene: Plane, handle: Selection, [x, y]: Point): Plane {
+  if (handle.kind === 'moving') {
+    const [fromX, fromY] = place(scene, handle)
+    const shift = (at: Point): Point => [rounded(at[0] + x - fromX), rounded(at[1] + y - fromY)]
+    return withMoving(scene, (all) => all.map((one, index) => (index === handle.index ? placed(one, shift) : one)))
+  }
   const within = (value: number, cells = 0): number => (scene.kind === 'grid' ? Math.min(Math.max(value, 0), cells * scene.cell) : value)
   const rows = scene.kind === 'grid' ? scene.rows : []
   const at: Point = [rounded(within(x, rows[0]?.length)), rounded(within(y, rows.length))]
@@ -55,10 +62,11 @@ export function add(scene: DiscsScene, disc: Disc): DiscsScene {
   return { ...scene, discs: [...scene.discs, { center: [rounded(x), rounded(y)], radius: rounded(disc.radius) }] }
 }
 
-/** The scene without a disc or a stop; the same where there is nothing to remove. */
+/** The scene without a disc, a stop or a moving obstacle; the same where there is nothing to remove. */
 export function remove(scene: Plane, handle: Selection | null): Plane {
   const others = (_: unknown, at: number): boolean => at !== numberOf(handle)
   if (handle?.kind === 'stop') return withStops(scene, (stops) => stops.filter(others))
+  if (handle?.kind === 'moving') return withMoving(scene, (all) => all.filter(others))
   return handle?.kind === 'disc' && scene.kind === 'discs' ? { ...scene, discs: scene.discs.filter(others) } : scene
 }
 
@@ -72,10 +80,10 @@ export function edited<S extends Scene>(scene: S): S {
   return rest as S
 }
 
-/** Which object a refused field belongs to: `discs[2].radius`, `start`, … */
+/** Which object a refused field belongs to: `discs[2].radius`, `moving[0].velocity[1]`, `start`, … */
 export function blamed(field: string): Selection | null {
-  const [, list, index] = /^(discs|stops|points)\[(\d+)\]/.exec(field) ?? []
-  if (list) return { kind: list === 'discs' ? 'disc' : 'stop', index: Number(index) }
+  const [, list, index] = /^(disc|stop|point|moving)s?\[(\d+)\]/.exec(field) ?? []
+  if (list) return { kind: list === 'disc' || list === 'moving' ? list : 'stop', index: Number(index) }
   if (field.startsWith('start')) return { kind: 'start' }
   return field.startsWith('goal') ? { kind: 'goal' } : null
 }

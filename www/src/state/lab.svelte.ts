@@ -8,7 +8,7 @@ import { Client } from './client'
 import type { Clock } from './clock.svelte'
 import { Course } from './course.svelte'
 import { Driving } from './driving.svelte'
-import { Scenes } from './scenes.svelte'
+import { type Again, Scenes } from './scenes.svelte'
 import { stageAt } from './stages'
 import { suits } from './stops'
 import { stillness } from './theme.svelte'
@@ -110,6 +110,8 @@ class Lab extends Scenes {
   /** The run was going on when the robot set off. */
   private resumes = false
   private pending: Opening | null = null
+  /** What the run was last asked to begin with. */
+  private opened: Opening = { at: 0, play: false }
 
   async open(): Promise<void> {
     try {
@@ -166,7 +168,7 @@ class Lab extends Scenes {
   private async restart(opening: Opening): Promise<void> {
     this.driving.leave()
     this.unfolded = false
-    this.pending = opening
+    this.pending = this.opened = opening
     this.stale = true
     if (this.starting) return
     this.starting = true
@@ -321,13 +323,14 @@ class Lab extends Scenes {
 
   // What is planned with what
 
-  protected again(): void {
+  protected again(where: Again = 'anew'): void {
     this.promised = undefined
     const { scene, planner } = this
     // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
     const another = scene?.kind !== this.run?.scene.kind || scene?.name !== this.run?.scene.name
     if (scene && planner && another && !suits(planner, scene)) this.suit(scene)
-    void this.restart({ at: 0, play: this.playing || !this.run || (this.finished && !stillness.matches) })
+    const at = where === 'here' && !this.finished ? (this.stale ? this.opened.at : (this.target ?? this.iteration)) : 0
+    void this.restart(where === 'on' ? this.opened : { at, play: this.playing || !this.run || (this.finished && !stillness.matches) })
   }
 
   setPlanner = (name: string): void => {

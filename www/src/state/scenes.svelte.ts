@@ -2,10 +2,17 @@ import type { DiscsScene, GridScene, Point, Scene } from 'forage'
 import { add, edited, move, place, type Plane, remove, rounded, type Selection } from './edits'
 import * as history from './history'
 import type { ImportedFiles } from './imports'
+import { movingOf, onlyMoves } from './moving'
 import { stopsOf, withStops } from './stops'
 
 /** Key presses that follow each other within this many milliseconds are one edit. */
 const NUDGING = 800
+
+/**
+ * Where a run begins after an edit: anew; where it was, for what has changed is only what it meets on its way; or as after
+ * the edit before, which this one continues.
+ */
+export type Again = 'anew' | 'here' | 'on'
 
 /** The scene, its edits and what of it is selected. What follows from a change is told by whoever runs it. */
 export abstract class Scenes {
@@ -23,13 +30,21 @@ export abstract class Scenes {
   readonly plane = $derived<Plane | null>(this.scene && this.scene.kind !== 'function' ? this.scene : null)
   /** Where there is something to call at, in the scene's order. */
   readonly stops = $derived(this.scene ? stopsOf(this.scene) : [])
+  /** What moves in it, in its order. */
+  readonly moving = $derived(this.scene ? movingOf(this.scene) : [])
   /** The scene has a robot with an outline. */
   readonly hasRobot = $derived(this.grid?.robot?.length !== undefined && this.grid.robot.width !== undefined)
   readonly canUndo = $derived((this.scenes?.past.length ?? 0) > 0)
   readonly canRedo = $derived((this.scenes?.future.length ?? 0) > 0)
 
-  /** The run begins anew. */
-  protected abstract again(): void
+  /** The run begins again. */
+  protected abstract again(where?: Again): void
+
+  /** The run begins again for an edit of what was there before. */
+  private after(before: Scene | null, continued: boolean): void {
+    if (onlyMoves(before, this.scene)) this.again(continued ? 'on' : 'here')
+    else this.again()
+  }
 
   /** Another scene takes the place, as a step of the history or as its beginning. */
   protected put(scene: Scene, step: boolean): void {
@@ -41,15 +56,17 @@ export abstract class Scenes {
 
   /** An edit on its way, shown and run at once; `edit` with the last of them makes it one step of the history. */
   drag = (scene: Scene): void => {
+    const [before, continued] = [this.scene, this.draft !== null]
     this.draft = edited(scene)
-    this.again()
+    this.after(before, continued)
   }
 
   /** Lets go of an edit that wasn't meant. */
   abandon = (): void => {
-    if (!this.draft) return
+    const before = this.draft
+    if (!before) return
     this.draft = null
-    this.again()
+    this.after(before, true)
   }
 
   /** What was being dragged stays as it is now. */
@@ -59,9 +76,10 @@ export abstract class Scenes {
 
   edit = (scene: Scene): void => {
     if (!this.scenes) return
+    const [before, continued] = [this.scene, this.draft !== null]
     this.draft = null
     this.scenes = history.commit(this.scenes, edited(scene))
-    this.again()
+    this.after(before, continued)
   }
 
   undo = (): void => this.travel(history.undo)
@@ -69,11 +87,12 @@ export abstract class Scenes {
 
   private travel(by: (from: history.History<Scene>) => history.History<Scene>): void {
     if (!this.scenes) return
+    const before = this.scene
     this.draft = null
     this.scenes = by(this.scenes)
     this.selection = null
     this.imported = null
-    this.again()
+    this.after(before, false)
   }
 
   select = (selection: Selection | null): void => {
@@ -107,15 +126,20 @@ export abstract class Scenes {
     const { plane, selection } = this
     if (!plane || !selection) return
     const [x, y] = place(plane, selection)
-    const moved = move(plane, selection, [x + dx, y + dy])
-    if (moved === plane) return
-    // A row of key presses is one edit.
+    this.press(move(plane, selection, [x + dx, y + dy]))
+  }
+
+  /** A change of what is selected by a key. A row of key presses is one edit. */
+  press = (scene: Scene): void => {
+    const { selection } = this
+    const before = this.scene
+    if (!selection || scene === before) return
     const goesOn = this.nudged?.selection === selection && performance.now() - this.nudged.at < NUDGING
     if (goesOn && this.scenes) {
-      this.scenes = history.amend(this.scenes, edited(moved))
-      this.again()
+      this.scenes = history.amend(this.scenes, edited(scene))
+      this.after(before, true)
     } else {
-      this.edit(moved)
+      this.edit(scene)
     }
     this.nudged = { selection, at: performance.now() }
   }
