@@ -9,11 +9,23 @@ export const presets = {
     },
     'moving-a-star': {
       title: '[WOLF-ANT] §5.3, with A*',
-      see: 'The same drive on an exact way: before it sets out the robot foresees that the disc comes too near and plans anew, at no extra length.',
+      see: 'The same drive on an exact way: soon after it sets out the robot foresees that the disc comes too near, and plans a new way to the goal.',
     },
     'moving-d-star-lite': {
       title: '[WOLF-ANT] §5.3, with D* Lite',
       see: 'The same drive on another of the shortest ways: the disc is seen, and nothing has to be decided.',
+    },
+    crossing: {
+      title: 'Cross traffic',
+      see: 'Discs cross a hall from both sides: each detour is a decision with a time, a place and a reason.',
+    },
+    patrol: {
+      title: 'Guards on patrol',
+      see: 'Where a guard stands in a door there is no way round: the robot waits until the way is clear.',
+    },
+    corridor: {
+      title: 'A corridor with niches',
+      see: 'Neither a way round nor standing still is safe: the robot backs into a niche and lets the disc pass.',
     },
     wolves: {
       title: '[WOLF-ANT] §5.1: wolves’ shares',

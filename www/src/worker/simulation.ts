@@ -310,7 +310,7 @@ export class Simulation {
   private events(): RunEvent[] {
     const { session, heard } = this
     if (!session || session.iteration <= heard.until || !this.tellers.has(session.planner)) return []
-    const fresh = session.events().slice(heard.events)
+    const fresh = session.events(heard.events)
     this.heard = { events: heard.events + fresh.length, until: session.iteration }
     return fresh
   }
