@@ -109,8 +109,11 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> 
     Ok(Box::new(Colony::new(scene, settings, seed, traits)?))
 }
 
+/// What settings make of a colony.
+type OfSettings = fn(&Settings) -> Traits;
+
 /// Every colony, and what sets it apart.
-const COLONIES: &[(Entry, fn(&Settings) -> Traits)] = &[
+const COLONIES: &[(Entry, OfSettings)] = &[
     (aco_wolf::ENTRY, aco_wolf::traits),
     (aco_direction::ENTRY, aco_direction::traits),
     (aco_dijkstra::ENTRY, aco_dijkstra::traits),

@@ -146,16 +146,15 @@ impl Journey {
                         continue;
                     };
                     let plan = plan(&self.ground.cells, &self.ground.course, &way);
-                    match self.conflict_of(self.pose, &plan, distance) {
-                        Some(next) => other = other.or(Some(next)),
-                        None => {
-                            let (mut pose, mut done) = (self.pose, Done::default());
-                            let span = [self.now, f64::INFINITY];
-                            let end = pose.follow(&plan.steps, &mut done, &self.ground.body, span, &mut |_| {});
-                            if best.as_ref().is_none_or(|best| end < best.end) {
-                                best = Some(Offer { plan, local_goal, end });
-                            }
-                        }
+                    if let Some(next) = self.conflict_of(self.pose, &plan, distance) {
+                        other = other.or(Some(next));
+                        continue;
+                    }
+                    let (mut pose, mut done) = (self.pose, Done::default());
+                    let span = [self.now, f64::INFINITY];
+                    let end = pose.follow(&plan.steps, &mut done, &self.ground.body, span, &mut |_| {});
+                    if best.as_ref().is_none_or(|best| end < best.end) {
+                        best = Some(Offer { plan, local_goal, end });
                     }
                 }
                 if let Some(offer) = best {

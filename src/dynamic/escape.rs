@@ -15,8 +15,9 @@ use super::{
     world::{Distance, View},
 };
 
-/// The most states that are looked at.
+/// The most states that are looked at: fewer where each has to be compared with more than a few obstacles.
 const MOST: usize = 60_000;
+const FEW: usize = 16;
 
 /// A state that can be reached.
 #[derive(Debug, Clone, Copy)]
@@ -95,7 +96,7 @@ impl Search<'_> {
             if node.time > self.nodes[longest].time {
                 longest = number;
             }
-            if self.nodes.len() > MOST {
+            if self.nodes.len() > MOST * FEW / (FEW + self.view.threats.len()) {
                 break;
             }
             self.wait(number, pause);

@@ -51,6 +51,9 @@ pub use tell::SYMBOLS;
 /// whole run when it starts: only to know how long it takes.
 const KNOWN: [usize; 2] = [10_000, 100_000];
 
+/// With more obstacles that takes too long.
+const CROWD: usize = 30;
+
 /// What never changes during a drive.
 struct Ground {
     scene: Arc<Scene>,
@@ -171,9 +174,9 @@ impl Dynamic {
         }
     }
 
-    /// Finds out when the run ends, if nobody knows.
+    /// Finds out when the run ends, if nobody knows and it is soon done.
     fn foretell(&self) {
-        if self.end.get().is_none() {
+        if self.end.get().is_none() && self.ground.grid().moving.len() <= CROWD {
             // The copy knows of this one's end, and must not ask itself.
             let mut other = Self { end: Arc::new(OnceLock::from(self.limit)), ..self.clone() };
             while Planner::step(&mut other) == Status::Running {}
@@ -193,13 +196,12 @@ impl Planner for Dynamic {
             return self.status();
         }
         self.iteration += 1;
-        match &mut self.journey {
-            Some(journey) => journey.step(&mut *self.route, self.iteration),
-            None => {
-                self.route.step();
-                if self.iteration >= self.route.steps() {
-                    self.set_out();
-                }
+        if let Some(journey) = &mut self.journey {
+            journey.step(&mut *self.route, self.iteration);
+        } else {
+            self.route.step();
+            if self.iteration >= self.route.steps() {
+                self.set_out();
             }
         }
         self.status()

@@ -224,12 +224,12 @@ fn settings(k: u64) -> [(&'static str, Value); 4] {
 }
 
 fn make(k: u64) -> String {
-    let set: String = settings(k).iter().map(|(name, value)| format!(" --set {name}={value}")).collect();
-    format!("forage generate {}{set} --seed {k} --out s.json", GENERATORS[0].name)
+    let set = settings(k).map(|(name, value)| format!("--set {name}={value}")).join(" ");
+    format!("forage generate {} {set} --seed {k} --out s.json", GENERATORS[0].name)
 }
 
 fn border(k: u64) -> &'static str {
-    if (k - 1) / MOST % 2 == 0 { "leave" } else { "bounce" }
+    if ((k - 1) / MOST).is_multiple_of(2) { "leave" } else { "bounce" }
 }
 
 /// The published figures beside ours.
