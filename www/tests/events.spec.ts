@@ -159,15 +159,18 @@ test('N and P go from event to event, on the stage, on the timeline and among th
   await expect(marks(page).first()).toBeFocused()
   await page.keyboard.press('ArrowRight')
   await expect(marks(page).nth(1)).toBeFocused()
-  await expect(page.getByTestId('event-words')).toContainText(events.find(({ iteration }) => iteration === second)?.reason ?? '')
+  // How many events share a mark depends on the timeline's width.
+  const there = Number(await marks(page).nth(1).getAttribute('data-iteration'))
+  expect(there).toBeGreaterThan(first)
+  await expect(page.getByTestId('event-words')).toContainText(events.find(({ iteration }) => iteration === there)?.reason ?? 'none')
   await page.keyboard.press('p')
   await lab.settled(first)
   await page.keyboard.press('Enter')
-  await lab.settled(second)
+  await lab.settled(there)
   // In a field they are letters.
   await page.getByTestId('seed').focus()
   await page.keyboard.press('n')
-  await lab.settled(second)
+  await lab.settled(there)
 })
 
 test('what calls for attention is told to those who don’t see it', async ({ lab, page }) => {
