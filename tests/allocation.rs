@@ -99,3 +99,34 @@ fn no_step_of_any_tour_allocates() {
         }
     }
 }
+
+/// A robot that drives on looks and foresees without allocating; only what it decides, tells and leaves behind is new.
+#[test]
+fn no_period_of_a_drive_allocates_where_nothing_is_decided() {
+    for entry in PLANNERS.iter().filter(|entry| entry.family == "dynamic") {
+        let scene = shipped("crossing").unwrap();
+        let given: Given =
+            [("iterations", forage::Value::from(if entry.name == "wolf-ant-drive" { 5.0 } else { 1e6 }))].into_iter().collect();
+        let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
+        let mut planner = (entry.start)(&scene, &settings, 1).unwrap();
+        while planner.events().is_empty() {
+            planner.step_taken();
+        }
+        let (mut allocated, mut quiet) = (0, 0);
+        loop {
+            let events = planner.events().len();
+            let before = COUNT.with(Cell::get);
+            if !planner.step_taken() {
+                break;
+            }
+            let count = COUNT.with(Cell::get) - before;
+            if planner.events().len() == events {
+                allocated += count;
+                quiet += 1;
+            }
+        }
+        assert!(quiet > 200, "most periods bring nothing new");
+        // The track, and buffers that double once or twice.
+        assert!(allocated <= 12, "{}: {allocated} allocations in {quiet} periods", entry.name);
+    }
+}

@@ -1,0 +1,57 @@
+//! Drives among moving obstacles: how much faster than real time, on the scenes that ship and among many obstacles.
+//!
+//! `cargo bench --bench drives` prints the table: simulated seconds over seconds, and over those of `a-star-drive`.
+
+#![expect(clippy::disallowed_types, reason = "a benchmark tells time")]
+
+use std::{
+    sync::Arc,
+    time::{Duration, Instant},
+};
+
+use forage::{
+    Given, Scene, Session, Setup, Status, Value,
+    catalogue::PLANNERS,
+    scene::generate::{GENERATORS, generate},
+    shipped,
+};
+
+fn scenes() -> Vec<Arc<Scene>> {
+    let random = |side: f64, moving: f64| {
+        let given =
+            [("columns", side), ("rows", side), ("share", 0.2), ("moving", moving)].map(|(name, number)| (name, Value::from(number)));
+        Arc::new(generate(GENERATORS[0].name, &given.into_iter().collect(), 1).unwrap())
+    };
+    let shipped = ["wolf-ant-20", "crossing", "patrol", "corridor"].map(|name| shipped(name).unwrap());
+    shipped.into_iter().chain([random(40.0, 30.0), random(100.0, 100.0)]).collect()
+}
+
+/// Simulated seconds a second, over as many whole drives as there is time for; planning by ants does not count.
+fn pace(planner: &str, scene: &Arc<Scene>, time: Duration) -> f64 {
+    let (mut simulated, mut took) = (0.0, Duration::ZERO);
+    while simulated == 0.0 || took < time {
+        let params: Given = [("border", Value::from("bounce"))].into_iter().collect();
+        let mut session = Session::with_keyframes(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed: 1 }, 0).unwrap();
+        let planned = session.stages().iter().rev().nth(1).map_or(0, |plan| plan.end);
+        session.step(planned);
+        let begun = Instant::now();
+        while session.step(u64::MAX) == Status::Running {}
+        took += begun.elapsed();
+        simulated += session.readings().get("time").unwrap_or(0.0).max(f64::MIN_POSITIVE);
+    }
+    simulated / took.as_secs_f64()
+}
+
+fn main() {
+    // As a test it only has to run.
+    let time = if std::env::args().any(|arg| arg == "--bench") { Duration::from_secs(1) } else { Duration::ZERO };
+    println!("{:28} {:>9} {:18} {:>16} {:>14}", "scene", "obstacles", "planner", "simulated s / s", "of A*’s");
+    for scene in scenes() {
+        let obstacles = scene.grid().map_or(0, |grid| grid.moving.len());
+        let first = pace("a-star-drive", &scene, time);
+        for entry in PLANNERS.iter().filter(|entry| entry.family == "dynamic") {
+            let pace = if entry.name == "a-star-drive" { first } else { pace(entry.name, &scene, time) };
+            println!("{:28} {obstacles:>9} {:18} {pace:>16.0} {:>14.2}", scene.name(), entry.name, pace / first);
+        }
+    }
+}
