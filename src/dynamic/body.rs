@@ -118,7 +118,7 @@ pub(super) fn course([x, y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> ([f64; 2], f64
 }
 
 /// Whether two headings are one but for rounding.
-fn same([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> bool {
+pub(super) fn same([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> bool {
     (ax - bx).abs() + (ay - by).abs() < 1e-6
 }
 

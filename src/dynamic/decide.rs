@@ -80,7 +80,7 @@ impl Journey {
 
     fn decide(&mut self, route: &mut dyn Route, conflict: Conflict) {
         let mut conflict = conflict;
-        let first = self.distance;
+        let (first, mut last) = (self.distance, None);
         for distance in [Distance::Margin, Distance::Contact] {
             if distance == Distance::Margin && first == Distance::Contact {
                 continue;
@@ -97,11 +97,18 @@ impl Journey {
                     Some(other) => conflict = other,
                 }
             }
-            if self.around(route, distance, conflict) || self.wait(distance, conflict) || self.evade(route, distance, conflict) {
+            if self.around(route, distance, conflict) || self.wait(distance, conflict) {
                 return;
             }
+            let found = escape(&self.view, distance, &self.pose, &self.ground);
+            if found.safe && self.evade(route, &found, conflict) {
+                return;
+            }
+            last = Some(found);
         }
-        self.put_off(route, conflict);
+        if let Some(found) = last {
+            self.put_off(route, &found, conflict);
+        }
     }
 
     /// The first conflict of the plan as far as it looks ahead.
@@ -232,10 +239,9 @@ impl Journey {
         safe
     }
 
-    fn evade(&mut self, route: &mut dyn Route, distance: Distance, conflict: Conflict) -> bool {
-        let found = escape(&self.view, distance, &self.pose, &self.ground);
-        let safe = found.safe && self.follow(route, found);
-        if safe {
+    fn evade(&mut self, route: &mut dyn Route, found: &Escape, conflict: Conflict) -> bool {
+        let taken = self.follow(route, found);
+        if taken {
             self.cornered = false;
             if !std::mem::replace(&mut self.evading, true) {
                 self.tally.escapes += 1;
@@ -243,22 +249,21 @@ impl Journey {
                 self.tell("evade", Some(number), format!("Standing is not safe from obstacle {told} either: it gets out of its way."));
             }
         }
-        safe
+        taken
     }
 
     /// Nothing is safe: what is so for longest.
-    fn put_off(&mut self, route: &mut dyn Route, conflict: Conflict) {
+    fn put_off(&mut self, route: &mut dyn Route, found: &Escape, conflict: Conflict) {
         if !std::mem::replace(&mut self.cornered, true) {
             let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
             self.tell("cornered", Some(number), format!("No motion is safe from obstacle {told}: what puts it off for longest."));
         }
-        let found = escape(&self.view, Distance::Contact, &self.pose, &self.ground);
         self.follow(route, found);
     }
 
     /// Takes the steps of an escape, and from their end the way to the goal.
-    fn follow(&mut self, route: &mut dyn Route, found: Escape) -> bool {
-        let mut all = found.steps;
+    fn follow(&mut self, route: &mut dyn Route, found: &Escape) -> bool {
+        let mut all = found.steps.clone();
         let from = all.last().map_or(self.pose.between[1], |step| step.cell);
         self.occupied.fill(false);
         let Some(way) = route.replan(&self.occupied, from) else {

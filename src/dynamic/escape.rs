@@ -16,7 +16,7 @@ use super::{
 };
 
 /// The most states that are looked at: fewer where each has to be compared with more than a few obstacles.
-const MOST: usize = 60_000;
+const MOST: usize = 20_000;
 const FEW: usize = 16;
 
 /// A state that can be reached.

@@ -15,7 +15,7 @@ use crate::{
 
 use super::{
     Ground,
-    body::{Deed, Plan, Pose, Stretch},
+    body::{Deed, Plan, Pose, Stretch, same},
     route::{Route, plan},
     world::{Distance, View},
 };
@@ -201,8 +201,7 @@ impl Journey {
         if stretch.deed == Deed::Go {
             self.tally.length += seconds * self.ground.body.speed;
             let heading = stretch.velocity.map(|c| c / self.ground.body.speed);
-            let turned = (heading[0] - self.heading[0]).abs() + (heading[1] - self.heading[1]).abs() > 1e-6;
-            self.tally.turns += u64::from(turned && self.heading != [0.0; 2]);
+            self.tally.turns += u64::from(self.heading != [0.0; 2] && !same(heading, self.heading));
             self.heading = heading;
         } else {
             self.tally.stood += seconds;
@@ -284,7 +283,7 @@ impl Journey {
         let under_way = match self.pose.turn {
             Some((_, done)) => done,
             // Turned, and not gone on yet.
-            None if self.pose.heading != self.heading && self.heading != [0.0; 2] => self.ground.body.turn_time,
+            None if self.heading != [0.0; 2] && !same(self.pose.heading, self.heading) => self.ground.body.turn_time,
             None => 0.0,
         };
         self.tally.turns as f64 * self.ground.body.turn_time + under_way

@@ -159,6 +159,22 @@ fn a_collision_that_cannot_be_avoided_is_told() {
     }
 }
 
+/// From a point off its cell's middle to another: each stub is a leg with a heading of its own, and turns into it count.
+#[test]
+fn ends_off_the_middle_of_their_cells_keep_the_time() {
+    let rows = [".........."; 5];
+    for (start, goal) in [([0.7, 5.6], [19.0, 5.0]), ([1.0, 5.0], [18.4, 8.7]), ([0.31, 0.47], [19.63, 9.11])] {
+        let scene = scene(&rows, [start, goal], "");
+        for planner in DRIVES {
+            let outcome = run(planner, &scene, &[], 1);
+            check(&outcome, &scene, planner);
+            let path = outcome.path.as_ref().unwrap();
+            assert_eq!((path[0], path[path.len() - 1]), (start, goal), "{planner}");
+            assert_eq!(outcome.turns, Some(reading(&outcome, "turns") as usize), "{planner}");
+        }
+    }
+}
+
 /// What is in nobody's way changes nothing.
 #[test]
 fn an_obstacle_far_away_is_no_reason_for_anything() {
