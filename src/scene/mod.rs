@@ -85,7 +85,7 @@ pub struct Header {
 }
 
 /// What is in a scene.
-#[expect(clippy::large_enum_variant, reason = "scenes are few, and shared")]
+#[cfg_attr(target_pointer_width = "64", expect(clippy::large_enum_variant, reason = "scenes are few, and shared"))]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
     /// See [`FunctionScene`].

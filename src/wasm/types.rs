@@ -1,6 +1,9 @@
-//! The exact TypeScript types of the face: `types.d.ts`, and a name for each that crosses the boundary.
+//! The exact TypeScript types of the face: `scenes.d.ts` and `types.d.ts`, and a name for each that crosses the boundary.
 
 use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const SCENES: &str = include_str!("scenes.d.ts");
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.d.ts");
