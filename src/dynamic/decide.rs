@@ -36,8 +36,7 @@ impl Journey {
         match (self.conflict(self.distance), self.hold) {
             (None, None) => self.calm(),
             (None, Some(hold)) => {
-                self.calm();
-                self.hold = None;
+                (self.hold, self.cornered, self.evading) = (None, false, false);
                 let waited = self.now - hold.since;
                 self.tell("go-on", Some(hold.obstacle), format!("The way is clear as far as it looks ahead: on after {waited:.1} s."));
             }
@@ -65,6 +64,9 @@ impl Journey {
     }
 
     fn calm(&mut self) {
+        if self.cornered {
+            self.tell("go-on", None, "What it means to do is clear again as far as it looks ahead.".to_owned());
+        }
         (self.cornered, self.evading) = (false, false);
     }
 
@@ -100,6 +102,7 @@ impl Journey {
             if self.around(route, distance, conflict) || self.wait(distance, conflict) {
                 return;
             }
+            self.searches += 1;
             let found = escape(&self.view, distance, &self.pose, &self.ground);
             if found.safe && self.evade(route, &found, conflict) {
                 return;
@@ -256,7 +259,7 @@ impl Journey {
     fn put_off(&mut self, route: &mut dyn Route, found: &Escape, conflict: Conflict) {
         if !std::mem::replace(&mut self.cornered, true) {
             let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
-            self.tell("cornered", Some(number), format!("No motion is safe from obstacle {told}: what puts it off for longest."));
+            self.tell("cornered", Some(number), format!("No safe motion from obstacle {told} is found: what puts it off for longest."));
         }
         self.follow(route, found);
     }

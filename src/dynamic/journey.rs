@@ -72,6 +72,8 @@ pub(super) struct Journey {
     velocity: [f64; 2],
     heading: [f64; 2],
     iteration: u64,
+    /// How often it searched for an escape.
+    pub searches: u64,
     /// Scratch space.
     pub stretches: Vec<Stretch>,
     pub occupied: Vec<bool>,
@@ -111,6 +113,7 @@ impl Journey {
             velocity: [0.0; 2],
             heading: [0.0; 2],
             iteration: 0,
+            searches: 0,
             stretches: Vec::new(),
             occupied: vec![false; ground.cells.len()],
             ground: Arc::clone(ground),
@@ -128,6 +131,11 @@ impl Journey {
                 None,
                 format!("It sets out on a way of {} with {} turns.", self.length_of(self.left()), self.turns_left()),
             );
+        }
+        if self.now == 0.0 {
+            // Where start and goal are one there is no stretch at all.
+            let moment = self.standing(0.0);
+            self.watch(&moment);
         }
         self.look();
         self.think(route);
@@ -315,7 +323,14 @@ impl Journey {
         out.number(self.now);
         self.pose.digest(out);
         out.numbers(self.moments.as_flattened());
-        out.numbers(&[self.tally.length, self.tally.stood, self.tally.gap]);
+        out.numbers(&[self.tally.length, self.tally.stood, self.tally.gap, self.plan.done.waited]);
+        for step in self.plan.left() {
+            out.numbers(&[step.to[0], step.to[1], step.wait]);
+        }
+        out.word(self.local_goal.map_or(u64::MAX, |goal| goal as u64));
+        out.numbers(&self.hold.map_or([-1.0; 2], |hold| [hold.since, hold.retry]));
+        out.word(u64::from(self.distance == Distance::Contact) << 2 | u64::from(self.cornered) << 1 | u64::from(self.evading));
+        self.seen.iter().chain(&self.touching).for_each(|&flag| out.word(u64::from(flag)));
         for event in &self.events {
             out.number(event.time);
             out.bytes(event.kind.as_bytes());

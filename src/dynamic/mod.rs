@@ -36,8 +36,8 @@ use crate::{
     frame::Frame,
     geometry,
     params::Settings,
-    planner::{Best, Event, Inspection, Item, Planner, Readings, Solution, Stage, Status, Track, Yardstick},
-    scene::{Body as SceneBody, Cells, Course, GridScene, Scene},
+    planner::{Best, Border, Event, Inspection, Item, Planner, Readings, Solution, Stage, Status, Track, Yardstick},
+    scene::{Body as SceneBody, Cells, Course, GridScene, Motion, Scene},
     session,
 };
 
@@ -53,6 +53,13 @@ const KNOWN: [usize; 2] = [10_000, 100_000];
 
 /// With more obstacles that takes too long.
 const CROWD: usize = 30;
+
+/// Nor where it takes more steps, or the robot has to search for more escapes.
+const FORETOLD: u64 = 5000;
+const SEARCHES: u64 = 40;
+
+/// How often a second an obstacle may bounce to and fro: what goes faster is everywhere at once, and takes as long to follow.
+const BOUNCES: f64 = 100.0;
 
 /// What never changes during a drive.
 struct Ground {
@@ -70,6 +77,9 @@ impl Ground {
     fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
         let grid = scene.grid()?;
         let body = Body::new(grid, settings)?;
+        if body.border == Border::Bounce {
+            check_bounces(grid)?;
+        }
         Ok(Self {
             cells: Arc::clone(grid.cells()),
             course: Course::new(grid)?,
@@ -111,6 +121,21 @@ impl Ground {
         };
         self.ahead.get_or_init(all)[cell]
     }
+}
+
+/// Refuses obstacles that would bounce too often.
+fn check_bounces(grid: &GridScene) -> Result<(), Error> {
+    for (i, disc) in grid.moving.iter().enumerate() {
+        let Motion::Velocity(velocity) = disc.motion else { continue };
+        for axis in 0..2 {
+            let room = grid.bounds().max[axis] - 2.0 * disc.radius;
+            if room > 0.0 && velocity[axis].abs() > BOUNCES * room {
+                let allowed = format!("at most {} a second where obstacles bounce: {BOUNCES} times to and fro", BOUNCES * room);
+                return Err(Error::refused(format!("moving[{i}].velocity[{axis}]"), velocity[axis], allowed));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A plan, then a drive.
@@ -179,8 +204,17 @@ impl Dynamic {
         if self.end.get().is_none() && self.ground.grid().moving.len() <= CROWD {
             // The copy knows of this one's end, and must not ask itself.
             let mut other = Self { end: Arc::new(OnceLock::from(self.limit)), ..self.clone() };
-            while Planner::step(&mut other) == Status::Running {}
-            let _ = self.end.set(other.iteration);
+            let searches = |other: &Self| other.journey.as_ref().map_or(0, |journey| journey.searches);
+            // What takes long is not worth it: then the limit is all that is known.
+            for _ in 0..FORETOLD {
+                if Planner::step(&mut other) != Status::Running {
+                    let _ = self.end.set(other.iteration);
+                    return;
+                }
+                if searches(&other) > SEARCHES {
+                    return;
+                }
+            }
         }
     }
 
@@ -204,7 +238,11 @@ impl Planner for Dynamic {
                 self.set_out();
             }
         }
-        self.status()
+        let status = self.status();
+        if status != Status::Running {
+            let _ = self.end.set(self.iteration);
+        }
+        status
     }
 
     fn status(&self) -> Status {
@@ -253,7 +291,9 @@ impl Planner for Dynamic {
     fn trouble(&self) -> Option<String> {
         match &self.journey {
             _ if self.lost => Some("No way to the goal was found to drive on".to_owned()),
-            Some(journey) if self.status() == Status::Exhausted => Some(tell::why_not(journey)),
+            Some(journey) if self.status() == Status::Exhausted => {
+                Some(tell::why_not(journey, if journey.now >= self.most { "time_limit" } else { "iterations" }))
+            }
             _ => None,
         }
     }

@@ -112,10 +112,10 @@ pub(super) const EVENTS: &[EventKind] = &[
     event("back", "Back", Tone::Good, "The local goal is reached: on along the planned way."),
     event("replan", "New plan", Tone::Decision, "A new way to the goal round the predicted range."),
     event("wait", "Waits", Tone::Decision, "There is no safe way round: the robot stands, which is safe."),
-    event("go-on", "Goes on", Tone::Good, "What it waited for is past."),
+    event("go-on", "Goes on", Tone::Good, "What it waited for or could not keep from is past."),
     event("evade", "Evades", Tone::Decision, "Standing is not safe either: the robot gets out of the way."),
     event("squeeze", "Without margin", Tone::Warning, "Nothing keeps the margin: on as planned, which does not touch."),
-    event("cornered", "Cornered", Tone::Warning, "No motion is safe: the robot does what puts a collision off for longest."),
+    event("cornered", "Cornered", Tone::Warning, "No safe motion is found: the robot does what puts a collision off for longest."),
     event("collision", "Collision", Tone::Bad, "The robot and an obstacle touch."),
     event("arrived", "Arrived", Tone::Good, "The robot is at the goal."),
 ];

@@ -33,16 +33,16 @@ pub(super) fn read(dynamic: &Dynamic, out: &mut Readings) {
     out.push("collisions", number(&|journey| journey.tally.collisions as f64));
 }
 
-/// Why the goal was not reached in time.
-pub(super) fn why_not(journey: &Journey) -> String {
+/// Why the goal was not reached in time, and which parameter ended the drive.
+pub(super) fn why_not(journey: &Journey, limit: &str) -> String {
     let [x, y] = journey.pose.at;
     match journey.waits_for() {
         Some((obstacle, since)) => format!(
-            "After {:.0} s the robot still waits at ({x:.1}, {y:.1}) for obstacle {}, since {since:.1} s; time_limit gives it longer",
+            "After {:.0} s the robot still waits at ({x:.1}, {y:.1}) for obstacle {}, since {since:.1} s; {limit} gives it longer",
             journey.now,
             obstacle + 1
         ),
-        None => format!("After {:.0} s the robot is at ({x:.1}, {y:.1}) and not at the goal; time_limit gives it longer", journey.now),
+        None => format!("After {:.0} s the robot is at ({x:.1}, {y:.1}) and not at the goal; {limit} gives it longer", journey.now),
     }
 }
 

@@ -8,6 +8,9 @@ use crate::{
 
 use super::body::{Body, Stretch};
 
+/// The most corners of a range.
+const CORNERS: usize = 2000;
+
 /// How far away obstacles are to be kept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Distance {
@@ -102,7 +105,7 @@ impl View {
         let stretches = threat.disc.stretches([0.0; 2], [0.0; 2], span, body.border, bounds);
         let legs = stretches.map(|(_, seconds, at, velocity)| [at, [0, 1].map(|axis| at[axis] + seconds * velocity[axis])]);
         let mut corners = Vec::new();
-        for [from, to] in legs {
+        for [from, to] in legs.take(CORNERS) {
             if corners.is_empty() {
                 corners.push(from);
             }

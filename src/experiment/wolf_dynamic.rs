@@ -151,7 +151,7 @@ fn foreseen_late(events: &[Event]) -> u64 {
             "cornered" => cornered = true,
             "collision" => count += u64::from(cornered),
             // A plan that is safe as far as it looks ahead.
-            "detour" | "replan" | "wait" | "evade" | "squeeze" => cornered = false,
+            "detour" | "replan" | "wait" | "evade" | "squeeze" | "go-on" => cornered = false,
             _ => {}
         }
     }

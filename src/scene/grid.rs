@@ -384,7 +384,13 @@ impl GridScene {
     /// The smallest distance between the robot of a track and a moving obstacle, negative where they overlap; `None`
     /// without one.
     pub fn gap(&self, track: &Track) -> Option<f64> {
-        let legs = track.moments.windows(2).flat_map(|leg| self.moving.iter().map(move |disc| (leg, disc)));
+        // A drive that ends where it begins has one moment.
+        let one = track.moments.first().filter(|_| track.moments.len() == 1).map(|&moment| [moment; 2]);
+        let legs = track
+            .moments
+            .windows(2)
+            .chain(one.as_ref().map(|pair| &pair[..]))
+            .flat_map(|leg| self.moving.iter().map(move |disc| (leg, disc)));
         legs.map(|(leg, disc)| {
             let ([from, x, y], [until, to_x, to_y]) = (leg[0], leg[1]);
             let seconds = until - from;
