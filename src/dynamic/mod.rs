@@ -127,11 +127,11 @@ impl Ground {
 fn check_bounces(grid: &GridScene) -> Result<(), Error> {
     for (i, disc) in grid.moving.iter().enumerate() {
         let Motion::Velocity(velocity) = disc.motion else { continue };
-        for axis in 0..2 {
+        for (axis, speed) in velocity.into_iter().enumerate() {
             let room = grid.bounds().max[axis] - 2.0 * disc.radius;
-            if room > 0.0 && velocity[axis].abs() > BOUNCES * room {
+            if room > 0.0 && speed.abs() > BOUNCES * room {
                 let allowed = format!("at most {} a second where obstacles bounce: {BOUNCES} times to and fro", BOUNCES * room);
-                return Err(Error::refused(format!("moving[{i}].velocity[{axis}]"), velocity[axis], allowed));
+                return Err(Error::refused(format!("moving[{i}].velocity[{axis}]"), speed, allowed));
             }
         }
     }
