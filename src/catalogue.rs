@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use crate::{
-    ants, drive, dynamic,
+    ants, arm, drive, dynamic,
     error::Error,
     frame::{Role, Shape},
     params::{Domain, Parameter, Settings, Value, When, as_object},
@@ -309,6 +309,7 @@ pub struct Catalogue {
     scenes: Vec<&'static Scene>,
     generators: Vec<GeneratorView>,
     drive: DriveView,
+    motion: DriveView,
     roles: Vec<&'static str>,
     shapes: [&'static str; Shape::ALL.len()],
     /// Every TeX string that can appear outside a formula, so that pages can typeset them when they are built.
@@ -328,7 +329,9 @@ pub fn catalogue() -> Catalogue {
         .chain(dynamic::SYMBOLS.iter().copied())
         .chain(PLANNERS.iter().flat_map(|e| e.members.iter().map(|m| m.symbol)))
         .chain(drive::PARAMETERS.iter().map(|p| p.symbol))
-        .chain(drive::COLUMNS.iter().map(|c| c.symbol));
+        .chain(drive::COLUMNS.iter().map(|c| c.symbol))
+        .chain(arm::MOTION.parameters.iter().map(|p| p.symbol))
+        .chain(arm::MOTION.columns.iter().map(|c| c.symbol));
     let mut symbols = Vec::new();
     for symbol in all {
         if !symbol.is_empty() && !symbols.contains(&symbol) {
@@ -340,7 +343,8 @@ pub fn catalogue() -> Catalogue {
         planners: PLANNERS.iter().map(EntryView).collect(),
         scenes: shipped_names().map(|scene| &**scene).collect(),
         generators: GENERATORS.iter().chain(TOURS).map(GeneratorView).collect(),
-        drive: DriveView(&drive::ENTRY),
+        drive: DriveView(&drive::ENTRY, Kind::Grid),
+        motion: DriveView(&arm::MOTION, Kind::Arm),
         roles: Role::ALL.map(Role::name).to_vec(),
         shapes: Shape::ALL.map(Shape::name),
         symbols,
@@ -392,16 +396,16 @@ impl Serialize for GeneratorView {
     }
 }
 
-/// How a robot drives along a path.
+/// How a robot, or an arm, follows a path.
 #[derive(Debug)]
-struct DriveView(&'static drive::Entry);
+struct DriveView(&'static drive::Entry, Kind);
 
 impl Serialize for DriveView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut out = serializer.serialize_struct("DriveEntry", 5)?;
         out.serialize_field("source", self.0.source)?;
         out.serialize_field("summary", self.0.summary)?;
-        out.serialize_field("parameters", &views(self.0.parameters, &[Kind::Grid]))?;
+        out.serialize_field("parameters", &views(self.0.parameters, if self.1 == Kind::Arm { &[Kind::Arm] } else { &[Kind::Grid] }))?;
         out.serialize_field("columns", self.0.columns)?;
         out.serialize_field("formulas", self.0.formulas)?;
         out.end()

@@ -63,6 +63,18 @@ pub enum Role {
     LocalGoal,
     /// Where something happened or was decided, one point each.
     Events,
+    /// A tree's edges, from each node's parent to the node; the weight is the node's cost. The first node has none.
+    Tree,
+    /// The edges of the tree that grows from the goal.
+    GoalTree,
+    /// A tree's nodes, in their order; of two trees, the start's and then the goal's.
+    Nodes,
+    /// In an inspection: the samples that were drawn, [ARM-RRT] §3.2.1.
+    Samples,
+    /// In an inspection: those that were kept.
+    Kept,
+    /// In an inspection: the one that was taken.
+    Chosen,
     /// The result after smoothing.
     Smoothed,
     /// The exact optimum.
@@ -89,7 +101,7 @@ pub enum Role {
 
 impl Role {
     /// Every role, in the order of their numbers.
-    pub const ALL: [Self; 38] = [
+    pub const ALL: [Self; 44] = [
         Self::Particles,
         Self::Velocities,
         Self::PersonalBests,
@@ -117,6 +129,12 @@ impl Role {
         Self::Ahead,
         Self::LocalGoal,
         Self::Events,
+        Self::Tree,
+        Self::GoalTree,
+        Self::Nodes,
+        Self::Samples,
+        Self::Kept,
+        Self::Chosen,
         Self::Smoothed,
         Self::Exact,
         Self::Inertia,
@@ -160,6 +178,12 @@ impl Role {
             Self::Ahead => "ahead",
             Self::LocalGoal => "local-goal",
             Self::Events => "events",
+            Self::Tree => "tree",
+            Self::GoalTree => "goal-tree",
+            Self::Nodes => "nodes",
+            Self::Samples => "samples",
+            Self::Kept => "kept",
+            Self::Chosen => "chosen",
             Self::Smoothed => "smoothed",
             Self::Exact => "exact",
             Self::Inertia => "inertia",
@@ -302,7 +326,13 @@ impl Frame {
     /// Adds a vertex in the plane to the open span.
     #[inline]
     pub fn push(&mut self, [x, y]: [f64; 2], weight: f64) {
-        self.vertices.extend([x as f32, y as f32, 0.0, weight as f32]);
+        self.push_in_space([x, y, 0.0], weight);
+    }
+
+    /// Adds a vertex in space to the open span.
+    #[inline]
+    pub fn push_in_space(&mut self, [x, y, z]: [f64; 3], weight: f64) {
+        self.vertices.extend([x as f32, y as f32, z as f32, weight as f32]);
         if let Some(count) = self.table.last_mut() {
             *count += 1;
         }

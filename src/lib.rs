@@ -31,6 +31,7 @@
 //! swarm optimization algorithm*, Transactions of the Chinese Society for Agricultural Machinery, 2018 no. 12.
 
 pub mod ants;
+pub mod arm;
 pub mod catalogue;
 pub mod digest;
 pub mod drive;
@@ -53,6 +54,7 @@ pub mod search;
 pub mod session;
 pub mod swarm;
 pub mod tour;
+pub mod tree;
 pub mod tuning;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;

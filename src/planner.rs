@@ -6,6 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
+    arm::Posture,
     digest::Digest,
     frame::{Frame, Role, Shape},
     params::Given,
@@ -43,6 +44,14 @@ pub enum Solution {
     },
     /// A drive among moving obstacles, from start to goal in simulated time.
     Drive(Track),
+    /// A way for the tip of an arm.
+    Reach {
+        /// The corners of the tip's path, in metres.
+        path: Vec<[f64; 3]>,
+        /// The arm's postures, if they were planned and not only where its tip is: it goes from one to the next with all
+        /// joints evenly, and the path is where that takes the tip.
+        postures: Vec<Posture>,
+    },
 }
 
 /// Where a robot was, and when.
@@ -70,11 +79,19 @@ pub enum Border {
 }
 
 impl Solution {
-    /// The corners of a path or of a tour's way.
+    /// How many corners its path has.
+    pub fn corners(&self) -> usize {
+        match self {
+            Self::Reach { path, .. } => path.len(),
+            _ => self.path().map_or(0, <[_]>::len),
+        }
+    }
+
+    /// The corners of a path in the plane or of a tour's way.
     pub fn path(&self) -> Option<&[[f64; 2]]> {
         match self {
             Self::Path(path) | Self::Tour { path, .. } | Self::Drive(Track { path, .. }) => Some(path),
-            Self::Position(_) => None,
+            Self::Position(_) | Self::Reach { .. } => None,
         }
     }
 }
@@ -272,8 +289,15 @@ pub struct Mark {
     pub role: Role,
     /// How its vertices belong together.
     pub shape: Shape,
-    /// In the scene's unit.
-    pub vertices: Vec<[f64; 2]>,
+    /// In the scene's unit; in the plane z is 0.
+    pub vertices: Vec<[f64; 3]>,
+}
+
+impl Mark {
+    /// A mark in the plane.
+    pub fn plane(role: Role, shape: Shape, vertices: Vec<[f64; 2]>) -> Self {
+        Self { role, shape, vertices: vertices.into_iter().map(|[x, y]| [x, y, 0.0]).collect() }
+    }
 }
 
 /// Why something did what it did in the step that led to this iteration.

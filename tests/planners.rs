@@ -171,7 +171,7 @@ fn samples(path: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
 /// cell by cell. Inside a cell it is only said to be inside.
 fn clearance(scene: &Scene, p: [f64; 2]) -> f64 {
     match scene.body() {
-        forage::scene::Body::Function(_) | forage::scene::Body::Tour(_) => f64::INFINITY,
+        forage::scene::Body::Function(_) | forage::scene::Body::Tour(_) | forage::scene::Body::Arm(_) => f64::INFINITY,
         forage::scene::Body::Discs(discs) => {
             discs.discs.iter().map(|d| apart(p[0] - d.center[0], p[1] - d.center[1]) - d.radius).fold(f64::INFINITY, f64::min)
         }

@@ -183,7 +183,7 @@ impl<'a> View<'a> {
         let cells = &*self.ground.cells;
         let likely = (0..8).filter(|&d| self.share(d) > 0.001);
         let vertices = likely.flat_map(|d| [cells.centre(self.cell), cells.centre(cells.next(self.cell, d))]).collect();
-        Mark { role: Role::Candidates, shape: Shape::Segments, vertices }
+        Mark::plane(Role::Candidates, Shape::Segments, vertices)
     }
 }
 
@@ -280,6 +280,6 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
         columns: Vec::new(),
         labels: Vec::new(),
         rows: Vec::new(),
-        marks: vec![Mark { role: Role::After, shape: if path.len() > 1 { Shape::Polyline } else { Shape::Points }, vertices: path }],
+        marks: vec![Mark::plane(Role::After, if path.len() > 1 { Shape::Polyline } else { Shape::Points }, path)],
     })
 }

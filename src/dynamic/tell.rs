@@ -112,9 +112,9 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     }
     let then = |from: [f64; 2], velocity: [f64; 2]| [0, 1].map(|axis| from[axis] + time * velocity[axis]);
     told.marks = vec![
-        Mark { role: Role::Velocity, shape: Shape::Segments, vertices: vec![leg.at, [0, 1].map(|axis| leg.at[axis] + leg.velocity[axis])] },
-        Mark { role: Role::Candidates, shape: Shape::Segments, vertices: vec![then(at, going), then(leg.at, leg.velocity)] },
-        Mark { role: Role::After, shape: Shape::Points, vertices: vec![leg.at] },
+        Mark::plane(Role::Velocity, Shape::Segments, vec![leg.at, [0, 1].map(|axis| leg.at[axis] + leg.velocity[axis])]),
+        Mark::plane(Role::Candidates, Shape::Segments, vec![then(at, going), then(leg.at, leg.velocity)]),
+        Mark::plane(Role::After, Shape::Points, vec![leg.at]),
     ];
     Some(told)
 }
@@ -125,6 +125,6 @@ fn event(journey: &Journey, item: Item) -> Option<Inspection> {
     let kind = super::parameters::EVENTS.iter().find(|kind| kind.name == event.kind)?;
     let mut told = told(item, format!("{}, {:.1} s", kind.title, event.time), event.kind, event.reason.clone());
     told.values = vec![quantity("t", "t", "when, seconds", event.time)];
-    told.marks = vec![Mark { role: Role::After, shape: Shape::Points, vertices: vec![event.place] }];
+    told.marks = vec![Mark::plane(Role::After, Shape::Points, vec![event.place])];
     Some(told)
 }

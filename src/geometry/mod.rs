@@ -2,6 +2,7 @@
 
 mod approach;
 mod block;
+mod cuboid;
 mod disc;
 mod field;
 mod oriented;
@@ -12,10 +13,11 @@ mod smooth;
 
 pub use approach::{closest_approach, first_within};
 pub use block::Block;
+pub use cuboid::Cuboid;
 pub use disc::Disc;
 pub use field::Field;
 pub use oriented::Oriented;
-pub use polyline::{arc_outline, length, turning, turns};
+pub use polyline::{arc_outline, length, length_in_space, turning, turns};
 pub use segment::{closest_parameter, distance_squared};
 pub use shortcut::shortcut;
 pub use smooth::{PIECES, shuman, subdivided};

@@ -13,6 +13,13 @@ pub fn length(path: &[[f64; 2]]) -> f64 {
         .fold(0.0, |sum, length| sum + length)
 }
 
+/// The length of a polyline in space.
+pub fn length_in_space(path: &[[f64; 3]]) -> f64 {
+    path.windows(2)
+        .map(|w| (0..3).fold(0.0, |sum, i| sum + (w[1][i] - w[0][i]) * (w[1][i] - w[0][i])).sqrt())
+        .fold(0.0, |sum, length| sum + length)
+}
+
 /// How much a polyline turns at its corners in all, in radians: 0 for a straight line. Segments of no length are skipped.
 pub fn turning(path: &[[f64; 2]]) -> f64 {
     // From 0, so that nothing is not −0.

@@ -48,6 +48,11 @@ fn style_of(role: Role) -> Style {
         Role::Exact => style("#2f6b4f", "#7fcf9f", 2.0, 0.9, "6 5"),
         Role::Cognitive => style("#4d8f8b", "#6fc0ba", 1.6, 1.0, ""),
         Role::Social | Role::Velocity | Role::MeanBest => style("#c27803", "#f2b33d", 1.6, 1.0, ""),
+        Role::Tree | Role::Nodes => style("#5b5fa8", "#9aa2e8", 1.0, 0.6, ""),
+        Role::GoalTree => style("#8a5a2b", "#d9a86c", 1.0, 0.6, ""),
+        Role::Samples => style("#7a7f78", "#98a39a", 1.0, 0.6, ""),
+        Role::Kept => style("#1f6fb2", "#7cc0f5", 1.4, 0.9, ""),
+        Role::Chosen => style("#c27803", "#f2b33d", 2.0, 1.0, ""),
         Role::Guides => style("#8c8674", "#56695f", 0.8, 0.5, "2 4"),
         Role::Selected => style("#8f3fb0", "#cf8df0", 1.0, 0.5, ""),
         Role::Attractors => style("#4d8f8b", "#6fc0ba", 1.0, 0.6, ""),
@@ -142,6 +147,14 @@ impl Canvas {
                     self.rectangle(inside(block.min), inside(block.max), &format!(r#"fill="{fill}" stroke="{fill}" stroke-width="1""#));
                 }
                 self.frame_of(grid.bounds());
+            }
+            // Seen from above.
+            Body::Arm(arm) => {
+                let flat = |[x, y, _]: [f64; 3]| [x, y];
+                for cuboid in &arm.cuboids {
+                    self.rectangle(flat(cuboid.min), flat(cuboid.max), &format!(r#"fill="{fill}" stroke="{stroke}" stroke-width="1.2""#));
+                }
+                self.frame_of(scene.view());
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The scene file: JSON in and out, every refusal with the field it is about.
 
+mod arm;
 mod grid;
 mod tour;
 
@@ -62,6 +63,7 @@ impl Scene {
             Kind::Discs => Body::Discs(fields.discs_scene()?),
             Kind::Grid => Body::Grid(fields.grid()?),
             Kind::Tour => Body::Tour(fields.tour()?),
+            Kind::Arm => Body::Arm(fields.arm_scene()?),
         };
         fields.end()?;
         Self::new(header, body)
@@ -106,6 +108,7 @@ impl Scene {
             }
             Body::Grid(grid) => grid::write(grid, &mut out),
             Body::Tour(tour) => tour::write(tour, &mut out),
+            Body::Arm(scene) => arm::write(scene, &mut out),
         }
         for (key, kept) in [("exact", exact), ("published", published)] {
             out.extend(kept.iter().map(|kept| (key, kept.clone())));
@@ -317,7 +320,7 @@ mod tests {
         for (from, to, expected) in [
             ("forage-scene", "other", ["format", "\"other\"", "\"forage-scene\""]),
             (": 1,", ": 2,", ["version", "2", "1"]),
-            ("\"discs\",", "3,", ["kind", "3", "one of function, discs, grid, tour"]),
+            ("\"discs\",", "3,", ["kind", "3", "one of function, discs, grid, tour, arm"]),
             ("\"title\": \"A\",", "", ["title", "nothing", "a text"]),
             ("\"A\"", "true", ["title", "true", "a text"]),
             ("[8, 8]", "[8]", ["goal", "a list of 1", "a point, [x, y]"]),

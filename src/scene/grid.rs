@@ -347,7 +347,7 @@ impl GridScene {
             let way = &of(i.min(j), i.max(j)).path;
             if i < j { path.extend(&way[1..]) } else { path.extend(way[..way.len() - 1].iter().rev()) }
         }
-        Some(Exact { length, path, order, stored: false })
+        Some(Exact { length, path, order, tip_path: Vec::new(), stored: false })
     }
 
     pub(super) fn judge(&self, path: &[[f64; 2]]) -> Verdict {

@@ -3,6 +3,7 @@
 //!
 //! A [`Scene`] that exists is valid: its numbers are finite, start and goal are inside and free.
 
+mod arm;
 mod cells;
 mod discs;
 mod distances;
@@ -26,6 +27,7 @@ use crate::{
     planner::{Round, Solution, Yardstick},
 };
 
+pub use arm::{ArmScene, MAX_CUBOIDS};
 pub use cells::{Cells, Course, DIRECTIONS, Steps, angle};
 pub use discs::{Bounds, DiscsScene, MAX_DISCS};
 use distances::LONGEST;
@@ -48,11 +50,13 @@ pub enum Kind {
     Grid,
     /// Stops to call at, and their distances.
     Tour,
+    /// A six-axis arm among cuboids.
+    Arm,
 }
 
 impl Kind {
     /// Every kind.
-    pub const ALL: [Self; 4] = [Self::Function, Self::Discs, Self::Grid, Self::Tour];
+    pub const ALL: [Self; 5] = [Self::Function, Self::Discs, Self::Grid, Self::Tour, Self::Arm];
 
     /// The name that scene files use.
     pub const fn name(self) -> &'static str {
@@ -61,6 +65,7 @@ impl Kind {
             Self::Discs => "discs",
             Self::Grid => "grid",
             Self::Tour => "tour",
+            Self::Arm => "arm",
         }
     }
 }
@@ -96,6 +101,8 @@ pub enum Body {
     Grid(GridScene),
     /// See [`TourScene`].
     Tour(TourScene),
+    /// See [`ArmScene`].
+    Arm(ArmScene),
 }
 
 /// A valid scene.
@@ -140,6 +147,7 @@ impl Scene {
             Body::Discs(scene) => scene.check()?,
             Body::Grid(scene) => scene.check()?,
             Body::Tour(scene) => scene.check(header.exact.as_ref())?,
+            Body::Arm(scene) => scene.check()?,
         }
         Ok(Self { header, body, exact: OnceLock::new(), exact_over_cells: OnceLock::new(), exact_tours: Default::default() })
     }
@@ -166,13 +174,14 @@ impl Scene {
             Body::Discs(_) => Kind::Discs,
             Body::Grid(_) => Kind::Grid,
             Body::Tour(_) => Kind::Tour,
+            Body::Arm(_) => Kind::Arm,
         }
     }
 
-    /// Where a path begins and where it leads; `None` where there is no path to find.
+    /// Where a path in the plane begins and where it leads; `None` where there is none to find.
     pub fn ends(&self) -> Option<([f64; 2], [f64; 2])> {
         match &self.body {
-            Body::Function(_) | Body::Tour(_) => None,
+            Body::Function(_) | Body::Tour(_) | Body::Arm(_) => None,
             Body::Discs(scene) => Some((scene.start, scene.goal)),
             Body::Grid(scene) => scene.ends().ok(),
         }
@@ -185,6 +194,7 @@ impl Scene {
                 Body::Function(_) | Body::Tour(_) => None,
                 Body::Discs(scene) => scene.exact(),
                 Body::Grid(scene) => scene.exact(),
+                Body::Arm(scene) => scene.exact(),
             })
             .as_ref()
     }
@@ -260,10 +270,21 @@ impl Scene {
         }
     }
 
-    /// Whether the robot can go straight from one point to another; it may touch.
+    /// The arm and its workspace in it.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for every other kind.
+    pub fn arm(&self) -> Result<&ArmScene, Error> {
+        match &self.body {
+            Body::Arm(scene) => Ok(scene),
+            _ => Err(Error::refused("kind", self.kind().name(), "arm")),
+        }
+    }
+
+    /// Whether the robot can go straight from one point of the plane to another; it may touch.
     pub fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
         match &self.body {
-            Body::Function(_) | Body::Tour(_) => true,
+            Body::Function(_) | Body::Tour(_) | Body::Arm(_) => true,
             Body::Discs(scene) => scene.discs.iter().all(|disc| disc.clearance_of_segment(a, b) >= 0.0),
             Body::Grid(scene) => scene.field().is_free(a, b),
         }
@@ -277,6 +298,7 @@ impl Scene {
             (Body::Grid(scene), Solution::Tour { order, round, path }) => scene.judge_tour(order, *round, path),
             (Body::Grid(scene), Solution::Drive(track)) => scene.judge_drive(track),
             (Body::Tour(scene), solution) => scene.judge(solution),
+            (Body::Arm(scene), solution) => scene.judge(solution),
             _ => Verdict { length: None, feasible: true, clearance: None },
         }
     }
@@ -288,6 +310,7 @@ impl Scene {
             Body::Discs(scene) => scene.view(),
             Body::Grid(scene) => scene.bounds(),
             Body::Tour(scene) => scene.view(),
+            Body::Arm(scene) => scene.view(),
         }
     }
 }

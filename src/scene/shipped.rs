@@ -22,6 +22,8 @@ const FILES: &[&str] = &[
     include_str!("../../scenes/random-52.json"),
     include_str!("../../scenes/clustered-100.json"),
     include_str!("../../scenes/random-280.json"),
+    include_str!("../../scenes/arm-cuboid.json"),
+    include_str!("../../scenes/arm-free.json"),
     include_str!("../../scenes/sphere.json"),
     include_str!("../../scenes/sphere-4.json"),
     include_str!("../../scenes/rosenbrock.json"),

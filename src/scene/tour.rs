@@ -152,7 +152,7 @@ impl TourScene {
             order.iter().chain(back).map(|&stop| places[stop]).collect::<Vec<_>>()
         };
         if let Some((order, length)) = shortest_tour(self.distances(), round) {
-            return Some(Exact { length, path: path(&order), order, stored: false });
+            return Some(Exact { length, path: path(&order), order, tip_path: Vec::new(), stored: false });
         }
         let stored = stored.filter(|_| round == self.round())?;
         let order: Option<Vec<usize>> = stored
@@ -161,7 +161,13 @@ impl TourScene {
             .map(|order| order.iter().map(|stop| stop.as_f64().map_or(usize::MAX, |stop| stop as usize)).collect());
         // What the file claims counts only as far as it can be checked: an order has the length that it has.
         match order.filter(|order| round.allows(order, self.len())) {
-            Some(order) => Some(Exact { length: self.distances().length(&order, round.closes()), path: path(&order), order, stored: true }),
+            Some(order) => Some(Exact {
+                length: self.distances().length(&order, round.closes()),
+                path: path(&order),
+                order,
+                tip_path: Vec::new(),
+                stored: true,
+            }),
             None => stored.get("length").and_then(Value::as_f64).map(|length| Exact { stored: true, ..Exact::way(length, Vec::new()) }),
         }
     }

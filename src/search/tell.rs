@@ -42,7 +42,7 @@ impl Search {
             columns: COLUMNS.to_vec(),
             labels: Vec::new(),
             rows: Vec::new(),
-            marks: vec![Mark { role: Role::After, shape: Shape::Points, vertices: vec![cells.centre(cell)] }],
+            marks: vec![Mark::plane(Role::After, Shape::Points, vec![cells.centre(cell)])],
         };
         if let Some(g) = self.reached(cell) {
             self.tell_way(cell, g, &mut told);
@@ -86,7 +86,7 @@ impl Search {
             if vertices[0] != task.course.ends[0] {
                 vertices.insert(0, task.course.ends[0]);
             }
-            told.marks.insert(0, Mark { role: Role::Before, shape: Shape::Polyline, vertices });
+            told.marks.insert(0, Mark::plane(Role::Before, Shape::Polyline, vertices));
         }
     }
 

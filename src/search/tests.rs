@@ -176,7 +176,7 @@ fn g_h_and_f_are_those_computed_by_hand() {
     assert_eq!(session.inspect(Item { role: Role::Closed, index: 9 }), None);
     let told = session.inspect(Item { role: Role::Closed, index: 2 }).unwrap();
     let way = told.marks.iter().find(|mark| mark.role == Role::Before).unwrap();
-    assert_eq!(way.vertices, [[1.0, 1.0], [1.0, 3.0], [3.0, 3.0], [5.0, 3.0], [5.0, 1.0]]);
+    assert_eq!(way.vertices, [[1.0, 1.0, 0.0], [1.0, 3.0, 0.0], [3.0, 3.0, 0.0], [5.0, 3.0, 0.0], [5.0, 1.0, 0.0]]);
 }
 
 #[test]

@@ -14,6 +14,7 @@ pub use outcome::Outcome;
 pub use trace::{Trace, csv_heading, csv_line, csv_row};
 
 use crate::{
+    arm::{self, Motion},
     catalogue::{Entry, Suggestion, find},
     digest::Digest,
     drive::{self, Drive},
@@ -317,6 +318,14 @@ impl Session {
     pub fn drive(&self, given: &Given) -> Result<Option<Drive>, Error> {
         let best = self.planner.best();
         drive::along(&self.scene, best.as_ref().and_then(|best| best.solution.path()), given)
+    }
+
+    /// The scene's arm following the best path so far. `None` unless the scene is an arm's, and a path was found.
+    ///
+    /// # Errors
+    /// For a parameter that is not one of [`arm::MOTION`]'s, or its value.
+    pub fn motion(&self, given: &Given) -> Result<Option<Motion>, Error> {
+        arm::along(&self.scene, self.planner.best().map(|best| best.solution).as_ref(), given)
     }
 
     /// The hash of iteration, best and the whole state, in hexadecimal.

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::{
+    arm::{self, MotionOutcome},
     drive::{self, DriveOutcome},
     geometry,
     params::{Given, Value, as_object},
@@ -53,6 +54,15 @@ pub struct Outcome {
     /// The path's corners.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<Vec<[f64; 2]>>,
+    /// The corners of the tip's path, in metres. Arms only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tip_path: Option<Vec<[f64; 3]>>,
+    /// The postures that were planned, in degrees, where the planner plans postures.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub joints: Vec<[f64; 6]>,
+    /// How the arm follows the path, with the default parameters.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionOutcome>,
     /// The stops' numbers in the tour's order.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<Vec<usize>>,
@@ -89,14 +99,19 @@ impl Outcome {
             Some(exact) => (Some(exact.length), if exact.stored { Yardstick::Stored } else { session.planner.yardstick() }),
             None => (session.scene.minimum(), session.planner.yardstick()),
         };
-        let nodes = best.as_ref().and_then(|best| best.solution.path()).map_or(0, <[_]>::len);
+        let nodes = best.as_ref().map_or(0, |best| best.solution.corners());
         let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| gap(length, exact, nodes));
         let cost = best.as_ref().map(|best| best.cost);
+        let motion = session.motion(&Given::new()).ok().flatten().map(|motion| motion.outcome);
+        let (tip_path, joints) = match best.as_ref().map(|best| &best.solution) {
+            Some(Solution::Reach { path, postures }) => (Some(path.clone()), postures.iter().map(arm::degrees).collect()),
+            _ => (None, Vec::new()),
+        };
         let (path, order, position) = match best.map(|best| best.solution) {
             Some(Solution::Path(path) | Solution::Drive(Track { path, .. })) => (Some(path), None, None),
             Some(Solution::Tour { path, order, .. }) => (Some(path), Some(order), None),
             Some(Solution::Position(position)) => (None, None, Some(position)),
-            None => (None, None, None),
+            Some(Solution::Reach { .. }) | None => (None, None, None),
         };
         // Between stops of a tour there are no corners to count.
         let turned = path.as_deref().filter(|_| session.scene.kind() != Kind::Tour);
@@ -120,6 +135,9 @@ impl Outcome {
             turning: turned.map(geometry::turning),
             drive,
             path,
+            tip_path,
+            joints,
+            motion,
             order,
             position,
             readings,

@@ -27,7 +27,7 @@ pub(super) fn objective(scene: &Scene, settings: &Settings) -> Result<Arc<dyn Ob
         Body::Discs(discs) => Terrain::among_discs(discs, settings),
         Body::Grid(grid) => Terrain::on_grid(grid, settings)?,
         // Its entries say that it does not run there.
-        Body::Tour(_) => return Err(Error::refused("kind", "tour", "function, discs or grid")),
+        Body::Tour(_) | Body::Arm(_) => return Err(Error::refused("kind", scene.kind().name(), "function, discs or grid")),
     };
     Ok(match settings.choice("encoding") {
         "polar" => Arc::new(Polar::new(terrain, settings)),

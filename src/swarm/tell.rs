@@ -108,10 +108,10 @@ pub(super) fn mark(meaning: &dyn Objective, role: Role, x: &[f64]) -> Mark {
         }
         None => Shape::Points,
     };
-    Mark { role, shape, vertices }
+    Mark::plane(role, shape, vertices)
 }
 
 pub(super) fn arrows(meaning: &dyn Objective, role: Role, from: &[f64], to: &[f64]) -> Mark {
     let vertices = meaning.points(from).zip(meaning.points(to)).flat_map(|(a, b)| [a, b]).collect();
-    Mark { role, shape: Shape::Segments, vertices }
+    Mark::plane(role, Shape::Segments, vertices)
 }

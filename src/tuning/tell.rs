@@ -55,6 +55,6 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
         columns: COLUMNS.to_vec(),
         labels: swarm.axes.iter().map(|axis| axis.parameter.name.to_owned()).collect(),
         rows: rows.collect(),
-        marks: if way.is_empty() { Vec::new() } else { vec![Mark { role: Role::After, shape: Shape::Polyline, vertices: way.clone() }] },
+        marks: if way.is_empty() { Vec::new() } else { vec![Mark::plane(Role::After, Shape::Polyline, way.clone())] },
     }
 }

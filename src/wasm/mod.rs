@@ -355,6 +355,23 @@ impl Session {
         ]))
     }
 
+    /// The scene's arm following the best path so far; null where there is no arm or no path.
+    ///
+    /// # Errors
+    /// An `Error` with `field`, `value` and `allowed` for a parameter that is refused.
+    pub fn motion(&self, params: &JsGiven) -> Result<JsMotionOrNull, JsValue> {
+        let Some(motion) = self.run.motion(&read_parameters(params)?).map_err(|error| js_error(&error))? else {
+            return Ok(JsValue::NULL.unchecked_into());
+        };
+        Ok(object(&[
+            ("columns", plain(&crate::arm::MOTION.columns.iter().map(|column| column.name).collect::<Vec<_>>())),
+            ("rows", Float64Array::from(motion.rows.as_slice()).into()),
+            ("skeletons", Float64Array::from(motion.skeletons.as_slice()).into()),
+            ("outcome", plain(&motion.outcome)),
+            ("parameters", plain(&Numbers(motion.settings.all()))),
+        ]))
+    }
+
     /// Why an item did what it did in the step that led here.
     ///
     /// # Errors
@@ -374,8 +391,10 @@ impl Session {
         struct Exact<'a> {
             length: f64,
             path: &'a [[f64; 2]],
+            #[serde(skip_serializing_if = "<[_]>::is_empty")]
+            tip_path: &'a [[f64; 3]],
         }
-        plain(&self.run.exact().map(|exact| Exact { length: exact.length, path: &exact.path }))
+        plain(&self.run.exact().map(|exact| Exact { length: exact.length, path: &exact.path, tip_path: &exact.tip_path }))
     }
 
     /// Fills a canvas with the scene's heights over a part of the plane; false if the scene has none.

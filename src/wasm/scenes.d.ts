@@ -2,7 +2,10 @@
 export type Point = [number, number];
 
 /** What a scene is made of. Planners say which kinds they run on. */
-export type Kind = 'function' | 'discs' | 'grid' | 'tour';
+export type Kind = 'function' | 'discs' | 'grid' | 'tour' | 'arm';
+
+/** A point [x, y, z] in space. */
+export type Point3 = [number, number, number];
 
 interface SceneBase {
   format: 'forage-scene';
@@ -14,7 +17,7 @@ interface SceneBase {
   source?: string;
   units?: string;
   /** The stored optimum, if the file carries one. */
-  exact?: { length: number; order?: number[] };
+  exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number };
   /** Figures published for this scene, as they stand in the file. */
   published?: Record<string, unknown>;
 }
@@ -97,5 +100,44 @@ export interface TourScene extends SceneBase {
   closed?: boolean;
 }
 
+/** An axis-parallel box in space. */
+export interface Cuboid {
+  min: Point3;
+  max: Point3;
+}
+
+/** A joint and the link before it, modified Denavit–Hartenberg: T = Rx(alpha) Tx(a) Rz(θ) Tz(d). Metres and degrees. */
+export interface Joint {
+  a: number;
+  alpha: number;
+  /** θ in the home posture. */
+  home: number;
+  d: number;
+  min: number;
+  max: number;
+  /** Degrees a second at most. Default 180. */
+  speed?: number;
+}
+
+/** A six-axis arm with a spherical wrist. */
+export interface Arm {
+  joints: Joint[];
+  /** A straight piece from the wrist to the tip along an axis of the last frame. */
+  tool: { axis: 'x' | 'y' | 'z'; length: number };
+  /** World = position + Rz(yaw) (x, y, z). The column stands between the workspace's floor and the base. */
+  base: { position: Point3; yaw?: number; column_radius?: number };
+}
+
+/** An arm whose tip goes from start to goal among cuboids. Metres, degrees, z upwards. */
+export interface ArmScene extends SceneBase {
+  kind: 'arm';
+  workspace: Cuboid;
+  start: Point3;
+  goal: Point3;
+  /** A checked scene always has the list. */
+  cuboids: Cuboid[];
+  arm: Arm;
+}
+
 /** A scene file's content. */
-export type Scene = FunctionScene | DiscsScene | GridScene | TourScene;
+export type Scene = FunctionScene | DiscsScene | GridScene | TourScene | ArmScene;

@@ -205,6 +205,69 @@ export interface DriveEntry {
   formulas: Formula[];
 }
 
+/** How an arm follows the path. */
+export interface MotionOutcome {
+  /** Seconds from start to end. */
+  time: number;
+  /** How far the tip goes. */
+  length: number;
+  /** Every point of the path has a posture: the tip comes to the goal. */
+  arrived: boolean;
+  /** No link touches a cuboid or the column, all along. */
+  free: boolean;
+  /** When the first touch is. */
+  touched_at?: number;
+  /** The smallest distance of a link from a cuboid; negative: overlap. `null` without cuboids. */
+  clearance: number | null;
+  /** The largest turn of a joint from one row to the next, in degrees. */
+  largest_step: number;
+  /** The largest distance of the tip from the path. */
+  max_error: number;
+  /** Points without a posture, replaced by their mirror image and by random joints. */
+  mirrored: number;
+  drawn: number;
+  /** Where it ends, and why, if it does not arrive. */
+  trouble?: string;
+}
+
+/** An arm following a path, one row for each moment; between rows the joints turn evenly. */
+export interface Motion {
+  /** Names of the row's numbers, as in `catalogue().motion.columns`: `time`, `along`, `x`, `y`, `z`, `q1` … `q6` (degrees), `clearance`. */
+  columns: string[];
+  rows: Float64Array;
+  /** Base, shoulder, elbow, wrist and tip, x, y, z each: 15 numbers a row. */
+  skeletons: Float64Array;
+  outcome: MotionOutcome;
+  parameters: Record<string, ParameterValue>;
+}
+
+/** A posture that brings the tip to a point. */
+export interface ArmSolution {
+  /** Degrees. */
+  joints: number[];
+  /** Base, shoulder, elbow, wrist and tip. */
+  skeleton: Point3[];
+  /** No link touches a cuboid or the column. */
+  free: boolean;
+}
+
+/** The postures that bring the tip to a point with the tool pointing one way: up to 8 within the limits, nearest to the given one first. */
+export interface ArmSolutions {
+  /** Where the tool points: a unit vector in the world. */
+  direction: Point3;
+  solutions: ArmSolution[];
+  /** Why there are none. */
+  unreachable?: 'position' | 'orientation' | 'limits';
+}
+
+/** Where an arm's tip can come, on a lattice over the workspace: x, y, z, and the share of the tool's directions that have a posture
+ * within the limits (and that touches nothing), from 0 to 1, for each point. */
+export interface Reachability {
+  points: Float32Array;
+  /** The distance of neighbours. */
+  step: number;
+}
+
 export interface Catalogue {
   /** The crate's version. */
   version: string;
@@ -215,6 +278,8 @@ export interface Catalogue {
   generators: Generator[];
   /** How a robot drives along what a planner found. */
   drive: DriveEntry;
+  /** How an arm follows what a planner found. */
+  motion: DriveEntry;
   /** Names of role numbers in a frame's span table. */
   roles: string[];
   /** Every TeX string that stands outside a formula, so that a page can typeset them when it is built. */
@@ -304,7 +369,8 @@ export interface Inspection {
   /** One row a dimension, waypoint, …; columns are symbols (TeX). */
   table: { columns: { name: string; symbol: string; title: string }[]; labels: string[]; rows: number[][] };
   /** Arrows and marks to draw over the stage. */
-  layers: { role: string; shape: string; vertices: [number, number][] }[];
+  /** In the plane z is 0. */
+  layers: { role: string; shape: string; vertices: Point3[] }[];
 }
 
 export interface Outcome {
@@ -336,6 +402,12 @@ export interface Outcome {
   /** How the scene's robot drives along the path, with the usual parameters. Scenes with a robot that has an outline only. */
   drive?: DriveOutcome;
   path?: Point[];
+  /** Arms only: the corners of the tip's path. */
+  tip_path?: Point3[];
+  /** Arms only: the postures that were planned, in degrees, where the planner plans postures. */
+  joints?: number[][];
+  /** Arms only: how the arm follows the path, with the usual parameters. */
+  motion?: MotionOutcome;
   /** Tours only: the stops' numbers, from 0, in the order in which it calls at them. */
   order?: number[];
   position?: number[];

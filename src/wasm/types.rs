@@ -43,6 +43,9 @@ extern "C" {
     /// `Drive | null`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Drive | null")]
     pub type JsDriveOrNull;
+    /// `Motion | null`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Motion | null")]
+    pub type JsMotionOrNull;
     /// `Record<string, ParameterValue> | undefined`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Record<string, ParameterValue> | undefined")]
     pub type JsGiven;
@@ -62,7 +65,7 @@ extern "C" {
     #[wasm_bindgen(typescript_type = "Inspection | null")]
     pub type JsInspectionOrNull;
     /// `{ length: number; path: Point[] } | null`, as `types.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "{ length: number; path: Point[] } | null")]
+    #[wasm_bindgen(typescript_type = "{ length: number; path: Point[]; tip_path?: Point3[] } | null")]
     pub type JsExactOrNull;
     /// `Status`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Status")]

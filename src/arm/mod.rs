@@ -1,0 +1,166 @@
+//! Six-axis arms with a spherical wrist, [ARM-RRT] §4.1 of the repaired text: the arm as data, where its links are, which
+//! postures bring its tip somewhere, what they touch, and how it follows a path.
+//!
+//! Lengths are metres; a scene's angles are degrees, as in its file, and a [`Posture`]'s are radians. World = base +
+//! Rz(yaw) (x, y, z).
+
+mod inverse;
+mod motion;
+
+use std::f64::consts::PI;
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+
+use crate::error::Error;
+
+pub use inverse::{Unreachable, degrees, radians};
+pub use motion::{MOTION, Motion, MotionOutcome, along};
+
+/// Six joint angles in radians.
+pub type Posture = [f64; 6];
+/// Where an arm's joints and its tip are: base, shoulder, elbow, wrist, tip, in the world.
+pub type Skeleton = [[f64; 3]; 5];
+
+/// A joint and the link before it, modified Denavit–Hartenberg: T_i = Rx(α_{i−1}) Tx(a_{i−1}) Rz(θ_i) Tz(d_i).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joint {
+    /// a_{i−1}, the length of the link before, in metres.
+    pub a: f64,
+    /// α_{i−1}, the twist of the link before, in degrees: a multiple of 90.
+    pub alpha: f64,
+    /// θ_i in the home posture, in degrees.
+    pub home: f64,
+    /// d_i, the offset along the joint's axis, in metres.
+    pub d: f64,
+    /// The least θ_i, in degrees.
+    pub min: f64,
+    /// The greatest, in degrees.
+    pub max: f64,
+    /// How fast it turns at most, in degrees a second. The paper gives none: [`Joint::SPEED`] unless a scene says otherwise.
+    pub speed: f64,
+}
+
+impl Joint {
+    /// Degrees a second of a joint whose scene gives no limit.
+    pub const SPEED: f64 = 180.0;
+}
+
+/// An axis of the last joint's frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Axis {
+    /// x6.
+    X,
+    /// y6.
+    Y,
+    /// z6.
+    Z,
+}
+
+impl Axis {
+    /// Every one.
+    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
+    /// The name that scene files use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        }
+    }
+}
+
+/// The tool: a straight piece from the wrist to the tip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tool {
+    /// Along which axis of the last frame.
+    pub axis: Axis,
+    /// How long, in metres.
+    pub length: f64,
+}
+
+/// Where the arm stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Base {
+    /// The origin of its first joint, in the world.
+    pub position: [f64; 3],
+    /// How far it is turned about z, in degrees.
+    pub yaw: f64,
+    /// The radius of the column from the workspace's floor up to it; 0: none.
+    pub column_radius: f64,
+}
+
+/// A six-axis arm with a spherical wrist, as data.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Arm {
+    /// From the base to the wrist.
+    pub joints: [Joint; 6],
+    /// At its end.
+    pub tool: Tool,
+    /// Where it stands.
+    pub base: Base,
+}
+
+impl Arm {
+    /// Refuses what is no six-axis arm with a spherical wrist.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        Ok(())
+    }
+
+    /// The home posture.
+    pub fn home(&self) -> Posture {
+        self.joints.map(|joint| joint.home * (PI / 180.0))
+    }
+
+    /// The frame of each joint, and at last that of the tip, in the world: [ARM-RRT] (1).
+    pub fn forward(&self, posture: &Posture) -> [Isometry3<f64>; 7] {
+        let [x, y, z] = self.base.position;
+        let turned = |axis, degrees: f64| UnitQuaternion::from_axis_angle(&axis, degrees * (PI / 180.0));
+        let mut frame = Isometry3::from_parts(Translation3::new(x, y, z), turned(Vector3::z_axis(), self.base.yaw));
+        let mut frames = [frame; 7];
+        for (i, joint) in self.joints.iter().enumerate() {
+            let link = Isometry3::from_parts(Translation3::identity(), turned(Vector3::x_axis(), joint.alpha))
+                * Translation3::new(joint.a, 0.0, 0.0)
+                * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), posture[i])
+                * Translation3::new(0.0, 0.0, joint.d);
+            frame *= link;
+            frames[i] = frame;
+        }
+        frames[6] = frame * Translation3::from(self.tool.vector());
+        frames
+    }
+
+    /// Where base, shoulder, elbow, wrist and tip are.
+    pub fn skeleton(&self, posture: &Posture) -> Skeleton {
+        let frames = self.forward(posture);
+        let at = |i: usize| frames[i].translation.vector.into();
+        [self.base.position, at(1), at(2), at(3), at(6)]
+    }
+}
+
+impl Tool {
+    /// From the wrist to the tip, in the last joint's frame.
+    pub fn vector(&self) -> Vector3<f64> {
+        let mut vector = Vector3::zeros();
+        vector[self.axis as usize] = self.length;
+        vector
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::shipped;
+
+    /// [ARM-RRT] §4.1: [a1 + d4 + a6, 0, a2 + a3].
+    #[test]
+    fn at_home_the_tip_is_where_the_paper_says() {
+        let scene = shipped("arm-cuboid").unwrap();
+        let arm = &scene.arm().unwrap().arm;
+        let skeleton = arm.skeleton(&arm.home());
+        let from_base = |at: [f64; 3]| [0, 1, 2].map(|i| at[i] - arm.base.position[i]);
+        let expected = [[0.0; 3], [0.085, 0.0, 0.0], [0.085, 0.0, 0.38], [0.51, 0.0, 0.48], [0.595, 0.0, 0.48]];
+        for (at, expected) in skeleton.map(from_base).into_iter().zip(expected) {
+            assert!((0..3).all(|i| (at[i] - expected[i]).abs() < 1e-12), "{at:?} {expected:?}");
+        }
+    }
+}

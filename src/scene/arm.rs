@@ -1,0 +1,87 @@
+//! Scenes of kind `arm`: a six-axis arm, boxes in its workspace, and where its tip starts and where it must come to.
+
+use crate::{arm::Arm, error::Error, exact::Exact, geometry::Cuboid, planner::Solution};
+
+use super::{Bounds, Verdict, limited};
+
+/// The most cuboids in a scene.
+pub const MAX_CUBOIDS: usize = 200;
+
+/// An arm among cuboids.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ArmScene {
+    /// Where the tip may be.
+    pub workspace: Cuboid,
+    /// Where the tip starts.
+    pub start: [f64; 3],
+    /// Where it must come to.
+    pub goal: [f64; 3],
+    /// What it must not touch.
+    pub cuboids: Vec<Cuboid>,
+    /// The arm.
+    pub arm: Arm,
+}
+
+impl ArmScene {
+    pub(super) fn check(&self) -> Result<(), Error> {
+        check_cuboid("workspace", &self.workspace)?;
+        if self.cuboids.len() > MAX_CUBOIDS {
+            return Err(Error::refused("cuboids", format!("a list of {}", self.cuboids.len()), format!("at most {MAX_CUBOIDS} cuboids")));
+        }
+        self.cuboids.iter().enumerate().try_for_each(|(i, cuboid)| check_cuboid(&format!("cuboids[{i}]"), cuboid))?;
+        self.arm.check().map_err(|error| error.within("arm"))?;
+        self.check_end("start", self.start)?;
+        self.check_end("goal", self.goal)
+    }
+
+    /// An end of the tip's path must lie in the workspace and touch nothing.
+    fn check_end(&self, field: &str, point: [f64; 3]) -> Result<(), Error> {
+        point.iter().enumerate().try_for_each(|(axis, &x)| limited(&format!("{field}[{axis}]"), x))?;
+        let shown = format!("({}, {}, {})", point[0], point[1], point[2]);
+        if !self.workspace.contains(point) {
+            let ([x0, y0, z0], [x1, y1, z1]) = (self.workspace.min, self.workspace.max);
+            return Err(Error::refused(field, shown, format!("inside the workspace, ({x0}, {y0}, {z0}) to ({x1}, {y1}, {z1})")));
+        }
+        match self.cuboids.iter().position(|cuboid| cuboid.contains(point)) {
+            Some(i) => Err(Error::refused(field, shown, format!("outside every cuboid, and it touches cuboids[{i}]"))),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether the tip can go straight from one point to another: inside the workspace, without touching a cuboid.
+    #[inline]
+    pub fn is_free(&self, a: [f64; 3], b: [f64; 3]) -> bool {
+        self.workspace.contains(a) && self.workspace.contains(b) && !self.cuboids.iter().any(|cuboid| cuboid.meets(a, b))
+    }
+
+    pub(super) fn exact(&self) -> Option<Exact> {
+        None
+    }
+
+    pub(super) fn judge(&self, solution: &Solution) -> Verdict {
+        let Solution::Reach { path, .. } = solution else {
+            return Verdict { length: None, feasible: false, clearance: None };
+        };
+        let joins = path.first() == Some(&self.start) && path.last() == Some(&self.goal);
+        let free = path.windows(2).all(|w| self.is_free(w[0], w[1]));
+        Verdict { length: Some(crate::geometry::length_in_space(path)), feasible: joins && free, clearance: None }
+    }
+
+    /// The workspace seen from above.
+    pub(super) fn view(&self) -> Bounds {
+        let flat = |[x, y, _]: [f64; 3]| [x, y];
+        Bounds { min: flat(self.workspace.min), max: flat(self.workspace.max) }
+    }
+}
+
+fn check_cuboid(field: &str, cuboid: &Cuboid) -> Result<(), Error> {
+    for axis in 0..3 {
+        limited(&format!("{field}.min[{axis}]"), cuboid.min[axis])?;
+        let at = format!("{field}.max[{axis}]");
+        limited(&at, cuboid.max[axis])?;
+        if cuboid.max[axis] - cuboid.min[axis] < 1e-6 {
+            return Err(Error::refused(at, cuboid.max[axis], format!("greater than {field}.min[{axis}] = {}", cuboid.min[axis])));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,128 @@
+//! An arm's scene in the scene file.
+
+use serde_json::Value;
+
+use crate::{
+    arm::{Arm, Axis, Base, Joint, Tool},
+    error::Error,
+    geometry::Cuboid,
+};
+
+use super::{super::ArmScene, Fields, number, object, shown};
+
+impl Fields {
+    pub(super) fn arm_scene(&mut self) -> Result<ArmScene, Error> {
+        let cuboids = if self.left.contains_key("cuboids") { self.list("cuboids")? } else { self.absent("cuboids") };
+        Ok(ArmScene {
+            workspace: cuboid("workspace", self.take("workspace"))?,
+            start: self.point_in_space("start")?,
+            goal: self.point_in_space("goal")?,
+            cuboids: cuboids.into_iter().enumerate().map(|(i, value)| cuboid(&format!("cuboids[{i}]"), value)).collect::<Result<_, _>>()?,
+            arm: arm(self.take("arm"))?,
+        })
+    }
+
+    fn absent(&mut self, name: &'static str) -> Vec<Value> {
+        self.known.push(name);
+        Vec::new()
+    }
+
+    fn point_in_space(&mut self, name: &'static str) -> Result<[f64; 3], Error> {
+        let found = self.take(name);
+        let path = self.path(name);
+        let Some([x, y, z]) = found.as_array().map(Vec::as_slice) else {
+            return Err(Error::refused(path, shown(&found), "a point in space, [x, y, z]"));
+        };
+        Ok([number(format!("{path}[0]"), x)?, number(format!("{path}[1]"), y)?, number(format!("{path}[2]"), z)?])
+    }
+
+    fn number_or(&mut self, name: &'static str, otherwise: f64) -> Result<f64, Error> {
+        if self.left.contains_key(name) {
+            return self.number(name);
+        }
+        self.known.push(name);
+        Ok(otherwise)
+    }
+}
+
+fn cuboid(at: &str, value: Value) -> Result<Cuboid, Error> {
+    let mut fields = Fields::of(at, value, "an object with min and max")?;
+    let cuboid = Cuboid { min: fields.point_in_space("min")?, max: fields.point_in_space("max")? };
+    fields.end()?;
+    Ok(cuboid)
+}
+
+fn arm(value: Value) -> Result<Arm, Error> {
+    let mut fields = Fields::of("arm", value, "an object with joints, tool and base")?;
+    let joints = fields.list("joints")?;
+    let n = joints.len();
+    let joints = joints.into_iter().enumerate().map(|(i, value)| joint(i, value)).collect::<Result<Vec<_>, _>>()?;
+    let joints = joints.try_into().map_err(|_| Error::refused("arm.joints", format!("a list of {n}"), "a list of 6"))?;
+    let mut tool = Fields::of("arm.tool", fields.take("tool"), "an object with axis and length")?;
+    let mut base = Fields::of("arm.base", fields.take("base"), "an object with position, yaw and column_radius")?;
+    fields.end()?;
+    let arm = Arm {
+        joints,
+        tool: Tool { axis: tool.one_of("axis", Axis::ALL, Axis::name)?, length: tool.number("length")? },
+        base: Base {
+            position: base.point_in_space("position")?,
+            yaw: base.number_or("yaw", 0.0)?,
+            column_radius: base.number_or("column_radius", 0.0)?,
+        },
+    };
+    tool.end()?;
+    base.end()?;
+    Ok(arm)
+}
+
+fn joint(i: usize, value: Value) -> Result<Joint, Error> {
+    let mut fields = Fields::of(&format!("arm.joints[{i}]"), value, "an object with a, alpha, home, d, min and max")?;
+    let joint = Joint {
+        a: fields.number("a")?,
+        alpha: fields.number("alpha")?,
+        home: fields.number("home")?,
+        d: fields.number("d")?,
+        min: fields.number("min")?,
+        max: fields.number("max")?,
+        speed: fields.number_or("speed", Joint::SPEED)?,
+    };
+    fields.end()?;
+    Ok(joint)
+}
+
+fn point(point: [f64; 3]) -> Value {
+    Value::Array(point.map(Value::from).to_vec())
+}
+
+fn written(fields: &[(&'static str, Value)]) -> Value {
+    object(&mut fields.iter().cloned())
+}
+
+fn write_cuboid(cuboid: &Cuboid) -> Value {
+    written(&[("min", point(cuboid.min)), ("max", point(cuboid.max))])
+}
+
+/// Adds the fields of an arm's scene.
+pub(super) fn write(scene: &ArmScene, out: &mut Vec<(&'static str, Value)>) {
+    let Arm { joints, tool, base } = &scene.arm;
+    let joints = joints.iter().map(|joint| {
+        let numbers =
+            [("a", joint.a), ("alpha", joint.alpha), ("home", joint.home), ("d", joint.d), ("min", joint.min), ("max", joint.max)];
+        let mut fields: Vec<_> = numbers.map(|(name, number)| (name, Value::from(number))).to_vec();
+        if joint.speed != Joint::SPEED {
+            fields.push(("speed", Value::from(joint.speed)));
+        }
+        written(&fields)
+    });
+    let tool = written(&[("axis", Value::from(tool.axis.name())), ("length", Value::from(tool.length))]);
+    let base =
+        written(&[("position", point(base.position)), ("yaw", Value::from(base.yaw)), ("column_radius", Value::from(base.column_radius))]);
+    let arm = written(&[("joints", Value::Array(joints.collect())), ("tool", tool), ("base", base)]);
+    out.extend([
+        ("workspace", write_cuboid(&scene.workspace)),
+        ("start", point(scene.start)),
+        ("goal", point(scene.goal)),
+        ("cuboids", Value::Array(scene.cuboids.iter().map(write_cuboid).collect())),
+        ("arm", arm),
+    ]);
+}

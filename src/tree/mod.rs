@@ -1,0 +1,1 @@
+//! Trees that grow through a space, [ARM-RRT] §3.2.
