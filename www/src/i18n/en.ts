@@ -129,7 +129,7 @@ export const en = {
     planner: 'Planner',
     scene: 'Scene',
     edited: (title: string) => `${title} (edited)`,
-    kinds: { tour: 'Tours', grid: 'Grids', discs: 'Among discs', function: 'Test functions' },
+    kinds: { tour: 'Tours', grid: 'Grids', discs: 'Among discs', function: 'Test functions', arm: 'Arms in space' },
     seed: 'Seed',
     source: 'Source',
     seedHint: 'A whole number from 0 to 9 007 199 254 740 991.',

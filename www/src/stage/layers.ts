@@ -4,7 +4,7 @@ import type { FrameMessage } from '../worker/protocol'
 import { applyStyle, Lines, marked, type Pen, points } from './pen'
 import { closer, resultOf, STOPS, type Style, styleBeside, styleOf } from './styles'
 import type { Piece } from './tubes'
-import { toScreen } from './view'
+import { type Flat, toScreen } from './view'
 import { insideDiscs } from './wrong'
 
 export interface Names {
@@ -94,13 +94,13 @@ function halo(lines: Lines, style: Style): void {
   lines.stroke({ ...style, dash: [], colour: '--stage', width: style.width + 3, alpha: [0.75, 0.75] })
 }
 
-export function drawPath(pen: Pen, path: readonly Point[], style: Style): void {
+export function drawPath(pen: Pen, path: readonly Flat[], style: Style): void {
   applyStyle(pen, style)
   trace(pen, path)
   pen.context.stroke()
 }
 
-function trace({ context, view, size }: Pen, path: readonly Point[]): void {
+function trace({ context, view, size }: Pen, path: readonly Flat[]): void {
   context.beginPath()
   path.forEach((point, at) => {
     const [x, y] = toScreen(view, size, point)

@@ -1,4 +1,4 @@
-import type { Drive, Inspection, Item, Outcome, ParameterValue, Point, RunEvent, Scene, Stage, Status } from 'forage'
+import type { Drive, Inspection, Item, Outcome, ParameterValue, Point, Point3, RunEvent, Scene, Stage, Status } from 'forage'
 
 /** A refusal of the core as plain data: errors lose their fields on the way between threads. */
 export interface Refusal {
@@ -17,7 +17,7 @@ export interface Run {
   seed: number
   limit: number
   parameters: Record<string, ParameterValue>
-  exact: { length: number; path: Point[] } | null
+  exact: { length: number; path: Point[]; tip_path?: Point3[] } | null
   /** Parts that have their own kind of step; most runs have none. */
   stages: Stage[]
 }
