@@ -88,6 +88,7 @@ export const en = {
       stored: 'the optimum in the scene’s file',
       refuted: 'what the scene’s file calls the optimum',
     },
+    tip: 'the tip’s shortest way',
     tours: {
       plain: 'the shortest tour',
       'any-angle': 'the shortest tour at any angle',
