@@ -9,6 +9,8 @@ export const closer = {
     coordinate: 'Coordinate',
     places: (title: string) => `${title}, place by place`,
     place: 'Place',
+    samples: (title: string) => `${title}, sample by sample`,
+    sample: 'Sample',
     differs: 'differs',
     same: 'the same',
     neighbours: (title: string) => `${title}, neighbour by neighbour`,

@@ -112,6 +112,8 @@ export const en = {
     part: (title: string, k: string, of: string) => `${title.toLowerCase()} ${k} of ${of}`,
     best: (value: string) => `best ${value}`,
     collisions: (count: string) => `collisions: ${count}`,
+    follows: 'the arm follows it without collision',
+    fails: 'the arm can’t follow it without collision',
   },
   panels: {
     setup: 'Experiment',

@@ -18,8 +18,6 @@ export interface PlotOptions {
   last(): number
   /** Room for the labels on the left, in pixels; absent: as much as they need. */
   gutter?: number
-  /** There is room for few labels. */
-  small?: boolean
   /** Values that are allowed: shown as a band. Asked whenever it is drawn. */
   band?(): readonly [number, number] | undefined
   onhover(point: number | null): void
@@ -31,7 +29,7 @@ const DECADES = 6
 const NARROW = 44
 
 /** A chart in `host`, coloured by the tokens that hold there. */
-export function createPlot(host: HTMLElement, { strokes, scale, range, last, gutter, small, band, onhover, ondrawn }: PlotOptions): uPlot {
+export function createPlot(host: HTMLElement, { strokes, scale, range, last, gutter, band, onhover, ondrawn }: PlotOptions): uPlot {
   const [ink, line, allowed, edge, ...colours] = resolve(host, ['--ink-2', '--line', '--accent-soft', '--danger', ...strokes.map(({ token }) => token)])
   const font = `11px ${getComputedStyle(host).fontFamily}`
   const axis: uPlot.Axis = {
@@ -55,7 +53,6 @@ export function createPlot(host: HTMLElement, { strokes, scale, range, last, gut
       { ...axis, size: 26, grid: { show: false }, values: (_, splits) => splits.map((k) => (Number.isInteger(k) ? number(k) : '')) },
       {
         ...axis,
-        ...(small && { space: 26 }),
         size: (_, labels) => gutter ?? 10 + 6.4 * Math.max(2, ...(labels ?? []).map((label) => label.length)),
         ...(log
           ? {
@@ -63,7 +60,10 @@ export function createPlot(host: HTMLElement, { strokes, scale, range, last, gut
               filter: (_: uPlot, splits: number[]) => splits,
               values: (_: uPlot, splits: number[]) => splits.map((value) => power(value)),
             }
-          : { values: (_: uPlot, splits: number[], __: number, ___: number, step: number) => splits.map((value) => label(value, step)) }),
+          : {
+              ...(band?.() && { splits: () => limitsOf(band()) }),
+              values: (_: uPlot, splits: number[], __: number, ___: number, step: number) => splits.map((value) => label(value, band?.() ? 1 : step)),
+            }),
       },
     ],
     series: [
@@ -87,6 +87,9 @@ export function createPlot(host: HTMLElement, { strokes, scale, range, last, gut
   }
   return new uPlot(options, [[]], host)
 }
+
+/** The labels beside a band: its limits, and zero within. */
+const limitsOf = ([low, high]: readonly [number, number] = [0, 0]): number[] => (low < 0 && high > 0 ? [low, 0, high] : [low, high])
 
 /** What is allowed, between its limits. */
 function banded({ ctx, bbox, valToPos }: uPlot, band: readonly [number, number] | undefined, colour: string, edge: string): void {
