@@ -11,6 +11,7 @@ mod inverse;
 mod motion;
 mod reach;
 mod solutions;
+mod tips;
 mod wrist;
 
 use std::f64::consts::PI;
@@ -20,6 +21,7 @@ use nalgebra::Vector3;
 pub use directions::DIRECTIONS;
 pub use motion::{MOTION, Motion, MotionOutcome, along};
 pub use solutions::{MAX_SOLUTIONS, Solutions, Unreachable, distance};
+pub use tips::tip_path;
 pub use wrist::SINGULAR;
 
 /// Six joint angles in radians.
