@@ -4,6 +4,7 @@
 //! Lengths are metres; a scene's angles are degrees, as in its file, and a [`Posture`]'s are radians. World = base +
 //! Rz(yaw) (x, y, z).
 
+mod collision;
 mod inverse;
 mod motion;
 
@@ -13,6 +14,7 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
 use crate::error::Error;
 
+pub use collision::{Column, Links, clearance, column, motion_is_free, segment_meets_column, touches};
 pub use inverse::{Unreachable, degrees, radians};
 pub use motion::{MOTION, Motion, MotionOutcome, along};
 
