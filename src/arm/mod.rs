@@ -5,6 +5,7 @@
 //! Rz(yaw) (x, y, z).
 
 mod check;
+mod collision;
 mod directions;
 mod forward;
 mod inverse;
@@ -17,6 +18,7 @@ use std::f64::consts::PI;
 
 use nalgebra::Vector3;
 
+pub use collision::{Column, Links, clearance, column, motion_is_free, segment_meets_column, touches};
 pub use directions::DIRECTIONS;
 pub use motion::{MOTION, Motion, MotionOutcome, along};
 pub use solutions::{MAX_SOLUTIONS, Solutions, Unreachable, distance};

@@ -1,0 +1,1 @@
+//! Trees against hand-computed steps, and what must hold for every one.
