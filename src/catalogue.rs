@@ -45,6 +45,7 @@ pub const PLANNERS: &[Entry] = &[
     tree::rrt::ENTRY,
     tree::rrt_connect::ENTRY,
     tree::rrt_star::ENTRY,
+    tree::rrt_joint::ENTRY,
     dynamic::wolf_ant_drive::ENTRY,
     dynamic::a_star_drive::ENTRY,
     dynamic::d_star_lite_drive::ENTRY,

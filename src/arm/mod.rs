@@ -12,6 +12,7 @@ mod inverse;
 mod motion;
 mod reach;
 mod solutions;
+mod tips;
 mod wrist;
 
 use std::f64::consts::PI;
@@ -22,6 +23,7 @@ pub use collision::{Column, Links, clearance, column, motion_is_free, segment_me
 pub use directions::DIRECTIONS;
 pub use motion::{MOTION, Motion, MotionOutcome, along};
 pub use solutions::{MAX_SOLUTIONS, Solutions, Unreachable, distance};
+pub use tips::tip_path;
 pub use wrist::SINGULAR;
 
 /// Six joint angles in radians.

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::{digest::Digest, error::Error, params::Settings, planner::Status, rng::Stream};
+use crate::{digest::Digest, params::Settings, planner::Status, rng::Stream};
 
 use super::{
     finish::Finish,
@@ -303,21 +303,3 @@ impl<const N: usize, M: Method<N>> Grown<N, M> {
         };
     }
 }
-
-/// Refuses a step that would never arrive.
-///
-/// # Errors
-/// [`Error::Refused`] for `step_size`.
-pub(super) fn check_step<const N: usize>(space: &dyn Space<N>, settings: &Settings) -> Result<(), Error> {
-    let (min, max) = space.bounds();
-    let (given, step) = (settings.number("step_size"), settings.number("step_size") * space.unit());
-    let diagonal = distance(&min, &max);
-    let least = diagonal * LEAST;
-    if step < least {
-        return Err(Error::refused("step_size", given, format!("at least {} here: the space is {diagonal} across", least / space.unit())));
-    }
-    Ok(())
-}
-
-/// The least step, as a share of the space's diagonal.
-const LEAST: f64 = 1e-5;

@@ -14,6 +14,7 @@ mod forest;
 mod found;
 mod grow;
 mod hermite;
+mod joints;
 mod nearest;
 mod parameters;
 mod planner;
@@ -21,6 +22,7 @@ mod polyline;
 pub mod rrt;
 pub mod rrt_connect;
 pub mod rrt_guided;
+pub mod rrt_joint;
 pub mod rrt_star;
 mod sample;
 mod space;
@@ -31,35 +33,26 @@ mod vector;
 
 use std::sync::Arc;
 
-use crate::{error::Error, params::Settings, scene::Scene, session::AnyPlanner};
+use crate::{error::Error, params::Settings, scene::Scene};
 
 pub use tell::SYMBOLS;
 
-use grow::{Grown, Method, Task, check_step};
+use grow::{Grown, Method, Task};
 use space::Ground;
 
-/// Starts a tree in a plane or in the workspace of an arm's tip.
-fn start<M: Method<3> + 'static>(
-    scene: &Arc<Scene>,
-    settings: &Settings,
-    seed: u64,
-    goal_bias: f64,
-    method: M,
-) -> Result<Box<dyn AnyPlanner>, Error> {
-    start_with(scene, settings, seed, goal_bias, |_| method)
-}
-
-/// The same for a method that looks at what it is to do first.
-fn start_with<M: Method<3> + 'static>(
+/// A tree in a plane or in the workspace of an arm's tip, by a method that looks at what it is to do first.
+///
+/// # Errors
+/// A scene without start and goal.
+fn grown<M: Method<3>>(
     scene: &Arc<Scene>,
     settings: &Settings,
     seed: u64,
     goal_bias: f64,
     method: impl FnOnce(&Task<3>) -> M,
-) -> Result<Box<dyn AnyPlanner>, Error> {
+) -> Result<Grown<3, M>, Error> {
     let ground = Ground::new(scene)?;
-    check_step(&ground, settings)?;
     let task = Task::new(Arc::new(ground), settings, goal_bias);
     let method = method(&task);
-    Ok(Box::new(Grown::new(task, method, seed)))
+    Ok(Grown::new(task, method, seed))
 }

@@ -38,7 +38,7 @@ pub(super) const STEP: Parameter = Parameter::number(
     "step_size",
     "L",
     "Step size",
-    [1e-6, 1e6, 0.03],
+    [1e-4, 1e6, 0.03],
     "How far a node grows, in the scene’s unit; on grids, in cells. The goal is reached from as near as that. Published: 0.03 and 0.05 m.",
 )
 .defaults_on(&[(Kind::Discs, Preset::Number(0.5)), (Kind::Grid, Preset::Number(1.0))])

@@ -1,11 +1,13 @@
 //! `rrt`: the basic rapidly-exploring random tree, [ARM-RRT] §3.2, LaValle 1998.
 
-use crate::{catalogue::Entry, rng::Stream};
+use std::sync::Arc;
+
+use crate::{catalogue::Entry, error::Error, params::Settings, rng::Stream, scene::Scene};
 
 use super::{
     draw::LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Forest, Method, Source, Task},
+    grow::{Grown, Forest, Method, Source, Task},
     parameters::{BIAS, FORMULA_STEP, KINDS, READINGS, with_finish},
     sample::uniform,
 };
@@ -27,11 +29,16 @@ pub const ENTRY: Entry = Entry {
     members: &[],
     events: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| super::start(scene, settings, seed, settings.number("goal_bias"), Rrt),
+    start: |scene, settings, seed| Ok(Box::new(grown(scene, settings, seed)?)),
 };
 
+/// The planner behind the entry.
+pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Rrt>, Error> {
+    super::grown(scene, settings, seed, settings.number("goal_bias"), |_| Rrt)
+}
+
 #[derive(Clone)]
-struct Rrt;
+pub(super) struct Rrt;
 
 impl<const N: usize> Method<N> for Rrt {
     fn grow(&mut self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream) {

@@ -1,11 +1,13 @@
 //! `rrt-connect`: two trees that grow towards each other, Kuffner and LaValle 2000. One extension a step.
 
-use crate::{catalogue::Entry, digest::Digest, rng::Stream};
+use std::sync::Arc;
+
+use crate::{catalogue::Entry, digest::Digest, error::Error, params::Settings, rng::Stream, scene::Scene};
 
 use super::{
     draw::CONNECT_LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Forest, Method, Source, Task},
+    grow::{Grown, Forest, Method, Source, Task},
     parameters::{FORMULA_STEP, KINDS, READINGS, with_finish},
     sample::uniform,
 };
@@ -27,8 +29,13 @@ pub const ENTRY: Entry = Entry {
     members: &[],
     events: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| super::start(scene, settings, seed, 0.0, Connect::default()),
+    start: |scene, settings, seed| Ok(Box::new(grown(scene, settings, seed)?)),
 };
+
+/// The planner behind the entry.
+pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Connect>, Error> {
+    super::grown(scene, settings, seed, 0.0, |_| Connect::default())
+}
 
 /// Which tree's turn it is, and what the other one goes for.
 #[derive(Clone, Default)]

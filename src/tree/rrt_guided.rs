@@ -4,14 +4,14 @@
 //! weights are not printed: ours are π − φ, which fall with the angle. A candidate that is blocked, outside, or doubles
 //! back leaves the wheel, and it is turned again.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, sync::Arc};
 
-use crate::{catalogue::Entry, rng::Stream};
+use crate::{catalogue::Entry, error::Error, params::Settings, rng::Stream, scene::Scene};
 
 use super::{
     draw::GUIDED_LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Fate, Forest, Method, Sample, Source, Task},
+    grow::{Grown, Fate, Forest, Method, Sample, Source, Task},
     parameters::{FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_STEP, KEEP, KINDS, READINGS, SAMPLES, with_finish},
     sample::{angle, uniform},
     vector::{distance, minus},
@@ -34,14 +34,17 @@ pub const ENTRY: Entry = Entry {
     members: &[],
     events: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| {
-        let (samples, keep) = (settings.integer("samples") as usize, settings.integer("keep") as usize);
-        super::start(scene, settings, seed, 0.0, Guided { samples, keep, order: Vec::with_capacity(samples) })
-    },
+    start: |scene, settings, seed| Ok(Box::new(grown(scene, settings, seed)?)),
 };
 
+/// The planner behind the entry.
+pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Guided>, Error> {
+    let (samples, keep) = (settings.integer("samples") as usize, settings.integer("keep") as usize);
+    super::grown(scene, settings, seed, 0.0, |_| Guided { samples, keep, order: Vec::with_capacity(samples) })
+}
+
 #[derive(Clone)]
-struct Guided {
+pub(super) struct Guided {
     samples: usize,
     keep: usize,
     /// Angles and numbers of the samples, re-used.

@@ -1,15 +1,15 @@
 //! `rrt-star`: the tree that goes on getting better, Karaman and Frazzoli 2011; with informed sampling once a path is known,
 //! Gammell, Srinivasa and Barfoot 2014.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, sync::Arc};
 
-use crate::{catalogue::Entry, digest::Digest, math, rng::Stream};
+use crate::{catalogue::Entry, digest::Digest, error::Error, math, params::Settings, rng::Stream, scene::Scene};
 
 use super::{
     draw::LAYERS,
     finish::{FITTED, HERMITE},
     forest::NONE,
-    grow::{Fate, Forest, Method, Source, Task},
+    grow::{Grown, Fate, Forest, Method, Source, Task},
     parameters::{BIAS_STAR, FORMULA_INFORMED, FORMULA_RADIUS, FORMULA_STEP, INFORMED, KINDS, READINGS, REWIRE, with_finish},
     sample::{Informed, uniform},
     vector::distance,
@@ -32,14 +32,17 @@ pub const ENTRY: Entry = Entry {
     members: &[],
     events: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| {
-        let star = |task: &Task<3>| Star::new(task, settings.number("rewire"), settings.flag("informed"));
-        super::start_with(scene, settings, seed, settings.number("goal_bias"), star)
-    },
+    start: |scene, settings, seed| Ok(Box::new(grown(scene, settings, seed)?)),
 };
 
+/// The planner behind the entry.
+pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Star>, Error> {
+    let star = |task: &Task<3>| Star::new(task, settings.number("rewire"), settings.flag("informed"));
+    super::grown(scene, settings, seed, settings.number("goal_bias"), star)
+}
+
 #[derive(Clone)]
-struct Star {
+pub(super) struct Star {
     informed: Option<Informed>,
     dimensions: usize,
     /// γ: with it the radius shrinks so slowly that the path still approaches the shortest.

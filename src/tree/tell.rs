@@ -14,11 +14,10 @@ use super::{
 pub const SYMBOLS: &[&str] =
     &["\\varphi", "p", "L", "d", "g", "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert", "p_i", "\\varphi_i", "x", "y", "z"];
 
-const COLUMNS: [Column; 4] = [
+const COLUMNS: [Column; 3] = [
     Column { name: "angle", symbol: "\\varphi_i", title: "angle with the goal’s direction, in degrees" },
     Column { name: "share", symbol: "p_i", title: "share of the roulette wheel" },
     Column { name: "far", symbol: "d", title: "distance from the node" },
-    Column { name: "fate", symbol: "", title: "what became of it" },
 ];
 
 fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value: f64) -> Quantity {
@@ -147,8 +146,8 @@ impl<const N: usize, M: Method<N>> Grown<N, M> {
         let last = &self.forest.last;
         let place = |point: &[f64; N]| self.task.space.place(point);
         if last.source == Source::Guided {
-            told.columns = COLUMNS[..3].to_vec();
-            for (i, sample) in last.samples.iter().enumerate() {
+            told.columns = COLUMNS.to_vec();
+            for (i, sample) in last.samples.iter().enumerate().filter(|(_, sample)| sample.angle.is_finite()) {
                 told.labels.push(format!("{}: {}", i + 1, sample.fate.words()));
                 told.rows.push(vec![sample.angle.to_degrees(), sample.share, distance(near, &sample.point)]);
             }
