@@ -7,7 +7,7 @@ use crate::{catalogue::Entry, error::Error, params::Settings, rng::Stream, scene
 use super::{
     draw::LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Grown, Forest, Method, Source, Task},
+    grow::{Forest, Grown, Method, Source, Task},
     parameters::{BIAS, FORMULA_STEP, KINDS, READINGS, with_finish},
     sample::uniform,
 };

@@ -7,7 +7,7 @@ use crate::{catalogue::Entry, digest::Digest, error::Error, params::Settings, rn
 use super::{
     draw::CONNECT_LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Grown, Forest, Method, Source, Task},
+    grow::{Forest, Grown, Method, Source, Task},
     parameters::{FORMULA_STEP, KINDS, READINGS, with_finish},
     sample::uniform,
 };

@@ -11,7 +11,7 @@ use crate::{catalogue::Entry, error::Error, params::Settings, rng::Stream, scene
 use super::{
     draw::GUIDED_LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Grown, Fate, Forest, Method, Sample, Source, Task},
+    grow::{Fate, Forest, Grown, Method, Sample, Source, Task},
     parameters::{FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_STEP, KEEP, KINDS, READINGS, SAMPLES, with_finish},
     sample::{angle, uniform},
     vector::{distance, minus},

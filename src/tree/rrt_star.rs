@@ -9,7 +9,7 @@ use super::{
     draw::LAYERS,
     finish::{FITTED, HERMITE},
     forest::NONE,
-    grow::{Grown, Fate, Forest, Method, Source, Task},
+    grow::{Fate, Forest, Grown, Method, Source, Task},
     parameters::{BIAS_STAR, FORMULA_INFORMED, FORMULA_RADIUS, FORMULA_STEP, INFORMED, KINDS, READINGS, REWIRE, with_finish},
     sample::{Informed, uniform},
     vector::distance,
