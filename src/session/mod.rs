@@ -252,12 +252,13 @@ impl Session {
         self.planner.draw(frame);
     }
 
-    /// Why an item did what it did in the step that led here.
+    /// Why an item did what it did in the step that led here, or, of what came about once, in the step that made it.
     pub fn inspect(&mut self, item: Item) -> Option<Inspection> {
         if let Some(told) = self.planner.inspect(item) {
             return Some(told);
         }
-        let before = self.state_at(self.iteration().checked_sub(1)?);
+        let made = self.planner.made(item).unwrap_or(self.iteration());
+        let before = self.state_at(made.checked_sub(1)?);
         let told = before.explain(item);
         self.before = Some(before);
         told
