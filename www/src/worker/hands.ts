@@ -1,20 +1,33 @@
-import { wrap } from 'comlink'
+import { type Remote, wrap } from 'comlink'
 import { carryOut } from 'forage'
+import type { Reachability, Scene } from 'forage'
 import type { Hand } from './crew'
 import { breathe } from './pace'
+import type { Answer } from './protocol'
 import type { Api } from './sim.worker'
 
+interface Other {
+  api: Remote<Api>
+  failed: Promise<never>
+  end(): void
+}
+
 /** Another thread with the same code and a core of its own. */
-export function thread(): Hand {
+function other(): Other {
   const worker = new Worker(self.location.href, { type: 'module' })
-  const remote = wrap<Api>(worker)
   const failed = new Promise<never>((_, reject) => {
     worker.onerror = (event) => {
       event.preventDefault()
       reject(new Error(event.message))
     }
   })
-  return { carryOut: (errand) => Promise.race([remote.carryOut(errand), failed]), dismiss: () => worker.terminate() }
+  return { api: wrap<Api>(worker), failed, end: () => worker.terminate() }
+}
+
+/** One that carries out runs. */
+export function thread(): Hand {
+  const { api, failed, end } = other()
+  return { carryOut: (errand) => Promise.race([api.carryOut(errand), failed]), dismiss: end }
 }
 
 /** This thread, which listens between two runs. */
@@ -24,4 +37,25 @@ export const oneself: Hand = {
     return carryOut(errand)
   },
   dismiss() {},
+}
+
+/** Has another thread find out where a tip can come: of several questions only the last is answered. */
+export class Surveyor {
+  private present: { end(): void } | undefined
+
+  async ask(scene: Scene, step: number): Promise<Answer<Reachability> | null> {
+    this.callOff()
+    const { api, failed, end } = other()
+    const called = new Promise<null>((resolve) => (this.present = { end: () => (end(), resolve(null)) }))
+    try {
+      return await Promise.race([api.survey(scene, step), failed, called])
+    } finally {
+      end()
+    }
+  }
+
+  callOff(): void {
+    this.present?.end()
+    this.present = undefined
+  }
 }
