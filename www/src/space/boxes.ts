@@ -21,6 +21,9 @@ const EDGES = [0, 1, 2].flatMap((axis) =>
   ),
 )
 
+/** Lines lie on the sides they bound, and on the floor: they win over both. */
+export const edging = (): LineMaterial => new LineMaterial({ transparent: true, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -1500 })
+
 /** The edges of a box that is scaled and put in place. */
 export function wire(material: LineMaterial): LineSegments2 {
   const geometry = new LineSegmentsGeometry()
@@ -38,9 +41,8 @@ export class Boxes {
 
   constructor() {
     for (const mood of ['plain', 'hover', 'selected', 'wrong'] as const) {
-      // The lines of the edges win over the sides they bound.
       this.sides.set(mood, new MeshStandardMaterial({ roughness: 0.85, metalness: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }))
-      this.edges.set(mood, new LineMaterial({ transparent: true }))
+      this.edges.set(mood, edging())
     }
   }
 

@@ -56,9 +56,17 @@ export function drawAxes(pen: Pen, world: World, box: Cuboid): void {
     }
     context.font = `italic 600 13px Georgia, 'Times New Roman', serif`
     context.fillStyle = palette.get('--ink')
-    plate(context, palette.get('--stage'), `${space.axes[axis]} / ${space.unit}`, (a.x + b.x) / 2 + TITLE * nx, (a.y + b.y) / 2 + TITLE * ny)
+    const title = `${space.axes[axis]} / ${space.unit}`
+    plate(context, palette.get('--stage'), title, ...inside(pen, title, (a.x + b.x) / 2 + TITLE * nx, (a.y + b.y) / 2 + TITLE * ny))
     context.font = FONT
   }
+}
+
+/** Where a text is seen whole. */
+function inside({ context, size }: Pen, text: string, x: number, y: number): [number, number] {
+  const width = context.measureText(text).width + 6
+  const before = { left: 0, center: width / 2, right: width }[context.textAlign as 'left' | 'center' | 'right']
+  return [Math.min(Math.max(x, before), size.width - width + before), Math.min(Math.max(y, 10), size.height - 10)]
 }
 
 function edges(world: World, { min, max }: Cuboid): Edge[] {

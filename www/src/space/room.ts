@@ -1,7 +1,6 @@
 import { BufferAttribute, BufferGeometry, type Color, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, ShadowMaterial } from 'three'
-import { LineMaterial } from 'three/addons/lines/LineMaterial.js'
 import type { Cuboid } from 'forage'
-import { settle, wire } from './boxes'
+import { edging, settle, wire } from './boxes'
 
 /** The lines of the floor lie so far apart, in metres. */
 export const GRID = 0.1
@@ -13,7 +12,7 @@ export class Room {
   private readonly floor = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial({ polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 }))
   private readonly shade = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }))
   private readonly grid = new LineSegments(new BufferGeometry(), new LineBasicMaterial())
-  private readonly line = new LineMaterial({ linewidth: 1.25, transparent: true })
+  private readonly line = edging()
   private readonly edges = wire(this.line)
 
   constructor() {
@@ -27,6 +26,7 @@ export class Room {
     this.floor.material.color.copy(floor)
     this.grid.material.color.copy(grid)
     this.line.color.copy(edge)
+    this.line.linewidth = 1.25
     this.shade.material.opacity = shadow
   }
 
