@@ -30,6 +30,8 @@ export const en = {
     drive: 'Let the robot drive along the path',
     margin: 'Safety margin',
     moving: 'Moving obstacles',
+    arm: 'Arm',
+    armHelp: 'At home, or following the path.',
     movingHelp: 'Where they begin, and where they go in a second.',
     marginHelp: 'Where the robot’s centre may not be: nearer to a blocked cell than the radius of the circle about the robot.',
     adding: 'Click where it should be.',

@@ -110,7 +110,7 @@ function trace({ context, view, size }: Pen, path: readonly Flat[]): void {
 }
 
 /** So many marks are small. */
-const [MANY, SMALL] = [60, 13]
+export const [MANY, SMALL] = [60, 13]
 
 /** The arrows and marks of what was picked. */
 export function drawInspection(pen: Pen, { layers }: Inspection): void {
@@ -144,7 +144,7 @@ export function drawInspection(pen: Pen, { layers }: Inspection): void {
 
 const HEAD = 7
 
-function arrow(context: CanvasRenderingContext2D, [x0, y0]: Point, [x1, y1]: Point): void {
+export function arrow(context: CanvasRenderingContext2D, [x0, y0]: Point, [x1, y1]: Point): void {
   const length = Math.hypot(x1 - x0, y1 - y0)
   if (length < 0.5) return
   context.beginPath()
