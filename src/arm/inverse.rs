@@ -103,6 +103,26 @@ impl Arm {
         best
     }
 
+    /// As [`reaching`](Self::reaching), with the one of [`directions`](Self::directions) whose posture is nearest to `near`.
+    ///
+    /// # Errors
+    /// [`Unreachable::Position`] or [`Unreachable::Limits`]; [`Unreachable::Orientation`] if a direction between those tried
+    /// would do.
+    pub fn reaching_somehow(&self, point: [f64; 3], near: &Posture) -> Result<(Unit<Vector3<f64>>, Solutions), Unreachable> {
+        let mut best: Result<(_, Solutions), _> = Err(Unreachable::Position);
+        for direction in Self::directions() {
+            best = match (best, self.reaching(point, direction, near)) {
+                // That is so whatever the direction.
+                (_, Err(Unreachable::Position)) => return Err(Unreachable::Position),
+                (Ok((_, a)), Ok(b)) if distance(&b[0], near) < distance(&a[0], near) => Ok((*direction, b)),
+                (Ok(found), _) => Ok(found),
+                (Err(_), Ok(b)) => Ok((*direction, b)),
+                (Err(a), Err(b)) => Err(a.max(b)),
+            };
+        }
+        best
+    }
+
     /// A pose with the tip at a point and the tool pointing in a direction, turned about itself by `roll`.
     fn pose(&self, point: [f64; 3], direction: &Unit<Vector3<f64>>, roll: f64) -> Isometry3<f64> {
         let along = direction.into_inner();

@@ -5,6 +5,7 @@
 //! Rz(yaw) (x, y, z).
 
 mod check;
+mod cloud;
 mod collision;
 mod directions;
 mod forward;
@@ -19,6 +20,7 @@ use std::f64::consts::PI;
 
 use nalgebra::Vector3;
 
+pub use cloud::{MAX_LATTICE, Reachability, reachability};
 pub use collision::{Column, Links, clearance, column, motion_is_free, segment_meets_column, touches};
 pub use directions::DIRECTIONS;
 pub use motion::{MOTION, Motion, MotionOutcome, along};

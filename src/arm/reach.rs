@@ -11,7 +11,7 @@ const REACH: f64 = 1e-11;
 /// How near to the first or the second joint's axis the wrist lies on it, in metres: that joint may then turn as it likes.
 const AXIS: f64 = 1e-10;
 /// How many circles of latitude of the wrist's sphere are looked at before those between them are.
-const LATITUDES: u32 = 64;
+const LATITUDES: u32 = 32;
 
 /// The lengths of the first three joints. The wrist turns about the elbow, and the elbow about the shoulder, in a plane that
 /// turns with joint 1 and lies `aside` of its axis.
@@ -153,7 +153,7 @@ impl Limbs {
             }
             let narrow = |at: f64, which: usize, sign: f64| {
                 let (mut low, mut high) = ((at - step).max(-end), (at + step).min(end));
-                for _ in 0..60 {
+                for _ in 0..40 {
                     let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
                     if sign * distances(shoulder, a)[which] < sign * distances(shoulder, b)[which] { high = b } else { low = a }
                 }

@@ -1,7 +1,12 @@
 //! Scenes of kind `arm`: a six-axis arm, boxes in its workspace, and where its tip starts and where it must come to.
 
 use crate::{
-    arm::{self, Arm, Posture}, error::Error, exact::Exact, geometry::{Cuboid, length_in_space}, planner::Solution};
+    arm::{self, Arm, Posture},
+    error::Error,
+    exact::Exact,
+    geometry::{Cuboid, length_in_space},
+    planner::Solution,
+};
 
 use super::{Bounds, Verdict, limited};
 
@@ -58,7 +63,8 @@ impl ArmScene {
     /// arm's own column.
     #[inline]
     pub fn is_free(&self, a: [f64; 3], b: [f64; 3]) -> bool {
-        self.workspace.contains(a) && self.workspace.contains(b) 
+        self.workspace.contains(a)
+            && self.workspace.contains(b)
             && !self.cuboids.iter().any(|cuboid| cuboid.meets(a, b))
             && !arm::segment_meets_column(self, a, b)
     }

@@ -90,6 +90,7 @@ export const en = {
       stored: 'the optimum in the scene’s file',
       refuted: 'what the scene’s file calls the optimum',
     },
+    tip: 'the tip’s shortest way',
     tours: {
       plain: 'the shortest tour',
       'any-angle': 'the shortest tour at any angle',
@@ -113,6 +114,8 @@ export const en = {
     part: (title: string, k: string, of: string) => `${title.toLowerCase()} ${k} of ${of}`,
     best: (value: string) => `best ${value}`,
     collisions: (count: string) => `collisions: ${count}`,
+    follows: 'the arm follows it without collision',
+    fails: 'the arm can’t follow it without collision',
   },
   panels: {
     setup: 'Experiment',

@@ -39,6 +39,34 @@ export const presets = {
       title: '[ANTBAT] §3.3: bats and twelve stops',
       see: 'First ants build the roads between the stops, then bats put the stops in order; the timeline has a part for each.',
     },
+    'arm-guided': {
+      title: '[ARM-RRT] §4: guided tree, no obstacle',
+      see: 'The tree runs nearly straight to the goal. Click a node to see its twenty samples, the four that were kept and what the roulette wheel chose.',
+    },
+    'arm-guided-wide': {
+      title: '[ARM-RRT] §4: guided, step 0.05',
+      see: 'The same with longer steps: fewer nodes, and the end comes sooner.',
+    },
+    'arm-basic': {
+      title: '[ARM-RRT] §4: basic tree, no obstacle',
+      see: 'A basic tree fills the workspace before it comes to the goal; compare the number of nodes with the guided one’s.',
+    },
+    'arm-cuboid': {
+      title: '[ARM-RRT] §4: guided tree and a cuboid',
+      see: 'The tree slides along the cuboid. Let the arm follow the path: the verdict is of the whole arm, not of its tip alone.',
+    },
+    'arm-cuboid-basic': {
+      title: '[ARM-RRT] §4: basic tree and a cuboid',
+      see: 'The basic tree goes everywhere: more nodes and a longer raw path, and hardly longer after it was shortened.',
+    },
+    'arm-star': {
+      title: 'RRT* around the cuboid',
+      see: 'The first path comes soon; then the tree is rewired, and the path comes near to the tip’s shortest way.',
+    },
+    'arm-joints': {
+      title: 'RRT-Connect in the six joints',
+      see: 'The way it is done today: two trees of postures, and the whole arm keeps clear. The same tree is shown in pairs of joints and in space.',
+    },
     quantum: {
       title: '[LTQPSO] §4: ten metres of walls',
       see: 'Particles leap about their attractors, less far as the run goes on; the robot can drive along the result.',

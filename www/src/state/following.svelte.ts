@@ -13,6 +13,8 @@ export interface Timed {
 /** What is the same whoever follows. */
 export interface Follower {
   readonly track: Timed | null
+  /** What differs from the defaults. */
+  readonly params: Values
   readonly of: { generation: number; iteration: number }
   begin(): Promise<void>
   leave(): void

@@ -76,7 +76,7 @@ class Lab extends Scenes {
   readonly stages = $derived(this.span.stages)
   readonly yardstick = $derived<Yardstick>((this.grid || this.touring) && this.outcome ? this.outcome.exact_by : 'plain')
   /** The optimum that results are measured by, in words. */
-  readonly optimum = $derived(en.result[this.planner?.stops ? 'tours' : 'optimum'][this.yardstick])
+  readonly optimum = $derived(this.arm ? en.result.tip : en.result[this.planner?.stops ? 'tours' : 'optimum'][this.yardstick])
   /** The part of the run that it is in, and how far in it. */
   readonly part = $derived(stageAt(this.stages, this.iteration))
   /** How far a step is that takes its time. */

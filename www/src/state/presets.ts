@@ -23,6 +23,13 @@ export const PRESETS: readonly Preset[] = [
   { name: 'wolves', planner: 'aco-wolf', scene: 'wolf-ant-20', params: {} },
   { name: 'direction', planner: 'aco-direction', scene: 'ant-bat-30', params: {} },
   { name: 'bats', planner: 'bat', scene: 'ant-bat-30', params: {} },
+  { name: 'arm-guided', planner: 'rrt-guided', scene: 'arm-free', params: {} },
+  { name: 'arm-guided-wide', planner: 'rrt-guided', scene: 'arm-free', params: { step_size: 0.05 } },
+  { name: 'arm-basic', planner: 'rrt', scene: 'arm-free', params: {} },
+  { name: 'arm-cuboid', planner: 'rrt-guided', scene: 'arm-cuboid', params: {} },
+  { name: 'arm-cuboid-basic', planner: 'rrt', scene: 'arm-cuboid', params: {} },
+  { name: 'arm-star', planner: 'rrt-star', scene: 'arm-cuboid', params: {} },
+  { name: 'arm-joints', planner: 'rrt-joint', scene: 'arm-cuboid', params: {} },
   { name: 'quantum', planner: 'ltqpso', scene: 'qpso-10m', params: {} },
   { name: 'hens', planner: 'wcpso', scene: 'wcpso-discs', params: {} },
 ]
