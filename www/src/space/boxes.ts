@@ -22,7 +22,7 @@ const EDGES = [0, 1, 2].flatMap((axis) =>
 )
 
 /** Lines lie on the sides they bound, and on the floor: they win over both. */
-export const edging = (): LineMaterial => new LineMaterial({ transparent: true, polygonOffset: true, polygonOffsetFactor: -2, polygonOffsetUnits: -1500 })
+export const edging = (): LineMaterial => new LineMaterial({ transparent: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -500 })
 
 /** The edges of a box that is scaled and put in place. */
 export function wire(material: LineMaterial): LineSegments2 {

@@ -1,11 +1,12 @@
-import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from 'three'
+import { BufferAttribute, BufferGeometry, MathUtils, Points, PointsMaterial } from 'three'
 import type { Reachability } from 'forage'
 import type { Palette } from '../stage/palette'
 import { colourOf, mixed } from './colours'
 import { form } from './dots'
+import { FIELD_OF_VIEW } from './orbit'
 
-/** How large a point is beside the distance of neighbours. */
-const SIZE = 0.34
+/** How large a point is beside the distance of neighbours; the library's unit is that of a lens of 90°. */
+const SIZE = 0.14 / Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2))
 /** Four numbers a point: where it is, and the share of directions. */
 const POINT = 4
 

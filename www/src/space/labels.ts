@@ -19,7 +19,7 @@ interface Edge {
   to: Point3
 }
 
-/** The numbers along three edges of the workspace, in metres: on the floor the ones nearest to the eye, and the upright one at the left. */
+/** The numbers along three edges of the workspace, in metres: on the floor the ones nearest to the eye, and an upright one at the side. */
 export function drawAxes(pen: Pen, world: World, box: Cuboid): void {
   const { context, palette } = pen
   context.font = FONT
@@ -73,13 +73,23 @@ function edges(world: World, { min, max }: Cuboid): Edge[] {
   const { origin } = world.ray([0, 0])
   const near = (axis: 0 | 1): number => (Math.abs(origin.getComponent(axis) - min[axis]) < Math.abs(origin.getComponent(axis) - max[axis]) ? min[axis] : max[axis])
   const [x, y, floor] = [near(0), near(1), min[2]]
-  const uprights = [min[0], max[0]].flatMap((px) => [min[1], max[1]].map((py): Edge => ({ axis: 2, from: [px, py, floor], to: [px, py, max[2]] })))
-  const leftmost = uprights
-    .map((edge) => ({ edge, x: world.project(new Vector3(...edge.from).lerp(new Vector3(...edge.to), 0.5))?.x ?? Infinity }))
-    .sort((one, other) => one.x - other.x)[0]?.edge
-  return [
+  const floors: Edge[] = [
     { axis: 0, from: [min[0], y, floor], to: [max[0], y, floor] },
     { axis: 1, from: [x, min[1], floor], to: [x, max[1], floor] },
-    ...(leftmost ? [leftmost] : []),
   ]
+  const seen = (edge: Edge): { x: number; y: number } => world.project(new Vector3(...edge.from).lerp(new Vector3(...edge.to), 0.5)) ?? { x: 0, y: 0 }
+  const uprights = [min[0], max[0]]
+    .flatMap((px) => [min[1], max[1]].map((py): Edge => ({ axis: 2, from: [px, py, floor], to: [px, py, max[2]] })))
+    .sort((one, other) => seen(one).x - seen(other).x)
+  // Its numbers must not stand among those of the floor's steeper edge.
+  const [steep] = [...floors].sort((one, other) => slope(world, other) - slope(world, one))
+  const meets = (edge: Edge | undefined): boolean => [steep?.from, steep?.to].some((end) => end?.[0] === edge?.from[0] && end?.[1] === edge?.from[1])
+  const upright = meets(uprights[0]) ? uprights.at(-1) : uprights[0]
+  return upright ? [...floors, upright] : floors
+}
+
+/** How steep an edge is on the screen. */
+function slope(world: World, { from, to }: Edge): number {
+  const [a, b] = [world.project(from), world.project(to)]
+  return a && b ? Math.abs(a.y - b.y) / Math.max(1, Math.abs(a.x - b.x)) : 0
 }

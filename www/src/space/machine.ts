@@ -30,14 +30,14 @@ export class Machine {
   private readonly ends: Mesh[] = []
   private readonly housings: Mesh[] = []
   private readonly tool = new Group()
-  private readonly turret: Mesh
+  private readonly turret: Mesh | undefined
   private readonly geometries: BufferGeometry[] = []
 
-  /** `floor`: where its column stands; `least`: the radius that its links have at least. */
+  /** `floor`: where its column stands; null: without one, beside the same arm. `least`: the radius that its links have at least. */
   constructor(
     private readonly arm: Arm,
     private readonly skin: Skin,
-    floor: number,
+    floor: number | null,
     least = 0,
   ) {
     const reach = reachOf(arm)
@@ -53,9 +53,11 @@ export class Machine {
       this.housings.push(this.part(new CylinderGeometry(radius, radius, HOUSING * radius, ROUND), skin.joint))
     })
     const base = JOINTS[0] * reach
-    this.turret = this.part(new CylinderGeometry(base * 1.15, base * 1.3, 2 * base, ROUND), skin.joint)
     this.makeTool(length(3), reach, least)
-    this.stand(floor)
+    if (floor !== null) {
+      this.turret = this.part(new CylinderGeometry(base * 1.15, base * 1.3, 2 * base, ROUND), skin.joint)
+      this.stand(floor)
+    }
     this.pose(home(arm))
   }
 

@@ -86,6 +86,9 @@ export class Strokes {
       material.dashSize = style.dash?.[0] ?? 1
       material.gapSize = style.dash?.[1] ?? 1
     }
+    // The way along a tree lies on its edges, and wins over them.
+    this.line.polygonOffset = result
+    this.line.polygonOffsetUnits = -300
     this.line.opacity = alpha * style.alpha[0]
     this.hidden.opacity = alpha * HIDDEN
     this.halo.color.copy(ground)

@@ -128,12 +128,12 @@ export class World {
     return this.machine.pose(posture ?? home(arm))
   }
 
-  showGhosts({ arm, workspace }: ArmScene, ghosts: ArmSolutions | null, chosen: number | null, palette: Palette): void {
+  showGhosts(arm: Arm, ghosts: ArmSolutions | null, chosen: number | null, palette: Palette): void {
     for (const ghost of this.ghosts) ghost.drop()
     this.spirits.clear()
     this.ghosts = (ghosts?.solutions ?? []).map(({ joints, free }, index) => {
       const alpha = index === chosen ? GHOST.one : GHOST.many * (chosen === null ? 1.4 : 0.7)
-      const machine = new Machine({ ...arm, base: { ...arm.base, column_radius: 0 } }, veil(colourOf(palette, free ? '--accent' : '--danger'), alpha), workspace.min[2])
+      const machine = new Machine(arm, veil(colourOf(palette, free ? '--accent' : '--danger'), alpha), null)
       machine.pose(joints)
       this.spirits.add(machine.group)
       return machine

@@ -67,6 +67,7 @@ const STYLES: Readonly<Record<string, Style>> = {
   moving: { colour: '--moving', width: 2, order: 44, area: 'disc', point: 9, alpha: [1, 1] },
   'local-goal': { colour: '--robot', width: 2, order: 46, dots: true, point: 13, alpha: [1, 1], mark: 'diamond' },
   events: { colour: '--ink', width: 1.5, order: 47, area: 'event', point: 13, alpha: [1, 1] },
+  arm: { colour: '--robot', width: 4, order: 48, point: 9, alpha: [1, 1] },
   robot: { colour: '--robot', width: 2.25, order: 48, area: 'robot', point: 9, alpha: [1, 1] },
   [STOPS]: { colour: '--stop', width: 2, order: 45, dots: true, point: 9, alpha: [1, 1], mark: 'ring' },
   candidates: { colour: '--ant', width: 1.75, order: 49, point: 3, alpha: [0.8, 0.8] },
