@@ -105,7 +105,7 @@ test('a touch is said plainly, with its time and place, and one click away', asy
   await begin(lab, setup)
   const swing = new Swing(moved(setup))
   const at = swing.motion.outcome.touched_at ?? NaN
-  const [x, y, z] = swing.tipAt(at)
+  const [x, y, z] = swing.tipAt(at) ?? []
   await expect(page.getByTestId('motion-verdict')).toContainText(text.touches(number(at, 3), number(x, 3), number(y, 3), number(z, 3)))
   await page.getByTestId('motion-touch').click()
   await expect.poll(async () => Number(await page.getByTestId('motion-time').inputValue())).toBeCloseTo(at, 1)
@@ -164,7 +164,7 @@ test('the postures of a point are the core’s, in its order', async ({ lab, pag
   await expect(rows.nth(0).getByRole('button')).toHaveAttribute('aria-pressed', 'true')
 
   // With a direction of one's own: opposite to the one that was found.
-  await page.getByText(words.postures.chosen, { exact: true }).click()
+  await page.getByRole('radio', { name: words.postures.chosen }).check()
   const field = page.getByLabel(words.postures.elevation)
   await field.fill('90')
   await field.press('Enter')
@@ -232,12 +232,10 @@ test('cuboids, ends and base are edited by numbers, undone, and refused beside t
     await number(object, axis).press('Enter')
   }
   const now = async (): Promise<ArmScene> => {
-    await lab.restarted()
-    return armOf(verified(await lab.link(await lab.settled())).scene)
+    return armOf(verified(await lab.link(await lab.seek(3))).scene)
   }
   const high = `${cuboid}, ${words.scene.to}`
   await put(high, 'z', '0.4')
-  await lab.press(en.transport.pause).catch(() => undefined)
   expect((await now()).cuboids[0]?.max).toEqual([0.45, 0.48, 0.4])
 
   await put(high, 'z', '-1')
@@ -261,19 +259,18 @@ test('cuboids, ends and base are edited by numbers, undone, and refused beside t
   await expect(page.getByTestId('scene-error').first()).toContainText('goal')
   await lab.press(en.bar.undo)
   await put(words.scene.position, 'x', '0.35')
-  await lab.press(en.transport.pause).catch(() => undefined)
   expect((await now()).arm.base.position).toEqual([0.35, 0.65, 0.4])
 })
 
 test('a cuboid’s middle and size say the same as its corners', async ({ lab, page }) => {
   await opened(lab)
   await lab.section('scene')
-  await page.getByText(words.scene.sizes, { exact: true }).click()
+  await page.getByRole('radio', { name: words.scene.sizes }).check()
   const size = page.getByRole('textbox', { name: words.scene.field(`${words.scene.cuboid(1)}, ${words.scene.size}`, 'x') })
   await expect(size).toHaveValue('0.2')
   await size.fill('0.1')
   await size.press('Enter')
-  await page.getByText(words.scene.corners, { exact: true }).click()
+  await page.getByRole('radio', { name: words.scene.corners }).check()
   const corner = (row: string) => page.getByRole('textbox', { name: words.scene.field(`${words.scene.cuboid(1)}, ${row}`, 'x') })
   await expect(corner(words.scene.from)).toHaveValue('0.3')
   await expect(corner(words.scene.to)).toHaveValue('0.4')
