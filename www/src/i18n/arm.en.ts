@@ -78,7 +78,7 @@ export const arm = {
     clear: 'Clear',
     told: (reached: string, all: string, share: string) => `${reached} of ${all} points can be reached (${share}).`,
     scale: 'Share of directions',
-    none: 'none',
+    few: 'few',
     every: 'all',
   },
   joints: {
