@@ -1,7 +1,7 @@
 //! What every tree planner is made of: trees, what the last extension did, and the path once there is one. A [`Method`]
 //! says how one extension is made.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use crate::{digest::Digest, params::Settings, planner::Status, rng::Stream};
 
@@ -24,6 +24,8 @@ pub(super) struct Task<const N: usize> {
     pub(super) goal_bias: f64,
     pub(super) limit: u64,
     pub(super) finish: Finish,
+    /// The last iteration, once somebody asked: a run that ends when there is a path is run ahead to know it.
+    pub(super) end: OnceLock<u64>,
 }
 
 impl<const N: usize> Task<N> {
@@ -39,6 +41,7 @@ impl<const N: usize> Task<N> {
             goal_bias,
             limit: settings.integer("iterations"),
             finish: Finish::new(settings, step),
+            end: OnceLock::new(),
             space,
         }
     }
@@ -249,6 +252,9 @@ impl<const N: usize> Forest<N> {
     }
 }
 
+/// No run is run ahead any farther, only to know its end.
+const AHEAD: u64 = 20_000;
+
 /// How one extension is made.
 pub(super) trait Method<const N: usize>: Clone + Send + Sync {
     /// It goes on when there is a path, for a better one.
@@ -284,6 +290,20 @@ impl<const N: usize, M: Method<N>> Grown<N, M> {
             task.space.goals().iter().for_each(|&goal| forest.root(&task, 1, goal));
         }
         Self { task: Arc::new(task), forest, method, rng: Stream::new(seed, 0), status: Status::Running, iteration: 0 }
+    }
+
+    /// The iteration at which it ends at the latest.
+    pub(super) fn end(&self) -> u64 {
+        if M::ANYTIME {
+            return self.task.limit;
+        }
+        *self.task.end.get_or_init(|| {
+            let mut ahead = self.clone();
+            while ahead.status == Status::Running && ahead.iteration < AHEAD {
+                ahead.advance();
+            }
+            if ahead.status == Status::Running { self.task.limit } else { ahead.iteration }
+        })
     }
 
     /// One extension.

@@ -13,8 +13,6 @@ pub(super) const KINDS: &[Kind] = &[Kind::Arm, Kind::Discs, Kind::Grid];
 macro_rules! with_finish {
     ($($own:expr),* $(,)?) => {
         [
-            $crate::tree::parameters::ITERATIONS,
-            $crate::tree::parameters::STEP,
             $($own,)*
             $crate::tree::parameters::SHORTEN,
             $crate::tree::parameters::POLYLINE,
@@ -26,14 +24,15 @@ macro_rules! with_finish {
 }
 pub(super) use with_finish;
 
-pub(super) const ITERATIONS: Parameter = Parameter::integer(
-    "iterations",
-    "k_{\\max}",
-    "Iterations",
-    [1, 1_000_000, 20_000],
-    "After how many extensions it stops at the latest, found or not.",
-)
-.slider(100.0, 50_000.0, true);
+const fn iterations(default: u64, help: &'static str) -> Parameter {
+    Parameter::integer("iterations", "k_{\\max}", "Iterations", [1, 1_000_000, default], help).slider(100.0, 100_000.0, true)
+}
+
+pub(super) const ITERATIONS: Parameter = iterations(20_000, "After how many extensions it stops at the latest, found or not.");
+pub(super) const ITERATIONS_RRT: Parameter =
+    iterations(100_000, "After how many extensions it stops at the latest, found or not. Without a goal bias it may take many.");
+pub(super) const ITERATIONS_STAR: Parameter =
+    iterations(5_000, "After how many extensions it stops: the path gets shorter as long as it goes on.");
 pub(super) const STEP: Parameter = Parameter::number(
     "step_size",
     "L",

@@ -26,7 +26,7 @@ impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
     }
 
     fn limit(&self) -> u64 {
-        self.task.limit
+        self.end()
     }
 
     /// Straight pieces tested.

@@ -8,7 +8,7 @@ use super::{
     draw::LAYERS,
     finish::{FITTED, HERMITE},
     grow::{Forest, Grown, Method, Source, Task},
-    parameters::{BIAS, FORMULA_STEP, KINDS, READINGS, with_finish},
+    parameters::{BIAS, FORMULA_STEP, ITERATIONS_RRT, KINDS, READINGS, STEP, with_finish},
     sample::uniform,
 };
 
@@ -22,7 +22,7 @@ pub const ENTRY: Entry = Entry {
     kinds: KINDS,
     stops: false,
     most_stops: None,
-    parameters: &with_finish!(BIAS),
+    parameters: &with_finish!(ITERATIONS_RRT, STEP, BIAS),
     readings: READINGS,
     formulas: &[FORMULA_STEP, FITTED, HERMITE],
     layers: LAYERS,

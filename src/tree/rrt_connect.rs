@@ -8,7 +8,7 @@ use super::{
     draw::CONNECT_LAYERS,
     finish::{FITTED, HERMITE},
     grow::{Forest, Grown, Method, Source, Task},
-    parameters::{FORMULA_STEP, KINDS, READINGS, with_finish},
+    parameters::{FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP, with_finish},
     sample::uniform,
 };
 
@@ -22,7 +22,7 @@ pub const ENTRY: Entry = Entry {
     kinds: KINDS,
     stops: false,
     most_stops: None,
-    parameters: &with_finish!(),
+    parameters: &with_finish!(ITERATIONS, STEP),
     readings: READINGS,
     formulas: &[FORMULA_STEP, FITTED, HERMITE],
     layers: CONNECT_LAYERS,

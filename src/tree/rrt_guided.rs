@@ -12,7 +12,7 @@ use super::{
     draw::GUIDED_LAYERS,
     finish::{FITTED, HERMITE},
     grow::{Fate, Forest, Grown, Method, Sample, Source, Task},
-    parameters::{FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_STEP, KEEP, KINDS, READINGS, SAMPLES, with_finish},
+    parameters::{FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_STEP, ITERATIONS, KEEP, KINDS, READINGS, SAMPLES, STEP, with_finish},
     sample::{angle, uniform},
     vector::{distance, minus},
 };
@@ -27,7 +27,7 @@ pub const ENTRY: Entry = Entry {
     kinds: KINDS,
     stops: false,
     most_stops: None,
-    parameters: &with_finish!(SAMPLES, KEEP),
+    parameters: &with_finish!(ITERATIONS, STEP, SAMPLES, KEEP),
     readings: READINGS,
     formulas: &[FORMULA_STEP, FORMULA_ANGLE, FORMULA_ROULETTE, FITTED, HERMITE],
     layers: GUIDED_LAYERS,

@@ -10,7 +10,9 @@ use super::{
     finish::{FITTED, HERMITE},
     forest::NONE,
     grow::{Fate, Forest, Grown, Method, Source, Task},
-    parameters::{BIAS_STAR, FORMULA_INFORMED, FORMULA_RADIUS, FORMULA_STEP, INFORMED, KINDS, READINGS, REWIRE, with_finish},
+    parameters::{
+        BIAS_STAR, FORMULA_INFORMED, FORMULA_RADIUS, FORMULA_STEP, INFORMED, ITERATIONS_STAR, KINDS, READINGS, REWIRE, STEP, with_finish,
+    },
     sample::{Informed, uniform},
     vector::distance,
 };
@@ -25,7 +27,7 @@ pub const ENTRY: Entry = Entry {
     kinds: KINDS,
     stops: false,
     most_stops: None,
-    parameters: &with_finish!(BIAS_STAR, REWIRE, INFORMED),
+    parameters: &with_finish!(ITERATIONS_STAR, STEP, BIAS_STAR, REWIRE, INFORMED),
     readings: READINGS,
     formulas: &[FORMULA_STEP, FORMULA_RADIUS, FORMULA_INFORMED, FITTED, HERMITE],
     layers: LAYERS,
