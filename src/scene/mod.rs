@@ -194,7 +194,7 @@ impl Scene {
                 Body::Function(_) | Body::Tour(_) => None,
                 Body::Discs(scene) => scene.exact(),
                 Body::Grid(scene) => scene.exact(),
-                Body::Arm(scene) => scene.exact(),
+                Body::Arm(scene) => scene.exact(self.header.exact.as_ref()),
             })
             .as_ref()
     }
