@@ -16,7 +16,7 @@ use crate::{
     },
     search,
     session::AnyPlanner,
-    swarm, tour, tuning,
+    swarm, tour, tree, tuning,
 };
 
 /// All planners, in the order in which they are offered.
@@ -41,6 +41,11 @@ pub const PLANNERS: &[Entry] = &[
     tour::sa::ENTRY,
     tour::two_opt::ENTRY,
     tour::held_karp::ENTRY,
+    tree::rrt_guided::ENTRY,
+    tree::rrt::ENTRY,
+    tree::rrt_connect::ENTRY,
+    tree::rrt_star::ENTRY,
+    tree::rrt_joint::ENTRY,
     dynamic::wolf_ant_drive::ENTRY,
     dynamic::a_star_drive::ENTRY,
     dynamic::d_star_lite_drive::ENTRY,
@@ -327,6 +332,7 @@ pub fn catalogue() -> Catalogue {
         .chain(search::SYMBOLS.iter().copied())
         .chain(tour::SYMBOLS.iter().copied())
         .chain(dynamic::SYMBOLS.iter().copied())
+        .chain(tree::SYMBOLS.iter().copied())
         .chain(PLANNERS.iter().flat_map(|e| e.members.iter().map(|m| m.symbol)))
         .chain(drive::PARAMETERS.iter().map(|p| p.symbol))
         .chain(drive::COLUMNS.iter().map(|c| c.symbol))

@@ -354,6 +354,10 @@ pub trait Planner: Clone {
     fn explain(&self, _item: Item) -> Option<Inspection> {
         None
     }
+    /// The iteration whose step is to be explained for an item that came about then; `None`: the last one.
+    fn made(&self, _item: Item) -> Option<u64> {
+        None
+    }
     /// Which optimum its results are measured by.
     fn yardstick(&self) -> Yardstick {
         Yardstick::default()

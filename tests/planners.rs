@@ -85,7 +85,7 @@ proptest! {
             prop_assert_eq!(outcome.evaluations - first, u64::from(population) * 60, "each particle is evaluated once per iteration");
             prop_assert!(entry.family != "swarm" || first >= u64::from(population));
         }
-        prop_assert_eq!(outcome.cost.is_some(), outcome.path.is_some() || outcome.position.is_some());
+        prop_assert_eq!(outcome.cost.is_some(), outcome.path.is_some() || outcome.position.is_some() || outcome.tip_path.is_some());
         if let Some(order) = &outcome.order {
             let mut sorted = order.clone();
             sorted.sort_unstable();
@@ -109,6 +109,16 @@ proptest! {
             if outcome.feasible && outcome.order.is_none() {
                 prop_assert!(outcome.gap.unwrap() > -1e-9, "shorter than the exact optimum: {:?}", outcome.gap);
             }
+        }
+        if let (Some(tip), Ok(arm)) = (&outcome.tip_path, scene.arm()) {
+            let apart = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+            prop_assert!(apart(tip[0], arm.start) < 1e-6 && apart(tip[tip.len() - 1], arm.goal) < 1e-6);
+            let inside = |p: [f64; 3]| arm.cuboids.iter().any(|c| (0..3).all(|i| c.min[i] < p[i] && p[i] < c.max[i]));
+            let touches = tip.windows(2).any(|w| {
+                (0..=50).map(|k| f64::from(k) / 50.0).any(|t| inside([0, 1, 2].map(|i| w[0][i] + t * (w[1][i] - w[0][i]))))
+            });
+            prop_assert!(!outcome.feasible || !touches, "said to be free, but it lies in a cuboid");
+            prop_assert!(outcome.gap.is_none_or(|gap| !outcome.feasible || gap > -1e-9), "shorter than the exact optimum");
         }
         if let Some(position) = &outcome.position {
             let side = scene.view().max[0];

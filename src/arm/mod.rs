@@ -4,17 +4,29 @@
 //! Lengths are metres; a scene's angles are degrees, as in its file, and a [`Posture`]'s are radians. World = base +
 //! Rz(yaw) (x, y, z).
 
+mod check;
+mod cloud;
+mod collision;
+mod directions;
+mod forward;
 mod inverse;
 mod motion;
+mod reach;
+mod solutions;
+mod tips;
+mod wrist;
 
 use std::f64::consts::PI;
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::Vector3;
 
-use crate::error::Error;
-
-pub use inverse::{Unreachable, degrees, radians};
+pub use cloud::{MAX_LATTICE, Reachability, reachability};
+pub use collision::{Column, Links, clearance, column, motion_is_free, segment_meets_column, touches};
+pub use directions::DIRECTIONS;
 pub use motion::{MOTION, Motion, MotionOutcome, along};
+pub use solutions::{MAX_SOLUTIONS, Solutions, Unreachable, distance};
+pub use tips::tip_path;
+pub use wrist::SINGULAR;
 
 /// Six joint angles in radians.
 pub type Posture = [f64; 6];
@@ -102,39 +114,16 @@ pub struct Arm {
 }
 
 impl Arm {
-    /// Refuses what is no six-axis arm with a spherical wrist.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        Ok(())
-    }
-
     /// The home posture.
     pub fn home(&self) -> Posture {
         self.joints.map(|joint| joint.home * (PI / 180.0))
     }
+}
 
-    /// The frame of each joint, and at last that of the tip, in the world: [ARM-RRT] (1).
-    pub fn forward(&self, posture: &Posture) -> [Isometry3<f64>; 7] {
-        let [x, y, z] = self.base.position;
-        let turned = |axis, degrees: f64| UnitQuaternion::from_axis_angle(&axis, degrees * (PI / 180.0));
-        let mut frame = Isometry3::from_parts(Translation3::new(x, y, z), turned(Vector3::z_axis(), self.base.yaw));
-        let mut frames = [frame; 7];
-        for (i, joint) in self.joints.iter().enumerate() {
-            let link = Isometry3::from_parts(Translation3::identity(), turned(Vector3::x_axis(), joint.alpha))
-                * Translation3::new(joint.a, 0.0, 0.0)
-                * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), posture[i])
-                * Translation3::new(0.0, 0.0, joint.d);
-            frame *= link;
-            frames[i] = frame;
-        }
-        frames[6] = frame * Translation3::from(self.tool.vector());
-        frames
-    }
-
-    /// Where base, shoulder, elbow, wrist and tip are.
-    pub fn skeleton(&self, posture: &Posture) -> Skeleton {
-        let frames = self.forward(posture);
-        let at = |i: usize| frames[i].translation.vector.into();
-        [self.base.position, at(1), at(2), at(3), at(6)]
+impl Base {
+    /// Sine and cosine of its yaw.
+    fn turn(&self) -> (f64, f64) {
+        forward::quarters(self.yaw)
     }
 }
 
@@ -147,20 +136,15 @@ impl Tool {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use crate::shipped;
-
-    /// [ARM-RRT] §4.1: [a1 + d4 + a6, 0, a2 + a3].
-    #[test]
-    fn at_home_the_tip_is_where_the_paper_says() {
-        let scene = shipped("arm-cuboid").unwrap();
-        let arm = &scene.arm().unwrap().arm;
-        let skeleton = arm.skeleton(&arm.home());
-        let from_base = |at: [f64; 3]| [0, 1, 2].map(|i| at[i] - arm.base.position[i]);
-        let expected = [[0.0; 3], [0.085, 0.0, 0.0], [0.085, 0.0, 0.38], [0.51, 0.0, 0.48], [0.595, 0.0, 0.48]];
-        for (at, expected) in skeleton.map(from_base).into_iter().zip(expected) {
-            assert!((0..3).all(|i| (at[i] - expected[i]).abs() < 1e-12), "{at:?} {expected:?}");
-        }
-    }
+/// A posture in degrees.
+pub fn degrees(posture: &Posture) -> [f64; 6] {
+    posture.map(|angle| angle * (180.0 / PI))
 }
+
+/// A posture of degrees.
+pub fn radians(degrees: &[f64; 6]) -> Posture {
+    degrees.map(|angle| angle * (PI / 180.0))
+}
+
+#[cfg(test)]
+mod tests;

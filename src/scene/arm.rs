@@ -3,14 +3,19 @@
 use serde_json::Value;
 
 use crate::{
-    arm::Arm,
+    arm::{self, Arm, Posture},
     error::Error,
     exact::{AmongCuboids, Exact, shortest_among_cuboids},
-    geometry::Cuboid,
+    geometry::{Cuboid, length_in_space},
     planner::Solution,
 };
 
 use super::{Bounds, Verdict, limited};
+
+/// How far from start and goal the tip may be where postures were planned, in metres.
+const JOINED: f64 = 1e-6;
+/// How far any point of a link may go between two tests of a verdict, in metres.
+const RESOLUTION: f64 = 1e-3;
 
 /// The most cuboids in a scene.
 pub const MAX_CUBOIDS: usize = 200;
@@ -56,10 +61,14 @@ impl ArmScene {
         }
     }
 
-    /// Whether the tip can go straight from one point to another: inside the workspace, without touching a cuboid.
+    /// Whether the tip can go straight from one point to another: inside the workspace, without touching a cuboid or the
+    /// arm's own column.
     #[inline]
     pub fn is_free(&self, a: [f64; 3], b: [f64; 3]) -> bool {
-        self.workspace.contains(a) && self.workspace.contains(b) && !self.cuboids.iter().any(|cuboid| cuboid.meets(a, b))
+        self.workspace.contains(a)
+            && self.workspace.contains(b)
+            && !self.cuboids.iter().any(|cuboid| cuboid.meets(a, b))
+            && !arm::segment_meets_column(self, a, b)
     }
 
     /// The tip's shortest path, as if nothing were behind it: neither the arm nor the column under its base counts, so it is
@@ -76,12 +85,31 @@ impl ArmScene {
     }
 
     pub(super) fn judge(&self, solution: &Solution) -> Verdict {
-        let Solution::Reach { path, .. } = solution else {
+        let Solution::Reach { path, postures } = solution else {
             return Verdict { length: None, feasible: false, clearance: None };
         };
-        let joins = path.first() == Some(&self.start) && path.last() == Some(&self.goal);
         let free = path.windows(2).all(|w| self.is_free(w[0], w[1]));
-        Verdict { length: Some(crate::geometry::length_in_space(path)), feasible: joins && free, clearance: None }
+        let gaps = self.cuboids.iter().flat_map(|cuboid| path.windows(2).map(move |w| cuboid.distance_squared(w[0], w[1])));
+        let clearance = gaps.reduce(f64::min).map(f64::sqrt);
+        let feasible = free && if postures.is_empty() { self.joins(path, 0.0) } else { self.is_way(path, postures) };
+        Verdict { length: Some(length_in_space(path)), feasible, clearance }
+    }
+
+    /// Whether a path leads from start to goal.
+    fn joins(&self, path: &[[f64; 3]], tolerance: f64) -> bool {
+        let at = |point: Option<&[f64; 3]>, end: [f64; 3]| point.is_some_and(|&point| length_in_space(&[point, end]) <= tolerance);
+        at(path.first(), self.start) && at(path.last(), self.goal)
+    }
+
+    /// Whether postures take the tip along a path from start to goal, within the limits, and no link touches anything.
+    fn is_way(&self, path: &[[f64; 3]], postures: &[Posture]) -> bool {
+        let within = |posture: &Posture| {
+            self.arm.joints.iter().zip(arm::degrees(posture)).all(|(joint, angle)| joint.min - 1e-9 <= angle && angle <= joint.max + 1e-9)
+        };
+        self.joins(path, JOINED)
+            && arm::tip_path(&self.arm, postures) == path
+            && postures.iter().all(within)
+            && postures.windows(2).all(|w| arm::motion_is_free(self, &w[0], &w[1], 0.0, RESOLUTION))
     }
 
     /// The workspace seen from above.

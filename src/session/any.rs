@@ -31,6 +31,8 @@ pub trait AnyPlanner: Send {
     fn inspect(&self, item: Item) -> Option<Inspection>;
     /// See [`Planner::explain`].
     fn explain(&self, item: Item) -> Option<Inspection>;
+    /// See [`Planner::made`].
+    fn made(&self, item: Item) -> Option<u64>;
     /// See [`Planner::yardstick`].
     fn yardstick(&self) -> Yardstick;
     /// See [`Planner::jobs`].
@@ -101,6 +103,10 @@ impl<P: Planner + Send + 'static> AnyPlanner for P {
 
     fn explain(&self, item: Item) -> Option<Inspection> {
         Planner::explain(self, item)
+    }
+
+    fn made(&self, item: Item) -> Option<u64> {
+        Planner::made(self, item)
     }
 
     fn yardstick(&self) -> Yardstick {

@@ -1,1 +1,58 @@
-//! Trees that grow through a space, [ARM-RRT] §3.2.
+//! Rapidly-exploring random trees that step like every other planner, [ARM-RRT] §3.2: `rrt`, `rrt-guided`, `rrt-connect`,
+//! `rrt-star`, and `rrt-joint` in an arm's six joints. One extension a step.
+//!
+//! - `space`: what a tree grows through; `joints`: an arm's joints. `sample`: where it is asked to grow to.
+//! - `forest`: nodes, parents and lengths; `nearest`: the spatial index.
+//! - `grow`: what the planners share, and what the last extension did. A [`grow::Method`] says how one extension is made:
+//!   [`rrt`], [`rrt_guided`], [`rrt_connect`], [`rrt_star`], [`rrt_joint`], a file a planner.
+//! - `found`, `finish`, `polyline`, `hermite`: the path, and what is made of it.
+//! - `planner`: the stepped contract; `draw` and `tell`: what it looks like and why; `parameters`: what the entries share.
+
+mod draw;
+mod finish;
+mod forest;
+mod found;
+mod grow;
+mod hermite;
+mod joints;
+mod nearest;
+mod parameters;
+mod planner;
+mod polyline;
+pub mod rrt;
+pub mod rrt_connect;
+pub mod rrt_guided;
+pub mod rrt_joint;
+pub mod rrt_star;
+mod sample;
+mod space;
+mod tell;
+#[cfg(test)]
+mod tests;
+mod vector;
+
+use std::sync::Arc;
+
+use crate::{error::Error, params::Settings, scene::Scene};
+
+pub use tell::SYMBOLS;
+
+use grow::{Grown, Method, Task};
+use space::Ground;
+
+/// A tree in a plane or in the workspace of an arm's tip, by a method that looks at what it is to do first.
+///
+/// # Errors
+/// A scene without start and goal.
+fn grown<M: Method<3>>(
+    scene: &Arc<Scene>,
+    settings: &Settings,
+    seed: u64,
+    goal_bias: f64,
+    method: impl FnOnce(&Task<3>) -> M,
+) -> Result<Grown<3, M>, Error> {
+    let ground = Ground::new(scene)?;
+    let task = Task::new(Arc::new(ground), settings, goal_bias);
+    let method = method(&task);
+    Ok(Grown::new(task, method, seed))
+}

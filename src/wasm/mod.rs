@@ -5,6 +5,7 @@
 //! Plain objects in and out; typed arrays for numbers; errors as `Error` with the native message and the fields
 //! `field`, `value` and `allowed`. Nothing panics across this boundary on any input.
 
+mod arm;
 mod formats;
 mod read;
 mod types;
@@ -28,6 +29,7 @@ use crate::{
     session,
 };
 
+pub use arm::{arm_pose, arm_solutions, reachability};
 pub use formats::{export_scene, generate_scene, import_scene};
 pub use types::*;
 

@@ -241,6 +241,16 @@ export interface Motion {
   parameters: Record<string, ParameterValue>;
 }
 
+/** Where an arm's links are in a posture. */
+export interface ArmPose {
+  /** Base, shoulder, elbow, wrist and tip. */
+  skeleton: Point3[];
+  /** Where the tool points: a unit vector in the world. */
+  direction: Point3;
+  /** No link touches a cuboid or the column. */
+  free: boolean;
+}
+
 /** A posture that brings the tip to a point. */
 export interface ArmSolution {
   /** Degrees. */
@@ -253,15 +263,15 @@ export interface ArmSolution {
 
 /** The postures that bring the tip to a point with the tool pointing one way: up to 8 within the limits, nearest to the given one first. */
 export interface ArmSolutions {
-  /** Where the tool points: a unit vector in the world. */
-  direction: Point3;
+  /** Where the tool points: a unit vector in the world. Null if none was given and none of those tried has a solution. */
+  direction: Point3 | null;
   solutions: ArmSolution[];
-  /** Why there are none. */
+  /** Why there are none. Without a direction `orientation` means: none of those tried, but others could. */
   unreachable?: 'position' | 'orientation' | 'limits';
 }
 
-/** Where an arm's tip can come, on a lattice over the workspace: x, y, z, and the share of the tool's directions that have a posture
- * within the limits (and that touches nothing), from 0 to 1, for each point. */
+/** Where an arm's tip can come, on a lattice over the workspace: x, y, z, and the share of 42 directions spread over the sphere in
+ * which the tool can point there (a posture within the limits that touches nothing), from 0 to 1, for each point. */
 export interface Reachability {
   points: Float32Array;
   /** The distance of neighbours. */

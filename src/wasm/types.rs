@@ -112,4 +112,28 @@ extern "C" {
     /// `'movingai' | 'ros' | 'tsplib' | 'csv' | 'json'`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Format")]
     pub type JsFormat;
+    /// `ArmPose`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "ArmPose")]
+    pub type JsArmPose;
+    /// `ArmSolutions`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "ArmSolutions")]
+    pub type JsArmSolutions;
+    /// `Reachability`, as `types.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Reachability")]
+    pub type JsReachability;
+    /// `Scene | string`, a scene or the name of one that ships.
+    #[wasm_bindgen(typescript_type = "Scene | string")]
+    pub type JsSceneOrName;
+    /// `Point3`, as `scenes.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Point3")]
+    pub type JsPoint3;
+    /// `Point3 | null`, as `scenes.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Point3 | null")]
+    pub type JsPoint3OrNull;
+    /// `number[]`, six joints in degrees.
+    #[wasm_bindgen(typescript_type = "number[]")]
+    pub type JsJoints;
+    /// `number[] | undefined`, six joints in degrees.
+    #[wasm_bindgen(typescript_type = "number[] | undefined")]
+    pub type JsJointsOrUndefined;
 }

@@ -1,0 +1,108 @@
+//! The postures that bring the tool into a pose, at most eight, and why there may be none.
+
+use std::{fmt, ops::Deref};
+
+use crate::error::Error;
+
+use super::Posture;
+
+/// How many postures bring the tool into a pose at most: two turns of the base, two bends of the elbow, two of the wrist.
+pub const MAX_SOLUTIONS: usize = 8;
+
+/// Postures, the nearest first: a list of fixed capacity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solutions {
+    postures: [Posture; MAX_SOLUTIONS],
+    n: usize,
+}
+
+/// Solutions nearer than this in every joint are one, in radians.
+const SAME: f64 = 1e-9;
+
+impl Solutions {
+    pub(super) const NONE: Self = Self { postures: [[0.0; 6]; MAX_SOLUTIONS], n: 0 };
+
+    /// Puts a posture where it belongs by its distance from `near`, unless it is there already.
+    pub(super) fn insert(&mut self, posture: Posture, near: &Posture) {
+        let same = |known: &Posture| known.iter().zip(posture).all(|(a, b)| (a - b).abs() < SAME);
+        if self.n == MAX_SOLUTIONS || self.iter().any(same) {
+            return;
+        }
+        let away = distance(&posture, near);
+        let place = self.iter().position(|known| away < distance(known, near)).unwrap_or(self.n);
+        self.postures.copy_within(place..self.n, place + 1);
+        self.postures[place] = posture;
+        self.n += 1;
+    }
+
+    /// The posture nearest to the one that was asked for.
+    pub fn nearest(&self) -> Option<&Posture> {
+        self.first()
+    }
+}
+
+impl Deref for Solutions {
+    type Target = [Posture];
+
+    fn deref(&self) -> &[Posture] {
+        &self.postures[..self.n]
+    }
+}
+
+impl<'a> IntoIterator for &'a Solutions {
+    type Item = &'a Posture;
+    type IntoIter = std::slice::Iter<'a, Posture>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+/// How far two postures are apart: the Euclidean distance of their angles, in radians, turns counted.
+pub fn distance(a: &Posture, b: &Posture) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
+}
+
+/// Why no posture brings the tool into a pose; the later, the less is missing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Unreachable {
+    /// The tip cannot come there, whichever way the tool points.
+    Position,
+    /// It can, but not with the tool pointing this way.
+    Orientation,
+    /// It could, if joints turned further than their limits.
+    Limits,
+}
+
+impl Unreachable {
+    /// What is at fault, in a word.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Position => "position",
+            Self::Orientation => "orientation",
+            Self::Limits => "limits",
+        }
+    }
+
+    /// As a refusal: of the field `position`, `orientation` or `limits`.
+    pub fn refusal(self) -> Error {
+        let allowed = match self {
+            Self::Position => "one that the tip can come to with some direction of the tool",
+            Self::Orientation => "one in which the tip can come to this position",
+            Self::Limits => "such that some posture within them reaches the pose",
+        };
+        Error::refused(self.name(), "out of reach", allowed)
+    }
+}
+
+impl fmt::Display for Unreachable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Position => "the tip cannot come there, whichever way the tool points",
+            Self::Orientation => "the tip cannot come there with the tool pointing this way",
+            Self::Limits => "the tip could come there only if joints turned beyond their limits",
+        })
+    }
+}
+
+impl std::error::Error for Unreachable {}

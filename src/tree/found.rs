@@ -1,0 +1,35 @@
+//! A path from start to goal, and what is made of it.
+
+use std::sync::OnceLock;
+
+use super::{
+    finish::{Finished, finish},
+    grow::Task,
+    vector::length,
+};
+
+/// A path along the trees' nodes. What is made of it is made when it is first asked for.
+#[derive(Debug)]
+pub(super) struct Found<const N: usize> {
+    pub(super) iteration: u64,
+    pub(super) raw: Vec<[f64; N]>,
+    /// Its length: what is minimised.
+    pub(super) cost: f64,
+    finished: OnceLock<Finished<N>>,
+}
+
+impl<const N: usize> Found<N> {
+    pub(super) fn new(raw: Vec<[f64; N]>, iteration: u64) -> Self {
+        Self { cost: length(&raw), raw, iteration, finished: OnceLock::new() }
+    }
+
+    /// Shortened, fitted and smoothed, as the settings say.
+    pub(super) fn finished(&self, task: &Task<N>) -> &Finished<N> {
+        self.finished.get_or_init(|| finish(&self.raw, &task.finish, &|a, b| task.space.is_free(a, b)))
+    }
+
+    /// The memory it takes, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        size_of::<[f64; N]>() * (self.raw.capacity() + self.finished.get().map_or(0, Finished::points))
+    }
+}

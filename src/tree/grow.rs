@@ -1,0 +1,325 @@
+//! What every tree planner is made of: trees, what the last extension did, and the path once there is one. A [`Method`]
+//! says how one extension is made.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::{digest::Digest, params::Settings, planner::Status, rng::Stream};
+
+use super::{
+    finish::Finish,
+    forest::Tree,
+    found::Found,
+    space::Space,
+    vector::{distance, minus, squared},
+};
+
+/// What stays the same in a run.
+pub(super) struct Task<const N: usize> {
+    pub(super) space: Arc<dyn Space<N>>,
+    pub(super) start: [f64; N],
+    pub(super) min: [f64; N],
+    pub(super) max: [f64; N],
+    /// L of (11), in the space's unit.
+    pub(super) step: f64,
+    pub(super) goal_bias: f64,
+    pub(super) limit: u64,
+    pub(super) finish: Finish,
+    /// The last iteration, once somebody asked: a run that ends when there is a path is run ahead to know it.
+    pub(super) end: OnceLock<u64>,
+}
+
+impl<const N: usize> Task<N> {
+    /// Of a space, with the settings that every tree planner has.
+    pub(super) fn new(space: Arc<dyn Space<N>>, settings: &Settings, goal_bias: f64) -> Self {
+        let (min, max) = space.bounds();
+        let step = settings.number("step_size") * space.unit();
+        Self {
+            start: space.start(),
+            min,
+            max,
+            step,
+            goal_bias,
+            limit: settings.integer("iterations"),
+            finish: Finish::new(settings, step),
+            end: OnceLock::new(),
+            space,
+        }
+    }
+
+    /// The goal, for planners that know one only.
+    pub(super) fn goal(&self) -> [f64; N] {
+        self.space.goals()[0]
+    }
+
+    /// Whether a point lies in the box.
+    #[inline]
+    pub(super) fn contains(&self, point: &[f64; N]) -> bool {
+        (0..N).all(|i| self.min[i] <= point[i] && point[i] <= self.max[i])
+    }
+
+    /// x_new of (11).
+    #[inline]
+    pub(super) fn towards(&self, near: &[f64; N], sample: &[f64; N]) -> [f64; N] {
+        let way = minus(sample, near);
+        let length = distance(sample, near);
+        std::array::from_fn(|i| near[i] + self.step * way[i] / length)
+    }
+}
+
+/// What became of a sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+pub(super) enum Fate {
+    /// The tree has grown towards it.
+    Taken,
+    /// Its direction was not among the best.
+    NotKept,
+    /// Another was drawn by the roulette wheel, and there the tree could grow.
+    NotDrawn,
+    /// It is nearer than a step.
+    TooNear,
+    /// The new node would lie outside the space.
+    Outside,
+    /// The way to the new node is blocked.
+    Blocked,
+    /// The new node would be nearer to another node than to its parent.
+    DoublesBack,
+}
+
+/// A point that the tree was asked to grow to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sample<const N: usize> {
+    pub(super) point: [f64; N],
+    /// The angle between its direction and the goal's, seen from the node that was to grow, in radians.
+    pub(super) angle: f64,
+    /// Its share of the roulette wheel when it was drawn, or would have been at first; 0 if it was not kept.
+    pub(super) share: f64,
+    pub(super) fate: Fate,
+}
+
+/// How a sample came about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Source {
+    /// Drawn from all of the space.
+    Uniform,
+    /// The goal itself.
+    Goal,
+    /// Drawn where a shorter path can lead.
+    Informed,
+    /// The other tree's newest node.
+    Other,
+    /// One of many, by its angle.
+    Guided,
+}
+
+/// What the last extension did.
+#[derive(Debug, Clone)]
+pub(super) struct Extension<const N: usize> {
+    pub(super) source: Source,
+    /// The tree that was to grow.
+    pub(super) tree: usize,
+    /// The node that was to grow, or has grown.
+    pub(super) near: usize,
+    /// What was drawn; of a guided extension that failed, and of the plain one that followed.
+    pub(super) samples: Vec<Sample<N>>,
+    /// The guided samples led nowhere: the last one is a plain step's.
+    pub(super) fell_back: bool,
+    /// Whether a node was added.
+    pub(super) added: bool,
+    /// How many nodes were given a new parent.
+    pub(super) rewired: usize,
+}
+
+/// A node's place in the order in which all were added.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Birth {
+    pub(super) tree: u8,
+    pub(super) node: u32,
+    pub(super) iteration: u32,
+}
+
+/// Two trees (the second has nodes only where one grows from the goal) and what came of growing them.
+#[derive(Debug, Clone)]
+pub(super) struct Forest<const N: usize> {
+    pub(super) trees: [Tree<N>; 2],
+    /// All nodes in the order in which they were added.
+    pub(super) births: Vec<Birth>,
+    pub(super) last: Extension<N>,
+    pub(super) found: Option<Arc<Found<N>>>,
+    /// How many straight pieces were tested.
+    pub(super) tested: u64,
+    /// How many extensions added nothing.
+    pub(super) rejected: u64,
+    /// The squared distance of the start's tree from the goal.
+    pub(super) nearest: f64,
+    /// Whose it is.
+    pub(super) nearest_node: usize,
+    iteration: u64,
+}
+
+impl<const N: usize> Forest<N> {
+    fn new(task: &Task<N>) -> Self {
+        let tree = || Tree::new(task.min, task.max);
+        let last = Extension { source: Source::Uniform, tree: 0, near: 0, samples: Vec::new(), fell_back: false, added: false, rewired: 0 };
+        let mut forest = Self {
+            trees: [tree(), tree()],
+            births: Vec::new(),
+            last,
+            found: None,
+            tested: 0,
+            rejected: 0,
+            nearest: f64::INFINITY,
+            nearest_node: 0,
+            iteration: 0,
+        };
+        forest.root(task, 0, task.start);
+        forest
+    }
+
+    /// Adds a root to a tree.
+    pub(super) fn root(&mut self, task: &Task<N>, tree: usize, point: [f64; N]) {
+        let node = self.trees[tree].root(point);
+        self.note(task, tree, node);
+    }
+
+    /// Adds a child.
+    pub(super) fn add(&mut self, task: &Task<N>, tree: usize, point: [f64; N], parent: usize) -> usize {
+        let node = self.trees[tree].add(point, parent);
+        self.note(task, tree, node);
+        self.last.added = true;
+        node
+    }
+
+    fn note(&mut self, task: &Task<N>, tree: usize, node: usize) {
+        self.births.push(Birth { tree: tree as u8, node: node as u32, iteration: self.iteration as u32 });
+        if tree == 0 {
+            let point = &self.trees[0].points[node];
+            let nearest = task.space.goals().iter().map(|goal| squared(point, goal)).fold(f64::INFINITY, f64::min);
+            if nearest < self.nearest {
+                (self.nearest, self.nearest_node) = (nearest, node);
+            }
+        }
+    }
+
+    /// Whether the way from a node to a new one is free, and the new one inside.
+    #[inline]
+    pub(super) fn test(&mut self, task: &Task<N>, from: &[f64; N], to: &[f64; N]) -> Fate {
+        if !task.contains(to) {
+            return Fate::Outside;
+        }
+        self.tested += 1;
+        if task.space.is_free(from, to) { Fate::Taken } else { Fate::Blocked }
+    }
+
+    /// Forgets the last extension; another begins.
+    pub(super) fn begin(&mut self, source: Source, tree: usize) {
+        self.last.samples.clear();
+        (self.last.source, self.last.tree, self.last.near) = (source, tree, 0);
+        (self.last.added, self.last.fell_back, self.last.rewired) = (false, false, 0);
+    }
+
+    /// One extension of a tree's nearest node towards a sample, by (11) a whole step, or, where `clip` says so, no farther
+    /// than the sample.
+    pub(super) fn extend(&mut self, task: &Task<N>, sample: [f64; N], clip: bool) -> Option<usize> {
+        let tree = self.last.tree;
+        let near = self.trees[tree].nearest(&sample);
+        let from = self.trees[tree].points[near];
+        let far = distance(&from, &sample);
+        self.last.near = near;
+        let new = if clip && far <= task.step { sample } else { task.towards(&from, &sample) };
+        let fate = if far == 0.0 { Fate::TooNear } else { self.test(task, &from, &new) };
+        self.last.samples.push(Sample { point: sample, angle: f64::NAN, share: 1.0, fate });
+        (fate == Fate::Taken).then(|| self.add(task, tree, new, near))
+    }
+
+    /// Joins the goal if a node is no farther from it than a step and sees it.
+    pub(super) fn reach(&mut self, task: &Task<N>, node: usize) -> bool {
+        let (point, goal) = (self.trees[0].points[node], task.goal());
+        if distance(&point, &goal) > task.step || self.test(task, &point, &goal) != Fate::Taken {
+            return false;
+        }
+        let mut path = self.trees[0].way(node);
+        if point != goal {
+            path.push(goal);
+        }
+        self.found(path);
+        true
+    }
+
+    /// Keeps a path.
+    pub(super) fn found(&mut self, path: Vec<[f64; N]>) {
+        self.found = Some(Arc::new(Found::new(path, self.iteration)));
+    }
+}
+
+/// No run is run ahead any farther, only to know its end.
+const AHEAD: u64 = 20_000;
+
+/// How one extension is made.
+pub(super) trait Method<const N: usize>: Clone + Send + Sync {
+    /// It goes on when there is a path, for a better one.
+    const ANYTIME: bool = false;
+    /// A second tree grows from the goal.
+    const FROM_GOAL: bool = false;
+    /// Extends the trees once; keeps a path if one is found.
+    fn grow(&mut self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream);
+    /// Adds its own state to a hash.
+    fn digest(&self, _out: &mut Digest) {}
+    /// The memory that its own state takes.
+    fn bytes(&self) -> usize {
+        0
+    }
+}
+
+/// A tree planner.
+#[derive(Clone)]
+pub(super) struct Grown<const N: usize, M> {
+    pub(super) task: Arc<Task<N>>,
+    pub(super) forest: Forest<N>,
+    pub(super) method: M,
+    pub(super) rng: Stream,
+    pub(super) status: Status,
+    pub(super) iteration: u64,
+}
+
+impl<const N: usize, M: Method<N>> Grown<N, M> {
+    /// A planner before its first extension.
+    pub(super) fn new(task: Task<N>, method: M, seed: u64) -> Self {
+        let mut forest = Forest::new(&task);
+        if M::FROM_GOAL {
+            task.space.goals().iter().for_each(|&goal| forest.root(&task, 1, goal));
+        }
+        Self { task: Arc::new(task), forest, method, rng: Stream::new(seed, 0), status: Status::Running, iteration: 0 }
+    }
+
+    /// The iteration at which it ends at the latest.
+    pub(super) fn end(&self) -> u64 {
+        if M::ANYTIME {
+            return self.task.limit;
+        }
+        *self.task.end.get_or_init(|| {
+            let mut ahead = self.clone();
+            while ahead.status == Status::Running && ahead.iteration < AHEAD {
+                ahead.advance();
+            }
+            if ahead.status == Status::Running { self.task.limit } else { ahead.iteration }
+        })
+    }
+
+    /// One extension.
+    pub(super) fn advance(&mut self) {
+        if self.status != Status::Running {
+            return;
+        }
+        let Self { task, forest, method, rng, .. } = self;
+        self.iteration += 1;
+        forest.iteration = self.iteration;
+        method.grow(forest, task, rng);
+        forest.rejected += u64::from(!forest.last.added && forest.found.as_ref().is_none_or(|found| found.iteration != self.iteration));
+        self.status = match &forest.found {
+            Some(_) if !M::ANYTIME => Status::Solved,
+            _ if self.iteration >= task.limit => Status::Exhausted,
+            _ => Status::Running,
+        };
+    }
+}

@@ -1,0 +1,116 @@
+//! An arm's six joints as a space: a point is a posture in radians, and what is free is decided by the whole arm.
+
+use std::sync::Arc;
+
+use crate::{
+    arm::{self, Arm, Posture},
+    error::Error,
+    params::Settings,
+    planner::Solution,
+    scene::{ArmScene, Scene},
+};
+
+use super::space::Space;
+
+/// The joints of a scene's arm.
+pub(super) struct Joints {
+    scene: Arc<Scene>,
+    min: Posture,
+    max: Posture,
+    start: Posture,
+    goals: Vec<Posture>,
+    /// Of the links.
+    radius: f64,
+    /// How far a link may go between two tests.
+    resolution: f64,
+}
+
+impl Joints {
+    /// Of an arm's scene, with the settings `radius`, `resolution` and `goals`. It starts in the free posture nearest to
+    /// home that has its tip at the start, and may end in any of the free postures at the goal that are nearest to that one.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for `start` or `goal` without such a posture.
+    pub(super) fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
+        let body = scene.arm()?;
+        let arm = &body.arm;
+        let (radius, most) = (settings.number("radius"), settings.integer("goals") as usize);
+        let start = free_postures("start", body, body.start, &arm.home(), radius)?[0];
+        let mut goals = free_postures("goal", body, body.goal, &start, radius)?;
+        goals.truncate(most);
+        let limit = |degrees: fn(&arm::Joint) -> f64| arm::radians(&arm.joints.each_ref().map(degrees));
+        Ok(Self {
+            scene: Arc::clone(scene),
+            min: limit(|joint| joint.min),
+            max: limit(|joint| joint.max),
+            start,
+            goals,
+            radius,
+            resolution: settings.number("resolution"),
+        })
+    }
+
+    fn body(&self) -> Option<&ArmScene> {
+        self.scene.arm().ok()
+    }
+}
+
+/// The postures that have the tip at a point and touch nothing, nearest to one first.
+fn free_postures(field: &str, scene: &ArmScene, point: [f64; 3], near: &Posture, radius: f64) -> Result<Vec<Posture>, Error> {
+    let [mut reached, mut free] = [Vec::new(), Vec::new()];
+    let mut why = None;
+    for direction in Arm::directions() {
+        match scene.arm.reaching(point, direction, near) {
+            Ok(postures) => reached.extend(postures.iter().copied()),
+            Err(unreachable) => why = Some(unreachable),
+        }
+    }
+    free.extend(reached.iter().filter(|posture| !arm::touches(scene, &scene.arm.skeleton(posture), radius)));
+    if free.is_empty() {
+        let shown = format!("({}, {}, {})", point[0], point[1], point[2]);
+        let allowed = match why {
+            Some(unreachable) if reached.is_empty() => format!("where the arm can bring its tip: {unreachable}"),
+            _ => "where the arm can bring its tip without touching a cuboid or its column".to_owned(),
+        };
+        return Err(Error::refused(field, shown, allowed));
+    }
+    let mut order: Vec<_> = free.iter().enumerate().map(|(i, posture)| (arm::distance(posture, near), i)).collect();
+    crate::math::sort(&mut order);
+    Ok(order.into_iter().map(|(_, i)| free[i]).collect())
+}
+
+impl Space<6> for Joints {
+    fn bounds(&self) -> (Posture, Posture) {
+        (self.min, self.max)
+    }
+
+    fn start(&self) -> Posture {
+        self.start
+    }
+
+    fn goals(&self) -> &[Posture] {
+        &self.goals
+    }
+
+    fn is_free(&self, a: &Posture, b: &Posture) -> bool {
+        self.body().is_some_and(|scene| arm::motion_is_free(scene, a, b, self.radius, self.resolution))
+    }
+
+    /// Where the tip is.
+    fn place(&self, posture: &Posture) -> [f64; 3] {
+        self.body().map_or([0.0; 3], |scene| scene.arm.skeleton(posture)[4])
+    }
+
+    fn solution(&self, path: &[Posture]) -> Solution {
+        let tips = self.body().map_or_else(Vec::new, |scene| arm::tip_path(&scene.arm, path));
+        Solution::Reach { path: tips, postures: path.to_vec() }
+    }
+
+    fn curves(&self) -> bool {
+        true
+    }
+
+    fn has_members(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,217 @@
+//! Which node is nearest: a grid of cells over the space, as fine as there are nodes. No scan of all nodes.
+
+use super::vector::squared;
+
+/// No node.
+const NONE: u32 = u32::MAX;
+/// Of so few, looking at all is quicker than looking at cells.
+const FEW: usize = 32;
+/// How many axes have cells: those of the first coordinates. In more dimensions the distance along these bounds it below.
+const AXES: usize = 3;
+
+/// The nodes of a tree by the cell in which they lie.
+#[derive(Debug, Clone)]
+pub(super) struct Nearest<const N: usize> {
+    min: [f64; N],
+    max: [f64; N],
+    /// A cell's side.
+    side: f64,
+    /// Cells along each axis.
+    cells: [usize; AXES],
+    /// The node of each cell that came last.
+    first: Vec<u32>,
+    /// Of each node, the one of its cell that came before it.
+    before: Vec<u32>,
+}
+
+impl<const N: usize> Nearest<N> {
+    /// No node yet, in a box.
+    pub(super) fn new(min: [f64; N], max: [f64; N]) -> Self {
+        Self { min, max, side: f64::INFINITY, cells: [1; AXES], first: vec![NONE], before: Vec::new() }
+    }
+
+    /// Adds the last of the points. Now and then the cells are made finer, so that on average a node has one to eight cells.
+    pub(super) fn add(&mut self, points: &[[f64; N]]) {
+        if points.len() > FEW && points.len() > self.first.len() {
+            self.divide(points);
+        } else {
+            self.put(points.len() - 1, &points[points.len() - 1]);
+        }
+    }
+
+    /// Puts all the points into finer cells.
+    fn divide(&mut self, points: &[[f64; N]]) {
+        let wanted = (8 * points.len()) as f64;
+        // An axis that has no extent has one cell.
+        let mut extents = [0.0; AXES];
+        (0..AXES.min(N)).for_each(|i| extents[i] = self.max[i] - self.min[i]);
+        let wide = extents.iter().filter(|&&extent| extent > 0.0);
+        let (volume, axes) = wide.fold((1.0, 0), |(volume, axes), extent| (volume * extent, axes + 1));
+        self.side = match axes {
+            0 => f64::INFINITY,
+            1 => volume / wanted,
+            2 => (volume / wanted).sqrt(),
+            _ => libm::cbrt(volume / wanted),
+        };
+        self.cells = extents.map(|extent| ((extent / self.side) as usize + 1).min(points.len().max(1)));
+        self.first.clear();
+        self.first.resize(self.cells.iter().product(), NONE);
+        self.before.clear();
+        points.iter().enumerate().for_each(|(node, point)| self.put(node, point));
+    }
+
+    fn put(&mut self, node: usize, point: &[f64; N]) {
+        let [x, y, z] = self.cell(point);
+        let cell = self.number(x, y, z);
+        self.before.push(std::mem::replace(&mut self.first[cell], node as u32));
+    }
+
+    #[inline]
+    fn cell(&self, point: &[f64; N]) -> [usize; AXES] {
+        let mut cell = [0; AXES];
+        for i in 0..AXES.min(N) {
+            // Casting cuts off below 0.
+            cell[i] = (((point[i] - self.min[i]) / self.side) as usize).min(self.cells[i] - 1);
+        }
+        cell
+    }
+
+    #[inline]
+    fn number(&self, x: usize, y: usize, z: usize) -> usize {
+        (z * self.cells[1] + y) * self.cells[0] + x
+    }
+
+    /// The node nearest to a point, and its squared distance; of equals the first. There must be one.
+    pub(super) fn nearest(&self, points: &[[f64; N]], to: &[f64; N]) -> (usize, f64) {
+        let mut found = (0, f64::INFINITY);
+        if points.len() <= FEW {
+            (0..points.len()).for_each(|node| offer(&mut found, points, to, node));
+            return found;
+        }
+        let centre = self.cell(to);
+        for ring in 0.. {
+            self.shell(centre, ring, points, to, &mut found);
+            let reach = self.reach(to, centre, ring);
+            if found.1 <= reach * reach {
+                break;
+            }
+        }
+        found
+    }
+
+    /// Offers the nodes of the cells that are exactly `ring` away from the centre along some axis.
+    fn shell(&self, centre: [usize; AXES], ring: usize, points: &[[f64; N]], to: &[f64; N], found: &mut (usize, f64)) {
+        let low = centre.map(|c| c.saturating_sub(ring));
+        let high: [usize; AXES] = std::array::from_fn(|i| (centre[i] + ring).min(self.cells[i] - 1));
+        let on = |axis: usize, at: usize| at.abs_diff(centre[axis]) == ring;
+        for z in low[2]..=high[2] {
+            for y in low[1]..=high[1] {
+                let mut row = |x: usize| {
+                    let mut node = self.first[self.number(x, y, z)];
+                    while node != NONE {
+                        offer(found, points, to, node as usize);
+                        node = self.before[node as usize];
+                    }
+                };
+                if on(2, z) || on(1, y) {
+                    (low[0]..=high[0]).for_each(row);
+                } else {
+                    // Between its two ends a row lies within the shell.
+                    [low[0], high[0]].into_iter().filter(|&x| on(0, x)).for_each(&mut row);
+                }
+            }
+        }
+    }
+
+    /// How far a node outside the cells up to `ring` is away at least.
+    fn reach(&self, to: &[f64; N], centre: [usize; AXES], ring: usize) -> f64 {
+        let mut least = f64::INFINITY;
+        for i in 0..AXES.min(N) {
+            if centre[i] > ring {
+                least = least.min(to[i] - (self.min[i] + (centre[i] - ring) as f64 * self.side));
+            }
+            if centre[i] + ring + 1 < self.cells[i] {
+                least = least.min(self.min[i] + (centre[i] + ring + 1) as f64 * self.side - to[i]);
+            }
+        }
+        // Rounding may put a node that lies on a cell's border on either side.
+        (least - 1e-9 * self.side).max(0.0)
+    }
+
+    /// The nodes within a radius, in the order of their numbers.
+    pub(super) fn within(&self, points: &[[f64; N]], to: &[f64; N], radius: f64, out: &mut Vec<u32>) {
+        out.clear();
+        let squared_radius = radius * radius;
+        let (mut low, mut high) = (*to, *to);
+        (0..N).for_each(|i| (low[i], high[i]) = (to[i] - radius, to[i] + radius));
+        let ([x0, y0, z0], [x1, y1, z1]) = (self.cell(&low), self.cell(&high));
+        for z in z0..=z1 {
+            for y in y0..=y1 {
+                for x in x0..=x1 {
+                    let mut node = self.first[self.number(x, y, z)];
+                    while node != NONE {
+                        if squared(&points[node as usize], to) <= squared_radius {
+                            out.push(node);
+                        }
+                        node = self.before[node as usize];
+                    }
+                }
+            }
+        }
+        out.sort_unstable();
+    }
+
+    /// The memory it takes, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        size_of::<u32>() * (self.first.capacity() + self.before.capacity())
+    }
+}
+
+/// Takes a node if it is nearer than what was found; of equals the first.
+#[inline]
+fn offer<const N: usize>(found: &mut (usize, f64), points: &[[f64; N]], to: &[f64; N], node: usize) {
+    let distance = squared(&points[node], to);
+    if distance < found.1 || (distance == found.1 && node < found.0) {
+        *found = (node, distance);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rng::Stream;
+
+    fn check<const N: usize>(flat: Option<usize>) {
+        let mut rng = Stream::new(N as u64, 0);
+        let (min, mut max) = ([-1.0; N], [2.0; N]);
+        max[N - 1] = 5.0;
+        let mut index = Nearest::new(min, flat.map_or(max, |axis| std::array::from_fn(|i| if i == axis { min[i] } else { max[i] })));
+        let mut points: Vec<[f64; N]> = Vec::new();
+        let mut near = Vec::new();
+        for n in 0..1500 {
+            // Clustered, as trees are, and now and then the same point twice.
+            let mut draw = |spread: f64| {
+                std::array::from_fn(|i| if flat == Some(i) { min[i] } else { min[i] + spread * rng.unit() * (max[i] - min[i]) })
+            };
+            let point = if n % 7 == 6 { points[n / 2] } else { draw(if n % 2 == 0 { 0.2 } else { 1.0 }) };
+            let query = draw(1.0);
+            points.push(point);
+            index.add(&points);
+            let by_scan = (0..points.len())
+                .map(|i| (i, squared(&points[i], &query)))
+                .fold((0, f64::INFINITY), |best, one| if one.1 < best.1 { one } else { best });
+            assert_eq!(index.nearest(&points, &query), by_scan);
+            index.within(&points, &query, 0.3, &mut near);
+            let all: Vec<_> = (0..points.len() as u32).filter(|&i| squared(&points[i as usize], &query) <= 0.09).collect();
+            assert_eq!(near, all);
+        }
+    }
+
+    #[test]
+    fn the_nearest_is_that_of_a_scan_in_every_number_of_dimensions() {
+        check::<2>(None);
+        check::<3>(None);
+        check::<3>(Some(2));
+        check::<6>(None);
+    }
+}

@@ -1,0 +1,166 @@
+//! What the entries of the trees share: parameters, readings and equations.
+
+use crate::{
+    catalogue::{Formula, Group, Reading},
+    params::{Parameter, Preset},
+    scene::Kind,
+};
+
+/// The kinds of scene that a tree of places grows in.
+pub(super) const KINDS: &[Kind] = &[Kind::Arm, Kind::Discs, Kind::Grid];
+
+/// A planner's own parameters between those that every tree has.
+macro_rules! with_finish {
+    ($($own:expr),* $(,)?) => {
+        [
+            $($own,)*
+            $crate::tree::parameters::SHORTEN,
+            $crate::tree::parameters::POLYLINE,
+            $crate::tree::parameters::TOLERANCE,
+            $crate::tree::parameters::SMOOTH,
+            $crate::tree::parameters::BLEND,
+        ]
+    };
+}
+pub(super) use with_finish;
+
+const fn iterations(default: u64, help: &'static str) -> Parameter {
+    Parameter::integer("iterations", "k_{\\max}", "Iterations", [1, 1_000_000, default], help).slider(100.0, 100_000.0, true)
+}
+
+pub(super) const ITERATIONS: Parameter = iterations(20_000, "After how many extensions it stops at the latest, found or not.");
+pub(super) const ITERATIONS_RRT: Parameter =
+    iterations(100_000, "After how many extensions it stops at the latest, found or not. Without a goal bias it may take many.");
+pub(super) const ITERATIONS_STAR: Parameter =
+    iterations(5_000, "After how many extensions it stops: the path gets shorter as long as it goes on.");
+pub(super) const STEP: Parameter = Parameter::number(
+    "step_size",
+    "L",
+    "Step size",
+    [1e-4, 1e6, 0.03],
+    "How far a node grows, in the scene’s unit; on grids, in cells. The goal is reached from as near as that. Published: 0.03 and 0.05 m.",
+)
+.defaults_on(&[(Kind::Discs, Preset::Number(0.5)), (Kind::Grid, Preset::Number(1.0))])
+.slider(0.005, 2.0, true);
+pub(super) const BIAS: Parameter = Parameter::number(
+    "goal_bias",
+    "p_g",
+    "Goal bias",
+    [0.0, 0.95, 0.0],
+    "How often the sample is the goal itself, as a share of the steps. In the paper never: 0. Usual elsewhere: 0.05.",
+)
+.slider(0.0, 0.5, false);
+pub(super) const BIAS_STAR: Parameter = Parameter::number(
+    "goal_bias",
+    "p_g",
+    "Goal bias",
+    [0.0, 0.95, 0.05],
+    "How often the sample is the goal itself until there is a path, as a share of the steps.",
+)
+.slider(0.0, 0.5, false);
+pub(super) const SAMPLES: Parameter =
+    Parameter::integer("samples", "n_s", "Samples", [1, 1000, 20], "How many random points are drawn a step. Published: 20.")
+        .slider(1.0, 100.0, false);
+pub(super) const KEEP: Parameter = Parameter::integer(
+    "keep",
+    "n_k",
+    "Kept",
+    [1, 1000, 4],
+    "How many of them come on the roulette wheel: those whose directions are nearest to the goal’s. Published: 4.",
+)
+.slider(1.0, 20.0, false);
+pub(super) const REWIRE: Parameter = Parameter::number(
+    "rewire",
+    "r_{\\max}",
+    "Longest rewiring",
+    [1.0, 100.0, 4.0],
+    "How far away a neighbour may be, at most, that changes its parent: in steps. More gives shorter paths and costs more.",
+)
+.slider(1.0, 20.0, false);
+pub(super) const INFORMED: Parameter = Parameter::flag(
+    "informed",
+    "Informed",
+    true,
+    "Once there is a path, draw samples only where a shorter one can lead: from the ellipsoid about start and goal.",
+);
+pub(super) const SHORTEN: Parameter = Parameter::flag(
+    "shorten",
+    "Shorten",
+    true,
+    "Hand over the path without detours: straight on wherever that is free, and corners cut as far as that is free. Not in the paper.",
+);
+pub(super) const POLYLINE: Parameter =
+    Parameter::flag("polyline", "Fit a polyline", true, "Approximate it by few straight pieces, by least squares, [ARM-RRT] step 3.");
+pub(super) const TOLERANCE: Parameter = Parameter::number(
+    "tolerance",
+    "\\varepsilon",
+    "Tolerance",
+    [0.0, 10.0, 0.25],
+    "How far the polyline may be off, in steps. The paper prints nothing.",
+)
+.when("polyline", "true")
+.slider(0.0, 2.0, false);
+pub(super) const SMOOTH: Parameter = Parameter::flag(
+    "smooth",
+    "Hermite smoothing",
+    true,
+    "Round its corners by cubic Hermite curves with continuous velocity, (12); never into an obstacle.",
+)
+.defaults_on(&[(Kind::Discs, Preset::Flag(false)), (Kind::Grid, Preset::Flag(false))]);
+pub(super) const BLEND: Parameter = Parameter::number(
+    "blend",
+    "b",
+    "Blend",
+    [0.1, 100.0, 3.0],
+    "How far from a corner its curve begins, in steps; at most half-way to the next corner.",
+)
+.when("smooth", "true")
+.slider(0.1, 20.0, false);
+
+/// What every tree tells.
+pub(super) const READINGS: &[Reading] = &[
+    Reading::new("best", "L_T", "Path of the tree", Group::Cost, "The length of the path along the tree, once there is one."),
+    Reading::new("short_length", "L_s", "Shortened", Group::Length, "The length of the path without detours."),
+    Reading::new("final_length", "L", "Final length", Group::Length, "The length of what is handed over."),
+    Reading::new("to_goal", "d_g", "To the goal", Group::Measure, "How far the tree is from the goal."),
+    Reading::new("nodes", "n", "Nodes", Group::Count, "How many nodes there are, in both trees if there are two."),
+    Reading::new("rejected", "n_r", "In vain", Group::Count, "How many extensions added no node."),
+    Reading::new("tested", "n_t", "Tests", Group::Count, "How many straight pieces were tested for collisions."),
+    Reading::new("converged", "k^*", "Found after", Group::Count, "The step in which the path was found, or last became shorter."),
+];
+
+pub(super) const FORMULA_STEP: Formula = Formula::of_item(
+    "extend",
+    "[ARM-RRT] (11)",
+    "A step towards the sample",
+    "x_{\\text{new}} = x_{\\text{near}} + L \\frac{x_{\\text{rand}} - x_{\\text{near}}}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert}",
+    "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert = @far@, \\quad L = @step@",
+);
+pub(super) const FORMULA_ANGLE: Formula = Formula::of_item(
+    "angle",
+    "[ARM-RRT] §3.2.1",
+    "Angle with the goal’s direction",
+    "\\varphi = \\arccos \\frac{(x_{\\text{rand}} - x_{\\text{near}}) \\cdot (x_{\\text{goal}} - x_{\\text{near}})}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert\\, \\lVert x_{\\text{goal}} - x_{\\text{near}} \\rVert}",
+    "\\varphi = @angle@",
+);
+pub(super) const FORMULA_ROULETTE: Formula = Formula::of_item(
+    "roulette",
+    "[ARM-RRT] §3.3, our weights",
+    "Share of the roulette wheel",
+    "p_i = \\frac{\\pi - \\varphi_i}{\\sum_j (\\pi - \\varphi_j)}",
+    "p = @share@",
+);
+pub(super) const FORMULA_RADIUS: Formula = Formula::of_item(
+    "radius",
+    "Karaman and Frazzoli 2011",
+    "How far neighbours are looked for",
+    "r = \\min\\left(\\gamma \\left(\\tfrac{\\ln n}{n}\\right)^{1/d},\\; r_{\\max} L\\right)",
+    "",
+);
+pub(super) const FORMULA_INFORMED: Formula = Formula::of_item(
+    "informed",
+    "Gammell, Srinivasa and Barfoot 2014",
+    "Where a shorter path can lead",
+    "\\lVert x - x_{\\text{start}} \\rVert + \\lVert x - x_{\\text{goal}} \\rVert < L_T",
+    "",
+);

@@ -1,0 +1,116 @@
+//! A tree by the stepped contract.
+
+use crate::{
+    digest::Digest,
+    frame::{Frame, Role},
+    planner::{Best, Inspection, Item, Planner, Readings, Status},
+};
+
+use super::{
+    grow::{Grown, Method},
+    vector::length,
+};
+
+impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
+    fn step(&mut self) -> Status {
+        self.advance();
+        self.status
+    }
+
+    fn status(&self) -> Status {
+        self.status
+    }
+
+    fn iteration(&self) -> u64 {
+        self.iteration
+    }
+
+    fn limit(&self) -> u64 {
+        self.end()
+    }
+
+    /// Straight pieces tested.
+    fn evaluations(&self) -> u64 {
+        self.forest.tested
+    }
+
+    fn best(&self) -> Option<Best> {
+        let found = self.forest.found.as_ref()?;
+        let path = if self.task.finish.is_raw() { &found.raw } else { &found.finished(&self.task).path };
+        Some(Best { cost: found.cost, solution: self.task.space.solution(path) })
+    }
+
+    fn read(&self, out: &mut Readings) {
+        let (forest, task) = (&self.forest, &self.task);
+        let found = forest.found.as_deref();
+        let finished = found.map(|found| found.finished(task));
+        out.push("best", found.map_or(f64::NAN, |found| found.cost));
+        out.push("short_length", finished.map_or(f64::NAN, |finished| length(&finished.short)));
+        out.push("final_length", finished.map_or(f64::NAN, |finished| length(&finished.path)));
+        out.push("to_goal", forest.nearest.sqrt());
+        out.push("nodes", forest.births.len() as f64);
+        out.push("rejected", forest.rejected as f64);
+        out.push("tested", forest.tested as f64);
+        out.push("converged", found.map_or(f64::NAN, |found| found.iteration as f64));
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        self.draw_layers(frame);
+    }
+
+    fn made(&self, item: Item) -> Option<u64> {
+        let births = &self.forest.births;
+        (item.role == Role::Nodes).then(|| births.get(item.index).map(|birth| u64::from(birth.iteration)))?
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        self.tell(item)
+    }
+
+    fn explain(&self, item: Item) -> Option<Inspection> {
+        let mut next = self.clone();
+        next.advance();
+        next.tell_birth(item)
+    }
+
+    fn members(&self, out: &mut Vec<f64>) {
+        if !self.task.space.has_members() {
+            return;
+        }
+        // The number in the order of birth of each tree's nodes.
+        let mut numbers = [vec![0.0; self.forest.trees[0].len()], vec![0.0; self.forest.trees[1].len()]];
+        for (i, birth) in self.forest.births.iter().enumerate() {
+            let (tree, node) = (usize::from(birth.tree), birth.node as usize);
+            numbers[tree][node] = i as f64;
+            let parent = self.forest.trees[tree].parents[node];
+            out.extend([if parent == super::forest::NONE { -1.0 } else { numbers[tree][parent as usize] }, tree as f64]);
+            out.extend(self.forest.trees[tree].points[node].iter().map(|angle| angle.to_degrees()));
+        }
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        out.word(self.iteration);
+        out.word(self.status as u64);
+        self.rng.digest(out);
+        self.forest.trees.iter().for_each(|tree| tree.digest(out));
+        out.word(self.forest.tested);
+        out.word(self.forest.rejected);
+        if let Some(best) = self.best() {
+            out.number(best.cost);
+        }
+        if let Some(found) = &self.forest.found {
+            out.numbers(found.finished(&self.task).path.as_flattened());
+        }
+        self.method.digest(out);
+    }
+
+    fn bytes(&self) -> usize {
+        let forest = &self.forest;
+        size_of::<Self>()
+            + forest.trees.iter().map(super::forest::Tree::bytes).sum::<usize>()
+            + size_of::<super::grow::Birth>() * forest.births.capacity()
+            + size_of::<super::grow::Sample<N>>() * forest.last.samples.capacity()
+            + forest.found.as_ref().map_or(0, |found| found.bytes())
+            + self.method.bytes()
+    }
+}

@@ -1,0 +1,51 @@
+//! `rrt`: the basic rapidly-exploring random tree, [ARM-RRT] §3.2, LaValle 1998.
+
+use std::sync::Arc;
+
+use crate::{catalogue::Entry, error::Error, params::Settings, rng::Stream, scene::Scene};
+
+use super::{
+    draw::LAYERS,
+    finish::{FITTED, HERMITE},
+    grow::{Forest, Grown, Method, Source, Task},
+    parameters::{BIAS, FORMULA_STEP, ITERATIONS_RRT, KINDS, READINGS, STEP, with_finish},
+    sample::uniform,
+};
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "rrt",
+    title: "RRT: a random tree",
+    family: "tree",
+    source: "[ARM-RRT] §3.2",
+    summary: "The node nearest to a random point grows by a step towards it, until the tree comes within a step of the goal.",
+    kinds: KINDS,
+    stops: false,
+    most_stops: None,
+    parameters: &with_finish!(ITERATIONS_RRT, STEP, BIAS),
+    readings: READINGS,
+    formulas: &[FORMULA_STEP, FITTED, HERMITE],
+    layers: LAYERS,
+    members: &[],
+    events: &[],
+    suggest: |_| None,
+    start: |scene, settings, seed| Ok(Box::new(grown(scene, settings, seed)?)),
+};
+
+/// The planner behind the entry.
+pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Rrt>, Error> {
+    super::grown(scene, settings, seed, settings.number("goal_bias"), |_| Rrt)
+}
+
+#[derive(Clone)]
+pub(super) struct Rrt;
+
+impl<const N: usize> Method<N> for Rrt {
+    fn grow(&mut self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream) {
+        let to_goal = rng.unit() < task.goal_bias;
+        let sample = if to_goal { task.goal() } else { uniform(&task.min, &task.max, rng) };
+        forest.begin(if to_goal { Source::Goal } else { Source::Uniform }, 0);
+        let Some(new) = forest.extend(task, sample, to_goal) else { return };
+        forest.reach(task, new);
+    }
+}

@@ -1,0 +1,86 @@
+//! `rrt-connect`: two trees that grow towards each other, Kuffner and LaValle 2000. One extension a step.
+
+use std::sync::Arc;
+
+use crate::{catalogue::Entry, digest::Digest, error::Error, params::Settings, rng::Stream, scene::Scene};
+
+use super::{
+    draw::CONNECT_LAYERS,
+    finish::{FITTED, HERMITE},
+    grow::{Forest, Grown, Method, Source, Task},
+    parameters::{FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP, with_finish},
+    sample::uniform,
+};
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "rrt-connect",
+    title: "RRT-Connect: two trees",
+    family: "tree",
+    source: "Kuffner and LaValle 2000",
+    summary: "A tree grows from the start and one from the goal. One takes a step towards a random point; the other then goes straight for the new node, step by step, as far as it can. They change places until they meet.",
+    kinds: KINDS,
+    stops: false,
+    most_stops: None,
+    parameters: &with_finish!(ITERATIONS, STEP),
+    readings: READINGS,
+    formulas: &[FORMULA_STEP, FITTED, HERMITE],
+    layers: CONNECT_LAYERS,
+    members: &[],
+    events: &[],
+    suggest: |_| None,
+    start: |scene, settings, seed| Ok(Box::new(grown(scene, settings, seed)?)),
+};
+
+/// The planner behind the entry.
+pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Connect>, Error> {
+    super::grown(scene, settings, seed, 0.0, |_| Connect::default())
+}
+
+/// Which tree's turn it is, and what the other one goes for.
+#[derive(Clone, Default)]
+pub(super) struct Connect {
+    /// The tree that explores.
+    explorer: usize,
+    /// Its newest node, while the other tree can still come nearer to it.
+    newest: Option<usize>,
+}
+
+impl<const N: usize> Method<N> for Connect {
+    const FROM_GOAL: bool = true;
+
+    fn grow(&mut self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream) {
+        let Some(newest) = self.newest else {
+            forest.begin(Source::Uniform, self.explorer);
+            let sample = uniform(&task.min, &task.max, rng);
+            self.newest = forest.extend(task, sample, true);
+            if self.newest.is_none() {
+                self.explorer = 1 - self.explorer;
+            }
+            return;
+        };
+        let (explorer, other) = (self.explorer, 1 - self.explorer);
+        forest.begin(Source::Other, other);
+        let target = forest.trees[explorer].points[newest];
+        match forest.extend(task, target, true) {
+            Some(node) if forest.trees[other].points[node] == target => {
+                let mut ways = [forest.trees[explorer].way(newest), forest.trees[other].way(node)];
+                if explorer == 1 {
+                    ways.reverse();
+                }
+                let [mut path, mut rest] = ways;
+                rest.pop();
+                rest.reverse();
+                path.append(&mut rest);
+                forest.found(path);
+            }
+            Some(_) => {}
+            None => (self.newest, self.explorer) = (None, other),
+        }
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        out.word(self.explorer as u64);
+        out.word(self.newest.map_or(u64::MAX, |node| node as u64));
+    }
+}

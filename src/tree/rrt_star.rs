@@ -1,0 +1,227 @@
+//! `rrt-star`: the tree that goes on getting better, Karaman and Frazzoli 2011; with informed sampling once a path is known,
+//! Gammell, Srinivasa and Barfoot 2014.
+
+use std::{f64::consts::PI, sync::Arc};
+
+use crate::{catalogue::Entry, digest::Digest, error::Error, math, params::Settings, rng::Stream, scene::Scene};
+
+use super::{
+    draw::LAYERS,
+    finish::{FITTED, HERMITE},
+    forest::NONE,
+    grow::{Fate, Forest, Grown, Method, Source, Task},
+    parameters::{
+        BIAS_STAR, FORMULA_INFORMED, FORMULA_RADIUS, FORMULA_STEP, INFORMED, ITERATIONS_STAR, KINDS, READINGS, REWIRE, STEP, with_finish,
+    },
+    sample::{Informed, uniform},
+    vector::distance,
+};
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "rrt-star",
+    title: "RRT*: ever shorter",
+    family: "tree",
+    source: "Karaman and Frazzoli 2011",
+    summary: "A new node takes the parent with the shortest way, and its neighbours take it as theirs where that is shorter. The path approaches the shortest. Once there is one, samples come only from where a shorter one could lead.",
+    kinds: KINDS,
+    stops: false,
+    most_stops: None,
+    parameters: &with_finish!(ITERATIONS_STAR, STEP, BIAS_STAR, REWIRE, INFORMED),
+    readings: READINGS,
+    formulas: &[FORMULA_STEP, FORMULA_RADIUS, FORMULA_INFORMED, FITTED, HERMITE],
+    layers: LAYERS,
+    members: &[],
+    events: &[],
+    suggest: |_| None,
+    start: |scene, settings, seed| Ok(Box::new(grown(scene, settings, seed)?)),
+};
+
+/// The planner behind the entry.
+pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Star>, Error> {
+    let star = |task: &Task<3>| Star::new(task, settings.number("rewire"), settings.flag("informed"));
+    super::grown(scene, settings, seed, settings.number("goal_bias"), star)
+}
+
+#[derive(Clone)]
+pub(super) struct Star {
+    informed: Option<Informed>,
+    dimensions: usize,
+    /// γ: with it the radius shrinks so slowly that the path still approaches the shortest.
+    gamma: f64,
+    /// The radius is at most so long.
+    most: f64,
+    /// The volume of the space.
+    volume: f64,
+    /// The goal, once it is a node.
+    goal: Option<usize>,
+    /// Of each node its newest child, and the child of the same parent that came before it.
+    newest: Vec<u32>,
+    sibling: Vec<u32>,
+    /// Neighbours by the length of the way over them, re-used.
+    near: Vec<u32>,
+    order: Vec<(f64, usize)>,
+    stack: Vec<u32>,
+}
+
+impl Star {
+    fn new(task: &Task<3>, rewire: f64, informed: bool) -> Self {
+        let dimensions = task.space.dimensions();
+        let d = dimensions as f64;
+        let volume = (0..dimensions).map(|i| task.max[i] - task.min[i]).product::<f64>();
+        let ball = if dimensions == 2 { PI } else { 4.0 / 3.0 * PI };
+        Self {
+            informed: informed.then(|| Informed::new(task.start, task.goal(), dimensions)),
+            dimensions,
+            // The free part is not known; all of it is an upper bound, so γ is large enough.
+            gamma: 1.1 * math::pow(2.0 * (1.0 + 1.0 / d) * volume / ball, 1.0 / d),
+            most: rewire * task.step,
+            volume,
+            goal: None,
+            newest: vec![NONE],
+            sibling: vec![NONE],
+            near: Vec::new(),
+            order: Vec::new(),
+            stack: Vec::new(),
+        }
+    }
+
+    /// r of Karaman and Frazzoli for n nodes.
+    fn radius(&self, n: usize) -> f64 {
+        let n = n as f64;
+        (self.gamma * math::pow(math::ln(n) / n, 1.0 / self.dimensions as f64)).min(self.most)
+    }
+
+    fn sample(&self, forest: &mut Forest<3>, task: &Task<3>, rng: &mut Stream) -> [f64; 3] {
+        if rng.unit() < task.goal_bias && self.goal.is_none() {
+            forest.begin(Source::Goal, 0);
+            return task.goal();
+        }
+        let best = forest.found.as_ref().map(|found| found.cost);
+        if let (Some(informed), Some(length)) = (&self.informed, best)
+            && informed.volume(length) < self.volume
+        {
+            // Part of it may lie outside.
+            for _ in 0..100 {
+                let sample = informed.draw(length, rng);
+                if task.contains(&sample) {
+                    forest.begin(Source::Informed, 0);
+                    return sample;
+                }
+            }
+        }
+        forest.begin(Source::Uniform, 0);
+        uniform(&task.min, &task.max, rng)
+    }
+
+    /// Adds a node as the child of the neighbour with the shortest way, then makes it the parent of those whose way over it
+    /// is shorter.
+    fn insert(&mut self, forest: &mut Forest<3>, task: &Task<3>, new: [f64; 3], nearest: usize) -> usize {
+        let radius = self.radius(forest.trees[0].len() + 1);
+        forest.trees[0].within(&new, radius, &mut self.near);
+        self.order.clear();
+        for &node in &self.near {
+            let node = node as usize;
+            self.order.push((forest.trees[0].costs[node] + distance(&forest.trees[0].points[node], &new), node));
+        }
+        math::sort(&mut self.order);
+        // The nearest is known to see it.
+        let mut parent = nearest;
+        let known = forest.trees[0].costs[nearest] + distance(&forest.trees[0].points[nearest], &new);
+        for &(cost, node) in self.order.iter().take_while(|(cost, _)| *cost < known) {
+            let from = forest.trees[0].points[node];
+            debug_assert!(cost < known);
+            if forest.test(task, &from, &new) == Fate::Taken {
+                parent = node;
+                break;
+            }
+        }
+        let node = forest.add(task, 0, new, parent);
+        self.newest.push(NONE);
+        self.sibling.push(NONE);
+        self.adopt(parent, node);
+        for i in 0..self.near.len() {
+            let other = self.near[i] as usize;
+            let (point, way) =
+                (forest.trees[0].points[other], forest.trees[0].costs[node] + distance(&forest.trees[0].points[other], &new));
+            if other != parent && way < forest.trees[0].costs[other] && forest.test(task, &new, &point) == Fate::Taken {
+                self.rewire(forest, other, node);
+                forest.last.rewired += 1;
+            }
+        }
+        node
+    }
+
+    fn adopt(&mut self, parent: usize, child: usize) {
+        self.sibling[child] = std::mem::replace(&mut self.newest[parent], child as u32);
+    }
+
+    /// Gives a node another parent, and all that comes after it the lengths that follow.
+    fn rewire(&mut self, forest: &mut Forest<3>, node: usize, parent: usize) {
+        let tree = &mut forest.trees[0];
+        let old = tree.parents[node] as usize;
+        if self.newest[old] == node as u32 {
+            self.newest[old] = self.sibling[node];
+        } else {
+            let mut before = self.newest[old] as usize;
+            while self.sibling[before] != node as u32 {
+                before = self.sibling[before] as usize;
+            }
+            self.sibling[before] = self.sibling[node];
+        }
+        self.adopt(parent, node);
+        tree.parents[node] = parent as u32;
+        self.stack.push(node as u32);
+        while let Some(at) = self.stack.pop() {
+            let at = at as usize;
+            let parent = tree.parents[at] as usize;
+            tree.costs[at] = tree.costs[parent] + distance(&tree.points[parent], &tree.points[at]);
+            let mut child = self.newest[at];
+            while child != NONE {
+                self.stack.push(child);
+                child = self.sibling[child as usize];
+            }
+        }
+    }
+}
+
+impl Method<3> for Star {
+    const ANYTIME: bool = true;
+
+    fn grow(&mut self, forest: &mut Forest<3>, task: &Task<3>, rng: &mut Stream) {
+        let sample = self.sample(forest, task, rng);
+        let near = forest.trees[0].nearest(&sample);
+        let from = forest.trees[0].points[near];
+        let far = distance(&from, &sample);
+        let new = if far <= task.step { sample } else { task.towards(&from, &sample) };
+        let fate = if far == 0.0 { Fate::TooNear } else { forest.test(task, &from, &new) };
+        forest.last.near = near;
+        forest.last.samples.push(super::grow::Sample { point: sample, angle: f64::NAN, share: 1.0, fate });
+        if fate != Fate::Taken {
+            return;
+        }
+        let node = self.insert(forest, task, new, near);
+        let goal = task.goal();
+        if self.goal.is_none() && new == goal {
+            self.goal = Some(node);
+        } else if self.goal.is_none() && distance(&new, &goal) <= task.step && forest.test(task, &new, &goal) == Fate::Taken {
+            self.goal = Some(self.insert(forest, task, goal, node));
+        }
+        // The goal's way is a path; kept when it became shorter.
+        let Some(goal) = self.goal else { return };
+        let cost = forest.trees[0].costs[goal];
+        if forest.found.as_ref().is_none_or(|found| cost < found.cost) {
+            let path = forest.trees[0].way(goal);
+            forest.found(path);
+        }
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        out.word(self.goal.map_or(u64::MAX, |goal| goal as u64));
+    }
+
+    fn bytes(&self) -> usize {
+        size_of::<u32>() * (self.newest.capacity() + self.sibling.capacity() + self.near.capacity() + self.stack.capacity())
+            + size_of::<(f64, usize)>() * self.order.capacity()
+    }
+}

@@ -1,0 +1,213 @@
+//! How a node came about, and what became of a sample.
+
+use crate::{
+    frame::{Role, Shape},
+    planner::{Column, Inspection, Item, Mark, Quantity},
+};
+
+use super::{
+    grow::{Extension, Fate, Grown, Method, Sample, Source},
+    vector::distance,
+};
+
+/// The TeX strings that inspections use.
+pub const SYMBOLS: &[&str] =
+    &["\\varphi", "p", "L", "d", "g", "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert", "p_i", "\\varphi_i", "x", "y", "z"];
+
+const COLUMNS: [Column; 3] = [
+    Column { name: "angle", symbol: "\\varphi_i", title: "angle with the goal’s direction, in degrees" },
+    Column { name: "share", symbol: "p_i", title: "share of the roulette wheel" },
+    Column { name: "far", symbol: "d", title: "distance from the node" },
+];
+
+fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value: f64) -> Quantity {
+    Quantity { name, symbol, title, value }
+}
+
+impl Fate {
+    /// In a few words.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Taken => "taken",
+            Self::NotKept => "not kept",
+            Self::NotDrawn => "kept, not drawn",
+            Self::TooNear => "nearer than a step",
+            Self::Outside => "leads outside",
+            Self::Blocked => "blocked",
+            Self::DoublesBack => "doubles back",
+        }
+    }
+
+    /// In a sentence.
+    fn sentence(self) -> &'static str {
+        match self {
+            Self::Taken => "The tree has grown towards it.",
+            Self::NotKept => "Its direction was not among those nearest to the goal’s.",
+            Self::NotDrawn => "It was on the roulette wheel; the tree could grow towards another before it was drawn.",
+            Self::TooNear => "It is nearer to the node than a step, so it was skipped.",
+            Self::Outside => "The new node would have been outside.",
+            Self::Blocked => "The way to the new node is blocked.",
+            Self::DoublesBack => "The new node would have been nearer to another node than to its parent.",
+        }
+    }
+}
+
+impl<const N: usize, M: Method<N>> Grown<N, M> {
+    /// What can be said from the present state: of samples of the last extension, and of a root.
+    pub(super) fn tell(&self, item: Item) -> Option<Inspection> {
+        match item.role {
+            Role::Samples => self.tell_sample(item),
+            Role::Nodes if self.forest.births.get(item.index)?.iteration == 0 => {
+                let birth = self.forest.births[item.index];
+                let mut told = self.node(item)?;
+                told.event = "root";
+                told.summary = ["The tree begins here, at the start.", "The goal’s tree begins here."][usize::from(birth.tree)].to_owned();
+                Some(told)
+            }
+            _ => None,
+        }
+    }
+
+    /// How the newest node came about: the state is that after the step.
+    pub(super) fn tell_birth(&self, item: Item) -> Option<Inspection> {
+        let birth = *self.forest.births.get(item.index).filter(|_| item.role == Role::Nodes)?;
+        if u64::from(birth.iteration) != self.iteration {
+            return None;
+        }
+        let (last, tree) = (&self.forest.last, &self.forest.trees[usize::from(birth.tree)]);
+        let mut told = self.node(item)?;
+        told.event = match last.source {
+            Source::Guided if last.fell_back => "random step",
+            Source::Guided => "guided",
+            Source::Goal => "towards the goal",
+            Source::Informed => "informed",
+            Source::Other => "towards the other tree",
+            Source::Uniform => "random",
+        };
+        told.summary = summary(last);
+        let near = tree.points[last.near];
+        if let Some(sample) = last.samples.iter().find(|sample| sample.fate == Fate::Taken) {
+            self.tell_taken(sample, &near, &mut told);
+        }
+        self.table(&near, &mut told);
+        Some(told)
+    }
+
+    /// A node's name, numbers and way.
+    fn node(&self, item: Item) -> Option<Inspection> {
+        let birth = *self.forest.births.get(item.index)?;
+        let (tree, node) = (&self.forest.trees[usize::from(birth.tree)], birth.node as usize);
+        let place = |point: &[f64; N]| self.task.space.place(point);
+        let at = place(&tree.points[node]);
+        let mut values = vec![quantity("cost", "g", "way from the root", tree.costs[node])];
+        for (axis, (name, symbol)) in [("x", "x"), ("y", "y"), ("z", "z")].into_iter().enumerate().take(self.task.space.dimensions().min(3))
+        {
+            values.push(quantity(name, symbol, "where it is", at[axis]));
+        }
+        let way = tree.way(node).iter().map(place).collect();
+        let mut marks = vec![Mark { role: Role::Before, shape: Shape::Polyline, vertices: way }];
+        marks.push(Mark { role: Role::After, shape: Shape::Points, vertices: vec![at] });
+        Some(Inspection {
+            item,
+            title: format!("Node {}", item.index + 1),
+            event: "node",
+            summary: String::new(),
+            values,
+            formulas: Vec::new(),
+            columns: Vec::new(),
+            labels: Vec::new(),
+            rows: Vec::new(),
+            marks,
+        })
+    }
+
+    fn tell_taken(&self, sample: &Sample<N>, near: &[f64; N], told: &mut Inspection) {
+        told.values.extend([
+            quantity(
+                "far",
+                "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert",
+                "from the node to the sample",
+                distance(near, &sample.point),
+            ),
+            quantity("step", "L", "step size", self.task.step),
+        ]);
+        told.formulas.push("extend");
+        if sample.angle.is_finite() {
+            told.values.extend([
+                quantity("angle", "\\varphi", "angle with the goal’s direction", sample.angle),
+                quantity("share", "p", "share of the roulette wheel", sample.share),
+            ]);
+            told.formulas.extend(["angle", "roulette"]);
+        }
+    }
+
+    /// The samples of the last extension, and where they are.
+    fn table(&self, near: &[f64; N], told: &mut Inspection) {
+        let last = &self.forest.last;
+        let place = |point: &[f64; N]| self.task.space.place(point);
+        if last.source == Source::Guided {
+            told.columns = COLUMNS.to_vec();
+            for (i, sample) in last.samples.iter().enumerate().filter(|(_, sample)| sample.angle.is_finite()) {
+                told.labels.push(format!("{}: {}", i + 1, sample.fate.words()));
+                told.rows.push(vec![sample.angle.to_degrees(), sample.share, distance(near, &sample.point)]);
+            }
+        }
+        let from = place(near);
+        let lines = |fates: &dyn Fn(&Sample<N>) -> bool| -> Vec<[f64; 3]> {
+            last.samples.iter().filter(|sample| fates(sample)).flat_map(|sample| [from, place(&sample.point)]).collect()
+        };
+        let kept = lines(&|sample| !matches!(sample.fate, Fate::NotKept | Fate::Taken));
+        let chosen = lines(&|sample| sample.fate == Fate::Taken);
+        let all = last.samples.iter().map(|sample| place(&sample.point)).collect();
+        told.marks.push(Mark { role: Role::Samples, shape: Shape::Points, vertices: all });
+        told.marks.push(Mark { role: Role::Kept, shape: Shape::Segments, vertices: kept });
+        told.marks.push(Mark { role: Role::Chosen, shape: Shape::Segments, vertices: chosen });
+        told.marks.retain(|mark| !mark.vertices.is_empty());
+    }
+
+    fn tell_sample(&self, item: Item) -> Option<Inspection> {
+        let last = &self.forest.last;
+        let sample = last.samples.get(item.index)?;
+        let near = *self.forest.trees[last.tree].points.get(last.near)?;
+        let place = |point: &[f64; N]| self.task.space.place(point);
+        let mut told = Inspection {
+            item,
+            title: format!("Sample {}", item.index + 1),
+            event: sample.fate.words(),
+            summary: sample.fate.sentence().to_owned(),
+            values: Vec::new(),
+            formulas: Vec::new(),
+            columns: Vec::new(),
+            labels: Vec::new(),
+            rows: Vec::new(),
+            marks: vec![Mark { role: Role::After, shape: Shape::Points, vertices: vec![place(&sample.point)] }],
+        };
+        self.tell_taken(sample, &near, &mut told);
+        self.table(&near, &mut told);
+        Some(told)
+    }
+}
+
+/// An extension in a sentence.
+fn summary<const N: usize>(last: &Extension<N>) -> String {
+    let rewired = match last.rewired {
+        0 => String::new(),
+        1 => " One neighbour has become its child.".to_owned(),
+        n => format!(" {n} neighbours have become its children."),
+    };
+    let count = |fate: Fate| last.samples.iter().filter(|sample| sample.fate == fate).count();
+    match last.source {
+        Source::Guided if last.fell_back => {
+            let kept = last.samples.iter().filter(|sample| sample.angle.is_finite() && sample.fate != Fate::NotKept).count();
+            format!("None of the {kept} kept samples led on, so the tree took a plain random step.")
+        }
+        Source::Guided => {
+            let (drawn, kept) = (last.samples.len(), last.samples.len() - count(Fate::NotKept));
+            format!("Of {drawn} samples {kept} were kept, and the roulette wheel chose the one towards which the tree has grown.")
+        }
+        Source::Goal => format!("The goal itself was the sample.{rewired}"),
+        Source::Informed => format!("The sample came from where a shorter path can lead.{rewired}"),
+        Source::Other => "The tree went for the other tree’s newest node.".to_owned(),
+        Source::Uniform => format!("The node nearest to a random point has grown by a step towards it.{rewired}"),
+    }
+}

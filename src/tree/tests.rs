@@ -1,0 +1,266 @@
+//! Trees against hand-computed steps, and what must hold for every one.
+
+use std::sync::Arc;
+
+use crate::{
+    Given, Scene, Session, Setup, Status, Value,
+    frame::Role,
+    planner::{Item, Planner},
+    rng::Stream,
+    scene::Kind,
+    shipped,
+};
+
+use super::{
+    forest::NONE,
+    grow::{Fate, Forest, Grown, Method, Source, Task},
+    space::Ground,
+    vector::distance,
+    *,
+};
+
+const TREES: [&str; 4] = ["rrt", "rrt-guided", "rrt-connect", "rrt-star"];
+
+fn session(planner: &str, scene: &str, given: &[(&str, Value)], seed: u64) -> Session {
+    let params: Given = given.iter().map(|(name, value)| (*name, value.clone())).collect();
+    Session::new(Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
+}
+
+fn number(value: f64) -> Value {
+    Value::Number(value)
+}
+
+/// A plane, ten by ten, with a disc of radius 1 in the middle.
+fn plane() -> Arc<Scene> {
+    let text = r#"{"format": "forage-scene", "version": 1, "kind": "discs", "name": "p", "title": "P",
+        "bounds": {"min": [0, 0], "max": [10, 10]}, "start": [1, 5], "goal": [9, 5], "discs": [{"center": [5, 5], "radius": 1}]}"#;
+    Arc::new(Scene::from_json(text).unwrap())
+}
+
+fn task(scene: &Arc<Scene>, planner: &str) -> Task<3> {
+    let entry = crate::catalogue::find(planner).unwrap();
+    let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
+    Task::new(Arc::new(Ground::new(scene).unwrap()), &settings, 0.0)
+}
+
+/// Grows towards fixed points, so that steps can be computed by hand.
+#[derive(Clone)]
+struct Towards(Vec<[f64; 3]>, bool);
+
+impl Method<3> for Towards {
+    fn grow(&mut self, forest: &mut Forest<3>, task: &Task<3>, _: &mut Stream) {
+        forest.begin(Source::Uniform, 0);
+        let sample = self.0.remove(0);
+        if let Some(new) = forest.extend(task, sample, self.1) {
+            forest.reach(task, new);
+        }
+    }
+}
+
+/// (11) with L = 0.5.
+#[test]
+fn a_node_grows_by_a_step_towards_the_sample() {
+    let samples = vec![[4.0, 9.0, 0.0], [1.0, 5.1, 0.0], [9.0, 5.0, 0.0], [-3.0, 5.0, 0.0]];
+    let mut tree = Grown::new(task(&plane(), "rrt"), Towards(samples, false), 1);
+    tree.advance();
+    // From (1, 5) by ½ along (3, 4) / 5.
+    let new = tree.forest.trees[0].points[1];
+    assert!(distance(&new, &[1.3, 5.4, 0.0]) < 1e-15, "{new:?}");
+    assert_eq!((tree.forest.trees[0].parents[1], tree.forest.trees[0].costs[1]), (0, distance(&new, &[1.0, 5.0, 0.0])));
+    tree.advance();
+    // A whole step beyond a sample that is nearer, as (11) is printed.
+    assert_eq!(tree.forest.trees[0].points[2], [1.0, 5.5, 0.0]);
+    tree.advance();
+    // The nearest to (9, 5) is (1.3, 5.4).
+    assert_eq!(tree.forest.trees[0].parents[3], 1);
+    tree.advance();
+    assert_eq!(tree.forest.last.samples[0].fate, Fate::Taken);
+    assert!(distance(&tree.forest.trees[0].points[4], &[0.5, 5.0, 0.0]) < 1e-15);
+
+    let mut clipped = Grown::new(task(&plane(), "rrt"), Towards(vec![[1.0, 5.1, 0.0]], true), 1);
+    clipped.advance();
+    assert_eq!(clipped.forest.trees[0].points[1], [1.0, 5.1, 0.0], "no farther than the sample");
+}
+
+#[test]
+fn a_step_out_of_the_space_or_into_an_obstacle_adds_nothing() {
+    let mut out = Grown::new(task(&plane(), "rrt"), Towards(vec![[-9.0, 5.0, 0.0]; 4], false), 1);
+    (0..4).for_each(|_| out.advance());
+    // (0.5, 5), (0, 5), and no farther.
+    assert_eq!((out.forest.trees[0].len(), out.forest.last.samples[0].fate, out.forest.rejected), (3, Fate::Outside, 2));
+    let mut blocked = Grown::new(task(&plane(), "rrt"), Towards(vec![[9.0, 5.0, 0.0]; 9], false), 1);
+    (0..9).for_each(|_| blocked.advance());
+    // From 1 to 4, where the disc begins.
+    assert_eq!((blocked.forest.trees[0].len(), blocked.forest.last.samples[0].fate, blocked.forest.rejected), (7, Fate::Blocked, 3));
+    assert_eq!(blocked.forest.nearest, 25.0);
+}
+
+/// Runs a planner and looks at the tree after every step.
+fn watch<M: Method<3>>(mut grown: Grown<3, M>, steps: usize, scene: &Scene) {
+    let task = Arc::clone(&grown.task);
+    let mut best = f64::INFINITY;
+    for _ in 0..steps {
+        grown.advance();
+        if let Some(found) = &grown.forest.found {
+            assert!(found.cost <= best, "the best cost never rises");
+            best = found.cost;
+        }
+    }
+    let forest = &grown.forest;
+    assert_eq!(forest.births.len(), forest.trees[0].len() + forest.trees[1].len());
+    for tree in &forest.trees {
+        for node in 0..tree.len() {
+            assert!(task.contains(&tree.points[node]));
+            let Some(parent) = Some(tree.parents[node]).filter(|&parent| parent != NONE) else {
+                assert_eq!(tree.costs[node], 0.0);
+                continue;
+            };
+            let (a, b) = (tree.points[parent as usize], tree.points[node]);
+            assert!(task.space.is_free(&a, &b) && distance(&a, &b) <= 4.0 * task.step + 1e-12);
+            assert_eq!(tree.costs[node], tree.costs[parent as usize] + distance(&a, &b));
+            // Following parents ends at a root: there is no ring.
+            let up = std::iter::successors(Some(node as u32), |&at| Some(tree.parents[at as usize]).filter(|&parent| parent != NONE));
+            assert!(up.take(tree.len() + 1).count() <= tree.len());
+        }
+    }
+    if let Some(found) = &forest.found {
+        let path = &found.finished(&task).path;
+        assert_eq!((path[0], path[path.len() - 1]), (task.start, task.goal()));
+        assert!(path.windows(2).all(|w| task.space.is_free(&w[0], &w[1])), "{}", scene.name());
+        let lengths = [&found.raw, &found.finished(&task).short].map(|path| vector::length(path));
+        assert!(lengths[1] <= lengths[0] * (1.0 + 1e-12), "{lengths:?}");
+    }
+}
+
+#[test]
+fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
+    for scene in ["arm-cuboid", "arm-free", "wcpso-discs", "qpso-10m"] {
+        let scene = shipped(scene).unwrap();
+        for seed in 0..4 {
+            for planner in TREES {
+                let entry = crate::catalogue::find(planner).unwrap();
+                let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
+                // The planner behind the entry, with its parts open.
+                match planner {
+                    "rrt" => watch(rrt::grown(&scene, &settings, seed).unwrap(), 1500, &scene),
+                    "rrt-guided" => watch(rrt_guided::grown(&scene, &settings, seed).unwrap(), 1500, &scene),
+                    "rrt-connect" => watch(rrt_connect::grown(&scene, &settings, seed).unwrap(), 1500, &scene),
+                    _ => watch(rrt_star::grown(&scene, &settings, seed).unwrap(), 1500, &scene),
+                }
+            }
+        }
+    }
+}
+
+/// [ARM-RRT] §3.2.1, checked with what the extension itself keeps of its samples.
+#[test]
+fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_double_back() {
+    let scene = shipped("arm-cuboid").unwrap();
+    let entry = crate::catalogue::find("rrt-guided").unwrap();
+    let settings = Settings::new(entry.parameters, Kind::Arm, &Given::new()).unwrap();
+    let (mut guided, mut fell_back, mut chosen) = (0, 0, [0; 4]);
+    for seed in 0..40 {
+        let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();
+        for _ in 0..60 {
+            let before = grown.forest.trees[0].clone();
+            let near = grown.forest.nearest_node;
+            if Planner::step(&mut grown) != Status::Running {
+                break;
+            }
+            let last = &grown.forest.last;
+            let (samples, plain) = last.samples.split_at(20);
+            assert_eq!(plain.len(), usize::from(last.fell_back));
+            let from = before.points[near];
+            let goal = grown.task.goal();
+            for sample in samples {
+                let way: [f64; 3] = std::array::from_fn(|i| sample.point[i] - from[i]);
+                let ahead: [f64; 3] = std::array::from_fn(|i| goal[i] - from[i]);
+                assert_eq!(sample.angle, sample::angle(&way, &ahead));
+            }
+            let mut order: Vec<_> = (0..20).collect();
+            order.sort_by(|&a, &b| samples[a].angle.total_cmp(&samples[b].angle));
+            let all: f64 = order[..4].iter().map(|&i| std::f64::consts::PI - samples[i].angle).sum();
+            for (rank, &i) in order.iter().enumerate() {
+                assert_eq!(samples[i].fate == Fate::NotKept, rank >= 4);
+                let share = if rank < 4 { (std::f64::consts::PI - samples[i].angle) / all } else { 0.0 };
+                assert!((samples[i].share - share).abs() < 1e-12);
+                if samples[i].fate == Fate::Taken {
+                    chosen[rank] += 1;
+                }
+            }
+            let tree = &grown.forest.trees[0];
+            if last.added {
+                let (new, parent) = (tree.points[tree.len() - 1], tree.parents[tree.len() - 1] as usize);
+                let to_parent = distance(&new, &before.points[parent]);
+                assert!((0..before.len()).all(|i| distance(&new, &before.points[i]) >= to_parent - 1e-12), "it doubles back");
+                assert!((to_parent - grown.task.step).abs() < 1e-12);
+                assert!(last.fell_back || parent == near);
+            }
+            fell_back += usize::from(last.fell_back);
+            guided += usize::from(!last.fell_back);
+        }
+    }
+    assert!(guided > 100 && fell_back > 100 && chosen.iter().all(|&n| n > 20), "{guided} {fell_back} {chosen:?}");
+}
+
+#[test]
+fn a_node_says_how_it_came_about_however_long_ago() {
+    let mut run = session("rrt-guided", "arm-cuboid", &[], 3);
+    run.step(200);
+    let nodes = run.readings().get("nodes").unwrap() as usize;
+    let mut fallbacks = 0;
+    for index in 0..nodes {
+        let told = run.inspect(Item { role: Role::Nodes, index }).unwrap();
+        assert_eq!(told.title, format!("Node {}", index + 1));
+        if index == 0 {
+            assert_eq!(told.event, "root");
+            continue;
+        }
+        assert_eq!(told.rows.len(), 20);
+        assert_eq!(told.labels.iter().filter(|label| label.ends_with(": taken")).count(), usize::from(told.event == "guided"));
+        assert!(["guided", "random step"].contains(&told.event));
+        fallbacks += usize::from(told.event == "random step");
+    }
+    assert!(fallbacks > 0 && fallbacks < nodes - 1);
+    assert_eq!(run.inspect(Item { role: Role::Nodes, index: nodes }), None);
+    for index in 0..20 {
+        assert!(run.inspect(Item { role: Role::Samples, index }).unwrap().marks.iter().any(|mark| mark.role == Role::After));
+    }
+}
+
+#[test]
+fn the_guided_tree_needs_fewer_nodes_and_without_obstacle_runs_nearly_straight() {
+    let runs = |planner: &str, scene: &str| -> Vec<(f64, f64)> {
+        let mut runs: Vec<_> = (0..15)
+            .map(|seed| {
+                let mut run = session(planner, scene, &[], seed);
+                assert_eq!(run.step(u64::MAX), Status::Solved, "{planner} {scene} {seed}");
+                (run.readings().get("nodes").unwrap(), run.outcome().cost.unwrap())
+            })
+            .collect();
+        runs.sort_by(|a, b| a.0.total_cmp(&b.0));
+        runs
+    };
+    for scene in ["arm-cuboid", "arm-free"] {
+        assert!(runs("rrt-guided", scene)[7].0 < runs("rrt", scene)[7].0, "{scene}");
+    }
+    let straight = distance(&[-0.2, 0.022, 0.05], &[0.9, 0.7, 0.3]);
+    let mean = |runs: Vec<(f64, f64)>| runs.iter().map(|(_, cost)| cost).sum::<f64>() / 15.0 / straight;
+    let (guided, basic) = (mean(runs("rrt-guided", "arm-free")), mean(runs("rrt", "arm-free")));
+    assert!(guided < basic, "{guided} {basic}");
+}
+
+#[test]
+fn rewiring_makes_ways_shorter_and_informed_samples_stay_where_a_shorter_path_can_lead() {
+    let mut run = session("rrt-star", "arm-cuboid", &[("iterations", number(3000.0))], 5);
+    let mut first = None;
+    while run.step(50) == Status::Running {
+        first = first.or(run.outcome().cost);
+    }
+    let last = run.outcome();
+    assert!(last.cost.unwrap() < first.unwrap() && last.feasible);
+    let uninformed = session("rrt-star", "arm-cuboid", &[("iterations", number(3000.0)), ("informed", Value::Flag(false))], 5);
+    let mut uninformed = uninformed;
+    uninformed.step(u64::MAX);
+    assert!(last.cost.unwrap() < uninformed.outcome().cost.unwrap());
+}

@@ -1,0 +1,141 @@
+//! An arm by itself: where it is in a posture, which postures bring its tip somewhere, and where the tip can come.
+
+use std::sync::Arc;
+
+use js_sys::Float32Array;
+use nalgebra::{Unit, Vector3};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use crate::{
+    Error, Scene,
+    arm::{self, Posture, Skeleton, degrees, radians},
+    scene::ArmScene,
+};
+
+use super::{
+    JsArmPose, JsArmSolutions, JsJoints, JsJointsOrUndefined, JsPoint3, JsPoint3OrNull, JsReachability, JsSceneOrName, js_error, object,
+    plain,
+    read::{read_list, read_number, read_scene, refused},
+};
+
+/// An arm's scene, or a refusal of its `kind`.
+fn read_arm(scene: &JsValue) -> Result<Arc<Scene>, JsValue> {
+    let scene = read_scene(scene)?;
+    arm_of(&scene)?;
+    Ok(scene)
+}
+
+fn arm_of(scene: &Scene) -> Result<&ArmScene, JsValue> {
+    scene.arm().map_err(|error| js_error(&error))
+}
+
+/// A list of so many finite numbers.
+fn read_numbers<const N: usize>(field: &str, value: &JsValue, allowed: &str) -> Result<[f64; N], JsValue> {
+    let list: [JsValue; N] = read_list(field, value)?.try_into().map_err(|_| refused(field, value, allowed))?;
+    let mut numbers = [0.0; N];
+    for (i, (number, value)) in numbers.iter_mut().zip(&list).enumerate() {
+        let at = format!("{field}[{i}]");
+        *number = read_number(&at, value)?;
+        if !number.is_finite() {
+            return Err(js_error(&Error::refused(at, *number, "a finite number")));
+        }
+    }
+    Ok(numbers)
+}
+
+fn read_posture(field: &str, value: &JsValue) -> Result<Posture, JsValue> {
+    Ok(radians(&read_numbers(field, value, "six joints in degrees")?))
+}
+
+fn read_in_space(field: &str, value: &JsValue) -> Result<[f64; 3], JsValue> {
+    read_numbers(field, value, "a point in space, [x, y, z]")
+}
+
+fn read_direction(value: &JsValue) -> Result<Unit<Vector3<f64>>, JsValue> {
+    let direction = Vector3::from(read_in_space("direction", value)?);
+    // Scaled first: squares of numbers near the ends of what f64 holds would be infinite, or 0.
+    let scaled = direction / direction.amax();
+    Unit::try_new(scaled, 0.5).ok_or_else(|| refused("direction", value, "a vector that is not 0"))
+}
+
+#[derive(Serialize)]
+struct Pose {
+    skeleton: Skeleton,
+    direction: [f64; 3],
+    free: bool,
+}
+
+#[derive(Serialize)]
+struct Found {
+    joints: [f64; 6],
+    skeleton: Skeleton,
+    free: bool,
+}
+
+#[derive(Serialize)]
+struct Answer {
+    direction: Option<[f64; 3]>,
+    solutions: Vec<Found>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unreachable: Option<&'static str>,
+}
+
+/// Where the links of a scene's arm are in a posture of six joints in degrees, within its limits or not.
+///
+/// # Errors
+/// An `Error` with `field`, `value` and `allowed`.
+#[wasm_bindgen(js_name = armPose)]
+pub fn arm_pose(scene: &JsSceneOrName, joints: &JsJoints) -> Result<JsArmPose, JsValue> {
+    let scene = read_arm(scene)?;
+    let scene = arm_of(&scene)?;
+    let posture = read_posture("joints", joints)?;
+    let skeleton = scene.arm.skeleton(&posture);
+    Ok(plain(&Pose { skeleton, direction: scene.arm.pointing(&posture).into(), free: !arm::touches(scene, &skeleton, 0.0) }))
+}
+
+/// The postures within the limits that bring the tip of a scene's arm to a point with the tool pointing in a direction,
+/// nearest to `near` (degrees; without it the home posture) first. Without a direction, null: of 42 spread over the sphere
+/// the one whose posture is nearest.
+///
+/// # Errors
+/// An `Error` with `field`, `value` and `allowed`.
+#[wasm_bindgen(js_name = armSolutions)]
+pub fn arm_solutions(
+    scene: &JsSceneOrName,
+    point: &JsPoint3,
+    direction: &JsPoint3OrNull,
+    near: &JsJointsOrUndefined,
+) -> Result<JsArmSolutions, JsValue> {
+    let scene = read_arm(scene)?;
+    let scene = arm_of(&scene)?;
+    let point = read_in_space("point", point)?;
+    let given = |value: &JsValue| !value.is_undefined() && !value.is_null();
+    let near = if given(near) { read_posture("near", near)? } else { scene.arm.home() };
+    let direction = if given(direction) { Some(read_direction(direction)?) } else { None };
+    let found = match direction {
+        Some(direction) => scene.arm.reaching(point, &direction, &near).map(|found| (direction, found)),
+        None => scene.arm.reaching_somehow(point, &near),
+    };
+    let shown = |posture: &Posture| {
+        let skeleton = scene.arm.skeleton(posture);
+        Found { joints: degrees(posture), skeleton, free: !arm::touches(scene, &skeleton, 0.0) }
+    };
+    Ok(plain(&match found {
+        Ok((direction, found)) => {
+            Answer { direction: Some(direction.into_inner().into()), solutions: found.iter().map(shown).collect(), unreachable: None }
+        }
+        Err(why) => Answer { direction: direction.map(|d| d.into_inner().into()), solutions: Vec::new(), unreachable: Some(why.name()) },
+    }))
+}
+
+/// Where the tip of a scene's arm can come, on a lattice of this step over the workspace, of at most 20000 points.
+///
+/// # Errors
+/// An `Error` with `field`, `value` and `allowed`.
+#[wasm_bindgen]
+pub fn reachability(scene: &JsSceneOrName, step: f64) -> Result<JsReachability, JsValue> {
+    let scene = read_arm(scene)?;
+    let cloud = arm::reachability(arm_of(&scene)?, step).map_err(|error| js_error(&error))?;
+    Ok(object(&[("points", Float32Array::from(&cloud.points[..]).into()), ("step", cloud.step.into())]))
+}
