@@ -16,8 +16,11 @@ const MAX_MOVES: u64 = 5_000_000;
 /// How much shorter than what was found, relative to the largest coordinate, a bound must be to be followed up.
 const PROVEN: f64 = 1e-13;
 
-/// How deep, relative to the largest coordinate, a line that is not quite taut yet may lie in a cuboid.
-const LOOSE: f64 = 1e-4;
+/// How near, relative to the largest coordinate, a line's length must come to its bound to tell whether it is free.
+const CLOSE: f64 = 1e-9;
+
+/// How deep, relative to the largest coordinate, such a line may lie in a cuboid that the taut line does not meet.
+const LOOSE: f64 = 1e-3;
 
 /// Into how many parts edges are divided to see what is hidden of one from the other.
 const PARTS: usize = 6;
@@ -51,6 +54,7 @@ impl Search {
     pub(super) fn run(&mut self) -> Option<Vec<[f64; 3]>> {
         let mut best: Option<Line> = None;
         let mut sequences: Vec<Sequence> = Vec::new();
+        let mut doubt = f64::INFINITY;
         let mut open = BinaryHeap::new();
         let mut found = self.first();
         loop {
@@ -69,14 +73,18 @@ impl Search {
             if self.moves > MAX_MOVES {
                 return None;
             }
-            let sequence = &mut sequences[number];
-            if sequence.line.length - bound > PROVEN * self.scale && self.is_free(&sequence.line, LOOSE * self.scale) {
-                self.moves += sequence.line.tighten(self.place());
-                self.keep_if_better(&sequence.line, &mut best);
+            let line = &mut sequences[number].line;
+            if line.gap() > PROVEN * self.scale && (line.gap() > CLOSE * self.scale || self.is_free(line, LOOSE * self.scale)) {
+                self.moves += line.tighten(self.place());
+                self.keep_if_better(line, &mut best);
             }
-            self.follow(sequence, self.limit(best.as_ref()), &mut found);
+            if line.gap() > CLOSE * self.scale {
+                doubt = doubt.min(line.bound);
+            }
+            self.follow(&sequences[number], self.limit(best.as_ref()), &mut found);
         }
-        best.map(|line| line.points(&self.edges, self.ends))
+        // A line that never came to rest may hide a shorter path than the best one.
+        best.filter(|best| best.length - doubt <= CLOSE * self.scale).map(|line| line.points(&self.edges, self.ends))
     }
 
     fn place(&self) -> Place<'_> {

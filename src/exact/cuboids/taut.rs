@@ -1,5 +1,7 @@
 //! The shortest line over given edges in a given order, whatever is in its way: a convex problem.
 
+use std::array::from_fn;
+
 use crate::math;
 
 use super::edges::Edge;
@@ -18,6 +20,13 @@ impl Crossing {
     /// In the middle of a part of an edge.
     pub(super) fn within(edge: usize, range: [f64; 2]) -> Self {
         Self { edge, range, at: f64::midpoint(range[0], range[1]) }
+    }
+
+    /// The least component of a direction after the crossing (for `sign` 1; before it for −1) that keeps the crossing where it
+    /// is, given the component on its other side: the same, or none where the crossing is at an end of its range anyway.
+    fn least_beside(&self, other: f64, sign: f64, near: f64) -> f64 {
+        let held = if sign * other > 0.0 { self.at <= self.range[0] + near } else { self.at >= self.range[1] - near };
+        if held { 0.0 } else { other }
     }
 }
 
@@ -42,13 +51,16 @@ struct Effort {
 }
 
 /// For one line of many.
-const QUICK: Effort = Effort { rounds: 60, left: 0.3, near: 1e-8 };
+const QUICK: Effort = Effort { rounds: 60, left: 0.3, near: 1e-10 };
 /// For a line that may be the path.
-const PATIENT: Effort = Effort { rounds: 1000, left: 0.6, near: 1e-14 };
+const PATIENT: Effort = Effort { rounds: 4000, left: 0.6, near: 1e-14 };
 /// How much the first round is smoothed, relative to the largest coordinate.
 const SMOOTH: f64 = 0.03;
 /// Smoothing ends below this.
 const LEAST_SMOOTH: f64 = 1e-14;
+
+/// A piece shorter than this has no direction of its own, relative to the largest coordinate.
+const NONE: f64 = 1e-11;
 
 /// What a line is among.
 #[derive(Clone, Copy)]
@@ -75,6 +87,11 @@ impl Line {
         moves
     }
 
+    /// How much its length exceeds its bound.
+    pub(super) fn gap(&self) -> f64 {
+        self.length - self.bound
+    }
+
     /// Moves one crossing after the other to where the line over it is shortest while its neighbours stay. Where two edges
     /// meet in a corner this could come to rest too early, so lengths are smoothed at first: √(ℓ² + ε²), ε → 0.
     fn relax(&mut self, effort: &Effort, place: Place<'_>, limit: f64) -> u64 {
@@ -97,8 +114,8 @@ impl Line {
             }
             smooth = if smooth > LEAST_SMOOTH * scale { effort.left * smooth } else { 0.0 };
             if round % 4 == 0 || round == effort.rounds {
-                self.measure(edges, ends);
-                if self.length - self.bound <= effort.near * scale || self.bound >= limit {
+                self.measure(edges, ends, NONE * scale);
+                if self.gap() <= effort.near * scale || self.bound >= limit {
                     break;
                 }
             }
@@ -106,32 +123,35 @@ impl Line {
         moves
     }
 
-    /// Its length, and the bound that its directions prove: for unit vectors w_i, Σ |p_{i+1} − p_i| ≥ Σ w_i · (p_{i+1} − p_i),
-    /// which is linear in each crossing and so least at an end of its range.
-    fn measure(&mut self, edges: &[Edge], ends: [[f64; 3]; 2]) {
+    /// Its length, and the bound that its directions prove: for any vectors w_i no longer than 1,
+    /// Σ |p_{i+1} − p_i| ≥ Σ w_i · (p_{i+1} − p_i), which is linear in each crossing and so least at an end of its range.
+    fn measure(&mut self, edges: &[Edge], ends: [[f64; 3]; 2], none: f64) {
         let n = self.crossings.len();
-        let mut directions = Vec::with_capacity(n + 1);
+        let (mut ways, mut directions) = (Vec::with_capacity(n + 1), Vec::with_capacity(n + 1));
         self.length = 0.0;
         let mut from = ends[0];
         for i in 0..=n {
             let to = if i < n { self.point(i, edges) } else { ends[1] };
-            let way: [f64; 3] = std::array::from_fn(|axis| to[axis] - from[axis]);
-            let length = way.iter().fold(0.0, |sum, c| sum + c * c).sqrt();
+            let way: [f64; 3] = from_fn(|axis| to[axis] - from[axis]);
+            let length = norm(way);
             self.length += length;
-            directions.push(if length > 0.0 { way.map(|c| c / length) } else { [0.0; 3] });
+            ways.push(way);
+            directions.push(if length > none { way.map(|c| c / length) } else { [0.0; 3] });
             from = to;
         }
-        // Of a piece of no length every vector up to length 1 will do: the one that makes the best of its neighbours.
+        // The best of a piece of no length is the shortest vector that its neighbours allow.
         for i in 1..n {
             if directions[i] == [0.0; 3] {
-                let (a, b) = (edges[self.crossings[i - 1].edge].axis, edges[self.crossings[i].edge].axis);
+                let (a, b) = (self.crossings[i - 1], self.crossings[i]);
+                let (along_a, along_b) = (edges[a.edge].axis, edges[b.edge].axis);
                 let mut w = [0.0; 3];
-                (w[a], w[b]) = (directions[i - 1][a], directions[i + 1][b]);
-                let length = w.iter().fold(0.0, |sum, c| sum + c * c).sqrt();
+                w[along_a] = a.least_beside(directions[i - 1][along_a], 1.0, none);
+                w[along_b] = b.least_beside(directions[i + 1][along_b], -1.0, none);
+                let length = norm(w);
                 directions[i] = if length > 1.0 { w.map(|c| c / length) } else { w };
             }
         }
-        self.bound = self.length;
+        self.bound = ways.iter().zip(&directions).fold(0.0, |sum, (way, w)| sum + (0..3).fold(0.0, |dot, axis| dot + way[axis] * w[axis]));
         for (i, crossing) in self.crossings.iter().enumerate() {
             let axis = edges[crossing.edge].axis;
             let slope = directions[i][axis] - directions[i + 1][axis];
@@ -159,4 +179,8 @@ fn beside(edge: &Edge, point: [f64; 3], smooth: f64) -> f64 {
     let (u, v) = ((edge.axis + 1) % 3, (edge.axis + 2) % 3);
     let (du, dv) = (point[u] - edge.at[u], point[v] - edge.at[v]);
     (du * du + dv * dv + smooth * smooth).sqrt()
+}
+
+fn norm(vector: [f64; 3]) -> f64 {
+    vector.iter().fold(0.0, |sum, c| sum + c * c).sqrt()
 }

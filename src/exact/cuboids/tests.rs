@@ -130,7 +130,7 @@ fn lengths_that_can_be_worked_out_by_hand() {
 #[test]
 fn it_is_never_longer_than_a_graph_and_the_same_both_ways() {
     let mut blocked = 0;
-    for (seed, n) in (0..40).map(|seed| (seed, 1 + seed as usize % 3)) {
+    for (seed, n) in (0..40).map(|seed| (seed, 1 + seed as usize % 5)) {
         let ([start, goal], cuboids) = random(seed, n);
         let Some(there) = shortest(&WORKSPACE, [start, goal], &cuboids) else {
             assert!(by_graph(&WORKSPACE, [start, goal], &cuboids, 8).is_infinite());
