@@ -90,7 +90,7 @@ pub struct Header {
 }
 
 /// What is in a scene.
-#[cfg_attr(target_pointer_width = "64", expect(clippy::large_enum_variant, reason = "scenes are few, and shared"))]
+#[expect(clippy::large_enum_variant, reason = "scenes are few, and shared")]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
     /// See [`FunctionScene`].

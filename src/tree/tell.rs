@@ -61,7 +61,7 @@ impl<const N: usize> Seen<'_, N> {
                 let birth = self.forest.births[item.index];
                 let mut told = self.node(item)?;
                 told.event = "root";
-                told.summary = ["The tree begins here, at the start.", "The goal’s tree begins here."][usize::from(birth.tree)].to_owned();
+                told.summary.push_str(["The tree begins here, at the start.", "The goal’s tree begins here."][usize::from(birth.tree)]);
                 Some(told)
             }
             _ => None,
