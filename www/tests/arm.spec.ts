@@ -349,6 +349,20 @@ test.describe('on a phone', () => {
   })
 })
 
+test('when the graphics card drops the picture, the stage says so, and it comes back', async ({ lab, page }) => {
+  await begin(lab)
+  const before = await shot(lab)
+  await lab.stage.evaluate((stage: HTMLCanvasElement) => {
+    const loss = stage.getContext('webgl2')?.getExtension('WEBGL_lose_context')
+    Object.assign(window, { loss })
+    loss?.loseContext()
+  })
+  await expect(page.getByText(text.lost)).toBeVisible()
+  await page.evaluate(() => (window as unknown as { loss: WEBGL_lose_context }).loss.restoreContext())
+  await expect(page.getByText(text.lost)).toBeHidden()
+  expect(await shot(lab)).toEqual(before)
+})
+
 test('without WebGL the stage says so, and the rest goes on', async ({ lab, page }) => {
   await page.addInitScript(() => {
     const { prototype } = HTMLCanvasElement
