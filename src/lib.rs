@@ -20,6 +20,8 @@
 //! - [`scene`]: what is planned in, one file a kind, and the scene files. [`exact`]: the oracles for them.
 //! - [`swarm`]: particle swarms. [`search`]: exact searches over a grid's cells. A folder a family; a file a planner or a
 //!   part of one.
+//! - [`tree`]: rapidly-exploring random trees, in the plane, in space and in joints. [`arm`]: six-axis arms, their
+//!   kinematics, what they touch, and how they follow a path.
 //! - [`drive`]: a robot that follows what was found, and what its outline touches.
 //! - [`session`]: one run, with rewind, hash and link. [`frame`] and [`picture`]: what it looks like.
 //! - `experiment` (not in wasm): many runs beside published figures, with statistics.

@@ -130,3 +130,24 @@ fn no_period_of_a_drive_allocates_where_nothing_is_decided() {
         assert!(allocated <= 12, "{}: {allocated} allocations in {quiet} periods", entry.name);
     }
 }
+
+/// A tree's buffers double now and then; nothing else is new but a path.
+#[test]
+fn trees_allocate_only_as_they_grow() {
+    for name in ["rrt", "rrt-guided", "rrt-connect"] {
+        let entry = PLANNERS.iter().find(|entry| entry.name == name).unwrap();
+        // Nothing is found: the goal is behind a wall of discs.
+        let text = r#"{"format": "forage-scene", "version": 1, "kind": "discs", "name": "w", "title": "W", "bounds": {"min": [0, 0], "max": [10, 10]},
+            "start": [1, 5], "goal": [9.5, 5], "discs": [{"center": [6, 2], "radius": 3}, {"center": [6, 7], "radius": 3.1}]}"#;
+        let scene = std::sync::Arc::new(forage::Scene::from_json(text).unwrap());
+        let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
+        let mut planner = (entry.start)(&scene, &settings, 1).unwrap();
+        let before = COUNT.with(Cell::get);
+        for _ in 0..4000 {
+            planner.step_taken();
+        }
+        assert_eq!(planner.iteration(), 4000, "{name} is not done");
+        let count = COUNT.with(Cell::get) - before;
+        assert!(count < 160, "{name}: {count} in 4000 steps");
+    }
+}

@@ -115,6 +115,9 @@ fn exact_and_list_speak_json() {
     let exact = json(&["exact", "--scene", "wcpso-discs", "--json"]);
     assert!((exact["length"].as_f64().unwrap() - 12.141_590).abs() < 5e-7);
     assert!(exact["path"].as_array().unwrap().len() > 3);
+    let tip = json(&["exact", "--scene", "arm-cuboid", "--json"]);
+    assert!((tip["length"].as_f64().unwrap() - 1.351_621).abs() < 5e-7);
+    assert_eq!(tip["path"][0], serde_json::json!([-0.2, 0.022, 0.05]));
     let list = json(&["list", "--json"]);
     let names: Vec<_> = list["planners"].as_array().unwrap().iter().map(|p| p["name"].as_str().unwrap()).collect();
     assert!(["pso", "wpso", "cpso", "wcpso"].iter().all(|name| names.contains(name)));

@@ -5,7 +5,7 @@
 mod support;
 
 use forage::{Given, Session, Setup, Value, catalogue::PLANNERS, shipped_names};
-use support::{Driven, Golden, ITERATIONS, Log, bits, digest, drives, line, logs, stored};
+use support::{Driven, Followed, Golden, ITERATIONS, Log, bits, digest, drives, line, logs, motions, stored};
 
 fn run(planner: &str, scene: &str, seed: u32, set: &str) -> Golden {
     let mut params = Given::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
@@ -17,8 +17,12 @@ fn run(planner: &str, scene: &str, seed: u32, set: &str) -> Golden {
     let half = session.hash();
     session.step(u64::MAX);
     let outcome = session.outcome();
-    let exact = session.exact().map(|exact| exact.path.clone());
-    let paths = outcome.path.map_or_else(|| "none".to_owned(), |path| digest([path, exact.unwrap_or_default()].concat().as_flattened()));
+    let exact = session.exact();
+    let paths = match (&outcome.path, &outcome.tip_path) {
+        (Some(path), _) => digest([path.as_flattened(), exact.map_or(&[][..], |exact| exact.path.as_flattened())].concat().as_slice()),
+        (_, Some(tip)) => digest([tip.as_flattened(), exact.map_or(&[][..], |exact| exact.tip_path.as_flattened())].concat().as_slice()),
+        _ => "none".to_owned(),
+    };
     let cost = bits(outcome.cost);
     Golden { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), paths, half, end: session.hash(), cost }
 }
@@ -69,6 +73,11 @@ fn every_run() -> Vec<Golden> {
         run("bat", "ant-bat-30", 3, r#""population": 7"#),
         run("bat", "ant-bat-30", 4, r#""roads": "theta-star", "round": "open", "polish": true"#),
         run("two-opt", "ant-bat-30", 5, r#""roads": "dijkstra", "smooth": false, "round": "first-to-last""#),
+        run("rrt-guided", "arm-cuboid", 7, r#""iterations": 2000, "step_size": 0.05, "samples": 30, "keep": 6"#),
+        run("rrt", "arm-bench", 8, r#""iterations": 20000, "goal_bias": 0.05, "polyline": false, "blend": 6"#),
+        run("rrt-star", "arm-cuboid", 9, r#""iterations": 1500, "informed": false, "rewire": 6"#),
+        run("rrt-star", "wcpso-discs", 9, r#""iterations": 1500, "smooth": true"#),
+        run("rrt-joint", "arm-puma", 10, r#""iterations": 2000, "radius": 0.02, "goals": 3, "shorten": false"#),
         run("cpso", "discs-slalom", 6, r#""early_stop": 30, "ordered": false"#),
     ]);
     runs
@@ -108,6 +117,35 @@ fn every_drive_gives_the_stored_bits() {
         return;
     }
     assert_eq!(runs, drives());
+}
+
+fn follow(planner: &str, scene: &str, seed: u32, set: &str) -> Followed {
+    let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params: Given::new(), seed: u64::from(seed) };
+    let mut session = Session::new(setup).unwrap();
+    session.step(u64::MAX);
+    let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
+    let mut given = Given::new();
+    more.into_iter().for_each(|(name, value)| given.insert(name, Value::from(value.to_string().trim_matches('"'))));
+    let motion = session.motion(&given).unwrap().unwrap();
+    let rows = digest(&[motion.rows, motion.skeletons].concat());
+    Followed { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), rows }
+}
+
+/// Whole motions of arms, to the last bit.
+#[test]
+fn every_motion_gives_the_stored_bits() {
+    let mut all = Vec::new();
+    for planner in ["rrt-guided", "rrt-connect", "rrt-joint"] {
+        all.extend(["arm-cuboid", "arm-free", "arm-puma"].map(|scene| follow(planner, scene, 1, "")));
+    }
+    all.push(follow("rrt-guided", "arm-cuboid", 2, r#""orientation": "random", "seed": 3"#));
+    all.push(follow("rrt-guided", "arm-cuboid", 3, r#""orientation": "home", "postures": "nearest""#));
+    all.push(follow("rrt-star", "arm-cuboid", 4, r#""radius": 0.02, "spacing": 0.05"#));
+    if std::env::var_os("FORAGE_BLESS").is_some() {
+        std::fs::write("tests/motions.json", serde_json::to_string_pretty(&all).unwrap() + "\n").unwrap();
+        return;
+    }
+    assert_eq!(all, motions());
 }
 
 fn log(planner: &str, scene: &str, seed: u32, set: &str) -> Log {

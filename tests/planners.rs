@@ -111,7 +111,7 @@ proptest! {
             }
         }
         if let (Some(tip), Ok(arm)) = (&outcome.tip_path, scene.arm()) {
-            let apart = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+            let apart = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt();
             prop_assert!(apart(tip[0], arm.start) < 1e-6 && apart(tip[tip.len() - 1], arm.goal) < 1e-6);
             let inside = |p: [f64; 3]| arm.cuboids.iter().any(|c| (0..3).all(|i| c.min[i] < p[i] && p[i] < c.max[i]));
             let touches = tip.windows(2).any(|w| {

@@ -30,6 +30,42 @@ fn the_exact_optimum_agrees_with_the_one_stored_in_the_scene() {
     assert!((published - 12.141_590).abs() < 5e-7, "[WCPSO] 3.2.2: {published}");
 }
 
+/// The tip's optimum as a file has it is the computed one, and its path is one that the scene's judge lets pass.
+#[test]
+fn an_arm_s_stored_optimum_is_the_computed_one() {
+    let mut compared = 0;
+    for scene in shipped_names().filter(|scene| scene.kind() == Kind::Arm) {
+        let stored = |name: &str| scene.header().exact.as_ref().and_then(|exact| exact[name].as_f64()).unwrap();
+        let arm = scene.arm().unwrap();
+        let exact = scene.exact().unwrap();
+        assert!((exact.length - stored("tip_length")).abs() < 1e-9, "{}: {}", scene.name(), exact.length);
+        assert_eq!(forage::geometry::length_in_space(&[arm.start, arm.goal]), stored("straight"), "{}", scene.name());
+        assert!(!exact.stored && exact.tip_path.windows(2).all(|w| arm.is_free(w[0], w[1])), "{}", scene.name());
+        assert_eq!(forage::geometry::length_in_space(&exact.tip_path), exact.length);
+        compared += 1;
+    }
+    assert_eq!(compared, 3);
+}
+
+/// Of more cuboids than the oracle takes, the file's own length counts, and nothing if it has none.
+#[test]
+fn an_arm_among_too_many_cuboids_has_the_optimum_of_its_file() {
+    let with = |count: usize, stored: Option<f64>| {
+        let mut value: serde_json::Value = serde_json::from_str(&shipped("arm-cuboid").unwrap().to_json()).unwrap();
+        value["cuboids"] = (0..count)
+            .map(|i| serde_json::json!({"min": [0.25, 0.2, 0.0], "max": [0.45, 0.48, 0.3 + 0.001 * i as f64]}))
+            .collect::<Vec<_>>()
+            .into();
+        value["exact"] = stored.map_or_else(|| serde_json::json!({}), |length| serde_json::json!({"tip_length": length}));
+        Scene::from_value(value).unwrap()
+    };
+    let many = forage::exact::MAX_EXACT_CUBOIDS + 1;
+    let told = |scene: &Scene| scene.exact().map(|exact| (exact.length, exact.stored));
+    assert_eq!(told(&with(many, Some(1.5))), Some((1.5, true)));
+    assert_eq!(told(&with(many, None)), None);
+    assert!(told(&with(many - 1, Some(1.5))).is_some_and(|(length, stored)| length < 1.36 && !stored));
+}
+
 /// A grid's robot is part of the scene; its optimum as a point is stored too.
 #[test]
 fn a_grid_s_optimum_for_a_point_agrees_with_the_one_stored() {

@@ -8,11 +8,11 @@ mod generated;
 mod support;
 
 use forage::wasm::{
-    JsFormat, JsGiven, JsItem, JsKind, JsNamedFiles, JsNames, JsParameterValue, JsScene, JsSetup, Session, catalogue, check_parameter,
-    check_scene, export_scene, generate_scene, import_scene, new_seed, parse_link,
+    JsFormat, JsGiven, JsItem, JsKind, JsNamedFiles, JsNames, JsParameterValue, JsScene, JsSetup, Session, arm_pose, arm_solutions,
+    catalogue, check_parameter, check_scene, export_scene, generate_scene, import_scene, new_seed, parse_link, reachability,
 };
 use js_sys::{Array, Float32Array, Float64Array, JSON, Object, Reflect, Uint32Array};
-use support::{ITERATIONS, bits, digest, drives, line, logs, stored};
+use support::{ITERATIONS, bits, digest, drives, line, logs, motions, stored};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::wasm_bindgen_test;
 
@@ -69,18 +69,22 @@ fn every_golden_run_gives_the_bits_that_it_gives_natively() {
         assert_eq!(session.hash(), run.end, "{params}");
         let outcome = session.outcome();
         assert_eq!(bits(get(&outcome, "cost").as_f64()), run.cost, "{params}");
-        let path = get(&outcome, "path");
-        let paths = if path.is_undefined() {
-            "none".to_owned()
-        } else {
-            digest(&[numbers(&path), numbers(&get(session.exact(), "path"))].concat())
+        let exact = session.exact();
+        let whole = |name| {
+            let path = get(&outcome, name);
+            let known = || if exact.is_null() { JsValue::UNDEFINED } else { get(&exact, name) };
+            (!path.is_undefined()).then(|| digest(&[numbers(&path), numbers(&known())].concat()))
         };
+        let paths = whole("path").or_else(|| whole("tip_path")).unwrap_or_else(|| "none".to_owned());
         assert_eq!(paths, run.paths, "{params}");
     }
 }
 
 /// The coordinates of a path, one after the other.
 fn numbers(path: &JsValue) -> Vec<f64> {
+    if path.is_undefined() {
+        return Vec::new();
+    }
     let points = js_sys::Array::from(path);
     points.iter().flat_map(|point| js_sys::Array::from(&point).iter().filter_map(|c| c.as_f64()).collect::<Vec<_>>()).collect()
 }
@@ -120,6 +124,20 @@ fn every_stored_drive_gives_the_bits_that_it_gives_natively() {
         let rows = get(&drive, "rows").unchecked_into::<Float64Array>().to_vec();
         assert_eq!(digest(&rows), stored.rows, "{run}");
         assert_eq!(number(get(&drive, "parameters"), "look_ahead"), stored.look_ahead);
+    }
+}
+
+#[wasm_bindgen_test]
+fn every_stored_motion_gives_the_bits_that_it_gives_natively() {
+    let all = motions();
+    assert!(all.len() >= 10);
+    for stored in all {
+        let run = format!(r#"{{"planner": "{}", "scene": "{}", "seed": {}}}"#, stored.planner, stored.scene, stored.seed);
+        let mut session = setup(&run);
+        session.step(Some(1e9));
+        let motion = session.motion(&js::<JsGiven>(&format!("{{{}}}", stored.set))).ok().unwrap();
+        let part = |name| get(&motion, name).unchecked_into::<Float64Array>().to_vec();
+        assert_eq!(digest(&[part("rows"), part("skeletons")].concat()), stored.rows, "{run}");
     }
 }
 
@@ -301,4 +319,37 @@ fn random_grids_are_the_native_ones_and_survive_the_way_through_files() {
     let none: JsGiven = JsValue::UNDEFINED.unchecked_into();
     assert_eq!(text(generate_scene("sand", &none, 1.0).err().unwrap(), "field"), "generator");
     assert_eq!(text(generate_scene("maze", &none, 0.5).err().unwrap(), "field"), "seed");
+}
+
+#[wasm_bindgen_test]
+fn an_arm_tells_its_poses_and_solutions_and_where_it_can_come() {
+    let scene = || js("\"arm-cuboid\"");
+    let pose = arm_pose(&scene(), &js("[0, -90, 0, 0, 0, 0]")).unwrap();
+    let [x, y, z] = [0, 1, 2].map(|axis| Array::from(&Array::from(&get(&pose, "skeleton")).get(4)).get(axis).as_f64().unwrap());
+    assert!((x - 0.895).abs() < 1e-12 && (y - 0.65).abs() < 1e-12 && (z - 0.88).abs() < 1e-12, "{x} {y} {z}");
+
+    // Down to the start; the tip of each solution is there. Without a direction too.
+    let start = || js("[-0.2, 0.022, 0.05]");
+    for direction in ["[0, 0, -2]", "null"] {
+        let found = arm_solutions(&scene(), &start(), &js(direction), &JsValue::UNDEFINED.unchecked_into()).unwrap();
+        let solutions = Array::from(&get(&found, "solutions"));
+        assert!(solutions.length() > 0 && get(&found, "unreachable").is_undefined());
+        let tip = Array::from(&Array::from(&get(solutions.get(0), "skeleton")).get(4));
+        assert!((tip.get(2).as_f64().unwrap() - 0.05).abs() < 1e-9);
+    }
+    let far = arm_solutions(&scene(), &js("[9, 9, 9]"), &js("null"), &js("[0, -90, 0, 0, 0, 0]")).unwrap();
+    assert_eq!((text(&far, "unreachable"), get(&far, "direction").is_null()), ("position".to_owned(), true));
+
+    let cloud = reachability(&scene(), 0.25).unwrap();
+    assert_eq!(get(&cloud, "points").unchecked_into::<Float32Array>().length(), 4 * 7 * 6 * 3);
+
+    let field = |error: JsValue| text(error, "field");
+    assert_eq!(field(reachability(&scene(), 0.001).err().unwrap()), "step");
+    assert_eq!(field(arm_pose(&scene(), &js("[0, 1]")).err().unwrap()), "joints");
+    assert_eq!(field(arm_pose(&js("\"wcpso-discs\""), &js("[0, 0, 0, 0, 0, 0]")).err().unwrap()), "kind");
+    let refused = |point, direction, near| field(arm_solutions(&scene(), &js(point), &js(direction), &js(near)).err().unwrap());
+    assert_eq!(refused("[0, 0]", "null", "null"), "point");
+    assert_eq!(refused("[0, 0, \"a\"]", "null", "null"), "point[2]");
+    assert_eq!(refused("[0, 0, 0]", "[0, 0, 0]", "null"), "direction");
+    assert_eq!(refused("[0, 0, 0]", "[0, 0, 1]", "[1]"), "near");
 }

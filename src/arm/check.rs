@@ -83,12 +83,15 @@ fn check_joint(joint: &Joint) -> Result<(), Error> {
 mod tests {
     use crate::{arm::Arm, shipped};
 
+    /// The field that is refused, and how it came to be wrong.
+    type Case = (&'static str, fn(&mut Arm));
+
     #[test]
     fn what_is_no_such_arm_is_refused_by_name() {
         let scene = shipped("arm-free").unwrap();
         let arm = &scene.arm().unwrap().arm;
         assert_eq!(arm.check(), Ok(()));
-        let cases: &[(&str, fn(&mut Arm))] = &[
+        let cases: &[Case] = &[
             ("joints[0].alpha", |arm| arm.joints[0].alpha = 90.0),
             ("joints[1].alpha", |arm| arm.joints[1].alpha = 0.0),
             ("joints[2].alpha", |arm| arm.joints[2].alpha = -90.0),

@@ -161,8 +161,7 @@ impl<'a> Links<'a> {
         if !from.iter().chain(to).all(|angle| angle.is_finite()) {
             return false;
         }
-        let reach: f64 = self.lengths.iter().sum();
-        let finest = FINEST * reach;
+        let finest = FINEST * self.reach();
         let resolution = if resolution > finest { resolution } else { finest };
         self.upper_arm_keeps_off(from[1], to[1], resolution) && self.stretch_is_free(from, to, resolution, true)
     }
@@ -199,6 +198,31 @@ impl<'a> Links<'a> {
                     || (self.stretch_is_free(from, &middle, resolution, false) && self.stretch_is_free(&middle, to, resolution, false))
             }
         }
+    }
+
+    /// How far on the way from one posture to another a link first touches something, as a share of the way, to a
+    /// ten-thousandth of it: `None` exactly if [`Links::motion_is_free`].
+    pub fn first_touch(&self, from: &Posture, to: &Posture, resolution: f64) -> Option<f64> {
+        if self.motion_is_free(from, to, resolution) {
+            return None;
+        }
+        // Of the two halves of a way that is not free, one is not.
+        let (mut share, mut length, mut ends) = (0.0, 1.0, [*from, *to]);
+        while length > 1e-4 {
+            let middle: Posture = std::array::from_fn(|i| 0.5 * (ends[0][i] + ends[1][i]));
+            length *= 0.5;
+            if self.motion_is_free(&ends[0], &middle, resolution) {
+                (share, ends[0]) = (share + length, middle);
+            } else {
+                ends[1] = middle;
+            }
+        }
+        Some(share)
+    }
+
+    /// How far the tip is from the base at most.
+    pub fn reach(&self) -> f64 {
+        self.lengths.iter().sum()
     }
 
     /// Whether every link has more room than it travels, but for the upper arm and the column.

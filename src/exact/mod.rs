@@ -1,6 +1,7 @@
 //! The oracles: exact optima that every result is measured by.
 
 mod cells;
+mod cuboids;
 mod discs;
 mod grid;
 mod tours;
@@ -8,6 +9,7 @@ mod tours;
 use std::cmp::Ordering;
 
 pub use cells::{is_reachable, shortest_over_cells, shortest_way};
+pub use cuboids::{AmongCuboids, MAX_EXACT_CUBOIDS, shortest_among_cuboids};
 pub use discs::shortest_among_discs;
 pub use grid::shortest_on_grid;
 pub use tours::{MAX_EXACT_STOPS, shortest_tour};

@@ -1,9 +1,11 @@
 //! Scenes of kind `arm`: a six-axis arm, boxes in its workspace, and where its tip starts and where it must come to.
 
+use serde_json::Value;
+
 use crate::{
     arm::{self, Arm, Posture},
     error::Error,
-    exact::Exact,
+    exact::{AmongCuboids, Exact, shortest_among_cuboids},
     geometry::{Cuboid, length_in_space},
     planner::Solution,
 };
@@ -69,8 +71,17 @@ impl ArmScene {
             && !arm::segment_meets_column(self, a, b)
     }
 
-    pub(super) fn exact(&self) -> Option<Exact> {
-        None
+    /// The tip's shortest path, as if nothing were behind it: neither the arm nor the column under its base counts, so it is
+    /// a lower bound for the arm's. Where there are too many cuboids, the length that the scene's file gives.
+    pub(super) fn exact(&self, stored: Option<&Value>) -> Option<Exact> {
+        match shortest_among_cuboids(&self.workspace, self.start, self.goal, &self.cuboids) {
+            AmongCuboids::Found(exact) => Some(exact),
+            AmongCuboids::NoWay => None,
+            AmongCuboids::NotComputed => {
+                let length = stored?.get("tip_length")?.as_f64().filter(|length| length.is_finite())?;
+                Some(Exact { stored: true, ..Exact::way(length, Vec::new()) })
+            }
+        }
     }
 
     pub(super) fn judge(&self, solution: &Solution) -> Verdict {

@@ -90,7 +90,7 @@ pub struct Header {
 }
 
 /// What is in a scene.
-#[cfg_attr(target_pointer_width = "64", expect(clippy::large_enum_variant, reason = "scenes are few, and shared"))]
+#[expect(clippy::large_enum_variant, reason = "scenes are few, and shared")]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
     /// See [`FunctionScene`].
@@ -194,7 +194,7 @@ impl Scene {
                 Body::Function(_) | Body::Tour(_) => None,
                 Body::Discs(scene) => scene.exact(),
                 Body::Grid(scene) => scene.exact(),
-                Body::Arm(scene) => scene.exact(),
+                Body::Arm(scene) => scene.exact(self.header.exact.as_ref()),
             })
             .as_ref()
     }

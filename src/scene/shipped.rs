@@ -24,6 +24,7 @@ const FILES: &[&str] = &[
     include_str!("../../scenes/random-280.json"),
     include_str!("../../scenes/arm-cuboid.json"),
     include_str!("../../scenes/arm-free.json"),
+    include_str!("../../scenes/arm-bench.json"),
     include_str!("../../scenes/arm-puma.json"),
     include_str!("../../scenes/sphere.json"),
     include_str!("../../scenes/sphere-4.json"),

@@ -14,7 +14,7 @@ pub use outcome::Outcome;
 pub use trace::{Trace, csv_heading, csv_line, csv_row};
 
 use crate::{
-    arm::{self, Motion},
+    arm::{self, Motion, MotionOutcome},
     catalogue::{Entry, Suggestion, find},
     digest::Digest,
     drive::{self, Drive},
@@ -23,7 +23,7 @@ use crate::{
     frame::Frame,
     link::Link,
     params::{Given, Settings},
-    planner::{Event, Finding, Inspection, Item, Job, Readings, Stage, Status},
+    planner::{Event, Finding, Inspection, Item, Job, Readings, Solution, Stage, Status},
     rng::check_seed,
     scene::Scene,
 };
@@ -85,6 +85,9 @@ pub struct Session {
     before: Option<Box<dyn AnyPlanner>>,
     trace: Trace,
     readings: Readings,
+    /// What the arm followed last with the usual parameters, and how that went: an outcome is asked for more often than a
+    /// path changes.
+    followed: Option<(Solution, MotionOutcome)>,
 }
 
 impl Session {
@@ -129,6 +132,7 @@ impl Session {
             before: None,
             trace: Trace::default(),
             readings: Readings::default(),
+            followed: None,
         };
         session.remember();
         Ok(session)
@@ -327,6 +331,16 @@ impl Session {
     /// For a parameter that is not one of [`arm::MOTION`]'s, or its value.
     pub fn motion(&self, given: &Given) -> Result<Option<Motion>, Error> {
         arm::along(&self.scene, self.planner.best().map(|best| best.solution).as_ref(), given)
+    }
+
+    /// How the arm follows the best path with the usual parameters.
+    fn usual_motion(&mut self, best: &Solution) -> Option<MotionOutcome> {
+        if self.followed.as_ref().is_none_or(|(solution, _)| solution != best) {
+            // The defaults are never refused.
+            let motion = arm::along(&self.scene, Some(best), &Given::new()).ok().flatten();
+            self.followed = motion.map(|motion| (best.clone(), motion.outcome));
+        }
+        self.followed.as_ref().map(|(_, outcome)| outcome.clone())
     }
 
     /// The hash of iteration, best and the whole state, in hexadecimal.

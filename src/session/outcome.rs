@@ -102,7 +102,7 @@ impl Outcome {
         let nodes = best.as_ref().map_or(0, |best| best.solution.corners());
         let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| gap(length, exact, nodes));
         let cost = best.as_ref().map(|best| best.cost);
-        let motion = session.motion(&Given::new()).ok().flatten().map(|motion| motion.outcome);
+        let motion = best.as_ref().and_then(|best| session.usual_motion(&best.solution));
         let (tip_path, joints) = match best.as_ref().map(|best| &best.solution) {
             Some(Solution::Reach { path, postures }) => (Some(path.clone()), postures.iter().map(arm::degrees).collect()),
             _ => (None, Vec::new()),

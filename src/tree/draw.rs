@@ -7,7 +7,7 @@ use crate::{
 
 use super::{
     forest::NONE,
-    grow::{Fate, Grown, Method},
+    grow::{Fate, Seen},
 };
 
 const TREE: Layer = Layer::new(Role::Tree, "Tree", true, false, "Each node is joined to its parent.");
@@ -27,7 +27,7 @@ pub(super) const GUIDED_LAYERS: &[Layer] = &[TREE, NODES, SAMPLES, KEPT, BEST, S
 /// Of two trees.
 pub(super) const CONNECT_LAYERS: &[Layer] = &[TREE, GOAL_TREE, NODES, SAMPLES, BEST, SMOOTHED];
 
-impl<const N: usize, M: Method<N>> Grown<N, M> {
+impl<const N: usize> Seen<'_, N> {
     pub(super) fn draw_layers(&self, frame: &mut Frame) {
         let place = |point: &[f64; N]| self.task.space.place(point);
         for (tree, role) in self.forest.trees.iter().zip([Role::Tree, Role::GoalTree]) {
@@ -61,7 +61,7 @@ impl<const N: usize, M: Method<N>> Grown<N, M> {
         };
         line(Role::Best, &found.raw);
         if !self.task.finish.is_raw() {
-            line(Role::Smoothed, &found.finished(&self.task).path);
+            line(Role::Smoothed, &found.finished(self.task).path);
         }
     }
 

@@ -154,7 +154,7 @@ pub(super) struct Forest<const N: usize> {
     pub(super) nearest: f64,
     /// Whose it is.
     pub(super) nearest_node: usize,
-    iteration: u64,
+    pub(super) iteration: u64,
 }
 
 impl<const N: usize> Forest<N> {
@@ -282,7 +282,18 @@ pub(super) struct Grown<const N: usize, M> {
     pub(super) iteration: u64,
 }
 
+/// What there is to see of a planner, whatever its method: drawn and told of once for all methods.
+pub(super) struct Seen<'a, const N: usize> {
+    pub(super) task: &'a Task<N>,
+    pub(super) forest: &'a Forest<N>,
+}
+
 impl<const N: usize, M: Method<N>> Grown<N, M> {
+    /// What there is to see.
+    pub(super) fn seen(&self) -> Seen<'_, N> {
+        Seen { task: &self.task, forest: &self.forest }
+    }
+
     /// A planner before its first extension.
     pub(super) fn new(task: Task<N>, method: M, seed: u64) -> Self {
         let mut forest = Forest::new(&task);

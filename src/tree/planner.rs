@@ -7,7 +7,7 @@ use crate::{
 };
 
 use super::{
-    grow::{Grown, Method},
+    grow::{Grown, Method, Seen},
     vector::length,
 };
 
@@ -41,21 +41,11 @@ impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
     }
 
     fn read(&self, out: &mut Readings) {
-        let (forest, task) = (&self.forest, &self.task);
-        let found = forest.found.as_deref();
-        let finished = found.map(|found| found.finished(task));
-        out.push("best", found.map_or(f64::NAN, |found| found.cost));
-        out.push("short_length", finished.map_or(f64::NAN, |finished| length(&finished.short)));
-        out.push("final_length", finished.map_or(f64::NAN, |finished| length(&finished.path)));
-        out.push("to_goal", forest.nearest.sqrt());
-        out.push("nodes", forest.births.len() as f64);
-        out.push("rejected", forest.rejected as f64);
-        out.push("tested", forest.tested as f64);
-        out.push("converged", found.map_or(f64::NAN, |found| found.iteration as f64));
+        self.seen().read(out);
     }
 
     fn draw(&self, frame: &mut Frame) {
-        self.draw_layers(frame);
+        self.seen().draw_layers(frame);
     }
 
     fn made(&self, item: Item) -> Option<u64> {
@@ -64,28 +54,17 @@ impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
     }
 
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        self.tell(item)
+        self.seen().tell(item)
     }
 
     fn explain(&self, item: Item) -> Option<Inspection> {
         let mut next = self.clone();
         next.advance();
-        next.tell_birth(item)
+        next.seen().tell_birth(item)
     }
 
     fn members(&self, out: &mut Vec<f64>) {
-        if !self.task.space.has_members() {
-            return;
-        }
-        // The number in the order of birth of each tree's nodes.
-        let mut numbers = [vec![0.0; self.forest.trees[0].len()], vec![0.0; self.forest.trees[1].len()]];
-        for (i, birth) in self.forest.births.iter().enumerate() {
-            let (tree, node) = (usize::from(birth.tree), birth.node as usize);
-            numbers[tree][node] = i as f64;
-            let parent = self.forest.trees[tree].parents[node];
-            out.extend([if parent == super::forest::NONE { -1.0 } else { numbers[tree][parent as usize] }, tree as f64]);
-            out.extend(self.forest.trees[tree].points[node].iter().map(|angle| angle.to_degrees()));
-        }
+        self.seen().members(out);
     }
 
     fn digest(&self, out: &mut Digest) {
@@ -112,5 +91,37 @@ impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
             + size_of::<super::grow::Sample<N>>() * forest.last.samples.capacity()
             + forest.found.as_ref().map_or(0, |found| found.bytes())
             + self.method.bytes()
+    }
+}
+
+impl<const N: usize> Seen<'_, N> {
+    fn read(&self, out: &mut Readings) {
+        let (forest, task) = (self.forest, self.task);
+        let found = forest.found.as_deref();
+        let finished = found.map(|found| found.finished(task));
+        out.push("best", found.map_or(f64::NAN, |found| found.cost));
+        out.push("short_length", finished.map_or(f64::NAN, |finished| length(&finished.short)));
+        out.push("final_length", finished.map_or(f64::NAN, |finished| length(&finished.path)));
+        out.push("to_goal", forest.nearest.sqrt());
+        out.push("nodes", forest.births.len() as f64);
+        out.push("rejected", forest.rejected as f64);
+        out.push("tested", forest.tested as f64);
+        out.push("converged", found.map_or(f64::NAN, |found| found.iteration as f64));
+    }
+
+    /// The nodes' parents, trees and coordinates in the order in which they were added.
+    fn members(&self, out: &mut Vec<f64>) {
+        if !self.task.space.has_members() {
+            return;
+        }
+        // The number in the order of birth of each tree's nodes.
+        let mut numbers = [vec![0.0; self.forest.trees[0].len()], vec![0.0; self.forest.trees[1].len()]];
+        for (i, birth) in self.forest.births.iter().enumerate() {
+            let (tree, node) = (usize::from(birth.tree), birth.node as usize);
+            numbers[tree][node] = i as f64;
+            let parent = self.forest.trees[tree].parents[node];
+            out.extend([if parent == super::forest::NONE { -1.0 } else { numbers[tree][parent as usize] }, tree as f64]);
+            out.extend(self.forest.trees[tree].points[node].iter().map(|angle| angle.to_degrees()));
+        }
     }
 }

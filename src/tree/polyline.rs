@@ -71,9 +71,9 @@ fn least_squares<const N: usize>(points: &[[f64; N]], along: &[f64], breaks: &[u
             diagonal[j] += a * a;
             diagonal[j + 1] += b * b;
             beside[j] += a * b;
-            for k in 0..N {
-                right[j][k] += a * points[i][k];
-                right[j + 1][k] += b * points[i][k];
+            for (k, x) in points[i].iter().enumerate() {
+                right[j][k] += a * x;
+                right[j + 1][k] += b * x;
             }
         }
     }
@@ -90,9 +90,8 @@ fn least_squares<const N: usize>(points: &[[f64; N]], along: &[f64], breaks: &[u
     for j in 2..n - 1 {
         let factor = beside[j - 1] / diagonal[j - 1];
         diagonal[j] -= factor * beside[j - 1];
-        for k in 0..N {
-            right[j][k] -= factor * right[j - 1][k];
-        }
+        let before = right[j - 1];
+        right[j].iter_mut().zip(before).for_each(|(x, before)| *x -= factor * before);
     }
     for j in (1..n - 1).rev() {
         for k in 0..N {
@@ -141,7 +140,7 @@ mod tests {
                 .map(|i| {
                     let j = breaks.windows(2).position(|w| i <= w[1]).unwrap();
                     let t = (i - breaks[j]) as f64 / (breaks[j + 1] - breaks[j]) as f64;
-                    distance(&points[i], &between(&corners[j], &corners[j + 1], t)).powi(2)
+                    super::super::vector::squared(&points[i], &between(&corners[j], &corners[j + 1], t))
                 })
                 .sum()
         };

@@ -57,7 +57,7 @@ impl Informed {
         let across = (length * length - self.straight * self.straight).max(0.0).sqrt() / 2.0;
         let halves = [length / 2.0, across, across];
         std::array::from_fn(|i| {
-            let middle = (self.start[i] + self.goal[i]) / 2.0;
+            let middle = f64::midpoint(self.start[i], self.goal[i]);
             middle + (0..3).fold(0.0, |sum, k| sum + self.axes[k][i] * halves[k] * ball[k] * scale)
         })
     }
@@ -100,13 +100,14 @@ mod tests {
                 largest = largest.max(sum);
                 // The image of the ball of half the radius has a quarter or an eighth of the volume.
                 let along: [f64; 3] =
-                    std::array::from_fn(|k| dot(&informed.axes[k], &std::array::from_fn(|i| p[i] - (start[i] + goal[i]) / 2.0)));
+                    std::array::from_fn(|k| dot(&informed.axes[k], &std::array::from_fn(|i| p[i] - f64::midpoint(start[i], goal[i]))));
                 let across = (length * length - straight * straight).sqrt() / 2.0;
-                let r = (along[0] / (length / 2.0)).powi(2) + (along[1] / across).powi(2) + (along[2] / across).powi(2);
+                let unit = [along[0] / (length / 2.0), along[1] / across, along[2] / across];
+                let r = dot(&unit, &unit);
                 inner += usize::from(r <= 0.25);
             }
             let share = inner as f64 / f64::from(n);
-            let expected = 0.5_f64.powi(dimensions as i32);
+            let expected = if dimensions == 2 { 0.25 } else { 0.125 };
             assert!((share - expected).abs() < 4.0 * (expected * (1.0 - expected) / f64::from(n)).sqrt(), "{share} {expected}");
             assert!(largest > 0.999 * length);
         }

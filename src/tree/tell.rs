@@ -6,7 +6,7 @@ use crate::{
 };
 
 use super::{
-    grow::{Extension, Fate, Grown, Method, Sample, Source},
+    grow::{Extension, Fate, Sample, Seen, Source},
     vector::distance,
 };
 
@@ -52,7 +52,7 @@ impl Fate {
     }
 }
 
-impl<const N: usize, M: Method<N>> Grown<N, M> {
+impl<const N: usize> Seen<'_, N> {
     /// What can be said from the present state: of samples of the last extension, and of a root.
     pub(super) fn tell(&self, item: Item) -> Option<Inspection> {
         match item.role {
@@ -61,7 +61,7 @@ impl<const N: usize, M: Method<N>> Grown<N, M> {
                 let birth = self.forest.births[item.index];
                 let mut told = self.node(item)?;
                 told.event = "root";
-                told.summary = ["The tree begins here, at the start.", "The goal’s tree begins here."][usize::from(birth.tree)].to_owned();
+                told.summary.push_str(["The tree begins here, at the start.", "The goal’s tree begins here."][usize::from(birth.tree)]);
                 Some(told)
             }
             _ => None,
@@ -71,7 +71,7 @@ impl<const N: usize, M: Method<N>> Grown<N, M> {
     /// How the newest node came about: the state is that after the step.
     pub(super) fn tell_birth(&self, item: Item) -> Option<Inspection> {
         let birth = *self.forest.births.get(item.index).filter(|_| item.role == Role::Nodes)?;
-        if u64::from(birth.iteration) != self.iteration {
+        if u64::from(birth.iteration) != self.forest.iteration {
             return None;
         }
         let (last, tree) = (&self.forest.last, &self.forest.trees[usize::from(birth.tree)]);

@@ -7,6 +7,7 @@
 
 mod arm;
 mod formats;
+mod inspection;
 mod read;
 mod types;
 
@@ -23,7 +24,7 @@ use crate::{
     drive,
     params::as_object,
     picture,
-    planner::{Column, Inspection, Item, Mark, Quantity, Status},
+    planner::Status,
     rng,
     scene::{Bounds, formats::tour_file},
     session,
@@ -33,6 +34,7 @@ pub use arm::{arm_pose, arm_solutions, reachability};
 pub use formats::{export_scene, generate_scene, import_scene};
 pub use types::*;
 
+use inspection::{InspectionView, ItemView};
 use read::{
     read_ends, read_item, read_kind, read_list, read_parameter, read_parameters, read_point, read_role, read_scene, read_setup, read_text,
 };
@@ -471,42 +473,4 @@ fn object<T: JsCast>(properties: &[(&str, JsValue)]) -> T {
         let _ = js_sys::Reflect::set(&object, &(*name).into(), value);
     }
     object.unchecked_into()
-}
-
-#[derive(Serialize)]
-struct ItemView {
-    role: &'static str,
-    index: usize,
-}
-
-impl From<Item> for ItemView {
-    fn from(item: Item) -> Self {
-        Self { role: item.role.name(), index: item.index }
-    }
-}
-
-#[derive(Serialize)]
-struct InspectionView {
-    item: ItemView,
-    title: String,
-    event: &'static str,
-    summary: String,
-    values: Vec<Quantity>,
-    formulas: Vec<&'static str>,
-    table: Table,
-    layers: Vec<Mark>,
-}
-
-#[derive(Serialize)]
-struct Table {
-    columns: Vec<Column>,
-    labels: Vec<String>,
-    rows: Vec<Vec<f64>>,
-}
-
-impl From<Inspection> for InspectionView {
-    fn from(told: Inspection) -> Self {
-        let Inspection { item, title, event, summary, values, formulas, columns, labels, rows, marks } = told;
-        Self { item: item.into(), title, event, summary, values, formulas, table: Table { columns, labels, rows }, layers: marks }
-    }
 }

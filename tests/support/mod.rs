@@ -57,6 +57,27 @@ pub fn drives() -> Vec<Driven> {
     serde_json::from_str(include_str!("../drives.json")).expect("tests/drives.json is a list of drives")
 }
 
+/// An arm following what a complete run found.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Followed {
+    /// The planner's name.
+    pub planner: String,
+    /// A shipped scene's name.
+    pub scene: String,
+    /// The seed.
+    pub seed: u32,
+    /// The motion's parameters, as the inside of a JSON object.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub set: String,
+    /// The digest of all rows' bits.
+    pub rows: String,
+}
+
+/// The stored motions, written anew as [`stored`] is.
+pub fn motions() -> Vec<Followed> {
+    serde_json::from_str(include_str!("../motions.json")).expect("tests/motions.json is a list of motions")
+}
+
 /// The events of a complete run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Log {

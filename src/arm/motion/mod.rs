@@ -1,38 +1,39 @@
 //! The arm follows a path: postures along it, the paper's replacements, joint trajectories, and what the whole arm touches.
+//!
+//! - [`course`]: the path as points; [`follow`]: which postures there are for a point, and the paper's choice among them;
+//! - [`hand`], [`search`], [`smoothest`]: ours, the choice that is best for the path as a whole;
+//! - [`trajectory`]: when the arm is where, and what it touches on the way.
 
+mod course;
+mod follow;
+mod hand;
+mod parameters;
+mod search;
+mod smoothest;
+mod trajectory;
+
+#[cfg(test)]
+mod tests;
+
+use nalgebra::UnitQuaternion;
 use serde::Serialize;
 
 use crate::{
-    drive::{Column, Entry},
     error::Error,
     params::{Given, Settings},
     planner::Solution,
-    scene::{Kind, Scene},
+    rng::Stream,
+    scene::{ArmScene, Kind, Scene},
 };
 
-/// What there is to know about following a path.
-pub const MOTION: Entry =
-    Entry { source: "[ARM-RRT] §3.2.2, §3.3", summary: "The arm follows the path.", parameters: &[], columns: COLUMNS, formulas: &[] };
+use super::Links;
 
-/// The numbers of a row. Angles are degrees, lengths metres.
-const COLUMNS: &[Column] = &[
-    column("time", "t", "Time", "s"),
-    column("along", "s", "Along the path", "m"),
-    column("x", "x", "Tip, x", "m"),
-    column("y", "y", "Tip, y", "m"),
-    column("z", "z", "Tip, z", "m"),
-    column("q1", "\\theta_1", "Joint 1", "°"),
-    column("q2", "\\theta_2", "Joint 2", "°"),
-    column("q3", "\\theta_3", "Joint 3", "°"),
-    column("q4", "\\theta_4", "Joint 4", "°"),
-    column("q5", "\\theta_5", "Joint 5", "°"),
-    column("q6", "\\theta_6", "Joint 6", "°"),
-    column("clearance", "d", "From the nearest cuboid", "m"),
-];
+pub use parameters::MOTION;
 
-const fn column(name: &'static str, symbol: &'static str, title: &'static str, unit: &'static str) -> Column {
-    Column { name, title, symbol, unit }
-}
+use course::stations;
+use follow::{Followed, Follower, Pointing, densified};
+use hand::Holding;
+use trajectory::Trajectory;
 
 /// How the arm follows a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -81,9 +82,42 @@ pub struct Motion {
 /// # Errors
 /// As [`Settings::new`].
 pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Given) -> Result<Option<Motion>, Error> {
-    let _settings = Settings::new(MOTION.parameters, Kind::Arm, given)?;
-    let (Ok(_scene), Some(Solution::Reach { .. })) = (scene.arm(), solution) else {
+    let settings = Settings::new(MOTION.parameters, Kind::Arm, given)?;
+    let (Ok(scene), Some(Solution::Reach { path, postures })) = (scene.arm(), solution) else {
         return Ok(None);
     };
-    Ok(None)
+    if path.is_empty() {
+        return Ok(None);
+    }
+    let links = Links::new(scene, settings.number("radius"));
+    let spacing = settings.number("spacing");
+    if postures.is_empty() {
+        let stations = stations(path, spacing);
+        let mut follower = follower(scene, &settings, links.clone(), stations.len());
+        let followed = if settings.choice("postures") == "nearest" { follower.nearest(&stations) } else { follower.smoothest(&stations) };
+        let trajectory = Trajectory { scene, links: &links, settings: &settings, path: None };
+        return Ok(Some(trajectory.motion(followed, stations.len())));
+    }
+    let stops = densified(&scene.arm, postures, spacing);
+    let points = stops.len();
+    let trajectory = Trajectory { scene, links: &links, settings: &settings, path: Some(path) };
+    Ok(Some(trajectory.motion(Followed { stops, ..Followed::default() }, points)))
+}
+
+fn follower<'a>(scene: &'a ArmScene, settings: &Settings, links: Links<'a>, points: usize) -> Follower<'a> {
+    let holding = Holding::new(&scene.arm);
+    let mut random = Stream::new(settings.integer("seed"), 0);
+    let [.., home] = scene.arm.forward(&scene.arm.home());
+    let spread = settings.number("spread");
+    let pointing = match settings.choice("orientation") {
+        "home" => Pointing::Given(vec![home.rotation; points]),
+        "random" => {
+            let mut angle = || random.between(-spread, spread);
+            let turns = (0..points).map(|_| UnitQuaternion::from_euler_angles(angle(), angle(), angle()) * home.rotation);
+            Pointing::Given(turns.collect())
+        }
+        _ => Pointing::Free,
+    };
+    let hands = holding.hands();
+    Follower { scene, links, holding, hands, pointing, resolution: settings.number("resolution"), tries: settings.integer("tries"), random }
 }

@@ -150,7 +150,7 @@ export const en = {
     kind: (planner: string, scene: string, other: string) => `${planner} does not run on “${scene}”: ${other} takes its place.`,
     files: (message: string) => `Nothing was opened: ${message}`,
     unreadable: (names: string) => `These files could not be read: ${names}.`,
-    nothing: 'There is nothing to drive along.',
+    nothing: 'There is no path to follow.',
     dismiss: 'Dismiss',
   },
 } as const

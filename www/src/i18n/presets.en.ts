@@ -67,6 +67,10 @@ export const presets = {
       title: 'RRT-Connect in the six joints',
       see: 'The way it is done today: two trees of postures, and the whole arm keeps clear. The same tree is shown in pairs of joints and in space.',
     },
+    'arm-puma': {
+      title: 'Another arm: PUMA 560',
+      see: 'A common arm with a spherical wrist, given as data alone: its postures, its motion and where its tip can come follow from the table.',
+    },
     quantum: {
       title: '[LTQPSO] §4: ten metres of walls',
       see: 'Particles leap about their attractors, less far as the run goes on; the robot can drive along the result.',

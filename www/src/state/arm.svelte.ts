@@ -125,3 +125,10 @@ export const directionOf = ([x, y, z]: Point3): Direction => ({
 
 export const arm = new Arm()
 lab.motion = arm.following
+
+// What a thread was asked that broke down will never be answered.
+$effect.root(() => {
+  $effect(() => {
+    if (lab.phase === 'crashed') arm.clear()
+  })
+})

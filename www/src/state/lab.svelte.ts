@@ -71,6 +71,8 @@ class Lab extends Scenes {
   readonly touring = $derived(this.scene?.kind === 'tour' || (this.grid !== null && (this.planner?.stops ?? false)))
   /** It tells what happens and what it decides. */
   readonly eventful = $derived((this.planner?.events.length ?? 0) > 0)
+  /** It plans in an arm's joints, and tells of each node: its costs are angles. */
+  readonly inJoints = $derived(this.planner?.members.some(({ name }) => name === 'q1') ?? false)
   private readonly span = $derived(this.course.of(this.run))
   readonly limit = $derived(this.span.limit)
   readonly stages = $derived(this.span.stages)
@@ -489,6 +491,11 @@ class Lab extends Scenes {
 
   get inspecting(): boolean {
     return this.item !== null
+  }
+
+  /** What is looked at closer, also before there is an answer. */
+  get wanted(): Item | null {
+    return this.item
   }
 
   shows = (role: string, standard: boolean): boolean => !(this.hidden[role] ?? !standard)

@@ -30,6 +30,7 @@ export const PRESETS: readonly Preset[] = [
   { name: 'arm-cuboid-basic', planner: 'rrt', scene: 'arm-cuboid', params: {} },
   { name: 'arm-star', planner: 'rrt-star', scene: 'arm-cuboid', params: {} },
   { name: 'arm-joints', planner: 'rrt-joint', scene: 'arm-cuboid', params: {} },
+  { name: 'arm-puma', planner: 'rrt-joint', scene: 'arm-puma', params: {} },
   { name: 'quantum', planner: 'ltqpso', scene: 'qpso-10m', params: {} },
   { name: 'hens', planner: 'wcpso', scene: 'wcpso-discs', params: {} },
 ]

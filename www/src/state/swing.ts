@@ -11,14 +11,16 @@ export class Swing extends Moments {
     super(motion.columns, motion.rows)
   }
 
-  /** Between two rows all joints turn evenly; in degrees. */
-  postureAt(time: number): number[] {
+  /** Between two rows all joints turn evenly; in degrees. Null where there are no rows. */
+  postureAt(time: number): number[] | null {
+    if (this.times.length === 0) return null
     const { from, to, share } = this.between(time)
     return JOINTS.map((name) => this.value(name, from) * (1 - share) + this.value(name, to) * share)
   }
 
   /** Where the tip is, to within what it goes from one row to the next. */
-  tipAt(time: number): Point3 {
+  tipAt(time: number): Point3 | null {
+    if (this.times.length === 0) return null
     const { from, to, share } = this.between(time)
     const [x = 0, y = 0, z = 0] = TIP.map((name) => this.value(name, from) * (1 - share) + this.value(name, to) * share)
     return [x, y, z]

@@ -1,9 +1,13 @@
-import type { Joint } from 'forage'
-
 /** A tree's nodes, row by row: its parent (negative: none), which tree, and six angles in degrees. */
 export interface Nodes {
   columns: readonly string[]
   rows: Float64Array
+}
+
+/** The angles that an axis shows, in degrees. */
+export interface Span {
+  min: number
+  max: number
 }
 
 export interface Plot {
@@ -13,7 +17,8 @@ export interface Plot {
   /** The joints across and up, from 0. */
   across: number
   up: number
-  joints: readonly Joint[]
+  /** One for each joint. */
+  spans: readonly Span[]
 }
 
 export interface Colours {
@@ -34,7 +39,9 @@ export interface Marks {
 
 /** Room for the labels, in pixels. */
 export const RIM = { left: 38, right: 8, top: 8, bottom: 22 }
-const NODE = 1.6
+const NODE = 2.6
+/** So much of what is seen from near is left free about it, and so many degrees are seen at least. */
+const [MARGIN, LEAST] = [0.08, 10]
 
 export const count = ({ columns, rows }: Nodes): number => (columns.length > 0 ? Math.floor(rows.length / columns.length) : 0)
 
@@ -44,16 +51,31 @@ export function told({ columns, rows }: Nodes, name: string, node: number): numb
   return column < 0 ? NaN : (rows[node * columns.length + column] ?? NaN)
 }
 
-const share = (value: number, { min, max }: Joint): number => (max > min ? (value - min) / (max - min) : 0.5)
+const share = (value: number, { min, max }: Span): number => (max > min ? (value - min) / (max - min) : 0.5)
 
-/** Where two angles are in the plot: all that the limits allow fills it. */
-function place({ width, height, across, up, joints }: Plot, x: number, y: number): [number, number] {
-  const [a, b] = [joints[across], joints[up]]
+/** Where two angles are in the plot. */
+function place({ width, height, across, up, spans }: Plot, x: number, y: number): [number, number] {
+  const [a, b] = [spans[across], spans[up]]
   if (!a || !b) return [0, 0]
   return [RIM.left + share(x, a) * (width - RIM.left - RIM.right), height - RIM.bottom - share(y, b) * (height - RIM.top - RIM.bottom)]
 }
 
 const nameOf = (joint: number): string => `q${joint + 1}`
+
+/** What each joint must show for all nodes and the path to be seen. */
+export function around(nodes: Nodes, path: readonly (readonly number[])[]): Span[] {
+  const all = count(nodes)
+  return [0, 1, 2, 3, 4, 5].map((joint) => {
+    let [min, max] = [Infinity, -Infinity]
+    for (let node = 0; node < all; node += 1) {
+      const angle = told(nodes, nameOf(joint), node)
+      ;[min, max] = [Math.min(min, angle), Math.max(max, angle)]
+    }
+    for (const posture of path) [min, max] = [Math.min(min, posture[joint] ?? min), Math.max(max, posture[joint] ?? max)]
+    const [middle, half] = [(min + max) / 2, Math.max((max - min) * (0.5 + MARGIN), LEAST / 2)]
+    return min <= max ? { min: middle - half, max: middle + half } : { min: -180, max: 180 }
+  })
+}
 
 /** Where each node is, x and y by turns. */
 export function places(plot: Plot, nodes: Nodes): Float64Array {
@@ -110,26 +132,34 @@ export function draw(context: CanvasRenderingContext2D, plot: Plot, nodes: Nodes
   for (const [node, radius] of [[marks.pointed, 5], [marks.selected, 7]] as const) if (node !== null) ring(context, at, node, radius, colours)
 }
 
+const whole = (angle: number): string => `${Math.round(angle)}°`.replace('-', '−')
+
+/** What is labelled between the ends: zero, if it is well within. */
+function inner({ min, max }: Span): number {
+  const near = 0.15 * (max - min)
+  return min + near < 0 && max - near > 0 ? 0 : (min + max) / 2
+}
+
 function drawFrame(context: CanvasRenderingContext2D, plot: Plot, { line, ink }: Colours): void {
-  const { width, height, across, up, joints } = plot
+  const { width, height, across, up, spans } = plot
   context.strokeStyle = line
   context.lineWidth = 1
   context.setLineDash([])
   context.strokeRect(RIM.left + 0.5, RIM.top + 0.5, width - RIM.left - RIM.right - 1, height - RIM.top - RIM.bottom - 1)
-  const [a, b] = [joints[across], joints[up]]
+  const [a, b] = [spans[across], spans[up]]
   if (!a || !b) return
   context.fillStyle = ink
   context.textBaseline = 'top'
-  for (const [value, align] of [[a.min, 'left'], [0, 'center'], [a.max, 'right']] as const) {
+  for (const [value, align] of [[a.min, 'left'], [inner(a), 'center'], [a.max, 'right']] as const) {
     const [x] = place(plot, value, b.min)
     context.textAlign = align
-    context.fillText(`${value}°`.replace('-', '−'), x, height - RIM.bottom + 5)
+    context.fillText(whole(value), x, height - RIM.bottom + 5)
   }
   context.textAlign = 'right'
-  for (const [value, baseline] of [[b.min, 'bottom'], [0, 'middle'], [b.max, 'top']] as const) {
+  for (const [value, baseline] of [[b.min, 'bottom'], [inner(b), 'middle'], [b.max, 'top']] as const) {
     const [, y] = place(plot, a.min, value)
     context.textBaseline = baseline
-    context.fillText(`${value}°`.replace('-', '−'), RIM.left - 5, y)
+    context.fillText(whole(value), RIM.left - 5, y)
   }
 }
 

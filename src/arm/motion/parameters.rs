@@ -1,0 +1,173 @@
+//! What can be set about a motion, what it tells, and the equations it carries out.
+
+use crate::{
+    catalogue::{Formula, Scope},
+    drive::{Column, Entry},
+    params::{Choice, Parameter},
+};
+
+/// What there is to know about following a path.
+pub const MOTION: Entry = Entry {
+    source: "[ARM-RRT] §3.2.2, §3.3",
+    summary: "The arm follows the path with its tip: postures along it by inverse kinematics, joints that turn evenly from one to \
+              the next as fast as their limits allow, and the whole arm checked against cuboids and column all the way.",
+    parameters: PARAMETERS,
+    columns: COLUMNS,
+    formulas: FORMULAS,
+};
+
+const PARAMETERS: &[Parameter] = &[
+    Parameter::number(
+        "spacing",
+        "\\Delta s",
+        "Spacing",
+        [0.0005, 1.0, 0.01],
+        "How far apart the points of the path are, in metres, at which the arm takes a posture; corners and ends are always among \
+         them. Ours: the paper takes the points of its smoothed path.",
+    )
+    .slider(0.002, 0.1, true),
+    Parameter::choice(
+        "orientation",
+        "",
+        "Where the tool points",
+        &[
+            Choice { value: "free", title: "anywhere", help: "Whatever suits the arm best. Ours." },
+            Choice { value: "home", title: "as at home", help: "The tool keeps the orientation that it has in the home posture. Ours." },
+            Choice {
+                value: "random",
+                title: "at random",
+                help: "Turned by three random angles at every point, about z, then y, then x. Published: 2*(rand(1,3)-0.5), step 4.",
+            },
+        ],
+        "How the tool is turned at each point of the path, which says only where its tip is.",
+    ),
+    Parameter::number(
+        "spread",
+        "\\varphi_{\\max}",
+        "Spread of the random angles",
+        [0.0, 3.2, 1.0],
+        "The random angles are uniform from minus to plus this, in radians. Published: 1.",
+    )
+    .when("orientation", "random")
+    .slider(0.0, 1.0, false),
+    Parameter::choice(
+        "postures",
+        "",
+        "Which posture",
+        &[
+            Choice {
+                value: "smoothest",
+                title: "smoothest on the whole",
+                help: "Of all ways through all points’ postures the one whose joints turn most gently, among those that touch \
+                       nothing. Ours.",
+            },
+            Choice {
+                value: "nearest",
+                title: "nearest to the last",
+                help: "At each point the one nearest to that before (at the first: to home), one that touches nothing if there is any. \
+                       Published.",
+            },
+        ],
+        "Most points can be reached in several postures.",
+    ),
+    Parameter::number(
+        "radius",
+        "r",
+        "Link radius",
+        [0.0, 0.5, 0.0],
+        "The links are that thick, in metres. Published: none, only the skeleton.",
+    )
+    .slider(0.0, 0.1, false),
+    Parameter::integer(
+        "tries",
+        "",
+        "Tries",
+        [0, 100_000, 1000],
+        "How often joints are drawn at random for a point without a posture before the motion ends there. The paper sets no limit.",
+    ),
+    Parameter::number(
+        "speed",
+        "\\kappa",
+        "Share of the joints’ speeds",
+        [0.001, 1.0, 1.0],
+        "How much of their speed limits the joints may use. Ours: the paper gives no speeds.",
+    )
+    .slider(0.05, 1.0, false),
+    Parameter::number(
+        "tool_speed",
+        "v_{\\max}",
+        "Tool speed",
+        [0.001, 100.0, 0.5],
+        "How fast the tip goes at most, in metres a second. Ours.",
+    )
+    .slider(0.05, 5.0, true),
+    Parameter::number(
+        "resolution",
+        "\\varepsilon",
+        "Resolution of the collision test",
+        [0.000_01, 0.1, 0.001],
+        "Where there is less room than this, in metres, no point of a link goes farther between two tests. Where there is more, the \
+         test needs no samples and is exact.",
+    )
+    .slider(0.0001, 0.02, true),
+    Parameter::integer(
+        "seed",
+        "",
+        "Seed",
+        [0, crate::rng::MAX_SEED, 1],
+        "Of what is random: the tool’s angles, and joints drawn for points without a posture.",
+    ),
+];
+
+/// The numbers of a row. Angles are degrees, lengths metres.
+pub(super) const COLUMNS: &[Column] = &[
+    column("time", "t", "Time", "s"),
+    column("along", "s", "Along the path", "m"),
+    column("x", "x", "Tip, x", "m"),
+    column("y", "y", "Tip, y", "m"),
+    column("z", "z", "Tip, z", "m"),
+    column("q1", "\\theta_1", "Joint 1", "°"),
+    column("q2", "\\theta_2", "Joint 2", "°"),
+    column("q3", "\\theta_3", "Joint 3", "°"),
+    column("q4", "\\theta_4", "Joint 4", "°"),
+    column("q5", "\\theta_5", "Joint 5", "°"),
+    column("q6", "\\theta_6", "Joint 6", "°"),
+    column("clearance", "d", "From the nearest cuboid", "m"),
+];
+
+const fn column(name: &'static str, symbol: &'static str, title: &'static str, unit: &'static str) -> Column {
+    Column { name, title, symbol, unit }
+}
+
+const FORMULAS: &[Formula] = &[
+    formula(
+        "forward",
+        "[ARM-RRT] (1)",
+        "Forward kinematics",
+        "{}^0T_6 = \\prod_{i=1}^{6} R_x(\\alpha_{i-1})\\, T_x(a_{i-1})\\, R_z(\\theta_i)\\, T_z(d_i)",
+    ),
+    formula(
+        "smoothest",
+        "ours",
+        "What is least for the smoothest postures",
+        "\\sum_k \\frac{\\lVert \\theta_{k+1} - \\theta_k \\rVert^2}{s_{k+1} - s_k}",
+    ),
+    formula("limits", "[ARM-RRT] Table 1", "Limits", "\\theta_i^{\\min} \\le \\theta_i \\le \\theta_i^{\\max}"),
+    formula("mirror", "[ARM-RRT] step 4", "A point without a posture is mirrored", "p_k \\leftarrow p_{k-1} + p_{k+1} - p_k"),
+    formula(
+        "draw",
+        "[ARM-RRT] step 6",
+        "Then joints are drawn",
+        "\\theta_i = \\theta_i^{k-1} + r_i\\, (\\theta_i^{k+1} - \\theta_i^{k-1}), \\quad r_i \\sim U(0,1)",
+    ),
+    formula(
+        "timing",
+        "joint and tool speeds",
+        "Time from one row to the next",
+        "\\Delta t = \\max\\left( \\max_i \\frac{|\\Delta\\theta_i|}{\\kappa\\, \\omega_i},\\, \\frac{\\lVert \\Delta p \\rVert}{v_{\\max}} \\right)",
+    ),
+];
+
+const fn formula(name: &'static str, source: &'static str, title: &'static str, tex: &'static str) -> Formula {
+    Formula { name, source, title, tex, live: "", scope: Scope::Iteration }
+}

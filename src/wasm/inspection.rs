@@ -1,0 +1,43 @@
+//! What is told of an item, as it crosses to JavaScript.
+
+use serde::Serialize;
+
+use crate::planner::{Column, Inspection, Item, Mark, Quantity};
+
+#[derive(Serialize)]
+pub(super) struct ItemView {
+    role: &'static str,
+    index: usize,
+}
+
+impl From<Item> for ItemView {
+    fn from(item: Item) -> Self {
+        Self { role: item.role.name(), index: item.index }
+    }
+}
+
+#[derive(Serialize)]
+pub(super) struct InspectionView {
+    item: ItemView,
+    title: String,
+    event: &'static str,
+    summary: String,
+    values: Vec<Quantity>,
+    formulas: Vec<&'static str>,
+    table: Table,
+    layers: Vec<Mark>,
+}
+
+#[derive(Serialize)]
+struct Table {
+    columns: Vec<Column>,
+    labels: Vec<String>,
+    rows: Vec<Vec<f64>>,
+}
+
+impl From<Inspection> for InspectionView {
+    fn from(told: Inspection) -> Self {
+        let Inspection { item, title, event, summary, values, formulas, columns, labels, rows, marks } = told;
+        Self { item: item.into(), title, event, summary, values, formulas, table: Table { columns, labels, rows }, layers: marks }
+    }
+}
