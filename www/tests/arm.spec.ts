@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises'
 import type { ArmScene, Point3 } from '../../pkg/node.js'
 import { catalogue } from '../../pkg/node.js'
+import { arm as words } from '../src/i18n/arm.en'
 import { space as text } from '../src/i18n/space.en'
 import { middle } from '../src/state/arms'
 import { violations } from './support/axe'
@@ -138,6 +139,45 @@ test('the pointer turns the view, the wheel zooms, the right button moves it; th
     seen.add((await shot(lab)).digest)
   }
   expect(seen.size).toBe(6)
+})
+
+test('the arm moves with the time of its motion, and stands at home again afterwards', async ({ lab, page }) => {
+  await begin(lab)
+  const still = await shot(lab)
+  await lab.section('motion')
+  await lab.press(words.motion.begin)
+  await expect(page.getByRole('slider', { name: words.motion.scrubber })).toBeVisible()
+  const first = await shot(lab)
+  expect(first.digest).not.toBe(still.digest)
+  await lab.stage.focus()
+  await page.keyboard.press('End')
+  const last = await shot(lab)
+  expect(last.digest).not.toBe(first.digest)
+  await page.keyboard.press('Home')
+  await lab.stage.blur()
+  expect(await shot(lab)).toEqual(first)
+  await lab.stage.focus()
+  await page.keyboard.press('Escape')
+  await lab.stage.blur()
+  expect(await shot(lab)).toEqual(still)
+})
+
+test('the postures of the goal are ghosts, and where the tip can come is a cloud', async ({ lab }) => {
+  await begin(lab)
+  const alone = await shot(lab)
+  const postures = await lab.section('postures')
+  await expect(postures.getByRole('row')).not.toHaveCount(0)
+  const ghosts = await shot(lab)
+  expect(ghosts.digest).not.toBe(alone.digest)
+  await postures.locator('> summary').click()
+  expect(await shot(lab)).toEqual(alone)
+
+  await lab.section('survey')
+  await lab.press(words.survey.show)
+  await expect(lab.button(words.survey.clear)).toBeVisible()
+  expect((await shot(lab)).digest).not.toBe(alone.digest)
+  await lab.press(words.survey.clear)
+  expect(await shot(lab)).toEqual(alone)
 })
 
 test('a still picture is drawn once', async ({ lab, page }) => {
