@@ -85,6 +85,8 @@ export class Dots {
     material.color.copy(colour)
     material.size = size
     material.opacity = alpha
+    // What is faint has the same rim.
+    material.alphaTest = alpha / 2
   }
 
   private attach(): void {

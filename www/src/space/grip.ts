@@ -75,7 +75,9 @@ export function columnOf({ arm, workspace }: ArmScene): Cuboid {
 export class Hold {
   private from: Vector3
   private readonly anchor: Point3
-  private across: boolean
+  private across = false
+  /** Where the hand was. */
+  private last: At
 
   constructor(
     private readonly scene: ArmScene,
@@ -86,7 +88,7 @@ export class Hold {
     at: At,
   ) {
     this.anchor = [...(whereIs(scene, selection) ?? [0, 0, 0])]
-    this.across = false
+    this.last = at
     this.from = this.touch(at) ?? vector(this.anchor)
   }
 
@@ -100,7 +102,8 @@ export class Hold {
     }
     const to: Point3 = [...(whereIs(now, selection) ?? this.anchor)]
     // From here on the hand means another direction.
-    if (grip.kind !== 'lift' && across !== this.across) this.anew(to, at, across)
+    if (grip.kind !== 'lift' && across !== this.across) this.anew(to, this.last, across)
+    this.last = at
     if (grip.kind === 'lift' || across) {
       const height = this.along(at, point(this.from), 2)
       if (height !== null) to[2] = neat(this.anchor[2] + height - this.from.z)

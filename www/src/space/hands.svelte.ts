@@ -10,6 +10,8 @@ import type { World } from './world'
 
 /** How near a pointer and a finger have to come, in pixels: to marks and handles, and to a node. */
 const REACH = { mouse: 11, finger: 24 }
+/** On a small screen a cuboid would be nothing but handles. */
+const FACE = { mouse: 11, finger: 15 }
 const NODE = { mouse: 7, finger: 16 }
 /** How far a key moves what is selected, in metres, and turns the base, in degrees. */
 const STEP = 0.01
@@ -40,7 +42,7 @@ export class Hands {
       const lift = liftAt(scene, selection, world)
       if (lift && Math.abs(lift[0] - at[0]) <= reach && Math.abs(lift[1] - at[1]) <= Math.max(reach, 14)) return { kind: 'lift' }
       const cuboid = selection.kind === 'cuboid' ? scene.cuboids[selection.index] : undefined
-      const face = cuboid && facing(cuboid, world).find((one) => away(faceOf(cuboid, one)) <= reach)
+      const face = cuboid && facing(cuboid, world).find((one) => away(faceOf(cuboid, one)) <= (coarse ? FACE.finger : FACE.mouse))
       if (face && 'index' in selection) return { kind: 'face', index: selection.index, ...face }
     }
     const end = (['goal', 'start'] as const).find((kind) => away(scene[kind]) <= reach)

@@ -20,6 +20,8 @@ const FIRST_ROOM = 256
 const [ENDS, LENGTHS] = [6, 2]
 const HIDDEN = 0.3
 const HALO = 3
+/** Finer dots would be lost on the edges of a tree. */
+const LEAST = { width: 2, dash: 3 }
 
 /** Lines of one kind, as wide on the screen as their style says. Their buffers grow and are filled anew in place. */
 export class Strokes {
@@ -81,9 +83,9 @@ export class Strokes {
   look(style: Style, { colour, ground, alpha, result }: Ink): void {
     for (const material of [this.line, this.hidden]) {
       material.color.copy(colour)
-      material.linewidth = style.width
+      material.linewidth = result ? Math.max(style.width, LEAST.width) : style.width
       material.dashed = style.dash !== undefined
-      material.dashSize = style.dash?.[0] ?? 1
+      material.dashSize = Math.max(style.dash?.[0] ?? 0, LEAST.dash)
       material.gapSize = style.dash?.[1] ?? 1
     }
     // The way along a tree lies on its edges, and wins over them.

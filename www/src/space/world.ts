@@ -41,11 +41,15 @@ export class World {
   private readonly spirits = new Group()
   private size: Size = { width: 1, height: 1 }
   private orbit: Orbit | undefined
+  /** What throws shadows has moved since they were drawn. */
+  private moved = true
 
   constructor(canvas: HTMLCanvasElement, context: WebGL2RenderingContext) {
     this.renderer = new WebGLRenderer({ canvas, context })
     this.renderer.shadowMap.enabled = true
     this.renderer.shadowMap.type = PCFShadowMap
+    // Shadows don't change with the eye.
+    this.renderer.shadowMap.autoUpdate = false
     this.key.castShadow = true
     this.key.shadow.mapSize.set(SHADOWS, SHADOWS)
     this.key.shadow.radius = 5
@@ -93,6 +97,7 @@ export class World {
   }
 
   showRoom(workspace: Cuboid): void {
+    this.moved = true
     this.room.show(workspace)
     const [low, high] = [new Vector3(...workspace.min), new Vector3(...workspace.max)]
     const middle = low.clone().add(high).multiplyScalar(0.5)
@@ -104,6 +109,7 @@ export class World {
   }
 
   showBoxes(cuboids: readonly Cuboid[], moodOf: (index: number) => Mood): void {
+    this.moved = true
     this.boxes.show(cuboids, moodOf)
   }
 
@@ -119,6 +125,7 @@ export class World {
   /** Its joints in degrees, null: at home. It is in trouble where it touches something. */
   pose(arm: Arm, posture: readonly number[] | null, visible: boolean, trouble: boolean, palette: Palette): Stance | null {
     if (!this.machine || !this.skin) return null
+    this.moved = true
     this.machine.group.visible = visible
     const glow = trouble ? colourOf(palette, '--danger') : null
     for (const material of [this.skin.body, this.skin.joint]) {
@@ -143,6 +150,8 @@ export class World {
   render(): void {
     if (!this.orbit) return
     this.layers.scale(pixel(this.orbit, this.size))
+    this.renderer.shadowMap.needsUpdate = this.moved
+    this.moved = false
     this.renderer.render(this.scene, this.camera)
   }
 
@@ -161,6 +170,11 @@ export class World {
     const at = new Vector3((2 * x) / this.size.width - 1, 1 - (2 * y) / this.size.height, 0.5).unproject(this.camera)
     const origin = this.camera.position.clone()
     return { origin, direction: at.sub(origin).normalize() }
+  }
+
+  /** The graphics card has lost what it knew. */
+  forget(): void {
+    this.moved = true
   }
 
   drop(): void {
