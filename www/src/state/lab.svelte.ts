@@ -314,7 +314,7 @@ class Lab extends Scenes {
 
   seek = (to: number): void => {
     const iteration = Math.min(Math.max(Math.round(to), 0), this.limit)
-    this.stand()
+    this.leaveResult()
     this.playing = false
     this.target = iteration
     void this.client.api.seek(iteration)
@@ -457,7 +457,7 @@ class Lab extends Scenes {
 
   /** Back to the run as it was. */
   leaveDrive = (): void => {
-    this.stand()
+    this.leaveResult()
     if (this.resumes) this.play()
     this.resumes = false
   }
@@ -466,15 +466,19 @@ class Lab extends Scenes {
     return [this.driving, this.motion].filter((follower) => follower !== null)
   }
 
+  private leaveResult(): void {
+    for (const follower of this.followers) follower.leave()
+  }
+
   /** Nobody follows the result, and no iteration is unfolded. */
   private stand(): void {
-    for (const follower of this.followers) follower.leave()
+    this.leaveResult()
     this.unfolded = false
   }
 
   /** Shows this iteration step by step. */
   unfold = (): void => {
-    this.stand()
+    this.leaveResult()
     if (this.playing) this.pause()
     this.inspect(null)
     this.unfolded = true
