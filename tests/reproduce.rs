@@ -29,7 +29,7 @@ fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
     for (args, part) in [
         (
             &["reproduce", "waldo"] as &[&str],
-            "known: ltqpso, ltqpso-regression, antbat-paths, antbat-tours, antbat-time, wolf-ant, wolf-ant-dynamic",
+            "known: ltqpso, ltqpso-regression, antbat-paths, antbat-tours, antbat-time, wolf-ant, wolf-ant-dynamic, arm-rrt",
         ),
         (&["reproduce", "ltqpso", "--runs", "1"], "runs: 1 is not allowed; it must be from 2"),
         (&["reproduce", "ltqpso", "--jobs", "0"], "--jobs"),
@@ -251,6 +251,46 @@ fn the_time_of_tours_is_measured_and_drawn_over_the_number_of_stops() {
     let again: Value = serde_json::from_slice(&forage(&command(&printed, "ant-bat-30-10-stops.json")).stdout).unwrap();
     let row = rows.lines().find(|line| line.starts_with("bat,10,1,")).unwrap();
     assert_eq!(row.split(',').nth(4).unwrap().parse().ok(), again["length"].as_f64());
+}
+
+#[test]
+fn trees_with_and_without_a_cuboid_are_told_with_every_seed_that_failed() {
+    let out = folder("arm-rrt");
+    let args = ["reproduce", "arm-rrt", "--runs", "2", "--out", out.to_str().unwrap()];
+    let output = forage(&args);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let printed = text(&output.stdout);
+    for part in
+        ["2 seeds a cell instead of 100", "exact optimum 1.3516 m", "nearly straight", "finds a way past the cuboid for every seed: yes"]
+    {
+        assert!(printed.contains(part), "{part}: {printed}");
+    }
+    let read = |name: &str| fs::read_to_string(out.join(format!("arm-rrt-{name}.csv"))).unwrap();
+    let rows = read("runs");
+    // Two scenes; four planners with two steps, and the joints' tree with its own.
+    assert_eq!(rows.lines().count(), 1 + 2 * (4 * 2 + 1) * 2);
+    assert!(rows.lines().next().unwrap().ends_with(",measured_ms"), "the time is the last column: {rows}");
+
+    // Killed in the middle of a line and gone on with one thread: the same but for the times.
+    fs::write(out.join("arm-rrt-runs.csv"), &rows[..rows.len() / 2]).unwrap();
+    let resumed = forage(&[&args[..], &["--jobs", "1", "--json"]].concat());
+    assert_eq!(without_times(&read("runs")), without_times(&rows));
+
+    // What is told follows from the rows, and no path is shorter than the optimum.
+    let report: Value = serde_json::from_slice(&resumed.stdout).unwrap();
+    let heading: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| heading.iter().position(|column| *column == name).unwrap();
+    let guided: Vec<Vec<&str>> =
+        rows.lines().filter(|line| line.starts_with("arm-cuboid,rrt-guided,0.03,")).map(|line| line.split(',').collect()).collect();
+    let number = |row: &[&str], name: &str| row[column(name)].parse::<f64>().unwrap();
+    let told = report[0]["tables"][0]["rows"].as_array().unwrap().iter().find(|row| row["planner"] == "rrt-guided").unwrap();
+    let nodes = guided.iter().map(|row| number(row, "nodes")).sum::<f64>() / 2.0;
+    assert_eq!((told["found"].as_str(), told["nodes, mean"].as_f64()), (Some("2 of 2"), Some(nodes)));
+    assert!(told["over exact %"].as_f64().unwrap() > 0.0);
+
+    // And the command that is named gives the row of seed 1 again.
+    let again: Value = serde_json::from_slice(&forage(&command(&printed, "forage run rrt-guided --scene arm-cuboid")).stdout).unwrap();
+    assert_eq!(again["length"].as_f64(), Some(number(&guided[0], "length")));
 }
 
 /// Ctrl-C: what is finished is kept, and the same command goes on from there.

@@ -149,4 +149,10 @@ pub(super) struct RunArgs {
     /// A parameter of the drive; may be given many times. `forage list` names them.
     #[arg(long = "drive-set", value_name = "NAME=VALUE")]
     pub(super) drive_set: Vec<String>,
+    /// Write how the scene's arm follows the path as CSV, a line for each posture.
+    #[arg(long, value_name = "FILE")]
+    pub(super) motion: Option<PathBuf>,
+    /// A parameter of the arm's motion; may be given many times. `forage list` names them.
+    #[arg(long = "motion-set", value_name = "NAME=VALUE")]
+    pub(super) motion_set: Vec<String>,
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use forage::{catalogue, catalogue::PLANNERS, drive, scene::Kind, shipped_names};
+use forage::{arm, catalogue, catalogue::PLANNERS, drive, scene::Kind, shipped_names};
 
 use super::{print, print_json};
 
@@ -31,11 +31,13 @@ pub(super) fn list(json: bool) {
             let _ = writeln!(text, "    {:<16} {}", "", parameter.help);
         }
     }
-    let _ = writeln!(text, "\nDRIVE {}\n  {}", drive::ENTRY.source, drive::ENTRY.summary);
-    for parameter in drive::PARAMETERS {
-        let default = parameter.default_on(Kind::Grid);
-        let _ = writeln!(text, "    {:<16} {}; default {default}", parameter.name, parameter.allowed());
-        let _ = writeln!(text, "    {:<16} {}", "", parameter.help);
+    for (title, entry, kind) in [("DRIVE", &drive::ENTRY, Kind::Grid), ("MOTION", &arm::MOTION, Kind::Arm)] {
+        let _ = writeln!(text, "\n{title} {}\n  {}", entry.source, entry.summary);
+        for parameter in entry.parameters {
+            let when = parameter.when.map_or(String::new(), |when| format!("; only with {}={}", when.parameter, when.value));
+            let _ = writeln!(text, "    {:<16} {}; default {}{when}", parameter.name, parameter.allowed(), parameter.default_on(kind));
+            let _ = writeln!(text, "    {:<16} {}", "", parameter.help);
+        }
     }
     text.push_str("\nGENERATORS of random scenes\n");
     text.push_str(&super::generate::generators());

@@ -3,7 +3,7 @@
 use std::{fs, path::Path, sync::Arc};
 
 use forage::{
-    Error, Given, Link, Scene, Setup, Value,
+    Error, Given, Link, Scene, Setup, Value, arm,
     catalogue::Suggestion,
     drive, rng,
     scene::formats::{self, Format, NamedFile},
@@ -142,6 +142,18 @@ pub(super) fn drive(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
         return Err(Error::refused(option, scene.name(), allowed).into());
     }
     drive::settings(robot, &given)?;
+    Ok(given)
+}
+
+/// The motion's parameters, checked before the run; refused where there is no arm.
+pub(super) fn motion(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
+    let mut given = Given::new();
+    read_pairs("--motion-set", &args.motion_set, &mut given)?;
+    if scene.arm().is_err() && (args.motion.is_some() || !given.is_empty()) {
+        let option = if args.motion.is_some() { "--motion" } else { "--motion-set" };
+        return Err(Error::refused(option, scene.name(), "left out unless the scene is an arm’s").into());
+    }
+    arm::along(scene, None, &given)?;
     Ok(given)
 }
 

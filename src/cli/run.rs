@@ -11,8 +11,9 @@ use std::{
 };
 
 use forage::{
-    Drive, DriveOutcome, Error, Outcome, Session, Status,
-    drive::COLUMNS,
+    DriveOutcome, Error, Outcome, Session, Status,
+    arm::{self, MotionOutcome},
+    drive::{COLUMNS, Column},
     frame::Role,
     picture,
     planner::{Finding, Yardstick},
@@ -35,6 +36,7 @@ struct Report {
 pub(super) fn run(args: &RunArgs) -> super::Outcome {
     let task = load::task(args)?;
     let given = load::drive(args, &task.setup.scene)?;
+    let of_motion = load::motion(args, &task.setup.scene)?;
     let mut session = Session::with_keyframes(task.setup, 0)?;
     if args.tour.is_some() && !session.entry().stops {
         return Err(Error::refused("--tour", session.entry().name, "left out, or the planner one that looks for tours").into());
@@ -44,11 +46,20 @@ pub(super) fn run(args: &RunArgs) -> super::Outcome {
     if args.drive.is_some() || !given.is_empty() {
         let drive = session.drive(&given)?;
         match (&args.drive, &drive) {
-            (Some(path), Some(drive)) => write_drive(path, drive).map_err(|error| file(path, error))?,
+            (Some(path), Some(drive)) => write_rows(path, COLUMNS, &drive.rows).map_err(|error| file(path, error))?,
             (Some(path), None) => eprintln!("forage: no path was found to drive along; {} is not written", path.display()),
             (None, _) => {}
         }
         outcome.drive = drive.map(|drive| drive.outcome);
+    }
+    if args.motion.is_some() || !of_motion.is_empty() {
+        let motion = session.motion(&of_motion)?;
+        match (&args.motion, &motion) {
+            (Some(path), Some(motion)) => write_rows(path, arm::MOTION.columns, &motion.rows).map_err(|error| file(path, error))?,
+            (Some(path), None) => eprintln!("forage: no path was found to follow; {} is not written", path.display()),
+            (None, _) => {}
+        }
+        outcome.motion = motion.map(|motion| motion.outcome);
     }
     if let Some(path) = &args.tour {
         match &outcome.order {
@@ -154,10 +165,10 @@ fn write_row(rows: &mut impl Write, session: &mut Session) -> io::Result<()> {
     csv_row(rows, iteration, readings.iter().map(|(_, value)| value))
 }
 
-fn write_drive(path: &Path, drive: &Drive) -> io::Result<()> {
+fn write_rows(path: &Path, columns: &[Column], rows: &[f64]) -> io::Result<()> {
     let mut out = io::BufWriter::new(File::create(path)?);
-    csv_line(&mut out, COLUMNS.iter().map(|column| column.name))?;
-    for row in drive.rows.chunks_exact(COLUMNS.len()) {
+    csv_line(&mut out, columns.iter().map(|column| column.name))?;
+    for row in rows.chunks_exact(columns.len()) {
         csv_line(&mut out, row.iter())?;
     }
     out.flush()
@@ -241,6 +252,12 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
     if let Some(drive) = &outcome.drive {
         let _ = writeln!(text, "  drive      {}", driven(drive));
     }
+    if let Some(motion) = &outcome.motion {
+        let _ = writeln!(text, "  motion     {}", moved(motion));
+        if let Some(trouble) = &motion.trouble {
+            let _ = writeln!(text, "             {trouble}");
+        }
+    }
     text += &log(outcome);
     if let Some(tuned) = &outcome.tuned {
         let pairs: Vec<_> = tuned.params.iter().map(|(name, value)| format!("--set {name}={value}")).collect();
@@ -297,5 +314,30 @@ fn driven(drive: &DriveOutcome) -> String {
     }
     let [left, right] = drive.counts;
     let _ = write!(text, ", {left} / {right} counts");
+    text
+}
+
+/// How an arm's motion went, in a line.
+fn moved(motion: &MotionOutcome) -> String {
+    let MotionOutcome { time, length, largest_step, max_error, .. } = motion;
+    let mut text = format!("{time:.2} s, {length:.4} m, steps of at most {largest_step:.2}°, error at most {max_error:.6}");
+    match (motion.touched_at, motion.clearance) {
+        (Some(seconds), _) => {
+            let _ = write!(text, ", TOUCHES a cuboid or the column after {seconds:.2} s");
+        }
+        (None, Some(clearance)) => {
+            let _ = write!(text, ", the whole arm free, clearance {clearance:.4}");
+        }
+        (None, None) if motion.free => text.push_str(", the whole arm free"),
+        (None, None) => {}
+    }
+    for (replaced, how) in [(motion.mirrored, "mirrored"), (motion.drawn, "drawn at random")] {
+        if replaced > 0 {
+            let _ = write!(text, ", {replaced} {how}");
+        }
+    }
+    if !motion.arrived {
+        text.push_str(", did NOT arrive");
+    }
     text
 }

@@ -4,11 +4,12 @@
 //! loses nothing. [`statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
 //! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
 //! [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`],
-//! [`wolf_dynamic`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
+//! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
 
 pub mod antbat;
 pub mod antbat_time;
 pub mod antbat_tours;
+pub mod arm_rrt;
 pub mod chart;
 mod colonies;
 pub mod figure;
@@ -46,6 +47,7 @@ pub const REPRODUCTIONS: &[Reproduction] = &[
     antbat_time::REPRODUCTION,
     wolf::REPRODUCTION,
     wolf_dynamic::REPRODUCTION,
+    arm_rrt::REPRODUCTION,
 ];
 
 /// A published experiment.

@@ -71,6 +71,12 @@ impl ArmScene {
             && !arm::segment_meets_column(self, a, b)
     }
 
+    /// What the tip must not touch: cuboids, and the axis of the column with its radius.
+    pub(crate) fn obstacles(&self) -> impl Iterator<Item = (Cuboid, f64)> + '_ {
+        let column = arm::column(self).map(|column| (column.axis, column.radius));
+        self.cuboids.iter().map(|cuboid| (*cuboid, 0.0)).chain(column)
+    }
+
     /// The tip's shortest path, as if nothing were behind it: neither the arm nor the column under its base counts, so it is
     /// a lower bound for the arm's. Where there are too many cuboids, the length that the scene's file gives.
     pub(super) fn exact(&self, stored: Option<&Value>) -> Option<Exact> {

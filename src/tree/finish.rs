@@ -61,7 +61,7 @@ impl<const N: usize> Finished<N> {
 
 /// Shortens, fits and smooths a path whose pieces are free.
 pub(super) fn finish<const N: usize>(raw: &[[f64; N]], how: &Finish, free: Free<N>) -> Finished<N> {
-    let short = if how.shorten { shortened(raw, free) } else { raw.to_vec() };
+    let short = if how.shorten { shortened(raw, FINE * how.step, free) } else { raw.to_vec() };
     let fit = how.fit.map_or_else(|| short.clone(), |tolerance| fitted(&short, tolerance, how.step, free));
     let path = how.smooth.map_or_else(|| fit.clone(), |blend| smooth(&fit, blend, free));
     Finished { short, path }
@@ -72,16 +72,18 @@ const MANY: usize = 150;
 /// Corners are cut this often at most, and not any more when that gains less than a share of the length.
 const ROUNDS: usize = 30;
 const GAIN: f64 = 1e-5;
-/// A corner is cut at most so many times finer than its neighbours are away.
+/// A corner is cut at most so many times finer than its neighbours are away,
 const HALVINGS: usize = 7;
+/// and no nearer to it than this, in steps: round obstacles would make corners without end.
+const FINE: f64 = 0.05;
 
 /// The path without detours: the shortest way over its own nodes that see each other, and then its corners cut, again and
 /// again, as far as that is free.
-pub(super) fn shortened<const N: usize>(path: &[[f64; N]], free: Free<N>) -> Vec<[f64; N]> {
+pub(super) fn shortened<const N: usize>(path: &[[f64; N]], fine: f64, free: Free<N>) -> Vec<[f64; N]> {
     let mut path = if path.len() <= MANY { over_seen(path, free) } else { without_needless(path.to_vec(), free) };
     let mut last = length(&path);
     for _ in 0..ROUNDS {
-        path = without_needless(cut(&path, free), free);
+        path = without_needless(cut(&path, fine, free), free);
         let now = length(&path);
         if now > last * (1.0 - GAIN) {
             break;
@@ -132,7 +134,7 @@ fn without_needless<const N: usize>(mut path: Vec<[f64; N]>, free: Free<N>) -> V
 }
 
 /// Each corner cut by the longest straight piece that is free, between points as far from it on both sides by halves.
-fn cut<const N: usize>(path: &[[f64; N]], free: Free<N>) -> Vec<[f64; N]> {
+fn cut<const N: usize>(path: &[[f64; N]], fine: f64, free: Free<N>) -> Vec<[f64; N]> {
     if path.len() < 3 {
         return path.to_vec();
     }
@@ -143,6 +145,9 @@ fn cut<const N: usize>(path: &[[f64; N]], free: Free<N>) -> Vec<[f64; N]> {
         let mut share = 0.5_f64;
         let mut done = false;
         for _ in 0..HALVINGS {
+            if share * distance(corner, &from).max(distance(corner, to)) < fine {
+                break;
+            }
             let (a, b) = (between(corner, &from, share.min(0.999)), between(corner, to, share));
             if free(&a, &b) {
                 out.extend([a, b]);

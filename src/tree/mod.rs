@@ -51,7 +51,7 @@ fn grown<M: Method<3>>(
     goal_bias: f64,
     method: impl FnOnce(&Task<3>) -> M,
 ) -> Result<Grown<3, M>, Error> {
-    let ground = Ground::new(scene)?;
+    let ground = Ground::new(scene, settings)?;
     let task = Task::new(Arc::new(ground), settings, goal_bias);
     let method = method(&task);
     Ok(Grown::new(task, method, seed))

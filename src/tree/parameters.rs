@@ -14,6 +14,7 @@ macro_rules! with_finish {
     ($($own:expr),* $(,)?) => {
         [
             $($own,)*
+            $crate::tree::parameters::MARGIN,
             $crate::tree::parameters::SHORTEN,
             $crate::tree::parameters::POLYLINE,
             $crate::tree::parameters::TOLERANCE,
@@ -42,6 +43,15 @@ pub(super) const STEP: Parameter = Parameter::number(
 )
 .defaults_on(&[(Kind::Discs, Preset::Number(0.5)), (Kind::Grid, Preset::Number(1.0))])
 .slider(0.005, 2.0, true);
+pub(super) const MARGIN: Parameter = Parameter::number(
+    "margin",
+    "m",
+    "Margin",
+    [0.0, 1.0, 0.005],
+    "How far the tip keeps away from cuboids and column, in metres, so that the tool has room; less where start or goal have less. In the paper 0. Links with a radius need as much.",
+)
+.only_on(&[Kind::Arm])
+.slider(0.0, 0.1, false);
 pub(super) const BIAS: Parameter = Parameter::number(
     "goal_bias",
     "p_g",

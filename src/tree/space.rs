@@ -3,7 +3,10 @@
 use std::sync::Arc;
 
 use crate::{
+    arm,
     error::Error,
+    geometry::Cuboid,
+    params::Settings,
     planner::Solution,
     scene::{Body, Scene},
 };
@@ -49,14 +52,17 @@ pub(super) struct Ground {
     goal: [[f64; 3]; 1],
     /// What a length of 1 is in the scene's unit for the planner's parameters: a cell's side on grids.
     unit: f64,
+    /// What the tip of an arm must keep away from, and how far: each cuboid, grown by that, its own corners sharp.
+    margin: f64,
+    grown: Vec<Cuboid>,
 }
 
 impl Ground {
-    /// Of a scene with start and goal.
+    /// Of a scene with start and goal; in an arm’s with the setting `margin`.
     ///
     /// # Errors
     /// [`Error::Refused`] for a scene without.
-    pub(super) fn new(scene: &Arc<Scene>) -> Result<Self, Error> {
+    pub(super) fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
         let flat = |[x, y]: [f64; 2]| [x, y, 0.0];
         let (min, max, start, goal, unit) = match scene.body() {
             Body::Discs(discs) => (flat(discs.bounds.min), flat(discs.bounds.max), flat(discs.start), flat(discs.goal), 1.0),
@@ -67,7 +73,20 @@ impl Ground {
             Body::Arm(arm) => (arm.workspace.min, arm.workspace.max, arm.start, arm.goal, 1.0),
             Body::Function(_) | Body::Tour(_) => return Err(Error::refused("kind", scene.kind().name(), "discs, grid or arm")),
         };
-        Ok(Self { scene: Arc::clone(scene), min, max, start, goal: [goal], unit })
+        let (mut margin, mut grown) = (0.0, Vec::new());
+        if let Ok(arm) = scene.arm() {
+            // Start and goal are free, however near: half of their room is left.
+            let rooms = [start, goal]
+                .into_iter()
+                .flat_map(|end| arm.obstacles().map(move |(axis, radius)| axis.distance_squared(end, end).sqrt() - radius));
+            margin = rooms.fold(settings.number("margin"), |margin, room| margin.min(room / 2.0));
+            grown = arm
+                .cuboids
+                .iter()
+                .map(|cuboid| Cuboid { min: cuboid.min.map(|x| x - margin), max: cuboid.max.map(|x| x + margin) })
+                .collect();
+        }
+        Ok(Self { scene: Arc::clone(scene), min, max, start, goal: [goal], unit, margin, grown })
     }
 }
 
@@ -91,7 +110,12 @@ impl Space<3> for Ground {
     #[inline]
     fn is_free(&self, a: &[f64; 3], b: &[f64; 3]) -> bool {
         match self.scene.body() {
-            Body::Arm(arm) => arm.is_free(*a, *b),
+            Body::Arm(arm) => {
+                // Most pieces are nowhere near.
+                let near = |(cuboid, grown): (&Cuboid, &Cuboid)| grown.meets(*a, *b) && cuboid.is_within(self.margin, *a, *b);
+                let touches = arm.cuboids.iter().zip(&self.grown).any(near);
+                !touches && arm::column(arm).is_none_or(|column| !column.axis.is_within(column.radius + self.margin, *a, *b))
+            }
             _ => (0..2).all(|i| self.min[i] <= b[i] && b[i] <= self.max[i]) && self.scene.is_free([a[0], a[1]], [b[0], b[1]]),
         }
     }

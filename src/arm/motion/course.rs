@@ -19,7 +19,7 @@ pub(super) fn stations(path: &[[f64; 3]], spacing: f64) -> Vec<Station> {
         let (from, to) = (leg[0], leg[1]);
         let (length, begun) = (distance(from, to), stations.last().map_or(0.0, |last| last.along));
         // A corner that stands twice is one.
-        if !(length > 0.0) {
+        if length == 0.0 {
             continue;
         }
         let pieces = (length / spacing - 1e-9).ceil().max(1.0);

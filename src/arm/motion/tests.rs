@@ -292,19 +292,17 @@ fn of_random_lines_every_motion_keeps_the_promises() {
 /// What the paper's planner finds, seed by seed: nothing touches anything all the way, and no joint jumps.
 #[test]
 fn the_arm_follows_what_guided_trees_find() {
-    let (mut free, mut worst) = (0, Vec::new());
+    let mut free = 0;
     for seed in 1..=100 {
         let setup = Setup { planner: "rrt-guided".to_owned(), scene: shipped("arm-cuboid").unwrap(), params: Given::new(), seed };
         let mut session = Session::with_keyframes(setup, 0).unwrap();
         session.step(session.limit());
-        let motion = session.motion(&Given::new()).unwrap().unwrap();
-        let outcome = &motion.outcome;
-        assert!(outcome.free || outcome.touched_at.is_some());
-        free += u32::from(outcome.arrived && outcome.free);
-        worst.push((outcome.largest_step, outcome.max_error, seed));
+        let MotionOutcome { arrived, free: is_free, touched_at, largest_step, max_error, .. } =
+            session.motion(&Given::new()).unwrap().unwrap().outcome;
+        // What is not free says when it touches.
+        assert!(arrived && is_free == touched_at.is_none(), "seed {seed}");
+        assert!(!is_free || (largest_step < 10.0 && max_error < 1e-3), "seed {seed}: {largest_step}° {max_error}");
+        free += u32::from(is_free);
     }
-    worst.sort_by(|a, b| b.0.total_cmp(&a.0));
-    println!("free {free} {:?}", &worst[..12]);
     assert!(free >= 95, "{free} of 100");
-    assert!(worst[0].0 < 20.0, "{:?}", worst[0]);
 }

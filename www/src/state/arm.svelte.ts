@@ -29,7 +29,7 @@ class Arm implements ArmView {
   readonly following = new Following<Motion, Swing>(
     PACE,
     (params) => lab.api.motion(params),
-    (motion) => Promise.resolve(new Swing(motion)),
+    (motion) => new Swing(motion),
   )
   node = $state<number | null>(null)
 
@@ -125,10 +125,3 @@ export const directionOf = ([x, y, z]: Point3): Direction => ({
 
 export const arm = new Arm()
 lab.motion = arm.following
-
-// What a thread was asked that broke down will never be answered.
-$effect.root(() => {
-  $effect(() => {
-    if (lab.phase === 'crashed') arm.clear()
-  })
-})

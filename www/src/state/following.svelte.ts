@@ -37,7 +37,7 @@ export class Following<Told, Track extends Timed> implements Follower {
   constructor(
     pace: number,
     private readonly ask: (params: Values) => Promise<Answer<Followed<Told>>>,
-    private readonly read: (told: Told) => Promise<Track>,
+    private readonly read: (told: Told) => Track,
   ) {
     this.clock = new Clock(pace)
   }
@@ -63,7 +63,7 @@ export class Following<Told, Track extends Timed> implements Follower {
     const turn = this.asked
     const answer = await this.ask(params)
     const told = answer.ok ? answer.value.told : null
-    const track = told && (await this.read(told))
+    const track = told && this.read(told)
     if (turn !== this.asked) return false
     if (!answer.ok) {
       const { field, message } = answer.refusal

@@ -7,7 +7,7 @@ import { applies, met } from './applicable'
 import { Client } from './client'
 import type { Clock } from './clock.svelte'
 import { Course } from './course.svelte'
-import { type Follower, Following } from './following.svelte'
+import type { Follower, Following } from './following.svelte'
 import { type Again, Scenes } from './scenes.svelte'
 import { stageAt } from './stages'
 import { suits } from './stops'
@@ -99,11 +99,8 @@ class Lab extends Scenes {
     onprogress: (progress) => (this.progress = progress.total > 0 ? progress : null),
     oncrash: (message) => this.breakDown(message),
   })
-  readonly driving = new Following<Drive, Track>(
-    PACE,
-    (params) => this.client.api.drive(params),
-    async (drive) => new (await import('./track')).Track(drive),
-  )
+  /** The robot's drive along the result: there from the first one on. */
+  driving = $state.raw<Following<Drive, Track> | null>(null)
   /** The arm's motion along the result: there from the first arm on. */
   motion = $state.raw<Follower | null>(null)
   /** An iteration is shown step by step. */
@@ -440,7 +437,15 @@ class Lab extends Scenes {
 
   // The robot's drive, or the arm's motion, along the result
 
-  beginDrive = (): Promise<void> => this.follow(this.driving)
+  beginDrive = async (): Promise<void> => {
+    const [{ Following }, { Track }] = await Promise.all([import('./following.svelte'), import('./track')])
+    this.driving ??= new Following<Drive, Track>(
+      PACE,
+      (params) => this.client.api.drive(params),
+      (drive) => new Track(drive),
+    )
+    await this.follow(this.driving)
+  }
 
   follow = async (follower: Follower): Promise<void> => {
     this.resumes = this.playing
@@ -458,7 +463,7 @@ class Lab extends Scenes {
   }
 
   private get followers(): Follower[] {
-    return this.motion ? [this.driving, this.motion] : [this.driving]
+    return [this.driving, this.motion].filter((follower) => follower !== null)
   }
 
   /** Nobody follows the result, and no iteration is unfolded. */

@@ -1,9 +1,7 @@
 import { type Remote, wrap } from 'comlink'
 import { carryOut } from 'forage'
-import type { Reachability, Scene } from 'forage'
 import type { Hand } from './crew'
 import { breathe } from './pace'
-import type { Answer } from './protocol'
 import type { Api } from './sim.worker'
 
 interface Other {
@@ -13,7 +11,7 @@ interface Other {
 }
 
 /** Another thread with the same code and a core of its own. */
-function other(): Other {
+export function other(): Other {
   const worker = new Worker(self.location.href, { type: 'module' })
   const failed = new Promise<never>((_, reject) => {
     worker.onerror = (event) => {
@@ -37,25 +35,4 @@ export const oneself: Hand = {
     return carryOut(errand)
   },
   dismiss() {},
-}
-
-/** Has another thread find out where a tip can come: of several questions only the last is answered. */
-export class Surveyor {
-  private present: { end(): void } | undefined
-
-  async ask(scene: Scene, step: number): Promise<Answer<Reachability> | null> {
-    this.callOff()
-    const { api, failed, end } = other()
-    const called = new Promise<null>((resolve) => (this.present = { end: () => (end(), resolve(null)) }))
-    try {
-      return await Promise.race([api.survey(scene, step), failed, called])
-    } finally {
-      end()
-    }
-  }
-
-  callOff(): void {
-    this.present?.end()
-    this.present = undefined
-  }
 }

@@ -4,14 +4,15 @@ import type {
   ArmSolutions, Catalogue, Drive, Finding, Format, Imported, Inspection, Item, LinkSetup, Motion, NamedFile, Outcome, ParameterValue, Point3, Reachability, Scene, Setup, Suggestion,
 } from 'forage'
 import type { Errand } from './crew'
-import { oneself, Surveyor, thread } from './hands'
+import { oneself, thread } from './hands'
 import { breathe } from './pace'
 import { Simulation } from './simulation'
+import type { Surveyor } from './surveyor'
 import type { Answer, FieldRequest, Followed, Look, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
 
 let simulation: Simulation | undefined
 let port: MessagePort | undefined
-const surveyor = new Surveyor()
+let surveyor: Surveyor | undefined
 
 /** A trap leaves the module's memory in an unknown state: say so, and let the page start a new worker. */
 function crash(error: unknown): void {
@@ -73,8 +74,11 @@ const api = {
   armSolutions: (scene: Scene, point: Point3, direction: Point3 | null, near?: number[]): Answer<ArmSolutions> =>
     answer(() => armSolutions(scene, point, direction, near)),
   /** Where the tip can come: computed by another thread, so that this one goes on. Nothing if it was called off. */
-  reach: (scene: Scene, step: number): Promise<Answer<Reachability> | null> => surveyor.ask(scene, step),
-  callOff: (): void => surveyor.callOff(),
+  async reach(scene: Scene, step: number): Promise<Answer<Reachability> | null> {
+    surveyor ??= new (await import('./surveyor')).Surveyor()
+    return surveyor.ask(scene, step)
+  },
+  callOff: (): void => surveyor?.callOff(),
   /** Of that other thread. */
   async survey(scene: Scene, step: number): Promise<Answer<Reachability>> {
     await init()
