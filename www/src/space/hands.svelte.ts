@@ -16,6 +16,8 @@ const NODE = { mouse: 7, finger: 16 }
 /** How far a key moves what is selected, in metres, and turns the base, in degrees. */
 const STEP = 0.01
 const TURN = 5
+/** Keys that follow each other within this many milliseconds go on from where the last one led. */
+const ROW = 800
 
 const selectionOf = (grip: Grip): Selection | null =>
   grip.kind === 'face' ? { kind: 'cuboid', index: grip.index } : grip.kind === 'lift' ? lab.selection : grip
@@ -27,6 +29,7 @@ export class Hands {
   /** There is something under the pointer that can be looked at closer. */
   pointed = $state(false)
   private hold: Hold | null = null
+  private walked: { item: Item; at: number } | null = null
 
   /** What lies under a point of the screen: handles of what is selected over marks, marks over what is solid. */
   private under(world: World, at: Point, coarse: boolean): Grip | null {
@@ -132,10 +135,13 @@ export class Hands {
 
   /** From the node that is looked at to another one; the first is the root. */
   walk(by: 1 | -1): void {
-    const from = lab.inspection?.item
-    const index = from?.role === NODES ? Math.min(from.index + by, (lab.readings['nodes'] ?? Infinity) - 1) : 0
+    const now = performance.now()
+    // Keys come faster than answers.
+    const item = this.walked && now - this.walked.at < ROW ? this.walked.item : lab.inspection?.item
+    const index = item?.role === NODES ? Math.min(item.index + by, (lab.readings['nodes'] ?? Infinity) - 1) : 0
+    this.walked = { item: { role: NODES, index: Math.max(0, index) }, at: now }
     lab.select(null)
-    lab.inspect({ role: NODES, index: Math.max(0, index) })
+    lab.inspect(this.walked.item)
   }
 
   /** The next thing that can be selected, or the one before. */
@@ -191,6 +197,7 @@ export class Hands {
   }
 
   leave(): void {
+    this.walked = null
     lab.select(null)
     lab.inspect(null)
   }
