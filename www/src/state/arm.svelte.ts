@@ -124,4 +124,4 @@ export const directionOf = ([x, y, z]: Point3): Direction => ({
 })
 
 export const arm = new Arm()
-lab.motion = arm.following
+lab.followers.motion = arm.following

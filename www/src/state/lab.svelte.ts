@@ -1,4 +1,4 @@
-import type { Catalogue, Drive, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
+import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
 import { en } from '../i18n/en'
 import { number } from '../panels/format'
 import type { FrameMessage, Opening, ProgressMessage, Refusal, Run } from '../worker/protocol'
@@ -7,15 +7,13 @@ import { applies, met } from './applicable'
 import { Client } from './client'
 import type { Clock } from './clock.svelte'
 import { Course } from './course.svelte'
-import type { Follower, Following } from './following.svelte'
+import { Followers } from './followers.svelte'
+import type { Follower } from './following.svelte'
 import { type Again, Scenes } from './scenes.svelte'
 import { stageAt } from './stages'
 import { suits } from './stops'
 import { stillness } from './theme.svelte'
-import type { Track } from './track'
 
-/** How many times as fast as the robot a drive is shown. */
-const PACE = 4
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
 export type Tuned = NonNullable<Outcome['tuned']>
@@ -99,10 +97,7 @@ class Lab extends Scenes {
     onprogress: (progress) => (this.progress = progress.total > 0 ? progress : null),
     oncrash: (message) => this.breakDown(message),
   })
-  /** The robot's drive along the result: there from the first one on. */
-  driving = $state.raw<Following<Drive, Track> | null>(null)
-  /** The arm's motion along the result: there from the first arm on. */
-  motion = $state.raw<Follower | null>(null)
+  readonly followers = new Followers()
   /** An iteration is shown step by step. */
   unfolded = $state(false)
   /** A time beside that of the run that the stage's keys are for, and the way back. */
@@ -283,11 +278,7 @@ class Lab extends Scenes {
     this.playing = frame.playing
     this.target = null
     this.progress = null
-    // To follow another result would be a lie.
-    for (const follower of this.followers) {
-      const { track, of } = follower
-      if (track && (of.generation !== frame.generation || of.iteration !== frame.iteration)) follower.leave()
-    }
+    this.followers.heed(frame)
     address.now(report.link)
     if (this.promised?.at === frame.iteration) {
       if (this.promised.hash !== report.settledHash) this.notice = en.notices.hash
@@ -314,7 +305,7 @@ class Lab extends Scenes {
 
   seek = (to: number): void => {
     const iteration = Math.min(Math.max(Math.round(to), 0), this.limit)
-    this.leaveResult()
+    this.followers.leave()
     this.playing = false
     this.target = iteration
     void this.client.api.seek(iteration)
@@ -437,15 +428,7 @@ class Lab extends Scenes {
 
   // The robot's drive, or the arm's motion, along the result
 
-  beginDrive = async (): Promise<void> => {
-    const [{ Following }, { Track }] = await Promise.all([import('./following.svelte'), import('./track')])
-    this.driving ??= new Following<Drive, Track>(
-      PACE,
-      (params) => this.client.api.drive(params),
-      (drive) => new Track(drive),
-    )
-    await this.follow(this.driving)
-  }
+  beginDrive = async (): Promise<void> => this.follow(await this.followers.robot(this.client))
 
   follow = async (follower: Follower): Promise<void> => {
     this.resumes = this.playing
@@ -457,28 +440,20 @@ class Lab extends Scenes {
 
   /** Back to the run as it was. */
   leaveDrive = (): void => {
-    this.leaveResult()
+    this.followers.leave()
     if (this.resumes) this.play()
     this.resumes = false
   }
 
-  private get followers(): Follower[] {
-    return [this.driving, this.motion].filter((follower) => follower !== null)
-  }
-
-  private leaveResult(): void {
-    for (const follower of this.followers) follower.leave()
-  }
-
   /** Nobody follows the result, and no iteration is unfolded. */
   private stand(): void {
-    this.leaveResult()
+    this.followers.leave()
     this.unfolded = false
   }
 
   /** Shows this iteration step by step. */
   unfold = (): void => {
-    this.leaveResult()
+    this.followers.leave()
     if (this.playing) this.pause()
     this.inspect(null)
     this.unfolded = true
