@@ -356,7 +356,6 @@ test('another kind of scene has its own stage, and space comes back as it was', 
   await expect(page.getByTestId('stage-marks')).toHaveCount(0)
   await lab.restarted()
   expect((await lab.picture()).colours).toBeGreaterThan(100)
-  await page.goBack().catch(() => null)
   await lab.open(linkTo(GUIDED, AT))
   await lab.settled(AT)
   expect(await shot(lab)).toEqual(before)
