@@ -6,8 +6,14 @@ import type { Plugin } from 'vite'
 
 const ID = 'virtual:formulas'
 const RESOLVED = `\0${ID}`
-/** The name that the drive's formulas have beside those of the planners. */
-const DRIVE = 'drive'
+/** The names that the formulas of those who follow a path have beside those of the planners. */
+const FOLLOWERS = ['drive', 'motion'] as const
+
+interface Follower {
+  parameters: { symbol: string }[]
+  columns: { symbol: string }[]
+  formulas: Formula[]
+}
 
 interface Formula {
   tex: string
@@ -22,11 +28,8 @@ interface Symbols {
     readings: { symbol: string }[]
     formulas: Formula[]
   }[]
-  drive: {
-    parameters: { symbol: string }[]
-    columns: { symbol: string }[]
-    formulas: Formula[]
-  }
+  drive: Follower
+  motion: Follower
   /** The TeX strings that only turn up at run time. */
   symbols?: string[]
 }
@@ -70,13 +73,14 @@ async function readCatalogue(script: string, wasm: string): Promise<Symbols> {
   return core.catalogue()
 }
 
-function symbolsOf({ planners, drive, symbols = [] }: Symbols): Set<string> {
-  const told = [...planners.flatMap(({ parameters, readings }) => [...parameters, ...readings]), ...drive.parameters, ...drive.columns]
+function symbolsOf({ planners, symbols = [], ...others }: Symbols): Set<string> {
+  const followers = FOLLOWERS.flatMap((name) => [...others[name].parameters, ...others[name].columns])
+  const told = [...planners.flatMap(({ parameters, readings }) => [...parameters, ...readings]), ...followers]
   return new Set([...symbols, ...told.map(({ symbol }) => symbol)])
 }
 
-function formulasOf({ planners, drive }: Symbols): Record<string, Set<string>> {
-  const all = [...planners, { name: DRIVE, formulas: drive.formulas }]
+function formulasOf({ planners, ...others }: Symbols): Record<string, Set<string>> {
+  const all = [...planners, ...FOLLOWERS.map((name) => ({ name, formulas: others[name].formulas }))]
   return Object.fromEntries(all.map(({ name, formulas }) => [name, new Set(formulas.flatMap(({ tex, live }) => (live ? [tex, live] : [tex])))]))
 }
 

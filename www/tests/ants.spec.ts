@@ -32,8 +32,10 @@ const pheromone = (iteration: number): number[] =>
 
 const walkAt = (iteration: number): Walk =>
   sessionAt(ANTS, iteration, (session) => {
+    // Before the frame: its views hold until the next call.
+    const role = catalogue().roles.indexOf('ants')
     const { vertices, spans } = session.frame()
-    return Walk.of(vertices, spans, catalogue().roles.indexOf('ants'))
+    return Walk.of(vertices, spans, role)
   })
 
 function told(index: number): Inspection {

@@ -3,6 +3,7 @@ import type { Page } from '@playwright/test'
 import { catalogue, type EventKind, type GridScene, type RunEvent, Session } from '../../pkg/node.js'
 import { events as text } from '../src/i18n/events.en'
 import { presets } from '../src/i18n/presets.en'
+import { sights } from '../src/i18n/sights.en'
 import { number } from '../src/panels/format'
 import { clusters, csv, Kinds, neighbour, nextWithin, present } from '../src/state/events'
 import { chosen, offered, PRESETS } from '../src/state/presets'
@@ -87,8 +88,8 @@ test('the published case is one choice away; played to its end it arrives, and t
   await lab.open()
   await expect(page.getByTestId('event-rail')).toHaveCount(0)
   await page.getByTestId('speed').selectOption('Infinity')
-  await page.getByTestId('case').selectOption({ label: presets.cases['moving-ants'].title })
-  await expect(page.getByTestId('case-see')).toContainText(presets.cases['moving-ants'].see)
+  await page.getByTestId('case').selectOption({ label: presets.cases['moving-ants'] })
+  await expect(page.getByTestId('case-see')).toContainText(sights['moving-ants'])
   await expect(page.getByTestId('planner')).toHaveValue('wolf-ant-drive')
   await expect(page.getByTestId('scene')).toHaveValue('wolf-ant-20')
 

@@ -70,6 +70,7 @@ test('the formulas hold the numbers of the iteration', async ({ lab, page }) => 
   const readings = page.getByTestId('readings')
   await expect(readings.locator('[data-reading="w"]')).toHaveText(number(w))
   await expect(readings.locator('[data-reading="k"]')).toHaveText(number(k))
+  await page.getByTestId('formulas').evaluate((node) => node.scrollIntoView({ block: 'start' }))
   const live = page.getByTestId('live-w')
   await expect(live).toContainText(`(${k})`)
   await expect(live).toContainText(`=${number(w)}`)

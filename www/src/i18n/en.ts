@@ -30,6 +30,8 @@ export const en = {
     drive: 'Let the robot drive along the path',
     margin: 'Safety margin',
     moving: 'Moving obstacles',
+    arm: 'Arm',
+    armHelp: 'At home, or following the path.',
     movingHelp: 'Where they begin, and where they go in a second.',
     marginHelp: 'Where the robot’s centre may not be: nearer to a blocked cell than the radius of the circle about the robot.',
     adding: 'Click where it should be.',
@@ -88,6 +90,7 @@ export const en = {
       stored: 'the optimum in the scene’s file',
       refuted: 'what the scene’s file calls the optimum',
     },
+    tip: 'the tip’s shortest way',
     tours: {
       plain: 'the shortest tour',
       'any-angle': 'the shortest tour at any angle',
@@ -111,6 +114,8 @@ export const en = {
     part: (title: string, k: string, of: string) => `${title.toLowerCase()} ${k} of ${of}`,
     best: (value: string) => `best ${value}`,
     collisions: (count: string) => `collisions: ${count}`,
+    follows: 'the arm follows it without collision',
+    fails: 'the arm can’t follow it without collision',
   },
   panels: {
     setup: 'Experiment',
@@ -129,7 +134,7 @@ export const en = {
     planner: 'Planner',
     scene: 'Scene',
     edited: (title: string) => `${title} (edited)`,
-    kinds: { tour: 'Tours', grid: 'Grids', discs: 'Among discs', function: 'Test functions' },
+    kinds: { tour: 'Tours', grid: 'Grids', discs: 'Among discs', function: 'Test functions', arm: 'Arms in space' },
     seed: 'Seed',
     source: 'Source',
     seedHint: 'A whole number from 0 to 9 007 199 254 740 991.',
@@ -145,7 +150,7 @@ export const en = {
     kind: (planner: string, scene: string, other: string) => `${planner} does not run on “${scene}”: ${other} takes its place.`,
     files: (message: string) => `Nothing was opened: ${message}`,
     unreadable: (names: string) => `These files could not be read: ${names}.`,
-    nothing: 'There is nothing to drive along.',
+    nothing: 'There is no path to follow.',
     dismiss: 'Dismiss',
   },
 } as const

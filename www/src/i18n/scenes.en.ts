@@ -85,6 +85,8 @@ export const scenes = {
     resultHelp: 'JSON: what was found, with parameters, seed and hash.',
     tour: 'Tour',
     tourHelp: 'TSPLIB’s .tour: the order of the best tour so far.',
+    motion: 'Motion',
+    motionHelp: 'CSV: a row for each moment of the arm along the path.',
     png: 'Picture',
     pngHelp: 'PNG: the stage as you see it.',
     svg: 'Drawing',

@@ -61,6 +61,10 @@ export function percent(share: number, signed = false): string {
   return `${sign}${text} %`
 }
 
+/** A number with its unit, as a drive's or a motion's columns have it. */
+export const withUnit = (value: number | null | undefined, unit: string, digits = DIGITS): string =>
+  number(value, digits) + (unit === '' || unit === '°' ? unit : ` ${unit}`)
+
 /** Radians as degrees. */
 export function angle(radians: number): string {
   return `${number((radians * 180) / Math.PI)}°`

@@ -3,10 +3,12 @@ import type { Point } from 'forage'
 export interface Gestures {
   /** A finger or button went down; what is answered says if it took hold of something. */
   grab(at: Point, coarse: boolean): boolean
-  drag(at: Point): void
+  /** `across`: the Shift key is down. */
+  drag(at: Point, across: boolean): void
   /** The hold ended; `cancelled` if it wasn't meant. */
   drop(cancelled: boolean): void
-  pan(dx: number, dy: number): void
+  /** `aside`: with two fingers or another button than the first. */
+  pan(dx: number, dy: number, aside: boolean): void
   zoom(by: number, at: Point): void
   tap(at: Point, coarse: boolean): void
   hover(at: Point | null): void
@@ -58,15 +60,15 @@ export function gestures(element: HTMLElement, act: Gestures): () => void {
     moved = true
     fingers.set(event.pointerId, at)
     if (holding) {
-      act.drag(at)
+      act.drag(at, event.shiftKey)
       return
     }
     const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1]
     if (!other) {
-      act.pan(at[0] - before[0], at[1] - before[1])
+      act.pan(at[0] - before[0], at[1] - before[1], !first)
       return
     }
-    act.pan((at[0] - before[0]) / 2, (at[1] - before[1]) / 2)
+    act.pan((at[0] - before[0]) / 2, (at[1] - before[1]) / 2, true)
     const span = (to: Point): number => Math.max(1, Math.hypot(to[0] - other[0], to[1] - other[1]))
     act.zoom(span(at) / span(before), [(at[0] + other[0]) / 2, (at[1] + other[1]) / 2])
   }

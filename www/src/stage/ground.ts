@@ -5,7 +5,7 @@ import { type Box, extent, tick, toScene, toScreen } from './view'
 
 export const HANDLE = 7
 
-const FONT = '11px Inter, "Segoe UI", system-ui, sans-serif'
+export const FONT = '11px Inter, "Segoe UI", system-ui, sans-serif'
 
 /** Lines and numbers of the plane, and the edge of where things happen. */
 export function drawGrid({ context, view, size, palette }: Pen, scene: Scene, lines: boolean): void {
@@ -39,7 +39,8 @@ export function drawGrid({ context, view, size, palette }: Pen, scene: Scene, li
   for (const [value, y] of rows) if (y > 12 && y < size.height - 24) plate(context, palette.get('--stage'), label(value), 7, y)
 }
 
-function plate(context: CanvasRenderingContext2D, ground: string, text: string, x: number, y: number): void {
+/** Text on a ground of its own. */
+export function plate(context: CanvasRenderingContext2D, ground: string, text: string, x: number, y: number): void {
   const ink = context.fillStyle
   context.lineWidth = 3
   context.strokeStyle = ground

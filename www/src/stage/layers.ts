@@ -1,10 +1,10 @@
-import type { GridScene, Inspection, Point, Scene } from 'forage'
+import type { GridScene, Point, Scene } from 'forage'
 import { stopsOf } from '../state/stops'
 import type { FrameMessage } from '../worker/protocol'
-import { applyStyle, Lines, marked, type Pen, points } from './pen'
-import { closer, resultOf, STOPS, type Style, styleBeside, styleOf } from './styles'
+import { applyStyle, Lines, type Pen, points } from './pen'
+import { resultOf, STOPS, type Style, styleBeside, styleOf } from './styles'
 import type { Piece } from './tubes'
-import { toScreen } from './view'
+import { type Flat, toScreen } from './view'
 import { insideDiscs } from './wrong'
 
 export interface Names {
@@ -94,68 +94,17 @@ function halo(lines: Lines, style: Style): void {
   lines.stroke({ ...style, dash: [], colour: '--stage', width: style.width + 3, alpha: [0.75, 0.75] })
 }
 
-export function drawPath(pen: Pen, path: readonly Point[], style: Style): void {
+export function drawPath(pen: Pen, path: readonly Flat[], style: Style): void {
   applyStyle(pen, style)
   trace(pen, path)
   pen.context.stroke()
 }
 
-function trace({ context, view, size }: Pen, path: readonly Point[]): void {
+function trace({ context, view, size }: Pen, path: readonly Flat[]): void {
   context.beginPath()
   path.forEach((point, at) => {
     const [x, y] = toScreen(view, size, point)
     if (at === 0) context.moveTo(x, y)
     else context.lineTo(x, y)
   })
-}
-
-/** So many marks are small. */
-const [MANY, SMALL] = [60, 13]
-
-/** The arrows and marks of what was picked. */
-export function drawInspection(pen: Pen, { layers }: Inspection): void {
-  const { context, view, size } = pen
-  for (const { role, shape, vertices } of [...layers].sort((a, b) => styleOf(a.role).order - styleOf(b.role).order)) {
-    const style = closer(role)
-    applyStyle(pen, style)
-    context.globalAlpha = style.alpha[0]
-    if (shape === 'polyline') drawPath(pen, vertices, style)
-    else if (shape === 'segments') {
-      for (let at = 0; at + 1 < vertices.length; at += 2) {
-        const [from, to] = [vertices[at], vertices[at + 1]]
-        if (from && to) arrow(context, toScreen(view, size, from), toScreen(view, size, to))
-      }
-    } else {
-      for (const vertex of vertices) {
-        const [x, y] = toScreen(view, size, vertex)
-        if (style.mark) {
-          marked(pen, vertices.length > MANY ? { ...style, point: Math.min(style.point, SMALL) } : style, x, y)
-          continue
-        }
-        context.beginPath()
-        context.arc(x, y, style.point / 2 + 1, 0, 2 * Math.PI)
-        if (style.dash) context.stroke()
-        else context.fill()
-      }
-    }
-    context.globalAlpha = 1
-  }
-}
-
-const HEAD = 7
-
-function arrow(context: CanvasRenderingContext2D, [x0, y0]: Point, [x1, y1]: Point): void {
-  const length = Math.hypot(x1 - x0, y1 - y0)
-  if (length < 0.5) return
-  context.beginPath()
-  context.moveTo(x0, y0)
-  context.lineTo(x1, y1)
-  context.stroke()
-  const head = Math.min(HEAD, length)
-  const angle = Math.atan2(y1 - y0, x1 - x0)
-  context.beginPath()
-  context.moveTo(x1, y1)
-  for (const side of [-0.42, 0.42]) context.lineTo(x1 - head * Math.cos(angle + side), y1 - head * Math.sin(angle + side))
-  context.closePath()
-  context.fill()
 }

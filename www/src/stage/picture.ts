@@ -1,9 +1,11 @@
 /** The canvases, lowest first, for those who want to save what they show. */
-export const picture: { canvas: HTMLCanvasElement | null; over: HTMLCanvasElement | null } = { canvas: null, over: null }
+export const picture: { canvas: HTMLCanvasElement | null; over: HTMLCanvasElement | null; draw?: (() => void) | undefined } = { canvas: null, over: null }
 
 /** What is seen, as one picture. */
 export function seen(): HTMLCanvasElement | null {
-  const { canvas, over } = picture
+  const { canvas, over, draw } = picture
+  // Some keep what they have drawn only until the next moment.
+  draw?.()
   if (!canvas || !over) return canvas
   const whole = document.createElement('canvas')
   Object.assign(whole, { width: canvas.width, height: canvas.height })

@@ -15,6 +15,9 @@ export interface Size {
   height: number
 }
 
+/** A place seen from above: what else it has is left out. */
+export type Flat = readonly [x: number, y: number, ...rest: number[]]
+
 export interface Box {
   min: Point
   max: Point
@@ -37,6 +40,7 @@ export function extent(scene: Scene): Box {
   if (scene.kind === 'discs') return scene.bounds
   if (scene.kind === 'grid') return { min: [0, 0], max: [(scene.rows[0]?.length ?? 1) * scene.cell, scene.rows.length * scene.cell] }
   if (scene.kind === 'tour') return around(stopsOf(scene))
+  if (scene.kind === 'arm') return { min: [scene.workspace.min[0], scene.workspace.min[1]], max: [scene.workspace.max[0], scene.workspace.max[1]] }
   const reach = REACH[scene.function]
   return { min: [-reach, -reach], max: [reach, reach] }
 }
@@ -64,7 +68,7 @@ export function fit({ min, max }: Box, { width, height }: Size, [beside, above]:
   return { x: (min[0] + max[0]) / 2, y: (min[1] + max[1]) / 2, scale: Math.max(scale, 1e-6), down }
 }
 
-export const toScreen = (view: View, { width, height }: Size, at: Point): Point => [
+export const toScreen = (view: View, { width, height }: Size, at: Flat): Point => [
   width / 2 + (at[0] - view.x) * view.scale,
   height / 2 - rise(view) * (at[1] - view.y) * view.scale,
 ]

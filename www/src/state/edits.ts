@@ -6,7 +6,7 @@ import { stopsOf, withStops } from './stops'
 export type Plane = DiscsScene | GridScene | TourScene
 
 /** Something of a scene that can be selected. */
-export type Selection = { kind: 'start' | 'goal' } | { kind: 'disc' | 'stop' | 'moving'; index: number }
+export type Selection = { kind: 'start' | 'goal' | 'base' } | { kind: 'disc' | 'stop' | 'moving' | 'cuboid'; index: number }
 /** Something of a scene that can be taken hold of; the tip of a moving obstacle's arrow is its aim. */
 export type Handle = Selection | { kind: 'rim'; index: number } | { kind: 'aim'; index: number }
 
@@ -80,10 +80,10 @@ export function edited<S extends Scene>(scene: S): S {
   return rest as S
 }
 
-/** Which object a refused field belongs to: `discs[2].radius`, `moving[0].velocity[1]`, `start`, … */
+/** Which object a refused field belongs to: `discs[2].radius`, `moving[0].velocity[1]`, `cuboids[0].max[2]`, `start`, … */
 export function blamed(field: string): Selection | null {
-  const [, list, index] = /^(disc|stop|point|moving)s?\[(\d+)\]/.exec(field) ?? []
-  if (list) return { kind: list === 'disc' || list === 'moving' ? list : 'stop', index: Number(index) }
-  if (field.startsWith('start')) return { kind: 'start' }
-  return field.startsWith('goal') ? { kind: 'goal' } : null
+  const [, list, index] = /^(disc|stop|point|moving|cuboid)s?\[(\d+)\]/.exec(field) ?? []
+  if (list) return { kind: list === 'point' ? 'stop' : (list as 'disc' | 'stop' | 'moving' | 'cuboid'), index: Number(index) }
+  const [, end] = /^(start|goal|arm\.base)/.exec(field) ?? []
+  return end ? { kind: end === 'arm.base' ? 'base' : (end as 'start' | 'goal') } : null
 }

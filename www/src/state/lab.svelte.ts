@@ -1,4 +1,4 @@
-import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
+import type { Catalogue, Drive, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
 import { en } from '../i18n/en'
 import { number } from '../panels/format'
 import type { FrameMessage, Opening, ProgressMessage, Refusal, Run } from '../worker/protocol'
@@ -7,12 +7,15 @@ import { applies, met } from './applicable'
 import { Client } from './client'
 import type { Clock } from './clock.svelte'
 import { Course } from './course.svelte'
-import { Driving } from './driving.svelte'
+import type { Follower, Following } from './following.svelte'
 import { type Again, Scenes } from './scenes.svelte'
 import { stageAt } from './stages'
 import { suits } from './stops'
 import { stillness } from './theme.svelte'
+import type { Track } from './track'
 
+/** How many times as fast as the robot a drive is shown. */
+const PACE = 4
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
 export type Tuned = NonNullable<Outcome['tuned']>
@@ -68,12 +71,14 @@ class Lab extends Scenes {
   readonly touring = $derived(this.scene?.kind === 'tour' || (this.grid !== null && (this.planner?.stops ?? false)))
   /** It tells what happens and what it decides. */
   readonly eventful = $derived((this.planner?.events.length ?? 0) > 0)
+  /** It plans in an arm's joints, and tells of each node: its costs are angles. */
+  readonly inJoints = $derived(this.planner?.members.some(({ name }) => name === 'q1') ?? false)
   private readonly span = $derived(this.course.of(this.run))
   readonly limit = $derived(this.span.limit)
   readonly stages = $derived(this.span.stages)
   readonly yardstick = $derived<Yardstick>((this.grid || this.touring) && this.outcome ? this.outcome.exact_by : 'plain')
   /** The optimum that results are measured by, in words. */
-  readonly optimum = $derived(en.result[this.planner?.stops ? 'tours' : 'optimum'][this.yardstick])
+  readonly optimum = $derived(this.arm ? en.result.tip : en.result[this.planner?.stops ? 'tours' : 'optimum'][this.yardstick])
   /** The part of the run that it is in, and how far in it. */
   readonly part = $derived(stageAt(this.stages, this.iteration))
   /** How far a step is that takes its time. */
@@ -94,15 +99,17 @@ class Lab extends Scenes {
     onprogress: (progress) => (this.progress = progress.total > 0 ? progress : null),
     oncrash: (message) => this.breakDown(message),
   })
-  readonly driving = new Driving((params) => this.client.api.drive(params))
+  /** The robot's drive along the result: there from the first one on. */
+  driving = $state.raw<Following<Drive, Track> | null>(null)
+  /** The arm's motion along the result: there from the first arm on. */
+  motion = $state.raw<Follower | null>(null)
   /** An iteration is shown step by step. */
   unfolded = $state(false)
   /** A time beside that of the run that the stage's keys are for, and the way back. */
   beside = $state.raw<{ clock: Clock; leave(): void } | null>(null)
-  /** There is a path of this very scene to drive along. */
-  readonly drivable = $derived(
-    this.hasRobot && this.outcome?.length != null && !this.stale && !this.sceneError && this.target === null,
-  )
+  /** There is a path of this very scene to follow. */
+  readonly followable = $derived(this.outcome?.length != null && !this.stale && !this.sceneError && this.target === null)
+  readonly drivable = $derived(this.hasRobot && this.followable)
   /** The fingerprint that an opened link promises, and where. */
   private promised: { hash: string; at: number } | undefined
   private asked = ''
@@ -166,8 +173,7 @@ class Lab extends Scenes {
 
   /** Starts the run anew. One request is on its way at a time; of those that come meanwhile the newest counts. */
   private async restart(opening: Opening): Promise<void> {
-    this.driving.leave()
-    this.unfolded = false
+    this.stand()
     this.pending = this.opened = opening
     this.stale = true
     if (this.starting) return
@@ -238,8 +244,7 @@ class Lab extends Scenes {
 
   private breakDown(message: string): void {
     this.phase = 'crashed'
-    this.driving.leave()
-    this.unfolded = false
+    this.stand()
     this.crash = message
     this.playing = false
     this.target = null
@@ -278,9 +283,11 @@ class Lab extends Scenes {
     this.playing = frame.playing
     this.target = null
     this.progress = null
-    const { of } = this.driving
-    // A drive along another result would be a lie.
-    if (this.driving.track && (of.generation !== frame.generation || of.iteration !== frame.iteration)) this.driving.leave()
+    // To follow another result would be a lie.
+    for (const follower of this.followers) {
+      const { track, of } = follower
+      if (track && (of.generation !== frame.generation || of.iteration !== frame.iteration)) follower.leave()
+    }
     address.now(report.link)
     if (this.promised?.at === frame.iteration) {
       if (this.promised.hash !== report.settledHash) this.notice = en.notices.hash
@@ -293,8 +300,7 @@ class Lab extends Scenes {
   toggle = (): void => (this.playing ? this.pause() : this.play())
 
   play = (): void => {
-    this.driving.leave()
-    this.unfolded = false
+    this.stand()
     this.playing = true
     this.target = null
     void this.client.api.play()
@@ -308,7 +314,7 @@ class Lab extends Scenes {
 
   seek = (to: number): void => {
     const iteration = Math.min(Math.max(Math.round(to), 0), this.limit)
-    this.driving.leave()
+    this.stand()
     this.playing = false
     this.target = iteration
     void this.client.api.seek(iteration)
@@ -429,26 +435,46 @@ class Lab extends Scenes {
     this.paramErrors = rest
   }
 
-  // The robot's drive along the result
+  // The robot's drive, or the arm's motion, along the result
 
   beginDrive = async (): Promise<void> => {
+    const [{ Following }, { Track }] = await Promise.all([import('./following.svelte'), import('./track')])
+    this.driving ??= new Following<Drive, Track>(
+      PACE,
+      (params) => this.client.api.drive(params),
+      (drive) => new Track(drive),
+    )
+    await this.follow(this.driving)
+  }
+
+  follow = async (follower: Follower): Promise<void> => {
     this.resumes = this.playing
     this.unfolded = false
     if (this.playing) this.pause()
     this.inspect(null)
-    await this.driving.begin()
+    await follower.begin()
   }
 
   /** Back to the run as it was. */
   leaveDrive = (): void => {
-    this.driving.leave()
+    this.stand()
     if (this.resumes) this.play()
     this.resumes = false
   }
 
+  private get followers(): Follower[] {
+    return [this.driving, this.motion].filter((follower) => follower !== null)
+  }
+
+  /** Nobody follows the result, and no iteration is unfolded. */
+  private stand(): void {
+    for (const follower of this.followers) follower.leave()
+    this.unfolded = false
+  }
+
   /** Shows this iteration step by step. */
   unfold = (): void => {
-    this.driving.leave()
+    this.stand()
     if (this.playing) this.pause()
     this.inspect(null)
     this.unfolded = true
@@ -470,6 +496,11 @@ class Lab extends Scenes {
 
   get inspecting(): boolean {
     return this.item !== null
+  }
+
+  /** What is looked at closer, also before there is an answer. */
+  get wanted(): Item | null {
+    return this.item
   }
 
   shows = (role: string, standard: boolean): boolean => !(this.hidden[role] ?? !standard)

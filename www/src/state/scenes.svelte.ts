@@ -1,4 +1,4 @@
-import type { DiscsScene, GridScene, Point, Scene } from 'forage'
+import type { ArmScene, DiscsScene, GridScene, Point, Scene } from 'forage'
 import { add, edited, move, place, type Plane, remove, rounded, type Selection } from './edits'
 import * as history from './history'
 import type { ImportedFiles } from './imports'
@@ -27,7 +27,9 @@ export abstract class Scenes {
   readonly scene = $derived(this.draft ?? this.scenes?.present ?? null)
   readonly discs = $derived<DiscsScene | null>(this.scene?.kind === 'discs' ? this.scene : null)
   readonly grid = $derived<GridScene | null>(this.scene?.kind === 'grid' ? this.scene : null)
-  readonly plane = $derived<Plane | null>(this.scene && this.scene.kind !== 'function' ? this.scene : null)
+  /** A scene in space. */
+  readonly arm = $derived<ArmScene | null>(this.scene?.kind === 'arm' ? this.scene : null)
+  readonly plane = $derived<Plane | null>(this.scene && this.scene.kind !== 'function' && this.scene.kind !== 'arm' ? this.scene : null)
   /** Where there is something to call at, in the scene's order. */
   readonly stops = $derived(this.scene ? stopsOf(this.scene) : [])
   /** What moves in it, in its order. */

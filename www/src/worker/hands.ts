@@ -1,20 +1,31 @@
-import { wrap } from 'comlink'
+import { type Remote, wrap } from 'comlink'
 import { carryOut } from 'forage'
 import type { Hand } from './crew'
 import { breathe } from './pace'
 import type { Api } from './sim.worker'
 
+interface Other {
+  api: Remote<Api>
+  failed: Promise<never>
+  end(): void
+}
+
 /** Another thread with the same code and a core of its own. */
-export function thread(): Hand {
+export function other(): Other {
   const worker = new Worker(self.location.href, { type: 'module' })
-  const remote = wrap<Api>(worker)
   const failed = new Promise<never>((_, reject) => {
     worker.onerror = (event) => {
       event.preventDefault()
       reject(new Error(event.message))
     }
   })
-  return { carryOut: (errand) => Promise.race([remote.carryOut(errand), failed]), dismiss: () => worker.terminate() }
+  return { api: wrap<Api>(worker), failed, end: () => worker.terminate() }
+}
+
+/** One that carries out runs. */
+export function thread(): Hand {
+  const { api, failed, end } = other()
+  return { carryOut: (errand) => Promise.race([api.carryOut(errand), failed]), dismiss: end }
 }
 
 /** This thread, which listens between two runs. */

@@ -1,4 +1,4 @@
-import type { Drive, Inspection, Item, Outcome, ParameterValue, Point, RunEvent, Scene, Stage, Status } from 'forage'
+import type { Inspection, Item, Outcome, ParameterValue, Point, Point3, RunEvent, Scene, Stage, Status } from 'forage'
 
 /** A refusal of the core as plain data: errors lose their fields on the way between threads. */
 export interface Refusal {
@@ -17,7 +17,7 @@ export interface Run {
   seed: number
   limit: number
   parameters: Record<string, ParameterValue>
-  exact: { length: number; path: Point[] } | null
+  exact: { length: number; path: Point[]; tip_path?: Point3[] } | null
   /** Parts that have their own kind of step; most runs have none. */
   stages: Stage[]
 }
@@ -36,9 +36,9 @@ export interface Report {
   settledHash: string | null
 }
 
-/** A drive, and the state of the run whose result it follows. */
-export interface Driven {
-  drive: Drive | null
+/** How a result is followed, by the robot or the arm, and the state of the run that it is of. */
+export interface Followed<T> {
+  told: T | null
   generation: number
   iteration: number
 }

@@ -1,14 +1,18 @@
 import * as Comlink from 'comlink'
-import init, { carryOut, catalogue, exportScene, generateScene, importScene, newSeed, parseLink, Session, suggest } from 'forage'
-import type { Catalogue, Finding, Format, Imported, Inspection, Item, LinkSetup, NamedFile, Outcome, ParameterValue, Scene, Setup, Suggestion } from 'forage'
+import init, { armSolutions, carryOut, catalogue, exportScene, generateScene, importScene, newSeed, parseLink, reachability, Session, suggest } from 'forage'
+import type {
+  ArmSolutions, Catalogue, Drive, Finding, Format, Imported, Inspection, Item, LinkSetup, Motion, NamedFile, Outcome, ParameterValue, Point3, Reachability, Scene, Setup, Suggestion,
+} from 'forage'
 import type { Errand } from './crew'
 import { oneself, thread } from './hands'
 import { breathe } from './pace'
 import { Simulation } from './simulation'
-import type { Answer, Driven, FieldRequest, Look, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
+import type { Surveyor } from './surveyor'
+import type { Answer, FieldRequest, Followed, Look, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
 
 let simulation: Simulation | undefined
 let port: MessagePort | undefined
+let surveyor: Surveyor | undefined
 
 /** A trap leaves the module's memory in an unknown state: say so, and let the page start a new worker. */
 function crash(error: unknown): void {
@@ -64,7 +68,22 @@ const api = {
   /** Tells the members' numbers with the pictures, at most so often (in milliseconds); null: not at all. */
   tellMembers: (interval: number | null): void => running().tellMembers(interval),
   inspect: (item: Item): Answer<Inspection | null> => answer(() => current().inspect(item)),
-  drive: (params: Record<string, ParameterValue>): Answer<Driven> => answer(() => running().drive(params)),
+  drive: (params: Record<string, ParameterValue>): Answer<Followed<Drive>> => answer(() => running().follow((session) => session.drive(params))),
+  motion: (params: Record<string, ParameterValue>): Answer<Followed<Motion>> => answer(() => running().follow((session) => session.motion(params))),
+  /** The postures that bring the tip to a point. */
+  armSolutions: (scene: Scene, point: Point3, direction: Point3 | null, near?: number[]): Answer<ArmSolutions> =>
+    answer(() => armSolutions(scene, point, direction, near)),
+  /** Where the tip can come: computed by another thread, so that this one goes on. Nothing if it was called off. */
+  async reach(scene: Scene, step: number): Promise<Answer<Reachability> | null> {
+    surveyor ??= new (await import('./surveyor')).Surveyor()
+    return surveyor.ask(scene, step)
+  },
+  callOff: (): void => surveyor?.callOff(),
+  /** Of that other thread. */
+  async survey(scene: Scene, step: number): Promise<Answer<Reachability>> {
+    await init()
+    return answer(() => reachability(scene, step))
+  },
   pick: (x: number, y: number, reach: number): Item | null => {
     const picked = answer(() => running().session?.pick(x, y, reach) ?? null)
     return picked.ok ? picked.value : null

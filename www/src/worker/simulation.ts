@@ -1,11 +1,11 @@
 import { Session } from 'forage'
-import type { Item, ParameterValue, RunEvent, Setup } from 'forage'
+import type { Item, RunEvent, Setup } from 'forage'
 import type { Crew, Task } from './crew'
 import { fieldsOf } from './fields'
 import { breathe, SLICE, wait } from './pace'
 import { pack } from './pack'
 import { Pool } from './pool'
-import type { Driven, FrameMessage, Look, Opening, ProgressMessage, Report, Run, Span, Speed } from './protocol'
+import type { Followed, FrameMessage, Look, Opening, ProgressMessage, Report, Run, Span, Speed } from './protocol'
 
 /** Vertices a layer may have: what a canvas draws in a few tens of milliseconds. */
 const BUDGET = 100_000
@@ -111,11 +111,11 @@ export class Simulation {
     this.loop((token) => this.reach(iteration, token))
   }
 
-  /** The robot drives along what has been found; the run stands still for it. */
-  drive(params: Record<string, ParameterValue>): Driven {
+  /** What has been found is followed, by the robot or the arm; the run stands still for it. */
+  follow<T>(by: (session: Session) => T | null): Followed<T> {
     if (this.playing) this.pause()
     const { session, generation } = this
-    return { drive: session?.drive(params) ?? null, generation, iteration: session?.iteration ?? 0 }
+    return { told: session ? by(session) : null, generation, iteration: session?.iteration ?? 0 }
   }
 
   watch(item: Item | null): void {

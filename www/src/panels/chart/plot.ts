@@ -18,6 +18,8 @@ export interface PlotOptions {
   last(): number
   /** Room for the labels on the left, in pixels; absent: as much as they need. */
   gutter?: number
+  /** Values that are allowed: shown as a band. Asked whenever it is drawn. */
+  band?(): readonly [number, number] | undefined
   onhover(point: number | null): void
   /** The scales hold only once it is drawn. */
   ondrawn(): void
@@ -27,8 +29,8 @@ const DECADES = 6
 const NARROW = 44
 
 /** A chart in `host`, coloured by the tokens that hold there. */
-export function createPlot(host: HTMLElement, { strokes, scale, range, last, gutter, onhover, ondrawn }: PlotOptions): uPlot {
-  const [ink, line, ...colours] = resolve(host, ['--ink-2', '--line', ...strokes.map(({ token }) => token)])
+export function createPlot(host: HTMLElement, { strokes, scale, range, last, gutter, band, onhover, ondrawn }: PlotOptions): uPlot {
+  const [ink, line, allowed, edge, ...colours] = resolve(host, ['--ink-2', '--line', '--accent-soft', '--danger', ...strokes.map(({ token }) => token)])
   const font = `11px ${getComputedStyle(host).fontFamily}`
   const axis: uPlot.Axis = {
     stroke: ink ?? 'gray',
@@ -58,7 +60,10 @@ export function createPlot(host: HTMLElement, { strokes, scale, range, last, gut
               filter: (_: uPlot, splits: number[]) => splits,
               values: (_: uPlot, splits: number[]) => splits.map((value) => power(value)),
             }
-          : { values: (_: uPlot, splits: number[], __: number, ___: number, step: number) => splits.map((value) => label(value, step)) }),
+          : {
+              ...(band?.() && { splits: () => limitsOf(band()) }),
+              values: (_: uPlot, splits: number[], __: number, ___: number, step: number) => splits.map((value) => label(value, band?.() ? 1 : step)),
+            }),
       },
     ],
     series: [
@@ -74,9 +79,38 @@ export function createPlot(host: HTMLElement, { strokes, scale, range, last, gut
         }),
       ),
     ],
-    hooks: { setCursor: [(u) => onhover(u.cursor.idx ?? null)], draw: [ondrawn] },
+    hooks: {
+      drawClear: [(u) => banded(u, band?.(), allowed ?? 'gray', edge ?? 'gray')],
+      setCursor: [(u) => onhover(u.cursor.idx ?? null)],
+      draw: [ondrawn],
+    },
   }
   return new uPlot(options, [[]], host)
+}
+
+/** The labels beside a band: its limits, and zero within. */
+const limitsOf = ([low, high]: readonly [number, number] = [0, 0]): number[] => (low < 0 && high > 0 ? [low, 0, high] : [low, high])
+
+/** What is allowed, between its limits. */
+function banded({ ctx, bbox, valToPos }: uPlot, band: readonly [number, number] | undefined, colour: string, edge: string): void {
+  if (!band) return
+  const [low, high] = [valToPos(band[0], 'y', true), valToPos(band[1], 'y', true)]
+  ctx.save()
+  ctx.beginPath()
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height)
+  ctx.clip()
+  ctx.fillStyle = colour
+  ctx.fillRect(bbox.left, high, bbox.width, low - high)
+  ctx.strokeStyle = edge
+  ctx.lineWidth = devicePixelRatio
+  ctx.setLineDash([4 * devicePixelRatio, 3 * devicePixelRatio])
+  ctx.beginPath()
+  for (const y of [low, high]) {
+    ctx.moveTo(bbox.left, y)
+    ctx.lineTo(bbox.left + bbox.width, y)
+  }
+  ctx.stroke()
+  ctx.restore()
 }
 
 function power(value: number): string {

@@ -1,30 +1,48 @@
 import type { ParameterValue } from 'forage'
 import { en } from '../i18n/en'
-import type { Answer, Driven } from '../worker/protocol'
+import type { Answer, Followed } from '../worker/protocol'
 import { Clock } from './clock.svelte'
-import type { Track } from './track'
 
-/** How many times as fast as the robot. */
-const PACE = 4
+type Values = Record<string, ParameterValue>
 
-type Ask = (params: Record<string, ParameterValue>) => Promise<Answer<Driven>>
+/** Rows of moments. */
+export interface Timed {
+  readonly end: number
+}
 
-/** The robot on its way along the present result: the drive that was computed, and the moment that is shown. */
-export class Driving {
-  params = $state.raw<Record<string, ParameterValue>>({})
+/** What is the same whoever follows. */
+export interface Follower {
+  readonly track: Timed | null
+  /** What differs from the defaults. */
+  readonly params: Values
+  readonly of: { generation: number; iteration: number }
+  begin(): Promise<void>
+  leave(): void
+}
+
+/** The robot, or the arm, on its way along the present result: what was computed, and the moment that is shown. */
+export class Following<Told, Track extends Timed> implements Follower {
+  params = $state.raw<Values>({})
   errors = $state.raw<Record<string, string>>({})
-  /** Why there is no drive, where no parameter is to blame. */
+  /** Why there is nothing to show, where no parameter is to blame. */
   problem = $state('')
   track = $state.raw<Track | null>(null)
   /** Seconds since it set off. */
-  readonly clock = new Clock(PACE)
+  readonly clock: Clock
   /** The state of the run that it belongs to. */
   of = { generation: -1, iteration: -1 }
   private asked = 0
 
-  constructor(private readonly ask: Ask) {}
+  /** `pace`: how many times as fast as it would be. */
+  constructor(
+    pace: number,
+    private readonly ask: (params: Values) => Promise<Answer<Followed<Told>>>,
+    private readonly read: (told: Told) => Track,
+  ) {
+    this.clock = new Clock(pace)
+  }
 
-  /** Computes the drive and sets off. */
+  /** Computes it and sets off. */
   async begin(): Promise<void> {
     if (await this.renew(this.params)) this.clock.begin(this.clock.end)
   }
@@ -40,10 +58,12 @@ export class Driving {
     if (await this.renew(params)) this.params = params
   }
 
-  private async renew(params: Record<string, ParameterValue>, name = ''): Promise<boolean> {
+  private async renew(params: Values, name = ''): Promise<boolean> {
     this.asked += 1
     const turn = this.asked
-    const [answer, { Track }] = await Promise.all([this.ask(params), import('./track')])
+    const answer = await this.ask(params)
+    const told = answer.ok ? answer.value.told : null
+    const track = told && this.read(told)
     if (turn !== this.asked) return false
     if (!answer.ok) {
       const { field, message } = answer.refusal
@@ -51,14 +71,14 @@ export class Driving {
       else this.problem = message
       return false
     }
-    const { drive, generation, iteration } = answer.value
+    const { generation, iteration } = answer.value
     this.errors = {}
-    this.problem = drive ? '' : en.notices.nothing
+    this.problem = track ? '' : en.notices.nothing
     this.of = { generation, iteration }
-    this.track = drive && new Track(drive)
+    this.track = track
     this.clock.end = this.track?.end ?? 0
     this.clock.time = Math.min(this.clock.time, this.clock.end)
-    return drive !== null
+    return track !== null
   }
 
   /** The picture goes back to the run; whatever is still asked for comes too late. */

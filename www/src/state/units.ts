@@ -1,0 +1,8 @@
+import type { Scene } from 'forage'
+
+/** The unit of a scene's lengths, with the space before it; nothing where they have none. */
+export function unitOf(scene: Scene | null): string {
+  // An arm's scene has angles too.
+  if (scene?.kind === 'arm') return ' m'
+  return scene?.units && scene.units !== 'unitless' ? ` ${scene.units}` : ''
+}
