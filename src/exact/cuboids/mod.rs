@@ -42,8 +42,9 @@ pub enum AmongCuboids {
 /// than the shortest that keeps away by some 1e-12. A gap as narrow as this is closed.
 ///
 /// Within this the answer is exact for any cuboids, apart, touching or overlapping: lower bounds come from the dual problem
-/// and hold whether the minimisation has converged or not. What is not sure is that it comes to an end: it is found or given
-/// up after a set amount of work.
+/// and hold whether the minimisation has converged or not. Where a line does not come to rest, its bound may stay below the
+/// answer by up to 1e-9 of the largest coordinate; by more, and nothing is answered. Nor is it sure that the search comes to an
+/// end: it is given up after a set amount of work.
 pub fn shortest_among_cuboids(workspace: &Cuboid, start: [f64; 3], goal: [f64; 3], cuboids: &[Cuboid]) -> AmongCuboids {
     if !cuboids.iter().any(|cuboid| cuboid.meets(start, goal)) {
         return AmongCuboids::Found(way(vec![start, goal]));
