@@ -151,7 +151,8 @@ mod tests {
     }
 
     fn price(layers: &[Layer], way: &[usize]) -> f64 {
-        way.windows(2).enumerate().map(|(k, w)| (layers[k].postures[w[0]][0] - layers[k + 1].postures[w[1]][0]).powi(2)).sum()
+        let apart = |k: usize, w: &[usize]| layers[k].postures[w[0]][0] - layers[k + 1].postures[w[1]][0];
+        way.windows(2).enumerate().map(|(k, w)| apart(k, w) * apart(k, w)).sum()
     }
 
     /// 0 → 1 → 2 costs 2; without the move 0 → 1 it is 0 → 3 → 2 with 10, against 5 → 3 → 2 with 5.
