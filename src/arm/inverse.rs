@@ -39,7 +39,7 @@ enum Roll {
 
 impl Arm {
     /// The postures within the limits that bring the tip into a pose of the world, the nearest to `near` first by
-    /// [`distance`](super::distance).
+    /// [`distance`].
     ///
     /// A joint whose range is more than a turn takes the angle nearest to `near`'s. Where the wrist is singular
     /// ([`SINGULAR`](super::SINGULAR)), θ4 and θ6 are those nearest to `near`'s that keep what is determined, their sum or

@@ -244,6 +244,9 @@ fn summary(outcome: &Outcome, elapsed_ms: f64) -> String {
         Some(clearance) if clearance < 0.0 => {
             let _ = writeln!(text, "  free       NO, it cuts {:.6} deep into an obstacle", -clearance);
         }
+        _ if outcome.tip_path.is_some() && !outcome.feasible => {
+            text.push_str("  free       NO, it touches something, leaves the workspace or does not join the ends\n");
+        }
         _ if outcome.path.is_some() && !outcome.feasible => {
             text.push_str("  free       NO, it leaves the scene or does not join the ends\n");
         }

@@ -13,7 +13,7 @@ use crate::{
 use super::{Bounds, Verdict, limited};
 
 /// How far from start and goal the tip may be where postures were planned, in metres.
-const JOINED: f64 = 1e-6;
+pub(crate) const JOINED: f64 = 1e-6;
 /// How far any point of a link may go between two tests of a verdict, in metres.
 const RESOLUTION: f64 = 1e-3;
 
@@ -55,6 +55,9 @@ impl ArmScene {
             let ([x0, y0, z0], [x1, y1, z1]) = (self.workspace.min, self.workspace.max);
             return Err(Error::refused(field, shown, format!("inside the workspace, ({x0}, {y0}, {z0}) to ({x1}, {y1}, {z1})")));
         }
+        if arm::segment_meets_column(self, point, point) {
+            return Err(Error::refused(field, shown, "outside the column under the arm's base, and it touches that"));
+        }
         match self.cuboids.iter().position(|cuboid| cuboid.contains(point)) {
             Some(i) => Err(Error::refused(field, shown, format!("outside every cuboid, and it touches cuboids[{i}]"))),
             None => Ok(()),
@@ -84,7 +87,9 @@ impl ArmScene {
             AmongCuboids::Found(exact) => Some(exact),
             AmongCuboids::NoWay => None,
             AmongCuboids::NotComputed => {
-                let length = stored?.get("tip_length")?.as_f64().filter(|length| length.is_finite())?;
+                // No way is shorter than the straight line.
+                let straight = length_in_space(&[self.start, self.goal]);
+                let length = stored?.get("tip_length")?.as_f64().filter(|length| length.is_finite() && *length >= straight)?;
                 Some(Exact { stored: true, ..Exact::way(length, Vec::new()) })
             }
         }
@@ -94,10 +99,13 @@ impl ArmScene {
         let Solution::Reach { path, postures } = solution else {
             return Verdict { length: None, feasible: false, clearance: None };
         };
-        let free = path.windows(2).all(|w| self.is_free(w[0], w[1]));
         let gaps = self.cuboids.iter().flat_map(|cuboid| path.windows(2).map(move |w| cuboid.distance_squared(w[0], w[1])));
         let clearance = gaps.reduce(f64::min).map(f64::sqrt);
-        let feasible = free && if postures.is_empty() { self.joins(path, 0.0) } else { self.is_way(path, postures) };
+        let feasible = if postures.is_empty() {
+            self.joins(path, 0.0) && path.windows(2).all(|w| self.is_free(w[0], w[1]))
+        } else {
+            self.is_way(path, postures)
+        };
         Verdict { length: Some(length_in_space(path)), feasible, clearance }
     }
 
@@ -112,7 +120,10 @@ impl ArmScene {
         let within = |posture: &Posture| {
             self.arm.joints.iter().zip(arm::degrees(posture)).all(|(joint, angle)| joint.min - 1e-9 <= angle && angle <= joint.max + 1e-9)
         };
+        let Cuboid { min, max } = self.workspace;
+        let inside = |tip: &[f64; 3]| (0..3).all(|i| (min[i] - JOINED..=max[i] + JOINED).contains(&tip[i]));
         self.joins(path, JOINED)
+            && path.iter().all(inside)
             && arm::tip_path(&self.arm, postures) == path
             && postures.iter().all(within)
             && postures.windows(2).all(|w| arm::motion_is_free(self, &w[0], &w[1], 0.0, RESOLUTION))

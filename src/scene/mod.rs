@@ -27,6 +27,7 @@ use crate::{
     planner::{Round, Solution, Yardstick},
 };
 
+pub(crate) use arm::JOINED;
 pub use arm::{ArmScene, MAX_CUBOIDS};
 pub use cells::{Cells, Course, DIRECTIONS, Steps, angle};
 pub use discs::{Bounds, DiscsScene, MAX_DISCS};

@@ -19,9 +19,9 @@ pub(super) struct Tree<const N: usize> {
 }
 
 impl<const N: usize> Tree<N> {
-    /// A tree without nodes in a box.
-    pub(super) fn new(min: [f64; N], max: [f64; N]) -> Self {
-        Self { points: Vec::new(), parents: Vec::new(), costs: Vec::new(), index: Nearest::new(min, max) }
+    /// A tree without nodes.
+    pub(super) fn new() -> Self {
+        Self { points: Vec::new(), parents: Vec::new(), costs: Vec::new(), index: Nearest::new() }
     }
 
     /// How many nodes.

@@ -7,10 +7,10 @@ use crate::{
     error::Error,
     params::Settings,
     planner::Solution,
-    scene::{ArmScene, Scene},
+    scene::{ArmScene, JOINED, Scene},
 };
 
-use super::space::Space;
+use super::space::{Space, room};
 
 /// The joints of a scene's arm.
 pub(super) struct Joints {
@@ -19,7 +19,7 @@ pub(super) struct Joints {
     max: Posture,
     start: Posture,
     goals: Vec<Posture>,
-    /// Of the links.
+    /// Of the links, and as much more as they may go between two tests: what is free in all tests is free in between.
     radius: f64,
     /// How far a link may go between two tests.
     resolution: f64,
@@ -34,7 +34,11 @@ impl Joints {
     pub(super) fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
         let body = scene.arm()?;
         let arm = &body.arm;
-        let (radius, most) = (settings.number("radius"), settings.integer("goals") as usize);
+        let most = settings.integer("goals") as usize;
+        // Start and goal are free, however near: half of their room is left.
+        let rooms = [body.start, body.goal].into_iter().flat_map(|end| body.obstacles().map(move |obstacle| room(end, obstacle)));
+        let resolution = rooms.fold(settings.number("resolution"), |resolution, room| resolution.min(room / 2.0));
+        let radius = settings.number("radius") + resolution;
         let start = free_postures("start", body, body.start, &arm.home(), radius)?[0];
         let mut goals = free_postures("goal", body, body.goal, &start, radius)?;
         goals.truncate(most);
@@ -46,7 +50,7 @@ impl Joints {
             start,
             goals,
             radius,
-            resolution: settings.number("resolution"),
+            resolution,
         })
     }
 
@@ -93,7 +97,10 @@ impl Space<6> for Joints {
     }
 
     fn is_free(&self, a: &Posture, b: &Posture) -> bool {
-        self.body().is_some_and(|scene| arm::motion_is_free(scene, a, b, self.radius, self.resolution))
+        let Some(scene) = self.body() else { return false };
+        // A hair beyond the border is rounding, where start or goal lie on it.
+        let inside = |tip: &[f64; 3]| (0..3).all(|i| (scene.workspace.min[i] - JOINED..=scene.workspace.max[i] + JOINED).contains(&tip[i]));
+        arm::motion_is_free(scene, a, b, self.radius, self.resolution) && arm::tip_path(&scene.arm, &[*a, *b]).iter().all(inside)
     }
 
     /// Where the tip is.

@@ -3,7 +3,7 @@
 //!
 //! - `space`: what a tree grows through; `joints`: an arm's joints. `sample`: where it is asked to grow to.
 //! - `forest`: nodes, parents and lengths; `nearest`: the spatial index.
-//! - `grow`: what the planners share, and what the last extension did. A [`grow::Method`] says how one extension is made:
+//! - `grow`: what the planners share, and what the last extension did. A `Method` says how one extension is made:
 //!   [`rrt`], [`rrt_guided`], [`rrt_connect`], [`rrt_star`], [`rrt_joint`], a file a planner.
 //! - `found`, `finish`, `polyline`, `hermite`: the path, and what is made of it.
 //! - `planner`: the stepped contract; `draw` and `tell`: what it looks like and why; `parameters`: what the entries share.

@@ -12,8 +12,8 @@ const AXES: usize = 3;
 /// The nodes of a tree by the cell in which they lie.
 #[derive(Debug, Clone)]
 pub(super) struct Nearest<const N: usize> {
+    /// The corner of the cells; nodes beyond the outermost ones belong to these.
     min: [f64; N],
-    max: [f64; N],
     /// A cell's side.
     side: f64,
     /// Cells along each axis.
@@ -22,17 +22,19 @@ pub(super) struct Nearest<const N: usize> {
     first: Vec<u32>,
     /// Of each node, the one of its cell that came before it.
     before: Vec<u32>,
+    /// How many nodes there were when the cells were made.
+    divided: usize,
 }
 
 impl<const N: usize> Nearest<N> {
-    /// No node yet, in a box.
-    pub(super) fn new(min: [f64; N], max: [f64; N]) -> Self {
-        Self { min, max, side: f64::INFINITY, cells: [1; AXES], first: vec![NONE], before: Vec::new() }
+    /// No node yet.
+    pub(super) fn new() -> Self {
+        Self { min: [0.0; N], side: f64::INFINITY, cells: [1; AXES], first: vec![NONE], before: Vec::new(), divided: FEW }
     }
 
-    /// Adds the last of the points. Now and then the cells are made finer, so that on average a node has one to eight cells.
+    /// Adds the last of the points. Whenever there are twice as many, cells are made anew, for the box that the nodes fill.
     pub(super) fn add(&mut self, points: &[[f64; N]]) {
-        if points.len() > FEW && points.len() > self.first.len() {
+        if points.len() > 2 * self.divided {
             self.divide(points);
         } else {
             self.put(points.len() - 1, &points[points.len() - 1]);
@@ -41,19 +43,31 @@ impl<const N: usize> Nearest<N> {
 
     /// Puts all the points into finer cells.
     fn divide(&mut self, points: &[[f64; N]]) {
-        let wanted = (8 * points.len()) as f64;
-        // An axis that has no extent has one cell.
+        self.divided = points.len();
         let mut extents = [0.0; AXES];
-        (0..AXES.min(N)).for_each(|i| extents[i] = self.max[i] - self.min[i]);
-        let wide = extents.iter().filter(|&&extent| extent > 0.0);
-        let (volume, axes) = wide.fold((1.0, 0), |(volume, axes), extent| (volume * extent, axes + 1));
-        self.side = match axes {
-            0 => f64::INFINITY,
-            1 => volume / wanted,
-            2 => (volume / wanted).sqrt(),
-            _ => libm::cbrt(volume / wanted),
+        for (i, extent) in extents.iter_mut().enumerate().take(N) {
+            let (low, high) = points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p[i]), high.max(p[i])));
+            (self.min[i], *extent) = (low, high - low);
+        }
+        // Eight cells a node on average; an axis along which the box is thinner than a cell has one.
+        let wanted = (8 * points.len()) as f64;
+        let mut wide = extents;
+        self.side = loop {
+            let (volume, axes) =
+                wide.iter().filter(|&&extent| extent > 0.0).fold((1.0, 0), |(volume, axes), extent| (volume * extent, axes + 1));
+            let side = match axes {
+                0 => f64::INFINITY,
+                1 => volume / wanted,
+                2 => (volume / wanted).sqrt(),
+                _ => libm::cbrt(volume / wanted),
+            };
+            if wide.iter().all(|&extent| extent == 0.0 || extent >= side) {
+                break side;
+            }
+            wide = wide.map(|extent| if extent < side { 0.0 } else { extent });
         };
-        self.cells = extents.map(|extent| ((extent / self.side) as usize + 1).min(points.len().max(1)));
+        // Where numbers underflow the quotient is nothing, or without end.
+        self.cells = wide.map(|extent| (extent / self.side).min(wanted) as usize + 1);
         self.first.clear();
         self.first.resize(self.cells.iter().product(), NONE);
         self.before.clear();
@@ -135,7 +149,7 @@ impl<const N: usize> Nearest<N> {
             }
         }
         // Rounding may put a node that lies on a cell's border on either side.
-        (least - 1e-9 * self.side).max(0.0)
+        if least.is_finite() { (least - 1e-9 * self.side).max(0.0) } else { f64::INFINITY }
     }
 
     /// The nodes within a radius, in the order of their numbers.
@@ -185,7 +199,7 @@ mod tests {
         let mut rng = Stream::new(N as u64, 0);
         let (min, mut max) = ([-1.0; N], [2.0; N]);
         max[N - 1] = 5.0;
-        let mut index = Nearest::new(min, flat.map_or(max, |axis| std::array::from_fn(|i| if i == axis { min[i] } else { max[i] })));
+        let mut index = Nearest::new();
         let mut points: Vec<[f64; N]> = Vec::new();
         let mut near = Vec::new();
         for n in 0..1500 {
@@ -212,6 +226,25 @@ mod tests {
         check::<2>(None);
         check::<3>(None);
         check::<3>(Some(2));
+        check::<3>(Some(0));
         check::<6>(None);
+    }
+
+    /// A needle, a sheet and a cluster in a wide space: no cell has to hold them all, and there are not many more cells than nodes.
+    #[test]
+    fn cells_fit_what_the_nodes_fill() {
+        for scale in [[1.0, 1e-9, 1e-9], [1.0, 1.0, 1e-9], [1e-3, 1e-3, 1e-3], [1e3, 1.0, 1e-6], [1.0, 1.0, 1.0]] {
+            let (mut rng, mut points, mut index) = (Stream::new(7, 0), Vec::new(), Nearest::new());
+            for _ in 0..5000 {
+                points.push(scale.map(|side| side * rng.unit()));
+                index.add(&points);
+            }
+            let mut held = vec![0; index.first.len()];
+            for point in &points {
+                let [x, y, z] = index.cell(point);
+                held[index.number(x, y, z)] += 1;
+            }
+            assert!(held.iter().all(|&nodes| nodes < 40) && held.len() < 64 * points.len(), "{scale:?} {:?}", index.cells);
+        }
     }
 }

@@ -69,7 +69,7 @@ const RESOLUTION: Parameter = Parameter::number(
     "\\delta",
     "Resolution",
     [1e-4, 0.1, 0.005],
-    "How far any point of a link may go between two tests, in metres, where a cuboid is near.",
+    "How far any point of a link may go between two tests, in metres, where a cuboid is near; and how far the links keep away, so that nothing is touched in between.",
 )
 .slider(1e-3, 0.05, true);
 

@@ -57,6 +57,11 @@ pub(super) struct Ground {
     grown: Vec<Cuboid>,
 }
 
+/// How far a point is from an obstacle.
+pub(super) fn room(point: [f64; 3], (axis, radius): (Cuboid, f64)) -> f64 {
+    axis.distance_squared(point, point).sqrt() - radius
+}
+
 impl Ground {
     /// Of a scene with start and goal; in an arm’s with the setting `margin`.
     ///
@@ -76,9 +81,7 @@ impl Ground {
         let (mut margin, mut grown) = (0.0, Vec::new());
         if let Ok(arm) = scene.arm() {
             // Start and goal are free, however near: half of their room is left.
-            let rooms = [start, goal]
-                .into_iter()
-                .flat_map(|end| arm.obstacles().map(move |(axis, radius)| axis.distance_squared(end, end).sqrt() - radius));
+            let rooms = [start, goal].into_iter().flat_map(|end| arm.obstacles().map(move |obstacle| room(end, obstacle)));
             margin = rooms.fold(settings.number("margin"), |margin, room| margin.min(room / 2.0));
             grown = arm
                 .cuboids
@@ -109,6 +112,9 @@ impl Space<3> for Ground {
 
     #[inline]
     fn is_free(&self, a: &[f64; 3], b: &[f64; 3]) -> bool {
+        if !(0..3).all(|i| self.min[i] <= b[i] && b[i] <= self.max[i]) {
+            return false;
+        }
         match self.scene.body() {
             Body::Arm(arm) => {
                 // Most pieces are nowhere near.
@@ -116,7 +122,7 @@ impl Space<3> for Ground {
                 let touches = arm.cuboids.iter().zip(&self.grown).any(near);
                 !touches && arm::column(arm).is_none_or(|column| !column.axis.is_within(column.radius + self.margin, *a, *b))
             }
-            _ => (0..2).all(|i| self.min[i] <= b[i] && b[i] <= self.max[i]) && self.scene.is_free([a[0], a[1]], [b[0], b[1]]),
+            _ => self.scene.is_free([a[0], a[1]], [b[0], b[1]]),
         }
     }
 

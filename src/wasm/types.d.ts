@@ -226,7 +226,7 @@ export interface MotionOutcome {
   /** Points without a posture, replaced by their mirror image and by random joints. */
   mirrored: number;
   drawn: number;
-  /** Where it ends, and why, if it does not arrive. */
+  /** Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does. */
   trouble?: string;
 }
 

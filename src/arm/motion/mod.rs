@@ -59,7 +59,7 @@ pub struct MotionOutcome {
     pub mirrored: u64,
     /// How many were replaced by random joints between their neighbours', [ARM-RRT] step 6.
     pub drawn: u64,
-    /// Where it ends, and why, if it does not arrive: names the point.
+    /// Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub trouble: Option<String>,
 }

@@ -21,7 +21,7 @@ const PARAMETERS: &[Parameter] = &[
         "spacing",
         "\\Delta s",
         "Spacing",
-        [0.0005, 1.0, 0.01],
+        [0.002, 1.0, 0.01],
         "How far apart the points of the path are, in metres, at which the arm takes a posture; corners and ends are always among \
          them. Ours: the paper takes the points of its smoothed path.",
     )

@@ -16,6 +16,9 @@ use super::{
 /// How many places between two rows the tip's distance from the path is measured at.
 const BETWEEN: i32 = 4;
 
+/// A tip that is farther off its path than this, in metres, and than its postures are apart, does not follow it.
+const OFF: f64 = 0.01;
+
 /// What a motion is timed and checked by.
 pub(super) struct Trajectory<'a> {
     pub(super) scene: &'a crate::scene::ArmScene,
@@ -54,6 +57,7 @@ impl Trajectory<'_> {
         let mut motion = Motion { rows: Vec::new(), skeletons: Vec::new(), outcome: nothing(), settings: self.settings.clone() };
         let Motion { rows, skeletons, outcome, .. } = &mut motion;
         let mut last: Option<(&Stop, [f64; 3])> = None;
+        let mut off = None;
         for stop in &followed.stops {
             let skeleton = arm.skeleton(&stop.posture);
             let [.., tip] = skeleton;
@@ -68,7 +72,15 @@ impl Trajectory<'_> {
             }
             let step = (0..6).map(|i| (stop.posture[i] - from.posture[i]).abs() * (180.0 / PI)).fold(0.0, f64::max);
             outcome.largest_step = outcome.largest_step.max(step);
-            outcome.max_error = outcome.max_error.max(self.error(from, stop));
+            let error = self.error(from, stop);
+            if error > OFF.max(self.settings.number("spacing")) && off.is_none() {
+                let [x, y, z] = tip;
+                off = Some(format!(
+                    "before ({x:.4}, {y:.4}, {z:.4}), {:.4} m along the path, the tip is {error:.4} m off it, while a joint turns by {step:.1}°: no postures that touch nothing lead on evenly",
+                    stop.station.along
+                ));
+            }
+            outcome.max_error = outcome.max_error.max(error);
             let clearance = self.links.clearance(&skeleton);
             outcome.clearance = match (outcome.clearance, clearance) {
                 (Some(least), Some(here)) => Some(least.min(here)),
@@ -83,7 +95,7 @@ impl Trajectory<'_> {
         }
         outcome.free = outcome.touched_at.is_none() && !followed.stops.is_empty();
         outcome.arrived = followed.stops.len() == points;
-        (outcome.mirrored, outcome.drawn, outcome.trouble) = (followed.mirrored, followed.drawn, followed.trouble);
+        (outcome.mirrored, outcome.drawn, outcome.trouble) = (followed.mirrored, followed.drawn, followed.trouble.or(off));
         motion
     }
 }
