@@ -14,6 +14,8 @@ use super::{Bounds, Verdict, limited};
 
 /// How far from start and goal the tip may be where postures were planned, in metres.
 pub(crate) const JOINED: f64 = 1e-6;
+/// How far beyond the workspace's border the tip may be there, in metres: as much as the points of a curve miss of it.
+const BORDER: f64 = 1e-4;
 /// How far any point of a link may go between two tests of a verdict, in metres.
 const RESOLUTION: f64 = 1e-3;
 
@@ -121,7 +123,7 @@ impl ArmScene {
             self.arm.joints.iter().zip(arm::degrees(posture)).all(|(joint, angle)| joint.min - 1e-9 <= angle && angle <= joint.max + 1e-9)
         };
         let Cuboid { min, max } = self.workspace;
-        let inside = |tip: &[f64; 3]| (0..3).all(|i| (min[i] - JOINED..=max[i] + JOINED).contains(&tip[i]));
+        let inside = |tip: &[f64; 3]| (0..3).all(|i| (min[i] - BORDER..=max[i] + BORDER).contains(&tip[i]));
         self.joins(path, JOINED)
             && path.iter().all(inside)
             && arm::tip_path(&self.arm, postures) == path
