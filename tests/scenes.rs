@@ -34,7 +34,8 @@ fn the_exact_optimum_agrees_with_the_one_stored_in_the_scene() {
 #[test]
 fn an_arm_s_stored_optimum_is_the_computed_one() {
     let mut compared = 0;
-    for scene in shipped_names().filter(|scene| scene.kind() == Kind::Arm) {
+    let with = |scene: &&std::sync::Arc<forage::Scene>| scene.kind() == Kind::Arm && scene.header().exact.is_some();
+    for scene in shipped_names().filter(with) {
         let stored = |name: &str| scene.header().exact.as_ref().and_then(|exact| exact[name].as_f64()).unwrap();
         let arm = scene.arm().unwrap();
         let exact = scene.exact().unwrap();
