@@ -151,8 +151,7 @@ impl Follower<'_> {
                 followed.mirrored += u64::from(found.is_some());
             }
             if found.is_none() && !is_first {
-                let mut later = stations.iter().enumerate().skip(i + 1);
-                let next = later.find_map(|(j, later)| self.next(j, later.at, &last, true));
+                let next = (i + 1..stations.len()).find_map(|j| self.next(j, stations[j].at, &last, true));
                 found = next.and_then(|next| self.draw(&last, &next));
                 followed.drawn += u64::from(found.is_some());
             }

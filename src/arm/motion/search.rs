@@ -133,7 +133,7 @@ pub(super) fn cheapest(
 
 fn back(reached: &[Vec<Option<usize>>], end: usize) -> Vec<usize> {
     let mut way = vec![end];
-    for layer in reached.iter().skip(1).rev() {
+    for layer in reached.get(1..).unwrap_or_default().iter().rev() {
         let here = way[way.len() - 1];
         way.push(layer[here].unwrap_or(0));
     }

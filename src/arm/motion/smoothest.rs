@@ -73,7 +73,7 @@ impl Follower<'_> {
         let (begun, last) = (span[0].along, span.len() - 1);
         let way = span[last].along - begun;
         let mut before = *from;
-        for (i, station) in span.iter().enumerate().skip(1) {
+        for (i, station) in (1..).zip(&span[1..]) {
             let guess = evenly(from, to, (station.along - begun) / way);
             let hand = || self.holding.hand([guess[3], guess[4], guess[5]]);
             let next = if i == last { Some(*to) } else { self.holding.nearest(&hand(), station.at, &guess) };
