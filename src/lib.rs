@@ -24,7 +24,8 @@
 //!   kinematics, what they touch, and how they follow a path.
 //! - [`drive`]: a robot that follows what was found, and what its outline touches.
 //! - [`session`]: one run, with rewind, hash and link. [`frame`] and [`picture`]: what it looks like.
-//! - `experiment` (not in wasm): many runs beside published figures, with statistics.
+//! - [`trial`]: one run of many, summed up in a line. [`statistics`]: what many of them have in common, and tests between them.
+//! - `experiment` (not in wasm): sweeps, and published experiments anew.
 //! - [`geometry`], [`math`], [`rng`], [`digest`], [`error`](mod@error): the ground.
 //!
 //! Imports point one way: faces → session → catalogue → families → scene, geometry, exact → math, rng, error.
@@ -54,9 +55,11 @@ pub mod rng;
 pub mod scene;
 pub mod search;
 pub mod session;
+pub mod statistics;
 pub mod swarm;
 pub mod tour;
 pub mod tree;
+pub mod trial;
 pub mod tuning;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
@@ -71,3 +74,4 @@ pub use params::{Given, Value};
 pub use planner::Status;
 pub use scene::{Scene, shipped, shipped_names};
 pub use session::{Outcome, Session, Setup};
+pub use trial::Trial;

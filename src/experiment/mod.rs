@@ -1,7 +1,7 @@
 //! Experiments: many runs, kept as they finish, and what they say beside published figures. Native only.
 //!
 //! [`runner`] carries out keyed jobs on all cores and appends each finished one to [`rows`], so that an interruption
-//! loses nothing. [`statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
+//! loses nothing. [`crate::statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
 //! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
 //! [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`],
 //! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
@@ -21,7 +21,6 @@ pub mod report;
 pub mod rows;
 pub mod runner;
 pub mod search;
-pub mod statistics;
 pub mod table;
 mod tours;
 mod tuned;
@@ -33,7 +32,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use crate::{Setup, error::Error};
+use crate::{Setup, error::Error, statistics};
 
 use report::Report;
 use runner::Control;

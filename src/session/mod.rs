@@ -23,7 +23,7 @@ use crate::{
     frame::Frame,
     link::Link,
     params::{Given, Settings},
-    planner::{Event, Finding, Inspection, Item, Job, Readings, Solution, Stage, Status},
+    planner::{Best, Event, Finding, Inspection, Item, Job, Readings, Solution, Stage, Status},
     rng::check_seed,
     scene::Scene,
 };
@@ -216,6 +216,26 @@ impl Session {
     /// Whether there is more to do, or why not.
     pub fn status(&self) -> Status {
         self.planner.status()
+    }
+
+    /// Candidate solutions evaluated so far: what planners are compared by.
+    pub fn evaluations(&self) -> u64 {
+        self.planner.evaluations()
+    }
+
+    /// Takes steps until so many candidates are evaluated, or up to `steps` of them; stops where the planner does.
+    pub fn step_to(&mut self, evaluations: u64, steps: u64) -> Status {
+        for _ in 0..steps {
+            if self.evaluations() >= evaluations || self.step(1) != Status::Running {
+                break;
+            }
+        }
+        self.planner.status()
+    }
+
+    /// The best solution so far and what it costs the planner.
+    pub fn best(&self) -> Option<Best> {
+        self.planner.best()
     }
 
     /// The planner's entry in the catalogue.

@@ -6,6 +6,7 @@
 //! `field`, `value` and `allowed`. Nothing panics across this boundary on any input.
 
 mod arm;
+mod batch;
 mod formats;
 mod inspection;
 mod read;
@@ -31,6 +32,7 @@ use crate::{
 };
 
 pub use arm::{arm_pose, arm_solutions, reachability};
+pub use batch::{Trial, compare};
 pub use formats::{export_scene, generate_scene, import_scene};
 pub use types::*;
 
@@ -189,6 +191,12 @@ impl Session {
         status(self.run.step(n.unwrap_or(1.0) as u64))
     }
 
+    /// Takes steps until so many candidates are evaluated, or up to `n` of them; stops where the planner does.
+    #[wasm_bindgen(js_name = stepTo)]
+    pub fn step_to(&mut self, evaluations: f64, n: Option<f64>) -> JsStatus {
+        status(self.run.step_to(evaluations as u64, n.map_or(u64::MAX, |n| n as u64)))
+    }
+
     /// Goes to iteration `k`, forward or back, exactly.
     pub fn seek(&mut self, k: f64) -> JsStatus {
         status(self.run.seek(k as u64))
@@ -203,6 +211,12 @@ impl Session {
     #[wasm_bindgen(getter)]
     pub fn iteration(&self) -> f64 {
         self.run.iteration() as f64
+    }
+
+    /// Candidate solutions evaluated so far: what planners are compared by.
+    #[wasm_bindgen(getter)]
+    pub fn evaluations(&self) -> f64 {
+        self.run.evaluations() as f64
     }
 
     /// The iteration at which the run ends at the latest.

@@ -1,4 +1,4 @@
-//! The exact TypeScript types of the face: `scenes.d.ts` and `types.d.ts`, and a name for each that crosses the boundary.
+//! The exact TypeScript types of the face: `scenes.d.ts`, `types.d.ts` and `batches.d.ts`, and a name for each that crosses the boundary.
 
 use wasm_bindgen::prelude::*;
 
@@ -7,6 +7,9 @@ const SCENES: &str = include_str!("scenes.d.ts");
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.d.ts");
+
+#[wasm_bindgen(typescript_custom_section)]
+const BATCHES: &str = include_str!("batches.d.ts");
 
 #[wasm_bindgen]
 extern "C" {
@@ -136,4 +139,19 @@ extern "C" {
     /// `number[] | undefined`, six joints in degrees.
     #[wasm_bindgen(typescript_type = "number[] | undefined")]
     pub type JsJointsOrUndefined;
+    /// `TrialRecord`, as `batches.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "TrialRecord")]
+    pub type JsTrialRecord;
+    /// `TrialCurve`, as `batches.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "TrialCurve")]
+    pub type JsTrialCurve;
+    /// `Group[]`, as `batches.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Group[]")]
+    pub type JsGroups;
+    /// `Comparison`, as `batches.d.ts` describes it.
+    #[wasm_bindgen(typescript_type = "Comparison")]
+    pub type JsComparison;
+    /// `number | undefined`.
+    #[wasm_bindgen(typescript_type = "number | undefined")]
+    pub type JsNumberOrUndefined;
 }

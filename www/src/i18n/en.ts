@@ -5,6 +5,16 @@ export const en = {
   loading: 'Loading the planners …',
   skip: 'Skip to the stage',
   regions: { bar: 'Document', transport: 'Time', panels: 'Panels', result: 'Result' },
+  views: {
+    label: 'Views',
+    titles: { stage: 'Stage', batch: 'Batch', race: 'Race', papers: 'Papers' },
+    help: {
+      stage: 'One run, step by step',
+      batch: 'Many runs: planners beside each other over many seeds',
+      race: 'Two to four planners side by side, by equal evaluations',
+      papers: 'What was published, and what comes out here',
+    },
+  },
   bar: {
     undo: 'Undo the edit',
     redo: 'Redo the edit',

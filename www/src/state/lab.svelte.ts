@@ -13,6 +13,7 @@ import { type Again, Scenes } from './scenes.svelte'
 import { stageAt } from './stages'
 import { suits } from './stops'
 import { stillness } from './theme.svelte'
+import { views } from './views.svelte'
 
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
@@ -133,8 +134,8 @@ class Lab extends Scenes {
       return
     }
     this.put(this.shipped(FIRST.scene), false)
-    const opened = location.hash.length > 1 && (await this.openLink(location.hash))
-    if (!opened) await this.restart({ at: 0, play: !stillness.matches })
+    const opened = location.hash.length > 1 && !views.named(location.hash) && (await this.openLink(location.hash))
+    if (!opened) await this.restart({ at: 0, play: views.current === 'stage' && !stillness.matches })
   }
 
   /** Starts a new thread after a crash, with what the user had made. */

@@ -1,6 +1,12 @@
-//! What many results have in common.
+//! One sample: mean, spread, order statistics, and how sure that is.
 
 use serde::Serialize;
+use statrs::{
+    distribution::{ContinuousCDF, Normal, StudentsT},
+    statistics::{Data, OrderStatistics},
+};
+
+use super::CONFIDENCE;
 
 /// Mean, spread and order statistics of a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -11,10 +17,16 @@ pub struct Summary {
     pub mean: f64,
     /// The sample's standard deviation, with n − 1 as in Matlab's `std`; `None` for a single number.
     pub std: Option<f64>,
-    /// The middle one, or the mean of the two in the middle.
-    pub median: f64,
+    /// The 95 % confidence interval of the mean by Student's t; `None` for a single number.
+    pub interval: Option<[f64; 2]>,
     /// The smallest.
     pub min: f64,
+    /// The lower quartile, median-unbiased as Hyndman and Fan's type 8 (numpy's `median_unbiased`).
+    pub lower: f64,
+    /// The middle one, or the mean of the two in the middle.
+    pub median: f64,
+    /// The upper quartile, as the lower one.
+    pub upper: f64,
     /// The largest.
     pub max: f64,
 }
@@ -24,11 +36,12 @@ impl Summary {
     pub fn of(numbers: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sorted: Vec<f64> = numbers.into_iter().collect();
         sorted.sort_by(f64::total_cmp);
-        let (count, half) = (sorted.len(), sorted.len() / 2);
+        let count = sorted.len();
         let (&min, &max) = (sorted.first()?, sorted.last()?);
         let moments = sorted.iter().fold(Moments::default(), |moments, &x| moments.with(x));
-        let median = if count % 2 == 1 { sorted[half] } else { f64::midpoint(sorted[half - 1], sorted[half]) };
-        Some(Self { count, mean: moments.mean, std: moments.std(), median, min, max })
+        let mut data = Data::new(sorted);
+        let (lower, median, upper) = (data.lower_quartile(), data.median(), data.upper_quartile());
+        Some(Self { count, mean: moments.mean, std: moments.std(), interval: moments.interval(), min, lower, median, upper, max })
     }
 }
 
@@ -57,6 +70,27 @@ impl Moments {
     pub fn std(&self) -> Option<f64> {
         (self.count > 1.0).then(|| (self.squares / (self.count - 1.0)).sqrt())
     }
+
+    /// The confidence interval of the mean, by Student's t with n − 1 degrees of freedom.
+    pub fn interval(&self) -> Option<[f64; 2]> {
+        let std = self.std()?;
+        let t = StudentsT::new(0.0, 1.0, self.count - 1.0).ok()?.inverse_cdf(f64::midpoint(1.0, CONFIDENCE));
+        let half = t * std / self.count.sqrt();
+        Some([self.mean - half, self.mean + half])
+    }
+}
+
+/// The 95 % confidence interval of a share, `successes` of `count`, by Wilson's score; `None` of none.
+pub fn proportion(successes: usize, count: usize) -> Option<[f64; 2]> {
+    if count == 0 {
+        return None;
+    }
+    let (n, share) = (count as f64, successes as f64 / count as f64);
+    let z = Normal::standard().inverse_cdf(f64::midpoint(1.0, CONFIDENCE));
+    let scale = 1.0 + z * z / n;
+    let middle = (share + z * z / (2.0 * n)) / scale;
+    let half = z / scale * (share * (1.0 - share) / n + z * z / (4.0 * n * n)).sqrt();
+    Some([(middle - half).max(0.0), (middle + half).min(1.0)])
 }
 
 #[cfg(test)]
@@ -74,7 +108,8 @@ mod tests {
     #[test]
     fn one_number_has_no_spread_and_none_has_nothing() {
         let one = Summary::of([3.0]).unwrap();
-        assert_eq!((one.mean, one.median, one.std), (3.0, 3.0, None));
+        assert_eq!((one.mean, one.median, one.std, one.interval), (3.0, 3.0, None, None));
+        assert_eq!((one.lower, one.upper), (3.0, 3.0));
         assert_eq!(Summary::of([]), None);
     }
 }

@@ -1,0 +1,15 @@
+//! What many results have in common, and whether planners differ: summaries, rank-sum tests with correction, rank tables.
+//!
+//! Distributions, quantiles, ranks and the Mann–Whitney test are those of the `statrs` crate. Nothing here is part of a
+//! run: the bits of a p-value are not promised.
+
+mod compare;
+mod summary;
+mod tests_between;
+
+pub use compare::{Comparison, Group, GroupSummary, Pair, compare};
+pub use summary::{Moments, Summary, proportion};
+pub use tests_between::{Friedman, RankSum, friedman, holm, rank_sum};
+
+/// The level of all intervals.
+pub const CONFIDENCE: f64 = 0.95;

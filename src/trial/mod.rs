@@ -1,0 +1,196 @@
+//! One run of many: carried out step by step, and summed up in a [`Record`].
+//!
+//! Sweeps natively and batches in the page are made of these, so that both have the same rows. A record says what came out
+//! and what it cost in evaluations, but no times: those are no property of the run.
+
+use serde::Serialize;
+
+use crate::{
+    error::Error,
+    params::{Given, Value},
+    planner::{Status, Yardstick},
+    session::{Session, Setup},
+};
+
+/// How near to the exact optimum counts as reached, unless told otherwise: 1 %.
+pub const WITHIN: f64 = 0.01;
+
+/// The best value changed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Improvement {
+    /// In which iteration.
+    pub iteration: u64,
+    /// After how many evaluations.
+    pub evaluations: u64,
+    /// What the feasible best so far comes to: see [`Record::value`]. It may rise where the planner's cost is not the length.
+    pub value: f64,
+}
+
+/// What a run came to.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Record {
+    /// The planner's name.
+    pub planner: &'static str,
+    /// The scene's name.
+    pub scene: String,
+    /// The seed.
+    pub seed: u64,
+    /// The parameters that differ from the defaults.
+    pub parameters: Given,
+    /// Running, or why it stopped.
+    pub status: Status,
+    /// Iterations taken.
+    pub iterations: u64,
+    /// Candidate solutions evaluated.
+    pub evaluations: u64,
+    /// What the planner minimised; `None` before anything was found.
+    pub cost: Option<f64>,
+    /// The path's length, in the scene's unit.
+    pub length: Option<f64>,
+    /// What runs are compared by: a feasible result's length, or where there is no path its cost. `None` if there is none.
+    pub value: Option<f64>,
+    /// True only if the result itself was checked and breaks nothing.
+    pub feasible: bool,
+    /// The smallest distance to an obstacle.
+    pub clearance: Option<f64>,
+    /// The exact optimum by the rule that the planner keeps to.
+    pub exact: Option<f64>,
+    /// Which optimum that is.
+    pub exact_by: Yardstick,
+    /// (length − exact) / exact.
+    pub gap: Option<f64>,
+    /// Evaluations when the best was first feasible and near enough to the optimum; `None` if it never was, or there is none.
+    pub reached: Option<u64>,
+    /// The same in iterations.
+    pub reached_iteration: Option<u64>,
+    /// At how many corners the path turns.
+    pub turns: Option<usize>,
+    /// The state's hash.
+    pub hash: String,
+}
+
+/// A run with a record.
+///
+/// ```
+/// use forage::{Setup, Trial, shipped, trial::WITHIN};
+/// let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs")?, params: Default::default(), seed: 1 };
+/// let mut trial = Trial::new(setup, WITHIN)?;
+/// trial.step(u64::MAX);
+/// let record = trial.record();
+/// assert!(record.feasible && record.reached.unwrap() <= record.evaluations);
+/// # Ok::<(), forage::Error>(())
+/// ```
+pub struct Trial {
+    session: Session,
+    within: f64,
+    /// The optimum, if there is one.
+    exact: Option<f64>,
+    /// The planner's cost when its best was looked at last.
+    seen: Option<f64>,
+    curve: Vec<Improvement>,
+    /// Iterations and evaluations when the best was near enough.
+    reached: Option<[u64; 2]>,
+}
+
+impl Trial {
+    /// Starts a run. Near enough to the optimum is what is longer by up to the share `within`; where the optimum is 0,
+    /// what is larger by up to `within`.
+    ///
+    /// # Errors
+    /// As [`Session::new`], and a `within` that is no number from 0 to 1,000,000.
+    pub fn new(setup: Setup, within: f64) -> Result<Self, Error> {
+        if !(0.0..=1e6).contains(&within) {
+            return Err(Error::refused("within", within, "from 0 to 1000000, a share of the exact optimum"));
+        }
+        let session = Session::with_keyframes(setup, 0)?;
+        let exact = session.exact().map(|exact| exact.length).or_else(|| session.scene().minimum());
+        let mut trial = Self { session, within, exact, seen: None, curve: Vec::new(), reached: None };
+        trial.look();
+        Ok(trial)
+    }
+
+    /// Takes up to `steps` steps; stops where the planner does.
+    pub fn step(&mut self, steps: u64) -> Status {
+        for _ in 0..steps {
+            let before = self.session.iteration();
+            let status = self.session.step(1);
+            if self.session.iteration() > before {
+                self.look();
+            }
+            if status != Status::Running {
+                break;
+            }
+        }
+        self.session.status()
+    }
+
+    /// The run.
+    pub fn session(&mut self) -> &mut Session {
+        &mut self.session
+    }
+
+    /// The values of the feasible best, whenever it changed.
+    pub fn curve(&self) -> &[Improvement] {
+        &self.curve
+    }
+
+    /// Judges the best if it is another one than before.
+    fn look(&mut self) {
+        let Some(best) = self.session.best() else { return };
+        if self.seen == Some(best.cost) {
+            return;
+        }
+        self.seen = Some(best.cost);
+        let verdict = self.session.scene().judge(&best.solution);
+        if !verdict.feasible {
+            return;
+        }
+        let value = verdict.length.unwrap_or(best.cost);
+        let (iteration, evaluations) = (self.session.iteration(), self.session.evaluations());
+        self.curve.push(Improvement { iteration, evaluations, value });
+        if self.reached.is_none() && self.exact.is_some_and(|exact| self.is_near(value, exact)) {
+            self.reached = Some([iteration, evaluations]);
+        }
+    }
+
+    fn is_near(&self, value: f64, exact: f64) -> bool {
+        value <= if exact > 0.0 { exact * (1.0 + self.within) } else { exact + self.within }
+    }
+
+    /// What the run came to so far.
+    pub fn record(&mut self) -> Record {
+        let parameters = self.session.settings().changed().clone();
+        let outcome = self.session.outcome();
+        let found = outcome.feasible && outcome.cost.is_some();
+        // A stored optimum that a result refutes was none.
+        let reached = self.reached.filter(|_| outcome.exact.is_some());
+        Record {
+            planner: outcome.planner,
+            scene: outcome.scene,
+            seed: outcome.seed,
+            parameters,
+            status: outcome.status,
+            iterations: outcome.iterations,
+            evaluations: outcome.evaluations,
+            cost: outcome.cost,
+            length: outcome.length,
+            value: outcome.length.or(outcome.cost).filter(|_| found),
+            feasible: found,
+            clearance: outcome.clearance,
+            exact: outcome.exact,
+            exact_by: outcome.exact_by,
+            gap: outcome.gap,
+            reached: reached.map(|[_, evaluations]| evaluations),
+            reached_iteration: reached.map(|[iteration, _]| iteration),
+            turns: outcome.turns,
+            hash: outcome.hash,
+        }
+    }
+}
+
+impl Record {
+    /// A parameter's value where it differs from the default.
+    pub fn parameter(&self, name: &str) -> Option<&Value> {
+        self.parameters.get(name)
+    }
+}

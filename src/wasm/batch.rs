@@ -1,0 +1,83 @@
+//! Many runs: one of them, and what they have in common.
+
+use js_sys::Float64Array;
+use wasm_bindgen::prelude::*;
+
+use crate::{
+    Error,
+    statistics::{self, Group},
+    trial::{self, WITHIN},
+};
+
+use super::{
+    js_error, object, plain,
+    read::{read_number, read_setup},
+    status,
+    types::{JsComparison, JsGroups, JsNumberOrUndefined, JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
+};
+
+/// One run of many: stepped to its end and summed up in a record, the same as in a row of `forage experiment`.
+#[wasm_bindgen]
+pub struct Trial(trial::Trial);
+
+#[wasm_bindgen]
+impl Trial {
+    /// Starts a run at iteration 0. `within`: how near to the exact optimum counts as reached, 0.01 unless given.
+    ///
+    /// # Errors
+    /// As the constructor of `Session`, and for a `within` that is no number from 0 to 1,000,000.
+    #[wasm_bindgen(constructor)]
+    pub fn new(setup: &JsSetup, within: &JsNumberOrUndefined) -> Result<Trial, JsValue> {
+        let within = if within.is_undefined() { WITHIN } else { read_number("within", within)? };
+        trial::Trial::new(read_setup(setup)?, within).map(Trial).map_err(|error| js_error(&error))
+    }
+
+    /// Takes up to `n` steps, all there are unless given; stops where the planner does.
+    pub fn step(&mut self, n: Option<f64>) -> JsStatus {
+        status(self.0.step(n.map_or(u64::MAX, |n| n as u64)))
+    }
+
+    /// How many iterations were taken to come here.
+    #[wasm_bindgen(getter)]
+    pub fn iteration(&mut self) -> f64 {
+        self.0.session().iteration() as f64
+    }
+
+    /// The iteration at which the run ends at the latest.
+    #[wasm_bindgen(getter)]
+    pub fn limit(&mut self) -> f64 {
+        self.0.session().limit() as f64
+    }
+
+    /// What the run came to so far.
+    pub fn record(&mut self) -> JsTrialRecord {
+        plain(&self.0.record())
+    }
+
+    /// The values of the feasible best, whenever it changed.
+    pub fn curve(&self) -> JsTrialCurve {
+        let curve = self.0.curve();
+        let column = |of: fn(&trial::Improvement) -> f64| Float64Array::from(curve.iter().map(of).collect::<Vec<_>>().as_slice()).into();
+        object(&[
+            ("iterations", column(|point| point.iteration as f64)),
+            ("evaluations", column(|point| point.evaluations as f64)),
+            ("values", column(|point| point.value)),
+        ])
+    }
+
+    /// A link that opens the run where it stands, in the page and in the shell; begins with `#`.
+    pub fn link(&mut self) -> String {
+        self.0.session().link()
+    }
+}
+
+/// Summarises groups of runs, and tests whether they differ: what `forage experiment` prints.
+///
+/// # Errors
+/// For anything that is no list of groups, each with a name and its values.
+#[wasm_bindgen]
+pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
+    let groups: Vec<Group> =
+        serde_wasm_bindgen::from_value(groups.into()).map_err(|problem| js_error(&Error::malformed("groups", problem)))?;
+    Ok(plain(&statistics::compare(&groups)))
+}

@@ -1,0 +1,114 @@
+//! Statistics against SciPy's and NumPy's, which are stored with the command that made them.
+
+use forage::statistics::{self, Group, Summary, compare};
+use serde_json::Value;
+
+fn stored() -> Value {
+    serde_json::from_str(include_str!("statistics/scipy.json")).unwrap()
+}
+
+fn list<'a>(value: &'a Value, name: &str) -> &'a [Value] {
+    value[name].as_array().unwrap()
+}
+
+/// null stands for an infinite number.
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|number| number.as_f64().unwrap_or(f64::INFINITY)).collect()
+}
+
+fn agrees(found: f64, expected: &Value, digits: f64, what: &str) {
+    let expected = expected.as_f64().unwrap();
+    let scale = expected.abs().max(f64::MIN_POSITIVE);
+    assert!((found - expected).abs() <= digits * scale, "{what}: {found} instead of {expected}");
+}
+
+#[test]
+fn summaries_agree_with_numpy_and_scipy() {
+    for case in list(&stored(), "summaries") {
+        let what = |part: &str| format!("{}, {part}", case["name"]);
+        let found = Summary::of(numbers(&case["values"])).unwrap();
+        let parts = [("mean", found.mean), ("min", found.min), ("lower", found.lower), ("median", found.median)];
+        for (part, number) in parts.into_iter().chain([("upper", found.upper), ("max", found.max), ("std", found.std.unwrap())]) {
+            agrees(number, &case[part], 1e-12, &what(part));
+        }
+        let interval = found.interval.unwrap();
+        // The interval's ends may nearly cancel: as exact as its width.
+        for (end, expected) in interval.into_iter().zip(numbers(&case["interval"])) {
+            let scale = found.mean.abs() + (interval[1] - interval[0]);
+            assert!((end - expected).abs() <= 1e-10 * scale, "{}: {end} instead of {expected}", what("interval"));
+        }
+    }
+}
+
+#[test]
+fn rank_sums_agree_with_scipy_with_ties_without_and_with_failed_runs() {
+    for (k, case) in list(&stored(), "rank_sums").iter().enumerate() {
+        let found = statistics::rank_sum(&numbers(&case["first"]), &numbers(&case["second"])).unwrap();
+        agrees(found.u, &case["u"], 1e-12, &format!("U of {k}"));
+        // As `statrs` takes it from 1, it is exact to the last digits of 1, not of its own.
+        let p = case["p"].as_f64().unwrap();
+        assert!((found.p - p).abs() <= 1e-9 * p + 1e-15, "p of {k}: {} instead of {p}", found.p);
+    }
+}
+
+#[test]
+fn samples_without_any_difference_have_a_p_of_one() {
+    let found = statistics::rank_sum(&[2.5; 12], &[2.5; 9]).unwrap();
+    assert_eq!((found.p, found.smaller), (1.0, 0.5));
+    assert_eq!(statistics::rank_sum(&[], &[1.0]), None);
+}
+
+#[test]
+fn corrections_agree_with_their_definition() {
+    for case in list(&stored(), "holm") {
+        for (found, expected) in statistics::holm(&numbers(&case["p"])).into_iter().zip(list(case, "corrected")) {
+            agrees(found, expected, 1e-12, "corrected");
+        }
+    }
+}
+
+#[test]
+fn rank_tables_agree_with_scipy() {
+    for case in list(&stored(), "friedman") {
+        let blocks: Vec<_> = list(case, "blocks").iter().map(numbers).collect();
+        let found = statistics::friedman(&blocks).unwrap();
+        assert_eq!(found.blocks, blocks.len());
+        agrees(found.statistic.unwrap(), &case["statistic"], 1e-9, "statistic");
+        agrees(found.p.unwrap(), &case["p"], 1e-9, "p");
+        for (rank, expected) in found.ranks.into_iter().zip(list(case, "ranks")) {
+            agrees(rank, expected, 1e-12, "rank");
+        }
+    }
+}
+
+#[test]
+fn shares_have_wilsons_interval() {
+    for case in list(&stored(), "wilson") {
+        let count = |name: &str| case[name].as_u64().unwrap() as usize;
+        let found = statistics::proportion(count("successes"), count("count")).unwrap();
+        for (end, expected) in found.into_iter().zip(numbers(&case["interval"])) {
+            assert!((end - expected).abs() < 1e-12, "{end} instead of {expected}");
+        }
+    }
+}
+
+#[test]
+fn a_comparison_ranks_failed_runs_last_and_leaves_them_out_of_the_mean() {
+    let group = |name: &str, values: &[Option<f64>]| Group { name: name.to_owned(), values: values.to_vec() };
+    let groups = [
+        group("good", &[Some(1.0), Some(2.0), Some(3.0)]),
+        group("often", &[Some(1.5), None, Some(2.5)]),
+        group("never", &[None, None, None]),
+    ];
+    let found = compare(&groups);
+    assert_eq!(found.groups.iter().map(|group| group.feasible).collect::<Vec<_>>(), [3, 2, 0]);
+    assert_eq!(found.groups[1].summary.unwrap().mean, 2.0);
+    assert!(found.groups[2].summary.is_none());
+    assert_eq!(found.pairs.iter().map(|pair| [pair.first, pair.second]).collect::<Vec<_>>(), [[0, 1], [0, 2], [1, 2]]);
+    // 1 < 1.5, 2.5, failed; 2 < 2.5, failed; 3 < failed: 6 of 9.
+    assert_eq!((found.pairs[0].better, found.pairs[1].better), (6.0 / 9.0, 1.0));
+    let ranks = found.friedman.unwrap();
+    // Seed by seed: 1 2 3, then 1 and two failed, then 2 1 3.
+    assert_eq!(ranks.ranks, [4.0 / 3.0, 5.5 / 3.0, 8.5 / 3.0]);
+    assert!(compare(&groups[..1]).friedman.is_none() && compare(&[]).groups.is_empty());
+}
