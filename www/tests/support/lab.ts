@@ -88,7 +88,11 @@ export class Lab {
   /** Opens one of the panels, if it is closed. */
   async section(id: string): Promise<Locator> {
     const section = this.page.getByTestId(`section-${id}`)
-    if (!(await section.evaluate((node: HTMLDetailsElement) => node.open))) await section.locator('> summary').click()
+    // A section may open by itself while the page is still being set up: then a click would close it.
+    await expect(async () => {
+      if (!(await section.evaluate((node: HTMLDetailsElement) => node.open))) await section.locator('> summary').click()
+      await expect(section).toHaveAttribute('open', '', { timeout: 500 })
+    }).toPass()
     return section
   }
 
