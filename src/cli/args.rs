@@ -109,6 +109,9 @@ pub(super) struct ReproduceArgs {
     /// Print the reports as JSON.
     #[arg(long)]
     pub(super) json: bool,
+    /// When all are carried out: compare REPRODUCTION.md and REPRODUCTION.csv with those of a folder; exit code 1 if they differ.
+    #[arg(long, value_name = "DIR", conflicts_with = "name")]
+    pub(super) check: Option<PathBuf>,
 }
 
 #[derive(Args)]

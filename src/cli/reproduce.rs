@@ -1,8 +1,12 @@
 //! `forage reproduce`.
 
-use std::{process::ExitCode, time::Duration};
+use std::{
+    path::{Path, PathBuf},
+    process::ExitCode,
+    time::Duration,
+};
 
-use forage::experiment::{self, Options, REPRODUCTIONS, Reproduction, runner::Control};
+use forage::experiment::{self, Options, REPRODUCTIONS, Reproduction, document, report::Report, runner::Control};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::{Failure, args::ReproduceArgs, interrupt, print, print_json};
@@ -16,6 +20,11 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
     let stop = interrupt::flag();
     let mut reports = Vec::new();
     for reproduction in chosen {
+        if args.check.is_some() && !reproduction.repeatable {
+            // Nothing of it is in the documents.
+            reports.push(Report::new(reproduction, 0, 0));
+            continue;
+        }
         let bar = progress(reproduction.name);
         let show = |done, total| {
             if bar.length() != Some(total) {
@@ -37,7 +46,24 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
     if args.json {
         print_json(&reports);
     }
-    Ok(ExitCode::SUCCESS)
+    if args.name.is_some() {
+        return Ok(ExitCode::SUCCESS);
+    }
+    let written = document::write(&reports, &options)?;
+    match args.check {
+        Some(folder) => check(&written, &folder),
+        None => Ok(ExitCode::SUCCESS),
+    }
+}
+
+/// Whether the two documents are those of a folder, byte for byte; says where they first differ.
+fn check(written: &[PathBuf], folder: &Path) -> super::Outcome {
+    let different = document::differences(written, folder)?;
+    different.iter().for_each(|problem| eprintln!("forage: {problem}"));
+    if different.is_empty() {
+        eprintln!("forage: {} are the same again", document::FILES.join(" and "));
+    }
+    Ok(if different.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 /// The names and what they stand for, below the options of `forage reproduce --help`.

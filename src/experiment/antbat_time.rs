@@ -31,8 +31,13 @@ use super::{
 };
 
 /// See the module.
-pub const REPRODUCTION: Reproduction =
-    Reproduction { name: "antbat-time", title: "time over the number of stops, by all tour planners", source: "[ANTBAT] fig. 8", run };
+pub const REPRODUCTION: Reproduction = Reproduction {
+    name: "antbat-time",
+    title: "time over the number of stops, by all tour planners",
+    source: "[ANTBAT] fig. 8",
+    repeatable: false,
+    run,
+};
 
 /// How many stops; the figure's are not in the paper's text.
 const STOPS: [usize; 6] = [5, 10, 15, 20, 25, 30];

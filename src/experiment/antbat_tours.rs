@@ -15,7 +15,9 @@ use crate::{
 };
 
 use super::{
-    Failure, Options, Reproduction, command,
+    Failure, Options, Reproduction,
+    beside::{Beside, Ours, Published},
+    command,
     figure::{Figure, Steps},
     published::{ANTBAT_TOURS, Tours},
     report::{Report, Verdict},
@@ -27,8 +29,13 @@ use super::{
 };
 
 /// See the module.
-pub const REPRODUCTION: Reproduction =
-    Reproduction { name: "antbat-tours", title: "orders of twelve stops by all tour planners", source: "[ANTBAT] Table 2", run };
+pub const REPRODUCTION: Reproduction = Reproduction {
+    name: "antbat-tours",
+    title: "orders of twelve stops by all tour planners",
+    source: "[ANTBAT] Table 2",
+    repeatable: true,
+    run,
+};
 
 /// Of thirty runs of the bats so many find the exact order.
 const EXACT_OF_THIRTY: usize = 28;
@@ -148,11 +155,33 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
         let measured = Measured::of(&scene, block, rows)?;
         report.tables.push(table(block, &cells, &measured, runs));
         report.verdicts.extend(judge(block, &cells, &measured));
+        if block.comparable {
+            report.figures.extend(figures(&scene, block, &cells));
+        }
     }
     report.notes = notes(&scene, &rows);
     report.commands = PLANNERS.iter().map(|planner| command(&setup(&scene, &BLOCKS[0], planner, 1))).collect();
     report.write(options)?;
     Ok(report)
+}
+
+/// Table 2 beside ours.
+fn figures(scene: &Arc<Scene>, block: &Block, cells: &[Tried]) -> Vec<Beside> {
+    let beside = |((published, planner), tried): ((&Tours, &&str), &Tried)| Beside {
+        table: format!("Table 2: {}", block.title),
+        row: format!("{} ({planner})", published.name),
+        measure: "length".to_owned(),
+        published: Published {
+            best: Some(published.best.into()),
+            mean: Some(published.mean.into()),
+            std: Some(published.variance.value.sqrt()),
+            runs: Some(Tours::RUNS),
+        },
+        ours: tried.lengths.map_or(Ours::Nothing, Ours::Runs),
+        open: Some("the paper does not print the layout of the obstacles, nor how long the rivals search"),
+        command: command(&setup(scene, block, planner, 1)),
+    };
+    ANTBAT_TOURS.iter().zip(&PLANNERS).zip(cells).map(beside).collect()
 }
 
 fn setup(scene: &Arc<Scene>, block: &Block, planner: &str, seed: u64) -> Setup {

@@ -22,8 +22,13 @@ use super::{
 use run::{Run, Task};
 
 /// See the module.
-pub const REPRODUCTION: Reproduction =
-    Reproduction { name: "arm-rrt", title: "trees for an arm’s tip, with and without a cuboid", source: "[ARM-RRT] §4", run };
+pub const REPRODUCTION: Reproduction = Reproduction {
+    name: "arm-rrt",
+    title: "trees for an arm’s tip, with and without a cuboid",
+    source: "[ARM-RRT] §4",
+    repeatable: true,
+    run,
+};
 
 /// Seeds a cell; how many runs the paper has is not said.
 const SEEDS: u64 = 100;

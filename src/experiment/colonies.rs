@@ -16,6 +16,7 @@ use crate::{
 
 use super::{
     Failure, Options, Reproduction,
+    beside::{Beside, Ours, Published},
     figure::{Figure, Steps},
     report::Report,
     rows::Row,
@@ -157,6 +158,19 @@ pub(super) const SMOOTH_TURNS: Measure = Measure { name: "turns, smoothed", digi
 pub(super) const SMOOTH_TURNING: Measure = Measure { name: "turning, smoothed", digits: 3, of: |run| run.smooth_turning, optimum: None };
 
 impl Measure {
+    /// A published figure beside ours.
+    pub fn beside(&self, table: &str, row: &str, figure: Figure, runs: &[Run], open: &'static str, command: String) -> Beside {
+        Beside {
+            table: table.to_owned(),
+            row: row.to_owned(),
+            measure: self.name.to_owned(),
+            published: Published::figure(figure),
+            ours: Ours::runs(runs.iter().filter_map(self.of)),
+            open: Some(open),
+            command,
+        }
+    }
+
     pub fn summary(&self, runs: &[Run]) -> Option<Summary> {
         Summary::of(runs.iter().filter_map(self.of))
     }

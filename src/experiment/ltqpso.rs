@@ -7,7 +7,10 @@ use serde::{Deserialize, Serialize};
 use crate::{Given, Session, Setup, Value, error::Error, scene::shipped};
 
 use super::{
-    Failure, Options, Reproduction, command,
+    Failure, Options, Reproduction,
+    beside::{Beside, Ours, Published},
+    command,
+    figure::Figure,
     published::{Results, TABLE_3, TABLE_4},
     report::{Report, Verdict},
     rows::Row,
@@ -17,8 +20,13 @@ use super::{
 };
 
 /// See the module.
-pub const REPRODUCTION: Reproduction =
-    Reproduction { name: "ltqpso", title: "ltqpso against qpso on the 10 m grid", source: "[LTQPSO] Tables 3 and 4", run };
+pub const REPRODUCTION: Reproduction = Reproduction {
+    name: "ltqpso",
+    title: "ltqpso against qpso on the 10 m grid",
+    source: "[LTQPSO] Tables 3 and 4",
+    repeatable: true,
+    run,
+};
 
 const PLANNERS: [&str; 2] = ["qpso", "ltqpso"];
 /// The paper's number of runs.
@@ -197,6 +205,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
         let of = |planner: &str| rows.iter().filter(|row| row.case == case.name && row.planner == planner).collect::<Vec<_>>();
         let both = PLANNERS.map(of);
         let example = case.setup("ltqpso", 1)?;
+        report.figures.extend(figures(case, &example, &both));
         report.tables.push(tabulate(case, &example, &both));
         report.verdicts.extend(judge(case, &both));
         report.commands.extend(PLANNERS.map(|planner| command(&Setup { planner: planner.to_owned(), ..example.clone() })));
@@ -204,6 +213,34 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     report.notes = notes(&rows);
     report.write(options)?;
     Ok(report)
+}
+
+/// The published costs and times beside ours.
+fn figures(case: &Case, example: &Setup, both: &[Vec<&Run>; 2]) -> Vec<Beside> {
+    let Some(results) = case.published else { return Vec::new() };
+    let mut figures = Vec::new();
+    for (planner, (runs, [mean, std, seconds])) in PLANNERS.into_iter().zip(both.iter().zip(results)) {
+        let command = command(&Setup { planner: planner.to_owned(), ..example.clone() });
+        let printed = |number| Some(Figure::new(number, 4).into());
+        for (measure, published, ours, open) in [
+            (
+                "cost, m",
+                Published { mean: printed(mean), std: Some(std), runs: Some(RUNS), ..Published::default() },
+                Ours::runs(runs.iter().map(|run| run.cost)),
+                "the paper prints neither the layout of the obstacles nor what a run in collision counts",
+            ),
+            (
+                "time, s",
+                Published { mean: printed(seconds), runs: Some(RUNS), ..Published::default() },
+                Ours::Nothing,
+                "a time depends on the machine: `forage reproduce ltqpso` prints ours",
+            ),
+        ] {
+            let (table, row) = (case.title.to_owned(), planner.to_owned());
+            figures.push(Beside { table, row, measure: measure.to_owned(), published, ours, open: Some(open), command: command.clone() });
+        }
+    }
+    figures
 }
 
 fn tabulate(case: &Case, setup: &Setup, both: &[Vec<&Run>; 2]) -> Table {

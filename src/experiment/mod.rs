@@ -10,8 +10,10 @@ pub mod antbat;
 pub mod antbat_time;
 pub mod antbat_tours;
 pub mod arm_rrt;
+pub mod beside;
 pub mod chart;
 mod colonies;
+pub mod document;
 pub mod figure;
 pub mod fit;
 pub mod ltqpso;
@@ -24,6 +26,7 @@ pub mod search;
 pub mod table;
 mod tours;
 mod tuned;
+pub mod wcpso;
 pub mod wolf;
 pub mod wolf_dynamic;
 
@@ -39,6 +42,8 @@ use runner::Control;
 
 /// Every published experiment that is repeated here, in the order in which they are carried out.
 pub const REPRODUCTIONS: &[Reproduction] = &[
+    wcpso::FUNCTIONS,
+    wcpso::PATHS,
     ltqpso::REPRODUCTION,
     regression::REPRODUCTION,
     antbat::REPRODUCTION,
@@ -58,6 +63,8 @@ pub struct Reproduction {
     pub title: &'static str,
     /// Where it was published.
     pub source: &'static str,
+    /// Whether all that it says of its figures is computed; otherwise it is measured, and comes out a little different each time.
+    pub repeatable: bool,
     /// Carries it out.
     pub run: fn(&Options, &Control) -> Result<Report, Failure>,
 }

@@ -1,4 +1,6 @@
-//! The figures of [LTQPSO], as far as the scan can be read, of [ANTBAT] and of [WOLF-ANT].
+//! The figures of [WCPSO], of [LTQPSO], as far as the scan can be read, of [ANTBAT] and of [WOLF-ANT].
+
+pub mod wcpso;
 
 use super::figure::Figure;
 

@@ -8,7 +8,10 @@
 use crate::math;
 
 use super::{
-    Failure, Options, Reproduction, chart, command,
+    Failure, Options, Reproduction,
+    beside::{Beside, Ours, Published},
+    chart, command,
+    figure::Figure,
     fit::{self, Fit},
     published::{Regression, TABLE_1, TABLE_2},
     report::{Report, Verdict},
@@ -22,6 +25,7 @@ pub const REPRODUCTION: Reproduction = Reproduction {
     name: "ltqpso-regression",
     title: "how many particles and iterations ltqpso needs for D segments",
     source: "[LTQPSO] Tables 1 and 2",
+    repeatable: true,
     run,
 };
 
@@ -86,6 +90,7 @@ fn report(rows: &[Found], runs: u64, options: &Options) -> Result<Report, Failur
         let fits = QUANTITIES.map(|(_, of)| power_law(&ranges, of));
         report.tables.push(sizes(case, rows));
         report.tables.push(coefficients(case, &fits));
+        report.figures.extend(figures(case, &fits, ranges.len() as u64));
         let reached: Vec<_> = ranges.iter().map(|range| range.d).collect();
         report.verdicts.extend(judge(case, &fits));
         report.verdicts.push(sufficient(case, rows));
@@ -172,6 +177,28 @@ fn coefficients(case: &Case, fits: &[Option<Fit>; 4]) -> Table {
         table.rows.push([Cell::from(*name), "published".into(), b0, around_b0, b1, around_b1].into_iter().chain(rest).collect());
     }
     table
+}
+
+/// What the paper leaves open of its regression.
+const OPEN: &str = "the paper says neither how N and M are increased together nor over what the extremes are taken";
+
+/// The published coefficients beside ours.
+fn figures(case: &Case, fits: &[Option<Fit>; 4], points: u64) -> Vec<Beside> {
+    let mut figures = Vec::new();
+    for (((name, _), fit), published) in QUANTITIES.into_iter().zip(fits).zip(&case.published) {
+        for k in [0, 1] {
+            figures.push(Beside {
+                table: case.title.to_owned(),
+                row: format!("ln {name}"),
+                measure: format!("b{k}"),
+                published: Published { runs: Some(RUNS), ..Published::figure(Figure::new(published.b[k], 4)) },
+                ours: fit.map_or(Ours::Nothing, |fit| Ours::Fitted { value: fit.b[k], interval: fit.interval[k], points }),
+                open: Some(OPEN),
+                command: format!("forage reproduce {}", REPRODUCTION.name),
+            });
+        }
+    }
+    figures
 }
 
 /// A published exponent is borne out if it lies in our confidence interval.

@@ -4,7 +4,7 @@ use std::{fmt::Write, fs, path::PathBuf};
 
 use serde::Serialize;
 
-use super::{Failure, Options, Reproduction, at, table::Table};
+use super::{Failure, Options, Reproduction, at, beside::Beside, document, table::Table};
 
 /// Whether something that was published is found here too.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -26,8 +26,12 @@ pub struct Report {
     pub title: &'static str,
     /// Where it was published.
     pub source: &'static str,
+    /// Whether all of it comes out the same again.
+    pub repeatable: bool,
     /// Runs a cell, where they are fewer or more than published.
     pub shortened: Option<String>,
+    /// The published figures beside ours.
+    pub figures: Vec<Beside>,
     /// The tables.
     pub tables: Vec<Table>,
     /// The claims.
@@ -44,9 +48,9 @@ impl Report {
     /// Nothing to say yet.
     pub fn new(reproduction: &Reproduction, runs: u64, published: u64) -> Self {
         let shortened = (runs != published).then(|| format!("{runs} runs a cell, published: {published}"));
-        let Reproduction { name, title, source, .. } = *reproduction;
-        let (tables, verdicts, notes, commands, files) = Default::default();
-        Self { name, title, source, shortened, tables, verdicts, notes, commands, files }
+        let Reproduction { name, title, source, repeatable, .. } = *reproduction;
+        let (figures, tables, verdicts, notes, commands, files) = Default::default();
+        Self { name, title, source, repeatable, shortened, figures, tables, verdicts, notes, commands, files }
     }
 
     /// Writes each table as CSV and the whole as Markdown.
@@ -73,6 +77,9 @@ impl Report {
     /// For a terminal.
     pub fn text(&self) -> String {
         let mut text = format!("{}\n\n", self.heading());
+        for table in self.figures.chunk_by(|a, b| a.table == b.table) {
+            text += &(document::table(&table.iter().collect::<Vec<_>>()).text() + "\n");
+        }
         self.tables.iter().for_each(|table| text += &(table.text() + "\n"));
         self.verdicts.iter().for_each(|verdict| text += &(line(verdict) + "\n"));
         let files = self.files.iter().map(|path| path.display().to_string());
@@ -84,7 +91,7 @@ impl Report {
     }
 
     fn markdown(&self) -> String {
-        let mut text = format!("## {}\n\n", self.heading());
+        let mut text = format!("## {}\n\n{}", self.heading(), document::figures(self));
         self.tables.iter().for_each(|table| text += &(table.markdown() + "\n"));
         self.verdicts.iter().for_each(|verdict| text.extend(["- ", &line(verdict), "\n"]));
         text += "\n";
@@ -95,7 +102,8 @@ impl Report {
     }
 }
 
-fn line(Verdict { claim, holds, because }: &Verdict) -> String {
+/// A claim, whether it holds and why, in a line.
+pub(super) fn line(Verdict { claim, holds, because }: &Verdict) -> String {
     let word = match holds {
         Some(true) => "yes",
         Some(false) => "NO",

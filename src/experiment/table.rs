@@ -11,12 +11,30 @@ pub enum Cell {
     Text(String),
     /// A number, shown with so many digits after the point.
     Number(f64, usize),
+    /// A number, shown with so many digits from the first that is not 0.
+    Significant(f64, usize),
+}
+
+/// A number with so many digits from the first that is not 0; very small and very large ones with a power of ten.
+pub fn significant(number: f64, digits: usize) -> String {
+    let scientific = format!("{number:.*e}", digits - 1);
+    let exponent: i32 = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0);
+    match exponent {
+        _ if number == 0.0 => "0".to_owned(),
+        -4..7 => format!("{number:.*}", usize::try_from(digits as i32 - 1 - exponent).unwrap_or(0)),
+        _ => scientific,
+    }
 }
 
 impl Cell {
     /// A number that may be missing.
     pub fn maybe(number: Option<f64>, digits: usize) -> Self {
         number.map_or(Self::Empty, |number| Self::Number(number, digits))
+    }
+
+    /// A number that may be missing, to so many digits wherever they begin.
+    pub fn significant(number: Option<f64>, digits: usize) -> Self {
+        number.map_or(Self::Empty, |number| Self::Significant(number, digits))
     }
 
     /// A whole number.
@@ -29,6 +47,7 @@ impl Cell {
             Self::Empty => String::new(),
             Self::Text(text) => text.clone(),
             Self::Number(number, digits) => format!("{number:.digits$}"),
+            Self::Significant(number, digits) => significant(*number, *digits),
         }
     }
 }
@@ -44,7 +63,7 @@ impl Serialize for Cell {
         match self {
             Self::Empty => serializer.serialize_none(),
             Self::Text(text) => serializer.serialize_str(text),
-            Self::Number(number, _) => serializer.serialize_f64(*number),
+            Self::Number(number, _) | Self::Significant(number, _) => serializer.serialize_f64(*number),
         }
     }
 }
@@ -77,7 +96,7 @@ impl Table {
 
     /// A line of cells: texts to the left, numbers to the right.
     fn line(&self, cells: &[String], widths: &[usize], between: &str) -> String {
-        let number = |j: usize| self.rows.iter().any(|row| matches!(row[j], Cell::Number(..)));
+        let number = |j: usize| self.rows.iter().any(|row| matches!(row[j], Cell::Number(..) | Cell::Significant(..)));
         let pad = |(j, text): (usize, &String)| {
             let width = widths[j];
             if number(j) { format!("{text:>width$}") } else { format!("{text:<width$}") }
@@ -116,7 +135,7 @@ impl Table {
         writer.write_record(&self.columns).map_err(std::io::Error::other)?;
         for row in &self.rows {
             let all_digits = row.iter().map(|cell| match cell {
-                Cell::Number(number, _) => number.to_string(),
+                Cell::Number(number, _) | Cell::Significant(number, _) => number.to_string(),
                 other => other.shown(),
             });
             writer.write_record(all_digits).map_err(std::io::Error::other)?;

@@ -10,6 +10,7 @@ use crate::{
 
 use super::{
     Failure, Options, Reproduction,
+    beside::{Beside, Ours, Published},
     colonies::{self, CONVERGED, LENGTH, Lines, Measure, RUNS, Run, SECONDS, TURNS, hits},
     command,
     figure::{Figure, Steps},
@@ -25,6 +26,7 @@ pub const REPRODUCTION: Reproduction = Reproduction {
     name: "wolf-ant",
     title: "ants with wolves’ shares on the 20 × 20 grid, and their tuning",
     source: "[WOLF-ANT] Table 2 and §5.2",
+    repeatable: true,
     run,
 };
 
@@ -32,6 +34,8 @@ pub const REPRODUCTION: Reproduction = Reproduction {
 const PLANNERS: [&str; 3] = ["a-star", "aco", "aco-wolf"];
 /// Of ten runs with the published parameters so many find the exact optimum.
 const HITS_OF_TEN: usize = 9;
+/// What its figures rest on and the paper does not print.
+const OPEN: &str = "the paper prints neither the layout of the obstacles nor how many runs its figures are of";
 /// Tunings in full; of fewer runs a sixth.
 const TUNINGS: u64 = 5;
 
@@ -50,6 +54,22 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let mut report = colonies::report(&REPRODUCTION, runs);
     report.files.extend([tunings, path]);
     report.tables.push(ways(&scene, &found, runs)?);
+    for (k, setup) in setups[..PLANNERS.len()].iter().enumerate() {
+        for (measure, figure) in [(LENGTH, WOLF_ANT[k][0]), (TURNS, WOLF_ANT_TURNS), (SECONDS, WOLF_ANT[k][1])] {
+            report.figures.push(measure.beside("Table 2", PLANNERS[k], figure, &found[k], OPEN, command(setup)));
+        }
+    }
+    for (k, (name, value)) in TUNED.into_iter().enumerate() {
+        report.figures.push(Beside {
+            table: "§5.2".to_owned(),
+            row: format!("tuned {name}"),
+            measure: "value".to_owned(),
+            published: Published::figure(Figure::new(value, if value.fract() == 0.0 { 0 } else { 3 })),
+            ours: Ours::runs(tuned.iter().map(|tuned| tuned.tuned()[k].1)),
+            open: Some("several sets of parameters are equally good, and the paper does not print how runs judge them"),
+            command: command(&tuned::setup(&scene, 1)),
+        });
+    }
     report.tables.push(optima(&scene, &tuned, &found[2], &with_tuned));
     report.verdicts = judge(&scene, &found);
     report.verdicts.extend([recovered(&tuned), as_good(&found[2], &with_tuned)]);

@@ -16,7 +16,10 @@ use crate::{
 };
 
 use super::{
-    Failure, Options, Reproduction, command,
+    Failure, Options, Reproduction,
+    beside::{Beside, Ours, Published},
+    command,
+    figure::Figure,
     published::{WOLF_ANT, WOLF_ANT_TURNS},
     report::{Report, Verdict},
     rows::Row,
@@ -30,6 +33,7 @@ pub const REPRODUCTION: Reproduction = Reproduction {
     name: "wolf-ant-dynamic",
     title: "drives among moving obstacles: the published case, and random scenes",
     source: "[WOLF-ANT] §5.3 and §6",
+    repeatable: true,
     run,
 };
 
@@ -171,6 +175,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let mut report = Report::new(&REPRODUCTION, scenes, SCENES);
     report.shortened = (scenes != SCENES).then(|| format!("{scenes} random scenes instead of {SCENES}"));
     report.files.push(path);
+    report.figures = figures(case, &published);
     report.tables = vec![beside(case, seeds), shares(among), by_number(among)];
     report.verdicts = judge(case, among);
     report.notes = notes(among);
@@ -230,6 +235,38 @@ fn make(k: u64) -> String {
 
 fn border(k: u64) -> &'static str {
     if ((k - 1) / MOST).is_multiple_of(2) { "leave" } else { "bounce" }
+}
+
+/// Table 2, driven, beside ours.
+fn figures(case: &[Run], setups: &[Setup]) -> Vec<Beside> {
+    let open = "the paper prints neither the layout of the obstacles nor the way that the robot drives";
+    let mut figures = Vec::new();
+    for (row, planner, colony, [px, seconds]) in [
+        ("A*", "a-star-drive", "", WOLF_ANT[0]),
+        ("traditional ants", "wolf-ant-drive", "aco", WOLF_ANT[1]),
+        ("improved ants", "wolf-ant-drive", "aco-wolf", WOLF_ANT[2]),
+    ] {
+        let is_first =
+            |setup: &&Setup| setup.planner == planner && setup.params.get("colony").is_none_or(|value| value.to_string() == colony);
+        let measures: [(&str, Figure, fn(&Run) -> Option<f64>); 3] = [
+            ("length, px", px, |run| run.length),
+            ("time, s", seconds, |run| Some(run.seconds)),
+            ("turns", WOLF_ANT_TURNS, |run| Some(run.turns as f64)),
+        ];
+        for (measure, figure, of) in measures {
+            let runs = case.iter().filter(|run| run.planner == planner && run.colony == colony && run.arrived);
+            figures.push(Beside {
+                table: "Table 2, driven among the moving obstacle".to_owned(),
+                row: row.to_owned(),
+                measure: measure.to_owned(),
+                published: Published::figure(figure),
+                ours: Ours::runs(runs.filter_map(of)),
+                open: Some(open),
+                command: setups.iter().find(is_first).map(command).unwrap_or_default(),
+            });
+        }
+    }
+    figures
 }
 
 /// The published figures beside ours.

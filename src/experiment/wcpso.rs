@@ -1,0 +1,334 @@
+//! Four swarms on five functions, and two of them among seven discs: [WCPSO] Table 2 and §3.2.
+
+use std::sync::atomic::AtomicBool;
+
+use serde::{Deserialize, Serialize};
+
+use crate::{
+    Given, Setup, Trial, Value,
+    error::Error,
+    scene::shipped,
+    statistics::{Group, compare},
+    trial::WITHIN,
+};
+
+use super::{
+    Failure, Options, Reproduction,
+    beside::{Beside, Ours, Printed, Published},
+    command,
+    published::wcpso::{self as published, PATH_RUNS, PLANNERS, SHORTEST, TABLE_2},
+    report::{Report, Verdict},
+    rows::Row,
+    runner::{self, Control, Job},
+    statistics::Summary,
+    table::{Cell, Table},
+};
+
+/// See the module.
+pub const FUNCTIONS: Reproduction = Reproduction {
+    name: "wcpso-functions",
+    title: "four swarms on five functions",
+    source: "[WCPSO] Table 2",
+    repeatable: true,
+    run: functions,
+};
+
+/// See the module.
+pub const PATHS: Reproduction = Reproduction {
+    name: "wcpso-paths",
+    title: "wcpso against wpso among seven discs",
+    source: "[WCPSO] §3.2",
+    repeatable: true,
+    run: paths,
+};
+
+/// The planners of the path experiment.
+const RIVALS: [&str; 2] = ["wcpso", "wpso"];
+/// So near to the exact optimum a path is found.
+const NEAR: f64 = 0.005;
+
+const OPEN: &str = "the paper prints no coefficients for pso";
+
+/// A run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Run {
+    scene: String,
+    planner: String,
+    /// The limit of velocities, as a share of the box.
+    v_max: Option<f64>,
+    seed: u64,
+    value: Option<f64>,
+    /// What the planner minimised, whether the result is feasible or not.
+    cost: Option<f64>,
+    feasible: bool,
+    gap: Option<f64>,
+    clearance: Option<f64>,
+    /// Evaluations until within 1 % of the exact optimum; of a function within 0.01.
+    reached: Option<u64>,
+    evaluations: u64,
+}
+
+impl Row for Run {
+    fn key(&self) -> String {
+        key(&self.scene, &self.planner, self.v_max, self.seed)
+    }
+
+    fn agrees(&self, again: &Self) -> bool {
+        self == again
+    }
+}
+
+fn key(scene: &str, planner: &str, v_max: Option<f64>, seed: u64) -> String {
+    format!("{scene}, {planner}, v_max {v_max:?}, seed {seed}")
+}
+
+struct Task {
+    setup: Setup,
+    v_max: Option<f64>,
+}
+
+impl Task {
+    fn new(scene: &str, planner: &str, v_max: Option<f64>, seed: u64) -> Result<Self, Error> {
+        let params = v_max.map(|v_max| ("v_max", Value::Number(v_max))).into_iter().collect::<Given>();
+        Ok(Self { setup: Setup { planner: planner.to_owned(), scene: shipped(scene)?, params, seed }, v_max })
+    }
+}
+
+impl Job for Task {
+    type Row = Run;
+
+    fn key(&self) -> String {
+        key(self.setup.scene.name(), &self.setup.planner, self.v_max, self.setup.seed)
+    }
+
+    fn run(&self, _stop: &AtomicBool) -> Result<Option<Run>, Error> {
+        let mut trial = Trial::new(self.setup.clone(), WITHIN)?;
+        trial.step(u64::MAX);
+        let record = trial.record();
+        Ok(Some(Run {
+            scene: record.scene,
+            planner: record.planner.to_owned(),
+            v_max: self.v_max,
+            seed: record.seed,
+            value: record.value,
+            cost: record.cost,
+            feasible: record.feasible,
+            gap: record.gap,
+            clearance: record.clearance,
+            reached: record.reached,
+            evaluations: record.evaluations,
+        }))
+    }
+}
+
+/// The limits that are tried: ours, and none at all.
+const LIMITS: [(Option<f64>, &str); 2] = [(None, "Table 2"), (Some(1.0), "Table 2, velocities not limited")];
+
+fn functions(options: &Options, control: &Control) -> Result<Report, Failure> {
+    let runs = options.runs_or(published::RUNS)?;
+    let mut tasks = Vec::new();
+    for (v_max, _) in LIMITS {
+        for row in &TABLE_2 {
+            for planner in PLANNERS {
+                for seed in 1..=runs {
+                    tasks.push(Task::new(row.scene, planner, v_max, seed)?);
+                }
+            }
+        }
+    }
+    let path = options.out.join("wcpso-functions-runs.csv");
+    let rows = runner::run(&tasks, &path, options.fresh, options.threads, control)?;
+    let mut report = Report::new(&FUNCTIONS, runs, published::RUNS);
+    report.files.push(path);
+    let mut cells = rows.chunks(runs as usize);
+    for (v_max, table) in LIMITS {
+        let mut found = Vec::new();
+        for row in &TABLE_2 {
+            for (planner, printed) in PLANNERS.into_iter().zip(row.results) {
+                let runs = cells.next().unwrap_or_default();
+                report.figures.push(figure(table, row, planner, printed, runs, &Task::new(row.scene, planner, v_max, 1)?.setup)?);
+                found.push(runs);
+            }
+        }
+        report.tables.push(differences(table, &found));
+        if v_max.is_none() {
+            report.verdicts.extend(judge(&found));
+        }
+    }
+    report.notes = vec![
+        "60 particles, 1000 iterations (each planner’s defaults). The paper prints no coefficients for `pso`: 0.7298 and 1.49618 are Clerc and Kennedy’s. Nor does it say whether velocities are limited: ours are, to 20 % of the box; the second table shows what hangs on that (`v_max=1`). Positions are clamped to the box.".to_owned(),
+        "Means of numbers that differ by powers of ten are those of their largest, and Welch’s test takes them as they are; the medians and the rank-sum tests do not depend on that.".to_owned(),
+    ];
+    report.write(options)?;
+    Ok(report)
+}
+
+/// Best, mean and standard deviation beside ours.
+fn figure(
+    table: &str,
+    row: &published::Row,
+    planner: &str,
+    [best, mean, std]: [&str; 3],
+    runs: &[Run],
+    setup: &Setup,
+) -> Result<Beside, Error> {
+    Ok(Beside {
+        table: table.to_owned(),
+        row: format!("{}, {} variables: {planner}", row.name, row.dimension),
+        measure: "value".to_owned(),
+        published: Published {
+            best: Some(Printed::read(best)?),
+            mean: Some(Printed::read(mean)?),
+            std: Some(Printed::read(std)?.value),
+            runs: Some(published::RUNS),
+        },
+        ours: Ours::runs(runs.iter().filter_map(|run| run.value)),
+        open: (planner == PLANNERS[0]).then_some(OPEN),
+        command: command(setup),
+    })
+}
+
+/// Which planners differ, function by function.
+fn differences(table: &str, found: &[&[Run]]) -> Table {
+    let columns = ["function", "variables", "planner", "median", "mean rank", "better than", "worse than"];
+    let title = format!("{table}: ranks over the seeds, and which planners differ (Wilcoxon’s rank-sum test at 5 %, Holm’s correction)");
+    let mut out = Table::new(if table.contains(',') { "ranks-unlimited" } else { "ranks" }, title, &columns);
+    for (row, cells) in TABLE_2.iter().zip(found.chunks(PLANNERS.len())) {
+        let groups = PLANNERS
+            .into_iter()
+            .zip(cells)
+            .map(|(name, runs)| Group { name: name.to_owned(), values: runs.iter().map(|run| run.value).collect() });
+        let compared = compare(&groups.collect::<Vec<_>>());
+        for (k, planner) in PLANNERS.into_iter().enumerate() {
+            let than = |smaller: bool| {
+                let names = compared.pairs.iter().filter(|pair| pair.corrected < 0.05).filter_map(|pair| {
+                    let first_is_better = pair.better > 0.5;
+                    match k {
+                        _ if k == pair.first && first_is_better == smaller => Some(PLANNERS[pair.second]),
+                        _ if k == pair.second && first_is_better != smaller => Some(PLANNERS[pair.first]),
+                        _ => None,
+                    }
+                });
+                Cell::Text(names.collect::<Vec<_>>().join(", "))
+            };
+            out.rows.push(vec![
+                row.name.into(),
+                Cell::whole(row.dimension as u64),
+                planner.into(),
+                Cell::significant(compared.groups[k].summary.map(|s| s.median), 4),
+                Cell::maybe(compared.friedman.as_ref().map(|friedman| friedman.ranks[k]), 2),
+                than(true),
+                than(false),
+            ]);
+        }
+    }
+    out
+}
+
+/// What the paper concludes: wcpso is the most exact in every row, wpso the second, pso the last.
+fn judge(found: &[&[Run]]) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    for (row, cells) in TABLE_2.iter().zip(found.chunks(PLANNERS.len())) {
+        let means: Option<Vec<f64>> = cells.iter().map(|runs| Some(Summary::of(runs.iter().filter_map(|run| run.value))?.mean)).collect();
+        // Where all are at the minimum in print, there is no order to bear out.
+        let printed = row.results.iter().any(|result| result[1] != row.results[0][1]);
+        verdicts.push(Verdict {
+            claim: format!(
+                "{}, {} variables: wcpso has the smallest mean of the four{}",
+                row.name,
+                row.dimension,
+                if printed { "" } else { ", or the same" }
+            ),
+            holds: means.as_ref().map(|means| {
+                if printed { means[..3].iter().all(|mean| means[3] < *mean) } else { means[..3].iter().all(|mean| means[3] <= *mean) }
+            }),
+            because: means.map_or("no runs".to_owned(), |means| {
+                PLANNERS.into_iter().zip(means).map(|(name, mean)| format!("{name} {mean:.2e}")).collect::<Vec<_>>().join(", ")
+            }),
+        });
+    }
+    verdicts
+}
+
+fn paths(options: &Options, control: &Control) -> Result<Report, Failure> {
+    let runs = options.runs_or(PATH_RUNS)?;
+    let mut tasks = Vec::new();
+    for planner in RIVALS {
+        for seed in 1..=runs {
+            tasks.push(Task::new("wcpso-discs", planner, None, seed)?);
+        }
+    }
+    let path = options.out.join("wcpso-paths-runs.csv");
+    let rows = runner::run(&tasks, &path, options.fresh, options.threads, control)?;
+    let mut report = Report::new(&PATHS, runs, PATH_RUNS);
+    report.files.push(path);
+    let found: Vec<&[Run]> = rows.chunks(runs as usize).collect();
+    let scene = shipped("wcpso-discs")?;
+    let exact = scene.exact().map(|exact| exact.length);
+    let (table, measure) = ("§3.2", "length");
+    report.figures.push(Beside {
+        table: table.to_owned(),
+        row: "the shortest path".to_owned(),
+        measure: measure.to_owned(),
+        published: Published::figure(Printed::read(SHORTEST)?),
+        ours: exact.map_or(Ours::Nothing, Ours::Exact),
+        open: None,
+        command: "forage exact --scene wcpso-discs".to_owned(),
+    });
+    for (planner, runs) in RIVALS.into_iter().zip(&found) {
+        report.figures.push(Beside {
+            table: format!("{table}, fig. 5"),
+            row: planner.to_owned(),
+            measure: measure.to_owned(),
+            published: Published { runs: Some(PATH_RUNS), ..Published::default() },
+            ours: Ours::runs(runs.iter().filter_map(|run| run.value)),
+            open: Some("the paper draws the ten lengths and prints none"),
+            command: command(&Task::new("wcpso-discs", planner, None, 1)?.setup),
+        });
+    }
+    report.tables.push(lengths(&found));
+    report.verdicts = rivals(&found);
+    report.notes = vec![format!(
+        "Population 150, 500 iterations, three way-points (the paper does not say how many), `penalty=segments`: as printed, (15) looks at the way-points only. Lengths are of feasible results, checked against the discs; `near` counts those within {:.1} % of the exact {:.6}.",
+        100.0 * NEAR,
+        exact.unwrap_or(f64::NAN)
+    )];
+    report.write(options)?;
+    Ok(report)
+}
+
+fn lengths(found: &[&[Run]]) -> Table {
+    let columns = ["planner", "feasible", "near", "best", "mean", "std", "median", "worst", "mean gap %", "evaluations to 1 %, median"];
+    let mut table = Table::new("paths", format!("Lengths of {} runs each", found.first().map_or(0, |runs| runs.len())), &columns);
+    for (planner, runs) in RIVALS.into_iter().zip(found) {
+        let summary = Summary::of(runs.iter().filter_map(|run| run.value));
+        let number = |of: fn(&Summary) -> f64| Cell::maybe(summary.as_ref().map(of), 6);
+        let count = |is: &dyn Fn(&Run) -> bool| Cell::Text(format!("{} of {}", runs.iter().filter(|run| is(run)).count(), runs.len()));
+        table.rows.push(vec![
+            planner.into(),
+            count(&|run| run.feasible),
+            count(&|run| run.feasible && run.gap.is_some_and(|gap| gap <= NEAR)),
+            number(|s| s.min),
+            number(|s| s.mean),
+            Cell::maybe(summary.and_then(|s| s.std), 6),
+            number(|s| s.median),
+            number(|s| s.max),
+            Cell::maybe(Summary::of(runs.iter().filter(|run| run.feasible).filter_map(|run| run.gap)).map(|s| 100.0 * s.mean), 3),
+            Cell::maybe(Summary::of(runs.iter().filter_map(|run| run.reached).map(|n| n as f64)).map(|s| s.median), 0),
+        ]);
+    }
+    table
+}
+
+/// Nearer to the optimum, and steadier, as the paper says of wcpso.
+fn rivals(found: &[&[Run]]) -> Vec<Verdict> {
+    let summaries: Vec<_> = found.iter().map(|runs| Summary::of(runs.iter().filter_map(|run| run.value))).collect();
+    let both = |of: fn(&Summary) -> Option<f64>| Some([summaries[0].as_ref().and_then(of)?, summaries[1].as_ref().and_then(of)?]);
+    [("mean length", (|s| Some(s.mean)) as fn(&Summary) -> Option<f64>), ("standard deviation", |s| s.std)]
+        .map(|(word, of)| Verdict {
+            claim: format!("wcpso has the smaller {word}"),
+            holds: both(of).map(|[ours, rival]| ours < rival),
+            because: both(of).map_or("too few feasible runs".to_owned(), |[ours, rival]| format!("{ours:.6} beside {rival:.6}")),
+        })
+        .into()
+}
