@@ -29,10 +29,11 @@ fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
     for (args, part) in [
         (
             &["reproduce", "waldo"] as &[&str],
-            "known: ltqpso, ltqpso-regression, antbat-paths, antbat-tours, antbat-time, wolf-ant, wolf-ant-dynamic, arm-rrt",
+            "known: wcpso-functions, wcpso-paths, ltqpso, ltqpso-regression, antbat-paths, antbat-tours, antbat-time, wolf-ant, wolf-ant-dynamic, arm-rrt",
         ),
         (&["reproduce", "ltqpso", "--runs", "1"], "runs: 1 is not allowed; it must be from 2"),
         (&["reproduce", "ltqpso", "--jobs", "0"], "--jobs"),
+        (&["reproduce", "ltqpso", "--check", "."], "--check"),
         (&["reproduce", "ltqpso", "--out", "Cargo.toml", "--runs", "2"], "Cargo.toml"),
     ] {
         let output = forage(args);
@@ -47,6 +48,39 @@ fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
 /// Everything but the times, which are the last column.
 fn without_times(csv: &str) -> Vec<String> {
     csv.lines().map(|line| line.rsplit_once(',').unwrap().0.to_owned()).collect()
+}
+
+#[test]
+fn every_row_of_the_functions_table_is_judged_and_can_be_repeated() {
+    let out = folder("wcpso");
+    let reports = |args: &[&str]| {
+        let output = forage(&[args, &["--runs", "2", "--json", "--out", out.to_str().unwrap()]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()[0].clone()
+    };
+    let report = reports(&["reproduce", "wcpso-functions"]);
+    let figures = report["figures"].as_array().unwrap();
+    assert_eq!(figures.len(), 8 * 4);
+    // Eight rows, four planners, two seeds, with and without a limit of velocities.
+    let rows = fs::read_to_string(out.join("wcpso-functions-runs.csv")).unwrap();
+    assert_eq!(rows.lines().count(), 1 + 8 * 4 * 2 * 2);
+    let matyas = &figures[3];
+    assert_eq!((matyas["row"].as_str(), matyas["published_mean"].as_f64()), (Some("f1, 2 variables: wcpso"), Some(5.177_476e-156)));
+    assert!(
+        figures.iter().all(|figure| ["reproduced", "better", "worse", "not determined"].contains(&figure["verdict"].as_str().unwrap()))
+    );
+    assert!(figures.iter().all(|figure| figure["runs"].as_u64() == Some(2)));
+    // The command of a row gives its first run, and the best of the two is no worse.
+    let words: Vec<_> = matyas["command"].as_str().unwrap().split_whitespace().filter(|word| *word != "forage").chain(["--json"]).collect();
+    let again: Value = serde_json::from_slice(&forage(&words).stdout).unwrap();
+    let row = rows.lines().find(|line| line.starts_with("matyas,wcpso,,1,")).unwrap();
+    assert_eq!(row.split(',').nth(4).unwrap().parse(), Ok(again["cost"].as_f64().unwrap()));
+    assert!(matyas["best"].as_f64().unwrap() <= again["cost"].as_f64().unwrap());
+
+    let report = reports(&["reproduce", "wcpso-paths"]);
+    let shortest = &report["figures"][0];
+    assert_eq!((shortest["verdict"].as_str(), shortest["published_mean"].as_f64()), (Some("reproduced"), Some(12.141_59)));
+    assert_eq!(report["figures"][1]["verdict"].as_str(), Some("not determined"));
 }
 
 #[test]

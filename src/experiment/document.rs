@@ -286,7 +286,9 @@ mod tests {
         [&out, &kept].into_iter().for_each(|path| fs::create_dir_all(path).unwrap());
         let options = Options { out: out.clone(), threads: None, runs: None, fresh: false };
         let written = write(&[report()], &options).unwrap();
-        written.iter().for_each(|path| drop(fs::copy(path, kept.join(path.file_name().unwrap())).unwrap()));
+        for path in &written {
+            fs::copy(path, kept.join(path.file_name().unwrap())).unwrap();
+        }
         assert_eq!(differences(&written, &kept).unwrap(), Vec::<String>::new());
         let text = fs::read_to_string(&written[1]).unwrap();
         fs::write(kept.join(FILES[1]), text.replace("0.0015", "0.0016")).unwrap();
