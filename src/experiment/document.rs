@@ -11,7 +11,7 @@ use super::{
     Failure, Options, at,
     beside::{Beside, Judgement, RULE},
     report::{Report, line},
-    table::{Cell, Table, significant},
+    table::{Cell, Table, digits, significant},
 };
 
 /// The names of the two files.
@@ -157,7 +157,7 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
     writer.write_record(COLUMNS).map_err(io::Error::other)?;
     for report in reports {
         for figure in &report.figures {
-            let number = |number: Option<f64>| number.map(|number| number.to_string()).unwrap_or_default();
+            let number = |number: Option<f64>| number.map(digits).unwrap_or_default();
             let count = |count: Option<u64>| count.map(|count| count.to_string()).unwrap_or_default();
             let [best, std, median] = figure.ours.spread();
             let (judgement, because) = figure.judge();

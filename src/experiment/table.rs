@@ -68,6 +68,12 @@ impl Serialize for Cell {
     }
 }
 
+/// A number with all its digits and no more, as programs read it: very small and very large ones with a power of ten.
+pub fn digits(number: f64) -> String {
+    let text = format!("{number:?}");
+    text.strip_suffix(".0").map_or_else(|| text.clone(), ToOwned::to_owned)
+}
+
 /// Named columns and rows of as many cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
@@ -135,7 +141,7 @@ impl Table {
         writer.write_record(&self.columns).map_err(std::io::Error::other)?;
         for row in &self.rows {
             let all_digits = row.iter().map(|cell| match cell {
-                Cell::Number(number, _) | Cell::Significant(number, _) => number.to_string(),
+                Cell::Number(number, _) | Cell::Significant(number, _) => digits(*number),
                 other => other.shown(),
             });
             writer.write_record(all_digits).map_err(std::io::Error::other)?;
@@ -166,6 +172,15 @@ impl Serialize for Table {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_are_shown_with_their_first_digits_and_read_with_all() {
+        let shown: Vec<_> = [0.0, 1.0, 12.141_59, 123_456.7, 88_817_842.0, 4.44e-16].map(|number| significant(number, 4)).into();
+        assert_eq!(shown, ["0", "1.000", "12.14", "123457", "8.882e7", "4.440e-16"]);
+        let read = [0.0, 8.0, -1.25, 1e-7, 3e-122, 1e22, 123_456_789.5];
+        assert_eq!(read.map(digits), ["0", "8", "-1.25", "1e-7", "3e-122", "1e22", "123456789.5"]);
+        assert!(read.iter().all(|number| digits(*number).parse() == Ok(*number)));
+    }
 
     #[test]
     fn a_table_is_shown_four_ways() {
