@@ -43,6 +43,79 @@ pub struct Control<'a> {
     pub progress: &'a (dyn Fn(u64, u64) + Sync),
 }
 
+/// Work that is known by numbers: what a list of jobs is, or a sweep that need not be written down job by job.
+pub trait Work: Sync {
+    /// What a job finds out.
+    type Found: Send;
+    /// See [`Job::weight`].
+    fn weight(&self, job: usize) -> u64;
+    /// See [`Job::run`].
+    ///
+    /// # Errors
+    /// What the planner refuses.
+    fn run(&self, job: usize, stop: &AtomicBool) -> Result<Option<Self::Found>, Error>;
+}
+
+impl<J: Job> Work for [J] {
+    type Found = J::Row;
+
+    fn weight(&self, job: usize) -> u64 {
+        self[job].weight()
+    }
+
+    fn run(&self, job: usize, stop: &AtomicBool) -> Result<Option<J::Row>, Error> {
+        self[job].run(stop)
+    }
+}
+
+/// So many threads; all cores, if it is not said how many.
+///
+/// # Errors
+/// The system gives none.
+pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Failure> {
+    let built = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
+    built.map_err(|problem| Error::malformed("jobs", problem).into())
+}
+
+/// Carries out the jobs that are `left` of `total` work, and hands each finding to `keep`, one after the other. It
+/// returns early when it is told to stop, and then not everything is kept.
+///
+/// # Errors
+/// What a job refuses, or `keep` reports; nothing is handed over after that.
+pub fn carry_out<W: Work + ?Sized>(
+    work: &W,
+    mut left: Vec<usize>,
+    total: u64,
+    pool: &rayon::ThreadPool,
+    control: &Control,
+    keep: impl FnMut(usize, W::Found) -> Result<(), Failure> + Send,
+) -> Result<(), Failure> {
+    let begun = total - left.iter().map(|&job| work.weight(job)).sum::<u64>();
+    (control.progress)(begun, total);
+    left.sort_by_cached_key(|&job| std::cmp::Reverse(work.weight(job)));
+    let shared = Mutex::new((Some(keep), begun));
+    // One after the other from the front, whoever is free: heavy jobs do not wait behind each other at the end.
+    pool.install(|| {
+        left.into_iter().par_bridge().try_for_each(|job| {
+            if control.stop.load(Ordering::Relaxed) {
+                return Ok(());
+            }
+            let Some(found) = work.run(job, control.stop)? else { return Ok(()) };
+            let mut shared = shared.lock().unwrap_or_else(PoisonError::into_inner);
+            let (keep, done) = &mut *shared;
+            // Behind half a row on a full disk there is no room for another one's.
+            let Some(kept) = keep.as_mut().map(|keep| keep(job, found)) else { return Ok(()) };
+            if kept.is_err() {
+                *keep = None;
+            }
+            kept?;
+            *done += work.weight(job);
+            (control.progress)(*done, total);
+            Ok::<(), Failure>(())
+        })
+    })
+}
+
 /// The rows of all jobs, in their order. Those already in the file are taken from there, the others carried out and
 /// appended. In the end the file holds the rows in the order of the jobs, and then those of other jobs that were there.
 ///
@@ -50,56 +123,38 @@ pub struct Control<'a> {
 /// [`Failure::Interrupted`] when it was stopped; a file that cannot be written, or whose rows come from another
 /// version of this program; whatever a job refuses.
 pub fn run<J: Job>(jobs: &[J], file: &Path, fresh: bool, threads: Option<usize>, control: &Control) -> Result<Vec<J::Row>, Failure> {
-    let pool =
-        rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build().map_err(|problem| Error::malformed("jobs", problem))?;
+    let pool = pool(threads)?;
     let mut rows = Rows::<J::Row>::open(file, fresh)?;
-    let mut done: BTreeMap<String, J::Row> = BTreeMap::new();
+    let places: BTreeMap<String, usize> = jobs.iter().enumerate().map(|(place, job)| (job.key(), place)).collect();
+    let mut done: Vec<Option<J::Row>> = jobs.iter().map(|_| None).collect();
     let mut others = Vec::new();
     for row in rows.take() {
-        if jobs.iter().any(|job| job.key() == row.key()) {
-            done.insert(row.key(), row);
-        } else {
-            others.push(row);
+        match places.get(&row.key()) {
+            Some(&place) => done[place] = Some(row),
+            None => others.push(row),
         }
     }
     pool.install(|| check(jobs, &done, file, control.stop))?;
 
-    let mut left: Vec<&J> = jobs.iter().filter(|job| !done.contains_key(&job.key())).collect();
-    left.sort_by_key(|job| std::cmp::Reverse(job.weight()));
-    let total: u64 = jobs.iter().map(Job::weight).sum();
-    let begun = total - left.iter().map(|job| job.weight()).sum::<u64>();
-    (control.progress)(begun, total);
-    let shared = Mutex::new((rows, done, begun));
-    // One after the other from the front, whoever is free: heavy jobs do not wait behind each other at the end.
-    let outcome = pool.install(|| {
-        left.into_iter().par_bridge().try_for_each(|job| {
-            if control.stop.load(Ordering::Relaxed) {
-                return Ok(());
-            }
-            let Some(row) = job.run(control.stop)? else { return Ok(()) };
-            let mut shared = shared.lock().unwrap_or_else(PoisonError::into_inner);
-            let (rows, done, work) = &mut *shared;
-            rows.append(&row)?;
-            *work += job.weight();
-            (control.progress)(*work, total);
-            done.insert(job.key(), row);
-            Ok::<(), Failure>(())
-        })
-    });
-    let (rows, mut done, _) = shared.into_inner().unwrap_or_else(PoisonError::into_inner);
-    outcome?;
-    if done.len() < jobs.len() {
-        return Err(Failure::Interrupted { done: done.len(), total: jobs.len(), rows: file.to_owned() });
+    let left = (0..jobs.len()).filter(|&place| done[place].is_none()).collect();
+    let total = jobs.iter().map(Job::weight).sum();
+    carry_out(jobs, left, total, &pool, control, |place, row| {
+        rows.append(&row)?;
+        done[place] = Some(row);
+        Ok(())
+    })?;
+    let ordered: Vec<J::Row> = done.into_iter().flatten().collect();
+    if ordered.len() < jobs.len() {
+        return Err(Failure::Interrupted { done: ordered.len(), total: jobs.len(), rows: file.to_owned() });
     }
-    let ordered: Vec<_> = jobs.iter().filter_map(|job| done.remove(&job.key())).collect();
     rows.settle(ordered.iter().chain(&others))?;
     Ok(ordered)
 }
 
 /// A row that is kept must be what the job gives now; the lightest one is carried out again to see. Otherwise rows of
 /// two versions of the program would end up in one table.
-fn check<J: Job>(jobs: &[J], done: &BTreeMap<String, J::Row>, file: &Path, stop: &AtomicBool) -> Result<(), Failure> {
-    let kept = jobs.iter().filter_map(|job| Some((job, done.get(&job.key())?)));
+fn check<J: Job>(jobs: &[J], done: &[Option<J::Row>], file: &Path, stop: &AtomicBool) -> Result<(), Failure> {
+    let kept = jobs.iter().zip(done).filter_map(|(job, row)| Some((job, row.as_ref()?)));
     let Some((job, row)) = kept.min_by_key(|(job, _)| job.weight()) else { return Ok(()) };
     match job.run(stop)? {
         Some(again) if !row.agrees(&again) => {
