@@ -3,13 +3,11 @@
 use std::{
     path::{Path, PathBuf},
     process::ExitCode,
-    time::Duration,
 };
 
 use forage::experiment::{self, Options, REPRODUCTIONS, Reproduction, document, report::Report, runner::Control};
-use indicatif::{ProgressBar, ProgressStyle};
 
-use super::{Failure, args::ReproduceArgs, interrupt, print, print_json};
+use super::{Failure, args::ReproduceArgs, interrupt, print, print_json, progress};
 
 pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
     let chosen: Vec<&Reproduction> = match &args.name {
@@ -25,16 +23,8 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
             reports.push(Report::new(reproduction, 0, 0));
             continue;
         }
-        let bar = progress(reproduction.name);
-        let show = |done, total| {
-            if bar.length() != Some(total) {
-                // What was there before says nothing about how long the rest takes.
-                bar.set_length(total);
-                bar.set_position(done);
-                bar.reset_eta();
-            }
-            bar.set_position(done);
-        };
+        let bar = progress::bar(reproduction.name);
+        let show = |done, total| progress::show(&bar, done, total);
         let report = (reproduction.run)(&options, &Control { stop: &stop, progress: &show });
         bar.finish_and_clear();
         let report = report?;
@@ -71,16 +61,6 @@ pub(super) fn after_help() -> String {
     let width = REPRODUCTIONS.iter().map(|reproduction| reproduction.name.len()).max().unwrap_or(0);
     let line = |r: &Reproduction| format!("  {:width$}  {}, {}", r.name, r.title, r.source);
     format!("Names:\n{}", REPRODUCTIONS.iter().map(line).collect::<Vec<_>>().join("\n"))
-}
-
-/// A bar on standard error, which shows it only on a terminal.
-fn progress(name: &'static str) -> ProgressBar {
-    let bar = ProgressBar::no_length().with_message(name);
-    if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent} %, {eta} left") {
-        bar.set_style(style);
-    }
-    bar.enable_steady_tick(Duration::from_millis(500));
-    bar
 }
 
 impl From<experiment::Failure> for Failure {

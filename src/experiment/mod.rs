@@ -23,6 +23,7 @@ pub mod report;
 pub mod rows;
 pub mod runner;
 pub mod search;
+pub mod sweep;
 pub mod table;
 mod tours;
 mod tuned;

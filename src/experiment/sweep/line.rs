@@ -1,0 +1,213 @@
+//! A row as a line: CSV or JSON Lines, with the same columns and the same digits.
+
+use std::{io, path::Path};
+
+use serde_json::{Map, Value};
+
+use crate::{error::Error, trial::Record};
+
+use super::plan::{Sweep, value_text};
+
+/// What is in front of the parameters,
+const LEAD: [&str; 3] = ["scene", "planner", "seed"];
+/// and what is behind them: a [`Record`]'s fields. No times: rows are the same everywhere.
+const RESULTS: [&str; 15] = [
+    "status",
+    "iterations",
+    "evaluations",
+    "cost",
+    "length",
+    "value",
+    "feasible",
+    "clearance",
+    "exact",
+    "exact_by",
+    "gap",
+    "reached",
+    "reached_iteration",
+    "turns",
+    "hash",
+];
+
+/// How rows are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// With a line of names above; nothing where there is nothing.
+    Csv,
+    /// An object a line; null where there is nothing.
+    JsonLines,
+}
+
+impl Format {
+    /// By the file's ending.
+    ///
+    /// # Errors
+    /// Any other ending than .csv, .jsonl and .ndjson.
+    pub fn of(path: &Path) -> Result<Self, Error> {
+        match path.extension().and_then(|ending| ending.to_str()) {
+            Some("csv") => Ok(Self::Csv),
+            Some("jsonl" | "ndjson") => Ok(Self::JsonLines),
+            _ => Err(Error::refused("out", path.display(), "a file that ends in .csv, .jsonl or .ndjson")),
+        }
+    }
+
+    /// What is above the rows.
+    pub(super) fn heading(self, sweep: &Sweep) -> io::Result<Vec<u8>> {
+        match self {
+            Self::Csv => csv_line(&columns(sweep)),
+            Self::JsonLines => Ok(Vec::new()),
+        }
+    }
+
+    /// What every file of this kind begins with, as far as it is known.
+    pub(super) fn beginning(self, sweep: &Sweep) -> io::Result<Vec<u8>> {
+        match self {
+            Self::Csv => self.heading(sweep),
+            Self::JsonLines => Ok(b"{\"scene\":\"".to_vec()),
+        }
+    }
+
+    /// A run's row.
+    pub(super) fn line(self, sweep: &Sweep, job: usize, record: &Record) -> io::Result<Vec<u8>> {
+        let setup = sweep.setup(job);
+        let known = serde_json::to_value(record)?;
+        let lead = LEAD.iter().map(|name| item(&known[name]));
+        let parameters = sweep.parameters.iter().map(|name| match setup.params.get(name) {
+            Some(crate::Value::Text(text)) => Item::Text(text.clone()),
+            Some(other) => Item::Bare(value_text(other)),
+            None => Item::Nothing,
+        });
+        let items: Vec<Item> = lead.chain(parameters).chain(RESULTS.iter().map(|name| item(&known[name]))).collect();
+        match self {
+            Self::Csv => csv_line(&items.iter().map(Item::text).collect::<Vec<_>>()),
+            Self::JsonLines => {
+                let fields: Vec<String> = columns(sweep)
+                    .iter()
+                    .zip(&items)
+                    .map(|(name, item)| format!("{}:{}", Value::from(name.as_str()), item.json()))
+                    .collect();
+                Ok(format!("{{{}}}\n", fields.join(",")).into_bytes())
+            }
+        }
+    }
+
+    /// The texts of a row, in the order of the columns.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    fn texts(self, sweep: &Sweep, line: &[u8]) -> Result<Vec<String>, String> {
+        let columns = columns(sweep);
+        let texts: Vec<String> = match self {
+            Self::Csv => {
+                let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
+                let record = reader.records().next().ok_or("an empty line")?.map_err(|problem| problem.to_string())?;
+                record.iter().map(str::to_owned).collect()
+            }
+            Self::JsonLines => {
+                let mut fields: Map<String, Value> = serde_json::from_slice(line).map_err(|problem| problem.to_string())?;
+                let texts = columns.iter().map(|name| fields.remove(name).map(|value| item(&value).text().to_owned()));
+                let texts = texts.collect::<Option<Vec<_>>>().ok_or_else(|| format!("its fields are not {}", columns.join(", ")))?;
+                if let Some(name) = fields.keys().next() {
+                    return Err(format!("it has a field `{name}`"));
+                }
+                texts
+            }
+        };
+        if texts.len() == columns.len() { Ok(texts) } else { Err(format!("it has {} values, not {}", texts.len(), columns.len())) }
+    }
+
+    /// Which run a line tells of, and what of it.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub(super) fn read(self, sweep: &Sweep, line: &[u8]) -> Result<(usize, Told), String> {
+        let texts = self.texts(sweep, line)?;
+        let (lead, rest) = texts.split_at(LEAD.len());
+        let (parameters, results) = rest.split_at(sweep.parameters.len());
+        let parameters: Vec<&str> = parameters.iter().map(String::as_str).collect();
+        let job = sweep.find(&lead[0], &lead[1], &lead[2], &parameters).ok_or_else(|| {
+            let set = sweep.parameters.iter().zip(&parameters).filter(|(_, text)| !text.is_empty());
+            let set: Vec<String> = set.map(|(name, text)| format!(" {name}={text},")).collect();
+            format!("there is no run of {} on {},{} seed {}", lead[1], lead[0], set.concat(), lead[2])
+        })?;
+        let result = |name: &str| RESULTS.iter().position(|known| *known == name).map_or("", |at| results[at].as_str());
+        let number = |name: &str| match result(name) {
+            "" => Ok(None),
+            text => text.parse::<f64>().map(Some).map_err(|_| format!("{name} is `{text}`, which is no number")),
+        };
+        Ok((job, Told { value: number("value")?, reached: number("reached")?.is_some(), exact: number("exact")?.is_some() }))
+    }
+}
+
+/// What the statistics need of a run.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Told {
+    pub(super) value: Option<f64>,
+    pub(super) reached: bool,
+    /// Whether there is an optimum to reach.
+    pub(super) exact: bool,
+}
+
+impl From<&Record> for Told {
+    fn from(record: &Record) -> Self {
+        // What is no number is not written, either.
+        let value = record.value.filter(|value| value.is_finite());
+        Self { value, reached: record.reached.is_some(), exact: record.exact.is_some() }
+    }
+}
+
+/// The columns' names. A parameter that is called as something else is, is written as in links: `p.iterations`.
+pub(super) fn columns(sweep: &Sweep) -> Vec<String> {
+    let taken = |name: &str| LEAD.contains(&name) || RESULTS.contains(&name);
+    let parameters = sweep.parameters.iter().map(|name| if taken(name) { format!("p.{name}") } else { name.clone() });
+    LEAD.map(str::to_owned).into_iter().chain(parameters).chain(RESULTS.map(str::to_owned)).collect()
+}
+
+/// What stands at one place of a row.
+enum Item {
+    Nothing,
+    /// A number, true or false.
+    Bare(String),
+    Text(String),
+}
+
+impl Item {
+    fn text(&self) -> &str {
+        match self {
+            Self::Nothing => "",
+            Self::Bare(text) | Self::Text(text) => text,
+        }
+    }
+
+    fn json(&self) -> String {
+        match self {
+            Self::Nothing => "null".to_owned(),
+            Self::Bare(text) => text.clone(),
+            Self::Text(text) => Value::from(text.as_str()).to_string(),
+        }
+    }
+}
+
+fn item(value: &Value) -> Item {
+    match value {
+        Value::Null => Item::Nothing,
+        Value::Number(number) => Item::Bare(match (number.as_u64(), number.as_f64()) {
+            (None, Some(float)) => number_text(float),
+            _ => number.to_string(),
+        }),
+        Value::String(text) => Item::Text(text.clone()),
+        other => Item::Bare(other.to_string()),
+    }
+}
+
+/// The shortest digits that give the number again, which JSON can read, too: `40`, `0.4`, `1e-9`.
+pub(super) fn number_text(number: f64) -> String {
+    let text = format!("{number:?}");
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
+}
+
+fn csv_line<T: AsRef<[u8]>>(texts: &[T]) -> io::Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(texts).map_err(io::Error::other)?;
+    writer.into_inner().map_err(|error| io::Error::other(error.to_string()))
+}

@@ -1,0 +1,262 @@
+//! What the rows of a sweep have in common, and whether planners differ.
+
+use std::{fmt::Write, path::PathBuf};
+
+use serde::Serialize;
+
+use crate::{
+    Given,
+    statistics::{Comparison, Friedman, Group, GroupSummary, Pair, compare, friedman},
+};
+
+use super::{
+    super::table::{Cell, Table},
+    kept::Kept,
+    line::Told,
+    plan::{Pairs, value_text},
+};
+
+/// Between more than so many nobody reads a test of each two.
+const MOST_PAIRED: usize = 30;
+/// More than so many are not ranked: the time for it grows with their square.
+const MOST_RANKED: usize = 1000;
+
+/// The statistics of a sweep.
+#[derive(Debug, Serialize)]
+pub struct Summary {
+    /// The sweep's name.
+    pub name: String,
+    /// Where the rows are.
+    pub rows: PathBuf,
+    /// How many runs.
+    pub runs: usize,
+    /// How near to the exact optimum counts as reached.
+    pub within: f64,
+    /// Scene by scene.
+    pub scenes: Vec<OnScene>,
+    /// Ranks of planners and parameters, in the order of each scene's groups, over scenes and seeds. `None` of one, or of more
+    /// than a thousand.
+    pub friedman: Option<Friedman>,
+}
+
+/// What there is to say of a scene.
+#[derive(Debug, Serialize)]
+pub struct OnScene {
+    /// The scene's name.
+    pub scene: String,
+    /// Planners and parameters.
+    pub groups: Vec<OfGroup>,
+    /// Each two of them; the correction is for the scene's pairs. `None` of more than thirty groups.
+    pub pairs: Option<Vec<Pair>>,
+}
+
+/// What there is to say of a planner with some parameters.
+#[derive(Debug, Serialize)]
+pub struct OfGroup {
+    /// The planner's name.
+    pub planner: String,
+    /// The parameters that the sweep sets.
+    pub parameters: Given,
+    /// The share of runs that came near enough to the optimum; `None` where there is no optimum.
+    pub reached: Option<f64>,
+    /// The rest.
+    #[serde(flatten)]
+    pub summary: GroupSummary,
+}
+
+impl Summary {
+    /// Of rows that are all there.
+    pub fn of(kept: &Kept) -> Self {
+        let sweep = kept.sweep();
+        let groups: Vec<usize> = (0..sweep.groups()).collect();
+        let told = |scene: usize, group: usize| -> Vec<Told> {
+            let first = sweep.cell_of(scene, group) * sweep.seeds();
+            (first..first + sweep.seeds()).filter_map(|job| kept.told(job)).collect()
+        };
+        let scenes = (0..sweep.scenes.len()).map(|scene| OnScene {
+            scene: sweep.scenes[scene].name().to_owned(),
+            ..OnScene::of(groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect())
+        });
+        let ranked = (2..=MOST_RANKED).contains(&groups.len()).then(|| {
+            let mut blocks = Vec::with_capacity(sweep.scenes.len() * sweep.seeds());
+            for scene in 0..sweep.scenes.len() {
+                let of_scene: Vec<Vec<Told>> = groups.iter().map(|&group| told(scene, group)).collect();
+                // A run without a feasible result is the last.
+                let block = |k: usize| of_scene.iter().map(|told| told[k].value.unwrap_or(f64::MAX)).collect();
+                blocks.extend((0..sweep.seeds()).map(block));
+            }
+            friedman(&blocks)
+        });
+        Self {
+            name: sweep.name.clone(),
+            rows: kept.path().to_owned(),
+            runs: sweep.len(),
+            within: sweep.within,
+            scenes: scenes.collect(),
+            friedman: ranked.flatten(),
+        }
+    }
+
+    /// The tables.
+    pub fn tables(&self) -> Vec<Table> {
+        let mut tables = Vec::new();
+        for scene in &self.scenes {
+            tables.push(scene.table(self.within));
+            tables.extend(scene.paired());
+        }
+        tables.extend(self.friedman.as_ref().map(|friedman| self.ranked(friedman)));
+        tables
+    }
+
+    fn ranked(&self, friedman: &Friedman) -> Table {
+        let mut title = format!("Mean ranks over {} blocks, scene × seed (Friedman)", friedman.blocks);
+        if let (Some(statistic), Some(p)) = (friedman.statistic, friedman.p) {
+            let _ = write!(title, ": χ² = {statistic:.4}, p = {}", probability(p));
+        }
+        let mut table = Table::new("ranks", title, &["planner", "mean rank"]);
+        let groups = self.scenes.first().map_or(&[] as &[OfGroup], |scene| &scene.groups);
+        let mut rows: Vec<_> = groups.iter().zip(&friedman.ranks).collect();
+        rows.sort_by(|a, b| a.1.total_cmp(b.1));
+        table.rows = rows.into_iter().map(|(group, &rank)| vec![group.summary.name.as_str().into(), Cell::Number(rank, 4)]).collect();
+        table
+    }
+
+    fn heading(&self) -> String {
+        format!("{}: {} runs in {}", self.name, self.runs, self.rows.display())
+    }
+
+    /// For a terminal.
+    pub fn text(&self) -> String {
+        let mut text = format!("{}\n", self.heading());
+        self.tables().iter().for_each(|table| text.extend(["\n", &table.text()]));
+        self.left_out().iter().for_each(|note| text.extend(["\n", note, "\n"]));
+        text
+    }
+
+    /// For a document.
+    pub fn markdown(&self) -> String {
+        let mut text = format!("# {}\n", self.heading());
+        self.tables().iter().for_each(|table| text.extend(["\n", &table.markdown()]));
+        self.left_out().iter().for_each(|note| text.extend(["\n", note, "\n"]));
+        text
+    }
+
+    fn left_out(&self) -> Vec<String> {
+        let groups = self.scenes.first().map_or(0, |scene| scene.groups.len());
+        let mut notes = Vec::new();
+        if groups > MOST_PAIRED {
+            notes.push(format!("No tests between {groups} planners and parameters: each two are tested up to {MOST_PAIRED}."));
+        }
+        if groups > MOST_RANKED {
+            notes.push(format!("No mean ranks: {groups} are more than {MOST_RANKED}."));
+        }
+        notes
+    }
+}
+
+impl OnScene {
+    fn of(told: Vec<((&str, Pairs), Vec<Told>)>) -> Self {
+        let mut groups = Vec::with_capacity(told.len());
+        let mut reached = Vec::with_capacity(told.len());
+        let (_, common) = told.first().map_or(("", Vec::new()), |(group, _)| group.clone());
+        let common: Vec<_> = common.into_iter().filter(|pair| told.iter().all(|((_, set), _)| set.contains(pair))).collect();
+        for ((planner, parameters), runs) in told {
+            // What all have alike tells nobody apart.
+            let set = parameters.iter().filter(|pair| !common.contains(pair));
+            let name = set.fold(planner.to_owned(), |name, (parameter, value)| format!("{name} {parameter}={}", value_text(value)));
+            let parameters: Given = parameters.into_iter().map(|(name, value)| (name, value.clone())).collect();
+            let near = runs.iter().filter(|told| told.reached).count() as f64 / runs.len() as f64;
+            reached.push((planner.to_owned(), parameters, runs.iter().any(|told| told.exact).then_some(near)));
+            groups.push(Group { name, values: runs.iter().map(|told| told.value).collect() });
+        }
+        let (summaries, pairs) = if groups.len() <= MOST_PAIRED {
+            let Comparison { groups, pairs, .. } = compare(&groups);
+            (groups, Some(pairs))
+        } else {
+            (groups.chunks(1).flat_map(|group| compare(group).groups).collect(), None)
+        };
+        let groups = reached.into_iter().zip(summaries).map(|((planner, parameters, reached), summary)| OfGroup {
+            planner,
+            parameters,
+            reached,
+            summary,
+        });
+        Self { scene: String::new(), groups: groups.collect(), pairs }
+    }
+
+    fn table(&self, within: f64) -> Table {
+        const COLUMNS: [&str; 15] = [
+            "planner",
+            "runs",
+            "feasible %",
+            "from",
+            "to",
+            "mean",
+            "from",
+            "to",
+            "std",
+            "best",
+            "lower quartile",
+            "median",
+            "upper quartile",
+            "worst",
+            "reached %",
+        ];
+        let title = format!(
+            "{}: values of the feasible runs; from, to: 95 % confidence; reached: within {} % of the exact optimum",
+            self.scene,
+            value_text(&crate::Value::Number(100.0 * within))
+        );
+        let mut table = Table::new(self.scene.clone(), title, &COLUMNS);
+        for group in &self.groups {
+            let GroupSummary { runs, rate, rate_interval, summary, .. } = &group.summary;
+            let of = |number: Option<f64>| number.map_or(Cell::Empty, shown);
+            let interval = summary.and_then(|summary| summary.interval);
+            table.rows.push(vec![
+                group.summary.name.as_str().into(),
+                Cell::whole(*runs as u64),
+                Cell::Number(100.0 * rate, 1),
+                Cell::Number(100.0 * rate_interval[0], 1),
+                Cell::Number(100.0 * rate_interval[1], 1),
+                of(summary.map(|summary| summary.mean)),
+                of(interval.map(|interval| interval[0])),
+                of(interval.map(|interval| interval[1])),
+                of(summary.and_then(|summary| summary.std)),
+                of(summary.map(|summary| summary.min)),
+                of(summary.map(|summary| summary.lower)),
+                of(summary.map(|summary| summary.median)),
+                of(summary.map(|summary| summary.upper)),
+                of(summary.map(|summary| summary.max)),
+                Cell::maybe(group.reached.map(|share| 100.0 * share), 1),
+            ]);
+        }
+        table
+    }
+
+    /// The tests, if there are two to test.
+    fn paired(&self) -> Option<Table> {
+        let pairs = self.pairs.as_ref().filter(|pairs| !pairs.is_empty())?;
+        let title = format!("{}: Wilcoxon’s rank-sum test of each two; corrected for {} tests (Holm)", self.scene, pairs.len());
+        let mut table = Table::new(format!("{}-tests", self.scene), title, &["first", "second", "U", "p", "corrected p", "first better %"]);
+        for Pair { first, second, u, p, corrected, better } in pairs {
+            table.rows.push(vec![
+                Cell::Text(self.groups[*first].summary.name.clone()),
+                Cell::Text(self.groups[*second].summary.name.clone()),
+                Cell::Number(*u, 1),
+                Cell::Text(probability(*p)),
+                Cell::Text(probability(*corrected)),
+                Cell::Number(100.0 * better, 1),
+            ]);
+        }
+        Some(table)
+    }
+}
+
+/// Four digits after the point, where that says something.
+fn shown(number: f64) -> Cell {
+    if number == 0.0 || (1e-3..1e9).contains(&number.abs()) { Cell::Number(number, 4) } else { Cell::Text(format!("{number:.4e}")) }
+}
+
+fn probability(p: f64) -> String {
+    if p >= 1e-4 { format!("{p:.4}") } else { format!("{p:.1e}") }
+}
