@@ -1,4 +1,5 @@
-//! The shell: `forage list`, `forage run`, `forage exact`, `forage convert`, `forage generate`, `forage reproduce`.
+//! The shell: `forage list`, `forage run`, `forage exact`, `forage convert`, `forage generate`, `forage reproduce`,
+//! `forage experiment`.
 
 #[cfg(not(target_arch = "wasm32"))]
 mod cli;

@@ -61,6 +61,56 @@ pub(super) enum Command {
     /// Rows are kept as they are finished: after an interruption the same command goes on from there.
     #[command(after_help = super::reproduce::after_help())]
     Reproduce(ReproduceArgs),
+    /// Run planners × scenes × parameter values × seeds, one row a run, and say whether they differ.
+    ///
+    /// Rows are kept as they are finished: after an interruption the same command goes on from there. When all are there
+    /// they are in the order of the file, the same bytes whatever the threads, interruptions or shards; the same command
+    /// then prints the statistics again.
+    #[command(after_help = EXPERIMENT)]
+    Experiment(ExperimentArgs),
+}
+
+const EXPERIMENT: &str = "FILE.toml:
+  name = \"inertia\"                             # what it is called; the file’s name, if left out
+  scenes = [\"sphere\", \"scenes/mine.json\"]    # shipped names, links, or files beside this one
+  seeds = { from = 1, count = 50 }             # or a list
+  within = 0.01                                # how near to the exact optimum counts as reached
+  iterations = 500                             # for all planners
+  out = \"inertia.csv\"                         # or .jsonl, .ndjson
+
+  [[planner]]
+  name = \"pso\"
+  params = { w = [0.4, 0.6, 0.8], c1 = 2.0 }   # a list: each of its values, in all combinations
+
+  [[planner]]
+  name = \"wpso\"";
+
+#[derive(Args)]
+pub(super) struct ExperimentArgs {
+    /// What to run.
+    #[arg(value_name = "FILE.toml")]
+    pub(super) file: PathBuf,
+    /// How many threads; the rows do not depend on it. All cores, if left out.
+    #[arg(long, value_name = "N")]
+    pub(super) jobs: Option<NonZeroUsize>,
+    /// Only the I-th of N parts, I from 1; into a file of its own, with .I-of-N before the ending.
+    #[arg(long, value_name = "I/N", conflicts_with = "merge")]
+    pub(super) shard: Option<String>,
+    /// Where the rows go: .csv, or .jsonl or .ndjson for JSON Lines. As FILE.toml says, or called as it is with .csv.
+    #[arg(long, value_name = "FILE")]
+    pub(super) out: Option<PathBuf>,
+    /// Throw away the rows that are there, and begin anew.
+    #[arg(long)]
+    pub(super) fresh: bool,
+    /// Run nothing, but make one file of these parts, in any order: that of a single run.
+    #[arg(long, value_name = "PART", num_args = 1.., conflicts_with = "jobs")]
+    pub(super) merge: Vec<PathBuf>,
+    /// Write the statistics as Markdown.
+    #[arg(long, value_name = "FILE", conflicts_with = "shard")]
+    pub(super) report: Option<PathBuf>,
+    /// Print the statistics as JSON.
+    #[arg(long)]
+    pub(super) json: bool,
 }
 
 #[derive(Args)]

@@ -6,10 +6,12 @@
 mod args;
 mod convert;
 mod exact;
+mod experiment;
 mod generate;
 mod interrupt;
 mod list;
 mod load;
+mod progress;
 mod reproduce;
 mod run;
 mod suggest;
@@ -62,6 +64,7 @@ pub(crate) fn main() -> ExitCode {
         Command::Convert(args) => convert::convert(&args),
         Command::Generate(args) => generate::generate(&args),
         Command::Reproduce(args) => reproduce::reproduce(args),
+        Command::Experiment(args) => experiment::experiment(&args),
     };
     outcome.unwrap_or_else(|failure| {
         eprintln!("forage: {failure}");
