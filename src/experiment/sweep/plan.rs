@@ -213,15 +213,15 @@ impl Sweep {
     pub(super) fn placed(&self, cell: usize, error: Error) -> Error {
         let Place { planner, scene, .. } = self.place(cell);
         let variants = &self.planners[planner];
-        let on = format!("for {} on {}", variants.planner, self.scenes[scene].name());
+        let on = format!("({} on {})", variants.planner, self.scenes[scene].name());
         match error {
             Error::Refused { field, value, allowed } => {
                 let is_parameter = self.values(planner, 0).iter().any(|(name, _)| *name == field);
                 let place = if is_parameter { format!("planner[{planner}].params.{field}") } else { format!("scenes[{scene}].{field}") };
-                Error::Refused { field: place, value, allowed: format!("{allowed}, {on}") }
+                Error::Refused { field: place, value, allowed: format!("{allowed} {on}") }
             }
             Error::Unknown { value, known, .. } => {
-                Error::Unknown { field: format!("planner[{planner}].params"), value, known: format!("{known}, {on}") }
+                Error::Unknown { field: format!("planner[{planner}].params"), value, known: format!("{known} {on}") }
             }
             other => other.within(&format!("planner[{planner}]")),
         }
