@@ -2,12 +2,14 @@ import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vite'
 import { formulas } from './plugins/formulas.ts'
+import { reproduction } from './plugins/reproduction.ts'
 
 const core = fileURLToPath(new URL('../pkg', import.meta.url))
+const figures = fileURLToPath(new URL('../REPRODUCTION.csv', import.meta.url))
 
 export default defineConfig({
   base: './',
-  plugins: [svelte(), formulas(core)],
+  plugins: [svelte(), formulas(core), reproduction(figures)],
   resolve: { alias: { forage: `${core}/forage.js` } },
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } },
