@@ -1,28 +1,10 @@
 import { readFile } from 'node:fs/promises'
 import { parse } from 'csv-parse/sync'
 import type { Plugin } from 'vite'
+import { COLUMNS, NUMBERS, PAPERS, type Row, VERDICTS, WORDS } from '../src/papers/row.ts'
 
 const ID = 'virtual:reproduction'
 const RESOLVED = `\0${ID}`
-
-export const WORDS = ['reproduction', 'paper', 'table', 'row', 'measure', 'verdict', 'because', 'command'] as const
-export const NUMBERS = ['published_best', 'published_mean', 'published_std', 'published_runs', 'best', 'mean', 'std', 'median', 'runs'] as const
-/** The header of the file, in its order. */
-export const COLUMNS = [
-  ...['reproduction', 'paper', 'table', 'row', 'measure'],
-  ...['published_best', 'published_mean', 'published_std', 'published_runs'],
-  ...['best', 'mean', 'std', 'median', 'runs'],
-  ...['verdict', 'because', 'command'],
-]
-export const PAPERS = ['WCPSO', 'LTQPSO', 'ANTBAT', 'ARM-RRT', 'WOLF-ANT'] as const
-export const VERDICTS = ['reproduced', 'better', 'worse', 'not determined'] as const
-
-export type Paper = (typeof PAPERS)[number]
-export type Verdict = (typeof VERDICTS)[number]
-
-/** A published figure, ours beside it, and what is to be thought of the two. */
-export type Row = Record<Exclude<(typeof WORDS)[number], 'paper' | 'verdict'>, string> &
-  Record<(typeof NUMBERS)[number], number | null> & { paper: Paper; verdict: Verdict }
 
 /**
  * Provides `virtual:reproduction`: the rows of REPRODUCTION.csv, which `forage reproduce` writes.
@@ -59,8 +41,8 @@ export function rowsOf(text: string, file: string): Row[] {
     const given = Object.fromEntries(COLUMNS.map((name, k) => [name, cells[k] ?? '']))
     const refused = (name: string, allowed: string): Error => new Error(`${file}, row ${line + 1}: ${name} is “${given[name]}”; allowed: ${allowed}`)
     for (const name of WORDS) if (given[name] === '') throw refused(name, 'a text')
-    if (!(PAPERS as readonly string[]).includes(given['paper'] ?? '')) throw refused('paper', PAPERS.join(', '))
-    if (!(VERDICTS as readonly string[]).includes(given['verdict'] ?? '')) throw refused('verdict', VERDICTS.join(', '))
+    if (!PAPERS.some((paper) => paper === given['paper'])) throw refused('paper', PAPERS.join(', '))
+    if (!VERDICTS.some((verdict) => verdict === given['verdict'])) throw refused('verdict', VERDICTS.join(', '))
     const numbers = NUMBERS.map((name) => {
       const value = given[name] === '' ? null : Number(given[name])
       if (value !== null && !Number.isFinite(value)) throw refused(name, 'a finite number, or nothing')

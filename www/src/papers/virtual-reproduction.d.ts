@@ -1,4 +1,4 @@
 /** Made by plugins/reproduction.ts: the published figures beside ours, as `forage reproduce` wrote them. */
 declare module 'virtual:reproduction' {
-  export const rows: readonly import('../../plugins/reproduction').Row[]
+  export const rows: readonly import('./row').Row[]
 }

@@ -1,0 +1,32 @@
+import { tick } from 'svelte'
+import { lab } from '../state/lab.svelte'
+import { proposed } from '../state/proposed.svelte'
+import { type View, views } from '../state/views.svelte'
+import { type Case, RACERS, type Run } from './experiments'
+
+/** What was pressed is gone with its view: whoever uses the keyboard goes on from the name of the new one. */
+async function show(view: View): Promise<void> {
+  views.current = view
+  await tick()
+  document.querySelector<HTMLElement>('nav [aria-current="page"]')?.focus()
+}
+
+export function openRun({ scene: name }: Case, { planner, params, seed }: Run): void {
+  const scene = lab.catalogue?.scenes.find((candidate) => candidate.name === name)
+  if (!scene) return
+  lab.openCase(planner, scene, { ...params }, seed)
+  void show('stage')
+}
+
+export function openBatch({ scene, runs }: Case, count: number): void {
+  proposed.batch = { scene, planners: runs.map(({ planner, params }) => ({ planner, params: { ...params } })), seeds: { from: 1, count } }
+  void show('batch')
+}
+
+export const races = ({ runs }: Case): boolean => runs.length >= RACERS.least && runs.length <= RACERS.most
+
+export function openRace({ scene, runs }: Case): void {
+  const [first] = runs
+  proposed.race = { scene, planners: runs.map(({ planner, params }) => ({ planner, params: { ...params } })), seed: first?.seed ?? 1 }
+  void show('race')
+}
