@@ -1,0 +1,228 @@
+import { readFileSync } from 'node:fs'
+import { catalogue, type ParameterValue, parseLink } from '../../pkg/node.js'
+import { rowsOf } from '../plugins/reproduction'
+import { papers as text } from '../src/i18n/papers.en'
+import { number } from '../src/panels/format'
+import { EXPERIMENTS, offered } from '../src/papers/experiments'
+import { groupsOf, ours, published, tally } from '../src/papers/figures'
+import { COLUMNS, NUMBERS, PAPERS, VERDICTS } from '../src/papers/row'
+import { violations } from './support/axe'
+import { hashOf } from './support/core'
+import { en, expect, type Lab, test } from './support/lab'
+
+const FILE = 'REPRODUCTION.csv'
+const source = readFileSync(new URL(`../../${FILE}`, import.meta.url), 'utf8')
+const rows = rowsOf(source, FILE)
+
+/** The view, with the planners there. */
+async function open(lab: Lab): Promise<void> {
+  await lab.open('#view=papers')
+  await expect(lab.page.getByTestId('open-run').first()).toBeVisible()
+}
+
+async function openAll(lab: Lab): Promise<void> {
+  for (const group of await lab.page.locator('[data-testid^="group-"]').all()) {
+    if (!(await group.evaluate((node: HTMLDetailsElement) => node.open))) await group.locator('> summary').click()
+  }
+}
+
+test('every paper has a card with its citation, its claims, experiments and how many figures have which verdict', async ({ lab, page }) => {
+  await open(lab)
+  await expect(page.getByRole('article')).toHaveCount(PAPERS.length)
+  for (const paper of PAPERS) {
+    const card = page.getByTestId(`paper-${paper}`)
+    const { title, citation, claims } = text.cards[paper]
+    await expect(card.getByRole('heading', { name: title })).toBeVisible()
+    await expect(card).toContainText(citation)
+    await expect(card.getByTestId('claims').getByRole('listitem')).toHaveText([...claims])
+    expect(await card.getByTestId('open-run').count()).toBeGreaterThan(0)
+    const counts = tally(rows.filter((row) => row.paper === paper))
+    expect(counts.reduce((sum, [, count]) => sum + count, 0)).toBeGreaterThan(0)
+    for (const [verdict, count] of counts) await expect(card.getByTestId('summary')).toContainText(text.count(number(count), verdict))
+  }
+})
+
+test('the figures are those of the file, published beside ours, with verdict, reason and command', async ({ lab, page }) => {
+  await open(lab)
+  await openAll(lab)
+  for (const paper of PAPERS) {
+    const shown = page.getByTestId(`paper-${paper}`).locator('[data-testid^="group-"]')
+    const groups = groupsOf(rows, paper)
+    await expect(shown).toHaveCount(groups.length)
+    for (const [k, { table, reproduction, rows: expected }] of groups.entries()) {
+      const group = shown.nth(k)
+      await expect(group.locator('> summary')).toContainText(text.group(table, reproduction))
+      await group.getByRole('checkbox', { name: text.all }).check()
+      await expect(group.getByTestId('figure-more')).toHaveCount(expected.length)
+      const cells = await group.getByTestId('figure').evaluateAll((lines) =>
+        lines.map((line) => ({
+          head: line.querySelector('th')?.textContent,
+          numbers: [...line.querySelectorAll('td.number')].map((cell) => cell.querySelector('data')?.value ?? ''),
+          texts: [...line.querySelectorAll('td.number')].map((cell) => cell.querySelector('data')?.textContent ?? ''),
+          verdict: line.querySelector('td.verdict')?.textContent?.trim(),
+        })),
+      )
+      expect(cells).toEqual(
+        expected.map((row) => ({
+          head: `${row.row} ${row.measure}`,
+          numbers: NUMBERS.map((name) => (row[name] === null ? '' : String(row[name]))),
+          texts: NUMBERS.map((name) => {
+            const value = row[name]
+            if (value === null) return ''
+            if (name === 'runs' || name === 'published_runs') return number(value)
+            return name.startsWith('published') ? published(value) : ours(value, row)
+          }),
+          verdict: text.verdicts[row.verdict],
+        })),
+      )
+      const more = await group.getByTestId('figure-more').allTextContents()
+      for (const [at, row] of expected.entries()) {
+        expect(more[at]).toContain(row.because)
+        expect(more[at]).toContain(row.command)
+      }
+    }
+  }
+  const total = page.getByTestId('overview').locator('tfoot td.number')
+  await expect(total).toHaveText(VERDICTS.map((verdict) => number(rows.filter((row) => row.verdict === verdict).length)))
+})
+
+test('everything that a paper tried can be run here', () => {
+  const known = catalogue()
+  for (const experiment of Object.values(EXPERIMENTS).flat()) {
+    for (const on of experiment.cases) {
+      expect(offered(known, on), `${experiment.name}: ${on.scene}`).toBe(true)
+      for (const { planner, params } of on.runs) expect(hashOf({ planner, params, scene: on.scene }, 0)).toMatch(/^[0-9a-f]{16}$/)
+    }
+  }
+})
+
+interface Opened {
+  experiment: string
+  scene: string
+  planner: string
+  params: Record<string, ParameterValue>
+  /** What the button says, where it is more than the planner. */
+  name?: string
+}
+
+const OPENED: Opened[] = [
+  { experiment: 'functions', scene: 'sphere', planner: 'wcpso', params: {} },
+  { experiment: 'sixteen', scene: 'qpso-10m', planner: 'ltqpso', params: { segments: 16, initial: 'normal', population: 52, iterations: 99 } },
+  { experiment: 'wolves', scene: 'wolf-ant-20', planner: 'aco', params: { ants: 30 }, name: 'aco, ants 30' },
+  { experiment: 'free', scene: 'arm-free', planner: 'rrt-guided', params: { step_size: 0.05 }, name: 'rrt-guided, step_size 0.05' },
+]
+
+for (const { experiment, scene, planner, params, name } of OPENED) {
+  test(`a preset opens ${planner} on ${scene} in the stage, as the paper ran it`, async ({ lab, page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await open(lab)
+    const line = page.getByTestId(`experiment-${experiment}`).locator(`[data-scene="${scene}"]`)
+    const title = catalogue().scenes.find((shipped) => shipped.name === scene)?.title ?? ''
+    await line.getByRole('button', { name: text.open(name ?? planner, title), exact: true }).click()
+    await expect(page.getByTestId('view-stage')).toHaveAttribute('aria-current', 'page')
+    await expect(page.getByTestId('view-stage')).toBeFocused()
+    await expect(lab.stage).toBeVisible()
+    const hash = await lab.settled(0)
+    expect(hash).toBe(hashOf({ planner, scene, params }, 0))
+    const link = parseLink(await lab.link(hash))
+    expect({ planner: link.planner, scene: link.scene.name, params: link.params, seed: link.seed }).toEqual({ planner, scene, params, seed: 1 })
+  })
+}
+
+test('a moving obstacle is seen with the seed that meets it', async ({ lab, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await open(lab)
+  await page.getByTestId('experiment-moving').getByTestId('open-run').first().click()
+  const link = parseLink(await lab.link(await lab.settled(0)))
+  expect([link.planner, link.scene.name, link.seed]).toEqual(['wolf-ant-drive', 'wolf-ant-20', 11])
+})
+
+test('a command is copied, and it is told', async ({ lab, page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+  await open(lab)
+  await openAll(lab)
+  const [row] = rows
+  if (!row) throw new Error('no rows')
+  const group = page.locator('[data-testid^="group-"]').first()
+  await group.getByRole('button', { name: text.why(`${row.row}, ${row.measure}`), exact: true }).click()
+  await group.getByTestId('figure-more').getByRole('button', { name: text.copyHelp(row.command), exact: true }).click()
+  await expect(group.getByTestId('figure-more').getByRole('status')).toHaveText(text.copied)
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(row.command)
+})
+
+test('all of it works by keyboard', async ({ lab, page }) => {
+  await open(lab)
+  await page.getByRole('button', { name: text.goto('[WOLF-ANT]') }).focus()
+  await page.keyboard.press('Enter')
+  const heading = page.getByRole('heading', { name: text.cards['WOLF-ANT'].title })
+  await expect(heading).toBeFocused()
+  await expect(heading).toBeInViewport()
+  await page.keyboard.press('Tab')
+  await expect(page.getByTestId('paper-WOLF-ANT').getByTestId('open-run').first()).toBeFocused()
+  const group = page.getByTestId('paper-WOLF-ANT').locator('[data-testid^="group-"]').first()
+  await group.locator('> summary').focus()
+  const was = await group.evaluate((node: HTMLDetailsElement) => node.open)
+  await page.keyboard.press('Enter')
+  expect(await group.evaluate((node: HTMLDetailsElement) => node.open)).toBe(!was)
+})
+
+test('a file that is not as it should be stops the build, by name', () => {
+  const [header = '', first = ''] = source.split('\n')
+  const refused = (content: string): string => {
+    try {
+      rowsOf(content, FILE)
+    } catch (error) {
+      return (error as Error).message
+    }
+    return 'accepted'
+  }
+  expect(refused(`${header}\n${first}\n`)).toBe('accepted')
+  expect(refused(`${header.replace('median', 'middle')}\n${first}\n`)).toBe(`${FILE}: column 13 is “middle”; the columns are ${COLUMNS.join(',')}`)
+  expect(refused(`${header},more\n${first},\n`)).toContain('column 18 is “more”')
+  expect(refused(`${header}\n`)).toBe(`${FILE} has no rows`)
+  const line = ['r', 'WCPSO', 't', 'row', 'value', ...NUMBERS.map(() => '1'), 'better', 'why', 'forage']
+  const given = (at: number, cell: string): string => refused(`${header}\n${line.with(at, cell).join(',')}\n`)
+  expect(given(6, '1e-3')).toBe('accepted')
+  expect(given(1, 'PSO')).toContain('row 1: paper is “PSO”; allowed: WCPSO, ')
+  expect(given(6, 'many')).toContain('row 1: published_mean is “many”; allowed: a finite number')
+  expect(given(14, 'good')).toContain(`row 1: verdict is “good”; allowed: ${VERDICTS.join(', ')}`)
+  expect(given(16, '')).toContain('row 1: command is “”')
+})
+
+const screens = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } }
+
+for (const colorScheme of ['light', 'dark'] as const) {
+  for (const [screen, viewport] of Object.entries(screens)) {
+    test.describe(`${screen}, ${colorScheme}`, () => {
+      test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
+
+      test('axe finds nothing wrong with the papers; nothing is too wide or too low, and verdicts are words', async ({ lab, page }) => {
+        await open(lab)
+        await openAll(lab)
+        for (const all of await page.getByRole('checkbox', { name: text.all }).all()) await all.check()
+        expect(await violations(lab)).toEqual([])
+        expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
+        const told = await page.getByTestId('figure').locator('td.verdict').allInnerTexts()
+        expect(told.map((word) => word.trim())).toEqual(PAPERS.flatMap((paper) => groupsOf(rows, paper).flatMap((group) => group.rows.map((row) => text.verdicts[row.verdict]))))
+        if (screen !== 'phone') return
+        const low = await page
+          .locator('main')
+          .locator('button, summary, label')
+          .evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML))
+        expect(low).toEqual([])
+        expect(await page.locator('main').evaluate((main) => main.scrollWidth)).toBeLessThanOrEqual(viewport.width)
+      })
+    })
+  }
+}
+
+test('a page that shows a run loads none of it', async ({ lab, page }) => {
+  const asked: string[] = []
+  page.on('request', (request) => asked.push(request.url()))
+  await lab.open()
+  expect(asked.filter((url) => /Papers/.test(url))).toEqual([])
+  await page.getByTestId('view-papers').click()
+  await expect(page.getByTestId('open-run').first()).toBeVisible()
+  expect(asked.some((url) => /Papers/.test(url))).toBe(true)
+  await expect(page.getByRole('heading', { name: en.views.titles.papers, exact: true })).toBeVisible()
+})
