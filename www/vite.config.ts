@@ -5,11 +5,11 @@ import { formulas } from './plugins/formulas.ts'
 import { reproduction } from './plugins/reproduction.ts'
 
 const core = fileURLToPath(new URL('../pkg', import.meta.url))
-const figures = fileURLToPath(new URL('../REPRODUCTION.csv', import.meta.url))
+const root = fileURLToPath(new URL('..', import.meta.url))
 
 export default defineConfig({
   base: './',
-  plugins: [svelte(), formulas(core), reproduction(figures)],
+  plugins: [svelte(), formulas(core), reproduction(root)],
   resolve: { alias: { forage: `${core}/forage.js` } },
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } },

@@ -1,28 +1,35 @@
 import { readFile } from 'node:fs/promises'
+import { join } from 'node:path'
 import { parse } from 'csv-parse/sync'
 import type { Plugin } from 'vite'
-import { COLUMNS, NUMBERS, PAPERS, type Row, VERDICTS, WORDS } from '../src/papers/row.ts'
+import { ANSWERS, type Check, COLUMNS, NUMBERS, type Paper, PAPERS, type Row, VERDICTS, WORDS } from '../src/papers/row.ts'
 
 const ID = 'virtual:reproduction'
 const RESOLVED = `\0${ID}`
 
 /**
- * Provides `virtual:reproduction`: the rows of REPRODUCTION.csv, which `forage reproduce` writes.
- * @param file where that is
+ * Provides `virtual:reproduction`: what `forage reproduce` wrote, the figures' rows and the claims that it checked.
+ * @param folder where REPRODUCTION.csv and REPRODUCTION.md are
  */
-export function reproduction(file: string): Plugin {
+export function reproduction(folder: string): Plugin {
   return {
     name: 'forage-reproduction',
     resolveId: (id) => (id === ID ? RESOLVED : undefined),
     async load(id) {
       if (id !== RESOLVED) return undefined
-      const text = await readFile(file, 'utf8').catch(() => {
-        throw new Error(`${file} is missing: \`forage reproduce\` writes it`)
-      })
-      this.addWatchFile(file)
-      return `export const rows = ${JSON.stringify(rowsOf(text, file))}`
+      const [rows, checks] = await Promise.all([reading(folder, 'REPRODUCTION.csv', rowsOf), reading(folder, 'REPRODUCTION.md', checksOf)])
+      for (const { path } of [rows, checks]) this.addWatchFile(path)
+      return [`export const rows = ${JSON.stringify(rows.found)}`, `export const checks = ${JSON.stringify(checks.found)}`].join('\n')
     },
   }
+}
+
+async function reading<T>(folder: string, name: string, of: (text: string, file: string) => T): Promise<{ path: string; found: T }> {
+  const path = join(folder, name)
+  const text = await readFile(path, 'utf8').catch(() => {
+    throw new Error(`${path} is missing: \`forage reproduce\` writes it`)
+  })
+  return { path, found: of(text, name) }
 }
 
 /**
@@ -50,4 +57,30 @@ export function rowsOf(text: string, file: string): Row[] {
     })
     return { ...given, ...Object.fromEntries(numbers) } as Row
   })
+}
+
+const HEADING = /^### ([\w-]+): .*?\[([A-Z-]+)\]/
+const CHECK = new RegExp(`^- (.+): (${ANSWERS.join('|')}) \\((.*)\\)$`)
+
+/**
+ * The claims of the report and what came of them: its lines `- claim: yes (numbers)`, below the heading of a reproduction.
+ * @param file its name, for what is wrong with it
+ */
+export function checksOf(text: string, file: string): Check[] {
+  const found: Check[] = []
+  let of: { reproduction: string; paper: Paper } | undefined
+  for (const line of text.split('\n')) {
+    if (line.startsWith('### ')) {
+      const [, name, tag] = HEADING.exec(line) ?? []
+      const paper = PAPERS.find((known) => known === tag)
+      if (!name || !paper) throw new Error(`${file}: the heading “${line}” names no reproduction of ${PAPERS.join(', ')}`)
+      of = { reproduction: name, paper }
+    }
+    const [, claim, told, because] = CHECK.exec(line) ?? []
+    const answer = ANSWERS.find((known) => known === told)
+    if (claim && answer && because !== undefined && of) found.push({ ...of, claim, answer, because })
+  }
+  const missing = PAPERS.filter((paper) => !found.some((check) => check.paper === paper))
+  if (missing.length > 0) throw new Error(`${file} checks no claim of ${missing.join(', ')}`)
+  return found
 }

@@ -1,4 +1,4 @@
-import type { Verdict } from '../papers/row'
+import type { Check, Verdict } from '../papers/row'
 
 const COUNTED: Readonly<Record<Verdict, string>> = {
   reproduced: 'reproduced',
@@ -20,12 +20,14 @@ export const papers = {
   rule: {
     title: 'How a row gets its verdict',
     intro:
-      'Everything is minimised: smaller is better. The verdict is computed by a rule that is the same for all rows, never given by hand; the reason stands with each row. “forage reproduce” prints it, too.',
+      'One rule for all rows, carried out by “forage reproduce” and never by hand. All figures are the better the smaller they are; the published mean, or the one figure that is printed, is compared with our mean, and the reason stands with each row.',
     verdicts: {
-      reproduced: 'Ours agrees with what was published, as far as its digits and the chance of so many runs can tell.',
-      better: 'Ours is smaller than what was published, by more than digits and chance explain.',
-      worse: 'Ours is larger than what was published, by more than digits and chance explain.',
-      'not determined': 'The paper prints no figure for this, or one that cannot be compared: of a layout that it does not print, of another machine, or measured in another way.',
+      reproduced:
+        'Our mean is the same to the digits that are printed. Or the published figure lies between our best and our worst run, and where the paper prints a standard deviation and a number of runs, Welch’s t-test finds no difference of the means at 5 %. Where ours is fitted: it lies in our 95 % interval.',
+      better: 'Otherwise, if our mean is smaller.',
+      worse: 'Otherwise, if our mean is larger.',
+      'not determined':
+        'The paper prints no figure. Or ours differs, but the paper leaves open what the figure rests on (coefficients, the layout of obstacles, how it measures): then the difference is held against neither side.',
     } satisfies Record<Verdict, string>,
   },
   verdicts: COUNTED,
@@ -41,7 +43,13 @@ export const papers = {
   race: 'Race',
   raceHelp: (scene: string) => `Race: let these planners race on “${scene}”`,
   figures: 'Published figures, and ours',
-  none: 'The file of figures has no row of this paper.',
+  none: 'It prints pictures and no figures that ours could stand beside; what it claims is checked below.',
+  checks: {
+    title: 'What of it holds here',
+    help: 'Each claim as a question to the runs, with the numbers that answer it.',
+    hold: (yes: string, all: string) => `${yes} of ${all} hold`,
+    answers: { yes: 'holds', NO: 'does not hold', 'not decided': 'not decided' } satisfies Record<Check['answer'], string>,
+  },
   group: (table: string, reproduction: string) => `${table} (${reproduction})`,
   whole: 'The whole table:',
   columns: {
@@ -56,7 +64,6 @@ export const papers = {
     verdict: 'Verdict',
     repeat: 'Reason and command',
   },
-  labels: { published: (column: string) => `${column}, published`, ours: (column: string) => `${column}, here` },
   unprinted: 'not printed',
   reason: 'Reason:',
   command: 'To repeat it:',

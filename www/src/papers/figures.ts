@@ -9,17 +9,21 @@ export interface Group {
   rows: readonly Row[]
 }
 
-/** A paper's rows by the tables they belong to, in the file's order. */
-export function groupsOf(rows: readonly Row[], paper: Paper): Group[] {
-  const found = new Map<string, Row[]>()
-  for (const row of rows) {
-    if (row.paper !== paper) continue
-    const key = `${row.reproduction}: ${row.table}`
-    const group = found.get(key)
-    if (group) group.push(row)
-    else found.set(key, [row])
+/** Those that belong together, in the order in which they come. */
+export function together<T>(items: readonly T[], name: (item: T) => string): [string, T[]][] {
+  const found = new Map<string, T[]>()
+  for (const item of items) {
+    const group = found.get(name(item))
+    if (group) group.push(item)
+    else found.set(name(item), [item])
   }
-  return [...found.values()].flatMap((group, k) => {
+  return [...found]
+}
+
+/** A paper's rows by the tables they belong to. */
+export function groupsOf(rows: readonly Row[], paper: Paper): Group[] {
+  const mine = rows.filter((row) => row.paper === paper)
+  return together(mine, ({ reproduction, table }) => `${reproduction}: ${table}`).flatMap(([, group], k) => {
     const [first] = group
     return first ? [{ id: `${paper}-${k + 1}`, reproduction: first.reproduction, table: first.table, rows: group }] : []
   })
@@ -31,23 +35,27 @@ export const tally = (rows: readonly Row[]): [Verdict, number][] =>
 
 const LEAST_DIGITS = 4
 const MOST_DIGITS = 7
-/** No figure of the papers has more. */
+/** Of what has a power of ten: all its digits are told to those who point at it. */
+const DIGITS_OF_POWERS = 4
+/** No figure of the papers has more: what has was worked out of printed ones. */
 const PRINTED_DIGITS = 8
 
-/** As printed: no digit more, none less, but for zeros at the end. What was worked out of printed figures is rounded. */
+const plain = (value: number): boolean => value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e6)
+const power = (value: number, digits: number): string => number(value, digits + 1)
+
+/** As printed: no digit more, none less, but for zeros at the end. */
 export function published(value: number | null): string {
   if (value === null) return NONE
-  const [size, digits] = [Math.abs(value), significant(value)]
-  if (digits > PRINTED_DIGITS) return number(value, LEAST_DIGITS + 1)
-  return value === 0 || (size >= 1e-3 && size < 1e6) ? exactly(value) : number(value, digits + 1)
+  const digits = significant(value)
+  if (!plain(value)) return power(value, Math.min(digits, DIGITS_OF_POWERS))
+  return digits > PRINTED_DIGITS ? number(value, LEAST_DIGITS + 1) : exactly(value)
 }
 
 /** With about as many digits as what it stands beside. */
-export const ours = (value: number | null, row: Row): string => number(value, digitsBeside(row))
-
-function digitsBeside({ published_best, published_mean, published_std }: Row): number {
-  const printed = [published_best, published_mean, published_std].map((value) => (value === null ? 0 : significant(value))).filter((digits) => digits <= PRINTED_DIGITS)
-  return Math.min(Math.max(LEAST_DIGITS, ...printed), MOST_DIGITS)
+export function ours(value: number | null, { published_best, published_mean, published_std }: Row): string {
+  if (value !== null && !plain(value)) return power(value, DIGITS_OF_POWERS)
+  const printed = [published_best, published_mean, published_std].map((figure) => (figure === null ? 0 : significant(figure)))
+  return number(value, Math.min(Math.max(LEAST_DIGITS, ...printed.filter((digits) => digits <= PRINTED_DIGITS)), MOST_DIGITS))
 }
 
 const significant = (value: number): number => {

@@ -1,4 +1,4 @@
-/** What REPRODUCTION.csv holds: read when the page is built, shown by the papers' cards. */
+/** What REPRODUCTION.csv and REPRODUCTION.md hold: read when the page is built, shown by the papers' cards. */
 
 export const PAPERS = ['WCPSO', 'LTQPSO', 'ANTBAT', 'ARM-RRT', 'WOLF-ANT'] as const
 export const VERDICTS = ['reproduced', 'better', 'worse', 'not determined'] as const
@@ -15,3 +15,15 @@ export const COLUMNS: readonly string[] = ['reproduction', 'paper', 'table', 'ro
 
 /** A published figure, ours beside it, and what is to be thought of the two. */
 export type Row = Record<(typeof WORDS)[number], string> & Record<(typeof NUMBERS)[number], number | null> & { paper: Paper; verdict: Verdict }
+
+export const ANSWERS = ['yes', 'NO', 'not decided'] as const
+
+/** Something that a paper claims, and whether the runs here bear it out. */
+export interface Check {
+  reproduction: string
+  paper: Paper
+  claim: string
+  answer: (typeof ANSWERS)[number]
+  /** The numbers it rests on. */
+  because: string
+}
