@@ -1,0 +1,303 @@
+import type { Catalogue, ParameterValue, Planner, Scene } from 'forage'
+import { batch as text } from '../i18n/batch.en'
+import { lab } from '../state/lab.svelte'
+import { sameScene } from '../state/same'
+import { suits } from '../state/stops'
+import type { Ending } from '../worker/trial.worker'
+import { Trials } from '../worker/trials'
+import { Clerk } from './clerk'
+import { type Entrant, type Errand, applicable, COUNT, freeSlot, keyOf, labels, MOST_ENTRANTS, paramsOf, type Plan, type Row, runnerOf } from './plan'
+import type { Ready } from './ready'
+import { type Shown, shownOf } from './shown'
+
+/** An entrant as it stands in the plan. */
+export interface Standing {
+  entrant: Entrant
+  label: string
+  /** Absent where it doesn't run on the scene. */
+  planner: Planner | undefined
+  key: string
+  /** Why it isn't run. */
+  trouble: string
+}
+
+/** Rows beyond so many are forgotten, unless they are of the present plan. */
+const MOST_ROWS = 20_000
+/** How often the numbers on the way are told, in milliseconds. */
+const TELLING = 120
+/** Planners of one family that a batch begins with. */
+const FIRST = 4
+export const threads = (): number => Math.max(navigator.hardwareConcurrency || 2, 1)
+const stay = (event: BeforeUnloadEvent): void => event.preventDefault()
+
+/** Many runs: what is to be run, what came out, and whether it goes on. It goes on while other views are looked at. */
+class Batch {
+  scene = $state.raw<Scene | null>(null)
+  entrants = $state.raw<readonly Entrant[]>([])
+  from = $state(1)
+  count = $state<number>(COUNT.standard)
+  iterations = $state<number | null>(null)
+  /** What was typed and refused, by field. */
+  drafts = $state.raw<Readonly<Record<string, string>>>({})
+
+  running = $state(false)
+  /** Something went wrong that is nobody's fault. */
+  notice = $state('')
+  /** What the core said to runs that it refused, by key. */
+  private refusals = $state.raw<Readonly<Record<string, string>>>({})
+  /** Seconds that the rest takes; null: not known. */
+  left = $state<number | null>(null)
+  /** What is drawn and tabled: of one moment, all of it. */
+  shown = $state.raw<Shown | null>(null)
+  /** Bumped when rows came. */
+  private version = $state(0)
+
+  private readonly rows = new Map<string, Map<number, Row>>()
+  private kept = 0
+  private readonly begun = new Set<string>()
+  private cursor = 0
+  private since = { at: 0, done: 0 }
+  private telling: ReturnType<typeof setTimeout> | undefined
+  private readonly clerk = new Clerk()
+  private asking = false
+  private askAgain = false
+  private readonly trials = new Trials(threads(), {
+    next: () => this.next(),
+    over: (errand, ending) => this.take(errand, ending),
+    rested: () => this.rest(),
+  })
+
+  readonly plan = $derived<Plan | null>(
+    this.scene && { scene: this.scene, entrants: this.entrants, from: this.from, count: this.count, iterations: this.iterations },
+  )
+  readonly standings = $derived<Standing[]>(this.plan && lab.catalogue ? this.stand(this.plan, lab.catalogue) : [])
+  /** Those that are run. */
+  readonly active = $derived(this.standings.filter(({ trouble }) => trouble === ''))
+  readonly total = $derived(this.active.length * this.count)
+  readonly done = $derived.by(() => {
+    void this.version
+    return this.active.reduce((sum, { key }) => sum + this.seeds.filter((seed) => this.rows.get(key)?.has(seed)).length, 0)
+  })
+  readonly seeds = $derived(Array.from({ length: this.count }, (_, at) => this.from + at))
+  readonly faulty = $derived(Object.keys(this.drafts).length > 0)
+
+  private stand(plan: Plan, { planners }: Catalogue): Standing[] {
+    const names = labels(plan, planners)
+    const met = new Set<string>()
+    return plan.entrants.map((entrant, at) => {
+      const label = names[at] ?? entrant.planner
+      const planner = runnerOf(entrant, plan.scene, planners)
+      if (!planner) return { entrant, label, planner, key: '', trouble: text.entrants.unsuited(plan.scene.title) }
+      const key = keyOf(planner, entrant, plan)
+      const trouble = met.has(key) ? text.entrants.double : (this.refusals[key] ?? '')
+      met.add(key)
+      return { entrant, label, planner, key, trouble }
+    })
+  }
+
+  /** Begins with what is on the stage: its planner as it is set up, and others of its family. */
+  begin(catalogue: Catalogue, scene: Scene): void {
+    if (this.scene) return
+    this.scene = scene
+    const first = catalogue.planners.find(({ name }) => name === lab.plannerName)
+    const others = catalogue.planners.filter((planner) => planner.family === first?.family && planner !== first && suits(planner, scene))
+    this.entrants = [...(first && suits(first, scene) ? [first] : []), ...others]
+      .slice(0, FIRST)
+      .map((planner, slot) => ({ slot, planner: planner.name, params: planner === first ? applicable(planner, scene, lab.params) : {} }))
+  }
+
+  // The plan
+
+  choose = (scene: Scene): void => {
+    if (sameScene(scene, this.scene)) return
+    this.scene = scene
+    this.changed()
+  }
+
+  add = (planner: string, params: Entrant['params'] = {}): void => {
+    if (this.entrants.length >= MOST_ENTRANTS) return
+    const own = planner === lab.plannerName && !this.entrants.some((entrant) => entrant.planner === planner)
+    this.entrants = [...this.entrants, { slot: freeSlot(this.entrants), planner, params: own ? lab.params : params }]
+    this.changed()
+  }
+
+  copy = (entrant: Entrant): void => {
+    if (this.entrants.length >= MOST_ENTRANTS) return
+    const at = this.entrants.indexOf(entrant) + 1
+    this.entrants = this.entrants.toSpliced(at, 0, { ...entrant, slot: freeSlot(this.entrants) })
+    this.changed()
+  }
+
+  remove = (entrant: Entrant): void => {
+    this.entrants = this.entrants.filter((other) => other !== entrant)
+    this.changed()
+  }
+
+  set = (slot: number, params: Entrant['params']): void => {
+    this.entrants = this.entrants.map((entrant) => (entrant.slot === slot ? { ...entrant, params } : entrant))
+    this.changed()
+  }
+
+  /** A field's number; text that was refused is kept. */
+  type = (field: 'from' | 'count' | 'iterations', typed: { value: number | null } | { refused: string }): void => {
+    const { [field]: _gone, ...others } = this.drafts
+    if ('refused' in typed) {
+      this.drafts = { ...others, [field]: typed.refused }
+      return
+    }
+    this.drafts = others
+    if (field === 'iterations') this.iterations = typed.value
+    else if (typed.value !== null) this[field] = typed.value
+    this.changed()
+  }
+
+  /** Asks the core about an entrant's parameter before it is set: its message, or nothing. */
+  try = async (slot: number, name: string, value: ParameterValue | string): Promise<string> => {
+    const { plan } = this
+    const entrant = this.entrants.find((candidate) => candidate.slot === slot)
+    const planner = plan && entrant && lab.catalogue?.planners.find((candidate) => candidate.name === entrant.planner)
+    if (!plan || !entrant || !planner) return ''
+    const wanted = { ...entrant.params, [name]: value }
+    const params = applicable(planner, plan.scene, wanted)
+    const refusal = await this.clerk.check({ planner: planner.name, scene: plan.scene, params, seed: 1 })
+    if (refusal?.field === name) return refusal.message
+    // Others may have been set meanwhile.
+    const present = this.entrants.find((candidate) => candidate.slot === slot)
+    if (present) this.set(slot, { ...present.params, [name]: value })
+    return ''
+  }
+
+  open = (ready: Ready): void => {
+    const scene = lab.catalogue?.scenes.find(({ name }) => name === ready.scene)
+    if (!scene) return
+    this.scene = scene
+    this.entrants = ready.entrants.map(({ planner, params = {} }, slot) => ({ slot, planner, params }))
+    this.from = 1
+    this.count = ready.count
+    this.iterations = null
+    this.drafts = {}
+    this.changed()
+    this.run()
+  }
+
+  /** The rows that still apply stay; while it runs, what is missing is run next. */
+  private changed(): void {
+    this.cursor = 0
+    this.since = { at: performance.now(), done: this.done }
+    this.left = null
+    if (this.running) this.trials.start()
+    void this.refresh()
+  }
+
+  // The runs
+
+  run = (): void => {
+    this.notice = ''
+    this.refusals = {}
+    this.running = true
+    this.cursor = 0
+    this.since = { at: performance.now(), done: this.done }
+    addEventListener('beforeunload', stay)
+    this.trials.start()
+  }
+
+  stop = (): void => this.trials.stop()
+
+  private next(): Errand | null {
+    const { plan, active } = this
+    if (!plan) return null
+    while (this.cursor < active.length * plan.count) {
+      const { planner, entrant, key } = active[this.cursor % active.length] ?? {}
+      const seed = plan.from + Math.floor(this.cursor / active.length)
+      this.cursor += 1
+      const id = `${key} ${seed}`
+      if (!planner || !entrant || key === undefined || this.rows.get(key)?.has(seed) || this.begun.has(id)) continue
+      this.begun.add(id)
+      return { key, seed, setup: { planner: planner.name, scene: plan.scene, params: paramsOf(planner, entrant, plan), seed } }
+    }
+    return null
+  }
+
+  private take({ key, seed }: Errand, ending: Ending): void {
+    this.begun.delete(`${key} ${seed}`)
+    if (ending.is === 'over') {
+      const of = this.rows.get(key) ?? new Map<number, Row>()
+      if (!of.has(seed)) this.kept += 1
+      this.rows.set(key, of.set(seed, ending.row))
+      this.forget()
+      this.telling ??= setTimeout(() => this.tell(), TELLING)
+    } else if (ending.is === 'refused') {
+      this.refusals = { ...this.refusals, [key]: ending.refusal.message }
+      this.cursor = 0
+    } else if (ending.is === 'broken') {
+      this.notice = text.run.broken(ending.message)
+    }
+  }
+
+  /** Rows of plans that were left, the oldest first. */
+  private forget(): void {
+    for (const [key, of] of this.rows) {
+      if (this.kept <= MOST_ROWS) return
+      if (this.active.some((standing) => standing.key === key)) continue
+      this.rows.delete(key)
+      this.kept -= of.size
+      this.clerk.forget(key)
+    }
+  }
+
+  private tell(): void {
+    clearTimeout(this.telling)
+    this.telling = undefined
+    this.version += 1
+    const fresh = this.done - this.since.done
+    const rate = fresh / (performance.now() - this.since.at)
+    this.left = fresh > 2 && rate > 0 ? (this.total - this.done) / rate / 1000 : null
+    void this.refresh()
+  }
+
+  private rest(): void {
+    this.tell()
+    this.running = false
+    this.left = null
+    removeEventListener('beforeunload', stay)
+  }
+
+  /** Has the present rows summed up; one question is on its way at a time. */
+  private async refresh(): Promise<void> {
+    this.askAgain = true
+    if (this.asking) return
+    this.asking = true
+    try {
+      while (this.askAgain) {
+        this.askAgain = false
+        await this.ask()
+      }
+    } catch (error) {
+      this.notice = text.run.broken(error instanceof Error ? error.message : String(error))
+    } finally {
+      this.asking = false
+    }
+  }
+
+  private async ask(): Promise<void> {
+    const { plan } = this
+    if (!plan) return
+    const groups = this.active
+      .map(({ entrant, label, key, planner }) => ({
+        slot: entrant.slot,
+        label,
+        key,
+        planner: entrant.planner,
+        params: planner ? paramsOf(planner, entrant, plan) : {},
+        rows: this.seeds.flatMap((seed) => this.rows.get(key)?.get(seed) ?? []),
+      }))
+      .filter(({ rows }) => rows.length > 0)
+    if (groups.length === 0) {
+      this.shown = null
+      return
+    }
+    this.shown = shownOf(plan, groups, await this.clerk.summarise(groups))
+  }
+}
+
+export const batch = new Batch()

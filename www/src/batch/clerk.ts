@@ -1,0 +1,70 @@
+import type { Setup } from 'forage'
+import type { Refusal } from '../worker/protocol'
+import type { Answered, Question } from '../worker/trial.worker'
+import { Thread } from '../worker/trials'
+import type { Row, Values } from './plan'
+
+export interface Group {
+  slot: number
+  label: string
+  key: string
+  planner: string
+  /** As far as they differ from the defaults. */
+  params: Values
+  /** In the order of their seeds. */
+  rows: Row[]
+}
+
+/** A thread that sums up and checks, so that nobody waits for a run. */
+export class Clerk {
+  private thread: Thread | undefined
+  private told = new WeakSet<Row>()
+
+  check(setup: Setup): Promise<Refusal | null> {
+    return this.ask(({ api }) => api.check(setup))
+  }
+
+  async summarise(groups: readonly Group[]): Promise<Answered> {
+    const first = groups[0]?.rows ?? []
+    const shared = new Set(first.map(({ record }) => record.seed))
+    for (const { rows } of groups.slice(1)) {
+      const seeds = new Set(rows.map(({ record }) => record.seed))
+      for (const seed of shared) if (!seeds.has(seed)) shared.delete(seed)
+    }
+    const valuesOf = (rows: readonly Row[]): (number | null)[] => rows.map(({ record }) => record.value)
+    const question = (): Question => ({
+      curves: groups.flatMap(({ key, rows }) =>
+        rows.filter((row) => !this.told.has(row)).map((row) => ({ key, seed: row.record.seed, curve: row.curve })),
+      ),
+      groups: groups.map(({ label, key, rows }) => ({
+        name: label,
+        key,
+        seeds: rows.map(({ record }) => record.seed),
+        values: valuesOf(rows),
+        reached: rows.map(({ record }) => record.reached),
+        end: rows.reduce((end, { record }) => Math.max(end, record.evaluations), 0),
+      })),
+      common: groups.map(({ label, rows }) => ({ name: label, values: valuesOf(rows.filter(({ record }) => shared.has(record.seed))) })),
+    })
+    const answer = await this.ask(({ api }) => api.summarise(question()))
+    for (const { rows } of groups) for (const row of rows) this.told.add(row)
+    return answer
+  }
+
+  forget(key: string): void {
+    void this.thread?.api.forget([key])
+  }
+
+  /** A thread that broke down is replaced once; the new one is told everything again. */
+  private async ask<T>(question: (thread: Thread) => Promise<T>): Promise<T> {
+    try {
+      this.thread ??= new Thread()
+      return await this.thread.ask(question(this.thread))
+    } catch {
+      this.thread?.end()
+      this.told = new WeakSet()
+      this.thread = new Thread()
+      return this.thread.ask(question(this.thread))
+    }
+  }
+}

@@ -1,0 +1,53 @@
+import type { GroupSummary, Summary, TrialRecord } from 'forage'
+import type { Answered } from '../worker/trial.worker'
+import type { Group } from './clerk'
+import type { Plan, Row } from './plan'
+
+/** A run as it is drawn and tabled. */
+export interface Run {
+  /** The place of its group. */
+  group: number
+  row: Row
+  record: TrialRecord
+  /** Farther from the quartiles than 1.5 times their distance. */
+  outlier: boolean
+}
+
+export interface ShownGroup extends Group {
+  summary: GroupSummary
+  runs: Run[]
+  /** The optimum that its runs are measured by; null if there is none. */
+  exact: number | null
+}
+
+/** The results at one moment. */
+export interface Shown {
+  plan: Plan
+  groups: ShownGroup[]
+  answer: Answered
+}
+
+export const WHISKER = 1.5
+
+/** The farthest that is no outlier, on both sides. */
+export function fences({ lower, upper }: Summary): [number, number] {
+  const reach = WHISKER * (upper - lower)
+  return [lower - reach, upper + reach]
+}
+
+export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered): Shown {
+  return {
+    plan,
+    answer,
+    groups: groups.flatMap((group, at) => {
+      const summary = answer.comparison.groups[at]
+      if (!summary) return []
+      const [low, high] = summary.summary ? fences(summary.summary) : [-Infinity, Infinity]
+      const runs = group.rows.map((row): Run => {
+        const { value } = row.record
+        return { group: at, row, record: row.record, outlier: value !== null && (value < low || value > high) }
+      })
+      return [{ ...group, summary, runs, exact: group.rows[0]?.record.exact ?? null }]
+    }),
+  }
+}

@@ -1,0 +1,112 @@
+import * as Comlink from 'comlink'
+import init, { compare, suggest, Trial } from 'forage'
+import type { Comparison, Setup } from 'forage'
+import type { Errand, Row } from '../batch/plan'
+import { type Bands, bands, type Reached, reached } from '../batch/summaries'
+import { breathe, SLICE } from './pace'
+import type { Refusal } from './protocol'
+
+/** How a run ended: over, refused before it began, broken off, or with the core. */
+export type Ending = { is: 'over'; row: Row } | { is: 'refused'; refusal: Refusal } | { is: 'stopped' } | { is: 'broken'; message: string }
+
+/** Runs that are compared, small values first; in all groups of `common` the same place stands for the same seed. */
+export interface Question {
+  curves: { key: string; seed: number; curve: Row['curve'] }[]
+  groups: { name: string; key: string; seeds: number[]; values: (number | null)[]; reached: (number | null)[]; end: number }[]
+  common: { name: string; values: (number | null)[] }[]
+}
+
+export interface Answered {
+  comparison: Comparison
+  /** Mean ranks over the seeds that all groups have run with. */
+  friedman: Comparison['friedman']
+  bands: Bands
+  reached: Reached[]
+}
+
+const curves = new Map<string, Map<number, Row['curve']>>()
+let stopped = false
+
+function refusal(error: unknown): Refusal {
+  if (!(error instanceof Error)) return { message: String(error), field: '' }
+  return { message: error.message, field: 'field' in error && typeof error.field === 'string' ? error.field : '' }
+}
+
+const broken = (error: unknown): Ending => ({ is: 'broken', message: error instanceof Error ? error.message : String(error) })
+
+/** Steps in slices, so that it can be called off; false if it was. */
+async function carryOut(trial: Trial): Promise<boolean> {
+  let pace = 1
+  for (;;) {
+    const began = performance.now()
+    if (trial.step(pace) !== 'running') return true
+    pace = Math.max(1, Math.floor(pace * Math.min(2, SLICE / Math.max(performance.now() - began, 0.1))))
+    await breathe()
+    if (stopped) return false
+  }
+}
+
+const api = {
+  /** Carries out a run to its end, or until `stop`. */
+  async run({ setup }: Errand): Promise<Ending> {
+    stopped = false
+    await init()
+    if (stopped) return { is: 'stopped' }
+    let trial: Trial
+    try {
+      trial = new Trial(setup, undefined)
+    } catch (error) {
+      return error instanceof WebAssembly.RuntimeError ? broken(error) : { is: 'refused', refusal: refusal(error) }
+    }
+    try {
+      if (!(await carryOut(trial))) return { is: 'stopped' }
+      const { evaluations, values } = trial.curve()
+      const row: Row = { record: trial.record(), link: trial.link(), curve: { evaluations, values } }
+      return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])
+    } catch (error) {
+      // Its memory is in an unknown state: whoever asked starts another thread.
+      return broken(error)
+    } finally {
+      trial.free()
+    }
+  },
+
+  stop(): void {
+    stopped = true
+  },
+
+  /** What is wrong with a setup. */
+  async check(setup: Setup): Promise<Refusal | null> {
+    await init()
+    try {
+      suggest(setup)
+      return null
+    } catch (error) {
+      return refusal(error)
+    }
+  },
+
+  /** Summaries and tests. Curves that were told before need not be told again. */
+  async summarise({ curves: told, groups, common }: Question): Promise<Answered> {
+    await init()
+    for (const { key, seed, curve } of told) {
+      const of = curves.get(key) ?? new Map<number, Row['curve']>()
+      curves.set(key, of.set(seed, curve))
+    }
+    const runs = groups.map(({ key, seeds }) => seeds.flatMap((seed) => curves.get(key)?.get(seed) ?? []))
+    return {
+      comparison: compare(groups.map(({ name, values }) => ({ name, values }))),
+      friedman: common.length > 1 && (common[0]?.values.length ?? 0) > 0 ? compare(common).friedman : null,
+      bands: bands(runs, groups.map(({ end }) => end)),
+      reached: groups.map((group) => reached(group.reached)),
+    }
+  },
+
+  /** Forgets the curves of groups that are not asked for any more. */
+  forget(keys: string[]): void {
+    for (const key of keys) curves.delete(key)
+  },
+}
+
+export type TrialApi = typeof api
+Comlink.expose(api)

@@ -1,0 +1,109 @@
+import * as Comlink from 'comlink'
+import type { Errand } from '../batch/plan'
+import type { Ending, TrialApi } from './trial.worker'
+
+/** Threads without work leave after so many milliseconds. */
+const PATIENCE = 30_000
+/** So many breakdowns one after the other are no accident. */
+const MOST_BREAKDOWNS = 3
+
+/** Another thread with a core of its own. */
+export class Thread {
+  private readonly worker = new Worker(new URL('./trial.worker.ts', import.meta.url), { type: 'module' })
+  readonly api = Comlink.wrap<TrialApi>(this.worker)
+  private readonly failed = new Promise<never>((_, reject) => {
+    this.worker.onerror = (event) => {
+      event.preventDefault()
+      reject(new Error(event.message || 'worker'))
+    }
+  })
+
+  constructor() {
+    // Somebody waits for it only while a question is open.
+    this.failed.catch(() => undefined)
+  }
+
+  /** What it answers, or why it cannot any more. */
+  ask<T>(answer: Promise<T>): Promise<T> {
+    return Promise.race([answer, this.failed])
+  }
+
+  end(): void {
+    this.worker.terminate()
+  }
+}
+
+interface Work {
+  /** The next run that nobody has begun; null: there is none. */
+  next(): Errand | null
+  over(errand: Errand, ending: Ending): void
+  /** Nobody works any more. */
+  rested(): void
+}
+
+/** Carries out runs side by side. What they come to doesn't depend on how many threads there are. */
+export class Trials {
+  private idle: Thread[] = []
+  private readonly busy = new Set<Thread>()
+  private stopping = false
+  private breakdowns = 0
+  private leaving: ReturnType<typeof setTimeout> | undefined
+
+  constructor(
+    private readonly size: number,
+    private readonly work: Work,
+  ) {}
+
+  /** Takes up what there is to do. Also to be called when there is more than before. */
+  start(): void {
+    this.stopping = false
+    this.breakdowns = 0
+    clearTimeout(this.leaving)
+    this.staff()
+  }
+
+  /** Calls off what is being done. */
+  stop(): void {
+    this.stopping = true
+    for (const thread of this.busy) void thread.api.stop()
+  }
+
+  private staff(): void {
+    while (!this.stopping && this.busy.size < this.size) {
+      const errand = this.work.next()
+      if (!errand) break
+      const thread = this.idle.pop() ?? new Thread()
+      this.busy.add(thread)
+      void this.keepBusy(thread, errand)
+    }
+    if (this.busy.size === 0) this.rest()
+  }
+
+  private async keepBusy(thread: Thread, first: Errand): Promise<void> {
+    for (let errand: Errand | null = first; errand && !this.stopping; errand = this.stopping ? null : this.work.next()) {
+      const ending = await thread.ask<Ending>(thread.api.run(errand)).catch((error: unknown): Ending => ({ is: 'broken', message: String(error) }))
+      this.work.over(errand, ending)
+      if (ending.is === 'broken') {
+        thread.end()
+        this.busy.delete(thread)
+        this.breakdowns += 1
+        if (this.breakdowns >= MOST_BREAKDOWNS) this.stop()
+        this.staff()
+        return
+      }
+      this.breakdowns = 0
+    }
+    this.busy.delete(thread)
+    this.idle.push(thread)
+    if (this.busy.size === 0) this.rest()
+  }
+
+  private rest(): void {
+    clearTimeout(this.leaving)
+    this.leaving = setTimeout(() => {
+      for (const thread of this.idle) thread.end()
+      this.idle = []
+    }, PATIENCE)
+    this.work.rested()
+  }
+}
