@@ -12,6 +12,7 @@ export interface Axis {
 }
 
 const MOST_DECADES = 7
+const FEW_DECADES = 3
 const MARGIN = 0.04
 
 function extent(values: readonly number[]): [number, number] {
@@ -25,8 +26,8 @@ function extent(values: readonly number[]): [number, number] {
 
 /** A power of ten, or what is between two of them. */
 function powerLabel(power: number): string {
-  if (!Number.isInteger(power)) return number(10 ** power, 3)
-  return power >= -3 && power <= 4 ? String(Number(`1e${power}`)) : `10${superscript(power)}`
+  if (power >= -3 && power <= 4) return String(Number((10 ** power).toPrecision(3)))
+  return Number.isInteger(power) ? `10${superscript(power)}` : number(10 ** power, 3)
 }
 
 /** As many decimals as the distance of the labels needs. */
@@ -60,9 +61,11 @@ export function logarithmic(values: readonly number[], measure: Measure): Axis {
     const [first, last] = [Math.ceil((floor === null ? from : floor + 1) - margin), Math.floor(to + margin)]
     const stride = Math.max(1, Math.ceil((last - first + 1) / MOST_DECADES))
     const powers = Array.from({ length: Math.max(0, Math.ceil((last - first + 1) / stride)) }, (_, k) => first + k * stride)
-    // Between two powers of ten there may be none.
-    const shown = powers.length > 1 ? powers : [...new Set([from, (from + to) / 2, to, ...powers])].sort((a, b) => a - b)
-    return floor === null ? shown : [floor, ...shown.filter((power) => power > floor)]
+    // Few powers of ten leave room for numbers between them; within one decade there may be none at all.
+    const between = powers.length <= FEW_DECADES ? [first - 1, ...powers].flatMap((power) => [power + Math.log10(2), power + Math.log10(5)]) : []
+    const inside = [...powers, ...between].filter((at) => at > (floor ?? from - margin) && at < to + margin)
+    const shown = inside.length > 1 ? inside : [from, (from + to) / 2, to]
+    return [...(floor === null ? [] : [floor]), ...shown.toSorted((a, b) => a - b)]
   }
   return {
     place: (value) => (isPositive(value, measure) ? Math.log10(value) : (floor ?? from - margin)),

@@ -5,13 +5,14 @@ export type ValueScale = 'linear' | 'log'
 export type Column = 'planner' | 'seed' | 'status' | 'feasible' | 'value' | 'gap' | 'evaluations' | 'reached' | 'hash'
 
 /** Values that span more than so many times the smallest are easier to tell apart by their logarithm. */
-const LOG_FROM = 100
+const LOG_FROM = 30
 
 /** How the results are looked at: kept while other views are. */
 class Looks {
   /** What the user chose; until then what suits the numbers. */
   measure = $state<Measure>()
-  scale = $state<ValueScale>()
+  boxes = $state<ValueScale>()
+  curves = $state<ValueScale>()
   evaluations = $state<ValueScale>('linear')
 
   column = $state<Column>('seed')
@@ -50,10 +51,11 @@ export function valuesOf({ groups }: Shown, measure: Measure): number[] {
 const ROUNDING = 1e-12
 export const isPositive = (value: number, measure: Measure): boolean => value > (measure === 'gap' ? ROUNDING : 0)
 
-export function scaleOf(values: readonly number[], measure: Measure): ValueScale {
+/** What was chosen, if the values allow it, or what suits them. */
+export function scaleOf(values: readonly number[], measure: Measure, chosen: ValueScale | undefined): ValueScale {
   const positive = values.filter((value) => isPositive(value, measure))
   if (positive.length === 0) return 'linear'
-  if (looks.scale) return looks.scale
+  if (chosen) return chosen
   const [low, high] = positive.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], [Infinity, -Infinity])
   return high > LOG_FROM * low ? 'log' : 'linear'
 }
