@@ -1,4 +1,4 @@
-import { catalogue, parseLink, type Scene, Session, type Setup } from '../../../pkg/node.js'
+import { catalogue, parseLink, type Scene, Session, type Setup, Trial, type TrialRecord } from '../../../pkg/node.js'
 
 /* The same core under Node: what the page must agree with to the bit. */
 
@@ -18,6 +18,16 @@ export const hashOf = (setup: Partial<Setup>, iteration: number): string => sess
 export const linkTo = (setup: Partial<Setup>, iteration: number): string => sessionAt(setup, iteration, (session) => session.link())
 
 export const sceneOf = (setup: Partial<Setup>): Scene => sessionAt(setup, 0, (session) => session.scene)
+
+/** What a run comes to in the end, and the best values on its way. */
+export function trialOf(setup: Setup): { record: TrialRecord; curve: { evaluations: number[]; values: number[] }; link: string } {
+  const trial = new Trial(setup, undefined)
+  trial.step()
+  const { evaluations, values } = trial.curve()
+  const told = { record: trial.record(), curve: { evaluations: [...evaluations], values: [...values] }, link: trial.link() }
+  trial.free()
+  return told
+}
 
 /** Where the particles are on a function's map. */
 export const particles = (setup: Partial<Setup>, iteration: number): [number, number][] =>

@@ -2,6 +2,7 @@ import uPlot from 'uplot'
 import type { GroupSummary } from 'forage'
 import type { Run, ShownGroup } from '../shown'
 import { axis, faint, type Theme } from './base'
+import { GOLDEN, jitter, PADDING, PLASTIC, ROW } from './layout'
 import type { Axis } from './scale'
 
 /** A run's dot, in pixels of the page from the plot's corner. */
@@ -31,14 +32,7 @@ export interface Quartiles {
   high: number
 }
 
-/** Heights of a row and its parts, in pixels. */
-export const ROW = { height: 92, box: 24, boxHeight: 18, dots: 48, dotsHeight: 38 }
-export const PADDING = { top: 6, bottom: 28, side: 14, strip: 92 }
 const DOT = 2.75
-
-/** Runs with neighbouring seeds lie apart, and each always at the same place: multiples of the golden ratio. */
-const jitter = (seed: number, ratio: number): number => (seed * ratio) % 1
-const [GOLDEN, PLASTIC] = [0.618033988749895, 0.754877666246693]
 
 export const isFeasible = ({ feasible, runs }: GroupSummary): boolean => feasible === runs
 

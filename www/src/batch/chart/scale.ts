@@ -1,5 +1,5 @@
 import { number, superscript } from '../../panels/format'
-import { isPositive, type Measure, type ValueScale } from '../results/looks.svelte'
+import { isPositive, type Measure, type ValueScale } from '../results/measures'
 
 /** How values become places on an axis: the axis itself is linear, what is logarithmic are the numbers. */
 export interface Axis {

@@ -1,5 +1,5 @@
 import { number, percent } from '../../panels/format'
-import type { Measure } from './looks.svelte'
+import type { Measure } from './measures'
 
 const LEAST = 4
 const MOST = 10

@@ -1,0 +1,35 @@
+import type { Shown } from '../shown'
+
+export type Measure = 'value' | 'gap'
+export type ValueScale = 'linear' | 'log'
+
+/** Values that span more than so many times the smallest are easier to tell apart by their logarithm. */
+const LOG_FROM = 30
+
+/** The gap is known of every run with a result. */
+export const hasGaps = ({ groups }: Shown): boolean =>
+  groups.some(({ runs }) => runs.some(({ record }) => record.gap !== null)) &&
+  groups.every(({ runs }) => runs.every(({ record }) => record.value === null || record.gap !== null))
+
+export const measureOf = (shown: Shown, chosen: Measure | undefined): Measure => (hasGaps(shown) ? (chosen ?? 'gap') : 'value')
+
+/** What a run comes to in a measure; null without a feasible result. */
+export const valueIn = (measure: Measure, { value, gap }: { value: number | null; gap: number | null }): number | null =>
+  value === null ? null : measure === 'gap' ? gap : value
+
+export function valuesOf({ groups }: Shown, measure: Measure): number[] {
+  return groups.flatMap(({ runs }) => runs.map(({ record }) => valueIn(measure, record)).filter((value) => value !== null))
+}
+
+/** Gaps by rounding alone are none. */
+const ROUNDING = 1e-12
+export const isPositive = (value: number, measure: Measure): boolean => value > (measure === 'gap' ? ROUNDING : 0)
+
+/** What was chosen, if the values allow it, or what suits them. */
+export function scaleOf(values: readonly number[], measure: Measure, chosen: ValueScale | undefined): ValueScale {
+  const positive = values.filter((value) => isPositive(value, measure))
+  if (positive.length === 0) return 'linear'
+  if (chosen) return chosen
+  const [low, high] = positive.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], [Infinity, -Infinity])
+  return high > LOG_FROM * low ? 'log' : 'linear'
+}

@@ -1,0 +1,316 @@
+import { readFile } from 'node:fs/promises'
+import type { Page } from '@playwright/test'
+import { compare, type TrialRecord } from '../../pkg/node.js'
+import { batch as text } from '../src/i18n/batch.en'
+import { PADDING, ROW } from '../src/batch/chart/layout'
+import { digitsFor } from '../src/batch/results/words'
+import { exactly, number } from '../src/panels/format'
+import { violations } from './support/axe'
+import { trialOf } from './support/core'
+import { en, expect, type Lab, test } from './support/lab'
+
+const SCENE = 'wcpso-discs'
+
+/** Opens the view; the plan then holds the first four swarms. */
+async function openBatch(lab: Lab): Promise<void> {
+  await lab.open('#view=batch')
+  await expect(lab.page.getByTestId('entrant')).toHaveCount(4)
+}
+
+async function keep(page: Page, planners: readonly string[]): Promise<void> {
+  for (const planner of ['wcpso', 'pso', 'wpso', 'cpso']) {
+    if (!planners.includes(planner)) await page.locator(`[data-testid=entrant][data-planner=${planner}]`).getByTestId('entrant-remove').click()
+  }
+  await expect(page.getByTestId('entrant')).toHaveCount(planners.length)
+}
+
+async function seeds(page: Page, count: number): Promise<void> {
+  await page.getByTestId('batch-count').fill(String(count))
+  await page.getByTestId('batch-count').press('Enter')
+}
+
+async function finished(page: Page, runs: number): Promise<void> {
+  const bar = page.getByTestId('batch-bar')
+  await expect(bar).toHaveAttribute('data-running', 'false', { timeout: 30_000 })
+  await expect(bar).toHaveAttribute('data-done', String(runs))
+  await expect(page.getByTestId('batch-runs').locator('caption')).toContainText(number(runs))
+}
+
+const recordsOf = (planners: readonly string[], count: number, params: Record<string, number> = {}): TrialRecord[][] =>
+  planners.map((planner) => Array.from({ length: count }, (_, k) => trialOf({ planner, scene: SCENE, seed: k + 1, params }).record))
+
+async function download(page: Page, id: string): Promise<string> {
+  const [saved] = await Promise.all([page.waitForEvent('download'), page.getByTestId(`batch-save-${id}`).click()])
+  return readFile(await saved.path(), 'utf8')
+}
+
+test('every run of a batch is the core’s own, whatever the number of workers, and so are the statistics', async ({ lab, page }) => {
+  await page.addInitScript(() => Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => 5 }))
+  await openBatch(lab)
+  await keep(page, ['wcpso', 'pso'])
+  await seeds(page, 6)
+  await page.getByTestId('batch-run').click()
+  await finished(page, 12)
+
+  const groups = recordsOf(['wcpso', 'pso'], 6)
+  for (const record of groups.flat()) {
+    const row = page.locator(`[data-testid=batch-run][data-planner=${record.planner}][data-seed="${record.seed}"]`)
+    await expect(row).toHaveAttribute('data-hash', record.hash)
+  }
+
+  const comparison = compare(groups.map((records) => ({ name: records[0]?.planner ?? '', values: records.map(({ value }) => value) })))
+  const digits = digitsFor(comparison.groups.flatMap(({ summary }) => (summary ? [summary.min, summary.upper] : [])))
+  for (const [at, label] of ['WCPSO', 'PSO'].entries()) {
+    const summary = comparison.groups[at]?.summary
+    if (!summary) throw new Error('no summary')
+    const row = page.getByTestId('batch-summary').locator(`[data-planner=${label}]`)
+    for (const told of [summary.mean, summary.interval?.[0], summary.min, summary.lower, summary.median, summary.upper, summary.max]) {
+      await expect(row).toContainText(number(told, digits))
+    }
+    await expect(row).toContainText(number(summary.std))
+    await expect(row.locator('td').last()).toHaveText(number(comparison.friedman?.ranks[at], 3))
+  }
+  const pair = comparison.pairs[0]
+  if (!pair) throw new Error('no pair')
+  await expect(page.getByTestId('batch-pairs').locator('tbody tr td').nth(1)).toHaveText(number(pair.p, 3))
+  await expect(page.getByTestId('batch-pairs').locator('tbody tr td').nth(2)).toHaveText(number(pair.corrected, 3))
+})
+
+test('a batch that is stopped keeps its rows; it goes on to the same file that it would have come to', async ({ lab, page }) => {
+  await openBatch(lab)
+  await keep(page, ['pso', 'cpso'])
+  await seeds(page, 60)
+  const bar = page.getByTestId('batch-bar')
+  await page.getByTestId('batch-run').click()
+  await expect.poll(async () => Number(await bar.getAttribute('data-done'))).toBeGreaterThan(5)
+  await page.getByTestId('batch-stop').click()
+  await expect(bar).toHaveAttribute('data-running', 'false')
+  const done = Number(await bar.getAttribute('data-done'))
+  expect(done).toBeLessThan(120)
+  await expect(page.getByTestId('batch-run')).toHaveText(text.run.goOn(String(120 - done)))
+
+  // Rows outlive a change of the plan, and its way back.
+  await seeds(page, 2)
+  await expect(bar).toHaveAttribute('data-done', '4')
+  await seeds(page, 60)
+  await expect(bar).toHaveAttribute('data-done', String(done))
+
+  // It goes on while something else is looked at.
+  await page.getByTestId('batch-run').click()
+  await page.getByTestId('view-stage').click()
+  await expect(lab.stage).toBeVisible()
+  await page.getByTestId('view-batch').click()
+  await finished(page, 120)
+
+  const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
+  expect(head).toBe(
+    'scene,planner,seed,status,iterations,evaluations,cost,length,value,feasible,clearance,exact,exact_by,gap,reached,reached_iteration,turns,hash',
+  )
+  const records = recordsOf(['pso', 'cpso'], 60).flat()
+  const columns = head.split(',') as (keyof TrialRecord)[]
+  expect(lines).toEqual(records.map((record) => columns.map((column) => record[column] ?? '').join(',')))
+  const objects = (await download(page, 'jsonl')).trimEnd().split('\n').map((line) => JSON.parse(line) as TrialRecord)
+  expect(objects).toEqual(records.map(({ parameters: _none, ...record }) => record))
+})
+
+test('the same planner takes part twice, with other parameters; the files name them', async ({ lab, page }) => {
+  await openBatch(lab)
+  await keep(page, ['pso'])
+  await page.getByTestId('entrant-copy').click()
+  await expect(page.getByTestId('entrant').nth(1)).toContainText(text.entrants.double)
+
+  await page.getByTestId('entrant-parameters').nth(1).click()
+  const dialog = page.getByTestId('entrant-dialog')
+  const inertia = dialog.locator('[data-parameter=w] input.typed')
+  await inertia.fill('nonsense')
+  await inertia.press('Enter')
+  await expect(dialog.getByRole('alert')).toContainText('w')
+  await expect(inertia, 'what was typed is kept').toHaveValue('nonsense')
+  await inertia.fill('0.5')
+  await inertia.press('Enter')
+  await expect(dialog.getByRole('alert')).toHaveCount(0)
+  await dialog.getByTestId('entrant-done').click()
+  await expect(page.getByTestId('entrant').nth(1)).toContainText('w = 0.5')
+  await page.getByTestId('batch-iterations').fill('40')
+  await seeds(page, 3)
+  await page.getByTestId('batch-run').click()
+  await finished(page, 6)
+
+  const records = [recordsOf(['pso'], 3, { iterations: 40 }), recordsOf(['pso'], 3, { iterations: 40, w: 0.5 })].flat(2)
+  const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
+  expect(head).toContain('scene,planner,seed,p.iterations,w,status,iterations,')
+  expect(lines.map((line) => line.split(',').at(-1))).toEqual(records.map(({ hash }) => hash))
+  expect(lines.map((line) => line.split(',').slice(3, 5).join())).toEqual(['40,', '40,', '40,', '40,0.5', '40,0.5', '40,0.5'])
+  const experiment = await download(page, 'toml')
+  expect(experiment).toContain(`scenes = ["${SCENE}"]\nseeds = { from = 1, count = 3 }\n`)
+  expect(experiment).toContain('[[planner]]\nname = "pso"\nparams = { iterations = 40 }\n')
+  expect(experiment).toContain('[[planner]]\nname = "pso"\nparams = { iterations = 40, w = 0.5 }\n')
+})
+
+test('the outlier is found by sorting and opened on the stage; a dot opens its run, too', async ({ lab, page }) => {
+  await openBatch(lab)
+  await keep(page, ['pso'])
+  await seeds(page, 8)
+  await page.getByTestId('batch-run').click()
+  await finished(page, 8)
+  const records = recordsOf(['pso'], 8).flat()
+  const worst = records.reduce((a, b) => ((a.value ?? Infinity) >= (b.value ?? Infinity) ? a : b))
+
+  await page.getByTestId('sort-value').click()
+  await page.getByTestId('sort-value').click()
+  const first = page.getByTestId('batch-run').first()
+  await expect(first).toHaveAttribute('data-seed', String(worst.seed))
+  await first.getByRole('button').click()
+  expect(await lab.settled(worst.iterations)).toBe(worst.hash)
+  await expect(page.getByTestId('planner')).toHaveValue('pso')
+  await expect(page.getByTestId('seed')).toHaveValue(String(worst.seed))
+  await expect(page.getByTestId('notice')).toHaveCount(0)
+
+  // Back, all is as it was, and the run that was looked at has the focus.
+  await page.getByTestId('view-batch').click()
+  await expect(page.getByTestId('batch-run').first().getByRole('button')).toBeFocused()
+
+  const plot = page.getByTestId('batch-boxes')
+  await plot.scrollIntoViewIfNeeded()
+  const box = await plot.boundingBox()
+  if (!box) throw new Error('no plot')
+  const wanted = records[2]
+  if (!wanted) throw new Error('no run')
+  const y = box.y + PADDING.top + ROW.dots + ROW.dotsHeight * (((wanted.seed + 1) * 0.618033988749895) % 1)
+  const tip = plot.getByText(new RegExp(`^${text.boxes.dot(exactly(wanted.seed), '')}`))
+  for (let x = box.x; x < box.x + box.width && !(await tip.isVisible()); x += 5) await page.mouse.move(x, y)
+  await expect(tip).toBeVisible()
+  await page.mouse.down()
+  await page.mouse.up()
+  expect(await lab.settled(wanted.iterations)).toBe(wanted.hash)
+  await expect(page.getByTestId('seed')).toHaveValue(String(wanted.seed))
+})
+
+test('the batch takes the planner as it is set up on the stage, and its edited scene goes with the experiment', async ({ lab, page }) => {
+  await lab.open()
+  await lab.section('scene')
+  const x = page.getByLabel(en.scene.field(en.scene.disc(1), en.scene.x), { exact: true })
+  await x.fill('4.5')
+  await x.press('Enter')
+  await lab.restarted()
+  await page.getByTestId('view-batch').click()
+  await expect(page.getByTestId('batch-scene')).toHaveValue(':stage')
+  await keep(page, ['cpso'])
+  await seeds(page, 2)
+  await page.getByTestId('batch-run').click()
+  await finished(page, 2)
+  const files: string[] = []
+  page.on('download', (saved) => void files.push(saved.suggestedFilename()))
+  await page.getByTestId('batch-save-toml').click()
+  await expect.poll(() => files.map((name) => name.split('.').at(-1)).sort()).toEqual(['json', 'toml'])
+})
+
+test('what is refused is told beside its field, and nothing that was typed is lost', async ({ lab, page }) => {
+  await openBatch(lab)
+  await page.getByTestId('batch-count').fill('1')
+  await page.getByTestId('batch-count').press('Enter')
+  const message = text.fields.whole(text.plan.count, '1', '2', exactly(1000))
+  await expect(page.getByText(message)).toBeVisible()
+  await page.getByTestId('batch-run').click()
+  await expect(page.getByTestId('batch-count')).toBeFocused()
+  await expect(page.getByText(text.run.faulty)).toBeVisible()
+  await page.getByTestId('view-stage').click()
+  await page.getByTestId('view-batch').click()
+  await expect(page.getByTestId('batch-count')).toHaveValue('1')
+  await expect(page.getByText(message)).toBeVisible()
+  await seeds(page, 2)
+  await expect(page.getByText(message)).toHaveCount(0)
+
+  // Planners that don't run on another scene wait for their return.
+  await page.getByTestId('batch-scene').selectOption('open-12')
+  await expect(page.getByTestId('entrant').filter({ hasText: /left out/ })).toHaveCount(4)
+  await page.getByTestId('batch-run').click()
+  await expect(page.getByText(text.run.nothing)).toBeVisible()
+  await page.getByTestId('batch-scene').selectOption(SCENE)
+  await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-total', '8')
+})
+
+test('runs without a feasible result are shown and counted, not left out', async ({ lab, page }) => {
+  await openBatch(lab)
+  await keep(page, [])
+  await page.getByTestId('batch-scene').selectOption(SCENE)
+  await page.getByTestId('batch-adds').selectOption('rrt')
+  await page.getByTestId('batch-add').click()
+  await page.getByTestId('batch-iterations').fill('200')
+  await seeds(page, 12)
+  await page.getByTestId('batch-run').click()
+  await finished(page, 12)
+  const records = recordsOf(['rrt'], 12, { iterations: 200 }).flat()
+  const none = records.filter(({ feasible }) => !feasible).length
+  expect(none).toBeGreaterThan(0)
+  expect(none).toBeLessThan(12)
+  await expect(page.getByTestId('batch-boxes')).toContainText(text.boxes.infeasibleCount(none))
+  await page.getByTestId('sort-value').click()
+  await expect(page.getByTestId('batch-run').last()).toContainText('–')
+})
+
+test('with the keyboard alone a batch is set up, run, sorted and looked into', async ({ lab, page }) => {
+  await openBatch(lab)
+  await keep(page, ['wcpso', 'cpso'])
+  await page.getByTestId('batch-count').focus()
+  await page.keyboard.press('ControlOrMeta+a')
+  await page.keyboard.type('4')
+  await page.keyboard.press('Tab')
+  const run = page.getByTestId('batch-run')
+  for (let tabs = 0; tabs < 40 && !(await run.evaluate((node) => node === document.activeElement)); tabs += 1) await page.keyboard.press('Shift+Tab')
+  await page.keyboard.press('Enter')
+  await finished(page, 8)
+  await page.getByTestId('sort-evaluations').focus()
+  await page.keyboard.press('Tab')
+  await page.keyboard.press('Tab')
+  await page.keyboard.press('Enter')
+  await expect(page.getByTestId('sort-hash').locator('..')).toHaveAttribute('aria-sort', 'ascending')
+  await page.keyboard.press('Tab')
+  const hash = await page.getByTestId('batch-run').first().getAttribute('data-hash')
+  await page.keyboard.press('Enter')
+  expect(await lab.settled(500)).toBe(hash)
+})
+
+test('leaving the page while a batch runs asks first', async ({ lab, page }) => {
+  await openBatch(lab)
+  await page.getByTestId('ready-swarms').click()
+  const asked = page.waitForEvent('dialog')
+  void page.close({ runBeforeUnload: true })
+  const dialog = await asked
+  expect(dialog.type()).toBe('beforeunload')
+  await dialog.dismiss()
+  await expect(page.getByTestId('batch-stop')).toBeVisible()
+  await page.getByTestId('batch-stop').click()
+  await expect(page.getByTestId('batch-run')).toBeVisible()
+})
+
+for (const scheme of ['light', 'dark'] as const) {
+  test(`axe finds nothing wrong, ${scheme}`, async ({ lab, page }) => {
+    await page.emulateMedia({ colorScheme: scheme, reducedMotion: 'reduce' })
+    await openBatch(lab)
+    expect(await violations(lab)).toEqual([])
+    await keep(page, ['wcpso', 'pso'])
+    await seeds(page, 30)
+    await page.getByTestId('batch-run').click()
+    await finished(page, 60)
+    expect(await violations(lab)).toEqual([])
+    await page.getByTestId('entrant-parameters').first().click()
+    await expect(page.getByTestId('entrant-dialog').getByTestId('parameters')).toBeVisible()
+    expect(await violations(lab)).toEqual([])
+  })
+}
+
+test('on a phone nothing is wider than the screen', async ({ lab, page }) => {
+  await page.setViewportSize({ width: 390, height: 844 })
+  await openBatch(lab)
+  const wide = (): Promise<boolean> => page.evaluate(() => document.documentElement.scrollWidth > innerWidth)
+  expect(await wide()).toBe(false)
+  await keep(page, ['wcpso', 'pso'])
+  await seeds(page, 2)
+  await page.getByTestId('batch-run').click()
+  await finished(page, 4)
+  await expect(page.getByTestId('batch-bands').locator('canvas')).toBeVisible()
+  expect(await wide()).toBe(false)
+  const target = await page.getByTestId('batch-run').first().getByRole('button').boundingBox()
+  expect(target?.height).toBeGreaterThanOrEqual(44)
+})
