@@ -12,6 +12,9 @@ export interface Names {
   shapes: string[]
 }
 
+/** What of a frame is drawn. */
+export type Layers = Pick<FrameMessage, 'buffer' | 'vertices' | 'spans'>
+
 type Draw = (pen: Pen, style: Style, vertices: Float32Array, pieces: readonly Piece[]) => void
 
 /** What not every scene needs, once it is there. */
@@ -24,7 +27,7 @@ interface More {
 }
 
 /** Draws a frame's layers that are on, in the style sheet's order. */
-export function drawLayers(pen: Pen, frame: FrameMessage, names: Names, on: (role: string) => boolean, scene: Scene, more: More): void {
+export function drawLayers(pen: Pen, frame: Layers, names: Names, on: (role: string) => boolean, scene: Scene, more: More): void {
   const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
   const order = (role: number): number => styleOf(names.roles[role] ?? '').order
@@ -67,7 +70,7 @@ export function piecesOf(spans: Uint32Array, role: number, shapes: readonly stri
 }
 
 /** Whether anything of a role that is only drawn from near is in the frame. */
-export function isNear(frame: FrameMessage, names: Names, on: (role: string) => boolean): boolean {
+export function isNear(frame: Layers, names: Names, on: (role: string) => boolean): boolean {
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
   return [...rolesIn(spans)].some((number) => {
     const role = names.roles[number] ?? ''

@@ -2,8 +2,7 @@ import type { GridScene, Moving, Point } from 'forage'
 import { tipOf } from '../state/aiming'
 import { type Handle, same, type Selection } from '../state/edits'
 import { movingOf } from '../state/moving'
-import type { FrameMessage } from '../worker/protocol'
-import type { Names } from './layers'
+import type { Layers, Names } from './layers'
 import type { Pen } from './pen'
 import { type Size, toScreen, type View } from './view'
 
@@ -25,7 +24,7 @@ const HEAD = 9
 const LEFT = 0.5
 
 /** The vertices of a role. */
-export function placesOf(frame: FrameMessage, names: Names, role: string): Point[] {
+export function placesOf(frame: Layers, names: Names, role: string): Point[] {
   const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
   const number = names.roles.indexOf(role)
@@ -39,13 +38,13 @@ export function placesOf(frame: FrameMessage, names: Names, role: string): Point
 }
 
 /** A frame's obstacles where they are now; nothing where a planner doesn't tell of them, or not of so many. */
-export function placesNow(frame: FrameMessage, names: Names, count: number): Point[] | null {
+export function placesNow(frame: Layers, names: Names, count: number): Point[] | null {
   const found = count > 0 ? placesOf(frame, names, MOVING) : []
   return count > 0 && found.length === count ? found : null
 }
 
 /** The event at a point of the screen: of several the nearest, and at one place the latest. */
-export function eventAt(frame: FrameMessage, names: Names, view: View, size: Size, at: Point, coarse: boolean): number | null {
+export function eventAt(frame: Layers, names: Names, view: View, size: Size, at: Point, coarse: boolean): number | null {
   let best = { index: -1, from: coarse ? COARSE : NEAR }
   placesOf(frame, names, EVENTS).forEach((place, index) => {
     const from = apart(toScreen(view, size, place), at)

@@ -1,8 +1,7 @@
 import type { Scene } from 'forage'
 import { ends, type Handle, same, type Selection } from '../state/edits'
 import { stopsOf } from '../state/stops'
-import type { FrameMessage } from '../worker/protocol'
-import type { Names } from './layers'
+import type { Layers, Names } from './layers'
 import type { Pen } from './pen'
 import { STOPS } from './styles'
 import { toScreen } from './view'
@@ -20,7 +19,7 @@ const ENOUGH = 0.7
 const MANY = 400
 
 /** Each of so many stops' place in the best tour, from 0; `null` while there is none. */
-export function placesOf(frame: FrameMessage, names: Names, count: number): number[] | null {
+export function placesOf(frame: Layers, names: Names, count: number): number[] | null {
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
   for (let at = 0; at < spans.length; at += 4) {
     if (names.roles[spans[at] ?? 0] !== STOPS) continue
