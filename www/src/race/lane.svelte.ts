@@ -1,0 +1,192 @@
+import * as Comlink from 'comlink'
+import type { Outcome, ParameterValue, Scene, Setup, TrialCurve } from 'forage'
+import type { Answer, Look } from '../worker/protocol'
+import type { Picture, Settled, Start } from '../worker/race.protocol'
+import type { RaceApi } from '../worker/race.worker'
+import { foreseen } from './notches'
+import { markAt } from './standings'
+
+let lanes = 0
+
+/** A racer: its run, in a thread of its own, and what was told of it last. */
+export class Lane {
+  readonly id = (lanes += 1)
+  planner = $state('')
+  /** What differs from the defaults. */
+  params = $state.raw<Record<string, ParameterValue>>({})
+  /** Messages by parameter name. */
+  errors = $state.raw<Record<string, string>>({})
+  /** Why it doesn't run here at all. */
+  refusal = $state('')
+  crash = $state('')
+
+  run = $state.raw<Start | null>(null)
+  picture = $state.raw<Picture | null>(null)
+  outcome = $state.raw<Outcome | null>(null)
+  curve = $state.raw<TrialCurve | null>(null)
+  settled = $state.raw<Settled | null>(null)
+
+  readonly over = $derived(this.picture !== null && this.picture.status !== 'running')
+  readonly mark = $derived(this.picture ? markAt(this.curve, this.picture.iteration) : null)
+  /** How many evaluations it will come to. */
+  readonly end = $derived(this.run && this.picture ? foreseen(this.picture.furthest, this.run.first) : 0)
+  /** It takes part. */
+  readonly racing = $derived(this.run !== null && this.refusal === '' && this.crash === '')
+
+  private worker: Worker | undefined
+  private api: Comlink.Remote<RaceApi> | undefined
+  private failed: Promise<never> | undefined
+  /** What the thread was asked will never be answered. */
+  private forsake: (reason: Error) => void = () => undefined
+  private starts = 0
+  private looked: Look | null = null
+
+  constructor(planner: string, params: Record<string, ParameterValue> = {}) {
+    this.planner = planner
+    this.params = params
+  }
+
+  /** After a crash it is a new thread. */
+  private hire(): Comlink.Remote<RaceApi> {
+    if (this.api) return this.api
+    const worker = new Worker(new URL('../worker/race.worker.ts', import.meta.url), { type: 'module' })
+    this.worker = worker
+    this.failed = new Promise<never>((_, reject) => {
+      this.forsake = reject
+      worker.onerror = (event) => {
+        event.preventDefault()
+        reject(new Error(event.message || 'worker'))
+      }
+    })
+    this.failed.catch(() => undefined)
+    const api = Comlink.wrap<RaceApi>(worker)
+    this.api = api
+    if (this.looked) void this.ask(api.look(this.looked))
+    return api
+  }
+
+  /** What the thread answers; nothing if it broke down. */
+  private async ask<T>(answer: Promise<T>): Promise<T | null> {
+    const { worker, failed } = this
+    try {
+      return await (failed ? Promise.race([answer, failed]) : answer)
+    } catch (error) {
+      if (worker === this.worker) this.fail(error)
+      return null
+    }
+  }
+
+  private fail(error: unknown): void {
+    this.crash = error instanceof Error ? error.message : String(error)
+    this.dismiss()
+  }
+
+  /** The run begins anew; false if it is refused. What runs meanwhile is the run of before. */
+  async start(scene: Scene, params: Record<string, ParameterValue>, seed: number): Promise<boolean> {
+    const turn = (this.starts += 1)
+    const setup: Setup = { planner: this.planner, scene, params, seed }
+    this.crash = ''
+    const answer = await this.ask<Answer<Start>>(this.hire().start(setup) as Promise<Answer<Start>>)
+    // A newer one counts.
+    if (turn !== this.starts) return true
+    if (!answer) return false
+    if (!answer.ok) {
+      const { field, message } = answer.refusal
+      const own = field !== '' && (field in params || field in (this.run?.parameters ?? {}))
+      if (own) this.errors = { ...this.errors, [field]: message }
+      if (!own || !this.run || this.run.planner !== this.planner) this.refuse(message)
+      return false
+    }
+    this.refusal = ''
+    this.run = answer.value
+    this.drop()
+    return true
+  }
+
+  private refuse(message: string): void {
+    this.refusal = message
+    this.run = null
+    this.drop()
+  }
+
+  /** Nothing of another run may pass for this one's. */
+  private drop(): void {
+    this.giveBack()
+    this.picture = null
+    this.outcome = null
+    this.curve = null
+    this.settled = null
+  }
+
+  /** Where it is at a time of the race; nothing if it was called elsewhere meanwhile. */
+  async go(clock: number): Promise<Picture | null> {
+    const { api, starts } = this
+    if (!api || !this.racing) return null
+    const picture = await this.ask(api.go(clock))
+    if (picture && starts === this.starts) return picture
+    if (picture) this.leave(picture, starts)
+    return null
+  }
+
+  show(picture: Picture): void {
+    this.giveBack()
+    this.picture = picture
+    this.settled = null
+    if (picture.curve) this.curve = picture.curve
+    if (picture.outcome) this.outcome = picture.outcome
+  }
+
+  async settle(): Promise<void> {
+    const { api, picture } = this
+    if (!api || !picture || this.settled) return
+    const settled = await this.ask(api.settle())
+    if (!settled || settled.iteration !== this.picture?.iteration) return
+    this.settled = settled
+    this.outcome = settled.outcome
+  }
+
+  look = async (look: Look): Promise<void> => {
+    this.looked = look
+    const { api, starts } = this
+    if (!api) return
+    const picture = await this.ask(api.look(look))
+    if (!picture) return
+    // A picture of the same state, seen otherwise: what is known of it stays.
+    if (starts !== this.starts || picture.iteration !== this.picture?.iteration) {
+      this.leave(picture, starts)
+      return
+    }
+    const { settled } = this
+    this.show(picture)
+    this.settled = settled
+  }
+
+  field: RaceApi['field'] = async (request) => (this.api ? this.ask(this.api.field(request)) : null)
+
+  /** A picture that isn't shown; what it tells of the whole run is told only once. */
+  private leave(picture: Picture, starts: number): void {
+    if (picture.curve && starts === this.starts) this.curve = picture.curve
+    this.discard(picture)
+  }
+
+  private giveBack(): void {
+    if (this.picture) this.discard(this.picture)
+  }
+
+  private discard({ buffer, fields }: Picture): void {
+    fields.forEach(({ bitmap }) => bitmap.close())
+    if (buffer.byteLength > 0) void this.api?.giveBack(Comlink.transfer(buffer, [buffer]))
+  }
+
+  /** It takes part no more. */
+  dismiss(): void {
+    this.worker?.terminate()
+    this.worker = undefined
+    this.forsake(new Error('dismissed'))
+    this.api = undefined
+    this.run = null
+    this.picture?.fields.forEach(({ bitmap }) => bitmap.close())
+    this.picture = null
+    this.settled = null
+  }
+}

@@ -1,0 +1,111 @@
+import type { Catalogue, Outcome, Planner, Scene } from 'forage'
+import { met } from '../state/applicable'
+import { movingOf } from '../state/moving'
+import { stopsOf } from '../state/stops'
+import { drawArrows } from '../stage/arrows'
+import { Cells } from '../stage/cells'
+import { drawRobot, drawTubes, own } from '../stage/driven'
+import { Field } from '../stage/field'
+import { drawDiscs, drawEnds, drawGrid } from '../stage/ground'
+import { drawHappenings } from '../stage/happenings'
+import { insideCells } from '../stage/inside'
+import { drawLayers, drawPath, isNear, type Layers, piecesOf } from '../stage/layers'
+import { drawMovers, EVENTS, placesNow, placesOf } from '../stage/movers'
+import type { Pen } from '../stage/pen'
+import { drawRaster } from '../stage/raster'
+import { drawStops, placesOf as placesOfStops } from '../stage/stops'
+import { styleOf } from '../stage/styles'
+import type { Picture, Start } from '../worker/race.protocol'
+import { drawRoom, flattened, projected, seen, type Side } from './space'
+
+/** How much of a field is left beneath what is only drawn from near. */
+const BENEATH = 0.65
+
+/** What is drawn of a racer. */
+export interface Subject {
+  scene: Scene
+  catalogue: Catalogue
+  planner: Planner | undefined
+  run: Start | null
+  picture: Picture | null
+  outcome: Outcome | null
+  side: Side
+  names: { start: string; goal: string }
+}
+
+/** The layers that are on without being asked for. */
+export const rolesOf = (planner: Planner | undefined, scene: Scene, values: Start['parameters'] = {}): string[] =>
+  (planner?.layers ?? [])
+    .filter(({ on, when, kinds }) => on && (kinds?.includes(scene.kind) ?? true) && met(when, planner?.parameters ?? [], scene.kind, values))
+    .map(({ role }) => role)
+
+/** Draws a racer as the stage would, read-only. */
+export class Painter {
+  private readonly cells: Cells
+  /** A frame that was projected, and what from. */
+  private last: { picture: Picture; side: Side; layers: Layers } | null = null
+
+  constructor(
+    readonly field: Field,
+    changed: () => void,
+  ) {
+    this.cells = new Cells(changed)
+  }
+
+  draw(pen: Pen, subject: Subject): void {
+    const { context, size, palette } = pen
+    context.fillStyle = palette.get('--stage')
+    context.fillRect(0, 0, size.width, size.height)
+    if (subject.scene.kind === 'arm') this.inSpace(pen, subject)
+    else this.inThePlane(pen, subject)
+  }
+
+  private inSpace(pen: Pen, { scene, catalogue, planner, run, picture, side, names }: Subject): void {
+    if (scene.kind !== 'arm') return
+    const skeleton = run?.skeleton ?? []
+    const flat = flattened(scene, skeleton, side)
+    const shown = rolesOf(planner, scene, run?.parameters)
+    drawRoom(pen, scene, skeleton, side)
+    if (picture) {
+      if (this.last?.picture !== picture || this.last.side !== side) this.last = { picture, side, layers: projected(picture, side) }
+      drawLayers(pen, this.last.layers, catalogue, (role) => shown.includes(role), flat, {})
+    }
+    const tip = run && picture ? run.exact?.tip_path : undefined
+    if (tip) drawPath(pen, tip.map(seen(side)), styleOf('exact'))
+    drawEnds(pen, flat, false, null, null, null, names)
+  }
+
+  private inThePlane(pen: Pen, subject: Subject): void {
+    const { scene, catalogue, planner, run, picture, names } = subject
+    const shown = rolesOf(planner, scene, run?.parameters)
+    const on = (role: string): boolean => shown.includes(role)
+    const touring = scene.kind === 'tour' || (planner?.stops ?? false)
+    this.field.draw(pen)
+    if (picture) for (const field of picture.fields) if (on(field.role)) drawRaster(pen, field, isNear(picture, catalogue, on) ? BENEATH : 1)
+    if (scene.kind === 'grid') this.cells.draw(pen, scene, true)
+    drawGrid(pen, scene, scene.kind !== 'grid' && scene.kind !== 'function')
+    if (scene.kind === 'discs') drawDiscs(pen, scene, null)
+    if (picture) drawLayers(pen, picture, catalogue, on, scene, { own, drawTubes, drawArrows, insideCells })
+    if (picture && run?.exact) drawPath(pen, run.exact.path, styleOf('exact'))
+    const places = picture ? placesOfStops(picture, catalogue, stopsOf(scene).length) : null
+    drawStops(pen, scene, { places, selection: null, hover: null, blamed: null, touring })
+    this.moving(pen, subject)
+    if (scene.kind !== 'function' && scene.kind !== 'arm') drawEnds(pen, scene, touring, null, null, null, names)
+    if (picture) robot(pen, picture, catalogue)
+  }
+
+  /** What moves is where it is at the racer's time. */
+  private moving(pen: Pen, { scene, catalogue, planner, picture, outcome }: Subject): void {
+    if (scene.kind !== 'grid' || movingOf(scene).length === 0) return
+    const now = picture && placesNow(picture, catalogue, movingOf(scene).length)
+    drawMovers(pen, scene, { now, quiet: now !== null && (picture?.iteration ?? 0) > 0, selection: null, hover: null, blamed: null })
+    if (!picture) return
+    drawHappenings(pen, placesOf(picture, catalogue, EVENTS), (index) => planner?.events.find(({ name }) => name === outcome?.events?.[index]?.kind)?.tone)
+  }
+}
+
+function robot(pen: Pen, picture: Picture, { roles, shapes }: Catalogue): void {
+  const vertices = new Float32Array(picture.buffer, 0, picture.vertices)
+  const spans = new Uint32Array(picture.buffer, picture.vertices * 4, picture.spans)
+  drawRobot(pen, styleOf('robot'), vertices, piecesOf(spans, roles.indexOf('robot'), shapes))
+}

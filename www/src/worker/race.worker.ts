@@ -1,0 +1,45 @@
+import * as Comlink from 'comlink'
+import init, { catalogue } from 'forage'
+import type { Setup } from 'forage'
+import type { Answer, FieldRequest, Look } from './protocol'
+import type { Picture, Settled, Start } from './race.protocol'
+import { Racer } from './racer'
+
+let racer: Racer | undefined
+let ready: Promise<unknown> | undefined
+
+async function own(): Promise<Racer> {
+  await (ready ??= init())
+  return (racer ??= new Racer(catalogue().shapes.indexOf('field')))
+}
+
+/** Pictures travel, they aren't copied. */
+const sent = (picture: Picture | null): Picture | null =>
+  picture && Comlink.transfer(picture, [picture.buffer, ...picture.fields.map(({ bitmap }) => bitmap)])
+
+const api = {
+  async start(setup: Setup): Promise<Answer<Start>> {
+    const found = await own()
+    try {
+      return { ok: true, value: found.start(setup) }
+    } catch (error) {
+      // The engine itself broke down: its memory is in an unknown state.
+      if (error instanceof WebAssembly.RuntimeError || !(error instanceof Error)) throw error
+      return { ok: false, refusal: { message: error.message, field: 'field' in error ? String(error.field) : '' } }
+    }
+  },
+  go: async (clock: number): Promise<Picture | null> => sent(await (await own()).go(clock)),
+  look: async (look: Look): Promise<Picture | null> => sent((await own()).look(look)),
+  settle: async (): Promise<Settled | null> => (await own()).settle(),
+  giveBack: (buffer: ArrayBuffer): void => racer?.giveBack(buffer),
+  async field({ min, max, width, height, dark }: FieldRequest): Promise<ImageBitmap | null> {
+    const canvas = new OffscreenCanvas(width, height)
+    const context = canvas.getContext('2d')
+    if (!context || !(await own()).session?.paintField(context, min, max, dark)) return null
+    const picture = canvas.transferToImageBitmap()
+    return Comlink.transfer(picture, [picture])
+  },
+}
+
+export type RaceApi = typeof api
+Comlink.expose(api)

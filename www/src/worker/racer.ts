@@ -1,0 +1,169 @@
+import { armPose, Session, Trial } from 'forage'
+import type { Setup } from 'forage'
+import { fieldsOf } from './fields'
+import { breathe, SLICE } from './pace'
+import { pack } from './pack'
+import { Pool } from './pool'
+import type { Look } from './protocol'
+import type { Picture, Settled, Start } from './race.protocol'
+
+/** Vertices a layer may have: several canvases are drawn at once. */
+const BUDGET = 40_000
+/** So many first steps say how much a step evaluates. */
+const PROBES = 3
+const REPORT_INTERVAL = 150
+/** At most this share of the time goes into outcomes. */
+const REPORT_SHARE = 10
+
+/** A run whose clock is its evaluations: it is taken to the first iteration at or beyond so many of them. */
+export class Racer {
+  session: Session | undefined
+  /** The same run once more, always at its furthest: it keeps the feasible best over the evaluations. */
+  private trial: Trial | undefined
+  private readonly pool = new Pool(3)
+  /** Iterations in which something was evaluated, and how much there was then. */
+  private marks: { iteration: number; evaluations: number }[] = []
+  private most = 0
+  private ended = false
+  private looked: Look = { dark: false, fields: [], window: null }
+  /** Grows with each command that makes the one before pointless. */
+  private token = 0
+  private underway = false
+  private toldCurve = -1
+  private lastReport = 0
+  private reportCost = 0
+
+  /** `field`: the number of the shape that is a field. */
+  constructor(private readonly field: number) {}
+
+  start(setup: Setup): Start {
+    const session = new Session(setup)
+    const trial = new Trial(setup, undefined)
+    this.token += 1
+    this.session?.free()
+    this.trial?.free()
+    Object.assign(this, { session, trial, ended: false, underway: false, toldCurve: -1, lastReport: 0 })
+    this.marks = [{ iteration: 0, evaluations: session.evaluations }]
+    this.most = probe(session)
+    this.lookAt()
+    const { planner, scene, seed, parameters, limit, evaluations: first } = session
+    const skeleton = scene.kind === 'arm' ? armPose(scene, scene.arm.joints.map(({ home }) => home)).skeleton : []
+    return { planner, scene, seed, parameters, exact: session.exact(), first, most: this.most, limit, skeleton }
+  }
+
+  /** Goes to the first iteration at or beyond so many evaluations, or to the end; nothing if a newer command has come. */
+  async go(clock: number): Promise<Picture | null> {
+    this.token += 1
+    const { session, trial, token } = this
+    if (!session || !trial) return null
+    this.underway = true
+    const known = this.iterationAt(clock)
+    const reached = await this.reach(session, known ?? trial.iteration, token)
+    if (!reached || (known === null && !(await this.discover(session, trial, clock, token)))) return null
+    this.underway = false
+    return this.picture()
+  }
+
+  /** As far as it is known: where the run was at a clock's time. */
+  private iterationAt(clock: number): number | null {
+    let [low, high] = [0, this.marks.length]
+    while (low < high) {
+      const middle = (low + high) >> 1
+      if ((this.marks[middle]?.evaluations ?? 0) < clock) low = middle + 1
+      else high = middle
+    }
+    return this.marks[low]?.iteration ?? (this.ended ? (this.trial?.iteration ?? 0) : null)
+  }
+
+  /** Goes where it was before; true if it came there. */
+  private async reach(session: Session, iteration: number, token: number): Promise<boolean> {
+    if (session.iteration === iteration) return true
+    session.rewind(iteration)
+    let until = performance.now() + SLICE
+    while (session.iteration < iteration && session.status === 'running') {
+      session.step(1)
+      if (performance.now() < until) continue
+      await breathe()
+      if (token !== this.token) return false
+      until = performance.now() + SLICE
+    }
+    return true
+  }
+
+  /** Goes where it never was, and keeps what each step evaluated. */
+  private async discover(session: Session, trial: Trial, clock: number, token: number): Promise<boolean> {
+    let until = performance.now() + SLICE
+    while (session.status === 'running' && session.evaluations < clock) {
+      const before = session.evaluations
+      session.stepTo(clock, 1)
+      trial.step(1)
+      const { iteration, evaluations } = session
+      if (evaluations > before) this.marks.push({ iteration, evaluations })
+      this.most = Math.max(this.most, evaluations - before)
+      if (performance.now() < until) continue
+      await breathe()
+      if (token !== this.token) return false
+      until = performance.now() + SLICE
+    }
+    this.ended = session.status !== 'running'
+    return true
+  }
+
+  /** What is looked at from now on, and how it is seen; nothing while it is on its way. */
+  look(look: Look): Picture | null {
+    this.looked = look
+    this.lookAt()
+    return this.session && !this.underway ? this.picture() : null
+  }
+
+  private lookAt(): void {
+    const { window } = this.looked
+    this.session?.lookAt(window?.min, window?.max)
+  }
+
+  settle(): Settled | null {
+    const { session } = this
+    return session && !this.underway ? { iteration: session.iteration, outcome: session.outcome(), hash: session.hash(), link: session.link() } : null
+  }
+
+  giveBack(buffer: ArrayBuffer): void {
+    this.pool.giveBack(buffer)
+  }
+
+  private picture(): Picture | null {
+    const { session, trial, most, ended } = this
+    if (!session || !trial) return null
+    const outcome = this.outcome(session)
+    const curve = trial.curve()
+    const grown = curve.values.length !== this.toldCurve
+    this.toldCurve = curve.values.length
+    const { iteration, evaluations, status } = session
+    const furthest = { iteration: trial.iteration, evaluations: this.marks.at(-1)?.evaluations ?? 0, limit: trial.limit, most, ended }
+    // The views last until the next call: nothing of the core may come between here and the copy.
+    const { vertices, spans, thinning } = session.frame(BUDGET)
+    const packed = pack(vertices, spans, this.field, (bytes) => this.pool.take(bytes))
+    const fields = fieldsOf(session, this.looked.fields, this.looked.dark)
+    return { iteration, evaluations, status, furthest, ...packed, fields, thinning, curve: grown ? curve : null, outcome }
+  }
+
+  private outcome(session: Session): Picture['outcome'] {
+    const now = performance.now()
+    if (now - this.lastReport < Math.max(REPORT_INTERVAL, this.reportCost * REPORT_SHARE)) return null
+    const outcome = session.outcome()
+    this.lastReport = performance.now()
+    this.reportCost = this.lastReport - now
+    return outcome
+  }
+}
+
+/** The most evaluations of one of the first steps. A step that needs runs of other planners is not taken for that. */
+function probe(session: Session): number {
+  let most = 0
+  for (let step = 0; step < PROBES && session.jobs().length === 0; step += 1) {
+    const before = session.evaluations
+    session.step(1)
+    most = Math.max(most, session.evaluations - before)
+  }
+  session.rewind(0)
+  return most
+}
