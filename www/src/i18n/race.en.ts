@@ -42,7 +42,7 @@ export const race = {
     changed: (count: number) => (count === 1 ? '1 changed' : `${count} changed`),
     remove: (letter: string) => `Remove ${letter}`,
     open: 'Open in the stage',
-    opens: (letter: string, iteration: string) => `Open ${letter} in the stage, at iteration ${iteration}`,
+    opens: (letter: string, iteration: string) => `Open in the stage: ${letter}, iteration ${iteration}`,
     stage: (letter: string, title: string) => `Picture of ${letter}, ${title}`,
     rank: (rank: number) => ['', 'leads', '2nd', '3rd', '4th'][rank] ?? '',
     first: (shared: boolean) => (shared ? 'shares the lead' : 'leads'),
@@ -94,6 +94,7 @@ export const race = {
   },
   table: {
     title: 'Who leads',
+    all: 'Table of the standings',
     caption: (clock: string) => `Standings at ${clock} evaluations: by feasible best, then by the evaluations it took to find`,
     rank: 'Rank',
     planner: 'Planner',

@@ -18,7 +18,7 @@ export interface Ready {
 }
 
 export const READY: readonly Ready[] = [
-  { name: 'swarms', scene: 'wcpso-discs', seed: 1, planners: ['pso', 'wpso', 'cpso', 'wcpso'], speed: 10 },
+  { name: 'swarms', scene: 'wcpso-discs', seed: 1, planners: ['pso', 'wpso', 'cpso', 'wcpso'], speed: 30 },
   { name: 'quantum', scene: 'qpso-10m', seed: 1, planners: ['qpso', 'ltqpso'], speed: 5 },
   { name: 'ants', scene: 'ant-bat-30', seed: 1, planners: ['aco', 'aco-dijkstra', 'aco-direction'], speed: 5 },
   { name: 'exact', scene: 'ant-bat-30', seed: 1, planners: ['dijkstra', 'a-star', 'theta-star'], speed: 60 },

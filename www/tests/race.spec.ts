@@ -1,0 +1,313 @@
+import { race as text } from '../src/i18n/race.en'
+import { foreseen, onwards } from '../src/race/notches'
+import { READY } from '../src/race/ready'
+import { markAt, ranks } from '../src/race/standings'
+import { violations } from './support/axe'
+import { catalogue } from '../../pkg/node.js'
+import { linkTo, verified } from './support/core'
+import { expect, test } from './support/lab'
+import { coreAt, Race } from './support/race'
+
+const SWARMS = ['pso', 'wpso', 'cpso', 'wcpso']
+
+const swarmsAt = (clock: number) => SWARMS.map((planner) => coreAt({ planner }, clock))
+
+test('a notch goes on to where somebody moves, and a racer that has come to its end holds nobody up', () => {
+  expect(onwards(0, 50, [{ evaluations: 0, over: false }, { evaluations: 150, over: false }])).toBe(50)
+  expect(onwards(0, 50, [{ evaluations: 150, over: false }, { evaluations: 170, over: false }])).toBe(200)
+  expect(onwards(100, 50, [{ evaluations: 20, over: true }, { evaluations: 149, over: false }])).toBe(150)
+  expect(onwards(100, 50, [{ evaluations: 20, over: true }])).toBe(100)
+  expect(foreseen({ iteration: 10, evaluations: 1650, limit: 500, most: 150, ended: false }, 150)).toBe(75_150)
+  expect(foreseen({ iteration: 52, evaluations: 52, limit: 20_000, most: 1, ended: true }, 0)).toBe(52)
+})
+
+test('who leads has the better feasible best, of equals the one that found it with fewer evaluations', () => {
+  expect(ranks([{ value: 12.2, found: 300 }, null, { value: 12.1, found: 900 }, { value: 12.2, found: 150 }])).toEqual([3, null, 1, 2])
+  expect(ranks([{ value: 5, found: 10 }, { value: 5 + 1e-14, found: 10 }, null])).toEqual([1, 1, null])
+  const curve = { iterations: Float64Array.of(1, 7), evaluations: Float64Array.of(300, 1200), values: Float64Array.of(13, 12.5) }
+  expect([0, 1, 6, 7, 99].map((iteration) => markAt(curve, iteration)?.value)).toEqual([undefined, 13, 13, 12.5, 12.5])
+})
+
+test('every ready-made race has planners and a scene that ship', () => {
+  const { planners, scenes } = catalogue()
+  for (const { planners: racers, scene: name } of READY) {
+    const scene = scenes.find((candidate) => candidate.name === name)
+    for (const racer of racers) expect(planners.find((planner) => planner.name === racer)?.kinds, racer).toContain(scene?.kind)
+    expect(racers.length).toBeLessThanOrEqual(4)
+  }
+})
+
+test.describe('without motion', () => {
+  test.use({ contextOptions: { reducedMotion: 'reduce' } })
+
+  test('four swarms stand at the first iteration at or beyond the clock, as the core does; going back gives the same', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'swarms')
+    // It does not play by itself.
+    const first = await race.at(150)
+    expect(first).toEqual(swarmsAt(150))
+    await race.step('race-forward', 3)
+    const third = await race.at(600)
+    expect(third).toEqual(swarmsAt(600))
+    // Between two steps of the planners.
+    const between = await race.seek(10_001)
+    expect(between).toEqual(swarmsAt(10_001))
+    for (const { evaluations } of between) expect(evaluations).toBe(10_050)
+    await race.step('race-back')
+    expect(await race.at(9851)).toEqual(swarmsAt(9851))
+    expect(await race.seek(600)).toEqual(third)
+    await page.getByTestId('race-end').click()
+    await expect(race.root).toHaveAttribute('data-over', 'true')
+    expect(await race.at(75_150)).toEqual(swarmsAt(75_150))
+    await page.getByTestId('race-restart').click()
+    expect(await race.at(150)).toEqual(first)
+  })
+
+  test('who takes small steps and who takes large ones meet at the same evaluations; who is done stays at its end', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'quantum')
+    await page.getByTestId('race-scene').selectOption('wcpso-discs')
+    await race.still()
+    await page.getByTestId('lane-planner').nth(0).selectOption('rrt-connect')
+    await race.still()
+    await page.getByTestId('lane-planner').nth(1).selectOption('pso')
+    await race.still()
+    const both = (clock: number) => ['rrt-connect', 'pso'].map((planner) => coreAt({ planner }, clock))
+    expect(await race.seek(30)).toEqual(both(30))
+    const later = await race.seek(400)
+    expect(later).toEqual(both(400))
+    expect(later[0]).toMatchObject({ status: 'solved', evaluations: 52 })
+    expect(later[1]).toMatchObject({ status: 'running', evaluations: 450 })
+    await expect(race.lanes.nth(0)).toContainText(text.lane.status.solved)
+    // The tree has found a way, and the table says so, too.
+    await expect(page.getByTestId('race-table').locator('tbody tr').first()).toHaveAttribute('data-planner', 'rrt-connect')
+    await expect(race.lanes.nth(0).getByTestId('lane-rank')).toHaveText(text.lane.first(false))
+    await expect(page.getByTestId('race-live')).toContainText('RRT-Connect')
+  })
+
+  test('a lane opens in the stage as exactly that run, and the race is found again as it was', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'swarms')
+    const before = await race.seek(6000)
+    await race.lanes.nth(2).getByTestId('lane-open').click()
+    expect(await lab.settled(before[2]?.iteration)).toBe(before[2]?.hash)
+    await expect(page.getByTestId('planner')).toHaveValue('cpso')
+    expect(verified(await lab.link(before[2]?.hash ?? ''))).toMatchObject({ planner: 'cpso', seed: 1, iteration: 39 })
+    await page.getByTestId('view-race').click()
+    expect(await race.at(6000)).toEqual(before)
+  })
+
+  test('it takes up the stage’s scene, planner, parameters and seed', async ({ lab, page }) => {
+    const race = new Race(page)
+    await lab.open(linkTo({ planner: 'cpso', scene: 'discs-gate', seed: 9, params: { population: 40 } }, 5))
+    await lab.settled(5)
+    await page.getByTestId('view-race').click()
+    await expect(page.getByTestId('race-scene')).toHaveValue('discs-gate')
+    await expect(page.getByTestId('race-seed')).toHaveValue('9')
+    const [first] = await race.seek(2000)
+    expect(first).toEqual(coreAt({ planner: 'cpso', scene: 'discs-gate', seed: 9, params: { population: 40 } }, 2000))
+  })
+
+  test('what is refused is said beside its control, and nothing is lost', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'swarms')
+    const before = await race.seek(3000)
+    const seed = page.getByTestId('race-seed')
+    await seed.fill('-4')
+    await seed.press('Enter')
+    await expect(page.getByTestId('race-seed-error')).toHaveText(text.seedWrong('-4'))
+    await expect(seed).toHaveAttribute('aria-invalid', 'true')
+    const notch = page.getByTestId('race-notch')
+    await notch.fill('0.5')
+    await notch.press('Enter')
+    await expect(page.getByTestId('race-notch-error')).toHaveText(text.notchWrong('0.5'))
+    await race.lanes.nth(0).getByTestId('lane-parameters').click()
+    const population = page.locator('[data-parameter="population"]')
+    await population.getByRole('textbox').fill('0')
+    await population.getByRole('textbox').press('Enter')
+    await expect(population.getByRole('alert')).toContainText('population')
+    await expect(population.getByRole('textbox')).toHaveValue('0')
+    await page.keyboard.press('Escape')
+    expect(await race.at(3000)).toEqual(before)
+
+    // What is allowed counts, for that racer alone: it goes where the others are.
+    await race.lanes.nth(0).getByTestId('lane-parameters').click()
+    await population.getByRole('textbox').fill('40')
+    await population.getByRole('textbox').press('Enter')
+    await expect(population.getByRole('alert')).toHaveCount(0)
+    await page.keyboard.press('Escape')
+    await expect(race.lanes.nth(0)).toHaveAttribute('data-evaluations', '3000')
+    expect(await race.at(3000)).toEqual([coreAt({ planner: 'pso', params: { population: 40 } }, 3000), ...before.slice(1)])
+    await notch.fill('1000')
+    await notch.press('Enter')
+    await expect(page.getByTestId('race-notch-error')).toHaveCount(0)
+    await race.step('race-forward')
+    expect(await race.clock()).toBe(4000)
+    await seed.fill('12')
+    await seed.press('Enter')
+    await expect(race.root).toHaveAttribute('data-clock', '40')
+    expect((await race.seek(3000))[3]).toEqual(coreAt({ planner: 'wcpso', seed: 12 }, 3000))
+  })
+
+  test('another scene keeps whoever runs on it, and says who had to leave', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'trees')
+    await page.getByTestId('race-scene').selectOption('ant-bat-30')
+    await race.still()
+    await expect(race.lanes).toHaveCount(3)
+    await page.getByTestId('lane-planner').nth(0).selectOption('aco')
+    await race.still()
+    await page.getByTestId('race-scene').selectOption('arm-cuboid')
+    await race.still()
+    await expect(page.getByTestId('race-notice')).toContainText('ACO: ants does not run')
+    await expect(race.lanes).toHaveCount(2)
+    await page.getByTestId('race-add').click()
+    await expect(race.lanes).toHaveCount(3)
+    await race.still()
+    await page.getByRole('button', { name: text.lane.remove('A'), exact: true }).click()
+    await expect(race.lanes).toHaveCount(2)
+    // A race needs two.
+    await expect(page.getByRole('button', { name: text.lane.remove('A'), exact: true })).toHaveCount(0)
+  })
+
+  test('everything goes with the keyboard alone', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab)
+    await page.getByTestId('ready-swarms').focus()
+    await page.keyboard.press('Enter')
+    await race.at(150)
+    const canvas = race.lanes.nth(1).getByTestId('lane-stage')
+    for (let tabs = 0; tabs < 40 && !(await canvas.evaluate((node) => node === document.activeElement)); tabs += 1) await page.keyboard.press('Tab')
+    await expect(canvas).toBeFocused()
+    await page.keyboard.press('Shift+ArrowRight')
+    expect(await race.at(1650)).toEqual(swarmsAt(1650))
+    await page.keyboard.press('ArrowLeft')
+    await race.at(1500)
+    await page.keyboard.press('Space')
+    await expect.poll(() => race.clock()).toBeGreaterThan(1800)
+    await page.keyboard.press('Space')
+    await race.still()
+    await page.keyboard.press('Home')
+    await race.at(150)
+    await page.keyboard.press('End')
+    await race.at(75_150)
+
+    // What is typed into a field moves nothing.
+    await page.getByTestId('race-seed').focus()
+    await page.keyboard.press('Home')
+    await page.keyboard.press('ArrowLeft')
+    await page.keyboard.type(' ')
+    await race.at(75_150)
+    const chart = page.getByTestId('race-plot')
+    await chart.focus()
+    await page.keyboard.press('Home')
+    await race.at(150)
+    await page.keyboard.press('ArrowRight')
+    expect(await race.at(300)).toEqual(swarmsAt(300))
+    await expect(chart).toHaveAttribute('aria-valuetext', /^At 300 evaluations: A /)
+  })
+
+  test('all lanes are seen alike, and each has a picture of its own', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'swarms')
+    await race.seek(3000)
+    const pictures = (): Promise<string[]> => page.getByTestId('lane-stage').evaluateAll((all) => all.map((canvas) => (canvas as HTMLCanvasElement).toDataURL()))
+    const whole = await pictures()
+    expect(new Set(whole).size).toBe(4)
+    await race.lanes.nth(0).getByTestId('lane-stage').focus()
+    await page.keyboard.press('+')
+    await expect.poll(async () => (await pictures()).filter((picture, at) => picture !== whole[at]).length).toBe(4)
+    await page.keyboard.press('0')
+    await expect.poll(pictures).toEqual(whole)
+  })
+
+  test('arms are seen from four sides, and drives drive', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'arm')
+    await race.seek(100)
+    const picture = (): Promise<string> => race.lanes.nth(1).getByTestId('lane-stage').evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL())
+    const seen = new Set([await picture()])
+    for (const side of ['front', 'side', 'top'] as const) {
+      await page.getByRole('radio', { name: text.sides[side], exact: true }).check({ force: true })
+      await expect.poll(async () => seen.has(await picture())).toBe(false)
+      seen.add(await picture())
+    }
+    await race.choose('drives')
+    await page.getByTestId('race-end').click()
+    await expect(race.root).toHaveAttribute('data-over', 'true')
+    const driven = ['wolf-ant-drive', 'a-star-drive', 'd-star-lite-drive'].map((planner) => coreAt({ planner, scene: 'wolf-ant-20' }, Infinity))
+    expect(await race.standings()).toEqual(driven)
+    for (const { status } of driven) expect(status).toBe('solved')
+  })
+
+  for (const colorScheme of ['light', 'dark'] as const) {
+    for (const [screen, viewport] of Object.entries({ desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } })) {
+      test.describe(`${screen}, ${colorScheme}`, () => {
+        test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
+
+        test('axe finds nothing wrong with a race, and nothing is too wide', async ({ lab, page }) => {
+          const race = new Race(page)
+          await race.open(lab, 'swarms')
+          await race.seek(3000)
+          await page.getByTestId('race-seed').fill('x')
+          await page.getByTestId('race-seed').press('Enter')
+          await expect(page.getByTestId('race-seed-error')).toBeVisible()
+          expect(await violations(lab)).toEqual([])
+          expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
+          await race.choose('arm')
+          expect(await violations(lab)).toEqual([])
+          await race.lanes.nth(0).getByTestId('lane-parameters').click()
+          await expect(page.getByTestId('lane-dialog')).toBeVisible()
+          expect(await violations(lab)).toEqual([])
+          expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
+        })
+      })
+    }
+  }
+})
+
+test('a ready-made race begins by itself, stops when it is left, and is found again as it was', async ({ lab, page }) => {
+  const race = new Race(page)
+  await race.open(lab)
+  await page.getByTestId('ready-swarms').click()
+  await expect.poll(() => race.clock()).toBeGreaterThan(900)
+  await page.getByTestId('view-stage').click()
+  await expect(lab.stage).toBeVisible()
+  await page.getByTestId('view-race').click()
+  const left = await race.standings()
+  expect(left).toEqual(swarmsAt(await race.clock()))
+  const speed = page.getByTestId('race-speed')
+  await speed.selectOption('Infinity')
+  await page.getByTestId('race-play').click()
+  await expect(race.root).toHaveAttribute('data-over', 'true')
+  expect(await race.at(75_150)).toEqual(swarmsAt(75_150))
+})
+
+test('a racer whose engine stops says so, and begins again where the others are', async ({ lab, page }) => {
+  await page.addInitScript(() => {
+    const made: Worker[] = []
+    const { Worker: Real } = window
+    window.Worker = class extends Real {
+      constructor(url: string | URL, options?: WorkerOptions) {
+        super(url, options)
+        made.push(this)
+      }
+    }
+    Object.assign(window, { breakDown: () => made.at(-1)?.dispatchEvent(new ErrorEvent('error', { message: 'unreachable' })) })
+  })
+  const race = new Race(page)
+  await race.open(lab, undefined)
+  await page.getByTestId('ready-quantum').click()
+  await page.getByTestId('race-play').click()
+  await race.still()
+  await race.seek(600)
+  await page.evaluate(() => (window as unknown as { breakDown(): void }).breakDown())
+  // It is noticed as soon as it is asked for something.
+  await page.getByTestId('race-forward').click()
+  await expect(page.getByTestId('lane-crash')).toContainText('unreachable')
+  await race.still()
+  const clock = await race.clock()
+  await page.getByRole('button', { name: text.lane.restart, exact: true }).click()
+  await expect(page.getByTestId('lane-crash')).toHaveCount(0)
+  expect(await race.at(clock)).toEqual(['qpso', 'ltqpso'].map((planner) => coreAt({ planner, scene: 'qpso-10m' }, clock)))
+})
