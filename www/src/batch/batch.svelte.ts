@@ -167,12 +167,13 @@ class Batch {
     return ''
   }
 
-  open = (ready: Ready): void => {
+  /** A batch on a scene that ships, which goes off at once. */
+  open = (ready: Omit<Ready, 'name'>, from = 1): void => {
     const scene = lab.catalogue?.scenes.find(({ name }) => name === ready.scene)
     if (!scene) return
     this.scene = scene
     this.entrants = ready.entrants.map(({ planner, params = {} }, slot) => ({ slot, planner, params }))
-    this.from = 1
+    this.from = from
     this.count = ready.count
     this.iterations = null
     this.drafts = {}

@@ -105,12 +105,17 @@ class Race {
     this.scene = scene
   }
 
-  openReady = async ({ scene: name, planners, seed, speed }: Ready): Promise<void> => {
+  openReady = async ({ scene, planners, seed, speed }: Ready): Promise<void> => {
+    this.speed = speed
+    await this.startOn(scene, seed, planners.map((planner) => ({ planner, params: {} })))
+  }
+
+  /** A race on a scene that ships, which goes off at once. */
+  startOn = async (name: string, seed: number, entries: readonly Entry[]): Promise<void> => {
     const scene = lab.catalogue?.scenes.find((candidate) => candidate.name === name)
     if (!scene) return
     this.notice = ''
-    this.speed = speed
-    await this.set(scene, seed, planners.map((planner) => ({ planner, params: {} })))
+    await this.set(scene, seed, entries)
     if (!stillness.matches) this.play()
   }
 
