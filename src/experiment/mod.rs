@@ -4,7 +4,7 @@
 //! loses nothing. [`crate::statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
 //! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
 //! [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`],
-//! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`]; nothing else lists them.
+//! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`]; nothing else lists them. Sweeps are in [`sweep`].
 
 pub mod antbat;
 pub mod antbat_time;

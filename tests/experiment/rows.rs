@@ -83,6 +83,34 @@ fn json_lines_hold_what_csv_holds() {
     }
 }
 
+/// Names with commas, quotes and letters of all sorts.
+#[test]
+fn a_row_is_found_again_whatever_its_scene_is_called() {
+    let sweep = "scenes = ['odd.json']\nseeds = [9007199254740991, 0]\n[[planner]]\nname = 'pso'\n\
+                 params = { iterations = [2, 3], w = 1e-7 }\n";
+    let folder = folder("quoted", sweep);
+    let odd = "a, \"b\" – ä";
+    let mut scene: Value = serde_json::from_str(&fs::read_to_string("scenes/matyas.json").unwrap()).unwrap();
+    scene["name"] = odd.into();
+    fs::write(folder.join("odd.json"), scene.to_string()).unwrap();
+    for name in ["rows.csv", "rows.ndjson"] {
+        let out = folder.join(name);
+        let args = ["--out", out.to_str().unwrap()];
+        carry_out(&folder, &args);
+        let whole = fs::read_to_string(&out).unwrap();
+        let end = whole.trim_end().rfind('\n').unwrap();
+        fs::write(&out, &whole[..end + 20]).unwrap();
+        carry_out(&folder, &args);
+        assert_eq!(fs::read_to_string(&out).unwrap(), whole);
+    }
+    let out = folder.join("rows.csv");
+    let row = &rows(&out)[3];
+    assert_eq!((&row[0], &row[2], &row[column(&out, "p.iterations")], &row[column(&out, "w")]), (odd, "0", "3", "1e-7"));
+    scene["name"] = "two\nlines".into();
+    fs::write(folder.join("odd.json"), scene.to_string()).unwrap();
+    assert!(refused(&folder, &[]).contains("scenes[0].name: \"two\\nlines\" is not allowed; it must be a name in one line"));
+}
+
 #[test]
 fn scenes_are_looked_for_beside_the_file_and_may_be_maps_and_links() {
     let sweep = "scenes = ['mine/one.map', 'mine/two.json', '#v=1&planner=a-star&scene=corridor', 'crossing']\nseeds = [1]\n\

@@ -257,6 +257,11 @@ fn shown(number: f64) -> Cell {
     if number == 0.0 || (1e-3..1e9).contains(&number.abs()) { Cell::Number(number, 4) } else { Cell::Text(format!("{number:.4e}")) }
 }
 
+/// What is below 1e-15 is only known to be small.
 fn probability(p: f64) -> String {
-    if p >= 1e-4 { format!("{p:.4}") } else { format!("{p:.1e}") }
+    match p {
+        1e-4.. => format!("{p:.4}"),
+        1e-15.. => format!("{p:.1e}"),
+        _ => "< 1e-15".to_owned(),
+    }
 }
