@@ -79,20 +79,20 @@ test('every run of a batch is the core’s own, whatever the number of workers, 
 test('a batch that is stopped keeps its rows; it goes on to the same file that it would have come to', async ({ lab, page }) => {
   await openBatch(lab)
   await keep(page, ['pso', 'cpso'])
-  await seeds(page, 60)
+  await seeds(page, 40)
   const bar = page.getByTestId('batch-bar')
   await page.getByTestId('batch-run').click()
   await expect.poll(async () => Number(await bar.getAttribute('data-done'))).toBeGreaterThan(5)
   await page.getByTestId('batch-stop').click()
   await expect(bar).toHaveAttribute('data-running', 'false')
   const done = Number(await bar.getAttribute('data-done'))
-  expect(done).toBeLessThan(120)
-  await expect(page.getByTestId('batch-run')).toHaveText(text.run.goOn(String(120 - done)))
+  expect(done).toBeLessThan(80)
+  await expect(page.getByTestId('batch-run')).toHaveText(text.run.goOn(String(80 - done)))
 
   // Rows outlive a change of the plan, and its way back.
   await seeds(page, 2)
   await expect(bar).toHaveAttribute('data-done', '4')
-  await seeds(page, 60)
+  await seeds(page, 40)
   await expect(bar).toHaveAttribute('data-done', String(done))
 
   // It goes on while something else is looked at.
@@ -100,13 +100,13 @@ test('a batch that is stopped keeps its rows; it goes on to the same file that i
   await page.getByTestId('view-stage').click()
   await expect(lab.stage).toBeVisible()
   await page.getByTestId('view-batch').click()
-  await finished(page, 120)
+  await finished(page, 80)
 
   const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
   expect(head).toBe(
     'scene,planner,seed,status,iterations,evaluations,cost,length,value,feasible,clearance,exact,exact_by,gap,reached,reached_iteration,turns,hash',
   )
-  const records = recordsOf(['pso', 'cpso'], 60).flat()
+  const records = recordsOf(['pso', 'cpso'], 40).flat()
   const columns = head.split(',') as (keyof TrialRecord)[]
   const read = (text: string, like: unknown): unknown => (text === '' ? null : typeof like === 'number' ? Number(text) : typeof like === 'boolean' ? text === 'true' : text)
   const told = lines.map((line, at) => line.split(',').map((cell, column) => read(cell, records[at]?.[columns[column] ?? 'hash'])))

@@ -3,6 +3,7 @@ import { batch as text } from '../i18n/batch.en'
 import { lab } from '../state/lab.svelte'
 import { sameScene } from '../state/same'
 import { suits } from '../state/stops'
+import { wait } from '../worker/pace'
 import type { Ending } from '../worker/trial.worker'
 import { Trials } from '../worker/trials'
 import { Clerk } from './clerk'
@@ -25,6 +26,8 @@ export interface Standing {
 const MOST_ROWS = 20_000
 /** How often the numbers on the way are told, in milliseconds. */
 const TELLING = 120
+/** Drawing many runs takes its time: it is done less often, in milliseconds. */
+const [LEAST_PAUSE, MOST_PAUSE] = [250, 1500]
 /** Planners of one family that a batch begins with. */
 const FIRST = 4
 export const threads = (): number => Math.max(navigator.hardwareConcurrency || 2, 1)
@@ -56,6 +59,7 @@ class Batch {
   private kept = 0
   private readonly begun = new Set<string>()
   private cursor = 0
+  private stopping = false
   private since = { at: 0, done: 0 }
   private telling: ReturnType<typeof setTimeout> | undefined
   private readonly clerk = new Clerk()
@@ -186,7 +190,7 @@ class Batch {
     this.cursor = 0
     this.since = { at: performance.now(), done: this.done }
     this.left = null
-    if (this.running) this.trials.start()
+    if (this.running && !this.stopping) this.trials.start()
     void this.refresh()
   }
 
@@ -196,13 +200,17 @@ class Batch {
     this.notice = ''
     this.refusals = {}
     this.running = true
+    this.stopping = false
     this.cursor = 0
     this.since = { at: performance.now(), done: this.done }
     addEventListener('beforeunload', stay)
     this.trials.start()
   }
 
-  stop = (): void => this.trials.stop()
+  stop = (): void => {
+    this.stopping = true
+    this.trials.stop()
+  }
 
   private next(): Errand | null {
     const { plan, active } = this
@@ -272,6 +280,7 @@ class Batch {
       while (this.askAgain) {
         this.askAgain = false
         await this.ask()
+        if (this.running) await wait(Math.min(MOST_PAUSE, LEAST_PAUSE + (this.shown?.groups ?? []).reduce((sum, { rows }) => sum + rows.length, 0) / 3))
       }
     } catch (error) {
       this.notice = text.run.broken(error instanceof Error ? error.message : String(error))

@@ -1,5 +1,6 @@
 import uPlot from 'uplot'
 import 'uplot/dist/uPlot.min.css'
+import type { Axis } from './scale'
 
 export interface Theme {
   ink: string
@@ -34,12 +35,14 @@ export function faint(colour: string, share: number): string {
 interface AxisOptions {
   theme: Theme
   side: 'x' | 'y'
-  splits(): number[] | undefined
+  splits: Axis['splits'] | undefined
   label(place: number, step: number): string
   grid: boolean
 }
 
 const LETTER = 6.4
+/** Room for a label beside others, and above others, in pixels. */
+const [ACROSS, ABOVE] = [64, 24]
 
 export function axis({ theme, side, splits, label, grid }: AxisOptions): uPlot.Axis {
   return {
@@ -47,7 +50,10 @@ export function axis({ theme, side, splits, label, grid }: AxisOptions): uPlot.A
     font: theme.font,
     grid: { show: grid, stroke: theme.line, width: 1 },
     ticks: { show: false },
-    ...(splits() && { splits: () => splits() ?? [], filter: (_: uPlot, places: number[]) => places }),
+    ...(splits && {
+      splits: (plot: uPlot) => splits(Math.floor(side === 'x' ? plot.width / ACROSS : plot.height / ABOVE)),
+      filter: (_: uPlot, places: number[]) => places,
+    }),
     values: (_, places, __, ___, step) => places.map((place) => label(place, step)),
     ...(side === 'x' ? { size: 28, space: 64 } : { size: (_: uPlot, labels: string[]) => 12 + LETTER * Math.max(2, ...(labels ?? []).map(({ length }) => length)) }),
   }

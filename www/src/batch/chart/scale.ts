@@ -6,12 +6,11 @@ export interface Axis {
   /** Where a value is. */
   place(value: number): number
   range: [number, number]
-  /** Places with labels. */
-  splits(): number[] | undefined
+  /** Places with labels, where the plot doesn't choose them, if there is room for so many. */
+  splits?(most: number): number[]
   label(place: number, step: number): string
 }
 
-const MOST_DECADES = 7
 const FEW_DECADES = 3
 const MARGIN = 0.04
 
@@ -45,7 +44,6 @@ export function linear(values: readonly number[], measure: Measure): Axis {
   return {
     place: (value) => (measure === 'gap' ? 100 * value : value),
     range: [low - margin, high + margin].map((value) => (measure === 'gap' ? 100 * value : value)) as [number, number],
-    splits: () => undefined,
     label: (place, step) => decimals(place, step) + (measure === 'gap' ? ' %' : ''),
   }
 }
@@ -57,14 +55,15 @@ export function logarithmic(values: readonly number[], measure: Measure): Axis {
   const from = floor ?? Math.log10(low)
   const to = Math.log10(high)
   const margin = (to - from || 1) * MARGIN
-  const decades = (): number[] => {
+  const decades = (most: number): number[] => {
     const [first, last] = [Math.ceil((floor === null ? from : floor + 1) - margin), Math.floor(to + margin)]
-    const stride = Math.max(1, Math.ceil((last - first + 1) / MOST_DECADES))
+    const stride = Math.max(1, Math.ceil((last - first + 1) / Math.max(1, most)))
     const powers = Array.from({ length: Math.max(0, Math.ceil((last - first + 1) / stride)) }, (_, k) => first + k * stride)
-    // Few powers of ten leave room for numbers between them; within one decade there may be none at all.
+    // Few powers of ten may leave room for numbers between them; within one decade there may be none at all.
     const between = powers.length <= FEW_DECADES ? [first - 1, ...powers].flatMap((power) => [power + Math.log10(2), power + Math.log10(5)]) : []
     const inside = [...powers, ...between].filter((at) => at > (floor ?? from - margin) && at < to + margin)
-    const shown = inside.length > 1 ? inside : [from, (from + to) / 2, to]
+    const fitting = inside.length <= most ? inside : powers
+    const shown = fitting.length > 1 ? fitting : [from, (from + to) / 2, to]
     return [...(floor === null ? [] : [floor]), ...shown.toSorted((a, b) => a - b)]
   }
   return {
@@ -85,7 +84,7 @@ export const axisOf = (scale: ValueScale, values: readonly number[], measure: Me
 /** Evaluations: from nought, or from the first on by their logarithm. */
 export function evaluationAxis(scale: ValueScale, first: number, last: number): Axis {
   if (scale === 'linear') {
-    return { place: (at) => at, range: [0, Math.max(1, last)], splits: () => undefined, label: (at) => (Number.isInteger(at) ? number(at) : '') }
+    return { place: (at) => at, range: [0, Math.max(1, last)], label: (at) => (Number.isInteger(at) ? number(at) : '') }
   }
   const [from, to] = [Math.log10(Math.max(1, first)), Math.log10(Math.max(10, last))]
   return {
