@@ -2,6 +2,7 @@ import type { GroupSummary, Summary, TrialRecord } from 'forage'
 import type { Answered } from '../worker/trial.worker'
 import type { Group } from './clerk'
 import type { Plan, Row } from './plan'
+import { SAME } from './summaries'
 
 /** A run as it is drawn and tabled. */
 export interface Run {
@@ -45,7 +46,8 @@ export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered):
       const [low, high] = summary.summary ? fences(summary.summary) : [-Infinity, Infinity]
       const runs = group.rows.map((row): Run => {
         const { value } = row.record
-        return { group: at, row, record: row.record, outlier: value !== null && (value < low || value > high) }
+        const rounding = SAME * Math.abs(value ?? 0)
+        return { group: at, row, record: row.record, outlier: value !== null && (value < low - rounding || value > high + rounding) }
       })
       return [{ ...group, summary, runs, exact: group.rows[0]?.record.exact ?? null }]
     }),

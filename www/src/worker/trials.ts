@@ -4,6 +4,8 @@ import type { Ending, TrialApi } from './trial.worker'
 
 /** Threads without work leave after so many milliseconds. */
 const PATIENCE = 30_000
+/** Steps that take long are not waited for longer than so many milliseconds when they are called off. */
+const GRACE = 800
 /** So many breakdowns one after the other are no accident. */
 const MOST_BREAKDOWNS = 3
 
@@ -11,7 +13,10 @@ const MOST_BREAKDOWNS = 3
 export class Thread {
   private readonly worker = new Worker(new URL('./trial.worker.ts', import.meta.url), { type: 'module' })
   readonly api = Comlink.wrap<TrialApi>(this.worker)
+  private fail: (problem: Error) => void = () => undefined
+  ended = false
   private readonly failed = new Promise<never>((_, reject) => {
+    this.fail = reject
     this.worker.onerror = (event) => {
       event.preventDefault()
       reject(new Error(event.message || 'worker'))
@@ -28,8 +33,11 @@ export class Thread {
     return Promise.race([answer, this.failed])
   }
 
+  /** Whatever it was asked will not be answered. */
   end(): void {
+    this.ended = true
     this.worker.terminate()
+    this.fail(new Error('ended'))
   }
 }
 
@@ -48,6 +56,7 @@ export class Trials {
   private stopping = false
   private breakdowns = 0
   private leaving: ReturnType<typeof setTimeout> | undefined
+  private grace: ReturnType<typeof setTimeout> | undefined
 
   constructor(
     private readonly size: number,
@@ -59,6 +68,7 @@ export class Trials {
     this.stopping = false
     this.breakdowns = 0
     clearTimeout(this.leaving)
+    clearTimeout(this.grace)
     this.staff()
   }
 
@@ -66,6 +76,10 @@ export class Trials {
   stop(): void {
     this.stopping = true
     for (const thread of this.busy) void thread.api.stop()
+    clearTimeout(this.grace)
+    this.grace = setTimeout(() => {
+      for (const thread of this.busy) thread.end()
+    }, GRACE)
   }
 
   private staff(): void {
@@ -81,12 +95,14 @@ export class Trials {
 
   private async keepBusy(thread: Thread, first: Errand): Promise<void> {
     for (let errand: Errand | null = first; errand && !this.stopping; errand = this.stopping ? null : this.work.next()) {
-      const ending = await thread.ask<Ending>(thread.api.run(errand)).catch((error: unknown): Ending => ({ is: 'broken', message: String(error) }))
+      const ending = await thread.ask<Ending>(thread.api.run(errand)).catch(
+        (error: unknown): Ending => (thread.ended ? { is: 'stopped' } : { is: 'broken', message: error instanceof Error ? error.message : String(error) }),
+      )
       this.work.over(errand, ending)
-      if (ending.is === 'broken') {
+      if (ending.is === 'broken' || thread.ended) {
         thread.end()
         this.busy.delete(thread)
-        this.breakdowns += 1
+        if (ending.is === 'broken') this.breakdowns += 1
         if (this.breakdowns >= MOST_BREAKDOWNS) this.stop()
         this.staff()
         return
@@ -100,6 +116,7 @@ export class Trials {
 
   private rest(): void {
     clearTimeout(this.leaving)
+    clearTimeout(this.grace)
     this.leaving = setTimeout(() => {
       for (const thread of this.idle) thread.end()
       this.idle = []

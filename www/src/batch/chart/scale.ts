@@ -13,6 +13,8 @@ export interface Axis {
 
 const FEW_DECADES = 3
 const MARGIN = 0.04
+/** Shown on both sides of a gap that all share. */
+const LEAST_GAP = 0.01
 
 function extent(values: readonly number[]): [number, number] {
   let [low, high] = [Infinity, -Infinity]
@@ -40,7 +42,7 @@ export function decimals(value: number, step: number): string {
 
 export function linear(values: readonly number[], measure: Measure): Axis {
   const [low, high] = extent(values)
-  const margin = (high - low || Math.abs(high) || 1) * MARGIN
+  const margin = (high - low || Math.abs(high) || (measure === 'gap' ? LEAST_GAP : 1)) * MARGIN
   return {
     place: (value) => (measure === 'gap' ? 100 * value : value),
     range: [low - margin, high + margin].map((value) => (measure === 'gap' ? 100 * value : value)) as [number, number],
