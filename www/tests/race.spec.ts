@@ -2,8 +2,9 @@ import { race as text } from '../src/i18n/race.en'
 import { foreseen, onwards } from '../src/race/notches'
 import { READY } from '../src/race/ready'
 import { markAt, ranks } from '../src/race/standings'
+import { Judge } from '../src/worker/judge'
+import { catalogue, Session, Trial } from '../../pkg/node.js'
 import { violations } from './support/axe'
-import { catalogue } from '../../pkg/node.js'
 import { linkTo, verified } from './support/core'
 import { expect, test } from './support/lab'
 import { coreAt, Race } from './support/race'
@@ -26,6 +27,23 @@ test('who leads has the better feasible best, of equals the one that found it wi
   expect(ranks([{ value: 5, found: 10 }, { value: 5 + 1e-14, found: 10 }, null])).toEqual([1, 1, null])
   const curve = { iterations: Float64Array.of(1, 7), evaluations: Float64Array.of(300, 1200), values: Float64Array.of(13, 12.5) }
   expect([0, 1, 6, 7, 99].map((iteration) => markAt(curve, iteration)?.value)).toEqual([undefined, 13, 13, 12.5, 12.5])
+})
+
+test('the feasible best of a racer is that of a trial', () => {
+  for (const { scene, planners, seed } of READY) {
+    for (const planner of planners) {
+      const [session, trial, judge] = [new Session({ planner, scene, seed }), new Trial({ planner, scene, seed }, undefined), new Judge()]
+      judge.look(session)
+      for (let step = 0; step < 800 && session.status === 'running'; step += 1) {
+        session.step(1)
+        judge.look(session)
+      }
+      trial.step(800)
+      expect(judge.curve(), `${planner} on ${scene}`).toEqual(trial.curve())
+      session.free()
+      trial.free()
+    }
+  }
 })
 
 test('every ready-made race has planners and a scene that ship', () => {
@@ -168,6 +186,44 @@ test.describe('without motion', () => {
     await expect(race.lanes).toHaveCount(2)
     // A race needs two.
     await expect(page.getByRole('button', { name: text.lane.remove('A'), exact: true })).toHaveCount(0)
+  })
+
+  test('ways and tours don’t race each other', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'ants')
+    await page.getByRole('radio', { name: text.tasks.tour, exact: true }).check({ force: true })
+    await race.still()
+    const { planners } = catalogue()
+    const titles = planners.filter(({ stops, kinds }) => stops && kinds.includes('grid')).map(({ title }) => title)
+    await expect(page.getByTestId('lane-planner').first().locator('option')).toHaveText(titles)
+    // No tour before all roads are built.
+    await page.getByTestId('race-forward').click()
+    await expect(race.root).toHaveAttribute('data-still', 'true', { timeout: 30_000 })
+    await expect(race.lanes.first().getByTestId('lane-best')).toContainText('cells')
+  })
+
+  test('a notch that takes long can be called off: all stand where they were', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'trees')
+    await race.lanes.nth(2).getByTestId('lane-parameters').click()
+    const iterations = page.locator('[data-parameter="iterations"]').getByRole('textbox')
+    await iterations.fill('200000')
+    await iterations.press('Enter')
+    await page.keyboard.press('Escape')
+    const before = await race.seek(40)
+    await page.getByTestId('race-notch').fill('1000000')
+    await page.getByTestId('race-notch').press('Enter')
+    await page.getByTestId('race-play').click()
+    await expect(page.getByText(text.lane.computing)).toBeVisible()
+    await page.getByTestId('race-play').click()
+    expect(await race.at(40)).toEqual(before)
+    // What was found on the way is known, and the same.
+    await page.getByTestId('race-notch').fill('100')
+    await page.getByTestId('race-notch').press('Enter')
+    await race.step('race-forward')
+    expect(await race.at(140)).toEqual(
+      [{ planner: 'rrt' }, { planner: 'rrt-connect' }, { planner: 'rrt-star', params: { iterations: 200_000 } }].map((setup) => coreAt(setup, 140)),
+    )
   })
 
   test('everything goes with the keyboard alone', async ({ lab, page }) => {

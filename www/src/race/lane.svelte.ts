@@ -25,6 +25,10 @@ export class Lane {
   outcome = $state.raw<Outcome | null>(null)
   curve = $state.raw<TrialCurve | null>(null)
   settled = $state.raw<Settled | null>(null)
+  /** It is on its way to a time of the race. */
+  underway = $state(false)
+  /** It was called back from its last way. */
+  halted = false
 
   readonly over = $derived(this.picture !== null && this.picture.status !== 'running')
   readonly mark = $derived(this.picture ? markAt(this.curve, this.picture.iteration) : null)
@@ -122,10 +126,20 @@ export class Lane {
   async go(clock: number): Promise<Picture | null> {
     const { api, starts } = this
     if (!api || !this.racing) return null
+    this.underway = true
+    this.halted = false
     const picture = await this.ask(api.go(clock))
+    this.underway = false
     if (picture && starts === this.starts) return picture
-    if (picture) this.leave(picture, starts)
+    this.pass(picture, starts)
     return null
+  }
+
+  /** Calls it back. */
+  halt(): void {
+    if (!this.underway) return
+    this.halted = true
+    void this.ask(this.api?.halt() ?? Promise.resolve())
   }
 
   show(picture: Picture): void {
@@ -153,7 +167,7 @@ export class Lane {
     if (!picture) return
     // A picture of the same state, seen otherwise: what is known of it stays.
     if (starts !== this.starts || picture.iteration !== this.picture?.iteration) {
-      this.leave(picture, starts)
+      this.pass(picture, starts)
       return
     }
     const { settled } = this
@@ -164,7 +178,8 @@ export class Lane {
   field: RaceApi['field'] = async (request) => (this.api ? this.ask(this.api.field(request)) : null)
 
   /** A picture that isn't shown; what it tells of the whole run is told only once. */
-  private leave(picture: Picture, starts: number): void {
+  pass(picture: Picture | null, starts = this.starts): void {
+    if (!picture) return
     if (picture.curve && starts === this.starts) this.curve = picture.curve
     this.discard(picture)
   }
@@ -185,6 +200,7 @@ export class Lane {
     this.forsake(new Error('dismissed'))
     this.api = undefined
     this.run = null
+    this.underway = false
     this.picture?.fields.forEach(({ bitmap }) => bitmap.close())
     this.picture = null
     this.settled = null

@@ -3,95 +3,59 @@ import { race as text } from '../i18n/race.en'
 import { applies } from '../state/applicable'
 import { lab } from '../state/lab.svelte'
 import { sameScene } from '../state/same'
-import { stopsOf, suits } from '../state/stops'
 import { stillness } from '../state/theme.svelte'
 import { views } from '../state/views.svelte'
 import type { Size, View } from '../stage/view'
 import { Lane } from './lane.svelte'
-import { extent, onwards } from './notches'
 import type { Entry, Ready } from './ready'
+import { fitting, type Task, taskOf, tasksOn } from './tasks'
+import { Times } from './times.svelte'
 import type { Side } from './space'
 import { ranks } from './standings'
 
 export const [FEWEST, MOST] = [2, 4]
-/** How long a stretch without a picture lasts at most, in milliseconds. */
-const STRETCH = 60
-/** After a pause of the machine it goes on from here instead of catching up. */
-const LATE = 200
-/** What is drawn needs its time, too. */
-const LEAST = 12
-
-const wait = (milliseconds: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, milliseconds))
-
-/** Whether a planner can race on a scene. */
-export const fits = (planner: Planner, scene: Scene): boolean => suits(planner, scene) && stopsOf(scene).length <= (planner.stops ? (planner.most_stops ?? Infinity) : Infinity)
-
 /** Planners beside each other on the same scene and seed. There is one clock, in evaluations. */
-class Race {
+class Race extends Times {
   scene = $state.raw<Scene | null>(null)
   seed = $state(1)
-  lanes = $state.raw<readonly Lane[]>([])
+  /** What all of them are to do; scenes with stops and ends leave a choice. */
+  task = $state<Task>('path')
   /** Something that was done for the user and must be said. */
   notice = $state('')
-
-  clock = $state(0)
-  /** Where a seek is on its way to. */
-  goal = $state<number | null>(null)
-  playing = $state(false)
-  starting = $state(false)
-  /** Notches a second. */
-  speed = $state(10)
-  /** Evaluations of a notch, if they were chosen. */
-  chosen = $state<number | null>(null)
 
   /** All lanes are seen alike. */
   view = $state.raw<View | null>(null)
   size = $state.raw<Size>({ width: 1, height: 1 })
   side = $state<Side>('corner')
 
-  readonly racing = $derived(this.lanes.filter(({ racing }) => racing))
-  /** A step is a planner's smallest move: a notch is the largest step of all, unless it was chosen. */
-  readonly usual = $derived(Math.max(1, ...this.racing.map(({ run, picture }) => picture?.furthest.most ?? run?.most ?? 1)))
-  readonly notch = $derived(this.chosen ?? this.usual)
-  readonly begin = $derived(this.racing.length > 0 ? Math.min(...this.racing.map(({ run }) => run?.first ?? 0)) : 0)
-  readonly extent = $derived(extent(this.clock, this.racing.map(({ end }) => end)))
-  readonly over = $derived(this.racing.length > 0 && this.racing.every(({ over }) => over))
-  readonly busy = $derived(this.playing || this.goal !== null || this.starting)
   readonly ranks = $derived(ranks(this.lanes.map(({ racing, mark }) => (racing ? mark : null))))
-  /** Everything stands still, and all that there is to tell was told. */
-  readonly still = $derived(!this.busy && this.racing.length > 0 && this.racing.every(({ settled }) => settled !== null))
-  readonly planners = $derived<readonly Planner[]>(lab.catalogue?.planners.filter((planner) => this.scene && fits(planner, this.scene)) ?? [])
-
-  private looping = false
-  /** When the next picture is due. */
-  private due = 0
-  /** Notches that take about as long as a stretch may. */
-  private stretch = 1
-  /** How far the clock has come. */
-  private known = 0
-  private turns = 0
+  readonly planners = $derived<readonly Planner[]>(this.scene ? fitting(lab.catalogue, this.scene, this.task) : [])
 
   /** The first time it takes up what the lab has. */
   async open(): Promise<void> {
     if (this.scene || !lab.scene) return
     const { plannerName: planner, params } = lab
-    await this.set(lab.scene, lab.seed, this.rivals(lab.scene, { planner, params }))
+    const own = lab.catalogue?.planners.find(({ name }) => name === planner)
+    const task = own && tasksOn(lab.catalogue, lab.scene).includes(taskOf(own)) ? taskOf(own) : this.taskOn(lab.scene)
+    await this.set(lab.scene, lab.seed, this.rivals(lab.scene, { planner, params }, task), task)
   }
 
   /** The lab's planner and those of its family; whoever is there, where it has none. */
-  private rivals(scene: Scene, own: Entry): Entry[] {
-    const all = lab.catalogue?.planners.filter((planner) => fits(planner, scene)) ?? []
-    const first = all.find(({ name }) => name === own.planner)
-    const others = all.filter(({ name }) => name !== own.planner)
+  private rivals(scene: Scene, own: Entry, task: Task): Entry[] {
+    const all = fitting(lab.catalogue, scene, task)
+    const first = all.find(({ name }) => name === own.planner) ?? all[0]
+    const others = all.filter((planner) => planner !== first)
     const kin = others.filter(({ family }) => family === first?.family)
     const strangers = others.filter(({ family }) => family !== first?.family)
-    const entries = [...kin, ...strangers].map(({ name }): Entry => ({ planner: name, params: {} }))
-    return [...(first ? [own] : []), ...entries].slice(0, kin.length > 0 ? Math.min(kin.length + 1, MOST) : FEWEST)
+    return [first, ...kin, ...strangers]
+      .slice(0, kin.length > 0 ? Math.min(kin.length + 1, MOST) : FEWEST)
+      .flatMap((planner) => (planner ? [{ planner: planner.name, params: planner.name === own.planner ? own.params : {} }] : []))
   }
 
   /** A race of these planners, from its beginning. */
-  private async set(scene: Scene, seed: number, entries: readonly Entry[]): Promise<void> {
+  private async set(scene: Scene, seed: number, entries: readonly Entry[], task: Task): Promise<void> {
     this.stop()
+    this.task = task
     for (const lane of this.lanes) lane.dismiss()
     this.lanes = entries.map(({ planner, params }) => new Lane(planner, params))
     this.place(scene)
@@ -115,7 +79,8 @@ class Race {
     const scene = lab.catalogue?.scenes.find((candidate) => candidate.name === name)
     if (!scene) return
     this.notice = ''
-    await this.set(scene, seed, entries)
+    const first = lab.catalogue?.planners.find((planner) => planner.name === entries[0]?.planner)
+    await this.set(scene, seed, entries, first ? taskOf(first) : this.task)
     if (!stillness.matches) this.play()
   }
 
@@ -123,16 +88,30 @@ class Race {
 
   /** Whoever doesn't run there makes room. */
   setScene = async (scene: Scene): Promise<void> => {
-    const fitting = lab.catalogue?.planners.filter((planner) => fits(planner, scene)) ?? []
-    const staying = this.lanes.filter(({ planner }) => fitting.some(({ name }) => name === planner))
+    const task = this.taskOn(scene)
+    const able = fitting(lab.catalogue, scene, task)
+    const staying = this.lanes.filter(({ planner }) => able.some(({ name }) => name === planner))
     const leaving = this.lanes.filter((lane) => !staying.includes(lane))
-    const added = fitting.filter(({ name }) => !staying.some(({ planner }) => planner === name)).slice(0, Math.max(0, FEWEST - staying.length))
+    const added = able.filter(({ name }) => !staying.some(({ planner }) => planner === name)).slice(0, Math.max(0, FEWEST - staying.length))
     for (const lane of leaving) lane.dismiss()
     this.lanes = [...staying, ...added.map(({ name }) => new Lane(name))]
     const title = (name: string): string => lab.catalogue?.planners.find((planner) => planner.name === name)?.title ?? name
     this.notice = leaving.length > 0 ? text.left(leaving.map(({ planner }) => title(planner)), added.map((planner) => planner.title), scene.title) : ''
     this.place(scene)
+    this.task = task
     await this.restart()
+  }
+
+  /** As before, where that can be done there. */
+  private taskOn(scene: Scene): Task {
+    const tasks = tasksOn(lab.catalogue, scene)
+    return tasks.includes(this.task) ? this.task : (tasks[0] ?? 'path')
+  }
+
+  /** Ways and tours can't be compared: others race. */
+  setTask = async (task: Task): Promise<void> => {
+    const { scene } = this
+    if (scene && task !== this.task) await this.set(scene, this.seed, this.rivals(scene, { planner: '', params: {} }, task), task)
   }
 
   setSeed = (seed: number): Promise<void> => {
@@ -188,11 +167,7 @@ class Race {
     const { scene, seed, turns } = this
     if (!scene) return false
     const accepted = await lane.start(scene, this.applicable(lane, params), seed)
-    if (accepted && turns === this.turns) {
-      // While the race goes on it catches up with the next notch.
-      if (!this.busy) this.goal = this.clock
-      void this.loop()
-    }
+    if (accepted && turns === this.turns) this.gather()
     return accepted
   }
 
@@ -206,112 +181,7 @@ class Race {
     await Promise.all(this.lanes.map((lane) => lane.start(scene, this.applicable(lane, lane.params), seed)))
     if (turn !== this.turns) return
     this.starting = false
-    this.known = 0
-    this.stretch = 1
-    this.clock = this.begin
-    this.seek(this.begin)
-  }
-
-  // Time
-
-  toggle = (): void => (this.playing ? this.pause() : this.play())
-
-  play = (): void => {
-    this.goal = this.over ? this.begin : null
-    this.playing = true
-    void this.loop()
-  }
-
-  /** It stops at the next picture: all stand at the same time. */
-  pause = (): void => this.stop()
-
-  private stop(): void {
-    this.playing = false
-    this.goal = null
-  }
-
-  seek = (to: number): void => {
-    this.playing = false
-    this.goal = Math.max(to, this.begin)
-    void this.loop()
-  }
-
-  /** Notches on or back. */
-  stepBy = (notches: number): void => {
-    const from = this.goal !== null && Number.isFinite(this.goal) ? this.goal : this.clock
-    if (notches < 0) this.seek(from + notches * this.notch)
-    else this.seek(this.onwards(from) + (notches - 1) * this.notch)
-  }
-
-  private onwards(from: number): number {
-    const runners = this.racing.flatMap(({ picture, over }) => (picture ? [{ evaluations: picture.evaluations, over }] : []))
-    return Math.max(onwards(from, this.notch, runners), from)
-  }
-
-  toEnd = (): void => this.seek(Infinity)
-
-  private async loop(): Promise<void> {
-    if (this.looping) return
-    this.looping = true
-    this.due = performance.now()
-    try {
-      for (let next = this.next(); next !== null; next = this.next()) {
-        const began = performance.now()
-        await this.arrive(next)
-        const took = Math.max(performance.now() - began, 1)
-        this.stretch = Math.max(1, this.stretch * Math.min(Math.max(STRETCH / took, 0.5), 2))
-        await wait(Math.max(this.playing && this.goal === null ? this.due - performance.now() : 0, LEAST))
-      }
-    } finally {
-      this.looping = false
-    }
-    await Promise.all(this.racing.map((lane) => lane.settle()))
-  }
-
-  /** The time that comes next; null where it is to stand. */
-  private next(): number | null {
-    if (this.starting || this.racing.length === 0) {
-      this.stop()
-      return null
-    }
-    if (this.goal !== null) return this.towards(this.goal)
-    if (this.over) this.playing = false
-    return this.playing ? this.onwards(this.clock) + (this.more() - 1) * this.notch : null
-  }
-
-  /** How many notches are due. */
-  private more(): number {
-    const now = performance.now()
-    if (!Number.isFinite(this.speed) || now - this.due > LATE) this.due = now
-    if (!Number.isFinite(this.speed)) return Math.floor(this.stretch)
-    const notches = 1 + Math.floor(((now - this.due) * this.speed) / 1000)
-    this.due += (notches * 1000) / this.speed
-    return notches
-  }
-
-  /** Where nobody was yet, there are pictures on the way to a goal. */
-  private towards(goal: number): number | null {
-    const placed = this.racing.every(({ picture }) => picture !== null)
-    if (!placed) return Math.min(goal, this.clock)
-    if (goal < this.clock) return goal
-    if (goal > this.clock && !this.over) return Math.min(goal, Math.max(this.known, this.clock + Math.floor(this.stretch) * this.notch))
-    this.goal = null
-    return this.playing ? this.next() : null
-  }
-
-  /** All go there; they are shown together. */
-  private async arrive(clock: number): Promise<void> {
-    const { turns, racing } = this
-    const pictures = await Promise.all(racing.map((lane) => lane.go(clock)))
-    const shown = turns === this.turns
-    racing.forEach((lane, at) => {
-      const picture = pictures[at]
-      if (picture && shown) lane.show(picture)
-    })
-    if (!shown) return
-    // Where all have come to their end, there is no time beyond.
-    this.known = Math.max(this.known, clock)
-    this.clock = this.over ? Math.min(clock, Math.max(this.begin, ...racing.map(({ picture }) => picture?.evaluations ?? 0))) : clock
+    this.rewind()
   }
 
   /** Exactly this run, where it stands. */

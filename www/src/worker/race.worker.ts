@@ -29,6 +29,7 @@ const api = {
     }
   },
   go: async (clock: number): Promise<Picture | null> => sent(await (await own()).go(clock)),
+  halt: (): void => racer?.halt(),
   look: async (look: Look): Promise<Picture | null> => sent((await own()).look(look)),
   settle: async (): Promise<Settled | null> => (await own()).settle(),
   giveBack: (buffer: ArrayBuffer): void => racer?.giveBack(buffer),

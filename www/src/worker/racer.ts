@@ -1,6 +1,7 @@
-import { armPose, Session, Trial } from 'forage'
+import { armPose, Session } from 'forage'
 import type { Setup } from 'forage'
 import { fieldsOf } from './fields'
+import { Judge } from './judge'
 import { breathe, SLICE } from './pace'
 import { pack } from './pack'
 import { Pool } from './pool'
@@ -18,8 +19,10 @@ const REPORT_SHARE = 10
 /** A run whose clock is its evaluations: it is taken to the first iteration at or beyond so many of them. */
 export class Racer {
   session: Session | undefined
-  /** The same run once more, always at its furthest: it keeps the feasible best over the evaluations. */
-  private trial: Trial | undefined
+  /** Keeps the feasible best over the evaluations. */
+  private judge = new Judge()
+  /** How many iterations it has come at its furthest. */
+  private furthest = 0
   private readonly pool = new Pool(3)
   /** Iterations in which something was evaluated, and how much there was then. */
   private marks: { iteration: number; evaluations: number }[] = []
@@ -38,12 +41,11 @@ export class Racer {
 
   start(setup: Setup): Start {
     const session = new Session(setup)
-    const trial = new Trial(setup, undefined)
     this.token += 1
     this.session?.free()
-    this.trial?.free()
-    Object.assign(this, { session, trial, ended: false, underway: false, toldCurve: -1, lastReport: 0 })
+    Object.assign(this, { session, judge: new Judge(), furthest: 0, ended: false, underway: false, toldCurve: -1, lastReport: 0 })
     this.marks = [{ iteration: 0, evaluations: session.evaluations }]
+    this.judge.look(session)
     this.most = probe(session)
     this.lookAt()
     const { planner, scene, seed, parameters, limit, evaluations: first } = session
@@ -54,14 +56,19 @@ export class Racer {
   /** Goes to the first iteration at or beyond so many evaluations, or to the end; nothing if a newer command has come. */
   async go(clock: number): Promise<Picture | null> {
     this.token += 1
-    const { session, trial, token } = this
-    if (!session || !trial) return null
+    const { session, token } = this
+    if (!session) return null
     this.underway = true
     const known = this.iterationAt(clock)
-    const reached = await this.reach(session, known ?? trial.iteration, token)
-    if (!reached || (known === null && !(await this.discover(session, trial, clock, token)))) return null
+    const reached = await this.reach(session, known ?? this.furthest, token)
+    if (!reached || (known === null && !(await this.discover(session, clock, token)))) return null
     this.underway = false
     return this.picture()
+  }
+
+  /** Leaves off, wherever it is: what was found on the way stays known. */
+  halt(): void {
+    this.token += 1
   }
 
   /** As far as it is known: where the run was at a clock's time. */
@@ -72,7 +79,7 @@ export class Racer {
       if ((this.marks[middle]?.evaluations ?? 0) < clock) low = middle + 1
       else high = middle
     }
-    return this.marks[low]?.iteration ?? (this.ended ? (this.trial?.iteration ?? 0) : null)
+    return this.marks[low]?.iteration ?? (this.ended ? this.furthest : null)
   }
 
   /** Goes where it was before; true if it came there. */
@@ -91,13 +98,14 @@ export class Racer {
   }
 
   /** Goes where it never was, and keeps what each step evaluated. */
-  private async discover(session: Session, trial: Trial, clock: number, token: number): Promise<boolean> {
+  private async discover(session: Session, clock: number, token: number): Promise<boolean> {
     let until = performance.now() + SLICE
     while (session.status === 'running' && session.evaluations < clock) {
       const before = session.evaluations
       session.stepTo(clock, 1)
-      trial.step(1)
       const { iteration, evaluations } = session
+      this.furthest = iteration
+      this.judge.look(session)
       if (evaluations > before) this.marks.push({ iteration, evaluations })
       this.most = Math.max(this.most, evaluations - before)
       if (performance.now() < until) continue
@@ -131,19 +139,18 @@ export class Racer {
   }
 
   private picture(): Picture | null {
-    const { session, trial, most, ended } = this
-    if (!session || !trial) return null
+    const { session, judge, most, ended } = this
+    if (!session) return null
     const outcome = this.outcome(session)
-    const curve = trial.curve()
-    const grown = curve.values.length !== this.toldCurve
-    this.toldCurve = curve.values.length
-    const { iteration, evaluations, status } = session
-    const furthest = { iteration: trial.iteration, evaluations: this.marks.at(-1)?.evaluations ?? 0, limit: trial.limit, most, ended }
+    const curve = judge.changes === this.toldCurve ? null : judge.curve()
+    this.toldCurve = judge.changes
+    const { iteration, evaluations, status, limit } = session
+    const furthest = { iteration: this.furthest, evaluations: this.marks.at(-1)?.evaluations ?? 0, limit, most, ended }
     // The views last until the next call: nothing of the core may come between here and the copy.
     const { vertices, spans, thinning } = session.frame(BUDGET)
     const packed = pack(vertices, spans, this.field, (bytes) => this.pool.take(bytes))
     const fields = fieldsOf(session, this.looked.fields, this.looked.dark)
-    return { iteration, evaluations, status, furthest, ...packed, fields, thinning, curve: grown ? curve : null, outcome }
+    return { iteration, evaluations, status, furthest, ...packed, fields, thinning, curve, outcome }
   }
 
   private outcome(session: Session): Picture['outcome'] {
