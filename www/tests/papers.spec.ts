@@ -152,20 +152,6 @@ for (const { experiment, scene, planner, params, name } of OPENED) {
   })
 }
 
-test('an experiment is run as a batch and as a race, with the planners and the seeds of the paper', async ({ lab, page }) => {
-  await open(lab)
-  const row = page.getByTestId('experiment-discs').locator('[data-scene=wcpso-discs]')
-  await row.getByTestId('open-batch').click()
-  await expect(page.getByTestId('entrant')).toHaveCount(2)
-  // So many runs each, and they have begun.
-  await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-total', '20')
-  await expect(page.getByTestId('batch-bar')).not.toHaveAttribute('data-done', '0')
-  await page.getByTestId('view-papers').click()
-  await row.getByTestId('open-race').click()
-  await expect(page.getByTestId('lane')).toHaveCount(2)
-  await expect(page.getByTestId('race')).not.toHaveAttribute('data-clock', '0')
-})
-
 test('a moving obstacle is seen with the seed that meets it', async ({ lab, page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' })
   await open(lab)

@@ -171,13 +171,12 @@ class Batch {
     return ''
   }
 
-  /** A batch on a scene that ships, which goes off at once. */
-  open = (ready: Omit<Ready, 'name'>, from = 1): void => {
+  open = (ready: Ready): void => {
     const scene = lab.catalogue?.scenes.find(({ name }) => name === ready.scene)
     if (!scene) return
     this.scene = scene
     this.entrants = ready.entrants.map(({ planner, params = {} }, slot) => ({ slot, planner, params }))
-    this.from = from
+    this.from = 1
     this.count = ready.count
     this.iterations = null
     this.drafts = {}

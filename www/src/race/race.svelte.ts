@@ -1,12 +1,12 @@
 import type { ParameterValue, Planner, Scene } from 'forage'
 import { race as text } from '../i18n/race.en'
-import { applies } from '../state/applicable'
+import { applies, standardOn } from '../state/applicable'
 import { lab } from '../state/lab.svelte'
 import { sameScene } from '../state/same'
 import { stillness } from '../state/theme.svelte'
 import { views } from '../state/views.svelte'
 import type { Size, View } from '../stage/view'
-import { Lane } from './lane.svelte'
+import { Lane, type Started } from './lane.svelte'
 import type { Entry, Ready } from './ready'
 import { fitting, type Task, taskOf, tasksOn } from './tasks'
 import { Times } from './times.svelte'
@@ -27,6 +27,8 @@ class Race extends Times {
   view = $state.raw<View | null>(null)
   size = $state.raw<Size>({ width: 1, height: 1 })
   side = $state<Side>('corner')
+
+  private changes = Promise.resolve()
 
   readonly ranks = $derived(ranks(this.lanes.map(({ racing, mark }) => (racing ? mark : null))))
   readonly planners = $derived<readonly Planner[]>(this.scene ? fitting(lab.catalogue, this.scene, this.task) : [])
@@ -69,18 +71,13 @@ class Race extends Times {
     this.scene = scene
   }
 
-  openReady = async ({ scene, planners, seed, speed }: Ready): Promise<void> => {
-    this.speed = speed
-    await this.startOn(scene, seed, planners.map((planner) => ({ planner, params: {} })))
-  }
-
-  /** A race on a scene that ships, which goes off at once. */
-  startOn = async (name: string, seed: number, entries: readonly Entry[]): Promise<void> => {
+  openReady = async ({ scene: name, planners, seed, speed }: Ready): Promise<void> => {
     const scene = lab.catalogue?.scenes.find((candidate) => candidate.name === name)
     if (!scene) return
     this.notice = ''
-    const first = lab.catalogue?.planners.find((planner) => planner.name === entries[0]?.planner)
-    await this.set(scene, seed, entries, first ? taskOf(first) : this.task)
+    this.speed = speed
+    const first = lab.catalogue?.planners.find((planner) => planner.name === planners[0])
+    await this.set(scene, seed, planners.map((planner) => ({ planner, params: {} })), first ? taskOf(first) : this.task)
     if (!stillness.matches) this.play()
   }
 
@@ -138,11 +135,22 @@ class Race extends Times {
     await this.enter(lane)
   }
 
-  setParameter = async (lane: Lane, name: string, value: ParameterValue | string): Promise<void> => {
-    const params = { ...lane.params, [name]: value as ParameterValue }
-    const { [name]: _gone, ...errors } = lane.errors
-    lane.errors = errors
-    if (await this.enter(lane, params)) lane.params = params
+  /** One after the other: each counts on what the one before came to. */
+  setParameter = (lane: Lane, name: string, value: ParameterValue | string): void => {
+    this.changes = this.changes.then(async () => {
+      const params = { ...lane.params, [name]: value as ParameterValue }
+      const { [name]: _gone, ...errors } = lane.errors
+      lane.errors = errors
+      if ((await this.enter(lane, params)) === 'begun') lane.params = this.changed(lane, params)
+    })
+  }
+
+  /** What differs from the defaults. */
+  private changed(lane: Lane, values: Record<string, ParameterValue>): Record<string, ParameterValue> {
+    const { scene } = this
+    const known = this.planners.find(({ name }) => name === lane.planner)?.parameters ?? []
+    const standard = (name: string): ParameterValue | undefined => known.flatMap((parameter) => (parameter.name === name && scene ? [standardOn(parameter, scene.kind)] : []))[0]
+    return Object.fromEntries(Object.entries(values).filter(([name, value]) => value !== standard(name)))
   }
 
   resetParameter = async (lane: Lane, name?: string): Promise<void> => {
@@ -163,12 +171,12 @@ class Race extends Times {
   }
 
   /** A racer begins anew and goes where the others are. */
-  enter = async (lane: Lane, params = lane.params): Promise<boolean> => {
+  enter = async (lane: Lane, params = lane.params): Promise<Started> => {
     const { scene, seed, turns } = this
-    if (!scene) return false
-    const accepted = await lane.start(scene, this.applicable(lane, params), seed)
-    if (accepted && turns === this.turns) this.gather()
-    return accepted
+    if (!scene) return 'refused'
+    const started = await lane.start(scene, this.applicable(lane, params), seed)
+    if (started === 'begun' && turns === this.turns) this.gather()
+    return started
   }
 
   /** All begin anew. */
