@@ -4,12 +4,14 @@ import { catalogue, type ParameterValue, parseLink } from '../../pkg/node.js'
 import { checksOf, rowsOf } from '../plugins/reproduction'
 import { papers as text } from '../src/i18n/papers.en'
 import { number } from '../src/panels/format'
+import { runOf } from '../src/papers/commands'
 import { EXPERIMENTS, offered } from '../src/papers/experiments'
 import { groupsOf, ours, published, tally, together } from '../src/papers/figures'
 import { COLUMNS, NUMBERS, PAPERS, VERDICTS } from '../src/papers/row'
 import { violations } from './support/axe'
-import { hashOf } from './support/core'
+import { hashOf, trialOf } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
+import { Race } from './support/race'
 
 const FILE = 'REPRODUCTION.csv'
 const REPORT = 'REPRODUCTION.md'
@@ -158,6 +160,60 @@ test('a moving obstacle is seen with the seed that meets it', async ({ lab, page
   await page.getByTestId('experiment-moving').getByTestId('open-run').first().click()
   const link = parseLink(await lab.link(await lab.settled(0)))
   expect([link.planner, link.scene.name, link.seed]).toEqual(['wolf-ant-drive', 'wolf-ant-20', 11])
+})
+
+test('an experiment becomes a batch, with the paper’s parameters and number of runs', async ({ lab, page }) => {
+  await open(lab)
+  await page.getByTestId('experiment-wolves').getByTestId('open-batch').click()
+  await expect(page.getByTestId('view-batch')).toHaveAttribute('aria-current', 'page')
+  await expect(page.getByTestId('entrant')).toHaveCount(3)
+  expect(await page.getByTestId('entrant').evaluateAll((entrants) => entrants.map((entrant) => entrant.getAttribute('data-planner')))).toEqual(['a-star', 'aco', 'aco-wolf'])
+  await expect(page.getByTestId('batch-from')).toHaveValue('1')
+  await expect(page.getByTestId('batch-count')).toHaveValue('30')
+  await page.getByTestId('batch-count').fill('2')
+  await page.getByTestId('batch-count').press('Enter')
+  await page.getByTestId('batch-run').click()
+  await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-done', '6')
+  for (const seed of [1, 2]) {
+    const { hash } = trialOf({ planner: 'aco', scene: 'wolf-ant-20', params: { ants: 30 }, seed }).record
+    await expect(page.locator(`[data-testid=batch-row][data-planner=aco][data-seed="${seed}"]`)).toHaveAttribute('data-hash', hash)
+  }
+})
+
+test('an experiment becomes a race, with the paper’s parameters', async ({ lab, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await open(lab)
+  await page.getByTestId('experiment-sixteen').getByTestId('open-race').click()
+  await expect(page.getByTestId('view-race')).toHaveAttribute('aria-current', 'page')
+  const race = new Race(page)
+  await expect(race.lanes).toHaveCount(2)
+  for (const { planner, iteration, hash } of await race.standings()) {
+    const params = { segments: 16, initial: 'normal', population: 52, iterations: 99 }
+    expect(hash).toBe(hashOf({ planner, scene: 'qpso-10m', params }, iteration))
+  }
+})
+
+test('a row’s own run opens in the stage, bit for bit what its command repeats', async ({ lab, page }) => {
+  const [row, expected] = rows.flatMap((candidate) => {
+    const found = runOf(candidate.command)
+    return found && found.run.planner === 'ltqpso' && found.run.params['segments'] === 16 ? [[candidate, found] as const] : []
+  })[0] ?? []
+  if (!row || !expected) throw new Error('no such row')
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await open(lab)
+  const group = page.getByTestId(`group-${row.reproduction}`).and(page.locator(`[data-table="${row.table}"]`))
+  await turned(group, true)
+  await group.locator('td.why button').nth(rows.filter(({ table, reproduction }) => table === row.table && reproduction === row.reproduction).indexOf(row)).click()
+  await group.getByTestId('open-figure').click()
+  const { planner, params, seed = 0 } = expected.run
+  expect(params).toEqual({ early_stop: 0, initial: 'normal', initial_mean: 45, initial_std: 30, iterations: 99, population: 52, segments: 16 })
+  expect(await lab.settled(0)).toBe(hashOf({ planner, scene: expected.on.scene, params, seed }, 0))
+})
+
+test('every command of a single run is understood', () => {
+  const runs = rows.filter(({ command }) => command.startsWith('forage run '))
+  expect(runs.length).toBeGreaterThan(0)
+  for (const { command } of rows) expect(runOf(command) !== null, command).toBe(command.startsWith('forage run '))
 })
 
 test('a command is copied, and it is told', async ({ lab, page, context }) => {

@@ -1,6 +1,7 @@
 import type { Catalogue, ParameterValue, Planner, Scene } from 'forage'
 import { batch as text } from '../i18n/batch.en'
 import { lab } from '../state/lab.svelte'
+import type { ProposedBatch } from '../state/proposed.svelte'
 import { sameScene } from '../state/same'
 import { suits } from '../state/stops'
 import { wait } from '../worker/pace'
@@ -171,17 +172,24 @@ class Batch {
     return ''
   }
 
-  open = (ready: Ready): void => {
-    const scene = lab.catalogue?.scenes.find(({ name }) => name === ready.scene)
-    if (!scene) return
+  open = ({ scene, entrants, count }: Ready): void => {
+    if (this.plans(scene, entrants, 1, count)) this.run()
+  }
+
+  /** What another view proposes becomes the plan; how long it takes is seen before it is run. */
+  propose = ({ scene, planners, seeds }: ProposedBatch): void => void this.plans(scene, planners, seeds.from, seeds.count)
+
+  private plans(name: string, entrants: Ready['entrants'], from: number, count: number): boolean {
+    const scene = lab.catalogue?.scenes.find((shipped) => shipped.name === name)
+    if (!scene) return false
     this.scene = scene
-    this.entrants = ready.entrants.map(({ planner, params = {} }, slot) => ({ slot, planner, params }))
-    this.from = 1
-    this.count = ready.count
+    this.entrants = entrants.map(({ planner, params = {} }, slot) => ({ slot, planner, params }))
+    this.from = from
+    this.count = count
     this.iterations = null
     this.drafts = {}
     this.changed()
-    this.run()
+    return true
   }
 
   /** The rows that still apply stay; while it runs, what is missing is run next. */

@@ -4,7 +4,7 @@ import type { Values } from './plan'
 export interface Ready {
   name: keyof typeof import('../i18n/batch.en').batch.ready.batches
   scene: string
-  entrants: { planner: string; params?: Values }[]
+  entrants: readonly { planner: string; params?: Values }[]
   count: number
 }
 
