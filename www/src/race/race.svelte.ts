@@ -2,6 +2,7 @@ import type { ParameterValue, Planner, Scene } from 'forage'
 import { race as text } from '../i18n/race.en'
 import { applies, standardOn } from '../state/applicable'
 import { lab } from '../state/lab.svelte'
+import type { ProposedRace } from '../state/proposed.svelte'
 import { sameScene } from '../state/same'
 import { stillness } from '../state/theme.svelte'
 import { views } from '../state/views.svelte'
@@ -79,6 +80,15 @@ class Race extends Times {
     const first = lab.catalogue?.planners.find((planner) => planner.name === planners[0])
     await this.set(scene, seed, planners.map((planner) => ({ planner, params: {} })), first ? taskOf(first) : this.task)
     if (!stillness.matches) this.play()
+  }
+
+  /** What another view proposes stands at its start. */
+  propose = async ({ scene: name, planners, seed }: ProposedRace): Promise<void> => {
+    const scene = lab.catalogue?.scenes.find((candidate) => candidate.name === name)
+    if (!scene) return
+    this.notice = ''
+    const first = lab.catalogue?.planners.find((planner) => planner.name === planners[0]?.planner)
+    await this.set(scene, seed, planners, first ? taskOf(first) : this.task)
   }
 
   // What races where
