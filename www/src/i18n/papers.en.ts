@@ -67,6 +67,8 @@ export const papers = {
   unprinted: 'not printed',
   reason: 'Reason:',
   command: 'To repeat it:',
+  repeat: 'Open in the stage',
+  repeatHelp: (command: string) => `Open in the stage: ${command}`,
   why: (row: string) => `Reason and command: ${row}`,
   all: 'Show all reasons and commands',
   copy: 'Copy',
