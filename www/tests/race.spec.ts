@@ -18,8 +18,9 @@ test('a notch goes on to where somebody moves, and a racer that has come to its 
   expect(onwards(0, 50, [{ evaluations: 150, over: false }, { evaluations: 170, over: false }])).toBe(200)
   expect(onwards(100, 50, [{ evaluations: 20, over: true }, { evaluations: 149, over: false }])).toBe(150)
   expect(onwards(100, 50, [{ evaluations: 20, over: true }])).toBe(100)
-  expect(foreseen({ iteration: 10, evaluations: 1650, limit: 500, most: 150, ended: false }, 150)).toBe(75_150)
-  expect(foreseen({ iteration: 52, evaluations: 52, limit: 20_000, most: 1, ended: true }, 0)).toBe(52)
+  expect(foreseen({ iteration: 10, evaluations: 1650, limit: 500, most: 150, ended: false, tail: false }, 150)).toBe(75_150)
+  expect(foreseen({ iteration: 52, evaluations: 52, limit: 20_000, most: 1, ended: true, tail: false }, 0)).toBe(52)
+  expect(foreseen({ iteration: 492, evaluations: 3000, limit: 492, most: 30, ended: true, tail: true }, 0)).toBe(3001)
 })
 
 test('who leads has the better feasible best, of equals the one that found it with fewer evaluations', () => {
@@ -294,6 +295,10 @@ test.describe('without motion', () => {
     const driven = ['wolf-ant-drive', 'a-star-drive', 'd-star-lite-drive'].map((planner) => coreAt({ planner, scene: 'wolf-ant-20' }, Infinity))
     expect(await race.standings()).toEqual(driven)
     for (const { status } of driven) expect(status).toBe('solved')
+    // The drive takes no evaluations: it is one beyond the last that planning took.
+    expect(await race.clock()).toBe(3001)
+    expect(await race.seek(3000)).toEqual(['wolf-ant-drive', 'a-star-drive', 'd-star-lite-drive'].map((planner) => coreAt({ planner, scene: 'wolf-ant-20' }, 3000)))
+    expect(await race.seek(3001)).toEqual(driven)
   })
 
   for (const colorScheme of ['light', 'dark'] as const) {

@@ -32,7 +32,7 @@ export class Lane {
 
   readonly over = $derived(this.picture !== null && this.picture.status !== 'running')
   readonly mark = $derived(this.picture ? markAt(this.curve, this.picture.iteration) : null)
-  /** How many evaluations it will come to. */
+  /** When it will be at its end. */
   readonly end = $derived(this.run && this.picture ? foreseen(this.picture.furthest, this.run.first) : 0)
   /** It takes part. */
   readonly racing = $derived(this.run !== null && this.refusal === '' && this.crash === '')

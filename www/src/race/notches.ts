@@ -15,9 +15,9 @@ export function onwards(clock: number, notch: number, runners: readonly Runner[]
   return nearest < clock + notch ? clock + notch : clock + notch * (Math.floor((nearest - clock) / notch) + 1)
 }
 
-/** How many evaluations a run will come to, as far as can be told: many planners find an end of their own. */
-export function foreseen({ iteration, evaluations, limit, most, ended }: Furthest, first: number): number {
-  if (ended) return evaluations
+/** The clock's time at which a run will be at its end, as far as can be told: many planners find an end of their own. */
+export function foreseen({ iteration, evaluations, limit, most, ended, tail }: Furthest, first: number): number {
+  if (ended) return evaluations + Number(tail)
   const each = iteration > 0 ? (evaluations - first) / iteration : most
   return Math.max(evaluations, Math.ceil(first + each * limit))
 }

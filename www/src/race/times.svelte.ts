@@ -178,7 +178,7 @@ export abstract class Times {
     this.show(racing, pictures)
     this.known = Math.max(this.known, clock)
     // Where all have come to their end, there is no time beyond.
-    this.clock = this.over ? Math.min(clock, Math.max(this.begin, ...racing.map(({ picture }) => picture?.evaluations ?? 0))) : clock
+    this.clock = this.over ? Math.min(clock, Math.max(this.begin, ...racing.map(({ end }) => end))) : clock
   }
 
   private show(racing: readonly Lane[], pictures: readonly (Picture | null)[]): void {

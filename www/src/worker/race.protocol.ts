@@ -27,6 +27,8 @@ export interface Furthest {
   most: number
   /** There is nothing beyond. */
   ended: boolean
+  /** Its last steps evaluated nothing: they are beyond its last evaluation. */
+  tail: boolean
 }
 
 /** A racer at a time of the race's clock. */

@@ -145,7 +145,8 @@ export class Racer {
     const curve = judge.changes === this.toldCurve ? null : judge.curve()
     this.toldCurve = judge.changes
     const { iteration, evaluations, status, limit } = session
-    const furthest = { iteration: this.furthest, evaluations: this.marks.at(-1)?.evaluations ?? 0, limit, most, ended }
+    const last = this.marks.at(-1) ?? { iteration: 0, evaluations: 0 }
+    const furthest = { iteration: this.furthest, evaluations: last.evaluations, limit, most, ended, tail: ended && last.iteration < this.furthest }
     // The views last until the next call: nothing of the core may come between here and the copy.
     const { vertices, spans, thinning } = session.frame(BUDGET)
     const packed = pack(vertices, spans, this.field, (bytes) => this.pool.take(bytes))
