@@ -148,6 +148,7 @@ test.describe('without motion', () => {
     await expect(population.getByRole('textbox')).toHaveValue('0')
     await page.keyboard.press('Escape')
     expect(await race.at(3000)).toEqual(before)
+    await expect(race.lanes.nth(0).getByTestId('lane-parameters')).toHaveText(text.lane.parameters)
 
     // What is allowed counts, for that racer alone: it goes where the others are.
     await race.lanes.nth(0).getByTestId('lane-parameters').click()
@@ -155,6 +156,7 @@ test.describe('without motion', () => {
     await population.getByRole('textbox').press('Enter')
     await expect(population.getByRole('alert')).toHaveCount(0)
     await page.keyboard.press('Escape')
+    await expect(race.lanes.nth(0).getByTestId('lane-parameters')).toContainText(text.lane.changed(1))
     await expect(race.lanes.nth(0)).toHaveAttribute('data-evaluations', '3000')
     expect(await race.at(3000)).toEqual([coreAt({ planner: 'pso', params: { population: 40 } }, 3000), ...before.slice(1)])
     await notch.fill('1000')

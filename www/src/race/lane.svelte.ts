@@ -6,6 +6,9 @@ import type { RaceApi } from '../worker/race.worker'
 import { foreseen } from './notches'
 import { markAt } from './standings'
 
+/** Of several that come at once the newest counts. */
+export type Started = 'begun' | 'refused' | 'overtaken'
+
 let lanes = 0
 
 /** A racer: its run, in a thread of its own, and what was told of it last. */
@@ -85,26 +88,25 @@ export class Lane {
     this.dismiss()
   }
 
-  /** The run begins anew; false if it is refused. What runs meanwhile is the run of before. */
-  async start(scene: Scene, params: Record<string, ParameterValue>, seed: number): Promise<boolean> {
+  /** The run begins anew, unless it is refused: then what runs is the run of before. */
+  async start(scene: Scene, params: Record<string, ParameterValue>, seed: number): Promise<Started> {
     const turn = (this.starts += 1)
     const setup: Setup = { planner: this.planner, scene, params, seed }
     this.crash = ''
     const answer = await this.ask<Answer<Start>>(this.hire().start(setup) as Promise<Answer<Start>>)
-    // A newer one counts.
-    if (turn !== this.starts) return true
-    if (!answer) return false
+    if (turn !== this.starts) return 'overtaken'
+    if (!answer) return 'refused'
     if (!answer.ok) {
       const { field, message } = answer.refusal
       const own = field !== '' && (field in params || field in (this.run?.parameters ?? {}))
       if (own) this.errors = { ...this.errors, [field]: message }
       if (!own || !this.run || this.run.planner !== this.planner) this.refuse(message)
-      return false
+      return 'refused'
     }
     this.refusal = ''
     this.run = answer.value
     this.drop()
-    return true
+    return 'begun'
   }
 
   private refuse(message: string): void {
