@@ -7,6 +7,10 @@ import { reproduction } from './plugins/reproduction.ts'
 const core = fileURLToPath(new URL('../pkg', import.meta.url))
 const root = fileURLToPath(new URL('..', import.meta.url))
 
+/** The first view need not know what scripts each later one is made of: they ask for each other. Styles must be there before what they style. */
+const styles = (_: string, files: string[], { hostType }: { hostType: 'html' | 'js' }): string[] =>
+  hostType === 'html' ? files : files.filter((file) => file.endsWith('.css'))
+
 export default defineConfig({
   base: './',
   plugins: [svelte(), formulas(core), reproduction(root)],
@@ -14,5 +18,5 @@ export default defineConfig({
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } },
   // What draws in space is one library, and comes with the first scene that needs it.
-  build: { target: 'es2023', assetsInlineLimit: 0, modulePreload: { polyfill: false }, chunkSizeWarningLimit: 800 },
+  build: { target: 'es2023', assetsInlineLimit: 0, modulePreload: { polyfill: false, resolveDependencies: styles }, chunkSizeWarningLimit: 800 },
 })
