@@ -112,3 +112,16 @@ fn a_comparison_ranks_failed_runs_last_and_leaves_them_out_of_the_mean() {
     assert_eq!(ranks.ranks, [4.0 / 3.0, 5.5 / 3.0, 8.5 / 3.0]);
     assert!(compare(&groups[..1]).friedman.is_none() && compare(&[]).groups.is_empty());
 }
+
+/// Ten paths of one length, summed up in two orders: neither planner is better.
+#[test]
+fn numbers_that_differ_by_rounding_alone_are_ties() {
+    let length = 42.041_630_560_342_62;
+    let group = |name: &str, value: f64| Group { name: name.to_owned(), values: vec![Some(value); 10] };
+    let found = compare(&[group("a", length), group("b", length + 2.0 * f64::EPSILON * 32.0)]);
+    assert!(length < length + 2.0 * f64::EPSILON * 32.0);
+    assert_eq!((found.pairs[0].p, found.pairs[0].better, found.friedman.unwrap().ranks), (1.0, 0.5, vec![1.5, 1.5]));
+    // What differs by more is none, however small it is.
+    let errors = compare(&[group("a", 1e-150), group("b", 1.1e-150)]);
+    assert!(errors.pairs[0].better == 1.0 && errors.pairs[0].p < 1e-3);
+}

@@ -7,6 +7,9 @@ use super::{Friedman, Summary, friedman, holm, proportion, rank_sum};
 /// What a failed run counts among ranks: more than any other, and, unlike infinity, equal to itself by difference.
 const LAST: f64 = f64::MAX;
 
+/// Numbers nearer to each other than this share of them are the same.
+const SAME: f64 = 1e-12;
+
 /// The runs of a planner, or whatever is compared.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Group {
@@ -71,7 +74,7 @@ pub struct Comparison {
 /// assert!(found.pairs[0].p < 0.01 && found.pairs[0].better == 1.0);
 /// ```
 pub fn compare(groups: &[Group]) -> Comparison {
-    let ranked: Vec<Vec<f64>> = groups.iter().map(|group| group.values.iter().map(|value| value.unwrap_or(LAST)).collect()).collect();
+    let ranked = comparable(groups.iter().map(|group| &group.values[..]));
     let mut pairs = Vec::new();
     for first in 0..groups.len() {
         for second in first + 1..groups.len() {
@@ -83,6 +86,23 @@ pub fn compare(groups: &[Group]) -> Comparison {
     let corrected = holm(&pairs.iter().map(|pair| pair.p).collect::<Vec<_>>());
     pairs.iter_mut().zip(corrected).for_each(|(pair, p)| pair.corrected = p);
     Comparison { groups: groups.iter().map(GroupSummary::of).collect(), pairs, friedman: ranks(&ranked) }
+}
+
+/// The numbers of runs as tests by ranks take them: a failed run comes last, and numbers that differ by rounding alone are one.
+/// The same path, summed up in another order, is not a shorter one.
+pub fn comparable<'a>(groups: impl IntoIterator<Item = &'a [Option<f64>]>) -> Vec<Vec<f64>> {
+    let mut groups: Vec<Vec<f64>> = groups.into_iter().map(|group| group.iter().map(|value| value.unwrap_or(LAST)).collect()).collect();
+    let mut all: Vec<&mut f64> = groups.iter_mut().flatten().collect();
+    all.sort_by(|a, b| a.total_cmp(b));
+    let mut level = f64::NAN;
+    for value in all {
+        if (*value - level).abs() <= SAME * level.abs() {
+            *value = level;
+        } else {
+            level = *value;
+        }
+    }
+    groups
 }
 
 fn ranks(groups: &[Vec<f64>]) -> Option<Friedman> {

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::{
     Given,
-    statistics::{Comparison, Friedman, Group, GroupSummary, Pair, compare, friedman},
+    statistics::{Comparison, Friedman, Group, GroupSummary, Pair, comparable, compare, friedman},
 };
 
 use super::{
@@ -81,8 +81,9 @@ impl Summary {
             let mut blocks = Vec::with_capacity(sweep.scenes.len() * sweep.seeds());
             for scene in 0..sweep.scenes.len() {
                 let of_scene: Vec<Vec<Told>> = groups.iter().map(|&group| told(scene, group)).collect();
-                // A run without a feasible result is the last.
-                let block = |k: usize| of_scene.iter().map(|told| told[k].value.unwrap_or(f64::MAX)).collect();
+                let values: Vec<Vec<Option<f64>>> = of_scene.iter().map(|told| told.iter().map(|told| told.value).collect()).collect();
+                let ranked = comparable(values.iter().map(|values| &values[..]));
+                let block = |k: usize| ranked.iter().map(|values| values[k]).collect();
                 blocks.extend((0..sweep.seeds()).map(block));
             }
             friedman(&blocks)
