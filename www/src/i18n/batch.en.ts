@@ -93,7 +93,7 @@ export const batch = {
     cost: 'value of the function',
     gapAxis: 'gap to the exact optimum',
     optimum: 'exact optimum',
-    runs: (n: string) => (n === '1' ? '1 run' : `${n} runs`),
+    table: (title: string) => `${title}, the table`,
   },
   boxes: {
     title: 'Distribution',
@@ -137,8 +137,10 @@ export const batch = {
   },
   pairs: {
     title: 'Is the difference more than luck?',
-    differ: (better: string, worse: string, chance: string) => `${better} is better than ${worse}: of two runs, one of each, its run is the better one in ${chance} of all cases.`,
-    same: (names: string) => `No significant difference at 5 % between ${names}.`,
+    differ: (better: string, others: string) => `${better} is better than ${others}.`,
+    than: (name: string, chance: string) => `${name} (${chance})`,
+    chance: 'In parentheses: how often its run is the better one, of two runs, one of each planner.',
+    same: (names: string) => `No significant difference at 5 % between: ${names}.`,
     allSame: 'No two planners differ significantly at 5 %.',
     and: ' and ',
     first: 'First',
