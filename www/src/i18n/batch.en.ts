@@ -6,7 +6,6 @@ export const batch = {
     scene: 'Scene',
     here: (title: string) => `${title} (edited)`,
     fromStage: (title: string) => `${title} (as on the stage)`,
-    seeds: 'Seeds',
     from: 'First seed',
     count: 'Number of seeds',
     iterations: 'Iterations',
@@ -78,7 +77,6 @@ export const batch = {
     },
   },
   results: {
-    title: 'Results',
     show: 'What is compared',
     value: 'Value',
     gap: 'Gap to the optimum',
