@@ -191,6 +191,15 @@ test('an experiment becomes a race, with the paper’s parameters', async ({ lab
     const params = { segments: 16, initial: 'normal', population: 52, iterations: 99 }
     expect(hash).toBe(hashOf({ planner, scene: 'qpso-10m', params }, iteration))
   }
+  // The next one takes its place, and is found again.
+  await page.getByTestId('view-papers').click()
+  await page.getByTestId('experiment-colonies').getByTestId('open-race').click()
+  await expect(race.lanes).toHaveCount(3)
+  const before = await race.standings()
+  expect(before.map(({ planner }) => planner)).toEqual(['aco', 'aco-dijkstra', 'aco-direction'])
+  await page.getByTestId('view-papers').click()
+  await page.getByTestId('view-race').click()
+  expect(await race.standings()).toEqual(before)
 })
 
 test('a row’s own run opens in the stage, bit for bit what its command repeats', async ({ lab, page }) => {
