@@ -11,9 +11,9 @@ use crate::{
 
 use super::{
     js_error, object, plain,
-    read::{read_number, read_setup},
+    read::read_setup,
     status,
-    types::{JsComparison, JsGroups, JsNumberOrUndefined, JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
+    types::{JsComparison, JsGroups, JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
 };
 
 /// One run of many: stepped to its end and summed up in a record, the same as in a row of `forage experiment`.
@@ -27,9 +27,8 @@ impl Trial {
     /// # Errors
     /// As the constructor of `Session`, and for a `within` that is no number from 0 to 1,000,000.
     #[wasm_bindgen(constructor)]
-    pub fn new(setup: &JsSetup, within: &JsNumberOrUndefined) -> Result<Trial, JsValue> {
-        let within = if within.is_undefined() { WITHIN } else { read_number("within", within)? };
-        trial::Trial::new(read_setup(setup)?, within).map(Trial).map_err(|error| js_error(&error))
+    pub fn new(setup: &JsSetup, within: Option<f64>) -> Result<Trial, JsValue> {
+        trial::Trial::new(read_setup(setup)?, within.unwrap_or(WITHIN)).map(Trial).map_err(|error| js_error(&error))
     }
 
     /// Takes up to `n` steps, all there are unless given; stops where the planner does.

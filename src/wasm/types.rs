@@ -151,7 +151,4 @@ extern "C" {
     /// `Comparison`, as `batches.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Comparison")]
     pub type JsComparison;
-    /// `number | undefined`.
-    #[wasm_bindgen(typescript_type = "number | undefined")]
-    pub type JsNumberOrUndefined;
 }
