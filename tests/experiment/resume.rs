@@ -27,8 +27,12 @@ fn killed_at_any_moment_it_goes_on_and_loses_nothing() {
         assert!(kept.iter().all(|line| lines.contains(line)), "a row that was there is gone");
         kept = lines;
     }
+    // Killed while the file is put in order.
+    let beside = folder.join("out.csv.new");
+    fs::write(&beside, "scene,pla").unwrap();
     carry_out(&folder, &args[2..]);
     assert_eq!(fs::read(&out).unwrap(), fs::read(&whole).unwrap());
+    assert!(!beside.exists());
 }
 
 #[cfg(unix)]

@@ -103,7 +103,7 @@ pub(crate) fn in_process(sweep: &Sweep, path: &Path) -> Result<(), Failure> {
 /// Waits until so many rows are there; says how many were.
 pub(crate) fn wait_for(rows: usize, path: &Path, child: &mut Child) -> usize {
     loop {
-        let there = fs::read(path).unwrap_or_default().iter().filter(|byte| **byte == b'\n').count();
+        let there = fs::read_to_string(path).unwrap_or_default().matches('\n').count();
         if there > rows {
             return there - 1;
         }
