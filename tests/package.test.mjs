@@ -145,7 +145,8 @@ test('its types are exact', () => {
      const status: Status = session.step(3);
      const outcome: Outcome = session.outcome();
      const cost: number | null = outcome.cost;
-     const trial = new Trial({ planner: 'pso', scene: 'sphere', seed: 2 }, 0.01);
+     const trial = new Trial({ planner: 'pso', scene: 'sphere', seed: 2 });
+     new Trial({ planner: 'pso', scene: 'sphere' }, 0.02).free();
      trial.step();
      const record: TrialRecord = trial.record();
      const curve: TrialCurve = trial.curve();

@@ -1,7 +1,7 @@
 import { expect, test } from '@playwright/test'
 import { compare } from '../../pkg/node.js'
 import { digits } from '../src/batch/files'
-import { bands, places, quantile, reached, tied } from '../src/batch/summaries'
+import { bands, places, quantile, reached } from '../src/batch/summaries'
 import { linear, logarithmic } from '../src/batch/chart/scale'
 import { digitsFor, probability } from '../src/batch/results/words'
 import { trialOf } from './support/core'
@@ -53,21 +53,13 @@ test('bands end in the quartiles of the table, however many places they have', (
 })
 
 test('the same path summed up in another order is no better one', () => {
-  const sums = [42.04163056034261, 42.041630560342604, 42.04163056034262]
-  expect(new Set(sums).size).toBe(3)
-  const [a = [], b = []] = tied([sums, [...sums.toReversed(), null, 42.0416305604]])
-  expect(new Set([...a, ...b.slice(0, 3)])).toEqual(new Set([42.041630560342604]))
-  expect(b.slice(3)).toEqual([null, 42.0416305604])
-  // Tiny values keep their differences, and so does nought.
-  expect(tied([[0, 1e-300, 2e-300, -1]])).toEqual([[0, 1e-300, 2e-300, -1]])
-
-  // Four colonies of which three always find the shortest way: ranks of rounding errors would tell them apart.
-  const groups = ['aco-wolf', 'aco-direction'].map((planner) =>
-    Array.from({ length: 40 }, (_, k) => trialOf({ planner, scene: 'ant-bat-30', seed: k + 1 }).record.value),
-  )
-  const pOf = (values: (number | null)[][]): number | undefined => compare(values.map((of, at) => ({ name: String(at), values: of }))).pairs[0]?.p
-  expect(pOf(groups)).toBeLessThan(0.01)
-  expect(pOf(tied(groups))).toBe(1)
+  // Colonies that always find the shortest way: ranks of rounding errors would tell them apart.
+  const groups = ['aco-wolf', 'aco-direction'].map((name) => ({
+    name,
+    values: Array.from({ length: 40 }, (_, k) => trialOf({ planner: name, scene: 'ant-bat-30', seed: k + 1 }).record.value),
+  }))
+  expect(new Set(groups.flatMap(({ values }) => values)).size).toBeGreaterThan(1)
+  expect(compare(groups).pairs[0]?.p).toBe(1)
 })
 
 test('runs that never come near the optimum keep the share below one', () => {

@@ -4,7 +4,6 @@ import { compare, type TrialRecord } from '../../pkg/node.js'
 import { batch as text } from '../src/i18n/batch.en'
 import { PADDING, ROW } from '../src/batch/chart/layout'
 import { digitsFor } from '../src/batch/results/words'
-import { tied } from '../src/batch/summaries'
 import { exactly, number } from '../src/panels/format'
 import { violations } from './support/axe'
 import { trialOf } from './support/core'
@@ -59,8 +58,7 @@ test('every run of a batch is the core’s own, whatever the number of workers, 
     await expect(row).toHaveAttribute('data-hash', record.hash)
   }
 
-  const values = tied(groups.map((records) => records.map(({ value }) => value)))
-  const comparison = compare(groups.map((records, at) => ({ name: records[0]?.planner ?? '', values: values[at] ?? [] })))
+  const comparison = compare(groups.map((records) => ({ name: records[0]?.planner ?? '', values: records.map(({ value }) => value) })))
   const digits = digitsFor(comparison.groups.flatMap(({ summary }) => (summary ? [summary.min, summary.upper] : [])))
   for (const [at, label] of ['WCPSO', 'PSO'].entries()) {
     const summary = comparison.groups[at]?.summary

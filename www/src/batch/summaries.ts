@@ -21,20 +21,6 @@ const ROUNDING = 1e-12
 /** Values nearer to each other than this share of them are the same. */
 export const SAME = 1e-12
 
-/**
- * Values that differ by rounding alone become one value: the same path, summed up in another order, is not a shorter one, and
- * tests by ranks would take the order of such values for a difference.
- */
-export function tied(groups: readonly (readonly (number | null)[])[]): (number | null)[][] {
-  const known = new Map<number, number>()
-  let level = NaN
-  for (const value of Float64Array.from(groups.flat().filter((value) => value !== null)).sort()) {
-    if (!(value - level <= SAME * Math.abs(level))) level = value
-    known.set(value, level)
-  }
-  return groups.map((values) => values.map((value) => (value === null ? null : (known.get(value) ?? value))))
-}
-
 /** A quantile of sorted values as the core has it: Hyndman and Fan's type 8. */
 export function quantile(sorted: ArrayLike<number>, share: number): number {
   const at = (sorted.length + 1 / 3) * share + 1 / 3

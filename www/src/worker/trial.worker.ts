@@ -2,7 +2,7 @@ import * as Comlink from 'comlink'
 import init, { compare, suggest, Trial } from 'forage'
 import type { Comparison, Group, Setup } from 'forage'
 import type { Errand, Row } from '../batch/plan'
-import { type Bands, bands, type Reached, reached, tied } from '../batch/summaries'
+import { type Bands, bands, type Reached, reached } from '../batch/summaries'
 import { breathe, SLICE } from './pace'
 import type { Refusal } from './protocol'
 
@@ -33,11 +33,6 @@ function refusal(error: unknown): Refusal {
 }
 
 const broken = (error: unknown): Ending => ({ is: 'broken', message: error instanceof Error ? error.message : String(error) })
-
-function compareTied(groups: readonly Group[]): Comparison {
-  const values = tied(groups.map((group) => group.values))
-  return compare(groups.map(({ name }, at) => ({ name, values: values[at] ?? [] })))
-}
 
 /** Steps in slices, so that it can be called off; false if it was. */
 async function carryOut(trial: Trial): Promise<boolean> {
@@ -100,8 +95,8 @@ const api = {
     }
     const runs = groups.map(({ key, seeds }) => seeds.flatMap((seed) => curves.get(key)?.get(seed) ?? []))
     return {
-      comparison: compareTied(groups),
-      friedman: common.length > 1 && (common[0]?.values.length ?? 0) > 0 ? compareTied(common).friedman : null,
+      comparison: compare(groups),
+      friedman: common.length > 1 && (common[0]?.values.length ?? 0) > 0 ? compare(common).friedman : null,
       bands: bands(runs, groups.map(({ end }) => end)),
       reached: groups.map((group) => reached(group.reached)),
     }
