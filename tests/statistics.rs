@@ -45,9 +45,10 @@ fn rank_sums_agree_with_scipy_with_ties_without_and_with_failed_runs() {
     for (k, case) in list(&stored(), "rank_sums").iter().enumerate() {
         let found = statistics::rank_sum(&numbers(&case["first"]), &numbers(&case["second"])).unwrap();
         agrees(found.u, &case["u"], 1e-12, &format!("U of {k}"));
-        // As `statrs` takes it from 1, it is exact to the last digits of 1, not of its own.
+        // As `statrs` takes it from 1, an approximate one is exact to the last digits of 1, not of its own.
         let p = case["p"].as_f64().unwrap();
-        assert!((found.p - p).abs() <= 1e-9 * p + 1e-15, "p of {k}: {} instead of {p}", found.p);
+        let few = list(case, "first").len().min(list(case, "second").len()) <= 8;
+        assert!((found.p - p).abs() <= 1e-9 * p + if few { 0.0 } else { 1e-15 }, "p of {k}: {} instead of {p}", found.p);
     }
 }
 
@@ -56,6 +57,9 @@ fn samples_without_any_difference_have_a_p_of_one() {
     let found = statistics::rank_sum(&[2.5; 12], &[2.5; 9]).unwrap();
     assert_eq!((found.p, found.smaller), (1.0, 0.5));
     assert_eq!(statistics::rank_sum(&[], &[1.0]), None);
+    // What is no number cannot be ranked.
+    assert_eq!(statistics::rank_sum(&[f64::NAN], &[1.0]), None);
+    assert_eq!(statistics::friedman(&[vec![1.0, f64::NAN, 2.0]]), None);
 }
 
 #[test]

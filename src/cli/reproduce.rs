@@ -1,9 +1,6 @@
 //! `forage reproduce`.
 
-use std::{
-    path::{Path, PathBuf},
-    process::ExitCode,
-};
+use std::process::ExitCode;
 
 use forage::experiment::{self, Options, REPRODUCTIONS, Reproduction, document, report::Report, runner::Control};
 
@@ -39,16 +36,10 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
     if args.name.is_some() {
         return Ok(ExitCode::SUCCESS);
     }
-    let written = document::write(&reports, &options)?;
-    match args.check {
-        Some(folder) => check(&written, &folder),
-        None => Ok(ExitCode::SUCCESS),
-    }
-}
-
-/// Whether the two documents are those of a folder, byte for byte; says where they first differ.
-fn check(written: &[PathBuf], folder: &Path) -> super::Outcome {
-    let different = document::differences(written, folder)?;
+    // What is there is read before anything is written: it may be the same folder.
+    let different = args.check.map(|folder| document::differences(&reports, &folder)).transpose()?;
+    document::write(&reports, &options)?;
+    let Some(different) = different else { return Ok(ExitCode::SUCCESS) };
     different.iter().for_each(|problem| eprintln!("forage: {problem}"));
     if different.is_empty() {
         eprintln!("forage: {} are the same again", document::FILES.join(" and "));

@@ -12,9 +12,9 @@ use super::figure::Figure;
 /// The rule of the verdicts, in words.
 pub const RULE: &str = "A published figure is *reproduced* if our mean is the same to the digits that are printed. It is also \
 reproduced if it lies between our best and our worst run, to the digits that are printed, and, where the paper prints a standard deviation \
-and a number of runs, Welch’s t-test finds no difference of the two means at 5 %; where ours is fitted, if it lies in our 95 % interval. Otherwise ours is *better* or *worse*: all figures are the better the smaller they are. A difference is only held against \
-either side where the paper prints what the figure rests on (coefficients, the layout of obstacles, how it measures): where it leaves that \
-open, or prints no figure at all, the verdict is *not determined*, and the reason is given.";
+and a number of runs, Welch’s t-test finds no difference of the two means at 5 %; where ours is fitted, if it lies in our 95 % interval. Otherwise ours is *better* or *worse*: all figures are the better the smaller they are. All that only counts where the paper \
+prints what the figure rests on (coefficients, the layout of obstacles, how it measures). Where it leaves that open, the same digits are still \
+*reproduced*, and everything else is *not determined*, whether it is compatible or not; so is what it prints no figure of. The reason is given.";
 
 /// A number as a paper prints it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,13 +111,12 @@ impl Ours {
         }
     }
 
-    /// Of how many runs, or points.
+    /// Of how many runs.
     pub fn count(&self) -> Option<u64> {
         match self {
             Self::Runs(summary) => Some(summary.count as u64),
-            Self::Fitted { points, .. } => Some(*points),
             Self::Exact(_) => Some(1),
-            Self::Nothing => None,
+            Self::Fitted { .. } | Self::Nothing => None,
         }
     }
 
@@ -202,11 +201,9 @@ impl Beside {
             return (Judgement::Reproduced, "the same to the digits that are printed".to_owned());
         }
         let (alike, because) = self.test(published, mean);
-        if alike {
-            return (Judgement::Reproduced, because);
-        }
         match self.open {
-            Some(open) => (Judgement::Undetermined, format!("{because}, but {open}")),
+            Some(open) => (Judgement::Undetermined, format!("{because}: {}; {open}", if alike { "compatible" } else { "they differ" })),
+            None if alike => (Judgement::Reproduced, because),
             None if mean < published.value => (Judgement::Better, because),
             None => (Judgement::Worse, because),
         }
@@ -223,17 +220,10 @@ impl Beside {
                 let p = welch([published.value, std, runs as f64], [mean, ours.std.unwrap_or(0.0), ours.count as f64]);
                 (p >= 0.05, format!("{place}; Welch’s t-test of the means: p {}", probability(p)))
             }
-            (Ours::Fitted { interval, .. }, ..) => {
-                let within = (interval[0]..=interval[1]).contains(&published.value);
-                (
-                    within,
-                    format!(
-                        "it lies {} our 95 % interval, {:.4} to {:.4}",
-                        if within { "in" } else { "outside of" },
-                        interval[0],
-                        interval[1]
-                    ),
-                )
+            (Ours::Fitted { interval: [low, high], points, .. }, ..) => {
+                let within = (*low..=*high).contains(&published.value);
+                let place = if within { "in" } else { "outside of" };
+                (within, format!("it lies {place} the 95 % interval of our fit to {points} points, {low:.4} to {high:.4}"))
             }
             _ => (false, "both are single numbers".to_owned()),
         }
@@ -317,7 +307,9 @@ mod tests {
         assert_eq!(figure(printed("12.1"), ours, None), Judgement::Better);
         assert_eq!(figure(printed("9.9"), ours, None), Judgement::Worse);
         assert_eq!(figure(printed("9.9"), ours, Some("the layout is not printed")), Judgement::Undetermined);
-        assert_eq!(figure(printed("11.9"), ours, Some("the layout is not printed")), Judgement::Reproduced);
+        // What is open decides, unless the digits are the same.
+        assert_eq!(figure(printed("11.9"), ours, Some("the layout is not printed")), Judgement::Undetermined);
+        assert_eq!(figure(printed("11.0"), ours, Some("the layout is not printed")), Judgement::Reproduced);
     }
 
     /// Hundreds of powers of ten apart, and yet no difference to Welch's test, which sees one outlier.

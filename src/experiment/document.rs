@@ -95,7 +95,7 @@ pub(super) fn figures(report: &Report) -> String {
         for figure in some {
             let because = format!("{} ({})", figure.judge().1, figure.measure);
             match told.last_mut().filter(|(row, _, command)| *row == figure.row && *command == figure.command) {
-                Some((_, reasons, _)) => *reasons += &format!("; {because}"),
+                Some((_, reasons, _)) => reasons.extend(["; ", &because]),
                 None => told.push((figure.row.clone(), because, &figure.command)),
             }
         }
@@ -188,29 +188,32 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
     String::from_utf8(bytes).map_err(io::Error::other)
 }
 
+/// Both documents, in the order of [`FILES`].
+fn texts(reports: &[Report]) -> Result<[String; 2], Failure> {
+    Ok([markdown(reports), csv(reports).map_err(at(Path::new(FILES[1])))?])
+}
+
 /// Writes both files into the folder of the experiment, and says where.
 ///
 /// # Errors
 /// A file that cannot be written.
 pub fn write(reports: &[Report], options: &Options) -> Result<[PathBuf; 2], Failure> {
     let paths = FILES.map(|name| options.out.join(name));
-    let texts = [Ok(markdown(reports)), csv(reports)];
-    for (path, text) in paths.iter().zip(texts) {
-        text.and_then(|text| fs::write(path, text)).map_err(at(path))?;
+    for (path, text) in paths.iter().zip(texts(reports)?) {
+        fs::write(path, text).map_err(at(path))?;
     }
     Ok(paths)
 }
 
-/// Where the documents that were written differ from those of a folder, if they do: the first line of each.
+/// Where the documents differ from those that a folder holds, if they do: the first line of each.
 ///
 /// # Errors
 /// A file that cannot be read.
-pub fn differences(written: &[PathBuf], folder: &Path) -> Result<Vec<String>, Failure> {
-    let read = |path: &Path| fs::read_to_string(path).map_err(at(path));
+pub fn differences(reports: &[Report], folder: &Path) -> Result<Vec<String>, Failure> {
     let mut different = Vec::new();
-    for path in written {
-        let kept = folder.join(path.file_name().unwrap_or_default());
-        let (now, then) = (read(path)?, read(&kept)?);
+    for (name, now) in FILES.iter().zip(texts(reports)?) {
+        let kept = folder.join(name);
+        let then = fs::read_to_string(&kept).map_err(at(&kept))?;
         let mut lines = now.lines().zip(then.lines()).enumerate();
         if let Some((k, (now, then))) = lines.find(|(_, (now, then))| now != then) {
             different.push(format!("{} differs in line {}:\n  now   {now}\n  there {then}", kept.display(), k + 1));
@@ -281,22 +284,18 @@ mod tests {
 
     #[test]
     fn a_document_that_differs_is_told_by_its_line() {
-        let folder = |name: &str| std::env::temp_dir().join(format!("forage-document-{}-{name}", std::process::id()));
-        let [out, kept] = ["now", "then"].map(folder);
-        [&out, &kept].into_iter().for_each(|path| fs::create_dir_all(path).unwrap());
+        let out = std::env::temp_dir().join(format!("forage-document-{}", std::process::id()));
+        fs::create_dir_all(&out).unwrap();
         let options = Options { out: out.clone(), threads: None, runs: None, fresh: false };
         let written = write(&[report()], &options).unwrap();
-        for path in &written {
-            fs::copy(path, kept.join(path.file_name().unwrap())).unwrap();
-        }
-        assert_eq!(differences(&written, &kept).unwrap(), Vec::<String>::new());
+        assert_eq!(differences(&[report()], &out).unwrap(), Vec::<String>::new());
         let text = fs::read_to_string(&written[1]).unwrap();
-        fs::write(kept.join(FILES[1]), text.replace("0.0015", "0.0016")).unwrap();
-        let told = differences(&written, &kept).unwrap();
+        fs::write(&written[1], text.replace("0.0015", "0.0016")).unwrap();
+        let told = differences(&[report()], &out).unwrap();
         assert!(told.len() == 1 && told[0].contains("REPRODUCTION.csv differs in line 2"), "{told:?}");
-        fs::write(kept.join(FILES[1]), text + "\n").unwrap();
-        assert!(differences(&written, &kept).unwrap()[0].contains("lines instead of"));
-        [out, kept].iter().for_each(|path| fs::remove_dir_all(path).unwrap());
+        fs::write(&written[1], text + "\n").unwrap();
+        assert!(differences(&[report()], &out).unwrap()[0].contains("lines instead of"));
+        fs::remove_dir_all(out).unwrap();
     }
 
     #[test]

@@ -237,6 +237,9 @@ fn border(k: u64) -> &'static str {
     if ((k - 1) / MOST).is_multiple_of(2) { "leave" } else { "bounce" }
 }
 
+/// What of a drive is measured.
+type Of = fn(&Run) -> Option<f64>;
+
 /// Table 2, driven, beside ours.
 fn figures(case: &[Run], setups: &[Setup]) -> Vec<Beside> {
     let open = "the paper prints neither the layout of the obstacles nor the way that the robot drives";
@@ -248,7 +251,7 @@ fn figures(case: &[Run], setups: &[Setup]) -> Vec<Beside> {
     ] {
         let is_first =
             |setup: &&Setup| setup.planner == planner && setup.params.get("colony").is_none_or(|value| value.to_string() == colony);
-        let measures: [(&str, Figure, fn(&Run) -> Option<f64>); 3] = [
+        let measures: [(&str, Figure, Of); 3] = [
             ("length, px", px, |run| run.length),
             ("time, s", seconds, |run| Some(run.seconds)),
             ("turns", WOLF_ANT_TURNS, |run| Some(run.turns as f64)),

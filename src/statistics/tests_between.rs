@@ -84,8 +84,9 @@ fn exact(u: f64, first: usize, second: usize) -> f64 {
         (n + i..ways.len()).rev().for_each(|k| ways[k] -= ways[k - n - i]);
         (i..ways.len()).for_each(|k| ways[k] += ways[k - i]);
     }
-    let larger = u.max((m * n) as f64 - u) as usize;
-    let share = ways[larger..].iter().sum::<f64>() / ways.iter().sum::<f64>();
+    // The shorter tail, which begins with the small counts that are exact: there are as many ways to U as to m n − U.
+    let smaller = u.min((m * n) as f64 - u) as usize;
+    let share = ways[..=smaller].iter().sum::<f64>() / ways.iter().sum::<f64>();
     (2.0 * share).min(1.0)
 }
 
@@ -116,11 +117,11 @@ pub struct Friedman {
     pub p: Option<f64>,
 }
 
-/// Friedman's test. `blocks` holds the treatments' numbers block by block, small ones being good; `None` without blocks, or if
-/// they differ in length.
+/// Friedman's test. `blocks` holds the treatments' numbers block by block, small ones being good; `None` without blocks, if
+/// they differ in length, or with a NaN.
 pub fn friedman(blocks: &[Vec<f64>]) -> Option<Friedman> {
     let (n, k) = (blocks.len() as f64, blocks.first()?.len());
-    if k == 0 || blocks.iter().any(|block| block.len() != k) {
+    if k == 0 || blocks.iter().any(|block| block.len() != k || block.iter().any(|x| x.is_nan())) {
         return None;
     }
     let (mut sums, mut ties) = (vec![0.0; k], 0.0);

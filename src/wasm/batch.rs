@@ -32,8 +32,14 @@ impl Trial {
     }
 
     /// Takes up to `n` steps, all there are unless given; stops where the planner does.
-    pub fn step(&mut self, n: Option<f64>) -> JsStatus {
-        status(self.0.step(n.map_or(u64::MAX, |n| n as u64)))
+    ///
+    /// # Errors
+    /// For less than one step, which would never come to an end.
+    pub fn step(&mut self, n: Option<f64>) -> Result<JsStatus, JsValue> {
+        match n {
+            Some(n) if n.is_nan() || n < 1.0 => Err(js_error(&Error::refused("n", n, "a number of steps, 1 or more"))),
+            n => Ok(status(self.0.step(n.map_or(u64::MAX, |n| n as u64)))),
+        }
     }
 
     /// How many iterations were taken to come here.
@@ -73,10 +79,17 @@ impl Trial {
 /// Summarises groups of runs, and tests whether they differ: what `forage experiment` prints.
 ///
 /// # Errors
-/// For anything that is no list of groups, each with a name and its values.
+/// For anything that is no list of groups, each with a name and its values, and for values that are not finite.
 #[wasm_bindgen]
 pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
     let groups: Vec<Group> =
         serde_wasm_bindgen::from_value(groups.into()).map_err(|problem| js_error(&Error::malformed("groups", problem)))?;
+    for (i, group) in groups.iter().enumerate() {
+        if let Some((k, value)) =
+            group.values.iter().enumerate().find_map(|(k, value)| Some((k, value.filter(|value| !value.is_finite())?)))
+        {
+            return Err(js_error(&Error::refused(&format!("groups[{i}].values[{k}]"), value, "a finite number, or null for a failed run")));
+        }
+    }
     Ok(plain(&statistics::compare(&groups)))
 }

@@ -29,6 +29,9 @@ for name, x in SAMPLES.items():
 failed = np.concatenate([SAMPLES["lengths"][:20], np.full(5, np.inf)])
 PAIRS = [("lengths", "ties"), ("ties", "ties"), ("few", "short"), ("short", "shifted"), ("errors", "errors"), ("lengths", "errors")]
 pairs = [(SAMPLES[a], SAMPLES[b] * factor) for a, b in PAIRS for factor in (1.0, 1.001)] + [(failed, SAMPLES["lengths"])]
+# A small sample beside many numbers: apart, interleaved at one end, and mixed.
+many = np.arange(1000) + 0.5
+pairs += [(np.arange(8) - 9.0, many[:200]), (np.arange(8) - 9.0, many), (np.arange(8) * 3.0, many), (np.arange(8) * 120.0 + 0.25, many)]
 tests = []
 for x, y in pairs:
     found = stats.mannwhitneyu(x, y, alternative="two-sided", method="auto")
@@ -59,5 +62,5 @@ for successes, count in [(0, 10), (10, 10), (47, 50), (1, 3)]:
 
 json.dump({"made_by": "python3 tests/statistics/make.py > tests/statistics/scipy.json", "scipy": scipy.__version__,
            "numpy": np.__version__, "summaries": summaries, "rank_sums": tests, "holm": [{"p": p, "corrected": holm(p)} for p in ps],
-           "friedman": friedman, "wilson": wilson}, __import__("sys").stdout, indent=1)
+           "friedman": friedman, "wilson": wilson}, __import__("sys").stdout)
 print()
