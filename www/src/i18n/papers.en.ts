@@ -23,11 +23,11 @@ export const papers = {
       'One rule for all rows, carried out by “forage reproduce” and never by hand. All figures are the better the smaller they are; the published mean, or the one figure that is printed, is compared with our mean, and the reason stands with each row.',
     verdicts: {
       reproduced:
-        'Our mean is the same to the digits that are printed. Or the published figure lies between our best and our worst run, and where the paper prints a standard deviation and a number of runs, Welch’s t-test finds no difference of the means at 5 %. Where ours is fitted: it lies in our 95 % interval.',
+        'Our mean is the same to the digits that are printed. Or, where the paper prints all that the figure rests on, the published figure lies between our best and our worst run, and where the paper prints a standard deviation and a number of runs, Welch’s t-test finds no difference of the means at 5 %. Where ours is fitted: it lies in our 95 % interval.',
       better: 'Otherwise, if our mean is smaller.',
       worse: 'Otherwise, if our mean is larger.',
       'not determined':
-        'The paper prints no figure. Or ours differs, but the paper leaves open what the figure rests on (coefficients, the layout of obstacles, how it measures): then the difference is held against neither side.',
+        'The paper prints no figure. Or it leaves open what the figure rests on (coefficients, the layout of obstacles, how it measures): then only the same digits are reproduced, and whether the rest is compatible is told in the reason.',
     } satisfies Record<Verdict, string>,
   },
   verdicts: COUNTED,
