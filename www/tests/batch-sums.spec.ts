@@ -1,9 +1,10 @@
 import { expect, test } from '@playwright/test'
-import { compare } from '../../pkg/node.js'
+import { catalogue, compare, Trial } from '../../pkg/node.js'
 import { digits } from '../src/batch/files'
 import { bands, places, quantile, reached } from '../src/batch/summaries'
 import { linear, logarithmic } from '../src/batch/chart/scale'
 import { digitsFor, probability } from '../src/batch/results/words'
+import { canRun } from '../src/state/able'
 import { trialOf } from './support/core'
 
 /* What the batch view makes of many runs; nothing here needs a browser. */
@@ -60,6 +61,24 @@ test('the same path summed up in another order is no better one', () => {
   }))
   expect(new Set(groups.flatMap(({ values }) => values)).size).toBeGreaterThan(1)
   expect(compare(groups).pairs[0]?.p).toBe(1)
+})
+
+test('a planner is offered where the core runs it, and nowhere else', () => {
+  const { planners, scenes } = catalogue()
+  let [able, unable] = [0, 0]
+  for (const planner of planners.filter(({ stops }) => stops)) {
+    for (const scene of scenes.filter(({ kind }) => planner.kinds.includes(kind))) {
+      const make = (): void => new Trial({ planner: planner.name, scene, seed: 1 }, undefined).free()
+      if (canRun(planner, scene)) {
+        expect(make, `${planner.name} on ${scene.name}`).not.toThrow()
+        able += 1
+      } else {
+        expect(make, `${planner.name} on ${scene.name}`).toThrow()
+        unable += 1
+      }
+    }
+  }
+  expect(Math.min(able, unable)).toBeGreaterThan(0)
 })
 
 test('runs that never come near the optimum keep the share below one', () => {

@@ -1,9 +1,9 @@
 import type { Catalogue, ParameterValue, Planner, Scene } from 'forage'
 import { batch as text } from '../i18n/batch.en'
+import { canRun } from '../state/able'
 import { lab } from '../state/lab.svelte'
 import type { ProposedBatch } from '../state/proposed.svelte'
 import { sameScene } from '../state/same'
-import { suits } from '../state/stops'
 import { wait } from '../worker/pace'
 import type { Ending } from '../worker/trial.worker'
 import { Trials } from '../worker/trials'
@@ -105,8 +105,8 @@ class Batch {
     if (this.scene) return
     this.scene = scene
     const first = catalogue.planners.find(({ name }) => name === lab.plannerName)
-    const others = catalogue.planners.filter((planner) => planner.family === first?.family && planner !== first && suits(planner, scene))
-    this.entrants = [...(first && suits(first, scene) ? [first] : []), ...others]
+    const others = catalogue.planners.filter((planner) => planner.family === first?.family && planner !== first && canRun(planner, scene))
+    this.entrants = [...(first && canRun(first, scene) ? [first] : []), ...others]
       .slice(0, FIRST)
       .map((planner, slot) => ({ slot, planner: planner.name, params: planner === first ? applicable(planner, scene, lab.params) : {} }))
   }

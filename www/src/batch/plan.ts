@@ -1,6 +1,6 @@
 import type { ParameterValue, Planner, Scene, Setup, TrialCurve, TrialRecord } from 'forage'
 import { applies, standardOn } from '../state/applicable'
-import { suits } from '../state/stops'
+import { canRun } from '../state/able'
 
 export type Values = Readonly<Record<string, ParameterValue>>
 
@@ -103,7 +103,7 @@ export function labels(plan: Plan, planners: readonly Planner[]): string[] {
 
 /** An entrant's planner, if it runs on the scene. */
 export const runnerOf = (entrant: Entrant, scene: Scene, planners: readonly Planner[]): Planner | undefined =>
-  planners.find((planner) => planner.name === entrant.planner && suits(planner, scene))
+  planners.find((planner) => planner.name === entrant.planner && canRun(planner, scene))
 
 export function freeSlot(entrants: readonly Entrant[]): number {
   let slot = 0

@@ -1,5 +1,5 @@
 import type { Catalogue, Planner, Scene } from 'forage'
-import { stopsOf, suits } from '../state/stops'
+import { canRun } from '../state/able'
 
 /** What is looked for: a way from start to goal (or a function's minimum), or a tour through stops. One can't be measured by the other. */
 export type Task = 'path' | 'tour'
@@ -11,7 +11,7 @@ const tunes = ({ family }: Planner): boolean => family === 'tuning'
 
 /** The planners that can race on a scene. */
 export const able = (catalogue: Catalogue | null, scene: Scene): readonly Planner[] =>
-  catalogue?.planners.filter((planner) => suits(planner, scene) && !tunes(planner) && stopsOf(scene).length <= (planner.stops ? (planner.most_stops ?? Infinity) : Infinity)) ?? []
+  catalogue?.planners.filter((planner) => canRun(planner, scene) && !tunes(planner)) ?? []
 
 /** Those that can do a task there. */
 export const fitting = (catalogue: Catalogue | null, scene: Scene, task: Task): readonly Planner[] => able(catalogue, scene).filter((planner) => taskOf(planner) === task)
