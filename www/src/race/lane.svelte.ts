@@ -1,5 +1,6 @@
 import * as Comlink from 'comlink'
 import type { Outcome, ParameterValue, Scene, Setup, TrialCurve } from 'forage'
+import { sameScene } from '../state/same'
 import type { Answer, Look } from '../worker/protocol'
 import type { Picture, Settled, Start } from '../worker/race.protocol'
 import type { RaceApi } from '../worker/race.worker'
@@ -8,6 +9,13 @@ import { markAt } from './standings'
 
 /** Of several that come at once the newest counts. */
 export type Started = 'begun' | 'refused' | 'overtaken'
+
+/** What the run that is there was asked for. */
+interface Begun {
+  planner: string
+  scene: Scene
+  seed: number
+}
 
 let lanes = 0
 
@@ -46,6 +54,7 @@ export class Lane {
   /** What the thread was asked will never be answered. */
   private forsake: (reason: Error) => void = () => undefined
   private starts = 0
+  private begun: Begun | null = null
   private looked: Look | null = null
 
   constructor(planner: string, params: Record<string, ParameterValue> = {}) {
@@ -100,13 +109,19 @@ export class Lane {
       const { field, message } = answer.refusal
       const own = field !== '' && (field in params || field in (this.run?.parameters ?? {}))
       if (own) this.errors = { ...this.errors, [field]: message }
-      if (!own || !this.run || this.run.planner !== this.planner) this.refuse(message)
+      if (!own || !this.run || !this.begun || !this.runsOn(this.begun, scene, seed)) this.refuse(message)
       return 'refused'
     }
     this.refusal = ''
     this.run = answer.value
+    this.begun = { planner: setup.planner, scene, seed }
     this.drop()
     return 'begun'
+  }
+
+  /** Of another planner, scene or seed it must not race on. */
+  private runsOn(begun: Begun, scene: Scene, seed: number): boolean {
+    return begun.planner === this.planner && begun.seed === seed && sameScene(begun.scene, scene)
   }
 
   private refuse(message: string): void {
