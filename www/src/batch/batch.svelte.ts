@@ -164,8 +164,12 @@ class Batch {
     if (!plan || !entrant || !planner) return ''
     const wanted = { ...entrant.params, [name]: value }
     const params = applicable(planner, plan.scene, wanted)
-    const refusal = await this.clerk.check({ planner: planner.name, scene: plan.scene, params, seed: 1 })
-    if (refusal?.field === name) return refusal.message
+    try {
+      const refusal = await this.clerk.check({ planner: planner.name, scene: plan.scene, params, seed: 1 })
+      if (refusal?.field === name) return refusal.message
+    } catch (error) {
+      return text.run.broken(error instanceof Error ? error.message : String(error))
+    }
     // Others may have been set meanwhile.
     const present = this.entrants.find((candidate) => candidate.slot === slot)
     if (present) this.set(slot, { ...present.params, [name]: value })

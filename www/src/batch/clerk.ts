@@ -58,13 +58,23 @@ export class Clerk {
   /** A thread that broke down is replaced once; the new one is told everything again. */
   private async ask<T>(question: (thread: Thread) => Promise<T>): Promise<T> {
     try {
-      this.thread ??= new Thread()
-      return await this.thread.ask(question(this.thread))
+      return await this.put(question)
     } catch {
-      this.thread?.end()
-      this.told = new WeakSet()
-      this.thread = new Thread()
-      return this.thread.ask(question(this.thread))
+      return this.put(question)
+    }
+  }
+
+  private async put<T>(question: (thread: Thread) => Promise<T>): Promise<T> {
+    const thread = (this.thread ??= new Thread())
+    try {
+      return await thread.ask(question(thread))
+    } catch (error) {
+      thread.end()
+      if (thread === this.thread) {
+        this.thread = undefined
+        this.told = new WeakSet()
+      }
+      throw error
     }
   }
 }

@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink'
 import init, { compare, suggest, Trial } from 'forage'
-import type { Comparison, Group, Setup } from 'forage'
+import type { Comparison, Setup } from 'forage'
 import type { Errand, Row } from '../batch/plan'
 import { type Bands, bands, type Reached, reached } from '../batch/summaries'
 import { breathe, SLICE } from './pace'
@@ -82,6 +82,8 @@ const api = {
       suggest(setup)
       return null
     } catch (error) {
+      // That is no refusal: whoever asked starts another thread.
+      if (error instanceof WebAssembly.RuntimeError) throw error
       return refusal(error)
     }
   },
