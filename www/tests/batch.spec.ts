@@ -273,6 +273,23 @@ test('with the keyboard alone a batch is set up, run, sorted and looked into', a
   expect(await lab.settled(500)).toBe(hash)
 })
 
+test('long runs of a plan that was left make room for those of the new one', async ({ lab, page }) => {
+  await page.addInitScript(() => Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => 2 }))
+  await openBatch(lab)
+  await keep(page, ['pso'])
+  await seeds(page, 2)
+  const iterations = page.getByTestId('batch-iterations')
+  await iterations.fill('1000000')
+  await iterations.press('Enter')
+  await page.getByTestId('batch-run').click()
+  await expect(page.getByTestId('batch-stop')).toBeVisible()
+  await iterations.fill('20')
+  await iterations.press('Enter')
+  await finished(page, 2)
+  const row = page.locator('[data-testid=batch-row][data-seed="2"]')
+  await expect(row).toHaveAttribute('data-hash', recordsOf(['pso'], 2, { iterations: 20 })[0]?.[1]?.hash ?? '')
+})
+
 test('leaving the page while a batch runs asks first', async ({ lab, page }) => {
   await openBatch(lab)
   await page.getByTestId('ready-swarms').click()

@@ -201,7 +201,10 @@ class Batch {
     this.cursor = 0
     this.since = { at: performance.now(), done: this.done }
     this.left = null
-    if (this.running && !this.stopping) this.trials.start()
+    if (this.running && !this.stopping) {
+      this.recall()
+      this.trials.start()
+    }
     void this.refresh()
   }
 
@@ -221,6 +224,12 @@ class Batch {
   stop = (): void => {
     this.stopping = true
     this.trials.stop()
+  }
+
+  /** Long runs of a plan that was left would hold up those that are wanted. */
+  private recall(): void {
+    const keys = new Set(this.active.map(({ key }) => key))
+    this.trials.recall(({ key, seed }) => keys.has(key) && seed >= this.from && seed < this.from + this.count)
   }
 
   private next(): Errand | null {
@@ -249,7 +258,10 @@ class Batch {
     } else if (ending.is === 'refused') {
       this.refusals = { ...this.refusals, [key]: ending.refusal.message }
       this.cursor = 0
-    } else if (ending.is === 'broken') {
+    } else if (ending.is === 'stopped') {
+      // It may be wanted again by now.
+      this.cursor = 0
+    } else {
       this.notice = text.run.broken(ending.message)
     }
   }

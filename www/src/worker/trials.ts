@@ -52,7 +52,8 @@ interface Work {
 /** Carries out runs side by side. What they come to doesn't depend on how many threads there are. */
 export class Trials {
   private idle: Thread[] = []
-  private readonly busy = new Set<Thread>()
+  /** What each is at. */
+  private readonly busy = new Map<Thread, Errand>()
   private stopping = false
   private breakdowns = 0
   private leaving: ReturnType<typeof setTimeout> | undefined
@@ -75,11 +76,22 @@ export class Trials {
   /** Calls off what is being done. */
   stop(): void {
     this.stopping = true
-    for (const thread of this.busy) void thread.api.stop()
+    for (const thread of this.busy.keys()) void thread.api.stop()
     clearTimeout(this.grace)
     this.grace = setTimeout(() => {
-      for (const thread of this.busy) thread.end()
+      for (const thread of this.busy.keys()) thread.end()
     }, GRACE)
+  }
+
+  /** Calls off runs that nobody wants any more; their threads go on with others. */
+  recall(wanted: (errand: Errand) => boolean): void {
+    for (const [thread, errand] of this.busy) {
+      if (wanted(errand)) continue
+      void thread.api.stop()
+      setTimeout(() => {
+        if (this.busy.get(thread) === errand) thread.end()
+      }, GRACE)
+    }
   }
 
   private staff(): void {
@@ -87,7 +99,6 @@ export class Trials {
       const errand = this.work.next()
       if (!errand) break
       const thread = this.idle.pop() ?? new Thread()
-      this.busy.add(thread)
       void this.keepBusy(thread, errand)
     }
     if (this.busy.size === 0) this.rest()
@@ -95,6 +106,7 @@ export class Trials {
 
   private async keepBusy(thread: Thread, first: Errand): Promise<void> {
     for (let errand: Errand | null = first; errand && !this.stopping; errand = this.stopping ? null : this.work.next()) {
+      this.busy.set(thread, errand)
       const ending = await thread.ask<Ending>(thread.api.run(errand)).catch(
         (error: unknown): Ending => (thread.ended ? { is: 'stopped' } : { is: 'broken', message: error instanceof Error ? error.message : String(error) }),
       )
