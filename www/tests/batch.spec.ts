@@ -303,6 +303,37 @@ test('leaving the page while a batch runs asks first', async ({ lab, page }) => 
   await expect(page.getByTestId('batch-run')).toBeVisible()
 })
 
+test('results are dropped only when asked or saved, and the plan outlives a reload', async ({ lab, page }) => {
+  await openBatch(lab)
+  await keep(page, ['wcpso', 'cpso'])
+  await seeds(page, 3)
+  await page.getByTestId('batch-iterations').fill('30')
+  await page.getByTestId('batch-run').click()
+  await finished(page, 6)
+  const asked = page.waitForEvent('dialog')
+  void page.close({ runBeforeUnload: true })
+  const dialog = await asked
+  expect(dialog.type()).toBe('beforeunload')
+  await dialog.dismiss()
+  await expect(page.getByTestId('batch-row')).toHaveCount(6)
+
+  await download(page, 'csv')
+  let again = 0
+  page.on('dialog', (other) => {
+    again += 1
+    void other.accept()
+  })
+  await page.reload()
+  await page.getByTestId('view-batch').click()
+  await expect(page.getByTestId('entrant')).toHaveCount(2)
+  expect(again).toBe(0)
+  expect(await page.getByTestId('entrant').evaluateAll((all) => all.map((one) => one.dataset['planner']))).toEqual(['wcpso', 'cpso'])
+  await expect(page.getByTestId('batch-count')).toHaveValue('3')
+  await expect(page.getByTestId('batch-iterations')).toHaveValue('30')
+  await expect(page.getByTestId('batch-scene')).toHaveValue(SCENE)
+  await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-done', '0')
+})
+
 for (const scheme of ['light', 'dark'] as const) {
   test(`axe finds nothing wrong, ${scheme}`, async ({ lab, page }) => {
     await page.emulateMedia({ colorScheme: scheme, reducedMotion: 'reduce' })

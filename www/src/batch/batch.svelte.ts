@@ -10,6 +10,7 @@ import { Trials } from '../worker/trials'
 import { Clerk } from './clerk'
 import { type Entrant, type Errand, applicable, COUNT, freeSlot, keyOf, labels, MOST_ENTRANTS, paramsOf, type Plan, type Row, runnerOf } from './plan'
 import type { Ready } from './ready'
+import { remember, remembered } from './remembered'
 import { type Shown, shownOf } from './shown'
 
 /** An entrant as it stands in the plan. */
@@ -58,6 +59,8 @@ class Batch {
 
   private readonly rows = new Map<string, Map<number, Row>>()
   private kept = 0
+  /** Rows that are in no file yet. */
+  private readonly unsaved = new Set<Row>()
   private readonly begun = new Set<string>()
   private cursor = 0
   private stopping = false
@@ -100,9 +103,14 @@ class Batch {
     })
   }
 
-  /** Begins with what is on the stage: its planner as it is set up, and others of its family. */
+  /** Begins with the plan of before a reload, or with what is on the stage: its planner as it is set up, and others of its family. */
   begin(catalogue: Catalogue, scene: Scene): void {
     if (this.scene) return
+    const before = remembered(catalogue)
+    if (before) {
+      Object.assign(this, before)
+      return
+    }
     this.scene = scene
     const first = catalogue.planners.find(({ name }) => name === lab.plannerName)
     const others = catalogue.planners.filter((planner) => planner.family === first?.family && planner !== first && canRun(planner, scene))
@@ -205,6 +213,7 @@ class Batch {
       this.recall()
       this.trials.start()
     }
+    if (this.plan && lab.catalogue) remember(this.plan, lab.catalogue)
     void this.refresh()
   }
 
@@ -217,7 +226,8 @@ class Batch {
     this.stopping = false
     this.cursor = 0
     this.since = { at: performance.now(), done: this.done }
-    addEventListener('beforeunload', stay)
+    this.guard()
+    if (this.plan && lab.catalogue) remember(this.plan, lab.catalogue)
     this.trials.start()
   }
 
@@ -253,6 +263,7 @@ class Batch {
       const of = this.rows.get(key) ?? new Map<number, Row>()
       if (!of.has(seed)) this.kept += 1
       this.rows.set(key, of.set(seed, ending.row))
+      this.unsaved.add(ending.row)
       this.forget()
       this.telling ??= setTimeout(() => this.tell(), TELLING)
     } else if (ending.is === 'refused') {
@@ -272,6 +283,7 @@ class Batch {
       if (this.kept <= MOST_ROWS) return
       if (this.active.some((standing) => standing.key === key)) continue
       this.rows.delete(key)
+      for (const row of of.values()) this.unsaved.delete(row)
       this.kept -= of.size
       this.clerk.forget(key)
     }
@@ -291,7 +303,19 @@ class Batch {
     this.tell()
     this.running = false
     this.left = null
-    removeEventListener('beforeunload', stay)
+    this.guard()
+  }
+
+  /** What was computed isn't dropped without asking. */
+  private guard(): void {
+    if (this.running || this.unsaved.size > 0) addEventListener('beforeunload', stay)
+    else removeEventListener('beforeunload', stay)
+  }
+
+  /** These results are in a file now. */
+  saved = ({ groups }: Shown): void => {
+    for (const { rows } of groups) for (const row of rows) this.unsaved.delete(row)
+    this.guard()
   }
 
   /** Has the present rows summed up; one question is on its way at a time. */
