@@ -12,6 +12,7 @@ import { type Entrant, type Errand, applicable, COUNT, freeSlot, keyOf, labels, 
 import type { Ready } from './ready'
 import { remember, remembered } from './remembered'
 import { type Shown, shownOf } from './shown'
+import { drawsLots } from './tested'
 
 /** An entrant as it stands in the plan. */
 export interface Standing {
@@ -349,6 +350,7 @@ class Batch {
         rows: this.seeds.flatMap((seed) => this.rows.get(key)?.get(seed) ?? []),
       }))
       .filter(({ rows }) => rows.length > 0)
+      .map((group) => ({ ...group, lots: drawsLots(group.rows) }))
     if (groups.length === 0) {
       this.shown = null
       return

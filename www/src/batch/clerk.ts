@@ -13,6 +13,8 @@ export interface Group {
   params: Values
   /** In the order of their seeds. */
   rows: Row[]
+  /** Not all of its runs are the same run. */
+  lots: boolean
 }
 
 /** A thread that sums up and checks, so that nobody waits for a run. */
@@ -36,15 +38,16 @@ export class Clerk {
       curves: groups.flatMap(({ key, rows }) =>
         rows.filter((row) => !this.told.has(row)).map((row) => ({ key, seed: row.record.seed, curve: row.curve })),
       ),
-      groups: groups.map(({ label, key, rows }) => ({
+      groups: groups.map(({ label, key, rows, lots }) => ({
         name: label,
         key,
+        lots,
         seeds: rows.map(({ record }) => record.seed),
         values: valuesOf(rows),
         reached: rows.map(({ record }) => record.reached),
         end: rows.reduce((end, { record }) => Math.max(end, record.evaluations), 0),
       })),
-      common: groups.map(({ label, rows }) => ({ name: label, values: valuesOf(rows.filter(({ record }) => shared.has(record.seed))) })),
+      common: groups.map(({ label, rows, lots }) => ({ name: label, lots, values: valuesOf(rows.filter(({ record }) => shared.has(record.seed))) })),
     })
     const answer = await this.ask(({ api }) => api.summarise(question()))
     for (const { rows } of groups) for (const row of rows) this.told.add(row)

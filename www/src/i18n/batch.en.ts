@@ -1,3 +1,6 @@
+const list = (names: readonly string[]): string => (names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`)
+const draw = (names: readonly string[]): string => `${list(names)} ${names.length === 1 ? 'draws' : 'draw'} no lots`
+
 /** Text of the batch view. What the core says comes with the catalogue, and with its refusals. */
 export const batch = {
   lead: 'One run is an anecdote: planners that draw lots are compared over many seeds.',
@@ -131,6 +134,8 @@ export const batch = {
     interval: (low: string, high: string) => `${low} to ${high}`,
     friedman: (blocks: string, statistic: string, p: string) => `Mean ranks over ${blocks} seeds that all have run with (1 is best); Friedman’s test: χ² = ${statistic}, p ${p}.`,
     ranks: (blocks: string) => `Mean ranks over ${blocks} seeds that all have run with; 1 is best.`,
+    sure: 'draws no lots',
+    sureNote: (names: readonly string[]) => `${draw(names)}: all runs are the same run, and the numbers are no estimates.`,
     note: 'Beneath the mean and the share of feasible runs: 95 % confidence intervals, by Student’s t and by Wilson’s score. Beneath the median: the quartiles.',
   },
   pairs: {
@@ -139,6 +144,8 @@ export const batch = {
     than: (name: string, chance: string) => `${name} (${chance})`,
     chance: 'In parentheses: how often its run is the better one, of two runs, one of each planner.',
     same: (names: string) => `No significant difference at 5 % between: ${names}.`,
+    allDrawnSame: 'No two of the others differ significantly at 5 %.',
+    sure: (names: readonly string[]) => `${draw(names)}: every seed gives the same run. There is no luck to test for; which of two is better can be read from the table.`,
     allSame: 'No two planners differ significantly at 5 %.',
     and: ' and ',
     first: 'First',

@@ -2,6 +2,7 @@ import * as Comlink from 'comlink'
 import init, { compare, suggest, Trial } from 'forage'
 import type { Comparison, Setup } from 'forage'
 import type { Errand, Row } from '../batch/plan'
+import { type TestedPair, testedPairs, type TestedRanks, testedRanks } from '../batch/tested'
 import { type Bands, bands, type Reached, reached } from '../batch/summaries'
 import { breathe, SLICE } from './pace'
 import type { Refusal } from './protocol'
@@ -12,14 +13,15 @@ export type Ending = { is: 'over'; row: Row } | { is: 'refused'; refusal: Refusa
 /** Runs that are compared, small values first; in all groups of `common` the same place stands for the same seed. */
 export interface Question {
   curves: { key: string; seed: number; curve: Row['curve'] }[]
-  groups: { name: string; key: string; seeds: number[]; values: (number | null)[]; reached: (number | null)[]; end: number }[]
-  common: { name: string; values: (number | null)[] }[]
+  groups: { name: string; key: string; lots: boolean; seeds: number[]; values: (number | null)[]; reached: (number | null)[]; end: number }[]
+  common: { name: string; lots: boolean; values: (number | null)[] }[]
 }
 
 export interface Answered {
   comparison: Comparison
+  pairs: TestedPair[]
   /** Mean ranks over the seeds that all groups have run with. */
-  friedman: Comparison['friedman']
+  friedman: TestedRanks | null
   bands: Bands
   reached: Reached[]
 }
@@ -96,9 +98,11 @@ const api = {
       curves.set(key, of.set(seed, curve))
     }
     const runs = groups.map(({ key, seeds }) => seeds.flatMap((seed) => curves.get(key)?.get(seed) ?? []))
+    const comparison = compare(groups)
     return {
-      comparison: compare(groups),
-      friedman: common.length > 1 && (common[0]?.values.length ?? 0) > 0 ? compare(common).friedman : null,
+      comparison,
+      pairs: testedPairs(comparison.pairs, groups),
+      friedman: testedRanks(common),
       bands: bands(runs, groups.map(({ end }) => end)),
       reached: groups.map((group) => reached(group.reached)),
     }
