@@ -273,6 +273,59 @@ test('with the keyboard alone a batch is set up, run, sorted and looked into', a
   expect(await lab.settled(500)).toBe(hash)
 })
 
+test('planners with optima of their own are compared by value, and what draws no lots isn’t tested', async ({ lab, page }) => {
+  const scene = 'wolf-ant-20'
+  const recordOf = (planner: string) => trialOf({ planner, scene, seed: 1 }).record
+  const [cells, free] = [recordOf('a-star'), recordOf('theta-star')]
+  expect(free.exact_by).not.toBe(cells.exact_by)
+  expect([(free.value ?? 0) < (cells.value ?? 0), (free.gap ?? 0) > (cells.gap ?? 0)]).toEqual([true, true])
+
+  await openBatch(lab)
+  await keep(page, [])
+  await page.getByTestId('batch-scene').selectOption(scene)
+  for (const planner of ['a-star', 'theta-star']) {
+    await page.getByTestId('batch-adds').selectOption(planner)
+    await page.getByTestId('batch-add').click()
+  }
+  await seeds(page, 3)
+  await page.getByTestId('batch-run').click()
+  await finished(page, 6)
+  await expect(page.getByTestId('batch-boxes')).toHaveAttribute('data-measure', 'value')
+  const note = page.getByTestId('batch-yardsticks')
+  const summary = page.getByTestId('batch-summary').locator('tbody tr')
+  for (const [at, { exact_by: by }] of [cells, free].entries()) {
+    if (by === 'refuted') throw new Error('no optimum')
+    await expect(note).toContainText(text.results.yardsticks[by])
+    await expect(summary.nth(at)).toContainText(text.results.yardsticks[by])
+    await expect(summary.nth(at)).toContainText(text.summary.sure)
+    // Neither spread nor interval, and no mean rank.
+    await expect(summary.nth(at).locator('td').nth(3)).toHaveText('–')
+  }
+  await expect(page.getByTestId('batch-summary').getByRole('columnheader', { name: text.summary.rank, exact: true })).toHaveCount(0)
+  const pair = page.getByTestId('batch-pairs').locator('tbody tr')
+  await expect(pair.locator('td')).toHaveText([/./, '–', '–', '0 %', '–'])
+  await expect(page.getByTestId('batch-verdicts').locator('li')).toHaveCount(1)
+
+  // Beside one that does draw lots there is still nothing to test; two of them are corrected for their pair only.
+  for (const planner of ['aco', 'aco-wolf']) {
+    await page.getByTestId('batch-adds').selectOption(planner)
+    await page.getByTestId('batch-add').click()
+  }
+  await page.getByTestId('batch-iterations').fill('10')
+  await page.getByTestId('batch-iterations').press('Enter')
+  await page.getByTestId('batch-run').click()
+  await finished(page, 12)
+  const colonies = compare(
+    ['aco', 'aco-wolf'].map((name) => ({ name, values: [1, 2, 3].map((seed) => trialOf({ planner: name, scene, seed, params: { iterations: 10 } }).record.value) })),
+  )
+  await expect(pair).toHaveCount(6)
+  for (let at = 0; at < 5; at += 1) await expect(pair.nth(at).locator('td').nth(2)).toHaveText('–')
+  await expect(pair.nth(5).locator('td').nth(1)).toHaveText(number(colonies.pairs[0]?.p, 3))
+  await expect(pair.nth(5).locator('td').nth(2)).toHaveText(number(colonies.pairs[0]?.corrected, 3))
+  const ranks = summary.locator('td:last-child')
+  await expect(ranks).toHaveText(['–', '–', ...(colonies.friedman?.ranks ?? []).map((rank) => number(rank, 3))])
+})
+
 test('long runs of a plan that was left make room for those of the new one', async ({ lab, page }) => {
   await page.addInitScript(() => Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => 2 }))
   await openBatch(lab)

@@ -19,6 +19,8 @@ export interface ShownGroup extends Group {
   runs: Run[]
   /** The optimum that its runs are measured by; null if there is none. */
   exact: number | null
+  /** Whose optimum that is. */
+  exactBy: Exclude<TrialRecord['exact_by'], 'refuted'>
 }
 
 /** The results at one moment. */
@@ -42,14 +44,15 @@ export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered):
     answer,
     groups: groups.flatMap((group, at) => {
       const summary = answer.comparison.groups[at]
-      if (!summary) return []
+      const first = group.rows[0]?.record
+      if (!summary || !first) return []
       const [low, high] = summary.summary ? fences(summary.summary) : [-Infinity, Infinity]
       const runs = group.rows.map((row): Run => {
         const { value } = row.record
         const rounding = SAME * Math.abs(value ?? 0)
         return { group: at, row, record: row.record, outlier: value !== null && (value < low - rounding || value > high + rounding) }
       })
-      return [{ ...group, summary, runs, exact: group.rows[0]?.record.exact ?? null }]
+      return [{ ...group, summary, runs, exact: first.exact, exactBy: first.exact_by === 'refuted' ? 'stored' : first.exact_by }]
     }),
   }
 }

@@ -6,6 +6,8 @@ export const race = {
   about:
     'Two to four planners on the same scene and seed. The clock counts evaluations: at each notch every racer stands at its first iteration at or beyond the clock. Steps that evaluate nothing cost nothing.',
   loading: 'Loading the planners …',
+  /** Where racers are measured by different ones. */
+  yardsticks: { 'any-angle': 'any-angle optimum', cells: 'optimum over cells', matrix: 'shortest tour', stored: 'file’s optimum' },
   setup: 'What races',
   lanes: 'Racers',
   ready: {
@@ -51,6 +53,7 @@ export const race = {
     none: 'no result yet',
     best: 'best',
     gap: 'gap',
+    to: (yardstick: string) => `to the ${yardstick}`,
     noGap: 'no optimum known',
     evaluations: 'evaluations',
     iteration: 'iteration',

@@ -1,4 +1,4 @@
-import type { Scene } from 'forage'
+import type { Outcome, Scene } from 'forage'
 import { race as text } from '../i18n/race.en'
 import { number, percent } from '../panels/format'
 import { unitOf } from '../state/units'
@@ -28,6 +28,17 @@ export const told = (value: number | null, scene: Scene | null): string => (valu
 export function gapOf(lane: Lane): string | null {
   const [exact, { mark }] = [exactOf(lane), lane]
   return mark && exact !== null && exact !== 0 ? percent((mark.value - exact) / exact, true) : null
+}
+
+/** Whose optimum a racer's gap is measured by, where others race by another: their gaps say nothing about each other. */
+export function yardstickOf(lane: Lane, lanes: readonly Lane[]): string | null {
+  const ruleOf = (one: Lane): Exclude<Outcome['exact_by'], 'refuted'> | null => {
+    const { racing, outcome } = one
+    return racing && outcome && outcome.exact_by !== 'refuted' && outcome.exact !== null ? outcome.exact_by : null
+  }
+  const own = ruleOf(lane)
+  const rules = new Set(lanes.map(ruleOf).filter((rule) => rule !== null))
+  return own !== null && rules.size > 1 ? text.yardsticks[own] : null
 }
 
 /** Whether the best may be used, in words; nothing where anything may. */
