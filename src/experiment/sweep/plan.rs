@@ -9,6 +9,9 @@ use super::line::number_text;
 /// So many runs fit in the memory of a usual machine, and in years of its time.
 pub const MOST: usize = 100_000_000;
 
+/// Each combination is checked before anything is run: more than these take too long for that.
+pub const MOST_CELLS: usize = 1_000_000;
+
 /// Parameters with their values.
 pub(super) type Pairs<'a> = Vec<(&'a str, &'a Value)>;
 

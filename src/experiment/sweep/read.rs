@@ -15,7 +15,7 @@ use crate::{
 
 use super::{
     super::Failure,
-    plan::{MOST, Seeds, Setting, Sweep, Variants, value_text},
+    plan::{MOST, MOST_CELLS, Seeds, Setting, Sweep, Variants, value_text},
 };
 
 /// Finds the scene that a text stands for.
@@ -69,8 +69,13 @@ pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Gi
     let (planners, parameters) = planners(&given.planner, given.iterations.as_ref(), &scenes)?;
 
     let mut sweep = Sweep { name, scenes, within, parameters, seeds, in_front: in_front(&planners), planners, weights: Vec::new() };
-    let runs = sweep.planners.iter().map(|planner| planner.count).fold(0, usize::saturating_add);
-    let runs = runs.saturating_mul(sweep.scenes.len()).saturating_mul(sweep.seeds.len());
+    let groups = sweep.planners.iter().map(|planner| planner.count).fold(0, usize::saturating_add);
+    let cells = groups.saturating_mul(sweep.scenes.len());
+    if cells > MOST_CELLS {
+        let allowed = format!("at most {MOST_CELLS} combinations of planners × scenes × parameter values, without the seeds");
+        return Err(Error::refused("planner", format!("a sweep of {cells}"), allowed).into());
+    }
+    let runs = cells.saturating_mul(sweep.seeds.len());
     if runs > MOST {
         let allowed = format!("at most {MOST} runs, planners × scenes × parameter values × seeds");
         return Err(Error::refused("seeds", format!("a sweep of {runs} runs"), allowed).into());
