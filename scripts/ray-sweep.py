@@ -23,6 +23,9 @@ os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
 import ray  # noqa: E402  (it reads the environment when it is imported)
 
 REFUSED = 2
+# A file that cannot be read or written now, or that another one still writes.
+LATER = 3
+PAUSE = 5
 
 
 class Refused(Exception):
@@ -43,6 +46,7 @@ def main():
     parts = [out.with_suffix(f".{i}-of-{args.shards}{out.suffix}") for i in range(1, args.shards + 1)]
     ray.init(address=args.address, num_cpus=args.cpus, include_dashboard=False, logging_level="ERROR", log_to_driver=False)
     try:
+        check_cores(args.threads)
         carry_out(str(Path(forage).resolve()), sweep, parts, args)
     except Refused as problem:
         print(problem, file=sys.stderr)
@@ -79,6 +83,13 @@ def positive(text):
     return number
 
 
+def check_cores(threads):
+    """A task that no machine has room for would wait for ever."""
+    most = int(max(node["Resources"].get("CPU", 0) for node in ray.nodes() if node["Alive"]))
+    if threads > most:
+        raise Refused(f"ray-sweep: --threads: {threads} is not allowed; it must be at most {most}, the cores of the largest machine (--cpus)")
+
+
 def carry_out(forage, sweep, parts, args):
     task = ray.remote(num_cpus=args.threads, max_retries=args.retries, retry_exceptions=[Failed])(shard)
     left = [
@@ -104,6 +115,8 @@ def shard(command):
     finished = subprocess.run(command, capture_output=True, text=True, preexec_fn=end_with_parent)
     if finished.returncode == REFUSED:
         raise Refused(finished.stderr.strip())
+    if finished.returncode == LATER:
+        time.sleep(PAUSE)
     if finished.returncode != 0:
         raise Failed(f"{' '.join(command)} ended with {finished.returncode}: {finished.stderr.strip()}")
 

@@ -51,12 +51,13 @@ class Cluster(unittest.TestCase):
         failing.write_text(
             f"""#!/bin/sh
 case "$*" in *"--shard 2/3"*) if mkdir {self.folder}/failed; then exit 7; fi ;; esac
+case "$*" in *"--shard 1/3"*) if mkdir {self.folder}/busy; then exit 3; fi ;; esac
 exec {FORAGE} "$@"
 """
         )
         failing.chmod(failing.stat().st_mode | stat.S_IXUSR)
         ended = self.ray(forage=failing)
-        self.assertTrue((self.folder / "failed").exists())
+        self.assertTrue((self.folder / "failed").exists() and (self.folder / "busy").exists())
         self.assertEqual(self.read("ray.csv"), self.read("whole.csv"))
         self.assertIn("3 of 3 shards", ended.stderr)
         self.assertIn("Friedman", ended.stdout)
@@ -68,6 +69,10 @@ exec {FORAGE} "$@"
         self.assertEqual(ended.stderr.count("planner[0].params.w[1]: 9 is not allowed"), 1)
         self.assertFalse((self.folder / "ray.csv").exists())
         self.assertEqual(self.left_behind(), [])
+
+    def test_more_threads_than_cores_are_refused_and_do_not_wait(self):
+        ended = self.ray("--threads", 3, code=2)
+        self.assertIn("--threads: 3 is not allowed; it must be at most 2", ended.stderr)
 
     def left_behind(self):
         """Processes that were given this test's folder."""

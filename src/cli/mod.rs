@@ -1,7 +1,8 @@
 //! The shell face, the only place that knows clap.
 //!
 //! Exit codes: 0 a feasible result, 1 none found, 2 the input was refused (message on standard error, nothing on
-//! standard output), 130 an experiment was interrupted (what is finished is kept).
+//! standard output), 3 a file could not be read or written, though it is there and may be (a full disk, another `forage` that
+//! writes it: the same command may do later), 130 an experiment was interrupted (what is finished is kept).
 
 mod args;
 mod convert;
@@ -33,6 +34,21 @@ enum Failure {
     File(String, std::io::Error),
     /// Ctrl-C ended an experiment: exit code 130, as shells have it.
     Interrupted(String),
+}
+
+impl Failure {
+    fn code(&self) -> u8 {
+        use std::io::ErrorKind::{AlreadyExists, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied};
+        match self {
+            Self::Refused(_) => 2,
+            // What was asked for cannot be: it is the same the next time.
+            Self::File(_, error) => match error.kind() {
+                NotFound | PermissionDenied | IsADirectory | NotADirectory | AlreadyExists | InvalidInput => 2,
+                _ => 3,
+            },
+            Self::Interrupted(_) => 130,
+        }
+    }
 }
 
 impl From<forage::Error> for Failure {
@@ -68,7 +84,7 @@ pub(crate) fn main() -> ExitCode {
     };
     outcome.unwrap_or_else(|failure| {
         eprintln!("forage: {failure}");
-        ExitCode::from(if matches!(failure, Failure::Interrupted(_)) { 130 } else { 2 })
+        ExitCode::from(failure.code())
     })
 }
 
