@@ -104,10 +104,10 @@ test('a batch that is stopped keeps its rows; it goes on to the same file that i
 
   const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
   expect(head).toBe(
-    'scene,planner,seed,status,iterations,evaluations,cost,length,value,feasible,clearance,exact,exact_by,gap,reached,reached_iteration,turns,hash',
+    'scene,planner,seed,status,iterations,evaluations,cost,length,value,feasible,clearance,exact,exact_by,gap,within,reached,reached_iteration,turns,hash',
   )
-  const records = recordsOf(['pso', 'cpso'], 40).flat()
-  const columns = head.split(',') as (keyof TrialRecord)[]
+  const records = recordsOf(['pso', 'cpso'], 40).flat().map((record) => ({ ...record, within: 0.01 }))
+  const columns = head.split(',') as (keyof TrialRecord | 'within')[]
   const read = (text: string, like: unknown): unknown => (text === '' ? null : typeof like === 'number' ? Number(text) : typeof like === 'boolean' ? text === 'true' : text)
   const told = lines.map((line, at) => line.split(',').map((cell, column) => read(cell, records[at]?.[columns[column] ?? 'hash'])))
   expect(told).toEqual(records.map((record) => columns.map((column) => record[column])))

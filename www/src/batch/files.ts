@@ -6,8 +6,11 @@ import type { Shown } from './shown'
 
 const LEAD = ['scene', 'planner', 'seed'] as const
 const RESULTS = [
-  'status', 'iterations', 'evaluations', 'cost', 'length', 'value', 'feasible', 'clearance', 'exact', 'exact_by', 'gap', 'reached', 'reached_iteration', 'turns', 'hash',
+  'status', 'iterations', 'evaluations', 'cost', 'length', 'value', 'feasible', 'clearance', 'exact', 'exact_by', 'gap', 'within', 'reached', 'reached_iteration', 'turns', 'hash',
 ] as const
+
+/** What counts as reached in the page: what the core and the shell take, too, unless told otherwise. */
+const WITHIN = 0.01
 
 /** Beyond these the shell writes powers of ten. */
 const [LEAST_PLAIN, LEAST_LARGE] = [1e-4, 1e16]
@@ -36,7 +39,8 @@ function tableOf(shown: Shown): Table {
   // Those that any entrant sets, in the order in which they are met.
   const names = [...new Set(shown.groups.flatMap(({ params }) => Object.keys(params)))]
   const taken = (name: string): boolean => ([...LEAD, ...RESULTS] as string[]).includes(name)
-  const cells = (record: TrialRecord, keys: readonly (keyof TrialRecord)[]): Table['rows'][number] => keys.map((key) => record[key] as ParameterValue | null)
+  const cells = (record: TrialRecord, keys: readonly (keyof TrialRecord | 'within')[]): Table['rows'][number] =>
+    keys.map((key) => (key === 'within' ? WITHIN : (record[key] as ParameterValue | null)))
   return {
     columns: [...LEAD, ...names.map((name) => (taken(name) ? `p.${name}` : name)), ...RESULTS],
     rows: shown.groups.flatMap(({ runs, params }) =>
