@@ -100,7 +100,7 @@ pub(super) struct ExperimentArgs {
     #[arg(long, value_name = "FILE")]
     pub(super) out: Option<PathBuf>,
     /// Throw away the rows that are there, and begin anew.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "merge")]
     pub(super) fresh: bool,
     /// Run nothing, but make one file of these parts, in any order: that of a single run.
     #[arg(long, value_name = "PART", num_args = 1.., conflicts_with = "jobs")]

@@ -1,9 +1,11 @@
 //! `forage experiment`.
 
 use std::{
+    cell::RefCell,
     fs,
     path::{Path, PathBuf},
     process::ExitCode,
+    slice,
     sync::Arc,
 };
 
@@ -21,15 +23,21 @@ use serde_json::json;
 use super::{Failure, args::ExperimentArgs, interrupt, load, print, print_json, progress};
 
 pub(super) fn experiment(args: &ExperimentArgs) -> super::Outcome {
-    let read::Given { sweep, out } = read_file(&args.file)?;
+    let (read::Given { sweep, out }, sources) = read_file(&args.file)?;
     let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
     let rows = args.out.clone().unwrap_or_else(|| default_out(&args.file, out.as_deref(), part));
-    let mut kept = Kept::open(&sweep, part, &rows, args.fresh)?;
-    if args.merge.is_empty() {
-        carry_out(&sweep, &mut kept, args)?;
-    } else {
-        kept.merge(&args.merge)?;
+    check_apart("out", &rows, &sources)?;
+    if let Some(report) = &args.report {
+        check_apart("--report", report, &[&sources[..], slice::from_ref(&rows)].concat())?;
     }
+    let mut kept = Kept::open(&sweep, part, &rows, args.fresh)?;
+    let outcome = if args.merge.is_empty() {
+        carry_out(&sweep, &mut kept, args)
+    } else {
+        sweep::merge(&sweep, &mut kept, &args.merge, &interrupt::flag()).map_err(Failure::from)
+    };
+    load::tell(kept.notes());
+    outcome?;
     if part == Part::WHOLE {
         let summary = Summary::of(&kept);
         if let Some(path) = &args.report {
@@ -60,11 +68,28 @@ fn carry_out(sweep: &Sweep, kept: &mut Kept, args: &ExperimentArgs) -> Result<()
     Ok(outcome?)
 }
 
-fn read_file(path: &Path) -> Result<read::Given, Failure> {
+/// What would be written over what is read is refused.
+fn check_apart(field: &str, path: &Path, sources: &[PathBuf]) -> Result<(), Failure> {
+    // What is not there yet is nothing else, either; the file of rows may be that.
+    let same = |source: &&PathBuf| *source == path || fs::canonicalize(source).is_ok_and(|real| fs::canonicalize(path).ok() == Some(real));
+    match sources.iter().find(same) {
+        Some(source) => Err(forage::Error::refused(field, path.display(), format!("another file than {}", source.display())).into()),
+        None => Ok(()),
+    }
+}
+
+/// What the file says, and the files that were read.
+fn read_file(path: &Path) -> Result<(read::Given, Vec<PathBuf>), Failure> {
     let text = fs::read_to_string(path).map_err(|error| Failure::File(path.display().to_string(), error))?;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let folder = path.parent().unwrap_or(Path::new(""));
-    Ok(read::read(&path.display().to_string(), &stem, &text, &|text| scene(folder, text))?)
+    let sources = RefCell::new(vec![path.to_owned()]);
+    let load = |text: &str| {
+        sources.borrow_mut().push(folder.join(text));
+        scene(folder, text)
+    };
+    let given = read::read(&path.display().to_string(), &stem, &text, &load)?;
+    Ok((given, sources.into_inner()))
 }
 
 /// As with `forage run --scene`, but files are looked for beside the sweep's.

@@ -47,6 +47,26 @@ fn merged_parts_are_the_single_run_byte_for_byte() {
     carry_out(&folder, &[&all[..], &[&parts[1]]].concat());
     assert_eq!(fs::read(&merged).unwrap(), whole);
 
+    // More than can be open at once.
+    #[cfg(target_os = "linux")]
+    {
+        let limited = format!("ulimit -n 24; exec \"$0\" experiment \"$1\" --out \"$2\" --merge {}", "\"$1\".*.csv");
+        for (i, line) in fs::read_to_string(&merged).unwrap().lines().skip(1).enumerate() {
+            let heading = fs::read_to_string(&merged).unwrap().lines().next().unwrap().to_owned();
+            for copy in ["a", "b"] {
+                fs::write(folder.join(format!("sweep.toml.{i}{copy}.csv")), format!("{heading}\n{line}\n")).unwrap();
+            }
+        }
+        let file = folder.join("sweep.toml");
+        let again = folder.join("again.csv");
+        let ended = std::process::Command::new("sh")
+            .args(["-c", &limited, env!("CARGO_BIN_EXE_forage"), file.to_str().unwrap(), again.to_str().unwrap()])
+            .output()
+            .unwrap();
+        assert!(ended.status.success(), "{}", String::from_utf8_lossy(&ended.stderr));
+        assert_eq!(fs::read(&again).unwrap(), whole);
+    }
+
     let lines = part("merged.jsonl");
     assert!(refused(&folder, &["--out", &lines, "--merge", &parts[0]]).contains("with the ending of"));
     fs::write(&parts[0], "a,b\n1,2\n").unwrap();

@@ -9,6 +9,7 @@ use crate::support::{SMALL, folder, forage, refused, text};
 fn what_is_refused_is_named_before_anything_is_run() {
     let planner = "[[planner]]\nname = 'pso'\n";
     let with = |params: &str| format!("scenes = ['sphere']\nseeds = [1]\n{planner}params = {{ {params} }}\n");
+    let many = |count: usize| format!("[{}]", (0..count).map(|k| format!("{}, ", k as f64 / 1000.0)).collect::<String>());
     let seeds = |seeds: &str| format!("scenes = ['sphere']\nseeds = {seeds}\n{planner}");
     let scenes = |scenes: &str| format!("scenes = {scenes}\nseeds = [1]\n{planner}");
     let top = |line: &str| format!("scenes = ['sphere']\nseeds = [1]\n{line}\n{planner}");
@@ -52,6 +53,10 @@ fn what_is_refused_is_named_before_anything_is_run() {
             top("[[planner]]\nname = 'a-star'"),
             "planner[0].name: a-star is not allowed; it must be a planner for scenes[0], sphere, which is of kind function; a-star runs on: \
              grid; leave one of them out",
+        ),
+        (
+            with(&format!("w = {0}, c1 = {0}", many(1001))),
+            "planner: a sweep of 1002001 is not allowed; it must be at most 1000000 combinations",
         ),
         (with("w = 9"), "planner[0].params.w: 9 is not allowed; it must be a number from 0 to 1.5"),
         (with("w = [0.5, 9]"), "planner[0].params.w[1]: 9 is not allowed"),

@@ -78,6 +78,15 @@ pub(crate) fn refused(folder: &Path, args: &[&str]) -> String {
     text(&output.stderr)
 }
 
+/// The message with which the folder's sweep fails, where trying again later may help.
+pub(crate) fn fails(folder: &Path, args: &[&str]) -> String {
+    let file = folder.join("sweep.toml");
+    let output = forage(&[&["experiment", file.to_str().unwrap()], args].concat());
+    assert_eq!(output.status.code(), Some(3), "{args:?}: {}", text(&output.stdout));
+    assert!(output.stdout.is_empty(), "{args:?}");
+    text(&output.stderr)
+}
+
 pub(crate) fn rows(path: &Path) -> Vec<csv::StringRecord> {
     csv::Reader::from_path(path).unwrap().records().map(Result::unwrap).collect()
 }
@@ -96,8 +105,11 @@ pub(crate) fn trivial(seeds: &str, more: &str) -> Sweep {
 }
 
 pub(crate) fn in_process(sweep: &Sweep, path: &Path) -> Result<(), Failure> {
-    let mut kept = Kept::open(sweep, Part::WHOLE, path, false)?;
-    sweep::carry_out(sweep, &mut kept, Some(1), &Control { stop: &AtomicBool::new(false), progress: &|_, _| {} })
+    go_on(sweep, &mut Kept::open(sweep, Part::WHOLE, path, false)?)
+}
+
+pub(crate) fn go_on(sweep: &Sweep, kept: &mut Kept) -> Result<(), Failure> {
+    sweep::carry_out(sweep, kept, Some(1), &Control { stop: &AtomicBool::new(false), progress: &|_, _| {} })
 }
 
 /// Waits until so many rows are there; says how many were.

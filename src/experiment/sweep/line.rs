@@ -10,8 +10,8 @@ use super::plan::{Sweep, value_text};
 
 /// What is in front of the parameters,
 const LEAD: [&str; 3] = ["scene", "planner", "seed"];
-/// and what is behind them: a [`Record`]'s fields. No times: rows are the same everywhere.
-const RESULTS: [&str; 15] = [
+/// and what is behind them: a [`Record`]'s fields, and what counts as reached. No times: rows are the same everywhere.
+const RESULTS: [&str; 16] = [
     "status",
     "iterations",
     "evaluations",
@@ -23,6 +23,7 @@ const RESULTS: [&str; 15] = [
     "exact",
     "exact_by",
     "gap",
+    "within",
     "reached",
     "reached_iteration",
     "turns",
@@ -67,6 +68,16 @@ impl Format {
         }
     }
 
+    /// Whether a first line is, as far as it goes, that of some sweep's rows.
+    pub(super) fn begins(self, line: &[u8]) -> bool {
+        let (beginning, last): (&[u8], &[u8]) = match self {
+            Self::Csv => (b"scene,planner,seed,", b",hash\n"),
+            Self::JsonLines => (b"{\"scene\":\"", b"\"}\n"),
+        };
+        let known = beginning.len().min(line.len());
+        beginning[..known] == line[..known] && (!line.ends_with(b"\n") || line.ends_with(last))
+    }
+
     /// A run's row.
     pub(super) fn line(self, sweep: &Sweep, job: usize, record: &Record) -> io::Result<Vec<u8>> {
         let setup = sweep.setup(job);
@@ -77,7 +88,11 @@ impl Format {
             Some(other) => Item::Bare(value_text(other)),
             None => Item::Nothing,
         });
-        let items: Vec<Item> = lead.chain(parameters).chain(RESULTS.iter().map(|name| item(&known[name]))).collect();
+        let results = RESULTS.iter().map(|&name| match name {
+            "within" => Item::Bare(number_text(sweep.within)),
+            _ => item(&known[name]),
+        });
+        let items: Vec<Item> = lead.chain(parameters).chain(results).collect();
         match self {
             Self::Csv => csv_line(&items.iter().map(Item::text).collect::<Vec<_>>()),
             Self::JsonLines => {
@@ -95,38 +110,40 @@ impl Format {
     ///
     /// # Errors
     /// What is wrong with it.
-    fn texts(self, sweep: &Sweep, line: &[u8]) -> Result<Vec<String>, String> {
+    fn texts(self, sweep: &Sweep, line: &[u8]) -> Result<Vec<String>, Wrong> {
         let count = LEAD.len() + sweep.parameters.len() + RESULTS.len();
         let texts: Vec<String> = match self {
             // Where nothing is quoted commas are all there is: a reader of its own for each line would take most of the time.
+            _ if line.trim_ascii().is_empty() => return Err(Wrong::Damaged("it is empty".to_owned())),
             Self::Csv if !line.contains(&b'"') => {
-                let text = str::from_utf8(line).map_err(|problem| problem.to_string())?;
+                let text = str::from_utf8(line).map_err(damaged)?;
                 text.trim_end_matches('\n').split(',').map(str::to_owned).collect()
             }
             Self::Csv => {
                 let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
-                let record = reader.records().next().ok_or("an empty line")?.map_err(|problem| problem.to_string())?;
+                let record = reader.records().next().ok_or_else(|| damaged("it is empty"))?.map_err(damaged)?;
                 record.iter().map(str::to_owned).collect()
             }
             Self::JsonLines => {
-                let mut fields: Map<String, Value> = serde_json::from_slice(line).map_err(|problem| problem.to_string())?;
+                let mut fields: Map<String, Value> = serde_json::from_slice(line).map_err(damaged)?;
                 let columns = columns(sweep);
                 let texts = columns.iter().map(|name| fields.remove(name).map(|value| item(&value).text().to_owned()));
-                let texts = texts.collect::<Option<Vec<_>>>().ok_or_else(|| format!("its fields are not {}", columns.join(", ")))?;
+                let texts =
+                    texts.collect::<Option<Vec<_>>>().ok_or_else(|| Wrong::Other(format!("its fields are not {}", columns.join(", "))))?;
                 if let Some(name) = fields.keys().next() {
-                    return Err(format!("it has a field `{name}`"));
+                    return Err(Wrong::Other(format!("it has a field `{name}`")));
                 }
                 texts
             }
         };
-        if texts.len() == count { Ok(texts) } else { Err(format!("it has {} values, not {count}", texts.len())) }
+        if texts.len() == count { Ok(texts) } else { Err(Wrong::Damaged(format!("it has {} values, not {count}", texts.len()))) }
     }
 
     /// Which run a line tells of, and what of it.
     ///
     /// # Errors
     /// What is wrong with it.
-    pub(super) fn read(self, sweep: &Sweep, line: &[u8]) -> Result<(usize, Told), String> {
+    pub(super) fn read(self, sweep: &Sweep, line: &[u8]) -> Result<(usize, Told), Wrong> {
         let texts = self.texts(sweep, line)?;
         let (lead, rest) = texts.split_at(LEAD.len());
         let (parameters, results) = rest.split_at(sweep.parameters.len());
@@ -134,15 +151,32 @@ impl Format {
         let job = sweep.find(&lead[0], &lead[1], &lead[2], &parameters).ok_or_else(|| {
             let set = sweep.parameters.iter().zip(&parameters).filter(|(_, text)| !text.is_empty());
             let set: Vec<String> = set.map(|(name, text)| format!(" {name}={text},")).collect();
-            format!("there is no run of {} on {},{} seed {}", lead[1], lead[0], set.concat(), lead[2])
+            Wrong::Other(format!("there is no run of {} on {},{} seed {}", lead[1], lead[0], set.concat(), lead[2]))
         })?;
         let result = |name: &str| RESULTS.iter().position(|known| *known == name).map_or("", |at| results[at].as_str());
+        let (within, ours) = (result("within"), number_text(sweep.within));
+        if within != ours {
+            return Err(Wrong::Other(format!("its `within` is {within}, not {ours}")));
+        }
         let number = |name: &str| match result(name) {
             "" => Ok(None),
-            text => text.parse::<f64>().map(Some).map_err(|_| format!("{name} is `{text}`, which is no number")),
+            text => text.parse::<f64>().map(Some).map_err(|_| damaged(format!("{name} is `{text}`, which is no number"))),
         };
         Ok((job, Told { value: number("value")?, reached: number("reached")?.is_some(), exact: number("exact")?.is_some() }))
     }
+}
+
+/// What is wrong with a line.
+#[derive(Debug)]
+pub(super) enum Wrong {
+    /// It is no row.
+    Damaged(String),
+    /// It is a row of something else.
+    Other(String),
+}
+
+fn damaged(problem: impl ToString) -> Wrong {
+    Wrong::Damaged(problem.to_string())
 }
 
 /// What the statistics need of a run.

@@ -13,7 +13,10 @@ pub mod plan;
 pub mod read;
 pub mod summary;
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::{
+    path::PathBuf,
+    sync::atomic::{AtomicBool, Ordering},
+};
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
@@ -55,20 +58,33 @@ impl Work for Sweep {
 /// Carries out the runs that are not kept yet, and puts the file in order.
 ///
 /// # Errors
-/// [`Failure::Interrupted`] when it was stopped; a planner that refuses to start, before anything is run; a file that cannot
-/// be written, or whose rows come from another version of this program.
+/// [`Failure::Interrupted`] when it was stopped; a planner that refuses to start, before anything is run or written; a file that
+/// cannot be written, or whose rows come from another version of this program.
 pub fn carry_out(sweep: &Sweep, kept: &mut Kept, threads: Option<usize>, control: &Control) -> Result<(), Failure> {
     let left = kept.missing().collect::<Vec<_>>();
+    let pool = runner::pool(threads)?;
+    pool.install(|| check_start(sweep, &left, control.stop)).inspect_err(|_| kept.leave())?;
+    check_rows(sweep, kept, &pool, control.stop)?;
+    kept.begin()?;
     if !left.is_empty() {
-        let pool = runner::pool(threads)?;
-        pool.install(|| check_start(sweep, &left, control.stop))?;
-        check_rows(sweep, kept, &pool, control.stop)?;
         let total = sweep.work(kept.part());
         runner::carry_out(sweep, left, total, &pool, control, |job, record| kept.append(job, &record))?;
         if let Some(failure) = kept.unfinished() {
             return Err(failure);
         }
     }
+    kept.settle()
+}
+
+/// Makes one file of parts and what is there already.
+///
+/// # Errors
+/// Parts that are not complete or belong to something else, before anything is written; and as [`carry_out`].
+pub fn merge(sweep: &Sweep, kept: &mut Kept, parts: &[PathBuf], stop: &AtomicBool) -> Result<(), Failure> {
+    let pool = runner::pool(None)?;
+    let checked = kept.gather(parts).and_then(|()| check_rows(sweep, kept, &pool, stop));
+    checked.inspect_err(|_| kept.leave())?;
+    kept.begin()?;
     kept.settle()
 }
 
@@ -102,7 +118,11 @@ fn check_rows(sweep: &Sweep, kept: &Kept, pool: &rayon::ThreadPool, stop: &Atomi
         let jobs: Vec<usize> = lightest.into_iter().flatten().collect();
         jobs.into_par_iter().map(|job| Ok(sweep.run(job, stop)?.map(|record| (job, record)))).collect::<Result<Vec<_>, Error>>()
     })?;
-    for (job, record) in again.into_iter().flatten() {
+    for found in again {
+        let Some((job, record)) = found else {
+            let (done, total) = kept.counts();
+            return Err(Failure::Interrupted { done, total, rows: kept.path().to_owned() });
+        };
         kept.compare(job, &record)?;
     }
     Ok(())
