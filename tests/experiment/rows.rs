@@ -130,6 +130,31 @@ fn scenes_are_looked_for_beside_the_file_and_may_be_maps_and_links() {
 }
 
 #[test]
+fn what_draws_no_lots_is_not_tested_and_what_is_near_is_told_by_each_yardstick() {
+    let sweep = "scenes = ['wolf-ant-20']\nseeds = { from = 1, count = 3 }\n[[planner]]\nname = 'a-star'\n[[planner]]\n\
+                 name = 'theta-star'\n[[planner]]\nname = 'aco'\nparams = { iterations = [5, 6] }\n";
+    let folder = folder("lots", sweep);
+    let told = carry_out(&folder, &[]);
+    for part in [
+        "wolf-ant-20: all runs are the same and no lots are drawn",
+        "a-star, theta-star",
+        "corrected for 1 tests",
+        "see the last column",
+        "any angle",
+        "cells",
+    ] {
+        assert!(told.contains(part), "{part}: {told}");
+    }
+    let printed: Value = serde_json::from_str(&carry_out(&folder, &["--json"])).unwrap();
+    let pairs = printed["scenes"][0]["pairs"].as_array().unwrap();
+    assert_eq!((pairs.len(), &pairs[0]["first"], &pairs[0]["second"]), (1, &2.into(), &3.into()));
+    assert_eq!(printed["ranked"], serde_json::json!([2, 3]));
+    let groups = &printed["scenes"][0]["groups"];
+    assert_eq!([0, 1, 2, 3].map(|k| groups[k]["draws_lots"].as_bool().unwrap()), [false, false, true, true]);
+    assert_eq!((&groups[0]["exact_by"], &groups[1]["exact_by"]), (&"cells".into(), &"any-angle".into()));
+}
+
+#[test]
 fn statistics_are_those_of_the_rows() {
     let folder = folder("statistics", SMALL);
     let report = folder.join("report.md");
@@ -167,7 +192,15 @@ fn statistics_are_those_of_the_rows() {
 
     let told = carry_out(&folder, &[]);
     let mean = printed["scenes"][1]["groups"][2]["summary"]["mean"].as_f64().unwrap();
-    for part in ["pso w=0.8 c1=2", "corrected for 3 tests (Holm)", "95 % confidence", "Mean ranks over 6 blocks", &format!("{mean:.4}")] {
+    for part in [
+        "pso w=0.8 c1=2",
+        "within 0.01 of the exact optimum, which is 0",
+        "within 1 % of the exact optimum\n",
+        "corrected for 3 tests (Holm)",
+        "95 % confidence",
+        "Mean ranks over 6 blocks",
+        &format!("{mean:.4}"),
+    ] {
         assert!(told.contains(part), "{part}: {told}");
     }
     assert!(fs::read_to_string(report).unwrap().contains("| wcpso population=20 |"));

@@ -4,7 +4,7 @@ use std::{io, path::Path};
 
 use serde_json::{Map, Value};
 
-use crate::{error::Error, trial::Record};
+use crate::{error::Error, planner::Yardstick, trial::Record};
 
 use super::plan::{Sweep, value_text};
 
@@ -162,7 +162,16 @@ impl Format {
             "" => Ok(None),
             text => text.parse::<f64>().map(Some).map_err(|_| damaged(format!("{name} is `{text}`, which is no number"))),
         };
-        Ok((job, Told { value: number("value")?, reached: number("reached")?.is_some(), exact: number("exact")?.is_some() }))
+        let hash = u64::from_str_radix(result("hash"), 16).map_err(|_| damaged(format!("hash is `{}`, which is none", result("hash"))))?;
+        let by = match result("exact_by") {
+            "cells" => Yardstick::Cells,
+            "matrix" => Yardstick::Matrix,
+            "stored" => Yardstick::Stored,
+            "refuted" => Yardstick::Refuted,
+            _ => Yardstick::AnyAngle,
+        };
+        let exact = Optimum::of(number("exact")?);
+        Ok((job, Told { value: number("value")?, reached: number("reached")?.is_some(), exact, by, hash }))
     }
 }
 
@@ -179,20 +188,48 @@ fn damaged(problem: impl ToString) -> Wrong {
     Wrong::Damaged(problem.to_string())
 }
 
+/// Which kind of optimum there is to reach: what near to it means hangs on that.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum Optimum {
+    #[default]
+    None,
+    /// Near to it is a share of it.
+    Positive,
+    /// Near to it is a difference.
+    Zero,
+    /// The same.
+    Negative,
+}
+
+impl Optimum {
+    fn of(exact: Option<f64>) -> Self {
+        match exact {
+            None => Self::None,
+            Some(exact) if exact > 0.0 => Self::Positive,
+            Some(0.0) => Self::Zero,
+            Some(_) => Self::Negative,
+        }
+    }
+}
+
 /// What the statistics need of a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Told {
     pub(super) value: Option<f64>,
     pub(super) reached: bool,
-    /// Whether there is an optimum to reach.
-    pub(super) exact: bool,
+    pub(super) exact: Optimum,
+    /// Which optimum that is.
+    pub(super) by: Yardstick,
+    /// What all runs of a planner that draws no lots have alike.
+    pub(super) hash: u64,
 }
 
 impl From<&Record> for Told {
     fn from(record: &Record) -> Self {
         // What is no number is not written, either.
         let value = record.value.filter(|value| value.is_finite());
-        Self { value, reached: record.reached.is_some(), exact: record.exact.is_some() }
+        let hash = u64::from_str_radix(&record.hash, 16).unwrap_or_default();
+        Self { value, reached: record.reached.is_some(), exact: Optimum::of(record.exact), by: record.exact_by, hash }
     }
 }
 

@@ -6,13 +6,14 @@ use serde::Serialize;
 
 use crate::{
     Given,
+    planner::Yardstick,
     statistics::{Comparison, Friedman, Group, GroupSummary, Pair, comparable, compare, friedman},
 };
 
 use super::{
     super::table::{Cell, Table},
     kept::Kept,
-    line::Told,
+    line::{Optimum, Told},
     plan::{Pairs, value_text},
 };
 
@@ -34,8 +35,9 @@ pub struct Summary {
     pub within: f64,
     /// Scene by scene.
     pub scenes: Vec<OnScene>,
-    /// Ranks of planners and parameters, in the order of each scene's groups, over scenes and seeds. `None` of one, or of more
-    /// than a thousand.
+    /// Which of each scene's groups are ranked: those that draw lots.
+    pub ranked: Vec<usize>,
+    /// Their ranks over scenes and seeds. `None` of one, or of more than a thousand.
     pub friedman: Option<Friedman>,
 }
 
@@ -46,8 +48,10 @@ pub struct OnScene {
     pub scene: String,
     /// Planners and parameters.
     pub groups: Vec<OfGroup>,
-    /// Each two of them; the correction is for the scene's pairs. `None` of more than thirty groups.
+    /// Each two of them that draw lots; the correction is for the scene's pairs. `None` of more than thirty groups.
     pub pairs: Option<Vec<Pair>>,
+    #[serde(skip)]
+    optimum: Optimum,
 }
 
 /// What there is to say of a planner with some parameters.
@@ -57,6 +61,10 @@ pub struct OfGroup {
     pub planner: String,
     /// The parameters that the sweep sets.
     pub parameters: Given,
+    /// Whether its runs differ at all: a test of what is the same each time says nothing.
+    pub draws_lots: bool,
+    /// Which optimum it is measured by; `None` where there is none.
+    pub exact_by: Option<Yardstick>,
     /// The share of runs that came near enough to the optimum; `None` where there is no optimum.
     pub reached: Option<f64>,
     /// The rest.
@@ -77,7 +85,10 @@ impl Summary {
             scene: sweep.scenes[scene].name().to_owned(),
             ..OnScene::of(groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect())
         });
-        let ranked = (2..=MOST_RANKED).contains(&groups.len()).then(|| {
+        let scenes: Vec<OnScene> = scenes.collect();
+        let draws = |group: &usize| scenes.iter().any(|scene| scene.groups[*group].draws_lots);
+        let groups: Vec<usize> = groups.iter().copied().filter(draws).collect();
+        let friedman = (2..=MOST_RANKED).contains(&groups.len()).then(|| {
             let mut blocks = Vec::with_capacity(sweep.scenes.len() * sweep.seeds());
             for scene in 0..sweep.scenes.len() {
                 let of_scene: Vec<Vec<Told>> = groups.iter().map(|&group| told(scene, group)).collect();
@@ -93,8 +104,9 @@ impl Summary {
             rows: kept.path().to_owned(),
             runs: sweep.len(),
             within: sweep.within,
-            scenes: scenes.collect(),
-            friedman: ranked.flatten(),
+            scenes,
+            ranked: groups,
+            friedman: friedman.flatten(),
         }
     }
 
@@ -116,7 +128,7 @@ impl Summary {
         }
         let mut table = Table::new("ranks", title, &["planner", "mean rank"]);
         let groups = self.scenes.first().map_or(&[] as &[OfGroup], |scene| &scene.groups);
-        let mut rows: Vec<_> = groups.iter().zip(&friedman.ranks).collect();
+        let mut rows: Vec<_> = self.ranked.iter().map(|&group| &groups[group]).zip(&friedman.ranks).collect();
         rows.sort_by(|a, b| a.1.total_cmp(b.1));
         table.rows = rows.into_iter().map(|(group, &rank)| vec![group.summary.name.as_str().into(), Cell::Number(rank, 4)]).collect();
         table
@@ -145,6 +157,14 @@ impl Summary {
     fn left_out(&self) -> Vec<String> {
         let groups = self.scenes.first().map_or(0, |scene| scene.groups.len());
         let mut notes = Vec::new();
+        for scene in &self.scenes {
+            let names = scene.groups.iter().filter(|group| !group.draws_lots).map(|group| group.summary.name.as_str());
+            let names: Vec<&str> = names.collect();
+            if !names.is_empty() {
+                let all = if names.len() > MOST_PAIRED { format!("{} planners and parameters", names.len()) } else { names.join(", ") };
+                notes.push(format!("{}: all runs are the same and no lots are drawn, so no tests and intervals: {all}.", scene.scene));
+            }
+        }
         if groups > MOST_PAIRED {
             notes.push(format!("No tests between {groups} planners and parameters: each two are tested up to {MOST_PAIRED}."));
         }
@@ -159,6 +179,7 @@ impl OnScene {
     fn of(told: Vec<((&str, Pairs), Vec<Told>)>) -> Self {
         let mut groups = Vec::with_capacity(told.len());
         let mut reached = Vec::with_capacity(told.len());
+        let mut optimum = Optimum::None;
         let (_, common) = told.first().map_or(("", Vec::new()), |(group, _)| group.clone());
         let common: Vec<_> = common.into_iter().filter(|pair| told.iter().all(|((_, set), _)| set.contains(pair))).collect();
         for ((planner, parameters), runs) in told {
@@ -167,26 +188,34 @@ impl OnScene {
             let name = set.fold(planner.to_owned(), |name, (parameter, value)| format!("{name} {parameter}={}", value_text(value)));
             let parameters: Given = parameters.into_iter().map(|(name, value)| (name, value.clone())).collect();
             let near = runs.iter().filter(|told| told.reached).count() as f64 / runs.len() as f64;
-            reached.push((planner.to_owned(), parameters, runs.iter().any(|told| told.exact).then_some(near)));
+            let measured = runs.iter().find(|told| told.exact != Optimum::None);
+            optimum = measured.filter(|_| optimum == Optimum::None).map_or(optimum, |told| told.exact);
+            let draws_lots = runs.len() < 2 || runs.iter().any(|told| told.hash != runs[0].hash);
+            reached.push((planner.to_owned(), parameters, draws_lots, measured.map(|told| (told.by, near))));
             groups.push(Group { name, values: runs.iter().map(|told| told.value).collect() });
         }
         let (summaries, pairs) = if groups.len() <= MOST_PAIRED {
-            let Comparison { groups, pairs, .. } = compare(&groups);
-            (groups, Some(pairs))
+            let lots: Vec<usize> = (0..groups.len()).filter(|&k| reached[k].2).collect();
+            let drawn: Vec<Group> = lots.iter().map(|&k| groups[k].clone()).collect();
+            let Comparison { pairs, .. } = compare(&drawn);
+            let pairs = pairs.into_iter().map(|pair| Pair { first: lots[pair.first], second: lots[pair.second], ..pair });
+            (compare(&groups).groups, Some(pairs.collect()))
         } else {
             (groups.chunks(1).flat_map(|group| compare(group).groups).collect(), None)
         };
-        let groups = reached.into_iter().zip(summaries).map(|((planner, parameters, reached), summary)| OfGroup {
+        let groups = reached.into_iter().zip(summaries).map(|((planner, parameters, draws_lots, measured), summary)| OfGroup {
             planner,
             parameters,
-            reached,
+            draws_lots,
+            exact_by: measured.map(|(by, _)| by),
+            reached: measured.map(|(_, near)| near),
             summary,
         });
-        Self { scene: String::new(), groups: groups.collect(), pairs }
+        Self { scene: String::new(), groups: groups.collect(), pairs, optimum }
     }
 
     fn table(&self, within: f64) -> Table {
-        const COLUMNS: [&str; 15] = [
+        const COLUMNS: [&str; 16] = [
             "planner",
             "runs",
             "feasible %",
@@ -202,23 +231,33 @@ impl OnScene {
             "upper quartile",
             "worst",
             "reached %",
+            "optimum",
         ];
-        let title = format!(
-            "{}: values of the feasible runs; from, to: 95 % confidence; reached: within {} % of the exact optimum",
-            self.scene,
-            value_text(&crate::Value::Number(100.0 * within))
-        );
-        let mut table = Table::new(self.scene.clone(), title, &COLUMNS);
+        let number = |number: f64| value_text(&crate::Value::Number(number));
+        let near = match self.optimum {
+            Optimum::Zero => format!("{} of the exact optimum, which is 0", number(within)),
+            Optimum::Negative => format!("{} of the exact optimum", number(within)),
+            Optimum::None | Optimum::Positive => format!("{} % of the exact optimum", number(100.0 * within)),
+        };
+        let mut measured = self.groups.iter().filter_map(|group| group.exact_by);
+        let first = measured.next();
+        let differ = measured.any(|by| Some(by) != first);
+        let whose = if differ { ", which is not the same for all: see the last column" } else { "" };
+        let title = format!("{}: values of the feasible runs; from, to: 95 % confidence; reached: within {near}{whose}", self.scene);
+        let columns = if differ { &COLUMNS[..] } else { &COLUMNS[..15] };
+        let mut table = Table::new(self.scene.clone(), title, columns);
         for group in &self.groups {
             let GroupSummary { runs, rate, rate_interval, summary, .. } = &group.summary;
             let of = |number: Option<f64>| number.map_or(Cell::Empty, shown);
-            let interval = summary.and_then(|summary| summary.interval);
-            table.rows.push(vec![
+            let lots = group.draws_lots;
+            let interval = summary.and_then(|summary| summary.interval).filter(|_| lots);
+            let share = |at: usize| if lots { Cell::Number(100.0 * rate_interval[at], 1) } else { Cell::Empty };
+            let mut row = vec![
                 group.summary.name.as_str().into(),
                 Cell::whole(*runs as u64),
                 Cell::Number(100.0 * rate, 1),
-                Cell::Number(100.0 * rate_interval[0], 1),
-                Cell::Number(100.0 * rate_interval[1], 1),
+                share(0),
+                share(1),
                 of(summary.map(|summary| summary.mean)),
                 of(interval.map(|interval| interval[0])),
                 of(interval.map(|interval| interval[1])),
@@ -229,7 +268,11 @@ impl OnScene {
                 of(summary.map(|summary| summary.upper)),
                 of(summary.map(|summary| summary.max)),
                 Cell::maybe(group.reached.map(|share| 100.0 * share), 1),
-            ]);
+            ];
+            if differ {
+                row.push(group.exact_by.map_or(Cell::Empty, |by| yardstick(by).into()));
+            }
+            table.rows.push(row);
         }
         table
     }
@@ -250,6 +293,16 @@ impl OnScene {
             ]);
         }
         Some(table)
+    }
+}
+
+fn yardstick(by: Yardstick) -> &'static str {
+    match by {
+        Yardstick::AnyAngle => "any angle",
+        Yardstick::Cells => "cells",
+        Yardstick::Matrix => "matrix",
+        Yardstick::Stored => "stored",
+        Yardstick::Refuted => "refuted",
     }
 }
 
