@@ -4,6 +4,8 @@ import { digits } from '../src/batch/files'
 import { bands, places, quantile, reached } from '../src/batch/summaries'
 import { linear, logarithmic } from '../src/batch/chart/scale'
 import { digitsFor, probability } from '../src/batch/results/words'
+import type { Row } from '../src/batch/plan'
+import { TestLooks } from '../src/batch/testlooks'
 import { canRun } from '../src/state/able'
 import { trialOf } from './support/core'
 
@@ -61,6 +63,22 @@ test('the same path summed up in another order is no better one', () => {
   }))
   expect(new Set(groups.flatMap(({ values }) => values)).size).toBeGreaterThan(1)
   expect(compare(groups).pairs[0]?.p).toBe(1)
+})
+
+test('a test that was seen with fewer seeds is remembered, whatever else is compared', () => {
+  const looks = new TestLooks()
+  const groups = (length: number, ...keys: string[]) => keys.map((key) => ({ key, lots: true, rows: Array.from({ length }, (): Row => ({}) as Row) }))
+  const at = (count: number, rows: number, ...keys: string[]) => looks.at({ from: 1, count }, groups(rows, ...keys))
+  expect(at(50, 20, 'a', 'b'), 'on the way').toEqual([])
+  expect(at(50, 50, 'a', 'b')).toEqual([])
+  expect(at(50, 50, 'a', 'b')).toEqual([])
+  expect(at(100, 70, 'a', 'b')).toEqual([50])
+  expect(at(100, 100, 'a', 'b')).toEqual([50])
+  expect(at(150, 150, 'a', 'c')).toEqual([50, 100])
+  expect(at(20, 20, 'a', 'b'), 'fewer').toEqual([])
+  expect(at(100, 100, 'c', 'd'), 'others').toEqual([])
+  expect(looks.at({ from: 500, count: 200 }, groups(200, 'a', 'b')), 'other seeds').toEqual([])
+  expect(looks.at({ from: 1, count: 200 }, groups(200, 'a')), 'nothing is tested').toEqual([])
 })
 
 test('a planner is offered where the core runs it, and nowhere else', () => {

@@ -13,6 +13,7 @@ import type { Ready } from './ready'
 import { remember, remembered } from './remembered'
 import { type Shown, shownOf } from './shown'
 import { drawsLots } from './tested'
+import { TestLooks } from './testlooks'
 
 /** An entrant as it stands in the plan. */
 export interface Standing {
@@ -68,6 +69,7 @@ class Batch {
   private since = { at: 0, done: 0 }
   private telling: ReturnType<typeof setTimeout> | undefined
   private readonly clerk = new Clerk()
+  private readonly looks = new TestLooks()
   private asking = false
   private askAgain = false
   private readonly trials = new Trials(threads(), {
@@ -355,7 +357,8 @@ class Batch {
       this.shown = null
       return
     }
-    this.shown = shownOf(plan, groups, await this.clerk.summarise(groups))
+    const answer = await this.clerk.summarise(groups)
+    this.shown = shownOf(plan, groups, answer, this.looks.at(plan, groups))
   }
 }
 

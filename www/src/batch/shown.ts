@@ -28,6 +28,8 @@ export interface Shown {
   plan: Plan
   groups: ShownGroup[]
   answer: Answered
+  /** Smaller numbers of seeds at which the tests were seen before. */
+  looked: readonly number[]
 }
 
 export const WHISKER = 1.5
@@ -38,10 +40,11 @@ export function fences({ lower, upper }: Summary): [number, number] {
   return [lower - reach, upper + reach]
 }
 
-export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered): Shown {
+export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered, looked: readonly number[]): Shown {
   return {
     plan,
     answer,
+    looked,
     groups: groups.flatMap((group, at) => {
       const summary = answer.comparison.groups[at]
       const first = group.rows[0]?.record
