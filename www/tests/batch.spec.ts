@@ -326,6 +326,32 @@ test('planners with optima of their own are compared by value, and what draws no
   await expect(ranks).toHaveText(['–', '–', ...(colonies.friedman?.ranks ?? []).map((rank) => number(rank, 3))])
 })
 
+test('the charts over evaluations are read with the keyboard', async ({ lab, page }) => {
+  await openBatch(lab)
+  await keep(page, ['wcpso', 'cpso'])
+  await seeds(page, 3)
+  await page.getByTestId('batch-iterations').fill('30')
+  await page.getByTestId('batch-run').click()
+  await finished(page, 6)
+  for (const id of ['batch-bands', 'batch-reached']) {
+    const chart = page.getByTestId(id)
+    await chart.focus()
+    const told = (name: string): Promise<string> => chart.getAttribute(`aria-value${name}`).then((value) => value ?? '')
+    await page.keyboard.press('Home')
+    expect(await told('now')).toBe(await told('min'))
+    await page.keyboard.press('ArrowRight')
+    expect(Number(await told('now'))).toBeGreaterThan(Number(await told('min')))
+    // What is told aloud is what is seen beneath.
+    expect(await told('text')).toMatch(/^[\d\s.,]+ evaluations, WCPSO .+, CPSO .+/)
+    const legend = chart.locator('xpath=following-sibling::ul[1]').locator('.value')
+    for (const value of await legend.allTextContents()) expect(await told('text')).toContain(value)
+    await page.keyboard.press('End')
+    expect(await told('now')).toBe(await told('max'))
+    await page.keyboard.press('Escape')
+    await expect(chart.locator('xpath=following-sibling::p[1]')).toHaveText(text.results.evaluations)
+  }
+})
+
 test('long runs of a plan that was left make room for those of the new one', async ({ lab, page }) => {
   await page.addInitScript(() => Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => 2 }))
   await openBatch(lab)

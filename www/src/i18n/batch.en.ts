@@ -99,6 +99,7 @@ export const batch = {
     yardsticksDiffer: (measured: readonly string[]) =>
       `These planners have different exact optima: ${list(measured)}. Gaps, and nearness to the optimum, tell of each by itself; beside each other only their values can be compared.`,
     optimum: 'exact optimum',
+    chartHint: 'Left and right arrows read the values',
     table: (title: string) => `${title}, the table`,
   },
   boxes: {
@@ -115,7 +116,7 @@ export const batch = {
   curves: {
     title: 'Convergence',
     hint: 'Median of the best value so far, and the band between the quartiles. Runs without a feasible result yet count as worst: where a quartile falls on them, nothing is drawn.',
-    label: (names: string) => `Median and quartiles of the best value over evaluations, for ${names}. Their final values are in the table below.`,
+    label: (names: string) => `Median and quartiles of the best value over evaluations, for ${names}.`,
     reachedTitle: 'Near the optimum',
     reachedHint: 'Share of the runs that had come within 1 % of the exact optimum. Runs that never do keep it below 100 %.',
     reachedHintOwn: 'Share of the runs that had come within 1 % of the exact optimum, each planner of its own. Runs that never do keep it below 100 %.',
