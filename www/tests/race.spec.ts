@@ -5,7 +5,7 @@ import { markAt, ranks } from '../src/race/standings'
 import { Judge } from '../src/worker/judge'
 import { catalogue, Session, Trial } from '../../pkg/node.js'
 import { violations } from './support/axe'
-import { linkTo, verified } from './support/core'
+import { linkTo, trialOf, verified } from './support/core'
 import { expect, test } from './support/lab'
 import { coreAt, Race } from './support/race'
 
@@ -344,6 +344,25 @@ test('a ready-made race begins by itself, stops when it is left, and is found ag
   await page.getByTestId('race-play').click()
   await expect(race.root).toHaveAttribute('data-over', 'true')
   expect(await race.at(75_150)).toEqual(swarmsAt(75_150))
+})
+
+test('racers with optima of their own say whose their gaps are', async ({ lab, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  const race = new Race(page)
+  await race.open(lab, 'exact')
+  await page.getByTestId('race-end').click()
+  await race.still()
+  const by = ['dijkstra', 'a-star', 'theta-star'].map((planner) => trialOf({ planner, scene: 'ant-bat-30', seed: 1 }).record.exact_by)
+  expect(new Set(by).size).toBe(2)
+  for (const [at, yardstick] of by.entries()) {
+    if (yardstick === 'refuted') throw new Error('no optimum')
+    const told = text.lane.to(text.yardsticks[yardstick])
+    await expect(race.lanes.nth(at).getByTestId('lane-verdict')).toContainText(told)
+    const planner = (await race.lanes.nth(at).getAttribute('data-planner')) ?? ''
+    await expect(page.getByTestId('race-table').locator(`[data-planner=${planner}]`).getByTestId('race-gap')).toContainText(told)
+  }
+  await race.choose('swarms')
+  await expect(page.getByTestId('race-gap').locator('small')).toHaveCount(0)
 })
 
 test('a racer whose engine stops says so, and begins again where the others are', async ({ lab, page }) => {

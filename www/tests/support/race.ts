@@ -51,20 +51,23 @@ export class Race {
 
   async standings(): Promise<Standing[]> {
     await this.still()
-    const lanes = await this.lanes.all()
-    return Promise.all(
-      lanes.map(async (lane) => {
-        const told = async (name: string): Promise<string> => (await lane.getAttribute(`data-${name}`)) ?? ''
-        await expect(lane).toHaveAttribute('data-hash', HASH)
-        return {
-          planner: await told('planner'),
-          iteration: Number(await told('iteration')),
-          evaluations: Number(await told('evaluations')),
-          status: await told('status'),
-          hash: await told('hash'),
-        }
-      }),
-    )
+    let standings: Standing[] = []
+    // All at one moment: a lane that comes back sets the others going between two looks.
+    await expect
+      .poll(async () => {
+        standings = await this.lanes.evaluateAll((lanes) =>
+          lanes.map(({ dataset: { planner = '', iteration, evaluations, status = '', hash = '' } }) => ({
+            planner,
+            iteration: Number(iteration),
+            evaluations: Number(evaluations),
+            status,
+            hash,
+          })),
+        )
+        return standings.length > 0 && standings.every(({ hash }) => HASH.test(hash))
+      })
+      .toBe(true)
+    return standings
   }
 
   async seek(clock: number): Promise<Standing[]> {
