@@ -51,8 +51,9 @@ fn merged_parts_are_the_single_run_byte_for_byte() {
     #[cfg(target_os = "linux")]
     {
         let limited = format!("ulimit -n 24; exec \"$0\" experiment \"$1\" --out \"$2\" --merge {}", "\"$1\".*.csv");
-        for (i, line) in fs::read_to_string(&merged).unwrap().lines().skip(1).enumerate() {
-            let heading = fs::read_to_string(&merged).unwrap().lines().next().unwrap().to_owned();
+        let all = fs::read_to_string(&merged).unwrap();
+        let (heading, rows) = all.split_once('\n').unwrap();
+        for (i, line) in rows.lines().enumerate() {
             for copy in ["a", "b"] {
                 fs::write(folder.join(format!("sweep.toml.{i}{copy}.csv")), format!("{heading}\n{line}\n")).unwrap();
             }

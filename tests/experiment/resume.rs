@@ -137,7 +137,7 @@ fn fresh_throws_nothing_away_that_it_does_not_run_anew() {
     // What the sweep is read from.
     let points = "name,x,y\na,0,0\nb,0,3\nc,4,0\nd,4,3\n";
     fs::write(folder.join("cities.csv"), points).unwrap();
-    fs::write(folder.join("cities.toml"), "scenes = ['cities.csv']\nseeds = [1]\n[[planner]]\nname = 'aco'\n").unwrap();
+    fs::write(folder.join("cities.toml"), "scenes = ['cities.csv']\nseeds = [1]\n[[planner]]\nname = 'two-opt'\n").unwrap();
     let file = folder.join("cities.toml");
     for fresh in [&[] as &[&str], &["--fresh"]] {
         let output = forage(&[&["experiment", file.to_str().unwrap()], fresh].concat());

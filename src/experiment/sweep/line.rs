@@ -116,16 +116,16 @@ impl Format {
             // Where nothing is quoted commas are all there is: a reader of its own for each line would take most of the time.
             _ if line.trim_ascii().is_empty() => return Err(Wrong::Damaged("it is empty".to_owned())),
             Self::Csv if !line.contains(&b'"') => {
-                let text = str::from_utf8(line).map_err(damaged)?;
+                let text = str::from_utf8(line).map_err(|problem| damaged(&problem))?;
                 text.trim_end_matches('\n').split(',').map(str::to_owned).collect()
             }
             Self::Csv => {
                 let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
-                let record = reader.records().next().ok_or_else(|| damaged("it is empty"))?.map_err(damaged)?;
+                let record = reader.records().next().ok_or_else(|| damaged(&"it is empty"))?.map_err(|problem| damaged(&problem))?;
                 record.iter().map(str::to_owned).collect()
             }
             Self::JsonLines => {
-                let mut fields: Map<String, Value> = serde_json::from_slice(line).map_err(damaged)?;
+                let mut fields: Map<String, Value> = serde_json::from_slice(line).map_err(|problem| damaged(&problem))?;
                 let columns = columns(sweep);
                 let texts = columns.iter().map(|name| fields.remove(name).map(|value| item(&value).text().to_owned()));
                 let texts =
@@ -160,9 +160,9 @@ impl Format {
         }
         let number = |name: &str| match result(name) {
             "" => Ok(None),
-            text => text.parse::<f64>().map(Some).map_err(|_| damaged(format!("{name} is `{text}`, which is no number"))),
+            text => text.parse::<f64>().map(Some).map_err(|_| damaged(&format!("{name} is `{text}`, which is no number"))),
         };
-        let hash = u64::from_str_radix(result("hash"), 16).map_err(|_| damaged(format!("hash is `{}`, which is none", result("hash"))))?;
+        let hash = u64::from_str_radix(result("hash"), 16).map_err(|_| damaged(&format!("hash is `{}`, which is none", result("hash"))))?;
         let by = match result("exact_by") {
             "cells" => Yardstick::Cells,
             "matrix" => Yardstick::Matrix,
@@ -184,7 +184,7 @@ pub(super) enum Wrong {
     Other(String),
 }
 
-fn damaged(problem: impl ToString) -> Wrong {
+fn damaged(problem: &impl ToString) -> Wrong {
     Wrong::Damaged(problem.to_string())
 }
 
