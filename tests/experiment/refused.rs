@@ -9,7 +9,7 @@ use crate::support::{SMALL, folder, forage, refused, text};
 fn what_is_refused_is_named_before_anything_is_run() {
     let planner = "[[planner]]\nname = 'pso'\n";
     let with = |params: &str| format!("scenes = ['sphere']\nseeds = [1]\n{planner}params = {{ {params} }}\n");
-    let many = |count: usize| format!("[{}]", (0..count).map(|k| format!("{}, ", k as f64 / 1000.0)).collect::<String>());
+    let many = |count: usize| format!("[{}]", (0..count).map(|k| (k as f64 / 1000.0).to_string()).collect::<Vec<_>>().join(", "));
     let seeds = |seeds: &str| format!("scenes = ['sphere']\nseeds = {seeds}\n{planner}");
     let scenes = |scenes: &str| format!("scenes = {scenes}\nseeds = [1]\n{planner}");
     let top = |line: &str| format!("scenes = ['sphere']\nseeds = [1]\n{line}\n{planner}");
