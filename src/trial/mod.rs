@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::{
     error::Error,
-    params::{Given, Value},
+    params::Given,
     planner::{Status, Yardstick},
     session::{Session, Setup},
 };
@@ -185,12 +185,5 @@ impl Trial {
             turns: outcome.turns,
             hash: outcome.hash,
         }
-    }
-}
-
-impl Record {
-    /// A parameter's value where it differs from the default.
-    pub fn parameter(&self, name: &str) -> Option<&Value> {
-        self.parameters.get(name)
     }
 }
