@@ -25,7 +25,6 @@
 //! - [`drive`]: a robot that follows what was found, and what its outline touches.
 //! - [`session`]: one run, with rewind, hash and link. [`frame`] and [`picture`]: what it looks like.
 //! - [`trial`]: one run of many, summed up in a line. [`statistics`]: what many of them have in common, and tests between them.
-//! - `experiment` (not in wasm): sweeps, and published experiments anew.
 //! - [`geometry`], [`math`], [`rng`], [`digest`], [`error`](mod@error): the ground.
 //!
 //! Imports point one way: faces → session → catalogue → families → scene, geometry, exact → math, rng, error.
@@ -41,8 +40,6 @@ pub mod drive;
 mod dynamic;
 pub mod error;
 pub mod exact;
-#[cfg(not(target_arch = "wasm32"))]
-pub mod experiment;
 pub mod frame;
 pub mod geometry;
 pub mod json;

@@ -24,7 +24,7 @@ pub fn carry_out(setup: Setup) -> Result<Finding, Error> {
     Ok(Finding { cost, converged, path })
 }
 
-/// Carries jobs out, natively on all cores. The findings are in the jobs' order, whoever was first.
+/// Carries jobs out, with the feature `parallel` on all cores. The findings are in the jobs' order, whoever was first.
 ///
 /// # Errors
 /// The first job's that is refused.
@@ -36,11 +36,11 @@ pub fn carry_out_all(scene: &Arc<Scene>, jobs: &[Job]) -> Result<Vec<Finding>, E
         };
         carry_out(Setup { planner: job.planner.to_owned(), scene, params: job.params.clone(), seed: job.seed })
     };
-    #[cfg(not(target_arch = "wasm32"))]
+    #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;
         jobs.par_iter().map(one).collect()
     }
-    #[cfg(target_arch = "wasm32")]
+    #[cfg(not(feature = "parallel"))]
     jobs.iter().map(one).collect()
 }

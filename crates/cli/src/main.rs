@@ -1,0 +1,10 @@
+//! The binary `forage`.
+
+#[cfg(not(target_arch = "wasm32"))]
+fn main() -> std::process::ExitCode {
+    forage_cli::main()
+}
+
+/// There is no shell in wasm.
+#[cfg(target_arch = "wasm32")]
+fn main() {}

@@ -1,0 +1,211 @@
+//! `forage convert` and `forage generate`.
+
+use std::path::PathBuf;
+
+use forage::{
+    Scene,
+    planner::{Round, Yardstick},
+    scene::{
+        formats::{NamedFile, import},
+        generate::{GENERATORS, TOURS},
+    },
+};
+
+use crate::support::{forage, text as words};
+
+/// A path in a folder of this test's own.
+fn place(test: &str, name: &str) -> String {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("formats").join(test);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder.join(name).display().to_string()
+}
+
+#[test]
+fn a_random_grid_goes_through_every_format_in_the_shell() {
+    let at = |name: &str| place("through", name);
+    let printed = forage(&["generate", "maze", "--set", "columns=9", "--set", "rows=7", "--seed", "5"]);
+    assert_eq!((printed.status.code(), words(&printed.stderr)), (Some(0), String::new()));
+    let scene = Scene::from_json(&words(&printed.stdout)).unwrap();
+    assert_eq!(scene.name(), "maze-9x7-5");
+    std::fs::write(at("m.json"), &printed.stdout).unwrap();
+    for (from, to) in [("m.json", "m.scen"), ("m.scen", "n.yaml"), ("n.pgm", "o.map"), ("o.map", "o.yml"), ("o.yml", "p.json")] {
+        let output = forage(&["convert", &at(from), &at(to)]);
+        assert_eq!((output.status.code(), words(&output.stdout)), (Some(0), String::new()), "{}", words(&output.stderr));
+    }
+    let last = Scene::from_json(&std::fs::read_to_string(at("p.json")).unwrap()).unwrap();
+    assert_eq!(last.grid().unwrap().lines(), scene.grid().unwrap().lines());
+    // Every command takes a map, and its partner is found beside it.
+    let exact = forage(&["exact", "--scene", &at("m.scen"), "--json"]);
+    assert_eq!(exact.status.code(), Some(0), "{}", words(&exact.stderr));
+    assert!(words(&exact.stderr).contains("Problem 0 of 1"));
+    let length = serde_json::from_slice::<serde_json::Value>(&exact.stdout).unwrap()["cells"]["length"].as_f64();
+    assert_eq!(length, scene.exact_by(Yardstick::Cells).map(|exact| exact.length));
+    let run = forage(&["run", "wcpso", "--scene", &at("n.yaml"), "--iterations", "3", "--json"]);
+    assert!(run.status.code() < Some(2) && words(&run.stderr).contains("start and no goal"), "{}", words(&run.stderr));
+    // A shipped scene by its name; what the format has no place for is told.
+    let robot = forage(&["convert", "qpso-10m", &at("q.map")]);
+    assert!(robot.status.code() == Some(0) && words(&robot.stderr).contains("the robot"));
+    let full = forage(&["generate", "random", "--set", "share=1", "--out", &at("full.map")]);
+    assert!(full.status.code() == Some(0) && words(&full.stderr).contains("1131 of 1200"), "{}", words(&full.stderr));
+}
+
+#[test]
+fn the_command_in_a_random_grid_s_source_makes_it_again() {
+    for generator in GENERATORS {
+        let first = forage(&["generate", generator.name, "--set", "columns=12", "--seed", "9"]);
+        let scene = Scene::from_json(&words(&first.stdout)).unwrap();
+        let source = scene.header().source.clone().unwrap();
+        let args: Vec<_> = source.split_once(' ').expect("a command and its words").1.split(' ').collect();
+        assert_eq!(words(&forage(&args).stdout), words(&first.stdout), "{source}");
+    }
+}
+
+#[test]
+fn moving_obstacles_are_asked_for_in_the_shell_and_made_again_by_their_source() {
+    let at = |name: &str| place("moving", name);
+    for generator in GENERATORS {
+        let set = ["--set", "columns=12", "--set", "moving=5", "--set", "moving_speed=0.5", "--seed", "9"];
+        let output = forage(&[&["generate", generator.name][..], &set, &["--out", &at("s.json")]].concat());
+        assert_eq!((output.status.code(), words(&output.stderr)), (Some(0), String::new()));
+        let scene = Scene::from_json(&std::fs::read_to_string(at("s.json")).unwrap()).unwrap();
+        let grid = scene.grid().unwrap();
+        assert_eq!((grid.moving.len(), grid.robot.and_then(|robot| robot.speed)), (5, Some(1.0)));
+        let source = scene.header().source.clone().unwrap();
+        let args: Vec<_> = source.split_once(' ').expect("a command and its words").1.split(' ').collect();
+        assert_eq!(Scene::from_json(&words(&forage(&args).stdout)).unwrap(), scene, "{source}");
+        // A map has no place for them, and that is told.
+        let output = forage(&["convert", &at("s.json"), &at("s.map")]);
+        let said = words(&output.stderr);
+        assert!(output.status.code() == Some(0) && said.contains("the moving discs") && said.contains("the robot"), "{said}");
+    }
+    let crowded = ["generate", "random", "--set", "columns=1", "--set", "rows=1", "--set", "moving=2", "--out", &at("none.json")];
+    let output = forage(&crowded);
+    let note = "There are 0 moving obstacles, not 2: there is no room for more clear of the start.";
+    assert!(output.status.code() == Some(0) && words(&output.stderr).contains(note), "{}", words(&output.stderr));
+}
+
+#[test]
+fn stops_go_through_every_format_of_stops_and_their_shortest_tour_with_them() {
+    let at = |name: &str| place("tours", name);
+    let run = |args: &[&str]| {
+        let output = forage(args);
+        assert_eq!(output.status.code(), Some(0), "{args:?}: {}", words(&output.stderr));
+        words(&output.stderr)
+    };
+    let scene = |name: &str| Scene::from_json(&std::fs::read_to_string(at(name)).unwrap()).unwrap();
+    run(&["generate", "stops", "--set", "stops=9", "--seed", "4", "--out", &at("a.json")]);
+    run(&["convert", &at("a.json"), &at("b.tsp")]);
+    let said = run(&["convert", &at("b.tsp"), &at("b.opt.tour"), &at("c.json")]);
+    assert!(said.contains("The tour in b.opt.tour has the length"), "{said}");
+    let shortest = |name: &str| scene(name).exact_tour(Yardstick::default(), Round::Closed).map(|exact| exact.length);
+    let stored = scene("c.json").header().exact.as_ref().map(|exact| exact["length"].as_f64());
+    assert_eq!((stored, shortest("c.json")), (Some(shortest("a.json")), shortest("a.json")));
+    // A tour alone finds its instance; its name is the one that was asked for, and the instance goes with it.
+    run(&["convert", &at("b.opt.tour"), &at("d.json")]);
+    run(&["convert", &at("d.json"), &at("e.tour")]);
+    let tour = std::fs::read_to_string(at("e.tour")).unwrap();
+    let lines = |text: &str| text.lines().map(str::to_owned).collect::<Vec<_>>().split_off(1);
+    assert_eq!(lines(&tour), lines(&std::fs::read_to_string(at("b.opt.tour")).unwrap()));
+    let said = run(&["convert", &at("d.json"), &at("f.csv")]);
+    assert!(said.contains("how distances are measured") && said.contains("the shortest tour"), "{said}");
+    let said = run(&["convert", &at("f.csv"), &at("g.TSP")]);
+    assert!(said.contains("EUC_2D rounds"), "{said}");
+    assert_eq!(
+        scene("a.json").tour().unwrap().points,
+        import(&[NamedFile::new("g.tsp", std::fs::read(at("g.TSP")).unwrap())], None).unwrap().scene.tour().unwrap().points
+    );
+    for name in ["b.tsp", "f.csv", "d.json"] {
+        let output = forage(&["run", "wcpso", "--scene", &at(name)]);
+        assert_eq!(output.status.code(), Some(2), "no planner of tours");
+        assert!(words(&output.stderr).contains("tour"), "{}", words(&output.stderr));
+    }
+}
+
+#[test]
+fn one_of_many_problems_can_be_chosen() {
+    let at = |name: &str| place("problems", name);
+    std::fs::write(at("a.map"), "type octile\nheight 1\nwidth 4\nmap\n....\n").unwrap();
+    std::fs::write(at("a.scen"), "version 1\n0\tmaps/a.map\t4\t1\t0\t0\t1\t0\t1\n0\tmaps/a.map\t4\t1\t0\t0\t3\t0\t3\n").unwrap();
+    for (problem, goal) in [(Some("0"), [1.5, 0.5]), (Some("1"), [3.5, 0.5]), (None, [3.5, 0.5])] {
+        let mut args = vec!["convert".to_owned(), at("a.scen"), at("a.json")];
+        args.extend(problem.map(|problem| format!("--problem={problem}")));
+        let output = forage(&args.iter().map(String::as_str).collect::<Vec<_>>());
+        assert_eq!(output.status.code(), Some(0), "{}", words(&output.stderr));
+        let scene = Scene::from_json(&std::fs::read_to_string(at("a.json")).unwrap()).unwrap();
+        assert_eq!(scene.ends().unwrap().1, goal);
+    }
+}
+
+#[test]
+fn what_is_refused_exits_with_2_and_writes_nothing() {
+    let at = |name: &str| place("refused", name);
+    std::fs::write(at("bad.map"), "type octile\nheight 1\nwidth 3\nmap\n.x.\n").unwrap();
+    std::fs::write(at("good.map"), "type octile\nheight 1\nwidth 3\nmap\n...\n").unwrap();
+    std::fs::write(at("alone.scen"), "version 1\n0\tgone.map\t3\t1\t0\t0\t2\t0\t2\n").unwrap();
+    std::fs::write(at("alone.yaml"), "image: gone.pgm\nresolution: 1\n").unwrap();
+    let scene = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "a", "title": "A", "cell": 1, "rows": [".#."],"#;
+    std::fs::write(at("split.json"), format!(r#"{scene} "start": [0.5, 0.5], "goal": [2.5, 0.5]}}"#)).unwrap();
+    std::fs::write(at("bad.tsp"), "NAME : bad\nTYPE : TSP\nDIMENSION : 2\nEDGE_WEIGHT_TYPE : MAN_2D\n").unwrap();
+    std::fs::write(at("alone.tour"), "TYPE : TOUR\nTOUR_SECTION\n1 2 -1\n").unwrap();
+    std::fs::write(at("many.csv"), "1,2\n3,4\n".repeat(9)).unwrap();
+    let [tsp, tour, many] = ["bad.tsp", "alone.tour", "many.csv"].map(at);
+    let [bad, good, alone, yaml, split] = ["bad.map", "good.map", "alone.scen", "alone.yaml", "split.json"].map(at);
+    let [out, scen] = ["out.json", "out.scen"].map(at);
+    for (args, part) in [
+        (&["convert", &bad, &out] as &[&str], "bad.map: line 5: found `x`, expected one of . G S @ O T W in column 2"),
+        (&["convert", &alone, &out], "alone.scen: the file `gone.map` that belongs to it is missing"),
+        (&["convert", &yaml, &out], "alone.yaml: the file `gone.pgm` that belongs to it is missing"),
+        (&["convert", &alone, &good, "--problem", "3", &out], "problem: 3 is not allowed; it must be from 0 to 0"),
+        (&["convert", &good, "--problem", "0", &out], "problem: 0"),
+        (&["convert", &good, &at("out.png")], "OUT:"),
+        (&["convert", &good, "OUT"], "OUT: OUT is not allowed; it must be a file that ends in .json, .map"),
+        (&["convert", &good], "OUT: nothing is not allowed"),
+        (&["convert", &split, &scen], "no way from start to goal"),
+        (&["convert", &alone, &good], "gone.map"),
+        (&["convert", &good, &at("good.scen")], "good.map is not allowed; it must be another file than those that are read"),
+        (&["convert", &split, &split], "split.json is not allowed"),
+        (&["convert", "sphere", &at("out.map")], "kind: function is not allowed"),
+        (&["convert", &at("nowhere.map"), &out], "nowhere.map"),
+        (&["convert", &good, &at("no/such/folder/a.json")], "a.json"),
+        (&["convert", &tsp, &out], "bad.tsp: line 4: found `MAN_2D`, expected for EDGE_WEIGHT_TYPE EUC_2D, CEIL_2D, ATT, GEO or EXPLICIT"),
+        (&["convert", &tour, &out], "alone.tour: the file `alone.tsp` that belongs to it is missing"),
+        (&["convert", &many, &at("many.tour")], "OUT: the scene’s shortest closed tour is not known"),
+        (&["convert", &good, &at("out.tsp")], "kind: grid is not allowed; it must be tour"),
+        (&["convert", &many, &at("out.map")], "kind: tour is not allowed; it must be grid"),
+        (&["run", "wcpso", "--scene", &tsp], "bad.tsp: line 4"),
+        (&["run", "wcpso", "--scene", "wcpso-discs", "--tour", &at("out.tour")], "--tour: wcpso is not allowed"),
+        (&["run", "wcpso", "--scene", &bad], "bad.map: line 5"),
+        (&["exact", "--scene", &alone], "gone.map"),
+        (&["suggest", "ltqpso", "--scene", &yaml], "gone.pgm"),
+        (&["generate", "sand"], "generator: there is no `sand`; known: random, rubble, rooms, maze, stops"),
+        (&["generate", "maze", "--set", "columns=0"], "columns: 0 is not allowed; it must be a whole number from 1 to 2048"),
+        (&["generate", "maze", "--set", "share=0.5"], "parameter: there is no `share`"),
+        (&["generate", "maze", "--set", "moving=101"], "moving: 101 is not allowed; it must be a whole number from 0 to 100"),
+        (&["generate", "stops", "--set", "moving=1"], "parameter: there is no `moving`"),
+        (&["generate", "maze", "--seed", "-1"], "seed: -1"),
+        (&["generate", "maze", "--out", "a.txt"], "--out: a.txt"),
+    ] {
+        let output = forage(args);
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        assert!(output.stdout.is_empty(), "{args:?}");
+        let message = words(&output.stderr);
+        assert!(message.contains(part), "{args:?}: {message}");
+    }
+    for never in [out, scen] {
+        assert!(!PathBuf::from(&never).exists(), "{never}");
+    }
+}
+
+#[test]
+fn help_and_list_follow_from_the_table_of_generators() {
+    for args in [&["generate", "--help"] as &[&str], &["list"]] {
+        let text = words(&forage(args).stdout);
+        for generator in GENERATORS.iter().chain(TOURS) {
+            assert!(text.contains(generator.title) && generator.parameters.iter().all(|p| text.contains(p.name)), "{args:?}");
+        }
+    }
+    let list: serde_json::Value = serde_json::from_slice(&forage(&["list", "--json"]).stdout).unwrap();
+    let names: Vec<_> = list["generators"].as_array().unwrap().iter().map(|g| g["name"].as_str().unwrap()).collect();
+    assert_eq!(names, GENERATORS.iter().chain(TOURS).map(|g| g.name).collect::<Vec<_>>());
+    assert_eq!(list["generators"][0]["parameters"][3]["default"], 0.3);
+}

@@ -1,0 +1,7 @@
+//! The shell's `forage experiment`: the same rows whatever happens on the way, and what is refused.
+
+mod parts;
+mod refused;
+mod resume;
+mod rows;
+mod support;

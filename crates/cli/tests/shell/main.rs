@@ -1,0 +1,8 @@
+//! The command line as users call it: what it prints, writes, refuses and keeps, and its exit codes.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod convert;
+mod experiment;
+mod reproduce;
+mod run;
+mod support;

@@ -1,0 +1,211 @@
+//! The shell: what it prints, what it refuses, and its exit codes.
+
+use std::{
+    path::PathBuf,
+    process::{Command, Stdio},
+};
+
+use serde_json::Value;
+
+use crate::support::{command, forage};
+
+fn json(args: &[&str]) -> Value {
+    let output = forage(args);
+    assert!(output.status.code() != Some(2), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn temporary(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+    std::fs::create_dir_all(&folder).unwrap();
+    folder.join(name)
+}
+
+#[test]
+fn run_prints_the_contract_and_exits_with_0() {
+    let output = forage(&["run", "wcpso", "--scene", "scenes/wcpso-discs.json", "--seed", "3", "--json"]);
+    assert_eq!(output.status.code(), Some(0));
+    let result: Value = serde_json::from_slice(&output.stdout).unwrap();
+    for key in [
+        "planner",
+        "scene",
+        "seed",
+        "iterations",
+        "evaluations",
+        "status",
+        "cost",
+        "length",
+        "feasible",
+        "clearance",
+        "exact",
+        "gap",
+        "path",
+        "readings",
+        "hash",
+        "elapsed_ms",
+        "parameters",
+    ] {
+        assert!(!result[key].is_null(), "{key}");
+    }
+    assert_eq!((&result["status"], &result["seed"], &result["iterations"]), (&"exhausted".into(), &3.into(), &500.into()));
+    assert_eq!(result["path"][0], serde_json::json!([0.0, 0.0]));
+    let gap = (result["length"].as_f64().unwrap() - result["exact"].as_f64().unwrap()) / result["exact"].as_f64().unwrap();
+    assert_eq!(result["gap"].as_f64().unwrap(), gap);
+    assert_eq!(result["parameters"]["population"], 150.0);
+}
+
+#[test]
+fn a_result_that_collides_exits_with_1_and_is_said_to() {
+    let output = forage(&["run", "pso", "--scene", "wcpso-discs", "--set", "penalty=waypoints"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("NO, it cuts"));
+}
+
+#[test]
+fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
+    for (args, part) in [
+        (&["run", "wcpso", "--scene", "nowhere.json"] as &[&str], "scene: nowhere.json"),
+        (&["run", "waldo", "--scene", "sphere"], "waldo"),
+        (&["run", "pso", "--scene", "sphere", "--set", "w=9"], "w: 9 is not allowed; it must be a number from 0 to 1.5"),
+        (&["run", "pso", "--scene", "sphere", "--set", "population=0"], "population: 0"),
+        (&["run", "pso", "--scene", "sphere", "--set", "population"], "name=value"),
+        (&["run", "pso", "--scene", "sphere", "--iterations", "ten"], "iterations: ten"),
+        (&["run", "pso", "--scene", "sphere", "--seed", "-0.5"], "seed: -0.5"),
+        (&["run", "pso", "--scene", "sphere", "--seed=9007199254740992"], "seed: 9007199254740992"),
+        (&["run", "pso"], "--scene"),
+        (&["run", "pso", "--scene", "#v=9&planner=pso"], "version 9"),
+        (&["run", "pso", "--scene", "sphere", "--svg", "no/such/folder/a.svg"], "no/such/folder/a.svg"),
+        (&["run", "ltqpso", "--scene", "qpso-10m", "--drive-set", "gear=0"], "gear: 0 is not allowed"),
+        (&["run", "ltqpso", "--scene", "qpso-10m", "--drive-set", "gear"], "name=value"),
+        (&["run", "pso", "--scene", "sphere", "--drive", "a.csv"], "--drive: sphere"),
+        (&["exact", "--scene", "Cargo.toml"], "not JSON"),
+        (&["fly"], "fly"),
+    ] {
+        let output = forage(args);
+        assert_eq!(output.status.code(), Some(2), "{args:?}");
+        assert!(output.stdout.is_empty(), "{args:?}");
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(message.contains(part), "{args:?}: {message}");
+    }
+}
+
+#[test]
+fn a_link_reproduces_its_hash_where_it_stands() {
+    let whole = json(&["run", "wcpso", "--scene", "wcpso-discs", "--seed", "7", "--set", "w_max=0.8", "--json"]);
+    let at_120 = json(&["run", "#v=1&planner=wcpso&scene=wcpso-discs&seed=7&p.w_max=0.8&at=120", "--json"]);
+    assert_eq!((&at_120["iterations"], &at_120["status"]), (&120.into(), &"running".into()));
+    let link = format!(
+        "https://example.org/forage/#v=1&planner=wcpso&scene=wcpso-discs&seed=7&p.w_max=0.8&at=500&hash={}",
+        whole["hash"].as_str().unwrap()
+    );
+    let again = forage(&["run", "wcpso", "--scene", &link, "--json"]);
+    assert_eq!(serde_json::from_slice::<Value>(&again.stdout).unwrap()["hash"], whole["hash"]);
+    assert!(again.stderr.is_empty(), "the promised hash is the one found");
+    let broken = forage(&["run", "--scene", &link.replace("hash=", "hash=0"), "--json"]);
+    assert!(String::from_utf8_lossy(&broken.stderr).contains("promises"));
+    let other = json(&["run", "pso", "--scene", &link, "--json"]);
+    assert_eq!((&other["planner"], &other["seed"]), (&"pso".into(), &7.into()));
+}
+
+#[test]
+fn exact_and_list_speak_json() {
+    let exact = json(&["exact", "--scene", "wcpso-discs", "--json"]);
+    assert!((exact["length"].as_f64().unwrap() - 12.141_590).abs() < 5e-7);
+    assert!(exact["path"].as_array().unwrap().len() > 3);
+    let tip = json(&["exact", "--scene", "arm-cuboid", "--json"]);
+    assert!((tip["length"].as_f64().unwrap() - 1.351_621).abs() < 5e-7);
+    assert_eq!(tip["path"][0], serde_json::json!([-0.2, 0.022, 0.05]));
+    let list = json(&["list", "--json"]);
+    let names: Vec<_> = list["planners"].as_array().unwrap().iter().map(|p| p["name"].as_str().unwrap()).collect();
+    assert!(["pso", "wpso", "cpso", "wcpso"].iter().all(|name| names.contains(name)));
+    let text = String::from_utf8(forage(&["list"]).stdout).unwrap();
+    assert!(text.contains("population") && text.contains("150 on discs, 150 on grid, 60 on function"), "{text}");
+    let help = String::from_utf8(forage(&["run", "--help"]).stdout).unwrap();
+    assert!(names.iter().all(|name| help.contains(name)));
+}
+
+#[test]
+fn svg_and_trace_are_written() {
+    let (svg, csv) = (temporary("run.svg"), temporary("run.csv"));
+    let args =
+        ["run", "cpso", "--scene", "wcpso-discs", "--iterations", "40", "--svg", svg.to_str().unwrap(), "--trace", csv.to_str().unwrap()];
+    let code = forage(&args).status.code().unwrap();
+    assert!(code < 2);
+    let picture = std::fs::read_to_string(svg).unwrap();
+    assert!(picture.starts_with("<svg") && picture.contains(r#"class="best""#) && picture.contains(r#"class="exact""#));
+    let rows = std::fs::read_to_string(csv).unwrap();
+    assert_eq!(rows.lines().count(), 42, "a heading, the start and a row per iteration");
+    assert!(rows.starts_with("iteration,best,mean,free,length,smoothness,k,w,c1,c2"));
+}
+
+#[test]
+fn a_drive_is_summed_up_and_written() {
+    let csv = temporary("drive.csv");
+    let path = csv.to_str().unwrap();
+    let run = ["run", "ltqpso", "--scene", "qpso-10m", "--seed", "2"];
+    let plain = json(&[&run[..], &["--json"]].concat());
+    assert_eq!((&plain["drive"]["arrived"], &plain["drive"]["touched"]), (&true.into(), &false.into()));
+    assert!(plain["turning"].as_f64().unwrap() > 0.1 && plain["drive"]["touched_at"].is_null());
+    let slow = json(&[&run[..], &["--json", "--drive", path, "--drive-set", "speed=0.12", "--drive-set", "look_ahead=0.3"]].concat());
+    assert_eq!(slow["hash"], plain["hash"]);
+    assert!(slow["drive"]["time"].as_f64().unwrap() > 1.5 * plain["drive"]["time"].as_f64().unwrap());
+    let rows = std::fs::read_to_string(csv).unwrap();
+    assert!(rows.starts_with("time,x,y,heading,speed,turn_rate,left,right,left_count,right_count,error,clearance\n0,0,0,"), "{rows}");
+    let last: Vec<f64> = rows.lines().last().unwrap().split(',').map(|number| number.parse().unwrap()).collect();
+    assert_eq!((last[0], last[8]), (slow["drive"]["time"].as_f64().unwrap(), slow["drive"]["counts"][0].as_f64().unwrap()));
+    let text = String::from_utf8(forage(&run).stdout).unwrap();
+    let line = text.lines().find(|line| line.starts_with("  drive ")).unwrap();
+    assert!(["error at most", "clearance", "counts"].iter().all(|part| line.contains(part)), "{line}");
+    let scraping = forage(&[&run[..], &["--drive-set", "look_ahead=1.5"]].concat());
+    assert!(String::from_utf8(scraping.stdout).unwrap().contains("TOUCHES an obstacle at ("));
+    let text = String::from_utf8(forage(&["list"]).stdout).unwrap();
+    assert!(text.contains("wheel_radius"), "{text}");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_prints_the_best_so_far() {
+    let child = command(&["run", "wcpso", "--scene", "wcpso-discs", "--iterations", "1000000000", "--json"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // Long enough to be stepping; the run itself would take days.
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    let output = child.wait_with_output().unwrap();
+    let result: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(result["status"], "running");
+    assert!(result["iterations"].as_u64().unwrap() > 0 && result["cost"].is_number());
+    assert!(String::from_utf8_lossy(&output.stderr).contains("interrupted"));
+}
+
+/// [LTQPSO] (10) by hand: 0.4321 · 8^1.7292 = 15.75, 0.2855 · 8^2.218 = 28.75.
+#[test]
+fn suggested_sizes_are_printed_and_used() {
+    let suggested = json(&["suggest", "ltqpso", "--scene", "qpso-10m", "--json"]);
+    assert_eq!((&suggested["population"], &suggested["iterations"]), (&16.into(), &29.into()));
+    let run = json(&["run", "ltqpso", "--scene", "qpso-10m", "--suggested", "--set", "population=9", "--json"]);
+    assert_eq!((&run["parameters"]["population"], &run["parameters"]["iterations"]), (&9.0.into(), &29.0.into()));
+    for args in [&["suggest", "wcpso", "--scene", "qpso-10m"][..], &["run", "qpso", "--scene", "sphere", "--suggested"]] {
+        let output = forage(args);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
+        assert!(String::from_utf8_lossy(&output.stderr).contains("recommends sizes"));
+    }
+}
+
+#[test]
+fn a_run_on_a_grid_tells_what_smoothing_and_driving_made_of_the_path() {
+    let file = temporary("drive-refused.csv");
+    let run = json(&["run", "ltqpso", "--scene", "scenes/qpso-10m.json", "--json", "--drive", file.to_str().unwrap()]);
+    let number = |value: &Value| value.as_f64().unwrap();
+    assert!(number(&run["length"]) < number(&run["readings"]["length"]), "shorter after smoothing");
+    assert!(run["feasible"] == true && number(&run["gap"]) > 0.0 && number(&run["clearance"]) >= 0.0);
+    assert!(run["drive"]["touched"] == false && run["drive"]["arrived"] == true);
+    let rows = std::fs::read_to_string(file).unwrap();
+    assert!(rows.starts_with("time,x,y,heading,speed,turn_rate,left,right,left_count,right_count,error,clearance\n0,0,0,"));
+    assert_eq!(rows.lines().last().unwrap().split(',').next().unwrap(), run["drive"]["time"].to_string());
+    let refused = forage(&["run", "ltqpso", "--scene", "qpso-10m", "--drive-set", "look_ahead=-1"]);
+    assert_eq!((refused.status.code(), refused.stdout.len()), (Some(2), 0));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("look_ahead"));
+}

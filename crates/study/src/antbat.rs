@@ -1,0 +1,156 @@
+//! Three colonies on the 30 × 30 grid: [ANTBAT] §3.1, its table of ways.
+
+use std::{fs, sync::Arc};
+
+use forage::{
+    Given, Setup,
+    error::Error,
+    planner::Yardstick,
+    scene::{Scene, shipped},
+};
+
+use super::{
+    Failure, Options, Reproduction, at,
+    chart::{self, Curve},
+    colonies::{self, CONVERGED, LENGTH, Lines, Measure, RUNS, Run, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
+    command,
+    figure::{Figure, Steps},
+    published::{ANTBAT, Way},
+    report::{Report, Verdict},
+    runner::Control,
+    table::{Cell, Table},
+};
+
+/// See the module.
+pub const REPRODUCTION: Reproduction = Reproduction {
+    name: "antbat-paths",
+    title: "three colonies of ants on the 30 × 30 grid",
+    source: "[ANTBAT] §3.1",
+    repeatable: true,
+    run,
+};
+
+/// In the order of the paper's table.
+const PLANNERS: [&str; 3] = ["aco", "aco-dijkstra", "aco-direction"];
+
+/// A measure and where its figure stands in the paper.
+type Printed = (Measure, fn(&Way) -> Figure);
+
+const OVER_CELLS: [Printed; 4] =
+    [(LENGTH, |way| way.length), (TURNS, |way| way.turns), (TURNING, |way| way.turning), (CONVERGED, |way| way.converged)];
+const SMOOTHED: [Printed; 3] = [(SMOOTH_LENGTH, |way| way.length), (SMOOTH_TURNS, |way| way.turns), (SMOOTH_TURNING, |way| way.turning)];
+
+/// What its figures rest on and the paper does not print.
+const OPEN: &str = "the paper prints neither the layout of the obstacles nor how many runs its figures are of";
+
+fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
+    let runs = options.runs_or(RUNS)?;
+    let scene = shipped("ant-bat-30")?;
+    let setups = PLANNERS.map(|planner| Setup { planner: planner.to_owned(), scene: Arc::clone(&scene), params: Given::new(), seed: 1 });
+    let path = options.out.join("antbat-paths-runs.csv");
+    let found = colonies::carry_out(&setups, runs, &path, options, control)?;
+    let mut report = colonies::report(&REPRODUCTION, runs);
+    report.files.push(path);
+    for (name, title, measures) in [
+        ("over-cells", "Ways from cell to cell", &OVER_CELLS as &[Printed]),
+        ("smoothed", "The same ways without redundant nodes", &SMOOTHED),
+    ] {
+        let title = format!("{title}, published parameters (50 ants, 100 iterations), seeds 1 to {runs}");
+        let mut lines = Lines::new(&scene, name, title);
+        for (measure, published) in measures {
+            for (k, planner) in PLANNERS.into_iter().enumerate() {
+                let figure = published(&ANTBAT[k]);
+                lines.push(planner, measure, Some(figure), &found[k])?;
+                if name == "over-cells" {
+                    report.figures.push(measure.beside("§3.1", planner, figure, &found[k], OPEN, command(&setups[k])));
+                }
+            }
+        }
+        report.tables.push(lines.table);
+    }
+    report.verdicts = OVER_CELLS.iter().flat_map(|(measure, _)| judge(measure, &found)).collect();
+    report.notes = colonies::notes(&found);
+    report.notes.extend(impossible(&scene)?);
+    report.notes.push("Published are 7.07 rad for 9 turns, which is nine times 45°: the published ways are those from cell to cell. The iteration of convergence is that in which our result was found; how the paper decides it is not said. Q, φ1 and φ2 are not printed; ours are the planners’ defaults.".to_owned());
+    draw(&mut report, &scene, &setups[0], &found, options)?;
+    report.commands = setups.iter().map(command).collect();
+    report.write(options)?;
+    Ok(report)
+}
+
+/// The order that the paper's table has, by each of its measures.
+fn judge(measure: &Measure, found: &[Vec<Run>]) -> Vec<Verdict> {
+    let means = [0, 1, 2].map(|k| measure.summary(&found[k]).map(|summary| summary.mean));
+    let verdict = |[less, more]: [usize; 2]| {
+        let numbers = means[less].zip(means[more]);
+        Verdict {
+            claim: format!("{}: smaller on average with {} than with {}", measure.name, PLANNERS[less], PLANNERS[more]),
+            holds: numbers.map(|(less, more)| less < more),
+            because: numbers.map_or("no way was found".to_owned(), |(less, more)| {
+                format!("{less:.digits$} beside {more:.digits$}", digits = measure.digits)
+            }),
+        }
+    };
+    [[2, 0], [2, 1], [1, 0]].map(verdict).into()
+}
+
+/// Published lengths that no way between these cells has.
+fn impossible(scene: &Scene) -> Result<Option<String>, Error> {
+    let by = Steps::of(scene)?;
+    let told: Vec<_> = ANTBAT
+        .iter()
+        .filter(|way| !way.length.is_length(&by))
+        .map(|way| {
+            let around: Vec<_> = by.around(way.length.value).into_iter().flatten().map(|length| format!("{length:.4}")).collect();
+            format!("{:.2} (next to it are {})", way.length.value, around.join(" and "))
+        })
+        .collect();
+    Ok((!told.is_empty()).then(|| {
+        format!("No path from cell to cell between these cells has the published lengths {}: they were measured in some other way, so compare with care.", told.join(", "))
+    }))
+}
+
+/// The mean best length over the iterations, as CSV and as a picture.
+fn draw(report: &mut Report, scene: &Scene, setup: &Setup, found: &[Vec<Run>], options: &Options) -> Result<(), Failure> {
+    let iterations = setup.check()?.1.integer("iterations");
+    let means: Vec<_> = found.iter().map(|runs| mean_curve(runs, iterations)).collect();
+    let mut table = Table::new("convergence", "Mean length of the best way", &["iteration", PLANNERS[0], PLANNERS[1], PLANNERS[2]]);
+    for k in 0..iterations as usize {
+        table.rows.push([Cell::whole(k as u64 + 1)].into_iter().chain(means.iter().map(|mean| Cell::maybe(mean[k], 4))).collect());
+    }
+    let path = options.out.join("antbat-paths-convergence.csv");
+    table.csv().and_then(|text| fs::write(&path, text)).map_err(at(&path))?;
+    report.files.push(path);
+    let points = |mean: &Vec<Option<f64>>| (1..).zip(mean).filter_map(|(k, mean)| Some([f64::from(k), (*mean)?])).collect();
+    let curves: Vec<_> = PLANNERS.into_iter().zip(&means).map(|(name, mean)| Curve { name, points: points(mean) }).collect();
+    let path = options.out.join("antbat-paths-convergence.svg");
+    if let Some(exact) = scene.optimum(Yardstick::Cells) {
+        let title = format!("{}: mean over {} seeds", scene.name(), found[0].len());
+        chart::convergence(&path, &title, &curves, ("exact optimum", exact))?;
+        report.files.push(path);
+    }
+    Ok(())
+}
+
+/// The mean over the runs after each iteration, from the first after which all have found a way.
+fn mean_curve(runs: &[Run], iterations: u64) -> Vec<Option<f64>> {
+    let curves: Vec<_> = runs.iter().map(|run| run.curve(iterations)).collect();
+    let mean = |k: usize| Some(curves.iter().map(|curve| curve[k]).sum::<Option<f64>>()? / curves.len() as f64);
+    (0..iterations as usize).map(mean).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(improved: &str) -> Run {
+        Run { improved: improved.to_owned(), ..Run::default() }
+    }
+
+    #[test]
+    fn the_mean_curve_begins_where_all_runs_have_a_way() {
+        let runs = [run("1:8 3:6"), run("2:4")];
+        assert_eq!(mean_curve(&runs, 4), [None, Some(6.0), Some(5.0), Some(5.0)]);
+        assert_eq!(mean_curve(&[run("")], 2), [None, None]);
+    }
+}

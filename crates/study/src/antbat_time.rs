@@ -1,0 +1,366 @@
+//! How long tours take, over the number of stops: [ANTBAT] fig. 8.
+
+use std::{
+    fs,
+    path::PathBuf,
+    sync::{Arc, atomic::AtomicBool},
+};
+
+use serde::{Deserialize, Serialize};
+
+use forage::{
+    Given, Setup, Value,
+    catalogue::find,
+    error::Error,
+    exact::MAX_EXACT_STOPS,
+    math,
+    scene::{Scene, generate, shipped},
+};
+
+use super::{
+    Failure, Options, Reproduction, at,
+    chart::{self, Curve},
+    command,
+    fit::{self, Fit},
+    report::{Report, Verdict},
+    rows::Row,
+    runner::{self, Control, Job},
+    statistics::Summary,
+    table::{Cell, Table},
+    tours::{self, Network, PLANNERS},
+};
+
+/// See the module.
+pub const REPRODUCTION: Reproduction = Reproduction {
+    name: "antbat-time",
+    title: "time over the number of stops, by all tour planners",
+    source: "[ANTBAT] fig. 8",
+    repeatable: false,
+    run,
+};
+
+/// How many stops; the figure's are not in the paper's text.
+const STOPS: [usize; 6] = [5, 10, 15, 20, 25, 30];
+/// Runs a planner and number of stops; how many the paper has is not said.
+const RUNS: u64 = 5;
+/// Roads take time in proportion to their number if the exponent is this near to 1.
+const NEAR: f64 = 0.1;
+
+/// A run. What begins with `measured` is no result: it differs each time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Run {
+    planner: String,
+    stops: usize,
+    seed: u64,
+    feasible: bool,
+    length: Option<f64>,
+    /// To the exact tour, where that can be computed.
+    gap: Option<f64>,
+    evaluations: u64,
+    /// Runs that went on side by side.
+    measured_threads: usize,
+    measured_roads_ms: f64,
+    measured_order_ms: f64,
+    measured_total_ms: f64,
+}
+
+impl Row for Run {
+    fn key(&self) -> String {
+        key(&self.planner, self.stops, self.seed)
+    }
+
+    fn agrees(&self, again: &Self) -> bool {
+        let computed = |run: &Self| (run.key(), run.feasible, run.length, run.gap, run.evaluations);
+        computed(self) == computed(again)
+    }
+}
+
+fn key(planner: &str, stops: usize, seed: u64) -> String {
+    format!("{planner}, {stops} stops, seed {seed}")
+}
+
+struct Task {
+    setup: Setup,
+    stops: usize,
+    threads: usize,
+    network: Arc<Network>,
+}
+
+impl Job for Task {
+    type Row = Run;
+
+    fn key(&self) -> String {
+        key(&self.setup.planner, self.stops, self.setup.seed)
+    }
+
+    /// The first planner's runs find the roads. They keep their order, see [`tasks`].
+    fn weight(&self) -> u64 {
+        if self.setup.planner == PLANNERS[0] { 100 } else { 1 }
+    }
+
+    fn run(&self, stop: &AtomicBool) -> Result<Option<Run>, Error> {
+        let Some(found) = tours::carry_out(&self.setup, &self.network, stop)? else { return Ok(None) };
+        let outcome = found.outcome;
+        Ok(Some(Run {
+            planner: self.setup.planner.clone(),
+            stops: self.stops,
+            seed: self.setup.seed,
+            feasible: outcome.feasible,
+            length: outcome.length.filter(|_| outcome.feasible),
+            gap: outcome.gap.filter(|_| outcome.feasible),
+            evaluations: outcome.evaluations,
+            measured_threads: self.threads,
+            measured_roads_ms: found.roads_ms,
+            measured_order_ms: found.order_ms,
+            measured_total_ms: found.roads_ms + found.order_ms,
+        }))
+    }
+}
+
+fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
+    let runs = options.runs_or(RUNS)?;
+    // Side by side, runs would take each other's time.
+    let threads = options.threads.unwrap_or(1);
+    let grid = shipped("ant-bat-30")?;
+    let scenes: Vec<Vec<Arc<Scene>>> = STOPS
+        .iter()
+        .map(|&n| (1..=runs).map(|seed| generate::with_stops(&grid, n, seed).map(Arc::new)).collect::<Result<_, _>>())
+        .collect::<Result<_, _>>()?;
+    let path = options.out.join("antbat-time-runs.csv");
+    let rows = runner::run(&tasks(&scenes, threads)?, &path, options.fresh, Some(threads), control)?;
+
+    let mut report = Report::new(&REPRODUCTION, runs, RUNS);
+    report.shortened = (runs != RUNS).then(|| format!("{runs} runs a planner and number of stops instead of {RUNS}"));
+    report.files.push(path);
+    let points: Vec<Point> = PLANNERS.iter().flat_map(|planner| STOPS.map(|n| Point::of(planner, n, &rows))).flatten().collect();
+    let growths = growths(&points);
+    report.tables = vec![times(&points, runs), growth(&growths)];
+    report.verdicts = judge(&growths, &points);
+    report.notes = notes(&rows);
+    draw(&mut report, &points, options)?;
+    for scenes in &scenes {
+        let path = keep(&scenes[0], options)?;
+        report.commands.push(command(&setup(&scenes[0], PLANNERS[0], 1)).replace(scenes[0].name(), &path.display().to_string()));
+        report.files.push(path);
+    }
+    report.write(options)?;
+    Ok(report)
+}
+
+fn setup(scene: &Arc<Scene>, planner: &str, seed: u64) -> Setup {
+    // The ways of Table 2: from cell to cell.
+    let params = Given::from_iter([("smooth", Value::from("false"))]);
+    Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed }
+}
+
+/// Planner by planner, as many stops as each takes. All numbers of stops take turns: were they timed one number after the
+/// other, a machine that has more to do at first than later would bend the curves.
+fn tasks(scenes: &[Vec<Arc<Scene>>], threads: usize) -> Result<Vec<Task>, Error> {
+    let networks: Vec<Vec<Arc<Network>>> = scenes.iter().map(|scenes| scenes.iter().map(|_| Arc::default()).collect()).collect();
+    let mut tasks = Vec::new();
+    for planner in PLANNERS {
+        let from = tasks.len();
+        for ((stops, scenes), networks) in STOPS.into_iter().zip(scenes).zip(&networks) {
+            if find(planner)?.most_stops.is_some_and(|most| stops > most) {
+                continue;
+            }
+            tasks.extend((1..).zip(scenes).zip(networks).map(|((seed, scene), network)| Task {
+                setup: setup(scene, planner, seed),
+                stops,
+                threads,
+                network: Arc::clone(network),
+            }));
+        }
+        tasks[from..].sort_by_key(|task: &Task| task.setup.seed);
+    }
+    Ok(tasks)
+}
+
+/// A planner's runs through so many stops.
+struct Point {
+    planner: &'static str,
+    stops: usize,
+    /// Medians, in milliseconds.
+    roads: f64,
+    order: f64,
+    total: f64,
+    evaluations: f64,
+    /// The mean, in percent.
+    gap: Option<f64>,
+    exact: String,
+}
+
+impl Point {
+    fn of(planner: &'static str, stops: usize, rows: &[Run]) -> Option<Self> {
+        let runs: Vec<&Run> = rows.iter().filter(|run| run.planner == planner && run.stops == stops).collect();
+        let median = |of: fn(&Run) -> f64| Summary::of(runs.iter().map(|run| of(run))).map(|summary| summary.median);
+        let hits = runs.iter().filter(|run| run.gap == Some(0.0)).count();
+        Some(Self {
+            planner,
+            stops,
+            roads: median(|run| run.measured_roads_ms)?,
+            order: median(|run| run.measured_order_ms)?,
+            total: median(|run| run.measured_total_ms)?,
+            evaluations: median(|run| run.evaluations as f64)?,
+            gap: Summary::of(runs.iter().filter_map(|run| run.gap)).map(|summary| 100.0 * summary.mean),
+            exact: if stops > MAX_EXACT_STOPS { String::new() } else { format!("{hits} of {}", runs.len()) },
+        })
+    }
+}
+
+fn times(points: &[Point], runs: u64) -> Table {
+    let title = format!("Milliseconds over the number of stops, medians of {runs} runs: roads, order, both");
+    let columns = ["planner", "stops", "roads", "roads ms", "order ms", "total ms", "evaluations", "gap %", "exact tour"];
+    let mut table = Table::new("time", title, &columns);
+    for point in points {
+        table.rows.push(vec![
+            point.planner.into(),
+            Cell::whole(point.stops as u64),
+            Cell::whole(pairs(point.stops) as u64),
+            Cell::Number(point.roads, 1),
+            Cell::Number(point.order, 3),
+            Cell::Number(point.total, 1),
+            Cell::Number(point.evaluations, 0),
+            Cell::maybe(point.gap, 3),
+            Cell::Text(point.exact.clone()),
+        ]);
+    }
+    table
+}
+
+/// How many roads there are.
+fn pairs(stops: usize) -> usize {
+    stops * (stops - 1) / 2
+}
+
+/// time = e^b0 · x^b1, fitted on logarithms.
+struct Growth {
+    of: String,
+    over: &'static str,
+    fit: Option<Fit>,
+}
+
+/// Of the roads over the stops and over their own number, then of each planner's order over the stops.
+fn growths(points: &[Point]) -> Vec<Growth> {
+    let growth = |of: &str, over: &'static str, planner: &str, x: fn(&Point) -> f64, y: fn(&Point) -> f64| {
+        let logs: Vec<_> = points.iter().filter(|p| p.planner == planner).map(|p| [math::ln(x(p)), math::ln(y(p))]).collect();
+        Growth { of: of.to_owned(), over, fit: fit::line(&logs) }
+    };
+    let stops = |p: &Point| p.stops as f64;
+    let mut all = vec![
+        growth("roads", "stops", PLANNERS[0], stops, |p| p.roads),
+        growth("roads", "roads", PLANNERS[0], |p| pairs(p.stops) as f64, |p| p.roads),
+    ];
+    all.extend(PLANNERS.map(|planner| growth(planner, "stops", planner, stops, |p| p.order)));
+    all
+}
+
+fn growth(growths: &[Growth]) -> Table {
+    let title = "How time grows: its exponent over a number, by least squares on logarithms of the medians";
+    let mut table = Table::new("growth", title, &["of", "over", "exponent", "from", "to", "R²", "points"]);
+    for Growth { of, over, fit } in growths {
+        let number = |of: fn(&Fit) -> f64, digits| Cell::maybe(fit.as_ref().map(of), digits);
+        table.rows.push(vec![
+            Cell::Text(of.clone()),
+            (*over).into(),
+            number(|fit| fit.b[1], 3),
+            number(|fit| fit.interval[1][0], 3),
+            number(|fit| fit.interval[1][1], 3),
+            number(|fit| fit.r2, 4),
+            number(|fit| fit.count as f64, 0),
+        ]);
+    }
+    table
+}
+
+/// Only of the shape: how long something takes here says nothing of how long it took there.
+fn judge(growths: &[Growth], points: &[Point]) -> Vec<Verdict> {
+    let exponent = |k: usize| growths.get(k).and_then(|growth| growth.fit).map(|fit| fit.b[1]);
+    let told = |exponents: &[Option<f64>]| {
+        let shown = |exponent: &Option<f64>| exponent.map_or("none".to_owned(), |exponent| format!("{exponent:.3}"));
+        exponents.iter().map(shown).collect::<Vec<_>>().join(" beside ")
+    };
+    let (by_stops, by_roads, bats) = (exponent(0), exponent(1), exponent(2));
+    let bats_points = || points.iter().filter(|point| point.planner == PLANNERS[0]);
+    let shares: Vec<_> = bats_points().map(|point| 100.0 * point.roads / point.total).collect();
+    vec![
+        Verdict {
+            claim: format!("roads take time in proportion to their number n (n − 1) / 2 (exponent 1 ± {NEAR})"),
+            holds: by_roads.map(|exponent| (exponent - 1.0).abs() <= NEAR),
+            because: told(&[by_roads]),
+        },
+        Verdict {
+            claim: "the bats’ time grows more slowly with the number of stops than that of the roads".to_owned(),
+            holds: bats.zip(by_stops).map(|(bats, roads)| bats < roads),
+            because: told(&[bats, by_stops]),
+        },
+        Verdict {
+            claim: "with bats most of the time goes into the roads, however many stops there are".to_owned(),
+            holds: Some(shares.iter().all(|&share| share > 50.0)),
+            because: shares.iter().map(|share| format!("{share:.1} %")).collect::<Vec<_>>().join(", "),
+        },
+        Verdict {
+            claim: "ants and bats take less time than the paper’s [31] and [32]".to_owned(),
+            holds: None,
+            because: "these are a cuckoo search and a swarm with RRT for other problems, which are not repeated here".to_owned(),
+        },
+    ]
+}
+
+fn notes(rows: &[Run]) -> Vec<String> {
+    let mut notes = vec![
+        "The times are not reproducible: in the rows all that begins with `measured` differs from run to run and from machine to machine; the rest is computed and does not. So the verdicts are about shape only. Published times are none: fig. 8 is a picture of three algorithms without numbers in the text, not even of the stops, so ours are 5 to 30.".to_owned(),
+        "Stops are centres of free cells at random, others for each seed. The roads of a network are built one after the other on one thread (aco-direction, from cell to cell) and timed once; all planners then order the stops by these same roads, so that their totals differ in the order only. Time for the order is that of the whole search with the planner’s default sizes: see `evaluations`. `gap` and `exact tour` where the exact tour is computed, up to 15 stops; what held-karp has of a gap is the roads’. Its time is no power of the number of stops but exponential: three points fit either.".to_owned(),
+    ];
+    let most = rows.iter().map(|run| run.measured_threads).max().unwrap_or(1);
+    notes.push(match most {
+        1 => "Runs were timed one after the other; --jobs N lets N go on side by side, faster, but they take each other’s time.".to_owned(),
+        _ => format!(
+            "UP TO {most} RUNS WENT ON SIDE BY SIDE: they took each other’s time. Without --jobs they are timed one after the other."
+        ),
+    });
+    if cfg!(debug_assertions) {
+        notes.push("This is NOT A RELEASE BUILD: one takes far less time.".to_owned());
+    }
+    let failed = rows.iter().filter(|run| !run.feasible).count();
+    if failed > 0 {
+        notes.push(format!("{failed} of {} runs FOUND NO FEASIBLE TOUR.", rows.len()));
+    }
+    notes
+}
+
+/// Both stages and the order alone, over the number of stops.
+fn draw(report: &mut Report, points: &[Point], options: &Options) -> Result<(), Failure> {
+    let of = |planner: &str, y: fn(&Point) -> f64| points.iter().filter(|p| p.planner == planner).map(|p| [p.stops as f64, y(p)]).collect();
+    let curves = |y: fn(&Point) -> f64| PLANNERS.map(|name| Curve { name, points: of(name, y) });
+    let path = options.out.join("antbat-time.svg");
+    chart::times(&path, &[("roads and order", &curves(|p| p.total)), ("order alone", &curves(|p| p.order))])?;
+    report.files.push(path);
+    Ok(())
+}
+
+/// Writes a scene where a command finds it.
+fn keep(scene: &Scene, options: &Options) -> Result<PathBuf, Failure> {
+    let path = options.out.join(format!("{}.json", scene.name()));
+    fs::write(&path, scene.to_json()).map_err(at(&path))?;
+    Ok(path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn growth_is_the_exponent_of_a_power() {
+        let point = |stops: usize| {
+            let (roads, order) = (3.0 * pairs(stops) as f64, 0.5 * (stops * stops * stops) as f64);
+            let (evaluations, gap, exact) = (1.0, None, String::new());
+            Point { planner: PLANNERS[0], stops, roads, order, total: roads + order, evaluations, gap, exact }
+        };
+        let growths = growths(&STOPS.map(point));
+        let exponent = |k: usize| growths[k].fit.unwrap().b[1];
+        assert!((exponent(1) - 1.0).abs() < 1e-12 && (exponent(2) - 3.0).abs() < 1e-12);
+        assert!((2.0..2.2).contains(&exponent(0)), "n (n − 1) / 2 is a little more than n²");
+        assert!(growths[3].fit.is_none(), "nothing was timed");
+    }
+}

@@ -1,0 +1,307 @@
+//! All reproductions in one document: `REPRODUCTION.md` for people, `REPRODUCTION.csv` for programs. Both hold only what is
+//! computed, so that carrying everything out again gives the same bytes.
+
+use std::{
+    fmt::Write,
+    fs, io,
+    path::{Path, PathBuf},
+};
+
+use super::{
+    Failure, Options, at,
+    beside::{Beside, Judgement, RULE},
+    report::{Report, line},
+    table::{Cell, Table, digits, significant},
+};
+
+/// The names of the two files.
+pub const FILES: [&str; 2] = ["REPRODUCTION.md", "REPRODUCTION.csv"];
+
+/// The columns of the second one.
+pub const COLUMNS: [&str; 17] = [
+    "reproduction",
+    "paper",
+    "table",
+    "row",
+    "measure",
+    "published_best",
+    "published_mean",
+    "published_std",
+    "published_runs",
+    "best",
+    "mean",
+    "std",
+    "median",
+    "runs",
+    "verdict",
+    "because",
+    "command",
+];
+
+/// The papers, in the order of the document.
+const PAPERS: [(&str, &str); 5] = [
+    ("WCPSO", "Jia Huiqun et al., *Path planning based on improved particle swarm optimization algorithm*, 2018"),
+    ("LTQPSO", "Liu Jie, Zhao Haifang, Zhou Delian, *Path planning of mobile robots with an improved quantum-behaved PSO*"),
+    ("ANTBAT", "Fang Min, Jin Shijun, *Multi-point path planning based on ant colony and bat algorithms*"),
+    ("ARM-RRT", "Dai Yanhui, Liang Yanyang, Xie Gang, *Obstacle-avoidance path planning of a six-DOF arm based on RRT*, 2012"),
+    ("WOLF-ANT", "*Dynamic path planning of a mobile robot based on an improved ant colony algorithm*"),
+];
+
+/// The tag of a source: `WCPSO` of `[WCPSO] Table 2`.
+fn paper(source: &str) -> &str {
+    source.trim_start_matches('[').split(']').next().unwrap_or(source)
+}
+
+/// How often each verdict was given: `3 reproduced, 1 better, 0 worse, 2 not determined`.
+fn counted(figures: &[&Beside]) -> String {
+    let of = |judgement| figures.iter().filter(|figure| figure.judge().0 == judgement).count();
+    Judgement::ALL.map(|judgement| format!("{} {judgement}", of(judgement))).join(", ")
+}
+
+/// The published figures of a table beside ours.
+pub(super) fn table(figures: &[&Beside]) -> Table {
+    let columns = ["row", "of", "published best", "published mean", "published std", "best", "mean", "std", "median", "runs", "verdict"];
+    let title = figures.first().map(|figure| figure.table.clone()).unwrap_or_default();
+    let mut table = Table::new("figures", title, &columns);
+    for figure in figures {
+        let number = |number: Option<f64>| Cell::significant(number, 6);
+        let printed = |printed: Option<super::beside::Printed>| printed.map_or(Cell::Empty, |printed| Cell::Text(printed.shown()));
+        let [best, std, median] = figure.ours.spread();
+        table.rows.push(vec![
+            Cell::Text(figure.row.clone()),
+            Cell::Text(figure.measure.clone()),
+            printed(figure.published.best),
+            printed(figure.published.mean),
+            number(figure.published.std),
+            number(best),
+            number(figure.ours.mean()),
+            number(std),
+            number(median),
+            figure.ours.count().map_or(Cell::Empty, Cell::whole),
+            figure.judge().0.name().into(),
+        ]);
+    }
+    table
+}
+
+/// The figures of a report, one table after the other, each with the reasons and the commands of its rows.
+pub(super) fn figures(report: &Report) -> String {
+    let mut text = String::new();
+    for some in report.figures.chunk_by(|a, b| a.table == b.table) {
+        let some: Vec<&Beside> = some.iter().collect();
+        text += &table(&some).markdown();
+        text += "\nWhy, and the command that repeats the row’s first run (the others: other seeds):\n\n";
+        let mut told: Vec<(String, String, &str)> = Vec::new();
+        for figure in some {
+            let because = format!("{} ({})", figure.judge().1, figure.measure);
+            match told.last_mut().filter(|(row, _, command)| *row == figure.row && *command == figure.command) {
+                Some((_, reasons, _)) => reasons.extend(["; ", &because]),
+                None => told.push((figure.row.clone(), because, &figure.command)),
+            }
+        }
+        for (row, because, command) in told {
+            let _ = writeln!(text, "- {row}: {because}. `{command}`");
+        }
+        text += "\n";
+    }
+    text
+}
+
+/// The whole document.
+pub fn markdown(reports: &[Report]) -> String {
+    let all: Vec<&Beside> = reports.iter().flat_map(|report| &report.figures).collect();
+    let mut text = format!(
+        "# Reproduction\n\nThe papers’ figures beside ours, as `forage reproduce` computes them; the same numbers are in `REPRODUCTION.csv`. Everything here comes \
+out the same again, bit for bit, and `scripts/test reproduction` checks that it does. `forage reproduce NAME` prints further tables.\n\n{RULE}\n\nIn all: {}.\n",
+        counted(&all)
+    );
+    for (tag, citation) in PAPERS {
+        let mine: Vec<&Report> = reports.iter().filter(|report| paper(report.source) == tag).collect();
+        let figures_of: Vec<&Beside> = mine.iter().flat_map(|report| &report.figures).collect();
+        if mine.is_empty() {
+            continue;
+        }
+        let _ = write!(
+            text,
+            "\n## [{tag}]\n\n{citation}. {}.\n",
+            if figures_of.is_empty() { "It prints no figures".to_owned() } else { counted(&figures_of) }
+        );
+        for report in mine {
+            let _ = write!(text, "\n### {}: {}, {}\n\n", report.name, report.title, report.source);
+            if let Some(shortened) = &report.shortened {
+                let _ = write!(text, "SHORTENED: {shortened}.\n\n");
+            }
+            if !report.repeatable {
+                let _ = writeln!(
+                    text,
+                    "Measured times: `forage reproduce {}` prints them; they are not the same again and not kept here.",
+                    report.name
+                );
+                continue;
+            }
+            text += &figures(report);
+            report.verdicts.iter().for_each(|verdict| text.extend(["- ", &line(verdict), "\n"]));
+            text += "\n";
+            report.notes.iter().for_each(|note| text.extend(["- ", note, "\n"]));
+        }
+    }
+    text
+}
+
+/// The figures for programs, with all digits.
+///
+/// # Errors
+/// None that is known: it is written to memory.
+pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(COLUMNS).map_err(io::Error::other)?;
+    for report in reports {
+        for figure in &report.figures {
+            let number = |number: Option<f64>| number.map(digits).unwrap_or_default();
+            let count = |count: Option<u64>| count.map(|count| count.to_string()).unwrap_or_default();
+            let [best, std, median] = figure.ours.spread();
+            let (judgement, because) = figure.judge();
+            writer
+                .write_record([
+                    report.name,
+                    paper(report.source),
+                    &figure.table,
+                    &figure.row,
+                    &figure.measure,
+                    &number(figure.published.best.map(|printed| printed.value)),
+                    &number(figure.published.mean.map(|printed| printed.value)),
+                    &number(figure.published.std),
+                    &count(figure.published.runs),
+                    &number(best),
+                    &number(figure.ours.mean()),
+                    &number(std),
+                    &number(median),
+                    &count(figure.ours.count()),
+                    judgement.name(),
+                    &because,
+                    &figure.command,
+                ])
+                .map_err(io::Error::other)?;
+        }
+    }
+    let bytes = writer.into_inner().map_err(|error| io::Error::other(error.to_string()))?;
+    String::from_utf8(bytes).map_err(io::Error::other)
+}
+
+/// Both documents, in the order of [`FILES`].
+fn texts(reports: &[Report]) -> Result<[String; 2], Failure> {
+    Ok([markdown(reports), csv(reports).map_err(at(Path::new(FILES[1])))?])
+}
+
+/// Writes both files into the folder of the experiment, and says where.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn write(reports: &[Report], options: &Options) -> Result<[PathBuf; 2], Failure> {
+    let paths = FILES.map(|name| options.out.join(name));
+    for (path, text) in paths.iter().zip(texts(reports)?) {
+        fs::write(path, text).map_err(at(path))?;
+    }
+    Ok(paths)
+}
+
+/// Where the documents differ from those that a folder holds, if they do: the first line of each.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn differences(reports: &[Report], folder: &Path) -> Result<Vec<String>, Failure> {
+    let mut different = Vec::new();
+    for (name, now) in FILES.iter().zip(texts(reports)?) {
+        let kept = folder.join(name);
+        let then = fs::read_to_string(&kept).map_err(at(&kept))?;
+        let mut lines = now.lines().zip(then.lines()).enumerate();
+        if let Some((k, (now, then))) = lines.find(|(_, (now, then))| now != then) {
+            different.push(format!("{} differs in line {}:\n  now   {now}\n  there {then}", kept.display(), k + 1));
+        } else if now != then {
+            different.push(format!("{} has {} lines instead of {}", kept.display(), then.lines().count(), now.lines().count()));
+        }
+    }
+    Ok(different)
+}
+
+impl super::beside::Printed {
+    /// As the paper has it, as near as can be.
+    fn shown(&self) -> String {
+        let places = format!("{:e}", self.unit).split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
+        if (-6..=0).contains(&places) { format!("{:.*}", places.unsigned_abs() as usize, self.value) } else { significant(self.value, 7) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        REPRODUCTIONS,
+        beside::{Ours, Printed, Published},
+        find,
+    };
+
+    fn report() -> Report {
+        let mut report = Report::new(find("wcpso-functions").unwrap(), 50, 50);
+        let figure = |row: &str, text: &str, ours: Ours| Beside {
+            table: "Table 2".to_owned(),
+            row: row.to_owned(),
+            measure: "value".to_owned(),
+            published: Published::figure(Printed::read(text).unwrap()),
+            ours,
+            open: None,
+            command: format!("forage run {row} --scene matyas --seed 1"),
+        };
+        report.figures =
+            vec![figure("pso", "1.50e-3", Ours::runs([0.001, 0.002])), figure("wpso, \"linear\"", "7", Ours::runs([8.5, 9.0]))];
+        report
+    }
+
+    #[test]
+    fn the_document_counts_verdicts_and_gives_each_rows_command() {
+        let text = markdown(&[report()]);
+        for part in [
+            RULE,
+            "In all: 1 reproduced, 0 better, 1 worse, 0 not determined.",
+            "## [WCPSO]",
+            "- pso: the same to the digits that are printed (value). `forage run pso --scene matyas --seed 1`",
+            "0.00150",
+            "| worse",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+
+    #[test]
+    fn programs_read_what_people_read() {
+        let text = csv(&[report()]).unwrap();
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        assert_eq!(reader.headers().unwrap().iter().collect::<Vec<_>>(), COLUMNS);
+        let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+        assert_eq!(rows.iter().map(|row| &row[14]).collect::<Vec<_>>(), ["reproduced", "worse"]);
+        assert_eq!((&rows[0][1], &rows[0][10], &rows[1][3]), ("WCPSO", "0.0015", "wpso, \"linear\""));
+    }
+
+    #[test]
+    fn a_document_that_differs_is_told_by_its_line() {
+        let out = std::env::temp_dir().join(format!("forage-document-{}", std::process::id()));
+        fs::create_dir_all(&out).unwrap();
+        let options = Options { out: out.clone(), threads: None, runs: None, fresh: false };
+        let written = write(&[report()], &options).unwrap();
+        assert_eq!(differences(&[report()], &out).unwrap(), Vec::<String>::new());
+        let text = fs::read_to_string(&written[1]).unwrap();
+        fs::write(&written[1], text.replace("0.0015", "0.0016")).unwrap();
+        let told = differences(&[report()], &out).unwrap();
+        assert!(told.len() == 1 && told[0].contains("REPRODUCTION.csv differs in line 2"), "{told:?}");
+        fs::write(&written[1], text + "\n").unwrap();
+        assert!(differences(&[report()], &out).unwrap()[0].contains("lines instead of"));
+        fs::remove_dir_all(out).unwrap();
+    }
+
+    #[test]
+    fn every_reproduction_is_of_a_paper_that_the_document_has() {
+        for reproduction in REPRODUCTIONS {
+            assert!(PAPERS.iter().any(|(tag, _)| *tag == paper(reproduction.source)), "{}", reproduction.source);
+        }
+    }
+}

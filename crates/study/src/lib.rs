@@ -1,0 +1,155 @@
+//! Experiments: many runs, kept as they finish, and what they say beside published figures. Native only.
+//!
+//! [`runner`] carries out keyed jobs on all cores and appends each finished one to [`rows`], so that an interruption
+//! loses nothing. [`forage::statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
+//! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
+//! [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`],
+//! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`]; nothing else lists them. Sweeps are in [`sweep`].
+#![cfg(not(target_arch = "wasm32"))]
+
+pub mod antbat;
+pub mod antbat_time;
+pub mod antbat_tours;
+pub mod arm_rrt;
+pub mod beside;
+pub mod chart;
+mod colonies;
+pub mod document;
+pub mod figure;
+pub mod fit;
+pub mod ltqpso;
+pub mod published;
+pub mod regression;
+pub mod report;
+pub mod rows;
+pub mod runner;
+pub mod search;
+pub mod sweep;
+pub mod table;
+mod tours;
+mod tuned;
+pub mod wcpso;
+pub mod wolf;
+pub mod wolf_dynamic;
+
+use std::{
+    fmt, io,
+    path::{Path, PathBuf},
+};
+
+use forage::{Setup, error::Error, statistics};
+
+use report::Report;
+use runner::Control;
+
+/// Every published experiment that is repeated here, in the order in which they are carried out.
+pub const REPRODUCTIONS: &[Reproduction] = &[
+    wcpso::FUNCTIONS,
+    wcpso::PATHS,
+    ltqpso::REPRODUCTION,
+    regression::REPRODUCTION,
+    antbat::REPRODUCTION,
+    antbat_tours::REPRODUCTION,
+    antbat_time::REPRODUCTION,
+    wolf::REPRODUCTION,
+    wolf_dynamic::REPRODUCTION,
+    arm_rrt::REPRODUCTION,
+];
+
+/// A published experiment.
+#[derive(Debug, Clone, Copy)]
+pub struct Reproduction {
+    /// The name on the command line and of its files.
+    pub name: &'static str,
+    /// A line for people.
+    pub title: &'static str,
+    /// Where it was published.
+    pub source: &'static str,
+    /// Whether all that it says of its figures is computed; otherwise it is measured, and comes out a little different each time.
+    pub repeatable: bool,
+    /// Carries it out.
+    pub run: fn(&Options, &Control) -> Result<Report, Failure>,
+}
+
+/// The reproduction of this name.
+///
+/// # Errors
+/// [`Error::Unknown`] with the names that exist.
+pub fn find(name: &str) -> Result<&'static Reproduction, Error> {
+    let known = || REPRODUCTIONS.iter().map(|reproduction| reproduction.name);
+    REPRODUCTIONS.iter().find(|reproduction| reproduction.name == name).ok_or_else(|| Error::unknown("NAME", name, known()))
+}
+
+/// How an experiment is carried out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Options {
+    /// The folder for rows, tables and pictures.
+    pub out: PathBuf,
+    /// How many threads; `None`: all cores. The rows do not depend on it.
+    pub threads: Option<usize>,
+    /// How many runs a cell; `None`: as many as the paper.
+    pub runs: Option<u64>,
+    /// Carry out anew what is already there.
+    pub fresh: bool,
+}
+
+impl Options {
+    /// Runs a cell, where the paper has `published`.
+    ///
+    /// # Errors
+    /// Fewer than two, which have no standard deviation, or more than there is time for.
+    pub fn runs_or(&self, published: u64) -> Result<u64, Error> {
+        let runs = self.runs.unwrap_or(published);
+        if (2..=1_000_000).contains(&runs) { Ok(runs) } else { Err(Error::refused("runs", runs, "from 2 to 1000000")) }
+    }
+}
+
+/// Why an experiment did not come to its end.
+#[derive(Debug)]
+pub enum Failure {
+    /// The input was refused.
+    Refused(Error),
+    /// A file could not be read or written.
+    File(PathBuf, io::Error),
+    /// Somebody asked it to stop. What is finished is kept.
+    Interrupted {
+        /// Jobs that are finished.
+        done: usize,
+        /// All jobs.
+        total: usize,
+        /// Where they are kept.
+        rows: PathBuf,
+    },
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Refused(error)
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Refused(error) => error.fmt(f),
+            Self::File(path, error) => write!(f, "{}: {error}", path.display()),
+            Self::Interrupted { done, total, rows } => {
+                write!(f, "interrupted; {done} of {total} rows are kept in {}, the same command goes on from there", rows.display())
+            }
+        }
+    }
+}
+
+impl std::error::Error for Failure {}
+
+/// Names the file in an input or output error.
+fn at(path: &Path) -> impl Fn(io::Error) -> Failure + '_ {
+    move |error| Failure::File(path.to_owned(), error)
+}
+
+/// The command line that repeats this very run.
+pub fn command(setup: &Setup) -> String {
+    let mut text = format!("forage run {} --scene {} --seed {}", setup.planner, setup.scene.name(), setup.seed);
+    setup.params.iter().for_each(|(name, value)| text.extend([" --set ", name, "=", &value.to_string()]));
+    text
+}

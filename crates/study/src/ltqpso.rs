@@ -1,0 +1,324 @@
+//! `ltqpso` against `qpso` on the 10 m grid at equal evaluations: [LTQPSO] Tables 3 and 4.
+
+use std::{collections::BTreeMap, sync::atomic::AtomicBool};
+
+use serde::{Deserialize, Serialize};
+
+use forage::{Given, Session, Setup, Value, error::Error, scene::shipped};
+
+use super::{
+    Failure, Options, Reproduction,
+    beside::{Beside, Ours, Published},
+    command,
+    figure::Figure,
+    published::{Results, TABLE_3, TABLE_4},
+    report::{Report, Verdict},
+    rows::Row,
+    runner::{self, Control, Job},
+    statistics::Summary,
+    table::{Cell, Table},
+};
+
+/// See the module.
+pub const REPRODUCTION: Reproduction = Reproduction {
+    name: "ltqpso",
+    title: "ltqpso against qpso on the 10 m grid",
+    source: "[LTQPSO] Tables 3 and 4",
+    repeatable: true,
+    run,
+};
+
+const PLANNERS: [&str; 2] = ["qpso", "ltqpso"];
+/// The paper's number of runs.
+const RUNS: u64 = 50;
+
+/// What a table is about.
+struct Case {
+    name: &'static str,
+    title: &'static str,
+    segments: u64,
+    /// Mean and standard deviation of normal first angles, in degrees; `None`: uniform.
+    normal: Option<[u64; 2]>,
+    /// N and M; `None`: by (10) or (11).
+    sizes: Option<[u64; 2]>,
+    published: Option<Results>,
+}
+
+const CASES: [Case; 4] = [
+    Case { name: "table-3", title: "Table 3: uniform start", segments: 8, normal: None, sizes: Some([30, 50]), published: Some(TABLE_3) },
+    Case {
+        name: "table-4",
+        title: "Table 4: start N(45°, 30°)",
+        segments: 16,
+        normal: Some([45, 30]),
+        sizes: None,
+        published: Some(TABLE_4),
+    },
+    Case { name: "uniform-16", title: "Not published: uniform start", segments: 16, normal: None, sizes: None, published: None },
+    Case {
+        name: "normal-8",
+        title: "Not published: start N(30°, 45°), which the text names",
+        segments: 8,
+        normal: Some([30, 45]),
+        sizes: Some([30, 50]),
+        published: None,
+    },
+];
+
+impl Case {
+    fn setup(&self, planner: &str, seed: u64) -> Result<Setup, Error> {
+        let number = |n: u64| Value::Number(n as f64);
+        let mut params = Given::from_iter([("segments", number(self.segments)), ("early_stop", number(0))]);
+        params.insert("initial", if self.normal.is_some() { "normal" } else { "uniform" }.into());
+        if let Some([mean, std]) = self.normal {
+            params.insert("initial_mean", number(mean));
+            params.insert("initial_std", number(std));
+        }
+        let mut setup = Setup { planner: planner.to_owned(), scene: shipped("qpso-10m")?, params, seed };
+        let [population, iterations] = if let Some(sizes) = self.sizes {
+            sizes
+        } else {
+            // By ltqpso's equation for both planners: equal evaluations.
+            let (entry, settings) = Setup { planner: "ltqpso".to_owned(), ..setup.clone() }.check()?;
+            (entry.suggest)(&settings)
+                .map(|suggestion| [suggestion.population, suggestion.iterations])
+                .ok_or_else(|| Error::refused("segments", self.segments, "from 5 to 20"))?
+        };
+        setup.params.insert("population", number(population));
+        setup.params.insert("iterations", number(iterations));
+        Ok(setup)
+    }
+}
+
+/// A run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Run {
+    case: String,
+    planner: String,
+    seed: u64,
+    /// What the planner made as small as it could, penalty included.
+    cost: f64,
+    /// Of the path that is handed over.
+    length: f64,
+    /// Before smoothing.
+    raw_length: f64,
+    feasible: bool,
+    gap: Option<f64>,
+    evaluations: u64,
+    ms: f64,
+}
+
+impl Row for Run {
+    fn key(&self) -> String {
+        key(&self.case, &self.planner, self.seed)
+    }
+
+    fn agrees(&self, again: &Self) -> bool {
+        *self == Self { ms: self.ms, ..again.clone() }
+    }
+}
+
+fn key(case: &str, planner: &str, seed: u64) -> String {
+    format!("{case}, {planner}, seed {seed}")
+}
+
+struct Task {
+    case: &'static Case,
+    setup: Setup,
+}
+
+impl Job for Task {
+    type Row = Run;
+
+    fn key(&self) -> String {
+        key(self.case.name, &self.setup.planner, self.setup.seed)
+    }
+
+    fn weight(&self) -> u64 {
+        self.case.segments
+    }
+
+    #[expect(clippy::disallowed_types, reason = "the paper tells how long its runs took; no planner sees it")]
+    fn run(&self, _stop: &AtomicBool) -> Result<Option<Run>, Error> {
+        let begun = std::time::Instant::now();
+        let mut session = Session::with_keyframes(self.setup.clone(), 0)?;
+        session.step(u64::MAX);
+        let ms = begun.elapsed().as_secs_f64() * 1e3;
+        let raw_length = session.readings().get("length").unwrap_or(f64::NAN);
+        let outcome = session.outcome();
+        Ok(Some(Run {
+            case: self.case.name.to_owned(),
+            planner: self.setup.planner.clone(),
+            seed: self.setup.seed,
+            cost: outcome.cost.unwrap_or(f64::NAN),
+            length: outcome.length.unwrap_or(f64::NAN),
+            raw_length,
+            feasible: outcome.feasible,
+            gap: outcome.gap,
+            evaluations: outcome.evaluations,
+            ms,
+        }))
+    }
+}
+
+/// What of a run is averaged. The paper says "cost" and gives metres; it says nothing of runs that end in a collision.
+const MEASURES: [(&str, Measure); 4] = [
+    ("cost", |run| Some(run.cost)),
+    ("length", |run| Some(run.length)),
+    ("length, feasible", |run| run.feasible.then_some(run.length)),
+    ("unsmoothed, feasible", |run| run.feasible.then_some(run.raw_length)),
+];
+
+type Measure = fn(&Run) -> Option<f64>;
+
+const COLUMNS: [&str; 13] = [
+    "planner",
+    "of",
+    "published mean",
+    "published std",
+    "mean",
+    "std",
+    "median",
+    "best",
+    "worst",
+    "runs",
+    "feasible %",
+    "evaluations",
+    "ms",
+];
+
+fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
+    let runs = options.runs_or(RUNS)?;
+    let mut tasks = Vec::new();
+    for case in &CASES {
+        for planner in PLANNERS {
+            for seed in 1..=runs {
+                tasks.push(Task { case, setup: case.setup(planner, seed)? });
+            }
+        }
+    }
+    let path = options.out.join("ltqpso-runs.csv");
+    let rows = runner::run(&tasks, &path, options.fresh, options.threads, control)?;
+    let mut report = Report::new(&REPRODUCTION, runs, RUNS);
+    report.files.push(path);
+    for case in &CASES {
+        let of = |planner: &str| rows.iter().filter(|row| row.case == case.name && row.planner == planner).collect::<Vec<_>>();
+        let both = PLANNERS.map(of);
+        let example = case.setup("ltqpso", 1)?;
+        report.figures.extend(figures(case, &example, &both));
+        report.tables.push(tabulate(case, &example, &both));
+        report.verdicts.extend(judge(case, &both));
+        report.commands.extend(PLANNERS.map(|planner| command(&Setup { planner: planner.to_owned(), ..example.clone() })));
+    }
+    report.notes = notes(&rows);
+    report.write(options)?;
+    Ok(report)
+}
+
+/// The published costs and times beside ours.
+fn figures(case: &Case, example: &Setup, both: &[Vec<&Run>; 2]) -> Vec<Beside> {
+    let Some(results) = case.published else { return Vec::new() };
+    let mut figures = Vec::new();
+    for (planner, (runs, [mean, std, seconds])) in PLANNERS.into_iter().zip(both.iter().zip(results)) {
+        let command = command(&Setup { planner: planner.to_owned(), ..example.clone() });
+        let printed = |number| Some(Figure::new(number, 4).into());
+        for (measure, published, ours, open) in [
+            (
+                "cost, m",
+                Published { mean: printed(mean), std: Some(std), runs: Some(RUNS), ..Published::default() },
+                Ours::runs(runs.iter().map(|run| run.cost)),
+                "the paper prints neither the layout of the obstacles nor what a run in collision counts",
+            ),
+            (
+                "time, s",
+                Published { mean: printed(seconds), runs: Some(RUNS), ..Published::default() },
+                Ours::Nothing,
+                "a time depends on the machine: `forage reproduce ltqpso` prints ours",
+            ),
+        ] {
+            let (table, row) = (case.title.to_owned(), planner.to_owned());
+            figures.push(Beside { table, row, measure: measure.to_owned(), published, ours, open: Some(open), command: command.clone() });
+        }
+    }
+    figures
+}
+
+fn tabulate(case: &Case, setup: &Setup, both: &[Vec<&Run>; 2]) -> Table {
+    let size = |name| setup.params.get(name).map(ToString::to_string).unwrap_or_default();
+    let runs = both[0].len();
+    let title = format!("{}, D = {}, N = {}, M = {}, seeds 1 to {runs}", case.title, case.segments, size("population"), size("iterations"));
+    let mut table = Table::new(case.name, title, &COLUMNS);
+    for (k, planner) in PLANNERS.into_iter().enumerate() {
+        let share = 100.0 * both[k].iter().filter(|run| run.feasible).count() as f64 / runs as f64;
+        let mean = |of: fn(&Run) -> f64| Summary::of(both[k].iter().map(|run| of(run))).map(|summary| summary.mean);
+        for (name, measure) in MEASURES {
+            let summary = Summary::of(both[k].iter().filter_map(|run| measure(run)));
+            let published = case.published.map(|results| results[k]);
+            let number = |of: fn(&Summary) -> f64| Cell::maybe(summary.as_ref().map(of), 4);
+            table.rows.push(vec![
+                planner.into(),
+                name.into(),
+                Cell::maybe(published.map(|p| p[0]), 4),
+                Cell::maybe(published.map(|p| p[1]), 4),
+                number(|s| s.mean),
+                Cell::maybe(summary.and_then(|s| s.std), 4),
+                number(|s| s.median),
+                number(|s| s.min),
+                number(|s| s.max),
+                Cell::whole(summary.map_or(0, |s| s.count as u64)),
+                Cell::Number(share, 0),
+                Cell::maybe(mean(|run| run.evaluations as f64), 1),
+                Cell::maybe(mean(|run| run.ms), 2),
+            ]);
+        }
+    }
+    table
+}
+
+/// Whether ltqpso has the smaller mean and the smaller spread, by each measure, as the paper says of its own.
+fn judge(case: &Case, both: &[Vec<&Run>; 2]) -> Vec<Verdict> {
+    let mut verdicts = Vec::new();
+    for (name, measure) in MEASURES {
+        let [qpso, ltqpso] = [0, 1].map(|k| Summary::of(both[k].iter().filter_map(|run| measure(run))));
+        for (word, of) in [("mean", (|s| Some(s.mean)) as fn(&Summary) -> Option<f64>), ("standard deviation", |s| s.std)] {
+            let numbers = qpso.as_ref().and_then(of).zip(ltqpso.as_ref().and_then(of));
+            verdicts.push(Verdict {
+                claim: format!("{}: ltqpso has the smaller {word} of {name}", case.name),
+                holds: numbers.map(|(qpso, ltqpso)| ltqpso < qpso),
+                because: numbers.map_or("too few runs".to_owned(), |(qpso, ltqpso)| format!("{ltqpso:.4} beside {qpso:.4}")),
+            });
+        }
+    }
+    let free = both.each_ref().map(|runs| runs.iter().filter(|run| run.feasible).count());
+    verdicts.push(Verdict {
+        claim: format!("{}: ltqpso has at least as many feasible runs", case.name),
+        holds: Some(free[1] >= free[0]),
+        because: format!("{} beside {} of {}", free[1], free[0], both[0].len()),
+    });
+    verdicts
+}
+
+fn notes(rows: &[Run]) -> Vec<String> {
+    let mut notes = vec![
+        "`cost` is the fitness (16) with f2 = 0.01 and the penalty, of all runs; the paper averages a \"cost\" in metres and does not say what a run in collision counts, so `length` is shown of all runs and of the feasible ones alone.".to_owned(),
+        "The layout of the obstacles is a reconstruction: the paper prints none. Lengths are after smoothing unless `unsmoothed`; feasible means that the path itself was checked against the obstacles grown by the robot’s radius.".to_owned(),
+        "D = 16 takes N and M from (10) for the uniform start and from (11) for the normal one; the paper does not say which sizes Table 4 has (its text names N = 83, M = 418 for qpso). No early stop. `ms` is a run’s own time and the one column that differs from machine to machine; published: 4.2507 s and 2.5283 s (Table 3), 2.8812 s and 1.6082 s (Table 4).".to_owned(),
+    ];
+    let mut evaluations = BTreeMap::new();
+    for run in rows {
+        evaluations.entry((&run.case, run.seed)).or_insert_with(Vec::new).push(run.evaluations);
+    }
+    let unequal = evaluations.values().filter(|both| both.iter().any(|&count| count != both[0])).count();
+    notes.push(match unequal {
+        0 => "Evaluations are equal seed by seed: both planners draw and redraw the same first positions.".to_owned(),
+        count => format!("EVALUATIONS DIFFER between the planners for {count} of {} seeds.", evaluations.len()),
+    });
+    let gaps = PLANNERS.map(|planner| {
+        Summary::of(rows.iter().filter(|run| run.planner == planner && run.feasible).filter_map(|run| run.gap))
+            .map(|summary| format!("{planner} {:+.2} %", 100.0 * summary.mean))
+    });
+    if let [Some(qpso), Some(ltqpso)] = gaps {
+        notes.push(format!("Mean gap of the feasible runs of all tables to the exact optimum: {qpso}, {ltqpso}."));
+    }
+    notes
+}

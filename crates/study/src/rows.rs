@@ -1,0 +1,100 @@
+//! The file that an experiment's rows are kept in: CSV, one line a finished job, written at once.
+//!
+//! Whatever kills the program leaves whole lines and at most one torn one at the end, which is dropped at the next
+//! start. Nobody else can write meanwhile: the file is locked.
+
+use std::{
+    fs::{self, File, OpenOptions, TryLockError},
+    io::{Read, Write},
+    path::{Path, PathBuf},
+};
+
+use serde::{Serialize, de::DeserializeOwned};
+
+use forage::error::Error;
+
+use super::{Failure, at};
+
+/// What a job finds out. Its fields become columns, in their order.
+pub trait Row: Serialize + DeserializeOwned + Send + Sync {
+    /// What tells it from all other rows of the file; the key of the job that made it.
+    fn key(&self) -> String;
+    /// Whether the job, carried out again, would give this row. Times do not count.
+    fn agrees(&self, again: &Self) -> bool;
+}
+
+/// A file of rows, open for more.
+#[derive(Debug)]
+pub struct Rows<R> {
+    path: PathBuf,
+    file: File,
+    /// Whether the line with the columns' names is there.
+    headed: bool,
+    /// The rows that were there when it was opened.
+    kept: Vec<R>,
+}
+
+impl<R: Row> Rows<R> {
+    /// Opens the file, made if need be, and reads what is there; `fresh`: throws it away.
+    ///
+    /// # Errors
+    /// A file that cannot be read or written, that another program is writing, or whose rows are not of this kind.
+    pub fn open(path: &Path, fresh: bool) -> Result<Self, Failure> {
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder).map_err(at(folder))?;
+        }
+        let mut file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(at(path))?;
+        // Where files cannot be locked at all, nothing is lost but the warning.
+        if let Err(TryLockError::WouldBlock) = file.try_lock() {
+            return Err(Error::refused("out", path.display(), "a folder that no other `forage` is writing to").into());
+        }
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes).map_err(at(path))?;
+        let whole = if fresh { 0 } else { bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1) };
+        if whole < bytes.len() {
+            file.set_len(whole as u64).map_err(at(path))?;
+        }
+        let kept = csv::Reader::from_reader(&bytes[..whole])
+            .deserialize()
+            .collect::<Result<Vec<R>, _>>()
+            .map_err(|problem| Error::malformed(&path.display().to_string(), format!("{problem}; --fresh begins anew")))?;
+        Ok(Self { path: path.to_owned(), file, headed: whole > 0, kept })
+    }
+
+    /// Takes the rows that were there.
+    pub fn take(&mut self) -> Vec<R> {
+        std::mem::take(&mut self.kept)
+    }
+
+    /// Adds a row, in one write, so that it is there whatever happens next.
+    ///
+    /// # Errors
+    /// A disk that is full, and the like.
+    pub fn append(&mut self, row: &R) -> Result<(), Failure> {
+        let line = lines([row], !self.headed).map_err(at(&self.path))?;
+        self.headed = true;
+        self.file.write_all(&line).and_then(|()| self.file.flush()).map_err(at(&self.path))
+    }
+
+    /// Replaces the file by these rows in this order, in one go: until then the old one stays.
+    ///
+    /// # Errors
+    /// A disk that is full, and the like.
+    pub fn settle<'a>(self, rows: impl IntoIterator<Item = &'a R>) -> Result<(), Failure>
+    where
+        R: 'a,
+    {
+        let beside = self.path.with_extension("csv.new");
+        let text = lines(rows, true).map_err(at(&self.path))?;
+        fs::write(&beside, text).map_err(at(&beside))?;
+        fs::rename(&beside, &self.path).map_err(at(&self.path))
+    }
+}
+
+fn lines<'a, R: Row + 'a>(rows: impl IntoIterator<Item = &'a R>, headed: bool) -> Result<Vec<u8>, std::io::Error> {
+    let mut writer = csv::WriterBuilder::new().has_headers(headed).from_writer(Vec::new());
+    for row in rows {
+        writer.serialize(row).map_err(std::io::Error::other)?;
+    }
+    writer.into_inner().map_err(|error| std::io::Error::other(error.to_string()))
+}

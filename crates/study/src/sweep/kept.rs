@@ -1,0 +1,428 @@
+//! The file of a sweep's rows: where each one stands, and what the statistics need of it; the rows themselves stay on the disk.
+//!
+//! Rows are appended as runs finish, each in one write, so that whatever kills the program leaves whole lines and at most a
+//! torn one at the end, which is dropped at the next start. When all are there the file is put in the order of the runs, in a
+//! new one beside it that takes its place at once. Nobody else can write meanwhile: the file is locked.
+
+use std::{
+    ffi::OsString,
+    fs::{self, File, OpenOptions, TryLockError},
+    io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write},
+    path::{Path, PathBuf},
+};
+
+use forage::{error::Error, trial::Record};
+
+use super::{
+    super::{Failure, at},
+    line::{Format, Told, Wrong},
+    plan::{Part, Sweep},
+};
+
+/// Where a row stands.
+#[derive(Debug, Clone, Copy)]
+struct Where {
+    offset: u64,
+    /// 0: there is none.
+    length: u32,
+    /// Which of the files.
+    file: u32,
+}
+
+const NOWHERE: Where = Where { offset: 0, length: 0, file: 0 };
+
+/// So many rows are put in order at a time, each of the files opened once for them.
+const BLOCK: usize = 1 << 16;
+
+/// The rows of a sweep, or of a part of it.
+#[derive(Debug)]
+pub struct Kept<'a> {
+    sweep: &'a Sweep,
+    part: Part,
+    format: Format,
+    /// Where the rows go; first the file itself, then those whose rows are merged into it.
+    files: Vec<PathBuf>,
+    /// The first of them. The others are opened when they are read: there may be more than can be open at once.
+    file: File,
+    /// Where what is ours ends in the file.
+    end: u64,
+    rows: Vec<Where>,
+    told: Vec<Told>,
+    count: usize,
+    /// Whether lines of the file were left out.
+    damaged: bool,
+    notes: Vec<String>,
+}
+
+impl<'a> Kept<'a> {
+    /// Opens the file, made if need be, and looks through what is there; `fresh`: does without that. What is there stays as it
+    /// is until [`Self::begin`].
+    ///
+    /// # Errors
+    /// A file that cannot be read or written, that another program is writing, or that belongs to something else.
+    pub fn open(sweep: &'a Sweep, part: Part, path: &Path, fresh: bool) -> Result<Self, Failure> {
+        let format = Format::of(path)?;
+        if part.of > sweep.len() {
+            return Err(Error::refused("--shard", part, format!("one of at most {} parts, as many as there are runs", sweep.len())).into());
+        }
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder).map_err(at(folder))?;
+        }
+        let file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(at(path))?;
+        let notes = locked(file.try_lock(), path)?.into_iter().collect();
+        let all = part.len(sweep.len());
+        let (rows, told) = (vec![NOWHERE; all], vec![Told::default(); all]);
+        let files = vec![path.to_owned()];
+        let mut kept = Self { sweep, part, format, files, file, end: 0, rows, told, count: 0, damaged: false, notes };
+        if !fresh {
+            kept.end = kept.look_through(0)?;
+        } else if !kept.begins_like_rows(&kept.file)? {
+            let allowed = "a file of rows: it does not begin like one, and stays as it is";
+            return Err(Error::refused("--fresh", path.display(), allowed).into());
+        }
+        Ok(kept)
+    }
+
+    fn begins_like_rows(&self, mut file: &File) -> Result<bool, Failure> {
+        let mut line = Vec::new();
+        file.rewind().map_err(at(self.path()))?;
+        BufReader::new(file.take(1 << 16)).read_until(b'\n', &mut line).map_err(at(self.path()))?;
+        Ok(self.format.begins(&line))
+    }
+
+    /// Makes the file ready for rows: what is not ours in it goes.
+    ///
+    /// # Errors
+    /// A disk that is full, and the like.
+    pub fn begin(&mut self) -> Result<(), Failure> {
+        let path = &self.files[0];
+        if self.damaged {
+            let bad = beside(path, ".bad");
+            fs::copy(path, &bad).map_err(at(&bad))?;
+            self.notes.push(format!("{}: as it was it is kept as {}", path.display(), bad.display()));
+        }
+        self.file.set_len(self.end).map_err(at(path))?;
+        if self.end == 0 {
+            let heading = self.format.heading(self.sweep).map_err(at(path))?;
+            self.file.write_all(&heading).map_err(at(path))?;
+            self.end = heading.len() as u64;
+        }
+        Ok(())
+    }
+
+    /// Takes the rows of parts. What is there already counts, too.
+    ///
+    /// # Errors
+    /// A file that cannot be read, that somebody is still writing, or that belongs to something else; runs that are missing.
+    pub fn gather(&mut self, parts: &[PathBuf]) -> Result<(), Failure> {
+        parts.iter().try_for_each(|path| self.add(path))?;
+        Ok(self.check_complete()?)
+    }
+
+    /// Removes a file with nothing in it.
+    pub(super) fn leave(&self) {
+        if self.file.metadata().is_ok_and(|file| file.len() == 0) {
+            // It says nothing, and so it does no harm if it stays.
+            let _ = fs::remove_file(self.path());
+        }
+    }
+
+    /// What should be known about the files.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// Takes the rows of another file, too.
+    fn add(&mut self, path: &Path) -> Result<(), Failure> {
+        if fs::canonicalize(path).ok() == fs::canonicalize(self.path()).ok() {
+            return Ok(());
+        }
+        if Format::of(path)? != self.format {
+            let allowed = format!("a file with the ending of {}", self.path().display());
+            return Err(Error::refused("--merge", path.display(), allowed).into());
+        }
+        self.files.push(path.to_owned());
+        self.look_through(self.files.len() - 1).map(|_| ())
+    }
+
+    /// Finds the rows of a file, and says where its last whole line ends.
+    fn look_through(&mut self, number: usize) -> Result<u64, Failure> {
+        let path = self.files[number].clone();
+        let file = if number == 0 { self.file.try_clone() } else { File::open(&path) }.map_err(at(&path))?;
+        if number > 0 {
+            // Where there are no locks, that is told of the file itself.
+            locked(file.try_lock_shared(), &path)?;
+        }
+        let other = |problem: String, advice: &str| {
+            let advice = format!("it belongs to another experiment; --out writes elsewhere{advice}");
+            Failure::from(Error::malformed(&path.display().to_string(), format!("{problem}: {advice}")))
+        };
+        let anew = ", --fresh begins anew";
+        let mut reader = BufReader::with_capacity(1 << 16, file);
+        reader.rewind().map_err(at(&path))?;
+        let heading = self.format.heading(self.sweep).map_err(at(&path))?;
+        let beginning = self.format.beginning(self.sweep).map_err(at(&path))?;
+        let (mut line, mut end, mut count, mut damaged) = (Vec::new(), 0_u64, 0, Vec::new());
+        loop {
+            line.clear();
+            let length = reader.read_until(b'\n', &mut line).map_err(at(&path))?;
+            count += 1;
+            // What was torn in the middle is ours if it begins like ours.
+            let torn = !line.ends_with(b"\n");
+            let ours = end > 0 || line.starts_with(&beginning) || torn && beginning.starts_with(&line);
+            if !ours {
+                let advice = if self.format.begins(&line) { anew } else { "" };
+                let problem = if torn || heading.is_empty() {
+                    "it does not begin like a file of rows".to_owned()
+                } else {
+                    format!("its first line is not {}", String::from_utf8_lossy(&heading).trim_end())
+                };
+                return Err(other(problem, advice));
+            }
+            if torn {
+                break;
+            }
+            if end > 0 || heading.is_empty() {
+                match self.format.read(self.sweep, &line) {
+                    Ok((job, told)) => {
+                        let not_here = || format!("line {count}: the run of {} is not in part {}", self.sweep.describe(job), self.part);
+                        let slot = self.part.find(job).ok_or_else(|| other(not_here(), anew))?;
+                        if self.rows[slot].length == 0 {
+                            self.hold(slot, Where { offset: end, length: length as u32, file: number as u32 }, told);
+                        } else if self.bytes(self.rows[slot])? != line {
+                            let problem = format!("line {count}: the run of {} came out otherwise before", self.sweep.describe(job));
+                            return Err(Error::malformed(&path.display().to_string(), problem).into());
+                        }
+                    }
+                    Err(Wrong::Damaged(problem)) => damaged.push((count, problem)),
+                    Err(Wrong::Other(problem)) => return Err(other(format!("line {count}: {problem}"), anew)),
+                }
+            }
+            end += length as u64;
+        }
+        if let Some((first, problem)) = damaged.first() {
+            let more = if damaged.len() > 1 { format!(", and {} more", damaged.len() - 1) } else { String::new() };
+            self.notes.push(format!("{}: line {first} is damaged ({problem}){more}: what it told is run again", path.display()));
+            self.damaged |= number == 0;
+        }
+        Ok(end)
+    }
+
+    /// Looks through the file again, in which somebody else wrote.
+    fn look_anew(&mut self) -> Result<(), Failure> {
+        for row in self.rows.iter_mut().filter(|row| row.file == 0) {
+            *row = NOWHERE;
+        }
+        self.count = self.rows.iter().filter(|row| row.length > 0).count();
+        self.end = self.look_through(0)?;
+        if self.count < self.rows.len() {
+            return Err(self.disturbed());
+        }
+        self.notes.push(format!("{}: another program wrote in it; what it wrote was looked through, too", self.path().display()));
+        Ok(())
+    }
+
+    fn disturbed(&self) -> Failure {
+        at(self.path())(io::Error::other("another program wrote over rows in it; when that has ended the same command goes on"))
+    }
+
+    fn hold(&mut self, slot: usize, here: Where, told: Told) {
+        self.rows[slot] = here;
+        self.told[slot] = told;
+        self.count += 1;
+    }
+
+    fn bytes(&self, row: Where) -> Result<Vec<u8>, Failure> {
+        let mut bytes = vec![0; row.length as usize];
+        if row.file == 0 {
+            read_at(&self.file, row.offset, &mut bytes).map_err(at(self.path()))?;
+        } else {
+            let path = &self.files[row.file as usize];
+            File::open(path).and_then(|file| read_at(&file, row.offset, &mut bytes)).map_err(at(path))?;
+        }
+        Ok(bytes)
+    }
+
+    /// Where the rows go.
+    pub fn path(&self) -> &Path {
+        &self.files[0]
+    }
+
+    /// What is run.
+    pub fn sweep(&self) -> &'a Sweep {
+        self.sweep
+    }
+
+    /// Which part of the sweep this is.
+    pub fn part(&self) -> Part {
+        self.part
+    }
+
+    /// How many runs are kept, and how many there are.
+    pub fn counts(&self) -> (usize, usize) {
+        (self.count, self.rows.len())
+    }
+
+    /// The runs whose rows are there.
+    pub fn jobs(&self) -> impl Iterator<Item = usize> {
+        self.slots(true)
+    }
+
+    /// The runs whose rows are not.
+    pub fn missing(&self) -> impl Iterator<Item = usize> {
+        self.slots(false)
+    }
+
+    fn slots(&self, there: bool) -> impl Iterator<Item = usize> {
+        self.rows.iter().enumerate().filter(move |(_, row)| (row.length > 0) == there).map(|(slot, _)| self.part.job(slot))
+    }
+
+    /// What came of a run, if its row is there.
+    pub(super) fn told(&self, job: usize) -> Option<Told> {
+        let slot = self.part.find(job)?;
+        (self.rows[slot].length > 0).then(|| self.told[slot])
+    }
+
+    /// That it was stopped before all were there; `None` if all are.
+    pub(super) fn unfinished(&self) -> Option<Failure> {
+        let (done, total) = self.counts();
+        (done < total).then(|| Failure::Interrupted { done, total, rows: self.path().to_owned() })
+    }
+
+    /// Refuses a row that the run does not give now.
+    pub(super) fn compare(&self, job: usize, again: &Record) -> Result<(), Failure> {
+        let Some(slot) = self.part.find(job) else { return Ok(()) };
+        let line = self.format.line(self.sweep, job, again).map_err(at(self.path()))?;
+        if self.bytes(self.rows[slot])? == line {
+            return Ok(());
+        }
+        let problem = format!(
+            "the run of {} now gives another row: another version of forage, another scene or another `within`; --fresh begins anew",
+            self.sweep.describe(job)
+        );
+        Err(Error::malformed(&self.path().display().to_string(), problem).into())
+    }
+
+    /// Adds a row, in one write, so that it is there whatever happens next.
+    ///
+    /// # Errors
+    /// A disk that is full, and the like.
+    pub fn append(&mut self, job: usize, record: &Record) -> Result<(), Failure> {
+        let Some(slot) = self.part.find(job) else { return Ok(()) };
+        let path = &self.files[0];
+        let line = self.format.line(self.sweep, job, record).map_err(at(path))?;
+        self.file.write_all(&line).and_then(|()| self.file.flush()).map_err(at(path))?;
+        self.hold(slot, Where { offset: self.end, length: line.len() as u32, file: 0 }, record.into());
+        self.end += line.len() as u64;
+        Ok(())
+    }
+
+    /// Says how many runs are missing, and which is the first.
+    fn check_complete(&self) -> Result<(), Error> {
+        let Some(first) = self.missing().next() else { return Ok(()) };
+        let (done, total) = self.counts();
+        let found = format!("parts with {done} of {total} runs");
+        let allowed = format!("all parts, complete: {} are missing, the first is that of {}", total - done, self.sweep.describe(first));
+        Err(Error::refused("--merge", found, allowed))
+    }
+
+    /// Puts the file in the order of the runs, in one go: until then the old one stays.
+    ///
+    /// # Errors
+    /// A disk that is full, and the like; a file in which somebody else writes.
+    pub fn settle(&mut self) -> Result<(), Failure> {
+        if self.file.metadata().map_err(at(self.path()))?.len() != self.end {
+            self.look_anew()?;
+        }
+        let mut next = self.format.heading(self.sweep).map_err(at(self.path()))?.len() as u64;
+        let in_order = self.rows.iter().all(|row| {
+            let here = row.file == 0 && row.offset == next;
+            next += u64::from(row.length);
+            here
+        });
+        if in_order && next == self.end {
+            return Ok(());
+        }
+        // Behind a link is the file that is replaced.
+        let target = fs::canonicalize(self.path()).map_err(at(self.path()))?;
+        let new = beside(&target, ".new");
+        self.write_ordered(&new)?;
+        fs::rename(&new, &target).map_err(at(&target))
+    }
+
+    fn write_ordered(&self, new: &Path) -> Result<(), Failure> {
+        let wrong = |error: io::Error| Failure::File(new.to_owned(), error);
+        let mut out = BufWriter::with_capacity(1 << 16, File::create(new).map_err(wrong)?);
+        out.write_all(&self.format.heading(self.sweep).map_err(wrong)?).map_err(wrong)?;
+        for (block, rows) in self.rows.chunks(BLOCK).enumerate() {
+            for (k, line) in self.block(rows)?.iter().enumerate() {
+                // Nothing takes the place of the file that is not the row it should be.
+                let told = self.format.read(self.sweep, line).ok().filter(|_| line.ends_with(b"\n"));
+                if told.is_none_or(|(job, _)| job != self.part.job(block * BLOCK + k)) {
+                    return Err(self.disturbed());
+                }
+                out.write_all(line).map_err(wrong)?;
+            }
+        }
+        let file = out.into_inner().map_err(|error| wrong(error.into_error()))?;
+        file.sync_all().map_err(wrong)
+    }
+
+    /// The bytes of some rows, read one file after the other.
+    fn block(&self, rows: &[Where]) -> Result<Vec<Vec<u8>>, Failure> {
+        let mut order: Vec<usize> = (0..rows.len()).collect();
+        order.sort_by_key(|&k| (rows[k].file, rows[k].offset));
+        let mut lines = vec![Vec::new(); rows.len()];
+        for of_file in order.chunk_by(|&a, &b| rows[a].file == rows[b].file) {
+            let number = rows[of_file[0]].file as usize;
+            let path = &self.files[number];
+            let part = if number == 0 { None } else { Some(File::open(path).map_err(at(path))?) };
+            let file = part.as_ref().unwrap_or(&self.file);
+            for &k in of_file {
+                lines[k] = vec![0; rows[k].length as usize];
+                read_at(file, rows[k].offset, &mut lines[k]).map_err(at(path))?;
+            }
+        }
+        Ok(lines)
+    }
+}
+
+fn read_at(mut file: &File, offset: u64, bytes: &mut [u8]) -> io::Result<()> {
+    file.seek(SeekFrom::Start(offset)).and_then(|_| file.read_exact(bytes))
+}
+
+/// The file's name with something behind it.
+fn beside(path: &Path, ending: &str) -> PathBuf {
+    let mut name = OsString::from(path);
+    name.push(ending);
+    name.into()
+}
+
+/// Refuses what somebody else is writing. Where files cannot be locked at all, that should be known.
+fn locked(outcome: Result<(), TryLockError>, path: &Path) -> Result<Option<String>, Failure> {
+    match outcome {
+        Ok(()) => Ok(None),
+        Err(TryLockError::WouldBlock) => {
+            Err(at(path)(io::Error::new(io::ErrorKind::WouldBlock, "another `forage` is writing it; nobody else can meanwhile")))
+        }
+        Err(TryLockError::Error(problem)) => {
+            Ok(Some(format!("{}: it cannot be locked ({problem}); let nothing else write it meanwhile", path.display())))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_locked_is_told_and_what_is_locked_is_refused() {
+        let path = Path::new("rows.csv");
+        assert!(matches!(locked(Ok(()), path), Ok(None)));
+        let none = io::Error::from(io::ErrorKind::Unsupported);
+        let told = locked(Err(TryLockError::Error(none)), path).unwrap().unwrap();
+        assert!(told.starts_with("rows.csv: it cannot be locked") && told.contains("let nothing else write"), "{told}");
+        let refused = locked(Err(TryLockError::WouldBlock), path).unwrap_err().to_string();
+        assert!(refused.contains("another `forage` is writing it"), "{refused}");
+    }
+}

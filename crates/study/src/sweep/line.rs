@@ -1,0 +1,290 @@
+//! A row as a line: CSV or JSON Lines, with the same columns and the same digits.
+
+use std::{io, path::Path};
+
+use serde_json::{Map, Value};
+
+use forage::{error::Error, planner::Yardstick, trial::Record};
+
+use super::plan::{Sweep, value_text};
+
+/// What is in front of the parameters,
+const LEAD: [&str; 3] = ["scene", "planner", "seed"];
+/// and what is behind them: a [`Record`]'s fields, and what counts as reached. No times: rows are the same everywhere.
+const RESULTS: [&str; 16] = [
+    "status",
+    "iterations",
+    "evaluations",
+    "cost",
+    "length",
+    "value",
+    "feasible",
+    "clearance",
+    "exact",
+    "exact_by",
+    "gap",
+    "within",
+    "reached",
+    "reached_iteration",
+    "turns",
+    "hash",
+];
+
+/// How rows are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// With a line of names above; nothing where there is nothing.
+    Csv,
+    /// An object a line; null where there is nothing.
+    JsonLines,
+}
+
+impl Format {
+    /// By the file's ending.
+    ///
+    /// # Errors
+    /// Any other ending than .csv, .jsonl and .ndjson.
+    pub fn of(path: &Path) -> Result<Self, Error> {
+        match path.extension().and_then(|ending| ending.to_str()) {
+            Some("csv") => Ok(Self::Csv),
+            Some("jsonl" | "ndjson") => Ok(Self::JsonLines),
+            _ => Err(Error::refused("out", path.display(), "a file that ends in .csv, .jsonl or .ndjson")),
+        }
+    }
+
+    /// What is above the rows.
+    pub(super) fn heading(self, sweep: &Sweep) -> io::Result<Vec<u8>> {
+        match self {
+            Self::Csv => csv_line(&columns(sweep)),
+            Self::JsonLines => Ok(Vec::new()),
+        }
+    }
+
+    /// What every file of this kind begins with, as far as it is known.
+    pub(super) fn beginning(self, sweep: &Sweep) -> io::Result<Vec<u8>> {
+        match self {
+            Self::Csv => self.heading(sweep),
+            Self::JsonLines => Ok(b"{\"scene\":\"".to_vec()),
+        }
+    }
+
+    /// Whether a first line is, as far as it goes, that of some sweep's rows.
+    pub(super) fn begins(self, line: &[u8]) -> bool {
+        let (beginning, last): (&[u8], &[u8]) = match self {
+            Self::Csv => (b"scene,planner,seed,", b",hash\n"),
+            Self::JsonLines => (b"{\"scene\":\"", b"\"}\n"),
+        };
+        let known = beginning.len().min(line.len());
+        beginning[..known] == line[..known] && (!line.ends_with(b"\n") || line.ends_with(last))
+    }
+
+    /// A run's row.
+    pub(super) fn line(self, sweep: &Sweep, job: usize, record: &Record) -> io::Result<Vec<u8>> {
+        let setup = sweep.setup(job);
+        let known = serde_json::to_value(record)?;
+        let lead = LEAD.iter().map(|name| item(&known[name]));
+        let parameters = sweep.parameters.iter().map(|name| match setup.params.get(name) {
+            Some(forage::Value::Text(text)) => Item::Text(text.clone()),
+            Some(other) => Item::Bare(value_text(other)),
+            None => Item::Nothing,
+        });
+        let results = RESULTS.iter().map(|&name| match name {
+            "within" => Item::Bare(number_text(sweep.within)),
+            _ => item(&known[name]),
+        });
+        let items: Vec<Item> = lead.chain(parameters).chain(results).collect();
+        match self {
+            Self::Csv => csv_line(&items.iter().map(Item::text).collect::<Vec<_>>()),
+            Self::JsonLines => {
+                let fields: Vec<String> = columns(sweep)
+                    .iter()
+                    .zip(&items)
+                    .map(|(name, item)| format!("{}:{}", Value::from(name.as_str()), item.json()))
+                    .collect();
+                Ok(format!("{{{}}}\n", fields.join(",")).into_bytes())
+            }
+        }
+    }
+
+    /// The texts of a row, in the order of the columns.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    fn texts(self, sweep: &Sweep, line: &[u8]) -> Result<Vec<String>, Wrong> {
+        let count = LEAD.len() + sweep.parameters.len() + RESULTS.len();
+        let texts: Vec<String> = match self {
+            // Where nothing is quoted commas are all there is: a reader of its own for each line would take most of the time.
+            _ if line.trim_ascii().is_empty() => return Err(Wrong::Damaged("it is empty".to_owned())),
+            Self::Csv if !line.contains(&b'"') => {
+                let text = str::from_utf8(line).map_err(|problem| damaged(&problem))?;
+                text.trim_end_matches('\n').split(',').map(str::to_owned).collect()
+            }
+            Self::Csv => {
+                let mut reader = csv::ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
+                let record = reader.records().next().ok_or_else(|| damaged(&"it is empty"))?.map_err(|problem| damaged(&problem))?;
+                record.iter().map(str::to_owned).collect()
+            }
+            Self::JsonLines => {
+                let mut fields: Map<String, Value> = serde_json::from_slice(line).map_err(|problem| damaged(&problem))?;
+                let columns = columns(sweep);
+                let texts = columns.iter().map(|name| fields.remove(name).map(|value| item(&value).text().to_owned()));
+                let texts =
+                    texts.collect::<Option<Vec<_>>>().ok_or_else(|| Wrong::Other(format!("its fields are not {}", columns.join(", "))))?;
+                if let Some(name) = fields.keys().next() {
+                    return Err(Wrong::Other(format!("it has a field `{name}`")));
+                }
+                texts
+            }
+        };
+        if texts.len() == count { Ok(texts) } else { Err(Wrong::Damaged(format!("it has {} values, not {count}", texts.len()))) }
+    }
+
+    /// Which run a line tells of, and what of it.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub(super) fn read(self, sweep: &Sweep, line: &[u8]) -> Result<(usize, Told), Wrong> {
+        let texts = self.texts(sweep, line)?;
+        let (lead, rest) = texts.split_at(LEAD.len());
+        let (parameters, results) = rest.split_at(sweep.parameters.len());
+        let parameters: Vec<&str> = parameters.iter().map(String::as_str).collect();
+        let job = sweep.find(&lead[0], &lead[1], &lead[2], &parameters).ok_or_else(|| {
+            let set = sweep.parameters.iter().zip(&parameters).filter(|(_, text)| !text.is_empty());
+            let set: Vec<String> = set.map(|(name, text)| format!(" {name}={text},")).collect();
+            Wrong::Other(format!("there is no run of {} on {},{} seed {}", lead[1], lead[0], set.concat(), lead[2]))
+        })?;
+        let result = |name: &str| RESULTS.iter().position(|known| *known == name).map_or("", |at| results[at].as_str());
+        let (within, ours) = (result("within"), number_text(sweep.within));
+        if within != ours {
+            return Err(Wrong::Other(format!("its `within` is {within}, not {ours}")));
+        }
+        let number = |name: &str| match result(name) {
+            "" => Ok(None),
+            text => text.parse::<f64>().map(Some).map_err(|_| damaged(&format!("{name} is `{text}`, which is no number"))),
+        };
+        let hash = u64::from_str_radix(result("hash"), 16).map_err(|_| damaged(&format!("hash is `{}`, which is none", result("hash"))))?;
+        let by = match result("exact_by") {
+            "cells" => Yardstick::Cells,
+            "matrix" => Yardstick::Matrix,
+            "stored" => Yardstick::Stored,
+            "refuted" => Yardstick::Refuted,
+            _ => Yardstick::AnyAngle,
+        };
+        let exact = Optimum::of(number("exact")?);
+        Ok((job, Told { value: number("value")?, reached: number("reached")?.is_some(), exact, by, hash }))
+    }
+}
+
+/// What is wrong with a line.
+#[derive(Debug)]
+pub(super) enum Wrong {
+    /// It is no row.
+    Damaged(String),
+    /// It is a row of something else.
+    Other(String),
+}
+
+fn damaged(problem: &impl ToString) -> Wrong {
+    Wrong::Damaged(problem.to_string())
+}
+
+/// Which kind of optimum there is to reach: what near to it means hangs on that.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum Optimum {
+    #[default]
+    None,
+    /// Near to it is a share of it.
+    Positive,
+    /// Near to it is a difference.
+    Zero,
+    /// The same.
+    Negative,
+}
+
+impl Optimum {
+    fn of(exact: Option<f64>) -> Self {
+        match exact {
+            None => Self::None,
+            Some(exact) if exact > 0.0 => Self::Positive,
+            Some(0.0) => Self::Zero,
+            Some(_) => Self::Negative,
+        }
+    }
+}
+
+/// What the statistics need of a run.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Told {
+    pub(super) value: Option<f64>,
+    pub(super) reached: bool,
+    pub(super) exact: Optimum,
+    /// Which optimum that is.
+    pub(super) by: Yardstick,
+    /// What all runs of a planner that draws no lots have alike.
+    pub(super) hash: u64,
+}
+
+impl From<&Record> for Told {
+    fn from(record: &Record) -> Self {
+        // What is no number is not written, either.
+        let value = record.value.filter(|value| value.is_finite());
+        let hash = u64::from_str_radix(&record.hash, 16).unwrap_or_default();
+        Self { value, reached: record.reached.is_some(), exact: Optimum::of(record.exact), by: record.exact_by, hash }
+    }
+}
+
+/// The columns' names. A parameter that is called as something else is, is written as in links: `p.iterations`.
+pub(super) fn columns(sweep: &Sweep) -> Vec<String> {
+    let taken = |name: &str| LEAD.contains(&name) || RESULTS.contains(&name);
+    let parameters = sweep.parameters.iter().map(|name| if taken(name) { format!("p.{name}") } else { name.clone() });
+    LEAD.map(str::to_owned).into_iter().chain(parameters).chain(RESULTS.map(str::to_owned)).collect()
+}
+
+/// What stands at one place of a row.
+enum Item {
+    Nothing,
+    /// A number, true or false.
+    Bare(String),
+    Text(String),
+}
+
+impl Item {
+    fn text(&self) -> &str {
+        match self {
+            Self::Nothing => "",
+            Self::Bare(text) | Self::Text(text) => text,
+        }
+    }
+
+    fn json(&self) -> String {
+        match self {
+            Self::Nothing => "null".to_owned(),
+            Self::Bare(text) => text.clone(),
+            Self::Text(text) => Value::from(text.as_str()).to_string(),
+        }
+    }
+}
+
+fn item(value: &Value) -> Item {
+    match value {
+        Value::Null => Item::Nothing,
+        Value::Number(number) => Item::Bare(match (number.as_u64(), number.as_f64()) {
+            (None, Some(float)) => number_text(float),
+            _ => number.to_string(),
+        }),
+        Value::String(text) => Item::Text(text.clone()),
+        other => Item::Bare(other.to_string()),
+    }
+}
+
+/// The shortest digits that give the number again, which JSON can read, too: `40`, `0.4`, `1e-9`.
+pub(super) fn number_text(number: f64) -> String {
+    let text = format!("{number:?}");
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
+}
+
+fn csv_line<T: AsRef<[u8]>>(texts: &[T]) -> io::Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(texts).map_err(io::Error::other)?;
+    writer.into_inner().map_err(|error| io::Error::other(error.to_string()))
+}

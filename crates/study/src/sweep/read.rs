@@ -1,0 +1,314 @@
+//! A sweep's file: TOML. Everything in it is checked here, before anything is run.
+
+use std::{collections::BTreeMap, path::PathBuf, sync::Arc};
+
+use serde::Deserialize;
+use toml::{Table, Value as Toml};
+
+use forage::{
+    Scene, Value,
+    catalogue::{Entry, find},
+    error::Error,
+    rng::check_seed,
+    trial::WITHIN,
+};
+
+use super::{
+    super::Failure,
+    plan::{MOST, MOST_CELLS, Seeds, Setting, Sweep, Variants, value_text},
+};
+
+/// Finds the scene that a text stands for.
+pub type Load<'a> = &'a dyn Fn(&str) -> Result<Arc<Scene>, Failure>;
+
+/// What a file says.
+#[derive(Debug)]
+pub struct Given {
+    /// The runs.
+    pub sweep: Sweep,
+    /// Where the rows are to go, if it says so.
+    pub out: Option<PathBuf>,
+}
+
+/// As it stands there. What the fields hold is checked with their places in hand.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    name: Option<Toml>,
+    scenes: Option<Toml>,
+    seeds: Option<Toml>,
+    within: Option<Toml>,
+    iterations: Option<Toml>,
+    out: Option<Toml>,
+    #[serde(default)]
+    planner: Vec<Planner>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Planner {
+    name: Option<Toml>,
+    #[serde(default)]
+    params: Table,
+}
+
+/// Reads a sweep's file, which is called `file`.
+///
+/// # Errors
+/// The field, its value and what is allowed.
+pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Given, Failure> {
+    let given: File = toml::from_str(text).map_err(|problem| Error::malformed(file, problem.to_string().trim_end()))?;
+    let name = given.name.map_or(Ok(default_name.to_owned()), |name| plain_text("name", &name))?;
+    let scenes = scenes(given.scenes.as_ref(), load)?;
+    let seeds = seeds(given.seeds.as_ref())?;
+    let within = given.within.map_or(Ok(WITHIN), |within| {
+        let share = number(&within).filter(|share| (0.0..=1e6).contains(share));
+        share.ok_or_else(|| refused("within", &within, "a number from 0 to 1000000, a share of the exact optimum"))
+    })?;
+    let out = given.out.map(|out| plain_text("out", &out).map(PathBuf::from)).transpose()?;
+    let (planners, parameters) = planners(&given.planner, given.iterations.as_ref(), &scenes)?;
+
+    let mut sweep = Sweep { name, scenes, within, parameters, seeds, in_front: in_front(&planners), planners, weights: Vec::new() };
+    let groups = sweep.planners.iter().map(|planner| planner.count).fold(0, usize::saturating_add);
+    let cells = groups.saturating_mul(sweep.scenes.len());
+    if cells > MOST_CELLS {
+        let allowed = format!("at most {MOST_CELLS} combinations of planners × scenes × parameter values, without the seeds");
+        return Err(Error::refused("planner", format!("a sweep of {cells}"), allowed).into());
+    }
+    let runs = cells.saturating_mul(sweep.seeds.len());
+    if runs > MOST {
+        let allowed = format!("at most {MOST} runs, planners × scenes × parameter values × seeds");
+        return Err(Error::refused("seeds", format!("a sweep of {runs} runs"), allowed).into());
+    }
+    sweep.weigh()?;
+    Ok(Given { sweep, out })
+}
+
+fn in_front(planners: &[Variants]) -> Vec<usize> {
+    let counts = planners.iter().scan(0_usize, |sum, planner| {
+        let before = *sum;
+        *sum = sum.saturating_add(planner.count);
+        Some(before)
+    });
+    counts.collect()
+}
+
+fn scenes(given: Option<&Toml>, load: Load) -> Result<Vec<Arc<Scene>>, Failure> {
+    let names = list("scenes", given, "a list of scenes: shipped names, files or links")?;
+    let mut scenes: Vec<Arc<Scene>> = Vec::with_capacity(names.len());
+    for (i, name) in names.iter().enumerate() {
+        let place = format!("scenes[{i}]");
+        let scene = load(&plain_text(&place, name)?).map_err(|failure| match failure {
+            Failure::Refused(error) => Failure::Refused(in_scene(&place, error)),
+            other => other,
+        })?;
+        let called = scene.name();
+        if called.contains(char::is_control) {
+            return Err(Error::refused(format!("{place}.name"), format!("{called:?}"), "a name in one line").into());
+        }
+        if let Some(other) = scenes.iter().position(|known| known.name() == called) {
+            let allowed = format!("a scene of another name than scenes[{other}]: rows are told apart by it");
+            return Err(Error::refused(place, format!("`{called}`"), allowed).into());
+        }
+        scenes.push(scene);
+    }
+    Ok(scenes)
+}
+
+/// An error of a scene, with the scene's place.
+fn in_scene(place: &str, error: Error) -> Error {
+    match error {
+        Error::Refused { field, value, allowed } if field == "scene" => Error::refused(place, value, allowed),
+        Error::Malformed { field, problem } if field == "scene" => Error::malformed(place, problem),
+        other => other.within(place),
+    }
+}
+
+fn seeds(given: Option<&Toml>) -> Result<Seeds, Error> {
+    const ALLOWED: &str = "{ from = 1, count = 50 } or a list of whole numbers";
+    let whole = |place: &str, value: &Toml, allowed: &str| {
+        let number = value.as_integer().and_then(|number| u64::try_from(number).ok());
+        number.ok_or_else(|| refused(place, value, allowed))
+    };
+    let seed = |place: &str, value: &Toml| {
+        let number = whole(place, value, forage::rng::SEED_RANGE)?;
+        check_seed(number).map_err(|_| refused(place, value, forage::rng::SEED_RANGE))
+    };
+    match given {
+        Some(Toml::Table(range)) => {
+            if let Some(name) = range.keys().find(|name| !["from", "count"].contains(&name.as_str())) {
+                return Err(Error::unknown("seeds", name, ["from", "count"]));
+            }
+            let missing = |place: &str| Error::refused(place, "nothing", "a whole number");
+            let from = seed("seeds.from", range.get("from").ok_or_else(|| missing("seeds.from"))?)?;
+            let given = range.get("count").ok_or_else(|| missing("seeds.count"))?;
+            let allowed = format!("a whole number from 1 to {MOST}");
+            let count = whole("seeds.count", given, &allowed)?;
+            if !(1..=MOST as u64).contains(&count) {
+                return Err(refused("seeds.count", given, &allowed));
+            }
+            check_seed(from + (count - 1))
+                .map_err(|_| refused("seeds.count", given, "so that the last seed is at most 9007199254740991"))?;
+            Ok(Seeds::From(from, count as usize))
+        }
+        other => {
+            let mut places = BTreeMap::new();
+            let mut seeds = Vec::new();
+            for (i, value) in list("seeds", other, ALLOWED)?.iter().enumerate() {
+                let place = format!("seeds[{i}]");
+                let number = seed(&place, value)?;
+                if let Some(first) = places.insert(number, i) {
+                    return Err(refused(&place, value, &format!("another seed than seeds[{first}]")));
+                }
+                seeds.push(number);
+            }
+            Ok(Seeds::List(seeds, places))
+        }
+    }
+}
+
+/// The planners, and the names of all their parameters.
+fn planners(given: &[Planner], iterations: Option<&Toml>, scenes: &[Arc<Scene>]) -> Result<(Vec<Variants>, Vec<String>), Error> {
+    if given.is_empty() {
+        return Err(Error::refused("planner", "nothing", "one [[planner]] with a name at least"));
+    }
+    let mut parameters = Vec::new();
+    let mut all: Vec<Variants> = Vec::with_capacity(given.len());
+    for (i, planner) in given.iter().enumerate() {
+        let place = format!("planner[{i}]");
+        let field = format!("{place}.name");
+        let name = planner.name.as_ref().ok_or_else(|| Error::refused(&field, "nothing", "a planner’s name; `forage list` shows them"))?;
+        let entry = find(&plain_text(&field, name)?).map_err(|error| match error {
+            Error::Unknown { value, known, .. } => Error::Unknown { field: field.clone(), value, known },
+            other => other,
+        })?;
+        check_scenes(entry, &field, scenes)?;
+        let variants = variants(entry, &place, &planner.params, iterations, &mut parameters)?;
+        if let Some(other) = all.iter().position(|known| known.meets(&variants)) {
+            let allowed = format!("a planner with other parameters than planner[{other}]: some of its runs would be the same");
+            return Err(Error::refused(field, entry.name, allowed));
+        }
+        all.push(variants);
+    }
+    Ok((all, parameters))
+}
+
+fn check_scenes(entry: &Entry, field: &str, scenes: &[Arc<Scene>]) -> Result<(), Error> {
+    const ELSE: &str = "leave one of them out, or give it a sweep of its own";
+    for (j, scene) in scenes.iter().enumerate() {
+        entry.check_scene(scene).map_err(|error| match error {
+            Error::Unsupported { planner, kind, kinds } => {
+                let allowed =
+                    format!("a planner for scenes[{j}], {}, which is of kind {kind}; {planner} runs on: {kinds}; {ELSE}", scene.name());
+                Error::refused(field, planner, allowed)
+            }
+            Error::Refused { field: part, value, allowed } => {
+                Error::refused(format!("scenes[{j}].{part}"), value, format!("{allowed}, for {}; {ELSE}", entry.name))
+            }
+            other => other.within(&format!("scenes[{j}]")),
+        })?;
+    }
+    Ok(())
+}
+
+fn variants(entry: &Entry, place: &str, params: &Table, iterations: Option<&Toml>, names: &mut Vec<String>) -> Result<Variants, Error> {
+    // The limit for all comes first: what changes least.
+    let common = iterations.filter(|_| !params.contains_key("iterations")).map(|value| ("iterations", "iterations".to_owned(), value));
+    let own = params.iter().map(|(name, value)| (name.as_str(), format!("{place}.params.{name}"), value));
+    let mut settings = Vec::new();
+    let mut count = 1_usize;
+    for (name, field, value) in common.into_iter().chain(own) {
+        if let Some(parameter) = entry.parameters.iter().find(|parameter| parameter.name == name) {
+            let values = values(&field, value, field != "iterations")?;
+            for (at, value) in values.iter().enumerate() {
+                let field = if value_is_alone(params.get(name)) { field.clone() } else { format!("{field}[{at}]") };
+                parameter.check(value).map_err(|error| Error::refused(field, shown_value(value), error.allowed()))?;
+            }
+            count = count.saturating_mul(values.len());
+            settings.push(Setting::new(column(names, name), values));
+        } else {
+            return Err(Error::unknown(&format!("{place}.params"), name, entry.parameters.iter().map(|parameter| parameter.name)));
+        }
+    }
+    Ok(Variants { planner: entry.name.to_owned(), settings, count })
+}
+
+fn value_is_alone(value: Option<&Toml>) -> bool {
+    !matches!(value, Some(Toml::Array(_)))
+}
+
+fn column(names: &mut Vec<String>, name: &str) -> usize {
+    names.iter().position(|known| known == name).unwrap_or_else(|| {
+        names.push(name.to_owned());
+        names.len() - 1
+    })
+}
+
+/// One value, or each of a list, no two alike.
+fn values(field: &str, given: &Toml, many: bool) -> Result<Vec<Value>, Error> {
+    let Toml::Array(items) = given else { return Ok(vec![value(field, given)?]) };
+    if !many || items.is_empty() {
+        let allowed = if many { "a value, or a list of one value at least" } else { "one number for all planners" };
+        return Err(refused(field, given, allowed));
+    }
+    let mut texts = BTreeMap::new();
+    let mut values = Vec::with_capacity(items.len());
+    for (i, item) in items.iter().enumerate() {
+        let place = format!("{field}[{i}]");
+        let found = value(&place, item)?;
+        if let Some(first) = texts.insert(value_text(&found), i) {
+            return Err(refused(&place, item, &format!("another value than {field}[{first}]")));
+        }
+        values.push(found);
+    }
+    Ok(values)
+}
+
+fn value(field: &str, given: &Toml) -> Result<Value, Error> {
+    match given {
+        Toml::Boolean(flag) => Ok(Value::Flag(*flag)),
+        Toml::String(text) => Ok(Value::Text(text.clone())),
+        other => {
+            number(other).map(Value::Number).ok_or_else(|| refused(field, other, "a number, a text, true or false, or a list of such"))
+        }
+    }
+}
+
+/// −0 becomes 0, as in scenes and links.
+fn number(given: &Toml) -> Option<f64> {
+    match given {
+        Toml::Integer(number) => Some(*number as f64),
+        Toml::Float(number) => Some(number + 0.0),
+        _ => None,
+    }
+}
+
+fn list<'a>(field: &str, given: Option<&'a Toml>, allowed: &str) -> Result<&'a [Toml], Error> {
+    match given {
+        Some(Toml::Array(items)) if !items.is_empty() => Ok(items),
+        Some(other) => Err(refused(field, other, &format!("{allowed}, one at least"))),
+        None => Err(Error::refused(field, "nothing", allowed)),
+    }
+}
+
+fn plain_text(field: &str, given: &Toml) -> Result<String, Error> {
+    let text = given.as_str().filter(|text| !text.is_empty() && !text.contains(char::is_control));
+    text.map(str::to_owned).ok_or_else(|| refused(field, given, "a text in one line"))
+}
+
+fn refused(field: &str, given: &Toml, allowed: &str) -> Error {
+    let shown = match given {
+        Toml::Array(items) => format!("a list of {}", items.len()),
+        Toml::Table(_) => "a table".to_owned(),
+        Toml::String(text) => format!("{text:?}"),
+        other => other.to_string(),
+    };
+    Error::refused(field, shown, allowed)
+}
+
+fn shown_value(value: &Value) -> String {
+    match value {
+        Value::Text(text) => format!("{text:?}"),
+        other => value_text(other),
+    }
+}

@@ -1,0 +1,321 @@
+//! What the rows of a sweep have in common, and whether planners differ.
+
+use std::{fmt::Write, path::PathBuf};
+
+use serde::Serialize;
+
+use forage::{
+    Given,
+    planner::Yardstick,
+    statistics::{Comparison, Friedman, Group, GroupSummary, Pair, comparable, compare, friedman},
+};
+
+use super::{
+    super::table::{Cell, Table},
+    kept::Kept,
+    line::{Optimum, Told},
+    plan::{Pairs, value_text},
+};
+
+/// Between more than so many nobody reads a test of each two.
+const MOST_PAIRED: usize = 30;
+/// More than so many are not ranked: the time for it grows with their square.
+const MOST_RANKED: usize = 1000;
+
+/// The statistics of a sweep.
+#[derive(Debug, Serialize)]
+pub struct Summary {
+    /// The sweep's name.
+    pub name: String,
+    /// Where the rows are.
+    pub rows: PathBuf,
+    /// How many runs.
+    pub runs: usize,
+    /// How near to the exact optimum counts as reached.
+    pub within: f64,
+    /// Scene by scene.
+    pub scenes: Vec<OnScene>,
+    /// Which of each scene's groups are ranked: those that draw lots.
+    pub ranked: Vec<usize>,
+    /// Their ranks over scenes and seeds. `None` of one, or of more than a thousand.
+    pub friedman: Option<Friedman>,
+}
+
+/// What there is to say of a scene.
+#[derive(Debug, Serialize)]
+pub struct OnScene {
+    /// The scene's name.
+    pub scene: String,
+    /// Planners and parameters.
+    pub groups: Vec<OfGroup>,
+    /// Each two of them that draw lots; the correction is for the scene's pairs. `None` of more than thirty groups.
+    pub pairs: Option<Vec<Pair>>,
+    #[serde(skip)]
+    optimum: Optimum,
+}
+
+/// What there is to say of a planner with some parameters.
+#[derive(Debug, Serialize)]
+pub struct OfGroup {
+    /// The planner's name.
+    pub planner: String,
+    /// The parameters that the sweep sets.
+    pub parameters: Given,
+    /// Whether its runs differ at all: a test of what is the same each time says nothing.
+    pub draws_lots: bool,
+    /// Which optimum it is measured by; `None` where there is none.
+    pub exact_by: Option<Yardstick>,
+    /// The share of runs that came near enough to the optimum; `None` where there is no optimum.
+    pub reached: Option<f64>,
+    /// The rest.
+    #[serde(flatten)]
+    pub summary: GroupSummary,
+}
+
+impl Summary {
+    /// Of rows that are all there.
+    pub fn of(kept: &Kept) -> Self {
+        let sweep = kept.sweep();
+        let groups: Vec<usize> = (0..sweep.groups()).collect();
+        let told = |scene: usize, group: usize| -> Vec<Told> {
+            let first = sweep.cell_of(scene, group) * sweep.seeds();
+            (first..first + sweep.seeds()).filter_map(|job| kept.told(job)).collect()
+        };
+        let scenes = (0..sweep.scenes.len()).map(|scene| OnScene {
+            scene: sweep.scenes[scene].name().to_owned(),
+            ..OnScene::of(groups.iter().map(|&group| (sweep.group(group), told(scene, group))).collect())
+        });
+        let scenes: Vec<OnScene> = scenes.collect();
+        let draws = |group: &usize| scenes.iter().any(|scene| scene.groups[*group].draws_lots);
+        let groups: Vec<usize> = groups.iter().copied().filter(draws).collect();
+        let friedman = (2..=MOST_RANKED).contains(&groups.len()).then(|| {
+            let mut blocks = Vec::with_capacity(sweep.scenes.len() * sweep.seeds());
+            for scene in 0..sweep.scenes.len() {
+                let of_scene: Vec<Vec<Told>> = groups.iter().map(|&group| told(scene, group)).collect();
+                let values: Vec<Vec<Option<f64>>> = of_scene.iter().map(|told| told.iter().map(|told| told.value).collect()).collect();
+                let ranked = comparable(values.iter().map(|values| &values[..]));
+                let block = |k: usize| ranked.iter().map(|values| values[k]).collect();
+                blocks.extend((0..sweep.seeds()).map(block));
+            }
+            friedman(&blocks)
+        });
+        Self {
+            name: sweep.name.clone(),
+            rows: kept.path().to_owned(),
+            runs: sweep.len(),
+            within: sweep.within,
+            scenes,
+            ranked: groups,
+            friedman: friedman.flatten(),
+        }
+    }
+
+    /// The tables.
+    pub fn tables(&self) -> Vec<Table> {
+        let mut tables = Vec::new();
+        for scene in &self.scenes {
+            tables.push(scene.table(self.within));
+            tables.extend(scene.paired());
+        }
+        tables.extend(self.friedman.as_ref().map(|friedman| self.ranked(friedman)));
+        tables
+    }
+
+    fn ranked(&self, friedman: &Friedman) -> Table {
+        let mut title = format!("Mean ranks over {} blocks, scene × seed (Friedman)", friedman.blocks);
+        if let (Some(statistic), Some(p)) = (friedman.statistic, friedman.p) {
+            let _ = write!(title, ": χ² = {statistic:.4}, p = {}", probability(p));
+        }
+        let mut table = Table::new("ranks", title, &["planner", "mean rank"]);
+        let groups = self.scenes.first().map_or(&[] as &[OfGroup], |scene| &scene.groups);
+        let mut rows: Vec<_> = self.ranked.iter().map(|&group| &groups[group]).zip(&friedman.ranks).collect();
+        rows.sort_by(|a, b| a.1.total_cmp(b.1));
+        table.rows = rows.into_iter().map(|(group, &rank)| vec![group.summary.name.as_str().into(), Cell::Number(rank, 4)]).collect();
+        table
+    }
+
+    fn heading(&self) -> String {
+        format!("{}: {} runs in {}", self.name, self.runs, self.rows.display())
+    }
+
+    /// For a terminal.
+    pub fn text(&self) -> String {
+        let mut text = format!("{}\n", self.heading());
+        self.tables().iter().for_each(|table| text.extend(["\n", &table.text()]));
+        self.left_out().iter().for_each(|note| text.extend(["\n", note, "\n"]));
+        text
+    }
+
+    /// For a document.
+    pub fn markdown(&self) -> String {
+        let mut text = format!("# {}\n", self.heading());
+        self.tables().iter().for_each(|table| text.extend(["\n", &table.markdown()]));
+        self.left_out().iter().for_each(|note| text.extend(["\n", note, "\n"]));
+        text
+    }
+
+    fn left_out(&self) -> Vec<String> {
+        let groups = self.scenes.first().map_or(0, |scene| scene.groups.len());
+        let mut notes = Vec::new();
+        for scene in &self.scenes {
+            let names = scene.groups.iter().filter(|group| !group.draws_lots).map(|group| group.summary.name.as_str());
+            let names: Vec<&str> = names.collect();
+            if !names.is_empty() {
+                let all = if names.len() > MOST_PAIRED { format!("{} planners and parameters", names.len()) } else { names.join(", ") };
+                notes.push(format!("{}: all runs are the same and no lots are drawn, so no tests and intervals: {all}.", scene.scene));
+            }
+        }
+        if groups > MOST_PAIRED {
+            notes.push(format!("No tests between {groups} planners and parameters: each two are tested up to {MOST_PAIRED}."));
+        }
+        if groups > MOST_RANKED {
+            notes.push(format!("No mean ranks: {groups} are more than {MOST_RANKED}."));
+        }
+        notes
+    }
+}
+
+impl OnScene {
+    fn of(told: Vec<((&str, Pairs), Vec<Told>)>) -> Self {
+        let mut groups = Vec::with_capacity(told.len());
+        let mut reached = Vec::with_capacity(told.len());
+        let mut optimum = Optimum::None;
+        let (_, common) = told.first().map_or(("", Vec::new()), |(group, _)| group.clone());
+        let common: Vec<_> = common.into_iter().filter(|pair| told.iter().all(|((_, set), _)| set.contains(pair))).collect();
+        for ((planner, parameters), runs) in told {
+            // What all have alike tells nobody apart.
+            let set = parameters.iter().filter(|pair| !common.contains(pair));
+            let name = set.fold(planner.to_owned(), |name, (parameter, value)| format!("{name} {parameter}={}", value_text(value)));
+            let parameters: Given = parameters.into_iter().map(|(name, value)| (name, value.clone())).collect();
+            let near = runs.iter().filter(|told| told.reached).count() as f64 / runs.len() as f64;
+            let measured = runs.iter().find(|told| told.exact != Optimum::None);
+            optimum = measured.filter(|_| optimum == Optimum::None).map_or(optimum, |told| told.exact);
+            let draws_lots = runs.len() < 2 || runs.iter().any(|told| told.hash != runs[0].hash);
+            reached.push((planner.to_owned(), parameters, draws_lots, measured.map(|told| (told.by, near))));
+            groups.push(Group { name, values: runs.iter().map(|told| told.value).collect() });
+        }
+        let (summaries, pairs) = if groups.len() <= MOST_PAIRED {
+            let lots: Vec<usize> = (0..groups.len()).filter(|&k| reached[k].2).collect();
+            let drawn: Vec<Group> = lots.iter().map(|&k| groups[k].clone()).collect();
+            let Comparison { pairs, .. } = compare(&drawn);
+            let pairs = pairs.into_iter().map(|pair| Pair { first: lots[pair.first], second: lots[pair.second], ..pair });
+            (compare(&groups).groups, Some(pairs.collect()))
+        } else {
+            (groups.chunks(1).flat_map(|group| compare(group).groups).collect(), None)
+        };
+        let groups = reached.into_iter().zip(summaries).map(|((planner, parameters, draws_lots, measured), summary)| OfGroup {
+            planner,
+            parameters,
+            draws_lots,
+            exact_by: measured.map(|(by, _)| by),
+            reached: measured.map(|(_, near)| near),
+            summary,
+        });
+        Self { scene: String::new(), groups: groups.collect(), pairs, optimum }
+    }
+
+    fn table(&self, within: f64) -> Table {
+        const COLUMNS: [&str; 16] = [
+            "planner",
+            "runs",
+            "feasible %",
+            "from",
+            "to",
+            "mean",
+            "from",
+            "to",
+            "std",
+            "best",
+            "lower quartile",
+            "median",
+            "upper quartile",
+            "worst",
+            "reached %",
+            "optimum",
+        ];
+        let number = |number: f64| value_text(&forage::Value::Number(number));
+        let near = match self.optimum {
+            Optimum::Zero => format!("{} of the exact optimum, which is 0", number(within)),
+            Optimum::Negative => format!("{} of the exact optimum", number(within)),
+            Optimum::None | Optimum::Positive => format!("{} % of the exact optimum", number(100.0 * within)),
+        };
+        let mut measured = self.groups.iter().filter_map(|group| group.exact_by);
+        let first = measured.next();
+        let differ = measured.any(|by| Some(by) != first);
+        let whose = if differ { ", which is not the same for all: see the last column" } else { "" };
+        let title = format!("{}: values of the feasible runs; from, to: 95 % confidence; reached: within {near}{whose}", self.scene);
+        let columns = if differ { &COLUMNS[..] } else { &COLUMNS[..15] };
+        let mut table = Table::new(self.scene.clone(), title, columns);
+        for group in &self.groups {
+            let GroupSummary { runs, rate, rate_interval, summary, .. } = &group.summary;
+            let of = |number: Option<f64>| number.map_or(Cell::Empty, shown);
+            let lots = group.draws_lots;
+            let interval = summary.and_then(|summary| summary.interval).filter(|_| lots);
+            let share = |at: usize| if lots { Cell::Number(100.0 * rate_interval[at], 1) } else { Cell::Empty };
+            let mut row = vec![
+                group.summary.name.as_str().into(),
+                Cell::whole(*runs as u64),
+                Cell::Number(100.0 * rate, 1),
+                share(0),
+                share(1),
+                of(summary.map(|summary| summary.mean)),
+                of(interval.map(|interval| interval[0])),
+                of(interval.map(|interval| interval[1])),
+                of(summary.and_then(|summary| summary.std)),
+                of(summary.map(|summary| summary.min)),
+                of(summary.map(|summary| summary.lower)),
+                of(summary.map(|summary| summary.median)),
+                of(summary.map(|summary| summary.upper)),
+                of(summary.map(|summary| summary.max)),
+                Cell::maybe(group.reached.map(|share| 100.0 * share), 1),
+            ];
+            if differ {
+                row.push(group.exact_by.map_or(Cell::Empty, |by| yardstick(by).into()));
+            }
+            table.rows.push(row);
+        }
+        table
+    }
+
+    /// The tests, if there are two to test.
+    fn paired(&self) -> Option<Table> {
+        let pairs = self.pairs.as_ref().filter(|pairs| !pairs.is_empty())?;
+        let title = format!("{}: Wilcoxon’s rank-sum test of each two; corrected for {} tests (Holm)", self.scene, pairs.len());
+        let mut table = Table::new(format!("{}-tests", self.scene), title, &["first", "second", "U", "p", "corrected p", "first better %"]);
+        for Pair { first, second, u, p, corrected, better } in pairs {
+            table.rows.push(vec![
+                Cell::Text(self.groups[*first].summary.name.clone()),
+                Cell::Text(self.groups[*second].summary.name.clone()),
+                Cell::Number(*u, 1),
+                Cell::Text(probability(*p)),
+                Cell::Text(probability(*corrected)),
+                Cell::Number(100.0 * better, 1),
+            ]);
+        }
+        Some(table)
+    }
+}
+
+fn yardstick(by: Yardstick) -> &'static str {
+    match by {
+        Yardstick::AnyAngle => "any angle",
+        Yardstick::Cells => "cells",
+        Yardstick::Matrix => "matrix",
+        Yardstick::Stored => "stored",
+        Yardstick::Refuted => "refuted",
+    }
+}
+
+/// Four digits after the point, where that says something.
+fn shown(number: f64) -> Cell {
+    if number == 0.0 || (1e-3..1e9).contains(&number.abs()) { Cell::Number(number, 4) } else { Cell::Text(format!("{number:.4e}")) }
+}
+
+/// What is below 1e-15 is only known to be small.
+fn probability(p: f64) -> String {
+    match p {
+        1e-4.. => format!("{p:.4}"),
+        1e-15.. => format!("{p:.1e}"),
+        _ => "< 1e-15".to_owned(),
+    }
+}
