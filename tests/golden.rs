@@ -1,11 +1,23 @@
 //! Golden hashes of complete runs: every planner, every kind of scene, several seeds. `tests/wasm.rs` checks the same
 //! stored files in wasm under Node.
+//!
+//! A test for each planner, so that a failure names it. `FORAGE_BLESS=1 cargo test --test golden` stores all runs again.
 #![cfg(not(target_arch = "wasm32"))]
 
 mod support;
+#[path = "support/trial.rs"]
+mod trial;
 
-use forage::{Given, Session, Setup, Value, catalogue::PLANNERS, shipped_names};
+use std::process::ExitCode;
+
+use forage::{
+    Given, Session, Setup, Value,
+    catalogue::{Entry, PLANNERS},
+    shipped_names,
+};
+use libtest_mimic::Arguments;
 use support::{Driven, Followed, Golden, ITERATIONS, Log, bits, digest, drives, line, logs, motions, stored};
+use trial::trial;
 
 fn run(planner: &str, scene: &str, seed: u32, set: &str) -> Golden {
     let mut params = Given::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
@@ -27,9 +39,12 @@ fn run(planner: &str, scene: &str, seed: u32, set: &str) -> Golden {
     Golden { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), paths, half, end: session.hash(), cost }
 }
 
+/// A golden run to be made: planner, scene, seed, parameters.
+type Spec = (&'static str, &'static str, u32, &'static str);
+
 /// All planners on all shipped scenes they run on, three seeds each where that makes a difference.
-fn every_run() -> Vec<Golden> {
-    let mut runs = Vec::new();
+fn specs() -> Vec<Spec> {
+    let mut specs = Vec::new();
     for entry in PLANNERS {
         for scene in shipped_names().filter(|scene| entry.check_scene(scene).is_ok()) {
             // A planner of planners carries out hundreds of runs a step: short ones will do.
@@ -52,51 +67,52 @@ fn every_run() -> Vec<Golden> {
                 "two-opt" => &[1, 2],
                 _ => &[1, 2, 12_345],
             };
-            runs.extend(seeds.iter().map(|&seed| run(entry.name, scene.name(), seed, set)));
+            specs.extend(seeds.iter().map(|&seed| (entry.name, scene.name(), seed, set)));
         }
     }
     // What no default reaches.
-    runs.extend([
-        run("ltqpso", "qpso-10m", 1, r#""initial": "normal", "segments": 12"#),
-        run("qpso", "qpso-10m", 2, r#""encoding": "waypoints", "redraws": 20"#),
-        run("wcpso", "qpso-10m", 3, r#""encoding": "waypoints", "smoothing": 0.9"#),
-        run("ltqpso", "wcpso-discs", 4, r#""encoding": "polar", "smooth": true"#),
-        run("pso", "wcpso-discs", 5, r#""encoding": "polar", "initial": "normal", "initial_std": 60, "redraws": 5"#),
-        run("aco", "ant-bat-30", 3, r#""dead_end": "backtrack", "smooth": true, "alpha": 1.3"#),
-        run("aco-wolf", "wolf-ant-20", 5, r#""step_limit": 40, "epsilon": 0, "tau_max": 1000"#),
-        run("aco-dijkstra", "qpso-10m", 6, r#""q0_start": 0.9, "q0_end": 0.2, "seeded": 9"#),
-        run("a-star", "wolf-ant-20", 1, r#""weight": 2.5, "expand": 3, "smooth": true"#),
-        run(
+    specs.extend([
+        ("ltqpso", "qpso-10m", 1, r#""initial": "normal", "segments": 12"#),
+        ("qpso", "qpso-10m", 2, r#""encoding": "waypoints", "redraws": 20"#),
+        ("wcpso", "qpso-10m", 3, r#""encoding": "waypoints", "smoothing": 0.9"#),
+        ("ltqpso", "wcpso-discs", 4, r#""encoding": "polar", "smooth": true"#),
+        ("pso", "wcpso-discs", 5, r#""encoding": "polar", "initial": "normal", "initial_std": 60, "redraws": 5"#),
+        ("aco", "ant-bat-30", 3, r#""dead_end": "backtrack", "smooth": true, "alpha": 1.3"#),
+        ("aco-wolf", "wolf-ant-20", 5, r#""step_limit": 40, "epsilon": 0, "tau_max": 1000"#),
+        ("aco-dijkstra", "qpso-10m", 6, r#""q0_start": 0.9, "q0_end": 0.2, "seeded": 9"#),
+        ("a-star", "wolf-ant-20", 1, r#""weight": 2.5, "expand": 3, "smooth": true"#),
+        (
             "pso-tuning",
             "wolf-ant-20",
             4,
             r#""colony": "aco-direction", "tune": "gamma,tau_0,ants", "population": 3, "colony_iterations": 2"#,
         ),
-        run("bat", "ant-bat-30", 3, r#""population": 7"#),
-        run("bat", "ant-bat-30", 4, r#""roads": "theta-star", "round": "open", "polish": true"#),
-        run("two-opt", "ant-bat-30", 5, r#""roads": "dijkstra", "smooth": false, "round": "first-to-last""#),
-        run("rrt-guided", "arm-cuboid", 7, r#""iterations": 2000, "step_size": 0.05, "samples": 30, "keep": 6"#),
-        run("rrt", "arm-bench", 8, r#""iterations": 20000, "goal_bias": 0.05, "polyline": false, "blend": 6"#),
-        run("rrt-star", "arm-cuboid", 9, r#""iterations": 1500, "informed": false, "rewire": 6"#),
-        run("rrt-star", "wcpso-discs", 9, r#""iterations": 1500, "smooth": true"#),
-        run("rrt-joint", "arm-puma", 10, r#""iterations": 2000, "radius": 0.02, "goals": 3, "shorten": false"#),
-        run("cpso", "discs-slalom", 6, r#""early_stop": 30, "ordered": false"#),
+        ("bat", "ant-bat-30", 3, r#""population": 7"#),
+        ("bat", "ant-bat-30", 4, r#""roads": "theta-star", "round": "open", "polish": true"#),
+        ("two-opt", "ant-bat-30", 5, r#""roads": "dijkstra", "smooth": false, "round": "first-to-last""#),
+        ("rrt-guided", "arm-cuboid", 7, r#""iterations": 2000, "step_size": 0.05, "samples": 30, "keep": 6"#),
+        ("rrt", "arm-bench", 8, r#""iterations": 20000, "goal_bias": 0.05, "polyline": false, "blend": 6"#),
+        ("rrt-star", "arm-cuboid", 9, r#""iterations": 1500, "informed": false, "rewire": 6"#),
+        ("rrt-star", "wcpso-discs", 9, r#""iterations": 1500, "smooth": true"#),
+        ("rrt-joint", "arm-puma", 10, r#""iterations": 2000, "radius": 0.02, "goals": 3, "shorten": false"#),
+        ("cpso", "discs-slalom", 6, r#""early_stop": 30, "ordered": false"#),
     ]);
-    runs
+    specs
 }
 
-#[test]
-fn every_planner_gives_the_stored_bits_on_every_scene() {
-    let runs = every_run();
-    if std::env::var_os("FORAGE_BLESS").is_some() {
-        std::fs::write("tests/golden.json", serde_json::to_string_pretty(&runs).unwrap() + "\n").unwrap();
-        return; // the file is part of the test's program: the next run compares with it
+/// Every golden run of a planner has the stored bits, and there are as many as stored.
+fn check_planner(planner: &str) {
+    let stored: Vec<_> = stored().into_iter().filter(|run| run.planner == planner).collect();
+    let specs: Vec<_> = specs().into_iter().filter(|spec| spec.0 == planner).collect();
+    assert_eq!(specs.len(), stored.len(), "{planner} has other golden runs than tests/golden.json: bless the file");
+    for ((planner, scene, seed, set), stored) in specs.into_iter().zip(stored) {
+        assert_eq!(run(planner, scene, seed, set), stored);
     }
-    let stored = stored();
-    assert_eq!(runs.len(), stored.len(), "a planner or a scene came or went: bless the file");
-    for (run, stored) in runs.iter().zip(&stored) {
-        assert_eq!(run, stored);
-    }
+}
+
+/// Writes a stored file again.
+fn bless(file: &str, stored: &impl serde::Serialize) {
+    std::fs::write(file, serde_json::to_string_pretty(stored).unwrap() + "\n").unwrap();
 }
 
 fn drive(planner: &str, scene: &str, seed: u32, look_ahead: f64) -> Driven {
@@ -107,18 +123,13 @@ fn drive(planner: &str, scene: &str, seed: u32, look_ahead: f64) -> Driven {
     Driven { planner: planner.to_owned(), scene: scene.to_owned(), seed, look_ahead, rows: digest(&drive.rows) }
 }
 
-/// Whole drives, to the last bit: free ones and one or another that touches.
-#[test]
-fn every_drive_gives_the_stored_bits() {
+/// Whole drives: free ones and one or another that touches.
+fn every_drive() -> Vec<Driven> {
     let mut runs = vec![drive("ltqpso", "qpso-10m-empty", 1, 0.35), drive("wcpso", "qpso-10m", 1, 0.35)];
     for seed in [1, 2, 12_345] {
         runs.extend([0.2, 0.35, 1.0].map(|look_ahead| drive("ltqpso", "qpso-10m", seed, look_ahead)));
     }
-    if std::env::var_os("FORAGE_BLESS").is_some() {
-        std::fs::write("tests/drives.json", serde_json::to_string_pretty(&runs).unwrap() + "\n").unwrap();
-        return;
-    }
-    assert_eq!(runs, drives());
+    runs
 }
 
 fn follow(planner: &str, scene: &str, seed: u32, set: &str) -> Followed {
@@ -133,9 +144,8 @@ fn follow(planner: &str, scene: &str, seed: u32, set: &str) -> Followed {
     Followed { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), rows }
 }
 
-/// Whole motions of arms, to the last bit.
-#[test]
-fn every_motion_gives_the_stored_bits() {
+/// Whole motions of arms.
+fn every_motion() -> Vec<Followed> {
     let mut all = Vec::new();
     for planner in ["rrt-guided", "rrt-connect", "rrt-joint"] {
         all.extend(["arm-cuboid", "arm-free", "arm-puma"].map(|scene| follow(planner, scene, 1, "")));
@@ -143,11 +153,7 @@ fn every_motion_gives_the_stored_bits() {
     all.push(follow("rrt-guided", "arm-cuboid", 2, r#""orientation": "random", "seed": 3"#));
     all.push(follow("rrt-guided", "arm-cuboid", 3, r#""orientation": "home", "postures": "nearest""#));
     all.push(follow("rrt-star", "arm-cuboid", 4, r#""radius": 0.02, "spacing": 0.05"#));
-    if std::env::var_os("FORAGE_BLESS").is_some() {
-        std::fs::write("tests/motions.json", serde_json::to_string_pretty(&all).unwrap() + "\n").unwrap();
-        return;
-    }
-    assert_eq!(all, motions());
+    all
 }
 
 fn log(planner: &str, scene: &str, seed: u32, set: &str) -> Log {
@@ -161,29 +167,52 @@ fn log(planner: &str, scene: &str, seed: u32, set: &str) -> Log {
     Log { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), lines }
 }
 
-/// Every decision of whole drives, with its time and place to the last bit and its reason to the last word.
-#[test]
-fn every_log_of_events_is_the_stored_one() {
+/// Every decision of whole drives, with its time, place and reason.
+fn every_log() -> Vec<Log> {
     let mut all = vec![log("wolf-ant-drive", "wolf-ant-20", 11, "")];
     for planner in ["wolf-ant-drive", "a-star-drive", "d-star-lite-drive"] {
         all.extend(["wolf-ant-20", "crossing", "patrol", "corridor"].map(|scene| log(planner, scene, 1, "")));
     }
     // A blind robot: what comes, comes.
     all.push(log("a-star-drive", "crossing", 1, r#""robot": "given", "sensor": 0, "border": "bounce""#));
-    if std::env::var_os("FORAGE_BLESS").is_some() {
-        std::fs::write("tests/events.json", serde_json::to_string_pretty(&all).unwrap() + "\n").unwrap();
-        return;
-    }
-    assert_eq!(all, logs());
-    let told = |kind: &str| all.iter().flat_map(|log| &log.lines).any(|line| line.contains(kind));
+    all
+}
+
+/// The stored logs have every kind of event.
+fn check_kinds_of_events() {
+    let all = logs();
+    let has = |kind: &str| all.iter().flat_map(|log| &log.lines).any(|line| line.contains(kind));
     for kind in ["set-out", "seen", "foreseen", "detour", "back", "replan", "wait", "go-on", "evade", "collision", "arrived"] {
-        assert!(told(kind), "no stored log has {kind}");
+        assert!(has(kind), "no stored log has {kind}");
     }
 }
 
-#[test]
-fn seeds_and_parameters_change_the_hash() {
+/// No two golden runs end in the same state: seeds and parameters change the hash.
+fn check_hashes_differ() {
     let hashes: std::collections::BTreeSet<_> = stored().into_iter().map(|run| run.end).collect();
-    assert!(hashes.len() >= 100, "all planners, both kinds of scene, several seeds");
+    assert!(hashes.len() >= 100, "all planners, all kinds of scene, several seeds");
     assert_eq!(hashes.len(), stored().len(), "no two golden runs end alike");
+}
+
+fn main() -> ExitCode {
+    if std::env::var_os("FORAGE_BLESS").is_some() {
+        let runs: Vec<_> = specs().into_iter().map(|(planner, scene, seed, set)| run(planner, scene, seed, set)).collect();
+        bless("tests/golden.json", &runs);
+        bless("tests/drives.json", &every_drive());
+        bless("tests/motions.json", &every_motion());
+        bless("tests/events.json", &every_log());
+        return ExitCode::SUCCESS;
+    }
+    let of_planner = |entry: &'static Entry| {
+        trial(format!("{}::{}::golden_runs_have_the_stored_bits", entry.family, entry.name), || check_planner(entry.name))
+    };
+    let mut trials: Vec<_> = PLANNERS.iter().map(of_planner).collect();
+    trials.extend([
+        trial("drive::drives_have_the_stored_bits", || assert_eq!(every_drive(), drives())),
+        trial("arm::motions_have_the_stored_bits", || assert_eq!(every_motion(), motions())),
+        trial("dynamic::events_are_the_stored_ones", || assert_eq!(every_log(), logs())),
+        trial("dynamic::every_kind_of_event_is_stored", check_kinds_of_events),
+        trial("golden_runs_end_in_different_states", check_hashes_differ),
+    ]);
+    libtest_mimic::run(&Arguments::from_args(), trials).exit_code()
 }

@@ -1,8 +1,13 @@
 //! What must hold for every planner in the catalogue, on every kind of scene, for many seeds. A new planner is tested
-//! by being listed.
+//! by being listed: each check is a test of its own for each planner, called `family::planner::what_holds`.
+//!
+//! `PROPTEST_CASES` says how many random runs of a planner each property sees.
 #![cfg(not(target_arch = "wasm32"))]
 
-use std::sync::Arc;
+#[path = "support/trial.rs"]
+mod trial;
+
+use std::{process::ExitCode, sync::Arc};
 
 use forage::{
     Frame, Given, Scene, Session, Setup, Status, Value,
@@ -13,14 +18,23 @@ use forage::{
     scene::Kind,
     shipped_names,
 };
-use proptest::prelude::*;
+use libtest_mimic::Arguments;
+use proptest::{
+    prelude::*,
+    test_runner::{Config, TestCaseResult, TestRunner},
+};
+use trial::trial;
 
-/// Every planner with every shipped scene it runs on.
-fn pairs() -> Vec<(&'static Entry, Arc<Scene>)> {
-    PLANNERS
-        .iter()
-        .flat_map(|entry| shipped_names().filter(|scene| entry.check_scene(scene).is_ok()).map(move |scene| (entry, Arc::clone(scene))))
-        .collect()
+/// The shipped scenes that a planner runs on.
+fn scenes(entry: &Entry) -> Vec<Arc<Scene>> {
+    shipped_names().filter(|scene| entry.check_scene(scene).is_ok()).cloned().collect()
+}
+
+/// Holds a property against random values: a few for each planner, or as many as `PROPTEST_CASES` says.
+fn property<S: Strategy>(values: &S, check: impl Fn(S::Value) -> TestCaseResult) {
+    let cases = if std::env::var_os("PROPTEST_CASES").is_some() { Config::default().cases } else { 4 };
+    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    TestRunner::new(config).run(values, check).unwrap_or_else(|failure| panic!("{failure}"));
 }
 
 fn given(pairs: &[(&str, f64)]) -> Given {
@@ -52,14 +66,12 @@ fn session(entry: &Entry, scene: &Arc<Scene>, params: Given, seed: u64) -> Sessi
     Session::new(Setup { planner: entry.name.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 120, failure_persistence: None, ..ProptestConfig::default() })]
-
-    /// A best cost never rises, a path begins at the start and ends at the goal, and what is said to be feasible
-    /// really crosses nothing (checked here by dense sampling, not by the geometry that said so).
-    #[test]
-    fn a_run_only_gets_better_and_its_verdict_is_true(pair in 0..pairs().len(), seed in 0..10_000_u64, population in 1..60_u32) {
-        let (entry, scene) = &pairs()[pair];
+/// A best cost never rises, a path begins at the start and ends at the goal, and what is said to be feasible
+/// really crosses nothing (checked here by dense sampling, not by the geometry that said so).
+fn a_run_only_gets_better_and_its_verdict_is_true(entry: &'static Entry) {
+    let scenes = scenes(entry);
+    property(&(0..scenes.len(), 0..10_000_u64, 1..60_u32), |(scene, seed, population)| {
+        let scene = &scenes[scene];
         let mut session = session(entry, scene, sized(entry, scene, f64::from(population), 60.0), seed);
         let (mut best, mut free) = (f64::INFINITY, f64::INFINITY);
         let first = session.outcome().evaluations;
@@ -114,9 +126,9 @@ proptest! {
             let apart = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt();
             prop_assert!(apart(tip[0], arm.start) < 1e-6 && apart(tip[tip.len() - 1], arm.goal) < 1e-6);
             let inside = |p: [f64; 3]| arm.cuboids.iter().any(|c| (0..3).all(|i| c.min[i] < p[i] && p[i] < c.max[i]));
-            let touches = tip.windows(2).any(|w| {
-                (0..=50).map(|k| f64::from(k) / 50.0).any(|t| inside([0, 1, 2].map(|i| w[0][i] + t * (w[1][i] - w[0][i]))))
-            });
+            let touches = tip
+                .windows(2)
+                .any(|w| (0..=50).map(|k| f64::from(k) / 50.0).any(|t| inside([0, 1, 2].map(|i| w[0][i] + t * (w[1][i] - w[0][i])))));
             prop_assert!(!outcome.feasible || !touches, "said to be free, but it lies in a cuboid");
             prop_assert!(outcome.gap.is_none_or(|gap| !outcome.feasible || gap > -1e-9), "shorter than the exact optimum");
         }
@@ -124,12 +136,15 @@ proptest! {
             let side = scene.view().max[0];
             prop_assert!(position.iter().all(|x| x.abs() <= side));
         }
-    }
+        Ok(())
+    });
+}
 
-    /// Any iteration, reached forward, backward or again, is the same to the last bit; so is its picture.
-    #[test]
-    fn rewinding_is_exact(pair in 0..pairs().len(), seed in 0..1000_u64, visits in prop::collection::vec(0..80_u64, 6)) {
-        let (entry, scene) = &pairs()[pair];
+/// Any iteration, reached forward, backward or again, is the same to the last bit; so is its picture.
+fn rewinding_is_exact(entry: &'static Entry) {
+    let scenes = scenes(entry);
+    property(&(0..scenes.len(), 0..1000_u64, prop::collection::vec(0..80_u64, 6)), |(scene, seed, visits)| {
+        let scene = &scenes[scene];
         let params = sized(entry, scene, 12.0, 80.0);
         let mut forward = session(entry, scene, params.clone(), seed);
         let mut once = vec![snapshot(&mut forward)];
@@ -140,7 +155,8 @@ proptest! {
         let mut replayed = Session::with_keyframes(
             Setup { planner: entry.name.to_owned(), scene: Arc::clone(scene), params, seed },
             if seed % 2 == 0 { 0 } else { 20_000 },
-        ).unwrap();
+        )
+        .unwrap();
         for k in visits {
             forward.seek(k);
             replayed.seek(k);
@@ -149,12 +165,15 @@ proptest! {
             prop_assert_eq!(&snapshot(&mut forward), &once[k]);
             prop_assert_eq!(&snapshot(&mut replayed), &once[k]);
         }
-    }
+        Ok(())
+    });
+}
 
-    /// A link opens the very same state, with an edited scene and changed parameters.
-    #[test]
-    fn a_link_reproduces_the_hash(pair in 0..pairs().len(), seed in 0..forage::rng::MAX_SEED, k in 0..30_u64, population in 1..40_u32) {
-        let (entry, scene) = &pairs()[pair];
+/// A link opens the very same state, with an edited scene and changed parameters.
+fn a_link_reproduces_the_hash(entry: &'static Entry) {
+    let scenes = scenes(entry);
+    property(&(0..scenes.len(), 0..forage::rng::MAX_SEED, 0..30_u64, 1..40_u32), |(scene, seed, k, population)| {
+        let scene = &scenes[scene];
         let edited = scene.to_json().replace(scene.header().title.as_str(), "edited & <named> 5 % \u{2713}");
         let scene = Arc::new(Scene::from_json(&edited).unwrap());
         let mut session = session(entry, &scene, sized(entry, &scene, f64::from(population), 40.0), seed);
@@ -166,7 +185,8 @@ proptest! {
         opened.seek(k);
         prop_assert_eq!(Some(opened.hash()), link.hash);
         prop_assert_eq!(opened.link(), session.link());
-    }
+        Ok(())
+    });
 }
 
 /// Points along a path, close together.
@@ -209,9 +229,9 @@ fn snapshot(session: &mut Session) -> (String, String, Vec<u32>) {
     (session.hash(), format!("{:?}", session.readings()), drawn)
 }
 
-#[test]
-fn every_population_from_one_to_a_hundred_thousand_runs() {
-    for (entry, scene) in pairs() {
+/// Any population runs, from one to a hundred thousand.
+fn any_population_runs(entry: &'static Entry) {
+    for scene in scenes(entry) {
         for (population, iterations) in [(1.0, 1.0), (1.0, 50.0), (2.0, 50.0), (3.0, 1_000_000.0)] {
             let mut session = session(entry, &scene, sized(entry, &scene, population, iterations), 5);
             session.step(60);
@@ -222,22 +242,19 @@ fn every_population_from_one_to_a_hundred_thousand_runs() {
             assert!(outcome.cost.is_some() || entry.family != "swarm");
         }
     }
-    for entry in PLANNERS.iter().filter(|entry| entry.family == "swarm") {
-        for name in ["wcpso-discs", "sphere"] {
-            let mut session = session(entry, &forage::shipped(name).unwrap(), given(&[("population", 100_000.0)]), 5);
-            session.step(2);
-            let mut frame = Frame::default();
-            session.draw(&mut frame, Frame::BUDGET);
-            assert!(frame.vertices().len() / 4 <= 4 * Frame::BUDGET, "a frame keeps to its budget");
-            assert!(name == "sphere" || frame.thinning() > 1);
-        }
+    for name in ["wcpso-discs", "sphere"].into_iter().filter(|_| entry.family == "swarm") {
+        let mut session = session(entry, &forage::shipped(name).unwrap(), given(&[("population", 100_000.0)]), 5);
+        session.step(2);
+        let mut frame = Frame::default();
+        session.draw(&mut frame, Frame::BUDGET);
+        assert!(frame.vertices().len() / 4 <= 4 * Frame::BUDGET, "a frame keeps to its budget");
+        assert!(name == "sphere" || frame.thinning() > 1);
     }
 }
 
-/// Every parameter of every planner: both ends of its range run, what lies beyond is refused by name, value and range.
-#[test]
-fn every_parameter_is_checked_at_both_ends() {
-    for (entry, scene) in pairs().into_iter().filter(|(_, scene)| ["wcpso-discs", "sphere", "qpso-10m"].contains(&scene.name())) {
+/// Both ends of each parameter's range run; what lies beyond is refused with name, value and range.
+fn every_parameter_is_checked_at_both_ends(entry: &'static Entry) {
+    for scene in scenes(entry).into_iter().filter(|scene| ["wcpso-discs", "sphere", "qpso-10m"].contains(&scene.name())) {
         for parameter in entry.parameters_on(scene.kind()) {
             let start = |value: f64| {
                 let mut params = sized(entry, &scene, 4.0, 20.0);
@@ -284,27 +301,21 @@ fn meet_conditions(entry: &Entry, parameter: &Parameter, params: &mut Given) {
 }
 
 /// Every condition names a parameter of the same planner and a value that it may have; so does every layer's.
-#[test]
-fn every_condition_can_be_met() {
-    for entry in PLANNERS {
-        for when in entry.parameters.iter().filter_map(|p| p.when).chain(entry.layers.iter().filter_map(|l| l.when)) {
-            let other = entry.parameters.iter().find(|p| p.name == when.parameter).unwrap();
-            other.check(&Value::from(when.value)).unwrap();
-        }
+fn every_condition_can_be_met(entry: &'static Entry) {
+    for when in entry.parameters.iter().filter_map(|p| p.when).chain(entry.layers.iter().filter_map(|l| l.when)) {
+        let other = entry.parameters.iter().find(|p| p.name == when.parameter).unwrap();
+        other.check(&Value::from(when.value)).unwrap();
     }
 }
 
-/// Encoding and planner vary independently: every swarm on every kind of path, way-points or polar, smoothed or not.
-#[test]
-fn every_swarm_runs_on_every_encoding() {
-    let swarms = || PLANNERS.iter().filter(|entry| entry.family == "swarm");
-    let mut all: Vec<_> = pairs().into_iter().filter(|(entry, scene)| entry.family == "swarm" && scene.ends().is_some()).collect();
+/// Encoding and planner vary independently: a swarm runs on every kind of path, way-points or polar, smoothed or not.
+fn every_encoding_runs(entry: &'static Entry) {
+    let mut all: Vec<_> = scenes(entry).into_iter().filter(|scene| scene.ends().is_some()).collect();
     // A point among the same walls: its best paths touch corners exactly, where rounding decides.
     let mut point: serde_json::Value = serde_json::from_str(&forage::shipped("qpso-10m").unwrap().to_json()).unwrap();
     point.as_object_mut().unwrap().remove("robot");
-    let point = Arc::new(Scene::from_value(point).unwrap());
-    all.extend(swarms().map(|entry| (entry, Arc::clone(&point))));
-    for (entry, scene) in all {
+    all.push(Arc::new(Scene::from_value(point).unwrap()));
+    for scene in all {
         for (encoding, points) in [("waypoints", 5), ("polar", 9)] {
             let run = |smooth: bool| {
                 let params = [("encoding", encoding.into()), ("smooth", Value::Flag(smooth)), ("iterations", 400.0.into())];
@@ -325,9 +336,8 @@ fn every_swarm_runs_on_every_encoding() {
 }
 
 /// What an entry promises, its planner keeps: readings, layers, formulas and inspections agree with the catalogue.
-#[test]
-fn every_entry_describes_what_its_planner_does() {
-    for (entry, scene) in pairs() {
+fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
+    for scene in scenes(entry) {
         let mut session = session(entry, &scene, sized(entry, &scene, 80.0, 120.0), 3);
         session.step(60);
         let known: Vec<_> = entry.readings.iter().map(|reading| reading.name).collect();
@@ -405,7 +415,6 @@ fn placeholders(tex: &str) -> Vec<&str> {
     parts.chunks(2).filter_map(|pair| pair.get(1).copied()).collect()
 }
 
-#[test]
 fn what_cannot_run_is_refused() {
     let scene = forage::shipped("sphere").unwrap();
     let error = |planner: &str, params: Given, seed| {
@@ -415,4 +424,28 @@ fn what_cannot_run_is_refused() {
     assert_eq!(error("pso", given(&[("omega", 1.0)]), 1).value(), "omega");
     assert_eq!(error("pso", given(&[("waypoints", 3.0)]), 1).value(), "waypoints", "it means nothing on functions");
     assert_eq!(error("pso", Given::new(), u64::MAX).field(), "seed");
+}
+
+/// A check of one planner.
+type Check = fn(&'static Entry);
+
+const CHECKS: &[(&str, Check)] = &[
+    ("a_run_only_gets_better_and_its_verdict_is_true", a_run_only_gets_better_and_its_verdict_is_true),
+    ("rewinding_is_exact", rewinding_is_exact),
+    ("a_link_reproduces_the_hash", a_link_reproduces_the_hash),
+    ("any_population_runs", any_population_runs),
+    ("every_parameter_is_checked_at_both_ends", every_parameter_is_checked_at_both_ends),
+    ("every_condition_can_be_met", every_condition_can_be_met),
+    ("the_entry_describes_what_the_planner_does", the_entry_describes_what_the_planner_does),
+];
+
+fn main() -> ExitCode {
+    let mut trials = vec![trial("what_cannot_run_is_refused", what_cannot_run_is_refused)];
+    for entry in PLANNERS {
+        let encodings: Option<(&str, Check)> = (entry.family == "swarm").then_some(("every_encoding_runs", every_encoding_runs));
+        for (name, check) in CHECKS.iter().copied().chain(encodings) {
+            trials.push(trial(format!("{}::{}::{name}", entry.family, entry.name), move || check(entry)));
+        }
+    }
+    libtest_mimic::run(&Arguments::from_args(), trials).exit_code()
 }
