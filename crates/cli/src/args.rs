@@ -162,6 +162,13 @@ pub(super) struct ReproduceArgs {
     /// When all are carried out: compare REPRODUCTION.md and REPRODUCTION.csv with those of a folder; exit code 1 if they differ.
     #[arg(long, value_name = "DIR", conflicts_with = "name")]
     pub(super) check: Option<PathBuf>,
+    /// With --check: run only some of the jobs, in an order that SEED chooses, and compare their rows with the fingerprints in
+    /// REPRODUCTION.rows.json; exit code 1 if they differ.
+    #[arg(long, value_name = "SEED", requires = "check", conflicts_with_all = ["runs", "fresh"])]
+    pub(super) sample: Option<String>,
+    /// How long the sample takes, in seconds.
+    #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    pub(super) seconds: u64,
 }
 
 #[derive(Args)]

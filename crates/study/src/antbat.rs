@@ -15,6 +15,7 @@ use super::{
     colonies::{self, CONVERGED, LENGTH, Lines, Measure, RUNS, Run, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
     command,
     figure::{Figure, Steps},
+    fingerprints::JobList,
     published::{ANTBAT, Way},
     report::{Report, Verdict},
     runner::Control,
@@ -27,6 +28,7 @@ pub const REPRODUCTION: Reproduction = Reproduction {
     title: "three colonies of ants on the 30 × 30 grid",
     source: "[ANTBAT] §3.1",
     repeatable: true,
+    jobs: |options| Ok(vec![JobList::new(FILE, colonies::tasks(&setups()?, options.runs_or(RUNS)?))]),
     run,
 };
 
@@ -43,11 +45,19 @@ const SMOOTHED: [Printed; 3] = [(SMOOTH_LENGTH, |way| way.length), (SMOOTH_TURNS
 /// What its figures rest on and the paper does not print.
 const OPEN: &str = "the paper prints neither the layout of the obstacles nor how many runs its figures are of";
 
+const FILE: &str = "antbat-paths-runs.csv";
+
+fn setups() -> Result<Vec<Setup>, Error> {
+    let scene = shipped("ant-bat-30")?;
+    let setup = |planner: &str| Setup { planner: planner.to_owned(), scene: Arc::clone(&scene), params: Given::new(), seed: 1 };
+    Ok(PLANNERS.into_iter().map(setup).collect())
+}
+
 fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let runs = options.runs_or(RUNS)?;
     let scene = shipped("ant-bat-30")?;
-    let setups = PLANNERS.map(|planner| Setup { planner: planner.to_owned(), scene: Arc::clone(&scene), params: Given::new(), seed: 1 });
-    let path = options.out.join("antbat-paths-runs.csv");
+    let setups = setups()?;
+    let path = options.out.join(FILE);
     let found = colonies::carry_out(&setups, runs, &path, options, control)?;
     let mut report = colonies::report(&REPRODUCTION, runs);
     report.files.push(path);

@@ -19,6 +19,7 @@ use super::{
     beside::{Beside, Ours, Published},
     command,
     figure::{Figure, Steps},
+    fingerprints::JobList,
     published::{ANTBAT_TOURS, Tours},
     report::{Report, Verdict},
     rows::Row,
@@ -34,6 +35,7 @@ pub const REPRODUCTION: Reproduction = Reproduction {
     title: "orders of twelve stops by all tour planners",
     source: "[ANTBAT] Table 2",
     repeatable: true,
+    jobs: |options| Ok(vec![JobList::new(FILE, tasks(&shipped("ant-bat-30")?, options.runs_or(Tours::RUNS)?))]),
     run,
 };
 
@@ -97,10 +99,6 @@ impl Row for Run {
     fn key(&self) -> String {
         key(&self.block, &self.planner, self.seed)
     }
-
-    fn agrees(&self, again: &Self) -> bool {
-        self == again
-    }
 }
 
 fn key(block: &str, planner: &str, seed: u64) -> String {
@@ -142,10 +140,12 @@ impl Job for Task {
     }
 }
 
+const FILE: &str = "antbat-tours-runs.csv";
+
 fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let runs = options.runs_or(Tours::RUNS)?;
     let scene = shipped("ant-bat-30")?;
-    let path = options.out.join("antbat-tours-runs.csv");
+    let path = options.out.join(FILE);
     let rows = runner::run(&tasks(&scene, runs), &path, options.fresh, options.threads, control)?;
 
     let mut report = Report::new(&REPRODUCTION, runs, Tours::RUNS);

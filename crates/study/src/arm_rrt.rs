@@ -13,6 +13,7 @@ use forage::{
 
 use super::{
     Failure, Options, Reproduction, command,
+    fingerprints::JobList,
     report::{Report, Verdict},
     runner::{self, Control},
     statistics::Summary,
@@ -27,6 +28,7 @@ pub const REPRODUCTION: Reproduction = Reproduction {
     title: "trees for an arm’s tip, with and without a cuboid",
     source: "[ARM-RRT] §4",
     repeatable: true,
+    jobs: |options| Ok(vec![JobList::new(FILE, tasks(options)?)]),
     run,
 };
 
@@ -46,12 +48,18 @@ const STRAIGHT: f64 = 0.05;
 /// Of how many of the guided tree's paths the whole arm's motion is to be free, as a share.
 const FREE: f64 = 0.95;
 
+const FILE: &str = "arm-rrt-runs.csv";
+
+fn tasks(options: &Options) -> Result<Vec<Task>, Error> {
+    let runs = options.runs_or(SEEDS)?;
+    Ok(setups()?.iter().flat_map(|setup| (1..=runs).map(|seed| Task(Setup { seed, ..setup.clone() }))).collect())
+}
+
 fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let runs = options.runs_or(SEEDS)?;
     let setups = setups()?;
-    let tasks: Vec<Task> = setups.iter().flat_map(|setup| (1..=runs).map(|seed| Task(Setup { seed, ..setup.clone() }))).collect();
-    let path = options.out.join("arm-rrt-runs.csv");
-    let rows = runner::run(&tasks, &path, options.fresh, options.threads, control)?;
+    let path = options.out.join(FILE);
+    let rows = runner::run(&tasks(options)?, &path, options.fresh, options.threads, control)?;
 
     let mut report = Report::new(&REPRODUCTION, runs, SEEDS);
     report.shortened = (runs != SEEDS).then(|| format!("{runs} seeds a cell instead of {SEEDS}"));

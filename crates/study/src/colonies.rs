@@ -57,10 +57,6 @@ impl Row for Run {
     fn key(&self) -> String {
         key(&self.planner, &self.parameters, self.seed)
     }
-
-    fn agrees(&self, again: &Self) -> bool {
-        self == again
-    }
 }
 
 fn key(planner: &str, parameters: &str, seed: u64) -> String {
@@ -86,7 +82,7 @@ pub(super) fn seconds(scene: &Scene, length: f64, turns: f64) -> Option<f64> {
     Some(length / robot.speed? + turns * robot.turn_time.unwrap_or(0.0))
 }
 
-struct Task(Setup);
+pub(super) struct Task(Setup);
 
 impl Job for Task {
     type Row = Run;
@@ -130,10 +126,13 @@ impl Job for Task {
 }
 
 /// Each setup with the seeds 1 to `runs`.
+pub(super) fn tasks(setups: &[Setup], runs: u64) -> Vec<Task> {
+    setups.iter().flat_map(|setup| (1..=runs).map(|seed| Task(Setup { seed, ..setup.clone() }))).collect()
+}
+
+/// The runs of [`tasks`], a list for each setup.
 pub(super) fn carry_out(setups: &[Setup], runs: u64, file: &Path, options: &Options, control: &Control) -> Result<Vec<Vec<Run>>, Failure> {
-    let seeds = |setup: &Setup| (1..=runs).map(|seed| Task(Setup { seed, ..setup.clone() })).collect::<Vec<_>>();
-    let tasks: Vec<Task> = setups.iter().flat_map(seeds).collect();
-    let rows = runner::run(&tasks, file, options.fresh, options.threads, control)?;
+    let rows = runner::run(&tasks(setups, runs), file, options.fresh, options.threads, control)?;
     Ok(rows.chunks(runs as usize).map(<[Run]>::to_vec).collect())
 }
 

@@ -1,5 +1,5 @@
-//! All reproductions in one document: `REPRODUCTION.md` for people, `REPRODUCTION.csv` for programs. Both hold only what is
-//! computed, so that carrying everything out again gives the same bytes.
+//! All reproductions in one document: `REPRODUCTION.md` for people, `REPRODUCTION.csv` for programs, and the fingerprints of
+//! their rows. All hold only what is computed, so that running everything again gives the same bytes.
 
 use std::{
     fmt::Write,
@@ -10,12 +10,13 @@ use std::{
 use super::{
     Failure, Options, at,
     beside::{Beside, Judgement, RULE},
+    fingerprints::{self, Fingerprints},
     report::{Report, line},
     table::{Cell, Table, digits, significant},
 };
 
-/// The names of the two files.
-pub const FILES: [&str; 2] = ["REPRODUCTION.md", "REPRODUCTION.csv"];
+/// The names of the files.
+pub const FILES: [&str; 3] = ["REPRODUCTION.md", "REPRODUCTION.csv", fingerprints::FILE];
 
 /// The columns of the second one.
 pub const COLUMNS: [&str; 17] = [
@@ -188,18 +189,18 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
     String::from_utf8(bytes).map_err(io::Error::other)
 }
 
-/// Both documents, in the order of [`FILES`].
-fn texts(reports: &[Report]) -> Result<[String; 2], Failure> {
-    Ok([markdown(reports), csv(reports).map_err(at(Path::new(FILES[1])))?])
+/// All documents, in the order of [`FILES`].
+fn texts(reports: &[Report], rows: &Fingerprints) -> Result<[String; 3], Failure> {
+    Ok([markdown(reports), csv(reports).map_err(at(Path::new(FILES[1])))?, rows.text()])
 }
 
-/// Writes both files into the folder of the experiment, and says where.
+/// Writes all files into the folder of the experiment, and says where.
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn write(reports: &[Report], options: &Options) -> Result<[PathBuf; 2], Failure> {
+pub fn write(reports: &[Report], rows: &Fingerprints, options: &Options) -> Result<[PathBuf; 3], Failure> {
     let paths = FILES.map(|name| options.out.join(name));
-    for (path, text) in paths.iter().zip(texts(reports)?) {
+    for (path, text) in paths.iter().zip(texts(reports, rows)?) {
         fs::write(path, text).map_err(at(path))?;
     }
     Ok(paths)
@@ -209,9 +210,9 @@ pub fn write(reports: &[Report], options: &Options) -> Result<[PathBuf; 2], Fail
 ///
 /// # Errors
 /// A file that cannot be read.
-pub fn differences(reports: &[Report], folder: &Path) -> Result<Vec<String>, Failure> {
+pub fn differences(reports: &[Report], rows: &Fingerprints, folder: &Path) -> Result<Vec<String>, Failure> {
     let mut different = Vec::new();
-    for (name, now) in FILES.iter().zip(texts(reports)?) {
+    for (name, now) in FILES.iter().zip(texts(reports, rows)?) {
         let kept = folder.join(name);
         let then = fs::read_to_string(&kept).map_err(at(&kept))?;
         let mut lines = now.lines().zip(then.lines()).enumerate();
@@ -287,14 +288,14 @@ mod tests {
         let out = std::env::temp_dir().join(format!("forage-document-{}", std::process::id()));
         fs::create_dir_all(&out).unwrap();
         let options = Options { out: out.clone(), threads: None, runs: None, fresh: false };
-        let written = write(&[report()], &options).unwrap();
-        assert_eq!(differences(&[report()], &out).unwrap(), Vec::<String>::new());
+        let written = write(&[report()], &Fingerprints::default(), &options).unwrap();
+        assert_eq!(differences(&[report()], &Fingerprints::default(), &out).unwrap(), Vec::<String>::new());
         let text = fs::read_to_string(&written[1]).unwrap();
         fs::write(&written[1], text.replace("0.0015", "0.0016")).unwrap();
-        let told = differences(&[report()], &out).unwrap();
+        let told = differences(&[report()], &Fingerprints::default(), &out).unwrap();
         assert!(told.len() == 1 && told[0].contains("REPRODUCTION.csv differs in line 2"), "{told:?}");
         fs::write(&written[1], text + "\n").unwrap();
-        assert!(differences(&[report()], &out).unwrap()[0].contains("lines instead of"));
+        assert!(differences(&[report()], &Fingerprints::default(), &out).unwrap()[0].contains("lines instead of"));
         fs::remove_dir_all(out).unwrap();
     }
 

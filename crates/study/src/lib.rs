@@ -16,6 +16,7 @@ pub mod chart;
 mod colonies;
 pub mod document;
 pub mod figure;
+pub mod fingerprints;
 pub mod fit;
 pub mod ltqpso;
 pub mod published;
@@ -39,6 +40,7 @@ use std::{
 
 use forage::{Setup, error::Error, statistics};
 
+use fingerprints::JobList;
 use report::Report;
 use runner::Control;
 
@@ -67,7 +69,9 @@ pub struct Reproduction {
     pub source: &'static str,
     /// Whether all that it says of its figures is computed; otherwise it is measured, and comes out a little different each time.
     pub repeatable: bool,
-    /// Carries it out.
+    /// The jobs whose rows it rests on; of those that depend on other jobs' rows only the first.
+    pub jobs: fn(&Options) -> Result<Vec<JobList>, Failure>,
+    /// Runs it and reports.
     pub run: fn(&Options, &Control) -> Result<Report, Failure>,
 }
 

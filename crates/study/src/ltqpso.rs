@@ -11,6 +11,7 @@ use super::{
     beside::{Beside, Ours, Published},
     command,
     figure::Figure,
+    fingerprints::JobList,
     published::{Results, TABLE_3, TABLE_4},
     report::{Report, Verdict},
     rows::Row,
@@ -25,6 +26,7 @@ pub const REPRODUCTION: Reproduction = Reproduction {
     title: "ltqpso against qpso on the 10 m grid",
     source: "[LTQPSO] Tables 3 and 4",
     repeatable: true,
+    jobs: |options| Ok(vec![JobList::new(FILE, tasks(options)?)]),
     run,
 };
 
@@ -113,8 +115,8 @@ impl Row for Run {
         key(&self.case, &self.planner, self.seed)
     }
 
-    fn agrees(&self, again: &Self) -> bool {
-        *self == Self { ms: self.ms, ..again.clone() }
+    fn computed(&self) -> Self {
+        Self { ms: Default::default(), ..self.clone() }
     }
 }
 
@@ -187,7 +189,9 @@ const COLUMNS: [&str; 13] = [
     "ms",
 ];
 
-fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
+const FILE: &str = "ltqpso-runs.csv";
+
+fn tasks(options: &Options) -> Result<Vec<Task>, Error> {
     let runs = options.runs_or(RUNS)?;
     let mut tasks = Vec::new();
     for case in &CASES {
@@ -197,8 +201,13 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
             }
         }
     }
-    let path = options.out.join("ltqpso-runs.csv");
-    let rows = runner::run(&tasks, &path, options.fresh, options.threads, control)?;
+    Ok(tasks)
+}
+
+fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
+    let runs = options.runs_or(RUNS)?;
+    let path = options.out.join(FILE);
+    let rows = runner::run(&tasks(options)?, &path, options.fresh, options.threads, control)?;
     let mut report = Report::new(&REPRODUCTION, runs, RUNS);
     report.files.push(path);
     for case in &CASES {

@@ -12,6 +12,7 @@ use super::{
     beside::{Beside, Ours, Published},
     chart, command,
     figure::Figure,
+    fingerprints::JobList,
     fit::{self, Fit},
     published::{Regression, TABLE_1, TABLE_2},
     report::{Report, Verdict},
@@ -26,6 +27,7 @@ pub const REPRODUCTION: Reproduction = Reproduction {
     title: "how many particles and iterations ltqpso needs for D segments",
     source: "[LTQPSO] Tables 1 and 2",
     repeatable: true,
+    jobs: |options| Ok(vec![JobList::new(FILE, tasks(options.runs_or(RUNS)?))]),
     run,
 };
 
@@ -62,6 +64,8 @@ const CASES: [Case; 2] = [
     Case { start: Start::Normal, name: "table-2", title: "Table 2: start N(30°, 45°)", published: TABLE_2 },
 ];
 
+const FILE: &str = "ltqpso-regression-runs.csv";
+
 fn tasks(runs: u64) -> Vec<Task> {
     let mut tasks = Vec::new();
     for Case { start, .. } in CASES {
@@ -75,7 +79,7 @@ fn tasks(runs: u64) -> Vec<Task> {
 
 fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let runs = options.runs_or(RUNS)?;
-    let path = options.out.join("ltqpso-regression-runs.csv");
+    let path = options.out.join(FILE);
     let rows = runner::run(&tasks(runs), &path, options.fresh, options.threads, control)?;
     let mut report = report(&rows, runs, options)?;
     report.files.insert(0, path);

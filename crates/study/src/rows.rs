@@ -16,11 +16,14 @@ use forage::error::Error;
 use super::{Failure, at};
 
 /// What a job finds out. Its fields become columns, in their order.
-pub trait Row: Serialize + DeserializeOwned + Send + Sync {
+pub trait Row: Clone + PartialEq + Serialize + DeserializeOwned + Send + Sync {
     /// What tells it from all other rows of the file; the key of the job that made it.
     fn key(&self) -> String;
-    /// Whether the job, carried out again, would give this row. Times do not count.
-    fn agrees(&self, again: &Self) -> bool;
+    /// The row without what is measured, such as times: what the job gives whenever it is run.
+    #[must_use]
+    fn computed(&self) -> Self {
+        self.clone()
+    }
 }
 
 /// A file of rows, open for more.
@@ -89,6 +92,14 @@ impl<R: Row> Rows<R> {
         fs::write(&beside, text).map_err(at(&beside))?;
         fs::rename(&beside, &self.path).map_err(at(&self.path))
     }
+}
+
+/// A row as a line of the file.
+///
+/// # Errors
+/// None that is known: it is written to memory.
+pub fn line<R: Row>(row: &R) -> Result<Vec<u8>, std::io::Error> {
+    lines([row], false)
 }
 
 fn lines<'a, R: Row + 'a>(rows: impl IntoIterator<Item = &'a R>, headed: bool) -> Result<Vec<u8>, std::io::Error> {

@@ -96,10 +96,6 @@ impl Row for Found {
         let Self { aim, start, segments, block, runs, limit, .. } = *self;
         key(&Task { aim, start, segments, block, runs }, limit)
     }
-
-    fn agrees(&self, again: &Self) -> bool {
-        self == again
-    }
 }
 
 fn key(Task { aim, start, segments, block, runs }: &Task, limit: u64) -> String {

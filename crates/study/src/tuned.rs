@@ -57,17 +57,13 @@ impl Row for Tuned {
     fn key(&self) -> String {
         key(&self.scene, self.seed)
     }
-
-    fn agrees(&self, again: &Self) -> bool {
-        self == again
-    }
 }
 
 fn key(scene: &str, seed: u64) -> String {
     format!("tuning on {scene}, seed {seed}")
 }
 
-struct Task(Setup);
+pub(super) struct Task(Setup);
 
 impl Job for Task {
     type Row = Tuned;
@@ -115,7 +111,11 @@ pub(super) fn setup(scene: &Arc<Scene>, seed: u64) -> Setup {
 }
 
 /// Tunings with the seeds 1 to `count`.
+pub(super) fn tasks(scene: &Arc<Scene>, count: u64) -> Vec<Task> {
+    (1..=count).map(|seed| Task(setup(scene, seed))).collect()
+}
+
+/// The runs of [`tasks`].
 pub(super) fn carry_out(scene: &Arc<Scene>, count: u64, file: &Path, options: &Options, control: &Control) -> Result<Vec<Tuned>, Failure> {
-    let tasks: Vec<_> = (1..=count).map(|seed| Task(setup(scene, seed))).collect();
-    runner::run(&tasks, file, options.fresh, options.threads, control)
+    runner::run(&tasks(scene, count), file, options.fresh, options.threads, control)
 }

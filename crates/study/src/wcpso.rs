@@ -16,6 +16,7 @@ use super::{
     Failure, Options, Reproduction,
     beside::{Beside, Ours, Printed, Published},
     command,
+    fingerprints::JobList,
     published::wcpso::{self as published, PATH_RUNS, PLANNERS, SHORTEST, TABLE_2},
     report::{Report, Verdict},
     rows::Row,
@@ -30,6 +31,7 @@ pub const FUNCTIONS: Reproduction = Reproduction {
     title: "four swarms on five functions",
     source: "[WCPSO] Table 2",
     repeatable: true,
+    jobs: |options| Ok(vec![JobList::new(FUNCTIONS_FILE, function_tasks(options)?)]),
     run: functions,
 };
 
@@ -39,6 +41,7 @@ pub const PATHS: Reproduction = Reproduction {
     title: "wcpso against wpso among seven discs",
     source: "[WCPSO] §3.2",
     repeatable: true,
+    jobs: |options| Ok(vec![JobList::new(PATHS_FILE, path_tasks(options)?)]),
     run: paths,
 };
 
@@ -73,10 +76,6 @@ struct Run {
 impl Row for Run {
     fn key(&self) -> String {
         key(&self.scene, &self.planner, self.v_max, self.seed)
-    }
-
-    fn agrees(&self, again: &Self) -> bool {
-        self == again
     }
 }
 
@@ -126,7 +125,10 @@ impl Job for Task {
 /// The limits of velocities that are tried: ours, and none at all.
 const LIMITS: [Option<f64>; 2] = [None, Some(1.0)];
 
-fn functions(options: &Options, control: &Control) -> Result<Report, Failure> {
+const FUNCTIONS_FILE: &str = "wcpso-functions-runs.csv";
+const PATHS_FILE: &str = "wcpso-paths-runs.csv";
+
+fn function_tasks(options: &Options) -> Result<Vec<Task>, Error> {
     let runs = options.runs_or(published::RUNS)?;
     let mut tasks = Vec::new();
     for v_max in LIMITS {
@@ -138,8 +140,13 @@ fn functions(options: &Options, control: &Control) -> Result<Report, Failure> {
             }
         }
     }
-    let path = options.out.join("wcpso-functions-runs.csv");
-    let rows = runner::run(&tasks, &path, options.fresh, options.threads, control)?;
+    Ok(tasks)
+}
+
+fn functions(options: &Options, control: &Control) -> Result<Report, Failure> {
+    let runs = options.runs_or(published::RUNS)?;
+    let path = options.out.join(FUNCTIONS_FILE);
+    let rows = runner::run(&function_tasks(options)?, &path, options.fresh, options.threads, control)?;
     let mut report = Report::new(&FUNCTIONS, runs, published::RUNS);
     report.files.push(path);
     let cells: Vec<&[Run]> = rows.chunks(runs as usize).collect();
@@ -281,7 +288,7 @@ fn judge(found: &[&[Run]]) -> Vec<Verdict> {
     verdicts
 }
 
-fn paths(options: &Options, control: &Control) -> Result<Report, Failure> {
+fn path_tasks(options: &Options) -> Result<Vec<Task>, Error> {
     let runs = options.runs_or(PATH_RUNS)?;
     let mut tasks = Vec::new();
     for planner in RIVALS {
@@ -289,8 +296,13 @@ fn paths(options: &Options, control: &Control) -> Result<Report, Failure> {
             tasks.push(Task::new("wcpso-discs", planner, None, seed)?);
         }
     }
-    let path = options.out.join("wcpso-paths-runs.csv");
-    let rows = runner::run(&tasks, &path, options.fresh, options.threads, control)?;
+    Ok(tasks)
+}
+
+fn paths(options: &Options, control: &Control) -> Result<Report, Failure> {
+    let runs = options.runs_or(PATH_RUNS)?;
+    let path = options.out.join(PATHS_FILE);
+    let rows = runner::run(&path_tasks(options)?, &path, options.fresh, options.threads, control)?;
     let mut report = Report::new(&PATHS, runs, PATH_RUNS);
     report.files.push(path);
     let found: Vec<&[Run]> = rows.chunks(runs as usize).collect();

@@ -14,6 +14,7 @@ use super::{
     colonies::{self, CONVERGED, LENGTH, Lines, Measure, RUNS, Run, SECONDS, TURNS, hits},
     command,
     figure::{Figure, Steps},
+    fingerprints::JobList,
     published::{TUNED, WOLF_ANT, WOLF_ANT_TURNS},
     report::{Report, Verdict},
     runner::Control,
@@ -27,6 +28,7 @@ pub const REPRODUCTION: Reproduction = Reproduction {
     title: "ants with wolves’ shares on the 20 × 20 grid, and their tuning",
     source: "[WOLF-ANT] Table 2 and §5.2",
     repeatable: true,
+    jobs,
     run,
 };
 
@@ -39,20 +41,41 @@ const OPEN: &str = "the paper prints neither the layout of the obstacles nor how
 /// Tunings in full; of fewer runs a sixth.
 const TUNINGS: u64 = 5;
 
+const TUNINGS_FILE: &str = "wolf-ant-tunings.csv";
+const FILE: &str = "wolf-ant-runs.csv";
+
+/// Tunings that go with so many runs.
+fn tunings(runs: u64) -> u64 {
+    (runs * TUNINGS / RUNS).clamp(1, TUNINGS)
+}
+
+/// The planners with the published parameters.
+fn setups(scene: &Arc<Scene>) -> Vec<Setup> {
+    let setup = |planner: &str, params| Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed: 1 };
+    PLANNERS.into_iter().zip([Given::new(), sizes(), sizes()]).map(|(name, params)| setup(name, params)).collect()
+}
+
+/// The tunings, and the runs that do not need them.
+fn jobs(options: &Options) -> Result<Vec<JobList>, Failure> {
+    let runs = options.runs_or(RUNS)?;
+    let scene = shipped("wolf-ant-20")?;
+    let tunings = JobList::new(TUNINGS_FILE, tuned::tasks(&scene, tunings(runs)));
+    Ok(vec![tunings, JobList::new(FILE, colonies::tasks(&setups(&scene), runs))])
+}
+
 fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let runs = options.runs_or(RUNS)?;
     let scene = shipped("wolf-ant-20")?;
-    let tunings = options.out.join("wolf-ant-tunings.csv");
-    let tuned = tuned::carry_out(&scene, (runs * TUNINGS / RUNS).clamp(1, TUNINGS), &tunings, options, control)?;
-    let setup = |planner: &str, params| Setup { planner: planner.to_owned(), scene: Arc::clone(&scene), params, seed: 1 };
-    let mut setups: Vec<_> = PLANNERS.into_iter().zip([Given::new(), sizes(), sizes()]).map(|(name, params)| setup(name, params)).collect();
+    let tunings_file = options.out.join(TUNINGS_FILE);
+    let tuned = tuned::carry_out(&scene, tunings(runs), &tunings_file, options, control)?;
+    let mut setups = setups(&scene);
     setups.extend(tuned.iter().map(|tuned| tuned.setup(&scene)));
-    let path = options.out.join("wolf-ant-runs.csv");
+    let path = options.out.join(FILE);
     let mut found = colonies::carry_out(&setups, runs, &path, options, control)?;
     let with_tuned = found.split_off(PLANNERS.len());
 
     let mut report = colonies::report(&REPRODUCTION, runs);
-    report.files.extend([tunings, path]);
+    report.files.extend([tunings_file, path]);
     report.tables.push(ways(&scene, &found, runs)?);
     for (k, setup) in setups[..PLANNERS.len()].iter().enumerate() {
         for (measure, figure) in [(LENGTH, WOLF_ANT[k][0]), (TURNS, WOLF_ANT_TURNS), (SECONDS, WOLF_ANT[k][1])] {

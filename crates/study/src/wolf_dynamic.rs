@@ -20,6 +20,7 @@ use super::{
     beside::{Beside, Ours, Published},
     command,
     figure::Figure,
+    fingerprints::JobList,
     published::{WOLF_ANT, WOLF_ANT_TURNS},
     report::{Report, Verdict},
     rows::Row,
@@ -34,6 +35,7 @@ pub const REPRODUCTION: Reproduction = Reproduction {
     title: "drives among moving obstacles: the published case, and random scenes",
     source: "[WOLF-ANT] §5.3 and §6",
     repeatable: true,
+    jobs: |options| Ok(vec![JobList::new(FILE, tasks(options)?)]),
     run,
 };
 
@@ -78,10 +80,6 @@ struct Run {
 impl Row for Run {
     fn key(&self) -> String {
         key(&self.scene, &self.planner, &self.colony, self.seed)
-    }
-
-    fn agrees(&self, again: &Self) -> bool {
-        self == again
     }
 }
 
@@ -162,14 +160,20 @@ fn foreseen_late(events: &[Event]) -> u64 {
     count
 }
 
+const FILE: &str = "wolf-ant-dynamic-runs.csv";
+
+fn tasks(options: &Options) -> Result<Vec<Task>, Error> {
+    let scenes = options.runs_or(SCENES)?;
+    let setups = published(SEEDS.min(scenes))?.into_iter().chain(random(scenes)?);
+    Ok(setups.map(|setup| Task { setup }).collect())
+}
+
 fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let scenes = options.runs_or(SCENES)?;
     let seeds = SEEDS.min(scenes);
     let published = published(seeds)?;
-    let random = random(scenes)?;
-    let path = options.out.join("wolf-ant-dynamic-runs.csv");
-    let tasks: Vec<Task> = published.iter().chain(&random).cloned().map(|setup| Task { setup }).collect();
-    let rows = runner::run(&tasks, &path, options.fresh, options.threads, control)?;
+    let path = options.out.join(FILE);
+    let rows = runner::run(&tasks(options)?, &path, options.fresh, options.threads, control)?;
     let (case, among) = rows.split_at(published.len());
 
     let mut report = Report::new(&REPRODUCTION, scenes, SCENES);
