@@ -282,6 +282,14 @@ function* brokenLinks(path, text, chapters) {
   }
 }
 
+/** Paths of the repository that a page names and that do not exist. Built files, and a user's `mine`, need not. */
+function* missingFiles(path, text) {
+  const named = [...text.matchAll(/(?<![\w./-])(?:src|crates|scripts|tests|docs|scenes|benches|examples|package)\/[\w./*-]*/g)];
+  for (const file of new Set(named.map(([file]) => file.replace(/[.,]$/, '')))) {
+    if (!/[*A-Z]{2,}|\*|\bmine\b/.test(file) && !existsSync(join(root, file))) yield `${path}: ${file} does not exist`;
+  }
+}
+
 // ---------------------------------------------------------------- Checks: commands
 
 /** Name and help of each subcommand. */
@@ -428,7 +436,7 @@ function main() {
       console.log(`${path}: ${stale.join(', ')}`);
     }
     if (!check) continue;
-    problems.push(...brokenLinks(path, text, chapters), ...new Set(wrongCommands(path, text)));
+    problems.push(...brokenLinks(path, text, chapters), ...missingFiles(path, text), ...new Set(wrongCommands(path, text)));
     const lines = text.split('\n').length - 1;
     if (path === 'README.md' && lines > README_LINES) problems.push(`README.md has ${lines} lines; at most ${README_LINES} are allowed`);
   }
