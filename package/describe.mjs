@@ -4,7 +4,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 const path = process.argv[2];
 const description = JSON.parse(readFileSync(path, 'utf8'));
 description.type = 'module';
-description.files = ['forage_bg.wasm', 'forage_bg.wasm.d.ts', 'forage.js', 'forage.d.ts', 'node.js', 'node.d.ts'];
+description.files = ['forage_bg.wasm', 'forage_bg.wasm.d.ts', 'forage.js', 'forage.d.ts', 'node.js', 'node.d.ts', 'README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md'];
 description.exports = {
   '.': {
     node: { types: './node.d.ts', default: './node.js' },

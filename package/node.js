@@ -1,4 +1,4 @@
-// The Node entry: reads the wasm from disk, so that `import { Session } from 'forage'` works at once.
+// The Node entry: reads the wasm from disk, so that `import { Session } from 'forage-lab'` works at once.
 import { readFileSync } from 'node:fs';
 import { initSync } from './forage.js';
 

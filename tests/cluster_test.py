@@ -13,7 +13,8 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-FORAGE = ROOT / "target/debug/forage"
+# scripts/test builds it, and says where.
+FORAGE = Path(os.environ.get("FORAGE", ROOT / "target/debug/forage"))
 SWEEP = """
 scenes = ["sphere", "wcpso-discs"]
 seeds = { from = 1, count = 5 }

@@ -9,12 +9,13 @@ import { fileURLToPath } from 'node:url';
 import { look, serve } from './support/static.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
-const shell = join(root, 'target/debug', process.platform === 'win32' ? 'forage.exe' : 'forage');
+// scripts/test builds it, and says where.
+const shell = process.env.FORAGE ?? join(root, 'target/debug', process.platform === 'win32' ? 'forage.exe' : 'forage');
 let project, tarball;
 
-/** The blocks of the README in a language that hold some text. */
-const readme = (language, text) => {
-  const [, ...blocks] = readFileSync(join(root, 'README.md'), 'utf8').split(`\`\`\`${language}\n`);
+/** The block of the book's chapter on JavaScript in a language that holds some text. */
+const example = (language, text) => {
+  const [, ...blocks] = readFileSync(join(root, 'docs/javascript.md'), 'utf8').split(`\`\`\`${language}\n`);
   const found = blocks.map((block) => block.slice(0, block.indexOf('```'))).filter((block) => block.includes(text));
   assert.equal(found.length, 1, `${found.length} blocks of ${language} with ${text}`);
   return found[0];
@@ -34,21 +35,22 @@ before(() => {
   writeFileSync(join(project, 'package.json'), JSON.stringify({ name: 'user', private: true, type: 'module' }));
   run('npm', ['install', '--no-audit', '--no-fund', '--offline', `./${filename}`]);
   tarball = join(project, filename);
-  if (!existsSync(shell)) run('cargo', ['build', '--quiet'], root);
+  assert.ok(existsSync(shell), 'call `scripts/test package`, or build the command line with `cargo build`');
 });
 
 after(() => rmSync(project, { recursive: true, force: true }));
 
 test('it holds one wasm file and nothing that users do not need', () => {
-  const files = run('find', ['node_modules/forage', '-type', 'f']).trim().split('\n');
+  const files = run('find', ['node_modules/forage-lab', '-type', 'f']).trim().split('\n');
   assert.equal(files.filter((file) => file.endsWith('.wasm')).length, 1);
-  assert.ok(files.length <= 8, files.join('\n'));
+  assert.ok(files.length <= 11, files.join('\n'));
+  for (const file of ['README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md']) assert.ok(files.includes(`node_modules/forage-lab/${file}`), file);
 });
 
 test('an empty Node project imports it, with and without init', () => {
   writeFileSync(
     join(project, 'run.js'),
-    `import init, { catalogue, Session } from 'forage';
+    `import init, { catalogue, Session } from 'forage-lab';
      await init();
      const session = new Session({ planner: 'wcpso', scene: 'wcpso-discs', seed: 1 });
      while (session.status === 'running') session.step(100);
@@ -67,7 +69,7 @@ const BATCH = { planners: ['pso', 'wcpso', 'qpso', 'ltqpso'], scenes: ['wcpso-di
 test('a batch in an empty project has the shell’s rows, and statistics', () => {
   writeFileSync(
     join(project, 'batch.js'),
-    `import { compare, Trial } from 'forage';
+    `import { compare, Trial } from 'forage-lab';
      const { planners, scenes, seeds, params } = ${JSON.stringify(BATCH)};
      const rows = [];
      for (const scene of scenes)
@@ -111,7 +113,7 @@ test('a batch in an empty project has the shell’s rows, and statistics', () =>
 test('what is refused is an error with field, value and what is allowed', () => {
   writeFileSync(
     join(project, 'refused.js'),
-    `import { compare, Trial } from 'forage';
+    `import { compare, Trial } from 'forage-lab';
      const tries = [
        () => new Trial({ planner: 'pso', scene: 'sphere', params: { population: 0 }, seed: 1 }),
        () => new Trial({ planner: 'pso', scene: 'nowhere', seed: 1 }),
@@ -127,9 +129,9 @@ test('what is refused is an error with field, value and what is allowed', () => 
   for (const { message } of refused) assert.ok(message.length > 10, message);
 });
 
-test('the README’s batch runs as it stands, and says what the shell’s runs say', () => {
-  writeFileSync(join(project, 'readme.js'), readme('js', 'new Trial('));
-  const lines = run('node', ['readme.js']).trim().split('\n');
+test('the book’s batch runs as it stands, and says what the shell’s runs say', () => {
+  writeFileSync(join(project, 'example.js'), example('js', 'new Trial('));
+  const lines = run('node', ['example.js']).trim().split('\n');
   const [first] = lines;
   const { value, evaluations, hash } = JSON.parse(first);
   const told = inShell({ planner: 'pso', scene: 'wcpso-discs', seed: 1, params: { iterations: 100 } });
@@ -140,7 +142,7 @@ test('the README’s batch runs as it stands, and says what the shell’s runs s
 test('its types are exact', () => {
   writeFileSync(
     join(project, 'types.ts'),
-    `import { compare, Session, Trial, type Comparison, type Group, type Outcome, type Status, type TrialCurve, type TrialRecord } from 'forage';
+    `import { compare, Session, Trial, type Comparison, type Group, type Outcome, type Status, type TrialCurve, type TrialRecord } from 'forage-lab';
      const session = new Session({ planner: 'pso', scene: 'sphere', params: { w: 0.7 }, seed: 2 });
      const status: Status = session.step(3);
      const outcome: Outcome = session.outcome();
@@ -170,9 +172,9 @@ test('its types are exact', () => {
 });
 
 test('a page can import it from plain files', () => {
-  const glue = readFileSync(join(project, 'node_modules/forage/forage.js'), 'utf8');
+  const glue = readFileSync(join(project, 'node_modules/forage-lab/forage.js'), 'utf8');
   assert.match(glue, /new URL\('forage_bg\.wasm', import\.meta\.url\)/);
-  const { exports } = JSON.parse(readFileSync(join(project, 'node_modules/forage/package.json'), 'utf8'));
+  const { exports } = JSON.parse(readFileSync(join(project, 'node_modules/forage-lab/package.json'), 'utf8'));
   assert.deepEqual(Object.keys(exports['.']), ['node', 'types', 'default']);
 });
 
@@ -207,10 +209,10 @@ test('a static page without a bundler runs it from the unpacked tarball, with th
     assert.equal(text, hash);
     assert.ok(said.some((line) => line.startsWith('warning:') && line.includes('application/wasm')), said.join('\n'));
   });
-  await t.test('the README’s page', async () => {
-    writeFileSync(join(site, 'readme.html'), `<!doctype html><title>wait</title><link rel="icon" href="data:,"><body></body>${readme('html', 'forage.js').replace('</script>', "document.title = 'done: ' + vertices.length;</script>")}`);
+  await t.test('the book’s page', async () => {
+    writeFileSync(join(site, 'example.html'), `<!doctype html><title>wait</title><link rel="icon" href="data:,"><body></body>${example('html', 'forage.js').replace('</script>', "document.title = 'done: ' + vertices.length;</script>")}`);
     const server = await serve(site);
-    await look(`${server.address}readme.html`).finally(server.close);
+    await look(`${server.address}example.html`).finally(server.close);
   });
 });
 
@@ -218,7 +220,7 @@ test('a Vite project bundles it, wasm and all', async () => {
   const app = join(project, 'app');
   mkdirSync(app);
   writeFileSync(join(app, 'index.html'), html(' src="./main.js">'));
-  writeFileSync(join(app, 'main.js'), script('forage'));
+  writeFileSync(join(app, 'main.js'), script('forage-lab'));
   run('node', [join(root, 'www/node_modules/vite/bin/vite.js'), 'build', '--base', './', '--target', 'es2023', '--logLevel', 'error'], app);
   const built = run('find', ['dist', '-name', '*.wasm'], app).trim().split('\n');
   assert.equal(built.length, 1, built.join('\n'));
