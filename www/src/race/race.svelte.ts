@@ -1,6 +1,6 @@
 import type { ParameterValue, Planner, Scene } from 'forage'
 import { race as text } from '../i18n/race.en'
-import { applies, standardOn } from '../state/applicable'
+import { meaningful, standardOn } from '../state/applicable'
 import { lab } from '../state/lab.svelte'
 import type { ProposedRace } from '../state/proposed.svelte'
 import { sameScene } from '../state/same'
@@ -55,8 +55,8 @@ class Race extends Times {
       .flatMap((planner) => (planner ? [{ planner: planner.name, params: planner.name === own.planner ? own.params : {} }] : []))
   }
 
-  /** A race of these planners, from its beginning. */
-  private async set(scene: Scene, seed: number, entries: readonly Entry[], task: Task): Promise<void> {
+  /** A race of these planners, from its beginning; false if another one has taken its place. */
+  private async set(scene: Scene, seed: number, entries: readonly Entry[], task: Task): Promise<boolean> {
     this.stop()
     this.task = task
     for (const lane of this.lanes) lane.dismiss()
@@ -64,7 +64,7 @@ class Race extends Times {
     this.place(scene)
     this.seed = seed
     this.chosen = null
-    await this.restart()
+    return this.restart()
   }
 
   private place(scene: Scene): void {
@@ -78,8 +78,8 @@ class Race extends Times {
     this.notice = ''
     this.speed = speed
     const first = lab.catalogue?.planners.find((planner) => planner.name === planners[0])
-    await this.set(scene, seed, planners.map((planner) => ({ planner, params: {} })), first ? taskOf(first) : this.task)
-    if (!stillness.matches) this.play()
+    const begun = await this.set(scene, seed, planners.map((planner) => ({ planner, params: {} })), first ? taskOf(first) : this.task)
+    if (begun && !stillness.matches) this.play()
   }
 
   /** What another view proposes stands at its start. */
@@ -121,9 +121,9 @@ class Race extends Times {
     if (scene && task !== this.task) await this.set(scene, this.seed, this.rivals(scene, { planner: '', params: {} }, task), task)
   }
 
-  setSeed = (seed: number): Promise<void> => {
+  setSeed = async (seed: number): Promise<void> => {
     this.seed = seed
-    return this.restart()
+    await this.restart()
   }
 
   add = async (): Promise<void> => {
@@ -140,20 +140,28 @@ class Race extends Times {
     this.lanes = this.lanes.filter((other) => other !== lane)
   }
 
-  setPlanner = async (lane: Lane, planner: string): Promise<void> => {
-    Object.assign(lane, { planner, params: planner === lab.plannerName ? lab.params : {}, errors: {} })
-    await this.enter(lane)
+  /** One change after the other: each counts on what the one before came to. */
+  private change(change: () => Promise<unknown>): Promise<void> {
+    this.changes = this.changes.then(change).then(() => undefined)
+    return this.changes
   }
 
-  /** One after the other: each counts on what the one before came to. */
-  setParameter = (lane: Lane, name: string, value: ParameterValue | string): void => {
-    this.changes = this.changes.then(async () => {
+  setPlanner = (lane: Lane, planner: string): Promise<void> =>
+    this.change(() => {
+      Object.assign(lane, { planner, params: planner === lab.plannerName ? lab.params : {}, errors: {} })
+      return this.enter(lane)
+    })
+
+  setParameter = (lane: Lane, name: string, value: ParameterValue | string): Promise<void> =>
+    this.change(async () => {
       const params = { ...lane.params, [name]: value as ParameterValue }
       const { [name]: _gone, ...errors } = lane.errors
       lane.errors = errors
-      if ((await this.enter(lane, params)) === 'begun') lane.params = this.changed(lane, params)
+      let started = await this.enter(lane, params)
+      // A race that began again meanwhile knew nothing of this change.
+      while (started === 'overtaken' && this.lanes.includes(lane)) started = await this.enter(lane, params)
+      if (started === 'begun') lane.params = this.changed(lane, params)
     })
-  }
 
   /** What differs from the defaults. */
   private changed(lane: Lane, values: Record<string, ParameterValue>): Record<string, ParameterValue> {
@@ -163,21 +171,19 @@ class Race extends Times {
     return Object.fromEntries(Object.entries(values).filter(([name, value]) => value !== standard(name)))
   }
 
-  resetParameter = async (lane: Lane, name?: string): Promise<void> => {
-    const drop = <T>(values: Record<string, T>): Record<string, T> => Object.fromEntries(Object.entries(values).filter(([key]) => name !== undefined && key !== name))
-    lane.errors = drop(lane.errors)
-    lane.params = drop(lane.params)
-    await this.enter(lane)
-  }
+  resetParameter = (lane: Lane, name?: string): Promise<void> =>
+    this.change(() => {
+      const drop = <T>(values: Record<string, T>): Record<string, T> => Object.fromEntries(Object.entries(values).filter(([key]) => name !== undefined && key !== name))
+      lane.errors = drop(lane.errors)
+      lane.params = drop(lane.params)
+      return this.enter(lane)
+    })
 
   /** What of these parameters means something here. */
   private applicable(lane: Lane, values: Record<string, ParameterValue>): Record<string, ParameterValue> {
     const planner = this.planners.find(({ name }) => name === lane.planner)
     const { scene } = this
-    if (!planner || !scene) return {}
-    return Object.fromEntries(
-      Object.entries(values).filter(([key]) => planner.parameters.some((parameter) => parameter.name === key && applies(parameter, planner.parameters, scene.kind, values))),
-    )
+    return planner && scene ? meaningful(planner, scene, values) : {}
   }
 
   /** A racer begins anew and goes where the others are. */
@@ -189,17 +195,18 @@ class Race extends Times {
     return started
   }
 
-  /** All begin anew. */
-  private async restart(): Promise<void> {
+  /** All begin again; false if they have begun once more meanwhile. */
+  private async restart(): Promise<boolean> {
     const { scene, seed } = this
     const turn = (this.turns += 1)
     this.stop()
-    if (!scene) return
+    if (!scene) return false
     this.starting = true
     await Promise.all(this.lanes.map((lane) => lane.start(scene, this.applicable(lane, lane.params), seed)))
-    if (turn !== this.turns) return
+    if (turn !== this.turns) return false
     this.starting = false
     this.rewind()
+    return true
   }
 
   /** Exactly this run, where it stands. */

@@ -1,4 +1,4 @@
-import type { Kind, Parameter, ParameterValue, When } from 'forage'
+import type { Kind, Parameter, ParameterValue, Planner, Scene, When } from 'forage'
 
 type Values = Readonly<Record<string, ParameterValue>>
 
@@ -18,3 +18,9 @@ export function met(when: When | undefined, parameters: readonly Parameter[], ki
 /** Whether a parameter means something on this kind of scene beside these values. */
 export const applies = (parameter: Parameter, parameters: readonly Parameter[], kind: Kind, values: Values): boolean =>
   onKind(parameter, kind) && met(parameter.when, parameters, kind, values)
+
+/** Those of these values that mean something to a planner on a scene. The rest waits for a planner, a scene and values with which it does. */
+export const meaningful = ({ parameters }: Planner, { kind }: Scene, values: Values): Record<string, ParameterValue> =>
+  Object.fromEntries(
+    Object.entries(values).filter(([key]) => parameters.some((parameter) => parameter.name === key && applies(parameter, parameters, kind, values))),
+  )

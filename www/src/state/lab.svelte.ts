@@ -1,18 +1,19 @@
 import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
 import { en } from '../i18n/en'
 import { number } from '../panels/format'
-import type { FrameMessage, Opening, ProgressMessage, Refusal, Run } from '../worker/protocol'
+import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
 import { address } from './address'
-import { applies, met } from './applicable'
+import { meaningful, met } from './applicable'
 import { Client } from './client'
 import type { Clock } from './clock.svelte'
 import { Course } from './course.svelte'
 import { Followers } from './followers.svelte'
 import type { Follower } from './following.svelte'
-import { type Again, Scenes } from './scenes.svelte'
+import type { Again } from './scenes.svelte'
 import { stageAt } from './stages'
 import { suits } from './stops'
 import { stillness } from './theme.svelte'
+import { Transport } from './transport.svelte'
 import { views } from './views.svelte'
 
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
@@ -23,7 +24,7 @@ export type Phase = 'loading' | 'ready' | 'crashed'
 export type Yardstick = 'plain' | Outcome['exact_by']
 
 /** Everything the page knows. Components read it and call its methods; nothing else holds state of the run. */
-class Lab extends Scenes {
+export class Lab extends Transport {
   phase = $state<Phase>('loading')
   crash = $state('')
   catalogue = $state.raw<Catalogue | null>(null)
@@ -34,14 +35,8 @@ class Lab extends Scenes {
 
   run = $state.raw<Run | null>(null)
   frame = $state.raw<FrameMessage | null>(null)
-  iteration = $state(0)
   computed = $state(0)
   status = $state<Status>('running')
-  playing = $state(false)
-  /** Where a seek is on its way to. */
-  target = $state<number | null>(null)
-  /** Of the runs of other planners that the next step needs. */
-  private progress = $state.raw<ProgressMessage | null>(null)
   readings = $state.raw<Record<string, number>>({})
   outcome = $state.raw<Outcome | null>(null)
   hash = $state('')
@@ -53,7 +48,6 @@ class Lab extends Scenes {
   private item: Item | null = null
   private tuner: Tuned | null = null
   hidden = $state.raw<Record<string, boolean>>({})
-  speed = $state(30)
 
   /** The sizes that the planner's paper recommends. */
   suggestion = $state.raw<Suggestion | null>(null)
@@ -62,9 +56,6 @@ class Lab extends Scenes {
   notice = $state('')
   /** A random map is being made. */
   making = $state(false)
-  /** True from a change until its first picture: the old one must not pass for the new. */
-  stale = $state(false)
-
   readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
   /** What is looked for is a tour through the stops: start and goal mean nothing. */
   readonly touring = $derived(this.scene?.kind === 'tour' || (this.grid !== null && (this.planner?.stops ?? false)))
@@ -93,7 +84,7 @@ class Lab extends Scenes {
   })
   readonly finished = $derived(this.status !== 'running')
 
-  private readonly client = new Client({
+  protected readonly client = new Client({
     onframe: (frame) => this.receive(frame),
     onprogress: (progress) => (this.progress = progress.total > 0 ? progress : null),
     oncrash: (message) => this.breakDown(message),
@@ -109,12 +100,12 @@ class Lab extends Scenes {
   /** The fingerprint that an opened link promises, and where. */
   private promised: { hash: string; at: number } | undefined
   private asked = ''
+  /** A start is on its way. */
   private starting = false
+  /** The next restart waits for the answer to that start. */
+  private restartsAgain = false
   /** The run was going on when the robot set off. */
   private resumes = false
-  private pending: Opening | null = null
-  /** What the run was last asked to begin with. */
-  private opened: Opening = { at: 0, play: false }
 
   async open(): Promise<void> {
     try {
@@ -149,12 +140,20 @@ class Lab extends Scenes {
   }
 
   openLink = async (link: string): Promise<boolean> => {
-    const answer = await this.client.api.parseLink(link)
-    if (!answer.ok) {
-      this.notice = en.notices.link(answer.refusal.message)
-      return false
-    }
-    const { planner, scene, params, seed, iteration, hash }: LinkSetup = answer.value
+    const request = this.requests.note('setup', 'seed', 'parameters')
+    let opened = true
+    await this.await(
+      async () => this.client.api.parseLink(link),
+      (answer) => {
+        opened = answer.ok
+        if (!answer.ok) this.notice = en.notices.link(answer.refusal.message)
+        else if (!this.requests.replaced(request, 'setup')) this.openSetup(answer.value, request)
+      },
+    )
+    return opened
+  }
+
+  private openSetup({ planner, scene, params, seed, iteration, hash }: LinkSetup, request: number): void {
     this.plannerName = planner
     // A page that opens on a link has nothing to go back to.
     this.put(scene, this.run !== null)
@@ -163,35 +162,43 @@ class Lab extends Scenes {
     this.seed = seed
     this.promised = hash === undefined ? undefined : { hash, at: iteration }
     this.notice = ''
-    await this.restart({ at: iteration, play: false })
-    return true
+    void this.restart({ at: iteration, play: false }, request)
   }
 
-  /** Starts the run anew. One request is on its way at a time; of those that come meanwhile the newest counts. */
-  private async restart(opening: Opening): Promise<void> {
+  /**
+   * Starts a new run. One start is on its way at a time; the newest of the restarts that are requested meanwhile follows it.
+   * A seek, play or pause that was requested after the change, number `since`, holds for the new run.
+   */
+  private async restart(opening: Opening, since = this.requests.note('setup')): Promise<void> {
     this.stand()
-    this.pending = this.opened = opening
-    this.stale = true
+    this.putAt(opening, since)
+    this.restartsAgain = true
+    this.outdated = true
     if (this.starting) return
     this.starting = true
     try {
-      while (this.pending) {
-        const next: Opening = this.pending
-        this.pending = null
-        await this.begin(next)
+      while (this.restartsAgain) {
+        this.restartsAgain = false
+        await this.begin(this.requested)
       }
     } finally {
       this.starting = false
       // The first picture may have come before the answer.
-      if (!this.sceneError && this.frame && this.frame.generation === this.run?.generation) this.stale = false
+      if (!this.sceneError && this.frame && this.frame.generation === this.run?.generation) this.outdated = false
     }
   }
 
+  private setup(scene: Scene, values: Record<string, ParameterValue>): Setup {
+    const params = this.planner ? meaningful(this.planner, scene, values) : {}
+    return { planner: this.plannerName, scene, params, seed: this.seed }
+  }
+
   private async begin(opening: Opening): Promise<void> {
-    const { scene } = this
+    const { scene, requests } = this
     if (!scene || this.phase !== 'ready') return
-    const setup: Setup = { planner: this.plannerName, scene, params: this.applicable(), seed: this.seed }
-    const answer = await this.client.api.start(setup, opening)
+    const setup = this.setup(scene, this.params)
+    const request = requests.note('run')
+    const answer = await this.client.api.start(setup, opening, request)
     if (!answer.ok) {
       this.refuse(answer.refusal)
       return
@@ -199,11 +206,17 @@ class Lab extends Scenes {
     void this.ask(setup)
     this.run = answer.value
     this.sceneError = null
-    this.hash = ''
-    this.playing = opening.play
-    this.target = opening.at > 0 ? opening.at : null
-    this.inspection = null
-    this.item = null
+    // Pictures and requests may have overtaken the answer.
+    const { limit, generation } = answer.value
+    const settled = this.frame?.generation === generation && this.frame.report?.settledHash != null
+    if (!settled) this.hash = ''
+    if (requests.replaced(request, 'iteration')) this.target = this.target === null ? null : Math.min(this.target, limit)
+    else if (!settled) this.target = opening.at > 0 ? Math.min(opening.at, limit) : null
+    if (!settled && !requests.replaced(request, 'playing')) this.playing = opening.play
+    if (!requests.replaced(request, 'inspection')) {
+      this.inspection = null
+      this.item = null
+    }
   }
 
   /** The recommendation hangs on the planner and its parameters; cells that are painted don't change it. */
@@ -215,14 +228,6 @@ class Lab extends Scenes {
     if (this.asked === key) this.suggestion = answer.ok ? answer.value : null
   }
 
-  /** What of these parameters means something here. The rest waits for a planner, a scene and values with which it does. */
-  private applicable(values = this.params): Record<string, ParameterValue> {
-    const { planner, scene } = this
-    if (!planner || !scene) return {}
-    const known = planner.parameters.filter((parameter) => applies(parameter, planner.parameters, scene.kind, values))
-    return Object.fromEntries(Object.entries(values).filter(([key]) => known.some(({ name }) => name === key)))
-  }
-
   /** The layers that there can be with these parameters. */
   readonly layers = $derived<Layer[]>(
     this.planner?.layers.filter(({ when, kinds }) => this.planner && this.scene && (kinds?.includes(this.scene.kind) ?? true) && met(when, this.planner.parameters, this.scene.kind, this.params)) ?? [],
@@ -232,7 +237,7 @@ class Lab extends Scenes {
     if (this.planner?.parameters.some(({ name }) => name === refusal.field)) {
       this.paramErrors = { ...this.paramErrors, [refusal.field]: refusal.message }
       // What runs is still the run of before.
-      this.stale = false
+      this.outdated = false
     } else {
       this.sceneError = refusal
     }
@@ -247,7 +252,8 @@ class Lab extends Scenes {
     this.progress = null
     // What that thread was asked will never be answered.
     this.starting = false
-    this.pending = null
+    this.restartsAgain = false
+    this.awaited = []
     this.client.close()
   }
 
@@ -264,14 +270,18 @@ class Lab extends Scenes {
     this.readings = frame.readings
     this.inspection = frame.inspection
     if (frame.members || anew) this.members = frame.members
-    if (this.run?.generation === frame.generation && !this.starting && !this.sceneError) this.stale = false
+    if (this.run?.generation === frame.generation && !this.starting && !this.sceneError) this.outdated = false
+    // It goes on playing where it was sent.
+    if (frame.playing && this.target !== null && frame.iteration >= this.target && this.isNewest(frame)) this.target = null
     if (frame.report) this.hear(frame, frame.report)
     else this.hash = ''
   }
 
   private hear(frame: FrameMessage, report: NonNullable<FrameMessage['report']>): void {
     this.outcome = report.outcome
-    this.hash = report.settledHash ?? ''
+    const newest = this.isNewest(frame)
+    this.hash = (newest ? report.settledHash : null) ?? ''
+    if (!newest) return
     if (report.settledHash === null) {
       address.soon(report.link)
       return
@@ -287,55 +297,27 @@ class Lab extends Scenes {
     }
   }
 
-  // Transport
-
-  toggle = (): void => (this.playing ? this.pause() : this.play())
-
-  play = (): void => {
-    this.stand()
-    this.playing = true
-    this.target = null
-    void this.client.api.play()
-  }
-
-  pause = (): void => {
-    this.playing = false
-    this.progress = null
-    void this.client.api.pause()
-  }
-
-  seek = (to: number): void => {
-    const iteration = Math.min(Math.max(Math.round(to), 0), this.limit)
-    this.followers.leave()
-    this.playing = false
-    this.target = iteration
-    void this.client.api.seek(iteration)
-  }
-
-  stepBy = (n: number): void => this.seek((this.target ?? this.iteration) + n)
-
-  setSpeed = (speed: number): void => {
-    this.speed = speed
-    void this.client.api.speed(speed)
-  }
-
   // What is planned with what
 
-  protected again(where: Again = 'anew'): void {
+  protected again(where: Again = 'anew', since?: number): void {
     this.promised = undefined
     const { scene, planner } = this
     // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
     const another = scene?.kind !== this.run?.scene.kind || scene?.name !== this.run?.scene.name
     if (scene && planner && another && !suits(planner, scene)) this.suit(scene)
-    const at = where === 'here' && !this.finished ? (this.stale ? this.opened.at : (this.target ?? this.iteration)) : 0
-    void this.restart(where === 'on' ? this.opened : { at, play: this.playing || !this.run || (this.finished && !stillness.matches) })
+    if (where === 'on' || (where === 'here' && this.outdated)) {
+      void this.restart(this.requested, since)
+      return
+    }
+    const at = where === 'here' && !this.finished ? (this.target ?? this.iteration) : 0
+    void this.restart({ at, play: this.playing || !this.run || (this.finished && !stillness.matches) }, since)
   }
 
   setPlanner = (name: string): void => {
     const planner = this.catalogue?.planners.find((candidate) => candidate.name === name)
     if (!planner || name === this.plannerName) return
     this.paramErrors = {}
-    if (this.tuner?.planner === name) this.params = this.tuner.params
+    if (this.tuner?.planner === name) this.replaceParameters(this.tuner.params)
     this.tuner = null
     this.plannerName = name
     // Where it doesn't run, it brings a scene of its own.
@@ -357,8 +339,9 @@ class Lab extends Scenes {
     this.tuner = null
     this.promised = undefined
     this.plannerName = planner
-    this.params = params
+    this.replaceParameters(params)
     this.seed = seed
+    this.requests.note('seed')
     if (scene !== this.scene) this.put(scene, true)
     void this.restart({ at: 0, play: !stillness.matches })
   }
@@ -380,34 +363,57 @@ class Lab extends Scenes {
     this.tuner = { planner: this.plannerName, params: this.params }
     this.paramErrors = {}
     this.plannerName = planner
-    this.params = params
+    this.replaceParameters(params)
     this.again()
   }
 
   setSeed = (seed: number): void => {
+    this.requests.note('seed')
     this.seed = seed
     this.again()
   }
 
-  newSeed = async (): Promise<void> => this.setSeed(await this.client.api.newSeed())
+  newSeed = (): Promise<void> => {
+    const request = this.requests.note('seed')
+    return this.await(
+      () => this.client.api.newSeed(),
+      (seed) => {
+        if (this.requests.replaced(request, 'seed')) return
+        this.seed = seed
+        this.again('anew', request)
+      },
+    )
+  }
+
+  private replaceParameters(params: Record<string, ParameterValue>): void {
+    this.requests.note('parameters')
+    this.params = params
+  }
 
   setParameter = async (name: string, value: ParameterValue | string): Promise<void> => {
-    const { scene, plannerName } = this
+    const { scene } = this
     if (!scene) return
-    const params = this.applicable({ ...this.params, [name]: value as ParameterValue })
-    // Whoever is asked for sizes checks the whole setup.
-    const answer = await this.client.api.suggest({ planner: plannerName, scene, params, seed: this.seed })
-    if (!answer.ok && answer.refusal.field === name) {
-      this.paramErrors = { ...this.paramErrors, [name]: answer.refusal.message }
-      return
-    }
-    this.forgive(name)
-    this.params = { ...this.params, [name]: value }
-    this.again()
+    const request = this.requests.note(`parameter ${name}`)
+    const setup = this.setup(scene, { ...this.params, [name]: value as ParameterValue })
+    await this.await(
+      // Whoever is asked for sizes checks the whole setup.
+      async () => this.client.api.suggest(setup),
+      (answer) => {
+        if (this.requests.replaced(request, `parameter ${name}`, 'parameters')) return
+        if (!answer.ok && answer.refusal.field === name) {
+          if (setup.planner === this.plannerName) this.paramErrors = { ...this.paramErrors, [name]: answer.refusal.message }
+          return
+        }
+        this.forgive(name)
+        this.params = { ...this.params, [name]: value as ParameterValue }
+        this.again('anew', request)
+      },
+    )
   }
 
   resetParameter = (name?: string): void => {
     const { [name ?? '']: _dropped, ...rest } = this.params
+    this.requests.note(name === undefined ? 'parameters' : `parameter ${name}`)
     this.params = name === undefined ? {} : rest
     if (name === undefined) this.paramErrors = {}
     else this.forgive(name)
@@ -418,6 +424,7 @@ class Lab extends Scenes {
   useSuggestion = ({ population, iterations }: Suggestion): void => {
     this.forgive('population')
     this.forgive('iterations')
+    this.requests.note('parameter population', 'parameter iterations')
     this.params = { ...this.params, population, iterations }
     this.again()
   }
@@ -447,7 +454,7 @@ class Lab extends Scenes {
   }
 
   /** Nobody follows the result, and no iteration is unfolded. */
-  private stand(): void {
+  protected stand(): void {
     this.followers.leave()
     this.unfolded = false
   }
@@ -466,9 +473,15 @@ class Lab extends Scenes {
 
   // Looking closer
 
-  pick = async (x: number, y: number, reach: number): Promise<void> => this.inspect(await this.client.api.pick(x, y, reach))
+  pick = async (x: number, y: number, reach: number): Promise<void> => {
+    const request = this.requests.note('inspection')
+    const item = await this.client.api.pick(x, y, reach)
+    // What was there in another run is not what is there now.
+    if (!this.requests.replaced(request, 'inspection', 'run')) this.inspect(item)
+  }
 
   inspect = (item: Item | null): void => {
+    this.requests.note('inspection')
     this.item = item
     if (!item) this.inspection = null
     void this.client.api.watch(item)

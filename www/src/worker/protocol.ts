@@ -81,6 +81,8 @@ export interface FrameMessage {
   computed: number
   status: Status
   playing: boolean
+  /** The number of the newest start, seek, play or pause that this is the result of. */
+  request: number
   readings: Record<string, number>
   thinning: number
   /** `vertices` floats, then the span table; goes back to the worker's pool. */

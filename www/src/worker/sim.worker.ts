@@ -58,11 +58,12 @@ const api = {
     await init()
     return carryOut(errand)
   },
-  start: (setup: Setup, opening: Opening): Answer<Run> => answer(() => running().start(setup, opening)),
-  play: (): void => running().play(),
-  pause: (): void => running().pause(),
+  /** `request`: the page's number of this request, which pictures carry back. */
+  start: (setup: Setup, opening: Opening, request: number): Answer<Run> => answer(() => running().start(setup, opening, request)),
+  play: (request: number): void => running().play(request),
+  pause: (request: number): void => running().pause(request),
   speed: (speed: Speed): void => running().setSpeed(speed),
-  seek: (iteration: number): void => running().seek(iteration),
+  seek: (iteration: number, play: boolean, request: number): void => running().seek(iteration, play, request),
   watch: (item: Item | null): void => running().watch(item),
   look: (look: Look): void => running().look(look),
   /** Tells the members' numbers with the pictures, at most so often (in milliseconds); null: not at all. */

@@ -32,6 +32,10 @@ export class Simulation {
   private crew: Crew | undefined
   private task: Task | undefined
   private playing = false
+  /** It is on its way to an iteration, whatever the pace. */
+  private reaching = false
+  /** The page's number of the newest start, seek, play or pause. */
+  private request = 0
   private pace: Speed = 30
   private watched: Item | null = null
   private looked: Look = { dark: false, fields: [], window: null }
@@ -61,7 +65,8 @@ export class Simulation {
     private readonly hire: () => Promise<Crew>,
   ) {}
 
-  start(setup: Setup, { at, play }: Opening): Run {
+  start(setup: Setup, { at, play }: Opening, request: number): Run {
+    this.request = request
     const session = new Session(setup)
     this.token += 1
     this.session?.free()
@@ -72,21 +77,18 @@ export class Simulation {
     this.traced = -1
     this.heard = { events: 0, until: -1 }
     this.watched = null
-    this.playing = play
     const { planner, scene, seed, limit, parameters, stages } = session
     this.limit = limit
     const exact = session.exact()
     this.task = { planner, scene }
     this.crew?.begin(this.task)
     this.stale = true
-    this.loop(async (token) => {
-      await this.reach(at, token)
-      if (this.playing) await this.run(token)
-    })
+    this.seek(at, play, request)
     return { generation: this.generation, planner, scene, seed, limit, parameters, exact, stages }
   }
 
-  play(): void {
+  play(request: number): void {
+    this.request = request
     if (this.playing || !this.session) return
     this.playing = true
     this.loop(async (token) => {
@@ -95,20 +97,25 @@ export class Simulation {
     })
   }
 
-  pause(): void {
+  pause(request = this.request): void {
+    this.request = request
     this.playing = false
     this.loop((token) => this.settle(token))
   }
 
   setSpeed(speed: Speed): void {
     this.pace = speed
-    if (this.playing) this.loop((token) => this.run(token))
+    if (this.playing && !this.reaching) this.loop((token) => this.run(token))
   }
 
-  /** Goes to an iteration and stands still there; a newer command overtakes it. */
-  seek(iteration: number): void {
-    this.playing = false
-    this.loop((token) => this.reach(iteration, token))
+  /** Goes to an iteration and stands still there or plays on; a newer command overtakes it. */
+  seek(iteration: number, play: boolean, request: number): void {
+    this.request = request
+    this.playing = play
+    this.loop(async (token) => {
+      await this.reach(iteration, token)
+      if (play) await this.run(token)
+    })
   }
 
   /** What has been found is followed, by the robot or the arm; the run stands still for it. */
@@ -151,6 +158,7 @@ export class Simulation {
   private loop(body: (token: number) => Promise<void>): void {
     this.token += 1
     this.crew?.drop()
+    this.reaching = false
     this.settled = false
     this.told = null
     body(this.token).catch((error: unknown) => this.crash(error))
@@ -203,6 +211,7 @@ export class Simulation {
   private async reach(iteration: number, token: number): Promise<void> {
     const { session } = this
     if (!session) return
+    this.reaching = true
     session.rewind(iteration)
     this.stale = true
     while (session.iteration < iteration && session.status === 'running') {
@@ -213,6 +222,7 @@ export class Simulation {
       await breathe()
       if (token !== this.token) return
     }
+    this.reaching = false
     await this.settle(token)
   }
 
@@ -291,6 +301,7 @@ export class Simulation {
       computed: this.computed,
       status,
       playing: this.playing,
+      request: this.request,
       readings,
       thinning,
       ...packed,

@@ -1,0 +1,203 @@
+import { beforeEach, describe, expect, test, vi } from 'vitest'
+import { FakeWorker, passed, scene } from '../../unit/worker'
+import { Lab } from './lab.svelte'
+
+const made = vi.hoisted((): { worker?: FakeWorker } => ({}))
+vi.mock('./client', () => ({
+  Client: class {
+    constructor(listeners: ConstructorParameters<typeof FakeWorker>[0]) {
+      return (made.worker = new FakeWorker(listeners))
+    }
+  },
+}))
+
+/** The page's state with a worker that answers by hand, at rest at iteration 0. */
+async function opened(): Promise<{ lab: Lab; worker: FakeWorker }> {
+  const lab = new Lab()
+  const { worker } = made
+  if (!worker) throw new Error('no worker')
+  void lab.open()
+  await worker.receiveAll()
+  return { lab, worker }
+}
+
+let [lab, worker] = [] as unknown as [Lab, FakeWorker]
+
+beforeEach(async () => {
+  ;({ lab, worker } = await opened())
+  expect(worker.state).toMatchObject({ planner: 'wcpso', iteration: 0, playing: false })
+})
+
+/** The page and the worker agree in the end, and nothing is on its way any more. */
+async function atRest(iteration: number): Promise<void> {
+  await worker.receiveAll()
+  expect(worker.state).toMatchObject({ iteration, playing: false })
+  expect({ iteration: lab.iteration, playing: lab.playing, target: lab.target, stale: lab.stale }).toEqual({ iteration, playing: false, target: null, stale: false })
+  expect(lab.hash).toBe(`${worker.state.planner} ${iteration}`)
+}
+
+/** Changes that restart the run, and how many of their messages the worker takes in before the user goes on. */
+const CHANGES: Record<string, () => unknown> = {
+  'a parameter': () => lab.setParameter('w', 2),
+  'a reset parameter': () => lab.resetParameter('w'),
+  'the planner': () => lab.setPlanner('pso'),
+  'the scene': () => lab.openScene(scene('other')),
+  'the seed': () => lab.setSeed(7),
+  'a random seed': () => lab.newSeed(),
+  'a link': () => lab.openLink('pso,other,3,0'),
+  'an edit': () => lab.addDisc(5, 5, 1),
+}
+
+for (const [what, change] of Object.entries(CHANGES)) {
+  describe(`after a change of ${what}`, () => {
+    for (const received of [0, 1, 2]) {
+      test(`a seek holds for the new run (${received} messages received)`, async () => {
+        void change()
+        for (let message = 0; message < received; message += 1) await worker.receive(false)
+        lab.seek(40)
+        await atRest(40)
+      })
+
+      test(`of several seeks the last holds (${received} messages received)`, async () => {
+        void change()
+        lab.seek(60)
+        for (let message = 0; message < received; message += 1) await worker.receive(false)
+        lab.seek(50)
+        lab.seek(30)
+        await atRest(30)
+      })
+
+      test(`steps count from where the new run begins (${received} messages received)`, async () => {
+        lab.seek(20)
+        await worker.receiveAll()
+        void change()
+        for (let message = 0; message < received; message += 1) await worker.receive(false)
+        for (let step = 0; step < 3; step += 1) lab.stepBy(1)
+        await passed()
+        await atRest(3)
+      })
+
+      test(`play and pause hold for the new run (${received} messages received)`, async () => {
+        void change()
+        for (let message = 0; message < received; message += 1) await worker.receive(false)
+        lab.play()
+        await worker.receiveAll()
+        expect([worker.state.playing, lab.playing]).toEqual([true, true])
+        void change()
+        for (let message = 0; message < received; message += 1) await worker.receive(false)
+        lab.pause()
+        await atRest(0)
+      })
+    }
+  })
+}
+
+test('a seek between two changes holds for neither of the later runs', async () => {
+  void lab.setParameter('w', 2)
+  lab.seek(40)
+  void lab.setParameter('c', 3)
+  await atRest(0)
+  expect(worker.state.params).toEqual({ w: 2, c: 3 })
+})
+
+test('a seek after two changes holds for the run with both', async () => {
+  void lab.setParameter('w', 2)
+  void lab.setParameter('c', 3)
+  lab.seek(40)
+  await atRest(40)
+  expect(worker.state.params).toEqual({ w: 2, c: 3 })
+})
+
+test('a seek after a value that is refused holds for the run that stays', async () => {
+  void lab.setParameter('w', -1)
+  lab.seek(40)
+  await atRest(40)
+  expect(lab.paramErrors).toEqual({ w: 'below zero' })
+})
+
+test('the end is that of the new run', async () => {
+  void lab.setParameter('iterations', 500)
+  lab.toEnd()
+  await atRest(500)
+})
+
+test('steps that come faster than pictures all count', async () => {
+  lab.stepBy(1)
+  await worker.receive(false)
+  lab.stepBy(1)
+  worker.show()
+  lab.stepBy(1)
+  await atRest(3)
+})
+
+test('a picture from before a seek does not pass for its result', async () => {
+  lab.seek(10)
+  await worker.receive(false)
+  lab.seek(20)
+  worker.show()
+  expect({ target: lab.target, hash: lab.hash }).toEqual({ target: 20, hash: '' })
+  await atRest(20)
+})
+
+test('a picture that overtakes the answer to its start leaves nothing on its way', async () => {
+  void lab.openLink('pso,other,3,25')
+  await worker.receive()
+  // The picture is there at once, the answer only after it.
+  await worker.receive()
+  await atRest(25)
+})
+
+test('a run plays on from where a link puts it', async () => {
+  void lab.openLink('pso,other,3,25')
+  await worker.receive(false)
+  lab.play()
+  await worker.receiveAll()
+  expect(worker.state).toMatchObject({ iteration: 25, playing: true })
+  expect(lab.target).toBeNull()
+})
+
+test('the planner that is chosen after a link stays', async () => {
+  void lab.openLink('wcpso,other,3,25')
+  lab.setPlanner('pso')
+  await worker.receiveAll()
+  expect(worker.state.planner).toBe('pso')
+  expect(lab.plannerName).toBe('pso')
+})
+
+test('a link that is opened after a parameter was set has its own parameters', async () => {
+  void lab.setParameter('w', 2)
+  void lab.openLink('pso,other,3,25')
+  await atRest(25)
+  expect(worker.state.params).toEqual({})
+})
+
+test('the newest value of a parameter stays, also when it is the default', async () => {
+  void lab.setParameter('w', 2)
+  lab.resetParameter('w')
+  await worker.receiveAll()
+  expect(worker.state.params).toEqual({})
+  expect(lab.params).toEqual({})
+})
+
+test('a seed that is typed after a random one was asked for stays', async () => {
+  void lab.newSeed()
+  lab.setSeed(7)
+  await worker.receiveAll()
+  expect(worker.state.seed).toBe(7)
+})
+
+test('what is picked in the old run is not inspected in the new one', async () => {
+  const picked = lab.pick(4, 0, 1)
+  lab.setPlanner('pso')
+  await worker.receiveAll()
+  await picked
+  expect(lab.inspecting).toBe(false)
+})
+
+test('what is inspected while the run restarts stays inspected', async () => {
+  lab.setPlanner('pso')
+  const picked = lab.pick(4, 0, 1)
+  await worker.receiveAll()
+  await picked
+  expect(lab.wanted).toEqual({ role: 'pso', index: 4 })
+})

@@ -1,0 +1,105 @@
+import type { FrameMessage, Opening, ProgressMessage } from '../worker/protocol'
+import type { Client } from './client'
+import type { Followers } from './followers.svelte'
+import { Requests } from './requests'
+import { Scenes } from './scenes.svelte'
+
+/** What requests are about. */
+type Subject = 'iteration' | 'playing' | 'setup' | 'seed' | 'parameters' | `parameter ${string}` | 'inspection' | 'run'
+
+/**
+ * Where the run is and where the user wants it. Runs are restarted and changes wait for answers while the user goes on asking:
+ * the newest request holds for the run that is there in the end.
+ */
+export abstract class Transport extends Scenes {
+  iteration = $state(0)
+  playing = $state(false)
+  /** Where a seek is on its way to. */
+  target = $state<number | null>(null)
+  speed = $state(30)
+  /** Of the runs of other planners that the next step needs. */
+  protected progress = $state.raw<ProgressMessage | null>(null)
+
+  protected readonly requests = new Requests<Subject>()
+  /** Where the newest request wants the run. A restart begins there. */
+  protected requested: Opening = { at: 0, play: false }
+  /** A restart was requested, and there is no picture of the new run yet. */
+  protected outdated = $state(false)
+  /** Answers that changes wait for. Each is listed until it was acted on. */
+  protected awaited = $state.raw<readonly Promise<void>[]>([])
+  /** True from a change until its first picture: the old one must not pass for the new. */
+  readonly stale = $derived(this.outdated || this.awaited.length > 0)
+
+  abstract readonly limit: number
+  abstract readonly followers: Followers
+  protected abstract readonly client: Client
+  /** Nothing but the run itself is shown. */
+  protected abstract stand(): void
+
+  /** Asks the worker something that a change depends on, and makes the change. */
+  protected await<T>(ask: () => Promise<T>, change: (answer: T) => void): Promise<void> {
+    const changed = ask().then(change)
+    this.awaited = [...this.awaited, changed]
+    return changed.finally(() => (this.awaited = this.awaited.filter((other) => other !== changed)))
+  }
+
+  /** Where the next restart begins. A seek, play or pause that came after request number `since` counts more than `opening`. */
+  protected putAt({ at, play }: Opening, since: number): void {
+    this.requested = {
+      at: this.requests.replaced(since, 'iteration') ? this.requested.at : at,
+      play: this.requests.replaced(since, 'playing') ? this.requested.play : play,
+    }
+  }
+
+  /** The worker had received every seek, play and pause when it sent this. */
+  protected isNewest({ request }: FrameMessage): boolean {
+    return !this.requests.replaced(request, 'iteration', 'playing')
+  }
+
+  toggle = (): void => (this.playing ? this.pause() : this.play())
+
+  play = (): void => {
+    this.stand()
+    this.target = null
+    this.setPlaying(true)
+  }
+
+  pause = (): void => {
+    this.progress = null
+    this.setPlaying(false)
+  }
+
+  private setPlaying(play: boolean): void {
+    this.playing = play
+    this.requested = { ...this.requested, play }
+    const request = this.requests.note('playing')
+    const { api } = this.client
+    // A run that is being restarted goes where it begins all the same.
+    if (this.outdated && this.requested.at > 0) void api.seek(this.requested.at, play, request)
+    else void (play ? api.play(request) : api.pause(request))
+  }
+
+  seek = (to: number): void => {
+    const iteration = Math.max(Math.round(to), 0)
+    // How long the next run is, is not known before it has started.
+    const at = this.stale ? iteration : Math.min(iteration, this.limit)
+    this.followers.leave()
+    this.playing = false
+    this.target = at
+    this.requested = { at, play: false }
+    void this.client.api.seek(at, false, this.requests.note('iteration', 'playing'))
+  }
+
+  toEnd = (): void => this.seek(this.stale ? Infinity : this.limit)
+
+  stepBy = (n: number): void => {
+    // Where a change puts the run must be known first.
+    if (this.awaited.length > 0) void Promise.allSettled(this.awaited).then(() => this.stepBy(n))
+    else this.seek((this.outdated ? this.requested.at : Math.min(this.target ?? this.iteration, this.limit)) + n)
+  }
+
+  setSpeed = (speed: number): void => {
+    this.speed = speed
+    void this.client.api.speed(speed)
+  }
+}
