@@ -3,6 +3,7 @@ import { batch as text } from '../i18n/batch.en'
 import { canRun } from '../state/able'
 import { lab } from '../state/lab.svelte'
 import type { ProposedBatch } from '../state/proposed.svelte'
+import { Requests } from '../state/requests'
 import { sameScene } from '../state/same'
 import { wait } from '../worker/pace'
 import type { Ending } from '../worker/trial.worker'
@@ -70,6 +71,8 @@ class Batch {
   private telling: ReturnType<typeof setTimeout> | undefined
   private readonly clerk = new Clerk()
   private readonly looks = new TestLooks()
+  /** What is asked for of the entrants' parameters, by slot and name. */
+  private readonly requests = new Requests<string>()
   private asking = false
   private askAgain = false
   private readonly trials = new Trials(threads(), {
@@ -149,7 +152,7 @@ class Batch {
     this.changed()
   }
 
-  set = (slot: number, params: Entrant['params']): void => {
+  private set(slot: number, params: Entrant['params']): void {
     this.entrants = this.entrants.map((entrant) => (entrant.slot === slot ? { ...entrant, params } : entrant))
     this.changed()
   }
@@ -167,16 +170,25 @@ class Batch {
     this.changed()
   }
 
+  /** Back to the default of one parameter, or of all. */
+  reset = (slot: number, name?: string): void => {
+    const { [name ?? '']: _dropped, ...rest } = this.entrants.find((entrant) => entrant.slot === slot)?.params ?? {}
+    this.requests.note(name === undefined ? `${slot}` : `${slot} ${name}`)
+    this.set(slot, name === undefined ? {} : rest)
+  }
+
   /** Asks the core about an entrant's parameter before it is set: its message, or nothing. */
   try = async (slot: number, name: string, value: ParameterValue | string): Promise<string> => {
     const { plan } = this
     const entrant = this.entrants.find((candidate) => candidate.slot === slot)
     const planner = plan && entrant && lab.catalogue?.planners.find((candidate) => candidate.name === entrant.planner)
     if (!plan || !entrant || !planner) return ''
+    const request = this.requests.note(`${slot} ${name}`)
     const wanted = { ...entrant.params, [name]: value }
     const params = applicable(planner, plan.scene, wanted)
     try {
       const refusal = await this.clerk.check({ planner: planner.name, scene: plan.scene, params, seed: 1 })
+      if (this.requests.replaced(request, `${slot} ${name}`, `${slot}`)) return ''
       if (refusal?.field === name) return refusal.message
     } catch (error) {
       return text.run.broken(error instanceof Error ? error.message : String(error))

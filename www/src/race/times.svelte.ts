@@ -50,12 +50,13 @@ export abstract class Times {
   /** Races that were begun. */
   protected turns = 0
 
-  /** Back to the beginning of a race that is new. */
+  /** To the beginning of a race that is new, and from there where the user wanted it meanwhile. */
   protected rewind(): void {
     this.known = 0
     this.stretch = 1
     this.clock = this.begin
-    this.seek(this.begin)
+    this.goal = Math.max(this.goal ?? this.begin, this.begin)
+    void this.loop()
   }
 
   /** Somebody is new: while the race goes on, they catch up with the next notch. */
@@ -67,7 +68,8 @@ export abstract class Times {
   toggle = (): void => (this.playing ? this.pause() : this.play())
 
   play = (): void => {
-    this.goal = this.over ? this.begin : null
+    // While the race starts anew, it plays from where it is to go.
+    if (!this.starting) this.goal = this.over ? this.begin : null
     this.playing = true
     void this.loop()
   }
@@ -133,7 +135,9 @@ export abstract class Times {
 
   /** The time that comes next; null where it is to stand. */
   private next(): number | null {
-    if (this.starting || this.racing.length === 0) {
+    // What is wanted of a race that starts waits until it has.
+    if (this.starting) return null
+    if (this.racing.length === 0) {
       this.stop()
       return null
     }

@@ -31,6 +31,8 @@ export class Following<Told, Track extends Timed> implements Follower {
   readonly clock: Clock
   /** The state of the run that it belongs to. */
   of = { generation: -1, iteration: -1 }
+  /** The parameters with those that are still to be answered for. */
+  private wanted: Values = {}
   private asked = 0
 
   /** `pace`: how many times as fast as it would be. */
@@ -44,37 +46,50 @@ export class Following<Told, Track extends Timed> implements Follower {
 
   /** Computes it and sets off. */
   async begin(): Promise<void> {
-    if (await this.renew(this.params)) this.clock.begin(this.clock.end)
+    if (await this.renew()) this.clock.begin(this.clock.end)
   }
 
   setParameter = async (name: string, value: ParameterValue | string): Promise<void> => {
-    const params = { ...this.params, [name]: value as ParameterValue }
-    if (await this.renew(params, name)) this.params = params
+    this.wanted = { ...this.wanted, [name]: value as ParameterValue }
+    await this.renew(name)
   }
 
   resetParameter = async (name?: string): Promise<void> => {
-    const { [name ?? '']: _dropped, ...rest } = this.params
-    const params = name === undefined ? {} : rest
-    if (await this.renew(params)) this.params = params
+    const { [name ?? '']: _dropped, ...rest } = this.wanted
+    this.wanted = name === undefined ? {} : rest
+    await this.renew()
   }
 
-  private async renew(params: Values, name = ''): Promise<boolean> {
+  /** Asks with what is wanted. `errors`: those that remain if that is fine. */
+  private async renew(name = '', errors: Record<string, string> = {}): Promise<boolean> {
     this.asked += 1
     const turn = this.asked
+    const params = this.wanted
     const answer = await this.ask(params)
     const told = answer.ok ? answer.value.told : null
     const track = told && this.read(told)
     if (turn !== this.asked) return false
     if (!answer.ok) {
       const { field, message } = answer.refusal
-      if (field === name && name) this.errors = { ...this.errors, [name]: message }
-      else this.problem = message
-      return false
+      if (field !== name || !name) {
+        this.problem = message
+        this.wanted = this.params
+        return false
+      }
+      this.errors = { ...this.errors, [name]: message }
+      const { [name]: _refused, ...others } = this.wanted
+      const before = this.params[name]
+      this.wanted = before === undefined ? others : { ...others, [name]: before }
+      // What was wanted before that is not answered yet.
+      const open = Object.keys(others).some((other) => others[other] !== this.params[other])
+      return open && this.renew('', this.errors)
     }
     const { generation, iteration } = answer.value
-    this.errors = {}
+    this.errors = errors
     this.problem = track ? '' : en.notices.nothing
     this.of = { generation, iteration }
+    if (track) this.params = params
+    else this.wanted = this.params
     this.track = track
     this.clock.end = this.track?.end ?? 0
     this.clock.time = Math.min(this.clock.time, this.clock.end)
