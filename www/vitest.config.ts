@@ -1,9 +1,17 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vitest/config'
 
-// Modules that need no page and no core. What is told of a page is in unit/browser.ts.
+const test = { setupFiles: ['unit/browser.ts'], restoreMocks: true }
+
+/** `page`: modules by themselves, with no browser and no core. `core`: what they must agree in with the core, which has to be built. */
 export default defineConfig({
   plugins: [svelte({ compilerOptions: { hmr: false } })],
   resolve: { conditions: ['browser'] },
-  test: { include: ['src/**/*.test.ts', 'unit/**/*.test.ts'], setupFiles: ['unit/browser.ts'], restoreMocks: true },
+  test: {
+    projects: [
+      // A thread and its modules serve all files: starting one for each takes longer than the tests.
+      { extends: true, test: { ...test, name: 'page', pool: 'threads', isolate: false, include: ['src/**/*.test.ts', 'unit/*.test.ts'] } },
+      { extends: true, test: { ...test, name: 'core', include: ['unit/core/*.test.ts'] } },
+    ],
+  },
 })

@@ -3,8 +3,7 @@ import { closer } from '../src/i18n/closer.en'
 import { chance, COMPASS } from '../src/panels/compass'
 import { number } from '../src/panels/format'
 import { indexOf, middleOf } from '../src/state/cells'
-import { placeAt, Walk } from '../src/state/walk'
-import { pack } from '../src/worker/pack'
+import { Walk } from '../src/state/walk'
 import { linkTo, sceneOf, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 
@@ -147,17 +146,6 @@ test.describe('without motion', () => {
   })
 })
 
-test('an ant is between its steps where it should be, and stays where it ends', () => {
-  const walk = walkAt(AT)
-  const [ant] = walk.ants
-  if (!ant) throw new Error('no ant')
-  const at = (step: number) => [ant.places[2 * step], ant.places[2 * step + 1]]
-  expect(placeAt(ant, 3)).toEqual(at(3))
-  expect(placeAt(ant, 3.5)).toEqual(at(3).map((from, axis) => ((from ?? 0) + (at(4)[axis] ?? 0)) / 2))
-  expect(placeAt(ant, ant.last + 9)).toEqual(at(ant.last))
-  expect(walk.counts(walk.end).walking).toBe(0)
-})
-
 test('a cell that is pointed at shows its neighbours with the core’s numbers, while the run plays too; a click pins it', async ({ lab, page }) => {
   await begin(lab)
   const cell = { column: 8, row: 11 }
@@ -282,14 +270,6 @@ test('a result names the optimum that it is measured by', async ({ lab, page }) 
   await lab.settled(20)
   await expect(legend).toContainText(en.stage.exact['any-angle'])
   await expect(page.getByTestId('result-strip')).toContainText(en.result.optimum['any-angle'])
-})
-
-test('fields are left out of what is copied, and the rest keeps its place', () => {
-  const vertices = Float32Array.from({ length: 4 * 9 }, (_, at) => at)
-  const spans = Uint32Array.from([1, 0, 0, 2, 5, 3, 2, 4, 2, 1, 6, 3])
-  const { buffer, vertices: floats, spans: rows } = pack(vertices, spans, 3, (bytes) => new ArrayBuffer(bytes + 16))
-  expect([...new Float32Array(buffer, 0, floats)]).toEqual([...vertices.subarray(0, 8), ...vertices.subarray(24, 36)])
-  expect([...new Uint32Array(buffer, floats * 4, rows)]).toEqual([1, 0, 0, 2, 2, 1, 2, 3])
 })
 
 test.describe('on a phone', () => {

@@ -1,13 +1,11 @@
 import { readFile } from 'node:fs/promises'
 import type { Page } from '@playwright/test'
-import { catalogue, type EventKind, type GridScene, type RunEvent, Session } from '../../pkg/node.js'
+import type { GridScene, RunEvent } from '../../pkg/node.js'
 import { events as text } from '../src/i18n/events.en'
 import { presets } from '../src/i18n/presets.en'
 import { sights } from '../src/i18n/sights.en'
 import { number } from '../src/panels/format'
-import { clusters, csv, Kinds, neighbour, nextWithin, present } from '../src/state/events'
-import { chosen, offered, PRESETS } from '../src/state/presets'
-import { suits } from '../src/state/stops'
+import { csv } from '../src/state/events'
 import { violations } from './support/axe'
 import { hashOf, linkTo, sceneOf, sessionAt } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
@@ -30,53 +28,6 @@ const STRUCK = {
 /** Where it ends, and all that happened until then. */
 const whole = (setup: typeof PUBLISHED | typeof STRUCK): { end: number; events: RunEvent[] } =>
   sessionAt(setup, 1e6, (session) => ({ end: session.iteration, events: session.events() }))
-
-const event = (iteration: number, kind: string, more: Partial<RunEvent> = {}): RunEvent => ({
-  iteration, time: iteration / 10, place: [iteration, 0.5], kind, reason: `${kind}.`, ...more,
-})
-const KINDS: EventKind[] = [
-  { name: 'seen', title: 'Seen', help: '', tone: 'plain' },
-  { name: 'turn', title: 'Turns', help: '', tone: 'decision' },
-  { name: 'hit', title: 'Collision', help: '', tone: 'bad' },
-]
-const ROW = [event(10, 'seen'), event(12, 'turn'), event(12, 'hit'), event(13, 'turn'), event(60, 'seen')]
-
-test('events that lie near to each other are one mark, of the gravest tone, where the first of them is', () => {
-  const kinds = new Kinds(KINDS)
-  const marks = clusters(ROW, kinds, 100, 500, 26)
-  expect(marks.map(({ x, tone, events }) => [x, tone, events.length])).toEqual([[50, 'bad', 4], [300, 'plain', 1]])
-  expect(marks[0]?.head).toBe(ROW[2])
-  // None moves when others follow.
-  expect(clusters(ROW.slice(0, 2), kinds, 100, 500, 26).map(({ x }) => x)).toEqual([50])
-  expect(clusters([event(3, 'unheard of')], kinds, 100, 500, 26)[0]?.tone).toBe('plain')
-})
-
-test('from one event to the next, those of one iteration are one stop', () => {
-  expect([neighbour(ROW, 0, true), neighbour(ROW, 10, true), neighbour(ROW, 12, true), neighbour(ROW, 60, true)]).toEqual([10, 12, 13, null])
-  expect([neighbour(ROW, 99, false), neighbour(ROW, 13, false), neighbour(ROW, 10, false)]).toEqual([60, 12, null])
-  expect([nextWithin(ROW.slice(0, 4), 12), nextWithin(ROW.slice(0, 4), 50)]).toEqual([13, 10])
-  expect([present(ROW, 9), present(ROW, 12), present(ROW, 1000)]).toEqual([-1, 2, 4])
-})
-
-test('in a table of events a reason may hold commas and quotes', () => {
-  const rows = csv([event(10, 'seen', { obstacle: 0, reason: 'Near, "very" near.' }), ROW[1] as RunEvent])
-  expect(rows).toBe('iteration,time,x,y,kind,obstacle,reason\n10,1,10,0.5,seen,1,"Near, ""very"" near."\n12,1.2,12,0.5,turn,,turn.\n')
-})
-
-test('each published case can be run as it is', () => {
-  const known = catalogue()
-  expect(offered(known)).toEqual(PRESETS)
-  expect(PRESETS.map(({ name }) => name).sort()).toEqual(Object.keys(presets.cases).sort())
-  for (const preset of PRESETS) {
-    const planner = known.planners.find(({ name }) => name === preset.planner)
-    const scene = known.scenes.find(({ name }) => name === preset.scene)
-    expect(planner && scene && suits(planner, scene)).toBe(true)
-    expect(chosen(PRESETS, known, { planner: preset.planner, scene: scene ?? null, params: preset.params })).toBe(preset)
-    const session = new Session(preset)
-    expect(session.limit).toBeGreaterThan(0)
-    session.free()
-  }
-})
 
 const marks = (page: Page) => page.getByTestId('event-mark')
 const rows = (page: Page) => page.getByTestId('event')

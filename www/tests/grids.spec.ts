@@ -2,8 +2,7 @@ import type { GridScene, Point, Scene } from '../../pkg/node.js'
 import { closer } from '../src/i18n/closer.en'
 import { panels } from '../src/i18n/panels.en'
 import { number } from '../src/panels/format'
-import { isBlocked, middleOf } from '../src/state/cells'
-import { tooNear } from '../src/stage/inside'
+import { middleOf } from '../src/state/cells'
 import { bends, hashOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 
@@ -155,18 +154,6 @@ test('cell and robot are edited in the panel; what the core refuses is said ther
   await expect(page.getByTestId('scene-error')).toContainText('robot.width')
   await set(en.scene.robot.width, '0.3')
   await expect(page.getByTestId('scene-error')).toHaveCount(0)
-})
-
-test('what is too near to a cell is told exactly, corners rounded', () => {
-  const scene: GridScene = { ...shipped, cell: 1, y_axis: 'down', rows: ['...', '.#.', '...'], robot: { length: 0.6, width: 0.8 } }
-  expect(isBlocked(scene, { column: 1, row: 1 })).toBe(true)
-  expect(tooNear(scene, [0.51, 1.5], 0)).toBe(true)
-  expect(tooNear(scene, [0.49, 1.5], 0)).toBe(false)
-  const diagonal = 0.5 / Math.SQRT2
-  expect(tooNear(scene, [1 - diagonal + 0.01, 1 - diagonal + 0.01], 0)).toBe(true)
-  expect(tooNear(scene, [1 - diagonal - 0.01, 1 - diagonal - 0.01], 0)).toBe(false)
-  expect(tooNear({ ...scene, robot: {} }, [1.5, 1.5], 0.01)).toBe(true)
-  expect(tooNear({ ...scene, robot: {} }, [1.005, 1.5], 0.01)).toBe(false)
 })
 
 for (const event of ['leap', 'replaced']) {

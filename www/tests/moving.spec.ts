@@ -1,8 +1,6 @@
 import type { GridScene, Moving, Point, Scene, Session } from '../../pkg/node.js'
 import { moving as text } from '../src/i18n/moving.en'
 import { placed } from '../src/state/moving'
-import { rescale } from '../src/state/resizing'
-import { straightened } from '../src/state/aiming'
 import { blamed } from '../src/state/edits'
 import { violations } from './support/axe'
 import { hashOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
@@ -217,15 +215,6 @@ test('one that goes from way-point to way-point keeps to them when it is dragged
   expect(moved).toEqual(placed(WAYS, ([x, y]) => [x + shift[0], y + shift[1]]))
   await page.getByTestId('straighten').click()
   expect(await moving(lab)).toEqual([{ center: moved?.center, radius: 10, velocity: [20, 10] }])
-})
-
-test('what moves is scaled with the cells, and straightened as it sets out', () => {
-  const twice = rescale(withMoving([RIGHT, WAYS]), 2 * shipped.cell)
-  expect(twice.moving).toEqual([
-    { center: [420, 340], radius: 24, velocity: [100, 0] },
-    { center: [120, 520], radius: 20, waypoints: [[2, 200, 560], [5, 320, 640]] },
-  ])
-  expect(straightened(withMoving([WAYS]), 0).moving).toEqual([{ center: [60, 260], radius: 10, velocity: [20, 10] }])
 })
 
 test('obstacles are drawn with every planner, and put away with the legend', async ({ lab, page }) => {

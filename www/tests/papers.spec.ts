@@ -5,9 +5,8 @@ import { checksOf, rowsOf } from '../plugins/reproduction'
 import { papers as text } from '../src/i18n/papers.en'
 import { number } from '../src/panels/format'
 import { runOf } from '../src/papers/commands'
-import { EXPERIMENTS, offered } from '../src/papers/experiments'
 import { groupsOf, ours, published, tally, together } from '../src/papers/figures'
-import { COLUMNS, NUMBERS, PAPERS, VERDICTS } from '../src/papers/row'
+import { NUMBERS, PAPERS, VERDICTS } from '../src/papers/row'
 import { violations } from './support/axe'
 import { hashOf, trialOf } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
@@ -111,16 +110,6 @@ test('what a paper claims stands with what the report says of it', async ({ lab,
   }
 })
 
-test('everything that a paper tried can be run here', () => {
-  const known = catalogue()
-  for (const experiment of Object.values(EXPERIMENTS).flat()) {
-    for (const on of experiment.cases) {
-      expect(offered(known, on), `${experiment.name}: ${on.scene}`).toBe(true)
-      for (const { planner, params } of on.runs) expect(hashOf({ planner, params, scene: on.scene }, 0)).toMatch(/^[0-9a-f]{16}$/)
-    }
-  }
-})
-
 interface Opened {
   experiment: string
   scene: string
@@ -219,12 +208,6 @@ test('a row’s own run opens in the stage, bit for bit what its command repeats
   expect(await lab.settled(0)).toBe(hashOf({ planner, scene: expected.on.scene, params, seed }, 0))
 })
 
-test('every command of a single run is understood', () => {
-  const runs = rows.filter(({ command }) => command.startsWith('forage run '))
-  expect(runs.length).toBeGreaterThan(0)
-  for (const { command } of rows) expect(runOf(command) !== null, command).toBe(command.startsWith('forage run '))
-})
-
 test('a command is copied, and it is told', async ({ lab, page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write'])
   await open(lab)
@@ -252,37 +235,6 @@ test('all of it works by keyboard', async ({ lab, page }) => {
   const was = await group.evaluate((node: HTMLDetailsElement) => node.open)
   await page.keyboard.press('Enter')
   expect(await group.evaluate((node: HTMLDetailsElement) => node.open)).toBe(!was)
-})
-
-test('a file that is not as it should be stops the build, by name', () => {
-  const [header = '', first = ''] = source.split('\n')
-  const refused = (content: string): string => {
-    try {
-      rowsOf(content, FILE)
-    } catch (error) {
-      return (error as Error).message
-    }
-    return 'accepted'
-  }
-  expect(refused(`${header}\n${first}\n`)).toBe('accepted')
-  expect(refused(`${header.replace('median', 'middle')}\n${first}\n`)).toBe(`${FILE}: column 13 is “middle”; the columns are ${COLUMNS.join(',')}`)
-  expect(refused(`${header},more\n${first},\n`)).toContain('column 18 is “more”')
-  expect(refused(`${header}\n`)).toBe(`${FILE} has no rows`)
-  const line = ['r', 'WCPSO', 't', 'row', 'value', ...NUMBERS.map(() => '1'), 'better', 'why', 'forage']
-  const given = (at: number, cell: string): string => refused(`${header}\n${line.with(at, cell).join(',')}\n`)
-  expect(given(6, '1e-3')).toBe('accepted')
-  expect(given(1, 'PSO')).toContain('row 1: paper is “PSO”; allowed: WCPSO, ')
-  expect(given(6, 'many')).toContain('row 1: published_mean is “many”; allowed: a finite number')
-  expect(given(14, 'good')).toContain(`row 1: verdict is “good”; allowed: ${VERDICTS.join(', ')}`)
-  expect(given(16, '')).toContain('row 1: command is “”')
-})
-
-test('a report whose claims cannot be read stops the build, by name', () => {
-  const heading = (tag: string): string => `### name: title, [${tag}] Table 2\n\n- it holds: at all: yes (1 (of 1) beside 2)\n- a note\n`
-  const all = PAPERS.map(heading).join('\n')
-  expect(checksOf(all, REPORT)).toEqual(PAPERS.map((paper) => ({ reproduction: 'name', paper, claim: 'it holds: at all', answer: 'yes', because: '1 (of 1) beside 2' })))
-  expect(() => checksOf(all.replace('[LTQPSO]', '[QPSO]'), REPORT)).toThrow(`${REPORT}: the heading “### name: title, [QPSO] Table 2” names no reproduction`)
-  expect(() => checksOf(all.replaceAll('yes', 'maybe'), REPORT)).toThrow(`${REPORT} checks no claim of WCPSO, LTQPSO`)
 })
 
 const screens = { desktop: { width: 1440, height: 900 }, phone: { width: 390, height: 844 } }

@@ -1,9 +1,5 @@
 import { race as text } from '../src/i18n/race.en'
-import { foreseen, onwards } from '../src/race/notches'
-import { READY } from '../src/race/ready'
-import { markAt, ranks } from '../src/race/standings'
-import { Judge } from '../src/worker/judge'
-import { catalogue, Session, Trial } from '../../pkg/node.js'
+import { catalogue } from '../../pkg/node.js'
 import { violations } from './support/axe'
 import { linkTo, trialOf, verified } from './support/core'
 import { expect, test } from './support/lab'
@@ -12,49 +8,6 @@ import { coreAt, Race } from './support/race'
 const SWARMS = ['pso', 'wpso', 'cpso', 'wcpso']
 
 const swarmsAt = (clock: number) => SWARMS.map((planner) => coreAt({ planner }, clock))
-
-test('a notch goes on to where somebody moves, and a racer that has come to its end holds nobody up', () => {
-  expect(onwards(0, 50, [{ evaluations: 0, over: false }, { evaluations: 150, over: false }])).toBe(50)
-  expect(onwards(0, 50, [{ evaluations: 150, over: false }, { evaluations: 170, over: false }])).toBe(200)
-  expect(onwards(100, 50, [{ evaluations: 20, over: true }, { evaluations: 149, over: false }])).toBe(150)
-  expect(onwards(100, 50, [{ evaluations: 20, over: true }])).toBe(100)
-  expect(foreseen({ iteration: 10, evaluations: 1650, limit: 500, most: 150, ended: false, tail: false }, 150)).toBe(75_150)
-  expect(foreseen({ iteration: 52, evaluations: 52, limit: 20_000, most: 1, ended: true, tail: false }, 0)).toBe(52)
-  expect(foreseen({ iteration: 492, evaluations: 3000, limit: 492, most: 30, ended: true, tail: true }, 0)).toBe(3001)
-})
-
-test('who leads has the better feasible best, of equals the one that found it with fewer evaluations', () => {
-  expect(ranks([{ value: 12.2, found: 300 }, null, { value: 12.1, found: 900 }, { value: 12.2, found: 150 }])).toEqual([3, null, 1, 2])
-  expect(ranks([{ value: 5, found: 10 }, { value: 5 + 1e-14, found: 10 }, null])).toEqual([1, 1, null])
-  const curve = { iterations: Float64Array.of(1, 7), evaluations: Float64Array.of(300, 1200), values: Float64Array.of(13, 12.5) }
-  expect([0, 1, 6, 7, 99].map((iteration) => markAt(curve, iteration)?.value)).toEqual([undefined, 13, 13, 12.5, 12.5])
-})
-
-test('the feasible best of a racer is that of a trial', () => {
-  for (const { scene, planners, seed } of READY) {
-    for (const planner of planners) {
-      const [session, trial, judge] = [new Session({ planner, scene, seed }), new Trial({ planner, scene, seed }, undefined), new Judge()]
-      judge.look(session)
-      for (let step = 0; step < 800 && session.status === 'running'; step += 1) {
-        session.step(1)
-        judge.look(session)
-      }
-      trial.step(800)
-      expect(judge.curve(), `${planner} on ${scene}`).toEqual(trial.curve())
-      session.free()
-      trial.free()
-    }
-  }
-})
-
-test('every ready-made race has planners and a scene that ship', () => {
-  const { planners, scenes } = catalogue()
-  for (const { planners: racers, scene: name } of READY) {
-    const scene = scenes.find((candidate) => candidate.name === name)
-    for (const racer of racers) expect(planners.find((planner) => planner.name === racer)?.kinds, racer).toContain(scene?.kind)
-    expect(racers.length).toBeLessThanOrEqual(4)
-  }
-})
 
 test.describe('without motion', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } })

@@ -3,8 +3,7 @@ import { exportScene, generateScene, importScene, type NamedFile, type Outcome }
 import { closer } from '../src/i18n/closer.en'
 import { tours } from '../src/i18n/tours.en'
 import { number, percent } from '../src/panels/format'
-import { condensed, seenRows, sorted } from '../src/panels/rows'
-import { boundary, stageAt } from '../src/state/stages'
+import { sorted } from '../src/panels/rows'
 import { violations } from './support/axe'
 import { hashOf, linkTo, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
@@ -349,28 +348,3 @@ test('random stops are previewed and made; of more than are toured exactly no op
   await expect(page.getByTestId('tour-order')).toContainText(tours.order.title('20'))
 })
 
-test('an iteration knows its part, and the boundaries beside it', () => {
-  const stages = [
-    { name: 'roads', title: 'Roads', end: 11 },
-    { name: 'tour', title: 'Tour', end: 111 },
-  ]
-  expect(stageAt(stages, 0)).toEqual({ title: 'Roads', k: 0, of: 11 })
-  expect(stageAt(stages, 11)).toEqual({ title: 'Roads', k: 11, of: 11 })
-  expect(stageAt(stages, 12)).toEqual({ title: 'Tour', k: 1, of: 100 })
-  expect(stageAt(stages.slice(1), 12)).toBeNull()
-  expect(stageAt(undefined, 0)).toBeNull()
-  expect([0, 5, 11, 60, 111].map((k) => boundary(stages, k, true))).toEqual([11, 11, 111, 111, 111])
-  expect([0, 5, 11, 60, 111].map((k) => boundary(stages, k, false))).toEqual([0, 0, 0, 11, 11])
-})
-
-test('rows: those that are seen, sorted, and spans of many', () => {
-  expect(seenRows(0, 280, 28, 50)).toEqual([0, 14])
-  expect(seenRows(2800, 280, 28, 1000)).toEqual([96, 114])
-  expect(seenRows(28_000, 280, 28, 50)).toEqual([50, 50])
-  expect(seenRows(0, 280, 28, 0)).toEqual([0, 0])
-  const values = [3, NaN, 1, 3]
-  expect(sorted(4, (member) => values[member] ?? NaN, false)).toEqual([2, 0, 3, 1])
-  expect(sorted(4, (member) => values[member] ?? NaN, true)).toEqual([0, 3, 2, 1])
-  expect(condensed([1, 2, 3, 4, 5, 6], 3)).toEqual([1.5, 3.5, 5.5])
-  expect(condensed([1, 2], 300)).toEqual([1, 2])
-})

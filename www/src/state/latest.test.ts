@@ -1,0 +1,31 @@
+import { expect, test } from 'vitest'
+import { Latest } from './latest'
+
+const passed = (): Promise<void> => new Promise((resolve) => setTimeout(resolve))
+
+test('of requests that come while one is answered only the newest is sent', async () => {
+  const sent: number[] = []
+  const answers: (() => void)[] = []
+  const latest = new Latest<number>((wanted) => {
+    sent.push(wanted)
+    return new Promise<void>((resolve) => answers.push(resolve))
+  })
+  for (const wanted of [1, 2, 3]) latest.want(wanted)
+  expect(sent).toEqual([1])
+  answers.shift()?.()
+  await passed()
+  expect(sent).toEqual([1, 3])
+  answers.shift()?.()
+  await passed()
+  latest.want(4)
+  expect(sent).toEqual([1, 3, 4])
+})
+
+test('after a request whose answer never comes, the next one is sent', () => {
+  const sent: number[] = []
+  const latest = new Latest<number>((wanted) => new Promise(() => sent.push(wanted)))
+  latest.want(1)
+  latest.forget()
+  latest.want(2)
+  expect(sent).toEqual([1, 2])
+})
