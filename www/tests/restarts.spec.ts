@@ -1,0 +1,60 @@
+import type { Setup } from '../../pkg/node.js'
+import { hashOf, linkTo } from './support/core'
+import { en, expect, test } from './support/lab'
+
+/* What is asked for while a run restarts. The thread answers late here; its pictures come at once. */
+
+const SETUP = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
+/** In milliseconds. */
+const DELAY = 600
+const LATE = `{
+  const post = self.postMessage.bind(self)
+  self.postMessage = (message, transfer) => void setTimeout(() => post(message, transfer), ${DELAY})
+};`
+
+test.beforeEach(async ({ lab, page }) => {
+  await page.route(/sim\.worker.*\.js$/, async (route) => {
+    const response = await route.fetch()
+    await route.fulfill({ response, body: LATE + (await response.text()) })
+  })
+  await lab.open(linkTo(SETUP, 20))
+  await lab.settled(20)
+})
+
+const CHANGES: Record<string, { by: string; setup: Partial<Setup> }> = {
+  'a parameter': { by: 'parameter', setup: { params: { population: 12 } } },
+  'the planner': { by: 'planner', setup: { planner: 'pso' } },
+  'the seed': { by: 'seed', setup: { seed: 7 } },
+}
+
+for (const [what, { by, setup }] of Object.entries(CHANGES)) {
+  test(`a seek right after a change of ${what} holds for the new run`, async ({ lab, page }) => {
+    const parameters = await lab.section('parameters')
+    if (by === 'planner') await page.getByTestId('planner').selectOption('pso')
+    if (by === 'seed') {
+      await page.getByTestId('seed').fill('7')
+      await page.keyboard.press('Enter')
+    }
+    if (by === 'parameter') {
+      await parameters.locator('[data-parameter="population"] input.typed').fill('12')
+      await page.keyboard.press('Enter')
+    }
+    await lab.timeline.fill('9')
+    expect(await lab.stale()).toBe(true)
+    await lab.restarted()
+    expect(await lab.settled(9)).toBe(hashOf({ ...SETUP, ...setup }, 9))
+  })
+}
+
+test('steps and play right after a change hold for the new run', async ({ lab, page }) => {
+  await page.getByTestId('planner').selectOption('pso')
+  for (let step = 0; step < 3; step += 1) await page.getByTestId('step-forward').click()
+  await lab.restarted()
+  expect(await lab.settled(3)).toBe(hashOf({ ...SETUP, planner: 'pso' }, 3))
+
+  await page.getByTestId('planner').selectOption('wcpso')
+  await lab.press(en.transport.play)
+  await lab.restarted()
+  await expect(lab.root).toHaveAttribute('data-playing', 'true')
+  await expect.poll(() => lab.iteration()).toBeGreaterThan(3)
+})
