@@ -1,3 +1,4 @@
+import { availableParallelism } from 'node:os'
 import { defineConfig } from '@playwright/test'
 import { SITE } from './tests/support/site'
 
@@ -6,8 +7,11 @@ export default defineConfig({
   outputDir: 'test-results',
   reporter: 'list',
   fullyParallel: true,
-  workers: 2,
-  forbidOnly: Boolean(process.env['CI']),
+  // A page has threads of its own: more pages than cores only wait for each other.
+  workers: Math.min(availableParallelism(), 4),
+  // A test that fails once has failed.
+  retries: 0,
+  forbidOnly: Boolean(process.env.CI),
   timeout: 40_000,
   expect: { timeout: 10_000 },
   use: {
@@ -15,7 +19,7 @@ export default defineConfig({
     viewport: { width: 1440, height: 900 },
     colorScheme: 'light',
     launchOptions: {
-      executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+      executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
       args: [
         '--no-sandbox',
         '--disable-gpu',

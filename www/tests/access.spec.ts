@@ -9,7 +9,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     test.describe(`${screen}, ${colorScheme}`, () => {
       test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
 
-      test('axe finds nothing wrong with any part of the page', async ({ lab, page }) => {
+      test('axe finds nothing wrong with any part of the page', { tag: screen === 'desktop' && colorScheme === 'light' ? ['@smoke'] : [] }, async ({ lab, page }) => {
         await lab.open(linkTo({}, 40))
         await lab.settled(40)
         const sections = await page.locator('[data-testid^="section-"]').all()
@@ -114,7 +114,7 @@ test('the state is told to those who don’t see it', async ({ lab, page }) => {
 test.describe('on a phone', () => {
   test.use({ viewport: screens.phone, hasTouch: true, isMobile: true })
 
-  test('the stage comes first, then the time, and nothing is wider than the screen', async ({ lab, page }) => {
+  test('the stage comes first, then the time, and nothing is wider than the screen', { tag: '@smoke' }, async ({ lab, page }) => {
     await lab.open(linkTo({}, 40))
     await lab.settled(40)
     const stage = await lab.stage.boundingBox()
@@ -129,7 +129,7 @@ test.describe('on a phone', () => {
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390)
   })
 
-  test('whatever is touched is at least 44 pixels high', async ({ lab, page }) => {
+  test('whatever is touched is at least 44 pixels high', { tag: '@smoke' }, async ({ lab, page }) => {
     await lab.open(linkTo({}, 40))
     await lab.settled(40)
     for (const id of ['parameters', 'scene', 'result', 'readings', 'chart']) await lab.section(id)

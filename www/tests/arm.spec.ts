@@ -68,7 +68,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
   test.describe(colorScheme, () => {
     test.use({ colorScheme })
 
-    test('the stage in space isn’t blank, and each layer makes a difference', async ({ lab }) => {
+    test('the stage in space isn’t blank, and each layer makes a difference', { tag: colorScheme === 'light' ? ['@smoke'] : [] }, async ({ lab }) => {
       await begin(lab)
       const pictures = [await shot(lab)]
       expect(pictures[0]?.colours).toBeGreaterThan(1000)
@@ -79,7 +79,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
       expect(new Set(pictures.map(({ digest }) => digest)).size).toBe(7)
     })
 
-    test('axe finds nothing wrong with the stage in space, with a cuboid and a node chosen', async ({ lab, page }) => {
+    test('axe finds nothing wrong with the stage in space, with a cuboid and a node chosen', { tag: colorScheme === 'light' ? ['@smoke'] : [] }, async ({ lab, page }) => {
       await begin(lab)
       await lab.stage.focus()
       for (const key of ['k', 'n', 'n', 'n']) await page.keyboard.press(key)
@@ -349,7 +349,7 @@ test('the picture that is exported is that of the stage', async ({ lab, page }) 
   expect(colours).toBeGreaterThan(1000)
 })
 
-test('another kind of scene has its own stage, and space comes back as it was', async ({ lab, page }) => {
+test('another kind of scene has its own stage, and space comes back as it was', { tag: '@smoke' }, async ({ lab, page }) => {
   await begin(lab)
   const before = await shot(lab)
   await page.getByTestId('planner').selectOption('pso')

@@ -44,7 +44,7 @@ async function download(page: Page, id: string): Promise<string> {
   return readFile(await saved.path(), 'utf8')
 }
 
-test('every run of a batch is the core’s own, whatever the number of workers, and so are the statistics', async ({ lab, page }) => {
+test('every run of a batch is the core’s own, whatever the number of workers, and so are the statistics', { tag: '@smoke' }, async ({ lab, page }) => {
   await page.addInitScript(() => Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => 5 }))
   await openBatch(lab)
   await keep(page, ['wcpso', 'pso'])
@@ -207,7 +207,7 @@ test('the batch takes the planner as it is set up on the stage, and its edited s
   await expect.poll(() => files.map((name) => name.split('.').at(-1)).sort()).toEqual(['json', 'toml'])
 })
 
-test('what is refused is told beside its field, and nothing that was typed is lost', async ({ lab, page }) => {
+test('what is refused is told beside its field, and nothing that was typed is lost', { tag: '@smoke' }, async ({ lab, page }) => {
   await openBatch(lab)
   await page.getByTestId('batch-count').fill('1')
   await page.getByTestId('batch-count').press('Enter')
@@ -414,7 +414,7 @@ test('results are dropped only when asked or saved, and the plan outlives a relo
 })
 
 for (const scheme of ['light', 'dark'] as const) {
-  test(`axe finds nothing wrong, ${scheme}`, async ({ lab, page }) => {
+  test(`axe finds nothing wrong, ${scheme}`, { tag: scheme === 'light' ? ['@smoke'] : [] }, async ({ lab, page }) => {
     await page.emulateMedia({ colorScheme: scheme, reducedMotion: 'reduce' })
     await openBatch(lab)
     expect(await violations(lab)).toEqual([])
@@ -429,7 +429,7 @@ for (const scheme of ['light', 'dark'] as const) {
   })
 }
 
-test('on a phone nothing is wider than the screen', async ({ lab, page }) => {
+test('on a phone nothing is wider than the screen', { tag: '@smoke' }, async ({ lab, page }) => {
   await page.setViewportSize({ width: 390, height: 844 })
   await openBatch(lab)
   const wide = (): Promise<boolean> => page.evaluate(() => document.documentElement.scrollWidth > innerWidth)

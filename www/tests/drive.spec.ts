@@ -49,7 +49,7 @@ const inked = (lab: Lab): Promise<number> =>
     return sum
   })
 
-test('the robot drives along the result: played, scrubbed, and told as the core tells it', async ({ lab, page }) => {
+test('the robot drives along the result: played, scrubbed, and told as the core tells it', { tag: '@smoke' }, async ({ lab, page }) => {
   const hash = await begin(lab, 50)
   const drive = driven(50)
   const track = new Track(drive)

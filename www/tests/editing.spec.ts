@@ -16,7 +16,7 @@ async function sceneAt(lab: Lab, iteration: number): Promise<DiscsScene> {
   return discs(verified(await lab.link(hash)).scene)
 }
 
-test('dragging a disc restarts the run on the edited scene; undo and redo restore it', async ({ lab }) => {
+test('dragging a disc restarts the run on the edited scene; undo and redo restore it', { tag: '@smoke' }, async ({ lab }) => {
   await lab.open(linkTo({}, 60))
   const before = await lab.settled(60)
   await lab.dragFrom(await lab.whereIs(shipped, center(0)), 90, -40)

@@ -32,7 +32,7 @@ const whole = (setup: typeof PUBLISHED | typeof STRUCK): { end: number; events: 
 const marks = (page: Page) => page.getByTestId('event-mark')
 const rows = (page: Page) => page.getByTestId('event')
 
-test('the published case is one choice away; played to its end it arrives, and the log says what was decided and why', async ({ lab, page }) => {
+test('the published case is one choice away; played to its end it arrives, and the log says what was decided and why', { tag: '@smoke' }, async ({ lab, page }) => {
   const { end, events } = whole(PUBLISHED)
   const [decided] = events.filter(({ kind }) => kind === 'detour')
   if (!decided) throw new Error('nothing was decided')

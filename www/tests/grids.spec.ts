@@ -66,7 +66,7 @@ test('the start is dragged, and kept within the grid', async ({ lab }) => {
   expect(await lab.settled(7)).toBe(hashOf({ ...GRID, scene: edited }, 7))
 })
 
-test('cells are painted and erased, a stroke is one step, and undo brings back the same run', async ({ lab, page }) => {
+test('cells are painted and erased, a stroke is one step, and undo brings back the same run', { tag: '@smoke' }, async ({ lab, page }) => {
   await lab.open(linkTo(GRID, 20))
   const before = await lab.settled(20)
   await page.getByTestId('tool-paint').click()

@@ -1,7 +1,7 @@
 import { hashOf, linkTo, verified } from './support/core'
 import { en, expect, test } from './support/lab'
 
-test('with the stage focused, keys do what the buttons do', async ({ lab, page }) => {
+test('with the stage focused, keys do what the buttons do', { tag: '@smoke' }, async ({ lab, page }) => {
   await lab.open(linkTo({}, 30))
   await lab.settled(30)
   for (let tabs = 0; tabs < 30; tabs += 1) {

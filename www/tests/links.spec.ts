@@ -2,7 +2,7 @@ import { linkTo, sceneOf, verified } from './support/core'
 import { en, expect, Lab, test } from './support/lab'
 import { SITE } from './support/site'
 
-test('a link opened elsewhere shows the same state and the same picture', async ({ lab, browser }) => {
+test('a link opened elsewhere shows the same state and the same picture', { tag: '@smoke' }, async ({ lab, browser }) => {
   await lab.open(linkTo({ planner: 'wpso', seed: 7, params: { population: 40, w_max: 0.8 } }, 30))
   await lab.settled(30)
   const scene = sceneOf({})
@@ -36,7 +36,7 @@ test('a link put into the address of the open page opens', async ({ lab, page })
   await expect(page.getByTestId('scene')).toHaveValue('ackley')
 })
 
-test('a link that can’t be opened says why, and the page works on', async ({ lab, page }) => {
+test('a link that can’t be opened says why, and the page works on', { tag: '@smoke' }, async ({ lab, page }) => {
   await lab.open('#v=1&planner=nobody&scene=wcpso-discs&seed=1&at=5')
   await expect(page.getByTestId('notice')).toContainText('nobody')
   await expect.poll(() => lab.iteration()).toBeGreaterThan(2)

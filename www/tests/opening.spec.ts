@@ -2,7 +2,7 @@ import { gzipSync } from 'node:zlib'
 import { hashOf } from './support/core'
 import { en, expect, test } from './support/lab'
 
-test('opens and plays by itself, nothing to configure', async ({ lab }) => {
+test('opens and plays by itself, nothing to configure', { tag: '@smoke' }, async ({ lab }) => {
   await lab.open()
   await expect.poll(() => lab.iteration()).toBeGreaterThan(3)
   await lab.press(en.transport.pause)
@@ -12,7 +12,7 @@ test('opens and plays by itself, nothing to configure', async ({ lab }) => {
   await expect(lab.page.getByTestId('result-strip')).toContainText(/1[2-9]\.\d+/)
 })
 
-test('plays to the end and says so', async ({ lab }) => {
+test('plays to the end and says so', { tag: '@smoke' }, async ({ lab }) => {
   await lab.open()
   await lab.press(en.transport.end)
   expect(await lab.settled(500)).toBe(hashOf({}, 500))

@@ -35,7 +35,7 @@ async function turned(part: Locator, open: boolean): Promise<void> {
   if ((await part.evaluate((node: HTMLDetailsElement) => node.open)) !== open) await part.locator('> summary').click()
 }
 
-test('every paper has a card with its citation, its claims, experiments and how many figures have which verdict', async ({ lab, page }) => {
+test('every paper has a card with its citation, its claims, experiments and how many figures have which verdict', { tag: '@smoke' }, async ({ lab, page }) => {
   await open(lab)
   await expect(page.getByRole('article')).toHaveCount(PAPERS.length)
   for (const paper of PAPERS) {
@@ -127,7 +127,7 @@ const OPENED: Opened[] = [
 ]
 
 for (const { experiment, scene, planner, params, name } of OPENED) {
-  test(`a preset opens ${planner} on ${scene} in the stage, as the paper ran it`, async ({ lab, page }) => {
+  test(`a preset opens ${planner} on ${scene} in the stage, as the paper ran it`, { tag: experiment === 'functions' ? ['@smoke'] : [] }, async ({ lab, page }) => {
     await page.emulateMedia({ reducedMotion: 'reduce' })
     await open(lab)
     const line = page.getByTestId(`experiment-${experiment}`).locator(`[data-scene="${scene}"]`)
@@ -244,7 +244,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     test.describe(`${screen}, ${colorScheme}`, () => {
       test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
 
-      test('axe finds nothing wrong with the papers', async ({ lab, page }) => {
+      test('axe finds nothing wrong with the papers', { tag: screen === 'desktop' && colorScheme === 'light' ? ['@smoke'] : [] }, async ({ lab, page }) => {
         await open(lab)
         // A table and a list of claims are looked at, with a reason; the others are closed: axe takes its time.
         const groups = await page.locator('[data-testid^="group-"]').all()
@@ -269,7 +269,7 @@ test('verdicts are told in words', async ({ lab, page }) => {
 test.describe('on a phone', () => {
   test.use({ viewport: screens.phone, hasTouch: true, isMobile: true })
 
-  test('nothing is too wide or too low, with everything open', async ({ lab, page }) => {
+  test('nothing is too wide or too low, with everything open', { tag: '@smoke' }, async ({ lab, page }) => {
     await open(lab)
     await openAll(lab)
     for (const all of await page.locator('main input[type=checkbox]').all()) await all.check()

@@ -4,7 +4,7 @@ import { number } from '../src/panels/format'
 import { hashOf, linkTo, sessionAt, verified } from './support/core'
 import { en, expect, test } from './support/lab'
 
-test('a refused parameter says why beside it, keeps what was typed, and the run goes on', async ({ lab }) => {
+test('a refused parameter says why beside it, keeps what was typed, and the run goes on', { tag: '@smoke' }, async ({ lab }) => {
   await lab.open(linkTo({}, 20))
   const hash = await lab.settled(20)
   const row = (await lab.section('parameters')).locator('[data-parameter="w_max"]')

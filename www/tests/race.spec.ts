@@ -12,7 +12,7 @@ const swarmsAt = (clock: number) => SWARMS.map((planner) => coreAt({ planner }, 
 test.describe('without motion', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } })
 
-  test('four swarms stand at the first iteration at or beyond the clock, as the core does; going back gives the same', async ({ lab, page }) => {
+  test('four swarms stand at the first iteration at or beyond the clock, as the core does; going back gives the same', { tag: '@smoke' }, async ({ lab, page }) => {
     const race = new Race(page)
     await race.open(lab, 'swarms')
     // It does not play by itself.
@@ -80,7 +80,7 @@ test.describe('without motion', () => {
     expect(first).toEqual(coreAt({ planner: 'cpso', scene: 'discs-gate', seed: 9, params: { population: 40 } }, 2000))
   })
 
-  test('what is refused is said beside its control, and nothing is lost', async ({ lab, page }) => {
+  test('what is refused is said beside its control, and nothing is lost', { tag: '@smoke' }, async ({ lab, page }) => {
     const race = new Race(page)
     await race.open(lab, 'swarms')
     const before = await race.seek(3000)
@@ -261,7 +261,7 @@ test.describe('without motion', () => {
       test.describe(`${screen}, ${colorScheme}`, () => {
         test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
 
-        test('axe finds nothing wrong with a race, and nothing is too wide', async ({ lab, page }) => {
+        test('axe finds nothing wrong with a race, and nothing is too wide', { tag: screen === 'desktop' && colorScheme === 'light' ? ['@smoke'] : [] }, async ({ lab, page }) => {
           const race = new Race(page)
           await race.open(lab, 'swarms')
           await race.seek(3000)

@@ -2,7 +2,7 @@ import { panels } from '../src/i18n/panels.en'
 import { hashOf, linkTo, verified } from './support/core'
 import { en, expect, test } from './support/lab'
 
-test('a step forward and a step back lead to the identical frame', async ({ lab }) => {
+test('a step forward and a step back lead to the identical frame', { tag: '@smoke' }, async ({ lab }) => {
   await lab.open(linkTo({}, 40))
   const hash = await lab.settled(40)
   const picture = await lab.wholePicture()
@@ -16,7 +16,7 @@ test('a step forward and a step back lead to the identical frame', async ({ lab 
   expect(await lab.picture()).toEqual(picture)
 })
 
-test('the timeline shows any iteration, past or future, exactly', async ({ lab }) => {
+test('the timeline shows any iteration, past or future, exactly', { tag: '@smoke' }, async ({ lab }) => {
   await lab.open(linkTo({}, 10))
   for (const iteration of [300, 17, 0, 500, 299]) expect(await lab.seek(iteration)).toBe(hashOf({}, iteration))
 })

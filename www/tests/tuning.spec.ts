@@ -109,7 +109,7 @@ test('what was tuned is told, and run at once; the tuner comes back with its own
   expect(await lab.seek(5)).toBe(hashOf(SETUP, 5))
 })
 
-test('several parameters are chosen by chips and by keys; one of them has to stay', async ({ lab, page }) => {
+test('several parameters are chosen by chips and by keys; one of them has to stay', { tag: '@smoke' }, async ({ lab, page }) => {
   await lab.open(linkTo(SETUP, 1))
   const one = await lab.settled(1)
   const row = (await lab.section('parameters')).locator('[data-parameter="tune"]')
