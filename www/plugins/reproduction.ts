@@ -48,8 +48,8 @@ export function rowsOf(text: string, file: string): Row[] {
     const given = Object.fromEntries(COLUMNS.map((name, k) => [name, cells[k] ?? '']))
     const refused = (name: string, allowed: string): Error => new Error(`${file}, row ${line + 1}: ${name} is “${given[name]}”; allowed: ${allowed}`)
     for (const name of WORDS) if (given[name] === '') throw refused(name, 'a text')
-    if (!PAPERS.some((paper) => paper === given['paper'])) throw refused('paper', PAPERS.join(', '))
-    if (!VERDICTS.some((verdict) => verdict === given['verdict'])) throw refused('verdict', VERDICTS.join(', '))
+    if (!PAPERS.some((paper) => paper === given.paper)) throw refused('paper', PAPERS.join(', '))
+    if (!VERDICTS.some((verdict) => verdict === given.verdict)) throw refused('verdict', VERDICTS.join(', '))
     const numbers = NUMBERS.map((name) => {
       const value = given[name] === '' ? null : Number(given[name])
       if (value !== null && !Number.isFinite(value)) throw refused(name, 'a finite number, or nothing')

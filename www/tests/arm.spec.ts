@@ -48,7 +48,7 @@ async function drag(lab: Lab, a: Point3, b: Point3, across = false): Promise<voi
 
 const near = (found: readonly number[] | undefined, expected: readonly number[], within = 0.004): void => {
   expect(found).toHaveLength(expected.length)
-  expected.forEach((value, axis) => expect(Math.abs((found?.[axis] ?? NaN) - value)).toBeLessThan(within))
+  for (const [axis, value] of expected.entries()) expect(Math.abs((found?.[axis] ?? NaN) - value)).toBeLessThan(within)
 }
 
 /** Where the tree's nodes are. */

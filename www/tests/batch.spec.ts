@@ -406,7 +406,7 @@ test('results are dropped only when asked or saved, and the plan outlives a relo
   await page.getByTestId('view-batch').click()
   await expect(page.getByTestId('entrant')).toHaveCount(2)
   expect(again).toBe(0)
-  expect(await page.getByTestId('entrant').evaluateAll((all) => all.map((one) => one.dataset['planner']))).toEqual(['wcpso', 'cpso'])
+  expect(await page.getByTestId('entrant').evaluateAll((all) => all.map((one) => one.dataset.planner))).toEqual(['wcpso', 'cpso'])
   await expect(page.getByTestId('batch-count')).toHaveValue('3')
   await expect(page.getByTestId('batch-iterations')).toHaveValue('30')
   await expect(page.getByTestId('batch-scene')).toHaveValue(SCENE)

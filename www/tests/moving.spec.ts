@@ -271,7 +271,7 @@ test('while a drive stands still, an obstacle is dragged from where it is now, a
   const slow: Moving = { center: [300, 60], radius: 12, velocity: [0, 5] }
   const scene = withMoving([slow])
   await drive(lab, scene)
-  const seconds = told(scene, (session) => session.readings()['time'] ?? NaN)
+  const seconds = told(scene, (session) => session.readings().time ?? NaN)
   expect(seconds).toBeGreaterThan(4)
   const now: Point = [300, 60 + 5 * seconds]
   await click(lab, now)

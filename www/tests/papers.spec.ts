@@ -194,7 +194,7 @@ test('an experiment becomes a race, with the paper’s parameters', async ({ lab
 test('a row’s own run opens in the stage, bit for bit what its command repeats', async ({ lab, page }) => {
   const [row, expected] = rows.flatMap((candidate) => {
     const found = runOf(candidate.command)
-    return found && found.run.planner === 'ltqpso' && found.run.params['segments'] === 16 ? [[candidate, found] as const] : []
+    return found && found.run.planner === 'ltqpso' && found.run.params.segments === 16 ? [[candidate, found] as const] : []
   })[0] ?? []
   if (!row || !expected) throw new Error('no such row')
   await page.emulateMedia({ reducedMotion: 'reduce' })
@@ -262,6 +262,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
 test('verdicts are told in words', async ({ lab, page }) => {
   await open(lab)
   await openAll(lab)
+  // biome-ignore lint/performance/useDomNodeTextContent: what is seen, not what is hidden from sight.
   const told = await page.evaluate(() => [...document.querySelectorAll<HTMLElement>('[data-testid="figure"] td.verdict')].map((cell) => cell.innerText.trim()))
   expect(told).toEqual(PAPERS.flatMap((paper) => groupsOf(rows, paper).flatMap((group) => group.rows.map((row) => text.verdicts[row.verdict]))))
 })

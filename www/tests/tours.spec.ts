@@ -103,7 +103,7 @@ test('the bats’ numbers are the core’s: bars, words and lengths; a head sort
     number(first.length, 5), number(first.loudness, 3), number(first.pulse_rate, 3), number(first.different, 5),
     ['start', 'PMX', '2-opt'][first.operator] ?? '', number(first.gain, 5),
   ])
-  expect(await row.locator('[data-share]').evaluateAll((bars) => bars.map((bar) => Number((bar as HTMLElement).dataset['share'])))).toEqual([
+  expect(await row.locator('[data-share]').evaluateAll((bars) => bars.map((bar) => Number((bar as HTMLElement).dataset.share)))).toEqual([
     Number(first.loudness.toFixed(4)),
     Number(first.pulse_rate.toFixed(4)),
   ])
@@ -113,7 +113,7 @@ test('the bats’ numbers are the core’s: bars, words and lengths; a head sort
 
   const shown = (): Promise<(string | undefined)[]> =>
     table.locator('[data-member]').evaluateAll((rows) =>
-      rows.sort((a, b) => Number(a.ariaRowIndex) - Number(b.ariaRowIndex)).slice(0, 8).map((node) => (node as HTMLElement).dataset['member']),
+      rows.sort((a, b) => Number(a.ariaRowIndex) - Number(b.ariaRowIndex)).slice(0, 8).map((node) => (node as HTMLElement).dataset.member),
     )
   const head = table.getByRole('columnheader').filter({ has: page.getByRole('button', { name: 'Loudness', exact: true }) })
   const by = (descending: boolean): string[] => sorted(members.length, (member) => members[member]?.loudness ?? NaN, descending).slice(0, 8).map(String)
@@ -144,7 +144,7 @@ test('a bat that is picked tells what it did; where its tour differs is marked',
   expect(differing.length).toBeGreaterThan(1)
   await expect(panel.locator('tr.differs').getByRole('rowheader')).toHaveText(differing)
   await expect(panel.locator('tr.differs').first()).toContainText('≠')
-  await expect(panel.getByTestId('inspect-key').locator('[data-role="different"]')).toHaveText(closer.inspect.roles['different'] ?? '')
+  await expect(panel.getByTestId('inspect-key').locator('[data-role="different"]')).toHaveText(closer.inspect.roles.different ?? '')
 
   // It is told of in the roads too, without having them built once more; and again when the bats fly.
   await lab.seek(5)
@@ -215,7 +215,7 @@ test('the result is told as a tour: its gap, by which optimum, its order, which 
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(order.join(' '))
 
   await lab.seek(3)
-  await expect(page.getByTestId('result')).toContainText(en.result.roads(String(sessionAt(SETUP, 3, (session) => session.readings()['roads'])), '66'))
+  await expect(page.getByTestId('result')).toContainText(en.result.roads(String(sessionAt(SETUP, 3, (session) => session.readings().roads)), '66'))
 })
 
 test('the curve of a run of two parts begins where there is a tour, and every reading has one', async ({ lab }) => {

@@ -1,4 +1,4 @@
-import { type Outcome, Session } from '../../pkg/node.js'
+import type { Outcome, Session } from '../../pkg/node.js'
 import { number } from '../src/panels/format'
 import { hashOf, linkTo, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'

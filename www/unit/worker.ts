@@ -34,7 +34,7 @@ export const scene = (name: string): Scene =>
 const catalogue = { planners: [planner('wcpso'), planner('pso')], scenes: [scene('wcpso-discs'), scene('other')], roles: [], shapes: [] } as unknown as Catalogue
 
 /** How long a run is. */
-const limitOf = ({ params }: Setup): number => Number(params?.['iterations'] ?? 100)
+const limitOf = ({ params }: Setup): number => Number(params?.iterations ?? 100)
 
 /**
  * The thread that computes, by hand: it takes in what it is asked, in order, only when the test says so. Parameter values below zero are refused.

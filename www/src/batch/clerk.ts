@@ -68,7 +68,8 @@ export class Clerk {
   }
 
   private async put<T>(question: (thread: Thread) => Promise<T>): Promise<T> {
-    const thread = (this.thread ??= new Thread())
+    this.thread ??= new Thread()
+    const { thread } = this
     try {
       return await thread.ask(question(thread))
     } catch (error) {

@@ -21,7 +21,7 @@ let lanes = 0
 
 /** A racer: its run, in a thread of its own, and what was told of it last. */
 export class Lane {
-  readonly id = (lanes += 1)
+  readonly id: number
   planner = $state('')
   /** What differs from the defaults. */
   params = $state.raw<Record<string, ParameterValue>>({})
@@ -58,6 +58,8 @@ export class Lane {
   private looked: Look | null = null
 
   constructor(planner: string, params: Record<string, ParameterValue> = {}) {
+    lanes += 1
+    this.id = lanes
     this.planner = planner
     this.params = params
   }
@@ -99,7 +101,8 @@ export class Lane {
 
   /** The run begins anew, unless it is refused: then what runs is the run of before. */
   async start(scene: Scene, params: Record<string, ParameterValue>, seed: number): Promise<Started> {
-    const turn = (this.starts += 1)
+    this.starts += 1
+    const turn = this.starts
     const setup: Setup = { planner: this.planner, scene, params, seed }
     this.crash = ''
     const answer = await this.ask<Answer<Start>>(this.hire().start(setup) as Promise<Answer<Start>>)
@@ -206,7 +209,7 @@ export class Lane {
   }
 
   private discard({ buffer, fields }: Picture): void {
-    fields.forEach(({ bitmap }) => bitmap.close())
+    for (const { bitmap } of fields) bitmap.close()
     if (buffer.byteLength > 0) void this.api?.giveBack(Comlink.transfer(buffer, [buffer]))
   }
 
@@ -218,7 +221,7 @@ export class Lane {
     this.api = undefined
     this.run = null
     this.underway = false
-    this.picture?.fields.forEach(({ bitmap }) => bitmap.close())
+    for (const { bitmap } of this.picture?.fields ?? []) bitmap.close()
     this.picture = null
     this.settled = null
   }

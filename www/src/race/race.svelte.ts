@@ -198,7 +198,8 @@ class Race extends Times {
   /** All begin again; false if they have begun once more meanwhile. */
   private async restart(): Promise<boolean> {
     const { scene, seed } = this
-    const turn = (this.turns += 1)
+    this.turns += 1
+    const turn = this.turns
     this.stop()
     if (!scene) return false
     this.starting = true

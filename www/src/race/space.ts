@@ -120,7 +120,10 @@ function drawArm({ context, palette, view, size }: Pen, scene: ArmScene, skeleto
   context.strokeStyle = context.fillStyle = palette.get('--robot')
   context.lineWidth = Math.max(3, 0.035 * reach * view.scale)
   context.beginPath()
-  line.forEach(([x, y], at) => (at === 0 ? context.moveTo(x, y) : context.lineTo(x, y)))
+  for (const [at, [x, y]] of line.entries()) {
+    if (at === 0) context.moveTo(x, y)
+    else context.lineTo(x, y)
+  }
   context.stroke()
   context.globalAlpha = 1
 }

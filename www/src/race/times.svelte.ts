@@ -174,7 +174,7 @@ export abstract class Times {
     this.ways += 1
     if (turns !== this.turns) return
     if (racing.some((lane, at) => pictures[at] === null && lane.halted)) {
-      racing.forEach((lane, at) => lane.pass(pictures[at] ?? null))
+      for (const [at, lane] of racing.entries()) lane.pass(pictures[at] ?? null)
       const back = await Promise.all(racing.map((lane) => lane.go(this.clock)))
       if (turns === this.turns) this.show(racing, back)
       return

@@ -138,7 +138,7 @@ export class Hands {
     const now = performance.now()
     // Keys come faster than answers.
     const item = this.walked && now - this.walked.at < ROW ? this.walked.item : lab.inspection?.item
-    const index = item?.role === NODES ? Math.min(item.index + by, (lab.readings['nodes'] ?? Infinity) - 1) : 0
+    const index = item?.role === NODES ? Math.min(item.index + by, (lab.readings.nodes ?? Infinity) - 1) : 0
     this.walked = { item: { role: NODES, index: Math.max(0, index) }, at: now }
     lab.select(null)
     lab.inspect(this.walked.item)

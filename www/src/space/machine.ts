@@ -98,8 +98,8 @@ export class Machine {
     const now = stance(this.arm, posture)
     const { skeleton, axes } = now
     const point = (at: number): Vector3 => skeleton[at] ?? new Vector3()
-    this.links.forEach((link, at) => span(link, point(at), point(at + 1)))
-    this.ends.forEach((end, at) => end.position.copy(point(at + 1)))
+    for (const [at, link] of this.links.entries()) span(link, point(at), point(at + 1))
+    for (const [at, end] of this.ends.entries()) end.position.copy(point(at + 1))
     // The axes that turn upper arm, forearm and hand lie in shoulder, elbow and wrist.
     for (const [at, axis] of [1, 2, 4].entries()) put(this.housings[at], point(at + 1), axes[axis])
     put(this.turret, point(0), axes[0])

@@ -1,4 +1,4 @@
-import { Color, DynamicDrawUsage, GreaterDepth, Group, InstancedInterleavedBuffer, InterleavedBufferAttribute } from 'three'
+import { type Color, DynamicDrawUsage, GreaterDepth, Group, InstancedInterleavedBuffer, InterleavedBufferAttribute } from 'three'
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js'
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js'
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js'
@@ -122,7 +122,7 @@ export class Strokes {
     const attribute = (array: Float32Array, size: number, names: readonly [string, string]): void => {
       const buffer = new InstancedInterleavedBuffer(array, size, 1)
       buffer.setUsage(DynamicDrawUsage)
-      names.forEach((name, at) => this.geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size / 2, (at * size) / 2)))
+      for (const [at, name] of names.entries()) this.geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size / 2, (at * size) / 2))
     }
     attribute(this.ends, ENDS, ['instanceStart', 'instanceEnd'])
     attribute(this.lengths, LENGTHS, ['instanceDistanceStart', 'instanceDistanceEnd'])

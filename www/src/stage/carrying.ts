@@ -148,7 +148,7 @@ export class Carrying {
 
   /** What a new one needs, in words. */
   get hint(): string {
-    return lab.readings['time'] && this.now ? moving.addingLater : moving.adding
+    return lab.readings.time && this.now ? moving.addingLater : moving.adding
   }
 
   /** How far a key moves an obstacle. */

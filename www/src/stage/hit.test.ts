@@ -1,7 +1,7 @@
 import type { DiscsScene } from 'forage'
 import { expect, test } from 'vitest'
 import { hit } from './hit'
-import { fit, toScreen } from './view'
+import { fit as fitted, toScreen } from './view'
 
 const scene: DiscsScene = {
   format: 'forage-scene',
@@ -18,7 +18,7 @@ const scene: DiscsScene = {
   ],
 }
 const SIZE = { width: 600, height: 600 }
-const view = fit(scene.bounds, SIZE, [50, 50])
+const view = fitted(scene.bounds, SIZE, [50, 50])
 const at = (x: number, y: number, selected: number | null = null) =>
   hit(scene, view, SIZE, toScreen(view, SIZE, [x, y]), selected === null ? null : { kind: 'disc', index: selected }, false, false)
 

@@ -1,13 +1,13 @@
 import type { Point } from 'forage'
 import { expect, test } from 'vitest'
-import { fit, pan, tick, toScene, toScreen, type View, zoom } from './view'
+import { fit as fitted, pan, tick, toScene, toScreen, type View, zoom } from './view'
 
 const SIZE = { width: 800, height: 600 }
 const BOX = { min: [-10, 0] as Point, max: [30, 20] as Point }
 
 for (const down of [false, true]) {
   const y = down ? 'down' : 'up'
-  const whole = fit(BOX, SIZE, [64, 38], down)
+  const whole = fitted(BOX, SIZE, [64, 38], down)
 
   test(`screen and scene map to each other, y ${y}`, () => {
     for (const at of [[0, 0], [123, 456], [800, 600]] as Point[]) {
@@ -44,7 +44,7 @@ for (const down of [false, true]) {
 }
 
 test('zooming ends at both limits', () => {
-  const whole = fit(BOX, SIZE, [0, 0])
+  const whole = fitted(BOX, SIZE, [0, 0])
   expect(zoom(whole, SIZE, 1e9, [0, 0], whole.scale).scale).toBe(400 * whole.scale)
   expect(zoom(whole, SIZE, 1e-9, [0, 0], whole.scale).scale).toBe(0.2 * whole.scale)
 })

@@ -20,7 +20,9 @@ const GOLDEN = Math.PI * (3 - Math.sqrt(5))
 export function drawWalk(pen: Pen, walk: Walk, time: number): void {
   const { context, palette } = pen
   const lanes = lanesOf(walk, pen.view.scale)
-  const each = (act: (ant: Ant, lane: Point) => void): void => walk.ants.forEach((ant, at) => act(ant, lanes[at] ?? [0, 0]))
+  const each = (act: (ant: Ant, lane: Point) => void): void => {
+    for (const [at, ant] of walk.ants.entries()) act(ant, lanes[at] ?? [0, 0])
+  }
   const faint = Math.min(0.35, DARKEST / walk.ants.length)
   const body = walk.ants.length > MANY ? SMALL : BODY
   context.lineJoin = context.lineCap = 'round'

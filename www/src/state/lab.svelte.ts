@@ -260,7 +260,7 @@ export class Lab extends Transport {
   private receive(frame: FrameMessage): void {
     const previous = this.frame
     if (previous) this.client.giveBack(previous.buffer)
-    previous?.fields.forEach(({ bitmap }) => bitmap.close())
+    for (const { bitmap } of previous?.fields ?? []) bitmap.close()
     const anew = frame.generation !== previous?.generation
     this.frame = frame
     this.course.receive(frame, anew)

@@ -6,7 +6,9 @@ const made = vi.hoisted((): { worker?: FakeWorker } => ({}))
 vi.mock('./client', () => ({
   Client: class {
     constructor(listeners: ConstructorParameters<typeof FakeWorker>[0]) {
-      return (made.worker = new FakeWorker(listeners))
+      const worker = new FakeWorker(listeners)
+      made.worker = worker
+      Object.assign(this, worker)
     }
   },
 }))

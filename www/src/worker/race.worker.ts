@@ -9,8 +9,10 @@ let racer: Racer | undefined
 let ready: Promise<unknown> | undefined
 
 async function own(): Promise<Racer> {
-  await (ready ??= init())
-  return (racer ??= new Racer(catalogue().shapes.indexOf('field')))
+  ready ??= init()
+  await ready
+  racer ??= new Racer(catalogue().shapes.indexOf('field'))
+  return racer
 }
 
 /** Pictures travel, they aren't copied. */

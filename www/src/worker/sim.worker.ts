@@ -1,5 +1,5 @@
 import * as Comlink from 'comlink'
-import init, { armSolutions, carryOut, catalogue, exportScene, generateScene, importScene, newSeed, parseLink, reachability, Session, suggest } from 'forage'
+import init, { armSolutions, carryOut, catalogue, exportScene, generateScene, importScene, newSeed, parseLink, reachability, type Session, suggest } from 'forage'
 import type {
   ArmSolutions, Catalogue, Drive, Finding, Format, Imported, Inspection, Item, LinkSetup, Motion, NamedFile, Outcome, ParameterValue, Point3, Reachability, Scene, Setup, Suggestion,
 } from 'forage'

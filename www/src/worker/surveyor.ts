@@ -9,7 +9,14 @@ export class Surveyor {
   async ask(scene: Scene, step: number): Promise<Answer<Reachability> | null> {
     this.callOff()
     const { api, failed, end } = other()
-    const called = new Promise<null>((resolve) => (this.present = { end: () => (end(), resolve(null)) }))
+    const called = new Promise<null>((resolve) => {
+      this.present = {
+        end: () => {
+          end()
+          resolve(null)
+        },
+      }
+    })
     try {
       return await Promise.race([api.survey(scene, step), failed, called])
     } finally {

@@ -17,7 +17,7 @@ export interface BoxOptions {
   theme: Theme
   axis: Axis
   /** What a run comes to; null without a feasible result. */
-  valueOf(run: Run): number | null
+  valueOfRun(run: Run): number | null
   /** What is drawn of a group's summary, in the same measure. */
   quartilesOf(group: ShownGroup): Quartiles | null
   exactOf(group: ShownGroup): number | null
@@ -58,7 +58,7 @@ export function boxPlot(host: HTMLElement, options: BoxOptions): uPlot {
 
 /** A row: the box above its dots, and those without a result beside them. */
 function draw(plot: uPlot, group: ShownGroup, at: number, strip: number, options: BoxOptions): Dot[] {
-  const { theme, axis: scale, valueOf } = options
+  const { theme, axis: scale, valueOfRun } = options
   const { ctx, bbox } = plot
   const ratio = devicePixelRatio
   const place = (value: number): number => plot.valToPos(scale.place(value), 'x', true)
@@ -74,13 +74,13 @@ function draw(plot: uPlot, group: ShownGroup, at: number, strip: number, options
   if (quartiles) box(ctx, quartiles, place, top, colour, ratio)
 
   const dots = group.runs.map((run): Dot => {
-    const value = valueOf(run)
+    const value = valueOfRun(run)
     const y = top + (ROW.dots + ROW.dotsHeight * jitter(run.record.seed + 1, GOLDEN)) * ratio
     if (value !== null) return { x: place(value), y, run }
     const from = bbox.left + bbox.width + 14 * ratio
     return { x: from + (strip - 28) * ratio * jitter(run.record.seed + 1, PLASTIC), y, run }
   })
-  for (const { x, y, run } of dots) mark(ctx, x, y, run, valueOf(run) === null, colour, theme, ratio)
+  for (const { x, y, run } of dots) mark(ctx, x, y, run, valueOfRun(run) === null, colour, theme, ratio)
   ctx.restore()
   return dots.map(({ x, y, run }) => ({ x: x / ratio, y: y / ratio, run }))
 }

@@ -61,7 +61,11 @@ export function linePlot(host: HTMLElement, { evaluations, lines, theme, x, y, l
       series,
       bands,
       hooks: {
-        drawAxes: [(plot) => levels.forEach((level) => levelled(plot, y.place(level), theme.exact))],
+        drawAxes: [
+          (plot) => {
+            for (const level of levels) levelled(plot, y.place(level), theme.exact)
+          },
+        ],
         setCursor: [(plot) => onhover(plot.cursor.idx ?? null)],
       },
     },
