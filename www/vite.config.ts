@@ -18,5 +18,10 @@ export default defineConfig({
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } },
   // What draws in space is one library, and comes with the first scene that needs it.
-  build: { target: 'es2023', assetsInlineLimit: 0, modulePreload: { polyfill: false, resolveDependencies: styles }, chunkSizeWarningLimit: 800 },
+  build: {
+    target: 'es2023',
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false, resolveDependencies: styles },
+    chunkSizeWarningLimit: 800,
+  },
 })

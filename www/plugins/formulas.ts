@@ -58,7 +58,10 @@ export function formulas(core: string): Plugin {
       const displayed = formulasOf(catalogue)
       if (id !== RESOLVED) return `export default ${JSON.stringify(typeset(displayed[id.slice(RESOLVED.length + 1)] ?? new Set(), true))}`
       const loaders = Object.keys(displayed).map((name) => `${JSON.stringify(name)}: () => import(${JSON.stringify(`${ID}/${name}`)})`)
-      return [`export const inline = ${JSON.stringify(typeset(symbolsOf(catalogue), false))}`, `export const display = { ${loaders.join(', ')} }`].join('\n')
+      return [
+        `export const inline = ${JSON.stringify(typeset(symbolsOf(catalogue), false))}`,
+        `export const display = { ${loaders.join(', ')} }`,
+      ].join('\n')
     },
   }
 }
@@ -81,7 +84,9 @@ function symbolsOf({ planners, symbols = [], ...others }: Symbols): Set<string> 
 
 function formulasOf({ planners, ...others }: Symbols): Record<string, Set<string>> {
   const all = [...planners, ...FOLLOWERS.map((name) => ({ name, formulas: others[name].formulas }))]
-  return Object.fromEntries(all.map(({ name, formulas }) => [name, new Set(formulas.flatMap(({ tex, live }) => (live ? [tex, live] : [tex])))]))
+  return Object.fromEntries(
+    all.map(({ name, formulas }) => [name, new Set(formulas.flatMap(({ tex, live }) => (live ? [tex, live] : [tex])))]),
+  )
 }
 
 function typeset(sources: Set<string>, displayMode: boolean): Record<string, string> {
@@ -90,23 +95,26 @@ function typeset(sources: Set<string>, displayMode: boolean): Record<string, str
 
 /** Numbers that stand for `@name@` while TeX is set: spaces come out as they would around the real ones. */
 const SLOT = 9_021_000
-const FUNCTION = /(<\/(?:mi|mn|msub|msup|mfrac|mtext)>)(?=<mrow><mi>[a-z]{2,}<\/mi><mo>\u2061<\/mo>(?:<mspace[^>]*><\/mspace>)?<\/mrow>(?!<\/msu))/g
+const FUNCTION =
+  /(<\/(?:mi|mn|msub|msup|mfrac|mtext)>)(?=<mrow><mi>[a-z]{2,}<\/mi><mo>\u2061<\/mo>(?:<mspace[^>]*><\/mspace>)?<\/mrow>(?!<\/msu))/g
 const PRIME = /<msup>(<mi>[^<]*<\/mi>)<mo [^>]*class="tml-prime[^>]*>′<\/mo><\/msup>/g
 
 /** MathML, with every `@name@` left in it as `<mtext>@name@</mtext>`. Formulas may break after their outer operators. */
 export function mathml(tex: string, displayMode: boolean): string {
   const names: string[] = []
   const source = tex.replace(/@([\w.-]+)@/g, (_, name: string) => `{${SLOT + names.push(name) - 1}}`)
-  return temml
-    .renderToString(source, { wrap: displayMode ? 'tex' : 'none', throwOnError: true })
-    .replace(/<mn>(\d{7})<\/mn>/g, (whole, digits: string) => {
-      const name = names[Number(digits) - SLOT]
-      return name === undefined ? whole : `<mtext>@${name}@</mtext>`
-    })
-    .replace(FUNCTION, '$1<mspace width="0.1667em"></mspace>')
-    // Text fonts have the prime where it belongs; as a superscript it would be raised twice.
-    .replace(PRIME, '<mrow>$1<mo class="prime" lspace="0em" rspace="0em">′</mo></mrow>')
-    // At the end of a piece an operator would count as a postfix and lose its spaces.
-    .replace(/<mo>([^<]+)<\/mo><\/mrow>(?=<mrow>|<\/math>)/g, '<mo form="infix">$1</mo></mrow>')
-    .replace(/^<math>/, displayMode ? '<math displaystyle="true">' : '<math>')
+  return (
+    temml
+      .renderToString(source, { wrap: displayMode ? 'tex' : 'none', throwOnError: true })
+      .replace(/<mn>(\d{7})<\/mn>/g, (whole, digits: string) => {
+        const name = names[Number(digits) - SLOT]
+        return name === undefined ? whole : `<mtext>@${name}@</mtext>`
+      })
+      .replace(FUNCTION, '$1<mspace width="0.1667em"></mspace>')
+      // Text fonts have the prime where it belongs; as a superscript it would be raised twice.
+      .replace(PRIME, '<mrow>$1<mo class="prime" lspace="0em" rspace="0em">′</mo></mrow>')
+      // At the end of a piece an operator would count as a postfix and lose its spaces.
+      .replace(/<mo>([^<]+)<\/mo><\/mrow>(?=<mrow>|<\/math>)/g, '<mo form="infix">$1</mo></mrow>')
+      .replace(/^<math>/, displayMode ? '<math displaystyle="true">' : '<math>')
+  )
 }

@@ -46,7 +46,8 @@ export function rowsOf(text: string, file: string): Row[] {
   if (lines.length === 0) throw new Error(`${file} has no rows`)
   return lines.map((cells, line) => {
     const given = Object.fromEntries(COLUMNS.map((name, k) => [name, cells[k] ?? '']))
-    const refused = (name: string, allowed: string): Error => new Error(`${file}, row ${line + 1}: ${name} is “${given[name]}”; allowed: ${allowed}`)
+    const refused = (name: string, allowed: string): Error =>
+      new Error(`${file}, row ${line + 1}: ${name} is “${given[name]}”; allowed: ${allowed}`)
     for (const name of WORDS) if (given[name] === '') throw refused(name, 'a text')
     if (!PAPERS.some((paper) => paper === given.paper)) throw refused('paper', PAPERS.join(', '))
     if (!VERDICTS.some((verdict) => verdict === given.verdict)) throw refused('verdict', VERDICTS.join(', '))

@@ -9,7 +9,9 @@ for (const colorScheme of ['light', 'dark'] as const) {
     test.describe(`${screen}, ${colorScheme}`, () => {
       test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
 
-      test('axe finds nothing wrong with any part of the page', { tag: screen === 'desktop' && colorScheme === 'light' ? ['@smoke'] : [] }, async ({ lab, page }) => {
+      test('axe finds nothing wrong with any part of the page', {
+        tag: screen === 'desktop' && colorScheme === 'light' ? ['@smoke'] : [],
+      }, async ({ lab, page }) => {
         await lab.open(linkTo({}, 40))
         await lab.settled(40)
         const sections = await page.locator('[data-testid^="section-"]').all()
@@ -34,7 +36,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
         expect(await violations(lab)).toEqual([])
       })
 
-      test('axe finds nothing wrong with a grid, its fields, a particle’s leap and the drive; nothing is too wide', async ({ lab, page }) => {
+      test('axe finds nothing wrong with a grid, its fields, a particle’s leap and the drive; nothing is too wide', async ({
+        lab,
+        page,
+      }) => {
         await lab.open(linkTo({ planner: 'ltqpso', scene: 'qpso-10m' }, 10))
         await lab.settled(10)
         for (const id of ['parameters', 'scene', 'result', 'readings', 'chart', 'inspect', 'drive']) await lab.section(id)
@@ -52,7 +57,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await expect(page.getByTestId('drive-bar')).toHaveCount(0)
       })
 
-      test('axe finds nothing wrong with ants, a cell that is looked at and an unfolded iteration; nothing is too wide', async ({ lab, page }) => {
+      test('axe finds nothing wrong with ants, a cell that is looked at and an unfolded iteration; nothing is too wide', async ({
+        lab,
+        page,
+      }) => {
         await lab.open(linkTo({ planner: 'aco-direction', scene: 'wolf-ant-20' }, 12))
         await lab.settled(12)
         for (const id of ['readings', 'inspect', 'result']) await lab.section(id)
@@ -70,17 +78,25 @@ for (const colorScheme of ['light', 'dark'] as const) {
         expect(await violations(lab)).toEqual([])
         expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
         if (screen !== 'phone') return
-        const low = await page.getByTestId('walk-bar').locator('button, input[type=range]').evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().height < 43.5).length)
+        const low = await page
+          .getByTestId('walk-bar')
+          .locator('button, input[type=range]')
+          .evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().height < 43.5).length)
         expect(low).toBe(0)
       })
 
-      test('axe finds nothing wrong with a tuning, a map that was read and a random one; nothing is too wide or too low', async ({ lab, page }) => {
+      test('axe finds nothing wrong with a tuning, a map that was read and a random one; nothing is too wide or too low', async ({
+        lab,
+        page,
+      }) => {
         const wrong = async (): Promise<string[]> => {
           const width = await page.evaluate(() => document.documentElement.scrollWidth)
           const low = await page
             .locator('[data-testid="tuned"], [data-testid="imported"], dialog')
             .locator('button, select, input:not([type=checkbox])')
-            .evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML))
+            .evaluateAll((controls) =>
+              controls.filter((control) => control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML),
+            )
           return [...(await violations(lab)), ...(width > viewport.width ? [`${width} wide`] : []), ...(screen === 'phone' ? low : [])]
         }
         const params = { population: 3, seeds: 1, colony_iterations: 5 }
@@ -135,7 +151,10 @@ test.describe('on a phone', () => {
     for (const id of ['parameters', 'scene', 'result', 'readings', 'chart']) await lab.section(id)
     const small = await page.evaluate(() =>
       [...document.querySelectorAll<HTMLElement>('button, select, summary, input:not([type=checkbox], [type=radio], [hidden])')]
-        .map((element) => ({ what: element.getAttribute('aria-label') ?? element.id + element.textContent, box: element.getBoundingClientRect() }))
+        .map((element) => ({
+          what: element.getAttribute('aria-label') ?? element.id + element.textContent,
+          box: element.getBoundingClientRect(),
+        }))
         .filter(({ box }) => box.width > 0 && box.height < 43.5)
         .map(({ what, box }) => `${what}: ${box.height}`),
     )

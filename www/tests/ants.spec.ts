@@ -61,7 +61,10 @@ const colourAt = (lab: Lab, { x, y }: { x: number; y: number }): Promise<number[
     [x, y],
   )
 
-test('pheromone is a heat map: strong cells are coloured, weak and blocked ones are not, and it follows the iterations', async ({ lab, page }) => {
+test('pheromone is a heat map: strong cells are coloured, weak and blocked ones are not, and it follows the iterations', async ({
+  lab,
+  page,
+}) => {
   await begin(lab)
   for (const role of ['trails', 'ants', 'best', 'exact']) await lab.layer(role, false)
   const values = pheromone(AT)
@@ -98,7 +101,10 @@ test('an iteration unfolds into its ants’ steps, keeps to the iteration, and f
   for (const step of [0, 7, walk.end]) {
     await line.fill(String(step))
     const { walking, arrived, stuck } = walk.counts(step)
-    await expect(line).toHaveAttribute('aria-valuetext', `${closer.walk.spoken(number(step), number(walk.end), String(AT))}: ${closer.walk.counts(number(walking), number(arrived), number(stuck))}`)
+    await expect(line).toHaveAttribute(
+      'aria-valuetext',
+      `${closer.walk.spoken(number(step), number(walk.end), String(AT))}: ${closer.walk.counts(number(walking), number(arrived), number(stuck))}`,
+    )
   }
   await lab.press(closer.walk.back)
   await expect(line).toHaveValue(String(walk.end - 1))
@@ -146,7 +152,10 @@ test.describe('without motion', () => {
   })
 })
 
-test('a cell that is pointed at shows its neighbours with the core’s numbers, while the run plays too; a click pins it', async ({ lab, page }) => {
+test('a cell that is pointed at shows its neighbours with the core’s numbers, while the run plays too; a click pins it', async ({
+  lab,
+  page,
+}) => {
   await begin(lab)
   const cell = { column: 8, row: 11 }
   const index = indexOf(scene, cell)
@@ -164,7 +173,8 @@ test('a cell that is pointed at shows its neighbours with the core’s numbers, 
       continue
     }
     await expect(place).toContainText(chance(row[column('p')] ?? NaN))
-    for (const name of ['tau', 'eta', 'psi']) await expect(place.locator(`[data-column="${name}"]`)).toHaveText(number(row[column(name)], 3))
+    for (const name of ['tau', 'eta', 'psi'])
+      await expect(place.locator(`[data-column="${name}"]`)).toHaveText(number(row[column(name)], 3))
   }
   await page.mouse.move(0, 0)
   await expect(card).toHaveCount(0)
@@ -225,7 +235,17 @@ test('with the lens, keys go from cell to cell, which is told, and look closer',
 
 test('trails are drawn when one looks from near, and only then', async ({ lab }) => {
   const side = 96
-  const large: GridScene = { format: 'forage-scene', version: 1, kind: 'grid', name: 'large', title: 'Large', cell: 1, rows: Array.from({ length: side }, () => '.'.repeat(side)), start: [0.5, 0.5], goal: [side - 0.5, side - 0.5] }
+  const large: GridScene = {
+    format: 'forage-scene',
+    version: 1,
+    kind: 'grid',
+    name: 'large',
+    title: 'Large',
+    cell: 1,
+    rows: Array.from({ length: side }, () => '.'.repeat(side)),
+    start: [0.5, 0.5],
+    goal: [side - 0.5, side - 0.5],
+  }
   await lab.open(linkTo({ planner: 'aco', scene: large }, 5))
   await lab.settled(5)
   /** Whether the layer makes a difference. */

@@ -1,5 +1,15 @@
 import { readFileSync } from 'node:fs'
-import { armSolutions, type ArmScene, catalogue, type Motion, type Point3, reachability, type Scene, type Session, type Setup } from '../../pkg/node.js'
+import {
+  armSolutions,
+  type ArmScene,
+  catalogue,
+  type Motion,
+  type Point3,
+  reachability,
+  type Scene,
+  type Session,
+  type Setup,
+} from '../../pkg/node.js'
 import { arm as words } from '../src/i18n/arm.en'
 import { closer } from '../src/i18n/closer.en'
 import { number, percent } from '../src/panels/format'
@@ -120,7 +130,9 @@ test('the motion is saved as the core’s rows, from its panel and from the list
   await page.getByRole('button', { name: en.bar.exports }).click()
   const [second] = await Promise.all([page.waitForEvent('download'), page.getByTestId('export-motion').click()])
   for (const download of [first, second]) {
-    const lines = readFileSync(await download.path(), 'utf8').trimEnd().split('\n')
+    const lines = readFileSync(await download.path(), 'utf8')
+      .trimEnd()
+      .split('\n')
     expect(lines[0]).toBe(columns.join(','))
     expect(lines).toHaveLength(1 + rows.length / columns.length)
     expect(lines.at(-1)).toBe([...rows.subarray(-columns.length)].join(','))
@@ -285,7 +297,10 @@ test('a node of the guided tree tells its samples, which were kept, and what bec
     for (let index = 1; index < end; index += 1) {
       const told = session.inspect({ role: 'nodes', index })
       const [place] = told?.layers.find(({ role, shape }) => role === 'after' && shape === 'points')?.vertices ?? []
-      const open = place && scene.kind === 'discs' && scene.discs.every(({ center, radius }) => Math.hypot(center[0] - place[0], center[1] - place[1]) > radius + 0.3)
+      const open =
+        place &&
+        scene.kind === 'discs' &&
+        scene.discs.every(({ center, radius }) => Math.hypot(center[0] - place[0], center[1] - place[1]) > radius + 0.3)
       const own = place && session.pick(place[0], place[1], 0.05)
       if (told?.table.rows.length === 20 && open && own?.role === 'nodes' && own.index === index) return { told, place }
     }
@@ -306,7 +321,10 @@ test('a node of the guided tree tells its samples, which were kept, and what bec
 
 test('rrt-joint: the tree in joint space has the core’s nodes; a node chosen there is looked at closer', async ({ lab, page }) => {
   await opened(lab, JOINTS)
-  const columns = catalogue().planners.find(({ name }) => name === 'rrt-joint')?.members.map(({ name }) => name) ?? []
+  const columns =
+    catalogue()
+      .planners.find(({ name }) => name === 'rrt-joint')
+      ?.members.map(({ name }) => name) ?? []
   const rows = sessionAt(JOINTS, 1e6, (session) => session.members())
   const all = rows.length / columns.length
   await lab.section('joints')
@@ -360,7 +378,11 @@ test('a tree in the plane: its nodes are drawn, named and picked', async ({ lab,
 
 test('the published cases of the arm are one choice away', async ({ lab, page }) => {
   await lab.open()
-  for (const [name, planner, scene] of [['arm-guided', 'rrt-guided', 'arm-free'], ['arm-cuboid', 'rrt-guided', 'arm-cuboid'], ['arm-joints', 'rrt-joint', 'arm-cuboid']]) {
+  for (const [name, planner, scene] of [
+    ['arm-guided', 'rrt-guided', 'arm-free'],
+    ['arm-cuboid', 'rrt-guided', 'arm-cuboid'],
+    ['arm-joints', 'rrt-joint', 'arm-cuboid'],
+  ]) {
     await page.getByTestId('case').selectOption(name ?? '')
     await expect(page.getByTestId('planner')).toHaveValue(planner ?? '')
     await expect(page.getByTestId('scene')).toHaveValue(scene ?? '')

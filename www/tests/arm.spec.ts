@@ -59,7 +59,8 @@ const nodes = (iteration: number): Point3[] =>
     const found: Point3[] = []
     for (let span = 0; span < spans.length; span += 4) {
       const [of = -1, , first = 0, count = 0] = spans.subarray(span, span + 4)
-      for (let at = 4 * first; of === role && at < 4 * (first + count); at += 4) found.push([vertices[at] ?? NaN, vertices[at + 1] ?? NaN, vertices[at + 2] ?? NaN])
+      for (let at = 4 * first; of === role && at < 4 * (first + count); at += 4)
+        found.push([vertices[at] ?? NaN, vertices[at + 1] ?? NaN, vertices[at + 2] ?? NaN])
     }
     return found
   })
@@ -68,7 +69,9 @@ for (const colorScheme of ['light', 'dark'] as const) {
   test.describe(colorScheme, () => {
     test.use({ colorScheme })
 
-    test('the stage in space isn’t blank, and each layer makes a difference', { tag: colorScheme === 'light' ? ['@smoke'] : [] }, async ({ lab }) => {
+    test('the stage in space isn’t blank, and each layer makes a difference', { tag: colorScheme === 'light' ? ['@smoke'] : [] }, async ({
+      lab,
+    }) => {
       await begin(lab)
       const pictures = [await shot(lab)]
       expect(pictures[0]?.colours).toBeGreaterThan(1000)
@@ -79,7 +82,9 @@ for (const colorScheme of ['light', 'dark'] as const) {
       expect(new Set(pictures.map(({ digest }) => digest)).size).toBe(7)
     })
 
-    test('axe finds nothing wrong with the stage in space, with a cuboid and a node chosen', { tag: colorScheme === 'light' ? ['@smoke'] : [] }, async ({ lab, page }) => {
+    test('axe finds nothing wrong with the stage in space, with a cuboid and a node chosen', {
+      tag: colorScheme === 'light' ? ['@smoke'] : [],
+    }, async ({ lab, page }) => {
       await begin(lab)
       await lab.stage.focus()
       for (const key of ['k', 'n', 'n', 'n']) await page.keyboard.press(key)
@@ -211,14 +216,20 @@ test('a click on a node tells how it came about; keys go to its neighbours', asy
   const places = await Promise.all(all.map((at) => seenAt(lab, scene, at)))
   const marks = await Promise.all([scene.start, scene.goal].map((at) => seenAt(lab, scene, at)))
   const alone = ({ x, y }: { x: number; y: number }): number =>
-    Math.min(...[...places, ...marks].filter((other) => other.x !== x || other.y !== y).map((other) => Math.hypot(other.x - x, other.y - y)))
+    Math.min(
+      ...[...places, ...marks].filter((other) => other.x !== x || other.y !== y).map((other) => Math.hypot(other.x - x, other.y - y)),
+    )
   // Before the cuboid, where nothing hides it.
   const front = all.map((at, index) => ({ index, at })).filter(({ at }) => at[1] < 0.15 && at[0] < 0.2)
-  const index = front.reduce((best, one) => (alone(places[one.index] ?? { x: 0, y: 0 }) > alone(places[best] ?? { x: 0, y: 0 }) ? one.index : best), front[0]?.index ?? 0)
+  const index = front.reduce(
+    (best, one) => (alone(places[one.index] ?? { x: 0, y: 0 }) > alone(places[best] ?? { x: 0, y: 0 }) ? one.index : best),
+    front[0]?.index ?? 0,
+  )
   const at = places[index] ?? { x: 0, y: 0 }
   await page.mouse.click(at.x, at.y)
   const panel = page.getByTestId('section-inspect')
-  const titled = (number: number): string => sessionAt(GUIDED, AT, (session) => session.inspect({ role: 'nodes', index: number })?.title ?? '')
+  const titled = (number: number): string =>
+    sessionAt(GUIDED, AT, (session) => session.inspect({ role: 'nodes', index: number })?.title ?? '')
   await expect(panel.getByText(titled(index), { exact: true })).toBeVisible()
   await lab.stage.focus()
   for (const key of ['k', 'k', 'j', 'k']) await page.keyboard.press(key)

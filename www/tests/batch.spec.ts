@@ -19,7 +19,8 @@ async function openBatch(lab: Lab): Promise<void> {
 
 async function keep(page: Page, planners: readonly string[]): Promise<void> {
   for (const planner of ['wcpso', 'pso', 'wpso', 'cpso']) {
-    if (!planners.includes(planner)) await page.locator(`[data-testid=entrant][data-planner=${planner}]`).getByTestId('entrant-remove').click()
+    if (!planners.includes(planner))
+      await page.locator(`[data-testid=entrant][data-planner=${planner}]`).getByTestId('entrant-remove').click()
   }
   await expect(page.getByTestId('entrant')).toHaveCount(planners.length)
 }
@@ -44,7 +45,10 @@ async function download(page: Page, id: string): Promise<string> {
   return readFile(await saved.path(), 'utf8')
 }
 
-test('every run of a batch is the core’s own, whatever the number of workers, and so are the statistics', { tag: '@smoke' }, async ({ lab, page }) => {
+test('every run of a batch is the core’s own, whatever the number of workers, and so are the statistics', { tag: '@smoke' }, async ({
+  lab,
+  page,
+}) => {
   await page.addInitScript(() => Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => 5 }))
   await openBatch(lab)
   await keep(page, ['wcpso', 'pso'])
@@ -106,12 +110,18 @@ test('a batch that is stopped keeps its rows; it goes on to the same file that i
   expect(head).toBe(
     'scene,planner,seed,status,iterations,evaluations,cost,length,value,feasible,clearance,exact,exact_by,gap,within,reached,reached_iteration,turns,hash',
   )
-  const records = recordsOf(['pso', 'cpso'], 40).flat().map((record) => ({ ...record, within: 0.01 }))
+  const records = recordsOf(['pso', 'cpso'], 40)
+    .flat()
+    .map((record) => ({ ...record, within: 0.01 }))
   const columns = head.split(',') as (keyof TrialRecord | 'within')[]
-  const read = (text: string, like: unknown): unknown => (text === '' ? null : typeof like === 'number' ? Number(text) : typeof like === 'boolean' ? text === 'true' : text)
+  const read = (text: string, like: unknown): unknown =>
+    text === '' ? null : typeof like === 'number' ? Number(text) : typeof like === 'boolean' ? text === 'true' : text
   const told = lines.map((line, at) => line.split(',').map((cell, column) => read(cell, records[at]?.[columns[column] ?? 'hash'])))
   expect(told).toEqual(records.map((record) => columns.map((column) => record[column])))
-  const objects = (await download(page, 'jsonl')).trimEnd().split('\n').map((line) => JSON.parse(line) as TrialRecord)
+  const objects = (await download(page, 'jsonl'))
+    .trimEnd()
+    .split('\n')
+    .map((line) => JSON.parse(line) as TrialRecord)
   expect(objects).toEqual(records.map(({ parameters: _none, ...record }) => record))
 })
 
@@ -259,7 +269,8 @@ test('with the keyboard alone a batch is set up, run, sorted and looked into', a
   await page.keyboard.type('4')
   await page.keyboard.press('Tab')
   const run = page.getByTestId('batch-run')
-  for (let tabs = 0; tabs < 40 && !(await run.evaluate((node) => node === document.activeElement)); tabs += 1) await page.keyboard.press('Shift+Tab')
+  for (let tabs = 0; tabs < 40 && !(await run.evaluate((node) => node === document.activeElement)); tabs += 1)
+    await page.keyboard.press('Shift+Tab')
   await page.keyboard.press('Enter')
   await finished(page, 8)
   await page.getByTestId('sort-evaluations').focus()
@@ -316,7 +327,10 @@ test('planners with optima of their own are compared by value, and what draws no
   await page.getByTestId('batch-run').click()
   await finished(page, 12)
   const colonies = compare(
-    ['aco', 'aco-wolf'].map((name) => ({ name, values: [1, 2, 3].map((seed) => trialOf({ planner: name, scene, seed, params: { iterations: 10 } }).record.value) })),
+    ['aco', 'aco-wolf'].map((name) => ({
+      name,
+      values: [1, 2, 3].map((seed) => trialOf({ planner: name, scene, seed, params: { iterations: 10 } }).record.value),
+    })),
   )
   await expect(pair).toHaveCount(6)
   for (let at = 0; at < 5; at += 1) await expect(pair.nth(at).locator('td').nth(2)).toHaveText('–')

@@ -131,7 +131,9 @@ test.describe('without motion', () => {
 test('a drive is saved as the core’s rows', async ({ lab, page }) => {
   await begin(lab, 50)
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByTestId('drive-csv').click()])
-  const lines = readFileSync(await download.path(), 'utf8').trimEnd().split('\n')
+  const lines = readFileSync(await download.path(), 'utf8')
+    .trimEnd()
+    .split('\n')
   const { columns, rows } = driven(50)
   expect(lines[0]).toBe(columns.join(','))
   expect(lines).toHaveLength(1 + rows.length / columns.length)
@@ -204,6 +206,12 @@ for (const width of [360, 920, 1000]) {
     await page.getByTestId('tool-drive').click()
     const bar = page.getByTestId('drive-bar')
     await expect(bar.locator('p')).toBeVisible()
-    expect(await bar.evaluate((node) => [node.scrollWidth, ...[...node.children].map((child) => child.getBoundingClientRect().right)].every((edge) => edge <= node.getBoundingClientRect().right))).toBe(true)
+    expect(
+      await bar.evaluate((node) =>
+        [node.scrollWidth, ...[...node.children].map((child) => child.getBoundingClientRect().right)].every(
+          (edge) => edge <= node.getBoundingClientRect().right,
+        ),
+      ),
+    ).toBe(true)
   })
 }

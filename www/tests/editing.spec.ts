@@ -104,7 +104,10 @@ test('a scene file opens; one that is refused says why and changes nothing', asy
   expect((await sceneAt(lab, 15)).discs).toEqual(good.discs)
 })
 
-test('a planner that doesn’t run here brings a scene of its own; undone, a planner that does run comes back with it', async ({ lab, page }) => {
+test('a planner that doesn’t run here brings a scene of its own; undone, a planner that does run comes back with it', async ({
+  lab,
+  page,
+}) => {
   await lab.open(linkTo({}, 8))
   await lab.settled(8)
   await page.getByTestId('planner').selectOption('aco')

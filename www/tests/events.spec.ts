@@ -32,7 +32,9 @@ const whole = (setup: typeof PUBLISHED | typeof STRUCK): { end: number; events: 
 const marks = (page: Page) => page.getByTestId('event-mark')
 const rows = (page: Page) => page.getByTestId('event')
 
-test('the published case is one choice away; played to its end it arrives, and the log says what was decided and why', { tag: '@smoke' }, async ({ lab, page }) => {
+test('the published case is one choice away; played to its end it arrives, and the log says what was decided and why', {
+  tag: '@smoke',
+}, async ({ lab, page }) => {
   const { end, events } = whole(PUBLISHED)
   const [decided] = events.filter(({ kind }) => kind === 'detour')
   if (!decided) throw new Error('nothing was decided')
@@ -157,9 +159,14 @@ test('a collision is an alarm in the result, on the timeline and in the log, and
 })
 
 test('of many events some kinds can be left out, and the table has them all', async ({ lab, page }) => {
-  const moving = [[130, 145, 0, -20], [200, 350, 15, 0], [350, 100, -10, 12], [90, 250, 7, 9], [250, 330, -12, -5], [210, 110, 20, 3]].map(
-    ([x = 0, y = 0, vx = 0, vy = 0]) => ({ center: [x, y] as [number, number], radius: 8, velocity: [vx, vy] as [number, number] }),
-  )
+  const moving = [
+    [130, 145, 0, -20],
+    [200, 350, 15, 0],
+    [350, 100, -10, 12],
+    [90, 250, 7, 9],
+    [250, 330, -12, -5],
+    [210, 110, 20, 3],
+  ].map(([x = 0, y = 0, vx = 0, vy = 0]) => ({ center: [x, y] as [number, number], radius: 8, velocity: [vx, vy] as [number, number] }))
   const many = { planner: 'a-star-drive', scene: { ...gridOf('wolf-ant-20'), name: 'many', moving }, params: { border: 'bounce' } }
   const events = sessionAt(many, 1e6, (session) => session.events())
   const seen = events.filter(({ kind }) => kind === 'seen').length
@@ -193,7 +200,9 @@ for (const colorScheme of ['light', 'dark'] as const) {
         const width = await page.evaluate(() => document.documentElement.scrollWidth)
         const low = await page
           .locator('[data-testid="events"] button, [data-testid="event-mark"], [data-testid="case"]')
-          .evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML))
+          .evaluateAll((controls) =>
+            controls.filter((control) => control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML),
+          )
         return [...(await violations(lab)), ...(width > viewport.width ? [`${width} wide`] : []), ...(screen === 'phone' ? low : [])]
       }
 

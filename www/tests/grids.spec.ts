@@ -125,7 +125,9 @@ test('a scene whose y grows downwards is painted where it is seen', async ({ lab
   const { exact: _, published: __, ...rest } = shipped
   const down: GridScene = { ...rest, name: 'down', title: 'Down', y_axis: 'down' }
   await lab.section('scene')
-  await page.getByTestId('scene-file').setInputFiles({ name: 'down.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(down)) })
+  await page
+    .getByTestId('scene-file')
+    .setInputFiles({ name: 'down.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(down)) })
   await expect(page.getByTestId('section-scene').getByText('Down', { exact: true })).toBeVisible()
   await page.getByTestId('tool-paint').click()
   // The first row is on top; its y is the smallest.
@@ -178,9 +180,16 @@ for (const event of ['leap', 'replaced']) {
     await expect(panel.getByRole('heading')).toHaveText(told.title)
     await expect(panel.locator('[data-event]')).toHaveAttribute('data-event', event)
     for (const { name, value } of told.values) await expect(panel.locator(`[data-value="${name}"]`)).toHaveText(number(value))
-    for (const formula of ['leap', 'attractor', 'phi', 'ip', 'gs']) await expect(panel.getByTestId(`live-${formula}`)).not.toContainText('□')
+    for (const formula of ['leap', 'attractor', 'phi', 'ip', 'gs'])
+      await expect(panel.getByTestId(`live-${formula}`)).not.toContainText('□')
     const key = panel.getByTestId('inspect-key').locator('[data-role]')
-    expect(await key.evaluateAll((items) => items.map((item) => item.getAttribute('data-role')))).toEqual(['before', 'mean-best', 'attractors', 'jump', 'after'])
+    expect(await key.evaluateAll((items) => items.map((item) => item.getAttribute('data-role')))).toEqual([
+      'before',
+      'mean-best',
+      'attractors',
+      'jump',
+      'after',
+    ])
   })
 }
 

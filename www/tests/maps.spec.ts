@@ -36,7 +36,10 @@ test('a random map is previewed, made, run, undone, and the same elsewhere by it
   await page.getByTestId('generator').selectOption('maze')
   await page.getByTestId('map-seed').fill('7')
   await page.getByTestId('map-seed').press('Enter')
-  for (const [name, value] of [['columns', '21'], ['rows', '15']] as const) {
+  for (const [name, value] of [
+    ['columns', '21'],
+    ['rows', '15'],
+  ] as const) {
     await dialog.locator(`[data-parameter="${name}"] input.typed`).fill(value)
     await dialog.locator(`[data-parameter="${name}"] input.typed`).press('Tab')
   }
@@ -124,7 +127,10 @@ test('a map opens with its problems, of which one is chosen; what was read is to
   await expect(told).toContainText('court.scen + court.map')
   const last = await shown(lab)
   expect(last.rows).toEqual(ROWS)
-  expect([last.start, last.goal]).toEqual([[2.5, 2.5], [0.5, 7.5]])
+  expect([last.start, last.goal]).toEqual([
+    [2.5, 2.5],
+    [0.5, 7.5],
+  ])
 
   const problems = page.getByTestId('problem')
   await expect(problems.locator('option')).toHaveCount(2)
@@ -132,7 +138,10 @@ test('a map opens with its problems, of which one is chosen; what was read is to
   await problems.selectOption('0')
   await expect(problems).toHaveValue('0')
   const first = await shown(lab)
-  expect([first.start, first.goal]).toEqual([[0.5, 0.5], [7.5, 7.5]])
+  expect([first.start, first.goal]).toEqual([
+    [0.5, 0.5],
+    [7.5, 7.5],
+  ])
 
   await told.getByRole('button', { name: en.notices.dismiss }).click()
   await expect(told).toHaveCount(0)
@@ -185,7 +194,10 @@ const grid = (scene: Scene): GridScene => {
   return scene
 }
 
-for (const [format, id] of [['movingai', 'movingai'], ['ros', 'ros']] as const) {
+for (const [format, id] of [
+  ['movingai', 'movingai'],
+  ['ros', 'ros'],
+] as const) {
   test(`a grid that is written as ${format} and read again is the same`, async ({ lab, page }) => {
     await lab.open(linkTo(SETUP, 2))
     await lab.settled(2)
@@ -200,7 +212,10 @@ for (const [format, id] of [['movingai', 'movingai'], ['ros', 'ros']] as const) 
     expect(downloads.map(({ name }) => name)).toEqual(expected.map(({ name }) => name))
 
     await page.keyboard.press('Escape')
-    await choose(lab, downloads.map(({ name, bytes }) => file(name, bytes)))
+    await choose(
+      lab,
+      downloads.map(({ name, bytes }) => file(name, bytes)),
+    )
     // The run of before stands where this one is sought: it must be gone first.
     await expect(lab.root).toHaveAttribute('data-iteration', '0')
     const again = grid(importScene(expected).scene)

@@ -18,7 +18,14 @@ function grid(scene: Scene): GridScene {
 const shipped = grid(sceneOf(PLAN))
 const only: Moving = shipped.moving?.[0] ?? { center: [NaN, NaN], radius: NaN }
 const RIGHT: Moving = { center: [210, 170], radius: 12, velocity: [50, 0] }
-const WAYS: Moving = { center: [60, 260], radius: 10, waypoints: [[2, 100, 280], [5, 160, 320]] }
+const WAYS: Moving = {
+  center: [60, 260],
+  radius: 10,
+  waypoints: [
+    [2, 100, 280],
+    [5, 160, 320],
+  ],
+}
 
 const withMoving = (moving: Moving[]): GridScene => {
   const { exact: _exact, published: _published, ...scene } = shipped
@@ -158,8 +165,14 @@ test('numbers are typed in the list; what the core refuses is said beside the fi
 
   await set('radius', '-2')
   await expect(page.getByTestId('moving-error')).toContainText('moving[0].radius')
-  await expect(page.getByTestId('moving').getByLabel(text.field(name, text.spoken.radius), { exact: true })).toHaveAttribute('aria-invalid', 'true')
-  await expect(page.getByTestId('moving').getByLabel(text.field(name, text.spoken.x), { exact: true })).toHaveAttribute('aria-invalid', 'false')
+  await expect(page.getByTestId('moving').getByLabel(text.field(name, text.spoken.radius), { exact: true })).toHaveAttribute(
+    'aria-invalid',
+    'true',
+  )
+  await expect(page.getByTestId('moving').getByLabel(text.field(name, text.spoken.x), { exact: true })).toHaveAttribute(
+    'aria-invalid',
+    'false',
+  )
   await set('radius', '3')
   await expect(page.getByTestId('moving-error')).toHaveCount(0)
   expect((await moving(lab))[0]?.radius).toBe(3)
@@ -183,7 +196,10 @@ test('the list adds and removes; the card on the stage changes the radius', asyn
   await radius.press('Enter')
   expect((await moving(lab))[2]?.radius).toBe(9)
   await page.getByTestId('remove-moving').click()
-  await page.getByTestId('moving').getByRole('button', { name: text.remove(text.name(1)), exact: true }).click()
+  await page
+    .getByTestId('moving')
+    .getByRole('button', { name: text.remove(text.name(1)), exact: true })
+    .click()
   expect(await moving(lab)).toEqual(three.slice(1, 2))
 })
 
@@ -206,7 +222,10 @@ test('the scene’s robot has fields; an empty one is left to the planner', asyn
   await expect(page.getByTestId('robot-error')).toContainText('robot.sensor')
 })
 
-test('one that goes from way-point to way-point keeps to them when it is dragged, until it is told to go straight on', async ({ lab, page }) => {
+test('one that goes from way-point to way-point keeps to them when it is dragged, until it is told to go straight on', async ({
+  lab,
+  page,
+}) => {
   await begin(lab, withMoving([WAYS]))
   await drag(lab, WAYS.center, [80, 280])
   const [moved] = await moving(lab)
@@ -275,7 +294,9 @@ test('while a drive stands still, an obstacle is dragged from where it is now, a
   expect(seconds).toBeGreaterThan(4)
   const now: Point = [300, 60 + 5 * seconds]
   await click(lab, now)
-  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText(told(scene, (session) => session.inspect({ role: 'moving', index: 0 })?.title ?? ''))
+  await expect(page.getByTestId('inspect').getByRole('heading')).toHaveText(
+    told(scene, (session) => session.inspect({ role: 'moving', index: 0 })?.title ?? ''),
+  )
   await drag(lab, now, [now[0] - 40, now[1]])
   await lab.restarted()
   await lab.settled(UNDERWAY)

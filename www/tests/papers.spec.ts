@@ -35,7 +35,9 @@ async function turned(part: Locator, open: boolean): Promise<void> {
   if ((await part.evaluate((node: HTMLDetailsElement) => node.open)) !== open) await part.locator('> summary').click()
 }
 
-test('every paper has a card with its citation, its claims, experiments and how many figures have which verdict', { tag: '@smoke' }, async ({ lab, page }) => {
+test('every paper has a card with its citation, its claims, experiments and how many figures have which verdict', {
+  tag: '@smoke',
+}, async ({ lab, page }) => {
   await open(lab)
   await expect(page.getByRole('article')).toHaveCount(PAPERS.length)
   for (const paper of PAPERS) {
@@ -47,7 +49,9 @@ test('every paper has a card with its citation, its claims, experiments and how 
     expect(await card.getByTestId('open-run').count()).toBeGreaterThan(0)
     const mine = rows.filter((row) => row.paper === paper)
     if (mine.length === 0) await expect(card.getByTestId('summary')).toHaveText(text.none)
-    else for (const [verdict, count] of tally(mine)) await expect(card.getByTestId('summary')).toContainText(text.count(number(count), verdict))
+    else
+      for (const [verdict, count] of tally(mine))
+        await expect(card.getByTestId('summary')).toContainText(text.count(number(count), verdict))
   }
 })
 
@@ -65,7 +69,10 @@ test('the figures are those of the file, published beside ours, with verdict, re
       await expect(group.getByTestId('figure-more')).toHaveCount(expected.length)
       const cells = await group.getByTestId('figure').evaluateAll((lines) =>
         lines.map((line) => ({
-          head: [...(line.querySelector('th')?.childNodes ?? [])].filter((node) => !(node instanceof Element && node.ariaHidden)).map((node) => node.textContent).join(''),
+          head: [...(line.querySelector('th')?.childNodes ?? [])]
+            .filter((node) => !(node instanceof Element && node.ariaHidden))
+            .map((node) => node.textContent)
+            .join(''),
           numbers: [...line.querySelectorAll('td.number')].map((cell) => cell.querySelector('data')?.value ?? ''),
           texts: [...line.querySelectorAll('td.number')].map((cell) => cell.querySelector('data')?.textContent ?? ''),
           verdict: line.querySelector('td.verdict')?.textContent?.trim(),
@@ -102,10 +109,14 @@ test('what a paper claims stands with what the report says of it', async ({ lab,
     expect(mine.length).toBeGreaterThan(0)
     for (const [reproduction, some] of together(mine, (check) => check.reproduction)) {
       const group = page.getByTestId(`paper-${paper}`).getByTestId(`checks-${reproduction}`)
-      await expect(group.locator('> summary')).toContainText(text.checks.hold(number(some.filter(({ answer }) => answer === 'yes').length), number(some.length)))
+      await expect(group.locator('> summary')).toContainText(
+        text.checks.hold(number(some.filter(({ answer }) => answer === 'yes').length), number(some.length)),
+      )
       await group.locator('> summary').click()
       const told = await group.getByTestId('check').allInnerTexts()
-      expect(told.map((line) => line.replaceAll(/\s+/g, ' ').trim())).toEqual(some.map(({ answer, claim, because }) => `${text.checks.answers[answer]} ${claim} (${because})`))
+      expect(told.map((line) => line.replaceAll(/\s+/g, ' ').trim())).toEqual(
+        some.map(({ answer, claim, because }) => `${text.checks.answers[answer]} ${claim} (${because})`),
+      )
     }
   }
 })
@@ -121,13 +132,20 @@ interface Opened {
 
 const OPENED: Opened[] = [
   { experiment: 'functions', scene: 'sphere', planner: 'wcpso', params: {} },
-  { experiment: 'sixteen', scene: 'qpso-10m', planner: 'ltqpso', params: { segments: 16, initial: 'normal', population: 52, iterations: 99 } },
+  {
+    experiment: 'sixteen',
+    scene: 'qpso-10m',
+    planner: 'ltqpso',
+    params: { segments: 16, initial: 'normal', population: 52, iterations: 99 },
+  },
   { experiment: 'wolves', scene: 'wolf-ant-20', planner: 'aco', params: { ants: 30 }, name: 'aco, ants 30' },
   { experiment: 'free', scene: 'arm-free', planner: 'rrt-guided', params: { step_size: 0.05 }, name: 'rrt-guided, step_size 0.05' },
 ]
 
 for (const { experiment, scene, planner, params, name } of OPENED) {
-  test(`a preset opens ${planner} on ${scene} in the stage, as the paper ran it`, { tag: experiment === 'functions' ? ['@smoke'] : [] }, async ({ lab, page }) => {
+  test(`a preset opens ${planner} on ${scene} in the stage, as the paper ran it`, {
+    tag: experiment === 'functions' ? ['@smoke'] : [],
+  }, async ({ lab, page }) => {
     await page.emulateMedia({ reducedMotion: 'reduce' })
     await open(lab)
     const line = page.getByTestId(`experiment-${experiment}`).locator(`[data-scene="${scene}"]`)
@@ -139,7 +157,12 @@ for (const { experiment, scene, planner, params, name } of OPENED) {
     const hash = await lab.settled(0)
     expect(hash).toBe(hashOf({ planner, scene, params }, 0))
     const link = parseLink(await lab.link(hash))
-    expect({ planner: link.planner, scene: link.scene.name, params: link.params, seed: link.seed }).toEqual({ planner, scene, params, seed: 1 })
+    expect({ planner: link.planner, scene: link.scene.name, params: link.params, seed: link.seed }).toEqual({
+      planner,
+      scene,
+      params,
+      seed: 1,
+    })
   })
 }
 
@@ -156,7 +179,9 @@ test('an experiment becomes a batch, with the paper’s parameters and number of
   await page.getByTestId('experiment-wolves').getByTestId('open-batch').click()
   await expect(page.getByTestId('view-batch')).toHaveAttribute('aria-current', 'page')
   await expect(page.getByTestId('entrant')).toHaveCount(3)
-  expect(await page.getByTestId('entrant').evaluateAll((entrants) => entrants.map((entrant) => entrant.getAttribute('data-planner')))).toEqual(['a-star', 'aco', 'aco-wolf'])
+  expect(
+    await page.getByTestId('entrant').evaluateAll((entrants) => entrants.map((entrant) => entrant.getAttribute('data-planner'))),
+  ).toEqual(['a-star', 'aco', 'aco-wolf'])
   await expect(page.getByTestId('batch-from')).toHaveValue('1')
   await expect(page.getByTestId('batch-count')).toHaveValue('30')
   await page.getByTestId('batch-count').fill('2')
@@ -192,19 +217,31 @@ test('an experiment becomes a race, with the paper’s parameters', async ({ lab
 })
 
 test('a row’s own run opens in the stage, bit for bit what its command repeats', async ({ lab, page }) => {
-  const [row, expected] = rows.flatMap((candidate) => {
-    const found = runOf(candidate.command)
-    return found && found.run.planner === 'ltqpso' && found.run.params.segments === 16 ? [[candidate, found] as const] : []
-  })[0] ?? []
+  const [row, expected] =
+    rows.flatMap((candidate) => {
+      const found = runOf(candidate.command)
+      return found && found.run.planner === 'ltqpso' && found.run.params.segments === 16 ? [[candidate, found] as const] : []
+    })[0] ?? []
   if (!row || !expected) throw new Error('no such row')
   await page.emulateMedia({ reducedMotion: 'reduce' })
   await open(lab)
   const group = page.getByTestId(`group-${row.reproduction}`).and(page.locator(`[data-table="${row.table}"]`))
   await turned(group, true)
-  await group.locator('td.why button').nth(rows.filter(({ table, reproduction }) => table === row.table && reproduction === row.reproduction).indexOf(row)).click()
+  await group
+    .locator('td.why button')
+    .nth(rows.filter(({ table, reproduction }) => table === row.table && reproduction === row.reproduction).indexOf(row))
+    .click()
   await group.getByTestId('open-figure').click()
   const { planner, params, seed = 0 } = expected.run
-  expect(params).toEqual({ early_stop: 0, initial: 'normal', initial_mean: 45, initial_std: 30, iterations: 99, population: 52, segments: 16 })
+  expect(params).toEqual({
+    early_stop: 0,
+    initial: 'normal',
+    initial_mean: 45,
+    initial_std: 30,
+    iterations: 99,
+    population: 52,
+    segments: 16,
+  })
   expect(await lab.settled(0)).toBe(hashOf({ planner, scene: expected.on.scene, params, seed }, 0))
 })
 
@@ -216,7 +253,10 @@ test('a command is copied, and it is told', async ({ lab, page, context }) => {
   const group = page.locator('[data-testid^="group-"]').first()
   await turned(group, true)
   await group.getByRole('button', { name: text.why(`${row.row}, ${row.measure}`), exact: true }).click()
-  await group.getByTestId('figure-more').getByRole('button', { name: text.copyHelp(row.command), exact: true }).click()
+  await group
+    .getByTestId('figure-more')
+    .getByRole('button', { name: text.copyHelp(row.command), exact: true })
+    .click()
   await expect(group.getByTestId('figure-more').getByRole('status')).toHaveText(text.copied)
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(row.command)
 })
@@ -244,7 +284,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
     test.describe(`${screen}, ${colorScheme}`, () => {
       test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
 
-      test('axe finds nothing wrong with the papers', { tag: screen === 'desktop' && colorScheme === 'light' ? ['@smoke'] : [] }, async ({ lab, page }) => {
+      test('axe finds nothing wrong with the papers', { tag: screen === 'desktop' && colorScheme === 'light' ? ['@smoke'] : [] }, async ({
+        lab,
+        page,
+      }) => {
         await open(lab)
         // A table and a list of claims are looked at, with a reason; the others are closed: axe takes its time.
         const groups = await page.locator('[data-testid^="group-"]').all()
@@ -263,7 +306,9 @@ test('verdicts are told in words', async ({ lab, page }) => {
   await open(lab)
   await openAll(lab)
   const told = await page.locator('[data-testid="figure"] td.verdict').allInnerTexts()
-  expect(told.map((verdict) => verdict.trim())).toEqual(PAPERS.flatMap((paper) => groupsOf(rows, paper).flatMap((group) => group.rows.map((row) => text.verdicts[row.verdict]))))
+  expect(told.map((verdict) => verdict.trim())).toEqual(
+    PAPERS.flatMap((paper) => groupsOf(rows, paper).flatMap((group) => group.rows.map((row) => text.verdicts[row.verdict]))),
+  )
 })
 
 test.describe('on a phone', () => {
@@ -276,7 +321,9 @@ test.describe('on a phone', () => {
     expect(await page.locator('main').evaluate((main) => main.scrollWidth)).toBeLessThanOrEqual(screens.phone.width)
     const wrong = await page.locator('main').evaluate((main) => {
       const low = [...main.querySelectorAll('button, summary, label')].filter((control) => control.getBoundingClientRect().height < 43.5)
-      const wide = [...main.querySelectorAll('[data-testid="figure"], [data-testid="figure-more"], code')].filter((part) => part.getBoundingClientRect().right > innerWidth)
+      const wide = [...main.querySelectorAll('[data-testid="figure"], [data-testid="figure-more"], code')].filter(
+        (part) => part.getBoundingClientRect().right > innerWidth,
+      )
       return [...low, ...wide].map((part) => part.outerHTML)
     })
     expect(wrong).toEqual([])

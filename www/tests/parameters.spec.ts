@@ -133,7 +133,10 @@ test('the paper’s sizes are offered, used at once, and told to be in use', asy
   await expect(offered).toHaveCount(0)
 })
 
-test('a run that stops early doesn’t claim to have reached its limit; a path that cuts corners is below the optimum', async ({ lab, page }) => {
+test('a run that stops early doesn’t claim to have reached its limit; a path that cuts corners is below the optimum', async ({
+  lab,
+  page,
+}) => {
   await lab.open(linkTo({ planner: 'ltqpso', scene: 'qpso-10m', params: { early_stop: 5 } }, 50))
   await lab.settled()
   const result = await lab.section('result')

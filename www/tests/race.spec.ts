@@ -12,7 +12,9 @@ const swarmsAt = (clock: number) => SWARMS.map((planner) => coreAt({ planner }, 
 test.describe('without motion', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } })
 
-  test('four swarms stand at the first iteration at or beyond the clock, as the core does; going back gives the same', { tag: '@smoke' }, async ({ lab, page }) => {
+  test('four swarms stand at the first iteration at or beyond the clock, as the core does; going back gives the same', {
+    tag: '@smoke',
+  }, async ({ lab, page }) => {
     const race = new Race(page)
     await race.open(lab, 'swarms')
     // It does not play by itself.
@@ -35,7 +37,10 @@ test.describe('without motion', () => {
     expect(await race.at(150)).toEqual(first)
   })
 
-  test('who takes small steps and who takes large ones meet at the same evaluations; who is done stays at its end', async ({ lab, page }) => {
+  test('who takes small steps and who takes large ones meet at the same evaluations; who is done stays at its end', async ({
+    lab,
+    page,
+  }) => {
     const race = new Race(page)
     await race.open(lab, 'quantum')
     await page.getByTestId('race-scene').selectOption('wcpso-discs')
@@ -178,7 +183,9 @@ test.describe('without motion', () => {
     await page.getByTestId('race-notch').press('Enter')
     await race.step('race-forward')
     expect(await race.at(140)).toEqual(
-      [{ planner: 'rrt' }, { planner: 'rrt-connect' }, { planner: 'rrt-star', params: { iterations: 200_000 } }].map((setup) => coreAt(setup, 140)),
+      [{ planner: 'rrt' }, { planner: 'rrt-connect' }, { planner: 'rrt-star', params: { iterations: 200_000 } }].map((setup) =>
+        coreAt(setup, 140),
+      ),
     )
   })
 
@@ -189,7 +196,8 @@ test.describe('without motion', () => {
     await page.keyboard.press('Enter')
     await race.at(150)
     const canvas = race.lanes.nth(1).getByTestId('lane-stage')
-    for (let tabs = 0; tabs < 40 && !(await canvas.evaluate((node) => node === document.activeElement)); tabs += 1) await page.keyboard.press('Tab')
+    for (let tabs = 0; tabs < 40 && !(await canvas.evaluate((node) => node === document.activeElement)); tabs += 1)
+      await page.keyboard.press('Tab')
     await expect(canvas).toBeFocused()
     await page.keyboard.press('Shift+ArrowRight')
     expect(await race.at(1650)).toEqual(swarmsAt(1650))
@@ -223,7 +231,8 @@ test.describe('without motion', () => {
     const race = new Race(page)
     await race.open(lab, 'swarms')
     await race.seek(3000)
-    const pictures = (): Promise<string[]> => page.getByTestId('lane-stage').evaluateAll((all) => all.map((canvas) => (canvas as HTMLCanvasElement).toDataURL()))
+    const pictures = (): Promise<string[]> =>
+      page.getByTestId('lane-stage').evaluateAll((all) => all.map((canvas) => (canvas as HTMLCanvasElement).toDataURL()))
     const whole = await pictures()
     expect(new Set(whole).size).toBe(4)
     await race.lanes.nth(0).getByTestId('lane-stage').focus()
@@ -237,7 +246,11 @@ test.describe('without motion', () => {
     const race = new Race(page)
     await race.open(lab, 'arm')
     await race.seek(100)
-    const picture = (): Promise<string> => race.lanes.nth(1).getByTestId('lane-stage').evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL())
+    const picture = (): Promise<string> =>
+      race.lanes
+        .nth(1)
+        .getByTestId('lane-stage')
+        .evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL())
     const seen = new Set([await picture()])
     for (const side of ['front', 'side', 'top'] as const) {
       await page.getByRole('radio', { name: text.sides[side], exact: true }).check({ force: true })
@@ -247,12 +260,16 @@ test.describe('without motion', () => {
     await race.choose('drives')
     await page.getByTestId('race-end').click()
     await expect(race.root).toHaveAttribute('data-over', 'true')
-    const driven = ['wolf-ant-drive', 'a-star-drive', 'd-star-lite-drive'].map((planner) => coreAt({ planner, scene: 'wolf-ant-20' }, Infinity))
+    const driven = ['wolf-ant-drive', 'a-star-drive', 'd-star-lite-drive'].map((planner) =>
+      coreAt({ planner, scene: 'wolf-ant-20' }, Infinity),
+    )
     expect(await race.standings()).toEqual(driven)
     for (const { status } of driven) expect(status).toBe('solved')
     // The drive takes no evaluations: it is one beyond the last that planning took.
     expect(await race.clock()).toBe(3001)
-    expect(await race.seek(3000)).toEqual(['wolf-ant-drive', 'a-star-drive', 'd-star-lite-drive'].map((planner) => coreAt({ planner, scene: 'wolf-ant-20' }, 3000)))
+    expect(await race.seek(3000)).toEqual(
+      ['wolf-ant-drive', 'a-star-drive', 'd-star-lite-drive'].map((planner) => coreAt({ planner, scene: 'wolf-ant-20' }, 3000)),
+    )
     expect(await race.seek(3001)).toEqual(driven)
   })
 
@@ -261,7 +278,9 @@ test.describe('without motion', () => {
       test.describe(`${screen}, ${colorScheme}`, () => {
         test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
 
-        test('axe finds nothing wrong with a race, and nothing is too wide', { tag: screen === 'desktop' && colorScheme === 'light' ? ['@smoke'] : [] }, async ({ lab, page }) => {
+        test('axe finds nothing wrong with a race, and nothing is too wide', {
+          tag: screen === 'desktop' && colorScheme === 'light' ? ['@smoke'] : [],
+        }, async ({ lab, page }) => {
           const race = new Race(page)
           await race.open(lab, 'swarms')
           await race.seek(3000)

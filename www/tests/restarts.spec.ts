@@ -28,7 +28,10 @@ const CHANGES: Record<string, { by: string; setup: Partial<Setup> }> = {
 }
 
 for (const [what, { by, setup }] of Object.entries(CHANGES)) {
-  test(`a seek right after a change of ${what} holds for the new run`, { tag: by === 'parameter' ? ['@smoke'] : [] }, async ({ lab, page }) => {
+  test(`a seek right after a change of ${what} holds for the new run`, { tag: by === 'parameter' ? ['@smoke'] : [] }, async ({
+    lab,
+    page,
+  }) => {
     const parameters = await lab.section('parameters')
     if (by === 'planner') await page.getByTestId('planner').selectOption('pso')
     if (by === 'seed') {

@@ -26,11 +26,33 @@ const shipped = grid(sceneOf(BATS))
 const stops = stopsOf(shipped)
 const stop = (index: number): Point => stops[index] ?? [NaN, NaN]
 
-const POINTS: Point[] = [[10, 10], [60, 5], [95, 40], [70, 75], [30, 80], [5, 50], [45, 40]]
+const POINTS: Point[] = [
+  [10, 10],
+  [60, 5],
+  [95, 40],
+  [70, 75],
+  [30, 80],
+  [5, 50],
+  [45, 40],
+]
 /** Of the tour in the points' order. */
-const LENGTH = POINTS.reduce((sum, [x, y], i) => sum + Math.hypot(x - (POINTS.at(i - 1)?.[0] ?? NaN), y - (POINTS.at(i - 1)?.[1] ?? NaN)), 0)
+const LENGTH = POINTS.reduce(
+  (sum, [x, y], i) => sum + Math.hypot(x - (POINTS.at(i - 1)?.[0] ?? NaN), y - (POINTS.at(i - 1)?.[1] ?? NaN)),
+  0,
+)
 const plane: TourScene = { format: 'forage-scene', version: 1, kind: 'tour', name: 'seven', title: 'Seven stops', points: POINTS }
-const given: TourScene = { format: 'forage-scene', version: 1, kind: 'tour', name: 'given', title: 'Given distances', matrix: [[0, 2, 3], [2, 0, 4], [3, 4, 0]] }
+const given: TourScene = {
+  format: 'forage-scene',
+  version: 1,
+  kind: 'tour',
+  name: 'given',
+  title: 'Given distances',
+  matrix: [
+    [0, 2, 3],
+    [2, 0, 4],
+    [3, 4, 0],
+  ],
+}
 
 async function begin(lab: Lab, at = AT): Promise<string> {
   await lab.open(linkTo(BATS, at))
@@ -49,12 +71,16 @@ async function drag(lab: Lab, scene: Scene, from: Point, to: Point): Promise<voi
 
 async function openFile(lab: Lab, scene: Scene): Promise<void> {
   await lab.section('scene')
-  await lab.page.getByTestId('scene-file').setInputFiles({ name: 'scene.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(scene)) })
+  await lab.page
+    .getByTestId('scene-file')
+    .setInputFiles({ name: 'scene.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(scene)) })
   await expect(lab.page.getByTestId('section-scene').getByText(scene.title, { exact: true })).toBeVisible()
   await lab.restarted()
 }
 
-test('a stop is dragged to the middle of another cell; what the file knew of the old ones is gone; undo brings it back', async ({ lab }) => {
+test('a stop is dragged to the middle of another cell; what the file knew of the old ones is gone; undo brings it back', async ({
+  lab,
+}) => {
   const before = await begin(lab)
   await drag(lab, shipped, stop(4), [5.3, 11.8])
   const edited = await sceneAt(lab, 13)
@@ -148,7 +174,9 @@ test('a stop says which it is and when the tour calls at it', async ({ lab, page
   await expect(card).toHaveText(text.told(5, null))
   await page.mouse.move(x + 60, y - 45)
   await expect(card).toHaveCount(0)
-  expect([1, 2, 3, 11, 22].map((n) => text.told(1, n))).toEqual(['1st', '2nd', '3rd', '11th', '22nd'].map((nth) => `Stop 1, ${nth} on the tour`))
+  expect([1, 2, 3, 11, 22].map((n) => text.told(1, n))).toEqual(
+    ['1st', '2nd', '3rd', '11th', '22nd'].map((nth) => `Stop 1, ${nth} on the tour`),
+  )
 })
 
 test('the picture tells the order and the direction; so does the drawing', async ({ lab, page }) => {
@@ -187,7 +215,9 @@ test('a tour scene is opened from a file and drawn; its points are dragged, and 
   await page.getByTestId('metric').selectOption('ceil-2d')
   const open = tour(await sceneAt(lab, 3))
   expect([open.closed, open.metric]).toEqual([false, 'ceil-2d'])
-  expect(await lab.settled(3)).toBe(hashOf({ planner: 'bat', scene: open, params: verified(await lab.link(await lab.settled(3))).params }, 3))
+  expect(await lab.settled(3)).toBe(
+    hashOf({ planner: 'bat', scene: open, params: verified(await lab.link(await lab.settled(3))).params }, 3),
+  )
 
   const { x: left, y: top } = await lab.whereIs(plane, [20, 30])
   await page.mouse.dblclick(left, top)
@@ -204,7 +234,14 @@ test('stops of given distances are drawn, and stay where they are', async ({ lab
   await lab.stage.focus()
   await page.keyboard.press('Delete')
   expect(await sceneAt(lab, 3)).toEqual(given)
-  expect(stopsOf({ ...given, matrix: Array.from({ length: 4 }, () => [0, 0, 0, 0]) }).map((at) => at.map((c) => Math.round(c) + 0))).toEqual([[0, 1], [1, 0], [0, -1], [-1, 0]])
+  expect(
+    stopsOf({ ...given, matrix: Array.from({ length: 4 }, () => [0, 0, 0, 0]) }).map((at) => at.map((c) => Math.round(c) + 0)),
+  ).toEqual([
+    [0, 1],
+    [1, 0],
+    [0, -1],
+    [-1, 0],
+  ])
 })
 
 test('of hundreds of stops a part is listed, with the one that is selected', async ({ lab, page }) => {
@@ -229,8 +266,13 @@ test('planners and scenes that suit each other are brought together', async ({ l
   expect(stopsOf(scene).length).toBeGreaterThan(1)
   const bat = catalogue().planners.find(({ name }) => name === 'bat')
   if (!bat) throw new Error('no bats')
-  const expected = catalogue().scenes.filter((candidate) => suits(bat, candidate)).map(({ name }) => name)
-  const listed = await page.getByTestId('scene').locator('option').evaluateAll((options) => options.map((option) => (option as HTMLOptionElement).value))
+  const expected = catalogue()
+    .scenes.filter((candidate) => suits(bat, candidate))
+    .map(({ name }) => name)
+  const listed = await page
+    .getByTestId('scene')
+    .locator('option')
+    .evaluateAll((options) => options.map((option) => (option as HTMLOptionElement).value))
   expect(listed.toSorted()).toEqual(expected.toSorted())
 
   await lab.press(en.bar.undo)
@@ -266,7 +308,11 @@ for (const colorScheme of ['light', 'dark'] as const) {
           const low = await page
             .locator('[data-testid="section-scene"], [data-testid="stage"] ~ .tools')
             .locator('button, select, input:not([type=checkbox], [hidden])')
-            .evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().width > 0 && control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML))
+            .evaluateAll((controls) =>
+              controls
+                .filter((control) => control.getBoundingClientRect().width > 0 && control.getBoundingClientRect().height < 43.5)
+                .map((control) => control.outerHTML),
+            )
           return [...(await violations(lab)), ...(width > viewport.width ? [`${width} wide`] : []), ...(screen === 'phone' ? low : [])]
         }
         await begin(lab)
@@ -293,7 +339,10 @@ test.describe('on a phone', () => {
     const finger = await page.context().newCDPSession(page)
     await finger.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x, y }] })
     for (let part = 0.2; part < 1.1; part += 0.2) {
-      await finger.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: [{ x: x + part * (to.x - x), y: y + part * (to.y - y) }] })
+      await finger.send('Input.dispatchTouchEvent', {
+        type: 'touchMove',
+        touchPoints: [{ x: x + part * (to.x - x), y: y + part * (to.y - y) }],
+      })
     }
     await finger.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
     expect(stopsOf(await sceneAt(lab, 3))[8]).toEqual([24.5, 24.5])

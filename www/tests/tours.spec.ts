@@ -31,7 +31,10 @@ async function begin(lab: Lab, iteration = AT, setup: Parameters<typeof hashOf>[
   return lab.settled(iteration)
 }
 
-test('roads in several threads, then bats: one run, both parts told, the same state as without threads, also back and forth', async ({ lab, page }) => {
+test('roads in several threads, then bats: one run, both parts told, the same state as without threads, also back and forth', async ({
+  lab,
+  page,
+}) => {
   await page.addInitScript(() => {
     Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => 4 })
     const told = new Set<string>()
@@ -91,7 +94,10 @@ test('the page keys go from part to part, on the stage and on the slider', async
   await expect.poll(() => lab.iteration()).toBe(80)
 })
 
-test('the bats’ numbers are the core’s: bars, words and lengths; a head sorts them, once more the other way round', async ({ lab, page }) => {
+test('the bats’ numbers are the core’s: bars, words and lengths; a head sorts them, once more the other way round', async ({
+  lab,
+  page,
+}) => {
   await begin(lab)
   const members = membersAt(SETUP, AT)
   const table = page.getByRole('grid', { name: 'Bats' })
@@ -100,23 +106,34 @@ test('the bats’ numbers are the core’s: bars, words and lengths; a head sort
   if (!first) throw new Error('no bats')
   const row = table.locator('[data-member="0"]')
   await expect(row.getByRole('gridcell')).toHaveText([
-    number(first.length, 5), number(first.loudness, 3), number(first.pulse_rate, 3), number(first.different, 5),
-    ['start', 'PMX', '2-opt'][first.operator] ?? '', number(first.gain, 5),
+    number(first.length, 5),
+    number(first.loudness, 3),
+    number(first.pulse_rate, 3),
+    number(first.different, 5),
+    ['start', 'PMX', '2-opt'][first.operator] ?? '',
+    number(first.gain, 5),
   ])
   expect(await row.locator('[data-share]').evaluateAll((bars) => bars.map((bar) => Number((bar as HTMLElement).dataset.share)))).toEqual([
     Number(first.loudness.toFixed(4)),
     Number(first.pulse_rate.toFixed(4)),
   ])
   const counts = [1, 2].map((word) => members.filter(({ operator }) => operator === word).length)
-  for (const [at, word] of ['PMX', '2-opt'].entries()) if (counts[at]) await expect(page.getByTestId('words-operator')).toContainText(`${word} ${counts[at]}`)
+  for (const [at, word] of ['PMX', '2-opt'].entries())
+    if (counts[at]) await expect(page.getByTestId('words-operator')).toContainText(`${word} ${counts[at]}`)
   await expect(page.getByTestId('strip-loudness')).toContainText(number(Math.min(...members.map(({ loudness }) => loudness)), 3))
 
   const shown = (): Promise<(string | undefined)[]> =>
     table.locator('[data-member]').evaluateAll((rows) =>
-      rows.sort((a, b) => Number(a.ariaRowIndex) - Number(b.ariaRowIndex)).slice(0, 8).map((node) => (node as HTMLElement).dataset.member),
+      rows
+        .sort((a, b) => Number(a.ariaRowIndex) - Number(b.ariaRowIndex))
+        .slice(0, 8)
+        .map((node) => (node as HTMLElement).dataset.member),
     )
   const head = table.getByRole('columnheader').filter({ has: page.getByRole('button', { name: 'Loudness', exact: true }) })
-  const by = (descending: boolean): string[] => sorted(members.length, (member) => members[member]?.loudness ?? NaN, descending).slice(0, 8).map(String)
+  const by = (descending: boolean): string[] =>
+    sorted(members.length, (member) => members[member]?.loudness ?? NaN, descending)
+      .slice(0, 8)
+      .map(String)
   await expect(head).toHaveAttribute('aria-sort', 'none')
   await head.getByRole('button').click()
   await expect(head).toHaveAttribute('aria-sort', 'ascending')
@@ -215,7 +232,9 @@ test('the result is told as a tour: its gap, by which optimum, its order, which 
   expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(order.join(' '))
 
   await lab.seek(3)
-  await expect(page.getByTestId('result')).toContainText(en.result.roads(String(sessionAt(SETUP, 3, (session) => session.readings().roads)), '66'))
+  await expect(page.getByTestId('result')).toContainText(
+    en.result.roads(String(sessionAt(SETUP, 3, (session) => session.readings().roads)), '66'),
+  )
 })
 
 test('the curve of a run of two parts begins where there is a tour, and every reading has one', async ({ lab }) => {
@@ -249,7 +268,10 @@ for (const colorScheme of ['light', 'dark'] as const) {
     test.describe(`${screen}, ${colorScheme}`, () => {
       test.use({ colorScheme, viewport, hasTouch: screen === 'phone' })
 
-      test('axe finds nothing wrong with bats, one that is looked at and a tour’s order; nothing is too wide or too low', async ({ lab, page }) => {
+      test('axe finds nothing wrong with bats, one that is looked at and a tour’s order; nothing is too wide or too low', async ({
+        lab,
+        page,
+      }) => {
         await begin(lab)
         for (const id of ['members', 'inspect', 'result', 'readings']) await lab.section(id)
         await expect(page.getByTestId('tour-order')).toBeVisible()
@@ -261,7 +283,9 @@ for (const colorScheme of ['light', 'dark'] as const) {
         const low = await page
           .locator('[data-testid="members"], [data-testid="tour-order"]')
           .locator('button, label, [data-member]')
-          .evaluateAll((controls) => controls.filter((control) => control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML))
+          .evaluateAll((controls) =>
+            controls.filter((control) => control.getBoundingClientRect().height < 43.5).map((control) => control.outerHTML),
+          )
         expect(low).toEqual([])
         const [label, buttons] = [await page.getByTestId('parts').boundingBox(), await page.getByTestId('play').boundingBox()]
         expect((label?.y ?? 0) + (label?.height ?? 0)).toBeLessThanOrEqual(buttons?.y ?? 0)
@@ -289,7 +313,10 @@ async function saved(lab: Lab, id: string, count: number): Promise<NamedFile[]> 
 }
 
 test('stops are read from TSPLIB’s files and from a table, toured, and saved again, as is the tour', async ({ lab, page }) => {
-  const named = [{ name: 'five.tsp', bytes: bytes(TSP) }, { name: 'five.opt.tour', bytes: bytes(TOUR) }]
+  const named = [
+    { name: 'five.tsp', bytes: bytes(TSP) },
+    { name: 'five.opt.tour', bytes: bytes(TOUR) },
+  ]
   const { scene } = importScene(named)
   await begin(lab)
   await lab.section('scene')
@@ -347,4 +374,3 @@ test('random stops are previewed and made; of more than are toured exactly no op
   await expect(page.getByTestId('result-gap')).toHaveText(closer.result.noTour)
   await expect(page.getByTestId('tour-order')).toContainText(tours.order.title('20'))
 })
-

@@ -27,7 +27,9 @@ test('a malformed file stops the build with a message that names it', () => {
     return 'accepted'
   }
   expect(refused(`${header}\n${first}\n`)).toBe('accepted')
-  expect(refused(`${header.replace('median', 'middle')}\n${first}\n`)).toBe(`${FILE}: column 13 is “middle”; the columns are ${COLUMNS.join(',')}`)
+  expect(refused(`${header.replace('median', 'middle')}\n${first}\n`)).toBe(
+    `${FILE}: column 13 is “middle”; the columns are ${COLUMNS.join(',')}`,
+  )
   expect(refused(`${header},more\n${first},\n`)).toContain('column 18 is “more”')
   expect(refused(`${header}\n`)).toBe(`${FILE} has no rows`)
   const line = ['r', 'WCPSO', 't', 'row', 'value', ...NUMBERS.map(() => '1'), 'better', 'why', 'forage']
@@ -42,7 +44,11 @@ test('a malformed file stops the build with a message that names it', () => {
 test('a report without readable claims stops the build with a message that names it', () => {
   const heading = (tag: string): string => `### name: title, [${tag}] Table 2\n\n- it holds: at all: yes (1 (of 1) beside 2)\n- a note\n`
   const all = PAPERS.map(heading).join('\n')
-  expect(checksOf(all, REPORT)).toEqual(PAPERS.map((paper) => ({ reproduction: 'name', paper, claim: 'it holds: at all', answer: 'yes', because: '1 (of 1) beside 2' })))
-  expect(() => checksOf(all.replace('[LTQPSO]', '[QPSO]'), REPORT)).toThrow(`${REPORT}: the heading “### name: title, [QPSO] Table 2” names no reproduction`)
+  expect(checksOf(all, REPORT)).toEqual(
+    PAPERS.map((paper) => ({ reproduction: 'name', paper, claim: 'it holds: at all', answer: 'yes', because: '1 (of 1) beside 2' })),
+  )
+  expect(() => checksOf(all.replace('[LTQPSO]', '[QPSO]'), REPORT)).toThrow(
+    `${REPORT}: the heading “### name: title, [QPSO] Table 2” names no reproduction`,
+  )
   expect(() => checksOf(all.replaceAll('yes', 'maybe'), REPORT)).toThrow(`${REPORT} checks no claim of WCPSO, LTQPSO`)
 })

@@ -29,9 +29,24 @@ const planner = (name: string): Planner =>
   }) as unknown as Planner
 
 export const scene = (name: string): Scene =>
-  ({ format: 'forage-scene', version: 1, name, title: name, kind: 'discs', bounds: { min: [0, 0], max: [9, 9] }, start: [1, 1], goal: [8, 8], discs: [] }) as Scene
+  ({
+    format: 'forage-scene',
+    version: 1,
+    name,
+    title: name,
+    kind: 'discs',
+    bounds: { min: [0, 0], max: [9, 9] },
+    start: [1, 1],
+    goal: [8, 8],
+    discs: [],
+  }) as Scene
 
-const catalogue = { planners: [planner('wcpso'), planner('pso')], scenes: [scene('wcpso-discs'), scene('other')], roles: [], shapes: [] } as unknown as Catalogue
+const catalogue = {
+  planners: [planner('wcpso'), planner('pso')],
+  scenes: [scene('wcpso-discs'), scene('other')],
+  roles: [],
+  shapes: [],
+} as unknown as Catalogue
 
 /** How long a run is. */
 const limitOf = ({ params }: Setup): number => Number(params?.iterations ?? 100)
@@ -65,7 +80,17 @@ export class FakeWorker {
         this.setup = setup
         this.generation += 1
         this.go(at, play)
-        return { ok: true, value: { generation: this.generation, ...setup, limit: limitOf(setup), parameters: {}, exact: null, stages: [] } as unknown as Run }
+        return {
+          ok: true,
+          value: {
+            generation: this.generation,
+            ...setup,
+            limit: limitOf(setup),
+            parameters: {},
+            exact: null,
+            stages: [],
+          } as unknown as Run,
+        }
       }),
     seek: (iteration: number, play: boolean, request: number): Promise<void> =>
       this.answer(() => {

@@ -9,7 +9,20 @@ import { wait } from '../worker/pace'
 import type { Ending } from '../worker/trial.worker'
 import { Trials } from '../worker/trials'
 import { Clerk } from './clerk'
-import { type Entrant, type Errand, applicable, COUNT, freeSlot, keyOf, labels, MOST_ENTRANTS, paramsOf, type Plan, type Row, runnerOf } from './plan'
+import {
+  type Entrant,
+  type Errand,
+  applicable,
+  COUNT,
+  freeSlot,
+  keyOf,
+  labels,
+  MOST_ENTRANTS,
+  paramsOf,
+  type Plan,
+  type Row,
+  runnerOf,
+} from './plan'
 import type { Ready } from './ready'
 import { remember, remembered } from './remembered'
 import { type Shown, shownOf } from './shown'
@@ -342,7 +355,8 @@ class Batch {
       while (this.askAgain) {
         this.askAgain = false
         await this.ask()
-        if (this.running) await wait(Math.min(MOST_PAUSE, LEAST_PAUSE + (this.shown?.groups ?? []).reduce((sum, { rows }) => sum + rows.length, 0) / 3))
+        if (this.running)
+          await wait(Math.min(MOST_PAUSE, LEAST_PAUSE + (this.shown?.groups ?? []).reduce((sum, { rows }) => sum + rows.length, 0) / 3))
       }
     } catch (error) {
       this.notice = text.run.broken(error instanceof Error ? error.message : String(error))

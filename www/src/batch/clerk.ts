@@ -47,7 +47,11 @@ export class Clerk {
         reached: rows.map(({ record }) => record.reached),
         end: rows.reduce((end, { record }) => Math.max(end, record.evaluations), 0),
       })),
-      common: groups.map(({ label, rows, lots }) => ({ name: label, lots, values: valuesOf(rows.filter(({ record }) => shared.has(record.seed))) })),
+      common: groups.map(({ label, rows, lots }) => ({
+        name: label,
+        lots,
+        values: valuesOf(rows.filter(({ record }) => shared.has(record.seed))),
+      })),
     })
     const answer = await this.ask(({ api }) => api.summarise(question()))
     for (const { rows } of groups) for (const row of rows) this.told.add(row)

@@ -6,7 +6,22 @@ import type { Shown } from './shown'
 
 const LEAD = ['scene', 'planner', 'seed'] as const
 const RESULTS = [
-  'status', 'iterations', 'evaluations', 'cost', 'length', 'value', 'feasible', 'clearance', 'exact', 'exact_by', 'gap', 'within', 'reached', 'reached_iteration', 'turns', 'hash',
+  'status',
+  'iterations',
+  'evaluations',
+  'cost',
+  'length',
+  'value',
+  'feasible',
+  'clearance',
+  'exact',
+  'exact_by',
+  'gap',
+  'within',
+  'reached',
+  'reached_iteration',
+  'turns',
+  'hash',
 ] as const
 
 /** What counts as reached in the page: what the core and the shell take, too, unless told otherwise. */

@@ -7,7 +7,12 @@ const pso = {
   name: 'pso',
   title: 'PSO: particle swarm',
   kinds: ['discs'],
-  parameters: [parameter('w'), parameter('population'), parameter('iterations'), parameter('depth', { when: { parameter: 'w', value: '2' } })],
+  parameters: [
+    parameter('w'),
+    parameter('population'),
+    parameter('iterations'),
+    parameter('depth', { when: { parameter: 'w', value: '2' } }),
+  ],
 } as unknown as Planner
 const scene = { kind: 'discs', name: 'a' } as Scene
 const entrant = (params: Entrant['params'], slot = 0): Entrant => ({ slot, planner: 'pso', params })

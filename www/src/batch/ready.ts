@@ -9,8 +9,18 @@ export interface Ready {
 }
 
 export const READY: readonly Ready[] = [
-  { name: 'swarms', scene: 'wcpso-discs', entrants: [{ planner: 'wcpso' }, { planner: 'cpso' }, { planner: 'wpso' }, { planner: 'pso' }], count: 50 },
-  { name: 'ants', scene: 'ant-bat-30', entrants: [{ planner: 'aco' }, { planner: 'aco-wolf' }, { planner: 'aco-direction' }, { planner: 'aco-dijkstra' }], count: 50 },
+  {
+    name: 'swarms',
+    scene: 'wcpso-discs',
+    entrants: [{ planner: 'wcpso' }, { planner: 'cpso' }, { planner: 'wpso' }, { planner: 'pso' }],
+    count: 50,
+  },
+  {
+    name: 'ants',
+    scene: 'ant-bat-30',
+    entrants: [{ planner: 'aco' }, { planner: 'aco-wolf' }, { planner: 'aco-direction' }, { planner: 'aco-dijkstra' }],
+    count: 50,
+  },
   { name: 'quantum', scene: 'qpso-10m', entrants: [{ planner: 'ltqpso' }, { planner: 'qpso' }], count: 50 },
   {
     name: 'inertia',

@@ -30,7 +30,8 @@ function forget(): void {
   }
 }
 
-const isWhole = (value: unknown, least: number, most: number): value is number => Number.isSafeInteger(value) && Number(value) >= least && Number(value) <= most
+const isWhole = (value: unknown, least: number, most: number): value is number =>
+  Number.isSafeInteger(value) && Number(value) >= least && Number(value) <= most
 
 /** What was kept, if this version of the page can still do something with it. */
 export function remembered({ planners, scenes }: Catalogue): Plan | null {
@@ -41,7 +42,12 @@ export function remembered({ planners, scenes }: Catalogue): Plan | null {
       scene &&
       scenes.some(({ kind }) => kind === scene.kind) &&
       entrants.length <= MOST_ENTRANTS &&
-      entrants.every((entrant) => isWhole(entrant.slot, 0, MOST_ENTRANTS - 1) && typeof entrant.params === 'object' && planners.some(({ name }) => name === entrant.planner)) &&
+      entrants.every(
+        (entrant) =>
+          isWhole(entrant.slot, 0, MOST_ENTRANTS - 1) &&
+          typeof entrant.params === 'object' &&
+          planners.some(({ name }) => name === entrant.planner),
+      ) &&
       isWhole(from, 0, Number.MAX_SAFE_INTEGER - COUNT.most) &&
       isWhole(count, COUNT.least, COUNT.most) &&
       (iterations === null || isWhole(iterations, 1, MOST_ITERATIONS))

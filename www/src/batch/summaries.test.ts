@@ -11,7 +11,10 @@ test('a band is a step function; runs without a result count as worst, and no qu
   const { evaluations, groups } = bands([runs], [6])
   expect(evaluations).toEqual([1, 2, 3, 4, 6])
   expect(groups[0]?.median, 'two results of four are not enough for the middle').toEqual([null, null, 9, 7, 7])
-  expect(groups[0]?.upper.every((value) => value === null), 'the fourth run never finds anything').toBe(true)
+  expect(
+    groups[0]?.upper.every((value) => value === null),
+    'the fourth run never finds anything',
+  ).toBe(true)
   expect(groups[0]?.lower[0]).toBeNull()
   expect(groups[0]?.lower[4]).toBeCloseTo(quantile([5, 6, 8, Infinity], 0.25), 12)
 })

@@ -5,7 +5,8 @@ import type { Row } from './plan'
 /* Tests ask whether chance alone explains a difference: planners that draw no lots take no part in them. */
 
 /** Without lots every seed gives the same run. */
-export const drawsLots = (rows: readonly Row[]): boolean => rows.length < 2 || rows.some(({ record }) => record.hash !== rows[0]?.record.hash)
+export const drawsLots = (rows: readonly Row[]): boolean =>
+  rows.length < 2 || rows.some(({ record }) => record.hash !== rows[0]?.record.hash)
 
 /** Two groups beside each other; without a test where one of them draws no lots. */
 export interface TestedPair extends Omit<Pair, 'u' | 'p' | 'corrected'> {
@@ -28,7 +29,10 @@ const placesOf = (groups: readonly Drawn[]): number[] => groups.flatMap(({ lots 
 export function testedPairs(all: readonly Pair[], groups: readonly Drawn[]): TestedPair[] {
   const places = placesOf(groups)
   const tests = new Map(
-    (places.length < 2 ? [] : compare(groups.filter(({ lots }) => lots)).pairs).map((pair) => [`${places[pair.first]} ${places[pair.second]}`, pair]),
+    (places.length < 2 ? [] : compare(groups.filter(({ lots }) => lots)).pairs).map((pair) => [
+      `${places[pair.first]} ${places[pair.second]}`,
+      pair,
+    ]),
   )
   return all.map(({ first, second, better }) => {
     const test = tests.get(`${first} ${second}`)

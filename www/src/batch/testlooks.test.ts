@@ -4,7 +4,8 @@ import { TestLooks } from './testlooks'
 
 test('a test shown with fewer seeds is remembered for the same groups', () => {
   const looks = new TestLooks()
-  const groups = (length: number, ...keys: string[]) => keys.map((key) => ({ key, lots: true, rows: Array.from({ length }, (): Row => ({}) as Row) }))
+  const groups = (length: number, ...keys: string[]) =>
+    keys.map((key) => ({ key, lots: true, rows: Array.from({ length }, (): Row => ({}) as Row) }))
   const at = (count: number, rows: number, ...keys: string[]) => looks.at({ from: 1, count }, groups(rows, ...keys))
   expect(at(50, 20, 'a', 'b'), 'on the way').toEqual([])
   expect(at(50, 50, 'a', 'b')).toEqual([])

@@ -20,7 +20,8 @@ export const arm = {
     curves: 'Joints over time, within their limits',
     fine: 'Arrives, and the whole arm is free of collision all along',
     free: 'The whole arm is free of collision as far as it comes',
-    touches: (time: string, x: string, y: string, z: string) => `Not free of collision: the arm touches something first at ${time} s, with the tip at (${x}, ${y}, ${z})`,
+    touches: (time: string, x: string, y: string, z: string) =>
+      `Not free of collision: the arm touches something first at ${time} s, with the tip at (${x}, ${y}, ${z})`,
     touchesAtOnce: 'Not free of collision: the arm touches something',
     lost: (why: string) => `Does not arrive${why ? `: ${why}` : ''}`,
     arrives: 'The tip arrives at the goal',
@@ -56,7 +57,10 @@ export const arm = {
     state: 'Touches',
     free: 'free',
     touches: 'touches',
-    count: (count: number, free: number) => (count === 1 ? `1 posture, ${free === 1 ? 'free of collision' : 'and it touches something'}` : `${count} postures, ${free} of them free of collision`),
+    count: (count: number, free: number) =>
+      count === 1
+        ? `1 posture, ${free === 1 ? 'free of collision' : 'and it touches something'}`
+        : `${count} postures, ${free} of them free of collision`,
     hint: 'Point at a row, or go to it with the keys, to see it on the stage. The first is nearest to the posture of the moment.',
     asking: 'Asking …',
     unreachable: {

@@ -1,4 +1,5 @@
-const list = (names: readonly string[]): string => (names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`)
+const list = (names: readonly string[]): string =>
+  names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
 const draw = (names: readonly string[]): string => `${list(names)} ${names.length === 1 ? 'draws' : 'draw'} no lots`
 
 /** Text of the batch view. What the core says comes with the catalogue, and with its refusals. */
@@ -30,7 +31,13 @@ export const batch = {
     full: 'Eight is the most.',
     none: 'Add a planner to compare.',
     families: {
-      swarm: 'Swarms', ants: 'Ants', search: 'Searches', tour: 'Tours', tree: 'Trees', dynamic: 'Drives among what moves', tuning: 'Tuning',
+      swarm: 'Swarms',
+      ants: 'Ants',
+      search: 'Searches',
+      tour: 'Tours',
+      tree: 'Trees',
+      dynamic: 'Drives among what moves',
+      tuning: 'Tuning',
     } as Readonly<Record<string, string>>,
     defaults: 'all parameters at their defaults',
     parameters: 'Parameters',
@@ -119,8 +126,10 @@ export const batch = {
     label: (names: string) => `Median and quartiles of the best value over evaluations, for ${names}.`,
     reachedTitle: 'Near the optimum',
     reachedHint: 'Share of the runs that had come within 1 % of the exact optimum. Runs that never do keep it below 100 %.',
-    reachedHintOwn: 'Share of the runs that had come within 1 % of the exact optimum, each planner of its own. Runs that never do keep it below 100 %.',
-    reachedHintZero: 'Share of the runs that had come within 0.01 of the exact optimum, which is 0 here. Runs that never do keep it below 100 %.',
+    reachedHintOwn:
+      'Share of the runs that had come within 1 % of the exact optimum, each planner of its own. Runs that never do keep it below 100 %.',
+    reachedHintZero:
+      'Share of the runs that had come within 0.01 of the exact optimum, which is 0 here. Runs that never do keep it below 100 %.',
     reachedLabel: (shares: string) => `Share of runs that came near the exact optimum, over evaluations. In the end ${shares}.`,
     reachedNone: 'The exact optimum of this scene is not known.',
     share: (name: string, share: string) => `${name} ${share}`,
@@ -139,7 +148,8 @@ export const batch = {
     reached: 'Near optimum',
     rank: 'Mean rank',
     interval: (low: string, high: string) => `${low} to ${high}`,
-    friedman: (blocks: string, statistic: string, p: string) => `Mean ranks over ${blocks} seeds that all have run with (1 is best); Friedman’s test: χ² = ${statistic}, p ${p}.`,
+    friedman: (blocks: string, statistic: string, p: string) =>
+      `Mean ranks over ${blocks} seeds that all have run with (1 is best); Friedman’s test: χ² = ${statistic}, p ${p}.`,
     ranks: (blocks: string) => `Mean ranks over ${blocks} seeds that all have run with; 1 is best.`,
     sure: 'draws no lots',
     sureNote: (names: readonly string[]) => `${draw(names)}: all runs are the same run, and the numbers are no estimates.`,
@@ -152,7 +162,8 @@ export const batch = {
     chance: 'In parentheses: how often its run is the better one, of two runs, one of each planner.',
     same: (names: string) => `No significant difference at 5 % between: ${names}.`,
     allDrawnSame: 'No two of the others differ significantly at 5 %.',
-    sure: (names: readonly string[]) => `${draw(names)}: every seed gives the same run. There is no luck to test for; which of two is better can be read from the table.`,
+    sure: (names: readonly string[]) =>
+      `${draw(names)}: every seed gives the same run. There is no luck to test for; which of two is better can be read from the table.`,
     allSame: 'No two planners differ significantly at 5 %.',
     and: ' and ',
     first: 'First',

@@ -51,7 +51,14 @@ export const en = {
     start: 'start',
     goal: 'goal',
     legend: 'Layers',
-    exact: { plain: 'Exact optimum', 'any-angle': 'Exact at any angle', cells: 'Exact over cells', matrix: 'Exact shortest tour', stored: 'Optimum from the file', refuted: 'The file’s tour' },
+    exact: {
+      plain: 'Exact optimum',
+      'any-angle': 'Exact at any angle',
+      cells: 'Exact over cells',
+      matrix: 'Exact shortest tour',
+      stored: 'Optimum from the file',
+      refuted: 'The file’s tour',
+    },
     exactHelp: {
       plain: 'The shortest way that there is.',
       'any-angle': 'The shortest way that there is, whatever its angles.',

@@ -131,17 +131,32 @@ export const papers = {
   experiments: {
     functions: { title: 'Table 2: four swarms on test functions', about: '60 particles, 1000 iterations, 50 runs each.' },
     discs: { title: '§3.2: a path among seven discs', about: '150 particles, 500 iterations, 10 runs each.' },
-    evolution: { title: 'Fig. 1: evolution speed and dispersion', about: '20 particles, 100 iterations; the readings show both over time.' },
-    eight: { title: 'Table 3: ten metres of walls, uniform start', about: 'Eight pieces, 30 particles, 50 iterations, 50 runs each. The robot then drives along the path: see the stage.' },
-    sixteen: { title: 'Table 4: the same, normal start', about: 'Sixteen pieces, angles from N(45°, 30°), 52 particles and 99 iterations by the paper’s (11), 50 runs each.' },
+    evolution: {
+      title: 'Fig. 1: evolution speed and dispersion',
+      about: '20 particles, 100 iterations; the readings show both over time.',
+    },
+    eight: {
+      title: 'Table 3: ten metres of walls, uniform start',
+      about: 'Eight pieces, 30 particles, 50 iterations, 50 runs each. The robot then drives along the path: see the stage.',
+    },
+    sixteen: {
+      title: 'Table 4: the same, normal start',
+      about: 'Sixteen pieces, angles from N(45°, 30°), 52 particles and 99 iterations by the paper’s (11), 50 runs each.',
+    },
     empty: { title: 'Tables 1 and 2: without walls', about: 'The square on which particles and iterations were fitted.' },
     colonies: { title: '§3.1: three colonies on 30 × 30 cells', about: '50 ants, 100 iterations, 30 runs each.' },
     tours: { title: 'Table 2: twelve stops, five planners', about: 'Roads from cell to cell by the improved ants, 30 runs each.' },
     free: { title: 'Figs 5 and 6: no obstacle', about: 'The basic and the guided tree, steps of 0.03 and 0.05 m.' },
     cuboid: { title: 'Figs 7 and 8: a cuboid in the way', about: 'The same trees; where the cuboid stands is a reconstruction.' },
-    beside: { title: 'Not in the paper: what is common today', about: 'A tree that rewires itself, two trees in the six joints, and another arm.' },
+    beside: {
+      title: 'Not in the paper: what is common today',
+      about: 'A tree that rewires itself, two trees in the six joints, and another arm.',
+    },
     wolves: { title: 'Table 2: A*, ants and wolves’ ants', about: '30 ants, 100 iterations.' },
-    tuning: { title: '§5.2: a swarm tunes the ants', about: '20 particles, 30 iterations. It takes its time: each particle is a colony over three seeds.' },
+    tuning: {
+      title: '§5.2: a swarm tunes the ants',
+      about: '20 particles, 30 iterations. It takes its time: each particle is a colony over three seeds.',
+    },
     moving: { title: '§5.3: an obstacle moves', about: 'Plan, drive, foresee, go round; beside drives on A* and D* Lite.' },
   },
 } as const

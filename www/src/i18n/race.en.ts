@@ -1,4 +1,5 @@
-const list = (names: readonly string[]): string => (names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`)
+const list = (names: readonly string[]): string =>
+  names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
 
 /** Text of the race view. */
 export const race = {
@@ -69,7 +70,8 @@ export const race = {
     thinned: (n: number) => `1 of ${n} drawn`,
     status: { running: 'running', solved: 'solved', exhausted: 'finished', infeasible: 'no solution' },
   },
-  stageHelp: 'Space plays and pauses. Left and right go back and on by a notch, with Shift by ten; Home and End jump. Plus and minus zoom, 0 shows all, up and down move the view: in all lanes at once.',
+  stageHelp:
+    'Space plays and pauses. Left and right go back and on by a notch, with Shift by ten; Home and End jump. Plus and minus zoom, 0 shows all, up and down move the view: in all lanes at once.',
   tools: { label: 'View of all lanes', in: 'Zoom in', out: 'Zoom out', fit: 'Show all' },
   transport: {
     label: 'Time of the race',
@@ -95,7 +97,13 @@ export const race = {
     linear: 'Linear',
     near: 'Near the best',
     hint: 'Left and right arrows move the clock',
-    exact: { 'any-angle': 'optimum', cells: 'optimum over cells', matrix: 'shortest tour', stored: 'optimum from the file', refuted: 'the file’s tour' },
+    exact: {
+      'any-angle': 'optimum',
+      cells: 'optimum over cells',
+      matrix: 'shortest tour',
+      stored: 'optimum from the file',
+      refuted: 'the file’s tour',
+    },
     readout: (clock: string, marks: string) => `At ${clock} evaluations: ${marks}`,
   },
   table: {
@@ -114,7 +122,8 @@ export const race = {
   },
   live: {
     leads: (name: string, value: string, clock: string) => `${name} leads with ${value} at ${clock} evaluations`,
-    shared: (names: readonly string[], value: string, clock: string) => `${list(names)} share the lead with ${value} at ${clock} evaluations`,
+    shared: (names: readonly string[], value: string, clock: string) =>
+      `${list(names)} share the lead with ${value} at ${clock} evaluations`,
     over: 'The race is over.',
     nobody: 'Nobody has a feasible result.',
   },

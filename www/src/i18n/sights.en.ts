@@ -6,22 +6,13 @@ export const sights: Readonly<Record<Exclude<keyof typeof presets.cases, `arm-${
     'Ants find a way of the published length. On it the robot foresees that the disc comes too near, and goes round it along the pheromone; the log tells when and why.',
   'moving-a-star':
     'The same drive on an exact way: soon after it sets out the robot foresees that the disc comes too near, and plans a new way to the goal.',
-  'moving-d-star-lite':
-    'The same drive on another of the shortest ways: the disc is seen, and nothing has to be decided.',
-  crossing:
-    'Discs cross a hall from both sides: each detour is a decision with a time, a place and a reason.',
-  patrol:
-    'Where a guard stands in a door there is no way round: the robot waits until the way is clear.',
-  corridor:
-    'Neither a way round nor standing still is safe: the robot backs into a niche and lets the disc pass.',
-  wolves:
-    'How early the pheromone gathers on a shortest way over the cells; the published length is 562.8427 px.',
-  direction:
-    'Ants that mind where the goal lies are on a shortest way within a few iterations.',
-  bats:
-    'First ants build the roads between the stops, then bats put the stops in order; the timeline has a part for each.',
-  quantum:
-    'Particles leap about their attractors, less far as the run goes on; the robot can drive along the result.',
-  hens:
-    'Hens and chicks shake a swarm that no longer improves; the exact optimum is 12.1416.',
+  'moving-d-star-lite': 'The same drive on another of the shortest ways: the disc is seen, and nothing has to be decided.',
+  crossing: 'Discs cross a hall from both sides: each detour is a decision with a time, a place and a reason.',
+  patrol: 'Where a guard stands in a door there is no way round: the robot waits until the way is clear.',
+  corridor: 'Neither a way round nor standing still is safe: the robot backs into a niche and lets the disc pass.',
+  wolves: 'How early the pheromone gathers on a shortest way over the cells; the published length is 562.8427 px.',
+  direction: 'Ants that mind where the goal lies are on a shortest way within a few iterations.',
+  bats: 'First ants build the roads between the stops, then bats put the stops in order; the timeline has a part for each.',
+  quantum: 'Particles leap about their attractors, less far as the run goes on; the robot can drive along the result.',
+  hens: 'Hens and chicks shake a swarm that no longer improves; the exact optimum is 12.1416.',
 }

@@ -10,10 +10,12 @@ const MOST = 3
 
 export type Table = Inspection['table']
 
-export const valuesOf = ({ values }: Inspection): Record<string, number> => Object.fromEntries(values.map(({ name, value }) => [name, value]))
+export const valuesOf = ({ values }: Inspection): Record<string, number> =>
+  Object.fromEntries(values.map(({ name, value }) => [name, value]))
 
 /** Whether a table is about a cell's neighbours. */
-export const isCompass = ({ labels }: Table): boolean => labels.length > 0 && labels.every((label) => COMPASS.some((known) => known === label))
+export const isCompass = ({ labels }: Table): boolean =>
+  labels.length > 0 && labels.every((label) => COMPASS.some((known) => known === label))
 
 /** What is less than this is told to be. */
 const LEAST = 1e-4

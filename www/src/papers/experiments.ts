@@ -27,7 +27,10 @@ export interface Experiment {
 
 type Params = Record<string, ParameterValue>
 
-const on = (scene: string, planners: readonly string[], params: Params = {}): Case => ({ scene, runs: planners.map((planner) => ({ planner, params })) })
+const on = (scene: string, planners: readonly string[], params: Params = {}): Case => ({
+  scene,
+  runs: planners.map((planner) => ({ planner, params })),
+})
 
 /** The cases of these names, which must be on one scene. */
 function presets(...names: Preset['name'][]): Case {
@@ -61,14 +64,27 @@ export const EXPERIMENTS: Readonly<Record<Paper, readonly Experiment[]>> = {
     { name: 'tours', cases: [on('ant-bat-30', TOURS, { smooth: false })], seeds: 30 },
   ],
   'ARM-RRT': [
-    { name: 'free', cases: [{ scene: 'arm-free', runs: [...on('arm-free', TREES).runs, ...on('arm-free', TREES, WIDE).runs] }], seeds: 100 },
-    { name: 'cuboid', cases: [{ scene: 'arm-cuboid', runs: [...on('arm-cuboid', TREES).runs, ...on('arm-cuboid', TREES, WIDE).runs] }], seeds: 100 },
+    {
+      name: 'free',
+      cases: [{ scene: 'arm-free', runs: [...on('arm-free', TREES).runs, ...on('arm-free', TREES, WIDE).runs] }],
+      seeds: 100,
+    },
+    {
+      name: 'cuboid',
+      cases: [{ scene: 'arm-cuboid', runs: [...on('arm-cuboid', TREES).runs, ...on('arm-cuboid', TREES, WIDE).runs] }],
+      seeds: 100,
+    },
     { name: 'beside', cases: [presets('arm-star', 'arm-joints'), on('arm-puma', ['rrt-joint'])], seeds: 100 },
   ],
   'WOLF-ANT': [
     {
       name: 'wolves',
-      cases: [{ scene: 'wolf-ant-20', runs: [...on('wolf-ant-20', ['a-star']).runs, { planner: 'aco', params: { ants: 30 } }, ...presets('wolves').runs] }],
+      cases: [
+        {
+          scene: 'wolf-ant-20',
+          runs: [...on('wolf-ant-20', ['a-star']).runs, { planner: 'aco', params: { ants: 30 } }, ...presets('wolves').runs],
+        },
+      ],
       seeds: 30,
     },
     { name: 'tuning', cases: [on('wolf-ant-20', ['pso-tuning'])] },

@@ -6,7 +6,17 @@ export const VERDICTS = ['reproduced', 'better', 'worse', 'not determined'] as c
 export type Paper = (typeof PAPERS)[number]
 export type Verdict = (typeof VERDICTS)[number]
 
-export const NUMBERS = ['published_best', 'published_mean', 'published_std', 'published_runs', 'best', 'mean', 'std', 'median', 'runs'] as const
+export const NUMBERS = [
+  'published_best',
+  'published_mean',
+  'published_std',
+  'published_runs',
+  'best',
+  'mean',
+  'std',
+  'median',
+  'runs',
+] as const
 /** What must not be empty. */
 export const WORDS = ['reproduction', 'table', 'row', 'measure', 'because', 'command'] as const
 
@@ -14,7 +24,8 @@ export const WORDS = ['reproduction', 'table', 'row', 'measure', 'because', 'com
 export const COLUMNS: readonly string[] = ['reproduction', 'paper', 'table', 'row', 'measure', ...NUMBERS, 'verdict', 'because', 'command']
 
 /** A published figure, ours beside it, and what is to be thought of the two. */
-export type Row = Record<(typeof WORDS)[number], string> & Record<(typeof NUMBERS)[number], number | null> & { paper: Paper; verdict: Verdict }
+export type Row = Record<(typeof WORDS)[number], string> &
+  Record<(typeof NUMBERS)[number], number | null> & { paper: Paper; verdict: Verdict }
 
 export const ANSWERS = ['yes', 'NO', 'not decided'] as const
 

@@ -36,7 +36,9 @@ export interface Subject {
 /** The layers that are on without being asked for. */
 export const rolesOf = (planner: Planner | undefined, scene: Scene, values: Start['parameters'] = {}): string[] =>
   (planner?.layers ?? [])
-    .filter(({ on, when, kinds }) => on && (kinds?.includes(scene.kind) ?? true) && met(when, planner?.parameters ?? [], scene.kind, values))
+    .filter(
+      ({ on, when, kinds }) => on && (kinds?.includes(scene.kind) ?? true) && met(when, planner?.parameters ?? [], scene.kind, values),
+    )
     .map(({ role }) => role)
 
 /** Draws a racer as the stage would, read-only. */
@@ -81,7 +83,8 @@ export class Painter {
     const on = (role: string): boolean => shown.includes(role)
     const touring = scene.kind === 'tour' || (planner?.stops ?? false)
     this.field.draw(pen)
-    if (picture) for (const field of picture.fields) if (on(field.role)) drawRaster(pen, field, isNear(picture, catalogue, on) ? BENEATH : 1)
+    if (picture)
+      for (const field of picture.fields) if (on(field.role)) drawRaster(pen, field, isNear(picture, catalogue, on) ? BENEATH : 1)
     if (scene.kind === 'grid') this.cells.draw(pen, scene, true)
     drawGrid(pen, scene, scene.kind !== 'grid' && scene.kind !== 'function')
     if (scene.kind === 'discs') drawDiscs(pen, scene, null)
@@ -100,7 +103,11 @@ export class Painter {
     const now = picture && placesNow(picture, catalogue, movingOf(scene).length)
     drawMovers(pen, scene, { now, quiet: now !== null && (picture?.iteration ?? 0) > 0, selection: null, hover: null, blamed: null })
     if (!picture) return
-    drawHappenings(pen, placesOf(picture, catalogue, EVENTS), (index) => planner?.events.find(({ name }) => name === outcome?.events?.[index]?.kind)?.tone)
+    drawHappenings(
+      pen,
+      placesOf(picture, catalogue, EVENTS),
+      (index) => planner?.events.find(({ name }) => name === outcome?.events?.[index]?.kind)?.tone,
+    )
   }
 }
 

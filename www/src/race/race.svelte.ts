@@ -78,7 +78,12 @@ class Race extends Times {
     this.notice = ''
     this.speed = speed
     const first = lab.catalogue?.planners.find((planner) => planner.name === planners[0])
-    const begun = await this.set(scene, seed, planners.map((planner) => ({ planner, params: {} })), first ? taskOf(first) : this.task)
+    const begun = await this.set(
+      scene,
+      seed,
+      planners.map((planner) => ({ planner, params: {} })),
+      first ? taskOf(first) : this.task,
+    )
     if (begun && !stillness.matches) this.play()
   }
 
@@ -103,7 +108,14 @@ class Race extends Times {
     for (const lane of leaving) lane.dismiss()
     this.lanes = [...staying, ...added.map(({ name }) => new Lane(name))]
     const title = (name: string): string => lab.catalogue?.planners.find((planner) => planner.name === name)?.title ?? name
-    this.notice = leaving.length > 0 ? text.left(leaving.map(({ planner }) => title(planner)), added.map((planner) => planner.title), scene.title) : ''
+    this.notice =
+      leaving.length > 0
+        ? text.left(
+            leaving.map(({ planner }) => title(planner)),
+            added.map((planner) => planner.title),
+            scene.title,
+          )
+        : ''
     this.place(scene)
     this.task = task
     await this.restart()
@@ -167,13 +179,15 @@ class Race extends Times {
   private changed(lane: Lane, values: Record<string, ParameterValue>): Record<string, ParameterValue> {
     const { scene } = this
     const known = this.planners.find(({ name }) => name === lane.planner)?.parameters ?? []
-    const standard = (name: string): ParameterValue | undefined => known.flatMap((parameter) => (parameter.name === name && scene ? [standardOn(parameter, scene.kind)] : []))[0]
+    const standard = (name: string): ParameterValue | undefined =>
+      known.flatMap((parameter) => (parameter.name === name && scene ? [standardOn(parameter, scene.kind)] : []))[0]
     return Object.fromEntries(Object.entries(values).filter(([name, value]) => value !== standard(name)))
   }
 
   resetParameter = (lane: Lane, name?: string): Promise<void> =>
     this.change(() => {
-      const drop = <T>(values: Record<string, T>): Record<string, T> => Object.fromEntries(Object.entries(values).filter(([key]) => name !== undefined && key !== name))
+      const drop = <T>(values: Record<string, T>): Record<string, T> =>
+        Object.fromEntries(Object.entries(values).filter(([key]) => name !== undefined && key !== name))
       lane.errors = drop(lane.errors)
       lane.params = drop(lane.params)
       return this.enter(lane)

@@ -30,4 +30,7 @@ export const READY: readonly Ready[] = [
 
 /** Those that can be run here. */
 export const offered = ({ planners, scenes }: Catalogue): readonly Ready[] =>
-  READY.filter((race) => scenes.some(({ name }) => name === race.scene) && race.planners.every((planner) => planners.some(({ name }) => name === planner)))
+  READY.filter(
+    (race) =>
+      scenes.some(({ name }) => name === race.scene) && race.planners.every((planner) => planners.some(({ name }) => name === planner)),
+  )

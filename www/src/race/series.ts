@@ -20,7 +20,8 @@ export function staircases(all: readonly (TrialCurve | null)[], end: number, las
     let next = 0
     let value: number | null = null
     return iterations.map((place) => {
-      while (curve && next < curve.evaluations.length && (curve.evaluations[next] ?? Infinity) <= place) value = curve.values[next++] ?? null
+      while (curve && next < curve.evaluations.length && (curve.evaluations[next] ?? Infinity) <= place)
+        value = curve.values[next++] ?? null
       return place <= (lasts[racer] ?? 0) ? value : null
     })
   })

@@ -22,7 +22,11 @@ function axesOf(side: Side): Axes {
   const [turn = 0, rise = 0] = ANGLES[side].map((angle) => (angle * Math.PI) / 180)
   const back: Point3 = [Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise)]
   const right: Point3 = [-Math.sin(turn), Math.cos(turn), 0]
-  const up: Point3 = [back[1] * right[2] - back[2] * right[1], back[2] * right[0] - back[0] * right[2], back[0] * right[1] - back[1] * right[0]]
+  const up: Point3 = [
+    back[1] * right[2] - back[2] * right[1],
+    back[2] * right[0] - back[0] * right[2],
+    back[0] * right[1] - back[1] * right[0],
+  ]
   return [right, up, back]
 }
 
@@ -43,7 +47,17 @@ export function flattened(scene: ArmScene, skeleton: readonly Point3[], side: Si
   const all = [...corners(scene.workspace), ...skeleton].map(to)
   const [x, y] = [all.map((at) => at[0]), all.map((at) => at[1])]
   const bounds = { min: [Math.min(...x), Math.min(...y)] as Point, max: [Math.max(...x), Math.max(...y)] as Point }
-  return { format: 'forage-scene', version: 1, kind: 'discs', name: scene.name, title: scene.title, bounds, start: to(scene.start), goal: to(scene.goal), discs: [] }
+  return {
+    format: 'forage-scene',
+    version: 1,
+    kind: 'discs',
+    name: scene.name,
+    title: scene.title,
+    bounds,
+    start: to(scene.start),
+    goal: to(scene.goal),
+    discs: [],
+  }
 }
 
 /** A frame's vertices as they are seen from a side. */
@@ -63,7 +77,7 @@ export function projected({ buffer, vertices, spans }: Layers, side: Side): Laye
 /** A box's faces as corners in their order, with the axis and the side that each looks to. */
 const FACES = [0, 1, 2].flatMap((axis) =>
   [0, 1].map((high) => {
-    const [u, v] = [1 << (axis + 1) % 3, 1 << (axis + 2) % 3]
+    const [u, v] = [1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3)]
     const base = high ? 1 << axis : 0
     return { axis, high, ring: [base, base | u, base | u | v, base | v] }
   }),

@@ -14,7 +14,8 @@ export const able = (catalogue: Catalogue | null, scene: Scene): readonly Planne
   catalogue?.planners.filter((planner) => canRun(planner, scene) && !tunes(planner)) ?? []
 
 /** Those that can do a task there. */
-export const fitting = (catalogue: Catalogue | null, scene: Scene, task: Task): readonly Planner[] => able(catalogue, scene).filter((planner) => taskOf(planner) === task)
+export const fitting = (catalogue: Catalogue | null, scene: Scene, task: Task): readonly Planner[] =>
+  able(catalogue, scene).filter((planner) => taskOf(planner) === task)
 
 /** What can be raced for on a scene. */
 export const tasksOn = (catalogue: Catalogue | null, scene: Scene): Task[] => [...new Set(able(catalogue, scene).map(taskOf))].sort()

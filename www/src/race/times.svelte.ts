@@ -31,7 +31,12 @@ export abstract class Times {
   readonly usual = $derived(Math.max(1, ...this.racing.map(({ run, picture }) => picture?.furthest.most ?? run?.most ?? 1)))
   readonly notch = $derived(this.chosen ?? this.usual)
   readonly begin = $derived(this.racing.length > 0 ? Math.min(...this.racing.map(({ run }) => run?.first ?? 0)) : 0)
-  readonly extent = $derived(extent(this.clock, this.racing.map(({ end }) => end)))
+  readonly extent = $derived(
+    extent(
+      this.clock,
+      this.racing.map(({ end }) => end),
+    ),
+  )
   readonly over = $derived(this.racing.length > 0 && this.racing.every(({ over }) => over))
   readonly busy = $derived(this.playing || this.goal !== null || this.starting)
   /** Everything stands still, and all that there is to tell was told. */

@@ -22,7 +22,8 @@ export function bestOf({ mark, outcome }: Lane): number | null {
   return mark?.value ?? outcome?.length ?? outcome?.cost ?? null
 }
 
-export const told = (value: number | null, scene: Scene | null): string => (value === null ? number(null) : number(value, DIGITS) + unitOf(scene))
+export const told = (value: number | null, scene: Scene | null): string =>
+  value === null ? number(null) : number(value, DIGITS) + unitOf(scene)
 
 /** How far the feasible best lies from the optimum, in per cent; nothing where that says nothing. */
 export function gapOf(lane: Lane): string | null {

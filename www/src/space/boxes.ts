@@ -22,7 +22,8 @@ const EDGES = [0, 1, 2].flatMap((axis) =>
 )
 
 /** Lines lie on the sides they bound, and on the floor: they win over both. */
-export const edging = (): LineMaterial => new LineMaterial({ transparent: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -500 })
+export const edging = (): LineMaterial =>
+  new LineMaterial({ transparent: true, polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -500 })
 
 /** The edges of a box that is scaled and put in place. */
 export function wire(material: LineMaterial): LineSegments2 {
@@ -41,7 +42,10 @@ export class Boxes {
 
   constructor() {
     for (const mood of ['plain', 'hover', 'selected', 'wrong'] as const) {
-      this.sides.set(mood, new MeshStandardMaterial({ roughness: 0.85, metalness: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }))
+      this.sides.set(
+        mood,
+        new MeshStandardMaterial({ roughness: 0.85, metalness: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
+      )
       this.edges.set(mood, edging())
     }
   }

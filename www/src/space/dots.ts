@@ -24,7 +24,13 @@ function draw(context: CanvasRenderingContext2D, mark: Mark): void {
   context.lineWidth = width
   context.beginPath()
   if (mark === 'diamond') {
-    for (const [x, y] of [[0, -1], [1, 0], [0, 1], [-1, 0]] as const) context.lineTo(middle + x * (middle - width), middle + y * (middle - width))
+    for (const [x, y] of [
+      [0, -1],
+      [1, 0],
+      [0, 1],
+      [-1, 0],
+    ] as const)
+      context.lineTo(middle + x * (middle - width), middle + y * (middle - width))
     context.closePath()
     context.stroke()
   } else if (mark === 'ring') {

@@ -31,7 +31,9 @@ export function faceOf(cuboid: Cuboid, { axis, side }: Face): Point3 {
 /** The faces that are turned to the eye. */
 export function facing(cuboid: Cuboid, world: World): Face[] {
   const eye = world.ray([0, 0]).origin
-  return FACES.filter(({ axis, side }) => (side === 'max' ? eye.getComponent(axis) > cuboid.max[axis] : eye.getComponent(axis) < cuboid.min[axis]))
+  return FACES.filter(({ axis, side }) =>
+    side === 'max' ? eye.getComponent(axis) > cuboid.max[axis] : eye.getComponent(axis) < cuboid.min[axis],
+  )
 }
 
 /** Where the arrow is that lifts an object: above it on the screen. */

@@ -219,4 +219,3 @@ function sideOf(orbit: Orbit, axis: Axis): 'min' | 'max' {
   const [across, deep] = [to.getComponent(axis), -back.getComponent(axis)]
   return (Math.abs(across) >= Math.abs(deep) ? across : deep) > 0 ? 'max' : 'min'
 }
-

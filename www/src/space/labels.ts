@@ -52,7 +52,16 @@ export function drawAxes(pen: Pen, world: World, box: Cuboid): void {
       context.lineTo(seen.x + 5 * nx, seen.y + 5 * ny)
       context.stroke()
       context.fillStyle = palette.get('--ink-2')
-      plate(context, palette.get('--stage'), value.toFixed(digits).replace(/^-(?=0\.?0*$)/, '').replace('-', '−'), seen.x + BESIDE * nx, seen.y + BESIDE * ny)
+      plate(
+        context,
+        palette.get('--stage'),
+        value
+          .toFixed(digits)
+          .replace(/^-(?=0\.?0*$)/, '')
+          .replace('-', '−'),
+        seen.x + BESIDE * nx,
+        seen.y + BESIDE * ny,
+      )
     }
     context.font = `italic 600 13px Georgia, 'Times New Roman', serif`
     context.fillStyle = palette.get('--ink')
@@ -71,19 +80,22 @@ function inside({ context, size }: Pen, text: string, x: number, y: number): [nu
 
 function edges(world: World, { min, max }: Cuboid): Edge[] {
   const { origin } = world.ray([0, 0])
-  const near = (axis: 0 | 1): number => (Math.abs(origin.getComponent(axis) - min[axis]) < Math.abs(origin.getComponent(axis) - max[axis]) ? min[axis] : max[axis])
+  const near = (axis: 0 | 1): number =>
+    Math.abs(origin.getComponent(axis) - min[axis]) < Math.abs(origin.getComponent(axis) - max[axis]) ? min[axis] : max[axis]
   const [x, y, floor] = [near(0), near(1), min[2]]
   const floors: Edge[] = [
     { axis: 0, from: [min[0], y, floor], to: [max[0], y, floor] },
     { axis: 1, from: [x, min[1], floor], to: [x, max[1], floor] },
   ]
-  const seen = (edge: Edge): { x: number; y: number } => world.project(new Vector3(...edge.from).lerp(new Vector3(...edge.to), 0.5)) ?? { x: 0, y: 0 }
+  const seen = (edge: Edge): { x: number; y: number } =>
+    world.project(new Vector3(...edge.from).lerp(new Vector3(...edge.to), 0.5)) ?? { x: 0, y: 0 }
   const uprights = [min[0], max[0]]
     .flatMap((px) => [min[1], max[1]].map((py): Edge => ({ axis: 2, from: [px, py, floor], to: [px, py, max[2]] })))
     .sort((one, other) => seen(one).x - seen(other).x)
   // Its numbers must not stand among those of the floor's steeper edge.
   const [steep] = [...floors].sort((one, other) => slope(world, other) - slope(world, one))
-  const meets = (edge: Edge | undefined): boolean => [steep?.from, steep?.to].some((end) => end?.[0] === edge?.from[0] && end?.[1] === edge?.from[1])
+  const meets = (edge: Edge | undefined): boolean =>
+    [steep?.from, steep?.to].some((end) => end?.[0] === edge?.from[0] && end?.[1] === edge?.from[1])
   const upright = meets(uprights[0]) ? uprights.at(-1) : uprights[0]
   return upright ? [...floors, upright] : floors
 }

@@ -1,4 +1,15 @@
-import { type BufferGeometry, type Color, ConeGeometry, CylinderGeometry, Group, type Material, Mesh, MeshStandardMaterial, SphereGeometry, Vector3 } from 'three'
+import {
+  type BufferGeometry,
+  type Color,
+  ConeGeometry,
+  CylinderGeometry,
+  Group,
+  type Material,
+  Mesh,
+  MeshStandardMaterial,
+  SphereGeometry,
+  Vector3,
+} from 'three'
 import type { Arm } from 'forage'
 import { home, reachOf, type Stance, stance } from './kinematics'
 
@@ -87,7 +98,10 @@ export class Machine {
     if (radius <= 0 || height <= 0) return
     const column = this.part(new CylinderGeometry(radius, radius, height, 2 * ROUND), this.skin.body)
     const foot = this.part(new CylinderGeometry(radius * 1.35, radius * 1.45, 0.012, 2 * ROUND), this.skin.joint)
-    for (const [mesh, z] of [[column, floor + height / 2], [foot, floor + 0.006]] as const) {
+    for (const [mesh, z] of [
+      [column, floor + height / 2],
+      [foot, floor + 0.006],
+    ] as const) {
       mesh.position.set(position[0], position[1], z)
       mesh.quaternion.setFromUnitVectors(UP, new Vector3(0, 0, 1))
     }
@@ -125,7 +139,11 @@ function span(link: Mesh, from: Vector3, to: Vector3): void {
 }
 
 /** What a solid arm is made of. */
-export function skin(body: Color, joint: Color, tool: Color): Skin & { body: MeshStandardMaterial; joint: MeshStandardMaterial; tool: MeshStandardMaterial } {
+export function skin(
+  body: Color,
+  joint: Color,
+  tool: Color,
+): Skin & { body: MeshStandardMaterial; joint: MeshStandardMaterial; tool: MeshStandardMaterial } {
   return {
     body: new MeshStandardMaterial({ color: body, roughness: 0.48, metalness: 0.05 }),
     joint: new MeshStandardMaterial({ color: joint, roughness: 0.4, metalness: 0.1 }),

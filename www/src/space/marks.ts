@@ -193,4 +193,3 @@ export function drawNode(pen: Pen, world: World, at: Readonly<Point3> | null, ch
   pen.context.setLineDash([])
   circle(pen, seen.x, seen.y, chosen ? 8 : 7, pen.palette.get(chosen ? '--focus' : '--line-strong'))
 }
-

@@ -51,7 +51,12 @@ export function aim(camera: PerspectiveCamera, orbit: Orbit): void {
 export const pixel = ({ distance }: Orbit, { height }: Size): number => (2 * slope * distance) / Math.max(1, height)
 
 /** The orbit on a side from which all of a box is seen. Margins are pixels. */
-export function fit(box: Cuboid, { width, height }: Size, [beside, above]: readonly [number, number], side: Pick<Orbit, 'azimuth' | 'elevation'>): Orbit {
+export function fit(
+  box: Cuboid,
+  { width, height }: Size,
+  [beside, above]: readonly [number, number],
+  side: Pick<Orbit, 'azimuth' | 'elevation'>,
+): Orbit {
   const [right, up, back] = basis(side)
   const target = new Vector3().addVectors(new Vector3(...box.min), new Vector3(...box.max)).multiplyScalar(0.5)
   const across = (slope * Math.max(40, width - 2 * beside)) / height
@@ -62,7 +67,8 @@ export function fit(box: Cuboid, { width, height }: Size, [beside, above]: reado
     let distance = 0.01
     let [low, high, left, far] = [Infinity, -Infinity, Infinity, -Infinity]
     const seen = corners(box).map((corner) => corner.sub(target))
-    for (const at of seen) distance = Math.max(distance, at.dot(back) + Math.abs(at.dot(right)) / across, at.dot(back) + Math.abs(at.dot(up)) / along)
+    for (const at of seen)
+      distance = Math.max(distance, at.dot(back) + Math.abs(at.dot(right)) / across, at.dot(back) + Math.abs(at.dot(up)) / along)
     for (const at of seen) {
       const depth = distance - at.dot(back)
       ;[low, high] = [Math.min(low, at.dot(up) / depth), Math.max(high, at.dot(up) / depth)]

@@ -1,4 +1,15 @@
-import { BufferAttribute, BufferGeometry, type Color, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, ShadowMaterial } from 'three'
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Color,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  PlaneGeometry,
+  ShadowMaterial,
+} from 'three'
 import type { Cuboid } from 'forage'
 import { edging, settle, wire } from './boxes'
 
@@ -9,8 +20,14 @@ const MOST_LINES = 400
 /** The workspace: its edges, and a floor with a grid that shadows fall on. */
 export class Room {
   readonly group = new Group()
-  private readonly floor = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial({ polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 }))
-  private readonly shade = new Mesh(new PlaneGeometry(1, 1), new ShadowMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }))
+  private readonly floor = new Mesh(
+    new PlaneGeometry(1, 1),
+    new MeshBasicMaterial({ polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 }),
+  )
+  private readonly shade = new Mesh(
+    new PlaneGeometry(1, 1),
+    new ShadowMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
+  )
   private readonly grid = new LineSegments(new BufferGeometry(), new LineBasicMaterial())
   private readonly line = edging()
   private readonly edges = wire(this.line)
@@ -36,7 +53,10 @@ export class Room {
     for (const plane of [this.floor, this.shade]) settle(plane, { min, max: [max[0], max[1], min[2]] })
     this.shade.scale.z = this.floor.scale.z = 1
     const ends: number[] = []
-    for (const [axis, other] of [[0, 1], [1, 0]] as const) {
+    for (const [axis, other] of [
+      [0, 1],
+      [1, 0],
+    ] as const) {
       for (const at of ticks(min[axis], max[axis], Math.max(GRID, (max[axis] - min[axis]) / MOST_LINES))) {
         for (const end of [min[other], max[other]]) {
           const point = [0, 0, min[2]]

@@ -72,7 +72,10 @@ export class Strokes {
   /** What was added is what is shown. */
   done(): void {
     this.geometry.instanceCount = this.count
-    for (const [name, size] of [['instanceStart', ENDS], ['instanceDistanceStart', LENGTHS]] as const) {
+    for (const [name, size] of [
+      ['instanceStart', ENDS],
+      ['instanceDistanceStart', LENGTHS],
+    ] as const) {
       const { data } = this.geometry.getAttribute(name) as InterleavedBufferAttribute
       data.clearUpdateRanges()
       data.addUpdateRange(0, size * this.count)
@@ -122,7 +125,8 @@ export class Strokes {
     const attribute = (array: Float32Array, size: number, names: readonly [string, string]): void => {
       const buffer = new InstancedInterleavedBuffer(array, size, 1)
       buffer.setUsage(DynamicDrawUsage)
-      for (const [at, name] of names.entries()) this.geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size / 2, (at * size) / 2))
+      for (const [at, name] of names.entries())
+        this.geometry.setAttribute(name, new InterleavedBufferAttribute(buffer, size / 2, (at * size) / 2))
     }
     attribute(this.ends, ENDS, ['instanceStart', 'instanceEnd'])
     attribute(this.lengths, LENGTHS, ['instanceDistanceStart', 'instanceDistanceEnd'])
@@ -135,7 +139,11 @@ export class Strokes {
 }
 
 const apart = (vertices: Float32Array, a: number, b: number): number =>
-  Math.hypot((vertices[b] ?? 0) - (vertices[a] ?? 0), (vertices[b + 1] ?? 0) - (vertices[a + 1] ?? 0), (vertices[b + 2] ?? 0) - (vertices[a + 2] ?? 0))
+  Math.hypot(
+    (vertices[b] ?? 0) - (vertices[a] ?? 0),
+    (vertices[b + 1] ?? 0) - (vertices[a + 1] ?? 0),
+    (vertices[b + 2] ?? 0) - (vertices[a + 2] ?? 0),
+  )
 
 /** Points of three numbers as vertices of four. */
 export function vertices(points: readonly (readonly [number, number, number])[]): Float32Array {

@@ -58,7 +58,17 @@ export class World {
     const fill = new DirectionalLight('#fff', 0.55)
     fill.position.set(1.5, -1, 0.6)
     this.sky.position.set(0, 0, 1)
-    this.scene.add(this.key, this.key.target, fill, this.sky, this.room.group, this.boxes.group, this.layers.group, this.cloud.points, this.spirits)
+    this.scene.add(
+      this.key,
+      this.key.target,
+      fill,
+      this.sky,
+      this.room.group,
+      this.boxes.group,
+      this.layers.group,
+      this.cloud.points,
+      this.spirits,
+    )
   }
 
   resize(size: Size): void {
@@ -79,7 +89,12 @@ export class World {
     this.scene.background = stage
     this.sky.groundColor.copy(mixed(stage, colour('--line-strong'), 0.35))
     this.sky.intensity = dark ? 1.9 : 1.75
-    this.room.paint(mixed(stage, colour('--surface-2'), dark ? 0.55 : 0.6), mixed(colour('--grid'), colour('--axis'), 0.65), mixed(colour('--axis'), colour('--line-strong'), 0.45), dark ? 0.5 : 0.17)
+    this.room.paint(
+      mixed(stage, colour('--surface-2'), dark ? 0.55 : 0.6),
+      mixed(colour('--grid'), colour('--axis'), 0.65),
+      mixed(colour('--axis'), colour('--line-strong'), 0.45),
+      dark ? 0.5 : 0.17,
+    )
     const edge = colour('--disc-edge')
     const side = mixed(colour('--disc'), colour('--wall-edge'), dark ? 0.42 : 0.12)
     this.boxes.paint({
@@ -104,7 +119,14 @@ export class World {
     const radius = low.distanceTo(high) * 0.75
     this.key.target.position.copy(middle)
     this.key.position.copy(middle).add(new Vector3(-0.45, -0.55, 1.35).multiplyScalar(radius * 1.5))
-    Object.assign(this.key.shadow.camera, { left: -radius, right: radius, bottom: -radius, top: radius, near: radius * 0.2, far: radius * 5 })
+    Object.assign(this.key.shadow.camera, {
+      left: -radius,
+      right: radius,
+      bottom: -radius,
+      top: radius,
+      near: radius * 0.2,
+      far: radius * 5,
+    })
     this.key.shadow.camera.updateProjectionMatrix()
   }
 

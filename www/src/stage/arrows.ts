@@ -11,7 +11,13 @@ const MOST = 110
 const [HEAD, SIDE] = [5, 4.2]
 
 /** Heads along a line that say in which direction it goes. */
-export function drawArrows({ context, view, size, palette }: Pen, style: Style, vertices: Float32Array, first: number, count: number): void {
+export function drawArrows(
+  { context, view, size, palette }: Pen,
+  style: Style,
+  vertices: Float32Array,
+  first: number,
+  count: number,
+): void {
   const { scale } = view
   const left = size.width / 2 - view.x * scale
   const up = rise(view) * scale

@@ -105,7 +105,8 @@ export class Carrying {
       if (asked(MOVING)) lab.inspect({ role: MOVING, index: object.index })
       return true
     }
-    const event = handle === null && asked(EVENTS) && lab.frame && lab.catalogue ? eventAt(lab.frame, lab.catalogue, view, size, at, coarse) : null
+    const event =
+      handle === null && asked(EVENTS) && lab.frame && lab.catalogue ? eventAt(lab.frame, lab.catalogue, view, size, at, coarse) : null
     if (event === null) return false
     lab.select(null)
     lab.inspect({ role: EVENTS, index: event })
@@ -127,14 +128,19 @@ export class Carrying {
 
   /** Where obstacles begin and how they set out, and what of them is selected; where they are now, if the picture is that of the scene. */
   draw(pen: Pen, scene: GridScene, hover: Handle | null, blamed: Selection | null, fresh: boolean): void {
-    if (lab.shows(MOVING, true)) drawMovers(pen, scene, { now: fresh ? this.now : null, quiet: this.rushing, selection: lab.selection, hover, blamed })
+    if (lab.shows(MOVING, true))
+      drawMovers(pen, scene, { now: fresh ? this.now : null, quiet: this.rushing, selection: lab.selection, hover, blamed })
   }
 
   /** Where something happened. */
   drawEvents(pen: Pen): void {
     const { frame, catalogue, planner, outcome } = lab
     if (!frame || !catalogue || !asked(EVENTS)) return
-    drawHappenings(pen, placesOf(frame, catalogue, EVENTS), (index) => planner?.events.find(({ name }) => name === outcome?.events?.[index]?.kind)?.tone)
+    drawHappenings(
+      pen,
+      placesOf(frame, catalogue, EVENTS),
+      (index) => planner?.events.find(({ name }) => name === outcome?.events?.[index]?.kind)?.tone,
+    )
   }
 
   /** On top of all, start and goal included. */

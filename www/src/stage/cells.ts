@@ -36,7 +36,17 @@ export class Cells {
   draw(pen: Pen, scene: GridScene, margin: boolean): void {
     const { context, view, size, palette } = pen
     const density = devicePixelRatio || 1
-    const what = [scene.cell, radiusOf(scene), margin, palette.get('--wall'), scene.rows.length, columnsOf(scene), size.width, size.height, density].join()
+    const what = [
+      scene.cell,
+      radiusOf(scene),
+      margin,
+      palette.get('--wall'),
+      scene.rows.length,
+      columnsOf(scene),
+      size.width,
+      size.height,
+      density,
+    ].join()
     const where = [view.x, view.y, view.scale].join()
     const painted = this.rows !== scene.rows
     const moved = this.where !== where || painted
@@ -88,7 +98,14 @@ function placeOf(scene: GridScene, view: View, size: Size): Place {
   return { left, top, side: scene.cell * view.scale }
 }
 
-function paintCells(context: OffscreenCanvasRenderingContext2D, { left, top, side }: Place, scene: GridScene, palette: Palette, margin: boolean, density: number): void {
+function paintCells(
+  context: OffscreenCanvasRenderingContext2D,
+  { left, top, side }: Place,
+  scene: GridScene,
+  palette: Palette,
+  margin: boolean,
+  density: number,
+): void {
   const [columns, rows] = [columnsOf(scene), scene.rows.length]
   const { filled, edge } = outlineOf(scene.rows)
   const pixel = 1 / side
@@ -100,7 +117,10 @@ function paintCells(context: OffscreenCanvasRenderingContext2D, { left, top, sid
   context.lineCap = 'round'
   const reach = (2 * radiusOf(scene)) / scene.cell
   if (margin && reach * side > 1) {
-    for (const [token, more] of [['--margin-edge', 2 * pixel], ['--margin', 0]] as const) {
+    for (const [token, more] of [
+      ['--margin-edge', 2 * pixel],
+      ['--margin', 0],
+    ] as const) {
       context.strokeStyle = palette.get(token)
       context.lineWidth = reach + more
       context.stroke(edge)

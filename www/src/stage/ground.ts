@@ -23,7 +23,9 @@ export function drawGrid({ context, view, size, palette }: Pen, scene: Scene, li
   context.strokeStyle = palette.get('--grid')
   context.beginPath()
   const columns = ticks(left, right, step).map((value) => [value, snap(toScreen(view, size, [value, 0])[0])] as const)
-  const rows = ticks(Math.min(bottom, top), Math.max(bottom, top), step).map((value) => [value, snap(toScreen(view, size, [0, value])[1])] as const)
+  const rows = ticks(Math.min(bottom, top), Math.max(bottom, top), step).map(
+    (value) => [value, snap(toScreen(view, size, [0, value])[1])] as const,
+  )
   if (lines) {
     for (const [, x] of columns) context.rect(x, -1, 0, size.height + 2)
     for (const [, y] of rows) context.rect(-1, y, size.width + 2, 0)
@@ -33,7 +35,8 @@ export function drawGrid({ context, view, size, palette }: Pen, scene: Scene, li
   context.fillStyle = palette.get('--ink-2')
   context.textAlign = 'center'
   context.textBaseline = 'bottom'
-  for (const [value, x] of columns) if (x > 34 && x < size.width - 12) plate(context, palette.get('--stage'), label(value), x, size.height - 4)
+  for (const [value, x] of columns)
+    if (x > 34 && x < size.width - 12) plate(context, palette.get('--stage'), label(value), x, size.height - 4)
   context.textAlign = 'left'
   context.textBaseline = 'middle'
   for (const [value, y] of rows) if (y > 12 && y < size.height - 24) plate(context, palette.get('--stage'), label(value), 7, y)

@@ -33,12 +33,18 @@ export class Hands {
   private lastTap = { time: 0, at: [0, 0] as Point }
 
   /** The field that is shown and whose cells can be asked about. */
-  readonly role = $derived(lab.grid ? (lab.layers.find(({ role, on, pickable }) => pickable && styleOf(role).ramp && lab.shows(role, on))?.role ?? null) : null)
+  readonly role = $derived(
+    lab.grid ? (lab.layers.find(({ role, on, pickable }) => pickable && styleOf(role).ramp && lab.shows(role, on))?.role ?? null) : null,
+  )
   /** Stops mean something here and can be changed. */
   readonly callsAt = $derived(lab.plane !== null && takesStops(lab.plane) && (lab.touring || lab.stops.length > 0))
   /** A tool that the scene has no use for is put away. */
   readonly using = $derived<Tool>(
-    ((this.tool === 'paint' || this.tool === 'add-moving') && lab.grid) || (this.tool === 'add' && (lab.discs || this.callsAt)) || (this.tool === 'cells' && this.role) ? this.tool : 'look',
+    ((this.tool === 'paint' || this.tool === 'add-moving') && lab.grid) ||
+      (this.tool === 'add' && (lab.discs || this.callsAt)) ||
+      (this.tool === 'cells' && this.role)
+      ? this.tool
+      : 'look',
   )
 
   /** The cell that is pointed at, to be asked about. */
@@ -101,7 +107,13 @@ export class Hands {
       lab.drag(resize(discs, this.held.index, Math.max(LEAST_RADIUS, Math.hypot(x - center[0], y - center[1]))))
     } else if (this.held && this.held.kind !== 'rim' && this.held.kind !== 'aim' && plane) {
       lab.select(this.held)
-      lab.drag(move(plane, this.held, this.held.kind === 'stop' ? this.meant(x + this.offset[0], y + this.offset[1]) : [x + this.offset[0], y + this.offset[1]]))
+      lab.drag(
+        move(
+          plane,
+          this.held,
+          this.held.kind === 'stop' ? this.meant(x + this.offset[0], y + this.offset[1]) : [x + this.offset[0], y + this.offset[1]],
+        ),
+      )
     }
   }
 
@@ -122,7 +134,9 @@ export class Hands {
   tap(view: View, size: Size, at: Point, coarse: boolean): void {
     const { discs, grid } = lab
     const [x, y] = toScene(view, size, at)
-    const doubled = performance.now() - this.lastTap.time < DOUBLE.time && Math.hypot(at[0] - this.lastTap.at[0], at[1] - this.lastTap.at[1]) < DOUBLE.apart
+    const doubled =
+      performance.now() - this.lastTap.time < DOUBLE.time &&
+      Math.hypot(at[0] - this.lastTap.at[0], at[1] - this.lastTap.at[1]) < DOUBLE.apart
     this.lastTap = { time: performance.now(), at }
     const handle = this.using !== 'add' ? this.under(view, size, at, coarse) : null
     if (this.movers?.tap(view, size, at, handle, coarse)) return
@@ -138,7 +152,8 @@ export class Hands {
     } else if (handle) {
       lab.select(objectOf(handle))
       // What the planner has to say about it.
-      if (handle.kind === 'stop' && lab.layers.some(({ role, pickable }) => pickable && role === STOPS)) lab.inspect({ role: STOPS, index: handle.index })
+      if (handle.kind === 'stop' && lab.layers.some(({ role, pickable }) => pickable && role === STOPS))
+        lab.inspect({ role: STOPS, index: handle.index })
     } else if (cell) {
       this.cell = cell
       this.toggle()
@@ -164,7 +179,9 @@ export class Hands {
     const { grid } = lab
     this.hover = at && view ? this.under(view, size, at, false) : null
     if (!grid || !view || (this.using === 'look' && !this.role)) return
-    if (at) this.cell = this.hover && (this.using === 'paint' || objectOf(this.hover).kind === 'moving') ? null : cellAt(grid, toScene(view, size, at))
+    if (at)
+      this.cell =
+        this.hover && (this.using === 'paint' || objectOf(this.hover).kind === 'moving') ? null : cellAt(grid, toScene(view, size, at))
     else if (this.using === 'look') this.cell = null
   }
 

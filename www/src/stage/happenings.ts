@@ -6,7 +6,12 @@ import { toScreen } from './view'
 /** A mark's square is so many pixels wide, of 16 that it is drawn on. */
 const SIDE = 14
 
-const shapes = Object.entries(TONES).map(([tone, { colour, outline, sign }]) => ({ tone, colour, outline: new Path2D(outline), sign: new Path2D(sign) }))
+const shapes = Object.entries(TONES).map(([tone, { colour, outline, sign }]) => ({
+  tone,
+  colour,
+  outline: new Path2D(outline),
+  sign: new Path2D(sign),
+}))
 
 /** Where something happened or was decided: what calls for attention lies on top, and what is not known yet is plain. */
 export function drawHappenings(pen: Pen, places: readonly Point[], toneOf: (index: number) => Tone | undefined): void {

@@ -7,7 +7,15 @@ import { type Size, toScreen, type View } from './view'
 export const CROWD = 60
 
 /** What of the scene lies under a point of the screen. Ends win over stops, rims over discs, small discs over big. */
-export function hit(scene: Plane, view: View, size: Size, at: Point, selection: Selection | null, coarse: boolean, touring: boolean): Handle | null {
+export function hit(
+  scene: Plane,
+  view: View,
+  size: Size,
+  at: Point,
+  selection: Selection | null,
+  coarse: boolean,
+  touring: boolean,
+): Handle | null {
   const reach = coarse ? 24 : 11
   const away = (point: Point): number => {
     const [x, y] = toScreen(view, size, point)

@@ -4,7 +4,15 @@ import { isBlocked } from '../state/cells'
 import { tooNear } from './inside'
 
 const scene: GridScene = {
-  format: 'forage-scene', version: 1, name: 'grid', title: 'Grid', kind: 'grid', cell: 1, y_axis: 'down', rows: ['...', '.#.', '...'], robot: { length: 0.6, width: 0.8 },
+  format: 'forage-scene',
+  version: 1,
+  name: 'grid',
+  title: 'Grid',
+  kind: 'grid',
+  cell: 1,
+  y_axis: 'down',
+  rows: ['...', '.#.', '...'],
+  robot: { length: 0.6, width: 0.8 },
 }
 
 test('a place is too near to a blocked cell exactly within the robot’s reach, corners rounded', () => {

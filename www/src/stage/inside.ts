@@ -76,7 +76,12 @@ export function tooNear(scene: GridScene, at: Point, touch: number): boolean {
 
 /** A point robot may touch a blocked cell's rim. */
 function deepIn(scene: GridScene, [x, y]: Point, touch: number): boolean {
-  const around: Point[] = [[x - touch, y], [x + touch, y], [x, y - touch], [x, y + touch]]
+  const around: Point[] = [
+    [x - touch, y],
+    [x + touch, y],
+    [x, y - touch],
+    [x, y + touch],
+  ]
   return around.every((at) => {
     const cell = cellAt(scene, at)
     return cell === null || isBlocked(scene, cell)

@@ -31,7 +31,9 @@ export function drawLayers(pen: Pen, frame: Layers, names: Names, on: (role: str
   const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
   const order = (role: number): number => styleOf(names.roles[role] ?? '').order
-  const roles = [...rolesIn(spans)].filter((role) => names.roles[role] !== STOPS && on(names.roles[role] ?? '')).sort((a, b) => order(a) - order(b))
+  const roles = [...rolesIn(spans)]
+    .filter((role) => names.roles[role] !== STOPS && on(names.roles[role] ?? ''))
+    .sort((a, b) => order(a) - order(b))
   const result = resultOf(roles.map((role) => names.roles[role] ?? ''))
   for (const number of roles) {
     const role = names.roles[number] ?? ''

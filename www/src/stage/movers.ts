@@ -32,7 +32,8 @@ export function placesOf(frame: Layers, names: Names, role: string): Point[] {
   for (let at = 0; at < spans.length; at += 4) {
     const [of, , first = 0, count = 0] = spans.subarray(at, at + 4)
     if (of !== number) continue
-    for (let vertex = 4 * first; vertex < 4 * (first + count); vertex += 4) found.push([vertices[vertex] ?? NaN, vertices[vertex + 1] ?? NaN])
+    for (let vertex = 4 * first; vertex < 4 * (first + count); vertex += 4)
+      found.push([vertices[vertex] ?? NaN, vertices[vertex + 1] ?? NaN])
   }
   return found
 }
@@ -87,7 +88,15 @@ function seenAs(one: Moving, now: Point | undefined, view: View, size: Size): Se
 const apart = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] - b[1])
 
 /** What of the moving obstacles lies under a point of the screen: an arrow's tip, or a disc where it is now or begins. */
-export function hitMoving(scene: GridScene, now: readonly Point[] | null, view: View, size: Size, at: Point, selection: Selection | null, coarse: boolean): Handle | null {
+export function hitMoving(
+  scene: GridScene,
+  now: readonly Point[] | null,
+  view: View,
+  size: Size,
+  at: Point,
+  selection: Selection | null,
+  coarse: boolean,
+): Handle | null {
   const reach = coarse ? COARSE : NEAR
   let best: { handle: Handle; rank: number } | null = null
   const offer = (handle: Handle, rank: number): void => {
@@ -100,7 +109,8 @@ export function hitMoving(scene: GridScene, now: readonly Point[] | null, view: 
     const least = selected ? -1e6 : 0
     const aim = Math.min(apart(knob, at), tip ? apart(tip, at) : Infinity)
     if (tip && (selected || (!coarse && !still)) && aim <= reach) offer({ kind: 'aim', index }, least + aim)
-    for (const disc of [here, start]) if (apart(disc, at) <= Math.max(radius + 3, reach)) offer({ kind: 'moving', index }, least + apart(disc, at))
+    for (const disc of [here, start])
+      if (apart(disc, at) <= Math.max(radius + 3, reach)) offer({ kind: 'moving', index }, least + apart(disc, at))
   })
   return (best as { handle: Handle } | null)?.handle ?? null
 }

@@ -57,7 +57,8 @@ function trace(rows: readonly string[]): Outline {
 function padded(rows: readonly string[], columns: number): Uint8Array {
   const cells = new Uint8Array((columns + 2) * (rows.length + 2))
   rows.forEach((line, row) => {
-    for (let column = line.indexOf('#'); column >= 0; column = line.indexOf('#', column + 1)) cells[(row + 1) * (columns + 2) + column + 1] = 1
+    for (let column = line.indexOf('#'); column >= 0; column = line.indexOf('#', column + 1))
+      cells[(row + 1) * (columns + 2) + column + 1] = 1
   })
   return cells
 }

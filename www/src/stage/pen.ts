@@ -47,7 +47,8 @@ export function points(pen: Pen, style: Style, vertices: Float32Array, first: nu
   const top = size.height / 2 + view.y * up - style.point / 2
   const end = (first + count) * 4
   if (style.mark && count < 500) {
-    for (let at = first * 4; at < end; at += 4) marked(pen, style, left + style.point / 2 + (vertices[at] ?? 0) * scale, top + style.point / 2 - (vertices[at + 1] ?? 0) * up)
+    for (let at = first * 4; at < end; at += 4)
+      marked(pen, style, left + style.point / 2 + (vertices[at] ?? 0) * scale, top + style.point / 2 - (vertices[at + 1] ?? 0) * up)
     return
   }
   const round = count <= ROUND

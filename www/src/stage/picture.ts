@@ -1,5 +1,8 @@
 /** The canvases, lowest first, for those who want to save what they show. */
-export const picture: { canvas: HTMLCanvasElement | null; over: HTMLCanvasElement | null; draw?: (() => void) | undefined } = { canvas: null, over: null }
+export const picture: { canvas: HTMLCanvasElement | null; over: HTMLCanvasElement | null; draw?: (() => void) | undefined } = {
+  canvas: null,
+  over: null,
+}
 
 /** What is seen, as one picture. */
 export function seen(): HTMLCanvasElement | null {

@@ -24,7 +24,10 @@ export function drawDrive(pen: Pen, track: Track, time: number, path: readonly P
   stroke(pen, '--best', 2)
   const now = track.at(time)
   const behind = Array.from({ length: track.row(time) + 1 }, (_, row) => track.pose(row))
-  line(pen, [...behind, now].map(({ x, y }): Point => [x, y]))
+  line(
+    pen,
+    [...behind, now].map(({ x, y }): Point => [x, y]),
+  )
   context.globalAlpha = 0.16
   stroke(pen, '--robot', Math.max(2, outline.width * view.scale))
   context.globalAlpha = 1
@@ -57,7 +60,13 @@ function stroke({ context, palette }: Pen, colour: string, width: number): void 
 }
 
 /** The outline with an arrow head where it looks to. */
-function body({ context, view, size }: Pen, { x, y, heading }: Pose, outline: { length: number; width: number }, edge: string, fill: string): void {
+function body(
+  { context, view, size }: Pen,
+  { x, y, heading }: Pose,
+  outline: { length: number; width: number },
+  edge: string,
+  fill: string,
+): void {
   const [left, top] = toScreen(view, size, [x, y])
   const by = Math.max(view.scale, LEAST / outline.length)
   const [along, across] = [(outline.length * by) / 2, (outline.width * by) / 2]

@@ -38,7 +38,14 @@ const PLAIN: Style = { colour: '--ink-2', width: 1, order: 20, point: 3, alpha: 
 
 const STYLES: Readonly<Record<string, Style>> = {
   closed: { colour: '--closed-high', ramp: ['--closed-low', '--closed', '--closed-high'], width: 1, order: 1, point: 3, alpha: [1, 1] },
-  pheromone: { colour: '--pheromone-high', ramp: ['--pheromone-low', '--pheromone', '--pheromone-high'], width: 1, order: 2, point: 3, alpha: [1, 1] },
+  pheromone: {
+    colour: '--pheromone-high',
+    ramp: ['--pheromone-low', '--pheromone', '--pheromone-high'],
+    width: 1,
+    order: 2,
+    point: 3,
+    alpha: [1, 1],
+  },
   trails: { colour: '--trail', width: 0.6, swell: 4, order: 4, near: true, point: 3, alpha: [0, 1] },
   guides: { colour: '--guide', width: 1, order: 5, dash: [2, 4], point: 3, alpha: [1, 1] },
   'personal-bests': { colour: '--accent', width: 0.75, order: 10, point: 2.5, alpha: [0.35, 0.35] },

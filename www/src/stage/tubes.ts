@@ -65,7 +65,9 @@ export function hatch({ context, view, size, palette }: Pen, token: string): Can
   hatches.set(key, pattern)
   const side = Math.round(PITCH * density) / density
   const origin = (middle: number, at: number): number => (middle + at * view.scale) % side
-  pattern.setTransform(new DOMMatrix([1 / density, 0, 0, 1 / density, origin(size.width / 2, -view.x), origin(size.height / 2, rise(view) * view.y)]))
+  pattern.setTransform(
+    new DOMMatrix([1 / density, 0, 0, 1 / density, origin(size.width / 2, -view.x), origin(size.height / 2, rise(view) * view.y)]),
+  )
   return pattern
 }
 

@@ -10,7 +10,11 @@ for (const down of [false, true]) {
   const whole = fitted(BOX, SIZE, [64, 38], down)
 
   test(`screen and scene map to each other, y ${y}`, () => {
-    for (const at of [[0, 0], [123, 456], [800, 600]] as Point[]) {
+    for (const at of [
+      [0, 0],
+      [123, 456],
+      [800, 600],
+    ] as Point[]) {
       const [x, y2] = toScreen(whole, SIZE, toScene(whole, SIZE, at))
       expect(x).toBeCloseTo(at[0], 9)
       expect(y2).toBeCloseTo(at[1], 9)
@@ -35,7 +39,10 @@ for (const down of [false, true]) {
     const closer = zoom(whole, SIZE, 3, at, whole.scale)
     expect(closer.scale).toBeCloseTo(3 * whole.scale, 9)
     const moved: View = pan(closer, 25, -40)
-    for (const [view, [dx, dy]] of [[closer, [0, 0]], [moved, [25, -40]]] as [View, Point][]) {
+    for (const [view, [dx, dy]] of [
+      [closer, [0, 0]],
+      [moved, [25, -40]],
+    ] as [View, Point][]) {
       const [x, y2] = toScreen(view, SIZE, place)
       expect(x).toBeCloseTo(at[0] + dx, 9)
       expect(y2).toBeCloseTo(at[1] + dy, 9)
@@ -49,6 +56,11 @@ test('zooming ends at both limits', () => {
   expect(zoom(whole, SIZE, 1e-9, [0, 0], whole.scale).scale).toBe(0.2 * whole.scale)
 })
 
-test.each([[1, 80, 100], [100, 80, 1], [50, 80, 2], [0.001, 150, 200_000]])('at %d pixels a unit, ticks %d pixels apart are %d units', (scale, pixels, step) => {
+test.each([
+  [1, 80, 100],
+  [100, 80, 1],
+  [50, 80, 2],
+  [0.001, 150, 200_000],
+])('at %d pixels a unit, ticks %d pixels apart are %d units', (scale, pixels, step) => {
   expect(tick(scale, pixels)).toBeCloseTo(step, 9)
 })

@@ -40,14 +40,17 @@ export function extent(scene: Scene): Box {
   if (scene.kind === 'discs') return scene.bounds
   if (scene.kind === 'grid') return { min: [0, 0], max: [(scene.rows[0]?.length ?? 1) * scene.cell, scene.rows.length * scene.cell] }
   if (scene.kind === 'tour') return around(stopsOf(scene))
-  if (scene.kind === 'arm') return { min: [scene.workspace.min[0], scene.workspace.min[1]], max: [scene.workspace.max[0], scene.workspace.max[1]] }
+  if (scene.kind === 'arm')
+    return { min: [scene.workspace.min[0], scene.workspace.min[1]], max: [scene.workspace.max[0], scene.workspace.max[1]] }
   const reach = REACH[scene.function]
   return { min: [-reach, -reach], max: [reach, reach] }
 }
 
 /** All places with a margin, as the core has it. */
 function around(places: readonly Point[]): Box {
-  const [low, high] = [Math.min, Math.max].map((of) => [0, 1].map((axis) => places.reduce((found, at) => of(found, at[axis] ?? 0), places[0]?.[axis] ?? 0)))
+  const [low, high] = [Math.min, Math.max].map((of) =>
+    [0, 1].map((axis) => places.reduce((found, at) => of(found, at[axis] ?? 0), places[0]?.[axis] ?? 0)),
+  )
   const [[left = 0, bottom = 0] = [], [right = 0, top = 0] = []] = [low, high]
   const margin = 0.05 * Math.max(right - left, top - bottom) || 1
   return { min: [left - margin, bottom - margin], max: [right + margin, top + margin] }

@@ -24,7 +24,7 @@ export const neatly = (scene: GridScene, [x, y]: Point): Point => [neat(scene, x
 export const strideOf = ({ cell }: GridScene): number => STEP * cell
 
 /** Where an obstacle's centre would be after a second; nothing where way-points say where it goes. */
-export const tipOf = ({ center, velocity }: Moving): Point | null => velocity ? [center[0] + velocity[0], center[1] + velocity[1]] : null
+export const tipOf = ({ center, velocity }: Moving): Point | null => (velocity ? [center[0] + velocity[0], center[1] + velocity[1]] : null)
 
 /** The scene with one of its obstacles changed. */
 export function changed(scene: GridScene, index: number, change: (moving: Moving) => Moving): GridScene {

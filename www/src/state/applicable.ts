@@ -22,5 +22,7 @@ export const applies = (parameter: Parameter, parameters: readonly Parameter[], 
 /** Those of these values that mean something to a planner on a scene. The rest waits for a planner, a scene and values with which it does. */
 export const meaningful = ({ parameters }: Planner, { kind }: Scene, values: Values): Record<string, ParameterValue> =>
   Object.fromEntries(
-    Object.entries(values).filter(([key]) => parameters.some((parameter) => parameter.name === key && applies(parameter, parameters, kind, values))),
+    Object.entries(values).filter(([key]) =>
+      parameters.some((parameter) => parameter.name === key && applies(parameter, parameters, kind, values)),
+    ),
   )

@@ -14,7 +14,17 @@ const discs: DiscsScene = {
   goal: [8, 8],
   discs: [{ center: [4, 4], radius: 1 }],
 }
-const grid: GridScene = { format: 'forage-scene', version: 1, name: 'grid', title: 'Grid', kind: 'grid', cell: 10, rows: ['...', '...'], start: [5, 5], stops: [[15, 5]] }
+const grid: GridScene = {
+  format: 'forage-scene',
+  version: 1,
+  name: 'grid',
+  title: 'Grid',
+  kind: 'grid',
+  cell: 10,
+  rows: ['...', '...'],
+  start: [5, 5],
+  stops: [[15, 5]],
+}
 
 test('the ends of a grid’s path stay inside, those of a plane need not', () => {
   expect(move(grid, { kind: 'start' }, [-4, 99])).toMatchObject({ start: [0, 20] })

@@ -14,7 +14,11 @@ beforeEach(() => {
       new Promise((resolve) => {
         const refused = Object.keys(params).find((name) => params[name] === 'wrong')
         const answer = async (): Promise<void> => {
-          resolve(refused ? { ok: false, refusal: { field: refused, message: 'refused' } } : { ok: true, value: { told: params, generation: 1, iteration: 1 } })
+          resolve(
+            refused
+              ? { ok: false, refusal: { field: refused, message: 'refused' } }
+              : { ok: true, value: { told: params, generation: 1, iteration: 1 } },
+          )
           await new Promise((passed) => setTimeout(passed))
         }
         asked.push({ params, answer })

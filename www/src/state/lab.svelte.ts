@@ -1,4 +1,17 @@
-import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion } from 'forage'
+import type {
+  Catalogue,
+  Inspection,
+  Item,
+  Layer,
+  LinkSetup,
+  Outcome,
+  ParameterValue,
+  Planner,
+  Scene,
+  Setup,
+  Status,
+  Suggestion,
+} from 'forage'
 import { en } from '../i18n/en'
 import { number } from '../panels/format'
 import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
@@ -230,7 +243,13 @@ export class Lab extends Transport {
 
   /** The layers that there can be with these parameters. */
   readonly layers = $derived<Layer[]>(
-    this.planner?.layers.filter(({ when, kinds }) => this.planner && this.scene && (kinds?.includes(this.scene.kind) ?? true) && met(when, this.planner.parameters, this.scene.kind, this.params)) ?? [],
+    this.planner?.layers.filter(
+      ({ when, kinds }) =>
+        this.planner &&
+        this.scene &&
+        (kinds?.includes(this.scene.kind) ?? true) &&
+        met(when, this.planner.parameters, this.scene.kind, this.params),
+    ) ?? [],
   )
 
   private refuse(refusal: Refusal): void {

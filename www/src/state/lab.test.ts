@@ -34,7 +34,12 @@ beforeEach(async () => {
 async function atRest(iteration: number): Promise<void> {
   await worker.receiveAll()
   expect(worker.state).toMatchObject({ iteration, playing: false })
-  expect({ iteration: lab.iteration, playing: lab.playing, target: lab.target, stale: lab.stale }).toEqual({ iteration, playing: false, target: null, stale: false })
+  expect({ iteration: lab.iteration, playing: lab.playing, target: lab.target, stale: lab.stale }).toEqual({
+    iteration,
+    playing: false,
+    target: null,
+    stale: false,
+  })
   expect(lab.hash).toBe(`${worker.state.planner} ${iteration}`)
 }
 

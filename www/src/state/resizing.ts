@@ -9,10 +9,20 @@ export function rescale(scene: GridScene, cell: number): GridScene {
   if (!Number.isFinite(factor) || factor <= 0) return { ...scene, cell }
   const grown = ([x, y]: Point): Point => [rounded(x * factor), rounded(y * factor)]
   const { start, goal, stops } = scene
-  const wider = { ...scene, cell, ...(start && { start: grown(start) }), ...(goal && { goal: grown(goal) }), ...(stops && { stops: stops.map(grown) }) }
+  const wider = {
+    ...scene,
+    cell,
+    ...(start && { start: grown(start) }),
+    ...(goal && { goal: grown(goal) }),
+    ...(stops && { stops: stops.map(grown) }),
+  }
   if (movingOf(scene).length === 0) return wider
   return withMoving(wider, (all) =>
-    all.map((one) => ({ ...placed(one, grown), radius: rounded(one.radius * factor), ...(one.velocity && { velocity: grown(one.velocity) }) })),
+    all.map((one) => ({
+      ...placed(one, grown),
+      radius: rounded(one.radius * factor),
+      ...(one.velocity && { velocity: grown(one.velocity) }),
+    })),
   )
 }
 

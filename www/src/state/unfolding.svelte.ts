@@ -18,7 +18,11 @@ class Unfolding {
     const of = [frame.generation, frame.iteration].join()
     if (of === this.of) return
     this.of = of
-    const walk = Walk.of(new Float32Array(frame.buffer, 0, frame.vertices), new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans), role)
+    const walk = Walk.of(
+      new Float32Array(frame.buffer, 0, frame.vertices),
+      new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans),
+      role,
+    )
     this.walk = walk
     this.clock.pace = PACES.find((pace) => walk.end / pace <= PATIENCE) ?? PACES[2]
     this.clock.begin(walk.end)

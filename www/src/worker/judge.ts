@@ -38,6 +38,10 @@ export class Judge {
   }
 
   curve(): TrialCurve {
-    return { iterations: Float64Array.from(this.iterations), evaluations: Float64Array.from(this.evaluations), values: Float64Array.from(this.values) }
+    return {
+      iterations: Float64Array.from(this.iterations),
+      evaluations: Float64Array.from(this.evaluations),
+      values: Float64Array.from(this.values),
+    }
   }
 }

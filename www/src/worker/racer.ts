@@ -49,7 +49,13 @@ export class Racer {
     this.most = probe(session)
     this.lookAt()
     const { planner, scene, seed, parameters, limit, evaluations: first } = session
-    const skeleton = scene.kind === 'arm' ? armPose(scene, scene.arm.joints.map(({ home }) => home)).skeleton : []
+    const skeleton =
+      scene.kind === 'arm'
+        ? armPose(
+            scene,
+            scene.arm.joints.map(({ home }) => home),
+          ).skeleton
+        : []
     return { planner, scene, seed, parameters, exact: session.exact(), first, most: this.most, limit, skeleton }
   }
 
@@ -131,7 +137,9 @@ export class Racer {
 
   settle(): Settled | null {
     const { session } = this
-    return session && !this.underway ? { iteration: session.iteration, outcome: session.outcome(), hash: session.hash(), link: session.link() } : null
+    return session && !this.underway
+      ? { iteration: session.iteration, outcome: session.outcome(), hash: session.hash(), link: session.link() }
+      : null
   }
 
   giveBack(buffer: ArrayBuffer): void {
@@ -146,7 +154,14 @@ export class Racer {
     this.toldCurve = judge.changes
     const { iteration, evaluations, status, limit } = session
     const last = this.marks.at(-1) ?? { iteration: 0, evaluations: 0 }
-    const furthest = { iteration: this.furthest, evaluations: last.evaluations, limit, most, ended, tail: ended && last.iteration < this.furthest }
+    const furthest = {
+      iteration: this.furthest,
+      evaluations: last.evaluations,
+      limit,
+      most,
+      ended,
+      tail: ended && last.iteration < this.furthest,
+    }
     // The views last until the next call: nothing of the core may come between here and the copy.
     const { vertices, spans, thinning } = session.frame(BUDGET)
     const packed = pack(vertices, spans, this.field, (bytes) => this.pool.take(bytes))

@@ -1,7 +1,36 @@
 import * as Comlink from 'comlink'
-import init, { armSolutions, carryOut, catalogue, exportScene, generateScene, importScene, newSeed, parseLink, reachability, type Session, suggest } from 'forage'
+import init, {
+  armSolutions,
+  carryOut,
+  catalogue,
+  exportScene,
+  generateScene,
+  importScene,
+  newSeed,
+  parseLink,
+  reachability,
+  type Session,
+  suggest,
+} from 'forage'
 import type {
-  ArmSolutions, Catalogue, Drive, Finding, Format, Imported, Inspection, Item, LinkSetup, Motion, NamedFile, Outcome, ParameterValue, Point3, Reachability, Scene, Setup, Suggestion,
+  ArmSolutions,
+  Catalogue,
+  Drive,
+  Finding,
+  Format,
+  Imported,
+  Inspection,
+  Item,
+  LinkSetup,
+  Motion,
+  NamedFile,
+  Outcome,
+  ParameterValue,
+  Point3,
+  Reachability,
+  Scene,
+  Setup,
+  Suggestion,
 } from 'forage'
 import type { Errand } from './crew'
 import { oneself, thread } from './hands'
@@ -69,8 +98,10 @@ const api = {
   /** Tells the members' numbers with the pictures, at most so often (in milliseconds); null: not at all. */
   tellMembers: (interval: number | null): void => running().tellMembers(interval),
   inspect: (item: Item): Answer<Inspection | null> => answer(() => current().inspect(item)),
-  drive: (params: Record<string, ParameterValue>): Answer<Followed<Drive>> => answer(() => running().follow((session) => session.drive(params))),
-  motion: (params: Record<string, ParameterValue>): Answer<Followed<Motion>> => answer(() => running().follow((session) => session.motion(params))),
+  drive: (params: Record<string, ParameterValue>): Answer<Followed<Drive>> =>
+    answer(() => running().follow((session) => session.drive(params))),
+  motion: (params: Record<string, ParameterValue>): Answer<Followed<Motion>> =>
+    answer(() => running().follow((session) => session.motion(params))),
   /** The postures that bring the tip to a point. */
   armSolutions: (scene: Scene, point: Point3, direction: Point3 | null, near?: number[]): Answer<ArmSolutions> =>
     answer(() => armSolutions(scene, point, direction, near)),

@@ -204,7 +204,13 @@ export class Simulation {
 
   private tellProgress(done: number, total: number): void {
     this.waits = total > 0
-    const message: ProgressMessage = { type: 'progress', generation: this.generation, step: (this.session?.iteration ?? 0) + 1, done, total }
+    const message: ProgressMessage = {
+      type: 'progress',
+      generation: this.generation,
+      step: (this.session?.iteration ?? 0) + 1,
+      done,
+      total,
+    }
     this.port.postMessage(message)
   }
 

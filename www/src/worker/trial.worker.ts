@@ -13,7 +13,15 @@ export type Ending = { is: 'over'; row: Row } | { is: 'refused'; refusal: Refusa
 /** Runs that are compared, small values first; in all groups of `common` the same place stands for the same seed. */
 export interface Question {
   curves: { key: string; seed: number; curve: Row['curve'] }[]
-  groups: { name: string; key: string; lots: boolean; seeds: number[]; values: (number | null)[]; reached: (number | null)[]; end: number }[]
+  groups: {
+    name: string
+    key: string
+    lots: boolean
+    seeds: number[]
+    values: (number | null)[]
+    reached: (number | null)[]
+    end: number
+  }[]
   common: { name: string; lots: boolean; values: (number | null)[] }[]
 }
 
@@ -103,7 +111,10 @@ const api = {
       comparison,
       pairs: testedPairs(comparison.pairs, groups),
       friedman: testedRanks(common),
-      bands: bands(runs, groups.map(({ end }) => end)),
+      bands: bands(
+        runs,
+        groups.map(({ end }) => end),
+      ),
       reached: groups.map((group) => reached(group.reached)),
     }
   },

@@ -107,9 +107,12 @@ export class Trials {
   private async keepBusy(thread: Thread, first: Errand): Promise<void> {
     for (let errand: Errand | null = first; errand && !this.stopping; errand = this.stopping ? null : this.work.next()) {
       this.busy.set(thread, errand)
-      const ending = await thread.ask<Ending>(thread.api.run(errand)).catch(
-        (error: unknown): Ending => (thread.ended ? { is: 'stopped' } : { is: 'broken', message: error instanceof Error ? error.message : String(error) }),
-      )
+      const ending = await thread
+        .ask<Ending>(thread.api.run(errand))
+        .catch(
+          (error: unknown): Ending =>
+            thread.ended ? { is: 'stopped' } : { is: 'broken', message: error instanceof Error ? error.message : String(error) },
+        )
       this.work.over(errand, ending)
       if (ending.is === 'broken' || thread.ended) {
         thread.end()

@@ -160,11 +160,13 @@ export const test = base.extend<{ lab: Lab; watched: undefined }>({
       const wrongs: string[] = []
       page.on('pageerror', (error) => wrongs.push(`error: ${error.message}`))
       page.on('console', (message) => {
-        if ((message.type() === 'error' || message.type() === 'warning') && !DRIVER.test(message.text())) wrongs.push(`console: ${message.text()}`)
+        if ((message.type() === 'error' || message.type() === 'warning') && !DRIVER.test(message.text()))
+          wrongs.push(`console: ${message.text()}`)
       })
       page.on('request', (request) => {
         const url = new URL(request.url())
-        if (!request.url().startsWith(SITE) && url.protocol !== 'blob:' && url.protocol !== 'data:') wrongs.push(`request: ${request.url()}`)
+        if (!request.url().startsWith(SITE) && url.protocol !== 'blob:' && url.protocol !== 'data:')
+          wrongs.push(`request: ${request.url()}`)
       })
       page.on('response', (response) => {
         if (response.status() >= 400) wrongs.push(`${response.status()}: ${response.url()}`)

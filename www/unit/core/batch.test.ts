@@ -9,7 +9,11 @@ test('quartiles equal those of the core for any number of runs', () => {
     const values = Array.from({ length: count }, (_, k) => Math.sin(7 * k) + k / 9)
     const summary = compare([{ name: 'a', values }]).groups[0]?.summary
     const sorted = Float64Array.from(values).sort()
-    for (const [share, told] of [[0.25, summary?.lower], [0.5, summary?.median], [0.75, summary?.upper]] as const) {
+    for (const [share, told] of [
+      [0.25, summary?.lower],
+      [0.5, summary?.median],
+      [0.75, summary?.upper],
+    ] as const) {
       expect(quantile(sorted, share), `${share} of ${count}`).toBeCloseTo(told ?? NaN, 12)
     }
   }
@@ -18,7 +22,10 @@ test('quartiles equal those of the core for any number of runs', () => {
 test('bands end in the quartiles of the table', () => {
   const runs = Array.from({ length: 9 }, (_, k) => trialOf({ planner: 'cpso', scene: 'wcpso-discs', seed: k + 1 }))
   const ends = runs.map(({ record }) => record.evaluations)
-  const curves = runs.map(({ curve: { evaluations, values } }) => ({ evaluations: Float64Array.from(evaluations), values: Float64Array.from(values) }))
+  const curves = runs.map(({ curve: { evaluations, values } }) => ({
+    evaluations: Float64Array.from(evaluations),
+    values: Float64Array.from(values),
+  }))
   const { evaluations, groups } = bands([curves], [Math.max(...ends)])
   expect(evaluations.length).toBeGreaterThan(200)
   const summary = compare([{ name: 'a', values: runs.map(({ record }) => record.value) }]).groups[0]?.summary

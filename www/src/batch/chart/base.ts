@@ -55,7 +55,9 @@ export function axis({ theme, side, splits, label, grid }: AxisOptions): uPlot.A
       filter: (_: uPlot, places: number[]) => places,
     }),
     values: (_, places, __, ___, step) => places.map((place) => label(place, step)),
-    ...(side === 'x' ? { size: 28, space: 64 } : { size: (_: uPlot, labels: string[]) => 12 + LETTER * Math.max(2, ...(labels ?? []).map(({ length }) => length)) }),
+    ...(side === 'x'
+      ? { size: 28, space: 64 }
+      : { size: (_: uPlot, labels: string[]) => 12 + LETTER * Math.max(2, ...(labels ?? []).map(({ length }) => length)) }),
   }
 }
 

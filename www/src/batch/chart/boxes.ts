@@ -85,7 +85,16 @@ function draw(plot: uPlot, group: ShownGroup, at: number, strip: number, options
   return dots.map(({ x, y, run }) => ({ x: x / ratio, y: y / ratio, run }))
 }
 
-function line(ctx: CanvasRenderingContext2D, x1: number, y1: number, x2: number, y2: number, colour: string, width: number, dash: number[] = []): void {
+function line(
+  ctx: CanvasRenderingContext2D,
+  x1: number,
+  y1: number,
+  x2: number,
+  y2: number,
+  colour: string,
+  width: number,
+  dash: number[] = [],
+): void {
   ctx.beginPath()
   ctx.setLineDash(dash)
   ctx.strokeStyle = colour
@@ -96,11 +105,22 @@ function line(ctx: CanvasRenderingContext2D, x1: number, y1: number, x2: number,
   ctx.setLineDash([])
 }
 
-function box(ctx: CanvasRenderingContext2D, { low, lower, median, upper, high }: Quartiles, place: (value: number) => number, top: number, colour: string, ratio: number): void {
+function box(
+  ctx: CanvasRenderingContext2D,
+  { low, lower, median, upper, high }: Quartiles,
+  place: (value: number) => number,
+  top: number,
+  colour: string,
+  ratio: number,
+): void {
   const [from, height] = [top + ROW.box * ratio, ROW.boxHeight * ratio]
   const middle = from + height / 2
   const [left, right] = [place(lower), place(upper)]
-  for (const [a, b] of [[place(low), left], [right, place(high)]] as const) line(ctx, a, middle, b, middle, colour, 1.25 * ratio)
+  for (const [a, b] of [
+    [place(low), left],
+    [right, place(high)],
+  ] as const)
+    line(ctx, a, middle, b, middle, colour, 1.25 * ratio)
   for (const end of [place(low), place(high)]) line(ctx, end, middle - height / 4, end, middle + height / 4, colour, 1.25 * ratio)
   ctx.fillStyle = faint(colour, 0.22)
   ctx.strokeStyle = colour
@@ -113,7 +133,16 @@ function box(ctx: CanvasRenderingContext2D, { low, lower, median, upper, high }:
 }
 
 /** A dot; an outlier's is a ring, one without a result a cross. */
-function mark(ctx: CanvasRenderingContext2D, x: number, y: number, run: Run, none: boolean, colour: string, theme: Theme, ratio: number): void {
+function mark(
+  ctx: CanvasRenderingContext2D,
+  x: number,
+  y: number,
+  run: Run,
+  none: boolean,
+  colour: string,
+  theme: Theme,
+  ratio: number,
+): void {
   const size = DOT * ratio
   ctx.beginPath()
   if (none) {

@@ -62,7 +62,8 @@ export function logarithmic(values: readonly number[], measure: Measure): Axis {
     const stride = Math.max(1, Math.ceil((last - first + 1) / Math.max(1, most)))
     const powers = Array.from({ length: Math.max(0, Math.ceil((last - first + 1) / stride)) }, (_, k) => first + k * stride)
     // Few powers of ten may leave room for numbers between them; within one decade there may be none at all.
-    const between = powers.length <= FEW_DECADES ? [first - 1, ...powers].flatMap((power) => [power + Math.log10(2), power + Math.log10(5)]) : []
+    const between =
+      powers.length <= FEW_DECADES ? [first - 1, ...powers].flatMap((power) => [power + Math.log10(2), power + Math.log10(5)]) : []
     const inside = [...powers, ...between].filter((at) => at > (floor ?? from - margin) && at < to + margin)
     const fitting = inside.length <= most ? inside : powers
     const shown = fitting.length > 1 ? fitting : [from, (from + to) / 2, to]

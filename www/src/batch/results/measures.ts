@@ -12,9 +12,11 @@ export const hasGaps = ({ groups }: Shown): boolean =>
   groups.every(({ runs }) => runs.every(({ record }) => record.value === null || record.gap !== null))
 
 /** A search over cells and one at any angle have optima of their own: their gaps say nothing about each other. */
-export const oneYardstick = ({ groups }: Shown): boolean => new Set(groups.flatMap(({ exact, exactBy }) => (exact === null ? [] : [exactBy]))).size < 2
+export const oneYardstick = ({ groups }: Shown): boolean =>
+  new Set(groups.flatMap(({ exact, exactBy }) => (exact === null ? [] : [exactBy]))).size < 2
 
-export const measureOf = (shown: Shown, chosen: Measure | undefined): Measure => (hasGaps(shown) ? (chosen ?? (oneYardstick(shown) ? 'gap' : 'value')) : 'value')
+export const measureOf = (shown: Shown, chosen: Measure | undefined): Measure =>
+  hasGaps(shown) ? (chosen ?? (oneYardstick(shown) ? 'gap' : 'value')) : 'value'
 
 /** What a run comes to in a measure; null without a feasible result. */
 export const valueIn = (measure: Measure, { value, gap }: { value: number | null; gap: number | null }): number | null =>

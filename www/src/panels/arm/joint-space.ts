@@ -129,7 +129,11 @@ export function draw(context: CanvasRenderingContext2D, plot: Plot, nodes: Nodes
   }
   context.setLineDash([])
   drawPath(context, plot, colours, marks.path)
-  for (const [node, radius] of [[marks.pointed, 5], [marks.selected, 7]] as const) if (node !== null) ring(context, at, node, radius, colours)
+  for (const [node, radius] of [
+    [marks.pointed, 5],
+    [marks.selected, 7],
+  ] as const)
+    if (node !== null) ring(context, at, node, radius, colours)
 }
 
 const whole = (angle: number): string => `${Math.round(angle)}°`.replace('-', '−')
@@ -150,13 +154,21 @@ function drawFrame(context: CanvasRenderingContext2D, plot: Plot, { line, ink }:
   if (!a || !b) return
   context.fillStyle = ink
   context.textBaseline = 'top'
-  for (const [value, align] of [[a.min, 'left'], [inner(a), 'center'], [a.max, 'right']] as const) {
+  for (const [value, align] of [
+    [a.min, 'left'],
+    [inner(a), 'center'],
+    [a.max, 'right'],
+  ] as const) {
     const [x] = place(plot, value, b.min)
     context.textAlign = align
     context.fillText(whole(value), x, height - RIM.bottom + 5)
   }
   context.textAlign = 'right'
-  for (const [value, baseline] of [[b.min, 'bottom'], [inner(b), 'middle'], [b.max, 'top']] as const) {
+  for (const [value, baseline] of [
+    [b.min, 'bottom'],
+    [inner(b), 'middle'],
+    [b.max, 'top'],
+  ] as const) {
     const [, y] = place(plot, a.min, value)
     context.textBaseline = baseline
     context.fillText(whole(value), RIM.left - 5, y)
@@ -171,7 +183,10 @@ function drawPath(context: CanvasRenderingContext2D, plot: Plot, { path: colour,
     else line.lineTo(x, y)
   })
   context.lineJoin = 'round'
-  for (const [style, width] of [[stage, 5], [colour, 2.5]] as const) {
+  for (const [style, width] of [
+    [stage, 5],
+    [colour, 2.5],
+  ] as const) {
     context.strokeStyle = style
     context.lineWidth = width
     context.stroke(line)
@@ -179,7 +194,10 @@ function drawPath(context: CanvasRenderingContext2D, plot: Plot, { path: colour,
 }
 
 function ring(context: CanvasRenderingContext2D, at: Float64Array, node: number, radius: number, { selected, stage }: Colours): void {
-  for (const [style, width] of [[stage, 5], [selected, 2.25]] as const) {
+  for (const [style, width] of [
+    [stage, 5],
+    [selected, 2.25],
+  ] as const) {
     context.beginPath()
     context.arc(at[2 * node] ?? -99, at[2 * node + 1] ?? -99, radius, 0, 2 * Math.PI)
     context.strokeStyle = style

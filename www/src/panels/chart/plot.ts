@@ -30,7 +30,13 @@ const NARROW = 44
 
 /** A chart in `host`, coloured by the tokens that hold there. */
 export function createPlot(host: HTMLElement, { strokes, scale, range, last, gutter, band, onhover, ondrawn }: PlotOptions): uPlot {
-  const [ink, line, allowed, edge, ...colours] = resolve(host, ['--ink-2', '--line', '--accent-soft', '--danger', ...strokes.map(({ token }) => token)])
+  const [ink, line, allowed, edge, ...colours] = resolve(host, [
+    '--ink-2',
+    '--line',
+    '--accent-soft',
+    '--danger',
+    ...strokes.map(({ token }) => token),
+  ])
   const font = `11px ${getComputedStyle(host).fontFamily}`
   const axis: uPlot.Axis = {
     stroke: ink ?? 'gray',
@@ -62,7 +68,8 @@ export function createPlot(host: HTMLElement, { strokes, scale, range, last, gut
             }
           : {
               ...(band?.() && { splits: () => limitsOf(band()) }),
-              values: (_: uPlot, splits: number[], __: number, ___: number, step: number) => splits.map((value) => label(value, band?.() ? 1 : step)),
+              values: (_: uPlot, splits: number[], __: number, ___: number, step: number) =>
+                splits.map((value) => label(value, band?.() ? 1 : step)),
             }),
       },
     ],

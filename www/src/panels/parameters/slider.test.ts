@@ -10,8 +10,19 @@ test('typed text is a number only in plain notation', () => {
 
 test('a logarithmic slider reaches both ends and maps values back', () => {
   const population = slider({
-    name: 'population', symbol: 'N', title: '', help: '', type: 'integer', default: 60, defaults: {}, kinds: [],
-    min: 1, max: 100_000, soft_min: 2, soft_max: 2000, logarithmic: true,
+    name: 'population',
+    symbol: 'N',
+    title: '',
+    help: '',
+    type: 'integer',
+    default: 60,
+    defaults: {},
+    kinds: [],
+    min: 1,
+    max: 100_000,
+    soft_min: 2,
+    soft_max: 2000,
+    logarithmic: true,
   })
   if (!population) throw new Error('no slider')
   expect(population.value(population.min)).toBe(2)
