@@ -5,6 +5,8 @@ use std::fs;
 use forage::statistics::{Group, compare, friedman};
 use serde_json::Value;
 
+use crate::support::root;
+
 use super::support::{SMALL, carry_out, column, folder, forage, refused, rows, text};
 
 #[test]
@@ -90,7 +92,7 @@ fn a_row_is_found_again_whatever_its_scene_is_called() {
                  params = { iterations = [2, 3], w = 1e-7 }\n";
     let folder = folder("quoted", sweep);
     let odd = "a, \"b\" – ä";
-    let mut scene: Value = serde_json::from_str(&fs::read_to_string("scenes/matyas.json").unwrap()).unwrap();
+    let mut scene: Value = serde_json::from_str(&fs::read_to_string(root().join("scenes/matyas.json")).unwrap()).unwrap();
     scene["name"] = odd.into();
     fs::write(folder.join("odd.json"), scene.to_string()).unwrap();
     for name in ["rows.csv", "rows.ndjson"] {
@@ -117,7 +119,7 @@ fn scenes_are_looked_for_beside_the_file_and_may_be_maps_and_links() {
                  out = 'rows.jsonl'\n[[planner]]\nname = 'a-star'\n";
     let folder = folder("scenes", sweep);
     fs::create_dir_all(folder.join("mine")).unwrap();
-    fs::copy("scenes/qpso-10m.json", folder.join("mine/two.json")).unwrap();
+    fs::copy(root().join("scenes/qpso-10m.json"), folder.join("mine/two.json")).unwrap();
     let message = refused(&folder, &[]);
     assert!(message.contains("scenes[0]: ") && message.contains("one.map is not allowed"), "{message}");
     let map = folder.join("mine/one.map");
