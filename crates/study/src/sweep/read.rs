@@ -57,7 +57,7 @@ struct Planner {
 /// # Errors
 /// The field, its value and what is allowed.
 pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Given, Failure> {
-    let given: File = toml::from_str(text).map_err(|problem| Error::malformed(file, problem.to_string().trim_end()))?;
+    let given: File = toml::from_str(text).map_err(|problem| Error::malformed(file, placed(text, &problem)))?;
     let name = given.name.map_or(Ok(default_name.to_owned()), |name| plain_text("name", &name))?;
     let scenes = scenes(given.scenes.as_ref(), load)?;
     let seeds = seeds(given.seeds.as_ref())?;
@@ -82,6 +82,14 @@ pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Gi
     }
     sweep.weigh()?;
     Ok(Given { sweep, out })
+}
+
+/// A TOML error in one line, with its place.
+fn placed(text: &str, problem: &toml::de::Error) -> String {
+    let before = problem.span().and_then(|span| text.get(..span.start)).unwrap_or("");
+    let line = before.matches('\n').count() + 1;
+    let column = before.rsplit('\n').next().unwrap_or("").chars().count() + 1;
+    format!("line {line}, column {column}: {}", problem.message().trim().replace('\n', ", "))
 }
 
 fn in_front(planners: &[Variants]) -> Vec<usize> {
@@ -148,7 +156,7 @@ fn seeds(given: Option<&Toml>) -> Result<Seeds, Error> {
                 return Err(refused("seeds.count", given, &allowed));
             }
             check_seed(from + (count - 1))
-                .map_err(|_| refused("seeds.count", given, "so that the last seed is at most 9007199254740991"))?;
+                .map_err(|_| refused("seeds.count", given, "small enough that the last seed is at most 9007199254740991"))?;
             Ok(Seeds::From(from, count as usize))
         }
         other => {
