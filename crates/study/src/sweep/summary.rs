@@ -11,7 +11,7 @@ use forage::{
 };
 
 use super::{
-    super::table::{Cell, Table},
+    super::table::{Cell, Table, significant},
     kept::Kept,
     line::{Optimum, Told},
     plan::{Pairs, value_text},
@@ -124,13 +124,13 @@ impl Summary {
     fn ranked(&self, friedman: &Friedman) -> Table {
         let mut title = format!("Mean ranks over {} blocks, scene × seed (Friedman)", friedman.blocks);
         if let (Some(statistic), Some(p)) = (friedman.statistic, friedman.p) {
-            let _ = write!(title, ": χ² = {statistic:.4}, p = {}", probability(p));
+            let _ = write!(title, ": χ² = {}, p = {}", significant(statistic, 4), probability(p));
         }
         let mut table = Table::new("ranks", title, &["planner", "mean rank"]);
         let groups = self.scenes.first().map_or(&[] as &[OfGroup], |scene| &scene.groups);
         let mut rows: Vec<_> = self.ranked.iter().map(|&group| &groups[group]).zip(&friedman.ranks).collect();
         rows.sort_by(|a, b| a.1.total_cmp(b.1));
-        table.rows = rows.into_iter().map(|(group, &rank)| vec![group.summary.name.as_str().into(), Cell::Number(rank, 4)]).collect();
+        table.rows = rows.into_iter().map(|(group, &rank)| vec![group.summary.name.as_str().into(), shown(rank)]).collect();
         table
     }
 
@@ -306,9 +306,9 @@ fn yardstick(by: Yardstick) -> &'static str {
     }
 }
 
-/// Four digits after the point, where that says something.
+/// Four significant digits.
 fn shown(number: f64) -> Cell {
-    if number == 0.0 || (1e-3..1e9).contains(&number.abs()) { Cell::Number(number, 4) } else { Cell::Text(format!("{number:.4e}")) }
+    Cell::Significant(number, 4)
 }
 
 /// What is below 1e-15 is only known to be small.
