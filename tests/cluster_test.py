@@ -67,7 +67,7 @@ exec {FORAGE} "$@"
     def test_what_forage_refuses_is_told_once_and_leaves_nothing_behind(self):
         (self.folder / "sweep.toml").write_text(SWEEP.replace("0.4", "9"))
         ended = self.ray(code=2)
-        self.assertEqual(ended.stderr.count("planner[0].params.w[1]: 9 is not allowed"), 1)
+        self.assertEqual(ended.stderr.count("`planner[0].params.w[1]` is 9; it must be"), 1)
         self.assertFalse((self.folder / "ray.csv").exists())
         self.assertEqual(self.left_behind(), [])
 

@@ -1,12 +1,14 @@
-//! What can be typed.
+//! Commands and options.
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueHint};
 
-/// A laboratory for path planners: the same runs as in the page, bit for bit.
+use super::{examples, names, names::Offered};
+
+/// A laboratory for path planners: swarms, ants, bats and trees, with the same results as in the web page.
 #[derive(Parser)]
-#[command(name = "forage", version, propagate_version = true)]
+#[command(name = "forage", version, propagate_version = true, after_help = examples::QUICK_START, disable_help_subcommand = true)]
 pub(super) struct Cli {
     #[command(subcommand)]
     pub(super) command: Command,
@@ -14,99 +16,120 @@ pub(super) struct Cli {
 
 #[derive(Subcommand)]
 pub(super) enum Command {
-    /// List planners with their parameters, and the scenes that ship.
-    List {
-        /// The whole catalogue as JSON.
-        #[arg(long)]
-        json: bool,
-    },
-    /// Run a planner on a scene and judge what it found.
-    #[command(after_help = super::list::after_help())]
+    /// List planners, generators and scenes, or describe one of them.
+    #[command(after_help = examples::LIST)]
+    List(ListArgs),
+    /// Run a planner on a scene and check whether the result is feasible.
+    ///
+    /// Exit code 0: a feasible result; 1: none was found.
+    #[command(after_help = examples::RUN)]
     Run(RunArgs),
-    /// The population and iterations that a planner's paper recommends for a scene and parameters.
-    Suggest {
-        /// The planner's name.
-        planner: String,
-        /// A scene file (.json, .map, .scen, .yaml, .tsp, .csv), a shipped scene's name, or a link.
-        #[arg(long, value_name = "FILE|NAME|LINK")]
-        scene: String,
-        /// A parameter that the recommendation depends on; may be given many times.
-        #[arg(long = "set", value_name = "NAME=VALUE")]
-        set: Vec<String>,
-        /// As JSON: population, iterations and source.
-        #[arg(long)]
-        json: bool,
-    },
-    /// The exact optimum of a scene.
-    Exact {
-        /// A scene file (.json, .map, .scen, .yaml, .tsp, .csv), a shipped scene's name, or a link.
-        #[arg(long, value_name = "FILE|NAME|LINK")]
-        scene: String,
-        /// As JSON: length and path.
-        #[arg(long)]
-        json: bool,
-    },
-    /// Turn other programs’ files into scenes, and scenes into such files.
+    /// Print the population and the iterations that a planner's paper recommends for a scene.
+    #[command(after_help = examples::SUGGEST)]
+    Suggest(SuggestArgs),
+    /// Compute the exact optimum of a scene.
+    #[command(after_help = examples::EXACT)]
+    Exact(ExactArgs),
+    /// Convert scenes from and to the formats of other programs.
     ///
-    /// A .scen needs its .map, a .yaml its .pgm, a .tour its .tsp; they are looked for beside it. A tour is measured; a
-    /// .opt.tour becomes the scene’s stored optimum. What is read or written in some way that
-    /// should be known is told on standard error.
-    #[command(after_help = super::convert::AFTER_HELP, override_usage = "forage convert [OPTIONS] <IN>... <OUT>")]
+    /// Reads and writes MovingAI (.map, .scen), ROS map_server (.yaml, .pgm), TSPLIB (.tsp, .tour), points (.csv) and scene
+    /// files (.json). A .scen file needs its .map file, a .yaml file its .pgm file, a .tour file its .tsp file: each is looked
+    /// for in the same folder. A tour is measured; that of a .opt.tour file becomes the optimum stated in the scene file.
+    #[command(after_help = examples::CONVERT, override_usage = "forage convert [OPTIONS] <IN>... <OUT>")]
     Convert(ConvertArgs),
-    /// Make a random scene: the same for the same parameters and seed.
-    #[command(after_help = super::generate::after_help())]
+    /// Generate a random scene; the same parameters and seed give the same scene.
+    #[command(after_help = examples::generate())]
     Generate(GenerateArgs),
-    /// Carry out a published experiment anew and print the result beside the published one.
+    /// Repeat a published experiment and compare the results with the published values.
     ///
-    /// Rows are kept as they are finished: after an interruption the same command goes on from there.
-    #[command(after_help = super::reproduce::after_help())]
+    /// Finished runs are kept: after an interruption the same command continues.
+    #[command(after_help = examples::reproduce())]
     Reproduce(ReproduceArgs),
-    /// Run planners × scenes × parameter values × seeds, one row a run, and say whether they differ.
+    /// Run planners × scenes × parameter values × seeds and test whether the results differ.
     ///
-    /// Rows are kept as they are finished: after an interruption the same command goes on from there. When all are there
-    /// they are in the order of the file, the same bytes whatever the threads, interruptions or shards; the same command
-    /// then prints the statistics again.
-    #[command(after_help = EXPERIMENT)]
+    /// Writes one row per run and prints statistics. Finished runs are kept: after an interruption the same command
+    /// continues. The complete file has the same bytes whatever the number of threads, interruptions or parts.
+    #[command(after_help = examples::EXPERIMENT)]
     Experiment(ExperimentArgs),
+    /// Print a completion script for a shell.
+    #[command(after_help = examples::COMPLETIONS)]
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page, or write one page per subcommand.
+    #[command(after_help = examples::MAN)]
+    Man {
+        /// Write the pages forage.1, forage-run.1, … into this folder.
+        #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+        out: Option<PathBuf>,
+    },
+    /// Print Forage's licence and the notices of third-party software.
+    #[command(after_help = examples::LICENSES)]
+    Licenses,
 }
 
-const EXPERIMENT: &str = "FILE.toml:
-  name = \"inertia\"                             # what it is called; the file’s name, if left out
-  scenes = [\"sphere\", \"scenes/mine.json\"]    # shipped names, links, or files beside this one
-  seeds = { from = 1, count = 50 }             # or a list
-  within = 0.01                                # how near to the exact optimum counts as reached
-  iterations = 500                             # for all planners
-  out = \"inertia.csv\"                         # or .jsonl, .ndjson
+#[derive(Args)]
+pub(super) struct ListArgs {
+    /// A planner, a generator, a shipped scene, `drive` or `motion`: show its page.
+    #[arg(value_parser = Offered(names::pages), hide_possible_values = true)]
+    pub(super) name: Option<String>,
+    /// Print JSON with all fields.
+    #[arg(long)]
+    pub(super) json: bool,
+}
 
-  [[planner]]
-  name = \"pso\"
-  params = { w = [0.4, 0.6, 0.8], c1 = 2.0 }   # a list: each of its values, in all combinations
+#[derive(Args)]
+pub(super) struct SuggestArgs {
+    /// The planner.
+    #[arg(value_parser = Offered(names::planners), hide_possible_values = true)]
+    pub(super) planner: String,
+    /// A scene file (.json, .map, .scen, .yaml, .tsp, .csv), a shipped scene's name, or a link.
+    #[arg(long, value_name = "FILE|NAME|LINK", value_hint = ValueHint::FilePath)]
+    pub(super) scene: String,
+    /// Set a parameter that the recommendation depends on; repeat for several.
+    #[arg(long = "set", value_name = "NAME=VALUE")]
+    pub(super) set: Vec<String>,
+    /// Print JSON: population, iterations and source.
+    #[arg(long)]
+    pub(super) json: bool,
+}
 
-  [[planner]]
-  name = \"wpso\"";
+#[derive(Args)]
+pub(super) struct ExactArgs {
+    /// A scene file (.json, .map, .scen, .yaml, .tsp, .csv), a shipped scene's name, or a link.
+    #[arg(long, value_name = "FILE|NAME|LINK", value_hint = ValueHint::FilePath)]
+    pub(super) scene: String,
+    /// Print JSON: length and path.
+    #[arg(long)]
+    pub(super) json: bool,
+}
 
 #[derive(Args)]
 pub(super) struct ExperimentArgs {
-    /// What to run.
-    #[arg(value_name = "FILE.toml")]
-    pub(super) file: PathBuf,
-    /// How many threads; the rows do not depend on it. All cores, if left out.
-    #[arg(long, value_name = "N")]
+    /// The experiment's file; `--example` prints one.
+    #[arg(value_name = "FILE.toml", required_unless_present = "example", value_hint = ValueHint::FilePath)]
+    pub(super) file: Option<PathBuf>,
+    /// Print an example of FILE.toml.
+    #[arg(long, exclusive = true)]
+    pub(super) example: bool,
+    /// How many threads to use; default: all cores. The rows do not depend on it.
+    #[arg(long, value_name = "N", value_parser = threads)]
     pub(super) jobs: Option<NonZeroUsize>,
-    /// Only the I-th of N parts, I from 1; into a file of its own, with .I-of-N before the ending.
+    /// Run only part I of N, into a file of its own with .I-of-N before its ending.
     #[arg(long, value_name = "I/N", conflicts_with = "merge")]
     pub(super) shard: Option<String>,
-    /// Where the rows go: .csv, or .jsonl or .ndjson for JSON Lines. As FILE.toml says, or called as it is with .csv.
-    #[arg(long, value_name = "FILE")]
+    /// Where to write the rows: .csv, or .jsonl or .ndjson for JSON Lines. Default: as FILE.toml says, or FILE.csv.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(super) out: Option<PathBuf>,
-    /// Throw away the rows that are there, and begin anew.
+    /// Delete existing rows and start again.
     #[arg(long, conflicts_with = "merge")]
     pub(super) fresh: bool,
-    /// Run nothing, but make one file of these parts, in any order: that of a single run.
-    #[arg(long, value_name = "PART", num_args = 1.., conflicts_with = "jobs")]
+    /// Run nothing; merge these parts, in any order, into the file of a single run.
+    #[arg(long, value_name = "PART", num_args = 1.., conflicts_with = "jobs", value_hint = ValueHint::FilePath)]
     pub(super) merge: Vec<PathBuf>,
     /// Write the statistics as Markdown.
-    #[arg(long, value_name = "FILE", conflicts_with = "shard")]
+    #[arg(long, value_name = "FILE", conflicts_with = "shard", value_hint = ValueHint::FilePath)]
     pub(super) report: Option<PathBuf>,
     /// Print the statistics as JSON.
     #[arg(long)]
@@ -115,52 +138,55 @@ pub(super) struct ExperimentArgs {
 
 #[derive(Args)]
 pub(super) struct ConvertArgs {
-    /// Files of one scene (.map, .scen, .yaml, .pgm, .tsp, .tour, .csv, .json), a shipped scene's name, or a link; and last
-    /// what to write: a .json, a .map or .scen (both are written), a .yaml or .pgm (both are written), a .tsp or .tour (both
-    /// are written, the tour if the shortest one is known), a .csv of points.
-    #[arg(required = true, value_name = "IN... OUT")]
+    /// The files of one scene (.map, .scen, .yaml, .pgm, .tsp, .tour, .csv, .json), a shipped scene's name, or a link; last,
+    /// the file to write.
+    ///
+    /// A .map is written with its .scen, a .yaml with its .pgm, and a .tsp with its .opt.tour if the shortest tour is known.
+    #[arg(required = true, value_name = "IN... OUT", value_hint = ValueHint::FilePath)]
     pub(super) paths: Vec<String>,
-    /// Which problem of a .scen file to take, counted from 0. The last one, if left out.
+    /// Which problem of a .scen file to use, counted from 0; default: the last one.
     #[arg(long, value_name = "N")]
     pub(super) problem: Option<usize>,
 }
 
 #[derive(Args)]
 pub(super) struct GenerateArgs {
-    /// The generator's name.
+    /// The generator.
+    #[arg(value_parser = Offered(names::generators), hide_possible_values = true)]
     pub(super) generator: String,
-    /// A parameter; may be given many times.
+    /// Set a parameter; repeat for several. `forage list GENERATOR` shows them.
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub(super) set: Vec<String>,
-    /// 0 to 9007199254740991, or `random` for a fresh one.
+    /// 0 to 9007199254740991, or `random` for a new one.
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value = "1")]
     pub(super) seed: String,
-    /// The file to write: .json, or what else `forage convert` writes. Standard output, if left out.
-    #[arg(long, value_name = "FILE")]
+    /// The file to write: .json or another format of `forage convert`. Default: standard output, as JSON.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(super) out: Option<String>,
 }
 
 #[derive(Args)]
 pub(super) struct ReproduceArgs {
-    /// Which one. All, if left out.
+    /// Which experiment; default: all of them, which takes long.
+    #[arg(value_parser = Offered(names::reproductions), hide_possible_values = true)]
     pub(super) name: Option<String>,
     /// The folder for rows, tables (CSV and Markdown) and pictures.
-    #[arg(long, value_name = "DIR", default_value = "reproduce")]
+    #[arg(long, value_name = "DIR", default_value = "reproduce", value_hint = ValueHint::DirPath)]
     pub(super) out: PathBuf,
-    /// How many threads; the rows do not depend on it. All cores, if left out.
-    #[arg(long, value_name = "N")]
+    /// How many threads to use; default: all cores. The rows do not depend on it.
+    #[arg(long, value_name = "N", value_parser = threads)]
     pub(super) jobs: Option<NonZeroUsize>,
-    /// Runs a cell, fewer for a quick look. As many as published, if left out.
+    /// Runs per cell of a table; default: as many as published. Fewer are quicker.
     #[arg(long, value_name = "N")]
     pub(super) runs: Option<u64>,
-    /// Throw away the rows that are there, and begin anew.
+    /// Delete existing rows and start again.
     #[arg(long)]
     pub(super) fresh: bool,
     /// Print the reports as JSON.
     #[arg(long)]
     pub(super) json: bool,
-    /// When all are carried out: compare REPRODUCTION.md and REPRODUCTION.csv with those of a folder; exit code 1 if they differ.
-    #[arg(long, value_name = "DIR", conflicts_with = "name")]
+    /// Afterwards compare REPRODUCTION.md and REPRODUCTION.csv with those in this folder; exit code 1 if they differ.
+    #[arg(long, value_name = "DIR", conflicts_with = "name", value_hint = ValueHint::DirPath)]
     pub(super) check: Option<PathBuf>,
     /// With --check: run only some of the jobs, in an order that SEED chooses, and compare their rows with the fingerprints in
     /// REPRODUCTION.rows.json; exit code 1 if they differ.
@@ -173,46 +199,50 @@ pub(super) struct ReproduceArgs {
 
 #[derive(Args)]
 pub(super) struct RunArgs {
-    /// The planner's name (or a link, which names planner and scene). May be left out when --scene is a link.
-    #[arg(value_name = "PLANNER|LINK")]
+    /// The planner, or a link, which names planner and scene. Not needed if --scene is a link.
+    #[arg(value_name = "PLANNER|LINK", value_parser = Offered(names::planners), hide_possible_values = true)]
     pub(super) planner: Option<String>,
     /// A scene file (.json, .map, .scen, .yaml, .tsp, .csv), a shipped scene's name, or a link from the page.
-    #[arg(long, value_name = "FILE|NAME|LINK")]
+    #[arg(long, value_name = "FILE|NAME|LINK", value_hint = ValueHint::FilePath)]
     pub(super) scene: Option<String>,
-    /// 0 to 9007199254740991, or `random` for a fresh one. Default 1, or the link's.
+    /// 0 to 9007199254740991, or `random` for a new one. Default: 1, or the link's.
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(super) seed: Option<String>,
-    /// The iteration limit: short for --set iterations=N.
+    /// The iteration limit; the same as --set iterations=N.
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(super) iterations: Option<String>,
-    /// A parameter; may be given many times. `forage list` names them.
+    /// Set a parameter; repeat for several. `forage list PLANNER` shows them.
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub(super) set: Vec<String>,
-    /// Population and iterations as the planner's paper recommends for the other parameters; what is set explicitly stays.
+    /// Use the population and the iterations that the planner's paper recommends; --set overrides them.
     #[arg(long)]
     pub(super) suggested: bool,
-    /// Print one JSON object.
+    /// Print one JSON object with full precision.
     #[arg(long)]
     pub(super) json: bool,
     /// Write a picture of the result.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(super) svg: Option<PathBuf>,
-    /// Write the readings of every iteration as CSV.
-    #[arg(long, value_name = "FILE")]
+    /// Write the metrics of every iteration as CSV.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(super) trace: Option<PathBuf>,
-    /// Write how the scene's robot drives along the path as CSV, a line for each control period.
-    #[arg(long, value_name = "FILE")]
+    /// Write how the scene's robot drives along the path as CSV, one row per control period.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(super) drive: Option<PathBuf>,
-    /// Write the tour that was found as a TSPLIB .tour.
-    #[arg(long, value_name = "FILE")]
+    /// Write the tour as a TSPLIB .tour file.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(super) tour: Option<PathBuf>,
-    /// A parameter of the drive; may be given many times. `forage list` names them.
+    /// Set a parameter of the drive; repeat for several. `forage list drive` shows them.
     #[arg(long = "drive-set", value_name = "NAME=VALUE")]
     pub(super) drive_set: Vec<String>,
-    /// Write how the scene's arm follows the path as CSV, a line for each posture.
-    #[arg(long, value_name = "FILE")]
+    /// Write how the scene's arm follows the path as CSV, one row per configuration.
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub(super) motion: Option<PathBuf>,
-    /// A parameter of the arm's motion; may be given many times. `forage list` names them.
+    /// Set a parameter of the arm's motion; repeat for several. `forage list motion` shows them.
     #[arg(long = "motion-set", value_name = "NAME=VALUE")]
     pub(super) motion_set: Vec<String>,
+}
+
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    text.parse().map_err(|_| "it must be a whole number from 1".to_owned())
 }

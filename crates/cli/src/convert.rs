@@ -1,24 +1,26 @@
 //! `forage convert`, and writing a scene in the format that a file's name asks for.
 
-use std::{fs, path::Path, process::ExitCode};
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
 use forage::{
     Error, Scene,
-    scene::formats::{self, ENDINGS, Format, NamedFile},
+    scene::{
+        Body,
+        formats::{self, ENDINGS, Format, NamedFile},
+    },
 };
 
-use super::{Failure, args::ConvertArgs, load};
-
-/// Examples, below the options of `forage convert --help`.
-pub(super) const AFTER_HELP: &str = "Examples:
-  forage convert arena.map arena.json
-  forage convert arena.scen --problem 12 arena.json
-  forage convert office.yaml office.map
-  forage convert wolf-ant-20 wolf.yaml
-  forage convert berlin52.tsp berlin52.opt.tour berlin52.json
-  forage convert places.csv places.tsp";
-
-const NO_TOUR: &str = "the scene’s shortest closed tour is not known, and there is no other one to write";
+use super::{
+    Failure,
+    args::ConvertArgs,
+    files, load,
+    output::{note, notes},
+    text::{quoted, shorten},
+};
 
 pub(super) fn convert(args: &ConvertArgs) -> super::Outcome {
     let Some((to, from @ [one, ..])) = args.paths.split_last() else {
@@ -40,30 +42,50 @@ pub(super) fn format(field: &str, path: &str) -> Result<Format, Error> {
     Format::of_file(path).ok_or_else(|| Error::refused(field, path, format!("a file that ends in {ENDINGS}")))
 }
 
-/// Writes a scene's files in a format, called as `path` but for their endings. Files that were read stay as they are: one
-/// problem must not take the place of a thousand because OUT was forgotten.
+/// Writes a scene's files in a format, named like `path` except for their endings. Files that were read are never overwritten.
 pub(super) fn write(scene: &Scene, format: Format, path: &str, read: &[String]) -> super::Outcome {
     let path = Path::new(path);
     let name = path.to_string_lossy();
-    let made = formats::export(scene, format, formats::stem_of(&name))?;
-    // What belongs to a map or to an instance is not there for every scene.
-    if !made.files.iter().any(|file| formats::same_sort(&file.name, &name)) {
-        let reason = if format == Format::Tsplib { vec![NO_TOUR.to_owned()] } else { made.notes };
-        return Err(Error::malformed("OUT", reason.join(" ")).into());
+    let exported = formats::export(scene, format, formats::stem_of(&name))?;
+    let is_asked_for = |file: &NamedFile| formats::same_sort(&file.name, &name);
+    // Not every scene has a tour to write next to its stops, or a problem next to its map.
+    if !exported.files.iter().any(is_asked_for) {
+        let tour = "OUT: the shortest closed tour of this scene is not known, so there is no tour to write".to_owned();
+        return Err(Failure::Refused(if format == Format::Tsplib { tour } else { format!("OUT: {}", exported.notes.join(" ")) }));
     }
-    // The file that was asked for is called as it was asked for, `.yml` and all.
-    let asked = |file: &NamedFile| formats::same_sort(&file.name, &name);
-    let to = |file: &NamedFile| if asked(file) { path.to_owned() } else { path.with_file_name(&file.name) };
-    for to in made.files.iter().map(to) {
-        // What is not there yet has no place to compare.
-        if to.canonicalize().is_ok_and(|to| read.iter().any(|read| fs::canonicalize(read).is_ok_and(|read| read == to))) {
-            return Err(Error::refused("OUT", to.display(), "another file than those that are read").into());
+    let target = |file: &NamedFile| if is_asked_for(file) { path.to_owned() } else { path.with_file_name(&file.name) };
+    let targets: Vec<PathBuf> = exported.files.iter().map(target).collect();
+    for target in &targets {
+        // A file that does not exist yet cannot be one of those that were read.
+        if target.canonicalize().is_ok_and(|target| read.iter().any(|read| fs::canonicalize(read).is_ok_and(|read| read == target))) {
+            return Err(Error::refused("OUT", target.display(), "another file than those that are read").into());
         }
     }
-    for file in &made.files {
-        let to = to(file);
-        fs::write(&to, &file.bytes).map_err(|error| Failure::File(to.display().to_string(), error))?;
+    for (file, target) in exported.files.iter().zip(&targets) {
+        files::write(target, &file.bytes)?;
     }
-    load::tell(&made.notes);
+    notes(&exported.notes);
+    let written: Vec<_> = targets.iter().map(|target| quoted(&target.to_string_lossy())).collect();
+    note(&format!("wrote {} ({}) to {}", shorten(scene.name(), 70), describe(scene), written.join(" and ")));
     Ok(ExitCode::SUCCESS)
+}
+
+/// The kind and the size of a scene.
+pub(super) fn describe(scene: &Scene) -> String {
+    match scene.body() {
+        Body::Function(function) => format!("function, {}", count(function.dimension, "variable")),
+        Body::Discs(discs) => format!("discs, {}", count(discs.discs.len(), "obstacle")),
+        Body::Grid(grid) => {
+            let cells = format!("grid, {} × {} cells", grid.columns, grid.rows());
+            let more = [(grid.stops.len(), "stop"), (grid.moving.len(), "moving obstacle")];
+            let more = more.into_iter().filter(|(number, _)| *number > 0).map(|(number, what)| count(number, what));
+            [cells].into_iter().chain(more).collect::<Vec<_>>().join(", ")
+        }
+        Body::Tour(tour) => format!("tour, {}", count(tour.len(), "stop")),
+        Body::Arm(arm) => format!("arm, {}", count(arm.cuboids.len(), "cuboid")),
+    }
+}
+
+fn count(number: usize, what: &str) -> String {
+    if number == 1 { format!("1 {what}") } else { format!("{number} {what}s") }
 }

@@ -10,26 +10,35 @@ use forage::{
 };
 use serde::Serialize;
 
-use super::{Outcome, load, print, print_json};
+use super::{
+    Outcome, load,
+    output::{print, print_json},
+    text::{escape, measured, number},
+};
 
 #[derive(Serialize)]
 struct Answer<'a> {
     length: Option<f64>,
-    path: Course<'a>,
-    /// On grids: the same from cell to neighbouring cell.
+    path: Points<'a>,
+    /// On grids: the shortest path from cell to neighbouring cell.
     #[serde(skip_serializing_if = "Option::is_none")]
-    cells: Option<Way<'a>>,
-    /// Of a scene with stops: the shortest tours through them.
+    cells: Option<CellPath<'a>>,
+    /// In scenes with stops: the shortest tours.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     tours: Vec<Tour<'a>>,
 }
 
-/// A path's points.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Course<'a> {
+enum Points<'a> {
     Plane(&'a [[f64; 2]]),
     Space(&'a [[f64; 3]]),
+}
+
+#[derive(Serialize)]
+struct CellPath<'a> {
+    length: f64,
+    path: &'a [[f64; 2]],
 }
 
 #[derive(Serialize)]
@@ -40,101 +49,112 @@ struct Tour<'a> {
     path: &'a [[f64; 2]],
 }
 
-/// The shortest tours by each rule that there is for a scene.
+pub(super) fn exact(scene: &str, json: bool) -> Outcome {
+    let scene = load::scene(scene)?;
+    let path = scene.exact().map_or(Points::Plane(&[]), |exact| match scene.body() {
+        Body::Arm(_) => Points::Space(&exact.tip_path),
+        _ => Points::Plane(&exact.path),
+    });
+    let cells = matches!(scene.body(), Body::Grid(_)).then(|| scene.exact_by(Yardstick::Cells)).flatten();
+    let answer = Answer {
+        length: scene.optimum(Yardstick::AnyAngle),
+        path,
+        cells: cells.map(|exact| CellPath { length: exact.length, path: &exact.path }),
+        tours: tours(&scene),
+    };
+    if json {
+        print_json(&answer)?;
+    } else {
+        print(&summary(&scene, &answer))?;
+    }
+    let found = answer.length.is_some() || answer.cells.is_some() || !answer.tours.is_empty();
+    Ok(ExitCode::from(u8::from(!found)))
+}
+
+/// The shortest tours by each rule that applies to a scene.
 fn tours(scene: &Scene) -> Vec<Tour<'_>> {
-    let (rules, round): (&[_], _) = match scene.body() {
+    let (rules, ends): (&[_], _) = match scene.body() {
         Body::Grid(_) => (&[Yardstick::AnyAngle, Yardstick::Cells], Round::Closed),
         Body::Tour(tour) => (&[Yardstick::Matrix], tour.round()),
         _ => (&[], Round::Closed),
     };
     let tour = |&by: &Yardstick| {
-        let exact = scene.exact_tour(by, round)?;
+        let exact = scene.exact_tour(by, ends)?;
         let by = if exact.stored { Yardstick::Stored } else { by };
         Some(Tour { by, length: exact.length, order: &exact.order, path: &exact.path })
     };
     rules.iter().filter_map(tour).collect()
 }
 
-/// Why there is no exact tour.
-fn no_tour(stops: usize) -> String {
-    match stops {
-        0 | 1 => "one stop makes no tour".to_owned(),
-        2..=MAX_EXACT_STOPS => "there is no tour: some stop cannot be reached from the others".to_owned(),
-        _ => format!("{stops} stops, and a shortest tour is computed for {MAX_EXACT_STOPS} at most"),
+/// The unit of a scene's lengths, to be written after a number; empty if there is none.
+pub(super) fn unit(scene: &Scene) -> &str {
+    match scene.header().units.as_deref() {
+        Some("metres, degrees") => "m",
+        None | Some("unitless") => "",
+        Some(unit) => unit,
     }
 }
 
-fn told(tour: &Tour<'_>) -> String {
-    let by = match tour.by {
-        Yardstick::AnyAngle => "at any angle",
-        Yardstick::Cells => "from cell to cell",
-        Yardstick::Matrix => "by the scene’s distances",
-        Yardstick::Stored | Yardstick::Refuted => "as the scene’s file says",
-    };
-    let stops: Vec<_> = tour.order.iter().map(usize::to_string).collect();
-    format!("shortest tour {} {by}, through the stops {}", tour.length, stops.join(" "))
+fn summary(scene: &Scene, answer: &Answer<'_>) -> String {
+    let unit = escape(unit(scene));
+    let length = |length: f64| measured(length, &unit);
+    let mut lines = Vec::new();
+    let stored = scene.exact().is_some_and(|exact| exact.stored);
+    match (answer.length, &answer.path, &answer.cells) {
+        (Some(found), _, _) if stored => lines.push(format!("shortest path {}, stated in the scene file", length(found))),
+        (Some(found), Points::Space(path), _) => {
+            lines.push(format!("shortest path of the tool tip {}, {} points", length(found), path.len()));
+        }
+        (Some(found), Points::Plane([]), _) => lines.push(format!("minimum {}", number(found))),
+        (Some(found), Points::Plane(path), cells) => {
+            lines.push(format!("shortest path {}, {} points", length(found), path.len()));
+            lines.extend(cells.as_ref().map(|cells| format!("shortest path from cell to cell {}", length(cells.length))));
+        }
+        (None, _, Some(cells)) => lines.push(format!(
+            "shortest path from cell to cell {}; the any-angle path is not computed for more than {MAX_EXACT_CELLS} cells",
+            length(cells.length)
+        )),
+        (None, _, None) if answer.tours.is_empty() || scene.ends().is_some() => lines.push(no_path(scene)),
+        (None, _, None) => {}
+    }
+    lines.extend(answer.tours.iter().map(|tour| tour_line(tour, &length(tour.length))));
+    let name = escape(scene.name());
+    lines.iter().map(|line| format!("{name}: {line}")).collect::<Vec<_>>().join("\n")
 }
 
-#[derive(Serialize)]
-struct Way<'a> {
-    length: f64,
-    path: &'a [[f64; 2]],
+fn tour_line(tour: &Tour<'_>, length: &str) -> String {
+    let by = match tour.by {
+        Yardstick::AnyAngle => "with any-angle paths",
+        Yardstick::Cells => "from cell to cell",
+        Yardstick::Matrix => "by the scene’s distances",
+        Yardstick::Stored | Yardstick::Refuted => "stated in the scene file",
+    };
+    let stops: Vec<_> = tour.order.iter().map(usize::to_string).collect();
+    format!("shortest tour {length} {by}, stops {}", stops.join(" "))
 }
 
 /// Why there is no exact path.
 fn no_path(scene: &Scene) -> String {
+    const NONE: &str = "there is no path from start to goal";
     match scene.body() {
         Body::Arm(arm) => match shortest_among_cuboids(&arm.workspace, arm.start, arm.goal, &arm.cuboids) {
             AmongCuboids::NotComputed if arm.cuboids.len() > MAX_EXACT_CUBOIDS => {
-                format!("not computed, there are more than {MAX_EXACT_CUBOIDS} cuboids")
+                format!("not computed for more than {MAX_EXACT_CUBOIDS} cuboids")
             }
-            AmongCuboids::NotComputed => "not computed, these cuboids are too much for it".to_owned(),
-            _ => "there is no way from start to goal".to_owned(),
+            AmongCuboids::NotComputed => "not computed: these cuboids would take too long".to_owned(),
+            _ => NONE.to_owned(),
         },
-        _ if scene.ends().is_some() => "there is no way from start to goal".to_owned(),
+        _ if scene.ends().is_some() => NONE.to_owned(),
         _ => no_tour(scene.stops().len()),
     }
 }
 
-pub(super) fn exact(scene: &str, json: bool) -> Outcome {
-    let scene = load::scene(scene)?;
-    let found = scene.exact();
-    let course = found.map_or(Course::Plane(&[]), |exact| match scene.body() {
-        Body::Arm(_) => Course::Space(&exact.tip_path),
-        _ => Course::Plane(&exact.path),
-    });
-    let cells = matches!(scene.body(), Body::Grid(_)).then(|| scene.exact_by(Yardstick::Cells)).flatten();
-    let answer = Answer {
-        length: scene.optimum(Yardstick::AnyAngle),
-        path: course,
-        cells: cells.map(|exact| Way { length: exact.length, path: &exact.path }),
-        tours: tours(&scene),
-    };
-    if json {
-        print_json(&answer);
-    } else {
-        tell(&scene, &answer);
+/// Why there is no exact tour.
+fn no_tour(stops: usize) -> String {
+    match stops {
+        0 => "there are no stops, and start and goal are missing".to_owned(),
+        1 => "a tour needs at least two stops".to_owned(),
+        2..=MAX_EXACT_STOPS => "there is no tour: some stop cannot be reached from the others".to_owned(),
+        _ => format!("not computed for more than {MAX_EXACT_STOPS} stops; this scene has {stops}"),
     }
-    Ok(if answer.length.is_some() || answer.cells.is_some() || !answer.tours.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
-}
-
-fn tell(scene: &Scene, answer: &Answer<'_>) {
-    let name = scene.name();
-    let stored = scene.exact().is_some_and(|exact| exact.stored);
-    match (answer.length, &answer.path, &answer.cells) {
-        (Some(length), _, _) if stored => print(&format!("{name}: shortest path {length}, as the scene’s file says")),
-        (Some(length), Course::Space(path), _) => print(&format!("{name}: the tip’s shortest path {length}, {} points", path.len())),
-        (Some(length), Course::Plane([]), _) => print(&format!("{name}: minimum {length}")),
-        (Some(length), Course::Plane(path), cells) => {
-            let over_cells = cells.as_ref().map(|way| format!("; from cell to cell {}", way.length)).unwrap_or_default();
-            print(&format!("{name}: shortest path {length}, {} points{over_cells}", path.len()));
-        }
-        (None, _, Some(way)) => print(&format!(
-            "{name}: from cell to cell {}; at any angle not computed, there are more than {MAX_EXACT_CELLS} cells",
-            way.length
-        )),
-        (None, _, None) if answer.tours.is_empty() || scene.ends().is_some() => print(&format!("{name}: {}", no_path(scene))),
-        (None, _, None) => {}
-    }
-    answer.tours.iter().for_each(|tour| print(&format!("{name}: {}", told(tour))));
 }

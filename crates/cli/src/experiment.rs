@@ -9,74 +9,94 @@ use std::{
     sync::Arc,
 };
 
-use forage::{Link, Scene, shipped, shipped_names};
+use forage::{Error, Link, Scene};
 use forage_study::{
     runner::Control,
     sweep::{self, Kept, Part, Summary, Sweep, read},
 };
 use serde_json::json;
 
-use super::{Failure, args::ExperimentArgs, interrupt, load, print, print_json, progress};
+use super::{
+    Failure,
+    args::ExperimentArgs,
+    examples::EXPERIMENT_FILE,
+    files::{self, LARGEST_EXPERIMENT},
+    interrupt, load, names,
+    output::{notes, print, print_json, print_raw},
+    progress,
+    text::{escape, quoted},
+};
 
 pub(super) fn experiment(args: &ExperimentArgs) -> super::Outcome {
-    let (read::Given { sweep, out }, sources) = read_file(&args.file)?;
+    let Some(file) = args.file.as_deref() else {
+        print_raw(EXPERIMENT_FILE.trim_end().as_bytes())?;
+        return Ok(ExitCode::SUCCESS);
+    };
+    let (read::Given { sweep, out }, sources) = read_file(file)?;
     let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
-    let rows = args.out.clone().unwrap_or_else(|| default_out(&args.file, out.as_deref(), part));
+    let rows = args.out.clone().unwrap_or_else(|| default_out(file, out.as_deref(), part));
     check_apart("out", &rows, &sources)?;
     if let Some(report) = &args.report {
         check_apart("--report", report, &[&sources[..], slice::from_ref(&rows)].concat())?;
     }
+    let existing = args.merge.iter().chain([&rows].into_iter().filter(|rows| rows.exists()));
+    existing.into_iter().try_for_each(|rows| files::check(rows, None))?;
     let mut kept = Kept::open(&sweep, part, &rows, args.fresh)?;
     let outcome = if args.merge.is_empty() {
-        carry_out(&sweep, &mut kept, args)
+        run_missing(&sweep, &mut kept, args)
     } else {
         sweep::merge(&sweep, &mut kept, &args.merge, &interrupt::flag()).map_err(Failure::from)
     };
-    load::tell(kept.notes());
+    notes(kept.notes());
     outcome?;
-    if part == Part::WHOLE {
-        let summary = Summary::of(&kept);
-        if let Some(path) = &args.report {
-            fs::write(path, summary.markdown()).map_err(|error| Failure::File(path.display().to_string(), error))?;
-        }
-        if args.json {
-            print_json(&summary);
-        } else {
-            print(&summary.text());
-        }
-    } else {
-        let (runs, _) = kept.counts();
-        if args.json {
-            print_json(&json!({ "name": sweep.name, "rows": rows, "runs": runs, "shard": part.to_string() }));
-        } else {
-            print(&format!("{}, part {part}: {runs} of {} runs in {}", sweep.name, sweep.len(), rows.display()));
-        }
-    }
+    print_result(args, &kept)?;
     Ok(ExitCode::SUCCESS)
 }
 
-fn carry_out(sweep: &Sweep, kept: &mut Kept, args: &ExperimentArgs) -> Result<(), Failure> {
+/// Prints the statistics, or where a part's rows are.
+fn print_result(args: &ExperimentArgs, kept: &Kept) -> Result<(), Failure> {
+    let (sweep, part) = (kept.sweep(), kept.part());
+    if part == Part::WHOLE {
+        let summary = Summary::of(kept);
+        if let Some(path) = &args.report {
+            files::write(path, summary.markdown())?;
+        }
+        return if args.json { print_json(&summary) } else { print(&summary.text()) };
+    }
+    let (runs, _) = kept.counts();
+    let rows = kept.path();
+    if args.json {
+        return print_json(&json!({ "name": sweep.name, "rows": rows, "runs": runs, "shard": part.to_string() }));
+    }
+    let [name, path] = [escape(&sweep.name).into_owned(), quoted(&rows.to_string_lossy())];
+    print(&format!("{name}, part {part}: {runs} of {} runs in {path}", sweep.len()))
+}
+
+/// Carries out the runs whose rows are missing.
+fn run_missing(sweep: &Sweep, kept: &mut Kept, args: &ExperimentArgs) -> Result<(), Failure> {
     let stop = interrupt::flag();
-    let bar = progress::bar(sweep.name.clone());
+    let bar = progress::bar(&sweep.name);
     let show = |done, total| progress::show(&bar, done, total);
     let outcome = sweep::carry_out(sweep, kept, args.jobs.map(usize::from), &Control { stop: &stop, progress: &show });
     bar.finish_and_clear();
     Ok(outcome?)
 }
 
-/// What would be written over what is read is refused.
+/// Refuses to write over a file that is read.
 fn check_apart(field: &str, path: &Path, sources: &[PathBuf]) -> Result<(), Failure> {
-    // What is not there yet is nothing else, either; the file of rows may be that.
+    // Files that do not exist yet have no canonical path; the file of rows may be one of those.
     let same = |source: &&PathBuf| *source == path || fs::canonicalize(source).is_ok_and(|real| fs::canonicalize(path).ok() == Some(real));
     match sources.iter().find(same) {
-        Some(source) => Err(forage::Error::refused(field, path.display(), format!("another file than {}", source.display())).into()),
+        Some(source) => Err(Error::refused(field, path.display(), format!("another file than {}", source.display())).into()),
         None => Ok(()),
     }
 }
 
-/// What the file says, and the files that were read.
+/// Reads the experiment's file; returns it with the files that were read.
 fn read_file(path: &Path) -> Result<(read::Given, Vec<PathBuf>), Failure> {
-    let text = fs::read_to_string(path).map_err(|error| Failure::File(path.display().to_string(), error))?;
+    let name = path.to_string_lossy();
+    let text = String::from_utf8(files::read(path, LARGEST_EXPERIMENT)?)
+        .map_err(|problem| Failure::Refused(format!("{}: {problem}", quoted(&name))))?;
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();
     let folder = path.parent().unwrap_or(Path::new(""));
     let sources = RefCell::new(vec![path.to_owned()]);
@@ -84,25 +104,27 @@ fn read_file(path: &Path) -> Result<(read::Given, Vec<PathBuf>), Failure> {
         sources.borrow_mut().push(folder.join(text));
         scene(folder, text)
     };
-    let given = read::read(&path.display().to_string(), &stem, &text, &load)?;
+    let given = read::read(&name, &stem, &text, &load)?;
     Ok((given, sources.into_inner()))
 }
 
-/// As with `forage run --scene`, but files are looked for beside the sweep's.
+/// As with `forage run --scene`, but relative to the folder of the experiment's file.
 fn scene(folder: &Path, text: &str) -> Result<Arc<Scene>, forage_study::Failure> {
-    let beside = folder.join(text);
-    if !Link::is_link(text) && !beside.exists() && shipped_names().any(|scene| scene.name() == text) {
-        return Ok(shipped(text)?);
-    }
-    let name = if Link::is_link(text) { text.to_owned() } else { beside.display().to_string() };
-    load::scene(&name).map_err(|failure| match failure {
-        Failure::Refused(error) => forage_study::Failure::Refused(error),
+    let file = folder.join(text);
+    let found = if Link::is_link(text) || !file.exists() && names::scenes().contains(&text) {
+        load::scene(text)
+    } else if file.exists() {
+        load::scene(&file.to_string_lossy())
+    } else {
+        Err(load::no_scene(text))
+    };
+    found.map_err(|failure| match failure {
         Failure::File(path, error) => forage_study::Failure::File(PathBuf::from(path), error),
-        Failure::Interrupted(problem) => forage_study::Failure::Refused(forage::Error::malformed("scene", problem)),
+        Failure::Refused(problem) | Failure::Interrupted(problem) => Error::malformed("scene", problem).into(),
     })
 }
 
-/// As the sweep's file says, beside it; or called as it is. A part has its number in front of the ending.
+/// Where the rows go: next to the experiment's file, as it says or with its name. A part has its number before the ending.
 fn default_out(file: &Path, out: Option<&Path>, part: Part) -> PathBuf {
     let whole = out.map_or_else(|| file.with_extension("csv"), |out| file.parent().unwrap_or(Path::new("")).join(out));
     if part == Part::WHOLE {

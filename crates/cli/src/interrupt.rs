@@ -1,11 +1,11 @@
-//! Ctrl-C: once asks to stop, twice ends the program.
+//! Ctrl-C: the first one asks the run to stop, the second one ends the program.
 
 use std::sync::{
     Arc,
     atomic::{AtomicBool, Ordering},
 };
 
-/// Becomes true at the first Ctrl-C. Without a handler (none could be set) that one ends the program.
+/// Becomes true at the first Ctrl-C. If no handler can be set, the first Ctrl-C ends the program.
 pub(super) fn flag() -> Arc<AtomicBool> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);

@@ -1,76 +1,99 @@
-//! Turning what was typed into a setup.
+//! Turning arguments into scenes and setups.
 
-use std::{fs, path::Path, sync::Arc};
+use std::{fs, io::ErrorKind, path::Path, sync::Arc};
 
 use forage::{
     Error, Given, Link, Scene, Setup, Value, arm,
-    catalogue::Suggestion,
+    catalogue::{self, Suggestion},
     drive, rng,
-    scene::formats::{self, Format, NamedFile},
-    shipped, shipped_names,
+    scene::{
+        Kind,
+        formats::{self, Format, NamedFile},
+    },
+    shipped,
 };
 
-use super::{Failure, args::RunArgs};
+use super::{
+    Failure,
+    args::RunArgs,
+    failure::in_file,
+    files::{self, LARGEST_SCENE, LONGEST_LINK},
+    names::{self, Subject},
+    output::{note, notes},
+    text::quoted,
+};
 
 /// A run to be carried out.
 pub(super) struct Task {
     pub(super) setup: Setup,
     /// Where to stop before the limit: the iteration that a link shows.
     pub(super) stop_at: Option<u64>,
-    /// The hash that the link promises there.
-    pub(super) promised: Option<String>,
+    /// The hash that the link gives for that iteration.
+    pub(super) expected_hash: Option<String>,
 }
 
-/// A scene file or a map, a shipped scene's name, or the scene of a link.
+/// Reads a scene: a file, a shipped scene's name, or a link.
 pub(super) fn scene(text: &str) -> Result<Arc<Scene>, Failure> {
     if Link::is_link(text) {
-        return Ok(Link::parse(text)?.setup.scene);
+        return Ok(link(text)?.setup.scene);
     }
-    if !Path::new(text).exists() && shipped_names().any(|scene| scene.name() == text) {
-        return Ok(shipped(text)?);
+    let path = Path::new(text);
+    let is_shipped = names::scenes().contains(&text);
+    match fs::metadata(path) {
+        Ok(metadata) if !(is_shipped && metadata.is_dir()) => {}
+        _ if is_shipped => return Ok(shipped(text)?),
+        Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory | ErrorKind::InvalidFilename) => {
+            return Err(no_scene(text));
+        }
+        _ => {}
     }
-    match fs::read(text) {
-        Ok(bytes) if Format::of_file(text).is_some_and(|format| format != Format::Json) => {
-            import(&mut vec![NamedFile::new(text, bytes)], None).map(Arc::new)
-        }
-        Ok(bytes) => {
-            let json = String::from_utf8(bytes).map_err(|problem| Error::malformed("scene", format!("not JSON: {problem}")))?;
-            Ok(Arc::new(Scene::from_json(&json)?))
-        }
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-            let names: Vec<_> = shipped_names().map(|scene| scene.name()).collect();
-            Err(Error::refused("scene", text, format!("a file, a link, or one of {}", names.join(", "))).into())
-        }
-        Err(error) => Err(Failure::File(text.to_owned(), error)),
+    if Format::of_file(text).is_some_and(|format| format != Format::Json) {
+        return import(&mut vec![read(text)?], None).map(Arc::new);
     }
+    let bytes = files::read(path, LARGEST_SCENE)?;
+    let json = String::from_utf8(bytes).map_err(|problem| in_file(path, &Error::malformed("scene", format!("not JSON: {problem}"))))?;
+    Scene::from_json(&json).map(Arc::new).map_err(|error| in_file(path, &error))
 }
 
-/// The scene of some files; one that they name and that is not among them is looked for beside the first, under the
-/// folders it is named with and without them, and added. What should be known about it goes to standard error.
+/// Neither a file nor a shipped scene.
+pub(super) fn no_scene(text: &str) -> Failure {
+    let near = names::nearest(text, &names::scenes());
+    let name = quoted(text);
+    Failure::Refused(if near.is_empty() {
+        format!("{name}: no such file (and not a shipped scene; `forage list` shows those)")
+    } else {
+        let near = near.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" or ");
+        format!("{name}: no such file or shipped scene; did you mean {near}? `forage list` shows all scenes")
+    })
+}
+
+/// Reads a link.
+fn link(text: &str) -> Result<Link, Failure> {
+    LONGEST_LINK.check("the link", text.len() as u64)?;
+    Ok(Link::parse(text)?)
+}
+
+/// Reads the scene in some files. A file that they need and that is missing is looked for in the folder of the first one, with
+/// and without the folders in its name. Notes go to standard error.
 pub(super) fn import(files: &mut Vec<NamedFile>, problem: Option<usize>) -> Result<Scene, Failure> {
-    if let Some(wanted) = formats::wanted(files)? {
+    if let Some(partner) = formats::wanted(files)? {
         let folder = files.first().and_then(|file| Path::new(&file.name).parent()).unwrap_or(Path::new(""));
-        let beside = [Some(Path::new(&wanted).as_os_str()), Path::new(&wanted).file_name()];
-        if let Some(path) = beside.into_iter().flatten().map(|name| folder.join(name)).find(|path| path.is_file()) {
-            files.push(read(&path.display().to_string())?);
+        let names = [Some(Path::new(&partner).as_os_str()), Path::new(&partner).file_name()];
+        if let Some(path) = names.into_iter().flatten().map(|name| folder.join(name)).find(|path| path.exists()) {
+            files.push(read(&path.to_string_lossy())?);
         }
     }
-    let read = formats::import(files, problem)?;
-    tell(&read.notes);
-    Ok(read.scene)
+    let imported = formats::import(files, problem)?;
+    notes(&imported.notes);
+    Ok(imported.scene)
 }
 
-/// A file with its name.
+/// Reads a file of a scene.
 pub(super) fn read(path: &str) -> Result<NamedFile, Failure> {
-    Ok(NamedFile::new(path, fs::read(path).map_err(|error| Failure::File(path.to_owned(), error))?))
+    Ok(NamedFile::new(path, files::read(Path::new(path), LARGEST_SCENE)?))
 }
 
-/// Says what should be known.
-pub(super) fn tell(notes: &[String]) {
-    notes.iter().for_each(|note| eprintln!("forage: {note}"));
-}
-
-/// A seed as it is typed.
+/// Reads a seed.
 pub(super) fn seed(text: &str) -> Result<u64, Error> {
     match text {
         "random" => rng::fresh_seed(),
@@ -78,51 +101,47 @@ pub(super) fn seed(text: &str) -> Result<u64, Error> {
     }
 }
 
-/// Everything `forage run` needs, checked as far as it can be without the planner.
+/// Everything `forage run` needs, checked as far as possible without starting the planner.
 pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
-    let link = [&args.planner, &args.scene].into_iter().flatten().find(|text| Link::is_link(text));
-    let link = link.map(|text| Link::parse(text)).transpose()?;
-    let named = args.planner.as_deref().filter(|text| !Link::is_link(text));
-    let mut task = match link {
-        Some(link) => from_link(link, named),
-        None => Task {
-            setup: Setup {
-                planner: named
-                    .ok_or_else(|| Error::refused("PLANNER", "nothing", "a planner’s name; `forage list` shows them"))?
-                    .to_owned(),
-                scene: scene(
-                    args.scene.as_deref().ok_or_else(|| Error::refused("--scene", "nothing", "a file, a shipped name or a link"))?,
-                )?,
-                params: Given::new(),
-                seed: 1,
-            },
-            stop_at: None,
-            promised: None,
-        },
+    let given_link = [&args.planner, &args.scene].into_iter().flatten().find(|text| Link::is_link(text));
+    let given_link = given_link.map(|text| link(text)).transpose()?;
+    let planner = args.planner.as_deref().filter(|text| !Link::is_link(text));
+    let mut task = match given_link {
+        Some(link) => from_link(link, planner),
+        None => from_names(planner, args.scene.as_deref())?,
     };
-    let changed = change(&mut task.setup, args)?;
-    if changed {
-        (task.stop_at, task.promised) = (None, None);
+    if change(&mut task.setup, args)? {
+        (task.stop_at, task.expected_hash) = (None, None);
     }
     Ok(task)
 }
 
-/// The link's run up to the iteration it shows; or, for another planner, a run of that one on the link's scene and seed.
+fn from_names(planner: Option<&str>, scene_name: Option<&str>) -> Result<Task, Failure> {
+    let missing = |what: &str| Failure::Refused(format!("{what}, e.g. `forage run wcpso --scene wcpso-discs`; `forage list` shows all"));
+    let planner = planner.ok_or_else(|| missing("a planner is missing"))?;
+    catalogue::find(planner)?;
+    let scene = scene(scene_name.ok_or_else(|| missing("--scene is missing: a file, a shipped scene’s name or a link"))?)?;
+    let setup = Setup { planner: planner.to_owned(), scene, params: Given::new(), seed: 1 };
+    Ok(Task { setup, stop_at: None, expected_hash: None })
+}
+
+/// The link's run up to the iteration that it shows; or a run of another planner with the link's scene and seed.
 fn from_link(link: Link, planner: Option<&str>) -> Task {
     match planner.filter(|&name| name != link.setup.planner) {
-        None => Task { stop_at: Some(link.iteration), promised: link.hash, setup: link.setup },
+        None => Task { stop_at: Some(link.iteration), expected_hash: link.hash, setup: link.setup },
         Some(name) => {
-            eprintln!(
-                "forage: the link is for {}; running {name} on its scene and seed, with {name}’s default parameters",
-                link.setup.planner
-            );
+            note(&format!(
+                "the link is for {}; running {} on its scene with its seed and default parameters",
+                link.setup.planner,
+                quoted(name)
+            ));
             let setup = Setup { planner: name.to_owned(), params: Given::new(), ..link.setup };
-            Task { setup, stop_at: None, promised: None }
+            Task { setup, stop_at: None, expected_hash: None }
         }
     }
 }
 
-/// Puts what was typed as name=value into parameters.
+/// Reads name=value pairs into parameters.
 pub(super) fn read_pairs(option: &str, pairs: &[String], params: &mut Given) -> Result<(), Failure> {
     for pair in pairs {
         let (name, value) = pair.split_once('=').ok_or_else(|| Error::refused(option, pair, "name=value"))?;
@@ -131,33 +150,36 @@ pub(super) fn read_pairs(option: &str, pairs: &[String], params: &mut Given) -> 
     Ok(())
 }
 
-/// The drive's parameters, checked before the run; refused where no robot could drive.
+/// The drive's parameters, checked before the run; refused in scenes without a robot that can drive.
 pub(super) fn drive(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
-    let mut given = Given::new();
-    read_pairs("--drive-set", &args.drive_set, &mut given)?;
+    let mut overrides = Given::new();
+    read_pairs("--drive-set", &args.drive_set, &mut overrides)?;
     let robot = drive::robot(scene).and_then(|(grid, _)| grid.robot);
-    if robot.is_none() && (args.drive.is_some() || !given.is_empty()) {
+    if robot.is_none() && (args.drive.is_some() || !overrides.is_empty()) {
         let option = if args.drive.is_some() { "--drive" } else { "--drive-set" };
-        let allowed = "left out unless the scene is a grid whose robot has length and width";
-        return Err(Error::refused(option, scene.name(), allowed).into());
+        return Err(not_for(option, scene, "a grid whose robot has a length and a width"));
     }
-    drive::settings(robot, &given)?;
-    Ok(given)
+    drive::settings(robot, &overrides).map_err(|error| Failure::about(Subject::Named("drive"), &error))?;
+    Ok(overrides)
 }
 
-/// The motion's parameters, checked before the run; refused where there is no arm.
+/// The motion's parameters, checked before the run; refused in scenes without an arm.
 pub(super) fn motion(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
-    let mut given = Given::new();
-    read_pairs("--motion-set", &args.motion_set, &mut given)?;
-    if scene.arm().is_err() && (args.motion.is_some() || !given.is_empty()) {
+    let mut overrides = Given::new();
+    read_pairs("--motion-set", &args.motion_set, &mut overrides)?;
+    if scene.arm().is_err() && (args.motion.is_some() || !overrides.is_empty()) {
         let option = if args.motion.is_some() { "--motion" } else { "--motion-set" };
-        return Err(Error::refused(option, scene.name(), "left out unless the scene is an arm’s").into());
+        return Err(not_for(option, scene, "a scene with an arm"));
     }
-    arm::along(scene, None, &given)?;
-    Ok(given)
+    arm::along(scene, None, &overrides).map_err(|error| Failure::about(Subject::Named("motion"), &error))?;
+    Ok(overrides)
 }
 
-/// Puts --seed, --iterations and --set into the setup; says whether there was anything to put in.
+fn not_for(option: &str, scene: &Scene, needed: &str) -> Failure {
+    Failure::Refused(format!("{option} needs {needed}; {} is of kind {}", quoted(scene.name()), scene.kind().name()))
+}
+
+/// Puts --seed, --iterations and --set into the setup; returns whether anything was given.
 fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
     if let Some(text) = args.seed.as_deref() {
         setup.seed = seed(text)?;
@@ -178,9 +200,25 @@ fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
 }
 
 /// What the planner's paper recommends for a setup, and the planner's title.
-pub(super) fn suggestion(setup: &Setup) -> Result<(Suggestion, &'static str), Error> {
-    let (entry, _) = setup.check()?;
-    let allowed = "one whose paper recommends sizes for this scene and these parameters";
-    let suggested = setup.suggest()?.ok_or_else(|| Error::refused("planner", entry.name, allowed))?;
-    Ok((suggested, entry.title))
+pub(super) fn suggestion(setup: &Setup) -> Result<(Suggestion, &'static str), Failure> {
+    let entry = catalogue::find(&setup.planner)?;
+    let suggested = setup.suggest().map_err(|error| in_setup(setup, &error))?;
+    let none = || format!("no paper recommends sizes for `{}` on {} with these parameters", entry.name, quoted(setup.scene.name()));
+    Ok((suggested.ok_or_else(|| Failure::Refused(none()))?, entry.title))
+}
+
+/// An error about a setup, with what its parameters belong to.
+pub(super) fn in_setup(setup: &Setup, error: &Error) -> Failure {
+    let Ok(entry) = catalogue::find(&setup.planner) else {
+        return Failure::about(Subject::Unknown, error);
+    };
+    if let Error::Unknown { field, value, .. } = error
+        && field == "parameter"
+        && let Some(parameter) = entry.parameters.iter().find(|parameter| parameter.name == value)
+    {
+        let kinds: Vec<_> = parameter.kinds.iter().copied().map(Kind::name).collect();
+        let (kinds, found) = (kinds.join(" and "), setup.scene.kind().name());
+        return Failure::Refused(format!("`{value}` applies to scenes of kind {kinds}; this one is of kind {found}"));
+    }
+    Failure::about(Subject::Named(entry.name), error)
 }

@@ -1,12 +1,14 @@
-//! How far an experiment is.
+//! The progress bar of an experiment.
 
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// A bar on standard error, which shows it only on a terminal.
-pub(super) fn bar(name: impl Into<std::borrow::Cow<'static, str>>) -> ProgressBar {
-    let bar = ProgressBar::no_length().with_message(name);
+use super::text::shorten;
+
+/// A bar on standard error, shown only on a terminal.
+pub(super) fn bar(name: &str) -> ProgressBar {
+    let bar = ProgressBar::no_length().with_message(shorten(name, 30));
     if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent} %, {eta} left") {
         bar.set_style(style);
     }
@@ -14,10 +16,10 @@ pub(super) fn bar(name: impl Into<std::borrow::Cow<'static, str>>) -> ProgressBa
     bar
 }
 
-/// So much of all work is done.
+/// Shows how much of all work is done.
 pub(super) fn show(bar: &ProgressBar, done: u64, total: u64) {
     if bar.length() != Some(total) {
-        // What was there before says nothing about how long the rest takes.
+        // Rows that were kept from an earlier call do not say how long the rest takes.
         bar.set_length(total);
         bar.set_position(done);
         bar.reset_eta();

@@ -1,6 +1,6 @@
 //! `forage reproduce`.
 
-use std::{path::Path, process::ExitCode, sync::atomic::AtomicBool, time::Duration};
+use std::{fs, path::Path, process::ExitCode, sync::atomic::AtomicBool, time::Duration};
 
 use forage_study::{
     Options, REPRODUCTIONS, Reproduction, document,
@@ -9,13 +9,21 @@ use forage_study::{
     runner::Control,
 };
 
-use super::{Failure, args::ReproduceArgs, interrupt, print, print_json, progress};
+use super::{
+    Failure,
+    args::ReproduceArgs,
+    files::{self, LARGEST_SCENE},
+    interrupt,
+    output::{note, print, print_json},
+    progress,
+};
 
 pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
     let chosen: Vec<&Reproduction> = match &args.name {
         Some(name) => vec![forage_study::find(name)?],
         None => REPRODUCTIONS.iter().collect(),
     };
+    check_files(&args)?;
     let options = Options { out: args.out, threads: args.jobs.map(usize::from), runs: args.runs, fresh: args.fresh };
     let stop = interrupt::flag();
     if let (Some(seed), Some(folder)) = (&args.sample, &args.check) {
@@ -24,7 +32,7 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
     let mut reports = Vec::new();
     for reproduction in chosen {
         if args.check.is_some() && !reproduction.repeatable {
-            // Nothing of it is in the documents.
+            // The documents hold none of its figures.
             reports.push(Report::new(reproduction, 0, 0));
             continue;
         }
@@ -34,26 +42,38 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
         bar.finish_and_clear();
         let report = report?;
         if !args.json {
-            print(&format!("{}\n", report.text()));
+            print(&format!("{}\n", report.text()))?;
         }
         reports.push(report);
     }
     if args.json {
-        print_json(&reports);
+        print_json(&reports)?;
     }
     if args.name.is_some() {
         return Ok(ExitCode::SUCCESS);
     }
-    // What is there is read before anything is written: it may be the same folder.
+    // The two folders may be the same: compare before writing.
     let rows = Fingerprints::of_kept(REPRODUCTIONS, &options)?;
-    let different = args.check.map(|folder| document::differences(&reports, &rows, &folder)).transpose()?;
+    let differences = args.check.map(|folder| document::differences(&reports, &rows, &folder)).transpose()?;
     document::write(&reports, &rows, &options)?;
-    let Some(different) = different else { return Ok(ExitCode::SUCCESS) };
-    different.iter().for_each(|problem| eprintln!("forage: {problem}"));
-    if different.is_empty() {
-        eprintln!("forage: {} are the same again", document::FILES.join(" and "));
+    let Some(differences) = differences else { return Ok(ExitCode::SUCCESS) };
+    differences.iter().for_each(|difference| difference.lines().for_each(note));
+    if differences.is_empty() {
+        note(&format!("{} are unchanged", document::FILES.join(" and ")));
     }
-    Ok(if different.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Refuses, before anything is run, files that are read later and are missing, too large or no regular files.
+fn check_files(args: &ReproduceArgs) -> Result<(), Failure> {
+    for file in fs::read_dir(&args.out).into_iter().flatten().flatten() {
+        if file.path().extension().is_some_and(|ending| ending == "csv") {
+            files::check(&file.path(), None)?;
+        }
+    }
+    let documents = document::FILES.into_iter().filter(|&name| args.sample.is_none() || name == fingerprints::FILE);
+    let mut paths = documents.flat_map(|name| args.check.iter().map(move |folder| folder.join(name)));
+    paths.try_for_each(|path| files::check(&path, Some(LARGEST_SCENE)))
 }
 
 /// Compares the rows of some jobs with the stored fingerprints.
@@ -65,38 +85,16 @@ fn sample(seed: &str, folder: &Path, time: Duration, options: &Options, stop: &A
     bar.finish_and_clear();
     let sampled = sampled?;
     if json {
-        print_json(&sampled);
+        print_json(&sampled)?;
     } else {
-        for (file, compared) in &sampled.compared {
-            print(&format!("{compared:>6} rows of {file}"));
-        }
+        let mut lines: Vec<String> = sampled.compared.iter().map(|(file, compared)| format!("{compared:>6} rows of {file}")).collect();
         let compared: usize = sampled.compared.values().sum();
-        print(&format!(
-            "{compared:>6} rows of {} compared with {}, {} differ",
-            sampled.total,
-            fingerprints::FILE,
-            sampled.differences.len()
-        ));
+        let (total, different) = (sampled.total, sampled.differences.len());
+        lines.push(format!("{compared:>6} rows of {total} compared with {}, {different} differ", fingerprints::FILE));
+        print(&lines.join("\n"))?;
     }
     for difference in &sampled.differences {
-        eprintln!("forage: the row `{}` of {} is another one than stored", difference.key, difference.file);
+        note(&format!("the row `{}` of {} differs from the stored one", difference.key, difference.file));
     }
     Ok(if sampled.differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
-}
-
-/// The names and what they stand for, below the options of `forage reproduce --help`.
-pub(super) fn after_help() -> String {
-    let width = REPRODUCTIONS.iter().map(|reproduction| reproduction.name.len()).max().unwrap_or(0);
-    let line = |r: &Reproduction| format!("  {:width$}  {}, {}", r.name, r.title, r.source);
-    format!("Names:\n{}", REPRODUCTIONS.iter().map(line).collect::<Vec<_>>().join("\n"))
-}
-
-impl From<forage_study::Failure> for Failure {
-    fn from(failure: forage_study::Failure) -> Self {
-        match failure {
-            forage_study::Failure::Refused(error) => Self::Refused(error),
-            forage_study::Failure::File(path, error) => Self::File(path.display().to_string(), error),
-            interrupted @ forage_study::Failure::Interrupted { .. } => Self::Interrupted(interrupted.to_string()),
-        }
-    }
 }

@@ -2,22 +2,29 @@
 
 use std::process::ExitCode;
 
-use forage::{Given, Setup};
+use forage::{Given, Setup, catalogue::Suggestion};
 
-use super::{load, print, print_json};
+use super::{
+    args::SuggestArgs,
+    load,
+    output::{print, print_json},
+    text::escape,
+};
 
-pub(super) fn suggest(planner: String, scene: &str, set: &[String], json: bool) -> super::Outcome {
-    let mut setup = Setup { planner, scene: load::scene(scene)?, params: Given::new(), seed: 1 };
-    load::read_pairs("--set", set, &mut setup.params)?;
+pub(super) fn suggest(args: SuggestArgs) -> super::Outcome {
+    forage::catalogue::find(&args.planner)?;
+    let mut setup = Setup { planner: args.planner, scene: load::scene(&args.scene)?, params: Given::new(), seed: 1 };
+    load::read_pairs("--set", &args.set, &mut setup.params)?;
     let (suggested, title) = load::suggestion(&setup)?;
-    if json {
-        print_json(&suggested);
+    if args.json {
+        print_json(&suggested)?;
     } else {
-        let forage::catalogue::Suggestion { population, iterations, source } = suggested;
+        let Suggestion { population, iterations, source } = suggested;
         print(&format!(
-            "{title} on {}: population {population}, iterations {iterations} by {source}\n`forage run … --suggested` takes them",
-            setup.scene.name()
-        ));
+            "{title} on {}: population {population}, iterations {iterations}; recommended by {source}\n`forage run {} … --suggested` uses them",
+            escape(setup.scene.name()),
+            setup.planner
+        ))?;
     }
     Ok(ExitCode::SUCCESS)
 }

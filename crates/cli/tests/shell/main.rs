@@ -3,6 +3,11 @@
 
 mod convert;
 mod experiment;
+mod files;
+mod help;
+mod install;
+mod list;
+mod refusals;
 mod reproduce;
 mod run;
 mod support;

@@ -4,12 +4,9 @@
 use std::process::Command;
 use std::{fs, io::Write};
 
-use forage_study::{
-    runner::Control,
-    sweep::{self, Kept, Part},
-};
+use forage_study::{runner::Control, sweep};
 
-use super::support::{LONG, SMALL, begin, carry_out, fails, folder, forage, go_on, in_process, refused, trivial, wait_for};
+use super::support::{LONG, SMALL, begin, carry_out, fails, folder, forage, go_on, in_process, open, refused, trivial, wait_for};
 
 #[test]
 fn killed_at_any_moment_it_goes_on_and_loses_nothing() {
@@ -129,7 +126,7 @@ fn fresh_throws_nothing_away_that_it_does_not_run_anew() {
         let path = folder.join(name);
         fs::write(&path, notes).unwrap();
         let message = refused(&folder, &["--fresh", "--out", path.to_str().unwrap()]);
-        assert!(message.contains("--fresh: ") && message.contains("stays as it is"), "{message}");
+        assert!(message.contains("`--fresh` is ") && message.contains("stays as it is"), "{message}");
         let message = refused(&folder, &["--out", path.to_str().unwrap()]);
         assert!(!message.contains("--fresh"), "{message}");
         assert_eq!(fs::read_to_string(&path).unwrap(), notes);
@@ -142,7 +139,7 @@ fn fresh_throws_nothing_away_that_it_does_not_run_anew() {
     for fresh in [&[] as &[&str], &["--fresh"]] {
         let output = forage(&[&["experiment", file.to_str().unwrap()], fresh].concat());
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.code() == Some(2) && message.contains("out: ") && message.contains("another file than"), "{message}");
+        assert!(output.status.code() == Some(2) && message.contains("`out` is ") && message.contains("another file than"), "{message}");
         assert_eq!(fs::read_to_string(folder.join("cities.csv")).unwrap(), points);
     }
 }
@@ -159,7 +156,7 @@ fn what_a_damaged_line_told_is_run_again() {
         lines[3] = line;
         lines.push("\n");
         fs::write(&path, lines.concat()).unwrap();
-        let mut kept = Kept::open(&sweep, Part::WHOLE, &path, false).unwrap();
+        let mut kept = open(&sweep, &path).unwrap();
         assert_eq!(kept.counts(), (7, 8), "{name}");
         go_on(&sweep, &mut kept).unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), whole, "{name}");
@@ -183,7 +180,7 @@ fn rows_of_another_writer_are_not_cut_up() {
     // As it finds the first row, there is one more: as it would be in the middle.
     for extra in [lines[7], lines[5]] {
         fs::write(&path, lines[..5].concat()).unwrap();
-        let mut kept = Kept::open(&sweep, Part::WHOLE, &path, false).unwrap();
+        let mut kept = open(&sweep, &path).unwrap();
         let first = std::sync::atomic::AtomicBool::new(true);
         let progress = |_, _| {
             if first.swap(false, std::sync::atomic::Ordering::Relaxed) {
@@ -246,7 +243,7 @@ fn two_at_once_are_refused() {
     let folder = folder("lock", SMALL);
     let sweep = trivial("[1]", "");
     let out = folder.join("sweep.csv");
-    let first = Kept::open(&sweep, Part::WHOLE, &out, false).unwrap();
+    let first = open(&sweep, &out).unwrap();
     assert!(fails(&folder, &[]).contains("another `forage` is writing"));
     assert!(fails(&folder, &["--fresh"]).contains("another `forage` is writing"));
     let merged = folder.join("merged.csv");

@@ -3,6 +3,7 @@
 use std::fs;
 
 use forage::statistics::{Group, compare, friedman};
+use forage_study::table::significant;
 use serde_json::Value;
 
 use crate::support::root;
@@ -110,7 +111,7 @@ fn a_row_is_found_again_whatever_its_scene_is_called() {
     assert_eq!((&row[0], &row[2], &row[column(&out, "p.iterations")], &row[column(&out, "w")]), (odd, "0", "3", "1e-7"));
     scene["name"] = "two\nlines".into();
     fs::write(folder.join("odd.json"), scene.to_string()).unwrap();
-    assert!(refused(&folder, &[]).contains("scenes[0].name: \"two\\nlines\" is not allowed; it must be a name in one line"));
+    assert!(refused(&folder, &[]).contains("`scenes[0].name` is \"two\\nlines\"; it must be a name in one line"));
 }
 
 #[test]
@@ -121,7 +122,7 @@ fn scenes_are_looked_for_beside_the_file_and_may_be_maps_and_links() {
     fs::create_dir_all(folder.join("mine")).unwrap();
     fs::copy(root().join("scenes/qpso-10m.json"), folder.join("mine/two.json")).unwrap();
     let message = refused(&folder, &[]);
-    assert!(message.contains("scenes[0]: ") && message.contains("one.map is not allowed"), "{message}");
+    assert!(message.contains("scenes[0]: ") && message.contains("`mine/one.map`: no such file"), "{message}");
     let map = folder.join("mine/one.map");
     assert!(forage(&["convert", "wolf-ant-20", map.to_str().unwrap()]).status.success());
     carry_out(&folder, &[]);
@@ -201,7 +202,7 @@ fn statistics_are_those_of_the_rows() {
         "corrected for 3 tests (Holm)",
         "95 % confidence",
         "Mean ranks over 6 blocks",
-        &format!("{mean:.4}"),
+        &significant(mean, 4),
     ] {
         assert!(told.contains(part), "{part}: {told}");
     }

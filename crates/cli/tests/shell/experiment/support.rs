@@ -97,7 +97,18 @@ pub(crate) fn trivial(seeds: &str, more: &str) -> Sweep {
 }
 
 pub(crate) fn in_process(sweep: &Sweep, path: &Path) -> Result<(), Failure> {
-    go_on(sweep, &mut Kept::open(sweep, Part::WHOLE, path, false)?)
+    go_on(sweep, &mut open(sweep, path)?)
+}
+
+/// Opens a file of rows. A program that another test is just starting has its lock, too, until it runs.
+pub(crate) fn open<'a>(sweep: &'a Sweep, path: &Path) -> Result<Kept<'a>, Failure> {
+    for _ in 0..200 {
+        match Kept::open(sweep, Part::WHOLE, path, false) {
+            Err(Failure::File(_, error)) if error.kind() == std::io::ErrorKind::WouldBlock => std::thread::sleep(Duration::from_millis(10)),
+            opened => return opened,
+        }
+    }
+    Kept::open(sweep, Part::WHOLE, path, false)
 }
 
 pub(crate) fn go_on(sweep: &Sweep, kept: &mut Kept) -> Result<(), Failure> {

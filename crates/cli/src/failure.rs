@@ -1,0 +1,150 @@
+//! Why a command did not do what it was asked, in at most 300 characters.
+
+use std::{io, path::Path, process::ExitCode};
+
+use forage::Error;
+
+use super::{
+    names::{self, Subject},
+    output::note,
+    text::{self, cut_list, quoted, shorten},
+};
+
+/// The longest message on standard error, in characters.
+const LONGEST: usize = 300;
+
+/// Why a command did not do what it was asked.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// The input was refused: exit code 2.
+    Refused(String),
+    /// A file (or standard output) could not be read or written.
+    File(String, io::Error),
+    /// Ctrl-C ended an experiment: exit code 130, as shells have it.
+    Interrupted(String),
+}
+
+impl Failure {
+    /// The exit code.
+    fn code(&self) -> u8 {
+        use io::ErrorKind::{AlreadyExists, InvalidFilename, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied};
+        match self {
+            Self::Refused(_) => 2,
+            // The same command would fail again.
+            Self::File(_, error) => match error.kind() {
+                NotFound | PermissionDenied | IsADirectory | NotADirectory | AlreadyExists | InvalidInput | InvalidFilename => 2,
+                _ => 3,
+            },
+            Self::Interrupted(_) => 130,
+        }
+    }
+
+    /// A file that cannot be read.
+    pub(super) fn read(path: &Path, error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::NotFound => Self::Refused(format!("{}: no such file", quoted(&path.to_string_lossy()))),
+            _ => Self::File(path.to_string_lossy().into_owned(), error),
+        }
+    }
+
+    /// A file that cannot be written.
+    pub(super) fn write(path: &Path, error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::NotFound => {
+                let [path, folder] = [path, path.parent().unwrap_or(path)].map(|path| quoted(&path.to_string_lossy()));
+                Self::Refused(format!("{path} cannot be written: there is no folder {folder}"))
+            }
+            _ => Self::File(path.to_string_lossy().into_owned(), error),
+        }
+    }
+
+    /// An error of the library about `subject`'s parameters.
+    pub(super) fn about(subject: Subject<'_>, error: &Error) -> Self {
+        Self::Refused(message(error, subject))
+    }
+
+    /// Prints the message on standard error and returns the exit code.
+    pub(super) fn report(&self) -> ExitCode {
+        note(&self.message());
+        ExitCode::from(self.code())
+    }
+
+    /// What is printed on standard error.
+    fn message(&self) -> String {
+        let message = match self {
+            Self::Refused(message) | Self::Interrupted(message) => message.clone(),
+            Self::File(path, error) => format!("{}: {}", quoted(path), problem(error)),
+        };
+        shorten(&message, LONGEST)
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::about(Subject::Unknown, &error)
+    }
+}
+
+impl From<forage_study::Failure> for Failure {
+    fn from(failure: forage_study::Failure) -> Self {
+        match failure {
+            forage_study::Failure::Refused(error) => error.into(),
+            forage_study::Failure::File(path, error) => Self::File(path.to_string_lossy().into_owned(), error),
+            interrupted @ forage_study::Failure::Interrupted { .. } => Self::Interrupted(interrupted.to_string()),
+        }
+    }
+}
+
+/// What the system says about a file, without its number.
+fn problem(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "no such file or folder".to_owned(),
+        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        io::ErrorKind::IsADirectory => "it is a directory".to_owned(),
+        _ => error.to_string().split(" (os error").next().unwrap_or_default().to_owned(),
+    }
+}
+
+/// What is wrong with the content of a file.
+pub(super) fn in_file(path: &Path, error: &Error) -> Failure {
+    let problem = match error {
+        Error::Malformed { field, problem } if field == "scene" => problem.clone(),
+        other => message(other, Subject::Unknown),
+    };
+    Failure::Refused(format!("{}: {}", quoted(&path.to_string_lossy()), shorten(&problem, 210)))
+}
+
+/// An error of the library as a sentence.
+fn message(error: &Error, subject: Subject<'_>) -> String {
+    match error {
+        Error::Unknown { field, value, known } => {
+            let known: Vec<&str> = known.split(", ").collect();
+            names::unknown(field, value, &known, subject)
+        }
+        Error::Refused { field, value, allowed } => refused(field, value, allowed),
+        Error::Unsupported { planner, kind, kinds } => {
+            format!("`{planner}` does not run on scenes of kind {kind}; it runs on scenes of kind {kinds}")
+        }
+        Error::Malformed { field, problem } => format!("{}: {}", shorten(field, 100), shorten(problem, 190)),
+        other => other.to_string(),
+    }
+}
+
+fn refused(field: &str, value: &str, allowed: &str) -> String {
+    let field = quoted(field);
+    match (value, allowed.strip_prefix("left out, or one of ")) {
+        ("this field", Some(known)) => {
+            let known: Vec<&str> = known.split(", ").collect();
+            format!("{field} is not a known field; leave it out, or use one of {}", cut_list(&known, 110))
+        }
+        ("nothing", _) => format!("{field} is missing; it must be {}", allowed_text(allowed)),
+        _ => format!("{field} is {}; it must be {}", shorten(value, 60), allowed_text(allowed)),
+    }
+}
+
+/// What is allowed, at most 150 characters of it.
+fn allowed_text(allowed: &str) -> String {
+    let items: Vec<&str> = allowed.split(", ").collect();
+    let fits = allowed.chars().count() <= 150;
+    if fits { text::escape(allowed).into_owned() } else { shorten(&cut_list(&items, 110), 130) }
+}

@@ -1,0 +1,65 @@
+//! `forage completions`, `forage man` and `forage licenses`: what belongs to an installed program.
+
+use std::{fs, path::Path, process::ExitCode};
+
+use clap::{Command, CommandFactory, builder::Resettable};
+
+use super::{
+    Failure, Outcome,
+    args::Cli,
+    files,
+    output::{note, print_raw},
+    text::quoted,
+};
+
+const THIRD_PARTY: &str = include_str!("../THIRD-PARTY.md");
+
+/// Prints a completion script.
+pub(super) fn completions(shell: clap_complete::Shell) -> Outcome {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "forage", &mut script);
+    print_raw(script.trim_ascii_end())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Prints the manual page, or writes one page per subcommand into a folder.
+pub(super) fn man(folder: Option<&Path>) -> Outcome {
+    let mut command = Cli::command();
+    command.build();
+    let Some(folder) = folder else {
+        print_raw(page(command)?.trim_ascii_end())?;
+        return Ok(ExitCode::SUCCESS);
+    };
+    fs::create_dir_all(folder).map_err(|error| Failure::write(folder, error))?;
+    let subcommands: Vec<_> = command.get_subcommands().filter(|command| !command.is_hide_set()).cloned().collect();
+    let count = subcommands.len() + 1;
+    for command in subcommands.into_iter().chain([command]) {
+        let name = command.get_display_name().unwrap_or_else(|| command.get_name()).to_owned();
+        files::write(&folder.join(format!("{name}.1")), page(command)?)?;
+    }
+    note(&format!("wrote {count} manual pages to {}", quoted(&folder.to_string_lossy())));
+    Ok(ExitCode::SUCCESS)
+}
+
+/// A manual page. Its examples keep their lines.
+fn page(command: Command) -> Result<Vec<u8>, Failure> {
+    let examples = command.get_after_help().map_or(String::new(), ToString::to_string);
+    let mut page = Vec::new();
+    let rendered = clap_mangen::Man::new(command.after_help(Resettable::Reset)).render(&mut page);
+    rendered.map_err(|error| Failure::File("manual page".to_owned(), error))?;
+    page.extend(b".SH EXAMPLES\n.nf\n");
+    for line in examples.lines() {
+        // A line that begins with a point or an apostrophe would be a request.
+        let line = line.replace('\\', "\\e").replace('-', "\\-");
+        page.extend(format!("\\&{line}\n").bytes());
+    }
+    page.extend(b".fi\n");
+    Ok(page)
+}
+
+/// Prints Forage's licence and third-party notices.
+pub(super) fn licenses() -> Outcome {
+    let own = "Forage: MIT OR Apache-2.0. Copyright (c) The Forage authors.";
+    print_raw(format!("{own}\n\n{}", THIRD_PARTY.trim_end()).as_bytes())?;
+    Ok(ExitCode::SUCCESS)
+}

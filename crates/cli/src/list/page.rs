@@ -1,0 +1,188 @@
+//! A page about one planner, generator, scene, the drive or the arm's motion.
+
+use std::fmt::Write;
+
+use forage::{
+    Scene,
+    catalogue::{self, Entry, PLANNERS},
+    drive,
+    params::Parameter,
+    scene::{
+        Kind,
+        generate::{self, Generator},
+    },
+    shipped, shipped_names,
+};
+
+use super::{family, follower, kinds};
+use crate::{
+    convert::describe,
+    exact::unit,
+    text::{escape, point, wrap},
+};
+
+/// The page about a name, which must be known.
+pub(super) fn page(name: &str, columns: usize) -> String {
+    let mut page = Page { text: String::new(), columns };
+    if let Ok(entry) = catalogue::find(name) {
+        planner(entry, &mut page);
+    } else if let Ok(found) = generate::find(name) {
+        generator(found, &mut page);
+    } else if let Some((entry, kind)) = follower(name) {
+        following(name, entry, kind, &mut page);
+    } else if let Ok(found) = shipped(name) {
+        scene(&found, &mut page);
+    }
+    page.text
+}
+
+struct Page {
+    text: String,
+    columns: usize,
+}
+
+impl Page {
+    fn line(&mut self, line: &str) {
+        self.text.extend([line, "\n"]);
+    }
+
+    fn paragraph(&mut self, text: &str, indent: usize) {
+        let lines = wrap(text, self.columns, indent);
+        self.text.extend([&*" ".repeat(indent), &lines, "\n"]);
+    }
+
+    /// A label with what it stands for.
+    fn field(&mut self, label: &str, value: &str) {
+        let lines = wrap(value, self.columns, 13);
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.text, "  {label:<9}  {lines}");
+    }
+
+    fn heading(&mut self, heading: &str) {
+        self.text.extend(["\n", heading, "\n"]);
+    }
+
+    /// A name in a column of `width`, what it is, and a paragraph about it.
+    fn named(&mut self, name: &str, width: usize, title: &str, help: &str) {
+        let indent = width + 4;
+        let lines = wrap(title, self.columns, indent);
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.text, "  {name:width$}  {lines}");
+        if !help.is_empty() {
+            self.paragraph(help, indent);
+        }
+    }
+
+    fn parameters(&mut self, option: &str, parameters: &[Parameter], kinds: &[Kind]) {
+        self.heading(&format!("Parameters ({option} NAME=VALUE)"));
+        let width = parameters.iter().map(|parameter| parameter.name.len()).max().unwrap_or(0);
+        for parameter in parameters {
+            let range = format!("{}; default {}", parameter.allowed(), defaults(parameter, kinds));
+            let condition = parameter.when.map_or(String::new(), |when| format!("; only if {}={}", when.parameter, when.value));
+            self.named(parameter.name, width, &format!("{range}{condition}"), parameter.help);
+        }
+    }
+
+    fn examples(&mut self, examples: &[String]) {
+        self.heading(if examples.len() == 1 { "Example" } else { "Examples" });
+        examples.iter().for_each(|example| self.line(&format!("  {example}")));
+    }
+}
+
+/// The default, or the defaults by kind where they differ.
+fn defaults(parameter: &Parameter, kinds: &[Kind]) -> String {
+    let on: Vec<Kind> = kinds.iter().copied().filter(|&kind| parameter.applies_to(kind)).collect();
+    let values: Vec<String> = on.iter().map(|&kind| parameter.default_on(kind).to_string()).collect();
+    let Some(first) = values.first() else { return "none".to_owned() };
+    if values.iter().any(|value| value != first) {
+        let pairs: Vec<_> = values.iter().zip(&on).map(|(value, kind)| format!("{value} on {}", kind.name())).collect();
+        return pairs.join(", ");
+    }
+    if on.len() == kinds.len() {
+        return first.clone();
+    }
+    let names: Vec<_> = on.iter().map(|kind| kind.name()).collect();
+    format!("{first}; only on {}", names.join(", "))
+}
+
+fn planner(entry: &Entry, page: &mut Page) {
+    page.line(&format!("{}: {}", entry.name, entry.title));
+    page.field("Family", family(entry));
+    page.field("Source", entry.source);
+    page.field("Scenes", &kinds(entry));
+    if let Some(most) = entry.most_stops {
+        page.field("Stops", &format!("at most {most}"));
+    }
+    page.line("");
+    page.paragraph(entry.summary, 2);
+    page.parameters("--set", entry.parameters, entry.kinds);
+    page.heading("Metrics of each iteration (`readings` in JSON; --trace FILE writes them)");
+    let width = entry.readings.iter().map(|reading| reading.name.len()).max().unwrap_or(0);
+    for reading in entry.readings {
+        page.named(reading.name, width, &format!("{}. {}", reading.title, reading.help), "");
+    }
+    let scene = example_scene(entry).map_or("FILE", |scene| scene.name());
+    // A tuner runs thousands of colonies with its defaults.
+    let quick = if entry.family == "tuning" { " --iterations 2 --set population=4" } else { "" };
+    page.examples(&[format!("forage run {} --scene {scene}{quick}", entry.name)]);
+}
+
+/// A shipped scene on which a planner finds something.
+fn example_scene(entry: &Entry) -> Option<&'static Scene> {
+    const FIRST: [&str; 6] = ["arm-cuboid", "wcpso-discs", "qpso-10m", "crossing", "wolf-ant-20", "ant-bat-30"];
+    let preferred = FIRST.iter().filter_map(|name| shipped_names().find(|scene| scene.name() == *name));
+    let drives = |scene: &Scene| entry.family != "dynamic" || scene.grid().is_ok_and(|grid| !grid.moving.is_empty());
+    preferred.chain(shipped_names()).map(|scene| &**scene).find(|scene| entry.check_scene(scene).is_ok() && drives(scene))
+}
+
+fn generator(generator: &'static Generator, page: &mut Page) {
+    page.line(&format!("{}: {}", generator.name, generator.title));
+    page.field("Makes", &format!("scenes of kind {}", generator.kind().name()));
+    page.line("");
+    page.paragraph(generator.help, 2);
+    page.parameters("--set", generator.parameters, &[generator.kind()]);
+    page.examples(&[format!("forage generate {0} --seed 7 --out {0}.json", generator.name)]);
+}
+
+fn following(name: &str, entry: &drive::Entry, kind: Kind, page: &mut Page) {
+    page.line(&format!("{name}: {}", if kind == Kind::Arm { "how an arm follows a path" } else { "how a robot drives along a path" }));
+    page.field("Source", entry.source);
+    page.field("Scenes", kind.name());
+    page.line("");
+    page.paragraph(entry.summary, 2);
+    page.parameters(&format!("--{name}-set"), entry.parameters, &[kind]);
+    page.heading(&format!("Columns of the CSV file that --{name} FILE writes"));
+    let width = entry.columns.iter().map(|column| column.name.len()).max().unwrap_or(0);
+    for column in entry.columns {
+        let unit = if column.unit.is_empty() { String::new() } else { format!(" ({})", column.unit) };
+        page.named(column.name, width, &format!("{}{unit}", column.title), "");
+    }
+    let example = if kind == Kind::Arm { "run rrt-guided --scene arm-cuboid" } else { "run ltqpso --scene qpso-10m" };
+    page.examples(&[format!("forage {example} --{name} {name}.csv")]);
+}
+
+fn scene(scene: &Scene, page: &mut Page) {
+    let header = scene.header();
+    page.line(&format!("{}: {}", scene.name(), escape(&header.title)));
+    page.field("Kind", &describe(scene));
+    let unit = unit(scene);
+    if !unit.is_empty() {
+        page.field("Unit", &escape(unit));
+    }
+    if let Some(source) = &header.source {
+        page.field("Source", &escape(source));
+    }
+    if let Some((start, goal)) = scene.ends() {
+        page.field("Start", &point(start));
+        page.field("Goal", &point(goal));
+    }
+    if let Some(note) = &header.note {
+        page.line("");
+        page.paragraph(&escape(note), 2);
+    }
+    page.heading("Planners that run on it");
+    let planners: Vec<_> = PLANNERS.iter().filter(|entry| entry.check_scene(scene).is_ok()).map(|entry| entry.name).collect();
+    page.paragraph(&planners.join(", "), 2);
+    let run = planners.first().map(|planner| format!("forage run {planner} --scene {}", scene.name()));
+    page.examples(&run.into_iter().chain([format!("forage exact --scene {}", scene.name())]).collect::<Vec<_>>());
+}

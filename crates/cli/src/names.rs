@@ -1,0 +1,163 @@
+//! Known names: which one was meant, and which ones shells can complete.
+
+use clap::{
+    Arg, Command,
+    builder::{PossibleValue, StringValueParser, TypedValueParser},
+    error::Error as ClapError,
+};
+use forage::{
+    catalogue::PLANNERS,
+    scene::generate::{GENERATORS, Generator, TOURS},
+    shipped_names,
+};
+use forage_study::REPRODUCTIONS;
+
+use super::text::{cut_list, quoted};
+
+/// Whose parameters a message is about.
+#[derive(Clone, Copy)]
+pub(super) enum Subject<'a> {
+    /// It is not known.
+    Unknown,
+    /// A planner's, a generator's, those of `drive` or `motion`: what `forage list` shows a page about.
+    Named(&'a str),
+}
+
+/// All planners.
+pub(super) fn planners() -> Vec<&'static str> {
+    PLANNERS.iter().map(|entry| entry.name).collect()
+}
+
+/// All shipped scenes.
+pub(super) fn scenes() -> Vec<&'static str> {
+    shipped_names().map(|scene| scene.name()).collect()
+}
+
+/// All generators.
+pub(super) fn all_generators() -> impl Iterator<Item = &'static Generator> {
+    GENERATORS.iter().chain(TOURS)
+}
+
+/// The names of all generators.
+pub(super) fn generators() -> Vec<&'static str> {
+    all_generators().map(|generator| generator.name).collect()
+}
+
+/// All reproductions.
+pub(super) fn reproductions() -> Vec<&'static str> {
+    REPRODUCTIONS.iter().map(|reproduction| reproduction.name).collect()
+}
+
+/// All names that `forage list NAME` shows a page about.
+pub(super) fn pages() -> Vec<&'static str> {
+    [planners(), scenes(), generators(), vec!["drive", "motion"]].concat()
+}
+
+/// The message about a name that is not one of `known`.
+pub(super) fn unknown(field: &str, value: &str, known: &[&str], subject: Subject<'_>) -> String {
+    // A name may be followed by where it was looked for: `c2 (pso on sphere)`.
+    let (known, place) = match known.split_last() {
+        Some((last, others)) => match last.split_once(" (") {
+            Some((last, place)) => ([others, &[last]].concat(), format!(" ({place}")),
+            None => (known.to_vec(), String::new()),
+        },
+        None => (Vec::new(), String::new()),
+    };
+    let (what, whole) = kind_of_name(field, subject);
+    let at = if field.contains(['[', '.']) { format!("{field}: ") } else { String::new() };
+    let value = quoted(value.trim());
+    let nearest = nearest(value.trim_matches('`'), &known);
+    if nearest.is_empty() {
+        let list = cut_list(&known, 110);
+        let more = if list.contains('…') && !whole.is_empty() { format!("; {whole}") } else { String::new() };
+        return format!("{at}{value} is not {what}{place}; it must be one of {list}{more}");
+    }
+    let names = nearest.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(" or ");
+    let whole = if whole.is_empty() { String::new() } else { format!(" {whole}") };
+    format!("{at}{value} is not {what}{place}; did you mean {names}?{whole}")
+}
+
+/// What a field's names are names of, and which command shows all of them.
+fn kind_of_name(field: &str, subject: Subject<'_>) -> (String, String) {
+    let shows = |command: &str, what: &str| format!("`{command}` shows all {what}");
+    let last = field.rsplit('.').next().unwrap_or(field);
+    let is_planner = field == "planner" || field.starts_with("planner[") && last == "name";
+    if is_planner {
+        return ("a planner".to_owned(), shows("forage list", "planners"));
+    }
+    match (last, subject) {
+        ("scene", _) => ("a shipped scene".to_owned(), shows("forage list", "scenes")),
+        ("generator", _) => ("a generator".to_owned(), shows("forage list", "generators")),
+        ("NAME", _) => ("a reproduction".to_owned(), shows("forage reproduce --help", "names")),
+        ("parameter" | "params", Subject::Named(name)) => {
+            (format!("a parameter of {name}"), format!("`forage list {name}` shows its parameters"))
+        }
+        ("parameter" | "params", Subject::Unknown) => ("a parameter".to_owned(), String::new()),
+        _ => (format!("a field of `{last}`"), String::new()),
+    }
+}
+
+/// The known names that are nearest to what was typed, three at most; none if all are far away.
+pub(super) fn nearest<'a>(typed: &str, known: &[&'a str]) -> Vec<&'a str> {
+    const LONGEST: usize = 60;
+    let plain = |name: &str| name.to_lowercase().replace(['_', ' '], "-");
+    let typed = plain(typed);
+    let length = typed.chars().count();
+    // One letter is near to every other one.
+    if length < 2 || length > LONGEST {
+        return Vec::new();
+    }
+    let mut close: Vec<(usize, &str)> = known.iter().map(|&name| (strsim::damerau_levenshtein(&typed, &plain(name)), name)).collect();
+    close.retain(|&(distance, name)| distance <= (length.max(name.chars().count()) / 3).max(1));
+    close.sort_by_key(|&(distance, _)| distance);
+    let least = close.first().map_or(0, |&(distance, _)| distance);
+    let mut names: Vec<&str> = close.into_iter().take_while(|&(distance, _)| distance == least).map(|(_, name)| name).collect();
+    if names.is_empty() && length > 2 {
+        // A part of a name, as `rrt-con` of `rrt-connect`.
+        names =
+            known.iter().copied().filter(|name| plain(name).contains(&typed) || name.len() > 2 && typed.contains(&plain(name))).collect();
+    }
+    names.truncate(3);
+    names
+}
+
+/// Takes any text, and offers names to a shell's completion.
+#[derive(Clone)]
+pub(super) struct Offered(pub(super) fn() -> Vec<&'static str>);
+
+impl TypedValueParser for Offered {
+    type Value = String;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &std::ffi::OsStr) -> Result<String, ClapError> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(self.0().into_iter().map(PossibleValue::new)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_names_are_found() {
+        let near = |typed: &str| nearest(typed, &planners());
+        assert_eq!(near("wcspo"), ["wcpso"]);
+        assert_eq!(near("WCPSO"), ["wcpso"]);
+        assert_eq!(near("rrt_star"), ["rrt-star"]);
+        assert_eq!(near("held"), ["held-karp"]);
+        assert_eq!(near("waldo-and-his-friends"), [""; 0]);
+        assert_eq!(near(&"w".repeat(10_000)), [""; 0]);
+        assert_eq!(near(""), [""; 0]);
+        assert_eq!(nearest("spere", &scenes()), ["sphere"]);
+    }
+
+    #[test]
+    fn a_page_has_one_name() {
+        let mut names = pages();
+        names.sort_unstable();
+        assert!(names.windows(2).all(|pair| pair[0] != pair[1]), "{names:?}");
+    }
+}

@@ -1,0 +1,207 @@
+//! `forage run`.
+
+mod summary;
+
+use std::{
+    fs::File,
+    io::{self, Write},
+    path::Path,
+    process::ExitCode,
+    sync::atomic::{AtomicBool, Ordering},
+    time::Duration,
+};
+
+use forage::{
+    Given, Outcome, Session, Status, arm,
+    drive::{COLUMNS, Column},
+    frame::Role,
+    picture,
+    planner::Finding,
+    scene::formats::tour_file,
+    session::{carry_out_all, csv_heading, csv_line, csv_row},
+};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde::Serialize;
+
+use super::{
+    Failure,
+    args::RunArgs,
+    exact, files, interrupt, load,
+    output::{note, print, print_json},
+    text::quoted,
+};
+
+/// The outcome, and how long the run took.
+#[derive(Serialize)]
+struct Report {
+    #[serde(flatten)]
+    outcome: Outcome,
+    elapsed_ms: f64,
+}
+
+pub(super) fn run(args: &RunArgs) -> super::Outcome {
+    let task = load::task(args)?;
+    let written = [&args.svg, &args.trace, &args.drive, &args.tour, &args.motion];
+    written.into_iter().flatten().try_for_each(|path| files::check_folder(path))?;
+    let drive_overrides = load::drive(args, &task.setup.scene)?;
+    let motion_overrides = load::motion(args, &task.setup.scene)?;
+    let mut session = Session::with_keyframes(task.setup.clone(), 0).map_err(|error| load::in_setup(&task.setup, &error))?;
+    if args.tour.is_some() && !session.entry().stops {
+        let name = session.entry().name;
+        return Err(Failure::Refused(format!("--tour needs a planner of tours; `{name}` looks for a path (`forage list` shows which do)")));
+    }
+    let elapsed_ms = run_to_end(&mut session, task.stop_at, args.trace.as_deref())?;
+    let mut outcome = session.outcome();
+    follow_drive(args, &drive_overrides, &session, &mut outcome)?;
+    follow_motion(args, &motion_overrides, &session, &mut outcome)?;
+    if let Some(path) = &args.tour {
+        write_tour(path, &outcome)?;
+    }
+    if let Some(path) = &args.svg {
+        let roles: Vec<_> = session.entry().layers.iter().filter(|layer| layer.on).map(|layer| layer.role).chain([Role::Exact]).collect();
+        files::write(path, picture::svg(&session, false, &roles))?;
+    }
+    if let Some(expected) = task.expected_hash.filter(|expected| *expected != outcome.hash) {
+        note(&format!("the link gives the hash {}, but this run has {}", quoted(&expected), outcome.hash));
+    }
+    let feasible = outcome.feasible;
+    if args.json {
+        print_json(&Report { outcome, elapsed_ms })?;
+    } else {
+        print(&summary::summary(&outcome, exact::unit(session.scene()), elapsed_ms))?;
+    }
+    Ok(ExitCode::from(u8::from(!feasible)))
+}
+
+/// Lets the robot drive along the path, if that was asked for.
+fn follow_drive(args: &RunArgs, overrides: &Given, session: &Session, outcome: &mut Outcome) -> Result<(), Failure> {
+    if args.drive.is_none() && overrides.is_empty() {
+        return Ok(());
+    }
+    let drive = session.drive(overrides)?;
+    match (&args.drive, &drive) {
+        (Some(path), Some(drive)) => write_rows(path, COLUMNS, &drive.rows)?,
+        (Some(path), None) => not_written(path, "no path was found to drive along"),
+        (None, _) => {}
+    }
+    outcome.drive = drive.map(|drive| drive.outcome);
+    Ok(())
+}
+
+/// Lets the arm follow the path, if that was asked for.
+fn follow_motion(args: &RunArgs, overrides: &Given, session: &Session, outcome: &mut Outcome) -> Result<(), Failure> {
+    if args.motion.is_none() && overrides.is_empty() {
+        return Ok(());
+    }
+    let motion = session.motion(overrides)?;
+    match (&args.motion, &motion) {
+        (Some(path), Some(motion)) => write_rows(path, arm::MOTION.columns, &motion.rows)?,
+        (Some(path), None) => not_written(path, "no path was found for the arm to follow"),
+        (None, _) => {}
+    }
+    outcome.motion = motion.map(|motion| motion.outcome);
+    Ok(())
+}
+
+fn not_written(path: &Path, why: &str) {
+    note(&format!("{why}; {} is not written", quoted(&path.to_string_lossy())));
+}
+
+/// Steps to the end, to `stop_at`, or until Ctrl-C, whichever comes first. Returns how many milliseconds it took.
+#[expect(clippy::disallowed_types, reason = "the command line measures how long a run takes; no planner uses it")]
+fn run_to_end(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) -> Result<f64, Failure> {
+    let interrupted = interrupt::flag();
+    let end = stop_at.unwrap_or(u64::MAX).min(session.limit());
+    let (bar, mut shown) = (progress(end), false);
+    let mut rows = trace.map(|path| create(path).map(|file| (path, file))).transpose()?;
+    let started = std::time::Instant::now();
+    loop {
+        if let Some((path, rows)) = &mut rows {
+            write_row(rows, session).map_err(|error| Failure::write(path, error))?;
+        }
+        bar.set_position(session.iteration());
+        if !shown && started.elapsed() > LONG {
+            shown = true;
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        let done = session.iteration() >= end || session.status() != Status::Running;
+        if done || interrupted.load(Ordering::Relaxed) {
+            break;
+        }
+        if let Some(found) = run_subtasks(session, &interrupted)? {
+            session.supply(found);
+        }
+        if !interrupted.load(Ordering::Relaxed) {
+            session.step(1);
+        }
+    }
+    let elapsed = started.elapsed();
+    bar.finish_and_clear();
+    if let Some((path, rows)) = &mut rows {
+        rows.flush().map_err(|error| Failure::write(path, error))?;
+    }
+    if interrupted.load(Ordering::Relaxed) {
+        note(&format!("interrupted at iteration {}; this is the best result so far", session.iteration()));
+    }
+    Ok(elapsed.as_secs_f64() * 1e3)
+}
+
+/// Carries out the runs of other planners that the next step needs, a few at a time so that Ctrl-C takes effect. `None`: it
+/// needs none.
+fn run_subtasks(session: &Session, interrupted: &AtomicBool) -> Result<Option<Vec<Finding>>, Failure> {
+    let subtasks = session.jobs();
+    let mut results = Vec::with_capacity(subtasks.len());
+    for some in subtasks.chunks(64) {
+        if interrupted.load(Ordering::Relaxed) {
+            break;
+        }
+        results.extend(carry_out_all(session.scene(), some)?);
+    }
+    Ok((!subtasks.is_empty()).then_some(results))
+}
+
+/// A run that takes longer than this gets a progress bar.
+const LONG: Duration = Duration::from_millis(500);
+
+/// A bar on standard error (shown only on a terminal), hidden until the run has taken long.
+fn progress(end: u64) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(end), ProgressDrawTarget::hidden());
+    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} iterations, {eta} left") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+fn create(path: &Path) -> Result<io::BufWriter<File>, Failure> {
+    File::create(path).map(io::BufWriter::new).map_err(|error| Failure::write(path, error))
+}
+
+fn write_row(rows: &mut impl Write, session: &mut Session) -> io::Result<()> {
+    let iteration = session.iteration();
+    let readings = session.readings();
+    if iteration == 0 {
+        csv_heading(rows, readings.iter().map(|(name, _)| name))?;
+    }
+    csv_row(rows, iteration, readings.iter().map(|(_, value)| value))
+}
+
+fn write_rows(path: &Path, columns: &[Column], rows: &[f64]) -> Result<(), Failure> {
+    let mut out = create(path)?;
+    let written = csv_line(&mut out, columns.iter().map(|column| column.name))
+        .and_then(|()| rows.chunks_exact(columns.len()).try_for_each(|row| csv_line(&mut out, row.iter())))
+        .and_then(|()| out.flush());
+    written.map_err(|error| Failure::write(path, error))
+}
+
+fn write_tour(path: &Path, outcome: &Outcome) -> Result<(), Failure> {
+    let Some(order) = &outcome.order else {
+        not_written(path, "no tour was found");
+        return Ok(());
+    };
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    files::write(path, tour_file(&name, order).bytes)?;
+    if outcome.path.as_ref().is_some_and(|path| path.first() != path.last()) {
+        note(&format!("the tour is open, but readers of {} take it as closed", quoted(&path.to_string_lossy())));
+    }
+    Ok(())
+}

@@ -1,0 +1,171 @@
+//! Text for people: escaped control characters, shortened values, rounded numbers, wrapped lines.
+
+use std::{borrow::Cow, fmt::Write};
+
+pub(super) use forage_study::table::significant;
+
+/// Makes control characters and characters that change the reading direction visible: ESC becomes `\u{1b}`, a line break `\n`.
+///
+/// Everything that comes from outside (names, titles, notes, file names, values) goes through this before it is printed.
+pub(super) fn escape(text: &str) -> Cow<'_, str> {
+    if !text.chars().any(is_unsafe) {
+        return Cow::Borrowed(text);
+    }
+    let mut safe = String::with_capacity(text.len() + 16);
+    for character in text.chars() {
+        match character {
+            '\n' => safe.push_str("\\n"),
+            '\r' => safe.push_str("\\r"),
+            '\t' => safe.push_str("\\t"),
+            other if is_unsafe(other) => {
+                // Writing to a string cannot fail.
+                let _ = write!(safe, "\\u{{{:x}}}", u32::from(other));
+            }
+            other => safe.push(other),
+        }
+    }
+    Cow::Owned(safe)
+}
+
+/// Escapes each line of a text that is meant to have several.
+pub(super) fn escape_lines(text: &str) -> String {
+    text.split('\n').map(escape).collect::<Vec<_>>().join("\n")
+}
+
+/// Control characters, separators of lines and paragraphs, and marks that change the reading direction.
+fn is_unsafe(character: char) -> bool {
+    character.is_control() || matches!(character, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// Escapes a text and shortens it in the middle to at most `most` characters.
+pub(super) fn shorten(text: &str, most: usize) -> String {
+    // No more than this can be shown, and escaping only makes it longer.
+    let length = text.chars().count();
+    let (start, end): (String, String) = if length > 2 * most {
+        (text.chars().take(most).collect(), text.chars().skip(length - most).collect())
+    } else {
+        (text.to_owned(), String::new())
+    };
+    let [start, end] = [&start, &end].map(|part| escape(part));
+    let escaped: Vec<char> = start.chars().chain(end.chars()).collect();
+    if length <= 2 * most && escaped.len() <= most {
+        return escaped.into_iter().collect();
+    }
+    let kept = most.saturating_sub(1);
+    let (front, back) = (kept.div_ceil(2), kept / 2);
+    escaped[..front].iter().chain(&['…']).chain(&escaped[escaped.len() - back..]).collect()
+}
+
+/// A value between backquotes, shortened.
+pub(super) fn quoted(text: &str) -> String {
+    format!("`{}`", shorten(text, 70))
+}
+
+/// A list of names with at most about `most` characters; what does not fit is counted.
+pub(super) fn cut_list(names: &[&str], most: usize) -> String {
+    let mut text = String::new();
+    for (k, name) in names.iter().enumerate() {
+        let name = shorten(name, 40);
+        if k > 0 && text.chars().count() + name.chars().count() + 2 > most {
+            let _ = write!(text, ", … {} more", names.len() - k);
+            break;
+        }
+        if k > 0 {
+            text.push_str(", ");
+        }
+        text.push_str(&name);
+    }
+    text
+}
+
+/// A number with four significant digits.
+pub(super) fn number(number: f64) -> String {
+    significant(number, 4)
+}
+
+/// A number with four significant digits and its unit; `unit` may be empty.
+pub(super) fn measured(value: f64, unit: &str) -> String {
+    let value = number(value);
+    if unit.is_empty() { value } else { format!("{value} {unit}") }
+}
+
+/// A point of the plane.
+pub(super) fn point([x, y]: [f64; 2]) -> String {
+    format!("({}, {})", number(x), number(y))
+}
+
+/// How many columns a page of text may use: what the terminal has, 100 at most, and 100 where there is none.
+pub(super) fn columns() -> usize {
+    let set = std::env::var("COLUMNS").ok().and_then(|columns| columns.parse().ok()).filter(|&columns| columns > 0);
+    let terminal = || terminal_size::terminal_size().map(|(terminal_size::Width(columns), _)| usize::from(columns));
+    set.or_else(terminal).unwrap_or(100).clamp(40, 100)
+}
+
+/// Breaks a text into lines of at most `columns` characters; the lines after the first are indented.
+pub(super) fn wrap(text: &str, columns: usize, indent: usize) -> String {
+    let mut lines = String::new();
+    let mut used = 0;
+    for word in text.split_whitespace() {
+        let length = word.chars().count();
+        if used > 0 && used + 1 + length > columns {
+            lines.push('\n');
+            lines.push_str(&" ".repeat(indent));
+            used = indent;
+        } else if used > 0 {
+            lines.push(' ');
+            used += 1;
+        } else {
+            used = indent;
+        }
+        lines.push_str(word);
+        used += length;
+    }
+    lines
+}
+
+/// Cuts a text to at most `columns` characters.
+pub(super) fn fit(text: &str, columns: usize) -> String {
+    if text.chars().count() <= columns {
+        return text.to_owned();
+    }
+    text.chars().take(columns.saturating_sub(1)).chain(['…']).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn control_characters_and_direction_marks_are_visible() {
+        assert_eq!(escape("a\u{1b}[31mb\nc\td\re"), "a\\u{1b}[31mb\\nc\\td\\re");
+        assert_eq!(escape("\u{202e}fdp\u{2066}\u{2069}\u{9b}\u{7f}"), "\\u{202e}fdp\\u{2066}\\u{2069}\\u{9b}\\u{7f}");
+        assert!(matches!(escape("30 × 30 – “plain”, 中文, \u{1f41d}"), Cow::Borrowed(_)));
+        for unsafe_one in ('\u{202a}'..='\u{202e}').chain('\u{2066}'..='\u{2069}').chain('\0'..=' ').filter(|c| *c != ' ') {
+            assert!(escape(&unsafe_one.to_string()).starts_with('\\'), "{unsafe_one:?}");
+        }
+        assert_eq!(escape_lines("a\u{7}\nb"), "a\\u{7}\nb");
+    }
+
+    #[test]
+    fn long_texts_are_shortened_in_the_middle_after_escaping() {
+        assert_eq!(shorten("short", 10), "short");
+        assert_eq!(shorten("0123456789", 5), "01…89");
+        for long in ["x".repeat(10_000), "\u{1b}".repeat(10_000), "é".repeat(61), "\n".repeat(40)] {
+            let short = shorten(&long, 60);
+            assert!(short.chars().count() == 60 && short.contains('…'), "{short}");
+        }
+        assert_eq!(shorten(&format!("{}end", "y".repeat(1000)), 9), "yyyy…yend");
+    }
+
+    #[test]
+    fn lists_say_how_many_names_they_leave_out() {
+        assert_eq!(cut_list(&["a", "b", "c"], 20), "a, b, c");
+        assert_eq!(cut_list(&["alpha", "beta", "gamma", "delta"], 12), "alpha, beta, … 2 more");
+    }
+
+    #[test]
+    fn lines_are_broken_between_words() {
+        assert_eq!(wrap("one two three four", 9, 2), "one two\n  three\n  four");
+        assert_eq!(fit("abcdef", 4), "abc…");
+    }
+}

@@ -1,0 +1,97 @@
+//! Command lines that cannot be understood, as one message.
+
+use std::process::ExitCode;
+
+use clap::{
+    CommandFactory,
+    error::{ContextKind, ContextValue, Error, ErrorKind},
+};
+
+use super::{
+    Failure,
+    args::Cli,
+    names,
+    text::{quoted, shorten},
+};
+
+/// Prints help or version, or the message about what is wrong.
+pub(super) fn report(error: &Error) -> ExitCode {
+    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand) {
+        // A reader that has gone away is no error.
+        let _ = error.print();
+        return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+    }
+    Failure::Refused(message(error)).report()
+}
+
+/// What is wrong, what may have been meant, and where help is.
+fn message(error: &Error) -> String {
+    let problem = problem(error);
+    let similar = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg, ContextKind::SuggestedValue];
+    let mut similar: Vec<String> = similar.iter().flat_map(|&kind| texts(error, kind)).collect();
+    if similar.is_empty() {
+        let commands: Vec<String> = Cli::command().get_subcommands().map(|command| command.get_name().to_owned()).collect();
+        let commands: Vec<&str> = commands.iter().map(String::as_str).collect();
+        let typed = texts(error, ContextKind::InvalidSubcommand);
+        similar.extend(typed.iter().flat_map(|typed| names::nearest(typed, &commands)).map(str::to_owned));
+    }
+    let similar: Vec<String> = similar.iter().map(|name| format!("`{name}`")).collect();
+    let similar = if similar.is_empty() { String::new() } else { format!("; did you mean {}?", similar.join(" or ")) };
+    let between = if similar.is_empty() { ";" } else { "" };
+    format!("{problem}{similar}{between} `{} --help` shows how to use it", command(error))
+}
+
+fn problem(error: &Error) -> String {
+    let text = |kind| texts(error, kind).first().map_or(String::new(), |text| shorten(text, 70));
+    let arg = text(ContextKind::InvalidArg);
+    let arg = arg.strip_prefix('<').map_or(arg.as_str(), |name| name.trim_end_matches('>'));
+    let value = text(ContextKind::InvalidValue);
+    match error.kind() {
+        ErrorKind::InvalidSubcommand => format!("`{}` is not a command", text(ContextKind::InvalidSubcommand)),
+        ErrorKind::MissingSubcommand => "a command is missing".to_owned(),
+        ErrorKind::UnknownArgument if arg.starts_with('-') => format!("`{arg}` is not an option"),
+        ErrorKind::UnknownArgument => format!("`{arg}` is one argument too many"),
+        ErrorKind::MissingRequiredArgument => format!("{} is missing", list(&texts(error, ContextKind::InvalidArg))),
+        ErrorKind::ArgumentConflict => format!("`{arg}` cannot be used with {}", list(&texts(error, ContextKind::PriorArg))),
+        ErrorKind::InvalidValue if value.is_empty() => format!("`{arg}` needs a value"),
+        ErrorKind::InvalidValue => {
+            format!("`{arg}` is {value}; it must be one of {}", texts(error, ContextKind::ValidValue).join(", "))
+        }
+        ErrorKind::ValueValidation => {
+            let why = std::error::Error::source(error).map_or(String::new(), ToString::to_string);
+            format!("`{arg}` is {value}; {}", shorten(&why, 100))
+        }
+        ErrorKind::TooManyValues => format!("`{arg}` has a value too many: {}", quoted(&value)),
+        ErrorKind::InvalidUtf8 => "an argument is not valid UTF-8".to_owned(),
+        other => other.to_string(),
+    }
+}
+
+fn list(names: &[String]) -> String {
+    let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
+    names.join(", ")
+}
+
+fn texts(error: &Error, kind: ContextKind) -> Vec<String> {
+    match error.get(kind) {
+        Some(ContextValue::String(text)) => vec![text.clone()],
+        Some(ContextValue::Strings(texts)) => texts.clone(),
+        _ => Vec::new(),
+    }
+}
+
+/// `forage` or `forage run`, by the usage line.
+fn command(error: &Error) -> String {
+    let usage = match error.get(ContextKind::Usage) {
+        Some(ContextValue::StyledStr(usage)) => usage.to_string(),
+        _ => String::new(),
+    };
+    let words = usage.trim_start_matches("Usage:").split_whitespace();
+    let names: Vec<&str> = words.take_while(|word| word.chars().all(|c| c.is_ascii_lowercase())).collect();
+    if !names.is_empty() {
+        return names.join(" ");
+    }
+    let typed = std::env::args_os().nth(1).unwrap_or_default().to_string_lossy().into_owned();
+    let command = Cli::command().get_subcommands().map(|command| command.get_name().to_owned()).find(|name| *name == typed);
+    command.map_or_else(|| "forage".to_owned(), |name| format!("forage {name}"))
+}

@@ -1,0 +1,178 @@
+//! Refusals: short, in one line, without control characters, and with what was probably meant.
+
+use std::{fs, path::Path};
+
+use crate::support::{command, empty_folder, forage, text};
+
+/// The message of a refusal without `forage: `.
+fn refusal(folder: &Path, args: &[&str]) -> String {
+    let output = command(args).current_dir(folder).output().unwrap();
+    let shown: Vec<String> = args.iter().map(|arg| arg.chars().take(60).collect()).collect();
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{shown:?}: {message}");
+    assert!(output.stdout.is_empty(), "{shown:?}");
+    let message = message.strip_prefix("forage: ").unwrap().strip_suffix('\n').unwrap().to_owned();
+    let length = message.chars().count();
+    assert!(length <= 300, "{shown:?}: {length} characters: {message}");
+    assert!(!message.contains(|c: char| c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')), "{message:?}");
+    message
+}
+
+#[test]
+fn a_mistyped_name_suggests_the_nearest_one() {
+    let folder = empty_folder("refusals/names");
+    let sweep = |planner: &str, params: &str| {
+        let text = format!("scenes = ['sphere']\nseeds = [1]\n[[planner]]\nname = '{planner}'\nparams = {{ {params} }}\n");
+        fs::write(folder.join(format!("{planner}.toml")), text).unwrap();
+    };
+    sweep("wcspo", "");
+    sweep("pso", "populaton = 5");
+    for (args, message) in [
+        (
+            &["run", "wcspo", "--scene", "sphere"] as &[&str],
+            "`wcspo` is not a planner; did you mean `wcpso`? `forage list` shows all planners",
+        ),
+        (&["suggest", "ltqps", "--scene", "qpso-10m"], "`ltqps` is not a planner; did you mean `ltqpso`?"),
+        (&["run", "pso", "--scene", "spere"], "did you mean `sphere`? `forage list` shows all scenes"),
+        (&["run", "pso", "--scene", "#v=1&planner=pso&scene=spere"], "`spere` is not a shipped scene; did you mean `sphere`?"),
+        (&["run", "pso", "--scene", "sphere", "--set", "populaton=9"], "`populaton` is not a parameter of pso; did you mean `population`?"),
+        (&["run", "pso", "--scene", "sphere", "--set", "waypoints=9"], "`waypoints` applies to scenes of kind discs and grid"),
+        (
+            &["run", "qpso", "--scene", "qpso-10m", "--drive-set", "look_ahed=9"],
+            "`look_ahed` is not a parameter of drive; did you mean `look_ahead`?",
+        ),
+        (&["run", "rrt", "--scene", "arm-free", "--motion-set", "sped=9"], "`sped` is not a parameter of motion; did you mean `speed`"),
+        (&["generate", "mase"], "`mase` is not a generator; did you mean `maze`?"),
+        (
+            &["generate", "maze", "--set", "colums=9"],
+            "`colums` is not a parameter of maze; did you mean `columns`? `forage list maze` shows",
+        ),
+        (&["reproduce", "wcpso-path"], "`wcpso-path` is not a reproduction; did you mean `wcpso-paths`?"),
+        (&["list", "wcspo"], "did you mean `wcpso`?"),
+        (&["experiment", "wcspo.toml"], "planner[0].name: `wcspo` is not a planner; did you mean `wcpso`?"),
+        (&["experiment", "pso.toml"], "planner[0].params: `populaton` is not a parameter; did you mean `population`?"),
+        (&["rnu"], "`rnu` is not a command; did you mean `run`? `forage --help`"),
+        (&["run", "--scen", "sphere"], "`--scen` is not an option; did you mean `--scene`? `forage run --help`"),
+        (&["completions", "bashh"], "SHELL is bashh; it must be one of bash, elvish, fish"),
+        (&["run", "waldo", "--scene", "sphere"], "`waldo` is not a planner; it must be one of wcpso, pso, wpso"),
+        (&["run"], "a planner is missing, e.g. `forage run wcpso --scene wcpso-discs`"),
+    ] {
+        let found = refusal(&folder, args);
+        assert!(found.replace("`SHELL`", "SHELL").contains(message), "{args:?}: {found}");
+    }
+    assert!(refusal(&folder, &["run", "waldo", "--scene", "sphere"]).contains("more; `forage list` shows all planners"));
+}
+
+#[test]
+fn a_message_has_at_most_300_characters_whatever_the_input() {
+    let folder = empty_folder("refusals/long");
+    let long = "x".repeat(10_000);
+    let wide = "\u{1b}[2J\u{202e}é\n".repeat(2_000);
+    let deep = format!("{}/a.json", "d/".repeat(2_000));
+    let link = format!("#v=1&planner=pso&scene=~{}", "A".repeat(100_000));
+    let key = format!("#v=1&{}=1", "k".repeat(100_000));
+    let hash = format!("#v=1&planner=pso&scene=sphere&{}=1", "\u{202e}".repeat(30_000));
+    let write = |name: &str, text: &str| fs::write(folder.join(name), text).unwrap();
+    write("key.toml", &format!("{} = 1\n", "k".repeat(1_000_000)));
+    write("name.toml", &format!("scenes = ['sphere']\nseeds = [1]\n[[planner]]\nname = '{long}'\n"));
+    write("scene.toml", &format!("scenes = ['{long}']\nseeds = [1]\n[[planner]]\nname = 'pso'\n"));
+    write("value.toml", &format!("scenes = ['sphere']\nseeds = [1]\n[[planner]]\nname = 'pso'\nparams = {{ w = '{long}' }}\n"));
+    write("open.toml", &format!("scenes = [{}\n", "'sphere',".repeat(10_000)));
+    let head = r#"{"format": "forage-scene", "version": 1, "kind": "function", "function": "sphere", "dimension": 2, "title": "A""#;
+    write("name.json", &format!(r#"{head}, "name": "{long}"}}"#));
+    write("field.json", &format!(r#"{head}, "name": "a", "{long}": 1}}"#));
+    write("kind.json", &format!(r#"{{"format": "forage-scene", "version": 1, "kind": "{long}"}}"#));
+    write("bad.map", &format!("type octile\nheight {long}\nwidth 3\nmap\n...\n"));
+    write("bad.tsp", &format!("NAME : a\nTYPE : {long}\n"));
+    for value in [&long, &wide] {
+        for args in [
+            vec![value.as_str()],
+            vec!["run", value, "--scene", "sphere"],
+            vec!["run", "pso", "--scene", value],
+            vec!["run", "pso", "--scene", "sphere", "--seed", value],
+            vec!["run", "pso", "--scene", "sphere", "--set", value],
+            vec!["run", "pso", "--scene", "sphere", value],
+            vec!["exact", "--scene", "sphere", "--json", value],
+            vec!["list", value],
+            vec!["reproduce", value],
+            vec!["generate", value],
+            vec!["generate", "maze", "--out", value],
+            vec!["convert", value, "a.map"],
+            vec!["convert", "sphere", value],
+            vec!["experiment", value],
+            vec!["experiment", "name.toml", "--shard", value],
+            vec!["completions", value],
+        ] {
+            refusal(&folder, &args);
+        }
+        let [option, set, name] = [format!("--{value}"), format!("w={value}"), format!("{value}=1")];
+        for args in [&["run", &option] as &[&str], &["run", "pso", "--scene", "sphere", "--set", &set]] {
+            refusal(&folder, args);
+        }
+        for option in ["--set", "--drive-set"] {
+            refusal(&folder, &["run", "qpso", "--scene", "qpso-10m", option, &name]);
+        }
+        refusal(&folder, &["run", "rrt", "--scene", "arm-free", "--motion-set", &name]);
+    }
+    for scene in [&link, &key, &hash, &deep, "name.json", "field.json", "kind.json", "bad.map", "bad.tsp"] {
+        refusal(&folder, &["run", "pso", "--scene", scene]);
+    }
+    for file in ["key.toml", "name.toml", "scene.toml", "value.toml", "open.toml"] {
+        refusal(&folder, &["experiment", file]);
+    }
+    assert!(refusal(&folder, &["experiment", "open.toml"]).starts_with("open.toml: line 1, column "));
+}
+
+#[test]
+fn control_characters_in_names_titles_and_notes_are_escaped() {
+    let folder = empty_folder("refusals/control");
+    let scene = |kind: &str, name: &str| {
+        format!(
+            r#"{{"format": "forage-scene", "version": 1, "kind": {kind}, "name": "{name}", "title": "T\u001b[2J\u202eT",
+                "note": "N\u001b]0;\u0007N", "source": "S\u009bS", "units": "m\u001b[31m"}}"#
+        )
+    };
+    let grid = scene(r#""grid", "cell": 1, "rows": ["..."], "start": [0.5, 0.5], "goal": [2.5, 0.5]"#, r"g\u001b[2J\u2066\ng");
+    fs::write(folder.join("grid.json"), grid).unwrap();
+    fs::write(folder.join("e\u{1b}[2J.json"), scene(r#""function", "function": "sphere", "dimension": 2"#, "e")).unwrap();
+    let strange = "e\u{1b}[2J.json";
+    for args in [
+        &["run", "a-star", "--scene", "grid.json"] as &[&str],
+        &["exact", "--scene", "grid.json"],
+        &["convert", "grid.json", "o.map"],
+        &["convert", "o.map", "p\u{202e}.json"],
+        &["run", "pso", "--scene", strange, "--iterations", "2"],
+        &["run", "pso", "--scene", strange, "--set", "\u{1b}=1"],
+        &["convert", "grid.json", "\u{1b}]0;\u{7}.yaml"],
+    ] {
+        let output = command(args).current_dir(&folder).output().unwrap();
+        for printed in [text(&output.stdout), text(&output.stderr)] {
+            let wrong = |c: char| c.is_control() && c != '\n' || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+            assert!(!printed.contains(wrong), "{args:?}: {printed:?}");
+        }
+    }
+    let run = command(&["run", "a-star", "--scene", "grid.json"]).current_dir(&folder).output().unwrap();
+    assert!(text(&run.stdout).starts_with("a-star on g\\u{1b}[2J\\u{2066}\\ng, seed 1: solved"), "{}", text(&run.stdout));
+    assert!(text(&run.stdout).contains("2.000 m\\u{1b}[31m"), "{}", text(&run.stdout));
+    // JSON has escapes of its own, and stays as it is.
+    let json = command(&["run", "a-star", "--scene", "grid.json", "--json"]).current_dir(&folder).output().unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(json["scene"], "g\u{1b}[2J\u{2066}\ng");
+}
+
+#[test]
+fn what_cannot_be_combined_or_is_missing_is_said() {
+    for (args, message) in [
+        (&["exact"] as &[&str], "`--scene <FILE|NAME|LINK>` is missing"),
+        (&["experiment", "a.toml", "--jobs", "0"], "`--jobs <N>` is 0; it must be a whole number from 1; `forage experiment --help`"),
+        (&["experiment", "a.toml", "--merge", "b.csv", "--fresh"], "cannot be used with"),
+        (&["generate", "maze", "--out"], "needs a value"),
+        (&["convert", "maze", "--problem", "first", "a.map"], "`--problem <N>` is first; invalid digit"),
+        (&["exact", "--scene", "sphere", "more"], "`more` is one argument too many"),
+    ] {
+        let output = forage(args);
+        let found = text(&output.stderr);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{args:?}");
+        assert!(found.contains(message), "{args:?}: {found}");
+    }
+}
