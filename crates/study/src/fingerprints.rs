@@ -109,7 +109,7 @@ impl Fingerprints {
         for reproduction in reproductions.iter().filter(|reproduction| reproduction.repeatable) {
             for list in (reproduction.jobs)(options)? {
                 let rows = list.jobs.kept(&options.out.join(list.file))?;
-                let line = |rows: &[u32]| rows.iter().map(|row| format!("{row:08x}")).collect();
+                let line = |rows: &[u32]| rows.iter().map(|row| format!("{row:08x}")).collect::<Vec<_>>().concat();
                 all.insert(list.file.to_owned(), rows.chunks(IN_A_LINE).map(line).collect());
             }
         }
