@@ -104,7 +104,7 @@ pub(super) fn nearest<'a>(typed: &str, known: &[&'a str]) -> Vec<&'a str> {
     let typed = plain(typed);
     let length = typed.chars().count();
     // One letter is near to every other one.
-    if length < 2 || length > LONGEST {
+    if !(2..=LONGEST).contains(&length) {
         return Vec::new();
     }
     let mut close: Vec<(usize, &str)> = known.iter().map(|&name| (strsim::damerau_levenshtein(&typed, &plain(name)), name)).collect();

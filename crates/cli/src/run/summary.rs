@@ -139,6 +139,8 @@ fn feasibility(outcome: &Outcome, lines: &mut Lines) {
         _ if outcome.path.is_some() && !outcome.feasible => {
             lines.add("feasible", "NO, it leaves the scene or does not join start and goal");
         }
+        // There is nothing to keep clear of.
+        _ if outcome.feasible && outcome.length.is_some() => lines.add("feasible", "yes"),
         _ => {}
     }
 }
