@@ -84,7 +84,7 @@ class Batch {
   private telling: ReturnType<typeof setTimeout> | undefined
   private readonly clerk = new Clerk()
   private readonly looks = new TestLooks()
-  /** What is asked for of the entrants' parameters, by slot and name. */
+  /** Resets of the entrants' parameters, by slot and name. */
   private readonly requests = new Requests<string>()
   private asking = false
   private askAgain = false
@@ -196,7 +196,7 @@ class Batch {
     const entrant = this.entrants.find((candidate) => candidate.slot === slot)
     const planner = plan && entrant && lab.catalogue?.planners.find((candidate) => candidate.name === entrant.planner)
     if (!plan || !entrant || !planner) return ''
-    const request = this.requests.note(`${slot} ${name}`)
+    const request = this.requests.note()
     const wanted = { ...entrant.params, [name]: value }
     const params = applicable(planner, plan.scene, wanted)
     try {

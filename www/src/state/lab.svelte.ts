@@ -412,7 +412,7 @@ export class Lab extends Transport {
   setParameter = async (name: string, value: ParameterValue | string): Promise<void> => {
     const { scene } = this
     if (!scene) return
-    const request = this.requests.note(`parameter ${name}`)
+    const request = this.requests.note()
     const setup = this.setup(scene, { ...this.params, [name]: value as ParameterValue })
     await this.await(
       // Whoever is asked for sizes checks the whole setup.

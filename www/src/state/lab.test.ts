@@ -186,6 +186,21 @@ test('the newest value of a parameter stays, also when it is the default', async
   expect(lab.params).toEqual({})
 })
 
+test('while a slider is dragged, each value is taken over as its answer comes', async () => {
+  for (const value of [2, 3]) void lab.setParameter('w', value)
+  await worker.receive()
+  expect(lab.params).toEqual({ w: 2 })
+  await worker.receiveAll()
+  expect(worker.state.params).toEqual({ w: 3 })
+})
+
+test('a value before one that is refused stays', async () => {
+  for (const value of [2, -1]) void lab.setParameter('w', value)
+  await worker.receiveAll()
+  expect([worker.state.params, lab.params]).toEqual([{ w: 2 }, { w: 2 }])
+  expect(lab.paramErrors).toEqual({ w: 'below zero' })
+})
+
 test('a seed that is typed after a random one was asked for stays', async () => {
   void lab.newSeed()
   lab.setSeed(7)
