@@ -51,11 +51,6 @@ export class Lab {
     return (await this.root.getAttribute('data-hash')) ?? ''
   }
 
-  /** A change was made whose first picture is not there yet. */
-  async stale(): Promise<boolean> {
-    return (await this.root.getAttribute('data-stale')) === 'true'
-  }
-
   /** After something that starts the run anew: its first picture is there. */
   async restarted(): Promise<void> {
     await expect(this.root).toHaveAttribute('data-stale', 'false')
