@@ -45,7 +45,7 @@ export function spaceKey(event: KeyboardEvent, acts: Acts): boolean {
     ':': () => step(far),
     '>': () => step(far),
     Home: () => (lab.beside ? lab.beside.clock.seek(0) : lab.seek(0)),
-    End: () => (lab.beside ? lab.beside.clock.seek(lab.beside.clock.end) : lab.toEnd()),
+    End: () => (lab.beside ? lab.beside.clock.seek(lab.beside.clock.end) : lab.seek(Infinity)),
     '+': () => acts.zoom(1.25),
     '=': () => acts.zoom(1.25),
     '-': () => acts.zoom(0.8),

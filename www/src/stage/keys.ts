@@ -64,7 +64,7 @@ export function stageKey(event: KeyboardEvent, acts: Acts): boolean {
       lab.seek(0)
       return true
     case 'End':
-      lab.toEnd()
+      lab.seek(Infinity)
       return true
     case '+':
     case '=':

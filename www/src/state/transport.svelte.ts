@@ -79,6 +79,7 @@ export abstract class Transport extends Scenes {
     else void (play ? api.play(request) : api.pause(request))
   }
 
+  /** Goes to an iteration; Infinity: to the end. */
   seek = (to: number): void => {
     const iteration = Math.max(Math.round(to), 0)
     // How long the next run is, is not known before it has started.
@@ -89,8 +90,6 @@ export abstract class Transport extends Scenes {
     this.requested = { at, play: false }
     void this.client.api.seek(at, false, this.requests.note('iteration', 'playing'))
   }
-
-  toEnd = (): void => this.seek(this.stale ? Infinity : this.limit)
 
   stepBy = (n: number): void => {
     // Where a change puts the run must be known first.
