@@ -241,13 +241,13 @@ mod tests {
     use super::*;
 
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-    struct Root {
+    struct Divided {
         number: u64,
-        root: f64,
+        third: f64,
         measured_ms: f64,
     }
 
-    impl Row for Root {
+    impl Row for Divided {
         fn key(&self) -> String {
             self.number.to_string()
         }
@@ -263,13 +263,13 @@ mod tests {
     }
 
     impl Job for Task {
-        type Row = Root;
+        type Row = Divided;
         fn key(&self) -> String {
             self.number.to_string()
         }
-        fn run(&self, _stop: &AtomicBool) -> Result<Option<Root>, Error> {
+        fn run(&self, _stop: &AtomicBool) -> Result<Option<Divided>, Error> {
             let number = if self.number == 7 { self.number + self.version } else { self.number };
-            Ok(Some(Root { number: self.number, root: (number as f64).sqrt() / 3.0, measured_ms: self.version as f64 }))
+            Ok(Some(Divided { number: self.number, third: number as f64 / 3.0, measured_ms: self.version as f64 }))
         }
     }
 
