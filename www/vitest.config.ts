@@ -11,7 +11,8 @@ export default defineConfig({
     projects: [
       // A thread and its modules serve all files: starting one for each takes longer than the tests.
       { extends: true, test: { ...test, name: 'page', pool: 'threads', isolate: false, include: ['src/**/*.test.ts', 'unit/*.test.ts'] } },
-      { extends: true, test: { ...test, name: 'core', include: ['unit/core/*.test.ts'] } },
+      // Whole runs of the core take their time on a machine that is busy.
+      { extends: true, test: { ...test, name: 'core', testTimeout: 60_000, include: ['unit/core/*.test.ts'] } },
     ],
   },
 })
