@@ -189,9 +189,14 @@ impl<'a> Kept<'a> {
                         let slot = self.part.find(job).ok_or_else(|| other(not_here(), anew))?;
                         if self.rows[slot].length == 0 {
                             self.hold(slot, Where { offset: end, length: length as u32, file: number as u32 }, told);
-                        } else if self.bytes(self.rows[slot])? != line {
-                            let problem = format!("line {count}: the run of {} came out otherwise before", self.sweep.describe(job));
-                            return Err(Error::malformed(&path.display().to_string(), problem).into());
+                        } else {
+                            let before = self.bytes(self.rows[slot])?;
+                            // Reading the row moved the place in the file, which the reader shares.
+                            reader.seek(SeekFrom::Start(end + length as u64)).map_err(at(&path))?;
+                            if before != line {
+                                let problem = format!("line {count}: the run of {} came out otherwise before", self.sweep.describe(job));
+                                return Err(Error::malformed(&path.display().to_string(), problem).into());
+                            }
                         }
                     }
                     Err(Wrong::Damaged(problem)) => damaged.push((count, problem)),
