@@ -31,9 +31,9 @@ export default defineConfig({
       ],
     },
   },
-  // The page is tested as it ships: built, below a sub-path, from a server that knows nothing of it.
+  // The page is tested as it ships: built (scripts/build-page), below a sub-path, from a server that knows nothing of it.
   webServer: {
-    command: 'npm run build && node tests/support/serve.mjs',
+    command: 'node tests/support/serve.mjs',
     url: SITE,
     env: { SITE },
     timeout: 120_000,

@@ -19,6 +19,7 @@ export default defineConfig({
   server: { fs: { allow: ['..'] } },
   // What draws in space is one library, and comes with the first scene that needs it.
   build: {
+    license: true,
     target: 'es2023',
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false, resolveDependencies: styles },
