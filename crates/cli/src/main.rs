@@ -1,8 +1,11 @@
 //! The binary `forage`.
 
 #[cfg(not(target_arch = "wasm32"))]
+mod shell;
+
+#[cfg(not(target_arch = "wasm32"))]
 fn main() -> std::process::ExitCode {
-    forage_cli::main()
+    shell::main()
 }
 
 /// There is no shell in wasm.

@@ -1,9 +1,8 @@
-//! The command line of Forage, as a library: [`main`] is the whole program `forage`.
+//! The command line of Forage: [`main`] is the whole program `forage`.
 //!
 //! Exit codes: 0 a feasible result; 1 none was found; 2 the input was refused (message on standard error, nothing on standard
 //! output); 3 a file cannot be read or written now (a full disk, another `forage` that writes it), so the same command may
 //! succeed later; 130 an experiment was interrupted (finished runs are kept).
-#![cfg(not(target_arch = "wasm32"))]
 
 mod args;
 mod convert;

@@ -12,7 +12,7 @@ use super::{
     text::quoted,
 };
 
-const THIRD_PARTY: &str = include_str!("../THIRD-PARTY.md");
+const THIRD_PARTY: &str = include_str!("../../THIRD-PARTY.md");
 
 /// Prints a completion script.
 pub(super) fn completions(shell: clap_complete::Shell) -> Outcome {

@@ -15,7 +15,7 @@ use forage::{
 };
 
 use super::{family, follower, kinds};
-use crate::{
+use crate::shell::{
     convert::describe,
     exact::unit,
     text::{escape, point, wrap},

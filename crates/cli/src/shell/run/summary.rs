@@ -4,7 +4,7 @@ use std::fmt::{Display, Write as _};
 
 use forage::{DriveOutcome, Outcome, Status, arm::MotionOutcome, planner::Yardstick};
 
-use crate::text::{escape, measured, number, point};
+use crate::shell::text::{escape, measured, number, point};
 
 /// Lines with a label each.
 struct Lines {
