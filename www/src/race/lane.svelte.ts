@@ -43,8 +43,10 @@ export class Lane {
 
   readonly over = $derived(this.picture !== null && this.picture.status !== 'running')
   readonly mark = $derived(this.picture ? markAt(this.curve, this.picture.iteration) : null)
+  /** Where its end was foreseen before it began again: the timeline keeps its length until there is a picture. */
+  private formerEnd = $state(0)
   /** When it will be at its end. */
-  readonly end = $derived(this.run && this.picture ? foreseen(this.picture.furthest, this.run.first) : 0)
+  readonly end = $derived(this.run && this.picture ? foreseen(this.picture.furthest, this.run.first) : this.formerEnd)
   /** It takes part. */
   readonly racing = $derived(this.run !== null && this.refusal === '' && this.crash === '')
 
@@ -135,6 +137,7 @@ export class Lane {
 
   /** Nothing of another run may pass for this one's. */
   private drop(): void {
+    this.formerEnd = this.end
     this.giveBack()
     this.picture = null
     this.outcome = null
