@@ -42,7 +42,7 @@ fn a_random_grid_goes_through_every_format_in_the_shell() {
     assert_eq!(length, scene.exact_by(Yardstick::Cells).map(|exact| exact.length));
     let run = forage(&["run", "wcpso", "--scene", &at("n.yaml"), "--iterations", "3", "--json"]);
     assert!(run.status.code() < Some(2) && words(&run.stderr).contains("start and no goal"), "{}", words(&run.stderr));
-    // A shipped scene by its name; what the format has no place for is told.
+    // A shipped scene by its name; a note says what the format cannot hold.
     let robot = forage(&["convert", "qpso-10m", &at("q.map")]);
     assert!(robot.status.code() == Some(0) && words(&robot.stderr).contains("the robot"));
     let full = forage(&["generate", "random", "--set", "share=1", "--out", &at("full.map")]);
@@ -74,7 +74,7 @@ fn moving_obstacles_are_asked_for_in_the_shell_and_made_again_by_their_source() 
         let source = scene.header().source.clone().unwrap();
         let args: Vec<_> = source.split_once(' ').expect("a command and its words").1.split(' ').collect();
         assert_eq!(Scene::from_json(&words(&forage(&args).stdout)).unwrap(), scene, "{source}");
-        // A map has no place for them, and that is told.
+        // A map cannot hold them, and a note says so.
         let output = forage(&["convert", &at("s.json"), &at("s.map")]);
         let said = words(&output.stderr);
         assert!(output.status.code() == Some(0) && said.contains("the moving discs") && said.contains("the robot"), "{said}");
