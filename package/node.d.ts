@@ -1,4 +1,4 @@
-export * from './forage.js';
+export * from './forage.js'
 
 /** In Node everything is ready on import; this keeps code that calls `await init()` working. */
-export default function init(): Promise<void>;
+export default function init(): Promise<void>

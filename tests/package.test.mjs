@@ -1,51 +1,52 @@
 // The npm package as users get it: packed, installed into an empty project, imported in Node, type-checked, and opened in a page.
-import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
-import { look, serve } from './support/static.mjs';
+import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { fileURLToPath } from 'node:url'
+import { look, serve } from './support/static.mjs'
 
-const root = fileURLToPath(new URL('..', import.meta.url));
+const root = fileURLToPath(new URL('..', import.meta.url))
 // scripts/test builds it, and says where.
-const shell = process.env.FORAGE ?? join(root, 'target/debug', process.platform === 'win32' ? 'forage.exe' : 'forage');
-let project, tarball;
+const shell = process.env.FORAGE ?? join(root, 'target/debug', process.platform === 'win32' ? 'forage.exe' : 'forage')
+let project, tarball
 
 /** The block of the book's chapter on JavaScript in a language that holds some text. */
 const example = (language, text) => {
-  const [, ...blocks] = readFileSync(join(root, 'docs/javascript.md'), 'utf8').split(`\`\`\`${language}\n`);
-  const found = blocks.map((block) => block.slice(0, block.indexOf('```'))).filter((block) => block.includes(text));
-  assert.equal(found.length, 1, `${found.length} blocks of ${language} with ${text}`);
-  return found[0];
-};
+  const [, ...blocks] = readFileSync(join(root, 'docs/javascript.md'), 'utf8').split(`\`\`\`${language}\n`)
+  const found = blocks.map((block) => block.slice(0, block.indexOf('```'))).filter((block) => block.includes(text))
+  assert.equal(found.length, 1, `${found.length} blocks of ${language} with ${text}`)
+  return found[0]
+}
 
 /** What the shell prints of a run. */
 const inShell = ({ planner, scene, seed, params = {} }) => {
-  const set = Object.entries(params).flatMap(([name, value]) => ['--set', `${name}=${value}`]);
-  return JSON.parse(run(shell, ['run', planner, '--scene', scene, '--seed', String(seed), ...set, '--json']));
-};
+  const set = Object.entries(params).flatMap(([name, value]) => ['--set', `${name}=${value}`])
+  return JSON.parse(run(shell, ['run', planner, '--scene', scene, '--seed', String(seed), ...set, '--json']))
+}
 
-const run = (file, args, cwd = project) => execFileSync(file, args, { cwd, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+const run = (file, args, cwd = project) => execFileSync(file, args, { cwd, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] })
 
 before(() => {
-  project = mkdtempSync(join(tmpdir(), 'forage-package-'));
-  const [{ filename }] = JSON.parse(run('npm', ['pack', '--json', '--pack-destination', project], join(root, 'pkg')));
-  writeFileSync(join(project, 'package.json'), JSON.stringify({ name: 'user', private: true, type: 'module' }));
-  run('npm', ['install', '--no-audit', '--no-fund', '--offline', `./${filename}`]);
-  tarball = join(project, filename);
-  assert.ok(existsSync(shell), 'call `scripts/test package`, or build the command line with `cargo build`');
-});
+  project = mkdtempSync(join(tmpdir(), 'forage-package-'))
+  const [{ filename }] = JSON.parse(run('npm', ['pack', '--json', '--pack-destination', project], join(root, 'pkg')))
+  writeFileSync(join(project, 'package.json'), JSON.stringify({ name: 'user', private: true, type: 'module' }))
+  run('npm', ['install', '--no-audit', '--no-fund', '--offline', `./${filename}`])
+  tarball = join(project, filename)
+  assert.ok(existsSync(shell), 'call `scripts/test package`, or build the command line with `cargo build`')
+})
 
-after(() => rmSync(project, { recursive: true, force: true }));
+after(() => rmSync(project, { recursive: true, force: true }))
 
 test('it holds one wasm file and nothing that users do not need', () => {
-  const files = run('find', ['node_modules/forage-lab', '-type', 'f']).trim().split('\n');
-  assert.equal(files.filter((file) => file.endsWith('.wasm')).length, 1);
-  assert.ok(files.length <= 11, files.join('\n'));
-  for (const file of ['README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md']) assert.ok(files.includes(`node_modules/forage-lab/${file}`), file);
-});
+  const files = run('find', ['node_modules/forage-lab', '-type', 'f']).trim().split('\n')
+  assert.equal(files.filter((file) => file.endsWith('.wasm')).length, 1)
+  assert.ok(files.length <= 11, files.join('\n'))
+  for (const file of ['README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md'])
+    assert.ok(files.includes(`node_modules/forage-lab/${file}`), file)
+})
 
 test('an empty Node project imports it, with and without init', () => {
   writeFileSync(
@@ -57,14 +58,19 @@ test('an empty Node project imports it, with and without init', () => {
      const { feasible, gap, hash } = session.outcome();
      console.log(JSON.stringify({ feasible, gap, hash, planners: catalogue().planners.length }));
      session.free();`,
-  );
-  const outcome = JSON.parse(run('node', ['run.js']));
-  assert.equal(outcome.feasible, true);
-  assert.ok(outcome.gap < 0.005);
-  assert.ok(outcome.planners >= 4);
-});
+  )
+  const outcome = JSON.parse(run('node', ['run.js']))
+  assert.equal(outcome.feasible, true)
+  assert.ok(outcome.gap < 0.005)
+  assert.ok(outcome.planners >= 4)
+})
 
-const BATCH = { planners: ['pso', 'wcpso', 'qpso', 'ltqpso'], scenes: ['wcpso-discs', 'sphere'], seeds: [1, 2, 3, 4, 5], params: { iterations: 60, population: 30 } };
+const BATCH = {
+  planners: ['pso', 'wcpso', 'qpso', 'ltqpso'],
+  scenes: ['wcpso-discs', 'sphere'],
+  seeds: [1, 2, 3, 4, 5],
+  params: { iterations: 60, population: 30 },
+}
 
 test('a batch in an empty project has the shell’s rows, and statistics', () => {
   writeFileSync(
@@ -83,32 +89,47 @@ test('a batch in an empty project has the shell’s rows, and statistics', () =>
      const compared = scenes.map((scene) =>
        compare(planners.map((name) => ({ name, values: rows.filter((row) => row.scene === scene && row.planner === name).map((row) => row.value) }))));
      console.log(JSON.stringify({ rows, compared }));`,
-  );
-  const { rows, compared } = JSON.parse(run('node', ['batch.js']));
-  const { planners, scenes, seeds, params } = BATCH;
-  assert.equal(rows.length, planners.length * scenes.length * seeds.length);
+  )
+  const { rows, compared } = JSON.parse(run('node', ['batch.js']))
+  const { planners, scenes, seeds, params } = BATCH
+  assert.equal(rows.length, planners.length * scenes.length * seeds.length)
   for (const row of rows) {
-    const { planner, scene, seed } = row;
-    const told = inShell({ planner, scene, seed, params });
-    const value = told.feasible ? (told.length ?? told.cost) : null;
-    const [mine, theirs] = [row, { ...told, value }].map(({ hash, value, evaluations, iterations, status, feasible, gap }) => ({ hash, value, evaluations, iterations, status, feasible, gap }));
-    assert.deepEqual(mine, theirs, `${planner} on ${scene}, seed ${seed}`);
-    assert.deepEqual([row.last, row.at, row.parameters], [value, told.iterations, params]);
-    assert.ok(row.link.includes(`hash=${row.hash}`));
+    const { planner, scene, seed } = row
+    const told = inShell({ planner, scene, seed, params })
+    const value = told.feasible ? (told.length ?? told.cost) : null
+    const [mine, theirs] = [row, { ...told, value }].map(({ hash, value, evaluations, iterations, status, feasible, gap }) => ({
+      hash,
+      value,
+      evaluations,
+      iterations,
+      status,
+      feasible,
+      gap,
+    }))
+    assert.deepEqual(mine, theirs, `${planner} on ${scene}, seed ${seed}`)
+    assert.deepEqual([row.last, row.at, row.parameters], [value, told.iterations, params])
+    assert.ok(row.link.includes(`hash=${row.hash}`))
   }
   for (const [k, { groups, pairs, friedman }] of compared.entries()) {
-    assert.deepEqual(groups.map(({ name, runs }) => [name, runs]), planners.map((name) => [name, seeds.length]));
+    assert.deepEqual(
+      groups.map(({ name, runs }) => [name, runs]),
+      planners.map((name) => [name, seeds.length]),
+    )
     for (const { name, feasible, rate, summary } of groups) {
-      const values = rows.filter((row) => row.scene === scenes[k] && row.planner === name && row.value !== null).map(({ value }) => value);
-      assert.deepEqual([feasible, rate, summary?.min ?? null, summary?.max ?? null], [values.length, values.length / seeds.length, ...(values.length ? [Math.min(...values), Math.max(...values)] : [null, null])]);
-      if (summary) assert.ok(Math.abs(summary.mean - values.reduce((sum, value) => sum + value, 0) / values.length) <= 1e-12 * Math.abs(summary.mean));
+      const values = rows.filter((row) => row.scene === scenes[k] && row.planner === name && row.value !== null).map(({ value }) => value)
+      assert.deepEqual(
+        [feasible, rate, summary?.min ?? null, summary?.max ?? null],
+        [values.length, values.length / seeds.length, ...(values.length ? [Math.min(...values), Math.max(...values)] : [null, null])],
+      )
+      if (summary)
+        assert.ok(Math.abs(summary.mean - values.reduce((sum, value) => sum + value, 0) / values.length) <= 1e-12 * Math.abs(summary.mean))
     }
-    assert.equal(pairs.length, (planners.length * (planners.length - 1)) / 2);
-    assert.ok(pairs.every(({ p, corrected }) => p > 0 && p <= corrected && corrected <= 1));
-    assert.equal(friedman.blocks, seeds.length);
-    assert.ok(Math.abs(friedman.ranks.reduce((sum, rank) => sum + rank, 0) - 10) < 1e-9);
+    assert.equal(pairs.length, (planners.length * (planners.length - 1)) / 2)
+    assert.ok(pairs.every(({ p, corrected }) => p > 0 && p <= corrected && corrected <= 1))
+    assert.equal(friedman.blocks, seeds.length)
+    assert.ok(Math.abs(friedman.ranks.reduce((sum, rank) => sum + rank, 0) - 10) < 1e-9)
   }
-});
+})
 
 test('what is refused is an error with field, value and what is allowed', () => {
   writeFileSync(
@@ -123,21 +144,33 @@ test('what is refused is an error with field, value and what is allowed', () => 
      console.log(JSON.stringify(tries.map((make) => {
        try { make(); return 'accepted'; } catch (error) { return { error: error instanceof Error, field: error.field, value: error.value, message: error.message }; }
      })));`,
-  );
-  const refused = JSON.parse(run('node', ['refused.js']));
-  assert.deepEqual(refused.map(({ error, field }) => [error, field]), [[true, 'population'], [true, 'scene'], [true, 'within'], [true, 'groups']]);
-  for (const { message } of refused) assert.ok(message.length > 10, message);
-});
+  )
+  const refused = JSON.parse(run('node', ['refused.js']))
+  assert.deepEqual(
+    refused.map(({ error, field }) => [error, field]),
+    [
+      [true, 'population'],
+      [true, 'scene'],
+      [true, 'within'],
+      [true, 'groups'],
+    ],
+  )
+  for (const { message } of refused) assert.ok(message.length > 10, message)
+})
 
 test('the book’s batch runs as it stands, and says what the shell’s runs say', () => {
-  writeFileSync(join(project, 'example.js'), example('js', 'new Trial('));
-  const lines = run('node', ['example.js']).trim().split('\n');
-  const [first] = lines;
-  const { value, evaluations, hash } = JSON.parse(first);
-  const told = inShell({ planner: 'pso', scene: 'wcpso-discs', seed: 1, params: { iterations: 100 } });
-  assert.deepEqual({ value, evaluations, hash }, { value: told.length, evaluations: told.evaluations, hash: told.hash });
-  for (const planner of ['pso', 'wpso', 'wcpso']) assert.ok(lines.some((line) => line.startsWith(`${planner}: `)), lines.join('\n'));
-});
+  writeFileSync(join(project, 'example.js'), example('js', 'new Trial('))
+  const lines = run('node', ['example.js']).trim().split('\n')
+  const [first] = lines
+  const { value, evaluations, hash } = JSON.parse(first)
+  const told = inShell({ planner: 'pso', scene: 'wcpso-discs', seed: 1, params: { iterations: 100 } })
+  assert.deepEqual({ value, evaluations, hash }, { value: told.length, evaluations: told.evaluations, hash: told.hash })
+  for (const planner of ['pso', 'wpso', 'wcpso'])
+    assert.ok(
+      lines.some((line) => line.startsWith(`${planner}: `)),
+      lines.join('\n'),
+    )
+})
 
 test('its types are exact', () => {
   writeFileSync(
@@ -166,19 +199,32 @@ test('its types are exact', () => {
      // @ts-expect-error a record has no times
      record.elapsed_ms;
      export { status, cost, evaluations, mean, p };`,
-  );
-  const compiler = join(root, 'www/node_modules/typescript/bin/tsc');
-  run('node', [compiler, '--noEmit', '--strict', '--target', 'es2022', '--module', 'nodenext', '--moduleResolution', 'nodenext', '--lib', 'esnext,dom', 'types.ts']);
-});
+  )
+  const compiler = join(root, 'www/node_modules/typescript/bin/tsc')
+  run('node', [
+    compiler,
+    '--noEmit',
+    '--strict',
+    '--target',
+    'es2022',
+    '--module',
+    'nodenext',
+    '--moduleResolution',
+    'nodenext',
+    '--lib',
+    'esnext,dom',
+    'types.ts',
+  ])
+})
 
 test('a page can import it from plain files', () => {
-  const glue = readFileSync(join(project, 'node_modules/forage-lab/forage.js'), 'utf8');
-  assert.match(glue, /new URL\('forage_bg\.wasm', import\.meta\.url\)/);
-  const { exports } = JSON.parse(readFileSync(join(project, 'node_modules/forage-lab/package.json'), 'utf8'));
-  assert.deepEqual(Object.keys(exports['.']), ['node', 'types', 'default']);
-});
+  const glue = readFileSync(join(project, 'node_modules/forage-lab/forage.js'), 'utf8')
+  assert.match(glue, /new URL\('forage_bg\.wasm', import\.meta\.url\)/)
+  const { exports } = JSON.parse(readFileSync(join(project, 'node_modules/forage-lab/package.json'), 'utf8'))
+  assert.deepEqual(Object.keys(exports['.']), ['node', 'types', 'default'])
+})
 
-const SETUP = { planner: 'wcpso', scene: 'wcpso-discs', seed: 7, params: { iterations: 40 } };
+const SETUP = { planner: 'wcpso', scene: 'wcpso-discs', seed: 7, params: { iterations: 40 } }
 /** A page that runs a session, and says what came of it. */
 const script = (from) => `
   import init, { Session } from '${from}';
@@ -187,44 +233,51 @@ const script = (from) => `
   while (session.status === 'running') session.step(10);
   document.body.textContent = session.outcome().hash;
   document.title = 'done';
-  session.free();`;
-const html = (script) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>wait</title><link rel="icon" href="data:,"><body></body><script type="module"${script}</script></html>`;
+  session.free();`
+const html = (script) =>
+  `<!doctype html><html lang="en"><meta charset="utf-8"><title>wait</title><link rel="icon" href="data:,"><body></body><script type="module"${script}</script></html>`
 
 test('a static page without a bundler runs it from the unpacked tarball, with the shell’s hash', async (t) => {
-  const site = join(project, 'site');
-  mkdirSync(site);
-  run('tar', ['-xzf', tarball, '-C', site]);
-  cpSync(join(site, 'package'), join(site, 'forage'), { recursive: true });
-  writeFileSync(join(site, 'index.html'), html(`>${script('./forage/forage.js')}`));
-  const { hash } = inShell(SETUP);
+  const site = join(project, 'site')
+  mkdirSync(site)
+  run('tar', ['-xzf', tarball, '-C', site])
+  cpSync(join(site, 'package'), join(site, 'forage'), { recursive: true })
+  writeFileSync(join(site, 'index.html'), html(`>${script('./forage/forage.js')}`))
+  const { hash } = inShell(SETUP)
 
   await t.test('from a server that knows what wasm is', async () => {
-    const server = await serve(site);
-    const { text, said } = await look(server.address).finally(server.close);
-    assert.deepEqual([text, said], [hash, []]);
-  });
+    const server = await serve(site)
+    const { text, said } = await look(server.address).finally(server.close)
+    assert.deepEqual([text, said], [hash, []])
+  })
   await t.test('from one that does not: slower, and it says so', async () => {
-    const server = await serve(site, { '.wasm': 'text/plain' });
-    const { text, said } = await look(server.address).finally(server.close);
-    assert.equal(text, hash);
-    assert.ok(said.some((line) => line.startsWith('warning:') && line.includes('application/wasm')), said.join('\n'));
-  });
+    const server = await serve(site, { '.wasm': 'text/plain' })
+    const { text, said } = await look(server.address).finally(server.close)
+    assert.equal(text, hash)
+    assert.ok(
+      said.some((line) => line.startsWith('warning:') && line.includes('application/wasm')),
+      said.join('\n'),
+    )
+  })
   await t.test('the book’s page', async () => {
-    writeFileSync(join(site, 'example.html'), `<!doctype html><title>wait</title><link rel="icon" href="data:,"><body></body>${example('html', 'forage.js').replace('</script>', "document.title = 'done: ' + vertices.length;</script>")}`);
-    const server = await serve(site);
-    await look(`${server.address}example.html`).finally(server.close);
-  });
-});
+    writeFileSync(
+      join(site, 'example.html'),
+      `<!doctype html><title>wait</title><link rel="icon" href="data:,"><body></body>${example('html', 'forage.js').replace('</script>', "document.title = 'done: ' + vertices.length;</script>")}`,
+    )
+    const server = await serve(site)
+    await look(`${server.address}example.html`).finally(server.close)
+  })
+})
 
 test('a Vite project bundles it, wasm and all', async () => {
-  const app = join(project, 'app');
-  mkdirSync(app);
-  writeFileSync(join(app, 'index.html'), html(' src="./main.js">'));
-  writeFileSync(join(app, 'main.js'), script('forage-lab'));
-  run('node', [join(root, 'www/node_modules/vite/bin/vite.js'), 'build', '--base', './', '--target', 'es2023', '--logLevel', 'error'], app);
-  const built = run('find', ['dist', '-name', '*.wasm'], app).trim().split('\n');
-  assert.equal(built.length, 1, built.join('\n'));
-  const server = await serve(join(app, 'dist'));
-  const { text } = await look(server.address).finally(server.close);
-  assert.equal(text, inShell(SETUP).hash);
-});
+  const app = join(project, 'app')
+  mkdirSync(app)
+  writeFileSync(join(app, 'index.html'), html(' src="./main.js">'))
+  writeFileSync(join(app, 'main.js'), script('forage-lab'))
+  run('node', [join(root, 'www/node_modules/vite/bin/vite.js'), 'build', '--base', './', '--target', 'es2023', '--logLevel', 'error'], app)
+  const built = run('find', ['dist', '-name', '*.wasm'], app).trim().split('\n')
+  assert.equal(built.length, 1, built.join('\n'))
+  const server = await serve(join(app, 'dist'))
+  const { text } = await look(server.address).finally(server.close)
+  assert.equal(text, inShell(SETUP).hash)
+})

@@ -1,36 +1,38 @@
 // docs/scene.schema.json says what the scene reader says: the shipped scenes are valid, edge cases are accepted by both,
 // and broken variants are rejected by both, the reader naming the field.
-import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import assert from 'node:assert/strict'
+import { spawnSync } from 'node:child_process'
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { after, before, test } from 'node:test'
+import { fileURLToPath } from 'node:url'
 
-const root = fileURLToPath(new URL('..', import.meta.url));
-const program = process.env.FORAGE ?? join(root, 'target/debug', process.platform === 'win32' ? 'forage.exe' : 'forage');
-const { default: Ajv } = createRequire(join(root, 'www/package.json'))('ajv/dist/2020.js');
-const read = (path) => JSON.parse(readFileSync(join(root, path), 'utf8'));
-const valid = new Ajv({ allErrors: true, strictTypes: false, strictRequired: false, strictTuples: false }).compile(read('docs/scene.schema.json'));
+const root = fileURLToPath(new URL('..', import.meta.url))
+const program = process.env.FORAGE ?? join(root, 'target/debug', process.platform === 'win32' ? 'forage.exe' : 'forage')
+const { default: Ajv } = createRequire(join(root, 'www/package.json'))('ajv/dist/2020.js')
+const read = (path) => JSON.parse(readFileSync(join(root, path), 'utf8'))
+const valid = new Ajv({ allErrors: true, strictTypes: false, strictRequired: false, strictTuples: false }).compile(
+  read('docs/scene.schema.json'),
+)
 
-let folder;
+let folder
 before(() => {
-  assert.ok(existsSync(program), `${program} is missing: cargo build, or set FORAGE`);
-  folder = mkdtempSync(join(tmpdir(), 'forage-schema-'));
-});
-after(() => rmSync(folder, { recursive: true, force: true }));
+  assert.ok(existsSync(program), `${program} is missing: cargo build, or set FORAGE`)
+  folder = mkdtempSync(join(tmpdir(), 'forage-schema-'))
+})
+after(() => rmSync(folder, { recursive: true, force: true }))
 
 /** Exit code and message of the reader. Only code 2 means that the scene was rejected. */
 function inProgram(text) {
-  const file = join(folder, 'scene.json');
-  writeFileSync(file, text);
-  const { status, stderr } = spawnSync(program, ['exact', '--scene', file], { encoding: 'utf8' });
-  return { rejected: status === 2, status, stderr };
+  const file = join(folder, 'scene.json')
+  writeFileSync(file, text)
+  const { status, stderr } = spawnSync(program, ['exact', '--scene', file], { encoding: 'utf8' })
+  return { rejected: status === 2, status, stderr }
 }
 
-const head = (kind) => ({ format: 'forage-scene', version: 1, kind, name: 'a', title: 'A' });
+const head = (kind) => ({ format: 'forage-scene', version: 1, kind, name: 'a', title: 'A' })
 const BASES = {
   function: { ...head('function'), function: 'sphere', dimension: 3 },
   discs: { ...head('discs'), bounds: { min: [0, 0], max: [8, 8] }, start: [0, 0], goal: [8, 8], discs: [{ center: [4, 4], radius: 1 }] },
@@ -43,27 +45,59 @@ const BASES = {
     robot: { length: 0.2, width: 0.1, speed: 1 },
     moving: [
       { center: [1, 2], radius: 0.25, velocity: [0.5, 0] },
-      { center: [2, 1], radius: 0.25, waypoints: [[1, 2, 2], [2.5, 0, 2]] },
+      {
+        center: [2, 1],
+        radius: 0.25,
+        waypoints: [
+          [1, 2, 2],
+          [2.5, 0, 2],
+        ],
+      },
     ],
   },
-  stops: { ...head('grid'), cell: 1, rows: ['...', '.#.', '...'], stops: [[0.5, 0.5], [2.5, 2.5], [2.5, 0.5]] },
-  tour: { ...head('tour'), points: [[0, 0], [1, 0], [1, 1], [0, 1]], exact: { length: 4, order: [0, 1, 2, 3] } },
-  matrix: { ...head('tour'), matrix: [[0, 1, 2], [1, 0, 3], [2, 3, 0]] },
+  stops: {
+    ...head('grid'),
+    cell: 1,
+    rows: ['...', '.#.', '...'],
+    stops: [
+      [0.5, 0.5],
+      [2.5, 2.5],
+      [2.5, 0.5],
+    ],
+  },
+  tour: {
+    ...head('tour'),
+    points: [
+      [0, 0],
+      [1, 0],
+      [1, 1],
+      [0, 1],
+    ],
+    exact: { length: 4, order: [0, 1, 2, 3] },
+  },
+  matrix: {
+    ...head('tour'),
+    matrix: [
+      [0, 1, 2],
+      [1, 0, 3],
+      [2, 3, 0],
+    ],
+  },
   arm: read('scenes/arm-cuboid.json'),
-};
+}
 
 /** A base scene after a change. */
 function changed(base, change) {
-  const scene = structuredClone(BASES[base]);
-  change(scene);
-  return scene;
+  const scene = structuredClone(BASES[base])
+  change(scene)
+  return scene
 }
 
 test('every shipped scene is valid', () => {
   for (const file of readdirSync(join(root, 'scenes')).filter((name) => name.endsWith('.json'))) {
-    assert.ok(valid(read(`scenes/${file}`)), `${file}: ${JSON.stringify(valid.errors)}`);
+    assert.ok(valid(read(`scenes/${file}`)), `${file}: ${JSON.stringify(valid.errors)}`)
   }
-});
+})
 
 const ACCEPTED = [
   ...Object.keys(BASES).map((base) => [base, () => {}]),
@@ -77,18 +111,33 @@ const ACCEPTED = [
   ['tour', (s) => Object.assign(s, { metric: 'att', closed: false, exact: { length: null, order: null } })],
   ['tour', (s) => Object.assign(s, { closed: null, exact: 7 })],
   ['matrix', (s) => (s.points = [])],
-  ['matrix', (s) => (s.points = [[0, 0], [0, 1], [2, 0]])],
+  [
+    'matrix',
+    (s) =>
+      (s.points = [
+        [0, 0],
+        [0, 1],
+        [2, 0],
+      ]),
+  ],
   ['arm', (s) => delete s.cuboids],
-  ['arm', (s) => (delete s.arm.base.yaw, delete s.arm.base.column_radius, (s.arm.joints[5].speed = 90))],
-];
+  [
+    'arm',
+    (s) => {
+      delete s.arm.base.yaw
+      delete s.arm.base.column_radius
+      s.arm.joints[5].speed = 90
+    },
+  ],
+]
 
 for (const [k, [base, change]] of ACCEPTED.entries()) {
   test(`accepted by schema and reader: ${base}, variant ${k}`, () => {
-    const scene = changed(base, change);
-    const { rejected, stderr } = inProgram(JSON.stringify(scene));
-    assert.ok(valid(scene), JSON.stringify(valid.errors));
-    assert.ok(!rejected, stderr);
-  });
+    const scene = changed(base, change)
+    const { rejected, stderr } = inProgram(JSON.stringify(scene))
+    assert.ok(valid(scene), JSON.stringify(valid.errors))
+    assert.ok(!rejected, stderr)
+  })
 }
 
 /** Base, what is wrong, the field that the reader names, the change. */
@@ -161,14 +210,14 @@ const REJECTED = [
   ['arm', 'a start in the plane', 'start', (s) => s.start.pop()],
   ['arm', 'an unknown field of the base', 'height', (s) => (s.arm.base.height = 1)],
   ['arm', 'no workspace', 'workspace', (s) => delete s.workspace],
-];
+]
 
 for (const [base, what, field, change] of REJECTED) {
   test(`rejected by schema and reader: ${what} (${base})`, () => {
-    const scene = changed(base, change);
-    const { rejected, status, stderr } = inProgram(JSON.stringify(scene));
-    assert.ok(!valid(scene), 'the schema accepts it');
-    assert.ok(rejected, `the reader accepts it: exit code ${status}`);
-    assert.ok(stderr.includes(field), stderr);
-  });
+    const scene = changed(base, change)
+    const { rejected, status, stderr } = inProgram(JSON.stringify(scene))
+    assert.ok(!valid(scene), 'the schema accepts it')
+    assert.ok(rejected, `the reader accepts it: exit code ${status}`)
+    assert.ok(stderr.includes(field), stderr)
+  })
 }

@@ -1,5 +1,6 @@
 import { availableParallelism } from 'node:os'
 import { defineConfig } from '@playwright/test'
+import { FLAGS } from './tests/support/chromium.mjs'
 import { SITE } from './tests/support/site'
 
 export default defineConfig({
@@ -20,15 +21,7 @@ export default defineConfig({
     colorScheme: 'light',
     launchOptions: {
       executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-      args: [
-        '--no-sandbox',
-        '--disable-gpu',
-        '--disable-quic',
-        '--no-first-run',
-        '--disable-background-networking',
-        '--disable-component-update',
-        '--disable-sync',
-      ],
+      args: FLAGS,
     },
   },
   // The page is tested as it ships: built (scripts/build-page), below a sub-path, from a server that knows nothing of it.

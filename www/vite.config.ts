@@ -14,7 +14,7 @@ const styles = (_: string, files: string[], { hostType }: { hostType: 'html' | '
 export default defineConfig({
   base: './',
   plugins: [svelte(), formulas(core), reproduction(root)],
-  resolve: { alias: { forage: `${core}/forage.js` } },
+  resolve: { alias: { 'forage-lab': `${core}/forage.js` } },
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } },
   // What draws in space is one library, and comes with the first scene that needs it.

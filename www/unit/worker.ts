@@ -1,4 +1,4 @@
-import type { Catalogue, Planner, Scene, Setup } from 'forage'
+import type { Catalogue, Planner, Scene, Setup } from 'forage-lab'
 import type { Answer, FrameMessage, Opening, Run } from '../src/worker/protocol'
 
 /** The run that the worker has, as a line of text: what it was started with, and where it is. */

@@ -1,4 +1,4 @@
-import type { Catalogue, ParameterValue, Planner, Scene } from 'forage'
+import type { Catalogue, ParameterValue, Planner, Scene } from 'forage-lab'
 import { batch as text } from '../i18n/batch.en'
 import { canRun } from '../state/able'
 import { lab } from '../state/lab.svelte'

@@ -1,4 +1,4 @@
-import type { Setup } from 'forage'
+import type { Setup } from 'forage-lab'
 import type { Refusal } from '../worker/protocol'
 import type { Answered, Question } from '../worker/trial.worker'
 import { Thread } from '../worker/trials'

@@ -1,4 +1,4 @@
-import type { ParameterValue, Scene, TrialRecord } from 'forage'
+import type { ParameterValue, Scene, TrialRecord } from 'forage-lab'
 import { batch as text } from '../i18n/batch.en'
 import type { Shown } from './shown'
 

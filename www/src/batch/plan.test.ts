@@ -1,4 +1,4 @@
-import type { Planner, Scene } from 'forage'
+import type { Planner, Scene } from 'forage-lab'
 import { expect, test } from 'vitest'
 import { type Entrant, freeSlot, keyOf, labels, paramsOf, type Plan } from './plan'
 

@@ -1,4 +1,4 @@
-import type { ParameterValue, Planner, Scene, Setup, TrialCurve, TrialRecord } from 'forage'
+import type { ParameterValue, Planner, Scene, Setup, TrialCurve, TrialRecord } from 'forage-lab'
 import { applies, standardOn } from '../state/applicable'
 import { canRun } from '../state/able'
 

@@ -1,4 +1,4 @@
-import type { Catalogue, Scene } from 'forage'
+import type { Catalogue, Scene } from 'forage-lab'
 import { sameScene } from '../state/same'
 import { COUNT, MOST_ENTRANTS, MOST_ITERATIONS, type Plan } from './plan'
 

@@ -1,4 +1,4 @@
-import type { GroupSummary, Summary, TrialRecord } from 'forage'
+import type { GroupSummary, Summary, TrialRecord } from 'forage-lab'
 import type { Answered } from '../worker/trial.worker'
 import type { Group } from './clerk'
 import type { Plan, Row } from './plan'

@@ -1,5 +1,5 @@
-import { compare } from 'forage'
-import type { Friedman, Group, Pair } from 'forage'
+import { compare } from 'forage-lab'
+import type { Friedman, Group, Pair } from 'forage-lab'
 import type { Row } from './plan'
 
 /* Tests ask whether chance alone explains a difference: planners that draw no lots take no part in them. */

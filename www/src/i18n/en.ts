@@ -22,6 +22,7 @@ export const en = {
     copied: 'Link copied',
     copyFailed: 'The link is in the address bar; copying was not allowed.',
     exports: 'Export',
+    guide: 'Guide',
     theme: 'Colours',
     themes: { system: 'Colours: as the system', light: 'Colours: light', dark: 'Colours: dark' },
   },
@@ -124,7 +125,7 @@ export const en = {
     evaluations: 'evaluations',
     none: 'nothing found yet',
     paused: 'paused',
-    status: { running: 'running', solved: 'solved', exhausted: 'finished', infeasible: 'no solution' },
+    status: { running: 'running', solved: 'solved', exhausted: 'completed', infeasible: 'no solution' },
   },
   live: {
     at: (k: string, limit: string) => `iteration ${k} of ${limit}`,

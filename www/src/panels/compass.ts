@@ -1,4 +1,4 @@
-import type { Inspection } from 'forage'
+import type { Inspection } from 'forage-lab'
 import { percent } from './format'
 
 /** A cell's neighbours as they lie about it, row by row. */

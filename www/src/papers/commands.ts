@@ -1,4 +1,4 @@
-import type { ParameterValue } from 'forage'
+import type { ParameterValue } from 'forage-lab'
 import type { Case, Run } from './experiments'
 
 const RUN = /^forage run (\S+) --scene (\S+) --seed (\d+)((?: --set \w+=\S+)*)$/

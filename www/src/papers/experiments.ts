@@ -1,4 +1,4 @@
-import type { Catalogue, ParameterValue } from 'forage'
+import type { Catalogue, ParameterValue } from 'forage-lab'
 import type { Paper } from './row'
 import type { Contender } from '../state/proposed.svelte'
 import { type Preset, PRESETS } from '../state/presets'

@@ -1,5 +1,5 @@
 import * as Comlink from 'comlink'
-import type { Outcome, ParameterValue, Scene, Setup, TrialCurve } from 'forage'
+import type { Outcome, ParameterValue, Scene, Setup, TrialCurve } from 'forage-lab'
 import { sameScene } from '../state/same'
 import type { Answer, Look } from '../worker/protocol'
 import type { Picture, Settled, Start } from '../worker/race.protocol'

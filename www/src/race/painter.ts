@@ -1,4 +1,4 @@
-import type { Catalogue, Outcome, Planner, Scene } from 'forage'
+import type { Catalogue, Outcome, Planner, Scene } from 'forage-lab'
 import { met } from '../state/applicable'
 import { movingOf } from '../state/moving'
 import { stopsOf } from '../state/stops'

@@ -1,4 +1,4 @@
-import type { ParameterValue, Planner, Scene } from 'forage'
+import type { ParameterValue, Planner, Scene } from 'forage-lab'
 import { race as text } from '../i18n/race.en'
 import { meaningful, standardOn } from '../state/applicable'
 import { lab } from '../state/lab.svelte'

@@ -1,4 +1,4 @@
-import type { Catalogue, ParameterValue } from 'forage'
+import type { Catalogue, ParameterValue } from 'forage-lab'
 
 /** A racer before it is started. */
 export interface Entry {

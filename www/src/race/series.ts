@@ -1,4 +1,4 @@
-import type { TrialCurve } from 'forage'
+import type { TrialCurve } from 'forage-lab'
 import type { Curves } from '../panels/chart/curves'
 import type { Stroke } from '../panels/chart/plot'
 

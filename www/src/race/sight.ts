@@ -1,4 +1,4 @@
-import type { Point, Scene } from 'forage'
+import type { Point, Scene } from 'forage-lab'
 import { type Box, extent, fit, isDown, pan, type Size, type View, zoom } from '../stage/view'
 import type { Lane } from './lane.svelte'
 import { race } from './race.svelte'

@@ -1,4 +1,4 @@
-import type { ArmScene, Cuboid, DiscsScene, Point, Point3 } from 'forage'
+import type { ArmScene, Cuboid, DiscsScene, Point, Point3 } from 'forage-lab'
 import type { Layers } from '../stage/layers'
 import type { Pen } from '../stage/pen'
 import { toScreen } from '../stage/view'

@@ -1,4 +1,4 @@
-import type { TrialCurve } from 'forage'
+import type { TrialCurve } from 'forage-lab'
 
 /** What a racer has to show at a time of the race. */
 export interface Mark {

@@ -1,4 +1,4 @@
-import type { Catalogue, Planner, Scene } from 'forage'
+import type { Catalogue, Planner, Scene } from 'forage-lab'
 import { canRun } from '../state/able'
 
 /** What is looked for: a way from start to goal (or a function's minimum), or a tour through stops. One can't be measured by the other. */

@@ -1,4 +1,4 @@
-import type { Outcome, Scene } from 'forage'
+import type { Outcome, Scene } from 'forage-lab'
 import { race as text } from '../i18n/race.en'
 import { number, percent } from '../panels/format'
 import { unitOf } from '../state/units'

@@ -2,7 +2,7 @@ import { BoxGeometry, type Color, Group, Mesh, MeshStandardMaterial } from 'thre
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js'
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js'
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js'
-import type { Cuboid } from 'forage'
+import type { Cuboid } from 'forage-lab'
 
 export type Mood = 'plain' | 'hover' | 'selected' | 'wrong'
 export type Paint = Readonly<Record<Mood, { side: Color; edge: Color; width: number }>>

@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry, MathUtils, Points, PointsMaterial } from 'three'
-import type { Reachability } from 'forage'
+import type { Reachability } from 'forage-lab'
 import type { Palette } from '../stage/palette'
 import { colourOf, mixed } from './colours'
 import { form } from './dots'

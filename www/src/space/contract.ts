@@ -1,4 +1,4 @@
-import type { ArmSolutions, Motion, Reachability } from 'forage'
+import type { ArmSolutions, Motion, Reachability } from 'forage-lab'
 import type { Clock } from '../state/clock.svelte'
 
 /**

@@ -1,5 +1,5 @@
 import { Vector3 } from 'three'
-import type { ArmScene, Cuboid, Point3 } from 'forage'
+import type { ArmScene, Cuboid, Point3 } from 'forage-lab'
 import { type Axis, type Face, FACES, faced, middle, moved, whereIs } from '../state/arms'
 import type { Selection } from '../state/edits'
 import { basis, type Orbit } from './orbit'

@@ -1,4 +1,4 @@
-import type { Item, Point } from 'forage'
+import type { Item, Point } from 'forage-lab'
 import { arm } from '../state/arm.svelte'
 import { added, type Axis, faced, moved, objects, whereIs, withBase, without } from '../state/arms'
 import { rounded, same, type Selection } from '../state/edits'

@@ -1,5 +1,5 @@
 import { MathUtils, Matrix4, Vector3 } from 'three'
-import type { Arm, Cuboid } from 'forage'
+import type { Arm, Cuboid } from 'forage-lab'
 
 /** Where an arm's parts are in a posture. */
 export interface Stance {

@@ -1,5 +1,5 @@
 import { Vector3 } from 'three'
-import type { Cuboid, Point3 } from 'forage'
+import type { Cuboid, Point3 } from 'forage-lab'
 import { space } from '../i18n/space.en'
 import { FONT, plate } from '../stage/ground'
 import type { Pen } from '../stage/pen'

@@ -1,5 +1,5 @@
 import { Group } from 'three'
-import type { Point3 } from 'forage'
+import type { Point3 } from 'forage-lab'
 import { type Names, piecesOf } from '../stage/layers'
 import type { Palette } from '../stage/palette'
 import { resultOf, type Style, styleBeside, styleOf } from '../stage/styles'

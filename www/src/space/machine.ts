@@ -10,7 +10,7 @@ import {
   SphereGeometry,
   Vector3,
 } from 'three'
-import type { Arm } from 'forage'
+import type { Arm } from 'forage-lab'
 import { home, reachOf, type Stance, stance } from './kinematics'
 
 /** What an arm's parts are made of. */

@@ -1,4 +1,4 @@
-import type { ArmScene, Inspection, Point3 } from 'forage'
+import type { ArmScene, Inspection, Point3 } from 'forage-lab'
 import { whereIs } from '../state/arms'
 import type { Selection } from '../state/edits'
 import { space } from '../i18n/space.en'

@@ -1,5 +1,5 @@
 import { MathUtils, Matrix4, type PerspectiveCamera, Vector3 } from 'three'
-import type { Cuboid, Point3 } from 'forage'
+import type { Cuboid, Point3 } from 'forage-lab'
 import type { Size } from '../stage/view'
 
 /** From where space is seen: a point on a sphere about what is looked at. Angles are degrees. */

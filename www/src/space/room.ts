@@ -10,7 +10,7 @@ import {
   PlaneGeometry,
   ShadowMaterial,
 } from 'three'
-import type { Cuboid } from 'forage'
+import type { Cuboid } from 'forage-lab'
 import { edging, settle, wire } from './boxes'
 
 /** The lines of the floor lie so far apart, in metres. */

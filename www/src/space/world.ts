@@ -1,5 +1,5 @@
 import { DirectionalLight, Group, HemisphereLight, PCFShadowMap, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three'
-import type { Arm, ArmScene, ArmSolutions, Cuboid, Point3 } from 'forage'
+import type { Arm, ArmScene, ArmSolutions, Cuboid, Point3 } from 'forage-lab'
 import type { Palette } from '../stage/palette'
 import type { Size } from '../stage/view'
 import { Boxes, type Mood } from './boxes'

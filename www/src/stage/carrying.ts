@@ -1,4 +1,4 @@
-import type { GridScene, Point } from 'forage'
+import type { GridScene, Point } from 'forage-lab'
 import { moving } from '../i18n/moving.en'
 import { added, aimed, neatly, steered, strideOf, tipOf } from '../state/aiming'
 import { type Handle, move, place, same, type Selection } from '../state/edits'

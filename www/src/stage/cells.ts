@@ -1,4 +1,4 @@
-import type { GridScene } from 'forage'
+import type { GridScene } from 'forage-lab'
 import { type Cell, columnsOf, middleOf, radiusOf } from '../state/cells'
 import { outlineOf } from './outline'
 import type { Palette } from './palette'

@@ -1,4 +1,4 @@
-import type { Inspection, Point } from 'forage'
+import type { Inspection, Point } from 'forage-lab'
 import { drawPath } from './layers'
 import { applyStyle, marked, type Pen } from './pen'
 import { closer, styleOf } from './styles'

@@ -1,4 +1,4 @@
-import type { Scene } from 'forage'
+import type { Scene } from 'forage-lab'
 import type { FieldRequest } from '../worker/protocol'
 import type { Pen } from './pen'
 import { type Box, type Size, toScene, toScreen, type View } from './view'

@@ -1,4 +1,4 @@
-import type { Point } from 'forage'
+import type { Point } from 'forage-lab'
 
 export interface Gestures {
   /** A finger or button went down; what is answered says if it took hold of something. */

@@ -1,4 +1,4 @@
-import type { DiscsScene, Scene } from 'forage'
+import type { DiscsScene, Scene } from 'forage-lab'
 import { discOf, ends, type Handle, place, type Plane, same, type Selection } from '../state/edits'
 import type { Pen } from './pen'
 import { type Box, extent, tick, toScene, toScreen } from './view'

@@ -1,4 +1,4 @@
-import type { Item, Point } from 'forage'
+import type { Item, Point } from 'forage-lab'
 import { between, type Cell, cellAt, indexOf, isBlocked, middleOf, paint } from '../state/cells'
 import { discOf, type Handle, LEAST_RADIUS, move, place, resize, same, type Selection } from '../state/edits'
 import { lab } from '../state/lab.svelte'

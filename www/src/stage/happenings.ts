@@ -1,4 +1,4 @@
-import type { Point } from 'forage'
+import type { Point } from 'forage-lab'
 import type { Pen } from './pen'
 import { type Tone, TONES } from './tones'
 import { toScreen } from './view'

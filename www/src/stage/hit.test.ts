@@ -1,4 +1,4 @@
-import type { DiscsScene } from 'forage'
+import type { DiscsScene } from 'forage-lab'
 import { expect, test } from 'vitest'
 import { hit } from './hit'
 import { fit as fitted, toScreen } from './view'

@@ -1,4 +1,4 @@
-import type { Point } from 'forage'
+import type { Point } from 'forage-lab'
 import { discOf, ends, type Handle, type Plane, type Selection } from '../state/edits'
 import { stopsOf } from '../state/stops'
 import { type Size, toScreen, type View } from './view'

@@ -1,4 +1,4 @@
-import type { GridScene } from 'forage'
+import type { GridScene } from 'forage-lab'
 import { expect, test } from 'vitest'
 import { isBlocked } from '../state/cells'
 import { tooNear } from './inside'

@@ -1,4 +1,4 @@
-import type { GridScene, Point } from 'forage'
+import type { GridScene, Point } from 'forage-lab'
 import { cellAt, columnsOf, isBlocked, radiusOf } from '../state/cells'
 import type { Pen } from './pen'
 import { toScreen } from './view'

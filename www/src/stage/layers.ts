@@ -1,4 +1,4 @@
-import type { GridScene, Point, Scene } from 'forage'
+import type { GridScene, Point, Scene } from 'forage-lab'
 import { stopsOf } from '../state/stops'
 import type { FrameMessage } from '../worker/protocol'
 import { applyStyle, Lines, type Pen, points } from './pen'

@@ -1,4 +1,4 @@
-import type { GridScene, Moving, Point } from 'forage'
+import type { GridScene, Moving, Point } from 'forage-lab'
 import { tipOf } from '../state/aiming'
 import { type Handle, same, type Selection } from '../state/edits'
 import { movingOf } from '../state/moving'

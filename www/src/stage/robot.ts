@@ -1,4 +1,4 @@
-import type { Point } from 'forage'
+import type { Point } from 'forage-lab'
 import type { Pose, Track } from '../state/track'
 import type { Pen } from './pen'
 import { rise, toScreen } from './view'

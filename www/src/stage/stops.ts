@@ -1,4 +1,4 @@
-import type { Scene } from 'forage'
+import type { Scene } from 'forage-lab'
 import { ends, type Handle, same, type Selection } from '../state/edits'
 import { stopsOf } from '../state/stops'
 import type { Layers, Names } from './layers'

@@ -1,4 +1,4 @@
-import type { EventKind } from 'forage'
+import type { EventKind } from 'forage-lab'
 
 export type Tone = EventKind['tone']
 

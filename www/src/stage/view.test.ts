@@ -1,4 +1,4 @@
-import type { Point } from 'forage'
+import type { Point } from 'forage-lab'
 import { expect, test } from 'vitest'
 import { fit as fitted, pan, tick, toScene, toScreen, type View, zoom } from './view'
 

@@ -1,4 +1,4 @@
-import type { FunctionScene, Point, Scene } from 'forage'
+import type { FunctionScene, Point, Scene } from 'forage-lab'
 import { stopsOf } from '../state/stops'
 
 /** Which part of the plane is seen: the middle, and how many pixels a unit is. */

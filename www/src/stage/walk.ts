@@ -1,4 +1,4 @@
-import type { Point } from 'forage'
+import type { Point } from 'forage-lab'
 import { type Ant, placeAt, type Walk } from '../state/walk'
 import type { Pen } from './pen'
 import { toScreen } from './view'

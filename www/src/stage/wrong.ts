@@ -1,4 +1,4 @@
-import type { Disc } from 'forage'
+import type { Disc } from 'forage-lab'
 import type { Lines, Pen } from './pen'
 import { styleOf } from './styles'
 import { toScreen } from './view'

@@ -1,4 +1,4 @@
-import type { Planner, Scene } from 'forage'
+import type { Planner, Scene } from 'forage-lab'
 import { stopsOf, suits } from './stops'
 
 /** Whether a planner can be run on a scene as it is: some can do with so many stops only. */

@@ -1,4 +1,4 @@
-import type { GridScene, Moving, Point, Robot } from 'forage'
+import type { GridScene, Moving, Point, Robot } from 'forage-lab'
 import { rounded } from './edits'
 import { movingOf, withMoving } from './moving'
 

@@ -1,4 +1,4 @@
-import type { Kind, Parameter, ParameterValue, Planner, Scene, When } from 'forage'
+import type { Kind, Parameter, ParameterValue, Planner, Scene, When } from 'forage-lab'
 
 type Values = Readonly<Record<string, ParameterValue>>
 

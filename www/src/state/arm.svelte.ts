@@ -1,4 +1,4 @@
-import type { ArmScene, ArmSolutions, Motion, Point3, Reachability } from 'forage'
+import type { ArmScene, ArmSolutions, Motion, Point3, Reachability } from 'forage-lab'
 import type { ArmView } from '../space/contract'
 import { Following } from './following.svelte'
 import { lab } from './lab.svelte'

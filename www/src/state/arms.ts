@@ -1,4 +1,4 @@
-import type { ArmScene, Cuboid, Point3 } from 'forage'
+import type { ArmScene, Cuboid, Point3 } from 'forage-lab'
 import { rounded, type Selection } from './edits'
 
 /* What is done to the scene of an arm: loaded with the first one. */

@@ -1,4 +1,4 @@
-import type { GridScene, Point } from 'forage'
+import type { GridScene, Point } from 'forage-lab'
 
 /** A cell of a grid; rows count from the top, as scene files list them. */
 export interface Cell {

@@ -1,5 +1,5 @@
 import * as Comlink from 'comlink'
-import type { Catalogue } from 'forage'
+import type { Catalogue } from 'forage-lab'
 import type { Api } from '../worker/sim.worker'
 import type { FrameMessage, FromWorker, ProgressMessage, ReturnedBuffer } from '../worker/protocol'
 

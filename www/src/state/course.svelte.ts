@@ -1,4 +1,4 @@
-import type { RunEvent, Stage } from 'forage'
+import type { RunEvent, Stage } from 'forage-lab'
 import type { FrameMessage, Run, Span } from '../worker/protocol'
 import { Curve } from './curve'
 

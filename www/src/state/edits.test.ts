@@ -1,4 +1,4 @@
-import type { DiscsScene, GridScene } from 'forage'
+import type { DiscsScene, GridScene } from 'forage-lab'
 import { expect, test } from 'vitest'
 import { add, blamed, edited, move, remove, resize } from './edits'
 

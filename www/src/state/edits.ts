@@ -1,4 +1,4 @@
-import type { Disc, DiscsScene, GridScene, Point, Scene, TourScene } from 'forage'
+import type { Disc, DiscsScene, GridScene, Point, Scene, TourScene } from 'forage-lab'
 import { movingOf, placed, withMoving } from './moving'
 import { stopsOf, withStops } from './stops'
 

@@ -1,4 +1,4 @@
-import type { EventKind, RunEvent } from 'forage'
+import type { EventKind, RunEvent } from 'forage-lab'
 import { expect, test } from 'vitest'
 import { clusters, csv, Kinds, neighbour, nextWithin, present } from './events'
 

@@ -1,4 +1,4 @@
-import type { Catalogue, EventKind, Outcome, RunEvent } from 'forage'
+import type { Catalogue, EventKind, Outcome, RunEvent } from 'forage-lab'
 import type { Run } from '../worker/protocol'
 
 export type Tone = EventKind['tone']

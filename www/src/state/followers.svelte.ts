@@ -1,4 +1,4 @@
-import type { Drive } from 'forage'
+import type { Drive } from 'forage-lab'
 import type { Client } from './client'
 import type { Follower, Following } from './following.svelte'
 import type { Track } from './track'

@@ -1,4 +1,4 @@
-import type { ParameterValue } from 'forage'
+import type { ParameterValue } from 'forage-lab'
 import { en } from '../i18n/en'
 import type { Answer, Followed } from '../worker/protocol'
 import { Clock } from './clock.svelte'

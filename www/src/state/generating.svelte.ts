@@ -1,4 +1,4 @@
-import type { Generator, GridScene, ParameterValue, Scene, TourScene } from 'forage'
+import type { Generator, GridScene, ParameterValue, Scene, TourScene } from 'forage-lab'
 import type { Refusal } from '../worker/protocol'
 import { lab } from './lab.svelte'
 import { Latest } from './latest'

@@ -1,4 +1,4 @@
-import type { NamedFile, Problem } from 'forage'
+import type { NamedFile, Problem } from 'forage-lab'
 import { en } from '../i18n/en'
 import { lab } from './lab.svelte'
 

@@ -11,7 +11,7 @@ import type {
   Setup,
   Status,
   Suggestion,
-} from 'forage'
+} from 'forage-lab'
 import { en } from '../i18n/en'
 import { number } from '../panels/format'
 import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'

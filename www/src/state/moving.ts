@@ -1,4 +1,4 @@
-import type { Moving, Point, Scene } from 'forage'
+import type { Moving, Point, Scene } from 'forage-lab'
 
 /* What every scene's edits need of moving obstacles; what only their own tools need is in aiming.ts. */
 

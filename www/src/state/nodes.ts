@@ -1,4 +1,4 @@
-import type { Inspection, Point3 } from 'forage'
+import type { Inspection, Point3 } from 'forage-lab'
 import type { FrameMessage } from '../worker/protocol'
 
 export const NODES = 'nodes'

@@ -1,4 +1,4 @@
-import type { Catalogue, ParameterValue, Scene } from 'forage'
+import type { Catalogue, ParameterValue, Scene } from 'forage-lab'
 import { sameParams, sameScene } from './same'
 
 /** A case that was published: a planner on a scene that ships, with the parameters that differ from the defaults. */

@@ -1,4 +1,4 @@
-import type { ParameterValue } from 'forage'
+import type { ParameterValue } from 'forage-lab'
 
 /** A planner with the parameters that differ from its defaults. */
 export interface Contender {

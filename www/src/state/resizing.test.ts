@@ -1,4 +1,4 @@
-import type { GridScene, Moving } from 'forage'
+import type { GridScene, Moving } from 'forage-lab'
 import { expect, test } from 'vitest'
 import { straightened } from './aiming'
 import { rescale, resizeRobot } from './resizing'

@@ -1,4 +1,4 @@
-import type { GridScene, Point } from 'forage'
+import type { GridScene, Point } from 'forage-lab'
 import type { Side } from './cells'
 import { rounded } from './edits'
 import { movingOf, placed, withMoving } from './moving'

@@ -1,4 +1,4 @@
-import type { ParameterValue, Scene } from 'forage'
+import type { ParameterValue, Scene } from 'forage-lab'
 
 /** Two scenes with the same content. */
 export const sameScene = (a: Scene, b: Scene | null): boolean => a === b || (a.name === b?.name && JSON.stringify(a) === JSON.stringify(b))

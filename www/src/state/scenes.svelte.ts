@@ -1,4 +1,4 @@
-import type { ArmScene, DiscsScene, GridScene, Point, Scene } from 'forage'
+import type { ArmScene, DiscsScene, GridScene, Point, Scene } from 'forage-lab'
 import { add, edited, move, place, type Plane, remove, rounded, type Selection } from './edits'
 import * as history from './history'
 import type { ImportedFiles } from './imports'

@@ -1,4 +1,4 @@
-import type { Stage } from 'forage'
+import type { Stage } from 'forage-lab'
 
 /** Where an iteration is within its part of the run. */
 export interface Part {

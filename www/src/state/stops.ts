@@ -1,4 +1,4 @@
-import type { Planner, Point, Scene } from 'forage'
+import type { Planner, Point, Scene } from 'forage-lab'
 
 /** Without a place of their own they lie on a circle, as the core draws them. */
 const circles = new Map<number, Point[]>()

@@ -1,4 +1,4 @@
-import type { Motion, Point3 } from 'forage'
+import type { Motion, Point3 } from 'forage-lab'
 import { Moments } from './moments'
 
 /** The joints' names in rows, from the base to the wrist. */

@@ -1,4 +1,4 @@
-import type { Drive, Motion } from 'forage'
+import type { Drive, Motion } from 'forage-lab'
 import { expect, test } from 'vitest'
 import { Swing } from './swing'
 import { Track } from './track'

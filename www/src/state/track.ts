@@ -1,4 +1,4 @@
-import type { Drive } from 'forage'
+import type { Drive } from 'forage-lab'
 import { Moments } from './moments'
 
 export interface Pose {

@@ -1,4 +1,4 @@
-import type { Scene } from 'forage'
+import type { Scene } from 'forage-lab'
 
 /** The unit of a scene's lengths, with the space before it; nothing where they have none. */
 export function unitOf(scene: Scene | null): string {

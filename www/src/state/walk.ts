@@ -1,4 +1,4 @@
-import type { Point } from 'forage'
+import type { Point } from 'forage-lab'
 
 /** Numbers a vertex: x, y, z, weight. */
 const VERTEX = 4

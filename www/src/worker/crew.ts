@@ -1,4 +1,4 @@
-import type { carryOut, Finding, Job, Scene } from 'forage'
+import type { carryOut, Finding, Job, Scene } from 'forage-lab'
 
 /** A job with the scene that it belongs to. */
 export type Errand = Parameters<typeof carryOut>[0]

@@ -1,4 +1,4 @@
-import type { Session } from 'forage'
+import type { Session } from 'forage-lab'
 import type { FieldPicture } from './protocol'
 
 let canvas: OffscreenCanvas | undefined

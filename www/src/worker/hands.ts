@@ -1,5 +1,5 @@
 import { type Remote, wrap } from 'comlink'
-import { carryOut } from 'forage'
+import { carryOut } from 'forage-lab'
 import type { Hand } from './crew'
 import { breathe } from './pace'
 import type { Api } from './sim.worker'

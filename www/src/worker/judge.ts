@@ -1,4 +1,4 @@
-import type { Outcome, Status, TrialCurve } from 'forage'
+import type { Outcome, Status, TrialCurve } from 'forage-lab'
 
 /** What a judge must be able to ask a run. */
 interface Judged {

@@ -1,4 +1,4 @@
-import type { Inspection, Item, Outcome, ParameterValue, Point, Point3, RunEvent, Scene, Stage, Status } from 'forage'
+import type { Inspection, Item, Outcome, ParameterValue, Point, Point3, RunEvent, Scene, Stage, Status } from 'forage-lab'
 
 /** A refusal of the core as plain data: errors lose their fields on the way between threads. */
 export interface Refusal {

@@ -1,4 +1,4 @@
-import type { Outcome, ParameterValue, Point, Point3, Scene, Status, TrialCurve } from 'forage'
+import type { Outcome, ParameterValue, Point, Point3, Scene, Status, TrialCurve } from 'forage-lab'
 import type { FieldPicture } from './protocol'
 
 /** What a racer's run turned out to be. */

@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink'
-import init, { catalogue } from 'forage'
-import type { Setup } from 'forage'
+import init, { catalogue } from 'forage-lab'
+import type { Setup } from 'forage-lab'
 import type { Answer, FieldRequest, Look } from './protocol'
 import type { Picture, Settled, Start } from './race.protocol'
 import { Racer } from './racer'

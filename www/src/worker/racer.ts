@@ -1,5 +1,5 @@
-import { armPose, Session } from 'forage'
-import type { Setup } from 'forage'
+import { armPose, Session } from 'forage-lab'
+import type { Setup } from 'forage-lab'
 import { fieldsOf } from './fields'
 import { Judge } from './judge'
 import { breathe, SLICE } from './pace'

@@ -11,7 +11,7 @@ import init, {
   reachability,
   type Session,
   suggest,
-} from 'forage'
+} from 'forage-lab'
 import type {
   ArmSolutions,
   Catalogue,
@@ -31,7 +31,7 @@ import type {
   Scene,
   Setup,
   Suggestion,
-} from 'forage'
+} from 'forage-lab'
 import type { Errand } from './crew'
 import { oneself, thread } from './hands'
 import { breathe } from './pace'

@@ -1,5 +1,5 @@
-import { Session } from 'forage'
-import type { Item, RunEvent, Setup } from 'forage'
+import { Session } from 'forage-lab'
+import type { Item, RunEvent, Setup } from 'forage-lab'
 import type { Crew, Task } from './crew'
 import { fieldsOf } from './fields'
 import { breathe, SLICE, wait } from './pace'

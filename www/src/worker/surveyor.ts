@@ -1,4 +1,4 @@
-import type { Reachability, Scene } from 'forage'
+import type { Reachability, Scene } from 'forage-lab'
 import { other } from './hands'
 import type { Answer } from './protocol'
 

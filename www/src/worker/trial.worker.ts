@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink'
-import init, { compare, suggest, Trial } from 'forage'
-import type { Comparison, Setup } from 'forage'
+import init, { compare, suggest, Trial } from 'forage-lab'
+import type { Comparison, Setup } from 'forage-lab'
 import type { Errand, Row } from '../batch/plan'
 import { type TestedPair, testedPairs, type TestedRanks, testedRanks } from '../batch/tested'
 import { type Bands, bands, type Reached, reached } from '../batch/summaries'

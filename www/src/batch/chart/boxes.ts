@@ -1,5 +1,5 @@
 import uPlot from 'uplot'
-import type { GroupSummary } from 'forage'
+import type { GroupSummary } from 'forage-lab'
 import type { Run, ShownGroup } from '../shown'
 import { axis, faint, type Theme } from './base'
 import { GOLDEN, jitter, PADDING, PLASTIC, ROW } from './layout'

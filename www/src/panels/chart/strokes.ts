@@ -1,4 +1,4 @@
-import type { Reading } from 'forage'
+import type { Reading } from 'forage-lab'
 import type { Stroke } from './plot'
 
 /** Readings that most planners tell have a colour of their own; the others take the next of these. */

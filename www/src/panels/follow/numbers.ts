@@ -1,4 +1,4 @@
-import type { ParameterValue } from 'forage'
+import type { ParameterValue } from 'forage-lab'
 
 /** Those of the parameters that are numbers. */
 export const numbersOf = (parameters: Readonly<Record<string, ParameterValue>> = {}): Record<string, number> =>

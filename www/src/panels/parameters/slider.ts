@@ -1,4 +1,4 @@
-import type { Parameter } from 'forage'
+import type { Parameter } from 'forage-lab'
 
 /** How a slider's positions stand for a parameter's values: native range attributes and the two ways. */
 export interface Slider {
