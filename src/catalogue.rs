@@ -8,7 +8,7 @@ use crate::{
     ants, arm, drive, dynamic,
     error::Error,
     frame::{Role, Shape},
-    params::{Domain, Parameter, Settings, Value, When, as_object},
+    params::{Domain, Fixed, Given, Parameter, Settings, Value, When, as_object},
     scene::{
         Body, Kind, Scene,
         generate::{GENERATORS, Generator, TOURS},
@@ -86,10 +86,39 @@ pub struct Entry {
     pub members: &'static [Member],
     /// The kinds of events that it tells of.
     pub events: &'static [EventKind],
+    /// Parameters under a name: as published, or fitted to published figures.
+    pub presets: &'static [Preset],
     /// What its paper recommends for these settings; `None` where it says nothing.
     pub suggest: fn(&Settings) -> Option<Suggestion>,
     /// How a run begins.
     pub start: Start,
+}
+
+/// Parameters under a name.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Preset {
+    /// The name in commands: `paper`, `fitted`.
+    pub name: &'static str,
+    /// A few words: As in the text.
+    pub title: &'static str,
+    /// What it is good for, and what it rests on.
+    pub help: &'static str,
+    /// A shipped scene on which to try it.
+    pub scene: &'static str,
+    /// The values that differ from the defaults.
+    #[serde(rename = "params", serialize_with = "fixed")]
+    pub values: &'static [(&'static str, Fixed)],
+}
+
+fn fixed<S: Serializer>(values: &[(&'static str, Fixed)], serializer: S) -> Result<S::Ok, S::Error> {
+    as_object(&values.iter().map(|&(name, value)| (name, Value::from(value))).collect::<Vec<_>>(), serializer)
+}
+
+impl Preset {
+    /// The values as overrides.
+    pub fn given(&self) -> Given {
+        self.values.iter().map(|&(name, value)| (name, Value::from(value))).collect()
+    }
 }
 
 /// A number that a planner tells after each iteration.
@@ -146,12 +175,22 @@ pub struct Formula {
     pub live: &'static str,
     /// Where those numbers come from.
     pub scope: Scope,
+    /// A parameter's value without which another equation stands in its place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub when: Option<When>,
 }
 
 impl Formula {
     /// An equation that is filled in from an inspection's values.
     pub const fn of_item(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Self {
-        Self { name, source, title, tex, live, scope: Scope::Item }
+        Self { name, source, title, tex, live, scope: Scope::Item, when: None }
+    }
+
+    /// The same, carried out only while a parameter has this value.
+    #[must_use]
+    pub const fn when(mut self, parameter: &'static str, value: &'static str) -> Self {
+        self.when = Some(When { parameter, value });
+        self
     }
 }
 
@@ -291,6 +330,20 @@ impl Entry {
         }
     }
 
+    /// The values of a preset that mean something on this kind of scene.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the names that exist; [`Error::Refused`] for a planner without presets.
+    pub fn preset(&self, name: &str, kind: Kind) -> Result<Given, Error> {
+        if self.presets.is_empty() {
+            return Err(Error::refused("preset", name, format!("nothing: {} has no presets", self.name)));
+        }
+        let preset = self.presets.iter().find(|preset| preset.name == name);
+        let preset = preset.ok_or_else(|| Error::unknown("preset", name, self.presets.iter().map(|preset| preset.name)))?;
+        let applies = |name: &str| self.parameters_on(kind).any(|parameter| parameter.name == name);
+        Ok(preset.given().iter().filter(|(name, _)| applies(name)).map(|(name, value)| (name, value.clone())).collect())
+    }
+
     fn check_most(&self, field: &str, n: usize) -> Result<(), Error> {
         match self.most_stops {
             Some(most) if n > most => {
@@ -365,7 +418,7 @@ impl Serialize for EntryView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let entry = self.0;
         let parameters = views(entry.parameters, entry.kinds);
-        let mut out = serializer.serialize_struct("Planner", 14)?;
+        let mut out = serializer.serialize_struct("Planner", 15)?;
         out.serialize_field("name", entry.name)?;
         out.serialize_field("title", entry.title)?;
         out.serialize_field("family", entry.family)?;
@@ -377,6 +430,7 @@ impl Serialize for EntryView {
             out.serialize_field("most_stops", &most)?;
         }
         out.serialize_field("parameters", &parameters)?;
+        out.serialize_field("presets", entry.presets)?;
         out.serialize_field("readings", entry.readings)?;
         out.serialize_field("formulas", entry.formulas)?;
         out.serialize_field("layers", entry.layers)?;
@@ -441,7 +495,7 @@ impl Serialize for ParameterView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let p = self.parameter;
         let kinds: Vec<Kind> = self.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
-        let defaults: Vec<_> = p.defaults.iter().map(|&(kind, preset)| (kind.name(), preset.into())).collect();
+        let defaults: Vec<_> = p.defaults.iter().map(|&(kind, value)| (kind.name(), value.into())).collect();
         let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(Kind::Function));
         let mut out = serializer.serialize_struct("Parameter", 15)?;
         out.serialize_field("name", p.name)?;

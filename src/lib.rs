@@ -52,6 +52,7 @@ pub mod rng;
 pub mod scene;
 pub mod search;
 pub mod session;
+mod settled;
 pub mod statistics;
 pub mod swarm;
 pub mod tour;

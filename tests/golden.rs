@@ -96,6 +96,18 @@ fn specs() -> Vec<Spec> {
         ("rrt-star", "wcpso-discs", 9, r#""iterations": 1500, "smooth": true"#),
         ("rrt-joint", "arm-puma", 10, r#""iterations": 2000, "radius": 0.02, "goals": 3, "shorten": false"#),
         ("cpso", "discs-slalom", 6, r#""early_stop": 30, "ordered": false"#),
+        ("cpso", "sphere", 7, r#""w_law": "linear", "random": "particle""#),
+        ("pso", "egg-crate", 8, r#""v_max": 1, "v_max_unit": "absolute""#),
+        (
+            "wcpso",
+            "matyas",
+            1,
+            r#""hen_keep": "better", "hen_partner": "best", "hen_timing": "after", "patience": 1, "random": "particle""#,
+        ),
+        ("wcpso", "rosenbrock", 2, r#""s2": "source", "w_law": "linear", "c1_law": "linear", "c2_law": "linear""#),
+        ("wcpso", "wcpso-discs", 6, r#""hen_timing": "after", "hen_partner": "best""#),
+        ("wcpso", "wcpso-discs", 7, r#""hen_keep": "better""#),
+        ("wcpso", "wcpso-discs", 8, r#""perturb": false"#),
     ]);
     specs
 }

@@ -277,7 +277,7 @@ fn every_parameter_is_checked_at_both_ends(entry: &'static Entry) {
                 let found = session.outcome().cost.is_some();
                 assert!(
                     session.readings().iter().all(|(name, value)| value.is_finite()
-                        || (value.is_nan() && (!found || ["free", "f", "mean", "smallest_distance"].contains(&name)))),
+                        || (value.is_nan() && (!found || ["free", "f", "mean", "settled", "smallest_distance"].contains(&name)))),
                     "{} {}={value}",
                     entry.name,
                     parameter.name
@@ -351,7 +351,12 @@ fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
             assert!(span.shape != Shape::Polyline || span.count >= 2);
         }
         let numbers: Vec<_> = told.iter().copied().chain(session.settings().all().iter().map(|(name, _)| *name)).collect();
-        for formula in entry.formulas.iter().filter(|f| f.scope == Scope::Iteration) {
+        let carried_out = |when: Option<When>| {
+            when.is_none_or(|When { parameter, value }| {
+                session.settings().all().iter().any(|(name, set)| *name == parameter && set.to_string() == value)
+            })
+        };
+        for formula in entry.formulas.iter().filter(|f| f.scope == Scope::Iteration && carried_out(f.when)) {
             for name in placeholders(formula.live) {
                 assert!(numbers.contains(&name), "{}: nothing fills @{name}@ in {}", entry.name, formula.name);
             }
@@ -437,7 +442,29 @@ const CHECKS: &[(&str, Check)] = &[
     ("every_parameter_is_checked_at_both_ends", every_parameter_is_checked_at_both_ends),
     ("every_condition_can_be_met", every_condition_can_be_met),
     ("the_entry_describes_what_the_planner_does", the_entry_describes_what_the_planner_does),
+    ("a_preset_runs_where_it_says_and_changes_something", a_preset_runs_where_it_says_and_changes_something),
 ];
+
+/// A preset's values are allowed, differ from the defaults, and start a run on its scene.
+fn a_preset_runs_where_it_says_and_changes_something(entry: &'static Entry) {
+    for preset in entry.presets {
+        let scene = forage::shipped(preset.scene).unwrap();
+        let given = entry.preset(preset.name, scene.kind()).unwrap();
+        let mut params = given.clone();
+        if given.get("iterations").is_none() {
+            params.insert("iterations", Value::from(3.0));
+        }
+        let mut session = session(entry, &scene, params, 1);
+        session.step(2);
+        assert_eq!(session.iteration(), 2, "{} {}", entry.name, preset.name);
+        for (name, value) in preset.given().iter() {
+            let parameter = entry.parameters.iter().find(|parameter| parameter.name == name);
+            let parameter = parameter.unwrap_or_else(|| panic!("{} has no parameter {name}", entry.name));
+            parameter.check(value).unwrap();
+            assert!(entry.kinds.iter().any(|&kind| parameter.default_on(kind) != *value), "{} {}: {name}", entry.name, preset.name);
+        }
+    }
+}
 
 fn main() -> ExitCode {
     let mut trials = vec![trial("what_cannot_run_is_refused", what_cannot_run_is_refused)];

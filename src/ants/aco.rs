@@ -8,7 +8,7 @@ use crate::{
 
 use super::{
     Traits,
-    ground::Heuristic,
+    ground::{Direction, Heuristic},
     parameters::{
         CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, TRADITIONAL, alpha, ants, beta,
         dead_end, q, rho, tau_0, tau_min,
@@ -42,11 +42,20 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
 };
 
 /// What sets this colony apart.
 pub(super) fn traits(_: &Settings) -> Traits {
-    Traits { heuristic: Heuristic::Distance, gamma: 0.0, update: Update::Traditional, greed: [0.0; 2], seeded: 1.0 }
+    Traits {
+        heuristic: Heuristic::Distance,
+        gamma: 0.0,
+        direction: Direction::Squared,
+        update: Update::Traditional,
+        relative: false,
+        greed: [0.0; 2],
+        seeded: 1.0,
+    }
 }

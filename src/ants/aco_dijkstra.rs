@@ -3,13 +3,14 @@
 use crate::{
     catalogue::{Entry, Formula, Scope},
     params::{Parameter, Settings},
+    settled::SETTLED,
     way::{LENGTH, SMOOTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 use super::{
     Traits,
     aco::{ALPHA, ANTS, BETA, Q, RHO, TAU_0, TAU_MIN},
-    ground::Heuristic,
+    ground::{Direction, Heuristic},
     parameters::{
         ANT_STEPS, ARRIVED, BEST, CHOICE, CONVERGED, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN, STAYS,
         STEP_LIMIT, STUCK, TAU_MAX, TRADITIONAL, dead_end,
@@ -41,6 +42,7 @@ const RULE: Formula = Formula {
     tex: "j = \\begin{cases} \\arg\\max_s \\tau_{is}^{\\alpha} \\eta_{is}^{\\beta} & u < q_0 \\\\ \\text{drawn by (1)} & \\text{otherwise} \\end{cases}",
     live: "q_0 = @q0@",
     scope: Scope::Iteration,
+    when: None,
 };
 
 /// See the module.
@@ -78,6 +80,7 @@ pub const ENTRY: Entry = Entry {
         SMOOTH_TURNS,
         SMOOTH_TURNING,
         CONVERGED,
+        SETTLED,
         ARRIVED,
         STUCK,
         LOST,
@@ -90,6 +93,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
 };
@@ -99,7 +103,9 @@ pub(super) fn traits(settings: &Settings) -> Traits {
     Traits {
         heuristic: Heuristic::Distance,
         gamma: 0.0,
+        direction: Direction::Squared,
         update: Update::Traditional,
+        relative: false,
         greed: [settings.number("q0_start"), settings.number("q0_end")],
         seeded: settings.number("seeded"),
     }

@@ -2,15 +2,15 @@
 
 use crate::{
     catalogue::{Entry, Formula},
-    params::{Parameter, Settings},
+    params::{Choice, Parameter, Settings},
     way::SMOOTH,
 };
 
 use super::{
     Traits,
-    aco::{ALPHA, ANTS, BETA, Q, RHO, TAU_0, TAU_MIN},
-    ground::Heuristic,
-    parameters::{DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, dead_end},
+    aco::{ALPHA, ANTS, BETA, RHO},
+    ground::{Direction, Heuristic},
+    parameters::{DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, dead_end, q, tau_0, tau_min},
     update::Update,
 };
 
@@ -20,6 +20,40 @@ const GAMMA: Parameter = Parameter::number(
     "Weight of direction",
     [0.0, 20.0, 2.5],
     "How much it counts in an ant’s choice that a step goes straight on and towards the goal. Published: 2.5.",
+);
+const DIRECTION_LAW: Parameter = Parameter::choice(
+    "direction",
+    "\\psi",
+    "Angles in (2)",
+    &[
+        Choice { value: "squared", title: "Squared", help: "exp(−((θ1/π)² + (θ2/π)²)): small turns cost little." },
+        Choice { value: "linear", title: "Linear", help: "exp(−(θ1 + θ2)/(π/2)): every turn costs in proportion." },
+    ],
+    "How the angles enter the direction factor. The scan is damaged; the squares are the likelier reading.",
+);
+const Q_RELATIVE: Parameter = q(
+    3.0,
+    [0.1, 100.0],
+    "An ant lays Q / L on each step of a way of length L, before reward and punishment. The paper gives no value: this one makes the colony settle.",
+);
+const TAU_0: Parameter = tau_0(
+    500.0,
+    "What lies on every step before the first ant sets out. The paper gives no value; 500 is about what fifty ants keep up, so that the first ways do not decide everything.",
+);
+const TAU_MIN: Parameter = tau_min(0.1);
+const Q_UNIT: Parameter = Parameter::choice(
+    "q_unit",
+    "",
+    "Q in",
+    &[
+        Choice {
+            value: "distance",
+            title: "Distances from start to goal",
+            help: "Q is multiplied by the straight distance from start to goal: it means the same on every map.",
+        },
+        Choice { value: "absolute", title: "The scene’s unit", help: "Q is taken as it is." },
+    ],
+    "What Q is measured in.",
 );
 const PHI1: Parameter = Parameter::number(
     "phi1",
@@ -49,9 +83,18 @@ const DIRECTION: Formula = Formula::of_item(
     "direction",
     "[ANTBAT] (2)",
     "Direction",
+    "\\psi = \\exp\\left(-\\left(\\left(\\frac{\\theta_1}{\\pi}\\right)^2 + \\left(\\frac{\\theta_2}{\\pi}\\right)^2\\right)\\right)",
+    "\\psi = \\exp\\left(-\\frac{@theta1@^2 + @theta2@^2}{\\pi^2}\\right) = @psi@",
+)
+.when("direction", "squared");
+const DIRECTION_LINEAR: Formula = Formula::of_item(
+    "direction_linear",
+    "[ANTBAT] (2), linear reading",
+    "Direction",
     "\\psi = \\exp\\left(-\\left(\\frac{\\theta_1}{\\pi/2} + \\frac{\\theta_2}{\\pi/2}\\right)\\right)",
     "\\psi = \\exp\\left(-\\frac{@theta1@ + @theta2@}{\\pi/2}\\right) = @psi@",
-);
+)
+.when("direction", "linear");
 const REWARD: Formula = Formula::of_item(
     "laid",
     "[ANTBAT] (5)",
@@ -68,14 +111,33 @@ pub const ENTRY: Entry = Entry {
     source: "[ANTBAT] §3.1, (2)–(5)",
     summary: "Ants that would rather go straight on and towards the goal; ways under the median are rewarded, those above it punished.",
     kinds: KINDS,
-    parameters: &[ANTS, ITERATIONS, ALPHA, BETA, GAMMA, RHO, Q, PHI1, PHI2, TAU_0, TAU_MIN, TAU_MAX, dead_end(STAYS), STEP_LIMIT, SMOOTH],
+    parameters: &[
+        ANTS,
+        ITERATIONS,
+        ALPHA,
+        BETA,
+        GAMMA,
+        DIRECTION_LAW,
+        RHO,
+        Q_RELATIVE,
+        Q_UNIT,
+        PHI1,
+        PHI2,
+        TAU_0,
+        TAU_MIN,
+        TAU_MAX,
+        dead_end(STAYS),
+        STEP_LIMIT,
+        SMOOTH,
+    ],
     readings: READINGS,
-    formulas: &[CHOICE, DISTANCE, DIRECTION, EVAPORATION, REWARD],
+    formulas: &[CHOICE, DISTANCE, DIRECTION, DIRECTION_LINEAR, EVAPORATION, REWARD],
     layers: LAYERS,
     stops: false,
     most_stops: None,
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
 };
@@ -85,6 +147,8 @@ pub(super) fn traits(settings: &Settings) -> Traits {
     Traits {
         heuristic: Heuristic::Distance,
         gamma: settings.number("gamma"),
+        direction: if settings.choice("direction") == "linear" { Direction::Linear } else { Direction::Squared },
+        relative: settings.choice("q_unit") == "distance",
         update: Update::Reward { phi1: settings.number("phi1"), phi2: settings.number("phi2") },
         greed: [0.0; 2],
         seeded: 1.0,

@@ -9,7 +9,7 @@ use crate::{
 
 use super::{
     Traits,
-    ground::Heuristic,
+    ground::{Direction, Heuristic},
     parameters::{ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, alpha, ants, beta, dead_end, q, rho, tau_0, tau_min},
     update::Update,
 };
@@ -29,6 +29,7 @@ pub(crate) const CHOICE: Formula = Formula {
     tex: "p_{ij} = \\frac{\\tau_{ij}^{\\alpha} \\, \\eta_{ij}^{\\beta}}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_{is}^{\\beta}}",
     live: "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}{@sum@} = @p@",
     scope: Scope::Item,
+    when: None,
 };
 pub(crate) const RANKED: Formula = Formula {
     name: "ranked",
@@ -37,6 +38,7 @@ pub(crate) const RANKED: Formula = Formula {
     tex: "\\eta_{ij} = \\varepsilon \\cdot (5, 4, 4, 3, 3, 2, 2, 1) \\text{ by distance to the goal}",
     live: "\\eta = @epsilon@ \\cdot @rank@ = @eta@",
     scope: Scope::Item,
+    when: None,
 };
 const PHEROMONE: Formula = Formula {
     name: "pheromone",
@@ -45,6 +47,7 @@ const PHEROMONE: Formula = Formula {
     tex: "\\tau \\leftarrow (1 - \\rho) \\, \\tau + \\sum_a \\Delta\\tau^a + \\Delta\\tau_{\\text{best}} - \\Delta\\tau_{\\text{worst}}",
     live: "\\tau \\leftarrow (1 - @rho@) \\, \\tau + \\textstyle\\sum_{a=1}^{@arrived@} \\Delta\\tau^a + \\Delta\\tau_{\\text{best}} - \\Delta\\tau_{\\text{worst}}",
     scope: Scope::Iteration,
+    when: None,
 };
 pub(crate) const LAID: Formula = Formula {
     name: "laid",
@@ -53,6 +56,7 @@ pub(crate) const LAID: Formula = Formula {
     tex: "\\Delta\\tau^a = \\frac{Q}{L_a}, \\quad \\Delta\\tau_{\\text{best}} = \\delta \\frac{Q}{L_{\\text{best}}}, \\quad \\Delta\\tau_{\\text{worst}} = \\omega \\frac{Q}{L_{\\text{worst}}}",
     live: "\\Delta\\tau = @share@ \\cdot \\frac{@q@}{@length@} = @laid@",
     scope: Scope::Item,
+    when: None,
 };
 
 /// See the module.
@@ -92,6 +96,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
 };
@@ -101,7 +106,9 @@ pub(super) fn traits(settings: &Settings) -> Traits {
     Traits {
         heuristic: Heuristic::Ranked { epsilon: settings.number("epsilon") },
         gamma: 0.0,
+        direction: Direction::Squared,
         update: Update::Wolf,
+        relative: false,
         greed: [0.0; 2],
         seeded: 1.0,
     }

@@ -7,7 +7,7 @@ use std::{
 
 use crate::{
     error::Error,
-    exact, math,
+    exact, geometry, math,
     scene::{Cells, Course, Scene, angle},
 };
 
@@ -26,6 +26,25 @@ pub(super) enum Heuristic {
     },
 }
 
+/// How ψ of [ANTBAT] (2) falls with an angle θ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Direction {
+    /// exp(−(θ/π)²). In the scan the brackets of (2) are lost and the 2 stands behind π: it is an exponent.
+    Squared,
+    /// exp(−θ/(π/2)): our first reading, in which the 2 divides π.
+    Linear,
+}
+
+impl Direction {
+    /// −ln ψ of an angle.
+    pub fn exponent(self, theta: f64) -> f64 {
+        match self {
+            Self::Squared => (theta / PI) * (theta / PI),
+            Self::Linear => theta / FRAC_PI_2,
+        }
+    }
+}
+
 /// The cells with everything that a colony computes once.
 #[derive(Debug)]
 pub(super) struct Ground {
@@ -37,12 +56,13 @@ pub(super) struct Ground {
     pub heuristic: Heuristic,
     pub beta: Power,
     pub gamma: f64,
+    pub direction: Direction,
     /// Whether there is a way at all.
     pub reachable: bool,
 }
 
 impl Ground {
-    pub fn new(scene: &Arc<Scene>, heuristic: Heuristic, beta: f64, gamma: f64) -> Result<Self, Error> {
+    pub fn new(scene: &Arc<Scene>, heuristic: Heuristic, beta: f64, gamma: f64, direction: Direction) -> Result<Self, Error> {
         let grid = scene.grid()?;
         let cells = Arc::clone(grid.cells());
         let course = Course::new(grid)?;
@@ -52,6 +72,7 @@ impl Ground {
             heuristic,
             beta: Power::new(beta),
             gamma,
+            direction,
             reachable: exact::is_reachable(&cells, course.start, course.goal),
             cells,
             course,
@@ -59,7 +80,7 @@ impl Ground {
         if gamma != 0.0 {
             for from in 0..8 {
                 for to in 0..8 {
-                    ground.turn[from][to] = math::exp(-gamma * theta1(from, to) / FRAC_PI_2);
+                    ground.turn[from][to] = math::exp(-gamma * direction.exponent(theta1(from, to)));
                 }
             }
         }
@@ -76,7 +97,7 @@ impl Ground {
             } else if self.gamma == 0.0 {
                 self.beta.of(eta[d])
             } else {
-                self.beta.of(eta[d]) * math::exp(-self.gamma * self.theta2(cell, d) / FRAC_PI_2)
+                self.beta.of(eta[d]) * math::exp(-self.gamma * self.direction.exponent(self.theta2(cell, d)))
             }
         })
     }
@@ -100,6 +121,12 @@ impl Ground {
             Some(*cell)
         });
         std::iter::once(start).chain(cells)
+    }
+
+    /// The straight distance from start to goal, in the scene's unit.
+    pub fn apart(&self) -> f64 {
+        let [from, to] = [self.course.start, self.course.goal].map(|cell| self.cells.centre(cell));
+        geometry::length(&[from, to])
     }
 
     /// 1 / distance to the goal, in cells. Reading: the goal itself is half a cell away.
@@ -195,20 +222,23 @@ mod tests {
     #[test]
     fn attraction_is_eta_to_the_beta_times_psi_to_the_gamma() {
         let scene = shipped("ant-bat-30").unwrap();
-        let ground = Ground::new(&scene, Heuristic::Distance, 8.0, 2.5).unwrap();
+        let ground = Ground::new(&scene, Heuristic::Distance, 8.0, 2.5, Direction::Squared).unwrap();
         let cell = ground.course.start;
         assert_eq!(ground.cells.place(cell), [1, 26]);
         // The goal is 27 columns to the right and 25 rows down; a step to the right leaves 26 and 25.
         // √(26² + 25²) to the eighth is 1301⁴; atan(25 / 27) = 0.746946.
         let eighth = 1.0 / (1301.0 * 1301.0 * 1301.0 * 1301.0);
         let theta2 = math::atan2(25.0, 27.0);
-        let expected = eighth * math::exp(-2.5 * theta2 / FRAC_PI_2);
+        let expected = eighth * math::exp(-2.5 * theta2 * theta2 / (PI * PI));
         assert!((ground.attraction(cell)[0] / expected - 1.0).abs() < 1e-12);
-        let right_angle = math::exp(-2.5);
-        assert!((ground.turn[0][2] / right_angle - 1.0).abs() < 1e-14);
+        // A right angle: (1/2)² squared, 1 linear.
+        assert!((ground.turn[0][2] / math::exp(-2.5 * 0.25) - 1.0).abs() < 1e-14);
+        let linear = Ground::new(&scene, Heuristic::Distance, 8.0, 2.5, Direction::Linear).unwrap();
+        assert!((linear.attraction(cell)[0] / (eighth * math::exp(-2.5 * theta2 / FRAC_PI_2)) - 1.0).abs() < 1e-12);
+        assert!((linear.turn[0][2] / math::exp(-2.5) - 1.0).abs() < 1e-14);
         assert_eq!((ground.turn[3][3], ground.turn[NOWHERE][5]), (1.0, 1.0));
         assert_eq!(ground.nearness(ground.course.goal), 2.0);
-        let plain = Ground::new(&scene, Heuristic::Distance, 8.0, 0.0).unwrap();
+        let plain = Ground::new(&scene, Heuristic::Distance, 8.0, 0.0, Direction::Squared).unwrap();
         assert!((plain.attraction(cell)[0] / eighth - 1.0).abs() < 1e-12);
         assert!(plain.turn.iter().flatten().all(|&factor| factor == 1.0));
     }

@@ -32,10 +32,11 @@ use crate::{
     rng::Stream,
     scene::Scene,
     session,
+    settled::Settled,
     way::{self, Way},
 };
 
-use ground::{Ground, Heuristic};
+use ground::{Direction, Ground, Heuristic};
 use pheromone::Pheromone;
 use update::Update;
 use walk::{End, Rules, Seen, Walks, walk};
@@ -51,7 +52,10 @@ struct Traits {
     heuristic: Heuristic,
     /// γ: how much the direction of a step counts.
     gamma: f64,
+    direction: Direction,
     update: Update,
+    /// Q is multiplied by the distance from start to goal, so that it means the same on every map.
+    relative: bool,
     /// q0 at the start and at the end.
     greed: [f64; 2],
     /// By how much a Dijkstra path's pheromone is multiplied before the first ant sets out; 1: not at all.
@@ -78,6 +82,7 @@ pub(crate) struct Colony {
     best: Option<Found>,
     /// When the best was found.
     converged: u64,
+    settled: Settled,
     iteration: u64,
     limit: u64,
     rng: Stream,
@@ -134,7 +139,7 @@ pub(crate) fn colony(name: &str, scene: &Arc<Scene>, given: &Given, seed: u64) -
 impl Colony {
     fn new(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Self, Error> {
         let bounds = [settings.number("tau_min"), settings.number("tau_max")];
-        let ground = Ground::new(scene, traits.heuristic, settings.number("beta"), traits.gamma)?;
+        let ground = Ground::new(scene, traits.heuristic, settings.number("beta"), traits.gamma, traits.direction)?;
         let cells = &ground.cells;
         let mut pheromone = Pheromone::new(cells, settings.number("tau_0"), settings.number("alpha"), settings.number("rho"), bounds);
         if traits.seeded != 1.0
@@ -153,7 +158,7 @@ impl Colony {
             traits,
             rules: Rules { backtracks: settings.choice("dead_end") == "backtrack", limit },
             ants: settings.integer("ants") as usize,
-            q: settings.number("q"),
+            q: settings.number("q") * if traits.relative { ground.apart() } else { 1.0 },
             smooth: settings.flag("smooth"),
             walks: Walks::default(),
             kept: KEPT * cells.len(),
@@ -162,6 +167,7 @@ impl Colony {
             lengths: Vec::new(),
             best: None,
             converged: 0,
+            settled: Settled::default(),
             iteration: 0,
             limit: settings.integer("iterations"),
             rng: Stream::new(seed, 0),
@@ -203,14 +209,19 @@ impl Colony {
     /// Keeps the iteration's shortest way if it is shorter than the best so far.
     fn judge(&mut self) {
         let arrived = self.walks.ants.iter().enumerate().filter(|(_, ant)| ant.end == End::Arrived);
-        let Some((i, length)) = arrived.map(|(i, ant)| (i, ant.length)).min_by(|a, b| a.1.total_cmp(&b.1)) else {
-            return;
-        };
-        if self.best.as_ref().is_none_or(|best| length < best.length) {
+        let shortest = arrived.map(|(i, ant)| (i, ant.length)).min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((i, length)) = shortest.filter(|&(_, length)| self.best.as_ref().is_none_or(|best| length < best.length)) {
             let way = self.way(i);
             self.best = Some(Found::new(&self.ground, &way, length));
             self.converged = self.iteration;
         }
+        self.settled.note(self.iteration, self.mean(), shortest.map_or(f64::NAN, |(_, length)| length));
+    }
+
+    /// The mean length of the iteration's ways that arrived; NaN if none did.
+    fn mean(&self) -> f64 {
+        let (sum, arrived) = self.walks.arrived().fold((0.0, 0), |(sum, n), ant| (sum + ant.length, n + 1));
+        if arrived > 0 { sum / f64::from(arrived) } else { f64::NAN }
     }
 
     /// [ANTBAT] (4), [WOLF-ANT] (10).
@@ -293,12 +304,12 @@ impl Planner for Colony {
     }
 
     fn read(&self, out: &mut Readings) {
-        let (sum, arrived) = self.walks.arrived().fold((0.0, 0), |(sum, n), ant| (sum + ant.length, n + 1));
         out.push("best", self.best.as_ref().map_or(f64::NAN, |best| best.length));
-        out.push("mean", if arrived > 0 { sum / f64::from(arrived) } else { f64::NAN });
+        out.push("mean", self.mean());
         way::read(self.best.as_ref().map(|best| &best.way), &self.ground.scene, out);
         out.push("converged", if self.best.is_some() { self.converged as f64 } else { f64::NAN });
-        out.push("arrived", f64::from(arrived));
+        out.push("settled", self.settled.iteration());
+        out.push("arrived", self.count(End::Arrived) as f64);
         out.push("stuck", self.count(End::Stuck) as f64);
         out.push("lost", self.count(End::Lost) as f64);
         out.push("ant_steps", self.walks.taken as f64);
@@ -331,6 +342,7 @@ impl Planner for Colony {
         self.pheromone.digest(out);
         self.rng.digest(out);
         out.word(self.converged);
+        out.number(self.settled.iteration());
         out.word(self.walks.taken);
         for ant in &self.walks.ants {
             out.bytes(self.walks.of(ant));

@@ -5,6 +5,7 @@ use crate::{
     frame::Role,
     params::{Choice, Parameter, When},
     scene::Kind,
+    settled::SETTLED,
     way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
@@ -104,6 +105,7 @@ pub(super) const EVAPORATION: Formula = Formula {
     tex: "\\tau_{ij} \\leftarrow (1 - \\rho) \\, \\tau_{ij} + \\sum_k \\Delta\\tau_{ij}^k",
     live: "\\tau \\leftarrow (1 - @rho@) \\, \\tau + \\textstyle\\sum_{k=1}^{@arrived@} \\Delta\\tau^k",
     scope: Scope::Iteration,
+    when: None,
 };
 
 /// What every colony draws.
@@ -120,4 +122,4 @@ pub(super) const LAYERS: &[Layer] = &[
 
 /// What every colony tells.
 pub(super) const READINGS: &[Reading] =
-    &[BEST, MEAN, LENGTH, TURNS, TURNING, SMOOTH_LENGTH, SMOOTH_TURNS, SMOOTH_TURNING, CONVERGED, ARRIVED, STUCK, LOST, ANT_STEPS];
+    &[BEST, MEAN, LENGTH, TURNS, TURNING, SMOOTH_LENGTH, SMOOTH_TURNS, SMOOTH_TURNING, CONVERGED, SETTLED, ARRIVED, STUCK, LOST, ANT_STEPS];

@@ -1,7 +1,5 @@
 //! Why an ant would go where, and what one has laid.
 
-use std::f64::consts::FRAC_PI_2;
-
 use crate::{
     frame::{Role, Shape},
     math,
@@ -10,7 +8,7 @@ use crate::{
 
 use super::{
     Colony,
-    ground::{Ground, Heuristic, NOWHERE, theta1},
+    ground::{Direction, Ground, Heuristic, NOWHERE, theta1},
     update::Update,
     walk::End,
 };
@@ -110,7 +108,8 @@ impl<'a> View<'a> {
     /// θ1, θ2 and ψ, [ANTBAT] (2).
     fn direction(&self, d: usize) -> [f64; 3] {
         let (turn, off) = (theta1(self.from, d), self.ground.theta2(self.cell, d));
-        [turn, off, math::exp(-(turn + off) / FRAC_PI_2)]
+        let law = self.ground.direction;
+        [turn, off, math::exp(-(law.exponent(turn) + law.exponent(off)))]
     }
 
     fn likeliest(&self) -> Option<usize> {
@@ -174,7 +173,7 @@ impl<'a> View<'a> {
         let sight = if matches!(self.ground.heuristic, Heuristic::Distance) { "distance" } else { "ranked" };
         let mut formulas = vec!["choice", sight];
         if self.directed {
-            formulas.push("direction");
+            formulas.push(if self.ground.direction == Direction::Squared { "direction" } else { "direction_linear" });
         }
         formulas
     }

@@ -15,11 +15,19 @@ fn scene(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {
     Arc::new(Scene::new(header, Body::Grid(grid)).unwrap())
 }
 
-const PLAIN: Traits = Traits { heuristic: Heuristic::Distance, gamma: 0.0, update: Update::Traditional, greed: [0.0; 2], seeded: 1.0 };
+const PLAIN: Traits = Traits {
+    heuristic: Heuristic::Distance,
+    gamma: 0.0,
+    direction: Direction::Squared,
+    update: Update::Traditional,
+    relative: false,
+    greed: [0.0; 2],
+    seeded: 1.0,
+};
 
 /// A colony with given lengths instead of walks of its own: ant k went right `k`'s number of steps.
 fn colony(scene: &Arc<Scene>, traits: Traits) -> Colony {
-    let ground = Ground::new(scene, traits.heuristic, 2.0, traits.gamma).unwrap();
+    let ground = Ground::new(scene, traits.heuristic, 2.0, traits.gamma, traits.direction).unwrap();
     Colony {
         traits,
         rules: Rules { backtracks: false, limit: 1000 },
@@ -34,6 +42,7 @@ fn colony(scene: &Arc<Scene>, traits: Traits) -> Colony {
         lengths: Vec::new(),
         best: None,
         converged: 0,
+        settled: Settled::default(),
         iteration: 0,
         limit: 100,
         rng: Stream::new(1, 0),
@@ -75,12 +84,15 @@ fn probabilities_follow_the_formula() {
 #[test]
 fn a_turn_costs_what_psi_says() {
     let scene = scene(&["....", "....", "...."], [0.5, 1.5], [3.5, 1.5]);
-    let colony = colony(&scene, Traits { gamma: 2.0, ..PLAIN });
-    let (cell, east, south_east) = (5, 0, 1);
-    let weights = colony.pheromone.look(&colony.ground, cell);
-    let ratio = weights[south_east] * colony.ground.turn[east][south_east] / (weights[east] * colony.ground.turn[east][east]);
-    // η: distances 1 and √2 to the goal, squared 1 and 1/2. ψ: θ1 = θ2 = π/4, so exp(−1), squared exp(−2).
-    assert!((ratio - 0.5 * crate::math::exp(-2.0)).abs() < 1e-15);
+    // η: distances 1 and √2 to the goal, squared 1 and 1/2. θ1 = θ2 = π/4: ψ = exp(−(1/16 + 1/16)) or exp(−(1/2 + 1/2)),
+    // and γ = 2 squares it.
+    for (direction, psi) in [(Direction::Squared, -0.25), (Direction::Linear, -2.0)] {
+        let colony = colony(&scene, Traits { gamma: 2.0, direction, ..PLAIN });
+        let (cell, east, south_east) = (5, 0, 1);
+        let weights = colony.pheromone.look(&colony.ground, cell);
+        let ratio = weights[south_east] * colony.ground.turn[east][south_east] / (weights[east] * colony.ground.turn[east][east]);
+        assert!((ratio - 0.5 * crate::math::exp(psi)).abs() < 1e-15);
+    }
 }
 
 fn lay(update: Update, lengths: &[(&str, f64)]) -> Vec<f64> {

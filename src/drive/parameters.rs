@@ -106,5 +106,5 @@ const FORMULAS: &[Formula] = &[
 ];
 
 const fn formula(name: &'static str, source: &'static str, title: &'static str, tex: &'static str) -> Formula {
-    Formula { name, source, title, tex, live: "", scope: Scope::Iteration }
+    Formula { name, source, title, tex, live: "", scope: Scope::Iteration, when: None }
 }

@@ -64,6 +64,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: EVENTS,
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, _| {
         super::start(scene, settings, |ground| Ok(Box::new(Anew { search: AStar::new(&ground.cells), ground: Arc::clone(ground) })))

@@ -164,6 +164,7 @@ pub(super) const FORMULA_TIME: Formula = Formula {
     tex: "T = \\frac{L}{v} + n_t \\, t_t + t_w",
     live: "T = @driving@ + @turning_time@ + @waited@ = @time@",
     scope: Scope::Iteration,
+    when: None,
 };
 
 const PREDICTED: Layer = Layer::new(

@@ -141,6 +141,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: EVENTS,
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let mut given = Given::new();

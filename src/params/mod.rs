@@ -65,7 +65,7 @@ pub enum Domain {
 
 /// A default that is known when the crate is built.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Preset {
+pub enum Fixed {
     /// Of a number; whole numbers too.
     Number(f64),
     /// Of a choice.
@@ -74,12 +74,12 @@ pub enum Preset {
     Flag(bool),
 }
 
-impl From<Preset> for Value {
-    fn from(preset: Preset) -> Self {
-        match preset {
-            Preset::Number(number) => Self::Number(number),
-            Preset::Text(text) => Self::Text(text.to_owned()),
-            Preset::Flag(flag) => Self::Flag(flag),
+impl From<Fixed> for Value {
+    fn from(fixed: Fixed) -> Self {
+        match fixed {
+            Fixed::Number(number) => Self::Number(number),
+            Fixed::Text(text) => Self::Text(text.to_owned()),
+            Fixed::Flag(flag) => Self::Flag(flag),
         }
     }
 }
@@ -109,7 +109,7 @@ pub struct Parameter {
     /// The kinds of scene on which it means something; empty: all that the planner runs on.
     pub kinds: &'static [Kind],
     /// Defaults that differ on a kind of scene (published ones, mostly).
-    pub defaults: &'static [(Kind, Preset)],
+    pub defaults: &'static [(Kind, Fixed)],
     /// Another parameter's value without which it means nothing.
     pub when: Option<When>,
     /// The range that a slider offers; typing may go beyond.
@@ -190,7 +190,7 @@ impl Parameter {
 
     /// The same, with defaults that differ by kind.
     #[must_use]
-    pub const fn defaults_on(mut self, defaults: &'static [(Kind, Preset)]) -> Self {
+    pub const fn defaults_on(mut self, defaults: &'static [(Kind, Fixed)]) -> Self {
         self.defaults = defaults;
         self
     }
@@ -217,8 +217,8 @@ impl Parameter {
 
     /// Its default on this kind of scene.
     pub fn default_on(&self, kind: Kind) -> Value {
-        if let Some(&(_, preset)) = self.defaults.iter().find(|(on, _)| *on == kind) {
-            return preset.into();
+        if let Some(&(_, fixed)) = self.defaults.iter().find(|(on, _)| *on == kind) {
+            return fixed.into();
         }
         match self.domain {
             Domain::Number { default, .. } => Value::Number(default),

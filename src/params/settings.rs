@@ -87,10 +87,10 @@ fn unmet(parameters: &[Parameter], kind: Kind, given: &Given, parameter: &Parame
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::{Choice, Preset};
+    use crate::params::{Choice, Fixed};
 
     const ALL: [Parameter; 3] = [
-        Parameter::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(Kind::Discs, Preset::Number(80.0))]),
+        Parameter::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(Kind::Discs, Fixed::Number(80.0))]),
         Parameter::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.7], ""),
         Parameter::choice("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[Kind::Discs]),
     ];
@@ -126,7 +126,7 @@ mod tests {
     fn a_parameter_means_something_only_while_what_it_depends_on_has_its_value() {
         const OPTIONS: [Choice; 2] = [Choice { value: "a", title: "", help: "" }, Choice { value: "b", title: "", help: "" }];
         const CHAIN: [Parameter; 3] = [
-            Parameter::choice("first", "", "", &OPTIONS, "").defaults_on(&[(Kind::Discs, Preset::Text("b"))]),
+            Parameter::choice("first", "", "", &OPTIONS, "").defaults_on(&[(Kind::Discs, Fixed::Text("b"))]),
             Parameter::flag("second", "", false, "").when("first", "b"),
             Parameter::number("third", "", "", [0.0, 1.0, 0.5], "").when("second", "true"),
         ];

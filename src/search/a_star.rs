@@ -23,6 +23,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, _| super::start(scene, settings, Heuristic::Octile, settings.number("weight"), Relaxation::Step),
 };

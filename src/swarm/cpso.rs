@@ -1,17 +1,30 @@
 //! `cpso`: the swarm whose accelerations change linearly, [WCPSO] §3.1 and its reference [18].
 
 use crate::{
-    catalogue::{Entry, Formula},
-    params::Parameter,
+    catalogue::{Entry, Formula, Preset},
+    params::{Choice, Fixed, Parameter},
 };
 
 use super::{
     encoding::with_paths,
     flight::Flight,
-    parameters::{ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, READINGS, V_MAX, VELOCITY, W, schedule},
+    parameters::{
+        AS_IN_TEXT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, RANDOM, READINGS, V_MAX, V_MAX_UNIT, VELOCITY, W, W_MAX,
+        W_MIN, schedule,
+    },
     schedule::{Law, Schedule},
 };
 
+const W_LAW: Parameter = Parameter::choice(
+    "w_law",
+    "",
+    "Course of the inertia weight",
+    &[
+        Choice { value: "constant", title: "Constant", help: "ω stays what it is, as in the text." },
+        Choice { value: "linear", title: "Linear", help: "ω falls linearly, as in wpso." },
+    ],
+    "How ω changes over the iterations.",
+);
 const C1_START: Parameter = Parameter::number(
     "c1_start",
     "c_{1,0}",
@@ -54,19 +67,43 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §3.1",
     summary: "The pull of the own best falls linearly and that of the swarm’s best rises.",
     kinds: KINDS,
-    parameters: with_paths![POPULATION, ITERATIONS, W, C1_START, C1_END, C2_START, C2_END, V_MAX],
+    parameters: with_paths![
+        POPULATION,
+        ITERATIONS,
+        W_LAW,
+        W.when("w_law", "constant"),
+        W_MAX.when("w_law", "linear"),
+        W_MIN.when("w_law", "linear"),
+        C1_START,
+        C1_END,
+        C2_START,
+        C2_END,
+        RANDOM,
+        V_MAX,
+        V_MAX_UNIT
+    ],
     readings: READINGS,
-    formulas: &[COGNITIVE, SOCIAL, VELOCITY, POSITION],
+    formulas: &[LINEAR_W.when("w_law", "linear"), COGNITIVE, SOCIAL, VELOCITY, POSITION],
     layers: LAYERS,
     stops: false,
     most_stops: None,
     members: &[],
     events: &[],
+    presets: &[
+        AS_IN_TEXT,
+        Preset {
+            name: "fitted",
+            title: "Fitted to Table 2",
+            help: "ω falls from 0.95 to 0.4, one pair r1, r2 per particle: chosen because [WCPSO] Table 2 then comes out on f1 to f3 with 2 variables.",
+            scene: "matyas",
+            values: &[("w_law", Fixed::Text("linear")), ("random", Fixed::Text("particle"))],
+        },
+    ],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let linear = |from, to| Law::Linear(settings.number(from), settings.number(to));
-        let schedule =
-            Schedule { w: Law::Constant(settings.number("w")), c1: linear("c1_start", "c1_end"), c2: linear("c2_start", "c2_end") };
+        let w = if settings.choice("w_law") == "linear" { linear("w_max", "w_min") } else { Law::Constant(settings.number("w")) };
+        let schedule = Schedule { w, c1: linear("c1_start", "c1_end"), c2: linear("c2_start", "c2_end") };
         super::start(scene, settings, seed, Flight { schedule, perturbation: None })
     },
 };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     error::Error,
-    params::{Choice, Parameter, Preset, Settings},
+    params::{Choice, Fixed, Parameter, Settings},
     scene::{Body, Kind, Scene},
 };
 
@@ -80,7 +80,7 @@ pub(super) const ENCODING: Parameter = Parameter::choice(
     "What a particle’s coordinates stand for.",
 )
 .only_on(PATHS)
-.defaults_on(&[(Kind::Grid, Preset::Text("polar"))]);
+.defaults_on(&[(Kind::Grid, Fixed::Text("polar"))]);
 pub(super) const WAYPOINTS: Parameter = Parameter::integer(
     "waypoints",
     "n",
@@ -148,7 +148,7 @@ pub(super) const REDRAWS: Parameter = Parameter::integer(
     "How often an angle whose piece of the path collides is drawn anew at first, and then a particle that still does, [LTQPSO] §4 (5); 20,000 particles in all. Each particle counts as an evaluation.",
 )
 .only_on(PATHS)
-.defaults_on(&[(Kind::Grid, Preset::Number(100.0))])
+.defaults_on(&[(Kind::Grid, Fixed::Number(100.0))])
 .slider(0.0, 1000.0, false);
 pub(super) const F1: Parameter =
     Parameter::number("f1", "f_1", "Weight of length", [0.0, 1e6, 1.0], "f1 of [LTQPSO] (16).").only_on(PATHS).slider(0.0, 10.0, false);
@@ -160,7 +160,7 @@ pub(super) const F2: Parameter = Parameter::number(
     "f2 of [LTQPSO] (16): what uneven pieces cost. The paper gives no value; 0.01 on grids is ours, 0 among discs is [WCPSO] (14).",
 )
 .only_on(PATHS)
-.defaults_on(&[(Kind::Grid, Preset::Number(0.01))])
+.defaults_on(&[(Kind::Grid, Fixed::Number(0.01))])
 .slider(0.0, 1.0, false);
 pub(super) const PENALTY: Parameter = Parameter::choice(
     "penalty",
@@ -181,12 +181,12 @@ pub(super) const PENALTY_WEIGHT: Parameter = Parameter::number(
     "Among discs the safety factor w of (14): what a path through a disc’s centre costs. On grids what a unit of length inside obstacles costs; that paper gives no value.",
 )
 .only_on(PATHS)
-.defaults_on(&[(Kind::Grid, Preset::Number(10.0))])
+.defaults_on(&[(Kind::Grid, Fixed::Number(10.0))])
 .slider(1.0, 1000.0, true);
 pub(super) const SMOOTH: Parameter =
     Parameter::flag("smooth", "Smoothing", false, "Smooth the result with a Shuman filter that never leaves free space, [LTQPSO] §4 (9).")
         .only_on(PATHS)
-        .defaults_on(&[(Kind::Grid, Preset::Flag(true))]);
+        .defaults_on(&[(Kind::Grid, Fixed::Flag(true))]);
 pub(super) const SMOOTHING: Parameter = Parameter::number(
     "smoothing",
     "S",

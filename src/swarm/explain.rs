@@ -9,7 +9,7 @@ use crate::{
 use super::{
     flight::{Swarm, Term, Watch},
     objective::Objective,
-    perturbation::Event,
+    perturbation::{Event, Partner, Sign},
     schedule::Coefficients,
     tell::{Label, arrows, column, mark, particle, quantities, sheet},
 };
@@ -39,7 +39,7 @@ const HENNED: [Label; 12] = [
     ("r", "r", "random number, first coordinate"),
     ("r_", "r'", "random number, first coordinate"),
     ("g", "g", "global best, first coordinate"),
-    ("x_t", "x_t", "the other particle, first coordinate"),
+    ("x_t", "x_t", "what is taken from the other, first coordinate"),
     ("x", "x'", "position after, first coordinate"),
 ];
 const CHICKED: [Label; 4] = [
@@ -77,6 +77,12 @@ struct Record {
     other: Option<usize>,
     s: [f64; 2],
     r: Vec<[f64; 2]>,
+    /// What the jump takes from the other particle.
+    x_t: Vec<f64>,
+    /// Where it jumped from: it may have flown before.
+    from: Vec<f64>,
+    /// Where it jumped to, if that was not better.
+    refused: Option<Vec<f64>>,
 }
 
 impl Watch for Record {
@@ -94,9 +100,22 @@ impl Watch for Record {
         }
     }
 
-    fn jump(&mut self, i: usize, r: [f64; 2]) {
+    fn leaves(&mut self, i: usize, x: &[f64]) {
+        if i == self.particle {
+            self.from = x.to_vec();
+        }
+    }
+
+    fn jump(&mut self, i: usize, r: [f64; 2], x_t: f64) {
         if i == self.particle {
             self.r.push(r);
+            self.x_t.push(x_t);
+        }
+    }
+
+    fn refused(&mut self, i: usize, x: &[f64]) {
+        if i == self.particle {
+            self.refused = Some(x.to_vec());
         }
     }
 }
@@ -124,7 +143,9 @@ impl Swarm {
             costs: [now.cost[i], next.cost[i], next.p_cost[i]],
             bests: [now.p_cost[i], now.g_cost, moved.p_cost[other]],
             other,
-            x_t: &moved.x[now.row(other)],
+            hen: self.flight.perturbation.map_or(["s2", "hen"], |p| {
+                [if p.sign == Sign::Printed { "s2" } else { "s2_source" }, if p.partner == Partner::Position { "hen" } else { "hen_best" }]
+            }),
             coefficients: after.coefficients,
             f_l: self.flight.perturbation.map_or(0.0, |p| p.f_l),
             record: &record,
@@ -147,9 +168,10 @@ struct Step<'a> {
     costs: [f64; 3],
     /// f_i, f_g and f_t of (10) and (11).
     bests: [f64; 3],
-    /// The hen's other particle and where it stood.
+    /// The hen's other particle.
     other: usize,
-    x_t: &'a [f64],
+    /// The names of (11) and (9) as they are read here.
+    hen: [&'static str; 2],
     coefficients: Coefficients,
     f_l: f64,
     record: &'a Record,
@@ -195,36 +217,60 @@ impl Step<'_> {
     }
 
     fn tell_hen(&self) -> Inspection {
-        let Self { x, to, other, x_t, .. } = self;
+        let Self { other, .. } = self;
+        let (from, to, x_t) = (&*self.record.from, self.target(), &self.record.x_t);
+        let fate = if self.record.refused.is_some() { " Its cost would not fall, so it stays." } else { "" };
         let summary = format!(
-            "Particle {} got worse again and again, so it jumps like a hen, towards the swarm’s best and particle {other}.",
-            self.item.index
+            "Particle {} got worse again and again, so {}it jumps like a hen, towards the swarm’s best and particle {other}.{fate}",
+            self.item.index,
+            self.flown(),
         );
-        let mut told = sheet(self.meaning, self.item, "hen", summary, x.len());
+        let mut told = sheet(self.meaning, self.item, "hen", summary, from.len());
         let (r, [s1, s2], [f_i, f_g, f_t]) = (&self.record.r, self.record.s, self.bests);
         told.columns = HEN.to_vec();
-        told.rows = (0..x.len()).map(|j| vec![x[j], r[j][0], r[j][1], x_t[j], to[j]]).collect();
-        told.formulas = vec!["hen", "s1", "s2"];
-        told.values.extend(quantities(&HENNED, &[s1, s2, *other as f64, f_i, f_g, f_t, x[0], r[0][0], r[0][1], self.g[0], x_t[0], to[0]]));
+        told.rows = (0..from.len()).map(|j| vec![from[j], r[j][0], r[j][1], x_t[j], to[j]]).collect();
+        let [formula_s2, formula_hen] = self.hen;
+        told.formulas = vec![formula_hen, "s1", formula_s2];
+        let values = [s1, s2, *other as f64, f_i, f_g, f_t, from[0], r[0][0], r[0][1], self.g[0], x_t[0], to[0]];
+        told.values.extend(quantities(&HENNED, &values));
         told.marks = self.jump();
         told
     }
 
     fn tell_chick(&self) -> Inspection {
-        let Self { x, to, g, .. } = self;
-        let summary = format!("The hen did not help particle {}, so it jumps like a chick, across the swarm’s best.", self.item.index);
-        let mut told = sheet(self.meaning, self.item, "chick", summary, x.len());
+        let Self { to, g, .. } = self;
+        let from = &*self.record.from;
+        let summary = format!(
+            "The hen did not help particle {}, so {}it jumps like a chick, across the swarm’s best.",
+            self.item.index,
+            self.flown()
+        );
+        let mut told = sheet(self.meaning, self.item, "chick", summary, from.len());
         told.columns = CHICK.to_vec();
-        told.rows = (0..x.len()).map(|j| vec![x[j], g[j], to[j]]).collect();
+        told.rows = (0..from.len()).map(|j| vec![from[j], g[j], to[j]]).collect();
         told.formulas = vec!["chick"];
-        told.values.extend(quantities(&CHICKED, &[self.f_l, x[0], g[0], to[0]]));
+        told.values.extend(quantities(&CHICKED, &[self.f_l, from[0], g[0], to[0]]));
         told.marks = self.jump();
         told
     }
 
+    /// Where the jump led, whether it counted or not.
+    fn target(&self) -> &[f64] {
+        self.record.refused.as_deref().unwrap_or(self.to)
+    }
+
+    fn flown(&self) -> &'static str {
+        if self.record.terms.is_empty() { "" } else { "after its flight " }
+    }
+
     fn jump(&self) -> Vec<Mark> {
-        let Self { meaning, x, to, .. } = *self;
-        vec![mark(meaning, Role::Before, x), mark(meaning, Role::After, to), arrows(meaning, Role::Jump, x, to)]
+        let (meaning, from) = (self.meaning, &*self.record.from);
+        let mut marks = vec![mark(meaning, Role::Before, self.x), mark(meaning, Role::After, self.to)];
+        if !self.record.terms.is_empty() {
+            marks.push(arrows(meaning, Role::Velocity, self.x, from));
+        }
+        marks.push(arrows(meaning, Role::Jump, from, self.target()));
+        marks
     }
 }
 
@@ -273,6 +319,70 @@ mod tests {
                 }
             }
         }
+        assert!(seen["move"] > 0 && seen["hen"] > 0 && seen["chick"] > 0, "{seen:?}");
+    }
+
+    /// How often each event was told in 80 iterations; `check` sees every inspection.
+    fn told(set: &[(&str, &str)], check: impl Fn(&crate::planner::Inspection)) -> std::collections::BTreeMap<&'static str, usize> {
+        let params = set.iter().map(|&(name, value)| (name, crate::Value::from(value))).collect();
+        let scene = crate::shipped("wcpso-discs").unwrap();
+        let mut session = Session::new(Setup { planner: "wcpso".into(), scene, params, seed: 4 }).unwrap();
+        let mut seen = std::collections::BTreeMap::new();
+        for _ in 0..80 {
+            session.step(1);
+            for (index, path) in session_paths(&session).iter().enumerate() {
+                let told = session.inspect(Item { role: Role::Particles, index }).unwrap();
+                *seen.entry(told.event).or_insert(0) += 1;
+                let after = &told.marks.iter().find(|m| m.role == Role::After).unwrap().vertices;
+                assert!(after.iter().zip(path).all(|(a, b)| (a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5), "{}", told.summary);
+                check(&told);
+            }
+        }
+        seen
+    }
+
+    #[test]
+    fn one_pair_of_random_numbers_serves_a_whole_particle() {
+        let at =
+            |row: &[f64], name: &str, told: &crate::planner::Inspection| row[told.columns.iter().position(|c| c.name == name).unwrap()];
+        let seen = told(&[("random", "particle")], |told| {
+            let pair = match told.event {
+                "move" => ["r1", "r2"],
+                "hen" => ["r", "r_"],
+                _ => return,
+            };
+            for name in pair {
+                assert!(told.rows.iter().all(|row| at(row, name, told) == at(&told.rows[0], name, told)), "{}", told.summary);
+            }
+        });
+        assert!(seen["move"] > 0 && seen["hen"] > 0, "{seen:?}");
+    }
+
+    #[test]
+    fn a_hen_that_must_be_better_never_raises_the_cost() {
+        let value = |told: &crate::planner::Inspection, name: &str| told.values.iter().find(|v| v.name == name).unwrap().value;
+        let refused = std::cell::Cell::new(0);
+        let seen = told(&[("hen_keep", "better")], |told| {
+            if told.event == "hen" {
+                assert!(value(told, "cost") <= value(told, "cost_before"), "{}", told.summary);
+                refused.set(refused.get() + usize::from(told.summary.ends_with("so it stays.")));
+            }
+        });
+        assert!(refused.get() > 0 && refused.get() < seen["hen"], "{seen:?}, {} refused", refused.get());
+    }
+
+    #[test]
+    fn a_hen_after_the_flight_jumps_from_where_it_led_towards_a_personal_best() {
+        let seen = told(&[("hen_timing", "after"), ("hen_partner", "best"), ("s2", "source")], |told| {
+            if told.event == "hen" {
+                assert!(told.marks.iter().any(|m| m.role == Role::Velocity) && told.marks.iter().any(|m| m.role == Role::Jump));
+                assert_eq!(told.formulas, ["hen_best", "s1", "s2_source"]);
+                let [s1, s2, g] = ["s1", "s2", "g"].map(|name| told.values.iter().find(|v| v.name == name).unwrap().value);
+                let [x, r, r_, x_t, to] = told.rows[0][..] else { panic!("five columns") };
+                let expected = (x + s1 * r * (g - x) + s2 * r_ * (x_t - x)).clamp(0.0, 9.0);
+                assert!((to - expected).abs() < 1e-12, "{to} {expected}");
+            }
+        });
         assert!(seen["move"] > 0 && seen["hen"] > 0 && seen["chick"] > 0, "{seen:?}");
     }
 

@@ -14,7 +14,7 @@ use crate::{
 use super::{
     clock::Clock,
     objective::Objective,
-    perturbation::{self, Event, Patience, Perturbation},
+    perturbation::{self, Event, Keep, Partner, Patience, Perturbation, Timing},
     population::Population,
     schedule::{Coefficients, Schedule},
     tell::introduce,
@@ -27,6 +27,22 @@ pub(super) struct Flight {
     pub(super) perturbation: Option<Perturbation>,
 }
 
+/// The random numbers of one particle's step: a pair r1, r2 for each coordinate, or one pair for all of them.
+#[derive(Clone, Copy)]
+struct Draws(Option<[f64; 2]>);
+
+impl Draws {
+    #[inline]
+    fn begin(per_particle: bool, rng: &mut Stream) -> Self {
+        Self(per_particle.then(|| [rng.unit(), rng.unit()]))
+    }
+
+    #[inline]
+    fn next(self, rng: &mut Stream) -> [f64; 2] {
+        self.0.unwrap_or_else(|| [rng.unit(), rng.unit()])
+    }
+}
+
 /// A swarm that flies: v ← ω v + c1 r1 (p − x) + c2 r2 (g − x), x ← x + v.
 #[derive(Clone)]
 pub(super) struct Swarm {
@@ -35,6 +51,10 @@ pub(super) struct Swarm {
     pub(super) v: Vec<f64>,
     /// The most each coordinate of a velocity may be.
     v_max: Arc<[f64]>,
+    /// One pair r1, r2 for a particle's step instead of one for each of its coordinates.
+    per_particle: bool,
+    /// Where a particle stood before the hen moved it, should the jump not count.
+    held: Vec<f64>,
     pub(super) patience: Vec<Patience>,
     /// What moved each particle in this iteration.
     pub(super) events: Vec<Event>,
@@ -53,14 +73,18 @@ impl Swarm {
     pub(super) fn new(objective: Arc<dyn Objective>, settings: &Settings, seed: u64, flight: Flight) -> Self {
         let mut rng = Stream::new(seed, 0);
         let size = settings.integer("population") as usize;
-        let fraction = settings.number("v_max");
+        let v_max = settings.number("v_max");
+        let absolute = settings.choice("v_max_unit") == "absolute";
         let search_box = objective.search_box().clone();
-        let v_max = search_box.low.iter().zip(&*search_box.high).map(|(low, high)| fraction * (high - low)).collect();
+        let v_max =
+            search_box.low.iter().zip(&*search_box.high).map(|(low, high)| if absolute { v_max } else { v_max * (high - low) }).collect();
         let population = Population::new(objective, size, &mut rng);
         let clock = Clock::new(settings, population.bests());
         Self {
             v: vec![0.0; population.x.len()],
             v_max,
+            per_particle: settings.choice("random") == "particle",
+            held: vec![0.0; population.dimension],
             patience: vec![Patience::default(); size],
             events: vec![Event::Move; size],
             flight,
@@ -74,24 +98,30 @@ impl Swarm {
     /// One iteration. `watch` sees what happens to a particle that somebody asked about.
     pub(super) fn advance(&mut self, watch: &mut impl Watch) {
         self.coefficients = self.flight.schedule.at(self.clock.iteration, self.clock.limit);
+        let perturbation = self.flight.perturbation;
         for i in 0..self.population.size {
-            let event = self.flight.perturbation.map_or(Event::Move, |p| self.patience[i].next(p.patience));
-            self.events[i] = event;
-            match event {
-                Event::Move if watch.wants(i) => self.fly(i, watch),
-                Event::Move => self.fly(i, &mut ()),
-                Event::Hen => self.follow_hen(i, watch),
-                Event::Chick => self.follow_chick(i, watch),
-            }
             let before = self.population.cost[i];
-            self.population.evaluate(i);
+            self.events[i] =
+                perturbation.filter(|p| p.timing == Timing::Instead).map_or(Event::Move, |p| self.patience[i].next(p.patience));
+            match (self.events[i], perturbation) {
+                (Event::Hen | Event::Chick, Some(perturbation)) => self.jump(i, perturbation, watch),
+                _ if watch.wants(i) => self.fly(i, watch),
+                _ => self.fly(i, &mut ()),
+            }
             self.patience[i].note(before, self.population.cost[i]);
+            if let Some(perturbation) = perturbation.filter(|p| p.timing == Timing::After) {
+                self.events[i] = self.patience[i].next(perturbation.patience);
+                if self.events[i] != Event::Move {
+                    self.jump(i, perturbation, watch);
+                    self.patience[i].after_hen &= self.population.cost[i] >= before;
+                }
+            }
         }
         self.population.settle();
         self.clock.tick(self.population.bests());
     }
 
-    /// (6) and (7). Reading: velocities are limited, positions are kept in the box, and a coordinate that hits a wall stops.
+    /// (6) and (7), and the evaluation. Reading: velocities are limited, positions are kept in the box, and a coordinate that hits a wall stops.
     #[inline]
     fn fly(&mut self, i: usize, watch: &mut impl Watch) {
         let Coefficients { w, c1, c2 } = self.coefficients;
@@ -102,8 +132,9 @@ impl Swarm {
         // Slices of one known length: the loop below needs no bounds checks.
         let (x, v, p, g) = (&mut x[row.clone()], &mut self.v[row.clone()], &p[row], &g[..n]);
         let (low, high, v_max) = (&search_box.low[..n], &search_box.high[..n], &self.v_max[..n]);
+        let draws = Draws::begin(self.per_particle, &mut self.rng);
         for j in 0..n {
-            let (r1, r2) = (self.rng.unit(), self.rng.unit());
+            let [r1, r2] = draws.next(&mut self.rng);
             let (inertia, cognitive, social) = (w * v[j], c1 * r1 * (p[j] - x[j]), c2 * r2 * (g[j] - x[j]));
             let step = limit(inertia + cognitive + social, -v_max[j], v_max[j]);
             watch.term(Term { r: [r1, r2], inertia, cognitive, social, step });
@@ -111,34 +142,59 @@ impl Swarm {
             x[j] = limit(reached, low[j], high[j]);
             v[j] = if x[j] == reached { step } else { 0.0 };
         }
+        self.population.evaluate(i);
     }
 
-    /// (9). Reading: the particle jumps instead of flying; its velocity stays. Another particle that comes earlier in
-    /// the order has already moved.
-    fn follow_hen(&mut self, i: usize, watch: &mut impl Watch) {
+    /// Moves a stagnating particle by the equation that is due, and evaluates it.
+    fn jump(&mut self, i: usize, perturbation: Perturbation, watch: &mut impl Watch) {
+        let row = self.population.row(i);
+        self.held.copy_from_slice(&self.population.x[row.clone()]);
+        watch.leaves(i, &self.held);
+        let before = self.population.cost[i];
+        let hen = self.events[i] == Event::Hen;
+        if hen {
+            self.follow_hen(i, perturbation, watch);
+        } else {
+            self.follow_chick(i, perturbation.f_l, watch);
+        }
+        self.population.evaluate(i);
+        if hen && perturbation.keep == Keep::Better && self.population.cost[i] >= before {
+            watch.refused(i, &self.population.x[row.clone()]);
+            self.population.x[row].copy_from_slice(&self.held);
+            self.population.cost[i] = before;
+        }
+    }
+
+    /// (9). Reading: the particle jumps instead of flying (or after it); its velocity stays. Another particle that comes
+    /// earlier in the order has already moved.
+    fn follow_hen(&mut self, i: usize, perturbation: Perturbation, watch: &mut impl Watch) {
         let population = &mut self.population;
         let t = perturbation::other(i, population.size, &mut self.rng);
         let f_i = population.p_cost[i];
         let s1 = perturbation::s1(f_i, population.g_cost);
-        let s2 = t.map_or(0.0, |t| perturbation::s2(f_i, population.p_cost[t]));
+        let s2 = t.map_or(0.0, |t| perturbation::s2(perturbation.sign, f_i, population.p_cost[t]));
         watch.hen(i, t, [s1, s2]);
         let t = t.unwrap_or(i);
+        let draws = Draws::begin(self.per_particle, &mut self.rng);
         for j in 0..population.dimension {
-            let r = [self.rng.unit(), self.rng.unit()];
-            let (at, x_t) = (population.row(i).start + j, population.x[population.row(t).start + j]);
+            let r = draws.next(&mut self.rng);
+            let (at, from) = (population.row(i).start + j, population.row(t).start + j);
+            let x_t = match perturbation.partner {
+                Partner::Position => population.x[from],
+                Partner::Best => population.p[from],
+            };
             let x = perturbation::hen(population.x[at], population.g[j], x_t, [s1, s2], r);
-            watch.jump(i, r);
+            watch.jump(i, r, x_t);
             population.x[at] = population.objective.search_box().clamp(j, x);
         }
     }
 
     /// (12).
-    fn follow_chick(&mut self, i: usize, watch: &mut impl Watch) {
-        let f_l = self.flight.perturbation.map_or(0.0, |p| p.f_l);
+    fn follow_chick(&mut self, i: usize, f_l: f64, watch: &mut impl Watch) {
         let population = &mut self.population;
         let row = population.row(i);
         for (j, x) in population.x[row].iter_mut().enumerate() {
-            watch.jump(i, [f_l, 0.0]);
+            watch.jump(i, [f_l, 0.0], 0.0);
             *x = population.objective.search_box().clamp(j, perturbation::chick(*x, population.g[j], f_l));
         }
     }
@@ -175,7 +231,12 @@ pub(super) trait Watch {
     }
     fn term(&mut self, _term: Term) {}
     fn hen(&mut self, _i: usize, _t: Option<usize>, _s: [f64; 2]) {}
-    fn jump(&mut self, _i: usize, _r: [f64; 2]) {}
+    /// A particle is about to jump from here.
+    fn leaves(&mut self, _i: usize, _x: &[f64]) {}
+    /// One coordinate of a jump: its random numbers and what it takes from the other particle.
+    fn jump(&mut self, _i: usize, _r: [f64; 2], _x_t: f64) {}
+    /// The particle returns, because this position is not better.
+    fn refused(&mut self, _i: usize, _x: &[f64]) {}
 }
 
 impl Watch for () {}
@@ -246,6 +307,6 @@ impl Planner for Swarm {
     }
 
     fn bytes(&self) -> usize {
-        self.population.bytes() + 8 * self.v.len() + 3 * self.patience.len() + size_of::<Self>()
+        self.population.bytes() + 8 * (self.v.len() + self.held.len()) + 3 * self.patience.len() + size_of::<Self>()
     }
 }

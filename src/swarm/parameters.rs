@@ -1,9 +1,9 @@
 //! What the entries of the swarms share: parameters, readings, equations and layers.
 
 use crate::{
-    catalogue::{Formula, Group, Layer, Reading, Scope},
+    catalogue::{Formula, Group, Layer, Preset, Reading, Scope},
     frame::Role,
-    params::{Parameter, Preset, When},
+    params::{Choice, Fixed, Parameter, When},
     scene::Kind,
 };
 
@@ -20,7 +20,7 @@ pub(super) const POPULATION: Parameter = Parameter::integer(
     [1, 100_000, 60],
     "How many particles. Published: 60 on functions, 150 among discs.",
 )
-.defaults_on(&[(Kind::Discs, Preset::Number(150.0)), (Kind::Grid, Preset::Number(150.0))])
+.defaults_on(&[(Kind::Discs, Fixed::Number(150.0)), (Kind::Grid, Fixed::Number(150.0))])
 .slider(2.0, 2000.0, true);
 pub(super) const ITERATIONS: Parameter = Parameter::integer(
     "iterations",
@@ -29,16 +29,35 @@ pub(super) const ITERATIONS: Parameter = Parameter::integer(
     [1, 1_000_000_000, 1000],
     "After how many iterations it stops; schedules stretch over them. Published: 1000 on functions, 500 among discs.",
 )
-.defaults_on(&[(Kind::Discs, Preset::Number(500.0)), (Kind::Grid, Preset::Number(500.0))])
+.defaults_on(&[(Kind::Discs, Fixed::Number(500.0)), (Kind::Grid, Fixed::Number(500.0))])
 .slider(10.0, 5000.0, true);
-pub(super) const V_MAX: Parameter = Parameter::number(
-    "v_max",
-    "v_{\\max}",
-    "Velocity limit",
-    [0.001, 1.0, 0.2],
-    "The most a coordinate may change in an iteration, as a share of the search box’s side.",
-)
-.slider(0.01, 1.0, false);
+pub(super) const V_MAX: Parameter =
+    Parameter::number("v_max", "v_{\\max}", "Velocity limit", [0.001, 1000.0, 0.2], "The most a coordinate may change in an iteration.")
+        .slider(0.01, 1.0, false);
+pub(super) const V_MAX_UNIT: Parameter = Parameter::choice(
+    "v_max_unit",
+    "",
+    "Velocity limit in",
+    &[
+        Choice { value: "fraction", title: "Shares of the side", help: "v_max is a share of the search box’s side." },
+        Choice { value: "absolute", title: "The scene’s unit", help: "v_max is a distance in the scene’s unit." },
+    ],
+    "What the velocity limit is measured in.",
+);
+pub(super) const RANDOM: Parameter = Parameter::choice(
+    "random",
+    "r_1, r_2",
+    "Random numbers",
+    &[
+        Choice { value: "coordinate", title: "Each coordinate", help: "Each coordinate of a particle has a pair r1, r2 of its own." },
+        Choice {
+            value: "particle",
+            title: "Each particle",
+            help: "All coordinates of a particle share one pair r1, r2: it moves in the plane of its two pulls.",
+        },
+    ],
+    "How often r1 and r2 of (1) are drawn. The paper does not say; its Table 2 fits one pair per particle.",
+);
 pub(super) const W: Parameter = Parameter::number(
     "w",
     "\\omega",
@@ -74,6 +93,15 @@ pub(super) const W_MIN: Parameter = Parameter::number(
     [0.0, 1.5, 0.4],
     "ω falls to here, so that the swarm settles.",
 );
+/// The defaults of a swarm of [WCPSO]: coefficients as the text prints them.
+pub(super) const AS_IN_TEXT: Preset = Preset {
+    name: "paper",
+    title: "As in the text",
+    help: "The coefficients that [WCPSO] prints: the defaults.",
+    scene: "matyas",
+    values: &[],
+};
+
 /// What every swarm tells; those that perturb tell [`PERTURBED`].
 pub(super) const READINGS: &[Reading] = &[BEST, MEAN, FREE, LENGTH, SMOOTHNESS, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, EVALUATIONS];
 pub(super) const PERTURBED: &[Reading] =
@@ -125,7 +153,7 @@ pub(super) const fn schedule(
     tex: &'static str,
     live: &'static str,
 ) -> Formula {
-    Formula { name, source, title, tex, live, scope: Scope::Iteration }
+    Formula { name, source, title, tex, live, scope: Scope::Iteration, when: None }
 }
 
 pub(super) const VELOCITY: Formula = Formula::of_item(
@@ -143,7 +171,16 @@ pub(super) const HEN: Formula = Formula::of_item(
     "Hen",
     "x \\leftarrow x + s_1 r (p_g - x) + s_2 r' (x_t - x)",
     "x = @x_before@ + @s1@ \\cdot @r@ \\, (@g@ - @x_before@) + @s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@) \\;\\to\\; @x@",
-);
+)
+.when("hen_partner", "position");
+pub(super) const HEN_BEST: Formula = Formula::of_item(
+    "hen_best",
+    "[WCPSO] (9) with the personal best of the other",
+    "Hen",
+    "x \\leftarrow x + s_1 r (p_g - x) + s_2 r' (p_t - x)",
+    "x = @x_before@ + @s1@ \\cdot @r@ \\, (@g@ - @x_before@) + @s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@) \\;\\to\\; @x@",
+)
+.when("hen_partner", "best");
 pub(super) const S1: Formula = Formula::of_item(
     "s1",
     "[WCPSO] (10)",
@@ -157,7 +194,16 @@ pub(super) const S2: Formula = Formula::of_item(
     "Pull of the other",
     "s_2 = \\exp\\left(f_i - f_t\\right)",
     "s_2 = \\exp\\left(\\min(@f_i@ - @f_t@,\\, 1)\\right) = @s2@",
-);
+)
+.when("s2", "printed");
+pub(super) const S2_SOURCE: Formula = Formula::of_item(
+    "s2_source",
+    "[WCPSO] (11) with the sign of its source, exponent at most 1",
+    "Pull of the other",
+    "s_2 = \\exp\\left(f_t - f_i\\right)",
+    "s_2 = \\exp\\left(\\min(@f_t@ - @f_i@,\\, 1)\\right) = @s2@",
+)
+.when("s2", "source");
 pub(super) const CHICK: Formula = Formula::of_item(
     "chick",
     "[WCPSO] (12)",

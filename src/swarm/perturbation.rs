@@ -3,6 +3,8 @@
 //! A particle stagnates when its cost rose in `patience` consecutive iterations. The first time the hen equation (9)
 //! moves it, and after the hen, as long as nothing has improved, the chick equation (12), each after another `patience`
 //! iterations of rising cost. Any improvement makes it an ordinary particle again.
+//!
+//! What the text leaves open is a parameter: [`Sign`], [`Timing`], [`Keep`], [`Partner`].
 
 use crate::{math, rng::Stream};
 
@@ -13,6 +15,50 @@ pub struct Perturbation {
     pub patience: u8,
     /// F_L in (12); 2 in the paper.
     pub f_l: f64,
+    /// The sign in (11).
+    pub sign: Sign,
+    /// When a stagnating particle jumps.
+    pub timing: Timing,
+    /// Which jumps of the hen count.
+    pub keep: Keep,
+    /// What the hen takes from the other particle.
+    pub partner: Partner,
+}
+
+/// The sign of the exponent in (11).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// exp(f_i − f_t), as printed: the worse particle i itself is, the more it is drawn to the other.
+    Printed,
+    /// exp(f_t − f_i), as in chicken swarm optimisation, where the equation comes from.
+    Source,
+}
+
+/// When a stagnating particle jumps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Timing {
+    /// In the next iteration, instead of flying.
+    Instead,
+    /// In the same iteration, after flying.
+    After,
+}
+
+/// Which jumps of the hen count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Keep {
+    /// All of them.
+    Always,
+    /// Those that lower the cost; the particle stays where it was otherwise.
+    Better,
+}
+
+/// What the hen takes from the other particle t.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Partner {
+    /// Its position x_t, as printed.
+    Position,
+    /// Its personal best p_t.
+    Best,
 }
 
 /// What moved a particle in an iteration.
@@ -65,13 +111,17 @@ pub fn s1(f_i: f64, f_g: f64) -> f64 {
     math::exp((f_i - f_g) / (f_i.abs() + f64::MIN_POSITIVE))
 }
 
-/// s2 = exp(f_i − f_t), [WCPSO] (11). Reading: as printed it overflows, so the exponent is capped at 1, the largest that (10) can reach.
-pub fn s2(f_i: f64, f_t: f64) -> f64 {
-    math::exp((f_i - f_t).min(1.0))
+/// s2 = exp(f_i − f_t), [WCPSO] (11), or with the sign of its source. Reading: as printed it overflows, so the exponent is
+/// capped at 1, the largest that (10) can reach.
+pub fn s2(sign: Sign, f_i: f64, f_t: f64) -> f64 {
+    let exponent = match sign {
+        Sign::Printed => f_i - f_t,
+        Sign::Source => f_t - f_i,
+    };
+    math::exp(exponent.min(1.0))
 }
 
 /// One coordinate of the hen equation, x + s1 r (p_g − x) + s2 r' (x_t − x), [WCPSO] (9).
-/// Reading: r and r' are drawn afresh for each coordinate, as in (1).
 #[inline]
 pub fn hen(x: f64, g: f64, x_t: f64, [s1, s2]: [f64; 2], [r, r_]: [f64; 2]) -> f64 {
     x + s1 * r * (g - x) + s2 * r_ * (x_t - x)
@@ -99,9 +149,11 @@ mod tests {
         assert!((s1(4.0, 2.0) - 0.5f64.exp_by_hand()).abs() < 1e-15);
         assert_eq!(s1(0.0, 0.0), 1.0, "ε keeps 0/0 away");
         assert!((s1(5.0, 0.0) - std::f64::consts::E).abs() < 1e-15, "at most e for a best of 0");
-        assert!((s2(1.5, 1.0) - 0.5f64.exp_by_hand()).abs() < 1e-15);
-        assert!((s2(1000.0, 1.0) - std::f64::consts::E).abs() < 1e-15, "capped");
-        assert_eq!(s2(-1e6, 1e6), 0.0);
+        assert!((s2(Sign::Printed, 1.5, 1.0) - 0.5f64.exp_by_hand()).abs() < 1e-15);
+        assert!((s2(Sign::Source, 1.0, 1.5) - 0.5f64.exp_by_hand()).abs() < 1e-15);
+        assert!((s2(Sign::Printed, 1000.0, 1.0) - std::f64::consts::E).abs() < 1e-15, "capped");
+        assert_eq!(s2(Sign::Printed, -1e6, 1e6), 0.0);
+        assert_eq!(s2(Sign::Source, 1e6, -1e6), 0.0);
     }
 
     trait ByHand {

@@ -5,7 +5,7 @@ use crate::catalogue::Entry;
 use super::{
     encoding::with_paths,
     flight::Flight,
-    parameters::{C1, C2, ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, READINGS, V_MAX, VELOCITY, W},
+    parameters::{C1, C2, ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, RANDOM, READINGS, V_MAX, V_MAX_UNIT, VELOCITY, W},
     schedule::{Law, Schedule},
 };
 
@@ -17,7 +17,7 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §1",
     summary: "Particles keep part of their velocity and are drawn to their own best and to the swarm’s. All coefficients stay constant.",
     kinds: KINDS,
-    parameters: with_paths![POPULATION, ITERATIONS, W, C1, C2, V_MAX],
+    parameters: with_paths![POPULATION, ITERATIONS, W, C1, C2, RANDOM, V_MAX, V_MAX_UNIT],
     readings: READINGS,
     formulas: &[VELOCITY, POSITION],
     layers: LAYERS,
@@ -25,6 +25,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let [w, c1, c2] = ["w", "c1", "c2"].map(|name| Law::Constant(settings.number(name)));

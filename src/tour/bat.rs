@@ -17,6 +17,7 @@ use crate::{
     params::{Parameter, Settings},
     planner::{Inspection, Readings},
     rng::Stream,
+    settled::SETTLED,
 };
 
 use super::{
@@ -393,7 +394,7 @@ const MEMBERS: &[Member] = &[
 ];
 
 /// See [`super::start`].
-const TELLS: &[&str] = &["mean", "different", "loudness", "pulse_rate"];
+const TELLS: &[&str] = &["mean", "different", "settled", "loudness", "pulse_rate"];
 
 /// See the module.
 pub const ENTRY: Entry = Entry {
@@ -420,6 +421,7 @@ pub const ENTRY: Entry = Entry {
         FAILED,
         BY_ROAD,
         CONVERGED,
+        SETTLED,
         DIFFERENT,
         Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness."),
         Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates."),
@@ -430,6 +432,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: MEMBERS,
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))

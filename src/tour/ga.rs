@@ -13,6 +13,7 @@ use crate::{
     params::{Parameter, Settings},
     planner::{Inspection, Readings},
     rng::Stream,
+    settled::SETTLED,
 };
 
 use super::{
@@ -304,7 +305,7 @@ const MEMBERS: &[Member] = &[
 ];
 
 /// See [`super::start`].
-const TELLS: &[&str] = &["mean", "different", "shorter"];
+const TELLS: &[&str] = &["mean", "different", "settled", "shorter"];
 
 /// See the module.
 pub const ENTRY: Entry = Entry {
@@ -332,6 +333,7 @@ pub const ENTRY: Entry = Entry {
         FAILED,
         BY_ROAD,
         CONVERGED,
+        SETTLED,
         DIFFERENT,
         Reading::new("shorter", "", "Shorter children", Group::Measure, "How many of the children are shorter than both their parents."),
     ],
@@ -341,6 +343,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: MEMBERS,
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))

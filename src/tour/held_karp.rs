@@ -209,6 +209,7 @@ const RECURSION: Formula = Formula {
     tex: "C(S, j) = \\min_{i \\in S \\setminus \\{j\\}} C(S \\setminus \\{j\\}, i) + d(i, j)",
     live: "|S| = @size@",
     scope: Scope::Iteration,
+    when: None,
 };
 
 /// See [`super::start`].
@@ -249,6 +250,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: Some(MOST),
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))

@@ -35,6 +35,7 @@ use crate::{
     rng::Stream,
     scene::{Body, Scene},
     session,
+    settled::Settled,
 };
 
 use problem::{Problem, Stop, Tour};
@@ -105,6 +106,7 @@ struct Tours {
     iteration: u64,
     /// The search's iteration in which its best was found.
     converged: u64,
+    settled: Settled,
     limit: u64,
 }
 
@@ -134,6 +136,7 @@ fn start(
         torn: false,
         iteration: 0,
         converged: 0,
+        settled: Settled::default(),
     };
     if let Body::Tour(tour) = scene.body() {
         tours.set_out(Problem::new(tour.distances(), tours.round));
@@ -204,6 +207,12 @@ impl Planner for Tours {
                 search.step();
                 if search.best().is_some_and(|now| before.is_none_or(|before| now.length < before)) {
                     self.converged = self.iteration - roads;
+                }
+                if search.members() > 0 {
+                    // One alone always agrees with itself: it is held against the best so far.
+                    let so_far = search.best().filter(|_| search.members() == 1).map_or(f64::INFINITY, |best| best.length);
+                    let best = lengths(&**search).fold(so_far, f64::min);
+                    self.settled.note(self.iteration - roads, mean(&**search), best);
                 }
             }
         }
@@ -287,11 +296,10 @@ impl Planner for Tours {
         if let Some((problem, search)) = &self.search {
             let members = (0..search.members()).filter_map(|i| search.member(i));
             if let (Some((_, best)), 1..) = (best, search.members()) {
-                let (sum, different) = members.fold((0.0, 0), |(sum, different), tour| {
-                    (sum + tour.length, different + moves::hamming(problem, &tour.row, &best.row))
-                });
-                out.push("mean", sum / search.members() as f64);
+                let different: usize = members.map(|tour| moves::hamming(problem, &tour.row, &best.row)).sum();
+                out.push("mean", mean(&**search));
                 out.push("different", different as f64 / search.members() as f64);
+                out.push("settled", self.settled.iteration());
             }
             search.read(out);
         } else {
@@ -351,6 +359,7 @@ impl Planner for Tours {
 
     fn digest(&self, out: &mut Digest) {
         out.word(self.converged);
+        out.number(self.settled.iteration());
         if let Some(network) = &self.network {
             network.seeds.iter().for_each(|&seed| out.word(seed));
             for road in &network.roads {
@@ -366,6 +375,15 @@ impl Planner for Tours {
         let search = self.search.as_ref().map_or(0, |(_, search)| search.bytes());
         size_of::<Self>() + self.network.as_ref().map_or(0, Network::bytes) + search
     }
+}
+
+/// The mean length of the tours of those that search side by side.
+fn mean(search: &dyn Search) -> f64 {
+    lengths(search).sum::<f64>() / search.members() as f64
+}
+
+fn lengths(search: &dyn Search) -> impl Iterator<Item = f64> {
+    (0..search.members()).filter_map(|i| search.member(i)).map(|tour| tour.length)
 }
 
 fn line(frame: &mut Frame, role: Role, path: &[[f64; 2]], weight: f64) {

@@ -98,6 +98,7 @@ pub(super) const LENGTH: Formula = Formula {
     tex: "D(s) = \\sum_{i=1}^{n-1} d(s_i, s_{i+1}) + d(s_n, s_1)",
     live: "",
     scope: Scope::Iteration,
+    when: None,
 };
 
 /// A number of each member.

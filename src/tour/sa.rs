@@ -13,6 +13,7 @@ use crate::{
     params::{Parameter, Settings},
     planner::{Inspection, Readings},
     rng::Stream,
+    settled::SETTLED,
 };
 
 use super::{
@@ -257,7 +258,7 @@ const MEMBERS: &[Member] = &[
 ];
 
 /// See [`super::start`].
-const TELLS: &[&str] = &["mean", "different", "temperature", "accepted"];
+const TELLS: &[&str] = &["mean", "different", "settled", "temperature", "accepted"];
 
 /// See the module.
 pub const ENTRY: Entry = Entry {
@@ -283,6 +284,7 @@ pub const ENTRY: Entry = Entry {
         FAILED,
         BY_ROAD,
         CONVERGED,
+        Reading { help: "The iteration since which the present tour has stayed within 1 % of the shortest so far.", ..SETTLED },
         DIFFERENT,
         Reading::new("temperature", "T", "Temperature", Group::Schedule, "How hot it was in this iteration, as a length."),
         Reading::new("accepted", "\\chi", "Accepted", Group::Measure, "How many of this iteration’s moves were accepted."),
@@ -293,6 +295,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: MEMBERS,
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))

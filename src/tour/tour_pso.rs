@@ -13,6 +13,7 @@ use crate::{
     params::{Parameter, Settings},
     planner::{Inspection, Readings},
     rng::Stream,
+    settled::SETTLED,
 };
 
 use super::{
@@ -264,7 +265,7 @@ const MEMBERS: &[Member] = &[
 ];
 
 /// See [`super::start`].
-const TELLS: &[&str] = &["mean", "different", "swaps"];
+const TELLS: &[&str] = &["mean", "different", "settled", "swaps"];
 
 /// See the module.
 pub const ENTRY: Entry = Entry {
@@ -291,6 +292,7 @@ pub const ENTRY: Entry = Entry {
         FAILED,
         BY_ROAD,
         CONVERGED,
+        SETTLED,
         DIFFERENT,
         Reading::new("swaps", "\\overline{|v|}", "Velocity", Group::Measure, "How many swaps a velocity has, on average."),
     ],
@@ -300,6 +302,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: MEMBERS,
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))

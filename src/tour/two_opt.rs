@@ -116,6 +116,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))

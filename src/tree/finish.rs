@@ -172,6 +172,7 @@ pub(super) const FITTED: Formula = Formula {
     tex: "\\min_{c} \\sum_i \\Bigl\\lVert x_i - \\sum_j \\Lambda_j(u_i)\\, c_j \\Bigr\\rVert^2",
     live: "",
     scope: Scope::Iteration,
+    when: None,
 };
 /// The curves of `hermite`.
 pub(super) const HERMITE: Formula = Formula {
@@ -181,4 +182,5 @@ pub(super) const HERMITE: Formula = Formula {
     tex: "p(t) = (2t^3 - 3t^2 + 1)\\,p_0 + (t^3 - 2t^2 + t)\\,R_0 + (t^3 - t^2)\\,R_1 + (-2t^3 + 3t^2)\\,p_1",
     live: "",
     scope: Scope::Iteration,
+    when: None,
 };

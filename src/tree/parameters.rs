@@ -2,7 +2,7 @@
 
 use crate::{
     catalogue::{Formula, Group, Reading},
-    params::{Parameter, Preset},
+    params::{Fixed, Parameter},
     scene::Kind,
 };
 
@@ -41,7 +41,7 @@ pub(super) const STEP: Parameter = Parameter::number(
     [1e-4, 1e6, 0.03],
     "How far a node grows, in the scene’s unit; on grids, in cells. The goal is reached from as near as that. Published: 0.03 and 0.05 m.",
 )
-.defaults_on(&[(Kind::Discs, Preset::Number(0.5)), (Kind::Grid, Preset::Number(1.0))])
+.defaults_on(&[(Kind::Discs, Fixed::Number(0.5)), (Kind::Grid, Fixed::Number(1.0))])
 .slider(0.005, 2.0, true);
 pub(super) const MARGIN: Parameter = Parameter::number(
     "margin",
@@ -116,7 +116,7 @@ pub(super) const SMOOTH: Parameter = Parameter::flag(
     true,
     "Round its corners by cubic Hermite curves with continuous velocity, (12); never into an obstacle.",
 )
-.defaults_on(&[(Kind::Discs, Preset::Flag(false)), (Kind::Grid, Preset::Flag(false))]);
+.defaults_on(&[(Kind::Discs, Fixed::Flag(false)), (Kind::Grid, Fixed::Flag(false))]);
 pub(super) const BLEND: Parameter = Parameter::number(
     "blend",
     "b",

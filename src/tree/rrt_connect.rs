@@ -28,6 +28,7 @@ pub const ENTRY: Entry = Entry {
     layers: CONNECT_LAYERS,
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| Ok(Box::new(grown(scene, settings, seed)?)),
 };

@@ -33,6 +33,7 @@ pub const ENTRY: Entry = Entry {
     layers: CONNECT_LAYERS,
     members: MEMBERS,
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
         let joints = Joints::new(scene, settings)?;

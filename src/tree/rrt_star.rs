@@ -33,6 +33,7 @@ pub const ENTRY: Entry = Entry {
     layers: LAYERS,
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| Ok(Box::new(grown(scene, settings, seed)?)),
 };

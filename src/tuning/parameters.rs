@@ -96,6 +96,7 @@ const VELOCITY: Formula = Formula {
     tex: "v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x), \\quad x \\leftarrow x + v",
     live: "",
     scope: Scope::Iteration,
+    when: None,
 };
 
 /// The TeX strings that inspections use.
@@ -148,6 +149,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: &[],
+    presets: &[],
     suggest: |_| None,
     start: super::start,
 };

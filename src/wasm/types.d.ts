@@ -60,6 +60,19 @@ export interface Formula {
   live?: string;
   /** `iteration`: filled from the readings; `item`: filled from an inspection's values. */
   scope: 'iteration' | 'item';
+  /** A parameter's value without which another equation stands in its place. */
+  when?: When;
+}
+
+/** Parameters under a name: as published, or fitted to published figures. */
+export interface Preset {
+  name: string;
+  title: string;
+  help: string;
+  /** A shipped scene on which to try it. */
+  scene: string;
+  /** The values that differ from the defaults. */
+  params: Record<string, ParameterValue>;
 }
 
 export interface Planner {
@@ -74,6 +87,7 @@ export interface Planner {
   /** The most stops that it can do with. Absent: as many as a scene may have. */
   most_stops?: number;
   parameters: Parameter[];
+  presets: Preset[];
   readings: Reading[];
   formulas: Formula[];
   /** Layers it can draw, in drawing order. */

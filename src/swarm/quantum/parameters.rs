@@ -4,7 +4,7 @@ use crate::{
     catalogue::{Formula, Group, Layer, Reading, Suggestion},
     frame::Role,
     math,
-    params::{Parameter, Preset, Settings},
+    params::{Fixed, Parameter, Settings},
     scene::Kind,
     swarm::parameters::schedule,
 };
@@ -16,7 +16,7 @@ pub(super) const POPULATION: Parameter = Parameter::integer(
     [1, 100_000, 60],
     "How many particles. Published: 20 on functions (fig. 1), 30 on the 10 m grid; (10) and (11) suggest a number.",
 )
-.defaults_on(&[(Kind::Function, Preset::Number(20.0)), (Kind::Discs, Preset::Number(150.0)), (Kind::Grid, Preset::Number(30.0))])
+.defaults_on(&[(Kind::Function, Fixed::Number(20.0)), (Kind::Discs, Fixed::Number(150.0)), (Kind::Grid, Fixed::Number(30.0))])
 .slider(2.0, 2000.0, true);
 pub(super) const ITERATIONS: Parameter = Parameter::integer(
     "iterations",
@@ -25,7 +25,7 @@ pub(super) const ITERATIONS: Parameter = Parameter::integer(
     [1, 1_000_000_000, 500],
     "After how many iterations it stops; α falls over them. Published: 100 on functions (fig. 1), 50 on the 10 m grid; (10) and (11) suggest a number.",
 )
-.defaults_on(&[(Kind::Function, Preset::Number(100.0)), (Kind::Grid, Preset::Number(50.0))])
+.defaults_on(&[(Kind::Function, Fixed::Number(100.0)), (Kind::Grid, Fixed::Number(50.0))])
 .slider(10.0, 5000.0, true);
 pub(super) const ALPHA_START: Parameter = Parameter::number(
     "alpha_start",

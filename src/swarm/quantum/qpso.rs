@@ -44,6 +44,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: &[],
+    presets: &[],
     suggest,
     start: |scene, settings, seed| super::start(scene, settings, seed, false),
 };

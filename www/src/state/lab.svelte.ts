@@ -1,17 +1,4 @@
-import type {
-  Catalogue,
-  Inspection,
-  Item,
-  Layer,
-  LinkSetup,
-  Outcome,
-  ParameterValue,
-  Planner,
-  Scene,
-  Setup,
-  Status,
-  Suggestion,
-} from 'forage-lab'
+import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion, When } from 'forage-lab'
 import { en } from '../i18n/en'
 import { number } from '../panels/format'
 import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
@@ -241,15 +228,13 @@ export class Lab extends Transport {
     if (this.asked === key) this.suggestion = answer.ok ? answer.value : null
   }
 
+  /** Whether a condition on the parameters is met. */
+  met = (when: When | undefined): boolean =>
+    Boolean(this.planner && this.scene && met(when, this.planner.parameters, this.scene.kind, this.params))
+
   /** The layers that there can be with these parameters. */
   readonly layers = $derived<Layer[]>(
-    this.planner?.layers.filter(
-      ({ when, kinds }) =>
-        this.planner &&
-        this.scene &&
-        (kinds?.includes(this.scene.kind) ?? true) &&
-        met(when, this.planner.parameters, this.scene.kind, this.params),
-    ) ?? [],
+    this.planner?.layers.filter(({ when, kinds }) => this.scene && (kinds?.includes(this.scene.kind) ?? true) && this.met(when)) ?? [],
   )
 
   private refuse(refusal: Refusal): void {

@@ -35,17 +35,39 @@ export const PRESETS: readonly Preset[] = [
   { name: 'hens', planner: 'wcpso', scene: 'wcpso-discs', params: {} },
 ]
 
+/** A case as it is offered: one of the above, or a planner's preset on the scene that goes with it. */
+export interface Case extends Omit<Preset, 'name'> {
+  name: string
+  /** What the catalogue says of it; the words of the above are looked up by their names. */
+  told?: { title: string; help: string }
+}
+
 /** Those that can be run here. */
-export const offered = ({ planners, scenes }: Catalogue): readonly Preset[] =>
-  PRESETS.filter((preset) => planners.some(({ name }) => name === preset.planner) && scenes.some(({ name }) => name === preset.scene))
+export const offered = ({ planners, scenes }: Catalogue): readonly Case[] => {
+  const known = (scene: string): boolean => scenes.some(({ name }) => name === scene)
+  return [
+    ...PRESETS.filter((preset) => planners.some(({ name }) => name === preset.planner) && known(preset.scene)),
+    ...planners.flatMap(({ name: planner, title, presets }) =>
+      presets
+        .filter(({ scene }) => known(scene))
+        .map(({ name, title: preset, help, scene, params }) => ({
+          name: `${planner}.${name}`,
+          planner,
+          scene,
+          params,
+          told: { title: `${title} – ${preset}`, help },
+        })),
+    ),
+  ]
+}
 
 /** The one that is set up just so, if any is. */
 export function chosen(
-  presets: readonly Preset[],
+  cases: readonly Case[],
   catalogue: Catalogue,
   setup: { planner: string; scene: Scene | null; params: Record<string, ParameterValue> },
-): Preset | undefined {
-  return presets.find(({ planner, scene, params }) => {
+): Case | undefined {
+  return cases.find(({ planner, scene, params }) => {
     const shipped = catalogue.scenes.find(({ name }) => name === scene)
     return planner === setup.planner && shipped && sameScene(shipped, setup.scene) && sameParams(params, setup.params)
   })

@@ -4,16 +4,18 @@ import { presets } from '../../src/i18n/presets.en'
 import { chosen, offered, PRESETS } from '../../src/state/presets'
 import { suits } from '../../src/state/stops'
 
-test('each published case runs as it is', () => {
+test('each published case and each preset of a planner runs as it is', () => {
   const known = catalogue()
-  expect(offered(known)).toEqual(PRESETS)
+  const cases = offered(known)
+  expect(cases.slice(0, PRESETS.length)).toEqual(PRESETS)
+  expect(cases.length - PRESETS.length).toBe(known.planners.reduce((sum, { presets }) => sum + presets.length, 0))
   expect(PRESETS.map(({ name }) => name).sort()).toEqual(Object.keys(presets.cases).sort())
-  for (const preset of PRESETS) {
-    const planner = known.planners.find(({ name }) => name === preset.planner)
-    const scene = known.scenes.find(({ name }) => name === preset.scene)
+  for (const { planner: name, scene: place, params, ...rest } of cases) {
+    const planner = known.planners.find((candidate) => candidate.name === name)
+    const scene = known.scenes.find((candidate) => candidate.name === place)
     expect(planner && scene && suits(planner, scene)).toBe(true)
-    expect(chosen(PRESETS, known, { planner: preset.planner, scene: scene ?? null, params: preset.params })).toBe(preset)
-    const session = new Session(preset)
+    expect(chosen(cases, known, { planner: name, scene: scene ?? null, params })).toMatchObject({ planner: name, scene: place, params })
+    const session = new Session({ planner: name, scene: place, params, seed: rest.seed ?? 1 })
     expect(session.limit).toBeGreaterThan(0)
     session.free()
   }

@@ -211,6 +211,9 @@ pub(super) struct RunArgs {
     /// The iteration limit; the same as --set iterations=N.
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(super) iterations: Option<String>,
+    /// Use a preset of the planner, such as `paper` or `fitted`; --set overrides it. `forage list PLANNER` shows them.
+    #[arg(long, value_name = "NAME")]
+    pub(super) preset: Option<String>,
     /// Set a parameter; repeat for several. `forage list PLANNER` shows them.
     #[arg(long = "set", value_name = "NAME=VALUE")]
     pub(super) set: Vec<String>,

@@ -179,10 +179,15 @@ fn not_for(option: &str, scene: &Scene, needed: &str) -> Failure {
     Failure::Refused(format!("{option} needs {needed}; {} is of kind {}", quoted(scene.name()), scene.kind().name()))
 }
 
-/// Puts --seed, --iterations and --set into the setup; returns whether anything was given.
+/// Puts --seed, --preset, --iterations and --set into the setup; returns whether anything was given.
 fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
     if let Some(text) = args.seed.as_deref() {
         setup.seed = seed(text)?;
+    }
+    if let Some(name) = &args.preset {
+        let entry = catalogue::find(&setup.planner)?;
+        let preset = entry.preset(name, setup.scene.kind()).map_err(|error| Failure::about(Subject::Named(entry.name), &error))?;
+        preset.iter().for_each(|(name, value)| setup.params.insert(name, value.clone()));
     }
     if let Some(iterations) = &args.iterations {
         setup.params.insert("iterations", Value::from(iterations.as_str()));
@@ -196,7 +201,7 @@ fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
             }
         }
     }
-    Ok(args.seed.is_some() || args.iterations.is_some() || args.suggested || !args.set.is_empty())
+    Ok(args.seed.is_some() || args.iterations.is_some() || args.preset.is_some() || args.suggested || !args.set.is_empty())
 }
 
 /// What the planner's paper recommends for a setup, and the planner's title.

@@ -92,6 +92,7 @@ fn kind_of_name(field: &str, subject: Subject<'_>) -> (String, String) {
         ("parameter" | "params", Subject::Named(name)) => {
             (format!("a parameter of {name}"), format!("`forage list {name}` shows its parameters"))
         }
+        ("preset", Subject::Named(name)) => (format!("a preset of {name}"), format!("`forage list {name}` shows its presets")),
         ("parameter" | "params", Subject::Unknown) => ("a parameter".to_owned(), String::new()),
         _ => (format!("a field of `{last}`"), String::new()),
     }

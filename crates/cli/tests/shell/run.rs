@@ -22,6 +22,26 @@ fn temporary(name: &str) -> PathBuf {
 }
 
 #[test]
+fn a_preset_sets_what_its_page_says_and_set_overrides_it() {
+    let run = |more: &[&str]| json(&[&["run", "wpso", "--scene", "matyas", "--iterations", "20", "--json"], more].concat());
+    let fitted = run(&["--preset", "fitted"]);
+    assert_eq!(fitted["hash"], run(&["--set", "w_max=0.9", "--set", "c1=1.5", "--set", "c2=1.5", "--set", "random=particle"])["hash"]);
+    assert_ne!(fitted["hash"], run(&[])["hash"]);
+    assert_eq!(run(&["--preset", "paper"])["hash"], run(&[])["hash"]);
+    assert_eq!(run(&["--preset", "fitted", "--set", "w_max=0.8"])["parameters"]["w_max"], 0.8);
+    let page = String::from_utf8(forage(&["list", "wpso"]).stdout).unwrap();
+    assert!(page.contains("Presets (--preset NAME)") && page.contains("c1=1.5 c2=1.5 random=particle w_max=0.9"), "{page}");
+    for (planner, name, expected) in
+        [("wpso", "fited", "`fited` is not a preset of wpso; did you mean `fitted`?"), ("a-star", "paper", "has no presets")]
+    {
+        let output = forage(&["run", planner, "--scene", "matyas", "--preset", name]);
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        assert!(told.contains(expected), "{told}");
+    }
+}
+
+#[test]
 fn run_prints_the_contract_and_exits_with_0() {
     let output = forage(&["run", "wcpso", "--scene", "scenes/wcpso-discs.json", "--seed", "3", "--json"]);
     assert_eq!(output.status.code(), Some(0));

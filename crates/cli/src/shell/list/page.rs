@@ -116,6 +116,15 @@ fn planner(entry: &Entry, page: &mut Page) {
     page.line("");
     page.paragraph(entry.summary, 2);
     page.parameters("--set", entry.parameters, entry.kinds);
+    if !entry.presets.is_empty() {
+        page.heading("Presets (--preset NAME)");
+        let width = entry.presets.iter().map(|preset| preset.name.len()).max().unwrap_or(0);
+        for preset in entry.presets {
+            let values: Vec<_> = preset.given().iter().map(|(name, value)| format!("{name}={value}")).collect();
+            let values = if values.is_empty() { "the defaults".to_owned() } else { values.join(" ") };
+            page.named(preset.name, width, &format!("{}: {values}", preset.title), preset.help);
+        }
+    }
     page.heading("Metrics of each iteration (`readings` in JSON; --trace FILE writes them)");
     let width = entry.readings.iter().map(|reading| reading.name.len()).max().unwrap_or(0);
     for reading in entry.readings {
