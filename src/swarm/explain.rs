@@ -86,37 +86,29 @@ struct Record {
 }
 
 impl Watch for Record {
-    fn wants(&self, i: usize) -> bool {
-        i == self.particle
+    fn particle(&self) -> Option<usize> {
+        Some(self.particle)
     }
 
     fn term(&mut self, term: Term) {
         self.terms.push(term);
     }
 
-    fn hen(&mut self, i: usize, t: Option<usize>, s: [f64; 2]) {
-        if i == self.particle {
-            (self.other, self.s) = (t, s);
-        }
+    fn hen(&mut self, t: Option<usize>, s: [f64; 2]) {
+        (self.other, self.s) = (t, s);
     }
 
-    fn leaves(&mut self, i: usize, x: &[f64]) {
-        if i == self.particle {
-            self.from = x.to_vec();
-        }
+    fn leaves(&mut self, x: &[f64]) {
+        self.from = x.to_vec();
     }
 
-    fn jump(&mut self, i: usize, r: [f64; 2], x_t: f64) {
-        if i == self.particle {
-            self.r.push(r);
-            self.x_t.push(x_t);
-        }
+    fn jump(&mut self, r: [f64; 2], x_t: f64) {
+        self.r.push(r);
+        self.x_t.push(x_t);
     }
 
-    fn refused(&mut self, i: usize, x: &[f64]) {
-        if i == self.particle {
-            self.refused = Some(x.to_vec());
-        }
+    fn refused(&mut self, x: &[f64]) {
+        self.refused = Some(x.to_vec());
     }
 }
 

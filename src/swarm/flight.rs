@@ -96,23 +96,24 @@ impl Swarm {
     }
 
     /// One iteration. `watch` sees what happens to a particle that somebody asked about.
-    pub(super) fn advance(&mut self, watch: &mut impl Watch) {
+    pub(super) fn advance(&mut self, watch: &mut dyn Watch) {
         self.coefficients = self.flight.schedule.at(self.clock.iteration, self.clock.limit);
         let perturbation = self.flight.perturbation;
+        let watched = watch.particle();
         for i in 0..self.population.size {
             let before = self.population.cost[i];
             self.events[i] =
                 perturbation.filter(|p| p.timing == Timing::Instead).map_or(Event::Move, |p| self.patience[i].next(p.patience));
             match (self.events[i], perturbation) {
-                (Event::Hen | Event::Chick, Some(perturbation)) => self.jump(i, perturbation, watch),
-                _ if watch.wants(i) => self.fly(i, watch),
+                (Event::Hen | Event::Chick, Some(perturbation)) => self.jump(i, perturbation, watched, watch),
+                _ if watched == Some(i) => self.fly(i, watch),
                 _ => self.fly(i, &mut ()),
             }
             self.patience[i].note(before, self.population.cost[i]);
             if let Some(perturbation) = perturbation.filter(|p| p.timing == Timing::After) {
                 self.events[i] = self.patience[i].next(perturbation.patience);
                 if self.events[i] != Event::Move {
-                    self.jump(i, perturbation, watch);
+                    self.jump(i, perturbation, watched, watch);
                     self.patience[i].after_hen &= self.population.cost[i] >= before;
                 }
             }
@@ -123,7 +124,7 @@ impl Swarm {
 
     /// (6) and (7), and the evaluation. Reading: velocities are limited, positions are kept in the box, and a coordinate that hits a wall stops.
     #[inline]
-    fn fly(&mut self, i: usize, watch: &mut impl Watch) {
+    fn fly<W: Watch + ?Sized>(&mut self, i: usize, watch: &mut W) {
         let Coefficients { w, c1, c2 } = self.coefficients;
         let row = self.population.row(i);
         let n = row.len();
@@ -146,10 +147,12 @@ impl Swarm {
     }
 
     /// Moves a stagnating particle by the equation that is due, and evaluates it.
-    fn jump(&mut self, i: usize, perturbation: Perturbation, watch: &mut impl Watch) {
+    fn jump(&mut self, i: usize, perturbation: Perturbation, watched: Option<usize>, watch: &mut dyn Watch) {
+        let nobody: &mut dyn Watch = &mut ();
+        let watch = if watched == Some(i) { watch } else { nobody };
         let row = self.population.row(i);
         self.held.copy_from_slice(&self.population.x[row.clone()]);
-        watch.leaves(i, &self.held);
+        watch.leaves(&self.held);
         let before = self.population.cost[i];
         let hen = self.events[i] == Event::Hen;
         if hen {
@@ -159,7 +162,7 @@ impl Swarm {
         }
         self.population.evaluate(i);
         if hen && perturbation.keep == Keep::Better && self.population.cost[i] >= before {
-            watch.refused(i, &self.population.x[row.clone()]);
+            watch.refused(&self.population.x[row.clone()]);
             self.population.x[row].copy_from_slice(&self.held);
             self.population.cost[i] = before;
         }
@@ -167,13 +170,13 @@ impl Swarm {
 
     /// (9). Reading: the particle jumps instead of flying (or after it); its velocity stays. Another particle that comes
     /// earlier in the order has already moved.
-    fn follow_hen(&mut self, i: usize, perturbation: Perturbation, watch: &mut impl Watch) {
+    fn follow_hen(&mut self, i: usize, perturbation: Perturbation, watch: &mut dyn Watch) {
         let population = &mut self.population;
         let t = perturbation::other(i, population.size, &mut self.rng);
         let f_i = population.p_cost[i];
         let s1 = perturbation::s1(f_i, population.g_cost);
         let s2 = t.map_or(0.0, |t| perturbation::s2(perturbation.sign, f_i, population.p_cost[t]));
-        watch.hen(i, t, [s1, s2]);
+        watch.hen(t, [s1, s2]);
         let t = t.unwrap_or(i);
         let draws = Draws::begin(self.per_particle, &mut self.rng);
         for j in 0..population.dimension {
@@ -184,17 +187,17 @@ impl Swarm {
                 Partner::Best => population.p[from],
             };
             let x = perturbation::hen(population.x[at], population.g[j], x_t, [s1, s2], r);
-            watch.jump(i, r, x_t);
+            watch.jump(r, x_t);
             population.x[at] = population.objective.search_box().clamp(j, x);
         }
     }
 
     /// (12).
-    fn follow_chick(&mut self, i: usize, f_l: f64, watch: &mut impl Watch) {
+    fn follow_chick(&mut self, i: usize, f_l: f64, watch: &mut dyn Watch) {
         let population = &mut self.population;
         let row = population.row(i);
         for (j, x) in population.x[row].iter_mut().enumerate() {
-            watch.jump(i, [f_l, 0.0], 0.0);
+            watch.jump([f_l, 0.0], 0.0);
             *x = population.objective.search_box().clamp(j, perturbation::chick(*x, population.g[j], f_l));
         }
     }
@@ -224,19 +227,22 @@ pub(super) struct Term {
     pub(super) step: f64,
 }
 
-/// Sees what a step does. `()` sees nothing and costs nothing.
+/// Sees what a step does to one particle. `()` sees nothing and costs nothing.
 pub(super) trait Watch {
-    fn wants(&self, _i: usize) -> bool {
-        false
+    /// Which particle it watches.
+    fn particle(&self) -> Option<usize> {
+        None
     }
+    /// One coordinate of its flight.
     fn term(&mut self, _term: Term) {}
-    fn hen(&mut self, _i: usize, _t: Option<usize>, _s: [f64; 2]) {}
-    /// A particle is about to jump from here.
-    fn leaves(&mut self, _i: usize, _x: &[f64]) {}
+    /// The hen's other particle t, s1 and s2.
+    fn hen(&mut self, _t: Option<usize>, _s: [f64; 2]) {}
+    /// It is about to jump from here.
+    fn leaves(&mut self, _x: &[f64]) {}
     /// One coordinate of a jump: its random numbers and what it takes from the other particle.
-    fn jump(&mut self, _i: usize, _r: [f64; 2], _x_t: f64) {}
-    /// The particle returns, because this position is not better.
-    fn refused(&mut self, _i: usize, _x: &[f64]) {}
+    fn jump(&mut self, _r: [f64; 2], _x_t: f64) {}
+    /// It returns, because this position is not better.
+    fn refused(&mut self, _x: &[f64]) {}
 }
 
 impl Watch for () {}
