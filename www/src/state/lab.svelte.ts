@@ -1,4 +1,18 @@
-import type { Catalogue, Inspection, Item, Layer, LinkSetup, Outcome, ParameterValue, Planner, Scene, Setup, Status, Suggestion, When } from 'forage-lab'
+import type {
+  Catalogue,
+  Inspection,
+  Item,
+  Layer,
+  LinkSetup,
+  Outcome,
+  ParameterValue,
+  Planner,
+  Scene,
+  Setup,
+  Status,
+  Suggestion,
+  When,
+} from 'forage-lab'
 import { en } from '../i18n/en'
 import { number } from '../panels/format'
 import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
