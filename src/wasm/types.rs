@@ -1,9 +1,13 @@
-//! The exact TypeScript types of the face: `scenes.d.ts`, `types.d.ts` and `batches.d.ts`, and a name for each that crosses the boundary.
+//! The exact TypeScript types of the face: `scenes.d.ts`, `catalogue.d.ts`, `types.d.ts` and `batches.d.ts`, and a name for each that
+//! crosses the boundary.
 
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const SCENES: &str = include_str!("scenes.d.ts");
+
+#[wasm_bindgen(typescript_custom_section)]
+const CATALOGUE: &str = include_str!("catalogue.d.ts");
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.d.ts");
@@ -13,7 +17,7 @@ const BATCHES: &str = include_str!("batches.d.ts");
 
 #[wasm_bindgen]
 extern "C" {
-    /// `Catalogue`, as `types.d.ts` describes it.
+    /// `Catalogue`, as `catalogue.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Catalogue")]
     pub type JsCatalogue;
     /// `Setup`, as `types.d.ts` describes it.
@@ -28,7 +32,7 @@ extern "C" {
     /// `Kind`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Kind")]
     pub type JsKind;
-    /// `ParameterValue`, as `types.d.ts` describes it.
+    /// `ParameterValue`, as `catalogue.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "ParameterValue")]
     pub type JsParameterValue;
     /// `Record<string, ParameterValue>`, as `types.d.ts` describes it.
