@@ -8,12 +8,10 @@ use crate::{
 
 use super::{
     Traits,
-    ground::{Direction, Heuristic},
     parameters::{
         CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, TRADITIONAL, alpha, ants, beta,
         dead_end, q, rho, tau_0, tau_min,
     },
-    update::Update,
 };
 
 pub(super) const ANTS: Parameter = ants(50, "How many ants set out in an iteration. Published: 50.");
@@ -49,13 +47,5 @@ pub const ENTRY: Entry = Entry {
 
 /// What sets this colony apart.
 pub(super) fn traits(_: &Settings) -> Traits {
-    Traits {
-        heuristic: Heuristic::Distance,
-        gamma: 0.0,
-        direction: Direction::Squared,
-        update: Update::Traditional,
-        relative: false,
-        greed: [0.0; 2],
-        seeded: 1.0,
-    }
+    Traits::TRADITIONAL
 }

@@ -10,12 +10,10 @@ use crate::{
 use super::{
     Traits,
     aco::{ALPHA, ANTS, BETA, Q, RHO, TAU_0, TAU_MIN},
-    ground::{Direction, Heuristic},
     parameters::{
         ANT_STEPS, ARRIVED, BEST, CHOICE, CONVERGED, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN, STAYS,
         STEP_LIMIT, STUCK, TAU_MAX, TRADITIONAL, dead_end,
     },
-    update::Update,
 };
 
 const SEEDED: Parameter = Parameter::number(
@@ -100,13 +98,5 @@ pub const ENTRY: Entry = Entry {
 
 /// What sets this colony apart.
 pub(super) fn traits(settings: &Settings) -> Traits {
-    Traits {
-        heuristic: Heuristic::Distance,
-        gamma: 0.0,
-        direction: Direction::Squared,
-        update: Update::Traditional,
-        relative: false,
-        greed: [settings.number("q0_start"), settings.number("q0_end")],
-        seeded: settings.number("seeded"),
-    }
+    Traits { greed: [settings.number("q0_start"), settings.number("q0_end")], seeded: settings.number("seeded"), ..Traits::TRADITIONAL }
 }

@@ -9,7 +9,7 @@ use crate::{
 use super::{
     Traits,
     aco::{ALPHA, ANTS, BETA, RHO},
-    ground::{Direction, Heuristic},
+    ground::Direction,
     parameters::{DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, dead_end, q, tau_0, tau_min},
     update::Update,
 };
@@ -29,7 +29,7 @@ const DIRECTION_LAW: Parameter = Parameter::choice(
         Choice { value: "squared", title: "Squared", help: "exp(−((θ1/π)² + (θ2/π)²)): small turns cost little." },
         Choice { value: "linear", title: "Linear", help: "exp(−(θ1 + θ2)/(π/2)): every turn costs in proportion." },
     ],
-    "How the angles enter the direction factor. The scan is damaged; the squares are the likelier reading.",
+    "How the angles enter the direction factor. The scan of (2) is damaged; squares are the likelier reading.",
 );
 const Q_RELATIVE: Parameter = q(
     3.0,
@@ -145,12 +145,10 @@ pub const ENTRY: Entry = Entry {
 /// What sets this colony apart.
 pub(super) fn traits(settings: &Settings) -> Traits {
     Traits {
-        heuristic: Heuristic::Distance,
         gamma: settings.number("gamma"),
         direction: if settings.choice("direction") == "linear" { Direction::Linear } else { Direction::Squared },
         relative: settings.choice("q_unit") == "distance",
         update: Update::Reward { phi1: settings.number("phi1"), phi2: settings.number("phi2") },
-        greed: [0.0; 2],
-        seeded: 1.0,
+        ..Traits::TRADITIONAL
     }
 }

@@ -9,7 +9,7 @@ use crate::{
 
 use super::{
     Traits,
-    ground::{Direction, Heuristic},
+    ground::Heuristic,
     parameters::{ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, alpha, ants, beta, dead_end, q, rho, tau_0, tau_min},
     update::Update,
 };
@@ -103,13 +103,5 @@ pub const ENTRY: Entry = Entry {
 
 /// What sets this colony apart.
 pub(super) fn traits(settings: &Settings) -> Traits {
-    Traits {
-        heuristic: Heuristic::Ranked { epsilon: settings.number("epsilon") },
-        gamma: 0.0,
-        direction: Direction::Squared,
-        update: Update::Wolf,
-        relative: false,
-        greed: [0.0; 2],
-        seeded: 1.0,
-    }
+    Traits { heuristic: Heuristic::Ranked { epsilon: settings.number("epsilon") }, update: Update::Wolf, ..Traits::TRADITIONAL }
 }

@@ -36,7 +36,8 @@ pub(super) fn pheromone(cells: &Cells, pheromone: &Pheromone, frame: &mut Frame)
     }
 }
 
-/// What lies on each step, from the cell's centre half way to its neighbour, in the part that is looked at from near.
+/// How much more lies on each step than where no ant has been, from the cell's centre half way to its neighbour, in the part
+/// that is looked at from near.
 pub(super) fn trails(cells: &Cells, pheromone: &Pheromone, frame: &mut Frame) {
     let Some(window) = frame.window() else {
         return;
@@ -49,7 +50,8 @@ pub(super) fn trails(cells: &Cells, pheromone: &Pheromone, frame: &mut Frame) {
     if columns.len() * rows.len() > NEAR {
         return;
     }
-    let most = pheromone.most();
+    let untouched = pheromone.elsewhere();
+    let most = pheromone.most() - untouched;
     frame.begin(Role::Trails, Shape::Segments);
     for row in rows {
         for cell in columns.clone().map(|column| row * cells.columns + column) {
@@ -57,7 +59,8 @@ pub(super) fn trails(cells: &Cells, pheromone: &Pheromone, frame: &mut Frame) {
             let from = cells.centre(cell);
             for d in (0..8).filter(|d| allowed >> d & 1 != 0) {
                 let to = cells.centre(cells.next(cell, d));
-                let share = pheromone.tau(cell, d) / most;
+                let more = pheromone.tau(cell, d) - untouched;
+                let share = if more > 0.0 { more / most } else { 0.0 };
                 frame.push(from, share);
                 frame.push([f64::midpoint(from[0], to[0]), f64::midpoint(from[1], to[1])], share);
             }

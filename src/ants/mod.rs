@@ -62,6 +62,19 @@ struct Traits {
     seeded: f64,
 }
 
+impl Traits {
+    /// The traditional colony, [ANTBAT] (1); the others differ from it.
+    const TRADITIONAL: Self = Self {
+        heuristic: Heuristic::Distance,
+        gamma: 0.0,
+        direction: Direction::Squared,
+        update: Update::Traditional,
+        relative: false,
+        greed: [0.0; 2],
+        seeded: 1.0,
+    };
+}
+
 /// A colony of ants. One iteration: all ants walk, then pheromone evaporates and what they lay is added.
 #[derive(Clone)]
 pub(crate) struct Colony {

@@ -111,7 +111,7 @@ pub(super) const EVAPORATION: Formula = Formula {
 /// What every colony draws.
 pub(super) const LAYERS: &[Layer] = &[
     Layer::new(Role::Pheromone, "Pheromone", true, true, "How much lies on each cell’s strongest step."),
-    Layer::new(Role::Trails, "Trails", true, false, "How much lies on each step; seen from near."),
+    Layer::new(Role::Trails, "Trails", true, false, "How much more lies on each step than where no ant has been; seen from near."),
     Layer::new(Role::Ants, "Ants", true, true, "The ways of this iteration’s ants."),
     Layer::new(Role::Best, "Shortest", true, false, "The shortest way so far: the result."),
     Layer {

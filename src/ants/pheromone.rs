@@ -54,6 +54,11 @@ impl Pheromone {
         self.known.get(self.place[cell] as usize).map_or(self.elsewhere, |known| known.tau[direction])
     }
 
+    /// τ of the steps that no ant has come to.
+    pub fn elsewhere(&self) -> f64 {
+        self.elsewhere
+    }
+
     /// Multiplies τ of a step.
     pub fn favour(&mut self, ground: &Ground, cell: usize, direction: usize, factor: f64) {
         let [low, high] = self.bounds;

@@ -15,15 +15,7 @@ fn scene(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {
     Arc::new(Scene::new(header, Body::Grid(grid)).unwrap())
 }
 
-const PLAIN: Traits = Traits {
-    heuristic: Heuristic::Distance,
-    gamma: 0.0,
-    direction: Direction::Squared,
-    update: Update::Traditional,
-    relative: false,
-    greed: [0.0; 2],
-    seeded: 1.0,
-};
+const PLAIN: Traits = Traits::TRADITIONAL;
 
 /// A colony with given lengths instead of walks of its own: ant k went right `k`'s number of steps.
 fn colony(scene: &Arc<Scene>, traits: Traits) -> Colony {
