@@ -63,7 +63,7 @@ pub enum Domain {
     },
 }
 
-/// A default that is known when the crate is built.
+/// A value that is known when the crate is built: a default, or one of a preset.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fixed {
     /// Of a number; whole numbers too.

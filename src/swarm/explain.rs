@@ -140,6 +140,7 @@ impl Swarm {
             }),
             coefficients: after.coefficients,
             f_l: self.flight.perturbation.map_or(0.0, |p| p.f_l),
+            patience: self.flight.perturbation.map_or(0, |p| p.patience),
             record: &record,
         };
         Some(step.tell(after.events[i]))
@@ -166,6 +167,8 @@ struct Step<'a> {
     hen: [&'static str; 2],
     coefficients: Coefficients,
     f_l: f64,
+    /// How often a particle gets worse before it is perturbed.
+    patience: u8,
     record: &'a Record,
 }
 
@@ -213,8 +216,9 @@ impl Step<'_> {
         let (from, to, x_t) = (&*self.record.from, self.target(), &self.record.x_t);
         let fate = if self.record.refused.is_some() { " Its cost would not fall, so it stays." } else { "" };
         let summary = format!(
-            "Particle {} got worse again and again, so {}it jumps like a hen, towards the swarm’s best and particle {other}.{fate}",
+            "Particle {} {}, so {}it jumps like a hen, towards the swarm’s best and particle {other}.{fate}",
             self.item.index,
+            self.worse(),
             self.flown(),
         );
         let mut told = sheet(self.meaning, self.item, "hen", summary, from.len());
@@ -249,6 +253,14 @@ impl Step<'_> {
     /// Where the jump led, whether it counted or not.
     fn target(&self) -> &[f64] {
         self.record.refused.as_deref().unwrap_or(self.to)
+    }
+
+    /// What makes it stagnate.
+    fn worse(&self) -> String {
+        match self.patience {
+            1 => "got worse".to_owned(),
+            times => format!("got worse {times} times in a row"),
+        }
     }
 
     fn flown(&self) -> &'static str {
