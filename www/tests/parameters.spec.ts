@@ -1,3 +1,4 @@
+import { catalogue } from '../../pkg/node.js'
 import { closer } from '../src/i18n/closer.en'
 import { panels } from '../src/i18n/panels.en'
 import { number } from '../src/panels/format'
@@ -146,4 +147,24 @@ test('a run that stops early doesn’t claim to have reached its limit; a path t
   await lab.settled(500)
   await expect(page.getByTestId('result-strip')).toContainText(en.result.below('', en.result.optimum.plain))
   await expect(page.getByTestId('result-strip')).not.toContainText(en.result.above('', en.result.optimum.plain))
+})
+
+test('a preset of a planner is a case: its values, its words, and the equations that hold under it', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 3))
+  await lab.settled(3)
+  await page.getByTestId('case').selectOption('cpso.fitted')
+  const preset = catalogue()
+    .planners.find(({ name }) => name === 'cpso')
+    ?.presets.find(({ name }) => name === 'fitted')
+  if (!preset) throw new Error('no preset')
+  await expect(page.getByTestId('case-see')).toHaveText(preset.help)
+  await lab.restarted()
+  const link = verified(await lab.link(await lab.seek(7)))
+  expect(link).toMatchObject({ planner: 'cpso', params: preset.params, iteration: 7 })
+  expect(link.scene.name).toBe(preset.scene)
+  await page.getByTestId('formulas').scrollIntoViewIfNeeded()
+  await expect(page.getByTestId('live-w')).toBeVisible()
+
+  await (await lab.section('parameters')).getByRole('button', { name: panels.parameters.resetAll }).click()
+  await expect(page.getByTestId('live-w')).toHaveCount(0)
 })

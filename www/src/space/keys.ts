@@ -57,7 +57,7 @@ export function spaceKey(event: KeyboardEvent, acts: Acts): boolean {
     k: () => hands.walk(1),
     Delete: () => hands.remove(),
     Backspace: () => hands.remove(),
-    Escape: () => (lab.beside && !lab.selection && !lab.inspecting ? lab.beside.leave() : hands.leave()),
+    Escape: () => (lab.beside && !lab.selection && !lab.wanted ? lab.beside.leave() : hands.leave()),
   }
   const act = keys[event.key] ?? keys[event.key.toLowerCase()]
   act?.()

@@ -128,7 +128,7 @@ export class Carrying {
 
   /** Where obstacles begin and how they set out, and what of them is selected; where they are now, if the picture is that of the scene. */
   draw(pen: Pen, scene: GridScene, hover: Handle | null, blamed: Selection | null, fresh: boolean): void {
-    if (lab.shows(MOVING, true))
+    if (lab.visible.shows(MOVING, true))
       drawMovers(pen, scene, { now: fresh ? this.now : null, quiet: this.rushing, selection: lab.selection, hover, blamed })
   }
 
@@ -146,7 +146,7 @@ export class Carrying {
   /** On top of all, start and goal included. */
   drawRobot(pen: Pen): void {
     const { frame, catalogue } = lab
-    if (!frame || !catalogue || !lab.shows('robot', true)) return
+    if (!frame || !catalogue || !lab.visible.shows('robot', true)) return
     const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
     const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
     drawRobot(pen, styleOf('robot'), vertices, piecesOf(spans, catalogue.roles.indexOf('robot'), catalogue.shapes))
@@ -164,7 +164,8 @@ export class Carrying {
 }
 
 /** The planner tells about such things, and they are shown. */
-const asked = (role: string): boolean => lab.layers.some((layer) => layer.role === role && layer.pickable && lab.shows(role, layer.on))
+const asked = (role: string): boolean =>
+  lab.layers.some((layer) => layer.role === role && layer.pickable && lab.visible.shows(role, layer.on))
 
 /** Near to an axis the hand means the axis. */
 function straight({ scale }: View, [x, y]: Point): Point {

@@ -34,7 +34,9 @@ export class Hands {
 
   /** The field that is shown and whose cells can be asked about. */
   readonly role = $derived(
-    lab.grid ? (lab.layers.find(({ role, on, pickable }) => pickable && styleOf(role).ramp && lab.shows(role, on))?.role ?? null) : null,
+    lab.grid
+      ? (lab.layers.find(({ role, on, pickable }) => pickable && styleOf(role).ramp && lab.visible.shows(role, on))?.role ?? null)
+      : null,
   )
   /** Stops mean something here and can be changed. */
   readonly callsAt = $derived(lab.plane !== null && takesStops(lab.plane) && (lab.touring || lab.stops.length > 0))
@@ -170,7 +172,7 @@ export class Hands {
   private look(cell: Cell | null, coarse: boolean): void {
     const before = this.item
     this.cell = cell
-    const again = coarse && lab.inspecting && before?.index === this.item?.index
+    const again = coarse && lab.wanted && before?.index === this.item?.index
     if (again) this.cell = null
     lab.inspect(again ? null : this.item)
   }

@@ -14,7 +14,6 @@ import type {
   When,
 } from 'forage-lab'
 import { en } from '../i18n/en'
-import { number } from '../panels/format'
 import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
 import { address } from './address'
 import { meaningful, met } from './applicable'
@@ -24,11 +23,13 @@ import { Course } from './course.svelte'
 import { Followers } from './followers.svelte'
 import type { Follower } from './following.svelte'
 import type { Again } from './scenes.svelte'
-import { stageAt } from './stages'
+import { missing, stageAt } from './stages'
 import { suits } from './stops'
+import { Suggested } from './suggested.svelte'
 import { stillness } from './theme.svelte'
 import { Transport } from './transport.svelte'
 import { views } from './views.svelte'
+import { Visible } from './visible.svelte'
 
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
@@ -61,10 +62,9 @@ export class Lab extends Transport {
   members = $state.raw<Float64Array | null>(null)
   private item: Item | null = null
   private tuner: Tuned | null = null
-  hidden = $state.raw<Record<string, boolean>>({})
+  readonly visible = new Visible()
 
-  /** The sizes that the planner's paper recommends. */
-  suggestion = $state.raw<Suggestion | null>(null)
+  readonly suggested = new Suggested()
   sceneError = $state.raw<Refusal | null>(null)
   paramErrors = $state.raw<Record<string, string>>({})
   notice = $state('')
@@ -87,16 +87,9 @@ export class Lab extends Transport {
   readonly part = $derived(stageAt(this.stages, this.iteration))
   /** How far a step is that takes its time. */
   readonly underway = $derived(this.progress?.generation === this.run?.generation ? this.progress : null)
-  /** What is done before there can be a result: how many of the roads between the stops stand. In the end, what kept it from one. */
-  readonly building = $derived.by(() => {
-    if (this.eventful && this.finished) return this.outcome?.trouble ?? ''
-    const { roads } = this.readings
-    const stops = this.grid?.stops?.length ?? 0
-    if (!this.planner?.stops || roads === undefined || this.outcome?.order) return ''
-    if (this.finished) return this.outcome?.trouble ?? ''
-    return en.result.roads(number(roads), number((stops * (stops - 1)) / 2))
-  })
   readonly finished = $derived(this.status !== 'running')
+  /** What is done before there can be a result: how many of the roads between the stops stand. */
+  readonly building = $derived(missing(this.planner, this.grid, this.readings, this.outcome, this.finished))
 
   protected readonly client = new Client({
     onframe: (frame) => this.receive(frame),
@@ -113,7 +106,6 @@ export class Lab extends Transport {
   readonly drivable = $derived(this.hasRobot && this.followable)
   /** The fingerprint that an opened link promises, and where. */
   private promised: { hash: string; at: number } | undefined
-  private asked = ''
   /** A start is on its way. */
   private starting = false
   /** The next restart waits for the answer to that start. */
@@ -217,7 +209,7 @@ export class Lab extends Transport {
       this.refuse(answer.refusal)
       return
     }
-    void this.ask(setup)
+    void this.suggested.ask(this.client, setup, this.scene?.kind)
     this.run = answer.value
     this.sceneError = null
     // Pictures and requests may have overtaken the answer.
@@ -231,15 +223,6 @@ export class Lab extends Transport {
       this.inspection = null
       this.item = null
     }
-  }
-
-  /** The recommendation hangs on the planner and its parameters; cells that are painted don't change it. */
-  private async ask(setup: Setup): Promise<void> {
-    const key = JSON.stringify([setup.planner, this.scene?.kind, setup.params])
-    if (key === this.asked) return
-    this.asked = key
-    const answer = await this.client.api.suggest(setup)
-    if (this.asked === key) this.suggestion = answer.ok ? answer.value : null
   }
 
   /** Whether a condition on the parameters is met. */
@@ -505,19 +488,9 @@ export class Lab extends Transport {
     void this.client.api.watch(item)
   }
 
-  get inspecting(): boolean {
-    return this.item !== null
-  }
-
   /** What is looked at closer, also before there is an answer. */
   get wanted(): Item | null {
     return this.item
-  }
-
-  shows = (role: string, standard: boolean): boolean => !(this.hidden[role] ?? !standard)
-
-  showLayer = (role: string, on: boolean): void => {
-    this.hidden = { ...this.hidden, [role]: !on }
   }
 
   get api(): Client['api'] {

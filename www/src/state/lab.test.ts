@@ -213,7 +213,7 @@ test('what is picked in the old run is not inspected in the new one', async () =
   lab.setPlanner('pso')
   await worker.receiveAll()
   await picked
-  expect(lab.inspecting).toBe(false)
+  expect(lab.wanted).toBeNull()
 })
 
 test('what is inspected while the run restarts stays inspected', async () => {

@@ -55,7 +55,8 @@ export const offered = ({ planners, scenes }: Catalogue): readonly Case[] => {
           planner,
           scene,
           params,
-          told: { title: `${title} – ${preset}`, help },
+          // A planner's title is its abbreviation, a colon and what it does.
+          told: { title: `${title.split(':')[0]}: ${preset}`, help },
         })),
     ),
   ]

@@ -1,4 +1,6 @@
-import type { Stage } from 'forage-lab'
+import type { GridScene, Outcome, Planner, Stage } from 'forage-lab'
+import { en } from '../i18n/en'
+import { number } from '../panels/format'
 
 /** Where an iteration is within its part of the run. */
 export interface Part {
@@ -21,4 +23,19 @@ export function stageAt(stages: readonly Stage[] = [], iteration: number): Part 
 export function boundary(stages: readonly Stage[], iteration: number, onwards: boolean): number {
   const ends = [0, ...stages.map(({ end }) => end)]
   return (onwards ? ends.find((end) => end > iteration) : ends.findLast((end) => end < iteration)) ?? iteration
+}
+
+/** What there is still to do before there can be a result: how many of the roads between the stops stand. In the end, what kept a run from one. */
+export function missing(
+  planner: Planner | null,
+  grid: GridScene | null,
+  { roads }: Readonly<Record<string, number>>,
+  outcome: Outcome | null,
+  finished: boolean,
+): string {
+  if (planner?.events.length && finished) return outcome?.trouble ?? ''
+  if (!planner?.stops || roads === undefined || outcome?.order) return ''
+  if (finished) return outcome?.trouble ?? ''
+  const stops = grid?.stops?.length ?? 0
+  return en.result.roads(number(roads), number((stops * (stops - 1)) / 2))
 }
