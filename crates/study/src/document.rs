@@ -285,8 +285,8 @@ mod tests {
 
     #[test]
     fn a_document_that_differs_is_told_by_its_line() {
-        let out = std::env::temp_dir().join(format!("forage-document-{}", std::process::id()));
-        fs::create_dir_all(&out).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().to_owned();
         let options = Options { out: out.clone(), threads: None, runs: None, fresh: false };
         let written = write(&[report()], &Fingerprints::default(), &options).unwrap();
         assert_eq!(differences(&[report()], &Fingerprints::default(), &out).unwrap(), Vec::<String>::new());
@@ -296,7 +296,6 @@ mod tests {
         assert!(told.len() == 1 && told[0].contains("REPRODUCTION.csv differs in line 2"), "{told:?}");
         fs::write(&written[1], text + "\n").unwrap();
         assert!(differences(&[report()], &Fingerprints::default(), &out).unwrap()[0].contains("lines instead of"));
-        fs::remove_dir_all(out).unwrap();
     }
 
     #[test]

@@ -291,7 +291,8 @@ mod tests {
 
     #[test]
     fn a_sample_finds_the_row_that_changed_and_ignores_what_is_measured() {
-        let out = std::env::temp_dir().join(format!("forage-fingerprints-{}", std::process::id()));
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().to_owned();
         let options = |version| Options { out: out.clone(), threads: Some(2), runs: Some(version), fresh: false };
         let control = Control { stop: &AtomicBool::new(false), progress: &|_, _| {} };
         runner::run(&tasks(&options(1)), &out.join(FILE), true, Some(2), &control).unwrap();
@@ -310,6 +311,5 @@ mod tests {
 
         let none = super::sample(&[ROOTS], &options(1), &Fingerprints::default(), "seed", Duration::ZERO, &control);
         assert!(none.unwrap_err().to_string().contains("roots.csv has 0 fingerprints for 40 rows"));
-        fs::remove_dir_all(out).unwrap();
     }
 }

@@ -259,8 +259,8 @@ mod tests {
         let mut rows: Vec<_> = (5..=12).flat_map(|d| (0..3).map(move |block| found(d, block, [d * d, 2 * d], true))).collect();
         rows.push(found(13, 0, [151, 126], false));
         rows.push(Found { aim: Aim::Published, ..found(5, 0, [7, 10], false) });
-        let out = std::env::temp_dir().join(format!("forage-regression-{}", std::process::id()));
-        std::fs::create_dir_all(&out).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().to_owned();
         let report = report(&rows, 100, &Options { out: out.clone(), threads: None, runs: None, fresh: false }).unwrap();
         let text = report.text();
         for part in ["2.0000  (2.00, 2.00)", "(1.62, 1.82)", "-1.8788", "0 of 1, others need N M > 20000", "seed 1 "] {
@@ -269,6 +269,5 @@ mod tests {
         assert_eq!(report.verdicts[0].holds, Some(false));
         let picture = std::fs::read_to_string(out.join("ltqpso-regression-table-1.svg")).unwrap();
         assert!(picture.starts_with("<svg") && picture.contains("N max, published") && picture.contains("M min, here"));
-        std::fs::remove_dir_all(out).unwrap();
     }
 }

@@ -170,6 +170,7 @@ mod tests {
     use std::{fs, path::PathBuf};
 
     use serde::{Deserialize, Serialize};
+    use tempfile::TempDir;
 
     use super::*;
 
@@ -211,11 +212,11 @@ mod tests {
         (0..12).map(|number| Task { number, version: 1.0 }).collect()
     }
 
-    /// An empty file name of this test's own.
-    fn file(name: &str) -> PathBuf {
-        let path = std::env::temp_dir().join(format!("forage-{}-{name}", std::process::id())).join("rows.csv");
-        let _ = fs::remove_file(&path);
-        path
+    /// An empty folder that is removed in the end, and a file's name in it.
+    fn file() -> (TempDir, PathBuf) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("rows.csv");
+        (folder, path)
     }
 
     fn carry_out(jobs: &[Task], path: &Path, threads: usize) -> Result<Vec<Square>, Failure> {
@@ -238,13 +239,13 @@ mod tests {
 
     #[test]
     fn an_interruption_after_any_row_loses_nothing() {
-        let whole = file("whole");
+        let (_whole, whole) = file();
         let expected = carry_out(&tasks(), &whole, 1).unwrap();
         let text = fs::read_to_string(&whole).unwrap();
         assert!(text.starts_with("name,number,root,odd\n\"number, 0\",0,0.0,\n"), "{text}");
         for (threads, last) in [(1, 11), (2, 10)] {
             for after in 0..last {
-                let path = file("interrupted");
+                let (_folder, path) = file();
                 interrupted(&path, threads, after);
                 assert_eq!(carry_out(&tasks(), &path, threads).unwrap(), expected);
                 assert_eq!(fs::read_to_string(&path).unwrap(), text, "after {after} rows");
@@ -255,7 +256,7 @@ mod tests {
     /// Killed in the middle of a write: wherever the file is cut off, the rest is done again.
     #[test]
     fn a_torn_last_line_is_dropped() {
-        let path = file("torn");
+        let (_folder, path) = file();
         carry_out(&tasks(), &path, 1).unwrap();
         let text = fs::read_to_string(&path).unwrap();
         for end in 0..text.len() {
@@ -267,14 +268,14 @@ mod tests {
 
     #[test]
     fn rows_are_the_same_whatever_the_number_of_threads() {
-        let (one, four) = (file("one"), file("four"));
+        let ((_one, one), (_four, four)) = (file(), file());
         assert_eq!(carry_out(&tasks(), &one, 1).unwrap(), carry_out(&tasks(), &four, 4).unwrap());
         assert_eq!(fs::read(one).unwrap(), fs::read(four).unwrap());
     }
 
     #[test]
     fn rows_of_other_jobs_are_kept_and_finished_ones_are_not_carried_out_again() {
-        let path = file("others");
+        let (_folder, path) = file();
         let all = tasks();
         carry_out(&all[4..], &path, 2).unwrap();
         // Only the lightest is carried out again; the others would now give something else.
@@ -287,7 +288,7 @@ mod tests {
 
     #[test]
     fn rows_of_another_version_are_refused() {
-        let path = file("version");
+        let (_folder, path) = file();
         carry_out(&tasks(), &path, 1).unwrap();
         let changed: Vec<_> = (0..12).map(|number| Task { number: number + 1, version: 2.0 }).collect();
         let message = carry_out(&changed, &path, 1).unwrap_err().to_string();
@@ -298,7 +299,7 @@ mod tests {
 
     #[test]
     fn two_at_once_are_refused() {
-        let path = file("lock");
+        let (_folder, path) = file();
         let _first = Rows::<Square>::open(&path, false).unwrap();
         assert!(carry_out(&tasks(), &path, 1).unwrap_err().to_string().contains("no other"));
     }

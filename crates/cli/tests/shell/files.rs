@@ -53,9 +53,9 @@ fn what_is_no_regular_file_or_too_large_is_refused_before_it_is_read() {
     assert!(Command::new("mkfifo").arg(at("pipe.json")).arg(at("pipe.csv")).arg(at("pipe.toml")).status().unwrap().success());
     fs::create_dir_all(at("folder.json")).unwrap();
     // A socket's path has a hundred bytes at most.
-    let short = std::env::temp_dir().join(format!("forage-{}.json", std::process::id()));
-    let socket = UnixListener::bind(&short);
-    symlink(&short, at("socket.json")).unwrap();
+    let short = tempfile::tempdir().unwrap();
+    let socket = UnixListener::bind(short.path().join("a"));
+    symlink(short.path().join("a"), at("socket.json")).unwrap();
     fs::write(at("zero-partner.scen"), "version 1\n0\tzero.map\t3\t1\t0\t0\t2\t0\t2\n").unwrap();
     fs::write(at("large-partner.yaml"), "image: large.pgm\nresolution: 1\n").unwrap();
     fs::write(at("good.toml"), "scenes = ['sphere-2']\nseeds = [1]\niterations = 2\n[[planner]]\nname = 'pso'\n").unwrap();
@@ -101,5 +101,4 @@ fn what_is_no_regular_file_or_too_large_is_refused_before_it_is_read() {
         assert!(found.contains(message), "{args:?}: {found}");
     }
     drop(socket);
-    let _ = fs::remove_file(short);
 }
