@@ -13,7 +13,8 @@ export default defineConfig({
   // A test that fails once has failed.
   retries: 0,
   forbidOnly: Boolean(process.env.CI),
-  timeout: 40_000,
+  // For what hangs: with compilers beside it the longest test takes 40 seconds.
+  timeout: 90_000,
   expect: { timeout: 10_000 },
   use: {
     baseURL: SITE,

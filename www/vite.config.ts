@@ -24,5 +24,18 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false, resolveDependencies: styles },
     chunkSizeWarningLimit: 800,
+    // What the first view and later ones share is one file: small ones compress badly.
+    rolldownOptions: {
+      output: {
+        codeSplitting: {
+          groups: [
+            {
+              name: 'shared',
+              test: /node_modules\/(svelte|esm-env|clsx)\/|vite\/preload-helper|panels\/format|state\/stops\.ts|i18n\/en\.ts/,
+            },
+          ],
+        },
+      },
+    },
   },
 })

@@ -50,7 +50,7 @@ test.describe('where the system is dark', () => {
   })
 })
 
-test('the first view needs at most 100 kB of JavaScript', async ({ lab, page }) => {
+test('the first view needs at most 100 kB of JavaScript', { tag: '@smoke' }, async ({ lab, page }) => {
   const scripts: Promise<Buffer>[] = []
   page.on('response', (response) => {
     if (response.url().endsWith('.js')) scripts.push(response.body())
