@@ -36,6 +36,18 @@ pub fn sort(pairs: &mut [(f64, usize)]) {
     pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
 }
 
+/// The numbers in order, each with its place among those that were given; equals in that order.
+pub fn ordered(numbers: impl IntoIterator<Item = f64>) -> Vec<(f64, usize)> {
+    let mut pairs: Vec<_> = numbers.into_iter().zip(0..).collect();
+    sort(&mut pairs);
+    pairs
+}
+
+/// Sorts numbers. (One instance, too.)
+pub fn sort_numbers(numbers: &mut [f64]) {
+    numbers.sort_unstable_by(f64::total_cmp);
+}
+
 /// cos(2π t) for `t` in turns, |t| < 2^51, to within 5e-16; exactly 1 and −1 at whole and half turns.
 ///
 /// The reduction to an eighth of a turn is exact in floating point, so no digits are lost for large `t`. From there it

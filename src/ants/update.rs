@@ -66,7 +66,7 @@ fn extremes(walks: &Walks) -> Option<(usize, usize)> {
 
 /// The middle one; of an even number the mean of the two in the middle.
 pub(super) fn median(values: &mut [f64]) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
+    crate::math::sort_numbers(values);
     match (values.len() / 2, values.len() % 2) {
         (0, 0) => f64::NAN,
         (middle, 1) => values[middle],

@@ -92,14 +92,14 @@ pub fn compare(groups: &[Group]) -> Comparison {
 /// The same path, summed up in another order, is not a shorter one.
 pub fn comparable<'a>(groups: impl IntoIterator<Item = &'a [Option<f64>]>) -> Vec<Vec<f64>> {
     let mut groups: Vec<Vec<f64>> = groups.into_iter().map(|group| group.iter().map(|value| value.unwrap_or(LAST)).collect()).collect();
+    let order = crate::math::ordered(groups.iter().flatten().copied());
     let mut all: Vec<&mut f64> = groups.iter_mut().flatten().collect();
-    all.sort_by(|a, b| a.total_cmp(b));
     let mut level = f64::NAN;
-    for value in all {
-        if (*value - level).abs() <= SAME * level.abs() {
-            *value = level;
+    for (value, place) in order {
+        if (value - level).abs() <= SAME * level.abs() {
+            *all[place] = level;
         } else {
-            level = *value;
+            level = value;
         }
     }
     groups

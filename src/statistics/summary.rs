@@ -35,7 +35,7 @@ impl Summary {
     /// Of these numbers; `None` if there are none.
     pub fn of(numbers: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sorted: Vec<f64> = numbers.into_iter().collect();
-        sorted.sort_by(f64::total_cmp);
+        crate::math::sort_numbers(&mut sorted);
         let count = sorted.len();
         let (&min, &max) = (sorted.first()?, sorted.last()?);
         let moments = sorted.iter().fold(Moments::default(), |moments, &x| moments.with(x));

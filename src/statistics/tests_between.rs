@@ -39,7 +39,7 @@ pub fn rank_sum(first: &[f64], second: &[f64]) -> Option<RankSum> {
         sorted(first, second)?
     };
     let mut all: Vec<f64> = first.iter().chain(second).copied().collect();
-    all.sort_by(f64::total_cmp);
+    crate::math::sort_numbers(&mut all);
     let p = if all.first() == all.last() {
         // There is no spread to measure a difference by.
         1.0
@@ -53,14 +53,13 @@ pub fn rank_sum(first: &[f64], second: &[f64]) -> Option<RankSum> {
 
 /// U of the first and the approximate p-value, from the runs of equal numbers in the sorted samples: what `statrs` computes.
 fn sorted(first: &[f64], second: &[f64]) -> Option<(f64, f64)> {
-    let mut all: Vec<(f64, bool)> = first.iter().map(|&x| (x, true)).chain(second.iter().map(|&x| (x, false))).collect();
+    let all = crate::math::ordered(first.iter().chain(second).copied());
     if first.is_empty() || second.is_empty() || all.iter().any(|(x, _)| x.is_nan()) {
         return None;
     }
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
     let (mut before, mut sum, mut ties) = (0.0, 0.0, 0.0);
     for run in all.chunk_by(|a, b| a.0 == b.0) {
-        let (length, of_first) = (run.len() as f64, run.iter().filter(|(_, is_first)| *is_first).count() as f64);
+        let (length, of_first) = (run.len() as f64, run.iter().filter(|(_, place)| *place < first.len()).count() as f64);
         sum += of_first * (before + f64::midpoint(length, 1.0));
         ties += length * length * length - length;
         before += length;
@@ -92,11 +91,9 @@ fn exact(u: f64, first: usize, second: usize) -> f64 {
 
 /// Holm's correction of p-values for their number, in their order.
 pub fn holm(p: &[f64]) -> Vec<f64> {
-    let mut order: Vec<usize> = (0..p.len()).collect();
-    order.sort_by(|&a, &b| p[a].total_cmp(&p[b]));
     let mut corrected = vec![0.0; p.len()];
     let mut largest = 0.0_f64;
-    for (rank, k) in order.into_iter().enumerate() {
+    for (rank, (_, k)) in crate::math::ordered(p.iter().copied()).into_iter().enumerate() {
         largest = largest.max((p[k] * (p.len() - rank) as f64).min(1.0));
         corrected[k] = largest;
     }

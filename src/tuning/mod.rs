@@ -72,7 +72,7 @@ impl Fitness {
         let n = found.len() as f64;
         // Equal lengths in another order must give the same mean, or rounding would break ties.
         let mut lengths: Vec<_> = found.iter().map(|f| f.cost.unwrap_or(f64::INFINITY)).collect();
-        lengths.sort_unstable_by(f64::total_cmp);
+        math::sort_numbers(&mut lengths);
         let length = lengths.iter().sum::<f64>() / n;
         let converged = if length.is_finite() { found.iter().map(|f| f.converged).sum::<f64>() / n } else { f64::INFINITY };
         Self { length, converged }

@@ -170,8 +170,8 @@ impl Follower<'_> {
         let own = self.holding.hand([last[3], last[4], last[5]]);
         let mut found = self.postures(station, at, &[own], last);
         found.extend(self.postures(station, at, &self.hands, last));
-        found.sort_by(|a, b| squared(a, last).total_cmp(&squared(b, last)));
-        let mut safe = found.iter().filter(|posture| self.is_safe(posture));
+        let order = crate::math::ordered(found.iter().map(|posture| squared(posture, last)));
+        let mut safe = order.into_iter().map(|(_, place)| &found[place]).filter(|posture| self.is_safe(posture));
         let nearest = *safe.next()?;
         if jumps || self.is_free(last, &nearest) {
             return Some(nearest);

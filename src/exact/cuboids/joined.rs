@@ -9,7 +9,7 @@ pub(super) fn joined(workspace: &Cuboid, ends: [[f64; 3]; 2], cuboids: &[Cuboid]
         let within = workspace.min[axis]..=workspace.max[axis];
         let faces = cuboids.iter().flat_map(|cuboid| [cuboid.min[axis], cuboid.max[axis]]).filter(|face| within.contains(face));
         let mut planes: Vec<f64> = faces.chain([workspace.min[axis], workspace.max[axis]]).collect();
-        planes.sort_unstable_by(f64::total_cmp);
+        crate::math::sort_numbers(&mut planes);
         planes.dedup();
         planes
     });

@@ -87,13 +87,12 @@ fn grow(cuboid: &Cuboid, by: f64) -> Cuboid {
 fn level(mut cuboids: Vec<Cuboid>, near: f64) -> Vec<Cuboid> {
     for axis in 0..3 {
         let mut faces: Vec<&mut f64> = cuboids.iter_mut().flat_map(|cuboid| [&mut cuboid.min[axis], &mut cuboid.max[axis]]).collect();
-        faces.sort_unstable_by(|a, b| a.total_cmp(b));
         let mut plane = f64::NEG_INFINITY;
-        for face in faces {
-            if *face - plane < near {
-                *face = plane;
+        for (_, place) in crate::math::ordered(faces.iter().map(|face| **face)) {
+            if *faces[place] - plane < near {
+                *faces[place] = plane;
             }
-            plane = *face;
+            plane = *faces[place];
         }
     }
     cuboids

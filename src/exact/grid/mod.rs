@@ -74,6 +74,7 @@ const START: usize = 0;
 const GOAL: usize = 1;
 
 /// A straight piece from one turn to the next.
+#[derive(Clone, Copy)]
 struct Edge {
     from: usize,
     to: usize,
@@ -246,7 +247,8 @@ impl<'a> Search<'a> {
             self.join(turn, 3 + 2 * corner);
         }
         self.seen = seen;
-        self.edges[begin..].sort_by(|a, b| a.leave.total_cmp(&b.leave));
+        let unordered = self.edges.split_off(begin);
+        self.edges.extend(math::ordered(unordered.iter().map(|edge| edge.leave)).into_iter().map(|(_, place)| unordered[place]));
         let edges = begin..self.edges.len();
         self.turns[turn] = Some(Turn { edges: edges.clone(), covered: self.covered(turn) });
         edges
