@@ -27,6 +27,7 @@ pub const PLANNERS: &[Entry] = &[
     swarm::cpso::ENTRY,
     swarm::ltqpso::ENTRY,
     swarm::qpso::ENTRY,
+    swarm::bat_continuous::ENTRY,
     ants::aco_wolf::ENTRY,
     ants::aco_direction::ENTRY,
     ants::aco_dijkstra::ENTRY,

@@ -18,23 +18,8 @@ impl Swarm {
         for (role, event) in perturbed.into_iter().filter(|_| self.flight.perturbation.is_some()) {
             population.draw(frame, role, &population.x, |i| self.events[i] == event, |_| 0.0, 1);
         }
-        self.draw_velocities(frame);
+        population.draw_velocities(frame, &self.v);
         population.draw_result(frame);
-    }
-
-    fn draw_velocities(&self, frame: &mut Frame) {
-        let population = &self.population;
-        let every = frame.thin_context(population.size * CONTEXT, 2 * population.objective.point_count(), true);
-        frame.begin(Role::Velocities, Shape::Segments);
-        let mut tip = vec![0.0; population.dimension];
-        for i in (0..population.size).step_by(every) {
-            let (x, v) = (&population.x[population.row(i)], &self.v[population.row(i)]);
-            tip.iter_mut().zip(x).zip(v).for_each(|((tip, x), v)| *tip = x + v);
-            for (from, to) in population.objective.points(x).zip(population.objective.points(&tip)) {
-                frame.push(from, 0.0);
-                frame.push(to, 0.0);
-            }
-        }
     }
 }
 
@@ -82,6 +67,21 @@ impl Population {
                 self.draw_one(frame, role, &rows[self.row(i)], weight(i));
             } else {
                 self.objective.points(&rows[self.row(i)]).for_each(|point| frame.push(point, weight(i)));
+            }
+        }
+    }
+
+    /// Draws the velocities `v` from where the particles are.
+    pub(super) fn draw_velocities(&self, frame: &mut Frame, v: &[f64]) {
+        let every = frame.thin_context(self.size * CONTEXT, 2 * self.objective.point_count(), true);
+        frame.begin(Role::Velocities, Shape::Segments);
+        let mut tip = vec![0.0; self.dimension];
+        for i in (0..self.size).step_by(every) {
+            let (x, v) = (&self.x[self.row(i)], &v[self.row(i)]);
+            tip.iter_mut().zip(x).zip(v).for_each(|((tip, x), v)| *tip = x + v);
+            for (from, to) in self.objective.points(x).zip(self.objective.points(&tip)) {
+                frame.push(from, 0.0);
+                frame.push(to, 0.0);
             }
         }
     }

@@ -75,9 +75,7 @@ impl Swarm {
         let size = settings.integer("population") as usize;
         let v_max = settings.number("v_max");
         let absolute = settings.choice("v_max_unit") == "absolute";
-        let search_box = objective.search_box().clone();
-        let v_max =
-            search_box.low.iter().zip(&*search_box.high).map(|(low, high)| if absolute { v_max } else { v_max * (high - low) }).collect();
+        let v_max = objective.search_box().sides().map(|side| if absolute { v_max } else { v_max * side }).collect();
         let population = Population::new(objective, size, &mut rng);
         let clock = Clock::new(settings, population.bests());
         Self {

@@ -1,13 +1,15 @@
-//! Particle swarms: `pso`, `wpso`, `cpso` and `wcpso` of [WCPSO], `qpso` and `ltqpso` of [LTQPSO], with exchangeable parts.
+//! Particle swarms: `pso`, `wpso`, `cpso` and `wcpso` of [WCPSO], `qpso` and `ltqpso` of [LTQPSO], and the continuous bats
+//! of [ANTBAT], with exchangeable parts.
 //!
 //! - [`objective`]: what a position means and costs: a function's value, or a path. Two encodings of paths,
 //!   [`waypoints`] and [`polar`], over a `terrain` of discs or of blocked cells; `encoding` chooses.
 //! - `population`: positions, costs, personal and global bests; whatever moves the particles. `clock`: when it stops.
 //! - `flight`: particles with velocities, by a [`schedule`] of ω, c1 and c2 and (for some) a [`perturbation`].
-//! - `quantum`: particles that leap.
+//! - `quantum`: particles that leap. `bat_continuous`: bats.
 //! - `explain` and `tell` say what a step did to one particle, `draw` shows it.
 //! - `parameters`: what the entries share. [`pso`], [`wpso`], [`cpso`], [`wcpso`], [`qpso`], [`ltqpso`]: a file a planner.
 
+pub mod bat_continuous;
 mod clock;
 pub mod cpso;
 mod draw;

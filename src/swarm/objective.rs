@@ -30,6 +30,11 @@ impl SearchBox {
         x.iter_mut().zip(self.low.iter().zip(&*self.high)).for_each(|(x, (&low, &high))| *x = rng.between(low, high));
     }
 
+    /// How long each side is.
+    pub fn sides(&self) -> impl Iterator<Item = f64> {
+        self.low.iter().zip(&*self.high).map(|(low, high)| high - low)
+    }
+
     /// The value nearest to `x` that coordinate `j` may have.
     #[inline]
     pub fn clamp(&self, j: usize, x: f64) -> f64 {

@@ -245,5 +245,5 @@ pub(super) const PARTICLES: Layer =
     Layer::new(Role::Particles, "Particles", true, true, "Where the particles are: points, or the paths they stand for.");
 const HEN_LAYER: Layer = Layer::new(Role::Hen, "Hens", true, false, "Particles that the hen equation moved in this iteration.");
 const CHICK_LAYER: Layer = Layer::new(Role::Chick, "Chicks", true, false, "Particles that the chick equation moved in this iteration.");
-const VELOCITIES: Layer = Layer::new(Role::Velocities, "Velocities", false, false, "The particles’ velocities, to scale.");
+pub(super) const VELOCITIES: Layer = Layer::new(Role::Velocities, "Velocities", false, false, "The particles’ velocities, to scale.");
 pub(super) const GLOBAL_BEST: Layer = Layer::new(Role::Best, "Best", true, false, "The best so far: the result.");

@@ -48,6 +48,11 @@ pub const SYMBOLS: &[&str] = &[
     "X'",
     "\\sigma(P)",
     "\\sigma(X)",
+    "f",
+    "A",
+    "\\bar A",
+    "\\epsilon",
+    "\\beta",
 ];
 
 /// What the numbers of an inspection are called: name, TeX, a few words.

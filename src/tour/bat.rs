@@ -1,6 +1,6 @@
 //! `bat`: discrete bats, [ANTBAT] §3.3.
 //!
-//! Readings beyond those of our specification: the best tour that a bat crosses with is taken in the direction in which its
+//! Readings: what a bat finds by (12) becomes its tour always (`replace`), as the text says; the best tour that a bat crosses with is taken in the direction in which its
 //! distance was counted; a tour around the best is *better* if it is shorter than the bat's own; the first stop of a closed
 //! tour, which every tour is turned to begin with, is not the one that is moved there.
 
@@ -10,11 +10,11 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    catalogue::{Entry, Formula, Group, Layer, Member, Reading},
+    catalogue::{Entry, Formula, Group, Layer, Member, Preset, Reading},
     digest::Digest,
     frame::Role,
     math,
-    params::{Parameter, Settings},
+    params::{Choice, Fixed, Parameter, Settings},
     planner::{Inspection, Readings},
     rng::Stream,
     settled::SETTLED,
@@ -26,8 +26,8 @@ use super::{
     moves,
     nearest::nearest_neighbour,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER,
-        ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS,
+        ROADS_LAYER, ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member, population,
     },
     problem::{Problem, Stop, Tour},
     tell::quantity,
@@ -97,23 +97,30 @@ struct Bats {
     places: Vec<u16>,
     /// The best tour's row, forwards or backwards.
     mate: Vec<Stop>,
-    /// The local search, if tours are polished.
-    polish: Option<Kicks>,
+    /// A bat takes what it found even if that is longer than its own tour.
+    always: bool,
+    /// What improves tours, if something does.
+    local: Option<Kicks>,
+    /// Beyond the paper: it also perturbs the best tour.
+    polish: bool,
 }
 
 fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
     let first = Tour::first(problem);
-    let mut polish = settings.flag("polish").then(|| Kicks::new(problem));
+    let polish = settings.flag("polish");
+    let mut local = (polish || settings.choice("local_search") == "2-opt").then(|| Kicks::new(problem));
     let deed = Deed { range: Range::None, hamming: 0, tries: 0, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
     let bats: Vec<_> = (0..settings.integer("population"))
         .map(|_| {
             let mut tour = first.clone();
-            if let Some(kicks) = &mut polish {
+            if polish {
                 tour = nearest_neighbour(problem, &mut rng);
-                kicks.polish(&mut tour);
             } else {
                 moves::shuffle(&mut tour.row, &mut rng);
                 tour.settle(problem);
+            }
+            if let Some(kicks) = &mut local {
+                kicks.polish(&mut tour);
             }
             // Reading: a loudness of 1 would never accept.
             Bat { tour, loudness: rng.between(0.5, 1.0), pulse_rate: rng.unit(), deed }
@@ -133,6 +140,8 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
         mate: first.row.clone(),
         kept: first,
         places: vec![0; problem.n + 1],
+        always: settings.choice("replace") == "always",
+        local,
         polish,
     }
 }
@@ -188,12 +197,12 @@ impl Bats {
         }
         self.kept.settle(&self.problem);
         self.evaluations += tries as u64;
-        if let Some(kicks) = &mut self.polish {
+        if let Some(kicks) = &mut self.local {
             kicks.polish(&mut self.kept);
         }
         let bat = &mut self.swarm[i];
         let mut deed = Deed { range, hamming, tries, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
-        if self.kept.length < bat.tour.length {
+        if self.always || self.kept.length < bat.tour.length {
             deed.gain = bat.tour.length - self.kept.length;
             bat.tour.copy_from(&self.kept);
         }
@@ -210,7 +219,7 @@ impl Bats {
     /// Around the best: a stop moves to just behind another. A bat that is quiet enough takes what is shorter than its own.
     fn look_around(&mut self, i: usize, deed: &mut Deed) {
         let (from, to) = moves::stop_elsewhere(self.child.len(), &mut self.rng);
-        let candidate = match &mut self.polish {
+        let candidate = match self.local.as_mut().filter(|_| self.polish) {
             None => self.best.length + moves::insertion(&self.problem, &self.best.row, from, to),
             // Beyond the paper: stretches of it are swapped and repaired.
             Some(kicks) => {
@@ -219,16 +228,16 @@ impl Bats {
                 self.kept.length
             }
         };
-        self.evaluations += u64::from(self.polish.is_none());
+        self.evaluations += u64::from(!self.polish);
         (deed.local, deed.candidate) = (Local::Tried, candidate);
         let bat = &mut self.swarm[i];
         let accepts = self.rng.unit() > bat.loudness;
         // What polish found shorter than the best is not thrown away for a loud bat.
-        let found = self.polish.is_some() && candidate < self.best.length;
+        let found = self.polish && candidate < self.best.length;
         if !(found || accepts && candidate < bat.tour.length) {
             return;
         }
-        if self.polish.is_none() {
+        if !self.polish {
             self.kept.row.copy_from_slice(&self.best.row);
             moves::insert(&mut self.kept.row, from, to);
             self.kept.settle(&self.problem);
@@ -255,7 +264,7 @@ impl Search for Bats {
     }
 
     fn evaluations(&self) -> u64 {
-        self.evaluations + self.polish.as_ref().map_or(0, Kicks::tried)
+        self.evaluations + self.local.as_ref().map_or(0, Kicks::tried)
     }
 
     fn best(&self) -> Option<&Tour> {
@@ -301,6 +310,7 @@ impl Search for Bats {
         let gained = match deed.range {
             Range::None => String::new(),
             _ if deed.gain > 0.0 => format!(" The best try made its tour {:.4} shorter.", deed.gain),
+            _ if self.always => format!(" The best try is its tour now, {:.4} longer than before.", -deed.gain),
             _ => " No try was shorter than its own tour.".to_owned(),
         };
         let local = match deed.local {
@@ -334,7 +344,7 @@ impl Search for Bats {
     }
 
     fn bytes(&self) -> usize {
-        self.polish.as_ref().map_or(0, Kicks::bytes)
+        self.local.as_ref().map_or(0, Kicks::bytes)
             + (self.swarm.len() + 4) * (self.best.bytes() + size_of::<Bat>())
             + 2 * self.places.len()
     }
@@ -360,11 +370,23 @@ const LAMBDA: Parameter = Parameter::number(
 )
 .slider(0.0, 2.0, false);
 
+const REPLACE: Parameter = Parameter::choice(
+    "replace",
+    "",
+    "Replacement",
+    &[
+        Choice { value: "always", title: "Always", help: "As published: also when it is longer than the bat’s own tour." },
+        Choice { value: "better", title: "If shorter", help: "A bat’s tour never gets longer." },
+    ],
+    "When the best result of a bat’s crossovers or 2-opt moves becomes its tour.",
+);
+const LOCAL: Parameter = LOCAL_SEARCH.when("polish", "false");
+
 const POLISH: Parameter = Parameter::flag(
     "polish",
     "Polish",
     false,
-    "Beyond the paper: bats begin with the nearest neighbour’s tour, every tour that they find is made shorter by 2-opt and Or-opt moves until none helps, and around the best tour they swap stretches and repair, as often as there are stops.",
+    "Beyond the paper: bats begin with the nearest neighbour’s tour, improve every tour by local search, and around the best tour they swap stretches and repair, as often as there are stops.",
 );
 
 /// [ANTBAT] (10).
@@ -390,11 +412,19 @@ const MEMBERS: &[Member] = &[
         words: &["start", "PMX", "2-opt"],
         ..member("operator", "", "Operator", "How it looked for a better tour of its own in the last iteration.")
     },
-    member("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration."),
+    member("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration; below zero: longer."),
 ];
 
 /// See [`super::start`].
 const TELLS: &[&str] = &["mean", "different", "settled", "loudness", "pulse_rate"];
+
+const PAPER: Preset = Preset {
+    name: "paper",
+    title: "As in the paper",
+    help: "[ANTBAT] has no local search: bats cross over, try 2-opt moves, and move a stop of the best tour.",
+    scene: "ant-bat-30",
+    values: &[("local_search", Fixed::Text("none"))],
+};
 
 /// See the module.
 pub const ENTRY: Entry = Entry {
@@ -402,13 +432,18 @@ pub const ENTRY: Entry = Entry {
     title: "Discrete bats",
     family: "tour",
     source: "[ANTBAT] §3.3",
-    summary: "Bats that hold a tour each: far from the best one they cross with it, near it they turn parts round, and the quiet ones take what they find around it.",
+    summary: "Each bat holds a tour. Far from the best tour it crosses over with it (PMX); close to it, it tries 2-opt moves; loudness decides whether it accepts a tour found near the best.",
     kinds: KINDS,
     parameters: &[
         population("Bats", 50, "How many bats search. Published: 50."),
-        iterations(100, "After how many iterations of the bats it stops; building roads comes first. Published: 100."),
+        iterations(
+            100,
+            "After how many iterations of the bats it stops; building roads comes first. Published: 100, for 12 stops. Without local search 280 stops need some 10,000.",
+        ),
         EPSILON,
         LAMBDA,
+        REPLACE,
+        LOCAL,
         POLISH,
         ROUND,
         ROADS,
@@ -432,7 +467,7 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: MEMBERS,
     events: &[],
-    presets: &[],
+    presets: &[PAPER],
     suggest: |_| None,
     start: |scene, settings, seed| {
         super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))

@@ -68,6 +68,18 @@ pub(super) const fn population(title: &'static str, default: u64, help: &'static
     Parameter::integer("population", "N", title, [1, 100_000, default], help).slider(2.0, 500.0, true)
 }
 
+/// Whether every tour that is found is improved by local search.
+pub(super) const LOCAL_SEARCH: Parameter = Parameter::choice(
+    "local_search",
+    "",
+    "Local search",
+    &[
+        Choice { value: "2-opt", title: "2-opt and Or-opt", help: "Every tour is improved by 2-opt and Or-opt moves until none helps." },
+        Choice { value: "none", title: "None", help: "Tours stay as the equations make them." },
+    ],
+    "What improves each tour. Swarms of the literature have a local search (Shi et al. 2007; Saji and Riffi 2016), and need it on more than about 50 stops. [ANTBAT] has none.",
+);
+
 pub(super) const BEST: Reading =
     Reading::new("best", "D_{\\text{best}}", "Shortest", Group::Cost, "The length of the shortest tour so far: the result.");
 pub(super) const MEAN: Reading = Reading::new("mean", "\\bar D", "Mean", Group::Cost, "The mean length of this iteration’s tours.");

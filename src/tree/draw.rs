@@ -49,7 +49,7 @@ impl<const N: usize> Seen<'_, N> {
         }
         frame.begin(Role::Samples, Shape::Points);
         self.forest.last.samples.iter().for_each(|sample| frame.push_in_space(place(&sample.point), 0.0));
-        if self.forest.last.source == super::grow::Source::Guided {
+        if matches!(self.forest.last.source, super::grow::Source::Guided(_)) {
             frame.begin(Role::Kept, Shape::Points);
             let kept = self.forest.last.samples.iter().filter(|sample| sample.fate != Fate::NotKept && sample.share > 0.0);
             kept.for_each(|sample| frame.push_in_space(place(&sample.point), sample.share));

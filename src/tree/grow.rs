@@ -108,8 +108,17 @@ pub(super) enum Source {
     Informed,
     /// The other tree's newest node.
     Other,
-    /// One of many, by its angle.
-    Guided,
+    /// One of many.
+    Guided(By),
+}
+
+/// What decides which of many samples the tree grows to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum By {
+    /// Those with the smallest angles to the goal's direction are kept, a roulette wheel chooses among them.
+    Angle,
+    /// A roulette wheel draws those that are kept, by their distances to the goal, and the nearest comes first.
+    Distance,
 }
 
 /// What the last extension did.

@@ -71,14 +71,9 @@ pub(super) const BIAS_STAR: Parameter = Parameter::number(
 pub(super) const SAMPLES: Parameter =
     Parameter::integer("samples", "n_s", "Samples", [1, 1000, 20], "How many random points are drawn a step. Published: 20.")
         .slider(1.0, 100.0, false);
-pub(super) const KEEP: Parameter = Parameter::integer(
-    "keep",
-    "n_k",
-    "Kept",
-    [1, 1000, 4],
-    "How many of them come on the roulette wheel: those whose directions are nearest to the goal’s. Published: 4.",
-)
-.slider(1.0, 20.0, false);
+pub(super) const KEEP: Parameter =
+    Parameter::integer("keep", "n_k", "Kept", [1, 1000, 4], "How many of them are kept for the tree to grow toward. Published: 4.")
+        .slider(1.0, 20.0, false);
 pub(super) const REWIRE: Parameter = Parameter::number(
     "rewire",
     "r_{\\max}",
@@ -152,14 +147,24 @@ pub(super) const FORMULA_ANGLE: Formula = Formula::of_item(
     "Angle with the goal’s direction",
     "\\varphi = \\arccos \\frac{(x_{\\text{rand}} - x_{\\text{near}}) \\cdot (x_{\\text{goal}} - x_{\\text{near}})}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert\\, \\lVert x_{\\text{goal}} - x_{\\text{near}} \\rVert}",
     "\\varphi = @angle@",
-);
+)
+.when("choice", "angle");
 pub(super) const FORMULA_ROULETTE: Formula = Formula::of_item(
     "roulette",
     "[ARM-RRT] §3.3, our weights",
     "Share of the roulette wheel",
     "p_i = \\frac{\\pi - \\varphi_i}{\\sum_j (\\pi - \\varphi_j)}",
     "p = @share@",
-);
+)
+.when("choice", "angle");
+pub(super) const FORMULA_ROULETTE_DISTANCE: Formula = Formula::of_item(
+    "roulette-distance",
+    "[ARM-RRT] §3.3, our weights",
+    "Share of the roulette wheel",
+    "p_i = \\frac{1/d_i}{\\sum_j 1/d_j}, \\quad d_i = \\lVert x_{\\text{goal}} - x_i \\rVert",
+    "p = @share@, \\quad d = @to_goal@",
+)
+.when("choice", "distance");
 pub(super) const FORMULA_RADIUS: Formula = Formula::of_item(
     "radius",
     "Karaman and Frazzoli 2011",

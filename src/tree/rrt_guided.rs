@@ -1,21 +1,49 @@
 //! `rrt-guided`: the tree that looks where the goal is, [ARM-RRT] §3.2.1 and §3.3.
 //!
-//! Readings. x_near is the node nearest to the goal, as step 2 (2) of the paper's algorithm says. The roulette wheel's
-//! weights are not printed: ours are π − φ, which fall with the angle. A candidate that is blocked, outside, or doubles
-//! back leaves the wheel, and it is turned again.
+//! The paper describes the choice twice, and differently (`choice`): by §3.2.1 the samples with the smallest angles are kept
+//! and a roulette wheel chooses among them; by step 2 (2) of the algorithm the wheel draws those that are kept by their
+//! distances to the goal, and the nearest comes first.
+//!
+//! Readings. x_near is the node nearest to the goal, as step 2 (2) says. The wheel's weights are not printed: ours are π − φ
+//! and 1/d, which fall with the angle and the distance. A candidate that is blocked, outside, or doubles back is dropped, and
+//! the next one is chosen.
 
 use std::{f64::consts::PI, sync::Arc};
 
-use crate::{catalogue::Entry, error::Error, params::Settings, rng::Stream, scene::Scene};
+use crate::{
+    catalogue::Entry,
+    error::Error,
+    params::{Choice, Parameter, Settings},
+    rng::Stream,
+    scene::Scene,
+};
 
 use super::{
     draw::GUIDED_LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Fate, Forest, Grown, Method, Sample, Source, Task},
-    parameters::{FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_STEP, ITERATIONS, KEEP, KINDS, READINGS, SAMPLES, STEP, with_finish},
+    grow::{By, Fate, Forest, Grown, Method, Sample, Source, Task},
+    parameters::{
+        FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FORMULA_STEP, ITERATIONS, KEEP, KINDS, READINGS, SAMPLES, STEP,
+        with_finish,
+    },
     sample::{angle, uniform},
     vector::{distance, minus},
 };
+
+const CHOICE: Parameter = Parameter::choice(
+    "choice",
+    "",
+    "Choice of the sample",
+    &[
+        Choice { value: "angle", title: "By angle", help: "§3.2.1: the smallest angles are kept, a roulette wheel chooses." },
+        Choice {
+            value: "distance",
+            title: "By distance",
+            help: "Step 2 (2): a roulette wheel keeps some by their distance to the goal, nearest first.",
+        },
+    ],
+    "How the sample is chosen that the tree grows toward. [ARM-RRT] describes both.",
+);
 
 /// See the module.
 pub const ENTRY: Entry = Entry {
@@ -23,13 +51,13 @@ pub const ENTRY: Entry = Entry {
     title: "Guided RRT: towards the goal",
     family: "tree",
     source: "[ARM-RRT] §3.2.1",
-    summary: "Of twenty random points the four whose directions are nearest to the goal’s are kept, a roulette wheel chooses among them, and the node nearest to the goal grows towards it. Where all four are blocked, a random step follows.",
+    summary: "Of twenty random points four are kept, by angle with the goal’s direction or by distance to the goal. The node nearest to the goal grows toward one of them. If all four are blocked, a random step follows.",
     kinds: KINDS,
     stops: false,
     most_stops: None,
-    parameters: &with_finish!(ITERATIONS, STEP, SAMPLES, KEEP),
+    parameters: &with_finish!(ITERATIONS, STEP, SAMPLES, KEEP, CHOICE),
     readings: READINGS,
-    formulas: &[FORMULA_STEP, FORMULA_ANGLE, FORMULA_ROULETTE, FITTED, HERMITE],
+    formulas: &[FORMULA_STEP, FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FITTED, HERMITE],
     layers: GUIDED_LAYERS,
     members: &[],
     events: &[],
@@ -41,62 +69,94 @@ pub const ENTRY: Entry = Entry {
 /// The planner behind the entry.
 pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Guided>, Error> {
     let (samples, keep) = (settings.integer("samples") as usize, settings.integer("keep") as usize);
-    super::grown(scene, settings, seed, 0.0, |_| Guided { samples, keep, order: Vec::with_capacity(samples) })
+    let by = if settings.choice("choice") == "distance" { By::Distance } else { By::Angle };
+    super::grown(scene, settings, seed, 0.0, |_| Guided { samples, keep, by, order: Vec::with_capacity(samples) })
 }
 
 #[derive(Clone)]
 pub(super) struct Guided {
     samples: usize,
     keep: usize,
-    /// Angles and numbers of the samples, re-used.
+    by: By,
+    /// Angles with the goal's direction, or distances to the goal, and numbers of the samples; re-used.
     order: Vec<(f64, usize)>,
 }
 
 impl<const N: usize> Method<N> for Guided {
     fn grow(&mut self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream) {
-        forest.begin(Source::Guided, 0);
+        forest.begin(Source::Guided(self.by), 0);
         let near = forest.nearest_node;
         self.draw(forest, task, near, rng);
-        if let Some(new) = self.roulette(forest, task, near, rng).or_else(|| plain(forest, task, rng)) {
+        if let Some(new) = self.choose(forest, task, near, rng).or_else(|| plain(forest, task, rng)) {
             forest.reach(task, new);
         }
     }
 }
 
 impl Guided {
-    /// Draws the samples and keeps those with the smallest angles.
+    /// The weight on the roulette wheel.
+    fn weight(&self, key: f64) -> f64 {
+        match self.by {
+            By::Angle => PI - key,
+            // At the goal itself all the others weigh nothing.
+            By::Distance => 1.0 / key.max(f64::MIN_POSITIVE.sqrt()),
+        }
+    }
+
+    fn weights(&self, of: &[(f64, usize)]) -> f64 {
+        of.iter().fold(0.0, |sum, &(key, _)| sum + self.weight(key))
+    }
+
+    /// Spins the roulette wheel: a place among the samples from `first` on.
+    fn spin(&self, first: usize, rng: &mut Stream) -> usize {
+        let mut left = rng.unit() * self.weights(&self.order[first..]);
+        let chosen = self.order[first..].iter().position(|&(key, _)| {
+            left -= self.weight(key);
+            left < 0.0
+        });
+        // Rounding may leave a little.
+        chosen.map_or(self.order.len() - 1, |place| first + place)
+    }
+
+    /// Draws the samples and keeps some, in the order in which they are told.
     fn draw<const N: usize>(&mut self, forest: &mut Forest<N>, task: &Task<N>, near: usize, rng: &mut Stream) {
-        let from = forest.trees[0].points[near];
-        let ahead = minus(&task.goal(), &from);
+        let (from, goal) = (forest.trees[0].points[near], task.goal());
+        let ahead = minus(&goal, &from);
         self.order.clear();
         for i in 0..self.samples {
             let point = uniform(&task.min, &task.max, rng);
             let angle = angle(&minus(&point, &from), &ahead);
-            self.order.push((angle, i));
+            self.order.push((if self.by == By::Angle { angle } else { distance(&point, &goal) }, i));
             forest.last.samples.push(Sample { point, angle, share: 0.0, fate: Fate::NotKept });
         }
-        crate::math::sort(&mut self.order);
-        self.order.truncate(self.keep);
         forest.last.near = near;
-        let all: f64 = self.order.iter().fold(0.0, |sum, (angle, _)| sum + (PI - angle));
-        for &(angle, i) in &self.order {
-            let sample = &mut forest.last.samples[i];
-            (sample.share, sample.fate) = (if all > 0.0 { (PI - angle) / all } else { 1.0 / self.keep as f64 }, Fate::NotDrawn);
+        if self.by == By::Angle {
+            crate::math::sort(&mut self.order);
+            self.order.truncate(self.keep);
+        }
+        let all = self.weights(&self.order);
+        for &(key, i) in &self.order {
+            forest.last.samples[i].share = if all > 0.0 { self.weight(key) / all } else { 1.0 / self.order.len() as f64 };
+        }
+        if self.by == By::Distance {
+            for kept in 0..self.keep.min(self.samples) {
+                let drawn = self.spin(kept, rng);
+                self.order.swap(kept, drawn);
+            }
+            self.order.truncate(self.keep);
+            crate::math::sort(&mut self.order);
+        }
+        for &(_, i) in &self.order {
+            forest.last.samples[i].fate = Fate::NotDrawn;
         }
     }
 
-    /// Turns the wheel until the tree can grow towards what it shows, or nothing is left on it.
-    fn roulette<const N: usize>(&mut self, forest: &mut Forest<N>, task: &Task<N>, near: usize, rng: &mut Stream) -> Option<usize> {
+    /// Chooses one kept sample after another until the tree can grow toward it, or none is left.
+    fn choose<const N: usize>(&mut self, forest: &mut Forest<N>, task: &Task<N>, near: usize, rng: &mut Stream) -> Option<usize> {
         let from = forest.trees[0].points[near];
         while !self.order.is_empty() {
-            let all = self.order.iter().fold(0.0, |sum, (angle, _)| sum + (PI - angle));
-            let mut left = rng.unit() * all;
-            let chosen = self.order.iter().position(|(angle, _)| {
-                left -= PI - angle;
-                left < 0.0
-            });
-            // Rounding may leave a little.
-            let (_, i) = self.order.remove(chosen.unwrap_or(self.order.len() - 1));
+            let chosen = if self.by == By::Angle { self.spin(0, rng) } else { 0 };
+            let (_, i) = self.order.remove(chosen);
             let sample = forest.last.samples[i].point;
             let (fate, new) = if distance(&from, &sample) < task.step {
                 (Fate::TooNear, from)

@@ -6,16 +6,17 @@ use crate::{
 };
 
 use super::{
-    grow::{Extension, Fate, Sample, Seen, Source},
+    grow::{By, Extension, Fate, Sample, Seen, Source},
     vector::distance,
 };
 
 /// The TeX strings that inspections use.
 pub const SYMBOLS: &[&str] =
-    &["\\varphi", "p", "L", "d", "g", "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert", "p_i", "\\varphi_i", "x", "y", "z"];
+    &["\\varphi", "p", "L", "d", "d_i", "g", "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert", "p_i", "\\varphi_i", "x", "y", "z"];
 
-const COLUMNS: [Column; 3] = [
-    Column { name: "angle", symbol: "\\varphi_i", title: "angle with the goal’s direction, in degrees" },
+const ANGLE: Column = Column { name: "angle", symbol: "\\varphi_i", title: "angle with the goal’s direction, in degrees" };
+const TO_GOAL: Column = Column { name: "to_goal", symbol: "d_i", title: "distance to the goal" };
+const COLUMNS: [Column; 2] = [
     Column { name: "share", symbol: "p_i", title: "share of the roulette wheel" },
     Column { name: "far", symbol: "d", title: "distance from the node" },
 ];
@@ -39,11 +40,12 @@ impl Fate {
     }
 
     /// In a sentence.
-    fn sentence(self) -> &'static str {
+    fn sentence(self, source: Source) -> &'static str {
         match self {
+            Self::NotKept if source == Source::Guided(By::Distance) => "The roulette wheel did not draw it.",
             Self::Taken => "The tree has grown towards it.",
             Self::NotKept => "Its direction was not among those nearest to the goal’s.",
-            Self::NotDrawn => "It was on the roulette wheel; the tree could grow towards another before it was drawn.",
+            Self::NotDrawn => "It was kept; the tree could grow toward another before its turn came.",
             Self::TooNear => "It is nearer to the node than a step, so it was skipped.",
             Self::Outside => "The new node would have been outside.",
             Self::Blocked => "The way to the new node is blocked.",
@@ -77,8 +79,8 @@ impl<const N: usize> Seen<'_, N> {
         let (last, tree) = (&self.forest.last, &self.forest.trees[usize::from(birth.tree)]);
         let mut told = self.node(item)?;
         told.event = match last.source {
-            Source::Guided if last.fell_back => "random step",
-            Source::Guided => "guided",
+            Source::Guided(_) if last.fell_back => "random step",
+            Source::Guided(_) => "guided",
             Source::Goal => "towards the goal",
             Source::Informed => "informed",
             Source::Other => "towards the other tree",
@@ -137,7 +139,12 @@ impl<const N: usize> Seen<'_, N> {
                 quantity("angle", "\\varphi", "angle with the goal’s direction", sample.angle),
                 quantity("share", "p", "share of the roulette wheel", sample.share),
             ]);
-            told.formulas.extend(["angle", "roulette"]);
+            if self.forest.last.source == Source::Guided(By::Distance) {
+                told.values.push(quantity("to_goal", "d", "distance to the goal", distance(&self.task.goal(), &sample.point)));
+                told.formulas.push("roulette-distance");
+            } else {
+                told.formulas.extend(["angle", "roulette"]);
+            }
         }
     }
 
@@ -145,11 +152,14 @@ impl<const N: usize> Seen<'_, N> {
     fn table(&self, near: &[f64; N], told: &mut Inspection) {
         let last = &self.forest.last;
         let place = |point: &[f64; N]| self.task.space.place(point);
-        if last.source == Source::Guided {
-            told.columns = COLUMNS.to_vec();
+        if let Source::Guided(by) = last.source {
+            told.columns = vec![if by == By::Angle { ANGLE } else { TO_GOAL }];
+            told.columns.extend(COLUMNS);
+            let goal = self.task.goal();
             for (i, sample) in last.samples.iter().enumerate().filter(|(_, sample)| sample.angle.is_finite()) {
                 told.labels.push(format!("{}: {}", i + 1, sample.fate.words()));
-                told.rows.push(vec![sample.angle.to_degrees(), sample.share, distance(near, &sample.point)]);
+                let key = if by == By::Angle { sample.angle.to_degrees() } else { distance(&goal, &sample.point) };
+                told.rows.push(vec![key, sample.share, distance(near, &sample.point)]);
             }
         }
         let from = place(near);
@@ -174,7 +184,7 @@ impl<const N: usize> Seen<'_, N> {
             item,
             title: format!("Sample {}", item.index + 1),
             event: sample.fate.words(),
-            summary: sample.fate.sentence().to_owned(),
+            summary: sample.fate.sentence(last.source).to_owned(),
             values: Vec::new(),
             formulas: Vec::new(),
             columns: Vec::new(),
@@ -197,13 +207,20 @@ fn summary<const N: usize>(last: &Extension<N>) -> String {
     };
     let count = |fate: Fate| last.samples.iter().filter(|sample| sample.fate == fate).count();
     match last.source {
-        Source::Guided if last.fell_back => {
+        Source::Guided(_) if last.fell_back => {
             let kept = last.samples.iter().filter(|sample| sample.angle.is_finite() && sample.fate != Fate::NotKept).count();
             format!("None of the {kept} kept samples led on, so the tree took a plain random step.")
         }
-        Source::Guided => {
+        Source::Guided(by) => {
             let (drawn, kept) = (last.samples.len(), last.samples.len() - count(Fate::NotKept));
-            format!("Of {drawn} samples {kept} were kept, and the roulette wheel chose the one towards which the tree has grown.")
+            match by {
+                By::Angle => format!(
+                    "Of {drawn} samples the {kept} with the smallest angles were kept. The tree has grown toward the one that the roulette wheel chose."
+                ),
+                By::Distance => format!(
+                    "Of {drawn} samples the roulette wheel kept {kept}. The tree has grown toward the one nearest to the goal that was free."
+                ),
+            }
         }
         Source::Goal => format!("The goal itself was the sample.{rewired}"),
         Source::Informed => format!("The sample came from where a shorter path can lead.{rewired}"),

@@ -203,6 +203,39 @@ fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_doubl
     assert!(guided > 100 && fell_back > 100 && chosen.iter().all(|&n| n > 20), "{guided} {fell_back} {chosen:?}");
 }
 
+/// [ARM-RRT] §3.3 step 2 (2): the wheel draws four by their distances to the goal, and the nearest comes first.
+#[test]
+fn by_distance_the_wheel_keeps_four_and_the_nearest_that_is_free_is_taken() {
+    let scene = shipped("arm-cuboid").unwrap();
+    let entry = crate::catalogue::find("rrt-guided").unwrap();
+    let settings = Settings::new(entry.parameters, Kind::Arm, &Given::from_iter([("choice", Value::from("distance"))])).unwrap();
+    let (mut taken, mut nearest_kept, mut extensions) = (0, 0, 0);
+    for seed in 0..40 {
+        let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();
+        for _ in 0..60 {
+            if Planner::step(&mut grown) != Status::Running {
+                break;
+            }
+            let (samples, goal) = (&grown.forest.last.samples[..20], grown.task.goal());
+            let far = |i: usize| distance(&samples[i].point, &goal);
+            let all: f64 = (0..20).map(|i| 1.0 / far(i)).sum();
+            assert!((0..20).all(|i| (samples[i].share - 1.0 / far(i) / all).abs() < 1e-12));
+            let mut kept: Vec<_> = (0..20).filter(|&i| samples[i].fate != Fate::NotKept).collect();
+            assert_eq!(kept.len(), 4);
+            kept.sort_by(|&a, &b| far(a).total_cmp(&far(b)));
+            extensions += 1;
+            nearest_kept += usize::from((0..20).all(|i| far(i) >= far(kept[0])));
+            if let Some(at) = kept.iter().position(|&i| samples[i].fate == Fate::Taken) {
+                taken += 1;
+                assert!(kept[..at].iter().all(|&i| samples[i].fate != Fate::NotDrawn));
+                assert!(kept[at + 1..].iter().all(|&i| samples[i].fate == Fate::NotDrawn));
+            }
+        }
+    }
+    // Weighted by 1/d the nearest of twenty is among the four more often than four times in twenty, and not always.
+    assert!(taken > 100 && nearest_kept * 4 > extensions && nearest_kept < extensions, "{taken} {nearest_kept} {extensions}");
+}
+
 #[test]
 fn a_node_says_how_it_came_about_however_long_ago() {
     let mut run = session("rrt-guided", "arm-cuboid", &[], 3);

@@ -9,7 +9,7 @@ use std::{
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Given, Setup, Value,
+    Setup, Value,
     catalogue::find,
     error::Error,
     exact::MAX_EXACT_STOPS,
@@ -150,7 +150,8 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
 
 fn setup(scene: &Arc<Scene>, planner: &str, seed: u64) -> Setup {
     // The ways of Table 2: from cell to cell.
-    let params = Given::from_iter([("smooth", Value::from("false"))]);
+    let mut params = tours::published(planner);
+    params.insert("smooth", Value::from("false"));
     Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed }
 }
 

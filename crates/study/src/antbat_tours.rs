@@ -8,7 +8,7 @@ use std::{
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Given, Setup, Value,
+    Setup, Value,
     error::Error,
     planner::{Round, Yardstick},
     scene::{Distances, Scene, shipped},
@@ -185,7 +185,8 @@ fn figures(scene: &Arc<Scene>, block: &Block, cells: &[Tried]) -> Vec<Beside> {
 }
 
 fn setup(scene: &Arc<Scene>, block: &Block, planner: &str, seed: u64) -> Setup {
-    let params: Given = block.params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
+    let mut params = tours::published(planner);
+    block.params.iter().for_each(|&(name, value)| params.insert(name, Value::from(value)));
     Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed }
 }
 
@@ -370,7 +371,7 @@ fn notes(scene: &Scene, rows: &[Run]) -> Vec<String> {
         "`its` columns are the paper’s. Variances are of samples, with n − 1. `reproduced`: whether our mean and the published one are within two standard errors of their difference, which follow from both variances. For the verdicts means are compared as they are.".to_owned(),
         format!("`exact tour`: runs whose tour is as long as the exact one. `exact order`: runs whose order would be an exact tour’s by the shortest roads; what remains of the gap is the roads’. `best order`: runs whose order is the best by the very roads that they had, as held-karp’s with the same seed is. The gap is that of the mean; `converged` is the mean iteration of the search in which the tour was found. The published {:.2} is shorter than the exact {exact:.4}: the layout of the obstacles is a reconstruction (the paper prints none), and lengths are rounded.", ANTBAT_TOURS[0].best.value),
         "In the paper all runs have the same network of roads, as in `exact-roads`; in `ants` and `smoothed` each seed builds its own, the same for all planners. The paper says that redundant nodes are deleted; its lengths still are like those from cell to cell.".to_owned(),
-        "All planners have their defaults, bat those of the paper (50 bats, 100 iterations). The paper does not say how long the others searched; ours do not evaluate equally many tours: see `evaluations`.".to_owned(),
+        "bat has the parameters of the paper (50 bats, 100 iterations, no local search), tour-pso no local search, the others their defaults. The paper does not say how long the others searched; ours do not evaluate equally many tours: see `evaluations`.".to_owned(),
     ];
     notes.extend(impossible());
     let failed = rows.iter().filter(|run| !run.feasible).count();

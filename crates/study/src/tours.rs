@@ -6,7 +6,8 @@ use std::sync::{
 };
 
 use forage::{
-    Outcome, Session, Setup,
+    Given, Outcome, Session, Setup,
+    catalogue::{Preset, find},
     error::Error,
     planner::{Finding, Job, Yardstick},
     scene::{Distances, Scene},
@@ -15,6 +16,12 @@ use forage::{
 
 /// In the order of [ANTBAT] Table 2, and then two that it does not have.
 pub(super) const PLANNERS: [&str; 7] = ["bat", "hybrid-bat", "ga", "tour-pso", "sa", "two-opt", "held-karp"];
+
+/// A planner's parameters as published, where its defaults are others: its preset `paper`.
+pub(super) fn published(planner: &str) -> Given {
+    let preset = find(planner).ok().and_then(|entry| entry.presets.iter().find(|preset| preset.name == "paper"));
+    preset.map_or_else(Given::new, Preset::given)
+}
 
 /// The roads between a scene's stops. For the same seed all planners ask for the same ones, so they are found once, by
 /// whoever comes first; the others wait.
@@ -130,7 +137,7 @@ pub(super) fn less(a: f64, b: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use forage::{Given, Value, shipped};
+    use forage::{Value, shipped};
 
     fn setup(seed: u64) -> Setup {
         let params = Given::from_iter([("smooth", Value::Flag(false)), ("roads", Value::from("aco")), ("iterations", Value::from(20.0))]);

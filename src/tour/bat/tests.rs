@@ -13,7 +13,7 @@ fn bats(n: usize, wrong: usize, pulse_rate: f64, loudness: f64) -> Bats {
     let place = |i: usize| [math::cos_turns(i as f64 / n as f64), math::cos_turns(i as f64 / n as f64 - 0.25)];
     let distances = Distances::of(n, |i, j| crate::geometry::length(&[place(i), place(j)]));
     let problem = Arc::new(Problem::new(&distances, Round::Closed));
-    let given: Given = [("population", crate::Value::from(1.0))].into_iter().collect();
+    let given: Given = [("population", crate::Value::from(1.0)), ("local_search", crate::Value::from("none"))].into_iter().collect();
     let settings = Settings::new(ENTRY.parameters, Kind::Tour, &given).unwrap();
     let mut bats = begin(&problem, &settings, Stream::new(1, 0));
     let mut best = Tour::first(&problem);
@@ -84,4 +84,25 @@ fn bats_begin_half_loud_at_least_and_with_any_pulse_rate() {
     assert!(bats.swarm.iter().all(|bat| (0.5..1.0).contains(&bat.loudness) && (0.0..1.0).contains(&bat.pulse_rate)));
     let mean = |of: fn(&Bat) -> f64| bats.mean(of);
     assert!((mean(|bat| bat.loudness) - 0.75).abs() < 0.03 && (mean(|bat| bat.pulse_rate) - 0.5).abs() < 0.05);
+}
+
+/// Far from the best with one try, a child is rarely shorter: whether a bat takes it all the same is the reading.
+#[test]
+fn a_bat_takes_its_best_try_always_or_if_it_is_shorter() {
+    let gains = |always: bool| -> Vec<f64> {
+        let fly = |seed| {
+            let mut bats = bats(12, 6, 1.0, 1.0);
+            (bats.always, bats.rng) = (always, Stream::new(seed, 1));
+            let before = bats.swarm[0].tour.length;
+            bats.step();
+            let Bat { tour, deed, .. } = &bats.swarm[0];
+            assert_eq!(before - tour.length, deed.gain);
+            deed.gain
+        };
+        (0..40).map(fly).collect()
+    };
+    let (always, better) = (gains(true), gains(false));
+    assert!(always.iter().any(|&gain| gain < 0.0), "{always:?}");
+    let kept: Vec<_> = always.iter().map(|&gain| gain.max(0.0)).collect();
+    assert_eq!(better, kept, "the same tries, and the longer ones refused");
 }

@@ -11,7 +11,6 @@ export const presets = {
     corridor: 'A corridor with niches',
     wolves: '[WOLF-ANT] §5.1: wolves’ shares',
     direction: '[ANTBAT] §3.1: ants with direction',
-    bats: '[ANTBAT] §3.3: bats and twelve stops',
     'arm-guided': '[ARM-RRT] §4: guided tree, no obstacle',
     'arm-guided-wide': '[ARM-RRT] §4: guided, step 0.05',
     'arm-basic': '[ARM-RRT] §4: basic tree, no obstacle',

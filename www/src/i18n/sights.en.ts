@@ -12,7 +12,6 @@ export const sights: Readonly<Record<Exclude<keyof typeof presets.cases, `arm-${
   corridor: 'Neither a way round nor standing still is safe: the robot backs into a niche and lets the disc pass.',
   wolves: 'How early the pheromone gathers on a shortest way over the cells; the published length is 562.8427 px.',
   direction: 'Ants that mind where the goal lies are on a shortest way within a few iterations.',
-  bats: 'First ants build the roads between the stops, then bats put the stops in order; the timeline has a part for each.',
   quantum: 'Particles leap about their attractors, less far as the run goes on; the robot can drive along the result.',
   hens: 'Hens and chicks shake a swarm that no longer improves; the exact optimum is 12.1416.',
 }

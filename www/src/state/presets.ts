@@ -22,7 +22,6 @@ export const PRESETS: readonly Preset[] = [
   { name: 'corridor', planner: 'a-star-drive', scene: 'corridor', params: {} },
   { name: 'wolves', planner: 'aco-wolf', scene: 'wolf-ant-20', params: {} },
   { name: 'direction', planner: 'aco-direction', scene: 'ant-bat-30', params: {} },
-  { name: 'bats', planner: 'bat', scene: 'ant-bat-30', params: {} },
   { name: 'arm-guided', planner: 'rrt-guided', scene: 'arm-free', params: {} },
   { name: 'arm-guided-wide', planner: 'rrt-guided', scene: 'arm-free', params: { step_size: 0.05 } },
   { name: 'arm-basic', planner: 'rrt', scene: 'arm-free', params: {} },

@@ -1,0 +1,520 @@
+//! `bat-continuous`: bats with frequency, velocity and position, [ANTBAT] (7)–(11), which the discrete bats come from.
+//!
+//! Readings. The paper prints the equations and no more; what it leaves open is Yang's (2010): with its pulse rate as the
+//! probability not to, a bat walks about the best instead of flying, as far as the bats are loud on average; it accepts a
+//! position that is not worse than its own with its loudness as the probability, and only then gets quieter. The best
+//! position that was ever evaluated is kept, accepted or not. As printed, (8) adds x − x_best: bats fly away from the best.
+
+use std::sync::Arc;
+
+use crate::{
+    catalogue::{Entry, Formula, Group, Layer, Preset, Reading},
+    digest::Digest,
+    error::Error,
+    frame::{Frame, Role},
+    math::{self, limit},
+    params::{Choice, Fixed, Parameter, Settings},
+    planner::{Best, Column, Inspection, Item, Planner, Readings, Status},
+    rng::Stream,
+    scene::Scene,
+    session,
+};
+
+use super::{
+    clock::Clock,
+    encoding::{self, with_paths},
+    parameters::{
+        BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, PERSONAL_BESTS, POPULATION, POSITION,
+        SMOOTHED, SMOOTHNESS, V_MAX, V_MAX_UNIT, VELOCITIES,
+    },
+    population::Population,
+    tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
+};
+
+/// Bats: v ← v ± (x − g) f, x ← x + v, and walks about the best.
+#[derive(Clone)]
+struct Bats {
+    population: Population,
+    /// Velocities v.
+    v: Vec<f64>,
+    /// The most each coordinate of a velocity may be.
+    v_max: Arc<[f64]>,
+    /// How far a walk leads at a loudness of 1, for each coordinate.
+    stride: Arc<[f64]>,
+    loudness: Vec<f64>,
+    pulse_rate: Vec<f64>,
+    last: Vec<Last>,
+    /// f_min and f_max.
+    frequencies: [f64; 2],
+    /// One β for all coordinates of a bat instead of one for each.
+    per_particle: bool,
+    /// Of x − g in (8): 1 as printed, −1 toward the best.
+    sign: f64,
+    /// ε and λ.
+    epsilon: f64,
+    lambda: f64,
+    /// The mean loudness before the step that led here.
+    mean_loudness: f64,
+    /// Where a bat was before it moved.
+    held: Vec<f64>,
+    rng: Stream,
+    clock: Clock,
+}
+
+/// What a bat did in the last iteration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Last {
+    walked: bool,
+    accepted: bool,
+}
+
+/// One coordinate of a bat's move.
+#[derive(Debug, Clone, Copy)]
+struct Term {
+    /// The frequency f.
+    f: f64,
+    /// The velocity, limited.
+    v: f64,
+    /// The random number ε of a walk; 0 if it flew.
+    epsilon: f64,
+    /// The candidate.
+    to: f64,
+}
+
+/// Sees one bat's move. `()` sees nothing and costs nothing.
+trait Watch {
+    fn wants(&self, _i: usize) -> bool {
+        false
+    }
+    fn term(&mut self, _term: Term) {}
+}
+
+impl Watch for () {}
+
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn session::AnyPlanner>, Error> {
+    let mut rng = Stream::new(seed, 0);
+    let size = settings.integer("population") as usize;
+    let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
+    let sides: Vec<_> = population.objective.search_box().sides().collect();
+    let (v_max, absolute) = (settings.number("v_max"), settings.choice("v_max_unit") == "absolute");
+    let [low, high] = ["f_min", "f_max"].map(|name| settings.number(name));
+    Ok(Box::new(Bats {
+        v: vec![0.0; population.x.len()],
+        v_max: sides.iter().map(|side| if absolute { v_max } else { v_max * side }).collect(),
+        stride: sides.iter().map(|side| settings.number("walk") * side).collect(),
+        loudness: vec![settings.number("a0"); size],
+        pulse_rate: vec![settings.number("r0"); size],
+        last: vec![Last { walked: false, accepted: false }; size],
+        frequencies: [low, high.max(low)],
+        per_particle: settings.choice("random") == "particle",
+        sign: if settings.choice("pull") == "printed" { 1.0 } else { -1.0 },
+        epsilon: settings.number("epsilon"),
+        lambda: settings.number("lambda"),
+        mean_loudness: settings.number("a0"),
+        held: vec![0.0; population.dimension],
+        rng,
+        clock: Clock::new(settings, population.bests()),
+        population,
+    }))
+}
+
+impl Bats {
+    /// One iteration. `watch` sees the move of a bat that somebody asked about.
+    fn advance(&mut self, watch: &mut impl Watch) {
+        self.mean_loudness = mean(&self.loudness);
+        let t = (self.clock.iteration + 1) as f64;
+        let fading = 1.0 - math::exp(-self.lambda * t);
+        for i in 0..self.population.size {
+            let (row, before) = (self.population.row(i), self.population.cost[i]);
+            self.held.copy_from_slice(&self.population.x[row.clone()]);
+            let walked = self.rng.unit() > self.pulse_rate[i];
+            if watch.wants(i) {
+                self.fly(i, walked, watch);
+            } else {
+                self.fly(i, walked, &mut ());
+            }
+            self.population.evaluate(i);
+            let accepted = self.rng.unit() < self.loudness[i] && self.population.cost[i] <= before;
+            if accepted {
+                self.loudness[i] *= self.epsilon; // (10)
+                self.pulse_rate[i] *= fading; // (11)
+            } else {
+                self.population.x[row].copy_from_slice(&self.held);
+                self.population.cost[i] = before;
+            }
+            self.last[i] = Last { walked, accepted };
+        }
+        self.population.settle();
+        self.clock.tick(self.population.bests());
+    }
+
+    /// (7) to (9), or a walk about the best. Reading: velocities are limited, positions are kept in the box, and a coordinate
+    /// that hits a wall stops.
+    fn fly(&mut self, i: usize, walked: bool, watch: &mut impl Watch) {
+        let row = self.population.row(i);
+        let Population { x, g, objective, .. } = &mut self.population;
+        let search_box = objective.search_box();
+        let (x, v) = (&mut x[row.clone()], &mut self.v[row]);
+        let [low, high] = self.frequencies;
+        let shared = self.per_particle.then(|| self.rng.unit());
+        for j in 0..x.len() {
+            let f = low + (high - low) * shared.unwrap_or_else(|| self.rng.unit()); // (7)
+            let step = limit(v[j] + self.sign * (x[j] - g[j]) * f, -self.v_max[j], self.v_max[j]); // (8)
+            let epsilon = if walked { self.rng.between(-1.0, 1.0) } else { 0.0 };
+            let reached = if walked { g[j] + epsilon * self.mean_loudness * self.stride[j] } else { x[j] + step }; // (9)
+            x[j] = search_box.clamp(j, reached);
+            v[j] = if walked || x[j] == reached { step } else { 0.0 };
+            watch.term(Term { f, v: step, epsilon, to: x[j] });
+        }
+    }
+}
+
+fn mean(of: &[f64]) -> f64 {
+    of.iter().sum::<f64>() / of.len() as f64
+}
+
+impl Planner for Bats {
+    fn step(&mut self) -> Status {
+        if self.clock.running() {
+            self.advance(&mut ());
+        }
+        self.status()
+    }
+
+    fn status(&self) -> Status {
+        self.clock.status()
+    }
+
+    fn iteration(&self) -> u64 {
+        self.clock.iteration
+    }
+
+    fn limit(&self) -> u64 {
+        self.clock.limit
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.population.evaluations
+    }
+
+    fn best(&self) -> Option<Best> {
+        Some(self.population.best())
+    }
+
+    fn read(&self, out: &mut Readings) {
+        self.population.read(out);
+        out.push("k", self.clock.iteration.saturating_sub(1) as f64);
+        out.push("loudness", mean(&self.loudness));
+        out.push("pulse_rate", mean(&self.pulse_rate));
+        out.push("accepted", self.last.iter().filter(|last| last.accepted).count() as f64);
+        out.push("evaluations", self.population.evaluations as f64);
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        self.population.draw_members(frame);
+        self.population.draw_velocities(frame, &self.v);
+        self.population.draw_result(frame);
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "; its velocity is zero")).flatten()
+    }
+
+    fn explain(&self, item: Item) -> Option<Inspection> {
+        self.explain_step(item)
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.clock.digest(out);
+        self.population.digest(out);
+        [&self.v, &self.loudness, &self.pulse_rate].into_iter().for_each(|numbers| out.numbers(numbers));
+        self.rng.digest(out);
+    }
+
+    fn bytes(&self) -> usize {
+        self.population.bytes()
+            + 8 * (self.v.len() + 3 * self.held.len() + 2 * self.loudness.len())
+            + 2 * self.last.len()
+            + size_of::<Self>()
+    }
+}
+
+const MOVED: [Label; 6] = [
+    ("f", "f", "frequency, first coordinate"),
+    ("v_before", "v", "velocity before, first coordinate"),
+    ("x_before", "x", "position before, first coordinate"),
+    ("g", "g", "global best, first coordinate"),
+    ("v", "v", "velocity, first coordinate"),
+    ("x", "x'", "candidate, first coordinate"),
+];
+const WALKED: [Label; 2] =
+    [("random", "\\epsilon", "random number, first coordinate"), ("mean_loudness", "\\bar A", "mean loudness before")];
+const AFTERWARDS: [Label; 5] = [
+    ("cost_before", "f(x)", "cost before"),
+    ("cost", "f(x)", "cost after"),
+    ("p_cost", "f(p)", "personal best"),
+    ("loudness", "A", "loudness"),
+    ("pulse_rate", "r", "pulse rate"),
+];
+const COLUMNS: [Column; 5] = [
+    column("x_before", "x", "position before"),
+    column("f", "f", "frequency"),
+    column("v", "v", "velocity, limited"),
+    column("random", "\\epsilon", "random number of a walk"),
+    column("x", "x'", "candidate"),
+];
+
+struct Record {
+    particle: usize,
+    terms: Vec<Term>,
+}
+
+impl Watch for Record {
+    fn wants(&self, i: usize) -> bool {
+        i == self.particle
+    }
+
+    fn term(&mut self, term: Term) {
+        self.terms.push(term);
+    }
+}
+
+impl Bats {
+    /// What the next step does to a bat.
+    fn explain_step(&self, item: Item) -> Option<Inspection> {
+        let i = particle(&self.population, item)?;
+        let mut record = Record { particle: i, terms: Vec::new() };
+        let mut after = self.clone();
+        after.advance(&mut record);
+        let (now, next, terms) = (&self.population, &after.population, &record.terms);
+        let row = now.row(i);
+        let (x, to): (_, Vec<_>) = (&now.x[row.clone()], terms.iter().map(|term| term.to).collect());
+        let meaning = &*now.objective;
+        let Last { walked, accepted } = after.last[i];
+
+        let moved = if walked { "walks about the global best" } else { "flies by its frequency and velocity" };
+        let outcome =
+            if accepted { "It accepts the new position and gets quieter." } else { "It does not accept the new position and stays." };
+        let mut told = sheet(meaning, item, if walked { "walk" } else { "flight" }, format!("Bat {i} {moved}. {outcome}"), now.dimension);
+        told.title = format!("Bat {i}");
+        told.columns = COLUMNS.to_vec();
+        told.rows = terms.iter().zip(x).map(|(term, &x)| vec![x, term.f, term.v, term.epsilon, term.to]).collect();
+        told.formulas = if walked { vec!["walk"] } else { vec!["frequency", "bat-velocity", "bat-velocity-toward", "position"] };
+        told.formulas.extend(if accepted { &["loudness", "pulse"][..] } else { &[] });
+        let first = terms[0];
+        told.values.extend(quantities(&MOVED, &[first.f, self.v[row.start], x[0], now.g[0], first.v, first.to]));
+        if walked {
+            told.values.extend(quantities(&WALKED, &[first.epsilon, after.mean_loudness]));
+        }
+        let costs = [now.cost[i], next.cost[i], next.p_cost[i], after.loudness[i], after.pulse_rate[i]];
+        told.values.extend(quantities(&AFTERWARDS, &costs));
+        told.marks = vec![mark(meaning, Role::Before, x), arrows(meaning, Role::Jump, x, &to), mark(meaning, Role::After, &next.x[row])];
+        Some(told)
+    }
+}
+
+const F_MIN: Parameter = Parameter::number("f_min", "f_{\\min}", "Lowest frequency", [0.0, 100.0, 0.0], "The least that f of (7) can be.")
+    .slider(0.0, 2.0, false);
+const F_MAX: Parameter = Parameter::number(
+    "f_max",
+    "f_{\\max}",
+    "Highest frequency",
+    [0.0, 100.0, 2.0],
+    "The most that f of (7) can be; at least f_min. The higher, the faster velocities change. Yang’s programme: 2.",
+)
+.slider(0.0, 5.0, false);
+const PULL: Parameter = Parameter::choice(
+    "pull",
+    "",
+    "Sign in (8)",
+    &[
+        Choice { value: "toward", title: "Toward the best", help: "v ← v + (x_best − x) f: bats fly toward the best." },
+        Choice {
+            value: "printed",
+            title: "As printed",
+            help: "v ← v + (x − x_best) f, as (8) and Yang print it: bats fly away from the best.",
+        },
+    ],
+    "In which direction the best changes a velocity.",
+);
+const WALK: Parameter = Parameter::number(
+    "walk",
+    "s",
+    "Length of a walk",
+    [0.0, 1.0, 0.01],
+    "How far from the best a walk leads at most, as a share of the search box’s side, at a mean loudness of 1.",
+)
+.slider(0.0, 0.1, false);
+const A0: Parameter = Parameter::number(
+    "a0",
+    "A_0",
+    "Loudness at the start",
+    [0.0, 1.0, 1.0],
+    "With what probability a bat accepts a position that is not worse, at first.",
+);
+const R0: Parameter = Parameter::number(
+    "r0",
+    "r_0",
+    "Pulse rate at the start",
+    [0.0, 1.0, 0.5],
+    "With what probability a bat flies instead of walking about the best, at first.",
+);
+const RANDOM: Parameter = Parameter::choice(
+    "random",
+    "\\beta",
+    "Random numbers",
+    &[
+        Choice { value: "coordinate", title: "Each coordinate", help: "Each coordinate of a bat has a frequency of its own." },
+        Choice { value: "particle", title: "Each bat", help: "All coordinates of a bat share one frequency." },
+    ],
+    "How often β of (7) is drawn. The paper calls it a random vector; Yang’s programme draws one number for each bat.",
+);
+const EPSILON: Parameter = Parameter::number(
+    "epsilon",
+    "\\varepsilon",
+    "Fading of loudness",
+    [0.0, 1.0, 0.98],
+    "What a bat’s loudness is multiplied by when it accepts a position, (10). Published: 0.98.",
+);
+const LAMBDA: Parameter = Parameter::number(
+    "lambda",
+    "\\lambda",
+    "Pulse coefficient",
+    [0.0, 100.0, 0.98],
+    "How fast the factor 1 − e^(−λt) of (11) approaches 1. Published: 0.98.",
+)
+.slider(0.0, 2.0, false);
+
+const FREQUENCY: Formula =
+    Formula::of_item("frequency", "[ANTBAT] (7)", "Frequency", "f_i = f_{\\min} + (f_{\\max} - f_{\\min}) \\beta", "f = @f@");
+const BAT_VELOCITY: Formula = Formula::of_item(
+    "bat-velocity",
+    "[ANTBAT] (8)",
+    "Velocity",
+    "v_i \\leftarrow v_i + (x_i - x_{\\text{best}}) f_i",
+    "v = @v_before@ + (@x_before@ - @g@) \\cdot @f@ \\;\\to\\; @v@",
+)
+.when("pull", "printed");
+const BAT_VELOCITY_TOWARD: Formula = Formula::of_item(
+    "bat-velocity-toward",
+    "[ANTBAT] (8), other sign",
+    "Velocity",
+    "v_i \\leftarrow v_i + (x_{\\text{best}} - x_i) f_i",
+    "v = @v_before@ + (@g@ - @x_before@) \\cdot @f@ \\;\\to\\; @v@",
+)
+.when("pull", "toward");
+const BAT_POSITION: Formula = Formula { source: "[ANTBAT] (9)", ..POSITION };
+const WALK_ABOUT: Formula = Formula::of_item(
+    "walk",
+    "Yang 2010 (5)",
+    "Walk about the best",
+    "x_i \\leftarrow x_{\\text{best}} + \\epsilon \\bar A s",
+    "x = @g@ + @random@ \\cdot @mean_loudness@ \\, s \\;\\to\\; @x@",
+);
+const LOUDNESS: Formula = Formula::of_item("loudness", "[ANTBAT] (10)", "Loudness", "A_i \\leftarrow \\varepsilon A_i", "A = @loudness@");
+const PULSE: Formula =
+    Formula::of_item("pulse", "[ANTBAT] (11)", "Pulse rate", "r_i \\leftarrow r_i \\left(1 - e^{-\\lambda t}\\right)", "r = @pulse_rate@");
+
+const BATS_LAYER: Layer = Layer { title: "Bats", help: "Where the bats are: points, or the paths they stand for.", ..PARTICLES };
+
+const PRINTED: Preset = Preset {
+    name: "paper",
+    title: "As printed",
+    help: "(8) with its printed sign: bats fly away from the best, and only the walks about it improve it.",
+    scene: "sphere-2",
+    values: &[("pull", Fixed::Text("printed"))],
+};
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "bat-continuous",
+    title: "Bat algorithm: continuous",
+    family: "swarm",
+    source: "[ANTBAT] (7)–(11)",
+    summary: "Each bat has a frequency, a velocity and a position. With its pulse rate it flies, otherwise it walks about the global best; loudness decides whether it accepts what is not worse.",
+    kinds: KINDS,
+    parameters: with_paths![POPULATION, ITERATIONS, F_MIN, F_MAX, PULL, WALK, A0, R0, EPSILON, LAMBDA, RANDOM, V_MAX, V_MAX_UNIT],
+    readings: &[
+        BEST,
+        MEAN,
+        FREE,
+        LENGTH,
+        SMOOTHNESS,
+        K,
+        Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness."),
+        Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates."),
+        Reading::new("accepted", "n_a", "Accepted", Group::Count, "Bats that accepted their new position in this iteration."),
+        EVALUATIONS,
+    ],
+    formulas: &[FREQUENCY, BAT_VELOCITY, BAT_VELOCITY_TOWARD, BAT_POSITION, WALK_ABOUT, LOUDNESS, PULSE],
+    layers: &[GUIDES, PERSONAL_BESTS, BATS_LAYER, VELOCITIES, GLOBAL_BEST, SMOOTHED],
+    stops: false,
+    most_stops: None,
+    members: &[],
+    events: &[],
+    presets: &[PRINTED],
+    suggest: |_| None,
+    start,
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Session, Setup, Value, shipped};
+
+    fn session(scene: &str, params: &[(&str, Value)], seed: u64) -> Session {
+        let params = params.iter().cloned().collect();
+        Session::new(Setup { planner: "bat-continuous".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
+    }
+
+    /// (7) to (11) for every bat of several iterations, by the numbers that its explanation names; all four outcomes come up.
+    #[test]
+    fn a_bat_moves_by_the_printed_equations() {
+        for (pull, sign) in [("printed", 1.0), ("toward", -1.0)] {
+            let [r0, v_max] = [Value::from(0.6), Value::from(1000.0)];
+            let mut session = session("sphere-2", &[("population", 9.0.into()), ("pull", pull.into()), ("r0", r0), ("v_max", v_max)], 3);
+            let mut seen = std::collections::BTreeMap::new();
+            for t in 1..=20 {
+                let quiet: Vec<_> = (0..9).map(|i| told(&mut session, i)).collect();
+                session.step(1);
+                for (index, before) in quiet.iter().enumerate() {
+                    let after = told(&mut session, index);
+                    let of = |name: &str| after.values.iter().find(|v| v.name == name).unwrap().value;
+                    let walked = after.event == "walk";
+                    let v = of("v_before") + sign * (of("x_before") - of("g")) * of("f");
+                    let x = if walked { of("g") + of("random") * of("mean_loudness") * 2.0 } else { of("x_before") + of("v") };
+                    assert!((0.0..=2.0).contains(&of("f")) && (of("v") - v).abs() < 1e-12, "(7), (8)");
+                    assert!((of("x") - x.clamp(-100.0, 100.0)).abs() < 1e-12, "(9), or a walk");
+                    let accepted = after.formulas.contains(&"loudness");
+                    *seen.entry((walked, accepted)).or_insert(0) += 1;
+                    assert!(if accepted { of("cost") <= of("cost_before") } else { of("cost") == of("cost_before") });
+                    if t > 1 {
+                        let was = |name: &str| before.values.iter().find(|v| v.name == name).unwrap().value;
+                        let [quieter, rarer] = if accepted { [0.98, 1.0 - math::exp(-0.98 * f64::from(t))] } else { [1.0; 2] };
+                        assert_eq!(of("loudness"), was("loudness") * quieter, "(10)");
+                        assert_eq!(of("pulse_rate"), was("pulse_rate") * rarer, "(11)");
+                    }
+                }
+            }
+            assert_eq!(seen.len(), 4, "{seen:?}");
+        }
+    }
+
+    fn told(session: &mut Session, index: usize) -> Inspection {
+        session.inspect(Item { role: Role::Particles, index }).unwrap()
+    }
+
+    #[test]
+    fn what_is_found_is_kept_although_it_was_not_accepted() {
+        // So quiet that nothing is ever accepted: the bats stay, and the best still gets better.
+        let mut session = session("sphere-2", &[("a0", Value::from(0.0))], 1);
+        let (first, mean) = (session.best().unwrap().cost, reading(&mut session, "mean"));
+        session.step(200);
+        assert!(session.best().unwrap().cost < first / 10.0);
+        assert_eq!((reading(&mut session, "mean"), reading(&mut session, "accepted")), (mean, 0.0));
+    }
+
+    fn reading(session: &mut Session, name: &str) -> f64 {
+        session.readings().iter().find(|(known, _)| *known == name).unwrap().1
+    }
+}
