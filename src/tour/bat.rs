@@ -1,8 +1,8 @@
 //! `bat`: discrete bats, [ANTBAT] §3.3.
 //!
-//! Readings: what a bat finds by (12) becomes its tour always (`replace`), as the text says; the best tour that a bat crosses with is taken in the direction in which its
-//! distance was counted; a tour around the best is *better* if it is shorter than the bat's own; the first stop of a closed
-//! tour, which every tour is turned to begin with, is not the one that is moved there.
+//! Readings: what a bat finds by (12) becomes its tour always, as the text says (`replace`); the best tour that it crosses
+//! with is taken in the direction in which its distance was counted; a tour around the best is *better* if it is shorter than
+//! the bat's own; the first stop of a closed tour, which every tour is turned to begin with, is not the one that is moved there.
 
 #[cfg(test)]
 mod tests;
@@ -307,10 +307,11 @@ impl Search for Bats {
                 format!("Before, it differed from the best at {hamming} places, fewer than half, and tried {tries} × a random 2-opt move."),
             ),
         };
+        let helped = if self.local.is_some() && deed.range != Range::None { " Local search improved the best of them." } else { "" };
         let gained = match deed.range {
             Range::None => String::new(),
             _ if deed.gain > 0.0 => format!(" The best try made its tour {:.4} shorter.", deed.gain),
-            _ if self.always => format!(" The best try is its tour now, {:.4} longer than before.", -deed.gain),
+            _ if deed.gain < 0.0 => format!(" The best try is its tour now, {:.4} longer than before.", -deed.gain),
             _ => " No try was shorter than its own tour.".to_owned(),
         };
         let local = match deed.local {
@@ -318,7 +319,8 @@ impl Search for Bats {
             Local::Tried => " Its pulse let it try an insertion in the best tour; it did not take that.",
             Local::Taken => " It took the best tour with one stop inserted elsewhere: quieter now, and its pulse rate falls.",
         };
-        (told.event, told.summary) = (if deed.local == Local::Taken { "insertion" } else { event }, format!("{range}{gained}{local}"));
+        (told.event, told.summary) =
+            (if deed.local == Local::Taken { "insertion" } else { event }, format!("{range}{helped}{gained}{local}"));
         let values = [
             quantity("hamming", "HD", "places that differed before", hamming as f64),
             quantity("tries", "v", "tries", tries as f64),
@@ -438,7 +440,7 @@ pub const ENTRY: Entry = Entry {
         population("Bats", 50, "How many bats search. Published: 50."),
         iterations(
             100,
-            "After how many iterations of the bats it stops; building roads comes first. Published: 100, for 12 stops. Without local search 280 stops need some 10,000.",
+            "After how many iterations of the bats it stops; building roads comes first. Published: 100, for 12 stops. Without local search more stops need more.",
         ),
         EPSILON,
         LAMBDA,
