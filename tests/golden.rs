@@ -53,6 +53,10 @@ fn specs() -> Vec<Spec> {
             if entry.stops && scene.kind() == forage::scene::Kind::Grid {
                 set = r#""roads": "a-star""#;
             }
+            // Few will do where each tour of hundreds of stops is improved by local search.
+            if scene.name() == "random-280" && entry.parameters.iter().any(|parameter| parameter.name == "local_search") {
+                set = r#""population": 8"#;
+            }
             // A drive takes longer than two hundred periods.
             if ["a-star-drive", "d-star-lite-drive"].contains(&entry.name) {
                 set = r#""iterations": 5000"#;
