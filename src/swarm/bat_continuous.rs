@@ -5,6 +5,9 @@
 //! position that is not worse than its own with its loudness as the probability, and only then gets quieter. The best
 //! position that was ever evaluated is kept, accepted or not. As printed, (8) adds x − x_best: bats fly away from the best.
 
+#[cfg(test)]
+mod tests;
+
 use std::sync::Arc;
 
 use crate::{
@@ -456,65 +459,3 @@ pub const ENTRY: Entry = Entry {
     suggest: |_| None,
     start,
 };
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Session, Setup, Value, shipped};
-
-    fn session(scene: &str, params: &[(&str, Value)], seed: u64) -> Session {
-        let params = params.iter().cloned().collect();
-        Session::new(Setup { planner: "bat-continuous".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
-    }
-
-    /// (7) to (11) for every bat of several iterations, by the numbers that its explanation names; all four outcomes come up.
-    #[test]
-    fn a_bat_moves_by_the_printed_equations() {
-        for (pull, sign) in [("printed", 1.0), ("toward", -1.0)] {
-            let [r0, v_max] = [Value::from(0.6), Value::from(1000.0)];
-            let mut session = session("sphere-2", &[("population", 9.0.into()), ("pull", pull.into()), ("r0", r0), ("v_max", v_max)], 3);
-            let mut seen = std::collections::BTreeMap::new();
-            for t in 1..=20 {
-                let quiet: Vec<_> = (0..9).map(|i| told(&mut session, i)).collect();
-                session.step(1);
-                for (index, before) in quiet.iter().enumerate() {
-                    let after = told(&mut session, index);
-                    let of = |name: &str| after.values.iter().find(|v| v.name == name).unwrap().value;
-                    let walked = after.event == "walk";
-                    let v = of("v_before") + sign * (of("x_before") - of("g")) * of("f");
-                    let x = if walked { of("g") + of("random") * of("mean_loudness") * 2.0 } else { of("x_before") + of("v") };
-                    assert!((0.0..=2.0).contains(&of("f")) && (of("v") - v).abs() < 1e-12, "(7), (8)");
-                    assert!((of("x") - x.clamp(-100.0, 100.0)).abs() < 1e-12, "(9), or a walk");
-                    let accepted = after.formulas.contains(&"loudness");
-                    *seen.entry((walked, accepted)).or_insert(0) += 1;
-                    assert!(if accepted { of("cost") <= of("cost_before") } else { of("cost") == of("cost_before") });
-                    if t > 1 {
-                        let was = |name: &str| before.values.iter().find(|v| v.name == name).unwrap().value;
-                        let [quieter, rarer] = if accepted { [0.98, 1.0 - math::exp(-0.98 * f64::from(t))] } else { [1.0; 2] };
-                        assert_eq!(of("loudness"), was("loudness") * quieter, "(10)");
-                        assert_eq!(of("pulse_rate"), was("pulse_rate") * rarer, "(11)");
-                    }
-                }
-            }
-            assert_eq!(seen.len(), 4, "{seen:?}");
-        }
-    }
-
-    fn told(session: &mut Session, index: usize) -> Inspection {
-        session.inspect(Item { role: Role::Particles, index }).unwrap()
-    }
-
-    #[test]
-    fn what_is_found_is_kept_although_it_was_not_accepted() {
-        // So quiet that nothing is ever accepted: the bats stay, and the best still gets better.
-        let mut session = session("sphere-2", &[("a0", Value::from(0.0))], 1);
-        let (first, mean) = (session.best().unwrap().cost, reading(&mut session, "mean"));
-        session.step(200);
-        assert!(session.best().unwrap().cost < first / 10.0);
-        assert_eq!((reading(&mut session, "mean"), reading(&mut session, "accepted")), (mean, 0.0));
-    }
-
-    fn reading(session: &mut Session, name: &str) -> f64 {
-        session.readings().iter().find(|(known, _)| *known == name).unwrap().1
-    }
-}

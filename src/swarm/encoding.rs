@@ -145,7 +145,7 @@ pub(super) const REDRAWS: Parameter = Parameter::integer(
     "n_r",
     "Redraws",
     [0, 1000, 0],
-    "How often an angle whose piece of the path collides is drawn anew at first, and then a particle that still does, [LTQPSO] §4 (5); 20,000 particles in all. Each particle counts as an evaluation.",
+    "How often an angle whose piece of the path collides is drawn again at the start, and then a particle that still collides, [LTQPSO] §4 (5); 20,000 particles in all. Each particle counts as an evaluation.",
 )
 .only_on(PATHS)
 .defaults_on(&[(Kind::Grid, Fixed::Number(100.0))])

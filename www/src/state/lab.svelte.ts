@@ -63,7 +63,6 @@ export class Lab extends Transport {
   private item: Item | null = null
   private tuner: Tuned | null = null
   readonly visible = new Visible()
-
   readonly suggested = new Suggested()
   sceneError = $state.raw<Refusal | null>(null)
   paramErrors = $state.raw<Record<string, string>>({})
