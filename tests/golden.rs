@@ -1,4 +1,4 @@
-//! Golden hashes of complete runs: every planner, every kind of scene, several seeds. `tests/wasm.rs` checks the same
+//! Golden hashes of complete runs: every planner, every kind of scene, several seeds. `tests/wasm.test.mjs` checks the same
 //! stored files in wasm under Node.
 //!
 //! A test for each planner, so that a failure names it. `FORAGE_BLESS=1 cargo test --test golden` stores all runs again.

@@ -1,4 +1,4 @@
-//! What the native tests and the wasm tests share about random grids.
+//! What the tests know about random grids; the wasm's tests read the digests here.
 
 use forage::digest::Digest;
 

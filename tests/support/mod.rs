@@ -1,4 +1,4 @@
-//! What the native tests and the wasm tests share: the list of golden runs and the stored file.
+//! What several native tests share: the stored files. The wasm's tests read the same ones.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,0 +1,328 @@
+// The JavaScript face of the wasm that ships, under Node: the bits that the native tests store, and errors that are values.
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { test } from 'node:test'
+import {
+  armPose,
+  armSolutions,
+  catalogue,
+  checkParameter,
+  checkScene,
+  exportScene,
+  generateScene,
+  importScene,
+  newSeed,
+  parseLink,
+  reachability,
+  Session,
+} from '../pkg/node.js'
+
+const read = (name) => readFileSync(new URL(name, import.meta.url), 'utf8')
+const stored = (name) => JSON.parse(read(name))
+/** A number that the native tests keep in their source. */
+const constant = (file, pattern) => read(file).match(pattern)[1]
+
+/** Parameters that stand in a stored file as the inside of a JSON object. */
+const given = (set = '') => JSON.parse(`{${set}}`)
+
+const words = new BigUint64Array(1)
+const halves = new Float64Array(words.buffer)
+const word = (number) => {
+  halves[0] = number
+  return words[0]
+}
+
+/** The digest of src/digest.rs. */
+const hash = (all) => {
+  const mixed = all.reduce((state, next) => {
+    const product = BigInt.asUintN(64, (state ^ next) * 0x0000_0100_0000_01b3n)
+    return product ^ (product >> 32n)
+  }, 0xcbf2_9ce4_8422_2325n)
+  return mixed.toString(16).padStart(16, '0')
+}
+const digest = (numbers) => hash([BigInt(numbers.length), ...Array.from(numbers, word)])
+const digestOfText = (text) => {
+  const bytes = Buffer.from(text)
+  return hash([BigInt(bytes.length), ...Array.from(bytes, BigInt)])
+}
+
+/** What is thrown: an error with the field, or the test fails. */
+const refusal = (call) => {
+  try {
+    call()
+  } catch (error) {
+    assert.ok(error instanceof Error)
+    assert.ok(error.message)
+    return error
+  }
+  assert.fail(`accepted: ${call}`)
+}
+
+const finished = ({ planner, scene, seed, set }) => {
+  const session = new Session({ planner, scene, seed, params: given(set) })
+  session.step(1e9)
+  return session
+}
+
+/** A frame's buffers, copied at once: a view is empty as soon as the wasm memory has grown. */
+const drawn = (session) => {
+  const { vertices, spans } = session.frame()
+  return { vertices: vertices.slice(), spans: spans.slice() }
+}
+
+test('every golden run gives the bits that it gives natively', () => {
+  const iterations = Number(constant('support/mod.rs', /ITERATIONS: u32 = (\d+)/))
+  const runs = stored('golden.json')
+  assert.ok(runs.length >= 100)
+  for (const run of runs) {
+    const { planner, scene, seed, set } = run
+    const session = new Session({ planner, scene, seed, params: { iterations, ...given(set) } })
+    session.step(iterations / 2)
+    const half = session.hash()
+    session.step(1e9)
+    const outcome = session.outcome()
+    const whole = (name) => outcome[name] && digest([...outcome[name].flat(), ...(session.exact()?.[name] ?? []).flat()])
+    const found = {
+      ...run,
+      half,
+      end: session.hash(),
+      cost: outcome.cost === null ? 'none' : word(outcome.cost).toString(16).padStart(16, '0'),
+      paths: whole('path') ?? whole('tip_path') ?? 'none',
+    }
+    assert.deepEqual(found, run)
+    session.free()
+  }
+})
+
+test('every stored log of events is the same here', () => {
+  // As Rust writes a number with all its digits.
+  const digits = (number) => (Number.isInteger(number) ? `${number}.0` : String(number))
+  for (const log of stored('events.json')) {
+    const told = finished(log)
+      .events()
+      .map(({ iteration, time, place: [x, y], kind, obstacle, reason }) => {
+        const about = obstacle === undefined ? '' : ` ${obstacle}`
+        return `${iteration} ${digits(time)} (${digits(x)}, ${digits(y)}) ${kind}${about}: ${reason}`
+      })
+    assert.deepEqual(told, log.lines, `${log.planner} on ${log.scene}`)
+  }
+})
+
+test('every stored drive gives the bits that it gives natively', () => {
+  const drives = stored('drives.json')
+  assert.ok(drives.length >= 10)
+  for (const drive of drives) {
+    const { rows, parameters } = finished(drive).drive({ look_ahead: drive.look_ahead })
+    assert.equal(digest(rows), drive.rows, `${drive.planner} on ${drive.scene}`)
+    assert.equal(parameters.look_ahead, drive.look_ahead)
+  }
+})
+
+test('every stored motion gives the bits that it gives natively', () => {
+  const motions = stored('motions.json')
+  assert.ok(motions.length >= 10)
+  for (const { set, ...motion } of motions) {
+    const { rows, skeletons } = finished(motion).motion(given(set))
+    assert.equal(digest([...rows, ...skeletons]), motion.rows, `${motion.planner} on ${motion.scene}`)
+  }
+})
+
+test('a drive crosses as its types say', () => {
+  const session = new Session({ planner: 'ltqpso', scene: 'qpso-10m' })
+  session.step(50)
+  const drive = session.drive()
+  const entry = catalogue().drive
+  assert.deepEqual(
+    drive.columns,
+    entry.columns.map(({ name }) => name),
+  )
+  assert.ok(drive.rows instanceof Float64Array)
+  assert.equal(drive.rows.length % drive.columns.length, 0)
+  assert.deepEqual([drive.outline.length, drive.outline.width], [0.4, 0.3])
+  assert.equal(drive.outcome.arrived, true)
+  assert.equal(session.outcome().drive.time, drive.outcome.time)
+  assert.deepEqual(entry.parameters[0].kinds, ['grid'])
+  for (const [params, field] of [
+    [{ speed: 0 }, 'speed'],
+    [{ speed: [] }, 'speed'],
+    [{ mass: 2.3 }, 'parameter'],
+    [3, 'params'],
+  ])
+    assert.equal(refusal(() => session.drive(params)).field, field)
+  const discs = new Session({ planner: 'pso', scene: 'wcpso-discs' })
+  assert.equal(discs.drive(), null)
+  assert.equal(discs.outcome().drive, undefined)
+})
+
+test('a scene given as an object is the scene given by name', () => {
+  const byName = new Session({ planner: 'wcpso', scene: 'wcpso-discs', seed: 4 })
+  const byObject = new Session({ planner: 'wcpso', scene: byName.scene, seed: 4 })
+  byName.step(50)
+  byObject.step(50)
+  assert.equal(byObject.hash(), byName.hash())
+  assert.equal(byObject.link(), byName.link())
+})
+
+test('seeking back gives the same state and frame', () => {
+  const session = new Session({ planner: 'wcpso', scene: 'wcpso-discs', params: { population: 30 } })
+  session.step(37)
+  const before = session.hash()
+  const frame = drawn(session)
+  assert.ok(frame.vertices.length % 4 === 0 && frame.spans.length % 4 === 0 && frame.spans.length > 0)
+  session.step(200)
+  session.seek(37)
+  assert.equal(session.hash(), before)
+  assert.deepEqual(drawn(session), frame)
+  assert.ok(session.rewind(20) <= 20)
+})
+
+test('refusals are errors with field, value and range, and nothing panics', () => {
+  const refused = (setup) => refusal(() => new Session(setup))
+  const error = refused({ planner: 'pso', scene: 'sphere', params: { population: 0 } })
+  assert.deepEqual([error.field, error.value], ['population', '0'])
+  assert.ok(error.message.includes('100000') && error.allowed.includes('100000'))
+  const disc = { format: 'forage-scene', version: 1, name: 'a', title: 'a' }
+  for (const [setup, field] of [
+    [{ planner: 'psso', scene: 'sphere' }, 'planner'],
+    [{ planner: 'pso', scene: 'moon' }, 'scene'],
+    [{ planner: 'pso', scene: 'sphere', seed: -1 }, 'seed'],
+    [{ planner: 'pso', scene: 'sphere', seed: 1.5 }, 'seed'],
+    [{ planner: 'pso', scene: 'sphere', params: { w: 'much' } }, 'w'],
+    [{ planner: 'pso', scene: { ...disc, kind: 'function', function: 'sphere', dimension: 0 } }, 'dimension'],
+  ])
+    assert.equal(refused(setup).field, field, JSON.stringify(setup))
+  for (const setup of [{}, [], 3, null, { planner: 3 }, { planner: 'pso' }, { planner: 'pso', scene: 7 }, { planner: 'pso', scene: {} }])
+    refused(setup)
+  refusal(() => parseLink('#v=7'))
+  refusal(() => Session.fromLink('nothing'))
+  const discs = {
+    ...disc,
+    kind: 'discs',
+    bounds: { min: [0, 0], max: [1, 1] },
+    start: [0, 0],
+    goal: [1, 1],
+    discs: [{ center: [0.5, 0.5], radius: 0.1 }],
+  }
+  checkScene(discs)
+  discs.discs[0].radius = Number.NaN
+  assert.equal(refusal(() => checkScene(discs)).field, 'discs[0].radius')
+})
+
+test('the face tells everything a page needs', () => {
+  assert.ok(catalogue().planners.length >= 4)
+  assert.ok(catalogue().scenes.length >= 7)
+  const check = (value) => checkParameter('wcpso', 'discs', 'w_max', value)
+  check(0.9)
+  refusal(() => check(9))
+  refusal(() => check('x'))
+  const seed = newSeed()
+  assert.ok(seed >= 0 && Number.isInteger(seed))
+
+  const session = new Session({ planner: 'wcpso', scene: 'wcpso-discs' })
+  assert.deepEqual([session.iteration, session.limit, session.planner, session.seed], [0, 500, 'wcpso', 1])
+  session.step(10)
+  assert.equal(session.status, 'running')
+  assert.ok(session.readings().w < 0.95)
+  assert.equal(session.parameters.population, 150)
+  assert.equal(session.trace(-1).iterations.length, 11)
+  assert.equal(session.trace(7).iterations.length, 3)
+  assert.ok(Math.abs(session.exact().length - 12.14159) < 5e-7)
+  const told = session.inspect({ role: 'particles', index: 5 })
+  assert.equal(told.title, 'Particle 5')
+  assert.equal(told.table.rows.length, 6)
+  assert.equal(session.inspect({ role: 'particles', index: 150 }), null)
+  refusal(() => session.inspect({ role: 'fish', index: 1 }))
+  assert.equal(session.pick(0, 0, 0.5).role, 'particles')
+  assert.equal(session.pick(-50, 0, 0.5), null)
+  assert.ok(session.svg(true, ['best', 'exact']).startsWith('<svg'))
+  assert.equal(session.csv().trimEnd().split('\n').length, 12)
+  const parsed = parseLink(session.link())
+  assert.deepEqual([parsed.iteration, parsed.hash], [10, session.hash()])
+  const opened = Session.fromLink(session.link())
+  opened.seek(10)
+  assert.equal(opened.hash(), session.hash())
+})
+
+test('random grids are the native ones and survive the way through files', () => {
+  const { generators } = catalogue()
+  const digests = constant('support/generated.rs', /GENERATED: \[&str; \d+\] = \[(.*?)\]/s).match(/[0-9a-f]{16}/g)
+  assert.ok(digests.length >= 4)
+  digests.forEach((expected, index) => {
+    const { name } = generators[index]
+    const scene = generateScene(name, { columns: 31, rows: 22 }, 7)
+    assert.equal(digestOfText(scene.rows.join('\n')), expected, name)
+    for (const [format, count] of [
+      ['movingai', 2],
+      ['ros', 2],
+      ['json', 1],
+    ]) {
+      const files = exportScene(scene, format)
+      assert.equal(files.length, count)
+      const { scene: again, problems, notes } = importScene(files)
+      assert.deepEqual(again.rows, scene.rows)
+      assert.equal(problems.length, format === 'movingai' ? 1 : 0)
+      assert.ok(Array.isArray(notes))
+    }
+  })
+  const stops = generateScene('stops', { stops: 9, clusters: 2 }, 7)
+  for (const [format, count] of [
+    ['tsplib', 2],
+    ['csv', 1],
+    ['json', 1],
+  ]) {
+    const files = exportScene(stops, format)
+    assert.equal(files.length, count)
+    assert.deepEqual(importScene(files).scene.points, stops.points)
+  }
+  const file = (text) => [{ name: 'a.map', bytes: new TextEncoder().encode(text) }]
+  const error = refusal(() => importScene(file('type octile\nheight 0\n')))
+  assert.equal(error.field, 'a.map')
+  assert.ok(error.message.includes('line 2: found `0`'))
+  refusal(() => importScene([{ name: 'a.map', bytes: [1] }]))
+  refusal(() => importScene(3))
+  refusal(() => importScene(file(''), -1))
+  assert.equal(refusal(() => generateScene('sand', undefined, 1)).field, 'generator')
+  assert.equal(refusal(() => generateScene('maze', undefined, 0.5)).field, 'seed')
+})
+
+test('an arm tells its poses and solutions and where it can come', () => {
+  const scene = 'arm-cuboid'
+  const near = (found, expected, tolerance) => assert.ok(Math.abs(found - expected) < tolerance, `${found} ${expected}`)
+  const tip = armPose(scene, [0, -90, 0, 0, 0, 0]).skeleton[4]
+  for (const [axis, expected] of [0.895, 0.65, 0.88].entries()) near(tip[axis], expected, 1e-12)
+
+  // Down to the start; the tip of each solution is there. Without a direction too.
+  for (const direction of [[0, 0, -2], null]) {
+    const { solutions, unreachable } = armSolutions(scene, [-0.2, 0.022, 0.05], direction)
+    assert.ok(solutions.length > 0 && unreachable === undefined)
+    near(solutions[0].skeleton[4][2], 0.05, 1e-9)
+  }
+  const far = armSolutions(scene, [9, 9, 9], null, [0, -90, 0, 0, 0, 0])
+  assert.deepEqual([far.unreachable, far.direction], ['position', null])
+
+  assert.equal(reachability(scene, 0.25).points.length, 4 * 7 * 6 * 3)
+
+  const field = (call) => refusal(call).field
+  assert.equal(
+    field(() => reachability(scene, 0.001)),
+    'step',
+  )
+  assert.equal(
+    field(() => armPose(scene, [0, 1])),
+    'joints',
+  )
+  assert.equal(
+    field(() => armPose('wcpso-discs', [0, 0, 0, 0, 0, 0])),
+    'kind',
+  )
+  for (const [point, direction, joints, name] of [
+    [[0, 0], null, null, 'point'],
+    [[0, 0, 'a'], null, null, 'point[2]'],
+    [[0, 0, 0], [0, 0, 0], null, 'direction'],
+    [[0, 0, 0], [0, 0, 1], [1], 'near'],
+  ])
+    assert.equal(
+      field(() => armSolutions(scene, point, direction, joints)),
+      name,
+    )
+})
