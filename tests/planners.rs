@@ -272,7 +272,7 @@ fn every_parameter_is_checked_at_both_ends(entry: &'static Entry) {
             };
             for value in [min, max] {
                 let mut session = start(value).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
-                session.step(if value >= 1000.0 { 1 } else { 20 });
+                session.step(if value >= 1000.0 { 2 } else { 20 });
                 // What is not there yet is not a number; nothing is infinite.
                 let found = session.outcome().cost.is_some();
                 assert!(
@@ -318,7 +318,7 @@ fn every_encoding_runs(entry: &'static Entry) {
     for scene in all {
         for (encoding, points) in [("waypoints", 5), ("polar", 9)] {
             let run = |smooth: bool| {
-                let params = [("encoding", encoding.into()), ("smooth", Value::Flag(smooth)), ("iterations", 120.0.into())];
+                let params = [("encoding", encoding.into()), ("smooth", Value::Flag(smooth)), ("iterations", 400.0.into())];
                 let mut session = session(entry, &scene, params.into_iter().collect(), 7);
                 session.step(u64::MAX);
                 session.outcome()
