@@ -11,7 +11,7 @@ use std::{process::ExitCode, sync::Arc};
 
 use forage::{
     Frame, Given, Scene, Session, Setup, Status, Value,
-    catalogue::{Entry, Group, PLANNERS, Scope},
+    catalogue::{Entry, Formula, Group, PLANNERS, Scope},
     frame::{Role, Shape},
     params::{Domain, Parameter, When},
     planner::Item,
@@ -337,8 +337,11 @@ fn every_encoding_runs(entry: &'static Entry) {
 
 /// What an entry promises, its planner keeps: readings, layers, formulas and inspections agree with the catalogue.
 fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
-    for scene in scenes(entry) {
-        let mut session = session(entry, &scene, sized(entry, &scene, 80.0, 120.0), 3);
+    let presets = entry.presets.iter().map(|preset| (forage::scene::shipped(preset.scene).unwrap(), preset.given()));
+    for (scene, params) in scenes(entry).into_iter().map(|scene| (scene, Given::new())).chain(presets) {
+        let mut given = sized(entry, &scene, 80.0, 120.0);
+        params.iter().for_each(|(name, value)| given.insert(name, value.clone()));
+        let mut session = session(entry, &scene, given, 3);
         session.step(60);
         let known: Vec<_> = entry.readings.iter().map(|reading| reading.name).collect();
         let told: Vec<_> = session.readings().iter().map(|(name, _)| name).collect();
@@ -351,12 +354,7 @@ fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
             assert!(span.shape != Shape::Polyline || span.count >= 2);
         }
         let numbers: Vec<_> = told.iter().copied().chain(session.settings().all().iter().map(|(name, _)| *name)).collect();
-        let carried_out = |when: Option<When>| {
-            when.is_none_or(|When { parameter, value }| {
-                session.settings().all().iter().any(|(name, set)| *name == parameter && set.to_string() == value)
-            })
-        };
-        for formula in entry.formulas.iter().filter(|f| f.scope == Scope::Iteration && carried_out(f.when)) {
+        for formula in entry.formulas.iter().filter(|f| f.scope == Scope::Iteration && is_carried_out(f, &session)) {
             for name in placeholders(formula.live) {
                 assert!(numbers.contains(&name), "{}: nothing fills @{name}@ in {}", entry.name, formula.name);
             }
@@ -401,6 +399,7 @@ fn check_inspections(entry: &Entry, session: &mut Session) -> Vec<Role> {
             for name in &told.formulas {
                 let formula =
                     entry.formulas.iter().find(|f| f.name == *name).unwrap_or_else(|| panic!("{} has no formula {name}", entry.name));
+                assert!(is_carried_out(formula, session), "{}: {} is not carried out with these parameters", entry.name, formula.name);
                 for name in placeholders(formula.live) {
                     assert!(told.values.iter().any(|v| v.name == name), "{}: nothing fills @{name}@ in {}", entry.name, formula.name);
                 }
@@ -413,6 +412,12 @@ fn check_inspections(entry: &Entry, session: &mut Session) -> Vec<Role> {
         assert!(session.inspect(Item { role, index: usize::MAX }).is_none());
     }
     there
+}
+
+fn is_carried_out(formula: &Formula, session: &Session) -> bool {
+    let is_set =
+        |When { parameter, value }: When| session.settings().all().iter().any(|(name, set)| *name == parameter && set.to_string() == value);
+    formula.when.is_none_or(is_set)
 }
 
 fn placeholders(tex: &str) -> Vec<&str> {

@@ -302,7 +302,8 @@ impl Bats {
         told.title = format!("Bat {i}");
         told.columns = COLUMNS.to_vec();
         told.rows = terms.iter().zip(x).map(|(term, &x)| vec![x, term.f, term.v, term.epsilon, term.to]).collect();
-        told.formulas = if walked { vec!["walk"] } else { vec!["frequency", "bat-velocity", "bat-velocity-toward", "position"] };
+        let velocity = if self.sign > 0.0 { BAT_VELOCITY } else { BAT_VELOCITY_TOWARD };
+        told.formulas = if walked { vec![WALK_ABOUT.name] } else { vec![FREQUENCY.name, velocity.name, BAT_POSITION.name] };
         told.formulas.extend(if accepted { &["loudness", "pulse"][..] } else { &[] });
         let first = terms[0];
         told.values.extend(quantities(&MOVED, &[first.f, self.v[row.start], x[0], now.g[0], first.v, first.to]));
