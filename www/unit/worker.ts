@@ -52,8 +52,8 @@ const catalogue = {
 const limitOf = ({ params }: Setup): number => Number(params?.iterations ?? 100)
 
 /**
- * The thread that computes, by hand: it takes in what it is asked, in order, only when the test says so. Parameter values below zero are refused.
- * Links are `planner,scene,seed,iteration`.
+ * The thread that computes, by hand: it takes in what it is asked, in order, only when the test says so. Parameter values below zero are refused, and scenes with a
+ * disc over the start. Links are `planner,scene,seed,iteration,hash`.
  */
 export class FakeWorker {
   private readonly inbox: (() => void)[] = []
@@ -110,8 +110,9 @@ export class FakeWorker {
     suggest: (setup: Setup): Promise<unknown> => this.answer(() => this.refused(setup) ?? { ok: true, value: null }),
     parseLink: (link: string): Promise<unknown> =>
       this.answer(() => {
-        const [name, on, seed, iteration] = link.split(',')
-        return { ok: true, value: { planner: name, scene: scene(on ?? ''), params: {}, seed: Number(seed), iteration: Number(iteration) } }
+        const [planner, on, seed, iteration, hash] = link.split(',')
+        const value = { planner, scene: scene(on ?? ''), params: {}, seed: Number(seed), iteration: Number(iteration), hash }
+        return { ok: true, value }
       }),
     newSeed: (): Promise<number> => this.answer(() => (this.seeds += 1)),
     pick: (x: number): Promise<unknown> => this.answer(() => ({ role: this.setup?.planner, index: x })),
@@ -123,9 +124,11 @@ export class FakeWorker {
     return new Promise((resolve) => this.inbox.push(() => resolve(act())))
   }
 
-  private refused({ params = {} }: Setup): Answer<never> | null {
+  private refused({ params = {}, scene: on }: Setup): Answer<never> | null {
     const field = Object.keys(params).find((name) => Number(params[name]) < 0)
-    return field === undefined ? null : { ok: false, refusal: { field, message: 'below zero' } }
+    if (field !== undefined) return { ok: false, refusal: { field, message: 'below zero' } }
+    const covered = typeof on === 'object' && on.kind === 'discs' && on.discs.some(({ center: [x, y] }) => x === 1 && y === 1)
+    return covered ? { ok: false, refusal: { field: 'start', message: 'covered' } } : null
   }
 
   private go(iteration: number, play: boolean): void {
@@ -148,6 +151,17 @@ export class FakeWorker {
       members: null,
       report: { outcome: {}, link: '', settledHash: play ? null : `${this.setup?.planner} ${this.iteration}` },
     } as unknown as FrameMessage)
+  }
+
+  /** The run plays on to an iteration. */
+  advance(iteration: number): void {
+    this.go(iteration, this.playing)
+  }
+
+  /** Sends the picture of the present state once more. */
+  repeat(): void {
+    this.go(this.iteration, this.playing)
+    this.show()
   }
 
   /** Takes in the next message; its answer and pictures come to the page. */

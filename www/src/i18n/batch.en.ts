@@ -63,9 +63,9 @@ export const batch = {
     broken: (message: string) => `A thread broke down (${message}). Completed runs are kept; go on to run the rest.`,
     faulty: 'Correct what is marked first.',
     nothing: 'There is no planner to run.',
-    spoken: (done: string, total: string) => `${done} of ${total} runs are completed`,
+    spoken: (done: string, total: string) => `${done} of ${total} runs completed`,
     stopped: (done: string, total: string) => `Stopped after ${done} of ${total} runs`,
-    finished: (total: string) => `All ${total} runs are completed`,
+    finished: (total: string) => `All ${total} runs completed`,
   },
   empty: {
     title: 'What a batch is good for',

@@ -51,7 +51,7 @@ export class Following<Told, Track extends Timed> implements Follower {
 
   setParameter = async (name: string, value: ParameterValue | string): Promise<void> => {
     this.wanted = { ...this.wanted, [name]: value as ParameterValue }
-    await this.renew(name)
+    await this.renew()
   }
 
   resetParameter = async (name?: string): Promise<void> => {
@@ -61,7 +61,7 @@ export class Following<Told, Track extends Timed> implements Follower {
   }
 
   /** Asks with what is wanted. `errors`: those that remain if that is fine. */
-  private async renew(name = '', errors: Record<string, string> = {}): Promise<boolean> {
+  private async renew(errors: Record<string, string> = {}): Promise<boolean> {
     this.asked += 1
     const turn = this.asked
     const params = this.wanted
@@ -71,18 +71,19 @@ export class Following<Told, Track extends Timed> implements Follower {
     if (turn !== this.asked) return false
     if (!answer.ok) {
       const { field, message } = answer.refusal
-      if (field !== name || !name) {
+      if (!(field in params) || params[field] === this.params[field]) {
         this.problem = message
         this.wanted = this.params
         return false
       }
-      this.errors = { ...this.errors, [name]: message }
-      const { [name]: _refused, ...others } = this.wanted
-      const before = this.params[name]
-      this.wanted = before === undefined ? others : { ...others, [name]: before }
-      // What was wanted before that is not answered yet.
-      const open = Object.keys(others).some((other) => others[other] !== this.params[other])
-      return open && this.renew('', this.errors)
+      // That value takes no other with it.
+      const { [field]: _refused, ...others } = params
+      const before = this.params[field]
+      this.errors = { ...this.errors, [field]: message }
+      this.wanted = before === undefined ? others : { ...others, [field]: before }
+      const names = Object.keys({ ...this.wanted, ...this.params })
+      const open = names.some((name) => this.wanted[name] !== this.params[name])
+      return open && this.renew(this.errors)
     }
     const { generation, iteration } = answer.value
     this.errors = errors
@@ -100,6 +101,7 @@ export class Following<Told, Track extends Timed> implements Follower {
   leave(): void {
     this.clock.pause()
     this.asked += 1
+    this.wanted = this.params
     this.track = null
     this.problem = ''
     this.errors = {}

@@ -47,6 +47,34 @@ test('a value that is refused takes no other with it', async () => {
   expect(following.errors).toEqual({ margin: 'refused' })
 })
 
+test('a value that is refused takes no later one with it', async () => {
+  void following.setParameter('margin', 'wrong')
+  void following.setParameter('speed', 2)
+  await answerAll()
+  expect(following.params).toEqual({ speed: 2 })
+  expect(following.errors).toEqual({ margin: 'refused' })
+  expect(following.problem).toBe('')
+})
+
+test('of several values that are refused each has its message', async () => {
+  void following.setParameter('margin', 'wrong')
+  void following.setParameter('speed', 'wrong')
+  void following.setParameter('period', 2)
+  await answerAll()
+  expect(following.params).toEqual({ period: 2 })
+  expect(following.errors).toEqual({ margin: 'refused', speed: 'refused' })
+})
+
+test('a value that was not answered when the picture went back to the run is not asked for again', async () => {
+  void following.setParameter('margin', 'wrong')
+  following.leave()
+  await answerAll()
+  void following.begin()
+  await answerAll()
+  expect(following.track?.told).toEqual({})
+  expect(following.errors).toEqual({})
+})
+
 test('a reset that is asked for before the answer holds', async () => {
   void following.setParameter('speed', 2)
   void following.resetParameter('speed')

@@ -16,7 +16,8 @@ async function read(file: File): Promise<NamedFile> {
 }
 
 async function take(files: NamedFile[], problem?: number): Promise<void> {
-  const answer = await lab.api.importScene(files, problem)
+  const answer = await lab.askForScene(() => lab.api.importScene(files, problem))
+  if (!answer) return
   if (!answer.ok) {
     const { message } = answer.refusal
     const names = files.map(({ name }) => name)

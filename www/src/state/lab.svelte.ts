@@ -107,6 +107,9 @@ export class Lab extends Transport {
   private promised: { hash: string; at: number } | undefined
   /** A start is on its way. */
   private starting = false
+  protected get restarting(): boolean {
+    return this.outdated && (this.starting || !this.sceneError)
+  }
   /** The next restart waits for the answer to that start. */
   private restartsAgain = false
   /** The run was going on when the robot set off. */
@@ -144,6 +147,18 @@ export class Lab extends Transport {
     return scene
   }
 
+  protected override put(scene: Scene, step: boolean): void {
+    this.requests.note('scene')
+    super.put(scene, step)
+  }
+
+  /** What the worker answers to a request for a scene; null if there is another one meanwhile. */
+  askForScene = async <T>(ask: () => Promise<T>): Promise<T | null> => {
+    const request = this.requests.note('scene')
+    const answer = await ask()
+    return this.requests.replaced(request, 'scene') ? null : answer
+  }
+
   openLink = async (link: string): Promise<boolean> => {
     const request = this.requests.note('setup', 'seed', 'parameters')
     let opened = true
@@ -175,7 +190,7 @@ export class Lab extends Transport {
    * A seek, play or pause that was requested after the change, number `since`, holds for the new run.
    */
   private async restart(opening: Opening, since = this.requests.note('setup')): Promise<void> {
-    this.stand()
+    this.stopPlayback()
     this.putAt(opening, since)
     this.restartsAgain = true
     this.outdated = true
@@ -189,7 +204,10 @@ export class Lab extends Transport {
     } finally {
       this.starting = false
       // The first picture may have come before the answer.
-      if (!this.sceneError && this.frame && this.frame.generation === this.run?.generation) this.outdated = false
+      if (!this.sceneError && this.frame && this.frame.generation === this.run?.generation) {
+        this.outdated = false
+        this.compare(this.frame)
+      }
     }
   }
 
@@ -245,7 +263,7 @@ export class Lab extends Transport {
 
   private breakDown(message: string): void {
     this.phase = 'crashed'
-    this.stand()
+    this.stopPlayback()
     this.crash = message
     this.playing = false
     this.target = null
@@ -253,7 +271,7 @@ export class Lab extends Transport {
     // What that thread was asked will never be answered.
     this.starting = false
     this.restartsAgain = false
-    this.awaited = []
+    this.forget()
     this.client.close()
   }
 
@@ -291,10 +309,15 @@ export class Lab extends Transport {
     this.progress = null
     this.followers.heed(frame)
     address.now(report.link)
-    if (this.promised?.at === frame.iteration) {
-      if (this.promised.hash !== report.settledHash) this.notice = en.notices.hash
-      this.promised = undefined
-    }
+    this.compare(frame)
+  }
+
+  /** Whether the run of a link is the one that the link promises. A picture of the run before it says nothing of that. */
+  private compare({ generation, iteration, report }: FrameMessage): void {
+    const hash = report?.settledHash
+    if (this.starting || generation !== this.run?.generation || this.promised?.at !== iteration || hash == null) return
+    if (this.promised.hash !== hash) this.notice = en.notices.hash
+    this.promised = undefined
   }
 
   // What is planned with what
@@ -305,7 +328,7 @@ export class Lab extends Transport {
     // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
     const another = scene?.kind !== this.run?.scene.kind || scene?.name !== this.run?.scene.name
     if (scene && planner && another && !suits(planner, scene)) this.suit(scene)
-    if (where === 'on' || (where === 'here' && this.outdated)) {
+    if (where === 'on' || (where === 'here' && this.restarting)) {
       void this.restart(this.requested, since)
       return
     }
@@ -454,7 +477,7 @@ export class Lab extends Transport {
   }
 
   /** Nobody follows the result, and no iteration is unfolded. */
-  protected stand(): void {
+  protected stopPlayback(): void {
     this.followers.leave()
     this.unfolded = false
   }

@@ -223,3 +223,86 @@ test('what is inspected while the run restarts stays inspected', async () => {
   await picked
   expect(lab.wanted).toEqual({ role: 'pso', index: 4 })
 })
+
+describe('after a scene that is refused', () => {
+  beforeEach(async () => {
+    lab.seek(20)
+    await worker.receiveAll()
+    lab.addDisc(1, 1, 1)
+    await worker.receiveAll()
+    expect(lab.sceneError).toMatchObject({ field: 'start' })
+    // The run of before goes on.
+    lab.play()
+    await worker.receiveAll()
+    worker.advance(50)
+    await worker.receiveAll()
+    expect([lab.iteration, lab.playing]).toEqual([50, true])
+  })
+
+  test('steps count from where the run of before is', async () => {
+    lab.stepBy(1)
+    await worker.receiveAll()
+    expect([worker.state.iteration, lab.iteration]).toEqual([51, 51])
+  })
+
+  test('a pause leaves the run of before where it is', async () => {
+    lab.pause()
+    await worker.receiveAll()
+    expect(worker.state).toMatchObject({ iteration: 50, playing: false })
+    lab.play()
+    await worker.receiveAll()
+    expect(worker.state).toMatchObject({ iteration: 50, playing: true })
+  })
+})
+
+describe('steps that wait for a change', () => {
+  test('give way to a seek that comes after them', async () => {
+    void lab.setParameter('w', 2)
+    lab.stepBy(1)
+    lab.seek(50)
+    await atRest(50)
+  })
+
+  test('give way to a play that comes after them', async () => {
+    void lab.setParameter('w', 2)
+    lab.stepBy(1)
+    lab.play()
+    await worker.receiveAll()
+    expect([worker.state.playing, lab.playing]).toEqual([true, true])
+  })
+
+  test('count from a seek that came before them', async () => {
+    void lab.setParameter('w', 2)
+    lab.stepBy(1)
+    lab.seek(50)
+    lab.stepBy(1)
+    lab.stepBy(1)
+    await atRest(52)
+  })
+})
+
+test('the fingerprint of a link is not compared with the run before it', async () => {
+  void lab.openLink('pso,other,3,25,pso 25')
+  await atRest(25)
+  expect(lab.notice).toBe('')
+  const opened = lab.openLink('wcpso,other,3,25,wcpso 25')
+  await worker.receive(false)
+  // A picture of the old run, asked for by something else, comes after the link was read.
+  worker.repeat()
+  await opened
+  await atRest(25)
+  expect(lab.notice).toBe('')
+  void lab.openLink('pso,other,3,25,something else')
+  await atRest(25)
+  expect(lab.notice).not.toBe('')
+})
+
+test('a scene from a file that comes after another was opened does not replace it', async () => {
+  let answered = (_: string): void => undefined
+  const asked = lab.askForScene(() => new Promise<string>((resolve) => (answered = resolve)))
+  lab.openScene(scene('other'))
+  answered('a large map')
+  expect(await asked).toBeNull()
+  await worker.receiveAll()
+  expect(await lab.askForScene(() => Promise.resolve('a map'))).toBe('a map')
+})

@@ -38,7 +38,7 @@ export const PRESETS: readonly Preset[] = [
 export interface Case extends Omit<Preset, 'name'> {
   name: string
   /** What the catalogue says of it; the words of the above are looked up by their names. */
-  told?: { title: string; help: string }
+  texts?: { title: string; help: string }
 }
 
 /** Those that can be run here. */
@@ -55,7 +55,7 @@ export const offered = ({ planners, scenes }: Catalogue): readonly Case[] => {
           scene,
           params,
           // A planner's title is its abbreviation, a colon and what it does.
-          told: { title: `${title.split(':')[0]}: ${preset}`, help },
+          texts: { title: `${title.split(':')[0]}: ${preset}`, help },
         })),
     ),
   ]

@@ -5,7 +5,7 @@ import { Requests } from './requests'
 import { Scenes } from './scenes.svelte'
 
 /** What requests are about. */
-type Subject = 'iteration' | 'playing' | 'setup' | 'seed' | 'parameters' | `parameter ${string}` | 'inspection' | 'run'
+type Subject = 'iteration' | 'playing' | 'scene' | 'setup' | 'seed' | 'parameters' | `parameter ${string}` | 'inspection' | 'run'
 
 /**
  * Where the run is and where the user wants it. Runs are restarted and changes wait for answers while the user goes on asking:
@@ -25,16 +25,20 @@ export abstract class Transport extends Scenes {
   protected requested: Opening = { at: 0, play: false }
   /** A restart was requested, and there is no picture of the new run yet. */
   protected outdated = $state(false)
+  /** Steps that are taken once the changes before them are known, and the number of the newest request for one. */
+  private steps: { n: number; since: number } | null = null
   /** Answers that changes wait for. Each is listed until it was acted on. */
   protected awaited = $state.raw<readonly Promise<void>[]>([])
   /** True from a change until its first picture: the old one must not pass for the new. */
   readonly stale = $derived(this.outdated || this.awaited.length > 0)
 
   abstract readonly limit: number
+  /** A new run is on its way; false after a start that was refused: what runs then is the run of before. */
+  protected abstract readonly restarting: boolean
   abstract readonly followers: Followers
   protected abstract readonly client: Client
   /** Nothing but the run itself is shown. */
-  protected abstract stand(): void
+  protected abstract stopPlayback(): void
 
   /** Asks the worker something that a change depends on, and makes the change. */
   protected await<T>(ask: () => Promise<T>, change: (answer: T) => void): Promise<void> {
@@ -53,13 +57,13 @@ export abstract class Transport extends Scenes {
 
   /** The worker had received every seek, play and pause when it sent this. */
   protected isNewest({ request }: FrameMessage): boolean {
-    return !this.requests.replaced(request, 'iteration', 'playing')
+    return !this.overruled(request)
   }
 
   toggle = (): void => (this.playing ? this.pause() : this.play())
 
   play = (): void => {
-    this.stand()
+    this.stopPlayback()
     this.target = null
     this.setPlaying(true)
   }
@@ -75,7 +79,7 @@ export abstract class Transport extends Scenes {
     const request = this.requests.note('playing')
     const { api } = this.client
     // A run that is being restarted goes where it begins all the same.
-    if (this.outdated && this.requested.at > 0) void api.seek(this.requested.at, play, request)
+    if (this.restarting && this.requested.at > 0) void api.seek(this.requested.at, play, request)
     else void (play ? api.play(request) : api.pause(request))
   }
 
@@ -92,9 +96,37 @@ export abstract class Transport extends Scenes {
   }
 
   stepBy = (n: number): void => {
-    // Where a change puts the run must be known first.
-    if (this.awaited.length > 0) void Promise.allSettled(this.awaited).then(() => this.stepBy(n))
-    else this.seek((this.outdated ? this.requested.at : Math.min(this.target ?? this.iteration, this.limit)) + n)
+    const { steps } = this
+    if (!steps && this.awaited.length === 0) {
+      this.seek(this.place + n)
+      return
+    }
+    this.steps = { n: n + (steps && !this.overruled(steps.since) ? steps.n : 0), since: this.requests.note() }
+    if (!steps) void this.takeSteps()
+  }
+
+  /** Where a change puts the run must be known before steps can be counted from there. */
+  private async takeSteps(): Promise<void> {
+    while (this.awaited.length > 0) await Promise.allSettled(this.awaited)
+    const { steps } = this
+    this.steps = null
+    if (steps && !this.overruled(steps.since)) this.seek(this.place + steps.n)
+  }
+
+  /** The thread that was asked is gone: nothing of it will be answered. */
+  protected forget(): void {
+    this.awaited = []
+    this.steps = null
+  }
+
+  /** Whether there was a seek, play or pause after request number `since`. */
+  private overruled(since: number): boolean {
+    return this.requests.replaced(since, 'iteration', 'playing')
+  }
+
+  /** Where the run is, or is on its way to. */
+  private get place(): number {
+    return this.restarting ? this.requested.at : Math.min(this.target ?? this.iteration, this.limit)
   }
 
   setSpeed = (speed: number): void => {
