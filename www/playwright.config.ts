@@ -13,7 +13,7 @@ export default defineConfig({
   // A test that fails once has failed.
   retries: 0,
   forbidOnly: Boolean(process.env.CI),
-  // For what hangs: with compilers beside it the longest test takes 40 seconds.
+  // For what hangs: with compilers running at the same time the longest test takes 40 seconds.
   timeout: 90_000,
   expect: { timeout: 10_000 },
   use: {

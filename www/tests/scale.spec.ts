@@ -30,14 +30,14 @@ test('with 100,000 particles the core computes beside the page, and the page kee
   }, PICTURES)
   expect(computed).toBeGreaterThan(PICTURES + 4)
 
-  // Frames go on, and what is pressed happens while it plays.
-  const frames = await lab.root.evaluate(async (root) => {
-    const first = Number(root.getAttribute('data-iteration'))
-    let count = 0
-    for (; Number(root.getAttribute('data-iteration')) < first + 30; count += 1) await new Promise(requestAnimationFrame)
-    return count
+  // Frames and iterations go on side by side, and what is pressed happens while it plays.
+  const [first = 0, last = 0] = await lab.root.evaluate(async (root) => {
+    const iteration = (): number => Number(root.getAttribute('data-iteration'))
+    const before = iteration()
+    for (let frames = 0; frames < 30; frames += 1) await new Promise(requestAnimationFrame)
+    return [before, iteration()]
   })
-  expect(frames).toBeGreaterThan(3)
+  expect(last).toBeGreaterThan(first)
   await expect(lab.root).toHaveAttribute('data-playing', 'true')
   await lab.press(en.transport.pause)
   await lab.settled()

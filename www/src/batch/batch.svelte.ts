@@ -148,16 +148,24 @@ class Batch {
 
   add = (planner: string, params: Entrant['params'] = {}): void => {
     if (this.entrants.length >= MOST_ENTRANTS) return
+    const slot = this.vacant()
     const own = planner === lab.plannerName && !this.entrants.some((entrant) => entrant.planner === planner)
-    this.entrants = [...this.entrants, { slot: freeSlot(this.entrants), planner, params: own ? lab.params : params }]
+    this.entrants = [...this.entrants, { slot, planner, params: own ? lab.params : params }]
     this.changed()
   }
 
   copy = (entrant: Entrant): void => {
     if (this.entrants.length >= MOST_ENTRANTS) return
     const at = this.entrants.indexOf(entrant) + 1
-    this.entrants = this.entrants.toSpliced(at, 0, { ...entrant, slot: freeSlot(this.entrants) })
+    this.entrants = this.entrants.toSpliced(at, 0, { ...entrant, slot: this.vacant() })
     this.changed()
+  }
+
+  /** A free slot. What is still asked of whoever had it before is of no use to the next. */
+  private vacant(): number {
+    const slot = freeSlot(this.entrants)
+    this.requests.note(`${slot}`)
+    return slot
   }
 
   remove = (entrant: Entrant): void => {
@@ -224,6 +232,7 @@ class Batch {
     if (!scene) return false
     this.scene = scene
     this.entrants = entrants.map(({ planner, params = {} }, slot) => ({ slot, planner, params }))
+    this.requests.note(...this.entrants.map(({ slot }) => `${slot}`))
     this.from = from
     this.count = count
     this.iterations = null

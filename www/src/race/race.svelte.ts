@@ -152,20 +152,23 @@ class Race extends Times {
     this.lanes = this.lanes.filter((other) => other !== lane)
   }
 
-  /** One change after the other: each counts on what the one before came to. */
-  private change(change: () => Promise<unknown>): Promise<void> {
-    this.changes = this.changes.then(change).then(() => undefined)
-    return this.changes
+  /** One change of a racer after the other: each counts on what the one before came to. One that takes part no more stays as it is. */
+  private change(lane: Lane, change: () => Promise<unknown>): Promise<void> {
+    const changed = this.changes.then(async () => {
+      if (this.lanes.includes(lane)) await change()
+    })
+    this.changes = changed.catch(() => undefined)
+    return changed
   }
 
   setPlanner = (lane: Lane, planner: string): Promise<void> =>
-    this.change(() => {
+    this.change(lane, () => {
       Object.assign(lane, { planner, params: planner === lab.plannerName ? lab.params : {}, errors: {} })
       return this.enter(lane)
     })
 
   setParameter = (lane: Lane, name: string, value: ParameterValue | string): Promise<void> =>
-    this.change(async () => {
+    this.change(lane, async () => {
       const params = { ...lane.params, [name]: value as ParameterValue }
       const { [name]: _gone, ...errors } = lane.errors
       lane.errors = errors
@@ -185,7 +188,7 @@ class Race extends Times {
   }
 
   resetParameter = (lane: Lane, name?: string): Promise<void> =>
-    this.change(() => {
+    this.change(lane, () => {
       const drop = <T>(values: Record<string, T>): Record<string, T> =>
         Object.fromEntries(Object.entries(values).filter(([key]) => name !== undefined && key !== name))
       lane.errors = drop(lane.errors)
