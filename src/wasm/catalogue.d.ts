@@ -60,7 +60,7 @@ export interface Formula {
   live?: string;
   /** `iteration`: filled from the readings; `item`: filled from an inspection's values. */
   scope: 'iteration' | 'item';
-  /** A parameter's value without which another equation stands in its place. */
+  /** Shown only while this parameter has this value. */
   when?: When;
 }
 
