@@ -247,7 +247,7 @@ const BLOCKS = {
   families() {
     return table(
       ['family', 'planners'],
-      byFamily(catalogue().planners).map(([name, group]) => [family(name)[0], group.map((p) => code(p.name)).join(' ')]),
+      byFamily(catalogue().planners).map(([name, group]) => [family(name)[0], group.map((p) => `[${code(p.name)}](docs/reference.md#${p.name})`).join(' ')]),
     )
   },
   /** Planners by family with title, summary and source. */
@@ -366,7 +366,7 @@ function* brokenLinks(path, text, chapters) {
 
 /** Paths of the repository that a page names and that do not exist. Built files, and a user's `mine`, need not. */
 function* missingFiles(path, text) {
-  const named = [...text.matchAll(/(?<![\w./-])(?:src|crates|scripts|tests|docs|scenes|benches|examples|package)\/[\w./*-]*/g)]
+  const named = [...text.matchAll(/(?<![\w./-])(?:src|crates|scripts|tests|docs|scenes|benches|examples|package|www)\/[\w./*-]*/g)]
   for (const file of new Set(named.map(([file]) => file.replace(/[.,]$/, '')))) {
     if (!/[*A-Z]{2,}|\*|\bmine\b/.test(file) && !existsSync(join(root, file))) yield `${path}: ${file} does not exist`
   }
@@ -515,7 +515,8 @@ function main() {
   for (const file of chapterFiles) {
     if (file !== 'docs/SUMMARY.md' && !chapters.has(file)) problems.push(`docs/SUMMARY.md: ${file} is missing`)
   }
-  for (const path of ['README.md', ...chapterFiles]) {
+  const others = ['CONTRIBUTING.md', 'SECURITY.md', 'CHANGELOG.md', 'package/README.md'].filter((path) => existsSync(join(root, path)))
+  for (const path of ['README.md', ...others, ...chapterFiles]) {
     const text = read(path)
     const { out, stale } = filled(path, text)
     if (check) problems.push(...stale.map((name) => `${path}: the block "${name}" is stale; run node scripts/docs.mjs`))
