@@ -418,7 +418,7 @@ function* commands(text) {
   for (const [, command] of prose.matchAll(/`(forage [^`]+)`/g)) yield command
 }
 
-const isPlaceholder = (word) => /^[A-Z][A-Z0-9_.-]*(\.[a-z]+)?$/.test(word) || /[…*$<{]/.test(word)
+const isPlaceholder = (word) => /^[A-Z][A-Z0-9_.-]*(\.[a-z]+)?$/.test(basename(word)) || /[…*$<{]/.test(word)
 const looksLikeFile = (word) => /\.(json|map|scen|yaml|yml|pgm|tsp|tour|csv|toml)$/.test(word)
 
 /** A file that `forage convert` or `--out` writes, and those that come with it. */

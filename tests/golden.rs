@@ -93,6 +93,8 @@ fn specs() -> Vec<Spec> {
         ),
         ("bat", "ant-bat-30", 3, r#""population": 7"#),
         ("bat", "ant-bat-30", 4, r#""roads": "theta-star", "round": "open", "polish": true"#),
+        ("bat", "random-280", 6, r#""iterations": 2"#),
+        ("tour-pso", "random-280", 7, r#""iterations": 2"#),
         ("bat", "random-52", 5, r#""local_search": "none""#),
         ("bat", "random-52", 6, r#""local_search": "none", "replace": "better""#),
         ("tour-pso", "random-52", 7, r#""local_search": "none""#),

@@ -62,7 +62,7 @@ pub(crate) const LAID: Formula = Formula {
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "aco-wolf",
-    title: "ACO with wolves’ shares",
+    title: "Wolf-pack ant colony",
     family: "ants",
     source: "[WOLF-ANT] §5.1",
     summary: "Ants that rank the cells around them by their distance to the goal; an iteration’s best way gets more pheromone, its worst way less.",

@@ -51,7 +51,7 @@ impl Route for Anew {
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "a-star-drive",
-    title: "A*, then a drive among what moves",
+    title: "A*, driving among moving obstacles",
     family: "dynamic",
     source: "Hart, Nilsson and Raphael 1968; [WOLF-ANT] §6",
     summary: "The shortest way from cell to cell, then a drive in simulated time: where the robot foresees a collision it searches a new way round the obstacle’s predicted range from scratch, or waits.",

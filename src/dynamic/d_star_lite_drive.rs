@@ -44,7 +44,7 @@ impl Route for Repaired {
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "d-star-lite-drive",
-    title: "D* Lite, then a drive among what moves",
+    title: "D* Lite, driving among moving obstacles",
     source: "Koenig and Likhachev 2002; [WOLF-ANT] §5.3",
     summary: "The same drive on ways of D* Lite: where the robot foresees a collision, the search is repaired where the obstacle’s predicted range has changed it, or the robot waits.",
     start: |scene, settings, _| {

@@ -1,4 +1,4 @@
-//! `wolf-ant-drive`: ants plan, the robot drives, and pheromone leads it round what moves, [WOLF-ANT] §5.3.
+//! `wolf-ant-drive`: ants plan, the robot drives, and pheromone leads it round moving obstacles, [WOLF-ANT] §5.3.
 
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ use super::{
 
 /// Who can plan; a test compares the list with the catalogue.
 pub(super) const COLONIES: &[Choice] = &[
-    Choice { value: "aco-wolf", title: "Ants with wolves’ shares", help: "[WOLF-ANT] §5.1: the paper’s." },
+    Choice { value: "aco-wolf", title: "Wolf-pack ant colony", help: "[WOLF-ANT] §5.1: the paper’s." },
     Choice { value: "aco-direction", title: "Ants with direction", help: "[ANTBAT] §3.1, the improved ants." },
     Choice { value: "aco-dijkstra", title: "Ants on a Dijkstra path", help: "[ANTBAT] §3.1, its [14]." },
     Choice { value: "aco", title: "Traditional ants", help: "[ANTBAT] §3.1, the traditional ants." },
@@ -128,7 +128,7 @@ impl Route for Ants {
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "wolf-ant-drive",
-    title: "Ants, then a drive among what moves",
+    title: "Ant colony, driving among moving obstacles",
     family: "dynamic",
     source: "[WOLF-ANT] §5.3",
     summary: "A colony plans, then a robot drives in simulated time: where it foresees a collision it follows the pheromone round the obstacle’s predicted range to a local goal, plans anew, or waits.",

@@ -16,7 +16,7 @@ pub(super) const BUILDERS: &[Choice] = &[
     Choice { value: "aco-direction", title: "Ants with direction", help: "[ANTBAT] §3.1, the improved ants." },
     Choice { value: "aco-dijkstra", title: "Ants on a Dijkstra path", help: "[ANTBAT] §3.1, its [14]." },
     Choice { value: "aco", title: "Traditional ants", help: "[ANTBAT] §3.1, the traditional ants." },
-    Choice { value: "aco-wolf", title: "Ants with wolves’ shares", help: "[WOLF-ANT] §5.1." },
+    Choice { value: "aco-wolf", title: "Wolf-pack ant colony", help: "[WOLF-ANT] §5.1." },
     Choice { value: "a-star", title: "A*", help: "The shortest ways from cell to cell." },
     Choice { value: "dijkstra", title: "Dijkstra", help: "The same, found the slower way." },
     Choice { value: "theta-star", title: "Theta*", help: "Ways at any angle." },

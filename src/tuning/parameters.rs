@@ -24,7 +24,7 @@ pub(super) const TUNABLE: &[Choice] = &[
     tunable("beta", "β", "Weight of sight."),
     tunable("rho", "ρ", "Evaporation."),
     tunable("q", "Q", "Pheromone of an ant."),
-    tunable("epsilon", "ε", "Unit of sight; only of wolves’ shares, where it cancels out."),
+    tunable("epsilon", "ε", "Unit of sight; only of the wolf-pack colony, where it cancels out."),
     tunable("gamma", "γ", "Weight of direction; only of direction."),
     tunable("phi1", "φ1", "Reward by the median; only of direction."),
     tunable("phi2", "φ2", "Reward by the best; only of direction."),

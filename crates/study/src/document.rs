@@ -44,7 +44,10 @@ const PAPERS: [(&str, &str); 5] = [
     ("WCPSO", "Jia Huiqun et al., *Path planning based on improved particle swarm optimization algorithm*, 2018"),
     ("LTQPSO", "Liu Jie, Zhao Haifang, Zhou Delian, *Path planning of mobile robots with an improved quantum-behaved PSO*"),
     ("ANTBAT", "Fang Min, Jin Shijun, *Multi-point path planning based on ant colony and bat algorithms*"),
-    ("ARM-RRT", "Dai Yanhui, Liang Yanyang, Xie Gang, *Obstacle-avoidance path planning of a six-DOF arm based on RRT*, 2012"),
+    (
+        "ARM-RRT",
+        "Dai Yanhui, Liang Yanyang, Xie Gang, *The Mechanical Arm of Six-Dof Obstacle Avoidance Path Planning Based on Rapid-Exploring Random Trees*, 2012",
+    ),
     ("WOLF-ANT", "*Dynamic path planning of a mobile robot based on an improved ant colony algorithm*"),
 ];
 

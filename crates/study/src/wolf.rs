@@ -25,7 +25,7 @@ use super::{
 /// See the module.
 pub const REPRODUCTION: Reproduction = Reproduction {
     name: "wolf-ant",
-    title: "ants with wolves’ shares on the 20 × 20 grid, and their tuning",
+    title: "a wolf-pack ant colony on the 20 × 20 grid, and its tuning",
     source: "[WOLF-ANT] Table 2 and §5.2",
     repeatable: true,
     jobs,

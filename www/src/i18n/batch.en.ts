@@ -36,7 +36,7 @@ export const batch = {
       search: 'Searches',
       tour: 'Tours',
       tree: 'Trees',
-      dynamic: 'Drives among what moves',
+      dynamic: 'Driving among moving obstacles',
       tuning: 'Tuning',
     } as Readonly<Record<string, string>>,
     defaults: 'all parameters at their defaults',

@@ -107,7 +107,7 @@ export const papers = {
       ],
     },
     'ARM-RRT': {
-      title: 'Obstacle-avoidance path planning of a six-DOF arm based on RRT',
+      title: 'The Mechanical Arm of Six-Dof Obstacle Avoidance Path Planning Based on Rapid-Exploring Random Trees',
       subject: 'A tree that looks where the goal is, for an arm with six axes',
       citation: 'Dai Yanhui, Liang Yanyang, Xie Gang, Techniques of Automation & Applications, 2012, no. 10.',
       claims: [
@@ -118,7 +118,7 @@ export const papers = {
     },
     'WOLF-ANT': {
       title: 'Dynamic path planning of a mobile robot based on an improved ant colony algorithm',
-      subject: 'Ants that share like wolves, tuned by a swarm, among what moves',
+      subject: 'Wolf-pack ant colony, tuned by a swarm, among moving obstacles',
       citation: 'The copy that we read names neither authors nor journal.',
       claims: [
         'Ants that rank the cells around them by their distance to the goal, and share pheromone as a pack of wolves shares its prey, converge sooner and do not get stuck.',
@@ -152,7 +152,7 @@ export const papers = {
       title: 'Not in the paper: what is common today',
       about: 'A tree that rewires itself, two trees in the six joints, and another arm.',
     },
-    wolves: { title: 'Table 2: A*, ants and wolves’ ants', about: '30 ants, 100 iterations.' },
+    wolves: { title: 'Table 2: A*, ants and the wolf-pack colony', about: '30 ants, 100 iterations.' },
     tuning: {
       title: '§5.2: a swarm tunes the ants',
       about: '20 particles, 30 iterations. It takes its time: each particle is a colony over three seeds.',

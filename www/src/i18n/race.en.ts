@@ -20,7 +20,7 @@ export const race = {
       exact: 'Exact searches',
       trees: 'Trees among discs',
       arm: 'An arm’s trees',
-      drives: 'Drives among what moves',
+      drives: 'Driving among moving obstacles',
       tours: 'Tours through 52 stops',
     },
   },
