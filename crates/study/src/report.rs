@@ -1,8 +1,12 @@
 //! What a reproduction has to say: tables, verdicts, what was chosen where the paper is silent, and how to repeat it.
 
-use std::{fmt::Write, fs, path::PathBuf};
+use std::{
+    fmt::Write,
+    fs,
+    path::{Path, PathBuf},
+};
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use super::{Failure, Options, Reproduction, at, beside::Beside, document, table::Table};
 
@@ -41,7 +45,17 @@ pub struct Report {
     /// Command lines that repeat single runs.
     pub commands: Vec<String>,
     /// What was written.
+    #[serde(serialize_with = "all_lossily")]
     pub files: Vec<PathBuf>,
+}
+
+/// JSON holds no file name that is not UTF-8: what cannot be told of it is replaced.
+pub(super) fn lossily<S: Serializer>(file: &Path, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&file.to_string_lossy())
+}
+
+fn all_lossily<S: Serializer>(files: &[PathBuf], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(files.iter().map(|file| file.to_string_lossy()))
 }
 
 impl Report {

@@ -15,6 +15,9 @@ use forage::error::Error;
 
 use super::{Failure, at};
 
+/// The largest file of rows in bytes: all published experiments together have a thousandth of it.
+const LARGEST: u64 = 1 << 30;
+
 /// What a job finds out. Its fields become columns, in their order.
 pub trait Row: Clone + PartialEq + Serialize + DeserializeOwned + Send + Sync {
     /// What tells it from all other rows of the file; the key of the job that made it.
@@ -50,6 +53,12 @@ impl<R: Row> Rows<R> {
         // Where files cannot be locked at all, nothing is lost but the warning.
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(Error::refused("out", path.display(), "a folder that no other `forage` is writing to").into());
+        }
+        let size = file.metadata().map_err(at(path))?.len();
+        if size > LARGEST {
+            let mib = |bytes: u64| bytes >> 20;
+            let problem = format!("it has {} MiB; a file of rows may have at most {} MiB", mib(size), mib(LARGEST));
+            return Err(Error::malformed(&path.display().to_string(), problem).into());
         }
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).map_err(at(path))?;

@@ -246,6 +246,10 @@ pub(super) struct RunArgs {
     pub(super) motion_set: Vec<String>,
 }
 
+/// The most threads that `--jobs` takes.
+const MOST_THREADS: usize = 1024;
+
 fn threads(text: &str) -> Result<NonZeroUsize, String> {
-    text.parse().map_err(|_| "it must be a whole number from 1".to_owned())
+    let threads: Option<NonZeroUsize> = text.parse().ok().filter(|threads: &NonZeroUsize| threads.get() <= MOST_THREADS);
+    threads.ok_or_else(|| format!("it must be a whole number from 1 to {MOST_THREADS}"))
 }

@@ -37,6 +37,7 @@ pub(super) fn experiment(args: &ExperimentArgs) -> super::Outcome {
     let rows = args.out.clone().unwrap_or_else(|| default_out(file, out.as_deref(), part));
     check_apart("out", &rows, &sources)?;
     if let Some(report) = &args.report {
+        files::check_outputs(&[report], None)?;
         check_apart("--report", report, &[&sources[..], slice::from_ref(&rows)].concat())?;
     }
     let existing = args.merge.iter().chain([&rows].into_iter().filter(|rows| rows.exists()));
@@ -66,7 +67,7 @@ fn print_result(args: &ExperimentArgs, kept: &Kept) -> Result<(), Failure> {
     let (runs, _) = kept.counts();
     let rows = kept.path();
     if args.json {
-        return print_json(&json!({ "name": sweep.name, "rows": rows, "runs": runs, "shard": part.to_string() }));
+        return print_json(&json!({ "name": sweep.name, "rows": rows.to_string_lossy(), "runs": runs, "shard": part.to_string() }));
     }
     let [name, path] = [escape(&sweep.name).into_owned(), quoted(&rows.to_string_lossy())];
     print(&format!("{name}, part {part}: {runs} of {} runs in {path}", sweep.len()))

@@ -3,7 +3,7 @@
 use std::{
     fs::{self, File, FileType, Metadata},
     io::{self, Read},
-    path::Path,
+    path::{Path, PathBuf},
 };
 
 use super::{Failure, text::quoted};
@@ -65,6 +65,45 @@ pub(super) fn check_folder(path: &Path) -> Result<(), Failure> {
         Some(Err(error)) => Err(Failure::write(path, error)),
         _ => Ok(()),
     }
+}
+
+/// The file that is read along with a scene's.
+fn partner(scene: &Path) -> Option<PathBuf> {
+    let ending = match scene.extension()?.to_str()? {
+        "scen" => "map",
+        "yaml" | "yml" => "pgm",
+        "tour" => "tsp",
+        _ => return None,
+    };
+    Some(scene.with_extension(ending))
+}
+
+/// Refuses files that are to be written later, if one of them is a folder, has none, is another one of them, or is a file that
+/// the scene is read from.
+pub(super) fn check_outputs(paths: &[&Path], scene: Option<&str>) -> Result<(), Failure> {
+    // A file that is not there yet is known by its folder's real path.
+    let real = |path: &Path| {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::canonicalize(path).ok().or_else(|| Some(fs::canonicalize(folder).ok()?.join(path.file_name()?)))
+    };
+    let sources = scene.map(PathBuf::from).into_iter().flat_map(|scene| [partner(&scene), Some(scene)]);
+    let sources: Vec<_> = sources.flatten().filter_map(|source| fs::canonicalize(source).ok()).collect();
+    for (k, path) in paths.iter().enumerate() {
+        check_folder(path)?;
+        let name = quoted(&path.to_string_lossy());
+        if path.is_dir() {
+            return Err(Failure::Refused(format!("{name} cannot be written: it is a folder")));
+        }
+        // Devices may be written to several times.
+        let Some(place) = real(path).filter(|place| place.is_file() || !place.exists()) else { continue };
+        if sources.contains(&place) {
+            return Err(Failure::Refused(format!("{name} is not written: the scene is read from it")));
+        }
+        if paths[..k].iter().any(|other| real(other).as_ref() == Some(&place)) {
+            return Err(Failure::Refused(format!("{name} is to be written twice; choose another name for one of the two")));
+        }
+    }
+    Ok(())
 }
 
 /// Writes a whole file.

@@ -13,8 +13,9 @@ pub(super) fn print(text: &str) -> Result<(), Failure> {
 
 /// Prints a value as JSON to standard output.
 pub(super) fn print_json(value: &impl Serialize) -> Result<(), Failure> {
-    // Everything that is printed is made of plain numbers and texts: this cannot fail. NaN becomes null.
-    print_raw(serde_json::to_string_pretty(value).unwrap_or_default().as_bytes())
+    // NaN becomes null.
+    let text = serde_json::to_string_pretty(value).map_err(|error| Failure::File("standard output".to_owned(), error.into()))?;
+    print_raw(text.as_bytes())
 }
 
 /// Prints what programs read, as it is, and ends the line.

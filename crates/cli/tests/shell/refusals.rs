@@ -164,7 +164,7 @@ fn control_characters_in_names_titles_and_notes_are_escaped() {
 fn what_cannot_be_combined_or_is_missing_is_said() {
     for (args, message) in [
         (&["exact"] as &[&str], "`--scene <FILE|NAME|LINK>` is missing"),
-        (&["experiment", "a.toml", "--jobs", "0"], "`--jobs <N>` is 0; it must be a whole number from 1; `forage experiment --help`"),
+        (&["experiment", "a.toml", "--jobs", "0"], "`--jobs <N>` is 0; it must be a whole number from 1 to 1024; `forage experiment --help`"),
         (&["experiment", "a.toml", "--merge", "b.csv", "--fresh"], "cannot be used with"),
         (&["generate", "maze", "--out"], "needs a value"),
         (&["convert", "maze", "--problem", "first", "a.map"], "`--problem <N>` is first; invalid digit"),

@@ -19,6 +19,9 @@ use super::{
     plan::{Part, Sweep},
 };
 
+/// No row is as long: whatever has a longer line is no file of rows.
+const LONGEST_LINE: u64 = 1 << 16;
+
 /// Where a row stands.
 #[derive(Debug, Clone, Copy)]
 struct Where {
@@ -86,7 +89,7 @@ impl<'a> Kept<'a> {
     fn begins_like_rows(&self, mut file: &File) -> Result<bool, Failure> {
         let mut line = Vec::new();
         file.rewind().map_err(at(self.path()))?;
-        BufReader::new(file.take(1 << 16)).read_until(b'\n', &mut line).map_err(at(self.path()))?;
+        BufReader::new(file.take(LONGEST_LINE)).read_until(b'\n', &mut line).map_err(at(self.path()))?;
         Ok(self.format.begins(&line))
     }
 
@@ -165,7 +168,7 @@ impl<'a> Kept<'a> {
         let (mut line, mut end, mut count, mut damaged) = (Vec::new(), 0_u64, 0, Vec::new());
         loop {
             line.clear();
-            let length = reader.read_until(b'\n', &mut line).map_err(at(&path))?;
+            let length = (&mut reader).take(LONGEST_LINE).read_until(b'\n', &mut line).map_err(at(&path))?;
             count += 1;
             // What was torn in the middle is ours if it begins like ours.
             let torn = !line.ends_with(b"\n");
@@ -178,6 +181,9 @@ impl<'a> Kept<'a> {
                     format!("its first line is not {}", String::from_utf8_lossy(&heading).trim_end())
                 };
                 return Err(other(problem, advice));
+            }
+            if length as u64 == LONGEST_LINE && torn {
+                return Err(other(format!("line {count} is longer than {LONGEST_LINE} bytes and so no row"), anew));
             }
             if torn {
                 break;

@@ -28,6 +28,7 @@ pub struct Summary {
     /// The sweep's name.
     pub name: String,
     /// Where the rows are.
+    #[serde(serialize_with = "crate::report::lossily")]
     pub rows: PathBuf,
     /// How many runs.
     pub runs: usize,

@@ -5,7 +5,7 @@ mod summary;
 use std::{
     fs::File,
     io::{self, Write},
-    path::Path,
+    path::{Path, PathBuf},
     process::ExitCode,
     sync::atomic::{AtomicBool, Ordering},
     time::Duration,
@@ -42,7 +42,7 @@ struct Report {
 pub(super) fn run(args: &RunArgs) -> super::Outcome {
     let task = load::task(args)?;
     let written = [&args.svg, &args.trace, &args.drive, &args.tour, &args.motion];
-    written.into_iter().flatten().try_for_each(|path| files::check_folder(path))?;
+    files::check_outputs(&written.into_iter().flatten().map(PathBuf::as_path).collect::<Vec<_>>(), args.scene.as_deref())?;
     let drive_overrides = load::drive(args, &task.setup.scene)?;
     let motion_overrides = load::motion(args, &task.setup.scene)?;
     let mut session = Session::with_keyframes(task.setup.clone(), 0).map_err(|error| load::in_setup(&task.setup, &error))?;
