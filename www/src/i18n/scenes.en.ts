@@ -63,6 +63,8 @@ export const scenes = {
     cancel: 'Cancel',
   },
   imported: {
+    files: (message: string) => `Nothing was opened: ${message}`,
+    unreadable: (names: string) => `These files could not be read: ${names}.`,
     title: 'What was read',
     read: (names: string) => `Read ${names}`,
     problem: (last: string) => `Problem, 0 to ${last}`,

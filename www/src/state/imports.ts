@@ -1,5 +1,5 @@
 import type { NamedFile, Problem } from 'forage-lab'
-import { en } from '../i18n/en'
+import { scenes } from '../i18n/scenes.en'
 import { lab } from './lab.svelte'
 
 /** Files that a scene was read from, and what there is to say about it. */
@@ -16,13 +16,13 @@ async function read(file: File): Promise<NamedFile> {
 }
 
 async function take(files: NamedFile[], problem?: number): Promise<void> {
-  const answer = await lab.askForScene(() => lab.api.importScene(files, problem))
+  const answer = await lab.askForScene(async () => lab.api.importScene(files, problem))
   if (!answer) return
   if (!answer.ok) {
     const { message } = answer.refusal
     const names = files.map(({ name }) => name)
     // What is wrong within a scene is told by its fields.
-    lab.notice = en.notices.files(names.some((name) => message.includes(name)) ? message : `${names.join(', ')}: ${message}`)
+    lab.notice = scenes.imported.files(names.some((name) => message.includes(name)) ? message : `${names.join(', ')}: ${message}`)
     return
   }
   const { scene, notes, problems } = answer.value
@@ -36,7 +36,7 @@ export async function importFiles(files: readonly File[]): Promise<void> {
     named = await Promise.all(files.map(read))
   } catch {
     // A folder, or a file that has gone meanwhile.
-    lab.notice = en.notices.unreadable(files.map(({ name }) => name).join(', '))
+    lab.notice = scenes.imported.unreadable(files.map(({ name }) => name).join(', '))
     return
   }
   await take(named)
