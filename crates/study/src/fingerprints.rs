@@ -229,7 +229,7 @@ fn sample_list(
     failed.into_iter().collect::<Result<(), Failure>>()?;
     let compared = compared.into_inner();
     if control.stop.load(Ordering::Relaxed) {
-        return Err(Failure::Interrupted { done: compared, total: list.jobs.count(), rows: list.file.into() });
+        return Err(Failure::Interrupted { done: compared, total: list.jobs.count(), rows: None });
     }
     let mut different = different.into_inner().unwrap_or_else(PoisonError::into_inner);
     different.sort_unstable();

@@ -27,6 +27,7 @@ pub mod runner;
 pub mod search;
 pub mod sweep;
 pub mod table;
+pub mod text;
 mod tours;
 mod tuned;
 pub mod wcpso;
@@ -121,8 +122,8 @@ pub enum Failure {
         done: usize,
         /// All jobs.
         total: usize,
-        /// Where they are kept.
-        rows: PathBuf,
+        /// Where they are kept; `None`: nowhere, they were only compared.
+        rows: Option<PathBuf>,
     },
 }
 
@@ -137,9 +138,11 @@ impl fmt::Display for Failure {
         match self {
             Self::Refused(error) => error.fmt(f),
             Self::File(path, error) => write!(f, "{}: {error}", path.display()),
-            Self::Interrupted { done, total, rows } => {
-                write!(f, "interrupted; {done} of {total} rows are kept in {}, the same command goes on from there", rows.display())
+            Self::Interrupted { done, total, rows: Some(rows) } => {
+                let rows = text::file_name(rows);
+                write!(f, "interrupted; {done} of {total} rows are kept in {rows}, the same command goes on from there")
             }
+            Self::Interrupted { done, total, rows: None } => write!(f, "interrupted; {done} of {total} rows were compared"),
         }
     }
 }

@@ -8,7 +8,7 @@ use std::{
 
 use serde::{Serialize, Serializer};
 
-use super::{Failure, Options, Reproduction, at, beside::Beside, document, table::Table};
+use super::{Failure, Options, Reproduction, at, beside::Beside, document, table::Table, text::file_name};
 
 /// Whether something that was published is found here too.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -96,8 +96,9 @@ impl Report {
         }
         self.tables.iter().for_each(|table| text += &(table.text() + "\n"));
         self.verdicts.iter().for_each(|verdict| text += &(line(verdict) + "\n"));
-        let files = self.files.iter().map(|path| path.display().to_string());
-        for (title, items) in [("Notes", self.notes.clone()), ("To repeat a run", self.commands.clone()), ("Written", files.collect())] {
+        let files: Vec<_> = self.files.iter().map(|path| file_name(path)).collect();
+        let sections = [("Notes", &self.notes), ("To repeat a run", &self.commands), ("Written", &files)];
+        for (title, items) in sections.into_iter().filter(|(_, items)| !items.is_empty()) {
             let _ = writeln!(text, "\n{title}");
             items.iter().for_each(|item| text.extend(["  ", item, "\n"]));
         }
@@ -110,7 +111,9 @@ impl Report {
         self.verdicts.iter().for_each(|verdict| text.extend(["- ", &line(verdict), "\n"]));
         text += "\n";
         self.notes.iter().for_each(|note| text.extend(["- ", note, "\n"]));
-        text += "\nTo repeat a run:\n\n";
+        if !self.commands.is_empty() {
+            text += "\nTo repeat a run:\n\n";
+        }
         self.commands.iter().for_each(|command| text.extend(["    ", command, "\n"]));
         text
     }

@@ -114,7 +114,7 @@ pub(super) struct ExperimentArgs {
     #[arg(long, exclusive = true)]
     pub(super) example: bool,
     /// How many threads to use; default: all cores. The rows do not depend on it.
-    #[arg(long, value_name = "N", value_parser = threads)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = threads)]
     pub(super) jobs: Option<NonZeroUsize>,
     /// Run only part I of N, into a file of its own with .I-of-N before its ending.
     #[arg(long, value_name = "I/N", conflicts_with = "merge")]
@@ -145,8 +145,8 @@ pub(super) struct ConvertArgs {
     #[arg(required = true, value_name = "IN... OUT", value_hint = ValueHint::FilePath)]
     pub(super) paths: Vec<String>,
     /// Which problem of a .scen file to use, counted from 0; default: the last one.
-    #[arg(long, value_name = "N")]
-    pub(super) problem: Option<usize>,
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |text: &str| whole(text, 0, 10_000_000))]
+    pub(super) problem: Option<u64>,
 }
 
 #[derive(Args)]
@@ -174,10 +174,10 @@ pub(super) struct ReproduceArgs {
     #[arg(long, value_name = "DIR", default_value = "reproduce", value_hint = ValueHint::DirPath)]
     pub(super) out: PathBuf,
     /// How many threads to use; default: all cores. The rows do not depend on it.
-    #[arg(long, value_name = "N", value_parser = threads)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = threads)]
     pub(super) jobs: Option<NonZeroUsize>,
     /// Runs per cell of a table; default: as many as published. Fewer are quicker.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |text: &str| whole(text, 2, 1_000_000))]
     pub(super) runs: Option<u64>,
     /// Delete existing rows and start again.
     #[arg(long)]
@@ -193,7 +193,7 @@ pub(super) struct ReproduceArgs {
     #[arg(long, value_name = "SEED", requires = "check", conflicts_with_all = ["runs", "fresh"])]
     pub(super) sample: Option<String>,
     /// How long the sample takes, in seconds.
-    #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 90, value_parser = |text: &str| whole(text, 1, 86_400))]
     pub(super) seconds: u64,
 }
 
@@ -248,6 +248,12 @@ pub(super) struct RunArgs {
 
 /// The most threads that `--jobs` takes.
 const MOST_THREADS: usize = 1024;
+
+/// A whole number within these limits.
+fn whole(text: &str, least: u64, most: u64) -> Result<u64, String> {
+    let number = text.parse().ok().filter(|number| (least..=most).contains(number));
+    number.ok_or_else(|| format!("it must be a whole number from {least} to {most}"))
+}
 
 fn threads(text: &str) -> Result<NonZeroUsize, String> {
     let threads: Option<NonZeroUsize> = text.parse().ok().filter(|threads: &NonZeroUsize| threads.get() <= MOST_THREADS);

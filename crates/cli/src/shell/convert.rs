@@ -32,7 +32,7 @@ pub(super) fn convert(args: &ConvertArgs) -> super::Outcome {
         return write(&*load::scene(one)?, format, to, from);
     }
     let mut files = from.iter().map(|path| load::read(path)).collect::<Result<_, _>>()?;
-    let scene = load::import(&mut files, args.problem)?;
+    let scene = load::import(&mut files, args.problem.map(|problem| problem as usize))?;
     let read: Vec<_> = files.into_iter().map(|file| file.name).collect();
     write(&scene, format, to, &read)
 }

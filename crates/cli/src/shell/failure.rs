@@ -138,6 +138,10 @@ fn refused(field: &str, value: &str, allowed: &str) -> String {
             format!("{field} is not a known field; leave it out, or use one of {}", cut_list(&known, 110))
         }
         ("nothing", _) => format!("{field} is missing; it must be {}", allowed_text(allowed)),
+        _ if allowed.starts_with("nothing: ") => {
+            format!("{field} is {}; {}", shorten(value, 60), allowed_text(&allowed["nothing: ".len()..]))
+        }
+        ("", _) => format!("{field} is empty; it must be {}", allowed_text(allowed)),
         _ => format!("{field} is {}; it must be {}", shorten(value, 60), allowed_text(allowed)),
     }
 }

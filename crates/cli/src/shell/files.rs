@@ -106,6 +106,14 @@ pub(super) fn check_outputs(paths: &[&Path], scene: Option<&str>) -> Result<(), 
     Ok(())
 }
 
+/// Refuses a folder that is to be written to later, if there is something else of that name.
+pub(super) fn check_is_folder(path: &Path) -> Result<(), Failure> {
+    if path.is_dir() || !path.exists() {
+        return Ok(());
+    }
+    Err(Failure::Refused(format!("{} is no folder", quoted(&path.to_string_lossy()))))
+}
+
 /// Writes a whole file.
 pub(super) fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), Failure> {
     fs::write(path, bytes).map_err(|error| Failure::write(path, error))

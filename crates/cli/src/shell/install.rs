@@ -30,6 +30,7 @@ pub(super) fn man(folder: Option<&Path>) -> Outcome {
         print_raw(page(command)?.trim_ascii_end())?;
         return Ok(ExitCode::SUCCESS);
     };
+    files::check_is_folder(folder)?;
     fs::create_dir_all(folder).map_err(|error| Failure::write(folder, error))?;
     let subcommands: Vec<_> = command.get_subcommands().filter(|command| !command.is_hide_set()).cloned().collect();
     let count = subcommands.len() + 1;
@@ -45,7 +46,8 @@ pub(super) fn man(folder: Option<&Path>) -> Outcome {
 fn page(command: Command) -> Result<Vec<u8>, Failure> {
     let examples = command.get_after_help().map_or(String::new(), ToString::to_string);
     let mut page = Vec::new();
-    let rendered = clap_mangen::Man::new(command.after_help(Resettable::Reset)).render(&mut page);
+    let source = format!("forage {}", env!("CARGO_PKG_VERSION"));
+    let rendered = clap_mangen::Man::new(command.after_help(Resettable::Reset)).source(source).render(&mut page);
     rendered.map_err(|error| Failure::File("manual page".to_owned(), error))?;
     page.extend(b".SH EXAMPLES\n.nf\n");
     for line in examples.lines() {

@@ -14,8 +14,8 @@ pub(super) fn print(text: &str) -> Result<(), Failure> {
 /// Prints a value as JSON to standard output.
 pub(super) fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     // NaN becomes null.
-    let text = serde_json::to_string_pretty(value).map_err(|error| Failure::File("standard output".to_owned(), error.into()))?;
-    print_raw(text.as_bytes())
+    let json = serde_json::to_string_pretty(value).map_err(|error| Failure::File("standard output".to_owned(), error.into()))?;
+    print_raw(text::escape_json(&json).as_bytes())
 }
 
 /// Prints what programs read, as it is, and ends the line.

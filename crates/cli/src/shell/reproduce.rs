@@ -66,6 +66,7 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
 
 /// Refuses, before anything is run, files that are read later and are missing, too large or no regular files.
 fn check_files(args: &ReproduceArgs) -> Result<(), Failure> {
+    files::check_is_folder(&args.out)?;
     for file in fs::read_dir(&args.out).into_iter().flatten().flatten() {
         if file.path().extension().is_some_and(|ending| ending == "csv") {
             files::check(&file.path(), None)?;

@@ -1,40 +1,30 @@
 //! Text for people: escaped control characters, shortened values, rounded numbers, wrapped lines.
 
-use std::{borrow::Cow, fmt::Write};
+use std::fmt::Write;
 
-pub(super) use forage_study::table::significant;
-
-/// Makes control characters and characters that change the reading direction visible: ESC becomes `\u{1b}`, a line break `\n`.
-///
-/// Everything that comes from outside (names, titles, notes, file names, values) goes through this before it is printed.
-pub(super) fn escape(text: &str) -> Cow<'_, str> {
-    if !text.chars().any(is_unsafe) {
-        return Cow::Borrowed(text);
-    }
-    let mut safe = String::with_capacity(text.len() + 16);
-    for character in text.chars() {
-        match character {
-            '\n' => safe.push_str("\\n"),
-            '\r' => safe.push_str("\\r"),
-            '\t' => safe.push_str("\\t"),
-            other if is_unsafe(other) => {
-                // Writing to a string cannot fail.
-                let _ = write!(safe, "\\u{{{:x}}}", u32::from(other));
-            }
-            other => safe.push(other),
-        }
-    }
-    Cow::Owned(safe)
-}
+pub(super) use forage_study::{
+    table::significant,
+    text::{escape, is_unsafe},
+};
 
 /// Escapes each line of a text that is meant to have several.
 pub(super) fn escape_lines(text: &str) -> String {
     text.split('\n').map(escape).collect::<Vec<_>>().join("\n")
 }
 
-/// Control characters, separators of lines and paragraphs, and marks that change the reading direction.
-fn is_unsafe(character: char) -> bool {
-    character.is_control() || matches!(character, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+/// Escapes JSON so that a terminal shows it as it is: what [`escape`] would escape becomes `\uXXXX`, which programs read as before.
+pub(super) fn escape_json(json: &str) -> String {
+    let mut safe = String::with_capacity(json.len());
+    for character in json.chars() {
+        // Control characters up to U+001F are escaped already; outside of strings there are only line breaks.
+        if character > '~' && is_unsafe(character) {
+            // Writing to a string cannot fail.
+            let _ = write!(safe, "\\u{:04x}", u32::from(character));
+        } else {
+            safe.push(character);
+        }
+    }
+    safe
 }
 
 /// Escapes a text and shortens it in the middle to at most `most` characters.
@@ -133,6 +123,8 @@ pub(super) fn fit(text: &str, columns: usize) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::borrow::Cow;
+
     use super::*;
 
     #[test]

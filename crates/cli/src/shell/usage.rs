@@ -44,7 +44,7 @@ fn message(error: &Error) -> String {
 fn problem(error: &Error) -> String {
     let text = |kind| texts(error, kind).first().map_or(String::new(), |text| shorten(text, 70));
     let arg = text(ContextKind::InvalidArg);
-    let arg = arg.strip_prefix('<').map_or(arg.as_str(), |name| name.trim_end_matches('>'));
+    let arg = plain(&arg);
     let value = text(ContextKind::InvalidValue);
     match error.kind() {
         ErrorKind::InvalidSubcommand => format!("`{}` is not a command", text(ContextKind::InvalidSubcommand)),
@@ -52,14 +52,18 @@ fn problem(error: &Error) -> String {
         ErrorKind::UnknownArgument if arg.starts_with('-') => format!("`{arg}` is not an option"),
         ErrorKind::UnknownArgument => format!("`{arg}` is one argument too many"),
         ErrorKind::MissingRequiredArgument => format!("{} is missing", list(&texts(error, ContextKind::InvalidArg))),
-        ErrorKind::ArgumentConflict => format!("`{arg}` cannot be used with {}", list(&texts(error, ContextKind::PriorArg))),
+        ErrorKind::ArgumentConflict => match texts(error, ContextKind::PriorArg) {
+            others if others.is_empty() => format!("`{arg}` stands alone: nothing can be used with it"),
+            others if others.iter().all(|other| plain(other) == arg) => format!("`{arg}` is given twice"),
+            others => format!("`{arg}` cannot be used with {}", list(&others)),
+        },
         ErrorKind::InvalidValue if value.is_empty() => format!("`{arg}` needs a value"),
         ErrorKind::InvalidValue => {
             format!("`{arg}` is {value}; it must be one of {}", texts(error, ContextKind::ValidValue).join(", "))
         }
         ErrorKind::ValueValidation => {
             let why = std::error::Error::source(error).map_or(String::new(), ToString::to_string);
-            format!("`{arg}` is {value}; {}", shorten(&why, 100))
+            format!("`{arg}` is {}; {}", if value.is_empty() { "empty" } else { &value }, shorten(&why, 100))
         }
         ErrorKind::TooManyValues => format!("`{arg}` has a value too many: {}", quoted(&value)),
         ErrorKind::InvalidUtf8 => "an argument is not valid UTF-8".to_owned(),
@@ -68,8 +72,16 @@ fn problem(error: &Error) -> String {
 }
 
 fn list(names: &[String]) -> String {
-    let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
+    let names: Vec<String> = names.iter().map(|name| quoted(plain(name))).collect();
     names.join(", ")
+}
+
+/// An argument's name without what its value is called: `--scene` of `--scene <FILE>`, `IN... OUT` of `<IN... OUT>...`.
+fn plain(name: &str) -> &str {
+    if name.starts_with('-') {
+        return name.split([' ', '=']).next().unwrap_or(name);
+    }
+    name.strip_suffix("...").filter(|name| name.ends_with(['>', ']'])).unwrap_or(name).trim_matches(['<', '>', '[', ']'])
 }
 
 fn texts(error: &Error, kind: ContextKind) -> Vec<String> {

@@ -88,6 +88,15 @@ fn names_that_are_not_utf8_are_told() {
     let bad = |name: &[u8]| OsStr::from_bytes(name).to_owned();
     let toml = "scenes = [\"sphere\"]\nseeds = [1, 2]\niterations = 5\n[[planner]]\nname = \"pso\"\n";
     fs::write(folder.join(bad(b"a\xff.toml")), toml).unwrap();
+    // Nor does one that breaks a line or moves the cursor.
+    let output =
+        command(&["experiment"]).arg(bad(b"a\xff.toml")).args(["--out", "x\nforage: FAKE\n.csv"]).current_dir(&folder).output().unwrap();
+    assert!(text(&output.stdout).contains(r"x\nforage: FAKE\n.csv"), "{}", text(&output.stdout));
+    let output =
+        command(&["experiment", "--json"]).arg(bad(b"a\xff.toml")).args(["--out", "x\u{9b}31m.csv"]).current_dir(&folder).output().unwrap();
+    assert!(text(&output.stdout).contains(r"x\u009b31m.csv"), "{}", text(&output.stdout));
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(told["rows"], "x\u{9b}31m.csv");
     for shard in [&["--shard", "1/2"] as &[&str], &[]] {
         let output = command(&["experiment", "--json"]).arg(bad(b"a\xff.toml")).args(shard).current_dir(&folder).output().unwrap();
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));

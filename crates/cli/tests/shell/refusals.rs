@@ -163,11 +163,21 @@ fn control_characters_in_names_titles_and_notes_are_escaped() {
 #[test]
 fn what_cannot_be_combined_or_is_missing_is_said() {
     for (args, message) in [
-        (&["exact"] as &[&str], "`--scene <FILE|NAME|LINK>` is missing"),
-        (&["experiment", "a.toml", "--jobs", "0"], "`--jobs <N>` is 0; it must be a whole number from 1 to 1024; `forage experiment --help`"),
+        (&["exact"] as &[&str], "`--scene` is missing"),
+        (&["experiment"], "`FILE.toml` is missing"),
+        (&["convert"], "`IN... OUT` is missing"),
+        (&["experiment", "--example", "a.toml"], "`--example` stands alone"),
+        (&["run", "pso", "--scene", "sphere", "--scene", "ackley"], "`--scene` is given twice"),
+        (&["reproduce", "--runs", "x"], "`--runs` is x; it must be a whole number from 2 to 1000000"),
+        (&["reproduce", "--runs", "-1"], "`--runs` is -1; it must be"),
+        (&["reproduce", "--runs", ""], "`--runs` is empty; it must be"),
+        (&["reproduce", "--check", ".", "--sample", "a", "--seconds", "0"], "`--seconds` is 0; it must be a whole number from 1 to 86400"),
+        (&["run", "pso", "--scene", "sphere", "--set", "w="], "`w` is empty; it must be"),
+        (&["run", "pso", "--scene", "sphere", "--preset", "x"], "`preset` is x; pso has no presets"),
+        (&["experiment", "a.toml", "--jobs", "0"], "`--jobs` is 0; it must be a whole number from 1 to 1024; `forage experiment --help`"),
         (&["experiment", "a.toml", "--merge", "b.csv", "--fresh"], "cannot be used with"),
         (&["generate", "maze", "--out"], "needs a value"),
-        (&["convert", "maze", "--problem", "first", "a.map"], "`--problem <N>` is first; invalid digit"),
+        (&["convert", "maze", "--problem", "first", "a.map"], "`--problem` is first; it must be a whole number from 0"),
         (&["exact", "--scene", "sphere", "more"], "`more` is one argument too many"),
     ] {
         let output = forage(args);

@@ -297,7 +297,7 @@ impl<'a> Kept<'a> {
     /// That it was stopped before all were there; `None` if all are.
     pub(super) fn unfinished(&self) -> Option<Failure> {
         let (done, total) = self.counts();
-        (done < total).then(|| Failure::Interrupted { done, total, rows: self.path().to_owned() })
+        (done < total).then(|| Failure::Interrupted { done, total, rows: Some(self.path().to_owned()) })
     }
 
     /// Refuses a row that the run does not give now.

@@ -11,7 +11,10 @@ use forage::{
 };
 
 use super::{
-    super::table::{Cell, Table, significant},
+    super::{
+        table::{Cell, Table, significant},
+        text::{escape, file_name},
+    },
     kept::Kept,
     line::{Optimum, Told},
     plan::{Pairs, value_text},
@@ -136,7 +139,7 @@ impl Summary {
     }
 
     fn heading(&self) -> String {
-        format!("{}: {} runs in {}", self.name, self.runs, self.rows.display())
+        format!("{}: {} runs in {}", escape(&self.name), self.runs, file_name(&self.rows))
     }
 
     /// For a terminal.
