@@ -247,7 +247,10 @@ const BLOCKS = {
   families() {
     return table(
       ['family', 'planners'],
-      byFamily(catalogue().planners).map(([name, group]) => [family(name)[0], group.map((p) => `[${code(p.name)}](docs/reference.md#${p.name})`).join(' ')]),
+      byFamily(catalogue().planners).map(([name, group]) => [
+        family(name)[0],
+        group.map((p) => `[${code(p.name)}](docs/reference.md#${p.name})`).join(' '),
+      ]),
     )
   },
   /** Planners by family with title, summary and source. */
