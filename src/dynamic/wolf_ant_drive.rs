@@ -131,7 +131,7 @@ pub const ENTRY: Entry = Entry {
     title: "Ant colony, driving among moving obstacles",
     family: "dynamic",
     source: "[WOLF-ANT] §5.3",
-    summary: "A colony plans, then a robot drives in simulated time: where it foresees a collision it follows the pheromone round the obstacle’s predicted range to a local goal, plans anew, or waits.",
+    summary: "A colony plans, then a robot drives in simulated time: where it foresees a collision it follows the pheromone round the obstacle’s predicted range to a local goal, replans, or waits.",
     kinds: KINDS,
     parameters: &[COLONY, ITERATIONS, ANTS, BORDER, ROBOT, ROBOT_RADIUS, MARGIN, SPEED, TURN_TIME, SENSOR, LOOK_AHEAD, PERIOD, TIME_LIMIT],
     readings: READINGS,

@@ -55,21 +55,24 @@ impl<R: Row> Rows<R> {
             return Err(Error::refused("out", path.display(), "a folder that no other `forage` is writing to").into());
         }
         let size = file.metadata().map_err(at(path))?.len();
-        if size > LARGEST {
-            let mib = |bytes: u64| bytes >> 20;
-            let problem = format!("it has {} MiB; a file of rows may have at most {} MiB", mib(size), mib(LARGEST));
-            return Err(Error::malformed(&path.display().to_string(), problem).into());
-        }
         let mut bytes = Vec::new();
-        file.read_to_end(&mut bytes).map_err(at(path))?;
-        let whole = if fresh { 0 } else { bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1) };
-        if whole < bytes.len() {
+        if !fresh {
+            if size > LARGEST {
+                let mib = |bytes: u64| bytes >> 20;
+                let problem =
+                    format!("it has {} MiB; a file of rows may have at most {} MiB; --fresh starts over", mib(size), mib(LARGEST));
+                return Err(Error::malformed(&path.display().to_string(), problem).into());
+            }
+            file.read_to_end(&mut bytes).map_err(at(path))?;
+        }
+        let whole = bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1);
+        if (whole as u64) < size {
             file.set_len(whole as u64).map_err(at(path))?;
         }
         let kept = csv::Reader::from_reader(&bytes[..whole])
             .deserialize()
             .collect::<Result<Vec<R>, _>>()
-            .map_err(|problem| Error::malformed(&path.display().to_string(), format!("{problem}; --fresh begins anew")))?;
+            .map_err(|problem| Error::malformed(&path.display().to_string(), format!("{problem}; --fresh starts over")))?;
         Ok(Self { path: path.to_owned(), file, headed: whole > 0, kept })
     }
 

@@ -158,7 +158,7 @@ fn check<J: Job>(jobs: &[J], done: &[Option<J::Row>], file: &Path, stop: &Atomic
     let Some((job, row)) = kept.min_by_key(|(job, _)| job.weight()) else { return Ok(()) };
     match job.run(stop)? {
         Some(again) if row.computed() != again.computed() => {
-            let problem = format!("the row `{}` comes from another version of forage; --fresh begins anew", job.key());
+            let problem = format!("the row `{}` comes from another version of forage; --fresh starts over", job.key());
             Err(Error::malformed(&file.display().to_string(), problem).into())
         }
         _ => Ok(()),

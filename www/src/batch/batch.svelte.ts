@@ -84,7 +84,7 @@ class Batch {
   private telling: ReturnType<typeof setTimeout> | undefined
   private readonly clerk = new Clerk()
   private readonly looks = new TestLooks()
-  /** Resets of the entrants' parameters, by slot and name. */
+  /** Requests about the entrants' parameters, by slot and name. */
   private readonly requests = new Requests<string>()
   private asking = false
   private askAgain = false
@@ -161,7 +161,7 @@ class Batch {
     this.changed()
   }
 
-  /** A free slot. What is still asked of whoever had it before is of no use to the next. */
+  /** A free slot. Answers about the entrant that had it before no longer count. */
   private vacant(): number {
     const slot = freeSlot(this.entrants)
     this.requests.note(`${slot}`)

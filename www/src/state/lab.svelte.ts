@@ -10,7 +10,6 @@ import type {
   Scene,
   Setup,
   Status,
-  Suggestion,
   When,
 } from 'forage-lab'
 import { en } from '../i18n/en'
@@ -23,11 +22,11 @@ import { Course } from './course.svelte'
 import { Followers } from './followers.svelte'
 import type { Follower } from './following.svelte'
 import type { Again } from './scenes.svelte'
+import { Parameters } from './parameters.svelte'
 import { missing, stageAt } from './stages'
 import { suits } from './stops'
 import { Suggested } from './suggested.svelte'
 import { stillness } from './theme.svelte'
-import { Transport } from './transport.svelte'
 import { views } from './views.svelte'
 import { Visible } from './visible.svelte'
 
@@ -39,13 +38,12 @@ export type Phase = 'loading' | 'ready' | 'crashed'
 export type Yardstick = 'plain' | Outcome['exact_by']
 
 /** Everything the page knows. Components read it and call its methods; nothing else holds state of the run. */
-export class Lab extends Transport {
+export class Lab extends Parameters {
   phase = $state<Phase>('loading')
   crash = $state('')
   catalogue = $state.raw<Catalogue | null>(null)
 
   plannerName = $state(FIRST.planner)
-  params = $state.raw<Record<string, ParameterValue>>({})
   seed = $state(FIRST.seed)
 
   run = $state.raw<Run | null>(null)
@@ -65,7 +63,6 @@ export class Lab extends Transport {
   readonly visible = new Visible()
   readonly suggested = new Suggested()
   sceneError = $state.raw<Refusal | null>(null)
-  paramErrors = $state.raw<Record<string, string>>({})
   notice = $state('')
   /** A random map is being made. */
   making = $state(false)
@@ -211,7 +208,7 @@ export class Lab extends Transport {
     }
   }
 
-  private setup(scene: Scene, values: Record<string, ParameterValue>): Setup {
+  protected setup(scene: Scene, values: Record<string, ParameterValue>): Setup {
     const params = this.planner ? meaningful(this.planner, scene, values) : {}
     return { planner: this.plannerName, scene, params, seed: this.seed }
   }
@@ -406,55 +403,6 @@ export class Lab extends Transport {
         this.again('anew', request)
       },
     )
-  }
-
-  private replaceParameters(params: Record<string, ParameterValue>): void {
-    this.requests.note('parameters')
-    this.params = params
-  }
-
-  setParameter = async (name: string, value: ParameterValue | string): Promise<void> => {
-    const { scene } = this
-    if (!scene) return
-    const request = this.requests.note()
-    const setup = this.setup(scene, { ...this.params, [name]: value as ParameterValue })
-    await this.await(
-      // Whoever is asked for sizes checks the whole setup.
-      async () => this.client.api.suggest(setup),
-      (answer) => {
-        if (this.requests.replaced(request, `parameter ${name}`, 'parameters')) return
-        if (!answer.ok && answer.refusal.field === name) {
-          if (setup.planner === this.plannerName) this.paramErrors = { ...this.paramErrors, [name]: answer.refusal.message }
-          return
-        }
-        this.forgive(name)
-        this.params = { ...this.params, [name]: value as ParameterValue }
-        this.again('anew', request)
-      },
-    )
-  }
-
-  resetParameter = (name?: string): void => {
-    const { [name ?? '']: _dropped, ...rest } = this.params
-    this.requests.note(name === undefined ? 'parameters' : `parameter ${name}`)
-    this.params = name === undefined ? {} : rest
-    if (name === undefined) this.paramErrors = {}
-    else this.forgive(name)
-    this.again()
-  }
-
-  /** Both sizes at once, and one new run. */
-  useSuggestion = ({ population, iterations }: Suggestion): void => {
-    this.forgive('population')
-    this.forgive('iterations')
-    this.requests.note('parameter population', 'parameter iterations')
-    this.params = { ...this.params, population, iterations }
-    this.again()
-  }
-
-  private forgive(name: string): void {
-    const { [name]: _gone, ...rest } = this.paramErrors
-    this.paramErrors = rest
   }
 
   // The robot's drive, or the arm's motion, along the result

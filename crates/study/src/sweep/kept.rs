@@ -160,7 +160,7 @@ impl<'a> Kept<'a> {
             let advice = format!("it belongs to another experiment; --out writes elsewhere{advice}");
             Failure::from(Error::malformed(&path.display().to_string(), format!("{problem}: {advice}")))
         };
-        let anew = ", --fresh begins anew";
+        let fresh_advice = ", --fresh starts over";
         let mut reader = BufReader::with_capacity(1 << 16, file);
         reader.rewind().map_err(at(&path))?;
         let heading = self.format.heading(self.sweep).map_err(at(&path))?;
@@ -174,7 +174,7 @@ impl<'a> Kept<'a> {
             let torn = !line.ends_with(b"\n");
             let ours = end > 0 || line.starts_with(&beginning) || torn && beginning.starts_with(&line);
             if !ours {
-                let advice = if self.format.begins(&line) { anew } else { "" };
+                let advice = if self.format.begins(&line) { fresh_advice } else { "" };
                 let problem = if torn || heading.is_empty() {
                     "it does not begin like a file of rows".to_owned()
                 } else {
@@ -183,7 +183,7 @@ impl<'a> Kept<'a> {
                 return Err(other(problem, advice));
             }
             if length as u64 == LONGEST_LINE && torn {
-                return Err(other(format!("line {count} is longer than {LONGEST_LINE} bytes and so no row"), anew));
+                return Err(other(format!("line {count} is longer than {LONGEST_LINE} bytes and so no row"), fresh_advice));
             }
             if torn {
                 break;
@@ -192,7 +192,7 @@ impl<'a> Kept<'a> {
                 match self.format.read(self.sweep, &line) {
                     Ok((job, told)) => {
                         let not_here = || format!("line {count}: the run of {} is not in part {}", self.sweep.describe(job), self.part);
-                        let slot = self.part.find(job).ok_or_else(|| other(not_here(), anew))?;
+                        let slot = self.part.find(job).ok_or_else(|| other(not_here(), fresh_advice))?;
                         if self.rows[slot].length == 0 {
                             self.hold(slot, Where { offset: end, length: length as u32, file: number as u32 }, told);
                         } else {
@@ -206,7 +206,7 @@ impl<'a> Kept<'a> {
                         }
                     }
                     Err(Wrong::Damaged(problem)) => damaged.push((count, problem)),
-                    Err(Wrong::Other(problem)) => return Err(other(format!("line {count}: {problem}"), anew)),
+                    Err(Wrong::Other(problem)) => return Err(other(format!("line {count}: {problem}"), fresh_advice)),
                 }
             }
             end += length as u64;
@@ -308,7 +308,7 @@ impl<'a> Kept<'a> {
             return Ok(());
         }
         let problem = format!(
-            "the run of {} now gives another row: another version of forage, another scene or another `within`; --fresh begins anew",
+            "the run of {} now gives another row: another version of forage, another scene or another `within`; --fresh starts over",
             self.sweep.describe(job)
         );
         Err(Error::malformed(&self.path().display().to_string(), problem).into())
