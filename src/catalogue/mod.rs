@@ -337,7 +337,7 @@ impl Entry {
     /// [`Error::Unknown`] with the names that exist; [`Error::Refused`] for a planner without presets.
     pub fn preset(&self, name: &str, kind: Kind) -> Result<Given, Error> {
         if self.presets.is_empty() {
-            return Err(Error::refused("preset", name, format!("nothing: {} has no presets", self.name)));
+            return Err(Error::refused("preset", name, format!("left out: {} has no presets", self.name)));
         }
         let preset = self.presets.iter().find(|preset| preset.name == name);
         let preset = preset.ok_or_else(|| Error::unknown("preset", name, self.presets.iter().map(|preset| preset.name)))?;

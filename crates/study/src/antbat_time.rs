@@ -21,6 +21,7 @@ use super::{
     Failure, Options, Reproduction, at,
     chart::{self, Curve},
     command,
+    escape::path_text,
     fit::{self, Fit},
     report::{Report, Verdict},
     rows::Row,
@@ -141,7 +142,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     draw(&mut report, &points, options)?;
     for scenes in &scenes {
         let path = keep(&scenes[0], options)?;
-        report.commands.push(command(&setup(&scenes[0], PLANNERS[0], 1)).replace(scenes[0].name(), &path.display().to_string()));
+        report.commands.push(command(&setup(&scenes[0], PLANNERS[0], 1)).replace(scenes[0].name(), &path_text(&path)));
         report.files.push(path);
     }
     report.write(options)?;

@@ -10,6 +10,7 @@ use std::{
 use super::{
     Failure, Options, at,
     beside::{Beside, Judgement, RULE},
+    escape::path_text,
     fingerprints::{self, Fingerprints},
     report::{Report, line},
     table::{Cell, Table, digits, significant},
@@ -220,9 +221,9 @@ pub fn differences(reports: &[Report], rows: &Fingerprints, folder: &Path) -> Re
         let then = fs::read_to_string(&kept).map_err(at(&kept))?;
         let mut lines = now.lines().zip(then.lines()).enumerate();
         if let Some((k, (now, then))) = lines.find(|(_, (now, then))| now != then) {
-            different.push(format!("{} differs in line {}:\n  now   {now}\n  there {then}", kept.display(), k + 1));
+            different.push(format!("{} differs in line {}:\n  now   {now}\n  there {then}", path_text(&kept), k + 1));
         } else if now != then {
-            different.push(format!("{} has {} lines instead of {}", kept.display(), then.lines().count(), now.lines().count()));
+            different.push(format!("{} has {} lines instead of {}", path_text(&kept), then.lines().count(), now.lines().count()));
         }
     }
     Ok(different)

@@ -162,7 +162,7 @@ pub struct Sampled {
 /// with the stored fingerprints. Each file of rows gets the same share of the time, and at least one job.
 ///
 /// # Errors
-/// [`Failure::Interrupted`]; whatever a job refuses; fingerprints for another number of jobs.
+/// [`Failure::ComparisonInterrupted`]; whatever a job refuses; fingerprints for another number of jobs.
 pub fn sample(
     reproductions: &[Reproduction],
     options: &Options,
@@ -185,7 +185,11 @@ pub fn sample(
                 format!("{} has {} fingerprints for {} rows; `forage reproduce` writes it", list.file, expected.len(), list.jobs.count());
             return Err(Error::malformed(FILE, problem).into());
         }
-        let (compared, different) = sample_list(list, &expected, seed, share, &pool, control)?;
+        let before: usize = sampled.compared.values().sum();
+        let (compared, different) = sample_list(list, &expected, seed, share, &pool, control).map_err(|failure| match failure {
+            Failure::ComparisonInterrupted(compared) => Failure::ComparisonInterrupted(before + compared),
+            other => other,
+        })?;
         sampled.compared.insert(list.file, compared);
         sampled.differences.extend(different.into_iter().map(|job| Difference { file: list.file, key: list.jobs.key(job) }));
         (control.progress)(k as u64 + 1, lists.len() as u64);
@@ -229,7 +233,7 @@ fn sample_list(
     failed.into_iter().collect::<Result<(), Failure>>()?;
     let compared = compared.into_inner();
     if control.stop.load(Ordering::Relaxed) {
-        return Err(Failure::Interrupted { done: compared, total: list.jobs.count(), rows: None });
+        return Err(Failure::ComparisonInterrupted(compared));
     }
     let mut different = different.into_inner().unwrap_or_else(PoisonError::into_inner);
     different.sort_unstable();
@@ -308,6 +312,10 @@ mod tests {
         let changed = sample(2, 60);
         assert_eq!(changed.differences, [Difference { file: FILE, key: "7".to_owned() }]);
         assert_eq!(sample(1, 0).compared[FILE], 1, "at least one row, whatever the time");
+
+        let stopped = Control { stop: &AtomicBool::new(true), progress: &|_, _| {} };
+        let failure = super::sample(&[ROOTS], &options(1), &stored, "seed", Duration::ZERO, &stopped).unwrap_err();
+        assert_eq!(failure.to_string(), "interrupted after 0 rows were compared; nothing is kept");
 
         let none = super::sample(&[ROOTS], &options(1), &Fingerprints::default(), "seed", Duration::ZERO, &control);
         assert!(none.unwrap_err().to_string().contains("roots.csv has 0 fingerprints for 40 rows"));

@@ -15,6 +15,7 @@ pub mod beside;
 pub mod chart;
 mod colonies;
 pub mod document;
+pub mod escape;
 pub mod figure;
 pub mod fingerprints;
 pub mod fit;
@@ -27,7 +28,6 @@ pub mod runner;
 pub mod search;
 pub mod sweep;
 pub mod table;
-pub mod text;
 mod tours;
 mod tuned;
 pub mod wcpso;
@@ -41,6 +41,7 @@ use std::{
 
 use forage::{Setup, error::Error, statistics};
 
+use escape::path_text;
 use fingerprints::JobList;
 use report::Report;
 use runner::Control;
@@ -122,9 +123,11 @@ pub enum Failure {
         done: usize,
         /// All jobs.
         total: usize,
-        /// Where they are kept; `None`: nowhere, they were only compared.
-        rows: Option<PathBuf>,
+        /// Where they are kept.
+        rows: PathBuf,
     },
+    /// Somebody asked it to stop, and nothing is kept: so many rows were compared.
+    ComparisonInterrupted(usize),
 }
 
 impl From<Error> for Failure {
@@ -137,12 +140,11 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Refused(error) => error.fmt(f),
-            Self::File(path, error) => write!(f, "{}: {error}", path.display()),
-            Self::Interrupted { done, total, rows: Some(rows) } => {
-                let rows = text::file_name(rows);
-                write!(f, "interrupted; {done} of {total} rows are kept in {rows}, the same command goes on from there")
+            Self::File(path, error) => write!(f, "{}: {error}", path_text(path)),
+            Self::ComparisonInterrupted(rows) => write!(f, "interrupted after {rows} rows were compared; nothing is kept"),
+            Self::Interrupted { done, total, rows } => {
+                write!(f, "interrupted; {done} of {total} rows are kept in {}, the same command goes on from there", path_text(rows))
             }
-            Self::Interrupted { done, total, rows: None } => write!(f, "interrupted; {done} of {total} rows were compared"),
         }
     }
 }

@@ -1,14 +1,16 @@
 //! What a reproduction has to say: tables, verdicts, what was chosen where the paper is silent, and how to repeat it.
 
-use std::{
-    fmt::Write,
-    fs,
-    path::{Path, PathBuf},
+use std::{fmt::Write, fs, path::PathBuf};
+
+use serde::Serialize;
+
+use super::{
+    Failure, Options, Reproduction, at,
+    beside::Beside,
+    document,
+    escape::{path_text, serialize_paths},
+    table::Table,
 };
-
-use serde::{Serialize, Serializer};
-
-use super::{Failure, Options, Reproduction, at, beside::Beside, document, table::Table, text::file_name};
 
 /// Whether something that was published is found here too.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -45,17 +47,8 @@ pub struct Report {
     /// Command lines that repeat single runs.
     pub commands: Vec<String>,
     /// What was written.
-    #[serde(serialize_with = "all_lossily")]
+    #[serde(serialize_with = "serialize_paths")]
     pub files: Vec<PathBuf>,
-}
-
-/// JSON holds no file name that is not UTF-8: what cannot be told of it is replaced.
-pub(super) fn lossily<S: Serializer>(file: &Path, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(&file.to_string_lossy())
-}
-
-fn all_lossily<S: Serializer>(files: &[PathBuf], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(files.iter().map(|file| file.to_string_lossy()))
 }
 
 impl Report {
@@ -96,9 +89,11 @@ impl Report {
         }
         self.tables.iter().for_each(|table| text += &(table.text() + "\n"));
         self.verdicts.iter().for_each(|verdict| text += &(line(verdict) + "\n"));
-        let files: Vec<_> = self.files.iter().map(|path| file_name(path)).collect();
-        let sections = [("Notes", &self.notes), ("To repeat a run", &self.commands), ("Written", &files)];
-        for (title, items) in sections.into_iter().filter(|(_, items)| !items.is_empty()) {
+        let files = self.files.iter().map(|path| path_text(path));
+        for (title, items) in [("Notes", self.notes.clone()), ("To repeat a run", self.commands.clone()), ("Written", files.collect())] {
+            if items.is_empty() {
+                continue;
+            }
             let _ = writeln!(text, "\n{title}");
             items.iter().for_each(|item| text.extend(["  ", item, "\n"]));
         }
@@ -109,7 +104,9 @@ impl Report {
         let mut text = format!("## {}\n\n{}", self.heading(), document::figures(self));
         self.tables.iter().for_each(|table| text += &(table.markdown() + "\n"));
         self.verdicts.iter().for_each(|verdict| text.extend(["- ", &line(verdict), "\n"]));
-        text += "\n";
+        if !self.notes.is_empty() {
+            text += "\n";
+        }
         self.notes.iter().for_each(|note| text.extend(["- ", note, "\n"]));
         if !self.commands.is_empty() {
             text += "\nTo repeat a run:\n\n";

@@ -15,7 +15,7 @@ use forage::error::Error;
 
 use super::{Failure, at};
 
-/// The largest file of rows in bytes: all published experiments together have a thousandth of it.
+/// The largest file of rows: it is read as a whole.
 const LARGEST: u64 = 1 << 30;
 
 /// What a job finds out. Its fields become columns, in their order.
@@ -54,19 +54,19 @@ impl<R: Row> Rows<R> {
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(Error::refused("out", path.display(), "a folder that no other `forage` is writing to").into());
         }
-        let size = file.metadata().map_err(at(path))?.len();
-        let mut bytes = Vec::new();
-        if !fresh {
-            if size > LARGEST {
-                let mib = |bytes: u64| bytes >> 20;
-                let problem =
-                    format!("it has {} MiB; a file of rows may have at most {} MiB; --fresh starts over", mib(size), mib(LARGEST));
-                return Err(Error::malformed(&path.display().to_string(), problem).into());
-            }
-            file.read_to_end(&mut bytes).map_err(at(path))?;
+        if fresh {
+            file.set_len(0).map_err(at(path))?;
         }
+        let size = file.metadata().map_err(at(path))?.len();
+        if size > LARGEST {
+            let [found, most] = [size, LARGEST].map(|bytes| bytes as f64 / f64::from(1 << 30));
+            let problem = format!("it has {found:.1} GiB; a file of rows may have at most {most} GiB; --fresh starts over");
+            return Err(Error::malformed(&path.display().to_string(), problem).into());
+        }
+        let mut bytes = Vec::new();
+        Read::by_ref(&mut file).take(LARGEST).read_to_end(&mut bytes).map_err(at(path))?;
         let whole = bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |last| last + 1);
-        if (whole as u64) < size {
+        if whole < bytes.len() {
             file.set_len(whole as u64).map_err(at(path))?;
         }
         let kept = csv::Reader::from_reader(&bytes[..whole])

@@ -145,7 +145,7 @@ pub fn run<J: Job>(jobs: &[J], file: &Path, fresh: bool, threads: Option<usize>,
     })?;
     let ordered: Vec<J::Row> = done.into_iter().flatten().collect();
     if ordered.len() < jobs.len() {
-        return Err(Failure::Interrupted { done: ordered.len(), total: jobs.len(), rows: Some(file.to_owned()) });
+        return Err(Failure::Interrupted { done: ordered.len(), total: jobs.len(), rows: file.to_owned() });
     }
     rows.settle(ordered.iter().chain(&others))?;
     Ok(ordered)

@@ -8,7 +8,7 @@ use super::{examples, names, names::Offered};
 
 /// A laboratory for path planners: swarms, ants, bats and trees, with the same results as in the web page.
 #[derive(Parser)]
-#[command(name = "forage", version, propagate_version = true, after_help = examples::QUICK_START, disable_help_subcommand = true)]
+#[command(name = "forage", version, propagate_version = true, after_help = examples::QUICK_START)]
 pub(super) struct Cli {
     #[command(subcommand)]
     pub(super) command: Command,
@@ -114,7 +114,7 @@ pub(super) struct ExperimentArgs {
     #[arg(long, exclusive = true)]
     pub(super) example: bool,
     /// How many threads to use; default: all cores. The rows do not depend on it.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(super) jobs: Option<NonZeroUsize>,
     /// Run only part I of N, into a file of its own with .I-of-N before its ending.
     #[arg(long, value_name = "I/N", conflicts_with = "merge")]
@@ -145,8 +145,8 @@ pub(super) struct ConvertArgs {
     #[arg(required = true, value_name = "IN... OUT", value_hint = ValueHint::FilePath)]
     pub(super) paths: Vec<String>,
     /// Which problem of a .scen file to use, counted from 0; default: the last one.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |text: &str| whole(text, 0, 10_000_000))]
-    pub(super) problem: Option<u64>,
+    #[arg(long, value_name = "N", value_parser = problem, allow_negative_numbers = true)]
+    pub(super) problem: Option<usize>,
 }
 
 #[derive(Args)]
@@ -174,10 +174,10 @@ pub(super) struct ReproduceArgs {
     #[arg(long, value_name = "DIR", default_value = "reproduce", value_hint = ValueHint::DirPath)]
     pub(super) out: PathBuf,
     /// How many threads to use; default: all cores. The rows do not depend on it.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(super) jobs: Option<NonZeroUsize>,
     /// Runs per cell of a table; default: as many as published. Fewer are quicker.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = |text: &str| whole(text, 2, 1_000_000))]
+    #[arg(long, value_name = "N", value_parser = runs, allow_negative_numbers = true)]
     pub(super) runs: Option<u64>,
     /// Delete existing rows and start again.
     #[arg(long)]
@@ -193,7 +193,7 @@ pub(super) struct ReproduceArgs {
     #[arg(long, value_name = "SEED", requires = "check", conflicts_with_all = ["runs", "fresh"])]
     pub(super) sample: Option<String>,
     /// How long the sample takes, in seconds.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 90, value_parser = |text: &str| whole(text, 1, 86_400))]
+    #[arg(long, value_name = "N", default_value_t = 90, value_parser = seconds, allow_negative_numbers = true)]
     pub(super) seconds: u64,
 }
 
@@ -246,16 +246,25 @@ pub(super) struct RunArgs {
     pub(super) motion_set: Vec<String>,
 }
 
-/// The most threads that `--jobs` takes.
-const MOST_THREADS: usize = 1024;
-
-/// A whole number within these limits.
-fn whole(text: &str, least: u64, most: u64) -> Result<u64, String> {
-    let number = text.parse().ok().filter(|number| (least..=most).contains(number));
-    number.ok_or_else(|| format!("it must be a whole number from {least} to {most}"))
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let threads = whole_number(text, 1, 1024)?;
+    // It is at least 1.
+    Ok(usize::try_from(threads).ok().and_then(NonZeroUsize::new).unwrap_or(NonZeroUsize::MIN))
 }
 
-fn threads(text: &str) -> Result<NonZeroUsize, String> {
-    let threads: Option<NonZeroUsize> = text.parse().ok().filter(|threads: &NonZeroUsize| threads.get() <= MOST_THREADS);
-    threads.ok_or_else(|| format!("it must be a whole number from 1 to {MOST_THREADS}"))
+fn runs(text: &str) -> Result<u64, String> {
+    whole_number(text, 2, 1_000_000)
+}
+
+fn seconds(text: &str) -> Result<u64, String> {
+    whole_number(text, 1, 86_400)
+}
+
+fn problem(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| "it must be a whole number from 0".to_owned())
+}
+
+fn whole_number(text: &str, least: u64, most: u64) -> Result<u64, String> {
+    let number = text.parse().ok().filter(|number| (least..=most).contains(number));
+    number.ok_or_else(|| format!("it must be a whole number from {least} to {most}"))
 }

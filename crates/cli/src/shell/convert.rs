@@ -1,7 +1,6 @@
 //! `forage convert`, and writing a scene in the format that a file's name asks for.
 
 use std::{
-    fs,
     path::{Path, PathBuf},
     process::ExitCode,
 };
@@ -32,7 +31,7 @@ pub(super) fn convert(args: &ConvertArgs) -> super::Outcome {
         return write(&*load::scene(one)?, format, to, from);
     }
     let mut files = from.iter().map(|path| load::read(path)).collect::<Result<_, _>>()?;
-    let scene = load::import(&mut files, args.problem.map(|problem| problem as usize))?;
+    let scene = load::import(&mut files, args.problem)?;
     let read: Vec<_> = files.into_iter().map(|file| file.name).collect();
     write(&scene, format, to, &read)
 }
@@ -56,8 +55,7 @@ pub(super) fn write(scene: &Scene, format: Format, path: &str, read: &[String]) 
     let target = |file: &NamedFile| if is_asked_for(file) { path.to_owned() } else { path.with_file_name(&file.name) };
     let targets: Vec<PathBuf> = exported.files.iter().map(target).collect();
     for target in &targets {
-        // A file that does not exist yet cannot be one of those that were read.
-        if target.canonicalize().is_ok_and(|target| read.iter().any(|read| fs::canonicalize(read).is_ok_and(|read| read == target))) {
+        if read.iter().any(|read| files::is_same(target, Path::new(read))) {
             return Err(Error::refused("OUT", target.display(), "another file than those that are read").into());
         }
     }

@@ -2,10 +2,8 @@
 
 use std::{
     cell::RefCell,
-    fs,
     path::{Path, PathBuf},
     process::ExitCode,
-    slice,
     sync::Arc,
 };
 
@@ -35,10 +33,13 @@ pub(super) fn experiment(args: &ExperimentArgs) -> super::Outcome {
     let (read::Given { sweep, out }, sources) = read_file(file)?;
     let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
     let rows = args.out.clone().unwrap_or_else(|| default_out(file, out.as_deref(), part));
-    check_apart("out", &rows, &sources)?;
+    let mut others: Vec<(&str, &Path)> = sources.iter().map(|path| ("is read", path.as_path())).collect();
+    files::check_apart("out", &rows, &others)?;
     if let Some(report) = &args.report {
-        files::check_outputs(&[report], None)?;
-        check_apart("--report", report, &[&sources[..], slice::from_ref(&rows)].concat())?;
+        others.push(("holds the rows", &rows));
+        others.extend(args.merge.iter().map(|path| ("is read", path.as_path())));
+        files::check_apart("--report", report, &others)?;
+        check_report(report, &rows)?;
     }
     let existing = args.merge.iter().chain([&rows].into_iter().filter(|rows| rows.exists()));
     existing.into_iter().try_for_each(|rows| files::check(rows, None))?;
@@ -83,14 +84,10 @@ fn run_missing(sweep: &Sweep, kept: &mut Kept, args: &ExperimentArgs) -> Result<
     Ok(outcome?)
 }
 
-/// Refuses to write over a file that is read.
-fn check_apart(field: &str, path: &Path, sources: &[PathBuf]) -> Result<(), Failure> {
-    // Files that do not exist yet have no canonical path; the file of rows may be one of those.
-    let same = |source: &&PathBuf| *source == path || fs::canonicalize(source).is_ok_and(|real| fs::canonicalize(path).ok() == Some(real));
-    match sources.iter().find(same) {
-        Some(source) => Err(Error::refused(field, path.display(), format!("another file than {}", source.display())).into()),
-        None => Ok(()),
-    }
+/// Refuses, before anything is run, a report that cannot be written. The folder of the rows is made if it is missing.
+fn check_report(report: &Path, rows: &Path) -> Result<(), Failure> {
+    let is_made = matches!((rows.parent(), report.parent()), (Some(made), Some(folder)) if made.starts_with(folder));
+    if is_made { files::check_no_directory(report) } else { files::check_target(report) }
 }
 
 /// Reads the experiment's file; returns it with the files that were read.
@@ -102,20 +99,21 @@ fn read_file(path: &Path) -> Result<(read::Given, Vec<PathBuf>), Failure> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let sources = RefCell::new(vec![path.to_owned()]);
     let load = |text: &str| {
-        sources.borrow_mut().push(folder.join(text));
-        scene(folder, text)
+        let (scene, files) = scene(folder, text)?;
+        sources.borrow_mut().extend(files);
+        Ok(scene)
     };
     let given = read::read(&name, &stem, &text, &load)?;
     Ok((given, sources.into_inner()))
 }
 
 /// As with `forage run --scene`, but relative to the folder of the experiment's file.
-fn scene(folder: &Path, text: &str) -> Result<Arc<Scene>, forage_study::Failure> {
+fn scene(folder: &Path, text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), forage_study::Failure> {
     let file = folder.join(text);
     let found = if Link::is_link(text) || !file.exists() && names::scenes().contains(&text) {
-        load::scene(text)
+        load::scene_and_files(text)
     } else if file.exists() {
-        load::scene(&file.to_string_lossy())
+        load::scene_and_files(&file.to_string_lossy())
     } else {
         Err(load::no_scene(text))
     };

@@ -49,9 +49,10 @@ impl Failure {
 
     /// A file that cannot be written.
     pub(super) fn write(path: &Path, error: io::Error) -> Self {
-        match error.kind() {
-            io::ErrorKind::NotFound => {
-                let [path, folder] = [path, path.parent().unwrap_or(path)].map(|path| quoted(&path.to_string_lossy()));
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
+        match (error.kind(), folder) {
+            (io::ErrorKind::NotFound, Some(folder)) => {
+                let [path, folder] = [path, folder].map(|path| quoted(&path.to_string_lossy()));
                 Self::Refused(format!("{path} cannot be written: there is no folder {folder}"))
             }
             _ => Self::File(path.to_string_lossy().into_owned(), error),
@@ -90,7 +91,9 @@ impl From<forage_study::Failure> for Failure {
         match failure {
             forage_study::Failure::Refused(error) => error.into(),
             forage_study::Failure::File(path, error) => Self::File(path.to_string_lossy().into_owned(), error),
-            interrupted @ forage_study::Failure::Interrupted { .. } => Self::Interrupted(interrupted.to_string()),
+            interrupted @ (forage_study::Failure::Interrupted { .. } | forage_study::Failure::ComparisonInterrupted(_)) => {
+                Self::Interrupted(interrupted.to_string())
+            }
         }
     }
 }
@@ -125,9 +128,23 @@ fn message(error: &Error, subject: Subject<'_>) -> String {
         Error::Unsupported { planner, kind, kinds } => {
             format!("`{planner}` does not run on scenes of kind {kind}; it runs on scenes of kind {kinds}")
         }
-        Error::Malformed { field, problem } => format!("{}: {}", shorten(field, 100), shorten(problem, 190)),
+        Error::Malformed { field, problem } => {
+            let problem = unknown_field(problem).unwrap_or_else(|| shorten(problem, 190));
+            format!("{}: {problem}", shorten(field, 100))
+        }
         other => other.to_string(),
     }
+}
+
+/// What may have been meant by a field that TOML does not have, as in ``line 1, column 1: unknown field `scene`, expected one of
+/// `name`, `scenes` ``; `None` for other problems, and where nothing is near.
+fn unknown_field(problem: &str) -> Option<String> {
+    let (place, rest) = problem.split_once("unknown field `")?;
+    let (typed, rest) = rest.split_once("`, expected ")?;
+    let known: Vec<&str> = rest.split('`').skip(1).step_by(2).collect();
+    let near: Vec<String> = names::nearest(typed, &known).iter().map(|name| format!("`{name}`")).collect();
+    let place = shorten(place, 60);
+    (!near.is_empty()).then(|| format!("{place}{} is not a known field; did you mean {}?", quoted(typed), near.join(" or ")))
 }
 
 fn refused(field: &str, value: &str, allowed: &str) -> String {
@@ -138,9 +155,6 @@ fn refused(field: &str, value: &str, allowed: &str) -> String {
             format!("{field} is not a known field; leave it out, or use one of {}", cut_list(&known, 110))
         }
         ("nothing", _) => format!("{field} is missing; it must be {}", allowed_text(allowed)),
-        _ if allowed.starts_with("nothing: ") => {
-            format!("{field} is {}; {}", shorten(value, 60), allowed_text(&allowed["nothing: ".len()..]))
-        }
         ("", _) => format!("{field} is empty; it must be {}", allowed_text(allowed)),
         _ => format!("{field} is {}; it must be {}", shorten(value, 60), allowed_text(allowed)),
     }

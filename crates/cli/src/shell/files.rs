@@ -3,8 +3,10 @@
 use std::{
     fs::{self, File, FileType, Metadata},
     io::{self, Read},
-    path::{Path, PathBuf},
+    path::Path,
 };
+
+use forage::Error;
 
 use super::{Failure, text::quoted};
 
@@ -58,60 +60,72 @@ pub(super) fn check(path: &Path, limit: Option<Limit>) -> Result<(), Failure> {
     limit.map_or(Ok(()), |limit| limit.check(&name, metadata.len()))
 }
 
-/// Refuses a file that is to be written later, if its folder is missing.
-pub(super) fn check_folder(path: &Path) -> Result<(), Failure> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    match folder.map(fs::metadata) {
-        Some(Err(error)) => Err(Failure::write(path, error)),
+/// Refuses a file that is to be written later, if it is a directory or its folder is missing.
+pub(super) fn check_target(path: &Path) -> Result<(), Failure> {
+    check_no_directory(path)?;
+    let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) else { return Ok(()) };
+    match fs::metadata(folder) {
+        Err(error) => Err(Failure::write(path, error)),
+        Ok(metadata) if !metadata.is_dir() => {
+            Err(cannot_be_written(path, &format!("{} is not a folder", quoted(&folder.to_string_lossy()))))
+        }
+        Ok(_) => Ok(()),
+    }
+}
+
+/// Refuses a file that is to be written later, if it is a directory.
+pub(super) fn check_no_directory(path: &Path) -> Result<(), Failure> {
+    if path.is_dir() { Err(cannot_be_written(path, "it is a directory")) } else { Ok(()) }
+}
+
+fn cannot_be_written(path: &Path, why: &str) -> Failure {
+    Failure::Refused(format!("{} cannot be written: {why}", quoted(&path.to_string_lossy())))
+}
+
+/// Refuses a folder that cannot be made, because it is a file or in one.
+pub(super) fn check_folder(field: &str, folder: &Path) -> Result<(), Failure> {
+    let existing = folder.ancestors().find_map(|path| fs::metadata(path).ok().map(|metadata| (path, metadata)));
+    match existing {
+        Some((path, metadata)) if !metadata.is_dir() => {
+            Err(Error::refused(field, folder.display(), format!("a folder; {} is a file", path.display())).into())
+        }
         _ => Ok(()),
     }
 }
 
-/// The file that is read along with a scene's.
-fn partner(scene: &Path) -> Option<PathBuf> {
-    let ending = match scene.extension()?.to_str()? {
-        "scen" => "map",
-        "yaml" | "yml" => "pgm",
-        "tour" => "tsp",
-        _ => return None,
-    };
-    Some(scene.with_extension(ending))
+/// Refuses to write the file of an option over another one. Of the others it is known what they are for, such as `is read`.
+pub(super) fn check_apart(field: &str, path: &Path, others: &[(&str, &Path)]) -> Result<(), Failure> {
+    match others.iter().find(|(_, other)| is_same(path, other)) {
+        Some((role, other)) => {
+            Err(Error::refused(field, path.display(), format!("another file than {}, which {role}", other.display())).into())
+        }
+        None => Ok(()),
+    }
 }
 
-/// Refuses files that are to be written later, if one of them is a folder, has none, is another one of them, or is a file that
-/// the scene is read from.
-pub(super) fn check_outputs(paths: &[&Path], scene: Option<&str>) -> Result<(), Failure> {
-    // A file that is not there yet is known by its folder's real path.
-    let real = |path: &Path| {
+/// Whether two names are those of one file, which need not exist yet. Writing to a device harms nothing.
+pub(super) fn is_same(a: &Path, b: &Path) -> bool {
+    if fs::metadata(a).is_ok_and(|metadata| !metadata.is_file()) {
+        return false;
+    }
+    let place = |path: &Path| {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        fs::canonicalize(path).ok().or_else(|| Some(fs::canonicalize(folder).ok()?.join(path.file_name()?)))
+        fs::canonicalize(path).or_else(|_| Ok::<_, io::Error>(fs::canonicalize(folder)?.join(path.file_name().unwrap_or_default()))).ok()
     };
-    let sources = scene.map(PathBuf::from).into_iter().flat_map(|scene| [partner(&scene), Some(scene)]);
-    let sources: Vec<_> = sources.flatten().filter_map(|source| fs::canonicalize(source).ok()).collect();
-    for (k, path) in paths.iter().enumerate() {
-        check_folder(path)?;
-        let name = quoted(&path.to_string_lossy());
-        if path.is_dir() {
-            return Err(Failure::Refused(format!("{name} cannot be written: it is a folder")));
-        }
-        // Devices may be written to several times.
-        let Some(place) = real(path).filter(|place| place.is_file() || !place.exists()) else { continue };
-        if sources.contains(&place) {
-            return Err(Failure::Refused(format!("{name} is not written: the scene is read from it")));
-        }
-        if paths[..k].iter().any(|other| real(other).as_ref() == Some(&place)) {
-            return Err(Failure::Refused(format!("{name} is to be written twice; choose another name for one of the two")));
-        }
-    }
-    Ok(())
+    a == b || place(a).is_some_and(|place_a| place(b) == Some(place_a)) || is_linked(a, b)
 }
 
-/// Refuses a folder that is to be written to later, if there is something else of that name.
-pub(super) fn check_is_folder(path: &Path) -> Result<(), Failure> {
-    if path.is_dir() || !path.exists() {
-        return Ok(());
-    }
-    Err(Failure::Refused(format!("{} is no folder", quoted(&path.to_string_lossy()))))
+/// Whether two files that exist are one with two names.
+#[cfg(unix)]
+fn is_linked(a: &Path, b: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let number = |path| fs::metadata(path).ok().map(|metadata| (metadata.dev(), metadata.ino()));
+    number(a).is_some_and(|number_a| number(b) == Some(number_a))
+}
+
+#[cfg(not(unix))]
+fn is_linked(_: &Path, _: &Path) -> bool {
+    false
 }
 
 /// Writes a whole file.

@@ -12,6 +12,9 @@ use super::{
     text::quoted,
 };
 
+/// What the pages belong to.
+const SOURCE: &str = concat!("forage ", env!("CARGO_PKG_VERSION"));
+
 const THIRD_PARTY: &str = include_str!("../../THIRD-PARTY.md");
 
 /// Prints a completion script.
@@ -24,13 +27,14 @@ pub(super) fn completions(shell: clap_complete::Shell) -> Outcome {
 
 /// Prints the manual page, or writes one page per subcommand into a folder.
 pub(super) fn man(folder: Option<&Path>) -> Outcome {
-    let mut command = Cli::command();
+    // `forage help` has nothing to say about itself.
+    let mut command = Cli::command().disable_help_subcommand(true);
     command.build();
     let Some(folder) = folder else {
         print_raw(page(command)?.trim_ascii_end())?;
         return Ok(ExitCode::SUCCESS);
     };
-    files::check_is_folder(folder)?;
+    files::check_folder("--out", folder)?;
     fs::create_dir_all(folder).map_err(|error| Failure::write(folder, error))?;
     let subcommands: Vec<_> = command.get_subcommands().filter(|command| !command.is_hide_set()).cloned().collect();
     let count = subcommands.len() + 1;
@@ -46,8 +50,7 @@ pub(super) fn man(folder: Option<&Path>) -> Outcome {
 fn page(command: Command) -> Result<Vec<u8>, Failure> {
     let examples = command.get_after_help().map_or(String::new(), ToString::to_string);
     let mut page = Vec::new();
-    let source = format!("forage {}", env!("CARGO_PKG_VERSION"));
-    let rendered = clap_mangen::Man::new(command.after_help(Resettable::Reset)).source(source).render(&mut page);
+    let rendered = clap_mangen::Man::new(command.after_help(Resettable::Reset)).source(SOURCE).render(&mut page);
     rendered.map_err(|error| Failure::File("manual page".to_owned(), error))?;
     page.extend(b".SH EXAMPLES\n.nf\n");
     for line in examples.lines() {

@@ -1,6 +1,11 @@
 //! Turning arguments into scenes and setups.
 
-use std::{fs, io::ErrorKind, path::Path, sync::Arc};
+use std::{
+    fs,
+    io::ErrorKind,
+    path::{Path, PathBuf},
+    sync::Arc,
+};
 
 use forage::{
     Error, Given, Link, Scene, Setup, Value, arm,
@@ -30,29 +35,39 @@ pub(super) struct Task {
     pub(super) stop_at: Option<u64>,
     /// The hash that the link gives for that iteration.
     pub(super) expected_hash: Option<String>,
+    /// The files that the scene was read from.
+    pub(super) files: Vec<PathBuf>,
 }
 
 /// Reads a scene: a file, a shipped scene's name, or a link.
 pub(super) fn scene(text: &str) -> Result<Arc<Scene>, Failure> {
+    scene_and_files(text).map(|(scene, _)| scene)
+}
+
+/// Reads a scene, and names the files that were read.
+pub(super) fn scene_and_files(text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), Failure> {
     if Link::is_link(text) {
-        return Ok(link(text)?.setup.scene);
+        return Ok((link(text)?.setup.scene, Vec::new()));
     }
     let path = Path::new(text);
     let is_shipped = names::scenes().contains(&text);
     match fs::metadata(path) {
         Ok(metadata) if !(is_shipped && metadata.is_dir()) => {}
-        _ if is_shipped => return Ok(shipped(text)?),
+        _ if is_shipped => return Ok((shipped(text)?, Vec::new())),
         Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory | ErrorKind::InvalidFilename) => {
             return Err(no_scene(text));
         }
         _ => {}
     }
     if Format::of_file(text).is_some_and(|format| format != Format::Json) {
-        return import(&mut vec![read(text)?], None).map(Arc::new);
+        let mut files = vec![read(text)?];
+        let scene = import(&mut files, None).map(Arc::new)?;
+        return Ok((scene, files.into_iter().map(|file| file.name.into()).collect()));
     }
     let bytes = files::read(path, LARGEST_SCENE)?;
     let json = String::from_utf8(bytes).map_err(|problem| in_file(path, &Error::malformed("scene", format!("not JSON: {problem}"))))?;
-    Scene::from_json(&json).map(Arc::new).map_err(|error| in_file(path, &error))
+    let scene = Scene::from_json(&json).map_err(|error| in_file(path, &error))?;
+    Ok((Arc::new(scene), vec![path.to_owned()]))
 }
 
 /// Neither a file nor a shipped scene.
@@ -120,15 +135,16 @@ fn from_names(planner: Option<&str>, scene_name: Option<&str>) -> Result<Task, F
     let missing = |what: &str| Failure::Refused(format!("{what}, e.g. `forage run wcpso --scene wcpso-discs`; `forage list` shows all"));
     let planner = planner.ok_or_else(|| missing("a planner is missing"))?;
     catalogue::find(planner)?;
-    let scene = scene(scene_name.ok_or_else(|| missing("--scene is missing: a file, a shipped scene’s name or a link"))?)?;
+    let (scene, files) =
+        scene_and_files(scene_name.ok_or_else(|| missing("--scene is missing: a file, a shipped scene’s name or a link"))?)?;
     let setup = Setup { planner: planner.to_owned(), scene, params: Given::new(), seed: 1 };
-    Ok(Task { setup, stop_at: None, expected_hash: None })
+    Ok(Task { setup, stop_at: None, expected_hash: None, files })
 }
 
 /// The link's run up to the iteration that it shows; or a run of another planner with the link's scene and seed.
 fn from_link(link: Link, planner: Option<&str>) -> Task {
     match planner.filter(|&name| name != link.setup.planner) {
-        None => Task { stop_at: Some(link.iteration), expected_hash: link.hash, setup: link.setup },
+        None => Task { stop_at: Some(link.iteration), expected_hash: link.hash, setup: link.setup, files: Vec::new() },
         Some(name) => {
             note(&format!(
                 "the link is for {}; running {} on its scene with its seed and default parameters",
@@ -136,7 +152,7 @@ fn from_link(link: Link, planner: Option<&str>) -> Task {
                 quoted(name)
             ));
             let setup = Setup { planner: name.to_owned(), params: Given::new(), ..link.setup };
-            Task { setup, stop_at: None, expected_hash: None }
+            Task { setup, stop_at: None, expected_hash: None, files: Vec::new() }
         }
     }
 }
@@ -145,9 +161,17 @@ fn from_link(link: Link, planner: Option<&str>) -> Task {
 pub(super) fn read_pairs(option: &str, pairs: &[String], params: &mut Given) -> Result<(), Failure> {
     for pair in pairs {
         let (name, value) = pair.split_once('=').ok_or_else(|| Error::refused(option, pair, "name=value"))?;
-        params.insert(name.trim(), Value::from(value));
+        params.insert(name.trim(), value_of(value));
     }
     Ok(())
+}
+
+/// A value as it is typed. A number that is too large stays the text that it is, so that a message shows it.
+fn value_of(text: &str) -> Value {
+    match Value::from(text) {
+        Value::Number(number) if !number.is_finite() => Value::Text(text.trim().to_owned()),
+        value => value,
+    }
 }
 
 /// The drive's parameters, checked before the run; refused in scenes without a robot that can drive.
@@ -190,7 +214,7 @@ fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
         preset.iter().for_each(|(name, value)| setup.params.insert(name, value.clone()));
     }
     if let Some(iterations) = &args.iterations {
-        setup.params.insert("iterations", Value::from(iterations.as_str()));
+        setup.params.insert("iterations", value_of(iterations));
     }
     read_pairs("--set", &args.set, &mut setup.params)?;
     if args.suggested {

@@ -2,7 +2,7 @@
 //!
 //! Exit codes: 0 a feasible result; 1 none was found; 2 the input was refused (message on standard error, nothing on standard
 //! output); 3 a file cannot be read or written now (a full disk, another `forage` that writes it), so the same command may
-//! succeed later; 130 an experiment was interrupted (finished runs are kept).
+//! succeed later; 130 an experiment was interrupted (finished runs are kept, except of a sample).
 
 mod args;
 mod convert;

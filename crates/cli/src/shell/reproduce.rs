@@ -66,15 +66,17 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
 
 /// Refuses, before anything is run, files that are read later and are missing, too large or no regular files.
 fn check_files(args: &ReproduceArgs) -> Result<(), Failure> {
-    files::check_is_folder(&args.out)?;
-    for file in fs::read_dir(&args.out).into_iter().flatten().flatten() {
-        if file.path().extension().is_some_and(|ending| ending == "csv") {
-            files::check(&file.path(), None)?;
-        }
-    }
+    check_rows(&args.out)?;
     let documents = document::FILES.into_iter().filter(|&name| args.sample.is_none() || name == fingerprints::FILE);
     let mut paths = documents.flat_map(|name| args.check.iter().map(move |folder| folder.join(name)));
     paths.try_for_each(|path| files::check(&path, Some(LARGEST_SCENE)))
+}
+
+/// The folder, and the files of rows in it.
+fn check_rows(folder: &Path) -> Result<(), Failure> {
+    files::check_folder("--out", folder)?;
+    let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|file| file.path());
+    files.filter(|path| path.extension().is_some_and(|ending| ending == "csv")).try_for_each(|path| files::check(&path, None))
 }
 
 /// Compares the rows of some jobs with the stored fingerprints.

@@ -3,29 +3,9 @@
 use std::fmt::Write;
 
 pub(super) use forage_study::{
+    escape::{escape, escape_lines, is_unsafe},
     table::significant,
-    text::{escape, is_unsafe},
 };
-
-/// Escapes each line of a text that is meant to have several.
-pub(super) fn escape_lines(text: &str) -> String {
-    text.split('\n').map(escape).collect::<Vec<_>>().join("\n")
-}
-
-/// Escapes JSON so that a terminal shows it as it is: what [`escape`] would escape becomes `\uXXXX`, which programs read as before.
-pub(super) fn escape_json(json: &str) -> String {
-    let mut safe = String::with_capacity(json.len());
-    for character in json.chars() {
-        // Control characters up to U+001F are escaped already; outside of strings there are only line breaks.
-        if character > '~' && is_unsafe(character) {
-            // Writing to a string cannot fail.
-            let _ = write!(safe, "\\u{:04x}", u32::from(character));
-        } else {
-            safe.push(character);
-        }
-    }
-    safe
-}
 
 /// Escapes a text and shortens it in the middle to at most `most` characters.
 pub(super) fn shorten(text: &str, most: usize) -> String {
@@ -48,7 +28,7 @@ pub(super) fn shorten(text: &str, most: usize) -> String {
 
 /// A value between backquotes, shortened.
 pub(super) fn quoted(text: &str) -> String {
-    format!("`{}`", shorten(text, 70))
+    if text.is_empty() { "an empty text".to_owned() } else { format!("`{}`", shorten(text, 70)) }
 }
 
 /// A list of names with at most about `most` characters; what does not fit is counted.
@@ -123,20 +103,7 @@ pub(super) fn fit(text: &str, columns: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use std::borrow::Cow;
-
     use super::*;
-
-    #[test]
-    fn control_characters_and_direction_marks_are_visible() {
-        assert_eq!(escape("a\u{1b}[31mb\nc\td\re"), "a\\u{1b}[31mb\\nc\\td\\re");
-        assert_eq!(escape("\u{202e}fdp\u{2066}\u{2069}\u{9b}\u{7f}"), "\\u{202e}fdp\\u{2066}\\u{2069}\\u{9b}\\u{7f}");
-        assert!(matches!(escape("30 × 30 – “plain”, 中文, \u{1f41d}"), Cow::Borrowed(_)));
-        for unsafe_one in ('\u{202a}'..='\u{202e}').chain('\u{2066}'..='\u{2069}').chain('\0'..=' ').filter(|c| *c != ' ') {
-            assert!(escape(&unsafe_one.to_string()).starts_with('\\'), "{unsafe_one:?}");
-        }
-        assert_eq!(escape_lines("a\u{7}\nb"), "a\\u{7}\nb");
-    }
 
     #[test]
     fn long_texts_are_shortened_in_the_middle_after_escaping() {

@@ -1,9 +1,9 @@
 //! Command lines that cannot be understood, as one message.
 
-use std::process::ExitCode;
+use std::{any::TypeId, ffi::OsString, path::PathBuf, process::ExitCode};
 
 use clap::{
-    CommandFactory,
+    Arg, CommandFactory,
     error::{ContextKind, ContextValue, Error, ErrorKind},
 };
 
@@ -43,19 +43,22 @@ fn message(error: &Error) -> String {
 
 fn problem(error: &Error) -> String {
     let text = |kind| texts(error, kind).first().map_or(String::new(), |text| shorten(text, 70));
-    let arg = text(ContextKind::InvalidArg);
-    let arg = plain(&arg);
+    let typed = text(ContextKind::InvalidArg);
+    let arg = plain(&typed);
     let value = text(ContextKind::InvalidValue);
     match error.kind() {
-        ErrorKind::InvalidSubcommand => format!("`{}` is not a command", text(ContextKind::InvalidSubcommand)),
+        ErrorKind::InvalidSubcommand => format!("{} is not a command", quoted(&texts(error, ContextKind::InvalidSubcommand).concat())),
         ErrorKind::MissingSubcommand => "a command is missing".to_owned(),
-        ErrorKind::UnknownArgument if arg.starts_with('-') => format!("`{arg}` is not an option"),
-        ErrorKind::UnknownArgument => format!("`{arg}` is one argument too many"),
-        ErrorKind::MissingRequiredArgument => format!("{} is missing", list(&texts(error, ContextKind::InvalidArg))),
-        ErrorKind::ArgumentConflict => match texts(error, ContextKind::PriorArg) {
-            others if others.is_empty() => format!("`{arg}` stands alone: nothing can be used with it"),
-            others if others.iter().all(|other| plain(other) == arg) => format!("`{arg}` is given twice"),
-            others => format!("`{arg}` cannot be used with {}", list(&others)),
+        ErrorKind::UnknownArgument if typed.starts_with('-') => format!("`{typed}` is not an option"),
+        ErrorKind::UnknownArgument => format!("`{typed}` is one argument too many"),
+        ErrorKind::MissingRequiredArgument => {
+            let missing = texts(error, ContextKind::InvalidArg);
+            format!("{} {} missing", list(&missing), if missing.len() > 1 { "are" } else { "is" })
+        }
+        ErrorKind::ArgumentConflict => match texts(error, ContextKind::PriorArg).as_slice() {
+            [] => format!("`{arg}` must be the only argument"),
+            [other] if plain(other) == arg => format!("`{arg}` is given twice"),
+            others => format!("`{arg}` cannot be used with {}", list(others)),
         },
         ErrorKind::InvalidValue if value.is_empty() => format!("`{arg}` needs a value"),
         ErrorKind::InvalidValue => {
@@ -63,25 +66,44 @@ fn problem(error: &Error) -> String {
         }
         ErrorKind::ValueValidation => {
             let why = std::error::Error::source(error).map_or(String::new(), ToString::to_string);
-            format!("`{arg}` is {}; {}", if value.is_empty() { "empty" } else { &value }, shorten(&why, 100))
+            let value = if value.is_empty() { "empty" } else { &value };
+            format!("`{arg}` is {value}; {}", shorten(&why, 100))
         }
         ErrorKind::TooManyValues => format!("`{arg}` has a value too many: {}", quoted(&value)),
-        ErrorKind::InvalidUtf8 => "an argument is not valid UTF-8".to_owned(),
+        ErrorKind::InvalidUtf8 => not_utf8(),
         other => other.to_string(),
     }
 }
 
 fn list(names: &[String]) -> String {
-    let names: Vec<String> = names.iter().map(|name| quoted(plain(name))).collect();
+    let names: Vec<String> = names.iter().map(|name| quoted(&plain(name))).collect();
     names.join(", ")
 }
 
-/// An argument's name without what its value is called: `--scene` of `--scene <FILE>`, `IN... OUT` of `<IN... OUT>...`.
-fn plain(name: &str) -> &str {
-    if name.starts_with('-') {
-        return name.split([' ', '=']).next().unwrap_or(name);
+/// An argument without the signs of a usage line: `--scene <FILE>` is `--scene`, `[NAME]` is `NAME`.
+fn plain(arg: &str) -> String {
+    let name = if arg.starts_with('-') { arg.split([' ', '=']).next().unwrap_or(arg) } else { arg };
+    name.replace(['<', '>', '[', ']'], "").replace("...", "")
+}
+
+/// Which argument is not UTF-8. File names that are only written or opened may be anything.
+fn not_utf8() -> String {
+    let typed: Vec<OsString> = std::env::args_os().skip(1).collect();
+    let command = Cli::command();
+    let subcommand = typed.first().and_then(|name| command.find_subcommand(name)).unwrap_or(&command);
+    for (k, value) in typed.iter().enumerate().filter(|(_, value)| value.to_str().is_none()) {
+        let value = value.to_string_lossy();
+        let before = k.checked_sub(1).map(|k| typed[k].to_string_lossy());
+        let (name, value) = value.split_once('=').unwrap_or((before.as_deref().unwrap_or(""), &value));
+        let is_named =
+            |arg: &&Arg| arg.get_action().takes_values() && arg.get_long().is_some_and(|long| name.strip_prefix("--") == Some(long));
+        match subcommand.get_arguments().find(is_named) {
+            Some(arg) if arg.get_value_parser().type_id() == TypeId::of::<PathBuf>() => {}
+            Some(_) => return format!("`{name}` is {}; it must be valid UTF-8", shorten(value, 70)),
+            None => return format!("the argument {} is not valid UTF-8", quoted(value)),
+        }
     }
-    name.strip_suffix("...").filter(|name| name.ends_with(['>', ']'])).unwrap_or(name).trim_matches(['<', '>', '[', ']'])
+    "an argument is not valid UTF-8".to_owned()
 }
 
 fn texts(error: &Error, kind: ContextKind) -> Vec<String> {

@@ -38,50 +38,10 @@ fn a_missing_file_is_called_missing_and_a_damaged_one_says_where() {
     }
 }
 
-/// What a run writes never takes the place of what it reads, and is known to be writable before it begins.
-#[test]
-fn files_to_be_written_are_checked_before_a_run() {
-    let folder = empty_folder("files/outputs");
-    fs::create_dir_all(folder.join("folder")).unwrap();
-    let forage = |args: &[&str]| command(args).current_dir(&folder).output().unwrap();
-    assert!(forage(&["convert", "wolf-ant-20", "grid.scen"]).status.success());
-    let before = ["grid.map", "grid.scen"].map(|name| fs::read(folder.join(name)).unwrap());
-    let long = "name = \"x\"\nscenes = [\"sphere\"]\nseeds = [1]\n[[planner]]\nname = \"pso\"\nparams = { iterations = 1000000 }\n";
-    fs::write(folder.join("long.toml"), long).unwrap();
-    fs::File::create(folder.join("huge.csv")).unwrap().set_len(3 << 30).unwrap();
-    for (args, message) in [
-        (
-            &["run", "a-star", "--scene", "grid.scen", "--trace", "grid.scen"] as &[&str],
-            "`grid.scen` is not written: the scene is read from it",
-        ),
-        (&["run", "a-star", "--scene", "grid.scen", "--svg", "folder/../grid.map"], "the scene is read from it"),
-        (&["run", "a-star", "--scene", "grid.scen", "--svg", "a", "--trace", "./a"], "is to be written twice"),
-        (&["run", "pso", "--scene", "sphere", "--iterations", "1000000", "--svg", "folder"], "`folder` cannot be written: it is a folder"),
-        (&["experiment", "long.toml", "--report", "no/r.md"], "there is no folder `no`"),
-        (&["experiment", "long.toml", "--report", "folder"], "it is a folder"),
-        (&["experiment", "long.toml", "--out", "huge.csv"], "it does not begin like a file of rows"),
-        (&["experiment", "long.toml", "--jobs", "99999999"], "from 1 to 1024"),
-        (&["reproduce", "wcpso-paths", "--runs", "2", "--out", "."], "a file of rows may have at most 1024 MiB"),
-    ] {
-        if args[0] == "reproduce" {
-            fs::rename(folder.join("huge.csv"), folder.join("wcpso-paths-runs.csv")).unwrap();
-        }
-        let output = forage(args);
-        let found = text(&output.stderr);
-        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{args:?}: {found}");
-        assert!(found.contains(message), "{args:?}: {found}");
-    }
-    assert_eq!(["grid.map", "grid.scen"].map(|name| fs::read(folder.join(name)).unwrap()), before);
-    // Another run's files are replaced.
-    for _ in 0..2 {
-        assert!(forage(&["run", "a-star", "--scene", "grid.scen", "--trace", "grid.csv"]).status.success());
-    }
-}
-
-/// Names that are no UTF-8 are told as far as they can be, also to programs.
+/// Names that are no UTF-8 are printed as far as they can be, also to programs.
 #[cfg(target_os = "linux")]
 #[test]
-fn names_that_are_not_utf8_are_told() {
+fn names_that_are_not_utf8_are_printed() {
     use std::{ffi::OsStr, os::unix::ffi::OsStrExt};
 
     let folder = empty_folder("files/bytes");
@@ -131,6 +91,15 @@ fn what_is_no_regular_file_or_too_large_is_refused_before_it_is_read() {
     symlink("/dev/zero", at("kept/REPRODUCTION.md")).unwrap();
     fs::create_dir_all(at("rows")).unwrap();
     symlink("/dev/zero", at("rows/wcpso-paths-runs.csv")).unwrap();
+    fs::create_dir_all(at("large-rows")).unwrap();
+    // More than the limited memory below: sparse, so that nothing is on the disk.
+    let huge = |name: &str, beginning: &str| {
+        fs::write(at(name), beginning).unwrap();
+        fs::OpenOptions::new().write(true).open(at(name)).unwrap().set_len(3 << 30).unwrap();
+    };
+    huge("large-rows/wcpso-paths-runs.csv", "");
+    huge("huge.csv", "");
+    huge("huge.jsonl", "{\"scene\":\"");
 
     let mut cases: Vec<(Vec<&str>, &str)> = Vec::new();
     for ending in ["json", "map", "scen", "yaml", "pgm", "tsp", "tour", "csv", "txt"] {
@@ -156,6 +125,10 @@ fn what_is_no_regular_file_or_too_large_is_refused_before_it_is_read() {
         (vec!["experiment", "good.toml", "--out", "pipe.csv"], "`pipe.csv` is not a regular file but a named pipe"),
         (vec!["experiment", "good.toml", "--merge", "zero.csv"], "`zero.csv` is not a regular file but a device"),
         (vec!["experiment", "good.toml", "--merge", "pipe.csv"], "`pipe.csv` is not a regular file but a named pipe"),
+        (vec!["experiment", "good.toml", "--out", "huge.csv"], "it does not begin like a file of rows"),
+        (vec!["experiment", "good.toml", "--out", "new.csv", "--merge", "huge.csv"], "it does not begin like a file of rows"),
+        (vec!["experiment", "good.toml", "--out", "huge.jsonl"], "line 1 has more than 1024 KiB"),
+        (vec!["reproduce", "wcpso-paths", "--out", "large-rows"], "it has 3.0 GiB; a file of rows may have at most 1 GiB"),
         (vec!["reproduce", "--check", "kept"], "REPRODUCTION.md` is not a regular file but a device"),
         (vec!["reproduce", "wcpso-paths", "--out", "rows"], "runs.csv` is not a regular file but a device"),
     ]);

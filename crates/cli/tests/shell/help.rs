@@ -28,6 +28,15 @@ fn every_command_says_what_it_is_for_and_is_in_the_overview() {
     }
 }
 
+#[test]
+fn help_is_a_command_too() {
+    for (args, same) in [(&["help"] as &[&str], &["--help"] as &[&str]), (&["help", "run"], &["run", "--help"])] {
+        let [help, same] = [args, same].map(forage);
+        assert_eq!((help.status.code(), help.stderr.len()), (Some(0), 0), "{args:?}");
+        assert_eq!(text(&help.stdout), text(&same.stdout), "{args:?}");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn every_example_works_in_an_empty_folder() {

@@ -32,6 +32,7 @@ fn there_is_a_manual_page_for_each_command() {
     assert!(output.status.success() && output.stdout.is_empty());
     assert!(text(&output.stderr).contains("wrote 12 manual pages"), "{}", text(&output.stderr));
     let run = std::fs::read_to_string(folder.join("forage-run.1")).unwrap();
+    assert!(run.contains(concat!("\"forage ", env!("CARGO_PKG_VERSION"), "\"")), "{run}");
     assert!(run.contains("forage\\-run") && run.contains("\\-\\-drive\\-set"), "{run}");
     let lines: Vec<_> = run.lines().collect();
     let example = lines.iter().position(|line| line.contains("forage run wcpso \\-\\-scene wcpso\\-discs")).unwrap();

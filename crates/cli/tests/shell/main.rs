@@ -7,6 +7,7 @@ mod files;
 mod help;
 mod install;
 mod list;
+mod outputs;
 mod refusals;
 mod reproduce;
 mod run;

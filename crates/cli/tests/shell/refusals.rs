@@ -163,26 +163,97 @@ fn control_characters_in_names_titles_and_notes_are_escaped() {
 #[test]
 fn what_cannot_be_combined_or_is_missing_is_said() {
     for (args, message) in [
-        (&["exact"] as &[&str], "`--scene` is missing"),
+        (&["exact"] as &[&str], "`--scene` is missing; `forage exact --help`"),
+        (&["suggest"], "`--scene`, `PLANNER` are missing"),
+        (&["convert"], "`IN OUT` is missing"),
         (&["experiment"], "`FILE.toml` is missing"),
-        (&["convert"], "`IN... OUT` is missing"),
-        (&["experiment", "--example", "a.toml"], "`--example` stands alone"),
-        (&["run", "pso", "--scene", "sphere", "--scene", "ackley"], "`--scene` is given twice"),
-        (&["reproduce", "--runs", "x"], "`--runs` is x; it must be a whole number from 2 to 1000000"),
-        (&["reproduce", "--runs", "-1"], "`--runs` is -1; it must be"),
-        (&["reproduce", "--runs", ""], "`--runs` is empty; it must be"),
-        (&["reproduce", "--check", ".", "--sample", "a", "--seconds", "0"], "`--seconds` is 0; it must be a whole number from 1 to 86400"),
-        (&["run", "pso", "--scene", "sphere", "--set", "w="], "`w` is empty; it must be"),
-        (&["run", "pso", "--scene", "sphere", "--preset", "x"], "`preset` is x; pso has no presets"),
         (&["experiment", "a.toml", "--jobs", "0"], "`--jobs` is 0; it must be a whole number from 1 to 1024; `forage experiment --help`"),
-        (&["experiment", "a.toml", "--merge", "b.csv", "--fresh"], "cannot be used with"),
+        (&["experiment", "a.toml", "--jobs", "99999999"], "`--jobs` is 99999999; it must be a whole number from 1 to 1024"),
+        (&["experiment", "a.toml", "--jobs", "-3"], "`--jobs` is -3; it must be"),
+        (&["experiment", "a.toml", "--merge", "b.csv", "--fresh"], "`--merge` cannot be used with `--fresh`"),
+        (&["experiment", "--example", "a.toml"], "`--example` must be the only argument; "),
+        (&["run", "pso", "--scene", "a", "--scene", "b"], "`--scene` is given twice; "),
+        (&["reproduce", "wcpso-paths", "--check", "a"], "`NAME` cannot be used with `--check`"),
+        (&["reproduce", "--runs", "x"], "`--runs` is x; it must be a whole number from 2 to 1000000; "),
+        (&["reproduce", "--runs", "-1"], "`--runs` is -1; it must be a whole number from 2 to 1000000; "),
+        (&["reproduce", "--runs", ""], "`--runs` is empty; it must be"),
+        (&["reproduce", "--runs", "99999999999999999999"], "is 99999999999999999999; it must be a whole number from 2 to 1000000; "),
+        (&["reproduce", "--seconds", "0"], "`--seconds` is 0; it must be a whole number from 1 to 86400; "),
+        (&["run", "pso", "--scene", "sphere", "--set", "w="], "`w` is empty; it must be a number from 0 to 1.5"),
+        (&["run", "pso", "--scene", "sphere", "--set", "w=1e400"], "`w` is 1e400; it must be a number from 0 to 1.5"),
+        (&["run", "pso", "--scene", "sphere", "--iterations", "1e400"], "`iterations` is 1e400; it must be"),
+        (&["run", "pso", "--scene", "sphere", "--set", "=1"], "an empty text is not a parameter of pso"),
+        (&["run", "pso", "--scene", "sphere", "--preset", "paper"], "`preset` is paper; it must be left out: pso has no presets"),
+        (&["help", "rnu"], "`rnu` is not a command; did you mean `run`?"),
         (&["generate", "maze", "--out"], "needs a value"),
-        (&["convert", "maze", "--problem", "first", "a.map"], "`--problem` is first; it must be a whole number from 0"),
+        (&["convert", "maze", "--problem", "first", "a.map"], "`--problem` is first; it must be a whole number from 0; "),
         (&["exact", "--scene", "sphere", "more"], "`more` is one argument too many"),
     ] {
         let output = forage(args);
         let found = text(&output.stderr);
         assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{args:?}");
+        assert!(found.contains(message), "{args:?}: {found}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_name_cannot_forge_a_line_or_break_json() {
+    use std::{ffi::OsStr, os::unix::ffi::OsStrExt, process::Command};
+
+    let folder = empty_folder("refusals/forged");
+    let sweep = "scenes = ['sphere-2']\nseeds = [1, 2]\niterations = 2\n[[planner]]\nname = 'pso'\n";
+    let strange = "s\nforage: FAKE";
+    fs::write(folder.join(format!("{strange}.toml")), sweep).unwrap();
+    let call = |args: &[&[u8]]| {
+        let args = args.iter().map(|arg| OsStr::from_bytes(arg));
+        Command::new(env!("CARGO_BIN_EXE_forage")).args(args).current_dir(&folder).output().unwrap()
+    };
+    let toml = format!("{strange}.toml");
+    for args in [
+        &["experiment", &toml, "--report", "report.md"] as &[&str],
+        &["experiment", &toml, "--shard", "1/2"],
+        &["reproduce", "wcpso-paths", "--runs", "2", "--out", strange],
+    ] {
+        let output = call(&args.iter().map(|arg| arg.as_bytes()).collect::<Vec<_>>());
+        let printed = text(&output.stdout) + &text(&output.stderr);
+        assert_eq!(output.status.code(), Some(0), "{args:?}: {printed}");
+        assert!(printed.contains("s\\nforage: FAKE") && !printed.contains("\nforage: FAKE"), "{args:?}: {printed}");
+        assert!(!printed.contains("To repeat a run\n\n"), "no heading stands above nothing: {printed}");
+    }
+    let report = fs::read_to_string(folder.join("report.md")).unwrap();
+    assert!(report.starts_with("# s\\nforage: FAKE: 2 runs in s\\nforage: FAKE.csv\n"), "{report}");
+
+    // A name that is not UTF-8 is still written as JSON.
+    let toml = b"bad\xff\xc2\x9b.toml";
+    fs::write(folder.join(OsStr::from_bytes(toml)), sweep).unwrap();
+    for args in [
+        &[b"experiment" as &[u8], toml, b"--json"] as &[&[u8]],
+        &[b"experiment", toml, b"--json", b"--shard", b"1/2"],
+        &[b"reproduce", b"wcpso-paths", b"--runs", b"2", b"--json", b"--out", b"out\xff\xc2\x9b"],
+    ] {
+        let output = call(args);
+        let printed = text(&output.stdout);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(serde_json::from_slice::<serde_json::Value>(&output.stdout).is_ok(), "{printed}");
+        assert!(printed.contains("\u{fffd}\\u009b") && !printed.contains('\u{9b}'), "{printed}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn an_argument_that_is_not_utf8_is_named() {
+    use std::{ffi::OsStr, os::unix::ffi::OsStrExt, process::Command};
+
+    for (args, message) in [
+        (&[b"run" as &[u8], b"pso", b"--scene", b"caf\xe9"] as &[&[u8]], "`--scene` is caf\u{fffd}; it must be valid UTF-8; "),
+        (&[b"run", b"pso", b"--svg", b"a\xe9", b"--scene=caf\xe9"], "`--scene` is caf\u{fffd}; it must be valid UTF-8; "),
+        (&[b"list", b"--json", b"caf\xe9"], "the argument `caf\u{fffd}` is not valid UTF-8; `forage list --help`"),
+    ] {
+        let args: Vec<_> = args.iter().map(|arg| OsStr::from_bytes(arg)).collect();
+        let output = Command::new(env!("CARGO_BIN_EXE_forage")).args(&args).output().unwrap();
+        let found = text(&output.stderr);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0), "{args:?}: {found}");
         assert!(found.contains(message), "{args:?}: {found}");
     }
 }

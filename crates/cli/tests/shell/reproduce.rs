@@ -18,7 +18,7 @@ fn folder(name: &str) -> std::path::PathBuf {
 fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
     for (args, part) in [
         (&["reproduce", "waldo"] as &[&str], "`waldo` is not a reproduction; it must be one of wcpso-functions, wcpso-paths, ltqpso"),
-        (&["reproduce", "ltqpso", "--runs", "1"], "`--runs` is 1; it must be a whole number from 2 to 1000000"),
+        (&["reproduce", "ltqpso", "--runs", "1"], "`--runs` is 1; it must be a whole number from 2"),
         (&["reproduce", "ltqpso", "--jobs", "0"], "--jobs"),
         (&["reproduce", "ltqpso", "--check", "."], "--check"),
         (&["reproduce", "ltqpso", "--out", "Cargo.toml", "--runs", "2"], "Cargo.toml"),

@@ -19,9 +19,6 @@ use super::{
     plan::{Part, Sweep},
 };
 
-/// No row is as long: whatever has a longer line is no file of rows.
-const LONGEST_LINE: u64 = 1 << 16;
-
 /// Where a row stands.
 #[derive(Debug, Clone, Copy)]
 struct Where {
@@ -36,6 +33,9 @@ const NOWHERE: Where = Where { offset: 0, length: 0, file: 0 };
 
 /// So many rows are put in order at a time, each of the files opened once for them.
 const BLOCK: usize = 1 << 16;
+
+/// The longest line in bytes, far more than a row has: so much of a file without line breaks is in memory.
+const LONGEST_LINE: u64 = 1 << 20;
 
 /// The rows of a sweep, or of a part of it.
 #[derive(Debug)]
@@ -64,7 +64,7 @@ impl<'a> Kept<'a> {
     /// # Errors
     /// A file that cannot be read or written, that another program is writing, or that belongs to something else.
     pub fn open(sweep: &'a Sweep, part: Part, path: &Path, fresh: bool) -> Result<Self, Failure> {
-        let format = Format::of(path)?;
+        let format = Format::of("out", path)?;
         if part.of > sweep.len() {
             return Err(Error::refused("--shard", part, format!("one of at most {} parts, as many as there are runs", sweep.len())).into());
         }
@@ -140,7 +140,7 @@ impl<'a> Kept<'a> {
         if fs::canonicalize(path).ok() == fs::canonicalize(self.path()).ok() {
             return Ok(());
         }
-        if Format::of(path)? != self.format {
+        if Format::of("--merge", path)? != self.format {
             let allowed = format!("a file with the ending of {}", self.path().display());
             return Err(Error::refused("--merge", path.display(), allowed).into());
         }
@@ -165,10 +165,12 @@ impl<'a> Kept<'a> {
         reader.rewind().map_err(at(&path))?;
         let heading = self.format.heading(self.sweep).map_err(at(&path))?;
         let beginning = self.format.beginning(self.sweep).map_err(at(&path))?;
-        let (mut line, mut end, mut count, mut damaged) = (Vec::new(), 0_u64, 0, Vec::new());
+        let (mut line, mut end, mut count) = (Vec::new(), 0_u64, 0);
+        // The first one and how many there are: there may be more than fit in memory.
+        let (mut damaged, mut first_damaged) = (0_u64, None);
         loop {
             line.clear();
-            let length = (&mut reader).take(LONGEST_LINE).read_until(b'\n', &mut line).map_err(at(&path))?;
+            let length = reader.by_ref().take(LONGEST_LINE + 1).read_until(b'\n', &mut line).map_err(at(&path))?;
             count += 1;
             // What was torn in the middle is ours if it begins like ours.
             let torn = !line.ends_with(b"\n");
@@ -182,8 +184,8 @@ impl<'a> Kept<'a> {
                 };
                 return Err(other(problem, advice));
             }
-            if length as u64 == LONGEST_LINE && torn {
-                return Err(other(format!("line {count} is longer than {LONGEST_LINE} bytes and so no row"), fresh_advice));
+            if length as u64 > LONGEST_LINE {
+                return Err(other(format!("line {count} has more than {} KiB", LONGEST_LINE >> 10), fresh_advice));
             }
             if torn {
                 break;
@@ -205,14 +207,17 @@ impl<'a> Kept<'a> {
                             }
                         }
                     }
-                    Err(Wrong::Damaged(problem)) => damaged.push((count, problem)),
+                    Err(Wrong::Damaged(problem)) => {
+                        damaged += 1;
+                        first_damaged.get_or_insert((count, problem));
+                    }
                     Err(Wrong::Other(problem)) => return Err(other(format!("line {count}: {problem}"), fresh_advice)),
                 }
             }
             end += length as u64;
         }
-        if let Some((first, problem)) = damaged.first() {
-            let more = if damaged.len() > 1 { format!(", and {} more", damaged.len() - 1) } else { String::new() };
+        if let Some((first, problem)) = first_damaged {
+            let more = if damaged > 1 { format!(", and {} more", damaged - 1) } else { String::new() };
             self.notes.push(format!("{}: line {first} is damaged ({problem}){more}: what it told is run again", path.display()));
             self.damaged |= number == 0;
         }
@@ -220,7 +225,7 @@ impl<'a> Kept<'a> {
     }
 
     /// Looks through the file again, in which somebody else wrote.
-    fn look_anew(&mut self) -> Result<(), Failure> {
+    fn look_again(&mut self) -> Result<(), Failure> {
         for row in self.rows.iter_mut().filter(|row| row.file == 0) {
             *row = NOWHERE;
         }
@@ -297,7 +302,7 @@ impl<'a> Kept<'a> {
     /// That it was stopped before all were there; `None` if all are.
     pub(super) fn unfinished(&self) -> Option<Failure> {
         let (done, total) = self.counts();
-        (done < total).then(|| Failure::Interrupted { done, total, rows: Some(self.path().to_owned()) })
+        (done < total).then(|| Failure::Interrupted { done, total, rows: self.path().to_owned() })
     }
 
     /// Refuses a row that the run does not give now.
@@ -343,7 +348,7 @@ impl<'a> Kept<'a> {
     /// A disk that is full, and the like; a file in which somebody else writes.
     pub fn settle(&mut self) -> Result<(), Failure> {
         if self.file.metadata().map_err(at(self.path()))?.len() != self.end {
-            self.look_anew()?;
+            self.look_again()?;
         }
         let mut next = self.format.heading(self.sweep).map_err(at(self.path()))?.len() as u64;
         let in_order = self.rows.iter().all(|row| {

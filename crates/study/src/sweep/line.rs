@@ -40,15 +40,15 @@ pub enum Format {
 }
 
 impl Format {
-    /// By the file's ending.
+    /// By the file's ending; `field` names the option or the field that the file comes from.
     ///
     /// # Errors
     /// Any other ending than .csv, .jsonl and .ndjson.
-    pub fn of(path: &Path) -> Result<Self, Error> {
+    pub fn of(field: &str, path: &Path) -> Result<Self, Error> {
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("csv") => Ok(Self::Csv),
             Some("jsonl" | "ndjson") => Ok(Self::JsonLines),
-            _ => Err(Error::refused("out", path.display(), "a file that ends in .csv, .jsonl or .ndjson")),
+            _ => Err(Error::refused(field, path.display(), "a file that ends in .csv, .jsonl or .ndjson")),
         }
     }
 

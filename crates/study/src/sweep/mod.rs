@@ -121,7 +121,7 @@ fn check_rows(sweep: &Sweep, kept: &Kept, pool: &rayon::ThreadPool, stop: &Atomi
     for found in again {
         let Some((job, record)) = found else {
             let (done, total) = kept.counts();
-            return Err(Failure::Interrupted { done, total, rows: Some(kept.path().to_owned()) });
+            return Err(Failure::Interrupted { done, total, rows: kept.path().to_owned() });
         };
         kept.compare(job, &record)?;
     }

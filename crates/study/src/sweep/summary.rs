@@ -12,8 +12,8 @@ use forage::{
 
 use super::{
     super::{
+        escape::{escape, escape_lines, path_text, serialize_path},
         table::{Cell, Table, significant},
-        text::{escape, file_name},
     },
     kept::Kept,
     line::{Optimum, Told},
@@ -31,7 +31,7 @@ pub struct Summary {
     /// The sweep's name.
     pub name: String,
     /// Where the rows are.
-    #[serde(serialize_with = "crate::report::lossily")]
+    #[serde(serialize_with = "serialize_path")]
     pub rows: PathBuf,
     /// How many runs.
     pub runs: usize,
@@ -139,7 +139,7 @@ impl Summary {
     }
 
     fn heading(&self) -> String {
-        format!("{}: {} runs in {}", escape(&self.name), self.runs, file_name(&self.rows))
+        format!("{}: {} runs in {}", escape(&self.name), self.runs, path_text(&self.rows))
     }
 
     /// For a terminal.
@@ -155,7 +155,7 @@ impl Summary {
         let mut text = format!("# {}\n", self.heading());
         self.tables().iter().for_each(|table| text.extend(["\n", &table.markdown()]));
         self.left_out().iter().for_each(|note| text.extend(["\n", note, "\n"]));
-        text
+        escape_lines(&text)
     }
 
     fn left_out(&self) -> Vec<String> {

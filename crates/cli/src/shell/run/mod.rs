@@ -17,7 +17,7 @@ use forage::{
     frame::Role,
     picture,
     planner::Finding,
-    scene::formats::tour_file,
+    scene::formats::{stem_of, tour_file},
     session::{carry_out_all, csv_heading, csv_line, csv_row},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -28,7 +28,7 @@ use super::{
     args::RunArgs,
     exact, files, interrupt, load,
     output::{note, print, print_json},
-    text::quoted,
+    text::{escape, quoted},
 };
 
 /// The outcome, and how long the run took.
@@ -41,8 +41,7 @@ struct Report {
 
 pub(super) fn run(args: &RunArgs) -> super::Outcome {
     let task = load::task(args)?;
-    let written = [&args.svg, &args.trace, &args.drive, &args.tour, &args.motion];
-    files::check_outputs(&written.into_iter().flatten().map(PathBuf::as_path).collect::<Vec<_>>(), args.scene.as_deref())?;
+    check_outputs(args, &task.files)?;
     let drive_overrides = load::drive(args, &task.setup.scene)?;
     let motion_overrides = load::motion(args, &task.setup.scene)?;
     let mut session = Session::with_keyframes(task.setup.clone(), 0).map_err(|error| load::in_setup(&task.setup, &error))?;
@@ -71,6 +70,25 @@ pub(super) fn run(args: &RunArgs) -> super::Outcome {
         print(&summary::summary(&outcome, exact::unit(session.scene()), elapsed_ms))?;
     }
     Ok(ExitCode::from(u8::from(!feasible)))
+}
+
+/// Refuses, before anything is run, to write over the scene or over another output, or where nothing can be written.
+fn check_outputs(args: &RunArgs, read: &[PathBuf]) -> Result<(), Failure> {
+    let mut others: Vec<(&str, &Path)> = read.iter().map(|path| ("is read", path.as_path())).collect();
+    let written = [
+        ("--svg", &args.svg, "--svg writes"),
+        ("--trace", &args.trace, "--trace writes"),
+        ("--drive", &args.drive, "--drive writes"),
+        ("--tour", &args.tour, "--tour writes"),
+        ("--motion", &args.motion, "--motion writes"),
+    ];
+    for (option, path, role) in written {
+        let Some(path) = path else { continue };
+        files::check_target(path)?;
+        files::check_apart(option, path, &others)?;
+        others.push((role, path));
+    }
+    Ok(())
 }
 
 /// Lets the robot drive along the path, if that was asked for.
@@ -198,8 +216,8 @@ fn write_tour(path: &Path, outcome: &Outcome) -> Result<(), Failure> {
         not_written(path, "no tour was found");
         return Ok(());
     };
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    files::write(path, tour_file(&name, order).bytes)?;
+    let name = path.to_string_lossy();
+    files::write(path, tour_file(&escape(stem_of(&name)), order).bytes)?;
     if outcome.path.as_ref().is_some_and(|path| path.first() != path.last()) {
         note(&format!("the tour is open, but readers of {} take it as closed", quoted(&path.to_string_lossy())));
     }

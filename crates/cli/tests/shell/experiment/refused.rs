@@ -15,7 +15,9 @@ fn what_is_refused_is_named_before_anything_is_run() {
     let top = |line: &str| format!("scenes = ['sphere']\nseeds = [1]\n{line}\n{planner}");
     let cases: Vec<(String, &str)> = vec![
         ("scenes = [".into(), "sweep.toml: line 1, column 11: unclosed array"),
-        (top("iteration = 5"), "unknown field `iteration`"),
+        (top("iteration = 5"), "line 3, column 1: `iteration` is not a known field; did you mean `iterations`?"),
+        (top("scene = ['sphere']"), "`scene` is not a known field; did you mean `scenes`?"),
+        (top("[[planner]]\nparms = {}"), "`parms` is not a known field; did you mean `params`?"),
         (top("iterations = 0"), "`iterations` is 0; it must be a whole number from 1"),
         (top("iterations = [5, 6]"), "`iterations` is a list of 2; it must be one number for all planners"),
         (top("within = -1"), "`within` is -1; it must be a number from 0"),
@@ -86,6 +88,7 @@ fn what_is_refused_is_named_before_anything_is_run() {
         (&["--shard", "1/19"], "at most 18 parts"),
         (&["--out", "rows.txt"], "`out` is rows.txt; it must be a file that ends in .csv"),
         (&["--merge", "nowhere.csv"], "nowhere.csv"),
+        (&["--merge", "README.md"], "`--merge` is README.md; it must be a file that ends in .csv"),
         (&["--merge", "a.csv", "--shard", "1/2"], "cannot be used with"),
         (&["--jobs", "0"], "--jobs"),
     ] {
