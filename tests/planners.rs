@@ -318,10 +318,8 @@ fn every_encoding_runs(entry: &'static Entry) {
     for scene in all {
         for (encoding, points) in [("waypoints", 5), ("polar", 9)] {
             let run = |smooth: bool| {
-                let mut params = sized(entry, &scene, 40.0, 400.0);
-                params.insert("encoding", Value::from(encoding));
-                params.insert("smooth", Value::Flag(smooth));
-                let mut session = session(entry, &scene, params, 7);
+                let params = [("encoding", encoding.into()), ("smooth", Value::Flag(smooth)), ("iterations", 400.0.into())];
+                let mut session = session(entry, &scene, params.into_iter().collect(), 7);
                 session.step(u64::MAX);
                 session.outcome()
             };
