@@ -22,7 +22,13 @@ pub(super) fn import(map: &NamedFile, scen: Option<&NamedFile>, problem: Option<
         note_other_name(scen, named, map, &mut notes);
         let index = problem.unwrap_or(lines.len() - 1);
         let Some((line, chosen)) = lines.get(index) else {
-            return Err(Error::refused("problem", index, format!("from 0 to {}: {} has as many", lines.len() - 1, scen.label())));
+            let (label, count) = (scen.label(), lines.len());
+            let allowed = if count == 1 {
+                format!("0: {label} has 1 problem")
+            } else {
+                format!("from 0 to {}: {label} has {count} problems", count - 1)
+            };
+            return Err(Error::refused("problem", index, format!("{allowed}, counted from 0")));
         };
         for (name, [x, y]) in [("start", chosen.start), ("goal", chosen.goal)] {
             if grid.blocked[y as usize * grid.columns + x as usize] {

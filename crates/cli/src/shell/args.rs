@@ -117,7 +117,7 @@ pub(super) struct ExperimentArgs {
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub(super) jobs: Option<NonZeroUsize>,
     /// Run only part I of N, into a file of its own with .I-of-N before its ending.
-    #[arg(long, value_name = "I/N", conflicts_with = "merge")]
+    #[arg(long, value_name = "I/N", conflicts_with = "merge", allow_hyphen_values = true)]
     pub(super) shard: Option<String>,
     /// Where to write the rows: .csv, or .jsonl or .ndjson for JSON Lines. Default: as FILE.toml says, or FILE.csv.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
@@ -261,7 +261,8 @@ fn seconds(text: &str) -> Result<u64, String> {
 }
 
 fn problem(text: &str) -> Result<usize, String> {
-    text.parse().map_err(|_| "it must be a whole number from 0".to_owned())
+    // No file of problems can hold more.
+    whole_number(text, 0, u64::from(u32::MAX)).map(|number| number as usize)
 }
 
 fn whole_number(text: &str, least: u64, most: u64) -> Result<u64, String> {

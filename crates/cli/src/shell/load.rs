@@ -98,7 +98,10 @@ pub(super) fn import(files: &mut Vec<NamedFile>, problem: Option<usize>) -> Resu
             files.push(read(&path.to_string_lossy())?);
         }
     }
-    let imported = formats::import(files, problem)?;
+    let imported = formats::import(files, problem).map_err(|error| match error {
+        Error::Refused { field, value, allowed } if field == "problem" => Error::refused("--problem", value, allowed),
+        other => other,
+    })?;
     notes(&imported.notes);
     Ok(imported.scene)
 }

@@ -1,6 +1,6 @@
 //! Command lines that cannot be understood, as one message.
 
-use std::{any::TypeId, ffi::OsString, path::PathBuf, process::ExitCode};
+use std::{any::TypeId, borrow::Cow, ffi::OsString, path::PathBuf, process::ExitCode};
 
 use clap::{
     Arg, CommandFactory,
@@ -50,7 +50,7 @@ fn problem(error: &Error) -> String {
         ErrorKind::InvalidSubcommand => format!("{} is not a command", quoted(&texts(error, ContextKind::InvalidSubcommand).concat())),
         ErrorKind::MissingSubcommand => "a command is missing".to_owned(),
         ErrorKind::UnknownArgument if typed.starts_with('-') => format!("`{typed}` is not an option"),
-        ErrorKind::UnknownArgument => format!("`{typed}` is one argument too many"),
+        ErrorKind::UnknownArgument => format!("{} is one argument too many", quoted(&typed)),
         ErrorKind::MissingRequiredArgument => {
             let missing = texts(error, ContextKind::InvalidArg);
             format!("{} {} missing", list(&missing), if missing.len() > 1 { "are" } else { "is" })
@@ -91,16 +91,20 @@ fn not_utf8() -> String {
     let typed: Vec<OsString> = std::env::args_os().skip(1).collect();
     let command = Cli::command();
     let subcommand = typed.first().and_then(|name| command.find_subcommand(name)).unwrap_or(&command);
+    let is_path = |arg: &Arg| arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
+    let option = |name: &str| {
+        let long = name.strip_prefix("--")?;
+        subcommand.get_arguments().find(|arg| arg.get_action().takes_values() && arg.get_long() == Some(long))
+    };
     for (k, value) in typed.iter().enumerate().filter(|(_, value)| value.to_str().is_none()) {
-        let value = value.to_string_lossy();
-        let before = k.checked_sub(1).map(|k| typed[k].to_string_lossy());
-        let (name, value) = value.split_once('=').unwrap_or((before.as_deref().unwrap_or(""), &value));
-        let is_named =
-            |arg: &&Arg| arg.get_action().takes_values() && arg.get_long().is_some_and(|long| name.strip_prefix("--") == Some(long));
-        match subcommand.get_arguments().find(is_named) {
-            Some(arg) if arg.get_value_parser().type_id() == TypeId::of::<PathBuf>() => {}
+        let text = value.to_string_lossy();
+        let before = k.checked_sub(1).map_or(Cow::default(), |k| typed[k].to_string_lossy());
+        let (name, value) = text.split_once('=').filter(|(name, _)| name.starts_with("--")).unwrap_or((&before, &text));
+        match option(name) {
+            Some(arg) if is_path(arg) => {}
             Some(_) => return format!("`{name}` is {}; it must be valid UTF-8", shorten(value, 70)),
-            None => return format!("the argument {} is not valid UTF-8", quoted(value)),
+            None if subcommand.get_positionals().any(is_path) && !text.starts_with('-') => {}
+            None => return format!("the argument {} is not valid UTF-8", quoted(&text)),
         }
     }
     "an argument is not valid UTF-8".to_owned()

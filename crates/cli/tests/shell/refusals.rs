@@ -186,8 +186,9 @@ fn what_cannot_be_combined_or_is_missing_is_said() {
         (&["run", "pso", "--scene", "sphere", "--preset", "paper"], "`preset` is paper; it must be left out: pso has no presets"),
         (&["help", "rnu"], "`rnu` is not a command; did you mean `run`?"),
         (&["generate", "maze", "--out"], "needs a value"),
-        (&["convert", "maze", "--problem", "first", "a.map"], "`--problem` is first; it must be a whole number from 0; "),
+        (&["convert", "maze", "--problem", "first", "a.map"], "`--problem` is first; it must be a whole number from 0 to 4294967295; "),
         (&["exact", "--scene", "sphere", "more"], "`more` is one argument too many"),
+        (&["list", "a", ""], "an empty text is one argument too many"),
     ] {
         let output = forage(args);
         let found = text(&output.stderr);
@@ -248,6 +249,12 @@ fn an_argument_that_is_not_utf8_is_named() {
     for (args, message) in [
         (&[b"run" as &[u8], b"pso", b"--scene", b"caf\xe9"] as &[&[u8]], "`--scene` is caf\u{fffd}; it must be valid UTF-8; "),
         (&[b"run", b"pso", b"--svg", b"a\xe9", b"--scene=caf\xe9"], "`--scene` is caf\u{fffd}; it must be valid UTF-8; "),
+        (&[b"run", b"pso", b"--svg", b"x=\xe9", b"--scene", b"caf\xe9"], "`--scene` is caf\u{fffd}; it must be valid UTF-8; "),
+        (&[b"run", b"pso", b"--set", b"w=\xff"], "`--set` is w=\u{fffd}; it must be valid UTF-8; "),
+        (
+            &[b"experiment", b"x\xe9.toml", b"--merge", b"\xe9.csv", b"\xe9.csv", b"--shard", b"\xe9"],
+            "`--shard` is \u{fffd}; it must be valid",
+        ),
         (&[b"list", b"--json", b"caf\xe9"], "the argument `caf\u{fffd}` is not valid UTF-8; `forage list --help`"),
     ] {
         let args: Vec<_> = args.iter().map(|arg| OsStr::from_bytes(arg)).collect();
