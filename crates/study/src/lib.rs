@@ -17,6 +17,7 @@ mod colonies;
 pub mod document;
 pub mod escape;
 pub mod figure;
+pub mod files;
 pub mod fingerprints;
 pub mod fit;
 pub mod ltqpso;

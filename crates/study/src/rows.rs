@@ -4,7 +4,7 @@
 //! start. Nobody else can write meanwhile: the file is locked.
 
 use std::{
-    fs::{self, File, OpenOptions, TryLockError},
+    fs::{self, File, OpenOptions},
     io::{Read, Write},
     path::{Path, PathBuf},
 };
@@ -13,7 +13,7 @@ use serde::{Serialize, de::DeserializeOwned};
 
 use forage::error::Error;
 
-use super::{Failure, at};
+use super::{Failure, at, sweep::kept::locked};
 
 /// The largest file of rows: it is read as a whole.
 const LARGEST: u64 = 1 << 30;
@@ -51,9 +51,7 @@ impl<R: Row> Rows<R> {
         }
         let mut file = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(at(path))?;
         // Where files cannot be locked at all, nothing is lost but the warning.
-        if let Err(TryLockError::WouldBlock) = file.try_lock() {
-            return Err(Error::refused("out", path.display(), "a folder that no other `forage` is writing to").into());
-        }
+        locked(file.try_lock(), path)?;
         if fresh {
             file.set_len(0).map_err(at(path))?;
         }

@@ -301,6 +301,8 @@ mod tests {
     fn two_at_once_are_refused() {
         let (_folder, path) = file();
         let _first = Rows::<Square>::open(&path, false).unwrap();
-        assert!(carry_out(&tasks(), &path, 1).unwrap_err().to_string().contains("no other"));
+        let refused = carry_out(&tasks(), &path, 1).unwrap_err();
+        // Not the same as a wrong input: the same call may succeed later.
+        assert!(matches!(&refused, Failure::File(_, error) if error.kind() == std::io::ErrorKind::WouldBlock), "{refused}");
     }
 }

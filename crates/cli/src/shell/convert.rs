@@ -28,12 +28,12 @@ pub(super) fn convert(args: &ConvertArgs) -> super::Outcome {
     let format = format("OUT", to)?;
     // A single name may be a shipped scene or a link; only a file has problems to choose from.
     if from.len() == 1 && args.problem.is_none() && Format::of_file(one).is_none_or(|format| format == Format::Json) {
-        return write(&*load::scene(one)?, format, to, from);
+        return write(&*load::scene(one)?, format, "OUT", to, from);
     }
     let mut files = from.iter().map(|path| load::read(path)).collect::<Result<_, _>>()?;
     let scene = load::import(&mut files, args.problem)?;
     let read: Vec<_> = files.into_iter().map(|file| file.name).collect();
-    write(&scene, format, to, &read)
+    write(&scene, format, "OUT", to, &read)
 }
 
 /// The format of a file that is to be written.
@@ -41,23 +41,25 @@ pub(super) fn format(field: &str, path: &str) -> Result<Format, Error> {
     Format::of_file(path).ok_or_else(|| Error::refused(field, path, format!("a file that ends in {ENDINGS}")))
 }
 
-/// Writes a scene's files in a format, named like `path` except for their endings. Files that were read are never overwritten.
-pub(super) fn write(scene: &Scene, format: Format, path: &str, read: &[String]) -> super::Outcome {
+/// Writes a scene's files in a format, named like `path`, the value of `field`, except for their endings. Files that were read are
+/// never overwritten.
+pub(super) fn write(scene: &Scene, format: Format, field: &str, path: &str, read: &[String]) -> super::Outcome {
     let path = Path::new(path);
     let name = path.to_string_lossy();
     let exported = formats::export(scene, format, formats::stem_of(&name))?;
     let is_asked_for = |file: &NamedFile| formats::same_sort(&file.name, &name);
     // Not every scene has a tour to write next to its stops, or a problem next to its map.
     if !exported.files.iter().any(is_asked_for) {
-        let tour = "OUT: the shortest closed tour of this scene is not known, so there is no tour to write".to_owned();
-        return Err(Failure::Refused(if format == Format::Tsplib { tour } else { format!("OUT: {}", exported.notes.join(" ")) }));
+        let tour = format!("{field}: the shortest closed tour of this scene is not known, so there is no tour to write");
+        return Err(Failure::Refused(if format == Format::Tsplib { tour } else { format!("{field}: {}", exported.notes.join(" ")) }));
     }
     let target = |file: &NamedFile| if is_asked_for(file) { path.to_owned() } else { path.with_file_name(&file.name) };
     let targets: Vec<PathBuf> = exported.files.iter().map(target).collect();
+    let mut others: Vec<(&str, &Path)> = read.iter().map(|read| ("is read", Path::new(read))).collect();
     for target in &targets {
-        if read.iter().any(|read| files::is_same(target, Path::new(read))) {
-            return Err(Error::refused("OUT", target.display(), "another file than those that are read").into());
-        }
+        files::check_apart(field, target, &others)?;
+        files::check_target(target)?;
+        others.push(("is written, too", target));
     }
     for (file, target) in exported.files.iter().zip(&targets) {
         files::write(target, &file.bytes)?;

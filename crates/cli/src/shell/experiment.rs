@@ -33,14 +33,7 @@ pub(super) fn experiment(args: &ExperimentArgs) -> super::Outcome {
     let (read::Given { sweep, out }, sources) = read_file(file)?;
     let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
     let rows = args.out.clone().unwrap_or_else(|| default_out(file, out.as_deref(), part));
-    let mut others: Vec<(&str, &Path)> = sources.iter().map(|path| ("is read", path.as_path())).collect();
-    files::check_apart("out", &rows, &others)?;
-    if let Some(report) = &args.report {
-        others.push(("holds the rows", &rows));
-        others.extend(args.merge.iter().map(|path| ("is read", path.as_path())));
-        files::check_apart("--report", report, &others)?;
-        check_report(report, &rows)?;
-    }
+    check_outputs(args, &rows, &sources)?;
     let existing = args.merge.iter().chain([&rows].into_iter().filter(|rows| rows.exists()));
     existing.into_iter().try_for_each(|rows| files::check(rows, None))?;
     let mut kept = Kept::open(&sweep, part, &rows, args.fresh)?;
@@ -84,10 +77,20 @@ fn run_missing(sweep: &Sweep, kept: &mut Kept, args: &ExperimentArgs) -> Result<
     Ok(outcome?)
 }
 
-/// Refuses, before anything is run, a report that cannot be written. The folder of the rows is made if it is missing.
-fn check_report(report: &Path, rows: &Path) -> Result<(), Failure> {
-    let is_made = matches!((rows.parent(), report.parent()), (Some(made), Some(folder)) if made.starts_with(folder));
-    if is_made { files::check_no_directory(report) } else { files::check_target(report) }
+/// Refuses, before anything is run, to write over what is read or over the rows, and a report that cannot be written. Its folder is
+/// made if it is missing, as that of the rows is.
+fn check_outputs(args: &ExperimentArgs, rows: &Path, sources: &[PathBuf]) -> Result<(), Failure> {
+    let field = if args.out.is_some() { "--out" } else { "out" };
+    let mut others: Vec<(&str, &Path)> = sources.iter().map(|path| ("is read", path.as_path())).collect();
+    files::check_apart(field, rows, &others)?;
+    files::make_folder_of(field, rows)?;
+    let Some(report) = &args.report else { return Ok(()) };
+    let damaged = sweep::damaged(rows);
+    others.extend([("holds the rows", rows), ("would keep damaged rows", &damaged)]);
+    others.extend(args.merge.iter().map(|path| ("is read", path.as_path())));
+    files::check_apart("--report", report, &others)?;
+    files::make_folder_of("--report", report)?;
+    files::check_target(report)
 }
 
 /// Reads the experiment's file; returns it with the files that were read.

@@ -7,6 +7,7 @@ use std::{
 };
 
 use forage::Error;
+use forage_study::files::{is_same, place};
 
 use super::{Failure, text::quoted};
 
@@ -38,7 +39,7 @@ impl Limit {
 
 /// Reads a whole file.
 pub(super) fn read(path: &Path, limit: Limit) -> Result<Vec<u8>, Failure> {
-    let name = quoted(&path.to_string_lossy());
+    let name = quoted_path(path);
     let failed = |error: io::Error| Failure::read(path, error);
     check_kind(&name, &fs::metadata(path).map_err(failed)?)?;
     let file = File::open(path).map_err(failed)?;
@@ -54,43 +55,69 @@ pub(super) fn read(path: &Path, limit: Limit) -> Result<Vec<u8>, Failure> {
 
 /// Refuses a file that other code will read if it is missing, no regular file, or larger than `limit`.
 pub(super) fn check(path: &Path, limit: Option<Limit>) -> Result<(), Failure> {
-    let name = quoted(&path.to_string_lossy());
+    let name = quoted_path(path);
     let metadata = fs::metadata(path).map_err(|error| Failure::read(path, error))?;
     check_kind(&name, &metadata)?;
     limit.map_or(Ok(()), |limit| limit.check(&name, metadata.len()))
 }
 
-/// Refuses a file that is to be written later, if it is a directory or its folder is missing.
+/// Refuses a file that is to be written later and cannot be: it is a folder, its folder is missing, or the system does not let it
+/// be opened for writing. What is there stays as it is.
 pub(super) fn check_target(path: &Path) -> Result<(), Failure> {
-    check_no_directory(path)?;
-    let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) else { return Ok(()) };
-    match fs::metadata(folder) {
-        Err(error) => Err(Failure::write(path, error)),
-        Ok(metadata) if !metadata.is_dir() => {
-            Err(cannot_be_written(path, &format!("{} is not a folder", quoted(&folder.to_string_lossy()))))
-        }
-        Ok(_) => Ok(()),
+    let failed = |error: io::Error| Failure::write(path, error);
+    match fs::metadata(path) {
+        Ok(metadata) if metadata.is_dir() => return Err(cannot_be_written(path, "it is a folder")),
+        Ok(metadata) if !metadata.is_file() => return Ok(()),
+        Ok(_) => return File::options().append(true).open(path).map(drop).map_err(failed),
+        Err(_) => {}
     }
-}
-
-/// Refuses a file that is to be written later, if it is a directory.
-pub(super) fn check_no_directory(path: &Path) -> Result<(), Failure> {
-    if path.is_dir() { Err(cannot_be_written(path, "it is a directory")) } else { Ok(()) }
+    let Some(place) = place(path) else { return Err(cannot_be_written(path, "its links lead in a circle")) };
+    let is_folder = path.to_string_lossy().ends_with(std::path::is_separator);
+    let folder = if is_folder { Some(path) } else { place.parent() };
+    if let Some(folder) = folder.filter(|folder| !folder.is_dir()) {
+        // Said with the folder that was given, if it is that.
+        let folder = path.parent().filter(|given| !given.as_os_str().is_empty() && !given.is_dir()).unwrap_or(folder);
+        let none = || format!("there is no folder {}", quoted_path(folder));
+        return Err(cannot_be_written(
+            path,
+            &in_the_way(folder).map_or_else(none, |(file, what)| format!("{} is {what}", quoted_path(file))),
+        ));
+    }
+    // A link is not replaced: the file that it leads to is made, and goes again.
+    File::options().write(true).create_new(true).open(&place).map_err(failed)?;
+    fs::remove_file(&place).map_err(failed)
 }
 
 fn cannot_be_written(path: &Path, why: &str) -> Failure {
-    Failure::Refused(format!("{} cannot be written: {why}", quoted(&path.to_string_lossy())))
+    Failure::Refused(format!("{} cannot be written: {why}", quoted_path(path)))
+}
+
+fn quoted_path(path: &Path) -> String {
+    quoted(&path.to_string_lossy())
+}
+
+/// What is no folder and keeps one from being made, and what it is.
+fn in_the_way(folder: &Path) -> Option<(&Path, &'static str)> {
+    let existing = folder.ancestors().find(|path| fs::symlink_metadata(path).is_ok())?;
+    match fs::metadata(existing) {
+        Ok(metadata) if metadata.is_dir() => None,
+        Ok(_) => Some((existing, "a file")),
+        Err(_) => Some((existing, "a link to what does not exist")),
+    }
 }
 
 /// Refuses a folder that cannot be made, because it is a file or in one.
 pub(super) fn check_folder(field: &str, folder: &Path) -> Result<(), Failure> {
-    let existing = folder.ancestors().find_map(|path| fs::metadata(path).ok().map(|metadata| (path, metadata)));
-    match existing {
-        Some((path, metadata)) if !metadata.is_dir() => {
-            Err(Error::refused(field, folder.display(), format!("a folder; {} is a file", path.display())).into())
-        }
-        _ => Ok(()),
-    }
+    let Some((file, what)) = in_the_way(folder) else { return Ok(()) };
+    let file = if file == folder { "it".to_owned() } else { quoted_path(file) };
+    Err(Error::refused(field, folder.display(), format!("a folder, but {file} is {what}")).into())
+}
+
+/// Makes the folder of a file that an option writes, if it is missing.
+pub(super) fn make_folder_of(field: &str, path: &Path) -> Result<(), Failure> {
+    let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) else { return Ok(()) };
+    check_folder(field, folder)?;
+    fs::create_dir_all(folder).map_err(|error| Failure::write(folder, error))
 }
 
 /// Refuses to write the file of an option over another one. Of the others it is known what they are for, such as `is read`.
@@ -101,31 +128,6 @@ pub(super) fn check_apart(field: &str, path: &Path, others: &[(&str, &Path)]) ->
         }
         None => Ok(()),
     }
-}
-
-/// Whether two names are those of one file, which need not exist yet. Writing to a device harms nothing.
-pub(super) fn is_same(a: &Path, b: &Path) -> bool {
-    if fs::metadata(a).is_ok_and(|metadata| !metadata.is_file()) {
-        return false;
-    }
-    let place = |path: &Path| {
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        fs::canonicalize(path).or_else(|_| Ok::<_, io::Error>(fs::canonicalize(folder)?.join(path.file_name().unwrap_or_default()))).ok()
-    };
-    a == b || place(a).is_some_and(|place_a| place(b) == Some(place_a)) || is_linked(a, b)
-}
-
-/// Whether two files that exist are one with two names.
-#[cfg(unix)]
-fn is_linked(a: &Path, b: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let number = |path| fs::metadata(path).ok().map(|metadata| (metadata.dev(), metadata.ino()));
-    number(a).is_some_and(|number_a| number(b) == Some(number_a))
-}
-
-#[cfg(not(unix))]
-fn is_linked(_: &Path, _: &Path) -> bool {
-    false
 }
 
 /// Writes a whole file.
@@ -143,7 +145,7 @@ fn check_kind(name: &str, metadata: &Metadata) -> Result<(), Failure> {
 
 fn kind(found: FileType) -> &'static str {
     if found.is_dir() {
-        return " but a directory";
+        return " but a folder";
     }
     special(found)
 }

@@ -21,7 +21,7 @@ pub(super) fn generate(args: &GenerateArgs) -> super::Outcome {
         .map_err(|error| Failure::about(Subject::Named(generator.name), &error))?;
     notes(scene.header().note.as_slice());
     if let (Some(format), Some(path)) = (format, &args.out) {
-        return convert::write(&scene, format, path, &[]);
+        return convert::write(&scene, format, "--out", path, &[]);
     }
     print_raw(scene.to_json().as_bytes())?;
     Ok(ExitCode::SUCCESS)

@@ -112,7 +112,7 @@ fn what_is_no_regular_file_or_too_large_is_refused_before_it_is_read() {
     cases.extend([
         (vec!["run", "pso", "--scene", "/dev/zero"], "`/dev/zero` is not a regular file but a device"),
         (vec!["exact", "--scene", "pipe.json"], "`pipe.json` is not a regular file but a named pipe"),
-        (vec!["exact", "--scene", "folder.json"], "`folder.json` is not a regular file but a directory"),
+        (vec!["exact", "--scene", "folder.json"], "`folder.json` is not a regular file but a folder"),
         (vec!["exact", "--scene", "socket.json"], "`socket.json` is not a regular file but a socket"),
         (vec!["exact", "--scene", "zero-partner.scen"], "zero.map` is not a regular file but a device"),
         (vec!["exact", "--scene", "large-partner.yaml"], "large.pgm` has 65.0 MiB"),

@@ -14,7 +14,7 @@ use std::{
 use forage::{error::Error, trial::Record};
 
 use super::{
-    super::{Failure, at},
+    super::{Failure, at, files::is_same},
     line::{Format, Told, Wrong},
     plan::{Part, Sweep},
 };
@@ -64,7 +64,7 @@ impl<'a> Kept<'a> {
     /// # Errors
     /// A file that cannot be read or written, that another program is writing, or that belongs to something else.
     pub fn open(sweep: &'a Sweep, part: Part, path: &Path, fresh: bool) -> Result<Self, Failure> {
-        let format = Format::of("out", path)?;
+        let format = Format::of("--out", path)?;
         if part.of > sweep.len() {
             return Err(Error::refused("--shard", part, format!("one of at most {} parts, as many as there are runs", sweep.len())).into());
         }
@@ -100,8 +100,9 @@ impl<'a> Kept<'a> {
     pub fn begin(&mut self) -> Result<(), Failure> {
         let path = &self.files[0];
         if self.damaged {
-            let bad = beside(path, ".bad");
-            fs::copy(path, &bad).map_err(at(&bad))?;
+            let bad = damaged(path);
+            let mut copy = File::create_new(&bad).map_err(at(&bad))?;
+            File::open(path).and_then(|mut file| io::copy(&mut file, &mut copy)).map_err(at(&bad))?;
             self.notes.push(format!("{}: as it was it is kept as {}", path.display(), bad.display()));
         }
         self.file.set_len(self.end).map_err(at(path))?;
@@ -137,7 +138,7 @@ impl<'a> Kept<'a> {
 
     /// Takes the rows of another file, too.
     fn add(&mut self, path: &Path) -> Result<(), Failure> {
-        if fs::canonicalize(path).ok() == fs::canonicalize(self.path()).ok() {
+        if is_same(path, self.path()) {
             return Ok(());
         }
         if Format::of("--merge", path)? != self.format {
@@ -185,7 +186,8 @@ impl<'a> Kept<'a> {
                 return Err(other(problem, advice));
             }
             if length as u64 > LONGEST_LINE {
-                return Err(other(format!("line {count} has more than {} KiB", LONGEST_LINE >> 10), fresh_advice));
+                let problem = format!("line {count} has more than {} KiB, so it is no row; --fresh starts over", LONGEST_LINE >> 10);
+                return Err(Error::malformed(&path.display().to_string(), problem).into());
             }
             if torn {
                 break;
@@ -218,7 +220,7 @@ impl<'a> Kept<'a> {
         }
         if let Some((first, problem)) = first_damaged {
             let more = if damaged > 1 { format!(", and {} more", damaged - 1) } else { String::new() };
-            self.notes.push(format!("{}: line {first} is damaged ({problem}){more}: what it told is run again", path.display()));
+            self.notes.push(format!("{}: line {first} is damaged ({problem}){more}; missing runs are repeated", path.display()));
             self.damaged |= number == 0;
         }
         Ok(end)
@@ -414,8 +416,17 @@ fn beside(path: &Path, ending: &str) -> PathBuf {
     name.into()
 }
 
+/// The name under which a file of rows with damaged lines is kept as it was: the first free one of `rows.csv.bad`,
+/// `rows.csv.2.bad`, …
+pub fn damaged(rows: &Path) -> PathBuf {
+    let first = beside(rows, ".bad");
+    let more = (2_u64..).map(|number| beside(rows, &format!(".{number}.bad")));
+    // The numbers end after the names of any folder.
+    std::iter::once(first.clone()).chain(more).find(|path| fs::symlink_metadata(path).is_err()).unwrap_or(first)
+}
+
 /// Refuses what somebody else is writing. Where files cannot be locked at all, that should be known.
-fn locked(outcome: Result<(), TryLockError>, path: &Path) -> Result<Option<String>, Failure> {
+pub(crate) fn locked(outcome: Result<(), TryLockError>, path: &Path) -> Result<Option<String>, Failure> {
     match outcome {
         Ok(()) => Ok(None),
         Err(TryLockError::WouldBlock) => {

@@ -32,7 +32,7 @@ use super::{
     runner::{self, Control, Work},
 };
 
-pub use kept::Kept;
+pub use kept::{Kept, damaged};
 pub use line::Format;
 pub use plan::{Part, Sweep};
 pub use summary::Summary;

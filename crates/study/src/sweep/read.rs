@@ -15,6 +15,7 @@ use forage::{
 
 use super::{
     super::Failure,
+    line::Format,
     plan::{MOST, MOST_CELLS, Seeds, Setting, Sweep, Variants, value_text},
 };
 
@@ -66,6 +67,7 @@ pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Gi
         share.ok_or_else(|| refused("within", &within, "a number from 0 to 1000000, a share of the exact optimum"))
     })?;
     let out = given.out.map(|out| plain_text("out", &out).map(PathBuf::from)).transpose()?;
+    out.as_deref().map(|out| Format::of("out", out)).transpose()?;
     let (planners, parameters) = planners(&given.planner, given.iterations.as_ref(), &scenes)?;
 
     let mut sweep = Sweep { name, scenes, within, parameters, seeds, in_front: in_front(&planners), planners, weights: Vec::new() };

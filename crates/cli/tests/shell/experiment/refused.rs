@@ -86,7 +86,7 @@ fn what_is_refused_is_named_before_anything_is_run() {
         (&["--shard", "4/3"], "`--shard` is 4/3"),
         (&["--shard", "half"], "`--shard` is half"),
         (&["--shard", "1/19"], "at most 18 parts"),
-        (&["--out", "rows.txt"], "`out` is rows.txt; it must be a file that ends in .csv"),
+        (&["--out", "rows.txt"], "`--out` is rows.txt; it must be a file that ends in .csv"),
         (&["--merge", "nowhere.csv"], "nowhere.csv"),
         (&["--merge", "README.md"], "`--merge` is README.md; it must be a file that ends in .csv"),
         (&["--merge", "a.csv", "--shard", "1/2"], "cannot be used with"),

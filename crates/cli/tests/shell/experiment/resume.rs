@@ -27,9 +27,10 @@ fn killed_at_any_moment_it_goes_on_and_loses_nothing() {
         assert!(kept.iter().all(|line| lines.contains(line)), "a row that was there is gone");
         kept = lines;
     }
-    // Killed while the file is put in order, with something left to do.
-    let left: String = fs::read_to_string(&out).unwrap().split_inclusive('\n').take(4).collect();
-    fs::write(&out, left).unwrap();
+    // Killed while the file is put in order, with something left to do, and surely out of order.
+    let ordered = fs::read_to_string(&whole).unwrap();
+    let lines: Vec<_> = ordered.split_inclusive('\n').collect();
+    fs::write(&out, [lines[0], lines[3], lines[2], lines[1]].concat()).unwrap();
     let beside = folder.join("out.csv.new");
     fs::write(&beside, "scene,pla").unwrap();
     carry_out(&folder, &args[2..]);
@@ -164,7 +165,13 @@ fn what_a_damaged_line_told_is_run_again() {
         assert_eq!(fs::read_to_string(&path).unwrap(), whole, "{name}");
         assert_eq!(fs::read_to_string(folder.join(format!("{name}.bad"))).unwrap(), lines.concat());
         let told = kept.notes().join("; ");
-        assert!(told.contains("line 4 is damaged") && told.contains("and 1 more") && told.contains(".bad"), "{told}");
+        assert!(told.contains("line 4 is damaged") && told.contains("and 1 more; missing runs are repeated"), "{told}");
+        drop(kept);
+        // A second time the first copy stays.
+        fs::write(&path, lines[..4].concat()).unwrap();
+        go_on(&sweep, &mut open(&sweep, &path).unwrap()).unwrap();
+        let [first, second] = ["bad", "2.bad"].map(|ending| fs::read_to_string(folder.join(format!("{name}.{ending}"))).unwrap());
+        assert_eq!((first, second), (lines.concat(), lines[..4].concat()));
     }
 }
 

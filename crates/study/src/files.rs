@@ -1,0 +1,77 @@
+//! Which file a name is that of, whether or not it exists yet.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// So many links are followed, as the system does.
+const MOST_LINKS: usize = 40;
+
+/// Whether two names are those of one file, which need not exist yet. Writing to a device harms nothing: two names of one are
+/// not the same.
+pub fn is_same(a: &Path, b: &Path) -> bool {
+    if fs::metadata(a).is_ok_and(|metadata| !metadata.is_file()) {
+        return false;
+    }
+    a == b || place(a).is_some_and(|place_a| place(b) == Some(place_a)) || is_linked(a, b)
+}
+
+/// Where writing to this name would make a file: links are followed, also to what does not exist yet. `None` if they lead
+/// nowhere.
+pub fn place(path: &Path) -> Option<PathBuf> {
+    follow(path, &mut 0)
+}
+
+fn follow(path: &Path, links: &mut usize) -> Option<PathBuf> {
+    if let Ok(place) = fs::canonicalize(path) {
+        return Some(place);
+    }
+    let folder = match path.parent()? {
+        folder if folder.as_os_str().is_empty() => fs::canonicalize(".").ok()?,
+        folder => follow(folder, links)?,
+    };
+    let here = folder.join(path.file_name()?);
+    let Ok(target) = fs::read_link(&here) else { return Some(here) };
+    *links += 1;
+    if *links > MOST_LINKS { None } else { follow(&folder.join(target), links) }
+}
+
+/// Whether two files that exist are one with two names.
+#[cfg(unix)]
+fn is_linked(a: &Path, b: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let number = |path| fs::metadata(path).ok().map(|metadata| (metadata.dev(), metadata.ino()));
+    number(a).is_some_and(|number_a| number(b) == Some(number_a))
+}
+
+#[cfg(not(unix))]
+fn is_linked(_: &Path, _: &Path) -> bool {
+    false
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::fs::symlink;
+
+    use super::*;
+
+    #[test]
+    fn links_are_followed_to_files_that_do_not_exist_yet() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        fs::create_dir(at("sub")).unwrap();
+        for (target, link) in [("rows.csv", "a"), ("sub/../b", "c"), ("a", "d"), ("new", "folder"), ("x", "y"), ("y", "x")] {
+            symlink(target, at(link)).unwrap();
+        }
+        for (one, other) in
+            [("a", "rows.csv"), ("d", "rows.csv"), ("d", "sub/../a"), ("c", "b"), ("folder/f", "new/f"), ("no/./g", "no/g"), ("x", "x")]
+        {
+            assert!(is_same(&at(one), &at(other)) && is_same(&at(other), &at(one)), "{one} {other}");
+        }
+        for (one, other) in [("a", "c"), ("rows.csv", "sub/rows.csv"), ("x", "z"), ("folder/f", "new/g")] {
+            assert!(!is_same(&at(one), &at(other)), "{one} {other}");
+        }
+        assert_eq!(place(&at("x")), None, "a circle");
+    }
+}
