@@ -9,8 +9,8 @@ use crate::{
 use super::{
     Traits,
     parameters::{
-        CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, TRADITIONAL, alpha, ants, beta,
-        dead_end, q, rho, tau_0, tau_min,
+        CHOICE, DEAD_END, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STEP_LIMIT, TAU_MAX, TRADITIONAL, alpha, ants, beta,
+        q, rho, tau_0, tau_min,
     },
 };
 
@@ -32,7 +32,7 @@ pub const ENTRY: Entry = Entry {
     source: "[ANTBAT] §3.1, (1)",
     summary: "Ants go from cell to cell, the rather where pheromone lies and where the goal is near; short ways gather more of it.",
     kinds: KINDS,
-    parameters: &[ANTS, ITERATIONS, ALPHA, BETA, RHO, Q, TAU_0, TAU_MIN, TAU_MAX, dead_end(STAYS), STEP_LIMIT, SMOOTH],
+    parameters: &[ANTS, ITERATIONS, ALPHA, BETA, RHO, Q, TAU_0, TAU_MIN, TAU_MAX, DEAD_END, STEP_LIMIT, SMOOTH],
     readings: READINGS,
     formulas: &[CHOICE, DISTANCE, EVAPORATION, TRADITIONAL],
     layers: LAYERS,

@@ -10,7 +10,7 @@ use super::{
     Traits,
     aco::{ALPHA, ANTS, BETA, RHO},
     ground::Direction,
-    parameters::{DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, dead_end, q, tau_0, tau_min},
+    parameters::{DEAD_END, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, READINGS, STEP_LIMIT, TAU_MAX, q, tau_0, tau_min},
     update::Update,
 };
 
@@ -126,7 +126,7 @@ pub const ENTRY: Entry = Entry {
         TAU_0,
         TAU_MIN,
         TAU_MAX,
-        dead_end(STAYS),
+        DEAD_END,
         STEP_LIMIT,
         SMOOTH,
     ],

@@ -10,7 +10,7 @@ use crate::{
 use super::{
     Traits,
     ground::Heuristic,
-    parameters::{ITERATIONS, KINDS, LAYERS, READINGS, STAYS, STEP_LIMIT, TAU_MAX, alpha, ants, beta, dead_end, q, rho, tau_0, tau_min},
+    parameters::{DEAD_END, ITERATIONS, KINDS, LAYERS, READINGS, STEP_LIMIT, TAU_MAX, alpha, ants, beta, q, rho, tau_0, tau_min},
     update::Update,
 };
 
@@ -85,7 +85,7 @@ pub const ENTRY: Entry = Entry {
         ),
         tau_min(1.0),
         TAU_MAX,
-        dead_end(STAYS),
+        DEAD_END,
         STEP_LIMIT,
         SMOOTH,
     ],

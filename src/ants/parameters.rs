@@ -46,22 +46,20 @@ pub(super) const fn tau_min(default: f64) -> Parameter {
 pub(super) const TAU_MAX: Parameter =
     Parameter::number("tau_max", "\\tau_{\\max}", "Most pheromone", [1e3, 1e12, 1e6], "No step gathers more than this.")
         .slider(1e3, 1e9, true);
-pub(super) const fn dead_end(options: &'static [Choice]) -> Parameter {
-    Parameter::choice(
-        "dead_end",
-        "",
-        "In a dead end",
-        options,
-        "What an ant does when every cell around it is blocked or already behind it.",
-    )
-}
-const STAY: Choice = Choice { value: "stay", title: "It stays", help: "The ant is out: it lays nothing." };
-const BACKTRACK: Choice = Choice {
-    value: "backtrack",
-    title: "It goes back",
-    help: "The ant takes its last step back and chooses again; with enough steps it always arrives.",
-};
-pub(super) const STAYS: &[Choice] = &[STAY, BACKTRACK];
+pub(super) const DEAD_END: Parameter = Parameter::choice(
+    "dead_end",
+    "",
+    "In a dead end",
+    &[
+        Choice {
+            value: "backtrack",
+            title: "It goes back",
+            help: "The ant takes its last step back and chooses again; with enough steps it always arrives.",
+        },
+        Choice { value: "stay", title: "It stays", help: "The ant is out: it lays nothing. In rooms and mazes whole colonies are lost." },
+    ],
+    "What an ant does when every cell around it is blocked or already behind it. The papers do not say.",
+);
 pub(super) const STEP_LIMIT: Parameter = Parameter::integer(
     "step_limit",
     "",

@@ -150,11 +150,11 @@ fn dead_ends_and_unreachable_goals_end_and_are_told() {
     // One cell wide: who goes in can't turn round.
     let trap = scene(&["......", ".####.", "....#.", ".####.", "......"], [0.5, 2.5], [5.5, 2.5]);
     for planner in ["aco", "aco-direction", "aco-dijkstra", "aco-wolf"] {
-        let mut dies = run(&trap, planner, &[("iterations", "5")], 1);
+        let mut dies = run(&trap, planner, &[("iterations", "5"), ("dead_end", "stay")], 1);
         dies.step(1);
         let stuck = dies.readings().get("stuck").unwrap();
         assert!(stuck > 0.0, "{planner}: the pocket is a dead end");
-        let mut returns = run(&trap, planner, &[("iterations", "5"), ("dead_end", "backtrack")], 1);
+        let mut returns = run(&trap, planner, &[("iterations", "5")], 1);
         returns.step(5);
         let readings = returns.readings();
         assert_eq!(readings.get("arrived"), Some(if planner == "aco-wolf" { 30.0 } else { 50.0 }), "{planner}");
@@ -184,8 +184,7 @@ fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
         let scene = Arc::new(Scene::new(header, Body::Grid(grid)).unwrap());
         let exact = scene.exact_by(Yardstick::Cells).map(|exact| exact.length);
         for planner in ["aco", "aco-direction", "aco-dijkstra", "aco-wolf"] {
-            let mut session =
-                run(&scene, planner, &[("iterations", "12"), ("dead_end", "backtrack"), ("tau_min", "0.01"), ("tau_max", "1000")], round);
+            let mut session = run(&scene, planner, &[("iterations", "12"), ("tau_min", "0.01"), ("tau_max", "1000")], round);
             let mut frame = Frame::default();
             while session.step(1) == Status::Running {
                 session.draw(&mut frame, Frame::BUDGET);

@@ -10,7 +10,7 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Reproduction, at,
+    Failure, Options, Study, at,
     chart::{self, Curve},
     colonies::{self, CONVERGED, LENGTH, Lines, Measure, RUNS, Run, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
     command,
@@ -23,7 +23,7 @@ use super::{
 };
 
 /// See the module.
-pub const REPRODUCTION: Reproduction = Reproduction {
+pub const REPRODUCTION: Study = Study {
     name: "antbat-paths",
     title: "three colonies of ants on the 30 × 30 grid",
     source: "[ANTBAT] §3.1",

@@ -18,7 +18,7 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Reproduction, at,
+    Failure, Options, Study, at,
     chart::{self, Curve},
     command,
     escape::path_text,
@@ -32,7 +32,7 @@ use super::{
 };
 
 /// See the module.
-pub const REPRODUCTION: Reproduction = Reproduction {
+pub const REPRODUCTION: Study = Study {
     name: "antbat-time",
     title: "time over the number of stops, by all tour planners",
     source: "[ANTBAT] fig. 8",

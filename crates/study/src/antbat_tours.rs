@@ -15,7 +15,7 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Reproduction,
+    Failure, Options, Study,
     beside::{Beside, Ours, Published},
     command,
     figure::{Figure, Steps},
@@ -30,7 +30,7 @@ use super::{
 };
 
 /// See the module.
-pub const REPRODUCTION: Reproduction = Reproduction {
+pub const REPRODUCTION: Study = Study {
     name: "antbat-tours",
     title: "orders of twelve stops by all tour planners",
     source: "[ANTBAT] Table 2",

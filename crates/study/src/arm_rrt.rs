@@ -12,7 +12,7 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Reproduction, command,
+    Failure, Options, Study, command,
     fingerprints::JobList,
     report::{Report, Verdict},
     runner::{self, Control},
@@ -23,7 +23,7 @@ use super::{
 use run::{Run, Task};
 
 /// See the module.
-pub const REPRODUCTION: Reproduction = Reproduction {
+pub const REPRODUCTION: Study = Study {
     name: "arm-rrt",
     title: "trees for an arm’s tip, with and without a cuboid",
     source: "[ARM-RRT] §4",

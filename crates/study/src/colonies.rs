@@ -15,7 +15,7 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Reproduction,
+    Failure, Options, Study,
     beside::{Beside, Ours, Published},
     figure::{Figure, Steps},
     report::Report,
@@ -244,7 +244,7 @@ pub(super) fn notes(runs: &[Vec<Run>]) -> Vec<String> {
 }
 
 /// A report over so many seeds.
-pub(super) fn report(reproduction: &Reproduction, runs: u64) -> Report {
+pub(super) fn report(reproduction: &Study, runs: u64) -> Report {
     let mut report = Report::new(reproduction, runs, RUNS);
     report.shortened = (runs != RUNS).then(|| format!("{runs} seeds a planner instead of {RUNS}"));
     report

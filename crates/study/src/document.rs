@@ -116,7 +116,7 @@ pub(super) fn figures(report: &Report) -> String {
 pub fn markdown(reports: &[Report]) -> String {
     let all: Vec<&Beside> = reports.iter().flat_map(|report| &report.figures).collect();
     let mut text = format!(
-        "# Reproduction\n\nThe papers’ figures beside ours, as `forage reproduce` computes them; the same numbers are in `REPRODUCTION.csv`. Everything here comes \
+        "# Reproduction\n\nThe papers’ figures beside ours, and what the planners do beyond the papers, as `forage reproduce` computes them; the same numbers are in `REPRODUCTION.csv`. Everything here comes \
 out the same again, bit for bit, and `scripts/test reproduction` checks that it does. `forage reproduce NAME` prints further tables.\n\n{RULE}\n\nIn all: {}.\n",
         counted(&all)
     );
@@ -149,6 +149,18 @@ out the same again, bit for bit, and `scripts/test reproduction` checks that it 
             text += "\n";
             report.notes.iter().for_each(|note| text.extend(["- ", note, "\n"]));
         }
+    }
+    let own: Vec<&Report> = reports.iter().filter(|report| !PAPERS.iter().any(|(tag, _)| *tag == paper(report.source))).collect();
+    if !own.is_empty() {
+        text += "\n## Beyond the papers\n";
+    }
+    for report in own {
+        let _ = write!(text, "\n### {}: {}\n\n", report.name, report.title);
+        if let Some(shortened) = &report.shortened {
+            let _ = write!(text, "SHORTENED: {shortened}.\n\n");
+        }
+        report.notes.iter().for_each(|note| text.extend(["- ", note, "\n"]));
+        report.tables.iter().for_each(|table| text.extend(["\n", &table.markdown()]));
     }
     text
 }
@@ -241,13 +253,13 @@ impl super::beside::Printed {
 mod tests {
     use super::*;
     use crate::{
-        REPRODUCTIONS,
+        REPRODUCTIONS, STUDIES,
         beside::{Ours, Printed, Published},
         find,
     };
 
     fn report() -> Report {
-        let mut report = Report::new(find("wcpso-functions").unwrap(), 50, 50);
+        let mut report = Report::new(find(REPRODUCTIONS, "NAME", "wcpso-functions").unwrap(), 50, 50);
         let figure = |row: &str, text: &str, ours: Ours| Beside {
             table: "Table 2".to_owned(),
             row: row.to_owned(),
@@ -300,6 +312,16 @@ mod tests {
         assert!(told.len() == 1 && told[0].contains("REPRODUCTION.csv differs in line 2"), "{told:?}");
         fs::write(&written[1], text + "\n").unwrap();
         assert!(differences(&[report()], &Fingerprints::default(), &out).unwrap()[0].contains("lines instead of"));
+    }
+
+    #[test]
+    fn studies_of_our_own_follow_the_papers() {
+        let mut own = Report::new(&STUDIES[0], 2, 100);
+        own.tables.push(Table { rows: vec![vec!["a-star".into()]], ..Table::new("maze", "maze, 2 maps", &["planner"]) });
+        let text = markdown(&[report(), own]);
+        let [papers, beyond] = ["## [WCPSO]", "## Beyond the papers"].map(|heading| text.find(heading).unwrap());
+        assert!(papers < beyond && text[beyond..].contains("a-star"), "{text}");
+        assert!(!markdown(&[report()]).contains("Beyond"));
     }
 
     #[test]

@@ -16,7 +16,7 @@ use forage::{digest::Digest, error::Error};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Failure, Options, Reproduction, at,
+    Failure, Options, Study, at,
     rows::{Row, Rows, line},
     runner::{self, Control, Job},
 };
@@ -104,7 +104,7 @@ impl Fingerprints {
     ///
     /// # Errors
     /// A file that cannot be read, or lacks a row.
-    pub fn of_kept(reproductions: &[Reproduction], options: &Options) -> Result<Self, Failure> {
+    pub fn of_kept(reproductions: &[Study], options: &Options) -> Result<Self, Failure> {
         let mut all = BTreeMap::new();
         for reproduction in reproductions.iter().filter(|reproduction| reproduction.repeatable) {
             for list in (reproduction.jobs)(options)? {
@@ -164,7 +164,7 @@ pub struct Sampled {
 /// # Errors
 /// [`Failure::ComparisonInterrupted`]; whatever a job refuses; fingerprints for another number of jobs.
 pub fn sample(
-    reproductions: &[Reproduction],
+    reproductions: &[Study],
     options: &Options,
     stored: &Fingerprints,
     seed: &str,
@@ -284,7 +284,7 @@ mod tests {
         (0..40).map(|number| Task { number, version: options.runs.unwrap_or(1) }).collect()
     }
 
-    const ROOTS: Reproduction = Reproduction {
+    const ROOTS: Study = Study {
         name: "roots",
         title: "roots",
         source: "[ROOTS] 1",

@@ -4,7 +4,8 @@
 //! loses nothing. [`forage::statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
 //! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
 //! [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`],
-//! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`]; nothing else lists them. Sweeps are in [`sweep`].
+//! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`]; nothing else lists them. Studies of our own are made
+//! the same way and listed in [`STUDIES`]. Sweeps are in [`sweep`].
 #![cfg(not(target_arch = "wasm32"))]
 
 pub mod antbat;
@@ -24,6 +25,7 @@ pub mod ltqpso;
 pub mod published;
 pub mod regression;
 pub mod report;
+pub mod robustness;
 pub mod rows;
 pub mod runner;
 pub mod search;
@@ -48,7 +50,7 @@ use report::Report;
 use runner::Control;
 
 /// Every published experiment that is repeated here, in the order in which they are carried out.
-pub const REPRODUCTIONS: &[Reproduction] = &[
+pub const REPRODUCTIONS: &[Study] = &[
     wcpso::FUNCTIONS,
     wcpso::PATHS,
     ltqpso::REPRODUCTION,
@@ -61,14 +63,22 @@ pub const REPRODUCTIONS: &[Reproduction] = &[
     arm_rrt::REPRODUCTION,
 ];
 
-/// A published experiment.
+/// Studies of our own, on what no paper has.
+pub const STUDIES: &[Study] = &[robustness::STUDY];
+
+/// All of both, in the order in which they are carried out.
+pub fn all() -> Vec<Study> {
+    [REPRODUCTIONS, STUDIES].concat()
+}
+
+/// A published experiment, or one of our own.
 #[derive(Debug, Clone, Copy)]
-pub struct Reproduction {
+pub struct Study {
     /// The name on the command line and of its files.
     pub name: &'static str,
     /// A line for people.
     pub title: &'static str,
-    /// Where it was published.
+    /// Where it was published: `[WCPSO] Table 2`; `our own` of [`STUDIES`].
     pub source: &'static str,
     /// Whether all that it says of its figures is computed; otherwise it is measured, and comes out a little different each time.
     pub repeatable: bool,
@@ -78,13 +88,13 @@ pub struct Reproduction {
     pub run: fn(&Options, &Control) -> Result<Report, Failure>,
 }
 
-/// The reproduction of this name.
+/// The study of this name among `studies`; `field` names the argument in the error.
 ///
 /// # Errors
 /// [`Error::Unknown`] with the names that exist.
-pub fn find(name: &str) -> Result<&'static Reproduction, Error> {
-    let known = || REPRODUCTIONS.iter().map(|reproduction| reproduction.name);
-    REPRODUCTIONS.iter().find(|reproduction| reproduction.name == name).ok_or_else(|| Error::unknown("NAME", name, known()))
+pub fn find(studies: &'static [Study], field: &str, name: &str) -> Result<&'static Study, Error> {
+    let known = || studies.iter().map(|study| study.name);
+    studies.iter().find(|study| study.name == name).ok_or_else(|| Error::unknown(field, name, known()))
 }
 
 /// How an experiment is carried out.

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use forage::{Given, Session, Setup, Value, error::Error, scene::shipped};
 
 use super::{
-    Failure, Options, Reproduction,
+    Failure, Options, Study,
     beside::{Beside, Ours, Published},
     command,
     figure::Figure,
@@ -21,7 +21,7 @@ use super::{
 };
 
 /// See the module.
-pub const REPRODUCTION: Reproduction = Reproduction {
+pub const REPRODUCTION: Study = Study {
     name: "ltqpso",
     title: "ltqpso against qpso on the 10 m grid",
     source: "[LTQPSO] Tables 3 and 4",

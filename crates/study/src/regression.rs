@@ -8,7 +8,7 @@
 use forage::math;
 
 use super::{
-    Failure, Options, Reproduction,
+    Failure, Options, Study,
     beside::{Beside, Ours, Published},
     chart, command,
     figure::Figure,
@@ -22,7 +22,7 @@ use super::{
 };
 
 /// See the module.
-pub const REPRODUCTION: Reproduction = Reproduction {
+pub const REPRODUCTION: Study = Study {
     name: "ltqpso-regression",
     title: "how many particles and iterations ltqpso needs for D segments",
     source: "[LTQPSO] Tables 1 and 2",

@@ -5,7 +5,7 @@ use std::{fmt::Write, fs, path::PathBuf};
 use serde::Serialize;
 
 use super::{
-    Failure, Options, Reproduction, at,
+    Failure, Options, Study, at,
     beside::Beside,
     document,
     escape::{path_text, serialize_paths},
@@ -53,9 +53,9 @@ pub struct Report {
 
 impl Report {
     /// Nothing to say yet.
-    pub fn new(reproduction: &Reproduction, runs: u64, published: u64) -> Self {
+    pub fn new(reproduction: &Study, runs: u64, published: u64) -> Self {
         let shortened = (runs != published).then(|| format!("{runs} runs a cell, published: {published}"));
-        let Reproduction { name, title, source, repeatable, .. } = *reproduction;
+        let Study { name, title, source, repeatable, .. } = *reproduction;
         let (figures, tables, verdicts, notes, commands, files) = Default::default();
         Self { name, title, source, repeatable, shortened, figures, tables, verdicts, notes, commands, files }
     }

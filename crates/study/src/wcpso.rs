@@ -13,7 +13,7 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Reproduction,
+    Failure, Options, Study,
     beside::{Beside, Ours, Printed, Published},
     command,
     fingerprints::JobList,
@@ -26,7 +26,7 @@ use super::{
 };
 
 /// See the module.
-pub const FUNCTIONS: Reproduction = Reproduction {
+pub const FUNCTIONS: Study = Study {
     name: "wcpso-functions",
     title: "four swarms on five functions",
     source: "[WCPSO] Table 2",
@@ -36,7 +36,7 @@ pub const FUNCTIONS: Reproduction = Reproduction {
 };
 
 /// See the module.
-pub const PATHS: Reproduction = Reproduction {
+pub const PATHS: Study = Study {
     name: "wcpso-paths",
     title: "wcpso against wpso among seven discs",
     source: "[WCPSO] §3.2",

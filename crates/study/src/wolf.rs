@@ -9,7 +9,7 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Reproduction,
+    Failure, Options, Study,
     beside::{Beside, Ours, Published},
     colonies::{self, CONVERGED, LENGTH, Lines, Measure, RUNS, Run, SECONDS, TURNS, hits},
     command,
@@ -23,7 +23,7 @@ use super::{
 };
 
 /// See the module.
-pub const REPRODUCTION: Reproduction = Reproduction {
+pub const REPRODUCTION: Study = Study {
     name: "wolf-ant",
     title: "a wolf-pack ant colony on the 20 × 20 grid, and its tuning",
     source: "[WOLF-ANT] Table 2 and §5.2",

@@ -16,7 +16,7 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Reproduction,
+    Failure, Options, Study,
     beside::{Beside, Ours, Published},
     command,
     figure::Figure,
@@ -30,7 +30,7 @@ use super::{
 };
 
 /// See the module.
-pub const REPRODUCTION: Reproduction = Reproduction {
+pub const REPRODUCTION: Study = Study {
     name: "wolf-ant-dynamic",
     title: "drives among moving obstacles: the published case, and random scenes",
     source: "[WOLF-ANT] §5.3 and §6",

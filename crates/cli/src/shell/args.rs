@@ -45,6 +45,11 @@ pub(super) enum Command {
     /// Finished runs are kept: after an interruption the same command continues.
     #[command(after_help = examples::reproduce())]
     Reproduce(ReproduceArgs),
+    /// Measure the planners beyond the papers, and print tables.
+    ///
+    /// Finished runs are kept: after an interruption the same command continues.
+    #[command(after_help = examples::study())]
+    Study(StudyArgs),
     /// Run planners × scenes × parameter values × seeds and test whether the results differ.
     ///
     /// Writes one row per run and prints statistics. Finished runs are kept: after an interruption the same command
@@ -166,10 +171,7 @@ pub(super) struct GenerateArgs {
 }
 
 #[derive(Args)]
-pub(super) struct ReproduceArgs {
-    /// Which experiment; default: all of them, which takes long.
-    #[arg(value_parser = Offered(names::reproductions), hide_possible_values = true)]
-    pub(super) name: Option<String>,
+pub(super) struct StudyOptions {
     /// The folder for rows, tables (CSV and Markdown) and pictures.
     #[arg(long, value_name = "DIR", default_value = "reproduce", value_hint = ValueHint::DirPath)]
     pub(super) out: PathBuf,
@@ -185,6 +187,24 @@ pub(super) struct ReproduceArgs {
     /// Print the reports as JSON.
     #[arg(long)]
     pub(super) json: bool,
+}
+
+#[derive(Args)]
+pub(super) struct StudyArgs {
+    /// Which study.
+    #[arg(value_parser = Offered(names::studies), hide_possible_values = true)]
+    pub(super) study: String,
+    #[command(flatten)]
+    pub(super) options: StudyOptions,
+}
+
+#[derive(Args)]
+pub(super) struct ReproduceArgs {
+    /// Which experiment; default: all of them and all studies, which takes long.
+    #[arg(value_parser = Offered(names::reproductions), hide_possible_values = true)]
+    pub(super) name: Option<String>,
+    #[command(flatten)]
+    pub(super) options: StudyOptions,
     /// Afterwards compare REPRODUCTION.md and REPRODUCTION.csv with those in this folder; exit code 1 if they differ.
     #[arg(long, value_name = "DIR", conflicts_with = "name", value_hint = ValueHint::DirPath)]
     pub(super) check: Option<PathBuf>,

@@ -1,6 +1,6 @@
 //! What follows the options in each command's help. A test runs every example.
 
-use forage_study::{REPRODUCTIONS, Reproduction};
+use forage_study::{REPRODUCTIONS, STUDIES, Study};
 
 use super::names;
 
@@ -106,8 +106,6 @@ Examples:
 
 /// Reproductions and examples.
 pub(super) fn reproduce() -> String {
-    let width = REPRODUCTIONS.iter().map(|reproduction| reproduction.name.len()).max().unwrap_or(0);
-    let line = |r: &Reproduction| format!("  {:width$}  {}, {}", r.name, r.title, r.source);
     format!(
         "Names:\n{}\n
 Examples:
@@ -115,6 +113,25 @@ Examples:
   forage reproduce wcpso-paths --runs 2 --out quick --json
 
 A full run takes minutes to hours. `forage reproduce --check DIR` repeats all experiments and compares them with DIR.",
-        REPRODUCTIONS.iter().map(line).collect::<Vec<_>>().join("\n")
+        studies(REPRODUCTIONS, |study| format!("{}, {}", study.title, study.source))
     )
+}
+
+/// Studies of our own and examples.
+pub(super) fn study() -> String {
+    format!(
+        "Names:\n{}\n
+Examples:
+  forage study robustness --runs 2
+  forage study robustness --runs 2 --out quick --json
+
+A full run takes minutes to hours.",
+        studies(STUDIES, |study| study.title.to_owned())
+    )
+}
+
+/// A line for each study.
+fn studies(studies: &[Study], line: fn(&Study) -> String) -> String {
+    let width = studies.iter().map(|study| study.name.len()).max().unwrap_or(0);
+    studies.iter().map(|study| format!("  {:width$}  {}", study.name, line(study))).collect::<Vec<_>>().join("\n")
 }

@@ -49,6 +49,7 @@ pub fn main() -> ExitCode {
         Command::Convert(args) => convert::convert(&args),
         Command::Generate(args) => generate::generate(&args),
         Command::Reproduce(args) => reproduce::reproduce(args),
+        Command::Study(args) => reproduce::study(args),
         Command::Experiment(args) => experiment::experiment(&args),
         Command::Completions { shell } => install::completions(shell),
         Command::Man { out } => install::man(out.as_deref()),

@@ -10,7 +10,7 @@ use forage::{
     scene::generate::{GENERATORS, Generator, TOURS},
     shipped_names,
 };
-use forage_study::REPRODUCTIONS;
+use forage_study::{REPRODUCTIONS, STUDIES};
 
 use super::text::{cut_list, quoted};
 
@@ -46,6 +46,11 @@ pub(super) fn generators() -> Vec<&'static str> {
 /// All reproductions.
 pub(super) fn reproductions() -> Vec<&'static str> {
     REPRODUCTIONS.iter().map(|reproduction| reproduction.name).collect()
+}
+
+/// All studies of our own.
+pub(super) fn studies() -> Vec<&'static str> {
+    STUDIES.iter().map(|study| study.name).collect()
 }
 
 /// All names that `forage list NAME` shows a page about.
@@ -88,6 +93,7 @@ fn kind_of_name(field: &str, subject: Subject<'_>) -> (String, String) {
     match (last, subject) {
         ("scene", _) => ("a shipped scene".to_owned(), shows("forage list", "scenes")),
         ("generator", _) => ("a generator".to_owned(), shows("forage list", "generators")),
+        ("STUDY", _) => ("a study".to_owned(), shows("forage study --help", "names")),
         ("NAME", _) => ("a reproduction".to_owned(), shows("forage reproduce --help", "names")),
         ("parameter" | "params", Subject::Named(name)) => {
             (format!("a parameter of {name}"), format!("`forage list {name}` shows its parameters"))

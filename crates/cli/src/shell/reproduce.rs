@@ -1,9 +1,9 @@
-//! `forage reproduce`.
+//! `forage reproduce` and `forage study`.
 
 use std::{fs, path::Path, process::ExitCode, sync::atomic::AtomicBool, time::Duration};
 
 use forage_study::{
-    Options, REPRODUCTIONS, Reproduction, document,
+    Options, REPRODUCTIONS, STUDIES, Study, document,
     fingerprints::{self, Fingerprints},
     report::Report,
     runner::Control,
@@ -11,7 +11,7 @@ use forage_study::{
 
 use super::{
     Failure,
-    args::ReproduceArgs,
+    args::{ReproduceArgs, StudyArgs, StudyOptions},
     files::{self, LARGEST_SCENE},
     interrupt,
     output::{note, print, print_json},
@@ -19,41 +19,34 @@ use super::{
 };
 
 pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
-    let chosen: Vec<&Reproduction> = match &args.name {
-        Some(name) => vec![forage_study::find(name)?],
-        None => REPRODUCTIONS.iter().collect(),
+    let chosen: Vec<Study> = match &args.name {
+        Some(name) => vec![*forage_study::find(REPRODUCTIONS, "NAME", name)?],
+        None => forage_study::all(),
     };
     check_files(&args)?;
-    let options = Options { out: args.out, threads: args.jobs.map(usize::from), runs: args.runs, fresh: args.fresh };
+    let json = args.options.json;
+    let options = options(args.options);
     let stop = interrupt::flag();
     if let (Some(seed), Some(folder)) = (&args.sample, &args.check) {
-        return sample(seed, folder, Duration::from_secs(args.seconds), &options, &stop, args.json);
+        return sample(seed, folder, Duration::from_secs(args.seconds), &options, &stop, json);
     }
     let mut reports = Vec::new();
-    for reproduction in chosen {
-        if args.check.is_some() && !reproduction.repeatable {
+    for study in chosen {
+        if args.check.is_some() && !study.repeatable {
             // The documents hold none of its figures.
-            reports.push(Report::new(reproduction, 0, 0));
+            reports.push(Report::new(&study, 0, 0));
             continue;
         }
-        let bar = progress::bar(reproduction.name);
-        let show = |done, total| progress::show(&bar, done, total);
-        let report = (reproduction.run)(&options, &Control { stop: &stop, progress: &show });
-        bar.finish_and_clear();
-        let report = report?;
-        if !args.json {
-            print(&format!("{}\n", report.text()))?;
-        }
-        reports.push(report);
+        reports.push(carry_out(&study, &options, &stop, json)?);
     }
-    if args.json {
+    if json {
         print_json(&reports)?;
     }
     if args.name.is_some() {
         return Ok(ExitCode::SUCCESS);
     }
     // The two folders may be the same: compare before writing.
-    let rows = Fingerprints::of_kept(REPRODUCTIONS, &options)?;
+    let rows = Fingerprints::of_kept(&forage_study::all(), &options)?;
     let differences = args.check.map(|folder| document::differences(&reports, &rows, &folder)).transpose()?;
     document::write(&reports, &rows, &options)?;
     let Some(differences) = differences else { return Ok(ExitCode::SUCCESS) };
@@ -64,9 +57,37 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
     Ok(if differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
+pub(super) fn study(args: StudyArgs) -> super::Outcome {
+    let study = forage_study::find(STUDIES, "STUDY", &args.study)?;
+    check_rows(&args.options.out)?;
+    let json = args.options.json;
+    let report = carry_out(study, &options(args.options), &interrupt::flag(), json)?;
+    if json {
+        print_json(&[report])?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn options(args: StudyOptions) -> Options {
+    Options { out: args.out, threads: args.jobs.map(usize::from), runs: args.runs, fresh: args.fresh }
+}
+
+/// Runs a study, and prints its report unless it is to be printed as JSON.
+fn carry_out(study: &Study, options: &Options, stop: &AtomicBool, json: bool) -> Result<Report, Failure> {
+    let bar = progress::bar(study.name);
+    let show = |done, total| progress::show(&bar, done, total);
+    let report = (study.run)(options, &Control { stop, progress: &show });
+    bar.finish_and_clear();
+    let report = report?;
+    if !json {
+        print(&format!("{}\n", report.text()))?;
+    }
+    Ok(report)
+}
+
 /// Refuses, before anything is run, files that are read later and are missing, too large or no regular files.
 fn check_files(args: &ReproduceArgs) -> Result<(), Failure> {
-    check_rows(&args.out)?;
+    check_rows(&args.options.out)?;
     let documents = document::FILES.into_iter().filter(|&name| args.sample.is_none() || name == fingerprints::FILE);
     let mut paths = documents.flat_map(|name| args.check.iter().map(move |folder| folder.join(name)));
     paths.try_for_each(|path| files::check(&path, Some(LARGEST_SCENE)))
@@ -84,7 +105,7 @@ fn sample(seed: &str, folder: &Path, time: Duration, options: &Options, stop: &A
     let stored = Fingerprints::read(folder)?;
     let bar = progress::bar("sample");
     let show = |done, total| progress::show(&bar, done, total);
-    let sampled = fingerprints::sample(REPRODUCTIONS, options, &stored, seed, time, &Control { stop, progress: &show });
+    let sampled = fingerprints::sample(&forage_study::all(), options, &stored, seed, time, &Control { stop, progress: &show });
     bar.finish_and_clear();
     let sampled = sampled?;
     if json {
