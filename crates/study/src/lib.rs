@@ -21,6 +21,7 @@ pub mod figure;
 pub mod files;
 pub mod fingerprints;
 pub mod fit;
+pub mod forensics;
 pub mod ltqpso;
 pub mod published;
 pub mod regression;
@@ -64,7 +65,7 @@ pub const REPRODUCTIONS: &[Study] = &[
 ];
 
 /// Studies of our own, on what no paper has.
-pub const STUDIES: &[Study] = &[robustness::STUDY];
+pub const STUDIES: &[Study] = &[forensics::STUDY, robustness::STUDY];
 
 /// All of both, in the order in which they are carried out.
 pub fn all() -> Vec<Study> {

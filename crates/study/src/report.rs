@@ -65,6 +65,7 @@ impl Report {
     /// # Errors
     /// A file that cannot be written.
     pub fn write(&mut self, options: &Options) -> Result<(), Failure> {
+        fs::create_dir_all(&options.out).map_err(at(&options.out))?;
         for table in &self.tables {
             let path = options.out.join(format!("{}-{}.csv", self.name, table.name));
             table.csv().and_then(|text| fs::write(&path, text)).map_err(at(&path))?;
