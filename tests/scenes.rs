@@ -2,7 +2,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use forage::{
-    Given, Scene, Session, Setup,
+    Given, Scene, Session, Setup, catalogue,
     planner::{Round, Solution, Yardstick},
     scene::Kind,
     shipped, shipped_names,
@@ -145,8 +145,10 @@ fn ltqpso_does_better_than_qpso_on_the_ten_metre_grid() {
 /// A colony's results with the seeds 1 to 30 and its published parameters: cost and turns.
 fn colony(planner: &str, scene: &str) -> Vec<(f64, f64)> {
     let run = |seed| {
-        let setup = Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params: Given::new(), seed };
-        let mut session = Session::with_keyframes(setup, 0).unwrap();
+        let scene = shipped(scene).unwrap();
+        let entry = catalogue::find(planner).unwrap();
+        let params = if entry.presets.is_empty() { Given::new() } else { entry.preset("paper", scene.kind()).unwrap() };
+        let mut session = Session::with_keyframes(Setup { planner: planner.into(), scene, params, seed }, 0).unwrap();
         session.step(u64::MAX);
         let outcome = session.outcome();
         assert!(outcome.feasible && outcome.iterations == 100, "{planner}, seed {seed}");

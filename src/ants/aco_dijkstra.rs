@@ -9,10 +9,10 @@ use crate::{
 
 use super::{
     Traits,
-    aco::{ALPHA, ANTS, BETA, Q, RHO, TAU_0, TAU_MIN},
+    aco::{ANTS, Q, RHO, TAU_0, TAU_MIN},
     parameters::{
         ANT_STEPS, ARRIVED, BEST, CHOICE, CONVERGED, DEAD_END, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN,
-        STEP_LIMIT, STUCK, TAU_MAX, TRADITIONAL,
+        PUBLISHED_ALPHA, PUBLISHED_BETA, STEP_LIMIT, STUCK, TAU_MAX, TRADITIONAL,
     },
 };
 
@@ -51,7 +51,23 @@ pub const ENTRY: Entry = Entry {
     source: "[ANTBAT] §3.1, its [14]",
     summary: "A Dijkstra path lies on the map as pheromone before the first ant sets out; ants choose ever more greedily.",
     kinds: KINDS,
-    parameters: &[ANTS, ITERATIONS, ALPHA, BETA, RHO, Q, SEEDED, Q0_START, Q0_END, TAU_0, TAU_MIN, TAU_MAX, DEAD_END, STEP_LIMIT, SMOOTH],
+    parameters: &[
+        ANTS,
+        ITERATIONS,
+        PUBLISHED_ALPHA,
+        PUBLISHED_BETA,
+        RHO,
+        Q,
+        SEEDED,
+        Q0_START,
+        Q0_END,
+        TAU_0,
+        TAU_MIN,
+        TAU_MAX,
+        DEAD_END,
+        STEP_LIMIT,
+        SMOOTH,
+    ],
     readings: &[
         BEST,
         MEAN,

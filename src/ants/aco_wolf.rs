@@ -2,8 +2,8 @@
 //! [WOLF-ANT] §5.1.
 
 use crate::{
-    catalogue::{Entry, Formula, Scope},
-    params::{Parameter, Settings},
+    catalogue::{Entry, Formula, Preset, Scope},
+    params::{Fixed, Parameter, Settings},
     way::SMOOTH,
 };
 
@@ -71,9 +71,12 @@ pub const ENTRY: Entry = Entry {
         ants(30, "How many ants set out in an iteration. Published: 30."),
         ITERATIONS,
         alpha(1.0, "How much pheromone counts in an ant’s choice. Published: 1, found by a particle swarm."),
-        beta(7.0, "How much a cell’s rank counts in an ant’s choice. Published: 7, found by a particle swarm."),
+        beta(
+            1.0,
+            "How much a cell’s rank counts in an ant’s choice. Published: 7, found by a particle swarm; ants then follow the rank into dead ends.",
+        ),
         EPSILON,
-        rho(0.367, "The share of the pheromone that is gone after an iteration. Published: 0.367, found by a particle swarm."),
+        rho(0.2, "The share of the pheromone that is gone after an iteration. Published: 0.367, found by a particle swarm."),
         q(
             333.0,
             [100.0, 1000.0],
@@ -96,7 +99,13 @@ pub const ENTRY: Entry = Entry {
     most_stops: None,
     members: &[],
     events: &[],
-    presets: &[],
+    presets: &[Preset {
+        name: "paper",
+        title: "As in the paper",
+        help: "β = 7 and ρ = 0.367, which [WOLF-ANT] found by a particle swarm on its map. Where obstacles lead away from the goal, paths become much longer than with the defaults.",
+        scene: "wolf-ant-20",
+        values: &[("beta", Fixed::Number(7.0)), ("rho", Fixed::Number(0.367))],
+    }],
     suggest: |_| None,
     start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
 };

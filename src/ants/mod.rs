@@ -127,6 +127,9 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> 
     Ok(Box::new(Colony::new(scene, settings, seed, traits)?))
 }
 
+/// The preset with the parameters of a colony's paper.
+const PUBLISHED: &str = "paper";
+
 /// What settings make of a colony.
 type OfSettings = fn(&Settings) -> Traits;
 
@@ -138,14 +141,16 @@ const COLONIES: &[(Entry, OfSettings)] = &[
     (aco::ENTRY, aco::traits),
 ];
 
-/// A colony by its planner's name, with its usual parameters but for those that are given: for planners that go on with
-/// its pheromone.
+/// A colony by its planner's name, with its published parameters but for those that are given: for planners that go on with
+/// its pheromone, which should have settled.
 ///
 /// # Errors
 /// As that planner's start.
 pub(crate) fn colony(name: &str, scene: &Arc<Scene>, given: &Given, seed: u64) -> Result<Colony, Error> {
     let (entry, traits) = COLONIES.iter().find(|(entry, _)| entry.name == name).unwrap_or(&COLONIES[0]);
-    let settings = Settings::new(entry.parameters, scene.kind(), given)?;
+    let mut params = if entry.presets.is_empty() { Given::new() } else { entry.preset(PUBLISHED, scene.kind())? };
+    given.iter().for_each(|(name, value)| params.insert(name, value.clone()));
+    let settings = Settings::new(entry.parameters, scene.kind(), &params)?;
     Colony::new(scene, &settings, seed, traits(&settings))
 }
 

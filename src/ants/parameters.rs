@@ -24,6 +24,10 @@ pub(super) const fn alpha(default: f64, help: &'static str) -> Parameter {
 pub(super) const fn beta(default: f64, help: &'static str) -> Parameter {
     Parameter::number("beta", "\\beta", "Weight of sight", [0.0, 20.0, default], help)
 }
+/// As [ANTBAT] prints it.
+pub(super) const PUBLISHED_ALPHA: Parameter = alpha(1.5, "How much pheromone counts in an ant’s choice. Published: 1.5.");
+/// As [ANTBAT] prints it.
+pub(super) const PUBLISHED_BETA: Parameter = beta(8.0, "How much the distance to the goal counts in an ant’s choice. Published: 8.");
 pub(super) const fn rho(default: f64, help: &'static str) -> Parameter {
     Parameter::number("rho", "\\rho", "Evaporation", [0.0, 1.0, default], help)
 }
@@ -31,7 +35,7 @@ pub(super) const fn q(default: f64, [low, high]: [f64; 2], help: &'static str) -
     Parameter::number("q", "Q", "Pheromone of an ant", [0.0, 1_000_000.0, default], help).slider(low, high, false)
 }
 pub(super) const fn tau_0(default: f64, help: &'static str) -> Parameter {
-    Parameter::number("tau_0", "\\tau_0", "Pheromone at the start", [1e-9, 1e9, default], help).slider(0.01, 1000.0, true)
+    Parameter::number("tau_0", "\\tau_0", "Pheromone at the start", [1e-9, 1e9, default], help).slider(0.01, 10_000.0, true)
 }
 pub(super) const fn tau_min(default: f64) -> Parameter {
     Parameter::number(

@@ -35,7 +35,7 @@ const COLONY: Parameter = Parameter::choice(
     "",
     "Colony",
     COLONIES,
-    "Who plans the way and lays the pheromone that leads round obstacles; but for the number of ants and iterations with its usual parameters.",
+    "The colony that plans the path and lays the pheromone that leads around obstacles. It has its paper’s parameters, except for the number of ants and iterations.",
 );
 const ITERATIONS: Parameter = Parameter::integer(
     "iterations",

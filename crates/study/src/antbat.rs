@@ -1,6 +1,6 @@
 //! Three colonies on the 30 × 30 grid: [ANTBAT] §3.1, its table of ways.
 
-use std::{fs, sync::Arc};
+use std::fs;
 
 use forage::{
     Given, Setup,
@@ -49,8 +49,7 @@ const FILE: &str = "antbat-paths-runs.csv";
 
 fn setups() -> Result<Vec<Setup>, Error> {
     let scene = shipped("ant-bat-30")?;
-    let setup = |planner: &str| Setup { planner: planner.to_owned(), scene: Arc::clone(&scene), params: Given::new(), seed: 1 };
-    Ok(PLANNERS.into_iter().map(setup).collect())
+    PLANNERS.into_iter().map(|planner| colonies::published(planner, &scene, Given::new())).collect()
 }
 
 fn run(options: &Options, control: &Control) -> Result<Report, Failure> {

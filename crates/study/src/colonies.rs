@@ -8,7 +8,7 @@ use std::{
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Session, Setup,
+    Given, Session, Setup, catalogue,
     error::Error,
     planner::{Status, Yardstick},
     scene::Scene,
@@ -123,6 +123,14 @@ impl Job for Task {
             improved: improved.join(" "),
         }))
     }
+}
+
+/// A planner with the parameters that its paper prints, and these.
+pub(super) fn published(planner: &str, scene: &Arc<Scene>, params: Given) -> Result<Setup, Error> {
+    let entry = catalogue::find(planner)?;
+    let mut all = if entry.presets.is_empty() { Given::new() } else { entry.preset("paper", scene.kind())? };
+    params.iter().for_each(|(name, value)| all.insert(name, value.clone()));
+    Ok(Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params: all, seed: 1 })
 }
 
 /// Each setup with the seeds 1 to `runs`.

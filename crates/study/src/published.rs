@@ -144,7 +144,7 @@ mod tests {
         super::{figure::Steps, statistics::Summary},
         *,
     };
-    use forage::{catalogue, params::Value, shipped};
+    use forage::{Given, shipped};
 
     /// Where R² can be read it is what F and 16 points give, so the paper fits one point a D.
     #[test]
@@ -208,9 +208,10 @@ mod tests {
             assert_eq!(published.map(|figure| Some(figure.value)), [0, 1].map(|k| wolf[name][k].as_f64()), "{name}");
         }
         assert_eq!(wolf["turns"].as_f64(), Some(WOLF_ANT_TURNS.value));
+        let paper = super::super::colonies::published("aco-wolf", &shipped("wolf-ant-20").unwrap(), Given::new()).unwrap();
+        let used = paper.check().unwrap().1;
         for (name, value) in TUNED {
-            let parameter = catalogue::find("aco-wolf").unwrap().parameters.iter().find(|p| p.name == name).unwrap();
-            assert_eq!(parameter.default_on(forage::scene::Kind::Grid), Value::Number(value), "{name}");
+            assert_eq!(used.number(name), value, "{name}");
         }
     }
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use forage::{
     Given, Setup, Value,
+    error::Error,
     planner::Yardstick,
     scene::{Scene, shipped},
 };
@@ -50,9 +51,8 @@ fn tunings(runs: u64) -> u64 {
 }
 
 /// The planners with the published parameters.
-fn setups(scene: &Arc<Scene>) -> Vec<Setup> {
-    let setup = |planner: &str, params| Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed: 1 };
-    PLANNERS.into_iter().zip([Given::new(), sizes(), sizes()]).map(|(name, params)| setup(name, params)).collect()
+fn setups(scene: &Arc<Scene>) -> Result<Vec<Setup>, Error> {
+    PLANNERS.into_iter().zip([Given::new(), sizes(), sizes()]).map(|(name, params)| colonies::published(name, scene, params)).collect()
 }
 
 /// The tunings, and the runs that do not need them.
@@ -60,7 +60,7 @@ fn jobs(options: &Options) -> Result<Vec<JobList>, Failure> {
     let runs = options.runs_or(RUNS)?;
     let scene = shipped("wolf-ant-20")?;
     let tunings = JobList::new(TUNINGS_FILE, tuned::tasks(&scene, tunings(runs)));
-    Ok(vec![tunings, JobList::new(FILE, colonies::tasks(&setups(&scene), runs))])
+    Ok(vec![tunings, JobList::new(FILE, colonies::tasks(&setups(&scene)?, runs))])
 }
 
 fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
@@ -68,7 +68,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let scene = shipped("wolf-ant-20")?;
     let tunings_file = options.out.join(TUNINGS_FILE);
     let tuned = tuned::carry_out(&scene, tunings(runs), &tunings_file, options, control)?;
-    let mut setups = setups(&scene);
+    let mut setups = setups(&scene)?;
     setups.extend(tuned.iter().map(|tuned| tuned.setup(&scene)));
     let path = options.out.join(FILE);
     let mut found = colonies::carry_out(&setups, runs, &path, options, control)?;

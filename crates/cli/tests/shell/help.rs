@@ -4,8 +4,8 @@ use std::process::Command;
 
 use crate::support::{command, empty_folder, forage, text};
 
-const COMMANDS: [&str; 11] =
-    ["list", "run", "suggest", "exact", "convert", "generate", "reproduce", "experiment", "completions", "man", "licenses"];
+const COMMANDS: [&str; 12] =
+    ["list", "run", "suggest", "exact", "convert", "generate", "reproduce", "study", "experiment", "completions", "man", "licenses"];
 
 /// The lines below `Examples:` or the like.
 fn examples(help: &str) -> Vec<String> {
