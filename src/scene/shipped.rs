@@ -15,6 +15,7 @@ const FILES: &[&str] = &[
     include_str!("../../scenes/qpso-10m-empty.json"),
     include_str!("../../scenes/ant-bat-30.json"),
     include_str!("../../scenes/wolf-ant-20.json"),
+    include_str!("../../scenes/rooms-20.json"),
     include_str!("../../scenes/crossing.json"),
     include_str!("../../scenes/patrol.json"),
     include_str!("../../scenes/corridor.json"),

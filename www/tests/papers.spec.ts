@@ -138,7 +138,13 @@ const OPENED: Opened[] = [
     planner: 'ltqpso',
     params: { segments: 16, initial: 'normal', population: 52, iterations: 99 },
   },
-  { experiment: 'wolves', scene: 'wolf-ant-20', planner: 'aco', params: { ants: 30 }, name: 'aco, ants 30' },
+  {
+    experiment: 'wolves',
+    scene: 'wolf-ant-20',
+    planner: 'aco',
+    params: { ants: 30, alpha: 1.5, beta: 8 },
+    name: 'aco, ants 30, alpha 1.5, beta 8',
+  },
   { experiment: 'free', scene: 'arm-free', planner: 'rrt-guided', params: { step_size: 0.05 }, name: 'rrt-guided, step_size 0.05' },
 ]
 

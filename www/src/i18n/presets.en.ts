@@ -9,7 +9,7 @@ export const presets = {
     crossing: 'Cross traffic',
     patrol: 'Guards on patrol',
     corridor: 'A corridor with niches',
-    wolves: '[WOLF-ANT] §5.1: wolf-pack ant colony',
+    misled: '[WOLF-ANT] §5.1: ranking misleads in rooms',
     direction: '[ANTBAT] §3.1: ants with direction',
     'arm-guided': '[ARM-RRT] §4: guided tree, no obstacle',
     'arm-guided-wide': '[ARM-RRT] §4: guided, step 0.05',

@@ -10,7 +10,8 @@ export const sights: Readonly<Record<Exclude<keyof typeof presets.cases, `arm-${
   crossing: 'Discs cross a hall from both sides: each detour is a decision with a time, a place and a reason.',
   patrol: 'Where a guard stands in a door there is no way round: the robot waits until the way is clear.',
   corridor: 'Neither a way round nor standing still is safe: the robot backs into a niche and lets the disc pass.',
-  wolves: 'How early the pheromone gathers on a shortest way over the cells; the published length is 562.8427 px.',
+  misled:
+    'With the published parameters ants follow the rank of a cell, even where walls lead away from the goal: the colony agrees on a path that is much too long. The default parameters weigh the rank less.',
   direction: 'Ants that mind where the goal lies are on a shortest way within a few iterations.',
   quantum: 'Particles leap about their attractors, less far as the run goes on; the robot can drive along the result.',
   hens: 'Hens and chicks shake a swarm that no longer improves; the exact optimum is 12.1416.',

@@ -46,6 +46,9 @@ const QUANTUM = ['qpso', 'ltqpso']
 const TOURS = ['bat', 'hybrid-bat', 'ga', 'tour-pso', 'sa']
 const TREES = ['rrt', 'rrt-guided']
 const WIDE = { step_size: 0.05 }
+// Published parameters that are not the defaults.
+const ANTS = { alpha: 1.5, beta: 8 }
+const WOLVES = { beta: 7, rho: 0.367 }
 
 /** What the papers tried, with their numbers of particles, ants, iterations and runs; defaults are left out. */
 export const EXPERIMENTS: Readonly<Record<Paper, readonly Experiment[]>> = {
@@ -60,7 +63,7 @@ export const EXPERIMENTS: Readonly<Record<Paper, readonly Experiment[]>> = {
     { name: 'empty', cases: [on('qpso-10m-empty', QUANTUM)], seeds: 50 },
   ],
   ANTBAT: [
-    { name: 'colonies', cases: [on('ant-bat-30', ['aco', 'aco-dijkstra', 'aco-direction'])], seeds: 30 },
+    { name: 'colonies', cases: [{ scene: 'ant-bat-30', runs: [{ planner: 'aco', params: ANTS }, ...on('ant-bat-30', ['aco-dijkstra', 'aco-direction']).runs] }], seeds: 30 },
     { name: 'tours', cases: [on('ant-bat-30', TOURS, { smooth: false })], seeds: 30 },
   ],
   'ARM-RRT': [
@@ -82,7 +85,11 @@ export const EXPERIMENTS: Readonly<Record<Paper, readonly Experiment[]>> = {
       cases: [
         {
           scene: 'wolf-ant-20',
-          runs: [...on('wolf-ant-20', ['a-star']).runs, { planner: 'aco', params: { ants: 30 } }, ...presets('wolves').runs],
+          runs: [
+            { planner: 'a-star', params: {} },
+            { planner: 'aco', params: { ants: 30, ...ANTS } },
+            { planner: 'aco-wolf', params: WOLVES },
+          ],
         },
       ],
       seeds: 30,

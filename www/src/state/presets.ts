@@ -20,7 +20,7 @@ export const PRESETS: readonly Preset[] = [
   { name: 'crossing', planner: 'wolf-ant-drive', scene: 'crossing', params: {} },
   { name: 'patrol', planner: 'a-star-drive', scene: 'patrol', params: {} },
   { name: 'corridor', planner: 'a-star-drive', scene: 'corridor', params: {} },
-  { name: 'wolves', planner: 'aco-wolf', scene: 'wolf-ant-20', params: {} },
+  { name: 'misled', planner: 'aco-wolf', scene: 'rooms-20', params: { beta: 7, rho: 0.367 } },
   { name: 'direction', planner: 'aco-direction', scene: 'ant-bat-30', params: {} },
   { name: 'arm-guided', planner: 'rrt-guided', scene: 'arm-free', params: {} },
   { name: 'arm-guided-wide', planner: 'rrt-guided', scene: 'arm-free', params: { step_size: 0.05 } },
