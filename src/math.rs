@@ -2,7 +2,7 @@
 //!
 //! std's transcendental functions call the platform's and differ by an ulp; these come from `libm` or are written out here.
 
-pub use libm::{acos, asin, atan2, cos, exp, log as ln, log10, pow, sin};
+pub use libm::{acos, asin, atan2, cos, exp, log as ln, log10, pow, sin, tgamma as gamma};
 
 use std::f64::consts::PI;
 

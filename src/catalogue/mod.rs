@@ -23,11 +23,13 @@ pub use view::{Catalogue, catalogue};
 pub const PLANNERS: &[Entry] = &[
     swarm::wcpso::ENTRY,
     swarm::pso::ENTRY,
+    swarm::pso_rrt::ENTRY,
     swarm::wpso::ENTRY,
     swarm::cpso::ENTRY,
     swarm::ltqpso::ENTRY,
     swarm::qpso::ENTRY,
     swarm::bat_continuous::ENTRY,
+    swarm::cuckoo_search::ENTRY,
     ants::aco_wolf::ENTRY,
     ants::aco_direction::ENTRY,
     ants::aco_dijkstra::ENTRY,
@@ -94,6 +96,9 @@ pub struct Entry {
     /// How a run begins.
     pub start: Start,
 }
+
+/// The name of the preset with which a planner builds one of many roads between stops: sizes that make 66 runs take seconds.
+pub const ROAD: &str = "road";
 
 /// Parameters under a name.
 #[derive(Debug, Clone, Copy, Serialize)]

@@ -38,6 +38,12 @@ impl Population {
         self.draw(frame, Role::Particles, &self.x, |_| true, self.weights(), 1);
     }
 
+    /// The same where each particle is its own personal best.
+    pub(super) fn draw_particles(&self, frame: &mut Frame) {
+        self.objective.draw_guides(frame);
+        self.draw(frame, Role::Particles, &self.x, |_| true, self.weights(), 1);
+    }
+
     /// Draws the result, and what becomes of it.
     pub(super) fn draw_result(&self, frame: &mut Frame) {
         let (_, best) = self.reported();

@@ -36,13 +36,14 @@ pub(super) fn objective(scene: &Scene, settings: &Settings) -> Result<Arc<dyn Ob
 }
 
 /// A swarm's own parameters, and then those of every swarm: when to stop, and how paths are encoded, charged and smoothed.
+/// After `@` and before `;`: another `ENCODING` and `WAYPOINTS`, whose defaults differ.
 macro_rules! with_paths {
-    ($($own:expr),* $(,)?) => {
+    (@ $encoding:expr, $waypoints:expr; $($own:expr),* $(,)?) => {
         &[
             $($own,)*
             $crate::swarm::encoding::EARLY_STOP,
-            $crate::swarm::encoding::ENCODING,
-            $crate::swarm::encoding::WAYPOINTS,
+            $encoding,
+            $waypoints,
             $crate::swarm::encoding::ORDERED,
             $crate::swarm::encoding::SEGMENTS,
             $crate::swarm::encoding::INITIAL,
@@ -57,6 +58,9 @@ macro_rules! with_paths {
             $crate::swarm::encoding::SMOOTHING,
             $crate::swarm::encoding::PASSES,
         ]
+    };
+    ($($own:expr),* $(,)?) => {
+        $crate::swarm::encoding::with_paths![@ $crate::swarm::encoding::ENCODING, $crate::swarm::encoding::WAYPOINTS; $($own),*]
     };
 }
 pub(super) use with_paths;

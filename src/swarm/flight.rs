@@ -17,7 +17,7 @@ use super::{
     perturbation::{self, Event, Keep, Partner, Patience, Perturbation, Timing},
     population::Population,
     schedule::{Coefficients, Schedule},
-    tell::introduce,
+    tell::introduce_as,
 };
 
 /// What distinguishes one swarm of [WCPSO] from another.
@@ -61,6 +61,8 @@ pub(super) struct Swarm {
     pub(super) flight: Flight,
     /// The coefficients of the step that led here (of the first step, before it).
     pub(super) coefficients: Coefficients,
+    /// By how many extensions of a tree each particle's first path was found (`None`: it was drawn), where trees were grown.
+    pub(super) origins: Option<Arc<[Option<u64>]>>,
     rng: Stream,
     clock: Clock,
 }
@@ -72,11 +74,16 @@ impl Swarm {
     /// Positions uniform in the box, velocities zero.
     pub(super) fn new(objective: Arc<dyn Objective>, settings: &Settings, seed: u64, flight: Flight) -> Self {
         let mut rng = Stream::new(seed, 0);
-        let size = settings.integer("population") as usize;
+        let population = Population::new(objective, settings.integer("population") as usize, &mut rng);
+        Self::of(population, settings, rng, flight)
+    }
+
+    /// Of particles that have their positions; velocities zero.
+    pub(super) fn of(population: Population, settings: &Settings, rng: Stream, flight: Flight) -> Self {
+        let size = population.size;
         let v_max = settings.number("v_max");
         let absolute = settings.choice("v_max_unit") == "absolute";
-        let v_max = objective.search_box().sides().map(|side| if absolute { v_max } else { v_max * side }).collect();
-        let population = Population::new(objective, size, &mut rng);
+        let v_max = population.objective.search_box().sides().map(|side| if absolute { v_max } else { v_max * side }).collect();
         let clock = Clock::new(settings, population.bests());
         Self {
             v: vec![0.0; population.x.len()],
@@ -87,6 +94,7 @@ impl Swarm {
             events: vec![Event::Move; size],
             flight,
             coefficients: flight.schedule.at(0, clock.limit),
+            origins: None,
             rng,
             clock,
             population,
@@ -285,6 +293,9 @@ impl Planner for Swarm {
             out.push("hens", self.count(Event::Hen));
             out.push("chicks", self.count(Event::Chick));
         }
+        if let Some(origins) = &self.origins {
+            out.push("from_trees", origins.iter().flatten().count() as f64);
+        }
         out.push("evaluations", self.population.evaluations as f64);
     }
 
@@ -293,7 +304,14 @@ impl Planner for Swarm {
     }
 
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        (self.clock.iteration == 0).then(|| introduce(&self.population, item, "; its velocity is zero")).flatten()
+        if self.clock.iteration > 0 {
+            return None;
+        }
+        let origin = match self.origins.as_ref().and_then(|origins| *origins.get(item.index)?) {
+            Some(extensions) => format!("on the path of a tree of {extensions} extensions; its velocity is zero"),
+            None => "drawn at random; its velocity is zero".to_owned(),
+        };
+        introduce_as(&self.population, item, &origin)
     }
 
     fn explain(&self, item: Item) -> Option<Inspection> {

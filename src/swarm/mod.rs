@@ -1,27 +1,30 @@
-//! Particle swarms: `pso`, `wpso`, `cpso` and `wcpso` of [WCPSO], `qpso` and `ltqpso` of [LTQPSO], and the continuous bats
-//! of [ANTBAT], with exchangeable parts.
+//! Particle swarms: `pso`, `wpso`, `cpso` and `wcpso` of [WCPSO], `qpso` and `ltqpso` of [LTQPSO], the continuous bats
+//! of [ANTBAT], and what it compares with (`cuckoo-search`, `pso-rrt`), with exchangeable parts.
 //!
 //! - [`objective`]: what a position means and costs: a function's value, or a path. Two encodings of paths,
 //!   [`waypoints`] and [`polar`], over a `terrain` of discs or of blocked cells; `encoding` chooses.
 //! - `population`: positions, costs, personal and global bests; whatever moves the particles. `clock`: when it stops.
 //! - `flight`: particles with velocities, by a [`schedule`] of ω, c1 and c2 and (for some) a [`perturbation`].
-//! - `quantum`: particles that leap. `bat_continuous`: bats.
+//! - `quantum`: particles that leap. `bat_continuous`: bats. `cuckoo_search`: nests, whose flights `levy` draws.
 //! - `explain` and `tell` say what a step did to one particle, `draw` shows it.
 //! - `parameters`: what the entries share. [`pso`], [`wpso`], [`cpso`], [`wcpso`], [`qpso`], [`ltqpso`]: a file a planner.
 
 pub mod bat_continuous;
 mod clock;
 pub mod cpso;
+pub mod cuckoo_search;
 mod draw;
 mod encoding;
 mod explain;
 mod flight;
+mod levy;
 pub mod objective;
 mod parameters;
 pub mod perturbation;
 pub mod polar;
 mod population;
 pub mod pso;
+pub mod pso_rrt;
 mod quantum;
 pub mod schedule;
 mod tell;

@@ -62,6 +62,10 @@ pub trait Objective: Send + Sync {
     fn draw(&self, x: &mut [f64], rng: &mut Stream) {
         self.search_box().draw(x, rng);
     }
+    /// Writes the position that stands for a path from start to goal, as nearly as one can. False: positions are no paths.
+    fn encode(&self, _path: &[[f64; 2]], _x: &mut [f64]) -> bool {
+        false
+    }
     /// How often a position that violates a constraint is drawn anew before the first iteration.
     fn redraws(&self) -> u64 {
         0

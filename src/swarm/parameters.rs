@@ -128,9 +128,9 @@ pub(super) const SMOOTHNESS: Reading = Reading::new(
 );
 pub(super) const K: Reading =
     Reading::new("k", "k", "Update", Group::Count, "The number of the update that led here, counted from 0 as in the paper.");
-const OMEGA: Reading = Reading::new("w", "\\omega", "Inertia weight", Group::Schedule, "ω in the step that led here.");
-const COGNITIVE: Reading = Reading::new("c1", "c_1", "Cognitive coefficient", Group::Schedule, "c1 in the step that led here.");
-const SOCIAL: Reading = Reading::new("c2", "c_2", "Social coefficient", Group::Schedule, "c2 in the step that led here.");
+pub(super) const OMEGA: Reading = Reading::new("w", "\\omega", "Inertia weight", Group::Schedule, "ω in the step that led here.");
+pub(super) const COGNITIVE: Reading = Reading::new("c1", "c_1", "Cognitive coefficient", Group::Schedule, "c1 in the step that led here.");
+pub(super) const SOCIAL: Reading = Reading::new("c2", "c_2", "Social coefficient", Group::Schedule, "c2 in the step that led here.");
 pub(super) const STAGNATING: Reading = Reading::new(
     "stagnating",
     "n_s",

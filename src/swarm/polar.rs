@@ -71,6 +71,20 @@ impl Polar {
         }
     }
 
+    /// Where a path to the goal leaves the circle of radius `rho` for the last time, seen from the start.
+    fn last_crossing(&self, path: &[[f64; 2]], rho: f64) -> [f64; 2] {
+        let seen = |point: [f64; 2]| [0, 1].map(|axis| point[axis] - self.terrain.start[axis]);
+        let squared = |[x, y]: [f64; 2]| x * x + y * y;
+        let inside = path.iter().rposition(|&point| squared(seen(point)) <= rho * rho).unwrap_or(0);
+        let (a, b) = (seen(path[inside]), seen(path[(inside + 1).min(path.len() - 1)]));
+        let way = [b[0] - a[0], b[1] - a[1]];
+        // |a + t way| = ρ, the later of two solutions: a lies inside, b outside.
+        let (along, length) = (a[0] * way[0] + a[1] * way[1], squared(way));
+        let root = (along * along + length * (rho * rho - squared(a))).max(0.0).sqrt();
+        let t = if length > 0.0 { (root - along) / length } else { 0.0 };
+        [a[0] + t * way[0], a[1] + t * way[1]]
+    }
+
     #[inline]
     fn course<'a>(&'a self, x: &'a [f64]) -> impl Iterator<Item = [f64; 2]> + 'a {
         self.radii.iter().zip(x).map(|(&rho, &alpha)| self.at(rho, alpha))
@@ -132,6 +146,17 @@ impl Objective for Polar {
             }
             from = self.point(x, j);
         }
+    }
+
+    /// The angle at which the path leaves each circle for the last time.
+    fn encode(&self, path: &[[f64; 2]], x: &mut [f64]) -> bool {
+        for (j, (x, &rho)) in x.iter_mut().zip(&self.radii).enumerate() {
+            let [dx, dy] = self.last_crossing(path, rho);
+            let middle = f64::midpoint(self.search_box.low[j], self.search_box.high[j]);
+            let alpha = math::atan2(dy, dx);
+            *x = self.search_box.clamp(j, alpha + TAU * ((middle - alpha) / TAU).round());
+        }
+        true
     }
 
     fn redraws(&self) -> u64 {
@@ -247,6 +272,18 @@ mod tests {
         polar.read(&[alpha], &mut readings);
         close(readings.get("length").unwrap(), rho_1 + last.sqrt());
         close(readings.get("smoothness").unwrap(), 50.0 + last);
+    }
+
+    /// D = 2 from (0, 0) to (10, 10): one circle of radius 5√2. The path leaves it at (7, 1), comes back and leaves it at (1, 7).
+    #[test]
+    fn a_path_is_encoded_by_where_it_leaves_a_circle_for_the_last_time() {
+        let polar = polar(2.0, &[]);
+        let mut x = [0.0];
+        assert!(polar.encode(&[[0.0, 0.0], [7.0, 1.0], [9.0, 1.0], [1.0, 1.0], [1.0, 9.0], [10.0, 10.0]], &mut x));
+        close(x[0], math::atan2(7.0, 1.0));
+        // A corner on the circle itself.
+        assert!(polar.encode(&[[0.0, 0.0], [7.0, 1.0], [10.0, 10.0]], &mut x));
+        close(x[0], math::atan2(1.0, 7.0));
     }
 
     #[test]

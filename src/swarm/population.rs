@@ -44,6 +44,16 @@ const MOST_REDRAWS: u64 = 20_000;
 impl Population {
     /// Positions as the objective draws them, evaluated.
     pub(super) fn new(objective: Arc<dyn Objective>, size: usize, rng: &mut Stream) -> Self {
+        Self::begun(objective, size, rng, |_, _, _| false)
+    }
+
+    /// Positions that `first` writes for a particle; where it says that it wrote none, one that the objective draws.
+    pub(super) fn begun(
+        objective: Arc<dyn Objective>,
+        size: usize,
+        rng: &mut Stream,
+        mut first: impl FnMut(usize, &mut [f64], &mut Stream) -> bool,
+    ) -> Self {
         let dimension = objective.search_box().dimension();
         let mut population = Self {
             objective,
@@ -61,7 +71,14 @@ impl Population {
             evaluations: 0,
         };
         let mut left = MOST_REDRAWS;
-        (0..size).for_each(|i| population.draw_particle(i, rng, &mut left));
+        for i in 0..size {
+            let row = population.row(i);
+            if first(i, &mut population.x[row], rng) {
+                population.evaluate(i);
+            } else {
+                population.draw_particle(i, rng, &mut left);
+            }
+        }
         population.settle();
         population
     }

@@ -53,6 +53,11 @@ pub const SYMBOLS: &[&str] = &[
     "\\bar A",
     "\\epsilon",
     "\\beta",
+    "\\sigma",
+    "s",
+    "H",
+    "x_j",
+    "x_k",
 ];
 
 /// What the numbers of an inspection are called: name, TeX, a few words.
@@ -77,9 +82,14 @@ pub(super) fn particle(population: &Population, item: Item) -> Option<usize> {
 
 /// The particle before anything has moved it.
 pub(super) fn introduce(population: &Population, item: Item, moreover: &str) -> Option<Inspection> {
+    introduce_as(population, item, &format!("drawn at random{moreover}"))
+}
+
+/// The same, and where it comes from.
+pub(super) fn introduce_as(population: &Population, item: Item, origin: &str) -> Option<Inspection> {
     let i = particle(population, item)?;
     let (meaning, x) = (&*population.objective, &population.x[population.row(i)]);
-    let summary = format!("Particle {i} begins here, drawn at random{moreover}.");
+    let summary = format!("Particle {i} begins here, {origin}.");
     let mut told = sheet(meaning, item, "start", summary, x.len());
     told.columns = START.to_vec();
     told.rows = x.iter().map(|&x| vec![x]).collect();

@@ -2,7 +2,7 @@
 
 use crate::{
     frame::Frame,
-    math,
+    geometry, math,
     params::Settings,
     planner::{Readings, Solution},
     rng::Stream,
@@ -57,6 +57,37 @@ impl Waypoints {
     }
 }
 
+/// So many points between a path's ends: its corners, and the middle of the longest piece until there are enough. Where it
+/// has too many corners, points at equal distances along it.
+fn resampled(path: &[[f64; 2]], count: usize) -> Vec<[f64; 2]> {
+    let apart = |w: &[[f64; 2]]| geometry::length(w);
+    let between = |a: [f64; 2], b: [f64; 2], t: f64| [0, 1].map(|axis| a[axis] + t * (b[axis] - a[axis]));
+    let mut points = path.to_vec();
+    while points.len() < count + 2 {
+        // The first of equals.
+        let pieces = points.windows(2).map(apart).enumerate();
+        let Some((longest, _)) = pieces.reduce(|most, piece| if piece.1 > most.1 { piece } else { most }) else { break };
+        points.insert(longest + 1, between(points[longest], points[longest + 1], 0.5));
+    }
+    if points.len() == count + 2 {
+        return points[1..=count].to_vec();
+    }
+    let spacing = points.windows(2).map(apart).sum::<f64>() / (count + 1) as f64;
+    let mut out = Vec::with_capacity(count);
+    let mut along = 0.0;
+    for w in points.windows(2) {
+        let length = apart(w);
+        while out.len() < count && along + length >= spacing * (out.len() + 1) as f64 {
+            let t = if length > 0.0 { (spacing * (out.len() + 1) as f64 - along) / length } else { 0.0 };
+            out.push(between(w[0], w[1], t));
+        }
+        along += length;
+    }
+    // What rounding left.
+    out.resize(count, points[points.len() - 1]);
+    out
+}
+
 impl Objective for Waypoints {
     fn search_box(&self) -> &SearchBox {
         &self.search_box
@@ -69,6 +100,13 @@ impl Objective for Waypoints {
     fn draw(&self, x: &mut [f64], rng: &mut Stream) {
         self.search_box.draw(x, rng);
         self.arrange(x);
+    }
+
+    fn encode(&self, path: &[[f64; 2]], x: &mut [f64]) -> bool {
+        for (i, point) in resampled(path, self.count).into_iter().enumerate() {
+            [x[i], x[self.count + i]] = [0, 1].map(|axis| self.search_box.clamp(i + axis * self.count, point[axis]));
+        }
+        true
     }
 
     fn redraws(&self) -> u64 {
@@ -144,6 +182,22 @@ mod tests {
         objective.ordered = false;
         objective.arrange(&mut x[..]);
         assert_eq!(x, [1.0, 4.0, 7.0, 2.0, 3.0, -1.0]);
+    }
+
+    #[test]
+    fn a_path_s_corners_become_waypoints_and_halves_of_its_longest_pieces() {
+        // Pieces 2 and 6: the middle of the longer one, then of the first of two halves of 3.
+        let path = [[0.0, 0.0], [2.0, 0.0], [2.0, 6.0]];
+        assert_eq!(resampled(&path, 1), [[2.0, 0.0]]);
+        assert_eq!(resampled(&path, 2), [[2.0, 0.0], [2.0, 3.0]]);
+        assert_eq!(resampled(&path, 3), [[2.0, 0.0], [2.0, 1.5], [2.0, 3.0]]);
+        // Three corners for two waypoints: at a third and two thirds of the length of 9.
+        let path = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [4.0, 2.0], [4.0, 5.0]];
+        assert_eq!(resampled(&path, 2), [[2.0, 1.0], [4.0, 2.0]]);
+        let mut x = [0.0; 4];
+        let objective = Waypoints::with(objective(Penalty::Segments).terrain, 2, true);
+        assert!(objective.encode(&[[0.0, 0.0], [2.0, -4.0], [8.0, 0.0]], &mut x));
+        assert_eq!(x, [2.0, 5.0, -4.0, -2.0]);
     }
 
     #[test]

@@ -37,6 +37,11 @@ impl Finish {
         }
     }
 
+    /// Nothing is to be made of it.
+    pub(super) fn raw(step: f64) -> Self {
+        Self { shorten: false, fit: None, smooth: None, step }
+    }
+
     /// Whether anything is to be made of it.
     pub(super) fn is_raw(&self) -> bool {
         !self.shorten && self.fit.is_none() && self.smooth.is_none()

@@ -167,7 +167,8 @@ pub(super) struct Forest<const N: usize> {
 }
 
 impl<const N: usize> Forest<N> {
-    fn new(task: &Task<N>) -> Self {
+    /// A root at the start and nothing else.
+    pub(super) fn new(task: &Task<N>) -> Self {
         let tree = Tree::new;
         let last = Extension { source: Source::Uniform, tree: 0, near: 0, samples: Vec::new(), fell_back: false, added: false, rewired: 0 };
         let mut forest = Self {

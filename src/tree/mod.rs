@@ -5,7 +5,7 @@
 //! - `forest`: nodes, parents and lengths; `nearest`: the spatial index.
 //! - `grow`: what the planners share, and what the last extension did. A `Method` says how one extension is made:
 //!   [`rrt`], [`rrt_guided`], [`rrt_connect`], [`rrt_star`], [`rrt_joint`], a file a planner.
-//! - `found`, `finish`, `polyline`, `hermite`: the path, and what is made of it.
+//! - `found`, `finish`, `polyline`, `hermite`: the path, and what is made of it. [`paths`]: paths for other planners to begin with.
 //! - `planner`: the stepped contract; `draw` and `tell`: what it looks like and why; `parameters`: what the entries share.
 
 mod draw;
@@ -17,6 +17,7 @@ mod hermite;
 mod joints;
 mod nearest;
 mod parameters;
+pub mod paths;
 mod planner;
 mod polyline;
 pub mod rrt;
@@ -51,7 +52,7 @@ fn grown<M: Method<3>>(
     goal_bias: f64,
     method: impl FnOnce(&Task<3>) -> M,
 ) -> Result<Grown<3, M>, Error> {
-    let ground = Ground::new(scene, settings)?;
+    let ground = Ground::new(scene, settings.number("margin"))?;
     let task = Task::new(Arc::new(ground), settings, goal_bias);
     let method = method(&task);
     Ok(Grown::new(task, method, seed))

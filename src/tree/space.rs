@@ -6,7 +6,6 @@ use crate::{
     arm,
     error::Error,
     geometry::Cuboid,
-    params::Settings,
     planner::Solution,
     scene::{Body, Scene},
 };
@@ -63,11 +62,11 @@ pub(super) fn room(point: [f64; 3], (axis, radius): (Cuboid, f64)) -> f64 {
 }
 
 impl Ground {
-    /// Of a scene with start and goal; in an arm’s with the setting `margin`.
+    /// Of a scene with start and goal; an arm's tip keeps so much away from obstacles.
     ///
     /// # Errors
     /// [`Error::Refused`] for a scene without.
-    pub(super) fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
+    pub(super) fn new(scene: &Arc<Scene>, margin: f64) -> Result<Self, Error> {
         let flat = |[x, y]: [f64; 2]| [x, y, 0.0];
         let (min, max, start, goal, unit) = match scene.body() {
             Body::Discs(discs) => (flat(discs.bounds.min), flat(discs.bounds.max), flat(discs.start), flat(discs.goal), 1.0),
@@ -78,18 +77,15 @@ impl Ground {
             Body::Arm(arm) => (arm.workspace.min, arm.workspace.max, arm.start, arm.goal, 1.0),
             Body::Function(_) | Body::Tour(_) => return Err(Error::refused("kind", scene.kind().name(), "discs, grid or arm")),
         };
-        let (mut margin, mut grown) = (0.0, Vec::new());
+        let (mut kept, mut grown) = (0.0, Vec::new());
         if let Ok(arm) = scene.arm() {
             // Start and goal are free, however near: half of their room is left.
             let rooms = [start, goal].into_iter().flat_map(|end| arm.obstacles().map(move |obstacle| room(end, obstacle)));
-            margin = rooms.fold(settings.number("margin"), |margin, room| margin.min(room / 2.0));
-            grown = arm
-                .cuboids
-                .iter()
-                .map(|cuboid| Cuboid { min: cuboid.min.map(|x| x - margin), max: cuboid.max.map(|x| x + margin) })
-                .collect();
+            kept = rooms.fold(margin, |margin, room| margin.min(room / 2.0));
+            grown =
+                arm.cuboids.iter().map(|cuboid| Cuboid { min: cuboid.min.map(|x| x - kept), max: cuboid.max.map(|x| x + kept) }).collect();
         }
-        Ok(Self { scene: Arc::clone(scene), min, max, start, goal: [goal], unit, margin, grown })
+        Ok(Self { scene: Arc::clone(scene), min, max, start, goal: [goal], unit, margin: kept, grown })
     }
 }
 

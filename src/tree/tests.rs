@@ -40,7 +40,7 @@ fn plane() -> Arc<Scene> {
 fn task(scene: &Arc<Scene>, planner: &str) -> Task<3> {
     let entry = crate::catalogue::find(planner).unwrap();
     let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
-    Task::new(Arc::new(Ground::new(scene, &settings).unwrap()), &settings, 0.0)
+    Task::new(Arc::new(Ground::new(scene, settings.number("margin")).unwrap()), &settings, 0.0)
 }
 
 /// Grows towards fixed points, so that steps can be computed by hand.

@@ -1,0 +1,470 @@
+//! `cuckoo-search`: cuckoo search by Yang and Deb (2009), Lévy flights and abandoned nests; [ANTBAT] fig. 8 compares with it.
+//!
+//! [ANTBAT] compares with a variant of it (Liu and Liu, Computer Science 2019, 46(7), 165–171: directional mutation), of which
+//! it prints no details. This is Yang and Deb's own.
+//!
+//! Readings. Where the paper's pseudo-code leaves something open, Yang and Deb's program decides: in each iteration every nest
+//! is tried twice, first by a Lévy flight, then by a random walk along the difference of two nests, and a candidate that is not
+//! worse replaces its own nest. Flights are drawn by Mantegna's algorithm (1994) and scaled by α and the distance from the best
+//! nest, so the best nest itself does not fly. r of the walk is one number for all nests of an iteration. Each coordinate walks
+//! with probability `p_a`, as Yang's H(p_a − ε) says; the program tests the opposite, so `p_a` = 0.75 gives what it does with 0.25.
+
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+
+use crate::{
+    catalogue::{Entry, Formula, Group, Layer, Preset, ROAD, Reading},
+    digest::Digest,
+    error::Error,
+    frame::{Frame, Role},
+    params::{Fixed, Parameter, Settings},
+    planner::{Best, Column, Inspection, Item, Planner, Readings, Status},
+    rng::Stream,
+    scene::{Kind, Scene},
+    session,
+};
+
+use super::{
+    clock::Clock,
+    encoding::{self, with_paths},
+    levy::{Draw, Levy},
+    parameters::{BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, SMOOTHED, SMOOTHNESS},
+    population::Population,
+    tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
+};
+
+/// Nests: x ← x + α s (x − g) ε by Lévy flights, then x ← x + r H(p_a − ε) (x_j − x_k).
+#[derive(Clone)]
+struct Nests {
+    population: Population,
+    levy: Levy,
+    alpha: f64,
+    p_a: f64,
+    /// Which two nests x_j and x_k each nest walks by, drawn as two permutations in each iteration.
+    pairs: [Vec<usize>; 2],
+    /// All nests before the walks, which the differences are taken of.
+    before: Vec<f64>,
+    /// Where a nest was before it was tried.
+    held: Vec<f64>,
+    last: Vec<Last>,
+    rng: Stream,
+    clock: Clock,
+}
+
+/// Whether a nest took what its flight and its walk led to in the last iteration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Last {
+    flown: bool,
+    walked: bool,
+}
+
+/// Sees what happens to one nest. `()` sees nothing and costs nothing.
+trait Watch {
+    fn wants(&self, _i: usize) -> bool {
+        false
+    }
+    /// One coordinate of its flight: what was drawn, ε, and the candidate.
+    fn flight(&mut self, _draw: Draw, _epsilon: f64, _to: f64) {}
+    /// What the flight's candidate costs.
+    fn flown(&mut self, _cost: f64) {}
+    /// One coordinate of its walk: whether it changes, x_j, x_k, and the candidate.
+    fn walk(&mut self, _changes: bool, _pair: [f64; 2], _to: f64) {}
+    /// r of the walks, and what the walk's candidate costs.
+    fn walked(&mut self, _r: f64, _cost: f64) {}
+}
+
+impl Watch for () {}
+
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn session::AnyPlanner>, Error> {
+    let mut rng = Stream::new(seed, 0);
+    let size = settings.integer("population") as usize;
+    let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
+    let numbers: Vec<_> = (0..size).collect();
+    Ok(Box::new(Nests {
+        levy: Levy::new(settings.number("lambda")),
+        alpha: settings.number("alpha"),
+        p_a: settings.number("p_a"),
+        pairs: [numbers.clone(), numbers],
+        before: population.x.clone(),
+        held: vec![0.0; population.dimension],
+        last: vec![Last { flown: false, walked: false }; size],
+        rng,
+        clock: Clock::new(settings, population.bests()),
+        population,
+    }))
+}
+
+impl Nests {
+    /// One iteration. `watch` sees what happens to a nest that somebody asked about.
+    fn advance(&mut self, watch: &mut impl Watch) {
+        for i in 0..self.population.size {
+            let cost = self.population.cost[i];
+            if watch.wants(i) {
+                self.fly(i, watch);
+            } else {
+                self.fly(i, &mut ());
+            }
+            self.population.evaluate(i);
+            if watch.wants(i) {
+                watch.flown(self.population.cost[i]);
+            }
+            self.last[i].flown = self.keep_better(i, cost);
+        }
+        self.before.copy_from_slice(&self.population.x);
+        self.pairs.iter_mut().for_each(|numbers| shuffle(numbers, &mut self.rng));
+        let r = self.rng.unit();
+        for i in 0..self.population.size {
+            let cost = self.population.cost[i];
+            if watch.wants(i) {
+                self.walk(i, r, watch);
+            } else {
+                self.walk(i, r, &mut ());
+            }
+            self.population.evaluate(i);
+            if watch.wants(i) {
+                watch.walked(r, self.population.cost[i]);
+            }
+            self.last[i].walked = self.keep_better(i, cost);
+        }
+        self.population.settle();
+        self.clock.tick(self.population.bests());
+    }
+
+    /// A Lévy flight to a candidate, which is kept in the box.
+    fn fly(&mut self, i: usize, watch: &mut impl Watch) {
+        let row = self.population.row(i);
+        let Population { x, g, objective, .. } = &mut self.population;
+        let x = &mut x[row];
+        self.held.copy_from_slice(x);
+        for (j, x) in x.iter_mut().enumerate() {
+            let draw = self.levy.draw(&mut self.rng);
+            let epsilon = self.rng.normal();
+            *x = objective.search_box().clamp(j, *x + self.alpha * draw.s * (*x - g[j]) * epsilon);
+            watch.flight(draw, epsilon, *x);
+        }
+    }
+
+    /// A random walk along the difference of two nests to a candidate, which is kept in the box.
+    fn walk(&mut self, i: usize, r: f64, watch: &mut impl Watch) {
+        let row = self.population.row(i);
+        let [of_j, of_k] = [0, 1].map(|one| self.population.row(self.pairs[one][i]));
+        let Population { x, objective, .. } = &mut self.population;
+        let x = &mut x[row];
+        self.held.copy_from_slice(x);
+        let (x_j, x_k) = (&self.before[of_j], &self.before[of_k]);
+        for (j, x) in x.iter_mut().enumerate() {
+            let changes = self.rng.unit() < self.p_a;
+            if changes {
+                *x = objective.search_box().clamp(j, *x + r * (x_j[j] - x_k[j]));
+            }
+            watch.walk(changes, [x_j[j], x_k[j]], *x);
+        }
+    }
+
+    /// Leaves a nest where it was if its candidate costs more than it did.
+    fn keep_better(&mut self, i: usize, cost: f64) -> bool {
+        let better = self.population.cost[i] <= cost;
+        if !better {
+            let row = self.population.row(i);
+            self.population.x[row].copy_from_slice(&self.held);
+            self.population.cost[i] = cost;
+        }
+        better
+    }
+
+    fn count(&self, what: impl Fn(&Last) -> bool) -> f64 {
+        self.last.iter().filter(|last| what(last)).count() as f64
+    }
+}
+
+/// Puts numbers into a random order, each order as likely as any (Fisher and Yates).
+fn shuffle(numbers: &mut [usize], rng: &mut Stream) {
+    for last in (1..numbers.len()).rev() {
+        numbers.swap(last, rng.below(last + 1));
+    }
+}
+
+impl Planner for Nests {
+    fn step(&mut self) -> Status {
+        if self.clock.running() {
+            self.advance(&mut ());
+        }
+        self.status()
+    }
+
+    fn status(&self) -> Status {
+        self.clock.status()
+    }
+
+    fn iteration(&self) -> u64 {
+        self.clock.iteration
+    }
+
+    fn limit(&self) -> u64 {
+        self.clock.limit
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.population.evaluations
+    }
+
+    fn best(&self) -> Option<Best> {
+        Some(self.population.best())
+    }
+
+    fn read(&self, out: &mut Readings) {
+        self.population.read(out);
+        out.push("k", self.clock.iteration.saturating_sub(1) as f64);
+        out.push("flown", self.count(|last| last.flown));
+        out.push("rebuilt", self.count(|last| last.walked));
+        out.push("evaluations", self.population.evaluations as f64);
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        self.population.draw_particles(frame);
+        self.population.draw_result(frame);
+    }
+
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        let mut told = (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "")).flatten()?;
+        told.title = format!("Nest {}", item.index);
+        told.summary = format!("Nest {} begins here, drawn at random.", item.index);
+        Some(told)
+    }
+
+    fn explain(&self, item: Item) -> Option<Inspection> {
+        self.explain_step(item)
+    }
+
+    fn digest(&self, out: &mut Digest) {
+        self.clock.digest(out);
+        self.population.digest(out);
+        self.pairs.iter().flatten().for_each(|&nest| out.word(nest as u64));
+        self.rng.digest(out);
+    }
+
+    fn bytes(&self) -> usize {
+        self.population.bytes()
+            + 8 * (self.before.len() + self.held.len() + 2 * self.pairs[0].len())
+            + 2 * self.last.len()
+            + size_of::<Self>()
+    }
+}
+
+const FLIGHT: [Label; 8] = [
+    ("x_before", "x", "position before, first coordinate"),
+    ("g", "g", "global best, first coordinate"),
+    ("sigma", "\\sigma", "standard deviation of u"),
+    ("u", "u", "normal random number of deviation σ, first coordinate"),
+    ("v", "v", "normal random number, first coordinate"),
+    ("s", "s", "Lévy step, first coordinate"),
+    ("epsilon", "\\epsilon", "normal random number that scales it, first coordinate"),
+    ("candidate", "x'", "candidate of the flight, first coordinate"),
+];
+const WALK: [Label; 6] = [
+    ("x_between", "x", "position after the flight, first coordinate"),
+    ("r", "r", "random number of the walks"),
+    ("changes", "H", "whether the first coordinate walks"),
+    ("x_j", "x_j", "one random nest, first coordinate"),
+    ("x_k", "x_k", "another random nest, first coordinate"),
+    ("rebuilt", "x'", "candidate of the walk, first coordinate"),
+];
+const COSTS: [Label; 4] = [
+    ("cost_before", "f(x)", "cost before"),
+    ("cost_flown", "f(x)", "cost of the flight’s candidate"),
+    ("cost_walked", "f(x)", "cost of the walk’s candidate"),
+    ("cost", "f(x)", "cost after"),
+];
+const COLUMNS: [Column; 6] = [
+    column("x_before", "x", "position before"),
+    column("s", "s", "Lévy step"),
+    column("epsilon", "\\epsilon", "normal random number"),
+    column("candidate", "x'", "candidate of the flight"),
+    column("changes", "H", "1 if this coordinate walks"),
+    column("rebuilt", "x'", "candidate of the walk"),
+];
+
+/// What was done to a nest, coordinate by coordinate.
+#[derive(Default)]
+struct Record {
+    nest: usize,
+    flight: Vec<(Draw, f64, f64)>,
+    walk: Vec<(bool, [f64; 2], f64)>,
+    r: f64,
+    costs: [f64; 2],
+}
+
+impl Watch for Record {
+    fn wants(&self, i: usize) -> bool {
+        i == self.nest
+    }
+
+    fn flight(&mut self, draw: Draw, epsilon: f64, to: f64) {
+        self.flight.push((draw, epsilon, to));
+    }
+
+    fn flown(&mut self, cost: f64) {
+        self.costs[0] = cost;
+    }
+
+    fn walk(&mut self, changes: bool, pair: [f64; 2], to: f64) {
+        self.walk.push((changes, pair, to));
+    }
+
+    fn walked(&mut self, r: f64, cost: f64) {
+        (self.r, self.costs[1]) = (r, cost);
+    }
+}
+
+impl Nests {
+    /// What the next step does to a nest.
+    fn explain_step(&self, item: Item) -> Option<Inspection> {
+        let i = particle(&self.population, item)?;
+        let mut record = Record { nest: i, ..Record::default() };
+        let mut after = self.clone();
+        after.advance(&mut record);
+        let Record { flight, walk, r, costs, .. } = &record;
+        let (now, next) = (&self.population, &after.population);
+        let (meaning, row) = (&*now.objective, now.row(i));
+        let x = &now.x[row.clone()];
+        let Last { flown, walked } = after.last[i];
+        let candidate: Vec<_> = flight.iter().map(|&(_, _, to)| to).collect();
+        let between = if flown { &candidate[..] } else { x };
+
+        let taken = |taken| if taken { "replaces the nest" } else { "costs more and is dropped" };
+        let summary = format!(
+            "Nest {i} is tried twice. The egg of a Lévy flight {}; the nest that a random walk rebuilds {}.",
+            taken(flown),
+            taken(walked)
+        );
+        let event = match (flown, walked) {
+            (_, true) => "rebuilt",
+            (true, false) => "flight",
+            (false, false) => "kept",
+        };
+        let mut told = sheet(meaning, item, event, summary, now.dimension);
+        told.title = format!("Nest {i}");
+        told.columns = COLUMNS.to_vec();
+        let rows = flight.iter().zip(walk).zip(x);
+        told.rows = rows.map(|((&(draw, e, to), &(h, _, end)), &x)| vec![x, draw.s, e, to, f64::from(u8::from(h)), end]).collect();
+        told.formulas = vec![SIGMA.name, STEP.name, FLY.name, ABANDON.name];
+        let (draw, epsilon, to) = flight[0];
+        told.values.extend(quantities(&FLIGHT, &[x[0], now.g[0], self.levy.sigma, draw.u, draw.v, draw.s, epsilon, to]));
+        let (changes, [x_j, x_k], end) = walk[0];
+        told.values.extend(quantities(&WALK, &[between[0], *r, f64::from(u8::from(changes)), x_j, x_k, end]));
+        told.values.extend(quantities(&COSTS, &[now.cost[i], costs[0], costs[1], next.cost[i]]));
+        told.marks =
+            vec![mark(meaning, Role::Before, x), arrows(meaning, Role::Jump, x, &candidate), mark(meaning, Role::After, &next.x[row])];
+        Some(told)
+    }
+}
+
+const POPULATION: Parameter = Parameter::integer(
+    "population",
+    "n",
+    "Nests",
+    [1, 100_000, 30],
+    "How many nests. Each is evaluated twice in an iteration, so the defaults are half of the other swarms’. Yang and Deb: 15 to 40 are enough.",
+)
+.defaults_on(&[(Kind::Discs, Fixed::Number(75.0)), (Kind::Grid, Fixed::Number(75.0))])
+.slider(2.0, 2000.0, true);
+const P_A: Parameter = Parameter::number(
+    "p_a",
+    "p_a",
+    "Share abandoned",
+    [0.0, 1.0, 0.25],
+    "With what probability each coordinate of a nest is rebuilt by a random walk; a higher value changes more of each nest at once. Yang and Deb: 0.25.",
+);
+const ALPHA: Parameter = Parameter::number(
+    "alpha",
+    "\\alpha",
+    "Step scale",
+    [0.0, 10.0, 0.01],
+    "What a Lévy step times the distance from the best nest is multiplied by; a higher value leads farther. Yang and Deb’s program: 0.01.",
+)
+.slider(0.001, 1.0, true);
+const LAMBDA: Parameter = Parameter::number(
+    "lambda",
+    "\\lambda",
+    "Lévy exponent",
+    [0.3, 1.99, 1.5],
+    "How fast long flights become rare; a lower value makes them more frequent. Mantegna’s algorithm holds from 0.3 to 1.99; Yang and Deb’s program: 1.5.",
+);
+
+const SIGMA: Formula = Formula::of_item(
+    "sigma",
+    "Mantegna 1994",
+    "Deviation of u",
+    "\\sigma = \\left(\\frac{\\Gamma(1 + \\lambda) \\sin(\\pi \\lambda / 2)}{\\Gamma\\left(\\frac{1 + \\lambda}{2}\\right) \\lambda \\, 2^{(\\lambda - 1)/2}}\\right)^{1/\\lambda}",
+    "\\sigma = @sigma@",
+);
+const STEP: Formula = Formula::of_item(
+    "levy-step",
+    "Mantegna 1994",
+    "Lévy step",
+    "s = \\frac{u}{|v|^{1/\\lambda}}",
+    "s = \\frac{@u@}{|@v@|^{1/\\lambda}} = @s@",
+);
+const FLY: Formula = Formula::of_item(
+    "levy-flight",
+    "Yang and Deb 2009 (1), its program",
+    "Lévy flight",
+    "x' = x + \\alpha s (x - g) \\, \\epsilon",
+    "x' = @x_before@ + \\alpha \\cdot @s@ \\, (@x_before@ - @g@) \\cdot @epsilon@ \\;\\to\\; @candidate@",
+);
+const ABANDON: Formula = Formula::of_item(
+    "abandon",
+    "Yang and Deb 2009, its program",
+    "Abandoned coordinates",
+    "x' = x + r \\, H(p_a - \\epsilon) \\, (x_j - x_k)",
+    "x' = @x_between@ + @r@ \\cdot @changes@ \\cdot (@x_j@ - @x_k@) \\;\\to\\; @rebuilt@",
+);
+
+const NESTS: Layer = Layer { title: "Nests", help: "Where the nests are: points, or the paths they stand for.", ..PARTICLES };
+
+const ONE_ROAD: Preset = Preset {
+    name: ROAD,
+    title: "One of many roads",
+    help: "Sizes for one of many roads between stops: 25 nests and 200 iterations instead of 75 and 500. Paths are longer, and found sooner.",
+    scene: "ant-bat-30",
+    values: &[("population", Fixed::Number(25.0)), ("iterations", Fixed::Number(200.0))],
+};
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "cuckoo-search",
+    title: "Cuckoo search: Lévy flights",
+    family: "swarm",
+    source: "Yang and Deb 2009",
+    summary: "Each nest is a candidate solution. A Lévy flight makes a new one from it, mostly near and seldom far away; then some of its coordinates are rebuilt along the difference of two random nests. A nest is replaced only by what is not worse.",
+    kinds: KINDS,
+    parameters: with_paths![POPULATION, ITERATIONS, P_A, ALPHA, LAMBDA],
+    readings: &[
+        BEST,
+        MEAN,
+        FREE,
+        LENGTH,
+        SMOOTHNESS,
+        K,
+        Reading::new("flown", "n_L", "Flights kept", Group::Count, "Nests that took the candidate of their Lévy flight in this iteration."),
+        Reading::new(
+            "rebuilt",
+            "n_a",
+            "Nests rebuilt",
+            Group::Count,
+            "Nests that took the candidate of their random walk in this iteration.",
+        ),
+        EVALUATIONS,
+    ],
+    formulas: &[SIGMA, STEP, FLY, ABANDON],
+    layers: &[GUIDES, NESTS, GLOBAL_BEST, SMOOTHED],
+    stops: false,
+    most_stops: None,
+    members: &[],
+    events: &[],
+    presets: &[ONE_ROAD],
+    suggest: |_| None,
+    start,
+};

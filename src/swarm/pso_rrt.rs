@@ -1,0 +1,171 @@
+//! `pso-rrt`: a particle swarm that begins with the paths of random trees; [ANTBAT] fig. 8 compares with one.
+//!
+//! [ANTBAT] names its source (Liu, thesis, North University of China, 2023: improved PSO and RRT for the paths of vehicles) and
+//! prints no details. Our reading: a basic tree (LaValle 1998, [`crate::tree::rrt`]) of its own gives each particle its first
+//! path, without redundant nodes. The path's corners become the particle's waypoints, and the middle of its longest piece until
+//! there are enough; a path with too many corners becomes points at equal distances along it, which may collide. From there on it
+//! is `pso`. A particle whose tree does not come to the goal within `extensions` begins as in `pso`.
+//!
+//! Every straight piece that a tree tests counts as an evaluation, in extensions and where redundant nodes are removed. A path of
+//! the swarm counts as one whatever its number of pieces, so trees are counted at more than their cost.
+
+use std::sync::Arc;
+
+use crate::{
+    catalogue::{Entry, Group, Preset, ROAD, Reading},
+    error::Error,
+    params::{Fixed, Parameter, Settings},
+    rng::Stream,
+    scene::{Kind, Scene},
+    tree::paths::Paths,
+};
+
+use super::{
+    encoding::{self, ENCODING, WAYPOINTS, with_paths},
+    flight::{Flight, Swarm},
+    parameters::{
+        BEST, C1, C2, COGNITIVE, EVALUATIONS, FREE, ITERATIONS, K, LAYERS, LENGTH, MEAN, OMEGA, PATHS, POPULATION, POSITION, RANDOM,
+        SMOOTHNESS, SOCIAL, STAGNATING, V_MAX, V_MAX_UNIT, VELOCITY, W,
+    },
+    population::Population,
+    schedule::{Law, Schedule},
+};
+
+/// How many extensions all trees of a run have together: where no tree comes to the goal, a big swarm must begin all the same.
+const MOST_EXTENSIONS: u64 = 500_000;
+
+const STEP_SIZE: Parameter = Parameter::number(
+    "step_size",
+    "L",
+    "Step size",
+    [0.01, 1e6, 0.5],
+    "How far a node of a tree grows, in the scene’s unit; on grids, in cells. A higher value needs fewer extensions and misses narrow passages.",
+)
+.defaults_on(&[(Kind::Grid, Fixed::Number(1.0))])
+.slider(0.05, 3.0, true);
+const GOAL_BIAS: Parameter = Parameter::number(
+    "goal_bias",
+    "p_g",
+    "Goal bias",
+    [0.0, 0.95, 0.05],
+    "How often a tree grows toward the goal itself, as a share of the extensions. A higher value makes the first paths more alike.",
+)
+.slider(0.0, 0.5, false);
+const EXTENSIONS: Parameter = Parameter::integer(
+    "extensions",
+    "n_T",
+    "Extensions of a tree",
+    [0, 100_000, 3000],
+    "How often a tree is extended at most; a particle whose tree does not come to the goal is drawn as in pso. 0: no trees. All trees of a run have 500,000 together.",
+)
+.slider(0.0, 10_000.0, false);
+
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Swarm, Error> {
+    let objective = encoding::objective(scene, settings)?;
+    let paths = Paths::new(scene, settings.number("step_size"), settings.number("goal_bias"))?;
+    let (size, most) = (settings.integer("population") as usize, settings.integer("extensions"));
+    let mut rng = Stream::new(seed, 0);
+    let (mut left, mut tested, mut origins) = (MOST_EXTENSIONS, 0, vec![None; size]);
+    let mut population = Population::begun(Arc::clone(&objective), size, &mut rng, |i, x, rng| {
+        let attempt = paths.grow(most.min(left), rng);
+        left -= attempt.extensions;
+        tested += attempt.tested;
+        let Some(path) = attempt.path else { return false };
+        origins[i] = Some(attempt.extensions);
+        objective.encode(&path, x)
+    });
+    population.evaluations += tested;
+    let [w, c1, c2] = ["w", "c1", "c2"].map(|name| Law::Constant(settings.number(name)));
+    let flight = Flight { schedule: Schedule { w, c1, c2 }, perturbation: None };
+    let mut swarm = Swarm::of(population, settings, rng, flight);
+    swarm.origins = Some(origins.into());
+    Ok(swarm)
+}
+
+const ONE_ROAD: Preset = Preset {
+    name: ROAD,
+    title: "One of many roads",
+    help: "Sizes for one of many roads between stops: 20 particles and 100 iterations instead of 150 and 500. Paths are longer, and found sooner.",
+    scene: "ant-bat-30",
+    values: &[("population", Fixed::Number(20.0)), ("iterations", Fixed::Number(100.0))],
+};
+
+/// See the module.
+pub const ENTRY: Entry = Entry {
+    name: "pso-rrt",
+    title: "PSO with RRT: trees, then a swarm",
+    family: "swarm",
+    source: "[ANTBAT] fig. 8, its [32]",
+    summary: "A random tree from start to goal gives each particle its first path; then a swarm with constant coefficients shortens the paths. A particle whose tree finds none is drawn at random.",
+    kinds: PATHS,
+    parameters: with_paths![
+        @ Parameter { defaults: &[], ..ENCODING }, WAYPOINTS.defaults_on(&[(Kind::Grid, Fixed::Number(8.0))]);
+        POPULATION, ITERATIONS, STEP_SIZE, GOAL_BIAS, EXTENSIONS, W, C1, C2, RANDOM, V_MAX, V_MAX_UNIT
+    ],
+    readings: &[
+        BEST,
+        MEAN,
+        FREE,
+        LENGTH,
+        SMOOTHNESS,
+        K,
+        OMEGA,
+        COGNITIVE,
+        SOCIAL,
+        STAGNATING,
+        Reading::new("from_trees", "n_T", "Begun by trees", Group::Count, "Particles whose first path came from a tree."),
+        Reading { help: "How many positions were evaluated so far, and straight pieces tested by trees.", ..EVALUATIONS },
+    ],
+    formulas: &[VELOCITY, POSITION],
+    layers: LAYERS,
+    stops: false,
+    most_stops: None,
+    members: &[],
+    events: &[],
+    presets: &[ONE_ROAD],
+    suggest: |_| None,
+    start: |scene, settings, seed| Ok(Box::new(start(scene, settings, seed)?)),
+};
+
+#[cfg(test)]
+mod tests {
+    use crate::{Session, Setup, Value, frame::Role, planner::Item, shipped};
+
+    fn session(scene: &str, params: &[(&str, f64)], seed: u64) -> Session {
+        let params = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
+        Session::new(Setup { planner: "pso-rrt".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
+    }
+
+    fn reading(session: &mut Session, name: &str) -> f64 {
+        session.readings().get(name).unwrap()
+    }
+
+    #[test]
+    fn particles_begin_on_the_free_paths_of_trees() {
+        for scene in ["ant-bat-30", "wolf-ant-20", "wcpso-discs"] {
+            let mut session = session(scene, &[("population", 20.0), ("waypoints", 30.0), ("extensions", 100_000.0)], 1);
+            assert_eq!(reading(&mut session, "from_trees"), 20.0, "{scene}");
+            let outcome = session.outcome();
+            assert!(outcome.feasible, "{scene}: with a waypoint for each corner nothing is lost");
+            assert!(outcome.evaluations > 20, "{scene}: what the trees tested counts");
+            let told = session.inspect(Item { role: Role::Particles, index: 3 }).unwrap();
+            assert!(told.summary.contains("on the path of a tree of"), "{}", told.summary);
+        }
+    }
+
+    #[test]
+    fn without_extensions_it_is_pso() {
+        let mut alone = session("wcpso-discs", &[("extensions", 0.0)], 4);
+        let params = [("population", Value::from(150.0))].into_iter().collect();
+        let mut pso = Session::new(Setup { planner: "pso".into(), scene: shipped("wcpso-discs").unwrap(), params, seed: 4 }).unwrap();
+        for _ in 0..20 {
+            assert_eq!(alone.best().unwrap().cost, pso.best().unwrap().cost);
+            assert_eq!(alone.outcome().evaluations, pso.outcome().evaluations);
+            alone.step(1);
+            pso.step(1);
+        }
+        assert_eq!(reading(&mut alone, "from_trees"), 0.0);
+        let told = session("wcpso-discs", &[("extensions", 0.0)], 4).inspect(Item { role: Role::Particles, index: 3 }).unwrap();
+        assert!(told.summary.contains("drawn at random"), "{}", told.summary);
+    }
+}
