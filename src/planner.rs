@@ -168,11 +168,11 @@ pub struct Job {
 /// What a [`Job`] found.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
-    /// The best cost; `None` if nothing was found.
+    /// The best cost; `None` if nothing feasible was found.
     pub cost: Option<f64>,
     /// The iteration in which the best was found.
     pub converged: f64,
-    /// The best path; empty if nothing was found.
+    /// The best path; empty if nothing feasible was found.
     pub path: Vec<[f64; 2]>,
 }
 

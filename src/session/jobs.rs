@@ -18,7 +18,8 @@ pub fn carry_out(setup: Setup) -> Result<Finding, Error> {
     let mut session = Session::with_keyframes(setup, 0)?;
     while session.step(u64::MAX) == Status::Running {}
     let converged = session.readings().get("converged").unwrap_or(session.iteration() as f64);
-    let best = session.planner.best();
+    // A swarm's best may still touch an obstacle: then nothing was found.
+    let best = session.planner.best().filter(|best| session.scene.judge(&best.solution).feasible);
     let cost = best.as_ref().map(|best| best.cost);
     let path = best.and_then(|best| best.solution.path().map(<[_]>::to_vec)).unwrap_or_default();
     Ok(Finding { cost, converged, path })

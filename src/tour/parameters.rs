@@ -20,6 +20,8 @@ pub(super) const BUILDERS: &[Choice] = &[
     Choice { value: "a-star", title: "A*", help: "The shortest ways from cell to cell." },
     Choice { value: "dijkstra", title: "Dijkstra", help: "The same, found the slower way." },
     Choice { value: "theta-star", title: "Theta*", help: "Ways at any angle." },
+    Choice { value: "cuckoo-search", title: "Cuckoo search", help: "Compared in [ANTBAT] fig. 8, its [31]; ours is Yang and Deb’s." },
+    Choice { value: "pso-rrt", title: "PSO with RRT", help: "Compared in [ANTBAT] fig. 8, its [32]; our reading." },
 ];
 
 pub(super) const ROADS: Parameter = Parameter::choice(
@@ -27,7 +29,7 @@ pub(super) const ROADS: Parameter = Parameter::choice(
     "",
     "Roads by",
     BUILDERS,
-    "Which planner builds the road between each two stops, with its usual parameters and a seed of its own, [ANTBAT] §3.2.",
+    "Which planner builds the road between each two stops, with its preset road, or else its usual parameters, and a seed of its own, [ANTBAT] §3.2.",
 )
 .only_on(&[Kind::Grid]);
 pub(super) const SMOOTH: Parameter = Parameter::flag(

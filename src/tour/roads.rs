@@ -1,8 +1,10 @@
-//! The road network, [ANTBAT] §3.2: a way for each pair of stops, found by a run of another planner.
+//! The road network, [ANTBAT] §3.2: a way for each pair of stops, found by a run of another planner: by its preset
+//! [`ROAD`] where it has one, otherwise with its defaults.
 
 use std::sync::{Arc, OnceLock};
 
 use crate::{
+    catalogue::{self, ROAD},
     error::Error,
     exact::is_reachable,
     geometry,
@@ -62,7 +64,7 @@ impl Network {
     /// # Errors
     /// [`Error::Refused`] for a stop that the others cannot be reached from, by its name.
     pub fn new(scene: &Arc<Scene>, grid: &GridScene, settings: &Settings, seed: u64) -> Result<Self, Error> {
-        let planner = super::parameters::BUILDERS.iter().map(|builder| builder.value).find(|name| *name == settings.choice("roads"));
+        let entry = catalogue::find(settings.choice("roads"))?;
         let stops = grid.stops.clone();
         for (i, &stop) in (1..).zip(&stops[1..]) {
             let name = format!("stops[{i}]");
@@ -74,11 +76,12 @@ impl Network {
         }
         let mut rng = Stream::new(seed, 1);
         let n = stops.len();
-        let mut params = Given::new();
+        let sized = entry.presets.iter().find(|preset| preset.name == ROAD).map(|preset| entry.preset(preset.name, scene.kind()));
+        let mut params = sized.transpose()?.unwrap_or_default();
         params.insert("smooth", Value::Flag(settings.flag("smooth")));
         Ok(Self {
             scene: Arc::clone(scene),
-            planner: planner.unwrap_or("a-star"),
+            planner: entry.name,
             params,
             seeds: (0..n * (n - 1) / 2).map(|_| rng.below(1 << 31) as u64).collect(),
             roads: Vec::new(),

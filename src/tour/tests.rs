@@ -26,6 +26,36 @@ fn whoever_can_build_roads_is_in_the_catalogue() {
     }
 }
 
+/// Swarms promise no road: where a run finds none, others lead there.
+#[test]
+fn roads_of_swarms_give_a_feasible_tour() {
+    for roads in ["cuckoo-search", "pso-rrt"] {
+        for seed in 1..=3 {
+            let mut session = session("bat", "ant-bat-30", &[("roads", roads), ("iterations", "20")], seed);
+            session.step(u64::MAX);
+            let outcome = session.outcome();
+            assert!(outcome.feasible && outcome.gap > Some(0.0), "{roads}, seed {seed}: {:?}", outcome.trouble);
+        }
+    }
+}
+
+#[test]
+fn a_road_that_touches_an_obstacle_is_not_found() {
+    // A wall with one gap far away: a path with one corner at the start of the search does not fit through.
+    let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "w", "title": "W", "cell": 1,
+        "rows": [".....", ".....", ".####", "....."], "start": [4.5, 0.5], "goal": [4.5, 3.5]}"#;
+    let scene = Arc::new(Scene::from_json(text).unwrap());
+    let params: Given = [("iterations", 1.0), ("population", 1.0)].into_iter().map(|(name, value)| (name, Value::from(value))).collect();
+    let setup = Setup { planner: "pso".into(), scene, params, seed: 1 };
+    assert!(!{
+        let mut session = Session::new(setup.clone()).unwrap();
+        session.step(u64::MAX);
+        session.outcome().feasible
+    });
+    let found = crate::session::carry_out(setup).unwrap();
+    assert_eq!((found.cost, found.path), (None, Vec::new()));
+}
+
 #[test]
 fn roads_are_the_same_whoever_builds_them() {
     let params = [("roads", "aco"), ("iterations", "3")];
