@@ -192,7 +192,7 @@ fn log(planner: &str, scene: &str, seed: u32, set: &str) -> Log {
 
 /// Every decision of whole drives, with its time, place and reason.
 fn every_log() -> Vec<Log> {
-    let mut all = vec![log("wolf-ant-drive", "wolf-ant-20", 11, "")];
+    let mut all = vec![log("wolf-ant-drive", "wolf-ant-20", 23, "")];
     for planner in ["wolf-ant-drive", "a-star-drive", "d-star-lite-drive"] {
         all.extend(["wolf-ant-20", "crossing", "patrol", "corridor"].map(|scene| log(planner, scene, 1, "")));
     }

@@ -96,7 +96,7 @@ fn a_run_only_gets_better_and_its_verdict_is_true(entry: &'static Entry) {
         if size_name(entry).is_some() && !staged {
             let rounds = (outcome.evaluations - first) / (u64::from(population) * 60);
             let all = outcome.evaluations - first == rounds * u64::from(population) * 60;
-            prop_assert!((1..=2).contains(&rounds) && all, "each particle is evaluated once per iteration, or each twice");
+            prop_assert!((1..=2).contains(&rounds) && all, "every particle is evaluated equally often, once or twice, in every iteration");
             prop_assert!(entry.family != "swarm" || first >= u64::from(population));
         }
         prop_assert_eq!(outcome.cost.is_some(), outcome.path.is_some() || outcome.position.is_some() || outcome.tip_path.is_some());

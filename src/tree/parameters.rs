@@ -29,7 +29,8 @@ const fn iterations(default: u64, help: &'static str) -> Parameter {
     Parameter::integer("iterations", "k_{\\max}", "Iterations", [1, 1_000_000, default], help).slider(100.0, 100_000.0, true)
 }
 
-pub(super) const ITERATIONS: Parameter = iterations(20_000, "After how many extensions it stops at the latest, found or not.");
+pub(super) const ITERATIONS: Parameter =
+    iterations(20_000, "After how many extensions it stops at the latest, found or not. In a large maze it takes many more.");
 pub(super) const ITERATIONS_RRT: Parameter =
     iterations(100_000, "After how many extensions it stops at the latest, found or not. Without a goal bias it may take many.");
 pub(super) const ITERATIONS_STAR: Parameter =

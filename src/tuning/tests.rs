@@ -35,8 +35,8 @@ fn an_axis_goes_through_its_slider_s_range_evenly_or_by_magnitudes() {
     let q = axis("q");
     assert_eq!((q.low, q.high, q.value(333.25)), (100.0, 1000.0, 333.25));
     let tau = axis("tau_0");
-    assert_eq!((tau.low, tau.high), (-2.0, 3.0));
-    assert_eq!([tau.value(-2.0), tau.value(0.0), tau.value(3.0)], [0.01, 1.0, 1000.0]);
+    assert_eq!((tau.low, tau.high), (-2.0, 4.0));
+    assert_eq!([tau.value(-2.0), tau.value(0.0), tau.value(4.0)], [0.01, 1.0, 10_000.0]);
     assert_eq!(axis("ants").value(math::log10(17.4)), 17.0);
 }
 

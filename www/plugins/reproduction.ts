@@ -60,6 +60,8 @@ export function rowsOf(text: string, file: string): Row[] {
   })
 }
 
+/** What follows is of no paper. */
+const BEYOND = '\n## Beyond the papers\n'
 const HEADING = /^### ([\w-]+): .*?\[([A-Z-]+)\]/
 const CHECK = new RegExp(`^- (.+): (${ANSWERS.join('|')}) \\((.*)\\)$`)
 
@@ -70,7 +72,8 @@ const CHECK = new RegExp(`^- (.+): (${ANSWERS.join('|')}) \\((.*)\\)$`)
 export function checksOf(text: string, file: string): Check[] {
   const found: Check[] = []
   let of: { reproduction: string; paper: Paper } | undefined
-  for (const line of text.split('\n')) {
+  const [papers = ''] = text.split(BEYOND)
+  for (const line of papers.split('\n')) {
     if (line.startsWith('### ')) {
       const [, name, tag] = HEADING.exec(line) ?? []
       const paper = PAPERS.find((known) => known === tag)

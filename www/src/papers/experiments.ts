@@ -63,7 +63,13 @@ export const EXPERIMENTS: Readonly<Record<Paper, readonly Experiment[]>> = {
     { name: 'empty', cases: [on('qpso-10m-empty', QUANTUM)], seeds: 50 },
   ],
   ANTBAT: [
-    { name: 'colonies', cases: [{ scene: 'ant-bat-30', runs: [{ planner: 'aco', params: ANTS }, ...on('ant-bat-30', ['aco-dijkstra', 'aco-direction']).runs] }], seeds: 30 },
+    {
+      name: 'colonies',
+      cases: [
+        { scene: 'ant-bat-30', runs: [{ planner: 'aco', params: ANTS }, ...on('ant-bat-30', ['aco-dijkstra', 'aco-direction']).runs] },
+      ],
+      seeds: 30,
+    },
     { name: 'tours', cases: [on('ant-bat-30', TOURS, { smooth: false })], seeds: 30 },
   ],
   'ARM-RRT': [

@@ -122,10 +122,10 @@ pub(super) fn study() -> String {
     format!(
         "Names:\n{}\n
 Examples:
-  forage study robustness --runs 2
-  forage study robustness --runs 2 --out quick --json
+  forage study forensics
+  forage study forensics --out quick --json
 
-A full run takes minutes to hours.",
+`robustness` takes half an hour; with `--runs 2` it compares on two maps of each kind.",
         studies(STUDIES, |study| study.title.to_owned())
     )
 }
