@@ -49,7 +49,7 @@ const FILE: &str = "antbat-paths-runs.csv";
 
 fn setups() -> Result<Vec<Setup>, Error> {
     let scene = shipped("ant-bat-30")?;
-    PLANNERS.into_iter().map(|planner| colonies::published(planner, &scene, Given::new())).collect()
+    PLANNERS.into_iter().map(|planner| colonies::published(planner, &scene, &Given::new())).collect()
 }
 
 fn run(options: &Options, control: &Control) -> Result<Report, Failure> {

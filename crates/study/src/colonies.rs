@@ -126,7 +126,7 @@ impl Job for Task {
 }
 
 /// A planner with the parameters that its paper prints, and these.
-pub(super) fn published(planner: &str, scene: &Arc<Scene>, params: Given) -> Result<Setup, Error> {
+pub(super) fn published(planner: &str, scene: &Arc<Scene>, params: &Given) -> Result<Setup, Error> {
     let entry = catalogue::find(planner)?;
     let mut all = if entry.presets.is_empty() { Given::new() } else { entry.preset("paper", scene.kind())? };
     params.iter().for_each(|(name, value)| all.insert(name, value.clone()));

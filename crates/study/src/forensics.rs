@@ -1,5 +1,7 @@
 //! What printed figures can rest on: how many runs, which paths, which other figures. Arithmetic on what the papers print, no runs.
 
+use std::fmt::Write;
+
 use serde::Serialize;
 
 use forage::{error::Error, math, scene::shipped};
@@ -96,8 +98,8 @@ pub fn samples(mean: Printed, std: Printed, minima: &[f64]) -> Vec<Sample> {
         let squares_error = (n - 1.0) * std.value * std.unit + n * mean.value * mean.unit;
         let mut stuck = vec![0; minima.len()];
         loop {
-            let at = |power: i32| -> f64 { stuck.iter().zip(minima).map(|(&k, value)| k as f64 * value.powi(power)).sum() };
-            let (rest, rest_squares) = (sum - at(1), squares - at(2));
+            let at = |of: fn(f64) -> f64| -> f64 { stuck.iter().zip(minima).map(|(&k, &value)| k as f64 * of(value)).sum() };
+            let (rest, rest_squares) = (sum - at(|value| value), squares - at(|value| value * value));
             let others = runs.saturating_sub(stuck.iter().sum()) as f64;
             // What is left of the sum adds least to the squares if the runs at the optimum share it, most if all of it belongs to the
             // worst run.
@@ -316,7 +318,9 @@ fn wolf_ant() -> Result<Vec<Finding>, Error> {
         let mut finding = length("[WOLF-ANT] Table 2", name, px, &by);
         let of_time = (seconds.value - WOLF_ANT_TURNS.value * turn) * speed;
         if finding.source == Source::Impossible && (of_time - px.value).abs() < 1e-9 {
-            finding.because += &format!(
+            // Writing to a text cannot fail.
+            let _ = write!(
+                finding.because,
                 "; ({} s − {} s) · {speed} is {of_time:.4} exactly: the length was computed from the time",
                 seconds.value,
                 WOLF_ANT_TURNS.value * turn

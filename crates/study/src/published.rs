@@ -208,7 +208,7 @@ mod tests {
             assert_eq!(published.map(|figure| Some(figure.value)), [0, 1].map(|k| wolf[name][k].as_f64()), "{name}");
         }
         assert_eq!(wolf["turns"].as_f64(), Some(WOLF_ANT_TURNS.value));
-        let paper = super::super::colonies::published("aco-wolf", &shipped("wolf-ant-20").unwrap(), Given::new()).unwrap();
+        let paper = super::super::colonies::published("aco-wolf", &shipped("wolf-ant-20").unwrap(), &Given::new()).unwrap();
         let used = paper.check().unwrap().1;
         for (name, value) in TUNED {
             assert_eq!(used.number(name), value, "{name}");

@@ -52,7 +52,7 @@ fn tunings(runs: u64) -> u64 {
 
 /// The planners with the published parameters.
 fn setups(scene: &Arc<Scene>) -> Result<Vec<Setup>, Error> {
-    PLANNERS.into_iter().zip([Given::new(), sizes(), sizes()]).map(|(name, params)| colonies::published(name, scene, params)).collect()
+    PLANNERS.into_iter().zip([Given::new(), sizes(), sizes()]).map(|(name, params)| colonies::published(name, scene, &params)).collect()
 }
 
 /// The tunings, and the runs that do not need them.
