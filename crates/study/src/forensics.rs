@@ -85,8 +85,8 @@ const MOST_RUNS: u64 = 60;
 /// What all runs together may be above the optimum that are not stuck.
 const REST: f64 = 0.01;
 
-/// All samples of 3 to [`MOST_RUNS`] runs that have this mean and this standard deviation (with n − 1), if some of them ended at
-/// these values and the others at the optimum, which is 0: none below, and all together at most [`REST`] above.
+/// All samples of 3 to `MOST_RUNS` runs that have this mean and this standard deviation (with n − 1), if some of them ended at
+/// these values and the others at the optimum, which is 0: none below, and all together at most `REST` above.
 pub fn samples(mean: Printed, std: Printed, minima: &[f64]) -> Vec<Sample> {
     let mut found = Vec::new();
     for runs in 3..=MOST_RUNS {
