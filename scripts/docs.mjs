@@ -150,16 +150,21 @@ function csv(text) {
 }
 
 const figures = () => csv(read('REPRODUCTION.csv'))
-const VERDICTS = ['reproduced', 'better', 'worse', 'not determined']
+const VALUES = ['same digits', 'no significant difference', 'same power of ten', 'differs']
+const IMPOSSIBLE = 'impossible as printed'
 
-function verdicts() {
+/** How many figures of each paper have which mark. */
+function marks() {
   const rows = figures()
-  const unknown = rows.find(({ verdict }) => !VERDICTS.includes(verdict))
-  if (unknown) throw new Error(`REPRODUCTION.csv: unknown verdict ${unknown.verdict}`)
-  const count = (of) => VERDICTS.map((verdict) => String(of.filter((row) => row.verdict === verdict).length))
+  const unknown = rows.find(({ value }) => value !== '' && !VALUES.includes(value))
+  if (unknown) throw new Error(`REPRODUCTION.csv: unknown mark ${unknown.value}`)
+  const count = (of) => [
+    ...VALUES.map((mark) => String(of.filter(({ value }) => value === mark).length)),
+    String(of.filter(({ source }) => source === IMPOSSIBLE).length),
+  ]
   const papers = [...new Set(rows.map(({ paper }) => paper))]
   return table(
-    ['paper', 'figures', ...VERDICTS],
+    ['paper', 'figures', ...VALUES, IMPOSSIBLE],
     [
       ...papers.map((paper) => {
         const of = rows.filter((row) => row.paper === paper)
@@ -203,7 +208,10 @@ function reproduction(name) {
       ['mean', (r) => digits(r.mean, r.published_mean)],
       ['std', (r) => digits(r.std, '')],
       ['runs', (r) => r.runs],
-      ['verdict', (r) => r.verdict],
+      ['value', (r) => r.value],
+      ['ranking', (r) => r.ranking],
+      ['basis', (r) => r.basis],
+      ['source', (r) => r.source],
     ].filter(([, cell]) => of.some((row) => cell(row) !== ''))
     return `**${escaped(title)}**\n\n${table(
       columns.map(([heading]) => heading),
@@ -300,7 +308,7 @@ const BLOCKS = {
       .replace(/, [\d.,]+ ?(?:ms|s)$/m, '')
     return `\`\`\`text\n${printed}\n\`\`\``
   },
-  verdicts,
+  marks,
   reproduction,
   claims,
   reproductions,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{Friedman, Summary, friedman, holm, proportion, rank_sum};
 
 /// What a failed run counts among ranks: more than any other, and, unlike infinity, equal to itself by difference.
-const LAST: f64 = f64::MAX;
+pub const LAST: f64 = f64::MAX;
 
 /// Numbers nearer to each other than this share of them are the same.
 const SAME: f64 = 1e-12;

@@ -7,7 +7,7 @@ mod compare;
 mod summary;
 mod tests_between;
 
-pub use compare::{Comparison, Group, GroupSummary, Pair, comparable, compare};
+pub use compare::{Comparison, Group, GroupSummary, LAST, Pair, comparable, compare};
 pub use summary::{Moments, Summary, proportion};
 pub use tests_between::{Friedman, RankSum, friedman, holm, rank_sum};
 

@@ -2,7 +2,7 @@ import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { parse } from 'csv-parse/sync'
 import type { Plugin } from 'vite'
-import { ANSWERS, type Check, COLUMNS, NUMBERS, type Paper, PAPERS, type Row, VERDICTS, WORDS } from '../src/papers/row.ts'
+import { ANSWERS, type Check, COLUMNS, KINDS, MARKS, NUMBERS, type Paper, PAPERS, type Row, WORDS } from '../src/papers/row.ts'
 
 const ID = 'virtual:reproduction'
 const RESOLVED = `\0${ID}`
@@ -50,13 +50,23 @@ export function rowsOf(text: string, file: string): Row[] {
       new Error(`${file}, row ${line + 1}: ${name} is “${given[name]}”; allowed: ${allowed}`)
     for (const name of WORDS) if (given[name] === '') throw refused(name, 'a text')
     if (!PAPERS.some((paper) => paper === given.paper)) throw refused('paper', PAPERS.join(', '))
-    if (!VERDICTS.some((verdict) => verdict === given.verdict)) throw refused('verdict', VERDICTS.join(', '))
+    if (!['yes', 'no'].includes(given.lower_is_better ?? '')) throw refused('lower_is_better', 'yes, no')
+    const marks = KINDS.map((kind) => {
+      const [mark, because] = [given[kind] ?? '', given[`${kind}_because`] ?? '']
+      // Every figure rests on something.
+      if (mark === '' && because === '' && kind !== 'basis') return [kind, null]
+      if (!MARKS[kind].some((known) => known === mark)) throw refused(kind, MARKS[kind].join(', '))
+      if (because === '') throw refused(`${kind}_because`, 'a text')
+      return [kind, { mark, because }]
+    })
     const numbers = NUMBERS.map((name) => {
       const value = given[name] === '' ? null : Number(given[name])
       if (value !== null && !Number.isFinite(value)) throw refused(name, 'a finite number, or nothing')
       return [name, value]
     })
-    return { ...given, ...Object.fromEntries(numbers) } as Row
+    const words = Object.fromEntries([...WORDS, 'paper'].map((name) => [name, given[name]]))
+    const lower_is_better = given.lower_is_better === 'yes'
+    return { ...words, lower_is_better, ...Object.fromEntries(numbers), marks: Object.fromEntries(marks) } as Row
   })
 }
 

@@ -6,7 +6,7 @@ import { papers as text } from '../src/i18n/papers.en'
 import { number } from '../src/panels/format'
 import { runOf } from '../src/papers/commands'
 import { groupsOf, ours, published, tally, together } from '../src/papers/figures'
-import { NUMBERS, PAPERS, VERDICTS } from '../src/papers/row'
+import { KINDS, MARKS, NUMBERS, PAPERS, type Row } from '../src/papers/row'
 import { violations } from './support/axe'
 import { hashOf, trialOf } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
@@ -35,7 +35,7 @@ async function turned(part: Locator, open: boolean): Promise<void> {
   if ((await part.evaluate((node: HTMLDetailsElement) => node.open)) !== open) await part.locator('> summary').click()
 }
 
-test('every paper has a card with its citation, its claims, experiments and how many figures have which verdict', {
+test('every paper has a card with its citation, its claims, experiments and how many figures have which mark', {
   tag: '@smoke',
 }, async ({ lab, page }) => {
   await open(lab)
@@ -50,12 +50,19 @@ test('every paper has a card with its citation, its claims, experiments and how 
     const mine = rows.filter((row) => row.paper === paper)
     if (mine.length === 0) await expect(card.getByTestId('summary')).toHaveText(text.none)
     else
-      for (const [verdict, count] of tally(mine))
-        await expect(card.getByTestId('summary')).toContainText(text.count(number(count), verdict))
+      for (const [mark, count] of tally(mine, 'value'))
+        await expect(card.getByTestId('summary')).toContainText(text.count(number(count), text.mark('value', mark)))
   }
 })
 
-test('the figures are those of the file, published beside ours, with verdict, reason and command', async ({ lab, page }) => {
+/** The marks of a row, in words: all of them, or without those that say nothing new. */
+const told = ({ marks }: Row, all: boolean): string[] =>
+  KINDS.flatMap((kind) => {
+    const mark = marks[kind]?.mark
+    return mark && (all || !['printed', 'consistent'].includes(mark)) ? [text.mark(kind, mark)] : []
+  })
+
+test('the figures are those of the file, published beside ours, with marks, reasons and command', async ({ lab, page }) => {
   await open(lab)
   await openAll(lab)
   for (const paper of PAPERS) {
@@ -75,7 +82,7 @@ test('the figures are those of the file, published beside ours, with verdict, re
             .join(''),
           numbers: [...line.querySelectorAll('td.number')].map((cell) => cell.querySelector('data')?.value ?? ''),
           texts: [...line.querySelectorAll('td.number')].map((cell) => cell.querySelector('data')?.textContent ?? ''),
-          verdict: line.querySelector('td.verdict')?.textContent?.trim(),
+          marks: [...line.querySelectorAll('td.marks [data-mark]')].map((mark) => mark.textContent?.trim()),
         })),
       )
       expect(cells).toEqual(
@@ -88,18 +95,19 @@ test('the figures are those of the file, published beside ours, with verdict, re
             if (name === 'runs' || name === 'published_runs') return number(value)
             return name.startsWith('published') ? published(value) : ours(value, row)
           }),
-          verdict: text.verdicts[row.verdict],
+          marks: told(row, false),
         })),
       )
       const more = await group.getByTestId('figure-more').allTextContents()
       for (const [at, row] of expected.entries()) {
-        expect(more[at]).toContain(row.because)
+        for (const kind of KINDS) expect(more[at]).toContain(row.marks[kind]?.because ?? '')
+        for (const mark of told(row, true)) expect(more[at]).toContain(mark)
         expect(more[at]).toContain(row.command)
       }
     }
   }
   const total = page.getByTestId('overview').locator('tfoot td.number')
-  await expect(total).toHaveText(VERDICTS.map((verdict) => number(rows.filter((row) => row.verdict === verdict).length)))
+  await expect(total).toHaveText(MARKS.value.map((mark) => number(rows.filter((row) => row.marks.value?.mark === mark).length)))
 })
 
 test('what a paper claims stands with what the report says of it', async ({ lab, page }) => {
@@ -308,13 +316,14 @@ for (const colorScheme of ['light', 'dark'] as const) {
   }
 }
 
-test('verdicts are told in words', async ({ lab, page }) => {
+test('the rule of every mark is told', async ({ lab, page }) => {
   await open(lab)
-  await openAll(lab)
-  const told = await page.locator('[data-testid="figure"] td.verdict').allInnerTexts()
-  expect(told.map((verdict) => verdict.trim())).toEqual(
-    PAPERS.flatMap((paper) => groupsOf(rows, paper).flatMap((group) => group.rows.map((row) => text.verdicts[row.verdict]))),
-  )
+  for (const kind of KINDS) {
+    await expect(page.getByTestId('rule').getByRole('heading', { name: text.kinds[kind].title, exact: true })).toBeVisible()
+    const shown = page.getByTestId('rule').locator(`[data-kind=${kind}]`)
+    await expect(shown).toHaveText(MARKS[kind].map((mark) => text.mark(kind, mark)))
+    for (const rule of Object.values(text.rule.marks[kind])) await expect(page.getByTestId('rule')).toContainText(rule)
+  }
 })
 
 test.describe('on a phone', () => {

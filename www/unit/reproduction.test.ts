@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { checksOf, rowsOf } from '../plugins/reproduction'
 import { runOf } from '../src/papers/commands'
-import { COLUMNS, NUMBERS, PAPERS, VERDICTS } from '../src/papers/row'
+import { COLUMNS, MARKS, NUMBERS, PAPERS } from '../src/papers/row'
 
 const FILE = 'REPRODUCTION.csv'
 const REPORT = 'REPRODUCTION.md'
@@ -28,17 +28,29 @@ test('a malformed file stops the build with a message that names it', () => {
   }
   expect(refused(`${header}\n${first}\n`)).toBe('accepted')
   expect(refused(`${header.replace('median', 'middle')}\n${first}\n`)).toBe(
-    `${FILE}: column 13 is “middle”; the columns are ${COLUMNS.join(',')}`,
+    `${FILE}: column 14 is “middle”; the columns are ${COLUMNS.join(',')}`,
   )
-  expect(refused(`${header},more\n${first},\n`)).toContain('column 18 is “more”')
+  expect(refused(`${header},more\n${first},\n`)).toContain('column 25 is “more”')
   expect(refused(`${header}\n`)).toBe(`${FILE} has no rows`)
-  const line = ['r', 'WCPSO', 't', 'row', 'value', ...NUMBERS.map(() => '1'), 'better', 'why', 'forage']
-  const given = (at: number, cell: string): string => refused(`${header}\n${line.with(at, cell).join(',')}\n`)
-  expect(given(6, '1e-3')).toBe('accepted')
-  expect(given(1, 'PSO')).toContain('row 1: paper is “PSO”; allowed: WCPSO, ')
-  expect(given(6, 'many')).toContain('row 1: published_mean is “many”; allowed: a finite number')
-  expect(given(14, 'good')).toContain(`row 1: verdict is “good”; allowed: ${VERDICTS.join(', ')}`)
-  expect(given(16, '')).toContain('row 1: command is “”')
+  const marks = ['differs', 'far', '', '', 'printed', 'all of it', '', '']
+  const line = ['r', 'WCPSO', 't', 'row', 'value', 'yes', ...NUMBERS.map(() => '1'), ...marks, 'forage']
+  const given = (column: string, cell: string): string => refused(`${header}\n${line.with(COLUMNS.indexOf(column), cell).join(',')}\n`)
+  expect(given('published_mean', '1e-3')).toBe('accepted')
+  expect(given('paper', 'PSO')).toContain('row 1: paper is “PSO”; allowed: WCPSO, ')
+  expect(given('published_mean', 'many')).toContain('row 1: published_mean is “many”; allowed: a finite number')
+  expect(given('lower_is_better', 'maybe')).toContain('row 1: lower_is_better is “maybe”; allowed: yes, no')
+  expect(given('value', 'good')).toContain(`row 1: value is “good”; allowed: ${MARKS.value.join(', ')}`)
+  expect(given('ranking', 'same')).toContain('row 1: ranking_because is “”')
+  expect(given('source_because', 'arithmetic')).toContain('row 1: source is “”')
+  expect(given('basis', '')).toContain('row 1: basis is “”')
+  expect(given('command', '')).toContain('row 1: command is “”')
+  const [row] = rowsOf(`${header}\n${line.join(',')}\n`, FILE)
+  expect(row?.marks).toEqual({
+    value: { mark: 'differs', because: 'far' },
+    ranking: null,
+    basis: { mark: 'printed', because: 'all of it' },
+    source: null,
+  })
 })
 
 test('a report without readable claims stops the build with a message that names it', () => {

@@ -71,7 +71,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
                 let figure = published(&ANTBAT[k]);
                 lines.push(planner, measure, Some(figure), &found[k])?;
                 if name == "over-cells" {
-                    report.figures.push(measure.beside("§3.1", planner, figure, &found[k], OPEN, command(&setups[k])));
+                    report.figures.push(measure.compared("§3.1", planner, figure, &found[k], OPEN, command(&setups[k])));
                 }
             }
         }
@@ -89,16 +89,10 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
 
 /// The order that the paper's table has, by each of its measures.
 fn judge(measure: &Measure, found: &[Vec<Run>]) -> Vec<Verdict> {
-    let means = [0, 1, 2].map(|k| measure.summary(&found[k]).map(|summary| summary.mean));
+    let numbers = |k: usize| found[k].iter().map(measure.of).collect();
     let verdict = |[less, more]: [usize; 2]| {
-        let numbers = means[less].zip(means[more]);
-        Verdict {
-            claim: format!("{}: smaller on average with {} than with {}", measure.name, PLANNERS[less], PLANNERS[more]),
-            holds: numbers.map(|(less, more)| less < more),
-            because: numbers.map_or("no way was found".to_owned(), |(less, more)| {
-                format!("{less:.digits$} beside {more:.digits$}", digits = measure.digits)
-            }),
-        }
+        let claim = format!("{}: smaller with {} than with {}", measure.name, PLANNERS[less], PLANNERS[more]);
+        Verdict::smaller(claim, &[numbers(less), numbers(more)], measure.digits)
     };
     [[2, 0], [2, 1], [1, 0]].map(verdict).into()
 }

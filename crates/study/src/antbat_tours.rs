@@ -12,14 +12,16 @@ use forage::{
     error::Error,
     planner::{Round, Yardstick},
     scene::{Distances, Scene, shipped},
+    statistics::{Group, Pair, compare, holm},
 };
 
 use super::{
-    Failure, Options, Study,
-    beside::{Beside, Ours, Published},
-    command,
+    Failure, Options, Study, command,
+    compared::{ComparedFigure, Ours, Published},
     figure::{Figure, Steps},
     fingerprints::JobList,
+    inference::brown_forsythe,
+    marks::{Basis, LEVEL, probability},
     published::{ANTBAT_TOURS, Tours},
     report::{Report, Verdict},
     rows::Row,
@@ -165,23 +167,26 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// Table 2 beside ours.
-fn figures(scene: &Arc<Scene>, block: &Block, cells: &[Tried]) -> Vec<Beside> {
-    let beside = |((published, planner), tried): ((&Tours, &&str), &Tried)| Beside {
+/// Table 2 and ours.
+fn figures(scene: &Arc<Scene>, block: &Block, cells: &[Tried]) -> Vec<ComparedFigure> {
+    let compared = |((published, planner), tried): ((&Tours, &&str), &Tried)| ComparedFigure {
         table: format!("Table 2: {}", block.title),
+        group: String::new(),
         row: format!("{} ({planner})", published.name),
         measure: "length".to_owned(),
+        lower_is_better: true,
         published: Published {
             best: Some(published.best.into()),
             mean: Some(published.mean.into()),
             std: Some(published.variance.value.sqrt()),
             runs: Some(Tours::RUNS),
         },
-        ours: tried.lengths.map_or(Ours::Nothing, Ours::Runs),
-        open: Some("the paper does not print the layout of the obstacles, nor how long the rivals search"),
+        ours: Ours::runs(tried.runs.iter().filter_map(|run| run.length)),
+        basis: Basis::Reconstruction("the paper does not print the layout of the obstacles, nor how long the rivals search"),
+        source: None,
         command: command(&setup(scene, block, planner, 1)),
     };
-    ANTBAT_TOURS.iter().zip(&PLANNERS).zip(cells).map(beside).collect()
+    ANTBAT_TOURS.iter().zip(&PLANNERS).zip(cells).map(compared).collect()
 }
 
 fn setup(scene: &Arc<Scene>, block: &Block, planner: &str, seed: u64) -> Setup {
@@ -335,18 +340,46 @@ fn judge(block: &Block, cells: &[Tried], measured: &Measured) -> Vec<Verdict> {
         verdicts.push(Verdict { claim: format!("{}: {claim}", block.name), holds, because });
     };
     if block.comparable && !others.is_empty() {
-        let means: Option<Vec<f64>> = told.iter().map(|tried| Some(tried.lengths?.mean)).collect();
-        let variances: Option<Vec<f64>> = told.iter().map(Tried::variance).collect();
-        let smallest = |numbers: &Vec<f64>| numbers[1..].iter().all(|&other| less(numbers[0], other));
-        let listed = |numbers: &Option<Vec<f64>>| {
-            let list = |numbers: &Vec<f64>| numbers.iter().map(|number| format!("{number:.4}")).collect::<Vec<_>>().join(", ");
-            numbers.as_ref().map_or("not every planner found a tour".to_owned(), list)
+        let groups: Vec<Group> = PLANNERS
+            .iter()
+            .zip(told)
+            .map(|(name, tried)| Group { name: (*name).to_owned(), values: tried.runs.iter().map(|run| run.length).collect() })
+            .collect();
+        let pairs = compare(&groups).pairs;
+        // As printed: the first of each pair has the shorter tours.
+        let decided = |pairs: &[&Pair]| {
+            let significant = |pair: &&&Pair| pair.corrected < LEVEL;
+            if pairs.iter().filter(significant).any(|pair| pair.better < 0.5) {
+                return Some(false);
+            }
+            pairs.iter().all(|pair| significant(&pair)).then_some(true)
         };
-        let names = PLANNERS[..told.len()].join(", ");
-        claim("bat has a smaller mean than each of the other four of Table 2".to_owned(), means.as_ref().map(smallest), listed(&means));
-        let ordered = means.as_ref().map(|means| means.windows(2).all(|w| less(w[0], w[1])));
-        claim(format!("the means grow in the order {names}"), ordered, listed(&means));
-        claim("bat has the smallest variance of the five".to_owned(), variances.as_ref().map(smallest), listed(&variances));
+        let listed = |pairs: &[&Pair]| {
+            let of = |pair: &&Pair| {
+                format!("{} and {}: A = {:.2}, p {}", PLANNERS[pair.first], PLANNERS[pair.second], pair.better, probability(pair.corrected))
+            };
+            format!("rank-sum tests, Holm’s correction over all pairs; {}", pairs.iter().map(of).collect::<Vec<_>>().join("; "))
+        };
+        let of_bat: Vec<&Pair> = pairs.iter().filter(|pair| pair.first == 0).collect();
+        claim("bat’s tours are shorter than those of each of the other four of Table 2".to_owned(), decided(&of_bat), listed(&of_bat));
+        let next: Vec<&Pair> = pairs.iter().filter(|pair| pair.second == pair.first + 1).collect();
+        claim(format!("the lengths grow in the order {}", PLANNERS[..told.len()].join(", ")), decided(&next), listed(&next));
+        let lengths: Vec<Vec<f64>> = told.iter().map(|tried| tried.runs.iter().filter_map(|run| run.length).collect()).collect();
+        let tests: Option<Vec<f64>> = lengths[1..].iter().map(|other| Some(brown_forsythe(&lengths[0], other)?.p)).collect();
+        let variances: Option<Vec<f64>> = told.iter().map(Tried::variance).collect();
+        let (holds, because) = match tests.zip(variances) {
+            None => (None, "too few runs".to_owned()),
+            Some((tests, variances)) => {
+                let corrected = holm(&tests);
+                let significant = || corrected.iter().zip(&variances[1..]).filter(|(p, _)| **p < LEVEL);
+                let refuted = significant().any(|(_, other)| *other < variances[0]);
+                let holds = if refuted { Some(false) } else { (significant().count() == corrected.len()).then_some(true) };
+                let of = |(k, p): (usize, &f64)| format!("{} {:.4}, p {}", PLANNERS[k + 1], variances[k + 1], probability(*p));
+                let others = corrected.iter().enumerate().map(of).collect::<Vec<_>>().join("; ");
+                (holds, format!("Brown–Forsythe tests, Holm’s correction; bat {:.4}; {others}", variances[0]))
+            }
+        };
+        claim("bat’s tours have the smallest variance of the five".to_owned(), holds, because);
         let best = bats.lengths.map(|s| s.min);
         let as_good: usize =
             best.map_or(0, |best| others.iter().map(|tried| tried.count(|run| run.length.is_some_and(|l| !less(best, l)))).sum());
@@ -368,7 +401,7 @@ fn judge(block: &Block, cells: &[Tried], measured: &Measured) -> Vec<Verdict> {
 fn notes(scene: &Scene, rows: &[Run]) -> Vec<String> {
     let exact = scene.exact_tour(Yardstick::Cells, Round::Closed).map_or(f64::NAN, |exact| exact.length);
     let mut notes = vec![
-        "`its` columns are the paper’s. Variances are of samples, with n − 1. `reproduced`: whether our mean and the published one are within two standard errors of their difference, which follow from both variances. For the verdicts means are compared as they are.".to_owned(),
+        "`its` columns are the paper’s. Variances are of samples, with n − 1. `reproduced`: whether our mean and the published one are within two standard errors of their difference, which follow from both variances.".to_owned(),
         format!("`exact tour`: runs whose tour is as long as the exact one. `exact order`: runs whose order would be an exact tour’s by the shortest roads; what remains of the gap is the roads’. `best order`: runs whose order is the best by the very roads that they had, as held-karp’s with the same seed is. The gap is that of the mean; `converged` is the mean iteration of the search in which the tour was found. The published {:.2} is shorter than the exact {exact:.4}: the layout of the obstacles is a reconstruction (the paper prints none), and lengths are rounded.", ANTBAT_TOURS[0].best.value),
         "In the paper all runs have the same network of roads, as in `exact-roads`; in `ants` and `smoothed` each seed builds its own, the same for all planners. The paper says that redundant nodes are deleted; its lengths still are like those from cell to cell.".to_owned(),
         "bat has the parameters of the paper (50 bats, 100 iterations, no local search), tour-pso no local search, the others their defaults. The paper does not say how long the others searched; ours do not evaluate equally many tours: see `evaluations`.".to_owned(),

@@ -16,8 +16,9 @@ use forage::{
 
 use super::{
     Failure, Options, Study,
-    beside::{Beside, Ours, Published},
+    compared::{ComparedFigure, Ours, Published},
     figure::{Figure, Steps},
+    marks::Basis,
     report::Report,
     rows::Row,
     runner::{self, Control, Job},
@@ -165,15 +166,18 @@ pub(super) const SMOOTH_TURNS: Measure = Measure { name: "turns, smoothed", digi
 pub(super) const SMOOTH_TURNING: Measure = Measure { name: "turning, smoothed", digits: 3, of: |run| run.smooth_turning, optimum: None };
 
 impl Measure {
-    /// A published figure beside ours.
-    pub fn beside(&self, table: &str, row: &str, figure: Figure, runs: &[Run], open: &'static str, command: String) -> Beside {
-        Beside {
+    /// A published figure and ours.
+    pub fn compared(&self, table: &str, row: &str, figure: Figure, runs: &[Run], open: &'static str, command: String) -> ComparedFigure {
+        ComparedFigure {
             table: table.to_owned(),
+            group: String::new(),
             row: row.to_owned(),
             measure: self.name.to_owned(),
+            lower_is_better: true,
             published: Published::figure(figure),
             ours: Ours::runs(runs.iter().filter_map(self.of)),
-            open: Some(open),
+            basis: Basis::Reconstruction(open),
+            source: None,
             command,
         }
     }

@@ -7,11 +7,14 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use serde::{Serialize, Serializer, ser::Error as _};
+
 use super::{
     Failure, Options, at,
-    beside::{Beside, Judgement, RULE},
+    compared::{ComparedFigure, Printed},
     escape::path_text,
     fingerprints::{self, Fingerprints},
+    marks::{self, Basis, Marked, Marks, RULES, RankingMark, ValueMark},
     report::{Report, line},
     table::{Cell, Table, digits, significant},
 };
@@ -20,12 +23,13 @@ use super::{
 pub const FILES: [&str; 3] = ["REPRODUCTION.md", "REPRODUCTION.csv", fingerprints::FILE];
 
 /// The columns of the second one.
-pub const COLUMNS: [&str; 17] = [
+pub const COLUMNS: [&str; 24] = [
     "reproduction",
     "paper",
     "table",
     "row",
     "measure",
+    "lower_is_better",
     "published_best",
     "published_mean",
     "published_std",
@@ -35,8 +39,14 @@ pub const COLUMNS: [&str; 17] = [
     "std",
     "median",
     "runs",
-    "verdict",
-    "because",
+    "value",
+    "value_because",
+    "ranking",
+    "ranking_because",
+    "basis",
+    "basis_because",
+    "source",
+    "source_because",
     "command",
 ];
 
@@ -53,24 +63,66 @@ const PAPERS: [(&str, &str); 5] = [
 ];
 
 /// The tag of a source: `WCPSO` of `[WCPSO] Table 2`.
-fn paper(source: &str) -> &str {
+pub(super) fn paper(source: &str) -> &str {
     source.trim_start_matches('[').split(']').next().unwrap_or(source)
 }
 
-/// How often each verdict was given: `3 reproduced, 1 better, 0 worse, 2 not determined`.
-fn counted(figures: &[&Beside]) -> String {
-    let of = |judgement| figures.iter().filter(|figure| figure.judge().0 == judgement).count();
-    Judgement::ALL.map(|judgement| format!("{} {judgement}", of(judgement))).join(", ")
+/// Figures with their marks.
+fn marked(figures: &[ComparedFigure]) -> Vec<(&ComparedFigure, Marks)> {
+    figures.iter().zip(marks::rankings(figures)).map(|(figure, ranking)| (figure, figure.marks(ranking))).collect()
 }
 
-/// The published figures of a table beside ours.
-pub(super) fn table(figures: &[&Beside]) -> Table {
-    let columns = ["row", "of", "published best", "published mean", "published std", "best", "mean", "std", "median", "runs", "verdict"];
-    let title = figures.first().map(|figure| figure.table.clone()).unwrap_or_default();
+/// How often each mark was given: `value: 3 same digits, 1 differs; ranking: 2 same`.
+fn counted<'a>(marks: &(impl Iterator<Item = &'a Marks> + Clone)) -> String {
+    let count = |name: &str, of: &dyn Fn(&Marks) -> bool| (marks.clone().filter(|marks| of(marks)).count(), name.to_owned());
+    let listed = |counts: Vec<(usize, String)>| {
+        counts.into_iter().filter(|(count, _)| *count > 0).map(|(count, name)| format!("{count} {name}")).collect::<Vec<_>>().join(", ")
+    };
+    let mut values: Vec<_> = ValueMark::ALL
+        .iter()
+        .map(|&mark| count(mark.name(), &|marks| marks.value.as_ref().is_some_and(|value| value.mark == mark)))
+        .collect();
+    values.push(count("without a value to compare", &|marks| marks.value.is_none()));
+    let rankings = RankingMark::ALL
+        .iter()
+        .map(|&mark| count(mark.name(), &|marks| marks.ranking.as_ref().is_some_and(|ranking| ranking.mark == mark)))
+        .collect();
+    format!("values: {}; rankings of the rows that they are in: {}", listed(values), listed(rankings))
+}
+
+/// A mark in a table.
+fn cell<M>(marked: Option<&Marked<M>>, name: impl Fn(&M) -> &'static str) -> Cell {
+    marked.map_or(Cell::Empty, |marked| name(&marked.mark).into())
+}
+
+/// A table for each of the papers' tables.
+pub(super) fn tables(figures: &[ComparedFigure]) -> Vec<Table> {
+    marked(figures).chunk_by(|(a, _), (b, _)| a.table == b.table).map(table).collect()
+}
+
+/// The published figures of a table, and ours.
+fn table(figures: &[(&ComparedFigure, Marks)]) -> Table {
+    let columns = [
+        "row",
+        "of",
+        "published best",
+        "published mean",
+        "published std",
+        "best",
+        "mean",
+        "std",
+        "median",
+        "runs",
+        "value",
+        "ranking",
+        "basis",
+        "source",
+    ];
+    let title = figures.first().map(|(figure, _)| figure.table.clone()).unwrap_or_default();
     let mut table = Table::new("figures", title, &columns);
-    for figure in figures {
+    for (figure, marks) in figures {
         let number = |number: Option<f64>| Cell::significant(number, 6);
-        let printed = |printed: Option<super::beside::Printed>| printed.map_or(Cell::Empty, |printed| Cell::Text(printed.shown()));
+        let printed = |printed: Option<Printed>| printed.map_or(Cell::Empty, |printed| Cell::Text(printed.shown()));
         let [best, std, median] = figure.ours.spread();
         table.rows.push(vec![
             Cell::Text(figure.row.clone()),
@@ -83,22 +135,34 @@ pub(super) fn table(figures: &[&Beside]) -> Table {
             number(std),
             number(median),
             figure.ours.count().map_or(Cell::Empty, Cell::whole),
-            figure.judge().0.name().into(),
+            cell(marks.value.as_ref(), |mark| mark.name()),
+            cell(marks.ranking.as_ref(), |mark| mark.name()),
+            marks.basis.mark.name().into(),
+            cell(marks.source.as_ref(), |mark| mark.name()),
         ]);
     }
     table
 }
 
+/// The reasons of a figure's marks, in a sentence.
+fn reasons(figure: &ComparedFigure, marks: &Marks) -> String {
+    let mut reasons: Vec<String> = Vec::new();
+    reasons.extend(marks.value.as_ref().map(|value| value.because.clone()));
+    reasons.extend(marks.ranking.as_ref().map(|ranking| ranking.because.clone()));
+    reasons.extend((marks.basis.mark != Basis::Printed).then(|| marks.basis.because.clone()));
+    reasons.extend(marks.source.as_ref().map(|source| source.because.clone()));
+    format!("{} ({})", reasons.join("; "), figure.measure)
+}
+
 /// The figures of a report, one table after the other, each with the reasons and the commands of its rows.
 pub(super) fn figures(report: &Report) -> String {
     let mut text = String::new();
-    for some in report.figures.chunk_by(|a, b| a.table == b.table) {
-        let some: Vec<&Beside> = some.iter().collect();
-        text += &table(&some).markdown();
+    for some in marked(&report.figures).chunk_by(|(a, _), (b, _)| a.table == b.table) {
+        text += &table(some).markdown();
         text += "\nWhy, and the command that repeats the row’s first run (the others: other seeds):\n\n";
         let mut told: Vec<(String, String, &str)> = Vec::new();
-        for figure in some {
-            let because = format!("{} ({})", figure.judge().1, figure.measure);
+        for (figure, marks) in some {
+            let because = reasons(figure, marks);
             match told.last_mut().filter(|(row, _, command)| *row == figure.row && *command == figure.command) {
                 Some((_, reasons, _)) => reasons.extend(["; ", &because]),
                 None => told.push((figure.row.clone(), because, &figure.command)),
@@ -114,24 +178,27 @@ pub(super) fn figures(report: &Report) -> String {
 
 /// The whole document.
 pub fn markdown(reports: &[Report]) -> String {
-    let all: Vec<&Beside> = reports.iter().flat_map(|report| &report.figures).collect();
+    let all: Vec<(&Report, Vec<Marks>)> =
+        reports.iter().map(|report| (report, marked(&report.figures).into_iter().map(|(_, marks)| marks).collect())).collect();
     let mut text = format!(
-        "# Reproduction\n\nThe papers’ figures beside ours, and what the planners do beyond the papers, as `forage reproduce` computes them; the same numbers are in `REPRODUCTION.csv`. Everything here comes \
-out the same again, bit for bit, and `scripts/test reproduction` checks that it does. `forage reproduce NAME` prints further tables.\n\n{RULE}\n\nIn all: {}.\n",
-        counted(&all)
+        "# Reproduction\n\nThe papers’ figures and ours, and what the planners do beyond the papers, as `forage reproduce` computes them; the same numbers are in `REPRODUCTION.csv`. Everything here comes \
+out the same again, bit for bit, and `scripts/test reproduction` checks that it does. `forage reproduce NAME` prints further tables.\n\n{RULES}\n\nIn all {}: {}.\n",
+        figures_in_words(all.iter().map(|(_, marks)| marks.len()).sum()),
+        counted(&all.iter().flat_map(|(_, marks)| marks))
     );
     for (tag, citation) in PAPERS {
-        let mine: Vec<&Report> = reports.iter().filter(|report| paper(report.source) == tag).collect();
-        let figures_of: Vec<&Beside> = mine.iter().flat_map(|report| &report.figures).collect();
+        let mine: Vec<&(&Report, Vec<Marks>)> = all.iter().filter(|(report, _)| paper(report.source) == tag).collect();
+        let marks = mine.iter().flat_map(|(_, marks)| marks);
+        let count = marks.clone().count();
         if mine.is_empty() {
             continue;
         }
         let _ = write!(
             text,
             "\n## [{tag}]\n\n{citation}. {}.\n",
-            if figures_of.is_empty() { "It prints no figures".to_owned() } else { counted(&figures_of) }
+            if count == 0 { "It prints no figures".to_owned() } else { format!("{}: {}", figures_in_words(count), counted(&marks)) }
         );
-        for report in mine {
+        for (report, _) in mine {
             let _ = write!(text, "\n### {}: {}, {}\n\n", report.name, report.title, report.source);
             if let Some(shortened) = &report.shortened {
                 let _ = write!(text, "SHORTENED: {shortened}.\n\n");
@@ -165,6 +232,10 @@ out the same again, bit for bit, and `scripts/test reproduction` checks that it 
     text
 }
 
+fn figures_in_words(count: usize) -> String {
+    if count == 1 { "one figure".to_owned() } else { format!("{count} figures") }
+}
+
 /// The figures for programs, with all digits.
 ///
 /// # Errors
@@ -173,11 +244,12 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(COLUMNS).map_err(io::Error::other)?;
     for report in reports {
-        for figure in &report.figures {
+        for (figure, marks) in marked(&report.figures) {
             let number = |number: Option<f64>| number.map(digits).unwrap_or_default();
             let count = |count: Option<u64>| count.map(|count| count.to_string()).unwrap_or_default();
             let [best, std, median] = figure.ours.spread();
-            let (judgement, because) = figure.judge();
+            let because = |because: Option<&String>| because.cloned().unwrap_or_default();
+            let Marks { value, ranking, basis, source } = &marks;
             writer
                 .write_record([
                     report.name,
@@ -185,6 +257,7 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
                     &figure.table,
                     &figure.row,
                     &figure.measure,
+                    if figure.lower_is_better { "yes" } else { "no" },
                     &number(figure.published.best.map(|printed| printed.value)),
                     &number(figure.published.mean.map(|printed| printed.value)),
                     &number(figure.published.std),
@@ -194,8 +267,14 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
                     &number(std),
                     &number(median),
                     &count(figure.ours.count()),
-                    judgement.name(),
-                    &because,
+                    value.as_ref().map_or("", |value| value.mark.name()),
+                    &because(value.as_ref().map(|value| &value.because)),
+                    ranking.as_ref().map_or("", |ranking| ranking.mark.name()),
+                    &because(ranking.as_ref().map(|ranking| &ranking.because)),
+                    basis.mark.name(),
+                    &basis.because,
+                    source.as_ref().map_or("", |source| source.mark.name()),
+                    &because(source.as_ref().map(|source| &source.because)),
                     &figure.command,
                 ])
                 .map_err(io::Error::other)?;
@@ -203,6 +282,57 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
     }
     let bytes = writer.into_inner().map_err(|error| io::Error::other(error.to_string()))?;
     String::from_utf8(bytes).map_err(io::Error::other)
+}
+
+/// A figure as an object, with its marks.
+#[derive(Serialize)]
+struct FigureRow<'a> {
+    table: &'a str,
+    row: &'a str,
+    measure: &'a str,
+    lower_is_better: bool,
+    published_best: Option<f64>,
+    published_mean: Option<f64>,
+    published_std: Option<f64>,
+    published_runs: Option<u64>,
+    best: Option<f64>,
+    mean: Option<f64>,
+    std: Option<f64>,
+    median: Option<f64>,
+    runs: Option<u64>,
+    #[serde(flatten)]
+    marks: Marks,
+    command: &'a str,
+}
+
+/// Writes figures as JSON, each with its marks.
+///
+/// # Errors
+/// What the serializer refuses.
+pub(super) fn serialize_figures<S: Serializer>(figures: &[ComparedFigure], serializer: S) -> Result<S::Ok, S::Error> {
+    let row = |(figure, marks): (&'_ ComparedFigure, Marks)| {
+        let [best, std, median] = figure.ours.spread();
+        serde_json::to_value(FigureRow {
+            table: &figure.table,
+            row: &figure.row,
+            measure: &figure.measure,
+            lower_is_better: figure.lower_is_better,
+            published_best: figure.published.best.map(|printed| printed.value),
+            published_mean: figure.published.mean.map(|printed| printed.value),
+            published_std: figure.published.std,
+            published_runs: figure.published.runs,
+            best,
+            mean: figure.ours.mean(),
+            std,
+            median,
+            runs: figure.ours.count(),
+            marks,
+            command: &figure.command,
+        })
+        .map_err(S::Error::custom)
+    };
+    let rows: Vec<_> = marked(figures).into_iter().map(row).collect::<Result<_, _>>()?;
+    rows.serialize(serializer)
 }
 
 /// All documents, in the order of [`FILES`].
@@ -241,7 +371,7 @@ pub fn differences(reports: &[Report], rows: &Fingerprints, folder: &Path) -> Re
     Ok(different)
 }
 
-impl super::beside::Printed {
+impl Printed {
     /// As the paper has it, as near as can be.
     fn shown(&self) -> String {
         let places = format!("{:e}", self.unit).split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
@@ -254,19 +384,22 @@ mod tests {
     use super::*;
     use crate::{
         REPRODUCTIONS, STUDIES,
-        beside::{Ours, Printed, Published},
+        compared::{Ours, Published},
         find,
     };
 
     fn report() -> Report {
         let mut report = Report::new(find(REPRODUCTIONS, "NAME", "wcpso-functions").unwrap(), 50, 50);
-        let figure = |row: &str, text: &str, ours: Ours| Beside {
+        let figure = |row: &str, text: &str, ours: Ours| ComparedFigure {
             table: "Table 2".to_owned(),
+            group: String::new(),
             row: row.to_owned(),
             measure: "value".to_owned(),
+            lower_is_better: true,
             published: Published::figure(Printed::read(text).unwrap()),
             ours,
-            open: None,
+            basis: Basis::Printed,
+            source: None,
             command: format!("forage run {row} --scene matyas --seed 1"),
         };
         report.figures =
@@ -275,15 +408,15 @@ mod tests {
     }
 
     #[test]
-    fn the_document_counts_verdicts_and_gives_each_rows_command() {
+    fn the_document_counts_marks_and_gives_each_rows_command() {
         let text = markdown(&[report()]);
         for part in [
-            RULE,
-            "In all: 1 reproduced, 0 better, 1 worse, 0 not determined.",
+            RULES,
+            "In all 2 figures: values: 1 same digits, 1 same power of ten; rankings of the rows that they are in: 2 undecided.",
             "## [WCPSO]",
-            "- pso: the same to the digits that are printed (value). `forage run pso --scene matyas --seed 1`",
+            "- pso: the same to the digits that are printed; of 1 pairs 0 differ significantly as printed, 0 the other way (value). `forage run pso --scene matyas --seed 1`",
             "0.00150",
-            "| worse",
+            "| same power of ten",
         ] {
             assert!(text.contains(part), "{part}: {text}");
         }
@@ -295,8 +428,8 @@ mod tests {
         let mut reader = csv::Reader::from_reader(text.as_bytes());
         assert_eq!(reader.headers().unwrap().iter().collect::<Vec<_>>(), COLUMNS);
         let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
-        assert_eq!(rows.iter().map(|row| &row[14]).collect::<Vec<_>>(), ["reproduced", "worse"]);
-        assert_eq!((&rows[0][1], &rows[0][10], &rows[1][3]), ("WCPSO", "0.0015", "wpso, \"linear\""));
+        assert_eq!(rows.iter().map(|row| &row[15]).collect::<Vec<_>>(), ["same digits", "same power of ten"]);
+        assert_eq!((&rows[0][1], &rows[0][11], &rows[1][3]), ("WCPSO", "0.0015", "wpso, \"linear\""));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What printed figures can rest on: how many runs, which paths, which other figures. Arithmetic on what the papers print, no runs.
 
-use std::fmt::Write;
+use std::{cmp::Reverse, fmt::Write};
 
 use serde::Serialize;
 
@@ -8,8 +8,9 @@ use forage::{error::Error, math, scene::shipped};
 
 use super::{
     Failure, Options, Study,
-    beside::Printed,
+    compared::{ComparedFigure, Printed},
     figure::{Figure, Steps},
+    marks::Marked,
     published::{
         ANTBAT, ANTBAT_TOURS, TABLE_1, TABLE_2, Tours, WOLF_ANT, WOLF_ANT_TURNS,
         wcpso::{self, PLANNERS},
@@ -17,6 +18,7 @@ use super::{
     report::Report,
     runner::Control,
     table::{Cell, Table},
+    tours,
 };
 
 /// See the module.
@@ -30,7 +32,7 @@ pub const STUDY: Study = Study {
 };
 
 /// Whether a figure can be what the paper says it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Source {
     /// It can.
@@ -63,11 +65,19 @@ pub struct Finding {
     pub source: Source,
     /// The arithmetic.
     pub because: String,
+    /// The figures that it is about: how the table’s name begins, the row and the measure.
+    pub rows: Vec<[String; 3]>,
 }
 
 impl Finding {
     fn new(place: &str, figure: impl Into<String>, source: Source, because: impl Into<String>) -> Self {
-        Self { place: place.to_owned(), figure: figure.into(), source, because: because.into() }
+        Self { place: place.to_owned(), figure: figure.into(), source, because: because.into(), rows: Vec::new() }
+    }
+
+    /// Names a figure that it is about.
+    fn about(mut self, table: &str, row: impl Into<String>, measure: &str) -> Self {
+        self.rows.push([table.to_owned(), row.into(), measure.to_owned()]);
+        self
     }
 }
 
@@ -170,6 +180,30 @@ fn fall([from, to]: [f64; 2]) -> f64 {
     100.0 * (from - to) / from
 }
 
+/// Gives each figure of a report the mark of the findings about it, the gravest first.
+///
+/// # Errors
+/// As [`findings`].
+pub fn attach(figures: &mut [ComparedFigure], paper: &str) -> Result<(), Error> {
+    let mut findings = findings()?;
+    findings.retain(|finding| finding.place.starts_with(&format!("[{paper}]")));
+    findings.sort_by_key(|finding| Reverse(finding.source));
+    for figure in figures {
+        let is_about = |finding: &&Finding| {
+            let is_it = |[table, row, measure]: &[String; 3]| {
+                figure.table.starts_with(table.as_str()) && figure.row == *row && figure.measure == *measure
+            };
+            finding.rows.iter().any(is_it)
+        };
+        let mine: Vec<_> = findings.iter().filter(is_about).collect();
+        figure.source = mine.first().map(|gravest| {
+            let because: Vec<_> = mine.iter().map(|finding| format!("{}: {}", finding.figure, finding.because)).collect();
+            Marked { mark: gravest.source, because: because.join("; ") }
+        });
+    }
+    Ok(())
+}
+
 /// All findings, paper by paper.
 ///
 /// # Errors
@@ -203,7 +237,8 @@ fn wcpso() -> Result<Vec<Finding>, Error> {
                 if fitting.is_empty() { "none".to_owned() } else { fitting.iter().map(told).collect::<Vec<_>>().join("; ") },
                 wcpso::RUNS
             ),
-        ));
+        )
+        .about("Table 2", format!("f5, 10 variables: {planner}"), "value"));
     }
     for row in &wcpso::TABLE_2 {
         for (planner, [_, mean, std]) in PLANNERS.iter().zip(row.results) {
@@ -215,17 +250,20 @@ fn wcpso() -> Result<Vec<Finding>, Error> {
             if least < 7 {
                 continue;
             }
-            findings.push(Finding::new(
-                place,
-                format!(
-                    "{}, {} variables, {planner}: standard deviation {:.3} times the mean",
-                    row.name,
-                    row.dimension,
-                    std.value / mean.value
-                ),
-                if least > wcpso::RUNS { Source::Impossible } else { Source::Consistent },
-                format!("at most √n for n results that are not negative: at least {least} runs"),
-            ));
+            findings.push(
+                Finding::new(
+                    place,
+                    format!(
+                        "{}, {} variables, {planner}: standard deviation {:.3} times the mean",
+                        row.name,
+                        row.dimension,
+                        std.value / mean.value
+                    ),
+                    if least > wcpso::RUNS { Source::Impossible } else { Source::Consistent },
+                    format!("at most √n for n results that are not negative: at least {least} runs"),
+                )
+                .about("Table 2", format!("{}, {} variables: {planner}", row.name, row.dimension), "value"),
+            );
         }
     }
     Ok(findings)
@@ -249,7 +287,8 @@ fn ltqpso() -> Vec<Finding> {
             if !(low..=high).contains(&line.b[1]) {
                 let because = "the interval of a fitted number holds it";
                 let figure = format!("{name}: exponent {} in ({low}, {high})", line.b[1]);
-                findings.push(Finding::new(&format!("[LTQPSO] {table}"), figure, Source::Impossible, because));
+                let finding = Finding::new(&format!("[LTQPSO] {table}"), figure, Source::Impossible, because);
+                findings.push(finding.about(table, format!("ln {name}"), "b1"));
             }
         }
     }
@@ -261,17 +300,24 @@ fn antbat() -> Result<Vec<Finding>, Error> {
     let place = "[ANTBAT] §3.1, table";
     let names = ["traditional", "[14]", "improved"];
     let mut findings = Vec::new();
-    for (name, way) in names.iter().zip(&ANTBAT) {
-        findings.push(length(place, name, way.length, &by));
+    for ((name, planner), way) in names.iter().zip(["aco", "aco-dijkstra", "aco-direction"].iter()).zip(&ANTBAT) {
+        findings.push(length(place, name, way.length, &by).about("§3.1", *planner, "length"));
         let eighths = way.turning.value / std::f64::consts::FRAC_PI_4;
         let whole = Figure::new(eighths.round() * std::f64::consts::FRAC_PI_4, 2);
         let fits = way.turning.like(whole.value) == way.turning.value;
-        findings.push(Finding::new(
-            place,
-            format!("{name}: turning {:.2} rad", way.turning.value),
-            if fits { Source::Consistent } else { Source::Impossible },
-            format!("turns between the eight directions are multiples of 45°; {:.0} of them are {:.2} rad", eighths.round(), whole.value),
-        ));
+        findings.push(
+            Finding::new(
+                place,
+                format!("{name}: turning {:.2} rad", way.turning.value),
+                if fits { Source::Consistent } else { Source::Impossible },
+                format!(
+                    "turns between the eight directions are multiples of 45°; {:.0} of them are {:.2} rad",
+                    eighths.round(),
+                    whole.value
+                ),
+            )
+            .about("§3.1", *planner, "turning"),
+        );
     }
     let seconds = [20.8, 18.6, 15.8];
     for (k, (said, what)) in [(24.04, "traditional ants"), (17.2, "[14]")].into_iter().enumerate() {
@@ -297,14 +343,17 @@ fn antbat() -> Result<Vec<Finding>, Error> {
             format!("{fell:.2} % by its table"),
         ));
     }
-    for row in &ANTBAT_TOURS {
+    for (row, planner) in ANTBAT_TOURS.iter().zip(tours::PLANNERS) {
         let largest = row.largest_variance();
-        findings.push(Finding::new(
-            "[ANTBAT] Table 2",
-            format!("{}: variance {:.2}", row.name, row.variance.value),
-            if row.variance.like(largest) >= row.variance.value { Source::Consistent } else { Source::Impossible },
-            format!("{} runs with the printed best, worst and mean have at most {largest:.2}", Tours::RUNS),
-        ));
+        findings.push(
+            Finding::new(
+                "[ANTBAT] Table 2",
+                format!("{}: variance {:.2}", row.name, row.variance.value),
+                if row.variance.like(largest) >= row.variance.value { Source::Consistent } else { Source::Impossible },
+                format!("{} runs with the printed best, worst and mean have at most {largest:.2}", Tours::RUNS),
+            )
+            .about("Table 2", format!("{} ({planner})", row.name), "length"),
+        );
     }
     Ok(findings)
 }
@@ -314,7 +363,9 @@ fn wolf_ant() -> Result<Vec<Finding>, Error> {
     let by = Steps::of(&scene)?;
     let (speed, turn) = scene.grid()?.robot.and_then(|robot| robot.speed.zip(robot.turn_time)).unwrap_or((f64::NAN, f64::NAN));
     let mut findings = Vec::new();
-    for (name, [px, seconds]) in ["A*", "traditional ants", "improved ants"].iter().zip(WOLF_ANT) {
+    for ((name, planner), [px, seconds]) in
+        [("A*", "a-star"), ("traditional ants", "aco"), ("improved ants", "aco-wolf")].into_iter().zip(WOLF_ANT)
+    {
         let mut finding = length("[WOLF-ANT] Table 2", name, px, &by);
         let of_time = (seconds.value - WOLF_ANT_TURNS.value * turn) * speed;
         if finding.source == Source::Impossible && (of_time - px.value).abs() < 1e-9 {
@@ -326,7 +377,7 @@ fn wolf_ant() -> Result<Vec<Finding>, Error> {
                 WOLF_ANT_TURNS.value * turn
             );
         }
-        findings.push(finding);
+        findings.push(finding.about("Table 2", planner, "length").about("Table 2, driven", name, "length, px"));
     }
     Ok(findings)
 }
@@ -346,7 +397,7 @@ fn length(place: &str, name: &str, figure: Figure, by: &Steps) -> Finding {
 fn run(options: &Options, _control: &Control) -> Result<Report, Failure> {
     let mut report = Report::new(&STUDY, 0, 0);
     let mut table = Table::new("findings", "What the printed figures can rest on", &["where", "printed", "source", "why"]);
-    for Finding { place, figure, source, because } in findings()? {
+    for Finding { place, figure, source, because, .. } in findings()? {
         table.rows.push(vec![Cell::Text(place), Cell::Text(figure), source.name().into(), Cell::Text(because)]);
     }
     report.tables.push(table);
@@ -369,7 +420,7 @@ mod tests {
     fn ackleys_lowest_local_minima() {
         let expected = [1.155_149, 1.646_224, 2.013_315];
         for (found, expected) in ackley_minima(10, 3).into_iter().zip(expected) {
-            assert!((found - expected).abs() < 1e-6, "{found} beside {expected}");
+            assert!((found - expected).abs() < 1e-6, "{found} is not {expected}");
         }
     }
 

@@ -1,4 +1,4 @@
-//! Experiments: many runs, kept as they finish, and what they say beside published figures. Native only.
+//! Experiments: many runs, kept as they finish, and what they say of published figures. Native only.
 //!
 //! [`runner`] carries out keyed jobs on all cores and appends each finished one to [`rows`], so that an interruption
 //! loses nothing. [`forage::statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
@@ -12,9 +12,9 @@ pub mod antbat;
 pub mod antbat_time;
 pub mod antbat_tours;
 pub mod arm_rrt;
-pub mod beside;
 pub mod chart;
 mod colonies;
+pub mod compared;
 pub mod document;
 pub mod escape;
 pub mod figure;
@@ -22,7 +22,9 @@ pub mod files;
 pub mod fingerprints;
 pub mod fit;
 pub mod forensics;
+pub mod inference;
 pub mod ltqpso;
+pub mod marks;
 pub mod published;
 pub mod regression;
 pub mod report;

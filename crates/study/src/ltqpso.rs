@@ -7,11 +7,12 @@ use serde::{Deserialize, Serialize};
 use forage::{Given, Session, Setup, Value, error::Error, scene::shipped};
 
 use super::{
-    Failure, Options, Study,
-    beside::{Beside, Ours, Published},
-    command,
+    Failure, Options, Study, command,
+    compared::{ComparedFigure, Ours, Published},
     figure::Figure,
     fingerprints::JobList,
+    inference::fisher,
+    marks::{Basis, LEVEL, probability},
     published::{Results, TABLE_3, TABLE_4},
     report::{Report, Verdict},
     rows::Row,
@@ -224,29 +225,35 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// The published costs and times beside ours.
-fn figures(case: &Case, example: &Setup, both: &[Vec<&Run>; 2]) -> Vec<Beside> {
+/// The published costs and times, and ours.
+fn figures(case: &Case, example: &Setup, both: &[Vec<&Run>; 2]) -> Vec<ComparedFigure> {
     let Some(results) = case.published else { return Vec::new() };
     let mut figures = Vec::new();
     for (planner, (runs, [mean, std, seconds])) in PLANNERS.into_iter().zip(both.iter().zip(results)) {
         let command = command(&Setup { planner: planner.to_owned(), ..example.clone() });
         let printed = |number| Some(Figure::new(number, 4).into());
-        for (measure, published, ours, open) in [
+        for (measure, published, ours, basis) in [
             (
                 "cost, m",
                 Published { mean: printed(mean), std: Some(std), runs: Some(RUNS), ..Published::default() },
                 Ours::runs(runs.iter().map(|run| run.cost)),
-                "the paper prints neither the layout of the obstacles nor what a run in collision counts",
+                Basis::Reconstruction("the paper prints neither the layout of the obstacles nor what a run in collision counts"),
             ),
-            (
-                "time, s",
-                Published { mean: printed(seconds), runs: Some(RUNS), ..Published::default() },
-                Ours::Nothing,
-                "a time depends on the machine: `forage reproduce ltqpso` prints ours",
-            ),
+            ("time, s", Published { mean: printed(seconds), runs: Some(RUNS), ..Published::default() }, Ours::Nothing, Basis::Machine),
         ] {
             let (table, row) = (case.title.to_owned(), planner.to_owned());
-            figures.push(Beside { table, row, measure: measure.to_owned(), published, ours, open: Some(open), command: command.clone() });
+            figures.push(ComparedFigure {
+                table,
+                group: String::new(),
+                row,
+                measure: measure.to_owned(),
+                lower_is_better: true,
+                published,
+                ours,
+                basis,
+                source: None,
+                command: command.clone(),
+            });
         }
     }
     figures
@@ -284,25 +291,25 @@ fn tabulate(case: &Case, setup: &Setup, both: &[Vec<&Run>; 2]) -> Table {
     table
 }
 
-/// Whether ltqpso has the smaller mean and the smaller spread, by each measure, as the paper says of its own.
+/// Whether ltqpso has the smaller numbers and the smaller spread, by each measure, and more feasible runs, as the paper says of its
+/// own.
 fn judge(case: &Case, both: &[Vec<&Run>; 2]) -> Vec<Verdict> {
     let mut verdicts = Vec::new();
     for (name, measure) in MEASURES {
-        let [qpso, ltqpso] = [0, 1].map(|k| Summary::of(both[k].iter().filter_map(|run| measure(run))));
-        for (word, of) in [("mean", (|s| Some(s.mean)) as fn(&Summary) -> Option<f64>), ("standard deviation", |s| s.std)] {
-            let numbers = qpso.as_ref().and_then(of).zip(ltqpso.as_ref().and_then(of));
-            verdicts.push(Verdict {
-                claim: format!("{}: ltqpso has the smaller {word} of {name}", case.name),
-                holds: numbers.map(|(qpso, ltqpso)| ltqpso < qpso),
-                because: numbers.map_or("too few runs".to_owned(), |(qpso, ltqpso)| format!("{ltqpso:.4} beside {qpso:.4}")),
-            });
-        }
+        let numbers = [1, 0].map(|k: usize| both[k].iter().filter_map(|run| measure(run)).collect::<Vec<_>>());
+        let some = numbers.clone().map(|numbers| numbers.into_iter().map(Some).collect());
+        verdicts.push(Verdict::smaller(format!("{}: ltqpso has the smaller {name}", case.name), &some, 4));
+        verdicts.push(Verdict::steadier(format!("{}: ltqpso’s {name} varies less", case.name), &numbers, 4));
     }
-    let free = both.each_ref().map(|runs| runs.iter().filter(|run| run.feasible).count());
+    let [qpso, ltqpso] = both.each_ref().map(|runs| {
+        let free = runs.iter().filter(|run| run.feasible).count() as u64;
+        [free, runs.len() as u64 - free]
+    });
+    let p = fisher(ltqpso, qpso).p;
     verdicts.push(Verdict {
-        claim: format!("{}: ltqpso has at least as many feasible runs", case.name),
-        holds: Some(free[1] >= free[0]),
-        because: format!("{} beside {} of {}", free[1], free[0], both[0].len()),
+        claim: format!("{}: more of ltqpso’s runs are feasible", case.name),
+        holds: (p < LEVEL).then_some(ltqpso[0] > qpso[0]),
+        because: format!("{} and {} of {}, Fisher’s exact test p {}", ltqpso[0], qpso[0], both[0].len(), probability(p)),
     });
     verdicts
 }

@@ -8,12 +8,12 @@
 use forage::math;
 
 use super::{
-    Failure, Options, Study,
-    beside::{Beside, Ours, Published},
-    chart, command,
+    Failure, Options, Study, chart, command,
+    compared::{ComparedFigure, Ours, Published},
     figure::Figure,
     fingerprints::JobList,
     fit::{self, Fit},
+    marks::Basis,
     published::{Regression, TABLE_1, TABLE_2},
     report::{Report, Verdict},
     runner::{self, Control},
@@ -186,18 +186,21 @@ fn coefficients(case: &Case, fits: &[Option<Fit>; 4]) -> Table {
 /// What the paper leaves open of its regression.
 const OPEN: &str = "the paper says neither how N and M are increased together nor over what the extremes are taken";
 
-/// The published coefficients beside ours.
-fn figures(case: &Case, fits: &[Option<Fit>; 4], points: u64) -> Vec<Beside> {
+/// The published coefficients and ours.
+fn figures(case: &Case, fits: &[Option<Fit>; 4], points: u64) -> Vec<ComparedFigure> {
     let mut figures = Vec::new();
     for (((name, _), fit), published) in QUANTITIES.into_iter().zip(fits).zip(&case.published) {
         for k in [0, 1] {
-            figures.push(Beside {
+            figures.push(ComparedFigure {
                 table: case.title.to_owned(),
+                group: String::new(),
                 row: format!("ln {name}"),
                 measure: format!("b{k}"),
+                lower_is_better: false,
                 published: Published { runs: Some(RUNS), ..Published::figure(Figure::new(published.b[k], 4)) },
                 ours: fit.map_or(Ours::Nothing, |fit| Ours::Fitted { value: fit.b[k], interval: fit.interval[k], points }),
-                open: Some(OPEN),
+                basis: Basis::Reconstruction(OPEN),
+                source: None,
                 command: format!("forage reproduce {}", REPRODUCTION.name),
             });
         }

@@ -8,15 +8,15 @@ use forage::{
     Given, Setup, Trial, Value,
     error::Error,
     scene::shipped,
-    statistics::{Group, comparable, compare, rank_sum},
+    statistics::{Group, compare},
     trial::WITHIN,
 };
 
 use super::{
-    Failure, Options, Study,
-    beside::{Beside, Ours, Printed, Published},
-    command,
+    Failure, Options, Study, command,
+    compared::{ComparedFigure, Ours, Printed, Published},
     fingerprints::JobList,
+    marks::{self, Basis},
     published::wcpso::{self as published, PATH_RUNS, PLANNERS, SHORTEST, TABLE_2},
     report::{Report, Verdict},
     rows::Row,
@@ -155,12 +155,12 @@ fn functions(options: &Options, control: &Control) -> Result<Report, Failure> {
     let unlimited = figures(unlimited, LIMITS[1])?;
     report.tables = vec![differences(found), limits(&report.figures, &unlimited)];
     report.verdicts = judge(found);
-    let changed: Vec<_> =
-        report.figures.iter().zip(&unlimited).filter(|(a, b)| a.judge().0 != b.judge().0).map(|(a, _)| a.row.clone()).collect();
+    let mark = |figure: &ComparedFigure| marks::value(figure).map(|marked| marked.mark);
+    let changed: Vec<_> = report.figures.iter().zip(&unlimited).filter(|(a, b)| mark(a) != mark(b)).map(|(a, _)| a.row.clone()).collect();
     report.notes = vec![
         "60 particles, 1000 iterations (each planner’s defaults). The paper prints no coefficients for `pso`: 0.7298 and 1.49618 are Clerc and Kennedy’s. Positions are clamped to the box.".to_owned(),
         format!(
-            "The paper does not say whether velocities are limited: ours are, to 20 % of the box. Without a limit (`v_max=1`) the verdict is another one in {} of {} rows{}.",
+            "The paper does not say whether velocities are limited: ours are, to 20 % of the box. Without a limit (`v_max=1`) the mark of the value is another one in {} of {} rows{}.",
             changed.len(),
             report.figures.len(),
             if changed.is_empty() { String::new() } else { format!(": {}", changed.join("; ")) }
@@ -172,8 +172,8 @@ fn functions(options: &Options, control: &Control) -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// Each row and planner of the table beside our runs.
-fn figures(found: &[&[Run]], v_max: Option<f64>) -> Result<Vec<Beside>, Error> {
+/// Each row and planner of the table, and our runs.
+fn figures(found: &[&[Run]], v_max: Option<f64>) -> Result<Vec<ComparedFigure>, Error> {
     let rows = TABLE_2.iter().flat_map(|row| PLANNERS.into_iter().zip(row.results).map(move |(planner, printed)| (row, planner, printed)));
     rows.zip(found)
         .map(|((row, planner, printed), runs)| figure(row, planner, printed, runs, &Task::new(row.scene, planner, v_max, 1)?.setup))
@@ -181,22 +181,26 @@ fn figures(found: &[&[Run]], v_max: Option<f64>) -> Result<Vec<Beside>, Error> {
 }
 
 /// What hangs on the limit of velocities.
-fn limits(limited: &[Beside], unlimited: &[Beside]) -> Table {
-    let columns = ["row", "mean", "verdict", "mean, v_max=1", "verdict, v_max=1"];
+fn limits(limited: &[ComparedFigure], unlimited: &[ComparedFigure]) -> Table {
+    let columns = ["row", "mean", "value", "mean, v_max=1", "value, v_max=1"];
     let mut table = Table::new("limits", "Velocities limited to 20 % of the box, and not limited", &columns);
     for (a, b) in limited.iter().zip(unlimited) {
-        let cells = [a, b].map(|figure| [Cell::significant(figure.ours.mean(), 4), figure.judge().0.name().into()]);
+        let cells = [a, b].map(|figure| {
+            [Cell::significant(figure.ours.mean(), 4), marks::value(figure).map_or(Cell::Empty, |marked| marked.mark.name().into())]
+        });
         table.rows.push([Cell::Text(a.row.clone())].into_iter().chain(cells.into_iter().flatten()).collect());
     }
     table
 }
 
-/// Best, mean and standard deviation beside ours.
-fn figure(row: &published::Row, planner: &str, [best, mean, std]: [&str; 3], runs: &[Run], setup: &Setup) -> Result<Beside, Error> {
-    Ok(Beside {
+/// Best, mean and standard deviation, and ours.
+fn figure(row: &published::Row, planner: &str, [best, mean, std]: [&str; 3], runs: &[Run], setup: &Setup) -> Result<ComparedFigure, Error> {
+    Ok(ComparedFigure {
         table: "Table 2".to_owned(),
+        group: format!("{}, {} variables", row.name, row.dimension),
         row: format!("{}, {} variables: {planner}", row.name, row.dimension),
         measure: "value".to_owned(),
+        lower_is_better: true,
         published: Published {
             best: Some(Printed::read(best)?),
             mean: Some(Printed::read(mean)?),
@@ -204,16 +208,10 @@ fn figure(row: &published::Row, planner: &str, [best, mean, std]: [&str; 3], run
             runs: Some(published::RUNS),
         },
         ours: Ours::runs(runs.iter().filter_map(|run| run.value)),
-        open: (planner == PLANNERS[0]).then_some(OPEN).or(rounding(row.name, mean, runs)),
+        basis: if planner == PLANNERS[0] { Basis::Reconstruction(OPEN) } else { Basis::Printed },
+        source: None,
         command: command(setup),
     })
-}
-
-/// Where both are nothing but rounding, there is nothing to compare.
-fn rounding(name: &str, mean: &str, runs: &[Run]) -> Option<&'static str> {
-    let small = |value: f64| value < ROUNDING;
-    let both = Printed::read(mean).is_ok_and(|mean| small(mean.value)) && runs.iter().filter_map(|run| run.value).all(small);
-    (name == "f5" && both).then_some("both are what rounding leaves of the minimum, 0")
 }
 
 /// The values by which planners are compared: rounding is none.
@@ -309,23 +307,29 @@ fn paths(options: &Options, control: &Control) -> Result<Report, Failure> {
     let scene = shipped("wcpso-discs")?;
     let exact = scene.exact().map(|exact| exact.length);
     let (table, measure) = ("§3.2", "length");
-    report.figures.push(Beside {
+    report.figures.push(ComparedFigure {
         table: table.to_owned(),
+        group: "optimum".to_owned(),
         row: "the shortest path".to_owned(),
         measure: measure.to_owned(),
+        lower_is_better: true,
         published: Published::figure(Printed::read(SHORTEST)?),
         ours: exact.map_or(Ours::Nothing, Ours::Exact),
-        open: None,
+        basis: Basis::Printed,
+        source: None,
         command: "forage exact --scene wcpso-discs".to_owned(),
     });
     for (planner, runs) in RIVALS.into_iter().zip(&found) {
-        report.figures.push(Beside {
+        report.figures.push(ComparedFigure {
             table: format!("{table}, fig. 5"),
+            group: String::new(),
             row: planner.to_owned(),
             measure: measure.to_owned(),
+            lower_is_better: true,
             published: Published { runs: Some(PATH_RUNS), ..Published::default() },
             ours: Ours::runs(runs.iter().filter_map(|run| run.value)),
-            open: Some("the paper draws the ten lengths and prints none"),
+            basis: Basis::Printed,
+            source: None,
             command: command(&Task::new("wcpso-discs", planner, None, 1)?.setup),
         });
     }
@@ -365,24 +369,10 @@ fn lengths(found: &[&[Run]]) -> Table {
 
 /// Nearer to the optimum, and steadier, as the paper says of wcpso.
 fn rivals(found: &[&[Run]]) -> Vec<Verdict> {
-    let values = |runs: &[Run]| runs.iter().map(|run| run.value).collect::<Vec<_>>();
-    let summaries: Vec<_> = found.iter().map(|runs| Summary::of(values(runs).into_iter().flatten())).collect();
-    let both = |of: fn(&Summary) -> Option<f64>| Some([summaries[0].as_ref().and_then(of)?, summaries[1].as_ref().and_then(of)?]);
-    let test = comparable(found.iter().map(|runs| values(runs)).collect::<Vec<_>>().iter().map(Vec::as_slice));
-    let p = rank_sum(&test[0], &test[1]).map_or(1.0, |test| test.p);
-    let means = both(|s| Some(s.mean));
-    let spreads = both(|s| s.std);
-    let few = "too few feasible runs".to_owned();
+    let values = [0, 1].map(|k: usize| found[k].iter().map(|run| run.value).collect::<Vec<_>>());
+    let feasible = values.clone().map(|values| values.into_iter().flatten().collect());
     vec![
-        Verdict {
-            claim: "wcpso’s paths are shorter".to_owned(),
-            holds: means.filter(|_| p < 0.05).map(|[ours, rival]| ours < rival),
-            because: means.map_or(few.clone(), |[ours, rival]| format!("means {ours:.6} and {rival:.6}, rank-sum test p = {p:.4}")),
-        },
-        Verdict {
-            claim: "wcpso’s standard deviation is smaller".to_owned(),
-            holds: spreads.map(|[ours, rival]| ours < rival),
-            because: spreads.map_or(few, |[ours, rival]| format!("{ours:.6} beside {rival:.6}, of {} runs each", found[0].len())),
-        },
+        Verdict::smaller("wcpso’s paths are shorter than wpso’s", &values, 6),
+        Verdict::steadier("the lengths of wcpso’s paths vary less than those of wpso’s", &feasible, 6),
     ]
 }

@@ -11,11 +11,12 @@ use forage::{
 
 use super::{
     Failure, Options, Study,
-    beside::{Beside, Ours, Published},
-    colonies::{self, CONVERGED, LENGTH, Lines, Measure, RUNS, Run, SECONDS, TURNS, hits},
+    colonies::{self, CONVERGED, LENGTH, Lines, RUNS, Run, SECONDS, TURNS, hits},
     command,
+    compared::{ComparedFigure, Ours, Published},
     figure::{Figure, Steps},
     fingerprints::JobList,
+    marks::Basis,
     published::{TUNED, WOLF_ANT, WOLF_ANT_TURNS},
     report::{Report, Verdict},
     runner::Control,
@@ -79,23 +80,26 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     report.tables.push(ways(&scene, &found, runs)?);
     for (k, setup) in setups[..PLANNERS.len()].iter().enumerate() {
         for (measure, figure) in [(LENGTH, WOLF_ANT[k][0]), (TURNS, WOLF_ANT_TURNS), (SECONDS, WOLF_ANT[k][1])] {
-            report.figures.push(measure.beside("Table 2", PLANNERS[k], figure, &found[k], OPEN, command(setup)));
+            report.figures.push(measure.compared("Table 2", PLANNERS[k], figure, &found[k], OPEN, command(setup)));
         }
     }
     for (k, (name, value)) in TUNED.into_iter().enumerate() {
-        report.figures.push(Beside {
+        report.figures.push(ComparedFigure {
             table: "§5.2".to_owned(),
+            group: name.to_owned(),
             row: format!("tuned {name}"),
             measure: "value".to_owned(),
+            lower_is_better: false,
             published: Published::figure(Figure::new(value, if value.fract() == 0.0 { 0 } else { 3 })),
             ours: Ours::runs(tuned.iter().map(|tuned| tuned.tuned()[k].1)),
-            open: Some("several sets of parameters are equally good, and the paper does not print how runs judge them"),
+            basis: Basis::Reconstruction("several sets of parameters are equally good, and the paper does not print how runs judge them"),
+            source: None,
             command: command(&tuned::setup(&scene, 1)),
         });
     }
     report.tables.push(optima(&scene, &tuned, &found[2], &with_tuned));
     report.verdicts = judge(&scene, &found);
-    report.verdicts.extend([recovered(&tuned), as_good(&found[2], &with_tuned)]);
+    report.verdicts.extend([recovered(&tuned), better(&found[2], &with_tuned)]);
     report.notes = notes(&scene, &found, &tuned)?;
     report.commands = setups[..PLANNERS.len()].iter().chain([&tuned::setup(&scene, 1)]).map(command).collect();
     report.write(options)?;
@@ -153,22 +157,15 @@ fn judge(scene: &Scene, found: &[Vec<Run>]) -> Vec<Verdict> {
         holds: Some(10 * hits >= HITS_OF_TEN * found[2].len()),
         because: format!("{hits} of {}", found[2].len()),
     }];
-    let mean = |measure: &Measure, k: usize| measure.summary(&found[k]).map(|summary| summary.mean);
     for (claim, measure, [less, more]) in [
-        ("aco-wolf’s ways are shorter on average than aco’s", LENGTH, [2, 1]),
-        ("aco-wolf’s ways take less time on average than aco’s", SECONDS, [2, 1]),
-        ("aco-wolf finds its way in fewer iterations than aco", CONVERGED, [2, 1]),
-        ("aco’s ways are shorter on average than A*’s", LENGTH, [1, 0]),
-        ("aco-wolf’s ways are shorter on average than A*’s", LENGTH, [2, 0]),
+        ("aco-wolf’s paths are shorter than aco’s", LENGTH, [2, 1]),
+        ("aco-wolf’s paths take less time than aco’s", SECONDS, [2, 1]),
+        ("aco-wolf finds its path in fewer iterations than aco", CONVERGED, [2, 1]),
+        ("aco’s paths are shorter than A*’s", LENGTH, [1, 0]),
+        ("aco-wolf’s paths are shorter than A*’s", LENGTH, [2, 0]),
     ] {
-        let numbers = mean(&measure, less).zip(mean(&measure, more));
-        verdicts.push(Verdict {
-            claim: claim.to_owned(),
-            holds: numbers.map(|(less, more)| less < more),
-            because: numbers.map_or("no way was found".to_owned(), |(less, more)| {
-                format!("{less:.digits$} beside {more:.digits$}", digits = measure.digits)
-            }),
-        });
+        let numbers = |k: usize| found[k].iter().map(measure.of).collect();
+        verdicts.push(Verdict::smaller(claim, &[numbers(less), numbers(more)], measure.digits));
     }
     verdicts
 }
@@ -192,16 +189,16 @@ fn recovered(tuned: &[Tuned]) -> Verdict {
     }
 }
 
-/// Whether the published parameters do at least as well as those found here, with seeds by which neither was chosen here.
-fn as_good(published: &[Run], with_tuned: &[Vec<Run>]) -> Verdict {
-    let mean = |runs: &[Run]| LENGTH.summary(runs).map(|summary| summary.mean);
-    let best = with_tuned.iter().filter_map(|runs| mean(runs)).min_by(f64::total_cmp);
-    let numbers = mean(published).zip(best);
-    Verdict {
-        claim: "with other seeds than those of the tuning, no parameters found here do better than the published ones".to_owned(),
-        holds: numbers.map(|(published, best)| published <= best),
-        because: numbers.map_or("no way was found".to_owned(), |(published, best)| format!("{published:.4} beside {best:.4} at best")),
-    }
+/// Whether the published parameters do better than the best of those found here, with seeds by which neither was chosen here.
+fn better(published: &[Run], with_tuned: &[Vec<Run>]) -> Verdict {
+    let mean = |runs: &[Run]| LENGTH.summary(runs).map_or(f64::INFINITY, |summary| summary.mean);
+    let best = with_tuned.iter().min_by(|a, b| mean(a).total_cmp(&mean(b)));
+    let numbers = [published, best.map_or(&[][..], Vec::as_slice)].map(|runs| runs.iter().map(LENGTH.of).collect());
+    Verdict::smaller(
+        "with other seeds, the published parameters give shorter paths than the best that the tuning found here",
+        &numbers,
+        LENGTH.digits,
+    )
 }
 
 fn notes(scene: &Scene, found: &[Vec<Run>], tuned: &[Tuned]) -> Result<Vec<String>, Failure> {

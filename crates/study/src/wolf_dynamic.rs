@@ -16,11 +16,11 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Study,
-    beside::{Beside, Ours, Published},
-    command,
+    Failure, Options, Study, command,
+    compared::{ComparedFigure, Ours, Published},
     figure::Figure,
     fingerprints::JobList,
+    marks::Basis,
     published::{WOLF_ANT, WOLF_ANT_TURNS},
     report::{Report, Verdict},
     rows::Row,
@@ -244,8 +244,8 @@ fn border(k: u64) -> &'static str {
 /// What of a drive is measured.
 type Of = fn(&Run) -> Option<f64>;
 
-/// Table 2, driven, beside ours.
-fn figures(case: &[Run], setups: &[Setup]) -> Vec<Beside> {
+/// Table 2, driven, and ours.
+fn figures(case: &[Run], setups: &[Setup]) -> Vec<ComparedFigure> {
     let open = "the paper prints neither the layout of the obstacles nor the way that the robot drives";
     let mut figures = Vec::new();
     for (row, planner, colony, [px, seconds]) in [
@@ -262,13 +262,16 @@ fn figures(case: &[Run], setups: &[Setup]) -> Vec<Beside> {
         ];
         for (measure, figure, of) in measures {
             let runs = case.iter().filter(|run| run.planner == planner && run.colony == colony && run.arrived);
-            figures.push(Beside {
+            figures.push(ComparedFigure {
                 table: "Table 2, driven among the moving obstacle".to_owned(),
+                group: String::new(),
                 row: row.to_owned(),
                 measure: measure.to_owned(),
+                lower_is_better: true,
                 published: Published::figure(figure),
                 ours: Ours::runs(runs.filter_map(of)),
-                open: Some(open),
+                basis: Basis::Reconstruction(open),
+                source: None,
                 command: setups.iter().find(is_first).map(command).unwrap_or_default(),
             });
         }

@@ -1,10 +1,20 @@
-import type { Check, Verdict } from '../papers/row'
+import type { Check, MarkKind, MarkOf } from '../papers/row'
 
-const COUNTED: Readonly<Record<Verdict, string>> = {
-  reproduced: 'reproduced',
-  better: 'better',
-  worse: 'worse',
-  'not determined': 'not determined by the paper',
+const NAMES: Readonly<{ [K in MarkKind]: Readonly<Record<MarkOf<K>, string>> }> = {
+  value: {
+    'same digits': 'same digits',
+    'no significant difference': 'no significant difference',
+    'same power of ten': 'same power of ten',
+    differs: 'differs',
+  },
+  ranking: { same: 'same ranking', partly: 'partly same ranking', reversed: 'reversed ranking', undecided: 'ranking undecided' },
+  basis: {
+    printed: 'printed in full',
+    'our reconstruction': 'our reconstruction',
+    fitted: 'fitted to this table',
+    'machine-dependent': 'machine-dependent',
+  },
+  source: { consistent: 'consistent', doubtful: 'doubtful as printed', 'impossible as printed': 'impossible as printed' },
 }
 
 /** Text of the papers' cards: loaded with them. The figures themselves come from REPRODUCTION.csv. */
@@ -18,20 +28,48 @@ export const papers = {
   goto: (tag: string) => `To the card of ${tag}`,
   total: 'All five',
   rule: {
-    title: 'How a row gets its verdict',
+    title: 'How a figure gets its marks',
     intro:
-      'One rule for all rows, carried out by “forage reproduce” and never by hand. All figures are the better the smaller they are; the published mean, or the one figure that is printed, is compared with our mean, and the reason stands with each row.',
-    verdicts: {
-      reproduced:
-        'Our mean is the same to the digits that are printed. Or, where the paper prints all that the figure rests on, the published figure lies between our best and our worst run, and where the paper prints a standard deviation and a number of runs, Welch’s t-test finds no difference of the means at 5 %. Where ours is fitted: it lies in our 95 % interval.',
-      better: 'Otherwise, if our mean is smaller.',
-      worse: 'Otherwise, if our mean is larger.',
-      'not determined':
-        'The paper prints no figure. Or it leaves open what the figure rests on (coefficients, the layout of obstacles, how it measures): then only the same digits are reproduced, and whether the rest is compatible is told in the reason.',
-    } satisfies Record<Verdict, string>,
+      'Each mark follows one rule for all figures, which “forage reproduce” applies; nobody sets one by hand. The numbers behind a mark are in the row, under “Reasons and command”.',
+    marks: {
+      value: {
+        'same digits': 'Our mean, rounded to the digits that are printed, is the printed figure.',
+        'no significant difference':
+          'A test at 5 % finds no difference: Welch’s t-test where the paper prints a standard deviation and a number of runs and our runs lie within a factor of ten; otherwise the printed figure lies in the middle 95 % of the means of as many of our runs as the paper has, drawn 2,000 times. A fitted number lies in our 95 % interval.',
+        'same power of ten': 'Less than a factor of ten lies between the two.',
+        differs: 'A factor of ten or more lies between them, or the sign differs.',
+      },
+      ranking: {
+        same: 'Every pair of rows differs significantly, in the printed order.',
+        partly: 'Some pairs differ significantly in the printed order, not all.',
+        reversed: 'Some pairs differ significantly, all of them against the printed order.',
+        undecided: 'No pair differs significantly.',
+      },
+      basis: {
+        printed: 'The paper prints everything that the figure rests on.',
+        'our reconstruction': 'The paper leaves something open that we had to choose; the reason says what.',
+        fitted: 'We chose values because this table then comes out; the reason says how many values for how many figures.',
+        'machine-dependent': 'A run time.',
+      },
+      source: {
+        consistent: 'The printed figure can be what the paper says.',
+        doubtful: 'It can only be a figure of something else.',
+        'impossible as printed': 'No runs or paths can give it.',
+      },
+    } satisfies { [K in MarkKind]: Record<MarkOf<K>, string> },
   },
-  verdicts: COUNTED,
-  count: (n: string, verdict: Verdict) => `${n} ${COUNTED[verdict]}`,
+  kinds: {
+    value: { title: 'Value', about: 'How near our number is to the printed one.' },
+    ranking: {
+      title: 'Ranking',
+      about:
+        'Whether the rows that a table compares have the same order here. Every pair is tested: Wilcoxon’s rank-sum test, Holm’s correction, 5 %.',
+    },
+    basis: { title: 'Basis', about: 'What our number rests on.' },
+    source: { title: 'Source', about: 'Whether the printed figure can be right at all, by arithmetic. No mark: nothing to check.' },
+  } satisfies Record<MarkKind, { title: string; about: string }>,
+  mark: (kind: MarkKind, mark: MarkOf<MarkKind>): string => (NAMES[kind] as Readonly<Record<string, string>>)[mark] ?? mark,
+  count: (n: string, mark: string) => `${n} ${mark}`,
   rows: (n: number) => (n === 1 ? '1 row' : `${n} rows`),
   claims: 'What it claims',
   tries: 'Its experiments',
@@ -61,15 +99,14 @@ export const papers = {
     std: 'std. dev.',
     median: 'median',
     runs: 'runs',
-    verdict: 'Verdict',
-    repeat: 'Reason and command',
+    marks: 'Marks',
+    repeat: 'Reasons and command',
   },
   unprinted: 'not printed',
-  reason: 'Reason:',
   command: 'To repeat it:',
   repeat: 'Open in the stage',
   repeatHelp: (command: string) => `Open in the stage: ${command}`,
-  why: (row: string) => `Reason and command: ${row}`,
+  why: (row: string) => `Reasons and command: ${row}`,
   all: 'Show all reasons and commands',
   copy: 'Copy',
   copyHelp: (command: string) => `Copy the command: ${command}`,

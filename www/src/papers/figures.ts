@@ -1,4 +1,4 @@
-import { type Paper, type Row, type Verdict, VERDICTS } from './row'
+import { type MarkKind, type MarkOf, MARKS, type Paper, type Row } from './row'
 import { exactly, NONE, number } from '../panels/format'
 
 /** What one reproduction has of one table of a paper. */
@@ -29,9 +29,9 @@ export function groupsOf(rows: readonly Row[], paper: Paper): Group[] {
   })
 }
 
-/** How many rows have each verdict. */
-export const tally = (rows: readonly Row[]): [Verdict, number][] =>
-  VERDICTS.map((verdict) => [verdict, rows.filter((row) => row.verdict === verdict).length])
+/** How many rows have each mark of a kind. */
+export const tally = <K extends MarkKind>(rows: readonly Row[], kind: K): [MarkOf<K>, number][] =>
+  MARKS[kind].map((mark: MarkOf<K>) => [mark, rows.filter((row) => row.marks[kind]?.mark === mark).length])
 
 const LEAST_DIGITS = 4
 const MOST_DIGITS = 7

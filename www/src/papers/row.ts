@@ -1,10 +1,28 @@
 /** What REPRODUCTION.csv and REPRODUCTION.md hold: read when the page is built, shown by the papers' cards. */
 
 export const PAPERS = ['WCPSO', 'LTQPSO', 'ANTBAT', 'ARM-RRT', 'WOLF-ANT'] as const
-export const VERDICTS = ['reproduced', 'better', 'worse', 'not determined'] as const
-
 export type Paper = (typeof PAPERS)[number]
-export type Verdict = (typeof VERDICTS)[number]
+
+/** The marks of a figure, of each kind the nearest to the paper first. */
+export const MARKS = {
+  value: ['same digits', 'no significant difference', 'same power of ten', 'differs'],
+  ranking: ['same', 'partly', 'reversed', 'undecided'],
+  basis: ['printed', 'our reconstruction', 'fitted', 'machine-dependent'],
+  source: ['consistent', 'doubtful', 'impossible as printed'],
+} as const
+
+export type MarkKind = keyof typeof MARKS
+export type MarkOf<K extends MarkKind> = (typeof MARKS)[K][number]
+/** In the order of the file. */
+export const KINDS = Object.keys(MARKS) as MarkKind[]
+
+export interface Marked<K extends MarkKind> {
+  mark: MarkOf<K>
+  /** The numbers it rests on. */
+  because: string
+}
+/** Null where there is nothing to compare or to check. */
+export type Marks = { [K in MarkKind]: Marked<K> | null }
 
 export const NUMBERS = [
   'published_best',
@@ -18,14 +36,24 @@ export const NUMBERS = [
   'runs',
 ] as const
 /** What must not be empty. */
-export const WORDS = ['reproduction', 'table', 'row', 'measure', 'because', 'command'] as const
+export const WORDS = ['reproduction', 'table', 'row', 'measure', 'command'] as const
 
 /** The header of the file, in its order. */
-export const COLUMNS: readonly string[] = ['reproduction', 'paper', 'table', 'row', 'measure', ...NUMBERS, 'verdict', 'because', 'command']
+export const COLUMNS: readonly string[] = [
+  'reproduction',
+  'paper',
+  'table',
+  'row',
+  'measure',
+  'lower_is_better',
+  ...NUMBERS,
+  ...KINDS.flatMap((kind) => [kind, `${kind}_because`]),
+  'command',
+]
 
-/** A published figure, ours beside it, and what is to be thought of the two. */
+/** A published figure, ours beside it, and the marks that compare the two. */
 export type Row = Record<(typeof WORDS)[number], string> &
-  Record<(typeof NUMBERS)[number], number | null> & { paper: Paper; verdict: Verdict }
+  Record<(typeof NUMBERS)[number], number | null> & { paper: Paper; lower_is_better: boolean; marks: Marks }
 
 export const ANSWERS = ['yes', 'NO', 'not decided'] as const
 
