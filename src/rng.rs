@@ -65,6 +65,13 @@ impl Stream {
         self.0.random_range(0..n)
     }
 
+    /// Puts the items into random order; all orders are equally probable (Fisher and Yates).
+    pub fn shuffle<T>(&mut self, items: &mut [T]) {
+        for last in (1..items.len()).rev() {
+            items.swap(last, self.below(last + 1));
+        }
+    }
+
     /// Adds the state to a hash, without advancing the stream.
     pub fn digest(&self, out: &mut Digest) {
         let mut ahead = self.0.clone();

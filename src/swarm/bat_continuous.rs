@@ -17,7 +17,7 @@ use crate::{
     frame::{Frame, Role},
     math::{self, limit},
     params::{Choice, Fixed, Parameter, Settings},
-    planner::{Best, Column, Inspection, Item, Planner, Readings, Status},
+    planner::{Column, Inspection, Item, Planner, Readings},
     rng::Stream,
     scene::Scene,
     session,
@@ -30,7 +30,7 @@ use super::{
         BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, PERSONAL_BESTS, POPULATION, POSITION,
         SMOOTHED, SMOOTHNESS, V_MAX, V_MAX_UNIT, VELOCITIES,
     },
-    population::Population,
+    population::{Population, of_population},
     tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
 };
 
@@ -177,32 +177,7 @@ fn mean(of: &[f64]) -> f64 {
 }
 
 impl Planner for Bats {
-    fn step(&mut self) -> Status {
-        if self.clock.running() {
-            self.advance(&mut ());
-        }
-        self.status()
-    }
-
-    fn status(&self) -> Status {
-        self.clock.status()
-    }
-
-    fn iteration(&self) -> u64 {
-        self.clock.iteration
-    }
-
-    fn limit(&self) -> u64 {
-        self.clock.limit
-    }
-
-    fn evaluations(&self) -> u64 {
-        self.population.evaluations
-    }
-
-    fn best(&self) -> Option<Best> {
-        Some(self.population.best())
-    }
+    of_population!();
 
     fn read(&self, out: &mut Readings) {
         self.population.read(out);

@@ -20,7 +20,7 @@ use crate::{
     error::Error,
     frame::{Frame, Role},
     params::{Fixed, Parameter, Settings},
-    planner::{Best, Column, Inspection, Item, Planner, Readings, Status},
+    planner::{Column, Inspection, Item, Planner, Readings},
     rng::Stream,
     scene::{Kind, Scene},
     session,
@@ -31,7 +31,7 @@ use super::{
     encoding::{self, with_paths},
     levy::{Draw, Levy},
     parameters::{BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, SMOOTHED, SMOOTHNESS},
-    population::Population,
+    population::{Population, of_population},
     tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
 };
 
@@ -113,7 +113,7 @@ impl Nests {
             self.last[i].flown = self.keep_better(i, cost);
         }
         self.before.copy_from_slice(&self.population.x);
-        self.pairs.iter_mut().for_each(|numbers| shuffle(numbers, &mut self.rng));
+        self.pairs.iter_mut().for_each(|numbers| self.rng.shuffle(numbers));
         let r = self.rng.unit();
         for i in 0..self.population.size {
             let cost = self.population.cost[i];
@@ -179,40 +179,8 @@ impl Nests {
     }
 }
 
-/// Puts numbers into a random order, each order as likely as any (Fisher and Yates).
-fn shuffle(numbers: &mut [usize], rng: &mut Stream) {
-    for last in (1..numbers.len()).rev() {
-        numbers.swap(last, rng.below(last + 1));
-    }
-}
-
 impl Planner for Nests {
-    fn step(&mut self) -> Status {
-        if self.clock.running() {
-            self.advance(&mut ());
-        }
-        self.status()
-    }
-
-    fn status(&self) -> Status {
-        self.clock.status()
-    }
-
-    fn iteration(&self) -> u64 {
-        self.clock.iteration
-    }
-
-    fn limit(&self) -> u64 {
-        self.clock.limit
-    }
-
-    fn evaluations(&self) -> u64 {
-        self.population.evaluations
-    }
-
-    fn best(&self) -> Option<Best> {
-        Some(self.population.best())
-    }
+    of_population!();
 
     fn read(&self, out: &mut Readings) {
         self.population.read(out);

@@ -7,7 +7,7 @@ use crate::{
     frame::Frame,
     math::limit,
     params::Settings,
-    planner::{Best, Inspection, Item, Planner, Readings, Status},
+    planner::{Inspection, Item, Planner, Readings},
     rng::Stream,
 };
 
@@ -15,7 +15,7 @@ use super::{
     clock::Clock,
     objective::Objective,
     perturbation::{self, Event, Keep, Partner, Patience, Perturbation, Timing},
-    population::Population,
+    population::{Population, of_population},
     schedule::{Coefficients, Schedule},
     tell::introduce_as,
 };
@@ -254,32 +254,7 @@ pub(super) trait Watch {
 impl Watch for () {}
 
 impl Planner for Swarm {
-    fn step(&mut self) -> Status {
-        if self.clock.running() {
-            self.advance(&mut ());
-        }
-        self.status()
-    }
-
-    fn status(&self) -> Status {
-        self.clock.status()
-    }
-
-    fn iteration(&self) -> u64 {
-        self.clock.iteration
-    }
-
-    fn limit(&self) -> u64 {
-        self.clock.limit
-    }
-
-    fn evaluations(&self) -> u64 {
-        self.population.evaluations
-    }
-
-    fn best(&self) -> Option<Best> {
-        Some(self.population.best())
-    }
+    of_population!();
 
     fn read(&self, out: &mut Readings) {
         let Coefficients { w, c1, c2 } = self.coefficients;

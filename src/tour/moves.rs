@@ -138,9 +138,8 @@ pub fn nearer(problem: &Problem, a: &[Stop], b: &[Stop]) -> (usize, bool) {
 
 /// Puts the stops that may be moved into random order.
 pub fn shuffle(row: &mut [Stop], rng: &mut Stream) {
-    for k in (2..row.len() - 1).rev() {
-        row.swap(k, 1 + rng.below(k));
-    }
+    let last = row.len() - 1;
+    rng.shuffle(row.get_mut(1..last).unwrap_or_default());
 }
 
 /// A tour in random order.

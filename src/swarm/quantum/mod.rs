@@ -16,13 +16,20 @@ use crate::{
     frame::{Frame, Role},
     math,
     params::Settings,
-    planner::{Best, Inspection, Item, Planner, Readings, Status},
+    planner::{Inspection, Item, Planner, Readings},
     rng::Stream,
     scene::Scene,
     session,
 };
 
-use super::{clock::Clock, draw::CONTEXT, encoding, population::Population, schedule::Law, tell};
+use super::{
+    clock::Clock,
+    draw::CONTEXT,
+    encoding,
+    population::{Population, of_population},
+    schedule::Law,
+    tell,
+};
 
 /// Starts a quantum swarm on whatever kind of scene it is given.
 fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: bool) -> Result<Box<dyn session::AnyPlanner>, Error> {
@@ -210,32 +217,7 @@ fn mean(rows: &[f64], m: &mut [f64]) {
 }
 
 impl Planner for Quantum {
-    fn step(&mut self) -> Status {
-        if self.clock.running() {
-            self.advance(&mut ());
-        }
-        self.status()
-    }
-
-    fn status(&self) -> Status {
-        self.clock.status()
-    }
-
-    fn iteration(&self) -> u64 {
-        self.clock.iteration
-    }
-
-    fn limit(&self) -> u64 {
-        self.clock.limit
-    }
-
-    fn evaluations(&self) -> u64 {
-        self.population.evaluations
-    }
-
-    fn best(&self) -> Option<Best> {
-        Some(self.population.best())
-    }
+    of_population!();
 
     fn read(&self, out: &mut Readings) {
         self.population.read(out);
