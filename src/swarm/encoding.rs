@@ -81,7 +81,7 @@ pub(super) const ENCODING: Parameter = Parameter::choice(
         Choice { value: "waypoints", title: "way-points", help: "Points anywhere in the bounds, [WCPSO] §3.2.2." },
         Choice { value: "polar", title: "angles on circles", help: "A point on each of several circles about the start, [LTQPSO] §4." },
     ],
-    "What a particle’s coordinates stand for. So few of them seldom describe a path through rooms, and never one through a maze: ants and searches find those.",
+    "How a particle’s coordinates encode a path. A few coordinates seldom encode a path through rooms and never one through a maze; use ants or a graph search there.",
 )
 .only_on(PATHS)
 .defaults_on(&[(Kind::Grid, Fixed::Text("polar"))]);

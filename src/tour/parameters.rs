@@ -17,11 +17,11 @@ pub(super) const BUILDERS: &[Choice] = &[
     Choice { value: "aco-dijkstra", title: "Ants on a Dijkstra path", help: "[ANTBAT] §3.1, its [14]." },
     Choice { value: "aco", title: "Traditional ants", help: "[ANTBAT] §3.1, the traditional ants." },
     Choice { value: "aco-wolf", title: "Wolf-pack ant colony", help: "[WOLF-ANT] §5.1." },
-    Choice { value: "a-star", title: "A*", help: "The shortest ways from cell to cell." },
-    Choice { value: "dijkstra", title: "Dijkstra", help: "The same, found the slower way." },
-    Choice { value: "theta-star", title: "Theta*", help: "Ways at any angle." },
-    Choice { value: "cuckoo-search", title: "Cuckoo search", help: "Compared in [ANTBAT] fig. 8, its [31]; ours is Yang and Deb’s." },
-    Choice { value: "pso-rrt", title: "PSO with RRT", help: "Compared in [ANTBAT] fig. 8, its [32]; our reading." },
+    Choice { value: "a-star", title: "A*", help: "The shortest paths from cell to cell." },
+    Choice { value: "dijkstra", title: "Dijkstra", help: "The same paths, more slowly." },
+    Choice { value: "theta-star", title: "Theta*", help: "Paths at any angle." },
+    Choice { value: "cuckoo-search", title: "Cuckoo search", help: "Compared in [ANTBAT] fig. 8, its [31], as published by Yang and Deb." },
+    Choice { value: "pso-rrt", title: "PSO with RRT", help: "Compared in [ANTBAT] fig. 8, its [32]. The paper gives no details." },
 ];
 
 pub(super) const ROADS: Parameter = Parameter::choice(
@@ -29,7 +29,7 @@ pub(super) const ROADS: Parameter = Parameter::choice(
     "",
     "Roads by",
     BUILDERS,
-    "Which planner builds the road between each two stops, with its preset road, or else its usual parameters, and a seed of its own, [ANTBAT] §3.2.",
+    "Which planner finds the path between two stops, [ANTBAT] §3.2. It uses its preset `road`, or its defaults if it has none; each path has its own seed.",
 )
 .only_on(&[Kind::Grid]);
 pub(super) const SMOOTH: Parameter = Parameter::flag(
@@ -126,7 +126,7 @@ pub(super) const MEMBER_DIFFERENT: Member =
 
 pub(super) const ROADS_LAYER: Layer = Layer {
     kinds: &[Kind::Grid],
-    ..Layer::new(Role::Roads, "Roads", true, true, "The way between each two stops, as far as they are built.")
+    ..Layer::new(Role::Roads, "Roads", true, true, "The paths between pairs of stops that are built so far.")
 };
 pub(super) const TOUR_LAYER: Layer =
     Layer::new(Role::Tour, "Shortest tour", true, false, "The shortest tour so far, in its direction: the result.");
