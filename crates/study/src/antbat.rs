@@ -80,7 +80,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     report.verdicts = OVER_CELLS.iter().flat_map(|(measure, _)| judge(measure, &found)).collect();
     report.notes = colonies::notes(&found);
     report.notes.extend(impossible(&scene)?);
-    report.notes.push("Published are 7.07 rad for 9 turns, which is nine times 45°: the published ways are those from cell to cell. The iteration of convergence is that in which our result was found; how the paper decides it is not said. Q, φ1 and φ2 are not printed; ours are the planners’ defaults.".to_owned());
+    report.notes.push("Published are 7.07 rad for 9 turns, which is nine times 45°: the published paths are those from cell to cell. The iteration of convergence is that in which our result was found; how the paper decides it is not said. Q, φ1 and φ2 are not printed; they are the planners’ defaults here.".to_owned());
     draw(&mut report, &scene, &setups[0], &found, options)?;
     report.commands = setups.iter().map(command).collect();
     report.write(options)?;

@@ -312,7 +312,7 @@ fn judge(growths: &[Growth], points: &[Point]) -> Vec<Verdict> {
 
 fn notes(rows: &[Run]) -> Vec<String> {
     let mut notes = vec![
-        "The times are not reproducible: in the rows all that begins with `measured` differs from run to run and from machine to machine; the rest is computed and does not. So the verdicts are about shape only. Published times are none: fig. 8 is a picture of three algorithms without numbers in the text, not even of the stops, so ours are 5 to 30.".to_owned(),
+        "The times are not reproducible: in the rows all that begins with `measured` differs from run to run and from machine to machine; the rest is computed and does not. So the verdicts are about shape only. Published times are none: fig. 8 is a picture of three algorithms without numbers in the text, not even of the stops, so 5 to 30 are used.".to_owned(),
         "Stops are centres of free cells at random, others for each seed. The roads of a network are built one after the other on one thread (aco-direction, from cell to cell) and timed once; all planners then order the stops by these same roads, so that their totals differ in the order only. Time for the order is that of the whole search with the planner’s default sizes: see `evaluations`. `gap` and `exact tour` where the exact tour is computed, up to 15 stops; what held-karp has of a gap is the roads’. Its time is no power of the number of stops but exponential: three points fit either.".to_owned(),
     ];
     let most = rows.iter().map(|run| run.measured_threads).max().unwrap_or(1);

@@ -17,7 +17,7 @@ use forage::{
 
 use super::{
     Failure, Options, Study, command,
-    compared::{ComparedFigure, Ours, Published},
+    compared::{ComparedFigure, Computed, Published},
     figure::{Figure, Steps},
     fingerprints::JobList,
     inference::brown_forsythe,
@@ -167,7 +167,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// Table 2 and ours.
+/// Table 2 and the computed ones.
 fn figures(scene: &Arc<Scene>, block: &Block, cells: &[Tried]) -> Vec<ComparedFigure> {
     let compared = |((published, planner), tried): ((&Tours, &&str), &Tried)| ComparedFigure {
         table: format!("Table 2: {}", block.title),
@@ -181,7 +181,7 @@ fn figures(scene: &Arc<Scene>, block: &Block, cells: &[Tried]) -> Vec<ComparedFi
             std: Some(published.variance.value.sqrt()),
             runs: Some(Tours::RUNS),
         },
-        ours: Ours::runs(tried.runs.iter().filter_map(|run| run.length)),
+        computed: Computed::runs(tried.runs.iter().filter_map(|run| run.length)),
         basis: Basis::Reconstruction("the paper does not print the layout of the obstacles, nor how long the rivals search"),
         source: None,
         command: command(&setup(scene, block, planner, 1)),
@@ -324,11 +324,11 @@ fn gap(length: f64, optimum: f64) -> f64 {
     if same(length, optimum) { 0.0 } else { 100.0 * (length - optimum) / optimum }
 }
 
-/// Whether the two means, of 30 runs there and of ours here, are within two standard errors of their difference.
-fn reproduced(published: &Tours, ours: &Summary) -> &'static str {
+/// Whether the two means, of the 30 published runs and of the computed ones, are within two standard errors of their difference.
+fn reproduced(published: &Tours, computed: &Summary) -> &'static str {
     let squared = |x: f64| x * x;
-    let error = published.variance.value / Tours::RUNS as f64 + ours.std.map_or(0.0, squared) / ours.count as f64;
-    if squared(published.mean.value - ours.mean) <= 4.0 * error { "yes" } else { "NO" }
+    let error = published.variance.value / Tours::RUNS as f64 + computed.std.map_or(0.0, squared) / computed.count as f64;
+    if squared(published.mean.value - computed.mean) <= 4.0 * error { "yes" } else { "NO" }
 }
 
 /// What the paper concludes from its table, where the lengths can be compared, and what we promise of the bats.
@@ -404,7 +404,7 @@ fn notes(scene: &Scene, rows: &[Run]) -> Vec<String> {
         "`its` columns are the paper’s. Variances are of samples, with n − 1. `reproduced`: whether our mean and the published one are within two standard errors of their difference, which follow from both variances.".to_owned(),
         format!("`exact tour`: runs whose tour is as long as the exact one. `exact order`: runs whose order would be an exact tour’s by the shortest roads; what remains of the gap is the roads’. `best order`: runs whose order is the best by the very roads that they had, as held-karp’s with the same seed is. The gap is that of the mean; `converged` is the mean iteration of the search in which the tour was found. The published {:.2} is shorter than the exact {exact:.4}: the layout of the obstacles is a reconstruction (the paper prints none), and lengths are rounded.", ANTBAT_TOURS[0].best.value),
         "In the paper all runs have the same network of roads, as in `exact-roads`; in `ants` and `smoothed` each seed builds its own, the same for all planners. The paper says that redundant nodes are deleted; its lengths still are like those from cell to cell.".to_owned(),
-        "bat has the parameters of the paper (50 bats, 100 iterations, no local search), tour-pso no local search, the others their defaults. The paper does not say how long the others searched; ours do not evaluate equally many tours: see `evaluations`.".to_owned(),
+        "bat has the parameters of the paper (50 bats, 100 iterations, no local search), tour-pso no local search, the others their defaults. The paper does not say how long the others searched; here they do not evaluate equally many tours: see `evaluations`.".to_owned(),
     ];
     notes.extend(impossible());
     let failed = rows.iter().filter(|run| !run.feasible).count();
@@ -450,9 +450,9 @@ mod tests {
 
     #[test]
     fn means_within_two_standard_errors_are_reproduced() {
-        let ours = |numbers: [f64; 4]| Summary::of(numbers).unwrap();
+        let computed = |numbers: [f64; 4]| Summary::of(numbers).unwrap();
         // Errors of 0.18 there, and here of 0 and 0.5.
-        assert_eq!(reproduced(&ANTBAT_TOURS[0], &ours([122.08; 4])), "NO");
-        assert_eq!(reproduced(&ANTBAT_TOURS[0], &ours([121.0, 121.0, 123.0, 123.0])), "yes");
+        assert_eq!(reproduced(&ANTBAT_TOURS[0], &computed([122.08; 4])), "NO");
+        assert_eq!(reproduced(&ANTBAT_TOURS[0], &computed([121.0, 121.0, 123.0, 123.0])), "yes");
     }
 }

@@ -291,7 +291,7 @@ fn judge(rows: &[Run]) -> Result<Vec<Verdict>, Error> {
 
 fn notes(rows: &[Run]) -> Vec<String> {
     let mut notes = vec![
-        "The paper prints pictures and no numbers: no nodes, times or lengths of its own. Its workspace, start, goal and steps are ours too; the cuboid and where the base stands are reconstructions.".to_owned(),
+        "The paper prints pictures and no numbers: no nodes, times or lengths of its own. Its workspace, start, goal and steps are used; the cuboid and where the base stands are reconstructions.".to_owned(),
         format!("All planners with their default parameters but for the step: {BASIC} without goal bias, as in the paper. Nodes, extensions and times are of runs that found a way. rrt-star goes on for all its extensions, and what it tells is of its last path; {JOINT} grows in the joints, with a step of its own in radians and the whole arm tested at each, so that only its nodes and the tip’s lengths can be compared."),
         "`over exact`: the optimum is that of the tip alone, without the arm behind it and without the column under the base, so it is a lower bound for the arm. What is handed over is shortened, fitted and smoothed: none of it in the time, which is that of the tree alone.".to_owned(),
         "How straight a guided tree can be follows from its numbers: of 20 directions drawn evenly over the sphere the 4 nearest to the goal’s have cosines of 0.90, 0.81, 0.71 and 0.62 with it in the mean (1 − 2k/21), 0.76 together, so that a way of such steps is some 1/0.76 times as long as the straight line if all 4 are as likely. More samples and fewer kept make it straighter; shortening makes it straight.".to_owned(),

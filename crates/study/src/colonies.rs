@@ -16,7 +16,7 @@ use forage::{
 
 use super::{
     Failure, Options, Study,
-    compared::{ComparedFigure, Ours, Published},
+    compared::{ComparedFigure, Computed, Published},
     figure::{Figure, Steps},
     marks::Basis,
     report::Report,
@@ -166,7 +166,7 @@ pub(super) const SMOOTH_TURNS: Measure = Measure { name: "turns, smoothed", digi
 pub(super) const SMOOTH_TURNING: Measure = Measure { name: "turning, smoothed", digits: 3, of: |run| run.smooth_turning, optimum: None };
 
 impl Measure {
-    /// A published figure and ours.
+    /// A published figure and the computed one.
     pub fn compared(&self, table: &str, row: &str, figure: Figure, runs: &[Run], open: &'static str, command: String) -> ComparedFigure {
         ComparedFigure {
             table: table.to_owned(),
@@ -175,7 +175,7 @@ impl Measure {
             measure: self.name.to_owned(),
             lower_is_better: true,
             published: Published::figure(figure),
-            ours: Ours::runs(runs.iter().filter_map(self.of)),
+            computed: Computed::runs(runs.iter().filter_map(self.of)),
             basis: Basis::Reconstruction(open),
             source: None,
             command,

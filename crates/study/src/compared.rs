@@ -1,4 +1,4 @@
-//! Published figures and ours.
+//! Published figures and the computed ones.
 
 use forage::{error::Error, statistics::Summary};
 
@@ -70,7 +70,7 @@ impl Published {
 
 /// What was found here.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Ours {
+pub enum Computed {
     /// Runs that have a result, and their values.
     Runs(Summary, Vec<f64>),
     /// A number that was fitted to so many points, and its 95 % interval.
@@ -88,7 +88,7 @@ pub enum Ours {
     Nothing,
 }
 
-impl Ours {
+impl Computed {
     /// Of these numbers.
     pub fn runs(numbers: impl IntoIterator<Item = f64>) -> Self {
         let values: Vec<f64> = numbers.into_iter().collect();
@@ -130,7 +130,7 @@ impl Ours {
     }
 }
 
-/// A published figure and ours.
+/// A published figure and the computed one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedFigure {
     /// Where it is in the paper: `Table 2`.
@@ -146,8 +146,8 @@ pub struct ComparedFigure {
     /// What is printed.
     pub published: Published,
     /// What was found here.
-    pub ours: Ours,
-    /// What ours rests on.
+    pub computed: Computed,
+    /// What the computed figure rests on.
     pub basis: Basis,
     /// What arithmetic says of the printed figure; `None`: nothing to check.
     pub source: Option<Marked<Source>>,

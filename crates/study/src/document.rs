@@ -100,7 +100,7 @@ pub(super) fn tables(figures: &[ComparedFigure]) -> Vec<Table> {
     marked(figures).chunk_by(|(a, _), (b, _)| a.table == b.table).map(table).collect()
 }
 
-/// The published figures of a table, and ours.
+/// The published figures of a table and the computed ones.
 fn table(figures: &[(&ComparedFigure, Marks)]) -> Table {
     let columns = [
         "row",
@@ -123,7 +123,7 @@ fn table(figures: &[(&ComparedFigure, Marks)]) -> Table {
     for (figure, marks) in figures {
         let number = |number: Option<f64>| Cell::significant(number, 6);
         let printed = |printed: Option<Printed>| printed.map_or(Cell::Empty, |printed| Cell::Text(printed.shown()));
-        let [best, std, median] = figure.ours.spread();
+        let [best, std, median] = figure.computed.spread();
         table.rows.push(vec![
             Cell::Text(figure.row.clone()),
             Cell::Text(figure.measure.clone()),
@@ -131,10 +131,10 @@ fn table(figures: &[(&ComparedFigure, Marks)]) -> Table {
             printed(figure.published.mean),
             number(figure.published.std),
             number(best),
-            number(figure.ours.mean()),
+            number(figure.computed.mean()),
             number(std),
             number(median),
-            figure.ours.count().map_or(Cell::Empty, Cell::whole),
+            figure.computed.count().map_or(Cell::Empty, Cell::whole),
             cell(marks.value.as_ref(), |mark| mark.name()),
             cell(marks.ranking.as_ref(), |mark| mark.name()),
             marks.basis.mark.name().into(),
@@ -181,8 +181,8 @@ pub fn markdown(reports: &[Report]) -> String {
     let all: Vec<(&Report, Vec<Marks>)> =
         reports.iter().map(|report| (report, marked(&report.figures).into_iter().map(|(_, marks)| marks).collect())).collect();
     let mut text = format!(
-        "# Reproduction\n\nThe papers’ figures and ours, and what the planners do beyond the papers, as `forage reproduce` computes them; the same numbers are in `REPRODUCTION.csv`. Everything here comes \
-out the same again, bit for bit, and `scripts/test reproduction` checks that it does. `forage reproduce NAME` prints further tables.\n\n{RULES}\n\nIn all {}: {}.\n",
+        "# Reproduction\n\nPublished and computed figures, and results beyond the papers, as `forage reproduce` writes them; the same numbers are in `REPRODUCTION.csv`. All of it is reproducible \
+bit for bit, which `scripts/test reproduction` checks. `forage reproduce NAME` prints further tables.\n\n{RULES}\n\nIn all {}: {}.\n",
         figures_in_words(all.iter().map(|(_, marks)| marks.len()).sum()),
         counted(&all.iter().flat_map(|(_, marks)| marks))
     );
@@ -247,7 +247,7 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
         for (figure, marks) in marked(&report.figures) {
             let number = |number: Option<f64>| number.map(digits).unwrap_or_default();
             let count = |count: Option<u64>| count.map(|count| count.to_string()).unwrap_or_default();
-            let [best, std, median] = figure.ours.spread();
+            let [best, std, median] = figure.computed.spread();
             let because = |because: Option<&String>| because.cloned().unwrap_or_default();
             let Marks { value, ranking, basis, source } = &marks;
             writer
@@ -263,10 +263,10 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
                     &number(figure.published.std),
                     &count(figure.published.runs),
                     &number(best),
-                    &number(figure.ours.mean()),
+                    &number(figure.computed.mean()),
                     &number(std),
                     &number(median),
-                    &count(figure.ours.count()),
+                    &count(figure.computed.count()),
                     value.as_ref().map_or("", |value| value.mark.name()),
                     &because(value.as_ref().map(|value| &value.because)),
                     ranking.as_ref().map_or("", |ranking| ranking.mark.name()),
@@ -311,7 +311,7 @@ struct FigureRow<'a> {
 /// What the serializer refuses.
 pub(super) fn serialize_figures<S: Serializer>(figures: &[ComparedFigure], serializer: S) -> Result<S::Ok, S::Error> {
     let row = |(figure, marks): (&'_ ComparedFigure, Marks)| {
-        let [best, std, median] = figure.ours.spread();
+        let [best, std, median] = figure.computed.spread();
         serde_json::to_value(FigureRow {
             table: &figure.table,
             row: &figure.row,
@@ -322,10 +322,10 @@ pub(super) fn serialize_figures<S: Serializer>(figures: &[ComparedFigure], seria
             published_std: figure.published.std,
             published_runs: figure.published.runs,
             best,
-            mean: figure.ours.mean(),
+            mean: figure.computed.mean(),
             std,
             median,
-            runs: figure.ours.count(),
+            runs: figure.computed.count(),
             marks,
             command: &figure.command,
         })
@@ -384,26 +384,26 @@ mod tests {
     use super::*;
     use crate::{
         REPRODUCTIONS, STUDIES,
-        compared::{Ours, Published},
+        compared::{Computed, Published},
         find,
     };
 
     fn report() -> Report {
         let mut report = Report::new(find(REPRODUCTIONS, "NAME", "wcpso-functions").unwrap(), 50, 50);
-        let figure = |row: &str, text: &str, ours: Ours| ComparedFigure {
+        let figure = |row: &str, text: &str, computed: Computed| ComparedFigure {
             table: "Table 2".to_owned(),
             group: String::new(),
             row: row.to_owned(),
             measure: "value".to_owned(),
             lower_is_better: true,
             published: Published::figure(Printed::read(text).unwrap()),
-            ours,
+            computed,
             basis: Basis::Printed,
             source: None,
             command: format!("forage run {row} --scene matyas --seed 1"),
         };
         report.figures =
-            vec![figure("pso", "1.50e-3", Ours::runs([0.001, 0.002])), figure("wpso, \"linear\"", "7", Ours::runs([8.5, 9.0]))];
+            vec![figure("pso", "1.50e-3", Computed::runs([0.001, 0.002])), figure("wpso, \"linear\"", "7", Computed::runs([8.5, 9.0]))];
         report
     }
 

@@ -8,7 +8,7 @@ use forage::{Given, Session, Setup, Value, error::Error, scene::shipped};
 
 use super::{
     Failure, Options, Study, command,
-    compared::{ComparedFigure, Ours, Published},
+    compared::{ComparedFigure, Computed, Published},
     figure::Figure,
     fingerprints::JobList,
     inference::fisher,
@@ -225,21 +225,21 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     Ok(report)
 }
 
-/// The published costs and times, and ours.
+/// The published costs and times and the computed ones.
 fn figures(case: &Case, example: &Setup, both: &[Vec<&Run>; 2]) -> Vec<ComparedFigure> {
     let Some(results) = case.published else { return Vec::new() };
     let mut figures = Vec::new();
     for (planner, (runs, [mean, std, seconds])) in PLANNERS.into_iter().zip(both.iter().zip(results)) {
         let command = command(&Setup { planner: planner.to_owned(), ..example.clone() });
         let printed = |number| Some(Figure::new(number, 4).into());
-        for (measure, published, ours, basis) in [
+        for (measure, published, computed, basis) in [
             (
                 "cost, m",
                 Published { mean: printed(mean), std: Some(std), runs: Some(RUNS), ..Published::default() },
-                Ours::runs(runs.iter().map(|run| run.cost)),
+                Computed::runs(runs.iter().map(|run| run.cost)),
                 Basis::Reconstruction("the paper prints neither the layout of the obstacles nor what a run in collision counts"),
             ),
-            ("time, s", Published { mean: printed(seconds), runs: Some(RUNS), ..Published::default() }, Ours::Nothing, Basis::Machine),
+            ("time, s", Published { mean: printed(seconds), runs: Some(RUNS), ..Published::default() }, Computed::Nothing, Basis::Machine),
         ] {
             let (table, row) = (case.title.to_owned(), planner.to_owned());
             figures.push(ComparedFigure {
@@ -249,7 +249,7 @@ fn figures(case: &Case, example: &Setup, both: &[Vec<&Run>; 2]) -> Vec<ComparedF
                 measure: measure.to_owned(),
                 lower_is_better: true,
                 published,
-                ours,
+                computed,
                 basis,
                 source: None,
                 command: command.clone(),

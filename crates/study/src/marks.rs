@@ -8,16 +8,16 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 use forage::statistics::{Group, compare};
 
 use super::{
-    compared::{ComparedFigure, Ours, Printed},
+    compared::{ComparedFigure, Computed, Printed},
     forensics::Source,
     inference::mean_of,
 };
 
 /// The rules, in words.
 pub const RULES: &str = "Each published figure has up to four marks.\n\n\
-- **value**: *same digits*: ours, rounded as the figure is printed, is the printed one. *no significant difference*: a test at 5 % does not tell them apart. \
+- **value**: *same digits*: the computed mean, rounded to the printed digits, is the printed figure. *no significant difference*: a test at 5 % finds no difference. \
 The test is Welch’s t-test where the paper prints a standard deviation and a number of runs and our runs lie within a factor of ten. Otherwise the printed figure must \
-lie between the 2.5 % and the 97.5 % quantile of the mean of as many runs as the paper has (of one run if it does not say), drawn 2,000 times from ours with replacement; quantiles are the \
+lie between the 2.5 % and the 97.5 % quantile of the mean of as many runs as the paper has (of one run if it does not say), drawn 2,000 times from our runs with replacement; quantiles are the \
 same on a logarithmic scale, so this holds for values that span powers of ten. A fitted coefficient must lie in our 95 % interval. *same power of ten*: less than a factor of ten lies between the two. *differs*: more.\n\
 - **ranking**, of the rows that a table compares: each pair whose printed figures differ is tested with our runs (Wilcoxon’s rank-sum test, Holm’s correction, 5 %). *same*: all pairs differ significantly as printed. \
 *reversed*: some pairs differ significantly, all of them the other way. *partly*: everything between. *undecided*: no pair differs significantly.\n\
@@ -158,11 +158,11 @@ impl<M> Marked<M> {
 /// All marks of a figure.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Marks {
-    /// `None`: the paper prints no figure, or nothing of ours compares with it.
+    /// `None`: the paper prints no figure, or nothing computed compares with it.
     pub value: Option<Marked<ValueMark>>,
     /// `None`: nothing to rank it with.
     pub ranking: Option<Marked<RankingMark>>,
-    /// What ours rests on.
+    /// What the computed figure rests on.
     pub basis: Marked<Basis>,
     /// `None`: nothing to check.
     pub source: Option<Marked<Source>>,
@@ -170,7 +170,7 @@ pub struct Marks {
 
 /// The mark of a figure's value.
 pub fn value(figure: &ComparedFigure) -> Option<Marked<ValueMark>> {
-    let (printed, mean) = (figure.published.mean?, figure.ours.mean()?);
+    let (printed, mean) = (figure.published.mean?, figure.computed.mean()?);
     if printed.is_like(mean) {
         return Some(Marked::new(ValueMark::SameDigits, "the same to the digits that are printed"));
     }
@@ -188,13 +188,13 @@ fn is_near(a: f64, b: f64) -> bool {
     a == b || a * b > 0.0 && (a / b).abs() < POWER_OF_TEN && (b / a).abs() < POWER_OF_TEN
 }
 
-/// Whether a test does not tell a printed figure from ours, and its result.
+/// Whether a test does not tell a printed figure from the computed runs, and its result.
 fn test(figure: &ComparedFigure, printed: Printed, mean: f64) -> (bool, String) {
     let (std, runs) = (figure.published.std, figure.published.runs);
-    match &figure.ours {
-        Ours::Runs(ours, values) => {
-            if let Some((std, runs)) = std.zip(runs).filter(|_| is_near(ours.min, ours.max)) {
-                let p = welch([printed.value, std, runs as f64], [mean, ours.std.unwrap_or(0.0), ours.count as f64]);
+    match &figure.computed {
+        Computed::Runs(computed, values) => {
+            if let Some((std, runs)) = std.zip(runs).filter(|_| is_near(computed.min, computed.max)) {
+                let p = welch([printed.value, std, runs as f64], [mean, computed.std.unwrap_or(0.0), computed.count as f64]);
                 return (p >= LEVEL, format!("Welch’s t-test of the means: p {}", probability(p)));
             }
             let runs = runs.unwrap_or(1);
@@ -203,7 +203,7 @@ fn test(figure: &ComparedFigure, printed: Printed, mean: f64) -> (bool, String) 
             let of = if runs == 1 { "of our runs".to_owned() } else { format!("of the means of {runs} of our runs") };
             (within, format!("95 % {of} lie between {low:.6e} and {high:.6e}"))
         }
-        Ours::Fitted { interval: [low, high], points, .. } => {
+        Computed::Fitted { interval: [low, high], points, .. } => {
             let within = (*low..=*high).contains(&printed.value);
             (within, format!("our fit to {points} points has the 95 % interval {low:.4} to {high:.4}"))
         }
@@ -224,7 +224,7 @@ pub fn rankings(figures: &[ComparedFigure]) -> Vec<Option<Marked<RankingMark>>> 
 /// The mark of the ranking of figures that a paper compares.
 fn ranking(figures: &[&ComparedFigure]) -> Option<Marked<RankingMark>> {
     let rows: Vec<(&Printed, &[f64])> =
-        figures.iter().filter_map(|figure| Some((figure.published.mean.as_ref()?, figure.ours.values()?))).collect();
+        figures.iter().filter_map(|figure| Some((figure.published.mean.as_ref()?, figure.computed.values()?))).collect();
     let groups: Vec<Group> =
         rows.iter().map(|(_, values)| Group { name: String::new(), values: values.iter().map(|&v| Some(v)).collect() }).collect();
     let pairs: Vec<_> = compare(&groups).pairs.into_iter().filter(|pair| rows[pair.first].0.value != rows[pair.second].0.value).collect();
@@ -272,7 +272,7 @@ mod tests {
     use super::*;
     use crate::compared::Published;
 
-    fn figure(group: &str, published: Published, ours: Ours) -> ComparedFigure {
+    fn figure(group: &str, published: Published, computed: Computed) -> ComparedFigure {
         let text = String::new;
         let (group, basis) = (group.to_owned(), Basis::Printed);
         ComparedFigure {
@@ -282,7 +282,7 @@ mod tests {
             measure: text(),
             lower_is_better: true,
             published,
-            ours,
+            computed,
             basis,
             source: None,
             command: text(),
@@ -293,24 +293,24 @@ mod tests {
         Published::figure(Printed::read(text).unwrap())
     }
 
-    fn mark(published: Published, ours: Ours) -> Option<ValueMark> {
-        value(&figure("", published, ours)).map(|marked| marked.mark)
+    fn mark(published: Published, computed: Computed) -> Option<ValueMark> {
+        value(&figure("", published, computed)).map(|marked| marked.mark)
     }
 
     #[test]
     fn a_value_has_the_nearest_mark_that_holds() {
-        let ours = || Ours::runs([10.0, 11.0, 12.0]);
-        assert_eq!(mark(printed("11.0"), ours()), Some(ValueMark::SameDigits));
-        assert_eq!(mark(printed("11.9"), ours()), Some(ValueMark::NoSignificantDifference));
-        assert_eq!(mark(printed("12.1"), ours()), Some(ValueMark::SamePowerOfTen));
-        assert_eq!(mark(printed("109"), ours()), Some(ValueMark::SamePowerOfTen));
-        assert_eq!(mark(printed("111"), ours()), Some(ValueMark::Differs));
-        assert_eq!(mark(printed("1.0"), ours()), Some(ValueMark::Differs));
-        assert_eq!(mark(printed("0"), ours()), Some(ValueMark::Differs));
-        assert_eq!(mark(printed("0"), Ours::Exact(0.0)), Some(ValueMark::SameDigits));
-        assert_eq!(mark(Published::default(), ours()), None);
-        assert_eq!(mark(printed("1.0"), Ours::Nothing), None);
-        let fitted = || Ours::Fitted { value: 1.7, interval: [1.6, 1.8], points: 16 };
+        let computed = || Computed::runs([10.0, 11.0, 12.0]);
+        assert_eq!(mark(printed("11.0"), computed()), Some(ValueMark::SameDigits));
+        assert_eq!(mark(printed("11.9"), computed()), Some(ValueMark::NoSignificantDifference));
+        assert_eq!(mark(printed("12.1"), computed()), Some(ValueMark::SamePowerOfTen));
+        assert_eq!(mark(printed("109"), computed()), Some(ValueMark::SamePowerOfTen));
+        assert_eq!(mark(printed("111"), computed()), Some(ValueMark::Differs));
+        assert_eq!(mark(printed("1.0"), computed()), Some(ValueMark::Differs));
+        assert_eq!(mark(printed("0"), computed()), Some(ValueMark::Differs));
+        assert_eq!(mark(printed("0"), Computed::Exact(0.0)), Some(ValueMark::SameDigits));
+        assert_eq!(mark(Published::default(), computed()), None);
+        assert_eq!(mark(printed("1.0"), Computed::Nothing), None);
+        let fitted = || Computed::Fitted { value: 1.7, interval: [1.6, 1.8], points: 16 };
         assert_eq!(mark(printed("1.7512"), fitted()), Some(ValueMark::NoSignificantDifference));
         assert_eq!(mark(printed("1.9000"), fitted()), Some(ValueMark::SamePowerOfTen));
     }
@@ -320,23 +320,23 @@ mod tests {
     fn numbers_that_span_powers_of_ten_are_not_compared_by_their_means() {
         let published = Published { std: Some(8.2e-156), runs: Some(50), ..printed("5.177476e-156") };
         assert!(welch([5.2e-156, 8.2e-156, 50.0], [2.5e-91, 5e-91, 4.0]) > LEVEL);
-        assert_eq!(mark(published, Ours::runs([1e-99, 1e-98, 1e-97, 1e-90])), Some(ValueMark::Differs));
+        assert_eq!(mark(published, Computed::runs([1e-99, 1e-98, 1e-97, 1e-90])), Some(ValueMark::Differs));
         // A mean of 50 runs of which the largest is drawn about as often as not.
         let published = Published { std: Some(1e-8), runs: Some(50), ..printed("2.1e-9") };
         assert_eq!(
-            mark(published, Ours::runs((0..50).map(|k| if k == 0 { 1e-7 } else { 1e-12 }))),
+            mark(published, Computed::runs((0..50).map(|k| if k == 0 { 1e-7 } else { 1e-12 }))),
             Some(ValueMark::NoSignificantDifference)
         );
         // So many runs tell means apart that lie within the range.
         let sharp = Published { std: Some(0.01), runs: Some(50), ..printed("1.05") };
-        assert_eq!(mark(sharp, Ours::runs([1.0, 2.0].repeat(20))), Some(ValueMark::SamePowerOfTen));
+        assert_eq!(mark(sharp, Computed::runs([1.0, 2.0].repeat(20))), Some(ValueMark::SamePowerOfTen));
     }
 
     #[test]
     fn rankings_count_the_pairs_that_differ() {
-        let runs = |from: f64| Ours::runs((0..20).map(|k| from + f64::from(k) / 100.0));
-        let rank = |printed_as: [&str; 3], ours: [f64; 3]| {
-            let figures: Vec<_> = printed_as.into_iter().zip(ours).map(|(text, from)| figure("g", printed(text), runs(from))).collect();
+        let runs = |from: f64| Computed::runs((0..20).map(|k| from + f64::from(k) / 100.0));
+        let rank = |printed_as: [&str; 3], computed: [f64; 3]| {
+            let figures: Vec<_> = printed_as.into_iter().zip(computed).map(|(text, from)| figure("g", printed(text), runs(from))).collect();
             rankings(&figures)[0].as_ref().map(|marked| marked.mark)
         };
         assert_eq!(rank(["1", "2", "3"], [1.0, 2.0, 3.0]), Some(RankingMark::Same));

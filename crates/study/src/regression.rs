@@ -9,7 +9,7 @@ use forage::math;
 
 use super::{
     Failure, Options, Study, chart, command,
-    compared::{ComparedFigure, Ours, Published},
+    compared::{ComparedFigure, Computed, Published},
     figure::Figure,
     fingerprints::JobList,
     fit::{self, Fit},
@@ -164,17 +164,18 @@ fn interval([low, high]: [f64; 2]) -> Cell {
     Cell::Text(format!("({low:.2}, {high:.2})"))
 }
 
-/// Ours and the published line for each quantity.
+/// Computed and the published line for each quantity.
 fn coefficients(case: &Case, fits: &[Option<Fit>; 4]) -> Table {
     let columns = ["ln", "from", "b0", "b0 95 %", "b1", "b1 95 %", "R²", "F", "p", "points"];
     let mut table = Table::new(case.name, format!("{}: ln N or ln M = b0 + b1 ln D", case.title), &columns);
     for (((name, _), fit), published) in QUANTITIES.iter().zip(fits).zip(&case.published) {
         let of = |k: usize| fit.map_or([Cell::Empty, Cell::Empty], |fit| [Cell::Number(fit.b[k], 4), interval(fit.interval[k])]);
-        let mut ours = vec![Cell::from(*name), "here".into()];
-        ours.extend([0, 1].into_iter().flat_map(of));
-        ours.extend([Cell::maybe(fit.map(|fit| fit.r2), 4), Cell::maybe(fit.map(|fit| fit.f), 2)]);
-        ours.extend([fit.map_or(Cell::Empty, |fit| Cell::Text(format!("{:.1e}", fit.p))), Cell::maybe(fit.map(|fit| fit.count as f64), 0)]);
-        table.rows.push(ours);
+        let mut computed = vec![Cell::from(*name), "here".into()];
+        computed.extend([0, 1].into_iter().flat_map(of));
+        computed.extend([Cell::maybe(fit.map(|fit| fit.r2), 4), Cell::maybe(fit.map(|fit| fit.f), 2)]);
+        computed
+            .extend([fit.map_or(Cell::Empty, |fit| Cell::Text(format!("{:.1e}", fit.p))), Cell::maybe(fit.map(|fit| fit.count as f64), 0)]);
+        table.rows.push(computed);
         let [b0, b1] = published.b.map(|b| Cell::Number(b, 4));
         let [around_b0, around_b1] = published.interval.map(interval);
         let rest = [Cell::Number(published.r2(), 4), Cell::Number(published.f, 2), Cell::Empty, Cell::Number(Regression::POINTS, 0)];
@@ -186,7 +187,7 @@ fn coefficients(case: &Case, fits: &[Option<Fit>; 4]) -> Table {
 /// What the paper leaves open of its regression.
 const OPEN: &str = "the paper says neither how N and M are increased together nor over what the extremes are taken";
 
-/// The published coefficients and ours.
+/// The published coefficients and the computed ones.
 fn figures(case: &Case, fits: &[Option<Fit>; 4], points: u64) -> Vec<ComparedFigure> {
     let mut figures = Vec::new();
     for (((name, _), fit), published) in QUANTITIES.into_iter().zip(fits).zip(&case.published) {
@@ -198,7 +199,7 @@ fn figures(case: &Case, fits: &[Option<Fit>; 4], points: u64) -> Vec<ComparedFig
                 measure: format!("b{k}"),
                 lower_is_better: false,
                 published: Published { runs: Some(RUNS), ..Published::figure(Figure::new(published.b[k], 4)) },
-                ours: fit.map_or(Ours::Nothing, |fit| Ours::Fitted { value: fit.b[k], interval: fit.interval[k], points }),
+                computed: fit.map_or(Computed::Nothing, |fit| Computed::Fitted { value: fit.b[k], interval: fit.interval[k], points }),
                 basis: Basis::Reconstruction(OPEN),
                 source: None,
                 command: format!("forage reproduce {}", REPRODUCTION.name),

@@ -82,7 +82,7 @@ pub struct Report {
     pub repeatable: bool,
     /// Runs a cell, where they are fewer or more than published.
     pub shortened: Option<String>,
-    /// The published figures and ours.
+    /// The published figures and the computed ones.
     #[serde(serialize_with = "document::serialize_figures")]
     pub figures: Vec<ComparedFigure>,
     /// The tables.

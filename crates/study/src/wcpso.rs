@@ -14,7 +14,7 @@ use forage::{
 
 use super::{
     Failure, Options, Study, command,
-    compared::{ComparedFigure, Ours, Printed, Published},
+    compared::{ComparedFigure, Computed, Printed, Published},
     fingerprints::JobList,
     marks::{self, Basis},
     published::wcpso::{self as published, PATH_RUNS, PLANNERS, SHORTEST, TABLE_2},
@@ -122,7 +122,7 @@ impl Job for Task {
     }
 }
 
-/// The limits of velocities that are tried: ours, and none at all.
+/// The limits of velocities that are tried: the default, and none.
 const LIMITS: [Option<f64>; 2] = [None, Some(1.0)];
 
 const FUNCTIONS_FILE: &str = "wcpso-functions-runs.csv";
@@ -160,7 +160,7 @@ fn functions(options: &Options, control: &Control) -> Result<Report, Failure> {
     report.notes = vec![
         "60 particles, 1000 iterations (each planner’s defaults). The paper prints no coefficients for `pso`: 0.7298 and 1.49618 are Clerc and Kennedy’s. Positions are clamped to the box.".to_owned(),
         format!(
-            "The paper does not say whether velocities are limited: ours are, to 20 % of the box. Without a limit (`v_max=1`) the mark of the value is another one in {} of {} rows{}.",
+            "The paper does not say whether velocities are limited; here they are, to 20 % of the box. Without a limit (`v_max=1`) the mark of the value changes in {} of {} rows{}.",
             changed.len(),
             report.figures.len(),
             if changed.is_empty() { String::new() } else { format!(": {}", changed.join("; ")) }
@@ -186,14 +186,14 @@ fn limits(limited: &[ComparedFigure], unlimited: &[ComparedFigure]) -> Table {
     let mut table = Table::new("limits", "Velocities limited to 20 % of the box, and not limited", &columns);
     for (a, b) in limited.iter().zip(unlimited) {
         let cells = [a, b].map(|figure| {
-            [Cell::significant(figure.ours.mean(), 4), marks::value(figure).map_or(Cell::Empty, |marked| marked.mark.name().into())]
+            [Cell::significant(figure.computed.mean(), 4), marks::value(figure).map_or(Cell::Empty, |marked| marked.mark.name().into())]
         });
         table.rows.push([Cell::Text(a.row.clone())].into_iter().chain(cells.into_iter().flatten()).collect());
     }
     table
 }
 
-/// Best, mean and standard deviation, and ours.
+/// Best, mean and standard deviation and the computed ones.
 fn figure(row: &published::Row, planner: &str, [best, mean, std]: [&str; 3], runs: &[Run], setup: &Setup) -> Result<ComparedFigure, Error> {
     Ok(ComparedFigure {
         table: "Table 2".to_owned(),
@@ -207,7 +207,7 @@ fn figure(row: &published::Row, planner: &str, [best, mean, std]: [&str; 3], run
             std: Some(Printed::read(std)?.value),
             runs: Some(published::RUNS),
         },
-        ours: Ours::runs(runs.iter().filter_map(|run| run.value)),
+        computed: Computed::runs(runs.iter().filter_map(|run| run.value)),
         basis: if planner == PLANNERS[0] { Basis::Reconstruction(OPEN) } else { Basis::Printed },
         source: None,
         command: command(setup),
@@ -314,7 +314,7 @@ fn paths(options: &Options, control: &Control) -> Result<Report, Failure> {
         measure: measure.to_owned(),
         lower_is_better: true,
         published: Published::figure(Printed::read(SHORTEST)?),
-        ours: exact.map_or(Ours::Nothing, Ours::Exact),
+        computed: exact.map_or(Computed::Nothing, Computed::Exact),
         basis: Basis::Printed,
         source: None,
         command: "forage exact --scene wcpso-discs".to_owned(),
@@ -327,7 +327,7 @@ fn paths(options: &Options, control: &Control) -> Result<Report, Failure> {
             measure: measure.to_owned(),
             lower_is_better: true,
             published: Published { runs: Some(PATH_RUNS), ..Published::default() },
-            ours: Ours::runs(runs.iter().filter_map(|run| run.value)),
+            computed: Computed::runs(runs.iter().filter_map(|run| run.value)),
             basis: Basis::Printed,
             source: None,
             command: command(&Task::new("wcpso-discs", planner, None, 1)?.setup),

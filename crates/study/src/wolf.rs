@@ -13,7 +13,7 @@ use super::{
     Failure, Options, Study,
     colonies::{self, CONVERGED, LENGTH, Lines, RUNS, Run, SECONDS, TURNS, hits},
     command,
-    compared::{ComparedFigure, Ours, Published},
+    compared::{ComparedFigure, Computed, Published},
     figure::{Figure, Steps},
     fingerprints::JobList,
     marks::Basis,
@@ -91,7 +91,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
             measure: "value".to_owned(),
             lower_is_better: false,
             published: Published::figure(Figure::new(value, if value.fract() == 0.0 { 0 } else { 3 })),
-            ours: Ours::runs(tuned.iter().map(|tuned| tuned.tuned()[k].1)),
+            computed: Computed::runs(tuned.iter().map(|tuned| tuned.tuned()[k].1)),
             basis: Basis::Reconstruction("several sets of parameters are equally good, and the paper does not print how runs judge them"),
             source: None,
             command: command(&tuned::setup(&scene, 1)),
@@ -111,7 +111,7 @@ fn sizes() -> Given {
     [("ants", 30.0), ("iterations", 100.0)].map(|(name, number)| (name, Value::Number(number))).into_iter().collect()
 }
 
-/// Table 2 beside ours.
+/// Table 2 and the computed ones.
 fn ways(scene: &Arc<Scene>, found: &[Vec<Run>], runs: u64) -> Result<Table, Failure> {
     let title = format!("Table 2: from cell 21 to cell 378, 30 ants, 100 iterations, seeds 1 to {runs}; lengths in px");
     let mut lines = Lines::new(scene, "table-2", title);
@@ -204,7 +204,7 @@ fn better(published: &[Run], with_tuned: &[Vec<Run>]) -> Verdict {
 fn notes(scene: &Scene, found: &[Vec<Run>], tuned: &[Tuned]) -> Result<Vec<String>, Failure> {
     let by = Steps::of(scene)?;
     let mut notes = colonies::notes(found);
-    notes.push("A true A* cannot be longer than the ants: the published 602.8420 px is not what an exact search finds by the rule that the published best path keeps to. Ours is exact (no cutting of corners, as all here), so nothing is shorter; it draws nothing, so that all seeds give one way, and of ways equally short it takes any: it does not count turns.".to_owned());
+    notes.push("A true A* cannot be longer than the ants: the published 602.8420 px is not what an exact search finds by the rule that the published best path keeps to. Computed is exact (no cutting of corners, as all here), so nothing is shorter; it draws nothing, so that all seeds give one way, and of ways equally short it takes any: it does not count turns.".to_owned());
     let misprinted: Vec<_> = WOLF_ANT
         .iter()
         .map(|[length, _]| length)

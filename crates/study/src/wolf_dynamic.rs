@@ -1,4 +1,4 @@
-//! Drives among moving obstacles: the published case beside ours, and a thousand random scenes, [WOLF-ANT] §5.3 and §6.
+//! Drives among moving obstacles: the published case, and a thousand random scenes, [WOLF-ANT] §5.3 and §6.
 
 use std::sync::{Arc, atomic::AtomicBool};
 
@@ -17,7 +17,7 @@ use forage::{
 
 use super::{
     Failure, Options, Study, command,
-    compared::{ComparedFigure, Ours, Published},
+    compared::{ComparedFigure, Computed, Published},
     figure::Figure,
     fingerprints::JobList,
     marks::Basis,
@@ -244,7 +244,7 @@ fn border(k: u64) -> &'static str {
 /// What of a drive is measured.
 type Of = fn(&Run) -> Option<f64>;
 
-/// Table 2, driven, and ours.
+/// Table 2, driven and the computed ones.
 fn figures(case: &[Run], setups: &[Setup]) -> Vec<ComparedFigure> {
     let open = "the paper prints neither the layout of the obstacles nor the way that the robot drives";
     let mut figures = Vec::new();
@@ -269,7 +269,7 @@ fn figures(case: &[Run], setups: &[Setup]) -> Vec<ComparedFigure> {
                 measure: measure.to_owned(),
                 lower_is_better: true,
                 published: Published::figure(figure),
-                ours: Ours::runs(runs.filter_map(of)),
+                computed: Computed::runs(runs.filter_map(of)),
                 basis: Basis::Reconstruction(open),
                 source: None,
                 command: setups.iter().find(is_first).map(command).unwrap_or_default(),
@@ -279,7 +279,7 @@ fn figures(case: &[Run], setups: &[Setup]) -> Vec<ComparedFigure> {
     figures
 }
 
-/// The published figures beside ours.
+/// The published figures and the computed ones.
 fn beside(case: &[Run], seeds: u64) -> Table {
     let columns =
         ["planner", "published px", "mean", "best", "published s", "mean", "best", "published turns", "mean", "best", "collisions"];

@@ -21,7 +21,7 @@ const NAMES: Readonly<{ [K in MarkKind]: Readonly<Record<MarkOf<K>, string>> }> 
 export const papers = {
   title: 'Papers',
   intro:
-    'Five papers, what they claim, and what comes out when their experiments are run again here. Every figure below was computed by the same planners that run in this page; beside each stands the command that repeats it.',
+    'Five papers, what they claim, and what comes out when their experiments are run again here. Every figure below was computed by the same planners that run in this page; next to each is the command that repeats it.',
   overview: 'All papers at a glance',
   paper: 'Paper',
   subject: 'Subject',
@@ -80,8 +80,8 @@ export const papers = {
   batchHelp: (scene: string, seeds: string) => `Batch: run these planners on “${scene}” with ${seeds} seeds`,
   race: 'Race',
   raceHelp: (scene: string) => `Race: let these planners race on “${scene}”`,
-  figures: 'Published figures, and ours',
-  none: 'It prints pictures and no figures that ours could stand beside; what it claims is checked below.',
+  figures: 'Published and computed figures',
+  none: 'It prints pictures and no figures to compare. Its claims are checked below.',
   checks: {
     title: 'What of it holds here',
     help: 'Each claim as a question to the runs, with the numbers that answer it.',
@@ -129,7 +129,7 @@ export const papers = {
       citation: 'Liu Jie, Zhao Haifang, Zhou Delian, Computer Science, no. 11A.',
       claims: [
         'Evolution speed and dispersion adapt how far particles leap, and natural selection lets the better half replace the worse: so the swarm is said not to converge too early.',
-        'On ten metres of walls its paths are shorter on average than those of the plain quantum swarm, vary less (1.02 beside 3.27 m, and 1.20 beside 5.65 m) and take less time (Tables 3 and 4).',
+        'On ten metres of walls its paths are shorter on average than those of the plain quantum swarm, vary less (1.02 instead of 3.27 m, and 1.20 beside 5.65 m) and take less time (Tables 3 and 4).',
         'How many particles and iterations are needed follows from the number of a path’s pieces by a power law, fitted for D from 5 to 20 (Tables 1 and 2).',
       ],
     },
@@ -138,7 +138,7 @@ export const papers = {
       subject: 'Ants that mind their direction build roads, bats order the stops',
       citation: 'Fang Min, Jin Shijun, Electronic Measurement Technology, no. 18.',
       claims: [
-        'Ants that weigh how far they turn and how far they point away from the goal, rewarded below the median length and punished above it, find shorter ways (42.06 beside 45.53 and 43.70 cells) with fewer turns, in fewer iterations.',
+        'Ants that weigh how far they turn and how far they point away from the goal, rewarded below the median length and punished above it, find shorter paths (42.06 instead of 45.53 and 43.70 cells) with fewer turns, in fewer iterations.',
         'A discrete bat algorithm orders twelve stops better than an earlier one, a genetic algorithm, a swarm and annealing do: the smallest best, worst, mean and variance of 30 runs (Table 2).',
         'Both together take less time than other methods, whatever the number of stops; that is drawn (fig. 8), not printed in numbers.',
       ],
@@ -194,6 +194,9 @@ export const papers = {
       title: '§5.2: a swarm tunes the ants',
       about: '20 particles, 30 iterations. It takes its time: each particle is a colony over three seeds.',
     },
-    moving: { title: '§5.3: an obstacle moves', about: 'Plan, drive, foresee, go round; beside drives on A* and D* Lite.' },
+    moving: {
+      title: '§5.3: an obstacle moves',
+      about: 'Plan, drive, predict conflicts, avoid them; compared with drives on A* and D* Lite.',
+    },
   },
 } as const
