@@ -3,7 +3,7 @@
 
 use crate::{
     catalogue::{Entry, Formula, Preset, Scope},
-    params::{Fixed, Parameter, Settings},
+    params::{Choice, Fixed, Parameter, Settings},
     way::SMOOTH,
 };
 
@@ -20,6 +20,27 @@ const EPSILON: Parameter = Parameter::number(
     "Unit of sight",
     [0.0, 20.0, 2.0],
     "What the ranks 1 to 5 are multiplied by, [WOLF-ANT] (6). Published: 2. It cancels out of the choice (4) unless it is 0: then nothing is seen.",
+);
+
+const HEURISTIC: Parameter = Parameter::choice(
+    "heuristic",
+    "",
+    "Heuristic",
+    &[
+        Choice { value: "ranks", title: "Ranks", help: "The ranks of [WOLF-ANT] (6)." },
+        Choice { value: "distance", title: "Distance", help: "1 / distance to the goal, as traditional ants have it." },
+    ],
+    "What draws ants to the goal.",
+);
+const UPDATE: Parameter = Parameter::choice(
+    "update",
+    "",
+    "Pheromone update",
+    &[
+        Choice { value: "wolf", title: "Wolf pack", help: "The best path gets more, the worst less, [WOLF-ANT] (10) to (12)." },
+        Choice { value: "ant", title: "Traditional", help: "Every ant deposits Q / L, (9) alone." },
+    ],
+    "How much pheromone ants deposit.",
 );
 
 pub(crate) const CHOICE: Formula = Formula {
@@ -75,7 +96,9 @@ pub const ENTRY: Entry = Entry {
             1.0,
             "How much a cell’s rank counts in an ant’s choice. Published: 7, found by a particle swarm; ants then follow the rank into dead ends.",
         ),
-        EPSILON,
+        HEURISTIC,
+        EPSILON.when("heuristic", "ranks"),
+        UPDATE,
         rho(0.2, "The share of the pheromone that is gone after an iteration. Published: 0.367, found by a particle swarm."),
         q(
             333.0,
@@ -112,5 +135,28 @@ pub const ENTRY: Entry = Entry {
 
 /// What sets this colony apart.
 pub(super) fn traits(settings: &Settings) -> Traits {
-    Traits { heuristic: Heuristic::Ranked { epsilon: settings.number("epsilon") }, update: Update::Wolf, ..Traits::TRADITIONAL }
+    let heuristic = match settings.choice("heuristic") {
+        "distance" => Heuristic::Distance,
+        _ => Heuristic::Ranked { epsilon: settings.number("epsilon") },
+    };
+    let update = if settings.choice("update") == "ant" { Update::Traditional } else { Update::Wolf };
+    Traits { heuristic, update, ..Traits::TRADITIONAL }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Given, Value, scene::Kind};
+
+    #[test]
+    fn heuristic_and_update_are_switched_apart() {
+        let of = |given: &[(&str, &str)]| {
+            let given: Given = given.iter().map(|&(name, value)| (name, Value::from(value))).collect();
+            let Traits { heuristic, update, .. } = traits(&Settings::new(ENTRY.parameters, Kind::Grid, &given).unwrap());
+            (matches!(heuristic, Heuristic::Ranked { epsilon } if epsilon == 2.0), matches!(update, Update::Wolf))
+        };
+        assert_eq!(of(&[]), (true, true));
+        assert_eq!(of(&[("heuristic", "distance")]), (false, true));
+        assert_eq!(of(&[("update", "ant")]), (true, false));
+    }
 }

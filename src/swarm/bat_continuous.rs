@@ -28,7 +28,7 @@ use super::{
     encoding::{self, with_paths},
     parameters::{
         BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, PERSONAL_BESTS, POPULATION, POSITION,
-        SMOOTHED, SMOOTHNESS, V_MAX, V_MAX_UNIT, VELOCITIES,
+        SMOOTHED, SMOOTHNESS, SPREAD, V_MAX, V_MAX_UNIT, VELOCITIES,
     },
     population::{Population, of_population},
     tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
@@ -416,6 +416,7 @@ pub const ENTRY: Entry = Entry {
     readings: &[
         BEST,
         MEAN,
+        SPREAD,
         FREE,
         LENGTH,
         SMOOTHNESS,

@@ -30,7 +30,9 @@ use super::{
     clock::Clock,
     encoding::{self, with_paths},
     levy::{Draw, Levy},
-    parameters::{BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, SMOOTHED, SMOOTHNESS},
+    parameters::{
+        BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, SMOOTHED, SMOOTHNESS, SPREAD,
+    },
     population::{Population, of_population},
     tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
 };
@@ -412,6 +414,7 @@ pub const ENTRY: Entry = Entry {
     readings: &[
         BEST,
         MEAN,
+        SPREAD,
         FREE,
         LENGTH,
         SMOOTHNESS,

@@ -103,13 +103,21 @@ pub(super) const AS_IN_TEXT: Preset = Preset {
 };
 
 /// What every swarm tells; those that perturb tell [`PERTURBED`].
-pub(super) const READINGS: &[Reading] = &[BEST, MEAN, FREE, LENGTH, SMOOTHNESS, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, EVALUATIONS];
+pub(super) const READINGS: &[Reading] =
+    &[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, EVALUATIONS];
 pub(super) const PERTURBED: &[Reading] =
-    &[BEST, MEAN, FREE, LENGTH, SMOOTHNESS, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, HENS, CHICKS, EVALUATIONS];
+    &[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, OMEGA, COGNITIVE, SOCIAL, STAGNATING, HENS, CHICKS, EVALUATIONS];
 
 pub(super) const BEST: Reading = Reading::new("best", "f(g)", "Best cost", Group::Cost, "The cost of the global best, penalty included.");
 pub(super) const MEAN: Reading =
     Reading::new("mean", "\\bar f", "Mean cost", Group::Cost, "The mean cost of the particles where they are now.");
+pub(super) const SPREAD: Reading = Reading::new(
+    "spread",
+    "\\bar\\sigma",
+    "Spread",
+    Group::Measure,
+    "How far the particles are apart: the mean over the coordinates of their standard deviation, as a share of the box.",
+);
 pub(super) const FREE: Reading = Reading::new(
     "free",
     "L_{\\text{free}}",

@@ -186,6 +186,13 @@ impl Population {
         self.cost.iter().sum::<f64>() / self.size as f64
     }
 
+    /// How far the particles are apart: the mean over the coordinates of their standard deviation, as a share of the box.
+    fn spread(&self) -> f64 {
+        let search_box = self.objective.search_box();
+        let widths = search_box.low.iter().zip(search_box.high.iter()).map(|(low, high)| high - low).enumerate();
+        widths.map(|(j, width)| deviation(column(&self.x, self.dimension, j)) / width).sum::<f64>() / self.dimension as f64
+    }
+
     /// The best costs so far: with penalty, and of what breaks no rule.
     pub(super) fn bests(&self) -> [f64; 2] {
         [self.g_cost, self.free_cost]
@@ -195,6 +202,7 @@ impl Population {
     pub(super) fn read(&self, out: &mut Readings) {
         out.push("best", self.g_cost);
         out.push("mean", self.mean());
+        out.push("spread", self.spread());
         if self.objective.constrained() {
             out.push("free", if self.free_cost.is_finite() { self.free_cost } else { f64::NAN });
         }
@@ -209,5 +217,42 @@ impl Population {
 
     pub(super) fn bytes(&self) -> usize {
         8 * (2 * self.x.len() + 2 * self.size + 2 * self.dimension) + size_of::<Self>()
+    }
+}
+
+/// The standard deviation over the particles.
+pub(super) fn deviation<'a>(numbers: impl Iterator<Item = &'a f64> + Clone) -> f64 {
+    let (count, sum) = numbers.clone().fold((0.0, 0.0), |(count, sum), x| (count + 1.0, sum + x));
+    let mean = sum / count;
+    (numbers.map(|x| (x - mean) * (x - mean)).sum::<f64>() / count).sqrt()
+}
+
+/// Coordinate `j` of all rows.
+pub(super) fn column(rows: &[f64], dimension: usize, j: usize) -> impl Iterator<Item = &f64> + Clone {
+    rows[j..].iter().step_by(dimension)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Given, params::Settings, shipped, swarm::encoding};
+
+    #[test]
+    fn a_deviation_is_that_of_a_population() {
+        // σ of 2, 4, 4, 4, 5, 5, 7, 9 is 2.
+        assert_eq!(deviation([2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0].iter()), 2.0);
+        assert_eq!(column(&[1.0, 10.0, 2.0, 20.0, 6.0, 60.0], 2, 1).copied().collect::<Vec<_>>(), [10.0, 20.0, 60.0]);
+    }
+
+    /// Two particles in the box from −100 to 100: 2, 6 and −10, 30 have deviations of 2 and 20.
+    #[test]
+    fn the_spread_is_the_mean_deviation_as_a_share_of_the_box() {
+        let scene = shipped("sphere-2").unwrap();
+        let settings = Settings::new(crate::swarm::pso::ENTRY.parameters, scene.kind(), &Given::new()).unwrap();
+        let mut population = Population::new(encoding::objective(&scene, &settings).unwrap(), 2, &mut Stream::new(1, 0));
+        let search_box = population.objective.search_box();
+        assert_eq!((search_box.low[0], search_box.high[1]), (-100.0, 100.0));
+        population.x = vec![2.0, -10.0, 6.0, 30.0];
+        assert!((population.spread() - f64::midpoint(2.0 / 200.0, 20.0 / 200.0)).abs() < 1e-15, "{}", population.spread());
     }
 }

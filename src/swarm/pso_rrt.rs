@@ -25,7 +25,7 @@ use super::{
     flight::{Flight, Swarm},
     parameters::{
         BEST, C1, C2, COGNITIVE, EVALUATIONS, FREE, ITERATIONS, K, LAYERS, LENGTH, MEAN, OMEGA, PATHS, POPULATION, POSITION, RANDOM,
-        SMOOTHNESS, SOCIAL, STAGNATING, V_MAX, V_MAX_UNIT, VELOCITY, W,
+        SMOOTHNESS, SOCIAL, SPREAD, STAGNATING, V_MAX, V_MAX_UNIT, VELOCITY, W,
     },
     population::Population,
     schedule::{Law, Schedule},
@@ -105,6 +105,7 @@ pub const ENTRY: Entry = Entry {
     readings: &[
         BEST,
         MEAN,
+        SPREAD,
         FREE,
         LENGTH,
         SMOOTHNESS,

@@ -45,6 +45,13 @@ const CHOICE: Parameter = Parameter::choice(
     "How the sample is chosen that the tree grows toward. [ARM-RRT] describes both.",
 );
 
+const FALLBACK: Parameter = Parameter::flag(
+    "fallback",
+    "Random step",
+    true,
+    "Whether a step of plain RRT follows if no kept sample can be used, [ARM-RRT] step 2 (4).",
+);
+
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "rrt-guided",
@@ -55,7 +62,7 @@ pub const ENTRY: Entry = Entry {
     kinds: KINDS,
     stops: false,
     most_stops: None,
-    parameters: &with_finish!(ITERATIONS, STEP, SAMPLES, KEEP, CHOICE),
+    parameters: &with_finish!(ITERATIONS, STEP, SAMPLES, KEEP, CHOICE, FALLBACK),
     readings: READINGS,
     formulas: &[FORMULA_STEP, FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FITTED, HERMITE],
     layers: GUIDED_LAYERS,
@@ -70,7 +77,13 @@ pub const ENTRY: Entry = Entry {
 pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Guided>, Error> {
     let (samples, keep) = (settings.integer("samples") as usize, settings.integer("keep") as usize);
     let by = if settings.choice("choice") == "distance" { By::Distance } else { By::Angle };
-    super::grown(scene, settings, seed, 0.0, |_| Guided { samples, keep, by, order: Vec::with_capacity(samples) })
+    super::grown(scene, settings, seed, 0.0, |_| Guided {
+        samples,
+        keep,
+        by,
+        falls_back: settings.flag("fallback"),
+        order: Vec::with_capacity(samples),
+    })
 }
 
 #[derive(Clone)]
@@ -78,6 +91,8 @@ pub(super) struct Guided {
     samples: usize,
     keep: usize,
     by: By,
+    /// Whether a step of plain RRT follows when nothing can be chosen.
+    falls_back: bool,
     /// Angles with the goal's direction, or distances to the goal, and numbers of the samples; re-used.
     order: Vec<(f64, usize)>,
 }
@@ -87,7 +102,8 @@ impl<const N: usize> Method<N> for Guided {
         forest.begin(Source::Guided(self.by), 0);
         let near = forest.nearest_node;
         self.draw(forest, task, near, rng);
-        if let Some(new) = self.choose(forest, task, near, rng).or_else(|| plain(forest, task, rng)) {
+        let chosen = self.choose(forest, task, near, rng);
+        if let Some(new) = chosen.or_else(|| if self.falls_back { plain(forest, task, rng) } else { None }) {
             forest.reach(task, new);
         }
     }

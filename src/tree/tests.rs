@@ -152,6 +152,24 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
     }
 }
 
+#[test]
+fn without_the_fallback_no_step_is_plain() {
+    let scene = shipped("arm-cuboid").unwrap();
+    let given = [("fallback", "false".into())].into_iter().collect();
+    let settings = Settings::new(crate::catalogue::find("rrt-guided").unwrap().parameters, Kind::Arm, &given).unwrap();
+    let (mut guided, mut nothing) = (0, 0);
+    for seed in 0..10 {
+        let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();
+        while Planner::step(&mut grown) == Status::Running && grown.forest.trees[0].len() < 60 && guided + nothing < 4000 {
+            let last = &grown.forest.last;
+            assert!(!last.fell_back && last.samples.len() == 20);
+            guided += usize::from(last.added);
+            nothing += usize::from(!last.added);
+        }
+    }
+    assert!(guided > 10 && nothing > 100, "{guided} {nothing}");
+}
+
 /// [ARM-RRT] §3.2.1, checked with what the extension itself keeps of its samples.
 #[test]
 fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_double_back() {

@@ -31,6 +31,8 @@ pub(super) struct Follower<'a> {
     pub(super) hands: Vec<Hand>,
     pub(super) pointing: Pointing,
     pub(super) resolution: f64,
+    /// Whether a point without a posture is mirrored or drawn.
+    pub(super) replaces: bool,
     pub(super) tries: u64,
     pub(super) random: Stream,
 }
@@ -146,7 +148,7 @@ impl Follower<'_> {
         for (i, &station) in stations.iter().enumerate() {
             let is_first = i == 0;
             let mut found = self.next(i, station.at, &last, is_first);
-            if let (None, false, Some(after)) = (found, is_first, stations.get(i + 1)) {
+            if let (None, false, Some(after)) = (found, is_first, stations.get(i + 1).filter(|_| self.replaces)) {
                 found = self.next(i, mirrored(stations[i - 1].at, station.at, after.at), &last, false);
                 followed.mirrored += u64::from(found.is_some());
             }

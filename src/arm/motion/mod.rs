@@ -119,5 +119,7 @@ fn follower<'a>(scene: &'a ArmScene, settings: &Settings, links: Links<'a>, poin
         _ => Pointing::Free,
     };
     let hands = holding.hands();
-    Follower { scene, links, holding, hands, pointing, resolution: settings.number("resolution"), tries: settings.integer("tries"), random }
+    let replaces = settings.flag("replacement");
+    let tries = if replaces { settings.integer("tries") } else { 0 };
+    Follower { scene, links, holding, hands, pointing, resolution: settings.number("resolution"), replaces, tries, random }
 }

@@ -78,13 +78,20 @@ const PARAMETERS: &[Parameter] = &[
         "The links are that thick, in metres. Published: none, only the skeleton.",
     )
     .slider(0.0, 0.1, false),
+    Parameter::flag(
+        "replacement",
+        "Replace points",
+        true,
+        "Whether a point without a posture is mirrored or drawn at random, [ARM-RRT] steps 4 and 6. Off: the motion ends there.",
+    ),
     Parameter::integer(
         "tries",
         "",
         "Tries",
         [0, 100_000, 1000],
         "How often joints are drawn at random for a point without a posture before the motion ends there. The paper sets no limit.",
-    ),
+    )
+    .when("replacement", "true"),
     Parameter::number(
         "speed",
         "\\kappa",

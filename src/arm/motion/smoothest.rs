@@ -159,7 +159,7 @@ impl Follower<'_> {
         let (mut layers, mut mirrors) = (Vec::new(), 0);
         for (i, station) in stations.iter().enumerate() {
             let mut postures = self.safe(i, station.at, &hands, &home);
-            if let (true, true, Some(after)) = (postures.is_empty(), i > 0, stations.get(i + 1)) {
+            if let (true, true, Some(after)) = (postures.is_empty(), i > 0, stations.get(i + 1).filter(|_| self.replaces)) {
                 postures = self.safe(i, mirrored(stations[i - 1].at, station.at, after.at), &hands, &home);
                 mirrors += u64::from(!postures.is_empty());
             }

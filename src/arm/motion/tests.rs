@@ -212,6 +212,9 @@ fn a_point_without_a_posture_is_mirrored_and_then_drawn() {
         let without = follow(&two, &path, &pairs(0.0));
         assert_eq!((rows(&without).len(), without.outcome.arrived), (1, false));
         assert!(without.outcome.trouble.unwrap().starts_with("point 2 of 3, (0.7500, 0.6500, 0.3000)"));
+        // Without replacement the motion ends even where a mirror image could be reached.
+        let ended = follow(&one, &path, &[pairs(1000.0)[0].clone(), pairs(0.0)[1].clone(), ("replacement", "false".into())]);
+        assert_eq!((rows(&ended).len(), ended.outcome.mirrored, ended.outcome.arrived), (1, 0, false));
     }
 }
 
@@ -257,7 +260,8 @@ fn every_parameter_has_both_its_ends() {
             Domain::Number { min, max, .. } => vec![min.into(), max.into()],
             Domain::Integer { min, max, .. } => vec![(min as f64).into(), (max as f64).into()],
             Domain::Choice { options } => options.iter().map(|option| option.value.into()).collect(),
-            _ => Vec::new(),
+            Domain::Flag { .. } => vec!["true".into(), "false".into()],
+            Domain::Subset { .. } => Vec::new(),
         };
         assert!(!values.is_empty());
         for value in values {

@@ -3,10 +3,13 @@
 use crate::{
     frame::Role,
     planner::{Column, Inspection, Item},
-    swarm::tell::{Label, arrows, column as head, mark, particle, quantities, sheet},
+    swarm::{
+        population::{column, deviation},
+        tell::{Label, arrows, column as head, mark, particle, quantities, sheet},
+    },
 };
 
-use super::{Leap, Quantum, Watch, column, deviation};
+use super::{Leap, Quantum, Watch};
 
 const LEAPT: [Label; 13] = [
     ("alpha", "\\alpha", "contraction–expansion"),
@@ -91,7 +94,7 @@ impl Quantum {
         told.values
             .extend(quantities(&LEAPT, &[after.width, c1, c2, r1, r2, phi, p[0], now.g[0], attractor[0], after.m[0], u, sign, x[0]]));
         told.values.extend(quantities(&LANDED, &[to]));
-        if self.adaptive {
+        if self.adaptive.is_some() {
             told.formulas.extend(["ip", "gs"]);
             let sigma = |rows| deviation(column(rows, n, 0));
             let numbers = [after.ip[i], now.g_cost, now.p_cost[i], after.gs[0], sigma(&now.p), sigma(&now.x)];

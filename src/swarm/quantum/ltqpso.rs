@@ -2,18 +2,22 @@
 
 use crate::{
     catalogue::{Entry, Formula},
+    params::{Choice, Parameter, Settings},
     swarm::{
         encoding::with_paths,
         parameters::{
             BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, PARTICLES, PERSONAL_BESTS, SMOOTHED,
-            SMOOTHNESS,
+            SMOOTHNESS, SPREAD,
         },
     },
 };
 
-use super::parameters::{
-    ALPHA, ALPHA_END, ALPHA_START, ATTRACTORS, C1, C2, GS, IP, ITERATIONS, MEAN, MEAN_BEST, PHI, POPULATION, SELECTED, SELECTED_LAYER,
-    WIDTH, suggest,
+use super::{
+    Adaptation,
+    parameters::{
+        ALPHA, ALPHA_END, ALPHA_START, ATTRACTORS, C1, C2, GS, IP, ITERATIONS, MEAN, MEAN_BEST, PHI, POPULATION, SELECTED, SELECTED_LAYER,
+        WIDTH, suggest,
+    },
 };
 
 const ATTRACTOR: Formula = Formula::of_item(
@@ -34,11 +38,36 @@ const EVOLUTION: Formula =
     Formula::of_item("ip", "[LTQPSO] (5)", "Evolution speed", "ip_i = \\frac{F(G)}{F(P_i)}", "ip = \\frac{@f_g@}{@f_p@} = @ip@");
 const DISPERSION: Formula = Formula::of_item(
     "gs",
-    "[LTQPSO] (6), at most 1",
+    "[LTQPSO] (6)",
     "Dispersion",
     "gs_j = \\frac{\\sigma(P_{\\cdot j})}{\\sigma(X_{\\cdot j})}",
     "gs = \\frac{@sigma_p@}{@sigma_x@} \\;\\to\\; @gs@",
 );
+
+const EVOLVE: Parameter = Parameter::flag("evolution", "Evolution speed", true, "Whether ip scales the pull, (5) and (7). Off: ip = 1.");
+const DISPERSE: Parameter = Parameter::choice(
+    "dispersion",
+    "",
+    "Dispersion",
+    &[
+        Choice { value: "capped", title: "At most 1", help: "gs of (6), at most 1, as the paper’s fig. 1 shows it." },
+        Choice { value: "uncapped", title: "As printed", help: "gs of (6); it may exceed 1." },
+        Choice { value: "off", title: "Off", help: "gs = 1." },
+    ],
+    "How gs scales the leap, (6) and (9).",
+);
+const SELECT: Parameter =
+    Parameter::flag("selection", "Natural selection", true, "Whether the better half’s positions replace those of the worse half.");
+
+/// The parts that are switched on.
+pub(super) fn adaptation(settings: &Settings) -> Adaptation {
+    let most_dispersion = match settings.choice("dispersion") {
+        "capped" => Some(1.0),
+        "uncapped" => Some(f64::INFINITY),
+        _ => None,
+    };
+    Adaptation { evolution: settings.flag("evolution"), most_dispersion, selection: settings.flag("selection") }
+}
 
 /// See the module.
 pub const ENTRY: Entry = Entry {
@@ -48,8 +77,8 @@ pub const ENTRY: Entry = Entry {
     source: "[LTQPSO] §2.2",
     summary: "A quantum swarm whose pull follows each particle’s evolution speed and whose leaps follow the swarm’s dispersion; the better half then takes the worse half’s places.",
     kinds: KINDS,
-    parameters: with_paths![POPULATION, ITERATIONS, ALPHA_START, ALPHA_END, C1, C2],
-    readings: &[BEST, MEAN_COST, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS],
+    parameters: with_paths![POPULATION, ITERATIONS, ALPHA_START, ALPHA_END, C1, C2, EVOLVE, DISPERSE, SELECT],
+    readings: &[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS],
     formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN],
     layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, SELECTED_LAYER, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],
     stops: false,
@@ -58,5 +87,5 @@ pub const ENTRY: Entry = Entry {
     events: &[],
     presets: &[],
     suggest,
-    start: |scene, settings, seed| super::start(scene, settings, seed, true),
+    start: |scene, settings, seed| super::start(scene, settings, seed, Some(adaptation(settings))),
 };

@@ -26,13 +26,24 @@ use super::{
     clock::Clock,
     draw::CONTEXT,
     encoding,
-    population::{Population, of_population},
+    population::{Population, column, deviation, of_population},
     schedule::Law,
     tell,
 };
 
+/// What `ltqpso` adds to the leap. Each part can be switched off.
+#[derive(Debug, Clone, Copy)]
+struct Adaptation {
+    /// Whether evolution speed scales the pull, (5) and (7).
+    evolution: bool,
+    /// The largest dispersion gs of (6); `None`: gs is 1.
+    most_dispersion: Option<f64>,
+    /// Whether natural selection follows.
+    selection: bool,
+}
+
 /// Starts a quantum swarm on whatever kind of scene it is given.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: bool) -> Result<Box<dyn session::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: Option<Adaptation>) -> Result<Box<dyn session::AnyPlanner>, Error> {
     let mut rng = Stream::new(seed, 0);
     let population = Population::new(encoding::objective(scene, settings)?, settings.integer("population") as usize, &mut rng);
     Ok(Box::new(Quantum::new(population, settings, rng, adaptive)))
@@ -46,7 +57,7 @@ struct Quantum {
     c: [f64; 2],
     alpha: Law,
     /// Evolution speed, dispersion and natural selection, (5)–(9).
-    adaptive: bool,
+    adaptive: Option<Adaptation>,
     /// α of the step that led here (of the first step, before it).
     width: f64,
     /// Evolution speed of each particle, (5); 1 without it.
@@ -88,7 +99,7 @@ trait Watch {
 impl Watch for () {}
 
 impl Quantum {
-    fn new(population: Population, settings: &Settings, rng: Stream, adaptive: bool) -> Self {
+    fn new(population: Population, settings: &Settings, rng: Stream, adaptive: Option<Adaptation>) -> Self {
         let (size, dimension) = (population.size, population.dimension);
         let mut swarm = Self {
             c: [settings.number("c1"), settings.number("c2")],
@@ -122,7 +133,7 @@ impl Quantum {
             self.population.evaluate(i);
         }
         self.population.settle();
-        if self.adaptive {
+        if self.adaptive.is_some_and(|parts| parts.selection) {
             self.select();
         }
         self.clock.tick(self.population.bests());
@@ -132,10 +143,13 @@ impl Quantum {
     fn prepare(&mut self) {
         let population = &self.population;
         mean(&population.p, &mut self.m);
-        if self.adaptive {
+        let Some(Adaptation { evolution, most_dispersion, .. }) = self.adaptive else { return };
+        if evolution {
             self.ip.iter_mut().zip(&population.p_cost).for_each(|(ip, &cost)| *ip = evolution_speed(population.g_cost, cost));
+        }
+        if let Some(most) = most_dispersion {
             for (j, gs) in self.gs.iter_mut().enumerate() {
-                *gs = dispersion(column(&population.p, population.dimension, j), column(&population.x, population.dimension, j));
+                *gs = dispersion(column(&population.p, population.dimension, j), column(&population.x, population.dimension, j)).min(most);
             }
         }
     }
@@ -187,23 +201,11 @@ fn evolution_speed(global: f64, personal: f64) -> f64 {
     if personal == 0.0 { 1.0 } else { math::limit(global / personal, 0.0, 1.0) }
 }
 
-/// gs = σ(P) / σ(X), (6): how scattered the personal bests are beside the positions, in one coordinate. Reading: a zero
-/// denominator gives 1, and it is at most 1.
+/// gs = σ(P) / σ(X), (6): how scattered the personal bests are compared with the positions, in one coordinate. Reading: a zero
+/// denominator gives 1.
 fn dispersion<'a>(p: impl Iterator<Item = &'a f64> + Clone, x: impl Iterator<Item = &'a f64> + Clone) -> f64 {
     let around = deviation(x);
-    if around == 0.0 { 1.0 } else { (deviation(p) / around).min(1.0) }
-}
-
-/// The standard deviation over the particles.
-fn deviation<'a>(numbers: impl Iterator<Item = &'a f64> + Clone) -> f64 {
-    let (count, sum) = numbers.clone().fold((0.0, 0.0), |(count, sum), x| (count + 1.0, sum + x));
-    let mean = sum / count;
-    (numbers.map(|x| (x - mean) * (x - mean)).sum::<f64>() / count).sqrt()
-}
-
-/// Coordinate `j` of all rows.
-fn column(rows: &[f64], dimension: usize, j: usize) -> impl Iterator<Item = &f64> + Clone {
-    rows[j..].iter().step_by(dimension)
+    if around == 0.0 { 1.0 } else { deviation(p) / around }
 }
 
 /// m_j = the mean of coordinate j over all rows, (8).
@@ -223,7 +225,7 @@ impl Planner for Quantum {
         self.population.read(out);
         out.push("k", self.clock.iteration.saturating_sub(1) as f64);
         out.push("alpha", self.width);
-        if self.adaptive {
+        if self.adaptive.is_some() {
             out.push("ip", self.ip.iter().sum::<f64>() / self.ip.len() as f64);
             out.push("gs", self.gs.iter().sum::<f64>() / self.gs.len() as f64);
             out.push("selected", self.replaced.iter().flatten().count() as f64);
@@ -234,7 +236,7 @@ impl Planner for Quantum {
     fn draw(&self, frame: &mut Frame) {
         let population = &self.population;
         population.draw_members(frame);
-        if self.adaptive {
+        if self.adaptive.is_some() {
             population.draw(frame, Role::Selected, &population.x, |i| self.replaced[i].is_some(), |_| 0.0, 1);
         }
         population.draw(frame, Role::Attractors, &self.attractors, |_| true, |_| 0.0, CONTEXT);
@@ -281,11 +283,9 @@ mod tests {
     fn dispersion_is_the_ratio_of_deviations_6() {
         // σ of 1, 3 is 1; of 0, 8 it is 4.
         assert_eq!(dispersion([1.0, 3.0].iter(), [0.0, 8.0].iter()), 0.25);
-        assert_eq!(dispersion([0.0, 8.0].iter(), [1.0, 3.0].iter()), 1.0, "reading: at most 1");
+        assert_eq!(dispersion([0.0, 8.0].iter(), [1.0, 3.0].iter()), 4.0);
         assert_eq!(dispersion([1.0, 3.0].iter(), [5.0, 5.0].iter()), 1.0, "reading: a zero denominator");
         assert_eq!(dispersion([1.0].iter(), [5.0].iter()), 1.0);
-        // σ of 2, 4, 4, 4, 5, 5, 7, 9 is 2.
-        assert_eq!(deviation([2.0, 4.0, 4.0, 4.0, 5.0, 5.0, 7.0, 9.0].iter()), 2.0);
     }
 
     #[test]
@@ -293,17 +293,18 @@ mod tests {
         let mut m = [9.0; 2];
         mean(&[1.0, 10.0, 2.0, 20.0, 6.0, 60.0], &mut m);
         assert_eq!(m, [3.0, 30.0]);
-        assert_eq!(column(&[1.0, 10.0, 2.0, 20.0, 6.0, 60.0], 2, 1).copied().collect::<Vec<_>>(), [10.0, 20.0, 60.0]);
     }
 
-    fn swarm(population: f64, adaptive: bool) -> Quantum {
-        let entry = if adaptive { ltqpso::ENTRY } else { qpso::ENTRY };
+    /// `parts`: the planner is ltqpso, with these parameters.
+    fn swarm(population: f64, parts: Option<&[(&str, &str)]>) -> Quantum {
+        let entry = if parts.is_some() { ltqpso::ENTRY } else { qpso::ENTRY };
         let scene = crate::shipped("sphere").unwrap();
-        let given = [("population", population.into())].into_iter().collect();
+        let mut given: crate::Given = [("population", population.into())].into_iter().collect();
+        parts.into_iter().flatten().for_each(|&(name, value)| given.insert(name, value.into()));
         let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
         let mut rng = Stream::new(4, 0);
         let population = Population::new(encoding::objective(&scene, &settings).unwrap(), population as usize, &mut rng);
-        Quantum::new(population, &settings, rng, adaptive)
+        Quantum::new(population, &settings, rng, parts.map(|_| ltqpso::adaptation(&settings)))
     }
 
     /// (22), (7) and (9) with the numbers that were drawn, by hand.
@@ -319,8 +320,17 @@ mod tests {
                 self.0.push(leap);
             }
         }
-        for adaptive in [false, true] {
-            let mut swarm = swarm(6.0, adaptive);
+        // qpso, and ltqpso with its parts, without a cap of gs, and without each part.
+        let uncapped: &[_] = &[("dispersion", "uncapped")];
+        let without: &[_] = &[("evolution", "false"), ("dispersion", "off"), ("selection", "false")];
+        for (parts, evolves, most) in [
+            (None, false, None),
+            (Some(&[][..]), true, Some(1.0)),
+            (Some(uncapped), true, Some(f64::INFINITY)),
+            (Some(&[("evolution", "false")]), false, Some(1.0)),
+            (Some(without), false, None),
+        ] {
+            let mut swarm = swarm(6.0, parts);
             swarm.advance(&mut ());
             let before = swarm.clone();
             let mut seen = Seen::default();
@@ -328,7 +338,7 @@ mod tests {
             let Population { x, p, g, p_cost, g_cost, .. } = &before.population;
             let row = before.population.row(3);
             let alpha = 1.0 - 0.5 * (1.0 / before.clock.limit as f64);
-            let ip = if adaptive { g_cost / p_cost[3] } else { 1.0 };
+            let ip = if evolves { g_cost / p_cost[3] } else { 1.0 };
             for (j, leap) in seen.0.iter().enumerate() {
                 let at = row.start + j;
                 let phi = 2.0 * leap.r[0] / (2.0 * leap.r[0] + 2.1 * leap.r[1]);
@@ -339,19 +349,21 @@ mod tests {
                     (v.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / 6.0).sqrt()
                 };
                 let m = of(p).iter().sum::<f64>() / 6.0;
-                let gs = if adaptive { (sigma(of(p)) / sigma(of(x))).min(1.0) } else { 1.0 };
+                let gs = most.map_or(1.0, |most| (sigma(of(p)) / sigma(of(x))).min(most));
                 let to = attractor + leap.sign * alpha * gs * (m - x[at]).abs() * math::ln(1.0 / leap.u);
                 assert!((leap.to - to.clamp(-100.0, 100.0)).abs() < 1e-9, "{} is not {to}", leap.to);
                 assert!((swarm.attractors[at] - attractor).abs() < 1e-9);
             }
             assert_eq!(seen.0.len(), 10);
+            let selects = parts.is_some_and(|parts| parts != without);
+            assert_eq!(swarm.replaced.iter().flatten().count(), if selects { 3 } else { 0 });
         }
     }
 
     #[test]
     fn the_best_half_overwrites_the_worst_half_and_bests_stay() {
         for size in [1.0, 2.0, 7.0, 8.0] {
-            let mut swarm = swarm(size, true);
+            let mut swarm = swarm(size, Some(&[]));
             let n = size as usize;
             swarm.population.cost = (0..n).map(|i| ((i * 5) % n) as f64).collect();
             let before = swarm.population.clone();

@@ -65,7 +65,7 @@ pub(super) const GS: Reading = Reading::new(
     "\\overline{gs}",
     "Dispersion",
     Group::Schedule,
-    "The mean of σ(P) / σ(X) over the coordinates, (6): how scattered the personal bests are beside the positions, at most 1.",
+    "The mean of σ(P) / σ(X) over the coordinates, (6): how scattered the personal bests are compared with the positions.",
 );
 pub(super) const SELECTED: Reading =
     Reading::new("selected", "n_r", "Replaced", Group::Count, "Particles whose position natural selection replaced in this iteration.");

@@ -6,7 +6,7 @@ use crate::{
         encoding::with_paths,
         parameters::{
             BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, PARTICLES, PERSONAL_BESTS, SMOOTHED,
-            SMOOTHNESS,
+            SMOOTHNESS, SPREAD,
         },
     },
 };
@@ -37,7 +37,7 @@ pub const ENTRY: Entry = Entry {
     summary: "No velocity: each particle leaps about a point between its own best and the swarm’s, the wider the farther it is from the mean of all bests.",
     kinds: KINDS,
     parameters: with_paths![POPULATION, ITERATIONS, ALPHA_START, ALPHA_END, C1, C2],
-    readings: &[BEST, MEAN_COST, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS],
+    readings: &[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS],
     formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, MEAN],
     layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],
     stops: false,
@@ -46,5 +46,5 @@ pub const ENTRY: Entry = Entry {
     events: &[],
     presets: &[],
     suggest,
-    start: |scene, settings, seed| super::start(scene, settings, seed, false),
+    start: |scene, settings, seed| super::start(scene, settings, seed, None),
 };
