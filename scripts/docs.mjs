@@ -221,14 +221,23 @@ function reproduction(name) {
   return tables.join('\n\n')
 }
 
-/** The claims of a reproduction, as REPRODUCTION.md decides them. */
-function claims(name) {
-  const [, section] = read('REPRODUCTION.md').split(new RegExp(`^### ${name}\\b.*$`, 'm'))
-  if (section === undefined) throw new Error(`REPRODUCTION.md has no section ${name}`)
-  const found = section.split(/^##+ /m)[0].matchAll(/^- (.+): (yes|no|not decided|undecided|upheld|refuted)(?: \((.*)\))?$/gim)
-  const rows = [...found].map(([, claim, verdict, evidence = '']) => [escaped(claim), verdict.toLowerCase(), escaped(evidence)])
-  if (!rows.length) throw new Error(`REPRODUCTION.md: no claims in the section ${name}`)
-  return table(['claim', 'holds here', 'evidence'], rows)
+const CLAIM_MARKS = ['upheld', 'refuted', 'undecided']
+
+/** A paper's claims with their marks; without a paper, how many of each have which mark. */
+function claims(paper) {
+  const { papers, claims: all } = JSON.parse(read('REPRODUCTION.claims.json'))
+  const count = (of) => [of.length, ...CLAIM_MARKS.map((mark) => of.filter((claim) => claim.mark === mark).length)].map(String)
+  if (paper === undefined)
+    return table(
+      ['paper', 'claims', ...CLAIM_MARKS],
+      [...papers.map(({ tag }) => [`[${tag}]`, ...count(all.filter((claim) => claim.paper === tag))]), ['all', ...count(all)]],
+    )
+  const mine = all.filter((claim) => claim.paper.toLowerCase() === paper)
+  if (!mine.length) throw new Error(`REPRODUCTION.claims.json has no claims of ${paper}`)
+  return table(
+    ['claim', 'mark', 'why'],
+    mine.map(({ id, says, mark, because }) => [`${id}: ${escaped(says)}`, mark, escaped(because)]),
+  )
 }
 
 /** The names that `forage reproduce` knows, from its help. */

@@ -2,14 +2,15 @@ import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { parse } from 'csv-parse/sync'
 import type { Plugin } from 'vite'
-import { ANSWERS, type Check, COLUMNS, KINDS, MARKS, NUMBERS, type Paper, PAPERS, type Row, WORDS } from '../src/papers/row.ts'
+import { claimsOf } from '../src/papers/claims.ts'
+import { COLUMNS, KINDS, MARKS, NUMBERS, PAPERS, type Row, WORDS } from '../src/papers/row.ts'
 
 const ID = 'virtual:reproduction'
 const RESOLVED = `\0${ID}`
 
 /**
- * Provides `virtual:reproduction`: what `forage reproduce` wrote, the figures' rows and the claims that it checked.
- * @param folder where REPRODUCTION.csv and REPRODUCTION.md are
+ * Provides `virtual:reproduction`: what `forage reproduce` wrote, the figures' rows, the papers and their claims.
+ * @param folder where REPRODUCTION.csv and REPRODUCTION.claims.json are
  */
 export function reproduction(folder: string): Plugin {
   return {
@@ -17,9 +18,15 @@ export function reproduction(folder: string): Plugin {
     resolveId: (id) => (id === ID ? RESOLVED : undefined),
     async load(id) {
       if (id !== RESOLVED) return undefined
-      const [rows, checks] = await Promise.all([reading(folder, 'REPRODUCTION.csv', rowsOf), reading(folder, 'REPRODUCTION.md', checksOf)])
-      for (const { path } of [rows, checks]) this.addWatchFile(path)
-      return [`export const rows = ${JSON.stringify(rows.found)}`, `export const checks = ${JSON.stringify(checks.found)}`].join('\n')
+      const [rows, claimed] = await Promise.all([
+        reading(folder, 'REPRODUCTION.csv', rowsOf),
+        reading(folder, 'REPRODUCTION.claims.json', claimsOf),
+      ])
+      for (const { path } of [rows, claimed]) this.addWatchFile(path)
+      const { papers, claims } = claimed.found
+      return Object.entries({ rows: rows.found, papers, claims })
+        .map(([name, value]) => `export const ${name} = ${JSON.stringify(value)}`)
+        .join('\n')
     },
   }
 }
@@ -68,33 +75,4 @@ export function rowsOf(text: string, file: string): Row[] {
     const lower_is_better = given.lower_is_better === 'yes'
     return { ...words, lower_is_better, ...Object.fromEntries(numbers), marks: Object.fromEntries(marks) } as Row
   })
-}
-
-/** What follows is of no paper. */
-const BEYOND = '\n## Beyond the papers\n'
-const HEADING = /^### ([\w-]+): .*?\[([A-Z-]+)\]/
-const CHECK = new RegExp(`^- (.+): (${ANSWERS.join('|')}) \\((.*)\\)$`)
-
-/**
- * The claims of the report and what came of them: its lines `- claim: yes (numbers)`, below the heading of a reproduction.
- * @param file its name, for what is wrong with it
- */
-export function checksOf(text: string, file: string): Check[] {
-  const found: Check[] = []
-  let of: { reproduction: string; paper: Paper } | undefined
-  const [papers = ''] = text.split(BEYOND)
-  for (const line of papers.split('\n')) {
-    if (line.startsWith('### ')) {
-      const [, name, tag] = HEADING.exec(line) ?? []
-      const paper = PAPERS.find((known) => known === tag)
-      if (!name || !paper) throw new Error(`${file}: the heading “${line}” names no reproduction of ${PAPERS.join(', ')}`)
-      of = { reproduction: name, paper }
-    }
-    const [, claim, told, because] = CHECK.exec(line) ?? []
-    const answer = ANSWERS.find((known) => known === told)
-    if (claim && answer && because !== undefined && of) found.push({ ...of, claim, answer, because })
-  }
-  const missing = PAPERS.filter((paper) => !found.some((check) => check.paper === paper))
-  if (missing.length > 0) throw new Error(`${file} checks no claim of ${missing.join(', ')}`)
-  return found
 }

@@ -1,11 +1,12 @@
 import { readFileSync } from 'node:fs'
 import type { Locator } from '@playwright/test'
-import { catalogue, type ParameterValue, parseLink } from '../../pkg/node.js'
-import { checksOf, rowsOf } from '../plugins/reproduction'
+import { parseLink } from '../../pkg/node.js'
+import { rowsOf } from '../plugins/reproduction'
 import { papers as text } from '../src/i18n/papers.en'
 import { number } from '../src/panels/format'
+import { ANSWERS, CLAIM_MARKS, claimsOf, marked } from '../src/papers/claims'
 import { runOf } from '../src/papers/commands'
-import { groupsOf, ours, published, tally, together } from '../src/papers/figures'
+import { groupsOf, homesOf, ours, published } from '../src/papers/figures'
 import { KINDS, MARKS, NUMBERS, PAPERS, type Row } from '../src/papers/row'
 import { violations } from './support/axe'
 import { hashOf, trialOf } from './support/core'
@@ -13,21 +14,29 @@ import { en, expect, type Lab, test } from './support/lab'
 import { Race } from './support/race'
 
 const FILE = 'REPRODUCTION.csv'
-const REPORT = 'REPRODUCTION.md'
-const [source, report] = [FILE, REPORT].map((name) => readFileSync(new URL(`../../${name}`, import.meta.url), 'utf8')) as [string, string]
+const CLAIMS = 'REPRODUCTION.claims.json'
+const [source, claimed] = [FILE, CLAIMS].map((name) => readFileSync(new URL(`../../${name}`, import.meta.url), 'utf8')) as [string, string]
 const rows = rowsOf(source, FILE)
-const checks = checksOf(report, REPORT)
+const { papers, claims } = claimsOf(claimed, CLAIMS)
 
 /** The view, with the planners there. */
 async function open(lab: Lab): Promise<void> {
   await lab.open('#view=papers')
-  await expect(lab.page.getByTestId('open-run').first()).toBeVisible()
+  await expect(lab.page.getByTestId('claim-W1')).toBeVisible()
+  await expect(lab.page.getByTestId('view-stage')).toBeVisible()
+}
+
+/** A claim with its questions. */
+async function openClaim(lab: Lab, id: string): Promise<Locator> {
+  const claim = lab.page.getByTestId(`claim-${id}`)
+  await turned(claim, true)
+  return claim
 }
 
 async function openAll(lab: Lab): Promise<void> {
-  for (const group of await lab.page.locator('[data-testid^="group-"], [data-testid^="checks-"]').all()) {
-    await turned(group, true)
-  }
+  // Tables of figures are inside claims.
+  for (const parts of ['[data-testid^="claim-"]', '[data-testid^="group-"]'])
+    for (const part of await lab.page.locator(parts).all()) await turned(part, true)
 }
 
 /** Opens or closes a part. */
@@ -35,24 +44,27 @@ async function turned(part: Locator, open: boolean): Promise<void> {
   if ((await part.evaluate((node: HTMLDetailsElement) => node.open)) !== open) await part.locator('> summary').click()
 }
 
-test('every paper has a card with its citation, its claims, experiments and how many figures have which mark', {
-  tag: '@smoke',
-}, async ({ lab, page }) => {
+test('every paper has a card with its title, authors, claims and their marks', { tag: '@smoke' }, async ({ lab, page }) => {
   await open(lab)
   await expect(page.getByRole('article')).toHaveCount(PAPERS.length)
-  for (const paper of PAPERS) {
-    const card = page.getByTestId(`paper-${paper}`)
-    const { title, citation, claims } = text.cards[paper]
-    await expect(card.getByRole('heading', { name: title })).toBeVisible()
-    await expect(card).toContainText(citation)
-    await expect(card.getByTestId('claims').getByRole('listitem')).toHaveText([...claims])
-    expect(await card.getByTestId('open-run').count()).toBeGreaterThan(0)
-    const mine = rows.filter((row) => row.paper === paper)
-    if (mine.length === 0) await expect(card.getByTestId('summary')).toHaveText(text.none)
-    else
-      for (const [mark, count] of tally(mine, 'value'))
-        await expect(card.getByTestId('summary')).toContainText(text.count(number(count), text.mark('value', mark)))
+  await expect(page.getByTestId('headline')).toContainText(text.headline(number(claims.length), number(rows.length)))
+  for (const { tag, title, english, authors, reference, pictures } of papers) {
+    const card = page.getByTestId(`paper-${tag}`)
+    for (const part of [title ?? english, english]) await expect(card.getByRole('heading', { level: 3 })).toContainText(part)
+    for (const part of [...(authors ?? []), reference]) await expect(card.getByTestId('citation')).toContainText(part)
+    const mine = claims.filter(({ paper }) => paper === tag)
+    for (const [mark, count] of marked(mine))
+      await expect(card.getByTestId('summary')).toContainText(text.count(number(count), text.mark('claim', mark)))
+    await expect(card.locator('[data-testid^="claim-"]')).toHaveCount(mine.length)
+    for (const { id, says, mark } of mine) {
+      const summary = card.getByTestId(`claim-${id}`).locator('> summary')
+      await expect(summary).toContainText(text.mark('claim', mark))
+      await expect(summary).toContainText(`${id} ${says}`)
+    }
+    await expect(card.getByTestId('pictures').getByRole('listitem')).toHaveCount(pictures.length)
   }
+  const total = page.getByTestId('overview').locator('tfoot td.number')
+  await expect(total).toHaveText(marked(claims).map(([, count]) => number(count)))
 })
 
 /** The marks of a row, in words: all of them, or without those that say nothing new. */
@@ -67,7 +79,11 @@ test('the figures are those of the file, published beside ours, with marks, reas
   await openAll(lab)
   for (const paper of PAPERS) {
     const shown = page.getByTestId(`paper-${paper}`).locator('[data-testid^="group-"]')
-    const groups = groupsOf(rows, paper)
+    const all = groupsOf(rows, paper)
+    // In the order of the claims at which they are shown; those of none come last.
+    const mine = claims.filter((claim) => claim.paper === paper)
+    const homes = homesOf(all, mine)
+    const groups = [...mine.map(({ id }) => id), undefined].flatMap((claim) => all.filter(({ id }) => homes.get(id) === claim))
     await expect(shown).toHaveCount(groups.length)
     for (const [k, { table, reproduction, rows: expected }] of groups.entries()) {
       const group = shown.nth(k)
@@ -106,128 +122,68 @@ test('the figures are those of the file, published beside ours, with marks, reas
       }
     }
   }
-  const total = page.getByTestId('overview').locator('tfoot td.number')
-  await expect(total).toHaveText(MARKS.value.map((mark) => number(rows.filter((row) => row.marks.value?.mark === mark).length)))
 })
 
-test('what a paper claims stands with what the report says of it', async ({ lab, page }) => {
+test('a claim has its quotation, its reason and its questions, with tests and answers', async ({ lab, page }) => {
   await open(lab)
-  for (const paper of PAPERS) {
-    const mine = checks.filter((check) => check.paper === paper)
-    expect(mine.length).toBeGreaterThan(0)
-    for (const [reproduction, some] of together(mine, (check) => check.reproduction)) {
-      const group = page.getByTestId(`paper-${paper}`).getByTestId(`checks-${reproduction}`)
-      await expect(group.locator('> summary')).toContainText(
-        text.checks.hold(number(some.filter(({ answer }) => answer === 'yes').length), number(some.length)),
-      )
-      await group.locator('> summary').click()
-      const told = await group.getByTestId('check').allInnerTexts()
-      expect(told.map((line) => line.replaceAll(/\s+/g, ' ').trim())).toEqual(
-        some.map(({ answer, claim, because }) => `${text.checks.answers[answer]} ${claim} (${because})`),
-      )
+  for (const { id, quotation, place, because, reading, parts, mark } of claims) {
+    const claim = await openClaim(lab, id)
+    await expect(claim).toHaveAttribute('data-mark', mark)
+    await expect(claim.locator('blockquote')).toHaveText(quotation)
+    await expect(claim.locator('blockquote')).toHaveAttribute('lang', 'zh-CN')
+    await expect(claim).toContainText(text.place(place))
+    await expect(claim.getByTestId('because')).toContainText(`${because}. ${reading}`.trim())
+    const lines = claim.getByTestId('question')
+    await expect(lines).toHaveCount(parts.length)
+    const found = await lines.evaluateAll((rows) =>
+      rows.map((row) => ({ head: row.querySelector('th')?.textContent, answer: row.dataset.answer, words: row.textContent ?? '' })),
+    )
+    for (const [k, { question, numbers, test: name, answer, arms }] of parts.entries()) {
+      expect(found[k]).toMatchObject({ head: question, answer })
+      for (const part of [numbers, name, text.mark('answer', answer), ...arms.map(({ planner }) => planner)])
+        expect(found[k]?.words).toContain(part)
     }
+    await turned(page.getByTestId(`claim-${id}`), false)
   }
 })
 
-interface Opened {
-  experiment: string
-  scene: string
-  planner: string
-  params: Record<string, ParameterValue>
-  /** What the button says, where it is more than the planner. */
-  name?: string
-}
-
-const OPENED: Opened[] = [
-  { experiment: 'functions', scene: 'sphere', planner: 'wcpso', params: {} },
-  {
-    experiment: 'sixteen',
-    scene: 'qpso-10m',
-    planner: 'ltqpso',
-    params: { segments: 16, initial: 'normal', population: 52, iterations: 99 },
-  },
-  {
-    experiment: 'wolves',
-    scene: 'wolf-ant-20',
-    planner: 'aco',
-    params: { ants: 30, alpha: 1.5, beta: 8 },
-    name: 'aco, ants 30, alpha 1.5, beta 8',
-  },
-  { experiment: 'free', scene: 'arm-free', planner: 'rrt-guided', params: { step_size: 0.05 }, name: 'rrt-guided, step_size 0.05' },
-]
-
-for (const { experiment, scene, planner, params, name } of OPENED) {
-  test(`a preset opens ${planner} on ${scene} in the stage, as the paper ran it`, {
-    tag: experiment === 'functions' ? ['@smoke'] : [],
-  }, async ({ lab, page }) => {
-    await page.emulateMedia({ reducedMotion: 'reduce' })
-    await open(lab)
-    const line = page.getByTestId(`experiment-${experiment}`).locator(`[data-scene="${scene}"]`)
-    const title = catalogue().scenes.find((shipped) => shipped.name === scene)?.title ?? ''
-    await line.getByRole('button', { name: text.open(name ?? planner, title), exact: true }).click()
-    await expect(page.getByTestId('view-stage')).toHaveAttribute('aria-current', 'page')
-    await expect(page.getByTestId('view-stage')).toBeFocused()
-    await expect(lab.stage).toBeVisible()
-    const hash = await lab.settled(0)
-    expect(hash).toBe(hashOf({ planner, scene, params }, 0))
-    const link = parseLink(await lab.link(hash))
-    expect({ planner: link.planner, scene: link.scene.name, params: link.params, seed: link.seed }).toEqual({
-      planner,
-      scene,
-      params,
-      seed: 1,
-    })
-  })
-}
-
-test('a moving obstacle is seen with the seed that meets it', async ({ lab, page }) => {
+test('the runs of a question open in the stage, as a batch and as a race, with its parameters and seeds', async ({ lab, page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' })
   await open(lab)
-  await page.getByTestId('experiment-moving').getByTestId('open-run').first().click()
+  const claim = await openClaim(lab, 'W5')
+  const line = claim.getByTestId('question').first()
+  await expect(line.getByTestId('open-run')).toHaveText(['wcpso', /^wcpso, c1_law linear/])
+  await line.getByTestId('open-run').last().click()
+  await expect(page.getByTestId('view-stage')).toHaveAttribute('aria-current', 'page')
+  await expect(page.getByTestId('view-stage')).toBeFocused()
+  const params = { perturb: false, w_law: 'linear', c1_law: 'linear', c2_law: 'linear' }
   const link = parseLink(await lab.link(await lab.settled(0)))
-  expect([link.planner, link.scene.name, link.seed]).toEqual(['wolf-ant-drive', 'wolf-ant-20', 23])
-})
-
-test('an experiment becomes a batch, with the paper’s parameters and number of runs', async ({ lab, page }) => {
-  await open(lab)
-  await page.getByTestId('experiment-wolves').getByTestId('open-batch').click()
+  expect({ planner: link.planner, scene: link.scene.name, params: link.params, seed: link.seed }).toEqual({
+    planner: 'wcpso',
+    scene: 'sphere',
+    params,
+    seed: 51,
+  })
+  await page.getByTestId('view-papers').click()
+  await (await openClaim(lab, 'O1a')).getByTestId('open-batch').click()
   await expect(page.getByTestId('view-batch')).toHaveAttribute('aria-current', 'page')
-  await expect(page.getByTestId('entrant')).toHaveCount(3)
-  expect(
-    await page.getByTestId('entrant').evaluateAll((entrants) => entrants.map((entrant) => entrant.getAttribute('data-planner'))),
-  ).toEqual(['a-star', 'aco', 'aco-wolf'])
-  await expect(page.getByTestId('batch-from')).toHaveValue('1')
-  await expect(page.getByTestId('batch-count')).toHaveValue('30')
+  await expect(page.getByTestId('batch-from')).toHaveValue('51')
+  await expect(page.getByTestId('batch-count')).toHaveValue('100')
   await page.getByTestId('batch-count').fill('2')
   await page.getByTestId('batch-count').press('Enter')
   await page.getByTestId('batch-run').click()
-  await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-done', '6')
-  for (const seed of [1, 2]) {
-    const { hash } = trialOf({ planner: 'aco', scene: 'wolf-ant-20', params: { ants: 30, alpha: 1.5, beta: 8 }, seed }).record
-    await expect(page.locator(`[data-testid=batch-row][data-planner=aco][data-seed="${seed}"]`)).toHaveAttribute('data-hash', hash)
+  await expect(page.getByTestId('batch-bar')).toHaveAttribute('data-done', '2')
+  for (const seed of [51, 52]) {
+    const { hash } = trialOf({ planner: 'aco-wolf', scene: 'wolf-ant-20', params: { beta: 7, rho: 0.367 }, seed }).record
+    await expect(page.locator(`[data-testid=batch-row][data-seed="${seed}"]`)).toHaveAttribute('data-hash', hash)
   }
-})
-
-test('an experiment becomes a race, with the paper’s parameters', async ({ lab, page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' })
-  await open(lab)
-  await page.getByTestId('experiment-sixteen').getByTestId('open-race').click()
+  await page.getByTestId('view-papers').click()
+  await (await openClaim(lab, 'L2a')).getByTestId('open-race').first().click()
   await expect(page.getByTestId('view-race')).toHaveAttribute('aria-current', 'page')
   const race = new Race(page)
   await expect(race.lanes).toHaveCount(2)
-  for (const { planner, iteration, hash } of await race.standings()) {
-    const params = { segments: 16, initial: 'normal', population: 52, iterations: 99 }
-    expect(hash).toBe(hashOf({ planner, scene: 'qpso-10m', params }, iteration))
-  }
-  // The next one takes its place, and is found again.
-  await page.getByTestId('view-papers').click()
-  await page.getByTestId('experiment-colonies').getByTestId('open-race').click()
-  await expect(race.lanes).toHaveCount(3)
-  const before = await race.standings()
-  expect(before.map(({ planner }) => planner)).toEqual(['aco', 'aco-dijkstra', 'aco-direction'])
-  await page.getByTestId('view-papers').click()
-  await page.getByTestId('view-race').click()
-  expect(await race.standings()).toEqual(before)
+  for (const { planner, iteration, hash } of await race.standings())
+    expect(hash).toBe(hashOf({ planner, scene: 'sphere-4', params: { c1: 1 }, seed: 51 }, iteration))
 })
 
 test('a row’s own run opens in the stage, bit for bit what its command repeats', async ({ lab, page }) => {
@@ -239,8 +195,8 @@ test('a row’s own run opens in the stage, bit for bit what its command repeats
   if (!row || !expected) throw new Error('no such row')
   await page.emulateMedia({ reducedMotion: 'reduce' })
   await open(lab)
+  await openClaim(lab, 'L1a')
   const group = page.getByTestId(`group-${row.reproduction}`).and(page.locator(`[data-table="${row.table}"]`))
-  await turned(group, true)
   await group
     .locator('td.why button')
     .nth(rows.filter(({ table, reproduction }) => table === row.table && reproduction === row.reproduction).indexOf(row))
@@ -264,6 +220,7 @@ test('a command is copied, and it is told', async ({ lab, page, context }) => {
   await open(lab)
   const [row] = rows
   if (!row) throw new Error('no rows')
+  await openClaim(lab, 'W1')
   const group = page.locator('[data-testid^="group-"]').first()
   await turned(group, true)
   await group.getByRole('button', { name: text.why(`${row.row}, ${row.measure}`), exact: true }).click()
@@ -279,11 +236,12 @@ test('all of it works by keyboard', async ({ lab, page }) => {
   await open(lab)
   await page.getByRole('button', { name: text.goto('[WOLF-ANT]') }).focus()
   await page.keyboard.press('Enter')
-  const heading = page.getByRole('heading', { name: text.cards['WOLF-ANT'].title })
+  const heading = page.locator('#paper-WOLF-ANT')
   await expect(heading).toBeFocused()
   await expect(heading).toBeInViewport()
   await page.keyboard.press('Tab')
-  await expect(page.getByTestId('checks-wolf-ant').locator('> summary')).toBeFocused()
+  await expect(page.getByTestId('claim-O1a').locator('> summary')).toBeFocused()
+  await page.keyboard.press('Enter')
   const group = page.getByTestId('paper-WOLF-ANT').locator('[data-testid^="group-"]').first()
   await group.locator('> summary').focus()
   const was = await group.evaluate((node: HTMLDetailsElement) => node.open)
@@ -303,11 +261,12 @@ for (const colorScheme of ['light', 'dark'] as const) {
         page,
       }) => {
         await open(lab)
-        // A table and a list of claims are looked at, with a reason; the others are closed: axe takes its time.
-        const groups = await page.locator('[data-testid^="group-"]').all()
+        // A claim with its table is looked at, with a reason; the others are closed: axe takes its time.
+        const claim = await openClaim(lab, 'O1a')
+        const groups = await claim.locator('[data-testid^="group-"]').all()
         for (const group of groups) await turned(group, group === groups.at(-1))
         await groups.at(-1)?.locator('td.why button').first().click()
-        await turned(page.getByTestId('checks-arm-rrt'), true)
+        await turned(page.getByTestId('rule'), true)
         await expect(page.getByTestId('figure-more')).toHaveCount(1)
         expect(await violations(lab)).toEqual([])
         expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(viewport.width)
@@ -318,6 +277,9 @@ for (const colorScheme of ['light', 'dark'] as const) {
 
 test('the rule of every mark is told', async ({ lab, page }) => {
   await open(lab)
+  await turned(page.getByTestId('rule'), true)
+  await expect(page.getByTestId('rule').locator('[data-kind=answer]')).toHaveText(ANSWERS.map((mark) => text.mark('answer', mark)))
+  await expect(page.getByTestId('rule').locator('[data-kind=claim]')).toHaveText(CLAIM_MARKS.map((mark) => text.mark('claim', mark)))
   for (const kind of KINDS) {
     await expect(page.getByTestId('rule').getByRole('heading', { name: text.kinds[kind].title, exact: true })).toBeVisible()
     const shown = page.getByTestId('rule').locator(`[data-kind=${kind}]`)
@@ -329,9 +291,10 @@ test('the rule of every mark is told', async ({ lab, page }) => {
 test.describe('on a phone', () => {
   test.use({ viewport: screens.phone, hasTouch: true, isMobile: true })
 
-  test('nothing is too wide or too low, with everything open', { tag: '@smoke' }, async ({ lab, page }) => {
+  test('nothing is too wide or too low, with claims and tables open', { tag: '@smoke' }, async ({ lab, page }) => {
     await open(lab)
-    await openAll(lab)
+    for (const id of ['W5', 'L1a', 'A2a', 'R3a', 'O2a']) await openClaim(lab, id)
+    for (const group of await page.locator('[data-testid^="group-"]').all()) await turned(group, true)
     for (const all of await page.locator('main input[type=checkbox]').all()) await all.check()
     expect(await page.locator('main').evaluate((main) => main.scrollWidth)).toBeLessThanOrEqual(screens.phone.width)
     const wrong = await page.locator('main').evaluate((main) => {
@@ -351,7 +314,7 @@ test('a page that shows a run loads none of it', async ({ lab, page }) => {
   await lab.open()
   expect(asked.filter((url) => /Papers/.test(url))).toEqual([])
   await page.getByTestId('view-papers').click()
-  await expect(page.getByTestId('open-run').first()).toBeVisible()
+  await expect(page.getByTestId('claim-W1')).toBeVisible()
   expect(asked.some((url) => /Papers/.test(url))).toBe(true)
   await expect(page.getByRole('heading', { name: en.views.titles.papers, exact: true })).toBeVisible()
 })

@@ -1,12 +1,16 @@
 import { readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
-import { checksOf, rowsOf } from '../plugins/reproduction'
+import { rowsOf } from '../plugins/reproduction'
+import { type Arm, caseOf, claimsOf, marked, told } from '../src/papers/claims'
 import { runOf } from '../src/papers/commands'
+import { groupsOf, homesOf } from '../src/papers/figures'
 import { COLUMNS, MARKS, NUMBERS, PAPERS } from '../src/papers/row'
 
 const FILE = 'REPRODUCTION.csv'
-const REPORT = 'REPRODUCTION.md'
-const source = readFileSync(new URL(`../../${FILE}`, import.meta.url), 'utf8')
+const CLAIMS = 'REPRODUCTION.claims.json'
+const read = (name: string): string => readFileSync(new URL(`../../${name}`, import.meta.url), 'utf8')
+const source = read(FILE)
+const claimed = claimsOf(read(CLAIMS), CLAIMS)
 
 const rows = rowsOf(source, FILE)
 
@@ -53,14 +57,60 @@ test('a malformed file stops the build with a message that names it', () => {
   })
 })
 
-test('a report without readable claims stops the build with a message that names it', () => {
-  const heading = (tag: string): string => `### name: title, [${tag}] Table 2\n\n- it holds: at all: yes (1 (of 1) beside 2)\n- a note\n`
-  const all = PAPERS.map(heading).join('\n')
-  expect(checksOf(all, REPORT)).toEqual(
-    PAPERS.map((paper) => ({ reproduction: 'name', paper, claim: 'it holds: at all', answer: 'yes', because: '1 (of 1) beside 2' })),
+test('a file of claims with an unknown mark or paper stops the build with a message that names it', () => {
+  const { papers, claims } = claimed
+  const refused = (changed: Partial<typeof claimed>): string => {
+    try {
+      claimsOf(JSON.stringify({ papers, claims, ...changed }), CLAIMS)
+    } catch (error) {
+      return (error as Error).message
+    }
+    return 'accepted'
+  }
+  expect(refused({})).toBe('accepted')
+  const [first] = claims
+  if (!first) throw new Error('no claims')
+  const [part] = first.parts
+  if (!part) throw new Error('no questions')
+  expect(refused({ papers: papers.slice(1) })).toContain(`${CLAIMS}: its papers are “LTQPSO,`)
+  expect(refused({ claims: [{ ...first, paper: 'PSO' as never }] })).toContain(`${CLAIMS}, W1: paper is “PSO”; allowed: WCPSO, `)
+  expect(refused({ claims: [{ ...first, mark: 'true' as never }] })).toContain('W1: mark is “true”; allowed: upheld, refuted, undecided')
+  expect(refused({ claims: [{ ...first, parts: [{ ...part, answer: 'yes' as never }] }] })).toContain(
+    'W1: answer is “yes”; allowed: as-claimed',
   )
-  expect(() => checksOf(all.replace('[LTQPSO]', '[QPSO]'), REPORT)).toThrow(
-    `${REPORT}: the heading “### name: title, [QPSO] Table 2” names no reproduction`,
-  )
-  expect(() => checksOf(all.replaceAll('yes', 'maybe'), REPORT)).toThrow(`${REPORT} checks no claim of WCPSO, LTQPSO`)
+  expect(refused({ claims: [first] })).toBe(`${CLAIMS} has no claim of LTQPSO, ANTBAT, ARM-RRT, WOLF-ANT`)
+})
+
+test('every picture without a claim has a reason, and every claim that a picture names exists', () => {
+  const ids = claimed.claims.map(({ id }) => id)
+  expect(new Set(ids).size).toBe(ids.length)
+  for (const { tag, pictures } of claimed.papers)
+    for (const { name, claims, remark } of pictures) {
+      expect(claims.length > 0 || remark !== '', `${tag} ${name}`).toBe(true)
+      for (const id of claims) expect(ids).toContain(id)
+    }
+  expect(marked(claimed.claims).reduce((sum, [, count]) => sum + count, 0)).toBe(ids.length)
+})
+
+test('a table is shown at the first claim that it belongs to, and only there', () => {
+  for (const paper of PAPERS) {
+    const groups = groupsOf(rows, paper)
+    const mine = claimed.claims.filter((claim) => claim.paper === paper)
+    for (const [group, home] of homesOf(groups, mine)) {
+      const { table = '' } = groups.find(({ id }) => id === group) ?? {}
+      expect(mine.find(({ tables }) => tables.some((name) => table.startsWith(name)))?.id).toBe(home)
+    }
+  }
+})
+
+test('planners of a question are told apart by what they do not have in common', () => {
+  const part = claimed.claims.flatMap(({ parts }) => parts).find(({ arms }) => arms.length === 2)
+  if (!part) throw new Error('no question about two planners')
+  const arms: Arm[] = [
+    { planner: 'wcpso', parameters: { random: 'particle', perturb: false }, command: '' },
+    { planner: 'wcpso', parameters: { random: 'particle', w_law: 'linear' }, command: '' },
+  ]
+  expect(told({ ...part, arms }, String)).toEqual({ own: ['perturb false', 'w_law linear'], common: 'random particle' })
+  expect(caseOf({ ...part, arms, scene: 'sphere', seeds: [51, 100] })?.runs.map(({ seed }) => seed)).toEqual([51, 51])
+  expect(caseOf({ ...part, scene: null })).toBe(null)
 })

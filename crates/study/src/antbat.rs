@@ -17,7 +17,7 @@ use super::{
     figure::{Figure, Steps},
     fingerprints::JobList,
     published::{ANTBAT, Way},
-    report::{Report, Verdict},
+    report::Report,
     runner::Control,
     table::{Cell, Table},
 };
@@ -77,7 +77,6 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
         }
         report.tables.push(lines.table);
     }
-    report.verdicts = OVER_CELLS.iter().flat_map(|(measure, _)| judge(measure, &found)).collect();
     report.notes = colonies::notes(&found);
     report.notes.extend(impossible(&scene)?);
     report.notes.push("Published are 7.07 rad for 9 turns, which is nine times 45°: the published paths are those from cell to cell. The iteration of convergence is that in which our result was found; how the paper decides it is not said. Q, φ1 and φ2 are not printed; they are the planners’ defaults here.".to_owned());
@@ -85,16 +84,6 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     report.commands = setups.iter().map(command).collect();
     report.write(options)?;
     Ok(report)
-}
-
-/// The order that the paper's table has, by each of its measures.
-fn judge(measure: &Measure, found: &[Vec<Run>]) -> Vec<Verdict> {
-    let numbers = |k: usize| found[k].iter().map(measure.of).collect();
-    let verdict = |[less, more]: [usize; 2]| {
-        let claim = format!("{}: smaller with {} than with {}", measure.name, PLANNERS[less], PLANNERS[more]);
-        Verdict::smaller(claim, &[numbers(less), numbers(more)], measure.digits)
-    };
-    [[2, 0], [2, 1], [1, 0]].map(verdict).into()
 }
 
 /// Published lengths that no way between these cells has.

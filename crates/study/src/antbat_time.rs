@@ -23,7 +23,7 @@ use super::{
     command,
     escape::path_text,
     fit::{self, Fit},
-    report::{Report, Verdict},
+    report::Report,
     rows::Row,
     runner::{self, Control, Job},
     statistics::Summary,
@@ -46,8 +46,6 @@ pub const REPRODUCTION: Study = Study {
 const STOPS: [usize; 6] = [5, 10, 15, 20, 25, 30];
 /// Runs a planner and number of stops; how many the paper has is not said.
 const RUNS: u64 = 5;
-/// Roads take time in proportion to their number if the exponent is this near to 1.
-const NEAR: f64 = 0.1;
 
 /// A run. What begins with `measured` is no result: it differs each time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -137,7 +135,6 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let points: Vec<Point> = PLANNERS.iter().flat_map(|planner| STOPS.map(|n| Point::of(planner, n, &rows))).flatten().collect();
     let growths = growths(&points);
     report.tables = vec![times(&points, runs), growth(&growths)];
-    report.verdicts = judge(&growths, &points);
     report.notes = notes(&rows);
     draw(&mut report, &points, options)?;
     for scenes in &scenes {
@@ -276,43 +273,9 @@ fn growth(growths: &[Growth]) -> Table {
     table
 }
 
-/// Only of the shape: how long something takes here says nothing of how long it took there.
-fn judge(growths: &[Growth], points: &[Point]) -> Vec<Verdict> {
-    let exponent = |k: usize| growths.get(k).and_then(|growth| growth.fit).map(|fit| fit.b[1]);
-    let told = |exponents: &[Option<f64>]| {
-        let shown = |exponent: &Option<f64>| exponent.map_or("none".to_owned(), |exponent| format!("{exponent:.3}"));
-        exponents.iter().map(shown).collect::<Vec<_>>().join(" beside ")
-    };
-    let (by_stops, by_roads, bats) = (exponent(0), exponent(1), exponent(2));
-    let bats_points = || points.iter().filter(|point| point.planner == PLANNERS[0]);
-    let shares: Vec<_> = bats_points().map(|point| 100.0 * point.roads / point.total).collect();
-    vec![
-        Verdict {
-            claim: format!("roads take time in proportion to their number n (n − 1) / 2 (exponent 1 ± {NEAR})"),
-            holds: by_roads.map(|exponent| (exponent - 1.0).abs() <= NEAR),
-            because: told(&[by_roads]),
-        },
-        Verdict {
-            claim: "the bats’ time grows more slowly with the number of stops than that of the roads".to_owned(),
-            holds: bats.zip(by_stops).map(|(bats, roads)| bats < roads),
-            because: told(&[bats, by_stops]),
-        },
-        Verdict {
-            claim: "with bats most of the time goes into the roads, however many stops there are".to_owned(),
-            holds: Some(shares.iter().all(|&share| share > 50.0)),
-            because: shares.iter().map(|share| format!("{share:.1} %")).collect::<Vec<_>>().join(", "),
-        },
-        Verdict {
-            claim: "ants and bats take less time than the paper’s [31] and [32]".to_owned(),
-            holds: None,
-            because: "these are a cuckoo search and a swarm with RRT for other problems, which are not repeated here".to_owned(),
-        },
-    ]
-}
-
 fn notes(rows: &[Run]) -> Vec<String> {
     let mut notes = vec![
-        "The times are not reproducible: in the rows all that begins with `measured` differs from run to run and from machine to machine; the rest is computed and does not. So the verdicts are about shape only. Published times are none: fig. 8 is a picture of three algorithms without numbers in the text, not even of the stops, so 5 to 30 are used.".to_owned(),
+        "The times are not reproducible: in the rows all that begins with `measured` differs from run to run and from machine to machine; the rest is computed and does not. Published times are none: fig. 8 is a picture of three algorithms without numbers in the text, not even of the stops, so 5 to 30 are used.".to_owned(),
         "Stops are centres of free cells at random, others for each seed. The roads of a network are built one after the other on one thread (aco-direction, from cell to cell) and timed once; all planners then order the stops by these same roads, so that their totals differ in the order only. Time for the order is that of the whole search with the planner’s default sizes: see `evaluations`. `gap` and `exact tour` where the exact tour is computed, up to 15 stops; what held-karp has of a gap is the roads’. Its time is no power of the number of stops but exponential: three points fit either.".to_owned(),
     ];
     let most = rows.iter().map(|run| run.measured_threads).max().unwrap_or(1);

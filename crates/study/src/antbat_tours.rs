@@ -12,7 +12,6 @@ use forage::{
     error::Error,
     planner::{Round, Yardstick},
     scene::{Distances, Scene, shipped},
-    statistics::{Group, Pair, compare, holm},
 };
 
 use super::{
@@ -20,15 +19,14 @@ use super::{
     compared::{ComparedFigure, Computed, Published},
     figure::{Figure, Steps},
     fingerprints::JobList,
-    inference::brown_forsythe,
-    marks::{Basis, LEVEL, probability},
+    marks::Basis,
     published::{ANTBAT_TOURS, Tours},
-    report::{Report, Verdict},
+    report::Report,
     rows::Row,
     runner::{self, Control, Job},
     statistics::Summary,
     table::{Cell, Table},
-    tours::{self, Network, PLANNERS, less, same},
+    tours::{self, Network, PLANNERS, same},
 };
 
 /// See the module.
@@ -40,9 +38,6 @@ pub const REPRODUCTION: Study = Study {
     jobs: |options| Ok(vec![JobList::new(FILE, tasks(&shipped("ant-bat-30")?, options.runs_or(Tours::RUNS)?))]),
     run,
 };
-
-/// Of thirty runs of the bats so many find the exact order.
-const EXACT_OF_THIRTY: usize = 28;
 
 /// What the roads are.
 struct Block {
@@ -156,7 +151,6 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
         let cells: Vec<_> = rows.chunks(runs as usize).map(Tried::of).collect();
         let measured = Measured::of(&scene, block, rows)?;
         report.tables.push(table(block, &cells, &measured, runs));
-        report.verdicts.extend(judge(block, &cells, &measured));
         if block.comparable {
             report.figures.extend(figures(&scene, block, &cells));
         }
@@ -329,73 +323,6 @@ fn reproduced(published: &Tours, computed: &Summary) -> &'static str {
     let squared = |x: f64| x * x;
     let error = published.variance.value / Tours::RUNS as f64 + computed.std.map_or(0.0, squared) / computed.count as f64;
     if squared(published.mean.value - computed.mean) <= 4.0 * error { "yes" } else { "NO" }
-}
-
-/// What the paper concludes from its table, where the lengths can be compared, and what we promise of the bats.
-fn judge(block: &Block, cells: &[Tried], measured: &Measured) -> Vec<Verdict> {
-    let told = &cells[..cells.len().min(ANTBAT_TOURS.len())];
-    let Some((bats, others)) = told.split_first() else { return Vec::new() };
-    let mut verdicts = Vec::new();
-    let mut claim = |claim: String, holds: Option<bool>, because: String| {
-        verdicts.push(Verdict { claim: format!("{}: {claim}", block.name), holds, because });
-    };
-    if block.comparable && !others.is_empty() {
-        let groups: Vec<Group> = PLANNERS
-            .iter()
-            .zip(told)
-            .map(|(name, tried)| Group { name: (*name).to_owned(), values: tried.runs.iter().map(|run| run.length).collect() })
-            .collect();
-        let pairs = compare(&groups).pairs;
-        // As printed: the first of each pair has the shorter tours.
-        let decided = |pairs: &[&Pair]| {
-            let significant = |pair: &&&Pair| pair.corrected < LEVEL;
-            if pairs.iter().filter(significant).any(|pair| pair.better < 0.5) {
-                return Some(false);
-            }
-            pairs.iter().all(|pair| significant(&pair)).then_some(true)
-        };
-        let listed = |pairs: &[&Pair]| {
-            let of = |pair: &&Pair| {
-                format!("{} and {}: A = {:.2}, p {}", PLANNERS[pair.first], PLANNERS[pair.second], pair.better, probability(pair.corrected))
-            };
-            format!("rank-sum tests, Holm’s correction over all pairs; {}", pairs.iter().map(of).collect::<Vec<_>>().join("; "))
-        };
-        let of_bat: Vec<&Pair> = pairs.iter().filter(|pair| pair.first == 0).collect();
-        claim("bat’s tours are shorter than those of each of the other four of Table 2".to_owned(), decided(&of_bat), listed(&of_bat));
-        let next: Vec<&Pair> = pairs.iter().filter(|pair| pair.second == pair.first + 1).collect();
-        claim(format!("the lengths grow in the order {}", PLANNERS[..told.len()].join(", ")), decided(&next), listed(&next));
-        let lengths: Vec<Vec<f64>> = told.iter().map(|tried| tried.runs.iter().filter_map(|run| run.length).collect()).collect();
-        let tests: Option<Vec<f64>> = lengths[1..].iter().map(|other| Some(brown_forsythe(&lengths[0], other)?.p)).collect();
-        let variances: Option<Vec<f64>> = told.iter().map(Tried::variance).collect();
-        let (holds, because) = match tests.zip(variances) {
-            None => (None, "too few runs".to_owned()),
-            Some((tests, variances)) => {
-                let corrected = holm(&tests);
-                let significant = || corrected.iter().zip(&variances[1..]).filter(|(p, _)| **p < LEVEL);
-                let refuted = significant().any(|(_, other)| *other < variances[0]);
-                let holds = if refuted { Some(false) } else { (significant().count() == corrected.len()).then_some(true) };
-                let of = |(k, p): (usize, &f64)| format!("{} {:.4}, p {}", PLANNERS[k + 1], variances[k + 1], probability(*p));
-                let others = corrected.iter().enumerate().map(of).collect::<Vec<_>>().join("; ");
-                (holds, format!("Brown–Forsythe tests, Holm’s correction; bat {:.4}; {others}", variances[0]))
-            }
-        };
-        claim("bat’s tours have the smallest variance of the five".to_owned(), holds, because);
-        let best = bats.lengths.map(|s| s.min);
-        let as_good: usize =
-            best.map_or(0, |best| others.iter().map(|tried| tried.count(|run| run.length.is_some_and(|l| !less(best, l)))).sum());
-        claim(
-            "no run of the other four finds a tour as short as the best of bat".to_owned(),
-            best.map(|_| as_good == 0),
-            format!("{as_good} of {} do", others.iter().map(|tried| tried.runs.len()).sum::<usize>()),
-        );
-    }
-    let exact = bats.count(|run| measured.is_exact_order(run));
-    claim(
-        format!("bat finds the exact tour’s order with at least {EXACT_OF_THIRTY} of 30 seeds"),
-        Some(exact * 30 >= EXACT_OF_THIRTY * bats.runs.len()),
-        format!("{exact} of {}", bats.runs.len()),
-    );
-    verdicts
 }
 
 fn notes(scene: &Scene, rows: &[Run]) -> Vec<String> {

@@ -13,13 +13,16 @@ use forage::{
 
 use super::{
     Failure, Options, Study, command,
+    compared::{ComparedFigure, Computed, Published},
     fingerprints::JobList,
-    report::{Report, Verdict},
+    marks::Basis,
+    report::Report,
     runner::{self, Control},
     statistics::Summary,
     table::{Cell, Table},
 };
 
+pub(crate) use run::aside;
 use run::{Run, Task};
 
 /// See the module.
@@ -32,6 +35,17 @@ pub const REPRODUCTION: Study = Study {
     run,
 };
 
+/// A measure and what of a run it is.
+type Measured = (&'static str, &'static str, fn(&Run) -> Option<f64>);
+/// What the paper shows in pictures, as figures: the table, the measure, the number.
+const MEASURES: [Measured; 5] = [
+    ("Success", "feasible runs, %", |run| Some(if run.found { 100.0 } else { 0.0 })),
+    ("Success", "length, m", |run| run.length),
+    ("Nodes", "nodes", |run| run.found.then_some(run.nodes as f64)),
+    ("Straightness", "length of the tree’s own path, m", |run| run.raw_length),
+    ("Straightness", "its largest sideways deviation, m", |run| run.raw_aside),
+];
+
 /// Seeds a cell; how many runs the paper has is not said.
 const SEEDS: u64 = 100;
 /// With the cuboid and without.
@@ -39,14 +53,9 @@ const SCENES: [&str; 2] = ["arm-cuboid", "arm-free"];
 /// In the order in which they are shown: basic and guided first, as in the paper.
 const PLANNERS: [&str; 5] = ["rrt", "rrt-guided", "rrt-connect", "rrt-star", "rrt-joint"];
 const BASIC: &str = PLANNERS[0];
-const GUIDED: &str = PLANNERS[1];
 const JOINT: &str = PLANNERS[4];
 /// Published steps of the tip, in metres.
 const STEPS: [f64; 2] = [0.03, 0.05];
-/// A tree's path is nearly straight if it is longer than the straight line by at most this share.
-const STRAIGHT: f64 = 0.05;
-/// Of how many of the guided tree's paths the whole arm's motion is to be free, as a share.
-const FREE: f64 = 0.95;
 
 const FILE: &str = "arm-rrt-runs.csv";
 
@@ -71,11 +80,39 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
         report.tables.push(arms(&scene, title, &rows));
     }
     report.tables.push(straight(&free, &rows)?);
-    report.verdicts = judge(&rows)?;
+    report.figures = figures(&setups, &rows);
     report.notes = notes(&rows);
     report.commands = setups.iter().map(command).collect();
     report.write(options)?;
     Ok(report)
+}
+
+/// Pictures of the paper as numbers. It prints none, so there is nothing to compare them with.
+fn figures(setups: &[Setup], rows: &[Run]) -> Vec<ComparedFigure> {
+    let open = "the paper shows pictures; the cuboid and where the base is are reconstructions";
+    let mut figures = Vec::new();
+    for (table, measure, of) in MEASURES {
+        for (scene, place) in SCENES.into_iter().zip(["past the cuboid", "without an obstacle"]) {
+            for runs in cells(scene, rows) {
+                let step = runs[0].step.map_or(String::new(), |step| format!(", step {step} m"));
+                let is_it =
+                    |setup: &&Setup| setup.planner == runs[0].planner && setup.scene.name() == scene && run::step(setup) == runs[0].step;
+                figures.push(ComparedFigure {
+                    table: format!("{table} ({place})"),
+                    group: String::new(),
+                    row: format!("{}{step}", runs[0].planner),
+                    measure: measure.to_owned(),
+                    lower_is_better: !measure.starts_with("feasible"),
+                    published: Published::default(),
+                    computed: Computed::runs(runs.iter().filter_map(|run| of(run))),
+                    basis: Basis::Reconstruction(open),
+                    source: None,
+                    command: setups.iter().find(is_it).map(command).unwrap_or_default(),
+                });
+            }
+        }
+    }
+    figures
 }
 
 /// Every cell, with seed 1.
@@ -237,56 +274,6 @@ fn straight(scene: &Scene, rows: &[Run]) -> Result<Table, Error> {
         );
     }
     Ok(table)
-}
-
-fn judge(rows: &[Run]) -> Result<Vec<Verdict>, Error> {
-    let of = |scene: &str, planner: &str, step: f64| -> Vec<&Run> {
-        rows.iter().filter(|run| run.scene == scene && run.planner == planner && run.step == Some(step)).collect()
-    };
-    let mut verdicts = Vec::new();
-    let [cuboid, free] = SCENES;
-    for step in STEPS {
-        let guided = of(cuboid, GUIDED, step);
-        let found = guided.iter().filter(|run| run.found).count();
-        verdicts.push(Verdict {
-            claim: format!("step {step}: {GUIDED} finds a way past the cuboid for every seed"),
-            holds: Some(found == guided.len()),
-            because: format!("{found} of {}", guided.len()),
-        });
-    }
-    for (scene, step) in SCENES.into_iter().flat_map(|scene| STEPS.map(|step| (scene, step))) {
-        // Without a path a tree has not come to its end: it counts as the largest.
-        let nodes = |planner| of(scene, planner, step).iter().map(|run| run.found.then_some(run.nodes as f64)).collect();
-        let claim = format!("{scene}, step {step}: {GUIDED} needs fewer nodes than {BASIC}");
-        verdicts.push(Verdict::smaller(claim, &[GUIDED, BASIC].map(nodes), 1));
-    }
-    for step in STEPS {
-        let guided = of(cuboid, GUIDED, step);
-        let (known, good) =
-            (guided.iter().filter(|run| run.free.is_some()).count(), guided.iter().filter(|run| run.free == Some(true)).count());
-        verdicts.push(Verdict {
-            claim: format!("step {step}: along {:.0} % of {GUIDED}’s paths past the cuboid the whole arm touches nothing", 100.0 * FREE),
-            holds: (known > 0).then_some(good as f64 >= FREE * guided.len() as f64),
-            because: format!("{good} of {}", guided.len()),
-        });
-    }
-    let scene = shipped(free)?;
-    let line = straight_line(scene.arm()?);
-    for step in STEPS {
-        let mean = |planner| summary(&of(free, planner, step), |run| run.raw_length).map(|s| s.mean / line - 1.0);
-        let numbers = mean(GUIDED).zip(mean(BASIC));
-        verdicts.push(Verdict {
-            claim: format!(
-                "without an obstacle, step {step}: {GUIDED} runs nearly straight (its own path is longer by at most {:.0} % in the mean)",
-                100.0 * STRAIGHT
-            ),
-            holds: numbers.map(|(guided, _)| guided <= STRAIGHT),
-            because: numbers.map_or("no path".to_owned(), |(guided, basic)| {
-                format!("longer by {:.2} %; {BASIC} by {:.2} %", 100.0 * guided, 100.0 * basic)
-            }),
-        });
-    }
-    Ok(verdicts)
 }
 
 fn notes(rows: &[Run]) -> Vec<String> {

@@ -1,5 +1,5 @@
-//! All reproductions in one document: `REPRODUCTION.md` for people, `REPRODUCTION.csv` for programs, and the fingerprints of
-//! their rows. All hold only what is computed, so that running everything again gives the same bytes.
+//! All reproductions in one document: `REPRODUCTION.md` for people, `REPRODUCTION.csv` with the figures and
+//! `REPRODUCTION.claims.json` with the claims for programs, and the fingerprints of their rows. All hold only what is computed, so that running everything again gives the same bytes.
 
 use std::{
     fmt::Write,
@@ -10,17 +10,18 @@ use std::{
 use serde::{Serialize, Serializer, ser::Error as _};
 
 use super::{
-    Failure, Options, at,
+    Failure, Options, at, claims,
     compared::{ComparedFigure, Printed},
     escape::path_text,
     fingerprints::{self, Fingerprints},
     marks::{self, Basis, Marked, Marks, RULES, RankingMark, ValueMark},
-    report::{Report, line},
+    papers::{self, PAPERS},
+    report::Report,
     table::{Cell, Table, digits, significant},
 };
 
 /// The names of the files.
-pub const FILES: [&str; 3] = ["REPRODUCTION.md", "REPRODUCTION.csv", fingerprints::FILE];
+pub const FILES: [&str; 4] = ["REPRODUCTION.md", "REPRODUCTION.csv", "REPRODUCTION.claims.json", fingerprints::FILE];
 
 /// The columns of the second one.
 pub const COLUMNS: [&str; 24] = [
@@ -50,20 +51,8 @@ pub const COLUMNS: [&str; 24] = [
     "command",
 ];
 
-/// The papers, in the order of the document.
-const PAPERS: [(&str, &str); 5] = [
-    ("WCPSO", "Jia Huiqun et al., *Path planning based on improved particle swarm optimization algorithm*, 2018"),
-    ("LTQPSO", "Liu Jie, Zhao Haifang, Zhou Delian, *Path planning of mobile robots with an improved quantum-behaved PSO*"),
-    ("ANTBAT", "Fang Min, Jin Shijun, *Multi-point path planning based on ant colony and bat algorithms*"),
-    (
-        "ARM-RRT",
-        "Dai Yanhui, Liang Yanyang, Xie Gang, *The Mechanical Arm of Six-Dof Obstacle Avoidance Path Planning Based on Rapid-Exploring Random Trees*, 2012",
-    ),
-    ("WOLF-ANT", "*Dynamic path planning of a mobile robot based on an improved ant colony algorithm*"),
-];
-
 /// The tag of a source: `WCPSO` of `[WCPSO] Table 2`.
-pub(super) fn paper(source: &str) -> &str {
+pub(super) fn paper(source: &'static str) -> &'static str {
     source.trim_start_matches('[').split(']').next().unwrap_or(source)
 }
 
@@ -181,24 +170,38 @@ pub fn markdown(reports: &[Report]) -> String {
     let all: Vec<(&Report, Vec<Marks>)> =
         reports.iter().map(|report| (report, marked(&report.figures).into_iter().map(|(_, marks)| marks).collect())).collect();
     let mut text = format!(
-        "# Reproduction\n\nPublished and computed figures, and results beyond the papers, as `forage reproduce` writes them; the same numbers are in `REPRODUCTION.csv`. All of it is reproducible \
-bit for bit, which `scripts/test reproduction` checks. `forage reproduce NAME` prints further tables.\n\n{RULES}\n\nIn all {}: {}.\n",
-        figures_in_words(all.iter().map(|(_, marks)| marks.len()).sum()),
-        counted(&all.iter().flat_map(|(_, marks)| marks))
+        "# Reproduction\n\nWhat five papers claim, their published figures and the computed ones, and results beyond the papers, as `forage reproduce` writes them. The figures \
+are in `REPRODUCTION.csv` too, the claims in `REPRODUCTION.claims.json`. All of it is reproducible bit for bit, which `scripts/test reproduction` checks. `forage reproduce NAME` prints further tables.\n\n\
+{}. {}: {}.\n\n## How claims are judged\n\n{}\n\n## How figures are marked\n\n{RULES}\n",
+        claims::counted(reports.iter().flat_map(|report| &report.claims)),
+        capital(&figures_in_words(all.iter().map(|(_, marks)| marks.len()).sum())),
+        counted(&all.iter().flat_map(|(_, marks)| marks)),
+        claims::RULES,
     );
-    for (tag, citation) in PAPERS {
-        let mine: Vec<&(&Report, Vec<Marks>)> = all.iter().filter(|(report, _)| paper(report.source) == tag).collect();
+    for paper in &PAPERS {
+        let mine: Vec<&(&Report, Vec<Marks>)> = all.iter().filter(|(report, _)| report.paper() == paper.tag).collect();
         let marks = mine.iter().flat_map(|(_, marks)| marks);
         let count = marks.clone().count();
         if mine.is_empty() {
             continue;
         }
-        let _ = write!(
-            text,
-            "\n## [{tag}]\n\n{citation}. {}.\n",
-            if count == 0 { "It prints no figures".to_owned() } else { format!("{}: {}", figures_in_words(count), counted(&marks)) }
-        );
-        for (report, _) in mine {
+        let claimed = || mine.iter().flat_map(|(report, _)| &report.claims);
+        let _ = write!(text, "\n## [{}]\n\n{}\n\n", paper.tag, paper.citation());
+        if claimed().next().is_some() {
+            let _ = write!(text, "{}.\n\n", claims::counted(claimed()));
+        }
+        if count > 0 {
+            let _ = write!(text, "{}: {}.\n\n", capital(&figures_in_words(count)), counted(&marks));
+        }
+        text += "Pictures without numbers:\n\n";
+        for picture in paper.pictures {
+            let claims = if picture.claims.is_empty() { String::new() } else { format!(" Claims: {}.", picture.claims.join(", ")) };
+            let remark = if picture.remark.is_empty() { String::new() } else { format!(" {}", picture.remark) };
+            let _ = writeln!(text, "- {}: {}.{claims}{remark}", picture.name, picture.shows);
+        }
+        // The claims first, then the figures that they rest on.
+        let (with, without): (Vec<_>, Vec<_>) = mine.into_iter().partition(|(report, _)| !report.claims.is_empty());
+        for (report, _) in with.into_iter().chain(without) {
             let _ = write!(text, "\n### {}: {}, {}\n\n", report.name, report.title, report.source);
             if let Some(shortened) = &report.shortened {
                 let _ = write!(text, "SHORTENED: {shortened}.\n\n");
@@ -211,13 +214,12 @@ bit for bit, which `scripts/test reproduction` checks. `forage reproduce NAME` p
                 );
                 continue;
             }
+            text += &claims::markdown(&report.claims);
             text += &figures(report);
-            report.verdicts.iter().for_each(|verdict| text.extend(["- ", &line(verdict), "\n"]));
-            text += "\n";
             report.notes.iter().for_each(|note| text.extend(["- ", note, "\n"]));
         }
     }
-    let own: Vec<&Report> = reports.iter().filter(|report| !PAPERS.iter().any(|(tag, _)| *tag == paper(report.source))).collect();
+    let own: Vec<&Report> = reports.iter().filter(|report| papers::find(report.paper()).is_none()).collect();
     if !own.is_empty() {
         text += "\n## Beyond the papers\n";
     }
@@ -230,6 +232,11 @@ bit for bit, which `scripts/test reproduction` checks. `forage reproduce NAME` p
         report.tables.iter().for_each(|table| text.extend(["\n", &table.markdown()]));
     }
     text
+}
+
+fn capital(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
 fn figures_in_words(count: usize) -> String {
@@ -336,15 +343,15 @@ pub(super) fn serialize_figures<S: Serializer>(figures: &[ComparedFigure], seria
 }
 
 /// All documents, in the order of [`FILES`].
-fn texts(reports: &[Report], rows: &Fingerprints) -> Result<[String; 3], Failure> {
-    Ok([markdown(reports), csv(reports).map_err(at(Path::new(FILES[1])))?, rows.text()])
+fn texts(reports: &[Report], rows: &Fingerprints) -> Result<[String; 4], Failure> {
+    Ok([markdown(reports), csv(reports).map_err(at(Path::new(FILES[1])))?, claims::json(reports)?, rows.text()])
 }
 
 /// Writes all files into the folder of the experiment, and says where.
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn write(reports: &[Report], rows: &Fingerprints, options: &Options) -> Result<[PathBuf; 3], Failure> {
+pub fn write(reports: &[Report], rows: &Fingerprints, options: &Options) -> Result<[PathBuf; 4], Failure> {
     let paths = FILES.map(|name| options.out.join(name));
     for (path, text) in paths.iter().zip(texts(reports, rows)?) {
         fs::write(path, text).map_err(at(path))?;
@@ -412,7 +419,7 @@ mod tests {
         let text = markdown(&[report()]);
         for part in [
             RULES,
-            "In all 2 figures: values: 1 same digits, 1 same power of ten; rankings of the rows that they are in: 2 undecided.",
+            "2 figures: values: 1 same digits, 1 same power of ten; rankings of the rows that they are in: 2 undecided.",
             "## [WCPSO]",
             "- pso: the same to the digits that are printed; of 1 pairs 0 differ significantly as printed, 0 the other way (value). `forage run pso --scene matyas --seed 1`",
             "0.00150",
@@ -460,7 +467,7 @@ mod tests {
     #[test]
     fn every_reproduction_is_of_a_paper_that_the_document_has() {
         for reproduction in REPRODUCTIONS {
-            assert!(PAPERS.iter().any(|(tag, _)| *tag == paper(reproduction.source)), "{}", reproduction.source);
+            assert!(papers::find(paper(reproduction.source)).is_some(), "{}", reproduction.source);
         }
     }
 }

@@ -265,6 +265,16 @@ pub fn mean_of(sample: &[f64], count: usize, seed: u64) -> [f64; 2] {
     central(|| resampled_mean(sample, count, &mut stream))
 }
 
+/// The same of the standard deviation (with n − 1) of a sample; NaN of fewer than two numbers.
+pub fn std_of(sample: &[f64], seed: u64) -> [f64; 2] {
+    if sample.len() < 2 {
+        return [f64::NAN; 2];
+    }
+    let mut stream = Stream::new(seed, 0);
+    let mut draw = || moments((0..sample.len()).map(|_| sample[stream.below(sample.len())])).std().unwrap_or(f64::NAN);
+    central(&mut draw)
+}
+
 /// The ends of the middle 95 % of so many draws.
 fn central(draw: impl FnMut() -> f64) -> [f64; 2] {
     let mut draws: Vec<f64> = iter::repeat_with(draw).take(RESAMPLES).collect();

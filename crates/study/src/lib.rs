@@ -2,9 +2,10 @@
 //!
 //! [`runner`] carries out keyed jobs on all cores and appends each finished one to [`rows`], so that an interruption
 //! loses nothing. [`forage::statistics`] and [`fit`] sum the rows up, [`table`] and [`chart`] show them, and [`report`] holds a
-//! reproduction's tables, verdicts and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
+//! reproduction's tables, claims and commands together. A reproduction is one file ([`ltqpso`], [`regression`],
 //! [`antbat`], [`antbat_tours`], [`antbat_time`], [`wolf`],
-//! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`]; nothing else lists them. Studies of our own are made
+//! [`wolf_dynamic`], [`arm_rrt`]) and one line in [`REPRODUCTIONS`]; nothing else lists them. What
+//! papers say in words is in [`claims`]. Studies of our own are made
 //! the same way and listed in [`STUDIES`]. Sweeps are in [`sweep`].
 #![cfg(not(target_arch = "wasm32"))]
 
@@ -13,6 +14,7 @@ pub mod antbat_time;
 pub mod antbat_tours;
 pub mod arm_rrt;
 pub mod chart;
+pub mod claims;
 mod colonies;
 pub mod compared;
 pub mod document;
@@ -25,6 +27,7 @@ pub mod forensics;
 pub mod inference;
 pub mod ltqpso;
 pub mod marks;
+pub mod papers;
 pub mod published;
 pub mod regression;
 pub mod report;
@@ -64,6 +67,11 @@ pub const REPRODUCTIONS: &[Study] = &[
     wolf::REPRODUCTION,
     wolf_dynamic::REPRODUCTION,
     arm_rrt::REPRODUCTION,
+    claims::STUDIES[0],
+    claims::STUDIES[1],
+    claims::STUDIES[2],
+    claims::STUDIES[3],
+    claims::STUDIES[4],
 ];
 
 /// Studies of our own, on what no paper has.

@@ -11,10 +11,9 @@ use super::{
     compared::{ComparedFigure, Computed, Published},
     figure::Figure,
     fingerprints::JobList,
-    inference::fisher,
-    marks::{Basis, LEVEL, probability},
+    marks::Basis,
     published::{Results, TABLE_3, TABLE_4},
-    report::{Report, Verdict},
+    report::Report,
     rows::Row,
     runner::{self, Control, Job},
     statistics::Summary,
@@ -217,7 +216,6 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
         let example = case.setup("ltqpso", 1)?;
         report.figures.extend(figures(case, &example, &both));
         report.tables.push(tabulate(case, &example, &both));
-        report.verdicts.extend(judge(case, &both));
         report.commands.extend(PLANNERS.map(|planner| command(&Setup { planner: planner.to_owned(), ..example.clone() })));
     }
     report.notes = notes(&rows);
@@ -289,29 +287,6 @@ fn tabulate(case: &Case, setup: &Setup, both: &[Vec<&Run>; 2]) -> Table {
         }
     }
     table
-}
-
-/// Whether ltqpso has the smaller numbers and the smaller spread, by each measure, and more feasible runs, as the paper says of its
-/// own.
-fn judge(case: &Case, both: &[Vec<&Run>; 2]) -> Vec<Verdict> {
-    let mut verdicts = Vec::new();
-    for (name, measure) in MEASURES {
-        let numbers = [1, 0].map(|k: usize| both[k].iter().filter_map(|run| measure(run)).collect::<Vec<_>>());
-        let some = numbers.clone().map(|numbers| numbers.into_iter().map(Some).collect());
-        verdicts.push(Verdict::smaller(format!("{}: ltqpso has the smaller {name}", case.name), &some, 4));
-        verdicts.push(Verdict::steadier(format!("{}: ltqpso’s {name} varies less", case.name), &numbers, 4));
-    }
-    let [qpso, ltqpso] = both.each_ref().map(|runs| {
-        let free = runs.iter().filter(|run| run.feasible).count() as u64;
-        [free, runs.len() as u64 - free]
-    });
-    let p = fisher(ltqpso, qpso).p;
-    verdicts.push(Verdict {
-        claim: format!("{}: more of ltqpso’s runs are feasible", case.name),
-        holds: (p < LEVEL).then_some(ltqpso[0] > qpso[0]),
-        because: format!("{} and {} of {}, Fisher’s exact test p {}", ltqpso[0], qpso[0], both[0].len(), probability(p)),
-    });
-    verdicts
 }
 
 fn notes(rows: &[Run]) -> Vec<String> {

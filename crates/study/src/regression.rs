@@ -15,7 +15,7 @@ use super::{
     fit::{self, Fit},
     marks::Basis,
     published::{Regression, TABLE_1, TABLE_2},
-    report::{Report, Verdict},
+    report::Report,
     runner::{self, Control},
     search::{Aim, Found, LIMIT, Start, THRESHOLD, Task},
     table::{Cell, Table},
@@ -96,8 +96,6 @@ fn report(rows: &[Found], runs: u64, options: &Options) -> Result<Report, Failur
         report.tables.push(coefficients(case, &fits));
         report.figures.extend(figures(case, &fits, ranges.len() as u64));
         let reached: Vec<_> = ranges.iter().map(|range| range.d).collect();
-        report.verdicts.extend(judge(case, &fits));
-        report.verdicts.push(sufficient(case, rows));
         report.notes.push(format!("{}: the fit is over D = {reached:?}, where all {BLOCKS} blocks passed.", case.title));
         let picture = options.out.join(format!("ltqpso-regression-{}.svg", case.name));
         chart::draw(&picture, case, &ranges, &fits)?;
@@ -209,29 +207,6 @@ fn figures(case: &Case, fits: &[Option<Fit>; 4], points: u64) -> Vec<ComparedFig
     figures
 }
 
-/// A published exponent is borne out if it lies in our confidence interval.
-fn judge(case: &Case, fits: &[Option<Fit>; 4]) -> Vec<Verdict> {
-    let verdict = |(((name, _), fit), published): (((&str, Quantity), &Option<Fit>), &Regression)| Verdict {
-        claim: format!("{}: the published exponent of {name} lies in our 95 % interval", case.name),
-        holds: fit.map(|fit| (fit.interval[1][0]..=fit.interval[1][1]).contains(&published.b[1])),
-        because: fit.map_or("too few points".to_owned(), |fit| {
-            format!("{:.2} beside {:.2}, {:.2} to {:.2}", published.b[1], fit.b[1], fit.interval[1][0], fit.interval[1][1])
-        }),
-    };
-    QUANTITIES.into_iter().zip(fits).zip(&case.published).map(verdict).collect()
-}
-
-/// Whether (10) or (11) gives sizes that pass.
-fn sufficient(case: &Case, rows: &[Found]) -> Verdict {
-    let tried: Vec<_> = rows.iter().filter(|row| row.aim == Aim::Published && row.start == case.start).collect();
-    let passed: Vec<_> = tried.iter().filter(|row| row.reached).map(|row| row.segments).collect();
-    Verdict {
-        claim: format!("{}: the recommended N and M keep the standard deviation under {THRESHOLD}", case.name),
-        holds: Some(passed.len() == tried.len()),
-        because: format!("for {} of {} values of D", passed.len(), tried.len()),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -270,7 +245,6 @@ mod tests {
         for part in ["2.0000  (2.00, 2.00)", "(1.62, 1.82)", "-1.8788", "0 of 1, others need N M > 20000", "seed 1 "] {
             assert!(text.contains(part), "{part}: {text}");
         }
-        assert_eq!(report.verdicts[0].holds, Some(false));
         let picture = std::fs::read_to_string(out.join("ltqpso-regression-table-1.svg")).unwrap();
         assert!(picture.starts_with("<svg") && picture.contains("N max, published") && picture.contains("M min, here"));
     }

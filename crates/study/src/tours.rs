@@ -129,11 +129,6 @@ pub(super) fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * b.abs()
 }
 
-/// Less by more than rounding.
-pub(super) fn less(a: f64, b: f64) -> bool {
-    b - a > 1e-9
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

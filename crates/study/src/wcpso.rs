@@ -18,7 +18,7 @@ use super::{
     fingerprints::JobList,
     marks::{self, Basis},
     published::wcpso::{self as published, PATH_RUNS, PLANNERS, SHORTEST, TABLE_2},
-    report::{Report, Verdict},
+    report::Report,
     rows::Row,
     runner::{self, Control, Job},
     statistics::Summary,
@@ -154,7 +154,6 @@ fn functions(options: &Options, control: &Control) -> Result<Report, Failure> {
     report.figures = figures(found, LIMITS[0])?;
     let unlimited = figures(unlimited, LIMITS[1])?;
     report.tables = vec![differences(found), limits(&report.figures, &unlimited)];
-    report.verdicts = judge(found);
     let mark = |figure: &ComparedFigure| marks::value(figure).map(|marked| marked.mark);
     let changed: Vec<_> = report.figures.iter().zip(&unlimited).filter(|(a, b)| mark(a) != mark(b)).map(|(a, _)| a.row.clone()).collect();
     report.notes = vec![
@@ -253,39 +252,6 @@ fn differences(found: &[&[Run]]) -> Table {
     out
 }
 
-/// What the paper concludes: wcpso is the most exact in every row. It holds or not where Wilcoxon's rank-sum test tells wcpso from the
-/// rivals that decide; a mean alone decides nothing.
-fn judge(found: &[&[Run]]) -> Vec<Verdict> {
-    let mut verdicts = Vec::new();
-    for (row, cells) in TABLE_2.iter().zip(found.chunks(PLANNERS.len())) {
-        let groups: Vec<Group> =
-            PLANNERS.into_iter().zip(cells).map(|(name, runs)| Group { name: name.to_owned(), values: values(row.name, runs) }).collect();
-        let compared = compare(&groups);
-        let last = PLANNERS.len() - 1;
-        let against: Vec<_> = compared.pairs.iter().filter(|pair| pair.second == last).collect();
-        let told = against.iter().map(|pair| {
-            let word = match () {
-                () if pair.corrected >= 0.05 => "not told from",
-                () if pair.better < 0.5 => "better than",
-                () => "worse than",
-            };
-            format!(
-                "{word} {} (p {})",
-                PLANNERS[pair.first],
-                if pair.corrected < 1e-4 { "< 0.0001".to_owned() } else { format!("= {:.4}", pair.corrected) }
-            )
-        });
-        let worse = against.iter().any(|pair| pair.corrected < 0.05 && pair.better > 0.5);
-        let better = against.iter().all(|pair| pair.corrected < 0.05 && pair.better < 0.5);
-        verdicts.push(Verdict {
-            claim: format!("{}, {} variables: wcpso is the most exact of the four", row.name, row.dimension),
-            holds: if worse { Some(false) } else { better.then_some(true) },
-            because: format!("rank-sum tests, corrected: wcpso is {}", told.collect::<Vec<_>>().join(", ")),
-        });
-    }
-    verdicts
-}
-
 fn path_tasks(options: &Options) -> Result<Vec<Task>, Error> {
     let runs = options.runs_or(PATH_RUNS)?;
     let mut tasks = Vec::new();
@@ -334,7 +300,6 @@ fn paths(options: &Options, control: &Control) -> Result<Report, Failure> {
         });
     }
     report.tables.push(lengths(&found));
-    report.verdicts = rivals(&found);
     report.notes = vec![format!(
         "Population 150, 500 iterations, three way-points (the paper does not say how many), `penalty=segments`: as printed, (15) looks at the way-points only. Lengths are of feasible results, checked against the discs; `near` counts those within {:.1} % of the exact {:.6}.",
         100.0 * NEAR,
@@ -365,14 +330,4 @@ fn lengths(found: &[&[Run]]) -> Table {
         ]);
     }
     table
-}
-
-/// Nearer to the optimum, and steadier, as the paper says of wcpso.
-fn rivals(found: &[&[Run]]) -> Vec<Verdict> {
-    let values = [0, 1].map(|k: usize| found[k].iter().map(|run| run.value).collect::<Vec<_>>());
-    let feasible = values.clone().map(|values| values.into_iter().flatten().collect());
-    vec![
-        Verdict::smaller("wcpso’s paths are shorter than wpso’s", &values, 6),
-        Verdict::steadier("the lengths of wcpso’s paths vary less than those of wpso’s", &feasible, 6),
-    ]
 }

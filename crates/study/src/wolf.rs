@@ -18,7 +18,7 @@ use super::{
     fingerprints::JobList,
     marks::Basis,
     published::{TUNED, WOLF_ANT, WOLF_ANT_TURNS},
-    report::{Report, Verdict},
+    report::Report,
     runner::Control,
     table::{Cell, Table},
     tuned::{self, Tuned},
@@ -36,8 +36,6 @@ pub const REPRODUCTION: Study = Study {
 
 /// In the order of the paper's table.
 const PLANNERS: [&str; 3] = ["a-star", "aco", "aco-wolf"];
-/// Of ten runs with the published parameters so many find the exact optimum.
-const HITS_OF_TEN: usize = 9;
 /// What its figures rest on and the paper does not print.
 const OPEN: &str = "the paper prints neither the layout of the obstacles nor how many runs its figures are of";
 /// Tunings in full; of fewer runs a sixth.
@@ -98,8 +96,6 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
         });
     }
     report.tables.push(optima(&scene, &tuned, &found[2], &with_tuned));
-    report.verdicts = judge(&scene, &found);
-    report.verdicts.extend([recovered(&tuned), better(&found[2], &with_tuned)]);
     report.notes = notes(&scene, &found, &tuned)?;
     report.commands = setups[..PLANNERS.len()].iter().chain([&tuned::setup(&scene, 1)]).map(command).collect();
     report.write(options)?;
@@ -149,56 +145,10 @@ fn optima(scene: &Scene, tuned: &[Tuned], published: &[Run], with_tuned: &[Vec<R
     table
 }
 
-fn judge(scene: &Scene, found: &[Vec<Run>]) -> Vec<Verdict> {
-    let optimum = scene.optimum(Yardstick::Cells).unwrap_or(f64::NAN);
-    let hits = hits(&found[2], LENGTH.of, optimum);
-    let mut verdicts = vec![Verdict {
-        claim: format!("aco-wolf finds the exact optimum {optimum:.4} with at least {HITS_OF_TEN} of 10 seeds"),
-        holds: Some(10 * hits >= HITS_OF_TEN * found[2].len()),
-        because: format!("{hits} of {}", found[2].len()),
-    }];
-    for (claim, measure, [less, more]) in [
-        ("aco-wolf’s paths are shorter than aco’s", LENGTH, [2, 1]),
-        ("aco-wolf’s paths take less time than aco’s", SECONDS, [2, 1]),
-        ("aco-wolf finds its path in fewer iterations than aco", CONVERGED, [2, 1]),
-        ("aco’s paths are shorter than A*’s", LENGTH, [1, 0]),
-        ("aco-wolf’s paths are shorter than A*’s", LENGTH, [2, 0]),
-    ] {
-        let numbers = |k: usize| found[k].iter().map(measure.of).collect();
-        verdicts.push(Verdict::smaller(claim, &[numbers(less), numbers(more)], measure.digits));
-    }
-    verdicts
-}
-
 /// Smallest and largest of a parameter over the tunings.
 fn range(tuned: &[Tuned], k: usize) -> [f64; 2] {
     let values = || tuned.iter().map(|tuned| tuned.tuned()[k].1);
     [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
-}
-
-/// Whether each tuning comes to the published parameters, as they are printed: to one in the last digit.
-fn recovered(tuned: &[Tuned]) -> Verdict {
-    let printed = [0, 0, 3, 0].into_iter().zip(TUNED).map(|(digits, (_, value))| Figure::new(value, digits));
-    let printed: Vec<_> = printed.collect();
-    let same = |tuned: &&Tuned| printed.iter().zip(tuned.tuned()).all(|(figure, (_, value))| figure.like(value) == figure.value);
-    let count = tuned.iter().filter(same).count();
-    Verdict {
-        claim: "the tuning finds the published α, β, ρ and Q".to_owned(),
-        holds: Some(count == tuned.len()),
-        because: format!("{count} of {} swarms", tuned.len()),
-    }
-}
-
-/// Whether the published parameters do better than the best of those found here, with seeds by which neither was chosen here.
-fn better(published: &[Run], with_tuned: &[Vec<Run>]) -> Verdict {
-    let mean = |runs: &[Run]| LENGTH.summary(runs).map_or(f64::INFINITY, |summary| summary.mean);
-    let best = with_tuned.iter().min_by(|a, b| mean(a).total_cmp(&mean(b)));
-    let numbers = [published, best.map_or(&[][..], Vec::as_slice)].map(|runs| runs.iter().map(LENGTH.of).collect());
-    Verdict::smaller(
-        "with other seeds, the published parameters give shorter paths than the best that the tuning found here",
-        &numbers,
-        LENGTH.digits,
-    )
 }
 
 fn notes(scene: &Scene, found: &[Vec<Run>], tuned: &[Tuned]) -> Result<Vec<String>, Failure> {

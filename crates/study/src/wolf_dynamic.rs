@@ -22,7 +22,7 @@ use super::{
     fingerprints::JobList,
     marks::Basis,
     published::{WOLF_ANT, WOLF_ANT_TURNS},
-    report::{Report, Verdict},
+    report::Report,
     rows::Row,
     runner::{self, Control, Job},
     statistics::Summary,
@@ -181,7 +181,6 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     report.files.push(path);
     report.figures = figures(case, &published);
     report.tables = vec![beside(case, seeds), shares(among), by_number(among)];
-    report.verdicts = judge(case, among);
     report.notes = notes(among);
     let first = |planner: &str| published.iter().find(|setup| setup.planner == planner);
     report.commands = PLANNERS.into_iter().filter_map(first).map(command).collect();
@@ -381,37 +380,6 @@ fn by_number(among: &[Run]) -> Table {
         table.rows.push(row);
     }
     table
-}
-
-fn judge(case: &[Run], among: &[Run]) -> Vec<Verdict> {
-    let wolf = || case.iter().filter(|run| run.colony == "aco-wolf");
-    let total = |of: &dyn Fn(&Run) -> u64, runs: &[Run]| runs.iter().map(of).sum::<u64>();
-    let safe = case.iter().filter(|run| run.arrived && run.collisions == 0).count();
-    let hits = wolf().filter(|run| run.length.zip(run.exact).is_some_and(|(length, exact)| (length - exact).abs() < 1e-9 * exact)).count();
-    let time = WOLF_ANT[2][1];
-    let same = wolf().filter(|run| time.like(run.seconds) == time.value).count();
-    let collisions = total(&|run| run.collisions, among);
-    let known = collisions - total(&|run| run.foreseen_late, among);
-    let arrived = among.iter().filter(|run| run.arrived).count();
-    let claim = |claim: &str, holds: bool, because: String| Verdict { claim: claim.to_owned(), holds: Some(holds), because };
-    vec![
-        claim("in the published case every drive arrives and touches nothing", safe == case.len(), format!("{safe} of {}", case.len())),
-        claim(
-            "in the published case most drives of the improved ants are 562.8427 px long",
-            2 * hits >= wolf().count(),
-            format!("{hits} of {} are, to the last digit", wolf().count()),
-        ),
-        claim("and some of them take the published 38.1421 s", same > 0, format!("{same} of {}", wolf().count())),
-        claim("in random scenes every drive arrives", arrived == among.len(), format!("{arrived} of {}", among.len())),
-        claim(
-            "no collision where the robot knew of a safe motion, waiting included",
-            known == 0,
-            format!(
-                "{collisions} collisions in {} drives, {known} of them without a moment before at which nothing safe was known",
-                among.len()
-            ),
-        ),
-    ]
 }
 
 fn notes(among: &[Run]) -> Vec<String> {

@@ -1,5 +1,5 @@
 import type { ParameterValue } from 'forage-lab'
-import type { Case, Run } from './experiments'
+import type { Case, Run } from './cases'
 
 const RUN = /^forage run (\S+) --scene (\S+) --seed (\d+)((?: --set \w+=\S+)*)$/
 

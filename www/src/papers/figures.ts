@@ -29,6 +29,17 @@ export function groupsOf(rows: readonly Row[], paper: Paper): Group[] {
   })
 }
 
+/** The claim at which each group of figures is shown: the first that it belongs to. Groups of no claim are missing. */
+export function homesOf(groups: readonly Group[], claims: readonly { id: string; tables: readonly string[] }[]): Map<string, string> {
+  const home = ({ table }: Group): string | undefined => claims.find(({ tables }) => tables.some((name) => table.startsWith(name)))?.id
+  return new Map(
+    groups.flatMap((group) => {
+      const claim = home(group)
+      return claim === undefined ? [] : [[group.id, claim] as const]
+    }),
+  )
+}
+
 /** How many rows have each mark of a kind. */
 export const tally = <K extends MarkKind>(rows: readonly Row[], kind: K): [MarkOf<K>, number][] =>
   MARKS[kind].map((mark: MarkOf<K>) => [mark, rows.filter((row) => row.marks[kind]?.mark === mark).length])

@@ -2,7 +2,9 @@ import { tick } from 'svelte'
 import { lab } from '../state/lab.svelte'
 import { proposed } from '../state/proposed.svelte'
 import { type View, views } from '../state/views.svelte'
-import { type Case, RACERS, type Run } from './experiments'
+import type { Case, Run } from './cases'
+
+const RACERS = { least: 2, most: 4 } as const
 
 /** What was pressed is gone with its view: whoever uses the keyboard goes on from the name of the new one. */
 async function show(view: View): Promise<void> {
@@ -18,8 +20,9 @@ export function openRun({ scene: name }: Case, { planner, params, seed }: Run): 
   void show('stage')
 }
 
-export function openBatch({ scene, runs }: Case, count: number): void {
-  proposed.batch = { scene, planners: runs.map(({ planner, params }) => ({ planner, params: { ...params } })), seeds: { from: 1, count } }
+export function openBatch({ scene, runs }: Case, [first, last]: readonly [number, number]): void {
+  const seeds = { from: first, count: last - first + 1 }
+  proposed.batch = { scene, planners: runs.map(({ planner, params }) => ({ planner, params: { ...params } })), seeds }
   void show('batch')
 }
 

@@ -54,15 +54,3 @@ export const COLUMNS: readonly string[] = [
 /** A published figure, ours beside it, and the marks that compare the two. */
 export type Row = Record<(typeof WORDS)[number], string> &
   Record<(typeof NUMBERS)[number], number | null> & { paper: Paper; lower_is_better: boolean; marks: Marks }
-
-export const ANSWERS = ['yes', 'NO', 'not decided'] as const
-
-/** Something that a paper claims, and whether the runs here bear it out. */
-export interface Check {
-  reproduction: string
-  paper: Paper
-  claim: string
-  answer: (typeof ANSWERS)[number]
-  /** The numbers it rests on. */
-  because: string
-}

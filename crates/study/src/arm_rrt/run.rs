@@ -66,12 +66,11 @@ fn key(scene: &str, planner: &str, step: Option<f64>, seed: u64) -> String {
 /// A setup whose run is a row.
 pub(super) struct Task(pub Setup);
 
-impl Task {
-    fn step(&self) -> Option<f64> {
-        match self.0.params.get("step_size") {
-            Some(Value::Number(step)) => Some(*step),
-            _ => None,
-        }
+/// The step of a setup's tree.
+pub(super) fn step(setup: &Setup) -> Option<f64> {
+    match setup.params.get("step_size") {
+        Some(Value::Number(step)) => Some(*step),
+        _ => None,
     }
 }
 
@@ -112,7 +111,7 @@ impl Job for Task {
     type Row = Run;
 
     fn key(&self) -> String {
-        key(self.0.scene.name(), &self.0.planner, self.step(), self.0.seed)
+        key(self.0.scene.name(), &self.0.planner, step(&self.0), self.0.seed)
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Run>, Error> {
@@ -130,7 +129,7 @@ impl Job for Task {
         Ok(Some(Run {
             scene: self.0.scene.name().to_owned(),
             planner: self.0.planner.clone(),
-            step: self.step(),
+            step: step(&self.0),
             seed: self.0.seed,
             found: outcome.feasible,
             found_after: number("converged"),
@@ -152,7 +151,7 @@ impl Job for Task {
 }
 
 /// How far a path is from the straight line between its scene's start and goal, at most.
-fn aside(arm: &ArmScene, path: &[[f64; 3]]) -> f64 {
+pub(crate) fn aside(arm: &ArmScene, path: &[[f64; 3]]) -> f64 {
     let minus = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|i| a[i] - b[i]);
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let line = minus(arm.goal, arm.start);
@@ -169,7 +168,7 @@ fn aside(arm: &ArmScene, path: &[[f64; 3]]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{
-        super::{GUIDED, setups, straight_line},
+        super::{PLANNERS, setups, straight_line},
         *,
     };
     use forage::shipped;
@@ -193,7 +192,7 @@ mod tests {
     fn a_row_agrees_with_itself_however_long_it_took() {
         let stop = AtomicBool::new(false);
         let setup = setups().unwrap().swap_remove(2);
-        assert_eq!(setup.planner, GUIDED);
+        assert_eq!(setup.planner, PLANNERS[1]);
         let row = || Task(setup.clone()).run(&stop).unwrap().unwrap();
         let (a, b) = (row(), row());
         assert!(a.computed() == b.computed() && a.found && a.raw_length >= a.length);

@@ -1,0 +1,175 @@
+//! Claims in words, as Markdown and as JSON.
+
+use std::fmt::Write;
+
+use serde::Serialize;
+
+use forage::error::Error;
+
+use super::{
+    super::{
+        Failure,
+        marks::probability,
+        papers::PAPERS,
+        report::Report,
+        table::{Cell, Table},
+    },
+    Arm, On, Part, Question, Until,
+    judge::{Answered, Judged, Mark},
+};
+
+/// The rules, in words.
+pub const RULES: &str = "Each claim is asked as one or more questions, and a test answers each: seeds 51 to 100, which no parameter was chosen by, and for questions across maps \
+six maps of each generator with five seeds each. p-values are two-sided and corrected for the claim’s other questions (Holm). *as claimed*: p < 0.05, the first planner is the better one in at least 60 % of all pairs of runs \
+(A; ties count half). *contrary*: p < 0.05 the other way. *trivial*: of lengths and costs, if the 95 % interval of the difference of the means lies within ±0.5 %. *undecided*: all else, for example because both planners always find the optimum.\n\n\
+A claim is **upheld** if all answers are as claimed, **refuted** if all are contrary or trivial (of a claim that says \"all\", \"best\" or \"never\" one contrary answer is enough), otherwise **undecided**. \
+Layouts that a paper does not print are reconstructions, so an answer is one about our reading of the paper.";
+
+impl Part {
+    /// Where, in words.
+    pub(super) fn place(&self) -> String {
+        match self.on.as_slice() {
+            [] => String::new(),
+            [On::Scene(name)] => (*name).to_owned(),
+            [On::Map { settings, .. }, ..] => format!("{} generated maps, {settings}", self.on.len()),
+            _ => format!("{} scenes", self.on.len()),
+        }
+    }
+
+    /// The command that repeats the first run of an arm.
+    pub(super) fn command(&self, arm: &Arm) -> String {
+        let (first, scene) = match self.on.first() {
+            Some(On::Scene(name)) => (String::new(), (*name).to_owned()),
+            Some(On::Map { generator, settings, map }) => {
+                let set: String = settings.split_whitespace().flat_map(|pair| [" --set ", pair]).collect();
+                (format!("forage generate {generator}{set} --seed {map} --out map.json; "), "map.json".to_owned())
+            }
+            None => return String::new(),
+        };
+        let mut text = format!("{first}forage run {} --scene {scene} --seed {}", arm.planner, self.seeds[0]);
+        arm.params.iter().for_each(|(name, value)| text.extend([" --set ", name, "=", &value.to_string()]));
+        arm.motion.iter().for_each(|(name, value)| text.extend([" --motion-set ", name, "=", &value.to_string()]));
+        if let Until::Iteration(k) = self.until {
+            let _ = write!(text, " --iterations {k}");
+        }
+        text
+    }
+}
+
+impl Question {
+    /// In words; the first planner is the one that the claim speaks for.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Less(measure) => format!("smaller {}", measure.name),
+            Self::LessAcross(measure) => format!("smaller {} across maps", measure.name),
+            Self::More(measure) => format!("larger {}", measure.name),
+            Self::SpreadsLess(measure) => format!("smaller spread of the {}", measure.name),
+            Self::Sooner { at, .. } => format!("fewer {}", at.name),
+            Self::MoreOften(event) | Self::MoreOftenInPairs(event) => format!("more often {}", event.name),
+            Self::AtLeast(event, share) => format!("at least {:.0} % of the runs {}", 100.0 * share, event.name),
+            Self::Never(event) => format!("never {}", event.name),
+            Self::AtMost(measure, limit) => format!("mean {} at most {limit}", measure.name),
+            Self::SpreadsAtMost(measure, limit) => format!("standard deviation of the {} at most {limit}", measure.name),
+            Self::Grows(measure) => format!("{} grows in this order", measure.name),
+            Self::Open(_) => "cannot be asked".to_owned(),
+        }
+    }
+}
+
+/// Planners as they are told apart in a line: the parameters that all have come last.
+fn planners(part: &Answered) -> String {
+    let mut part = part.clone();
+    for arm in &mut part.arms {
+        arm.motion.iter().for_each(|(name, value)| arm.parameters.insert(format!("motion {name}"), value.clone()));
+    }
+    let [first, rest @ ..] = part.arms.as_slice() else { return String::new() };
+    let is_common = |name: &str| rest.iter().all(|arm| arm.parameters.get(name) == first.parameters.get(name));
+    let listed = |of: &dyn Fn(&str) -> bool, given: &forage::Given| {
+        given.iter().filter(|(name, _)| of(name)).map(|(name, value)| format!("{name}={value}")).collect::<Vec<_>>().join(" ")
+    };
+    let labels = part.arms.iter().map(|arm| {
+        let own = if rest.is_empty() { String::new() } else { listed(&|name| !is_common(name), &arm.parameters) };
+        if own.is_empty() { arm.planner.to_owned() } else { format!("{} ({own})", arm.planner) }
+    });
+    let common = listed(&|name| is_common(name), &first.parameters);
+    let text = labels.collect::<Vec<_>>().join(", ");
+    if common.is_empty() { text } else { format!("{text}; {common}") }
+}
+
+/// The questions of a claim.
+fn table(claim: &Judged) -> Table {
+    let mut table = Table::new(
+        claim.id,
+        format!("Questions of {}", claim.id),
+        &["question", "on", "planners", "n", "numbers", "test", "p", "effect", "answer"],
+    );
+    for part in &claim.parts {
+        let p = part.corrected.map_or(Cell::Empty, |p| Cell::Text(probability(p).trim_start_matches("= ").to_owned()));
+        let n = if part.n == 0 { Cell::Empty } else { Cell::whole(part.n as u64) };
+        let [question, on, numbers, effect] = [&part.question, &part.on, &part.numbers, &part.effect].map(|text| Cell::Text(text.clone()));
+        table.rows.push(vec![question, on, Cell::Text(planners(part)), n, numbers, part.test.into(), p, effect, part.answer.name().into()]);
+    }
+    table
+}
+
+/// Claims as a section of the document, or of a report.
+pub fn markdown(claims: &[Judged]) -> String {
+    let mut text = String::new();
+    for claim in claims {
+        let _ = write!(
+            text,
+            "#### {}: {} — {}\n\n> {} ({})\n\n{}.{}\n\n{}\n",
+            claim.id,
+            claim.says,
+            claim.mark.name(),
+            claim.quotation,
+            claim.place,
+            claim.because,
+            if claim.reading.is_empty() { String::new() } else { format!(" {}", claim.reading) },
+            table(claim).markdown()
+        );
+        if let Some(arm) = claim.parts.iter().flat_map(|part| &part.arms).find(|arm| !arm.command.is_empty()) {
+            let _ = write!(text, "The first run: `{}`.\n\n", arm.command);
+        }
+    }
+    text
+}
+
+/// Claims for a terminal, and a table of the questions of each.
+pub fn text(claims: &[Judged]) -> String {
+    let mut text = String::new();
+    for claim in claims {
+        let _ = write!(text, "{}: {}: {}. {}\n{}\n", claim.id, claim.says, claim.mark.name(), claim.because, table(claim).text());
+    }
+    text
+}
+
+/// `27 claims: 3 upheld, 9 refuted, 15 undecided`.
+pub fn counted<'a>(claims: impl IntoIterator<Item = &'a Judged>) -> String {
+    let all: Vec<Mark> = claims.into_iter().map(|claim| claim.mark).collect();
+    let count = |mark: Mark| all.iter().filter(|&&other| other == mark).count();
+    let marks: Vec<String> = Mark::ALL.iter().map(|&mark| format!("{} {}", count(mark), mark.name())).collect();
+    format!("{} claim{}: {}", all.len(), if all.len() == 1 { "" } else { "s" }, marks.join(", "))
+}
+
+/// A claim and its paper.
+#[derive(Serialize)]
+struct Entry<'a> {
+    paper: &'a str,
+    #[serde(flatten)]
+    claim: &'a Judged,
+}
+
+/// All claims for programs: the papers, and each claim with its questions and answers; one of them a line.
+///
+/// # Errors
+/// None that is known: it is written to memory.
+pub fn json(reports: &[Report]) -> Result<String, Failure> {
+    let claims = reports.iter().flat_map(|report| report.claims.iter().map(|claim| Entry { paper: report.paper(), claim }));
+    Ok(format!("{{\"papers\":[\n{}\n],\"claims\":[\n{}\n]}}\n", lines(PAPERS.iter())?, lines(claims)?))
+}
+
+fn lines(items: impl Iterator<Item = impl Serialize>) -> Result<String, Failure> {
+    let lines: Result<Vec<String>, _> = items.map(|item| serde_json::to_string(&item)).collect();
+    Ok(lines.map_err(|problem| Error::malformed("claims", problem))?.join(",\n"))
+}
