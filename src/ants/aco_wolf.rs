@@ -27,8 +27,8 @@ const HEURISTIC: Parameter = Parameter::choice(
     "",
     "Heuristic",
     &[
-        Choice { value: "ranks", title: "Ranks", help: "The ranks of [WOLF-ANT] (6)." },
-        Choice { value: "distance", title: "Distance", help: "1 / distance to the goal, as traditional ants have it." },
+        Choice { value: "ranks", title: "Ranks", help: "[WOLF-ANT] (6)." },
+        Choice { value: "distance", title: "Distance", help: "1 / distance to the goal." },
     ],
     "What draws ants to the goal.",
 );
@@ -37,8 +37,8 @@ const UPDATE: Parameter = Parameter::choice(
     "",
     "Pheromone update",
     &[
-        Choice { value: "wolf", title: "Wolf pack", help: "The best path gets more, the worst less, [WOLF-ANT] (10) to (12)." },
-        Choice { value: "ant", title: "Traditional", help: "Every ant deposits Q / L, (9) alone." },
+        Choice { value: "wolf", title: "Wolf pack", help: "[WOLF-ANT] (10) to (12)." },
+        Choice { value: "ant", title: "Traditional", help: "Q / L of every ant, (9) alone." },
     ],
     "How much pheromone ants deposit.",
 );

@@ -2,7 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::{catalogue::Entry, digest::Digest};
+use crate::{
+    catalogue::Entry,
+    digest::Digest,
+    error::Error,
+    params::{Choice, Parameter},
+};
 
 use super::{
     Ground,
@@ -19,6 +24,31 @@ use super::{
 struct Anew {
     ground: Arc<Ground>,
     search: AStar,
+    /// The path to begin with, where it is not searched.
+    printed: Option<Vec<usize>>,
+}
+
+const PATH: Parameter = Parameter::choice(
+    "path",
+    "",
+    "First path",
+    &[
+        Choice { value: "search", title: "By A*", help: "The shortest one." },
+        Choice { value: "printed", title: "As printed", help: "published.path_cells of the scene." },
+    ],
+    "Where the first path comes from.",
+);
+
+/// The printed path of a scene, from start to goal.
+fn printed(ground: &Ground) -> Result<Vec<usize>, Error> {
+    let cells = &ground.cells;
+    let stored = ground.scene.header().published.as_ref().and_then(|published| published.get("path_cells")?.as_array());
+    let way: Vec<usize> = stored.into_iter().flatten().map(|cell| cell.as_u64().unwrap_or(u64::MAX) as usize).collect();
+    let leads =
+        |two: &[usize]| two[0] < cells.len() && (0..8).any(|d| cells.moves(two[0]) >> d & 1 != 0 && cells.next(two[0], d) == two[1]);
+    let ends = (way.first(), way.last()) == (Some(&ground.course.start), Some(&ground.course.goal));
+    let wrong = || Error::refused("path", "printed", "search: published.path_cells of the scene is no free path from start to goal");
+    if ends && way.windows(2).all(leads) { Ok(way) } else { Err(wrong()) }
 }
 
 impl Route for Anew {
@@ -27,6 +57,9 @@ impl Route for Anew {
     }
 
     fn way(&mut self) -> Option<Vec<usize>> {
+        if self.printed.is_some() {
+            return self.printed.clone();
+        }
         let nothing = vec![false; self.ground.cells.len()];
         self.search.way(&nothing, self.ground.course.start, self.ground.course.goal)
     }
@@ -56,7 +89,7 @@ pub const ENTRY: Entry = Entry {
     source: "Hart, Nilsson and Raphael 1968; [WOLF-ANT] §6",
     summary: "The shortest way from cell to cell, then a drive in simulated time: where the robot foresees a collision it searches a new way round the obstacle’s predicted range from scratch, or waits.",
     kinds: KINDS,
-    parameters: &[ITERATIONS, BORDER, ROBOT, ROBOT_RADIUS, MARGIN, SPEED, TURN_TIME, SENSOR, LOOK_AHEAD, PERIOD, TIME_LIMIT],
+    parameters: &[PATH, ITERATIONS, BORDER, ROBOT, ROBOT_RADIUS, MARGIN, SPEED, TURN_TIME, SENSOR, LOOK_AHEAD, PERIOD, TIME_LIMIT],
     readings: READINGS,
     formulas: &[FORMULA_APPROACH, FORMULA_TIME],
     layers: LAYERS_BARE,
@@ -67,6 +100,9 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     suggest: |_| None,
     start: |scene, settings, _| {
-        super::start(scene, settings, |ground| Ok(Box::new(Anew { search: AStar::new(&ground.cells), ground: Arc::clone(ground) })))
+        super::start(scene, settings, |ground| {
+            let printed = (settings.choice("path") == "printed").then(|| printed(ground)).transpose()?;
+            Ok(Box::new(Anew { search: AStar::new(&ground.cells), ground: Arc::clone(ground), printed }))
+        })
     },
 };

@@ -334,3 +334,21 @@ fn what_the_robot_cannot_be_is_refused_by_name() {
     let given = [("robot", Value::from("given")), ("robot_radius", Value::from(0.6))];
     assert_eq!(refused(r#"{"radius": 1}"#, &given), ("robot_radius".to_owned(), "0.6".to_owned()));
 }
+
+/// The path that [WOLF-ANT] prints, driven by a point as in the paper: its length, its turns and its time are the printed ones.
+#[test]
+fn the_printed_path_is_driven_as_printed() {
+    let setup = |scene: Arc<Scene>| {
+        let point = [("path", "printed"), ("robot", "given"), ("robot_radius", "0"), ("margin", "0")];
+        let params = point.map(|(name, value)| (name, Value::from(value))).into_iter().collect();
+        Setup { planner: "a-star-drive".into(), scene, params, seed: 1 }
+    };
+    let mut session = Session::with_keyframes(setup(crate::shipped("wolf-ant-20").unwrap()), 0).unwrap();
+    assert_eq!(session.step(u64::MAX), Status::Solved);
+    let outcome = session.outcome();
+    assert!((outcome.length.unwrap() - 562.842_712_474_619).abs() < 1e-9 && outcome.turns == Some(10), "{outcome:?}");
+    let reading = |name: &str| outcome.readings.iter().find(|(n, _)| *n == name).unwrap().1;
+    assert!((reading("time") - 38.142_135_623_731).abs() < 1e-9 && reading("collisions") == 0.0, "{:?}", outcome.readings);
+    let refused = Session::with_keyframes(setup(crate::shipped("crossing").unwrap()), 0).err().unwrap().to_string();
+    assert!(refused.contains("path") && refused.contains("published.path_cells"), "{refused}");
+}

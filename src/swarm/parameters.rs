@@ -116,7 +116,7 @@ pub(super) const SPREAD: Reading = Reading::new(
     "\\bar\\sigma",
     "Spread",
     Group::Measure,
-    "How far the particles are apart: the mean over the coordinates of their standard deviation, as a share of the box.",
+    "The mean standard deviation of the particles’ coordinates, as a share of the box.",
 );
 pub(super) const FREE: Reading = Reading::new(
     "free",

@@ -1,6 +1,7 @@
 //! How long tours take, over the number of stops: [ANTBAT] fig. 8.
 
 use std::{
+    collections::BTreeMap,
     fs,
     path::PathBuf,
     sync::{Arc, atomic::AtomicBool},
@@ -28,19 +29,47 @@ use super::{
     runner::{self, Control, Job},
     statistics::Summary,
     table::{Cell, Table},
-    tours::{self, Network, PLANNERS},
+    tours::{self, Network},
 };
 
 /// See the module.
 pub const REPRODUCTION: Study = Study {
     name: "antbat-time",
-    title: "time over the number of stops, by all tour planners",
+    title: "time over the number of stops: three methods, and all tour planners",
     source: "[ANTBAT] fig. 8",
     repeatable: false,
     // Times are measured: there is nothing to compare.
     jobs: |_| Ok(Vec::new()),
     run,
 };
+
+/// A way to find paths between stops and an order of the stops.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Method {
+    name: &'static str,
+    /// Orders the stops.
+    planner: &'static str,
+    /// Finds the paths.
+    roads: &'static str,
+}
+
+/// The paper's ants find the paths, unless another planner is named.
+const ANTS: &str = "aco-direction";
+const fn by_ants(planner: &'static str) -> Method {
+    Method { name: planner, planner, roads: ANTS }
+}
+/// The paper's method, those of its [31] and [32], and other orders on the ants' paths.
+const METHODS: [Method; 9] = [
+    by_ants("bat"),
+    Method { name: "bat, cuckoo-search", planner: "bat", roads: "cuckoo-search" },
+    Method { name: "bat, pso-rrt", planner: "bat", roads: "pso-rrt" },
+    by_ants("hybrid-bat"),
+    by_ants("ga"),
+    by_ants("tour-pso"),
+    by_ants("sa"),
+    by_ants("two-opt"),
+    by_ants("held-karp"),
+];
 
 /// How many stops; the figure's are not in the paper's text.
 const STOPS: [usize; 6] = [5, 10, 15, 20, 25, 30];
@@ -50,7 +79,7 @@ const RUNS: u64 = 5;
 /// A run. What begins with `measured` is no result: it differs each time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Run {
-    planner: String,
+    method: String,
     stops: usize,
     seed: u64,
     feasible: bool,
@@ -67,7 +96,7 @@ struct Run {
 
 impl Row for Run {
     fn key(&self) -> String {
-        key(&self.planner, self.stops, self.seed)
+        key(&self.method, self.stops, self.seed)
     }
 
     fn computed(&self) -> Self {
@@ -75,11 +104,12 @@ impl Row for Run {
     }
 }
 
-fn key(planner: &str, stops: usize, seed: u64) -> String {
-    format!("{planner}, {stops} stops, seed {seed}")
+fn key(method: &str, stops: usize, seed: u64) -> String {
+    format!("{method}, {stops} stops, seed {seed}")
 }
 
 struct Task {
+    method: Method,
     setup: Setup,
     stops: usize,
     threads: usize,
@@ -90,19 +120,19 @@ impl Job for Task {
     type Row = Run;
 
     fn key(&self) -> String {
-        key(&self.setup.planner, self.stops, self.setup.seed)
+        key(self.method.name, self.stops, self.setup.seed)
     }
 
-    /// The first planner's runs find the roads. They keep their order, see [`tasks`].
+    /// The first method of each kind of paths finds them. They keep their order, see [`tasks`].
     fn weight(&self) -> u64 {
-        if self.setup.planner == PLANNERS[0] { 100 } else { 1 }
+        if self.method.planner == METHODS[0].planner { 100 } else { 1 }
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Run>, Error> {
         let Some(found) = tours::carry_out(&self.setup, &self.network, stop)? else { return Ok(None) };
         let outcome = found.outcome;
         Ok(Some(Run {
-            planner: self.setup.planner.clone(),
+            method: self.method.name.to_owned(),
             stops: self.stops,
             seed: self.setup.seed,
             feasible: outcome.feasible,
@@ -132,43 +162,47 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let mut report = Report::new(&REPRODUCTION, runs, RUNS);
     report.shortened = (runs != RUNS).then(|| format!("{runs} runs a planner and number of stops instead of {RUNS}"));
     report.files.push(path);
-    let points: Vec<Point> = PLANNERS.iter().flat_map(|planner| STOPS.map(|n| Point::of(planner, n, &rows))).flatten().collect();
+    let points: Vec<Point> = METHODS.iter().flat_map(|method| STOPS.map(|n| Point::of(*method, n, &rows))).flatten().collect();
     let growths = growths(&points);
     report.tables = vec![times(&points, runs), growth(&growths)];
     report.notes = notes(&rows);
     draw(&mut report, &points, options)?;
     for scenes in &scenes {
         let path = keep(&scenes[0], options)?;
-        report.commands.push(command(&setup(&scenes[0], PLANNERS[0], 1)).replace(scenes[0].name(), &path_text(&path)));
+        report.commands.push(command(&setup(&scenes[0], METHODS[0], 1)).replace(scenes[0].name(), &path_text(&path)));
         report.files.push(path);
     }
     report.write(options)?;
     Ok(report)
 }
 
-fn setup(scene: &Arc<Scene>, planner: &str, seed: u64) -> Setup {
-    // The ways of Table 2: from cell to cell.
+fn setup(scene: &Arc<Scene>, Method { planner, roads, .. }: Method, seed: u64) -> Setup {
+    // The paths of Table 2: from cell to cell.
     let mut params = tours::published(planner);
     params.insert("smooth", Value::from("false"));
+    if roads != ANTS {
+        params.insert("roads", Value::from(roads));
+    }
     Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed }
 }
 
-/// Planner by planner, as many stops as each takes. All numbers of stops take turns: were they timed one number after the
+/// Method by method, as many stops as each takes. All numbers of stops take turns: were they timed one number after the
 /// other, a machine that has more to do at first than later would bend the curves.
 fn tasks(scenes: &[Vec<Arc<Scene>>], threads: usize) -> Result<Vec<Task>, Error> {
-    let networks: Vec<Vec<Arc<Network>>> = scenes.iter().map(|scenes| scenes.iter().map(|_| Arc::default()).collect()).collect();
+    let mut networks: BTreeMap<(&str, usize, u64), Arc<Network>> = BTreeMap::new();
     let mut tasks = Vec::new();
-    for planner in PLANNERS {
+    for method in METHODS {
         let from = tasks.len();
-        for ((stops, scenes), networks) in STOPS.into_iter().zip(scenes).zip(&networks) {
-            if find(planner)?.most_stops.is_some_and(|most| stops > most) {
+        for (stops, scenes) in STOPS.into_iter().zip(scenes) {
+            if find(method.planner)?.most_stops.is_some_and(|most| stops > most) {
                 continue;
             }
-            tasks.extend((1..).zip(scenes).zip(networks).map(|((seed, scene), network)| Task {
-                setup: setup(scene, planner, seed),
+            tasks.extend((1..).zip(scenes).map(|(seed, scene)| Task {
+                method,
+                setup: setup(scene, method, seed),
                 stops,
                 threads,
-                network: Arc::clone(network),
+                network: Arc::clone(networks.entry((method.roads, stops, seed)).or_default()),
             }));
         }
         tasks[from..].sort_by_key(|task: &Task| task.setup.seed);
@@ -176,9 +210,9 @@ fn tasks(scenes: &[Vec<Arc<Scene>>], threads: usize) -> Result<Vec<Task>, Error>
     Ok(tasks)
 }
 
-/// A planner's runs through so many stops.
+/// A method's runs through so many stops.
 struct Point {
-    planner: &'static str,
+    method: Method,
     stops: usize,
     /// Medians, in milliseconds.
     roads: f64,
@@ -191,12 +225,12 @@ struct Point {
 }
 
 impl Point {
-    fn of(planner: &'static str, stops: usize, rows: &[Run]) -> Option<Self> {
-        let runs: Vec<&Run> = rows.iter().filter(|run| run.planner == planner && run.stops == stops).collect();
+    fn of(method: Method, stops: usize, rows: &[Run]) -> Option<Self> {
+        let runs: Vec<&Run> = rows.iter().filter(|run| run.method == method.name && run.stops == stops).collect();
         let median = |of: fn(&Run) -> f64| Summary::of(runs.iter().map(|run| of(run))).map(|summary| summary.median);
         let hits = runs.iter().filter(|run| run.gap == Some(0.0)).count();
         Some(Self {
-            planner,
+            method,
             stops,
             roads: median(|run| run.measured_roads_ms)?,
             order: median(|run| run.measured_order_ms)?,
@@ -210,11 +244,11 @@ impl Point {
 
 fn times(points: &[Point], runs: u64) -> Table {
     let title = format!("Milliseconds over the number of stops, medians of {runs} runs: roads, order, both");
-    let columns = ["planner", "stops", "roads", "roads ms", "order ms", "total ms", "evaluations", "gap %", "exact tour"];
+    let columns = ["method", "stops", "roads", "roads ms", "order ms", "total ms", "evaluations", "gap %", "exact tour"];
     let mut table = Table::new("time", title, &columns);
     for point in points {
         table.rows.push(vec![
-            point.planner.into(),
+            point.method.name.into(),
             Cell::whole(point.stops as u64),
             Cell::whole(pairs(point.stops) as u64),
             Cell::Number(point.roads, 1),
@@ -240,18 +274,20 @@ struct Growth {
     fit: Option<Fit>,
 }
 
-/// Of the roads over the stops and over their own number, then of each planner's order over the stops.
+/// Of the paths over the stops and over their own number, of the three methods as a whole, then of each order over the stops.
 fn growths(points: &[Point]) -> Vec<Growth> {
-    let growth = |of: &str, over: &'static str, planner: &str, x: fn(&Point) -> f64, y: fn(&Point) -> f64| {
-        let logs: Vec<_> = points.iter().filter(|p| p.planner == planner).map(|p| [math::ln(x(p)), math::ln(y(p))]).collect();
-        Growth { of: of.to_owned(), over, fit: fit::line(&logs) }
+    let growth = |of: String, over: &'static str, method: Method, x: fn(&Point) -> f64, y: fn(&Point) -> f64| {
+        let logs: Vec<_> = points.iter().filter(|p| p.method == method).map(|p| [math::ln(x(p)), math::ln(y(p))]).collect();
+        Growth { of, over, fit: fit::line(&logs) }
     };
     let stops = |p: &Point| p.stops as f64;
     let mut all = vec![
-        growth("roads", "stops", PLANNERS[0], stops, |p| p.roads),
-        growth("roads", "roads", PLANNERS[0], |p| pairs(p.stops) as f64, |p| p.roads),
+        growth("roads".to_owned(), "stops", METHODS[0], stops, |p| p.roads),
+        growth("roads".to_owned(), "roads", METHODS[0], |p| pairs(p.stops) as f64, |p| p.roads),
     ];
-    all.extend(PLANNERS.map(|planner| growth(planner, "stops", planner, stops, |p| p.order)));
+    all.extend(METHODS[..3].iter().map(|method| growth(format!("{}, roads and order", method.name), "stops", *method, stops, |p| p.total)));
+    let orders = METHODS.iter().filter(|method| method.roads == ANTS);
+    all.extend(orders.map(|method| growth(method.name.to_owned(), "stops", *method, stops, |p| p.order)));
     all
 }
 
@@ -276,7 +312,7 @@ fn growth(growths: &[Growth]) -> Table {
 fn notes(rows: &[Run]) -> Vec<String> {
     let mut notes = vec![
         "The times are not reproducible: in the rows all that begins with `measured` differs from run to run and from machine to machine; the rest is computed and does not. Published times are none: fig. 8 is a picture of three algorithms without numbers in the text, not even of the stops, so 5 to 30 are used.".to_owned(),
-        "Stops are centres of free cells at random, others for each seed. The roads of a network are built one after the other on one thread (aco-direction, from cell to cell) and timed once; all planners then order the stops by these same roads, so that their totals differ in the order only. Time for the order is that of the whole search with the planner’s default sizes: see `evaluations`. `gap` and `exact tour` where the exact tour is computed, up to 15 stops; what held-karp has of a gap is the roads’. Its time is no power of the number of stops but exponential: three points fit either.".to_owned(),
+        "Stops are centres of free cells at random, others for each seed. The roads of a network are built one after the other on one thread and timed once; all planners then order the stops by these same roads, so that their totals differ in the order only. The roads are the improved ants’ (from cell to cell), but of `bat, cuckoo-search` ([31]) and `bat, pso-rrt` ([32]), which are compared as whole methods: the paper prints none of their details. Time for the order is that of the whole search with the planner’s default sizes: see `evaluations`. `gap` and `exact tour` where the exact tour is computed, up to 15 stops; what held-karp has of a gap is the roads’. Its time is no power of the number of stops but exponential: three points fit either.".to_owned(),
     ];
     let most = rows.iter().map(|run| run.measured_threads).max().unwrap_or(1);
     notes.push(match most {
@@ -297,8 +333,9 @@ fn notes(rows: &[Run]) -> Vec<String> {
 
 /// Both stages and the order alone, over the number of stops.
 fn draw(report: &mut Report, points: &[Point], options: &Options) -> Result<(), Failure> {
-    let of = |planner: &str, y: fn(&Point) -> f64| points.iter().filter(|p| p.planner == planner).map(|p| [p.stops as f64, y(p)]).collect();
-    let curves = |y: fn(&Point) -> f64| PLANNERS.map(|name| Curve { name, points: of(name, y) });
+    let of =
+        |method: &Method, y: fn(&Point) -> f64| points.iter().filter(|p| p.method == *method).map(|p| [p.stops as f64, y(p)]).collect();
+    let curves = |y: fn(&Point) -> f64| METHODS.each_ref().map(|method| Curve { name: method.name, points: of(method, y) });
     let path = options.out.join("antbat-time.svg");
     chart::times(&path, &[("roads and order", &curves(|p| p.total)), ("order alone", &curves(|p| p.order))])?;
     report.files.push(path);
@@ -321,12 +358,12 @@ mod tests {
         let point = |stops: usize| {
             let (roads, order) = (3.0 * pairs(stops) as f64, 0.5 * (stops * stops * stops) as f64);
             let (evaluations, gap, exact) = (1.0, None, String::new());
-            Point { planner: PLANNERS[0], stops, roads, order, total: roads + order, evaluations, gap, exact }
+            Point { method: METHODS[0], stops, roads, order, total: roads + order, evaluations, gap, exact }
         };
         let growths = growths(&STOPS.map(point));
         let exponent = |k: usize| growths[k].fit.unwrap().b[1];
-        assert!((exponent(1) - 1.0).abs() < 1e-12 && (exponent(2) - 3.0).abs() < 1e-12);
+        assert!((exponent(1) - 1.0).abs() < 1e-12 && (exponent(5) - 3.0).abs() < 1e-12);
         assert!((2.0..2.2).contains(&exponent(0)), "n (n − 1) / 2 is a little more than n²");
-        assert!(growths[3].fit.is_none(), "nothing was timed");
+        assert!(growths[6].fit.is_none(), "nothing was timed");
     }
 }

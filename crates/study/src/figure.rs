@@ -27,11 +27,6 @@ impl Figure {
         format!("{number:.*}", self.digits).parse().unwrap_or(number)
     }
 
-    /// Whether it lies between two numbers, or is what one of them looks like when it is printed.
-    pub fn is_within(&self, [low, high]: [f64; 2]) -> bool {
-        (self.like(low)..=self.like(high)).contains(&self.value)
-    }
-
     /// Whether it is the length of some path from cell to cell, if nothing were in the way.
     pub fn is_length(&self, by: &Steps) -> bool {
         by.around(self.value).into_iter().flatten().any(|length| self.like(length) == self.value)
@@ -83,13 +78,6 @@ impl Steps {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_figure_is_compared_to_the_digits_that_are_printed() {
-        let figure = Figure::new(562.8427, 4);
-        assert!(figure.is_within([562.842_712_474, 600.0]) && figure.is_within([500.0, 562.842_712_474]));
-        assert!(!figure.is_within([562.842_76, 600.0]) && !figure.is_within([500.0, 562.842_64]));
-    }
 
     /// Every way of a small board, counted out: one column and three rows further, up to six steps.
     #[test]

@@ -1,5 +1,7 @@
 //! What printed figures can rest on: how many runs, which paths, which other figures. Arithmetic on what the papers print, no runs.
 
+mod texts;
+
 use std::{cmp::Reverse, fmt::Write};
 
 use serde::Serialize;
@@ -11,6 +13,7 @@ use super::{
     compared::{ComparedFigure, Printed},
     figure::{Figure, Steps},
     marks::Marked,
+    papers::PAPERS,
     published::{
         ANTBAT, ANTBAT_TOURS, TABLE_1, TABLE_2, Tours, WOLF_ANT, WOLF_ANT_TURNS,
         wcpso::{self, PLANNERS},
@@ -209,7 +212,9 @@ pub fn attach(figures: &mut [ComparedFigure], paper: &str) -> Result<(), Error> 
 /// # Errors
 /// A printed figure that cannot be read.
 pub fn findings() -> Result<Vec<Finding>, Error> {
-    Ok([wcpso()?, ltqpso(), antbat()?, wolf_ant()?].concat())
+    let mut findings = [wcpso()?, ltqpso(), antbat()?, wolf_ant()?, texts::findings()?].concat();
+    findings.sort_by_key(|finding| PAPERS.iter().position(|paper| finding.place.starts_with(&format!("[{}]", paper.tag))));
+    Ok(findings)
 }
 
 fn wcpso() -> Result<Vec<Finding>, Error> {

@@ -58,6 +58,7 @@ use runner::Control;
 /// Every published experiment that is repeated here, in the order in which they are carried out.
 pub const REPRODUCTIONS: &[Study] = &[
     wcpso::FUNCTIONS,
+    wcpso::FITTED,
     wcpso::PATHS,
     ltqpso::REPRODUCTION,
     regression::REPRODUCTION,

@@ -2,6 +2,8 @@
 
 pub mod wcpso;
 
+use forage::{error::Error, scene::Scene};
+
 use super::figure::Figure;
 
 /// A line of Table 1 or 2: ln N or ln M = b0 + b1 ln D.
@@ -127,6 +129,17 @@ pub const ANTBAT_TOURS: [Tours; 5] = [
 
 /// [WOLF-ANT] Table 2, pixels and seconds: A*, the traditional ants, the improved ones.
 pub const WOLF_ANT: [[Figure; 2]; 3] = [drive(602.842, 40.1421), drive(579.412, 38.9706), drive(562.8427, 38.1421)];
+
+/// The improved ants' path, which [WOLF-ANT] §6 prints cell by cell: the centres of the cells that the scene stores.
+///
+/// # Errors
+/// A scene that is no grid.
+pub fn wolf_ant_path(scene: &Scene) -> Result<Vec<[f64; 2]>, Error> {
+    let cells = scene.grid()?.cells();
+    let stored = scene.header().published.as_ref().and_then(|published| published.get("path_cells")?.as_array());
+    let numbers = stored.into_iter().flatten().filter_map(|cell| usize::try_from(cell.as_u64()?).ok());
+    Ok(numbers.filter(|cell| *cell < cells.len()).map(|cell| cells.centre(cell)).collect())
+}
 
 /// Turns of each of the three.
 pub const WOLF_ANT_TURNS: Figure = Figure::new(10.0, 0);

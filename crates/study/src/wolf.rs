@@ -5,19 +5,20 @@ use std::sync::Arc;
 use forage::{
     Given, Setup, Value,
     error::Error,
+    geometry,
     planner::Yardstick,
     scene::{Scene, shipped},
 };
 
 use super::{
     Failure, Options, Study,
-    colonies::{self, CONVERGED, LENGTH, Lines, RUNS, Run, SECONDS, TURNS, hits},
+    colonies::{self, CONVERGED, LENGTH, Lines, RUNS, Run, SECONDS, SETTLED, TURNS, hits},
     command,
     compared::{ComparedFigure, Computed, Published},
     figure::{Figure, Steps},
     fingerprints::JobList,
     marks::Basis,
-    published::{TUNED, WOLF_ANT, WOLF_ANT_TURNS},
+    published::{TUNED, WOLF_ANT, WOLF_ANT_TURNS, wolf_ant_path},
     report::Report,
     runner::Control,
     table::{Cell, Table},
@@ -75,12 +76,13 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
 
     let mut report = colonies::report(&REPRODUCTION, runs);
     report.files.extend([tunings_file, path]);
-    report.tables.push(ways(&scene, &found, runs)?);
+    report.tables.push(ways(&scene, &found, runs));
     for (k, setup) in setups[..PLANNERS.len()].iter().enumerate() {
         for (measure, figure) in [(LENGTH, WOLF_ANT[k][0]), (TURNS, WOLF_ANT_TURNS), (SECONDS, WOLF_ANT[k][1])] {
             report.figures.push(measure.compared("Table 2", PLANNERS[k], figure, &found[k], OPEN, command(setup)));
         }
     }
+    report.figures.extend(printed(&scene)?);
     for (k, (name, value)) in TUNED.into_iter().enumerate() {
         report.figures.push(ComparedFigure {
             table: "§5.2".to_owned(),
@@ -102,23 +104,48 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     Ok(report)
 }
 
+/// What the path comes to that the paper prints cell by cell: no run and no layout is needed.
+fn printed(scene: &Arc<Scene>) -> Result<Vec<ComparedFigure>, Error> {
+    let path = wolf_ant_path(scene)?;
+    let (length, turns) = (geometry::length(&path), geometry::turns(&path) as f64);
+    // A point, as in the paper: it never comes near the obstacle.
+    let point = [("path", "printed"), ("robot", "given"), ("robot_radius", "0"), ("margin", "0")];
+    let params = point.map(|(name, value)| (name, Value::from(value))).into_iter().collect();
+    let replay = Setup { planner: "a-star-drive".to_owned(), scene: Arc::clone(scene), params, seed: 1 };
+    let seconds = colonies::seconds(scene, length, turns);
+    let measures = [("length", WOLF_ANT[2][0], Some(length)), ("turns", WOLF_ANT_TURNS, Some(turns)), ("seconds", WOLF_ANT[2][1], seconds)];
+    let figure = |(measure, figure, computed): (&str, Figure, Option<f64>)| ComparedFigure {
+        table: "§6, the printed path".to_owned(),
+        group: String::new(),
+        row: "improved ants".to_owned(),
+        measure: measure.to_owned(),
+        lower_is_better: true,
+        published: Published::figure(figure),
+        computed: computed.map_or(Computed::Nothing, Computed::Exact),
+        basis: Basis::Printed,
+        source: None,
+        command: command(&replay),
+    };
+    Ok(measures.into_iter().map(figure).collect())
+}
+
 /// 30 ants, 100 iterations.
 fn sizes() -> Given {
     [("ants", 30.0), ("iterations", 100.0)].map(|(name, number)| (name, Value::Number(number))).into_iter().collect()
 }
 
 /// Table 2 and the computed ones.
-fn ways(scene: &Arc<Scene>, found: &[Vec<Run>], runs: u64) -> Result<Table, Failure> {
+fn ways(scene: &Arc<Scene>, found: &[Vec<Run>], runs: u64) -> Table {
     let title = format!("Table 2: from cell 21 to cell 378, 30 ants, 100 iterations, seeds 1 to {runs}; lengths in px");
     let mut lines = Lines::new(scene, "table-2", title);
-    let published = |k: usize| [Some(WOLF_ANT[k][0]), Some(WOLF_ANT_TURNS), Some(WOLF_ANT[k][1]), None];
-    for (at, measure) in [LENGTH, TURNS, SECONDS, CONVERGED].iter().enumerate() {
+    let published = |k: usize| [Some(WOLF_ANT[k][0]), Some(WOLF_ANT_TURNS), Some(WOLF_ANT[k][1]), None, None];
+    for (at, measure) in [LENGTH, TURNS, SECONDS, CONVERGED, SETTLED].iter().enumerate() {
         // The steps of a search are no iterations that could converge.
-        for k in if at == 3 { 1..3 } else { 0..3 } {
-            lines.push(PLANNERS[k], measure, published(k)[at], &found[k])?;
+        for k in if at >= 3 { 1..3 } else { 0..3 } {
+            lines.push(PLANNERS[k], measure, published(k)[at], &found[k]);
         }
     }
-    Ok(lines.table)
+    lines.table
 }
 
 /// What the tunings recommend, and how it does with seeds that they have not seen.

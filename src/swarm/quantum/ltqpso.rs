@@ -50,14 +50,13 @@ const DISPERSE: Parameter = Parameter::choice(
     "",
     "Dispersion",
     &[
-        Choice { value: "capped", title: "At most 1", help: "gs of (6), at most 1, as the paper’s fig. 1 shows it." },
+        Choice { value: "capped", title: "At most 1", help: "gs of (6), at most 1, as in fig. 1." },
         Choice { value: "uncapped", title: "As printed", help: "gs of (6); it may exceed 1." },
         Choice { value: "off", title: "Off", help: "gs = 1." },
     ],
-    "How gs scales the leap, (6) and (9).",
+    "How gs of (6) scales the leap.",
 );
-const SELECT: Parameter =
-    Parameter::flag("selection", "Natural selection", true, "Whether the better half’s positions replace those of the worse half.");
+const SELECT: Parameter = Parameter::flag("selection", "Natural selection", true, "Whether the better half replaces the worse.");
 
 /// The parts that are switched on.
 pub(super) fn adaptation(settings: &Settings) -> Adaptation {

@@ -66,7 +66,7 @@ fn paths() -> Vec<Claim> {
             says: "The improved ants find the globally optimal path of the paper’s map",
             place: "§6, figs 2 and 3",
             universal: false,
-            tables: &["Table 2"],
+            tables: &["Table 2", "§6"],
             reading: "At least 90 % of all runs. The map is a reconstruction on which the printed path is optimal.",
             parts: vec![Part::on(SCENE, [Arm::new("aco-wolf", PAPER)], Question::AtLeast(OPTIMAL, 0.9)).seeds([51, 150])],
         },
