@@ -154,7 +154,7 @@ fn svg_and_trace_are_written() {
     assert!(picture.starts_with("<svg") && picture.contains(r#"class="best""#) && picture.contains(r#"class="exact""#));
     let rows = std::fs::read_to_string(csv).unwrap();
     assert_eq!(rows.lines().count(), 42, "a heading, the start and a row per iteration");
-    assert!(rows.starts_with("iteration,best,mean,free,length,smoothness,k,w,c1,c2"));
+    assert!(rows.starts_with("iteration,best,mean,spread,free,length,smoothness,k,w,c1,c2"));
 }
 
 #[test]

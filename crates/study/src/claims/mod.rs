@@ -1,7 +1,7 @@
 //! What the papers claim, as questions that runs can answer: upheld, refuted or undecided.
 //!
 //! A [`Claim`] quotes the paper and has [`Part`]s. A part names scenes, planners with their parameters ([`Arm`]) and a [`Question`]
-//! that a test answers with seeds which no parameter was chosen by. The mark follows from the parts' answers by one rule ([`judge`]).
+//! that a test answers with seeds which no parameter was chosen by. The mark follows from the parts' answers by one rule ([`Mark`]).
 //! Each paper has a file with its claims, as data, and a [`Study`] that carries their runs out.
 
 mod antbat;
