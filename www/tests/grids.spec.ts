@@ -55,6 +55,35 @@ test('the exact optimum stands among the lengths, and not among costs that are n
   await expect(page.getByTestId('layer-exact')).toBeChecked()
 })
 
+test('the printed path is laid over the stage on request, and not over an edited map', async ({ lab, page }) => {
+  const printed = { planner: 'a-star', scene: 'wolf-ant-20', seed: 1 }
+  await lab.open(linkTo(printed, 20))
+  await lab.settled(20)
+  const layer = page.getByTestId('layer-printed')
+  await expect(layer).not.toBeChecked()
+  const before = await lab.wholePicture()
+  await lab.layer('printed', true)
+  expect((await lab.wholePicture()).digest).not.toBe(before.digest)
+  await expect(page.locator('label').filter({ has: layer })).toHaveAttribute('title', en.stage.printedHelp(number(562.842712474619, 7)))
+  await lab.layer('printed', false)
+  expect((await lab.wholePicture()).digest).toBe(before.digest)
+
+  const scene = grid(sceneOf(printed))
+  await page.getByTestId('tool-paint').click()
+  const { x, y } = await lab.whereIs(scene, middleOf(scene, { column: 0, row: 19 }))
+  await page.mouse.click(x, y)
+  await expect(layer).toHaveCount(0)
+})
+
+test('the case of the printed path drives it: as long as it is printed', async ({ lab, page }) => {
+  await lab.open()
+  await page.getByTestId('case').selectOption('moving-printed')
+  await page.getByTestId('to-end').click()
+  await expect(page.locator('[data-status=solved]')).toBeVisible()
+  await expect(page.getByTestId('result-strip')).toContainText(number(562.842712474619, 6))
+  await expect(page.getByTestId('turns')).toContainText('10')
+})
+
 test('the start is dragged, and kept within the grid', async ({ lab }) => {
   await lab.open(linkTo(GRID, 20))
   await lab.settled(20)

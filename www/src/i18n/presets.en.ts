@@ -5,6 +5,7 @@ export const presets = {
   cases: {
     'moving-ants': '[WOLF-ANT] §5.3: one moving obstacle',
     'moving-a-star': '[WOLF-ANT] §5.3, with A*',
+    'moving-printed': '[WOLF-ANT] §6: the printed path, driven',
     'moving-d-star-lite': '[WOLF-ANT] §5.3, with D* Lite',
     crossing: 'Cross traffic',
     patrol: 'Guards on patrol',

@@ -64,6 +64,7 @@ const STYLES: Readonly<Record<string, Style>> = {
   chick: { colour: '--chick', width: 1.6, order: 31, dash: [7, 3], point: 5, alpha: [0.95, 0.95], mark: 'diamond' },
   'mean-best': { colour: '--mean', width: 2.25, order: 33, dash: [7, 4], point: 8, alpha: [1, 1], mark: 'diamond' },
   exact: { colour: '--exact', width: 1.75, order: 35, dash: [2, 5], point: 4, alpha: [1, 1] },
+  printed: { colour: '--printed', width: 2.25, order: 36, dash: [10, 5], point: 4, alpha: [1, 1] },
   best: { colour: '--best', width: 3, order: 40, point: 9, alpha: [1, 1], mark: 'ring' },
   smoothed: { colour: '--best', width: 3.25, order: 41, point: 9, alpha: [1, 1], mark: 'ring' },
   tour: { colour: '--best', width: 2.75, order: 40, arrows: true, point: 9, alpha: [1, 1] },

@@ -16,6 +16,12 @@ export const PRESETS: readonly Preset[] = [
   // Of several shortest ways the ants of this seed find one on which the obstacle comes too near.
   { name: 'moving-ants', planner: 'wolf-ant-drive', scene: 'wolf-ant-20', params: {}, seed: 23 },
   { name: 'moving-a-star', planner: 'a-star-drive', scene: 'wolf-ant-20', params: {} },
+  {
+    name: 'moving-printed',
+    planner: 'a-star-drive',
+    scene: 'wolf-ant-20',
+    params: { path: 'printed', robot: 'given', robot_radius: 0, margin: 0 },
+  },
   { name: 'moving-d-star-lite', planner: 'd-star-lite-drive', scene: 'wolf-ant-20', params: {} },
   { name: 'crossing', planner: 'wolf-ant-drive', scene: 'crossing', params: {} },
   { name: 'patrol', planner: 'a-star-drive', scene: 'patrol', params: {} },
