@@ -10,6 +10,7 @@ use crate::{
     params::Given,
     planner::{Status, Yardstick},
     session::{Session, Setup},
+    settled::SETTLED,
 };
 
 /// How near to the exact optimum counts as reached, unless told otherwise: 1 %.
@@ -63,6 +64,8 @@ pub struct Record {
     pub reached: Option<u64>,
     /// The same in iterations.
     pub reached_iteration: Option<u64>,
+    /// The iteration from which the population's mean stayed within 1 % of its best; `None` without such a reading, or if it never did.
+    pub settled: Option<f64>,
     /// At how many corners the path turns.
     pub turns: Option<usize>,
     /// The state's hash.
@@ -162,6 +165,8 @@ impl Trial {
         let parameters = self.session.settings().changed().clone();
         let outcome = self.session.outcome();
         let found = outcome.feasible && outcome.cost.is_some();
+        let settled =
+            outcome.readings.iter().find(|(name, _)| *name == SETTLED.name).map(|(_, value)| *value).filter(|value| value.is_finite());
         // A stored optimum that a result refutes was none.
         let reached = self.reached.filter(|_| outcome.exact.is_some());
         Record {
@@ -182,6 +187,7 @@ impl Trial {
             gap: outcome.gap,
             reached: reached.map(|[_, evaluations]| evaluations),
             reached_iteration: reached.map(|[iteration, _]| iteration),
+            settled,
             turns: outcome.turns,
             hash: outcome.hash,
         }

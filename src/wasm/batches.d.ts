@@ -23,6 +23,8 @@ export interface TrialRecord {
   reached: number | null;
   /** The same in iterations. */
   reached_iteration: number | null;
+  /** The iteration from which the population's mean stayed within 1 % of its best; null if it never did, or without such a reading. */
+  settled: number | null;
   turns: number | null;
   hash: string;
 }

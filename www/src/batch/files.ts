@@ -20,6 +20,7 @@ const RESULTS = [
   'within',
   'reached',
   'reached_iteration',
+  'settled',
   'turns',
   'hash',
 ] as const
@@ -93,6 +94,6 @@ export function toml({ plan, groups }: Shown, name: string, scene: string): stri
 
 /** A name for files. */
 export const nameOf = ({ plan, groups }: Shown): string =>
-  ['batch', plan.scene.name, ...new Set(groups.map(({ planner }) => planner))].join('-').replace(/[^\w.-]+/g, '_')
+  ['batch', plan.maps?.generator ?? plan.scene.name, ...new Set(groups.map(({ planner }) => planner))].join('-').replace(/[^\w.-]+/g, '_')
 
 export const sceneFile = (scene: Scene): string => `${JSON.stringify(scene, null, 1)}\n`

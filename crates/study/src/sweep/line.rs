@@ -11,7 +11,7 @@ use super::plan::{Sweep, value_text};
 /// What is in front of the parameters,
 const LEAD: [&str; 3] = ["scene", "planner", "seed"];
 /// and what is behind them: a [`Record`]'s fields, and what counts as reached. No times: rows are the same everywhere.
-const RESULTS: [&str; 16] = [
+const RESULTS: [&str; 17] = [
     "status",
     "iterations",
     "evaluations",
@@ -26,6 +26,7 @@ const RESULTS: [&str; 16] = [
     "within",
     "reached",
     "reached_iteration",
+    "settled",
     "turns",
     "hash",
 ];

@@ -17,7 +17,7 @@ fn rows_are_in_the_order_of_the_file_with_the_same_bytes_whatever_the_threads() 
     let out = folder.join("sweep.csv");
     let one = fs::read(&out).unwrap();
     let heading = "scene,planner,seed,p.iterations,w,c1,population,status,iterations,evaluations,cost,length,value,feasible,\
-                   clearance,exact,exact_by,gap,within,reached,reached_iteration,turns,hash\n";
+                   clearance,exact,exact_by,gap,within,reached,reached_iteration,settled,turns,hash\n";
     assert!(text(&one).starts_with(heading), "{}", text(&one));
     let mut expected = Vec::new();
     for (planner, sets) in [("pso", &["0.8,2,", "0.4,2,"] as &[&str]), ("wcpso", &[",,20"])] {
