@@ -1,10 +1,10 @@
 import { readFile } from 'node:fs/promises'
 import type { Page } from '@playwright/test'
-import { compare, type TrialRecord } from '../../pkg/node.js'
+import { compare, generateScene, type TrialRecord } from '../../pkg/node.js'
 import { batch as text } from '../src/i18n/batch.en'
 import { PADDING, ROW } from '../src/batch/chart/layout'
 import { digitsFor } from '../src/batch/results/words'
-import { exactly, number } from '../src/panels/format'
+import { exactly, number, percent } from '../src/panels/format'
 import { violations } from './support/axe'
 import { trialOf } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
@@ -384,6 +384,38 @@ test('long runs of a plan that was left make room for those of the new one', asy
   await finished(page, 2)
   const row = page.locator('[data-testid=batch-row][data-seed="2"]')
   await expect(row).toHaveAttribute('data-hash', recordsOf(['pso'], 2, { iterations: 20 })[0]?.[1]?.hash ?? '')
+})
+
+test('each seed has a random map of its own; runs are compared by their gaps, and open on their map', async ({ lab, page }) => {
+  await openBatch(lab)
+  await page.getByTestId('batch-scene').selectOption(':maps rooms')
+  await expect(page.getByText(text.plan.mapsHelp)).toBeVisible()
+  for (const name of ['wcpso', 'pso', 'wpso', 'cpso'])
+    await page.locator(`[data-testid=entrant][data-planner=${name}]`).getByTestId('entrant-remove').click()
+  for (const name of ['aco-wolf', 'a-star']) {
+    await page.getByTestId('batch-adds').selectOption(name)
+    await page.getByTestId('batch-add').click()
+  }
+  await seeds(page, 4)
+  await page.getByTestId('batch-run').click()
+  await finished(page, 8)
+
+  const records = ['aco-wolf', 'a-star'].map((planner) =>
+    [1, 2, 3, 4].map((seed) => trialOf({ planner, scene: generateScene('rooms', {}, seed), seed }).record),
+  )
+  for (const { planner, seed, hash } of records.flat())
+    await expect(page.locator(`[data-testid=batch-row][data-hash="${hash}"]`), `${planner}, map ${seed}`).toHaveCount(1)
+  const [ants] = compare(records.map((of) => ({ name: of[0]?.planner ?? '', values: of.map(({ gap }) => gap) }))).groups
+  const row = page.getByTestId('batch-summary').locator('tbody tr').first()
+  await expect(row).toContainText(percent(ants?.summary?.mean ?? NaN))
+  await expect(page.getByTestId('batch-summary')).toContainText(text.summary.captionMaps)
+  // An experiment’s file names scenes, and has no such maps.
+  await expect(page.getByTestId('batch-save-toml')).toHaveCount(0)
+
+  const third = records[0]?.[2]
+  await page.locator(`[data-testid=batch-row][data-hash="${third?.hash}"]`).getByRole('button').click()
+  await expect(lab.stage).toBeVisible()
+  expect(await lab.settled(third?.iterations ?? 0)).toBe(third?.hash)
 })
 
 test('leaving the page while a batch runs asks first', async ({ lab, page }) => {

@@ -6,6 +6,7 @@ import type { ProposedBatch } from '../state/proposed.svelte'
 import { Requests } from '../state/requests'
 import { sameScene } from '../state/same'
 import { wait } from '../worker/pace'
+import type { Refusal } from '../worker/protocol'
 import type { Ending } from '../worker/trial.worker'
 import { Trials } from '../worker/trials'
 import { Clerk } from './clerk'
@@ -17,6 +18,8 @@ import {
   freeSlot,
   keyOf,
   labels,
+  groundOf,
+  type Maps,
   MOST_ENTRANTS,
   paramsOf,
   type Plan,
@@ -25,7 +28,7 @@ import {
 } from './plan'
 import type { Ready } from './ready'
 import { remember, remembered } from './remembered'
-import { type Shown, shownOf } from './shown'
+import { inGaps, type Shown, shownOf } from './shown'
 import { drawsLots } from './tested'
 import { TestLooks } from './testlooks'
 
@@ -48,12 +51,16 @@ const TELLING = 120
 const [LEAST_PAUSE, MOST_PAUSE] = [250, 1500]
 /** Planners of one family that a batch begins with. */
 const FIRST = 4
+/** Requests about what is run on: a scene, or maps. */
+const GROUND = 'ground'
 export const threads = (): number => Math.max(navigator.hardwareConcurrency || 2, 1)
 const stay = (event: BeforeUnloadEvent): void => event.preventDefault()
 
 /** Many runs: what is to be run, what came out, and whether it goes on. It goes on while other views are looked at. */
 class Batch {
   scene = $state.raw<Scene | null>(null)
+  /** Instead of the one scene: a random map for each seed. */
+  maps = $state.raw<Maps | null>(null)
   entrants = $state.raw<readonly Entrant[]>([])
   from = $state(1)
   count = $state<number>(COUNT.standard)
@@ -95,7 +102,14 @@ class Batch {
   })
 
   readonly plan = $derived<Plan | null>(
-    this.scene && { scene: this.scene, entrants: this.entrants, from: this.from, count: this.count, iterations: this.iterations },
+    this.scene && {
+      scene: this.scene,
+      maps: this.maps,
+      entrants: this.entrants,
+      from: this.from,
+      count: this.count,
+      iterations: this.iterations,
+    },
   )
   readonly standings = $derived<Standing[]>(this.plan && lab.catalogue ? this.stand(this.plan, lab.catalogue) : [])
   /** Those that are run. */
@@ -108,13 +122,13 @@ class Batch {
   readonly seeds = $derived(Array.from({ length: this.count }, (_, at) => this.from + at))
   readonly faulty = $derived(Object.keys(this.drafts).length > 0)
 
-  private stand(plan: Plan, { planners }: Catalogue): Standing[] {
+  private stand(plan: Plan, { planners, generators }: Catalogue): Standing[] {
     const names = labels(plan, planners)
     const met = new Set<string>()
     return plan.entrants.map((entrant, at) => {
       const label = names[at] ?? entrant.planner
       const planner = runnerOf(entrant, plan.scene, planners)
-      if (!planner) return { entrant, label, planner, key: '', trouble: text.entrants.unsuited(plan.scene.title) }
+      if (!planner) return { entrant, label, planner, key: '', trouble: text.entrants.unsuited(groundOf(plan, generators)) }
       const key = keyOf(planner, entrant, plan)
       const trouble = met.has(key) ? text.entrants.double : (this.refusals[key] ?? '')
       met.add(key)
@@ -141,9 +155,27 @@ class Batch {
   // The plan
 
   choose = (scene: Scene): void => {
-    if (sameScene(scene, this.scene)) return
+    this.requests.note(GROUND)
+    if (!this.maps && sameScene(scene, this.scene)) return
     this.scene = scene
+    this.maps = null
     this.changed()
+  }
+
+  /** A random map for each seed; what the generator refuses. */
+  scatter = async (maps: Maps): Promise<Refusal | null> => {
+    const request = this.requests.note(GROUND)
+    try {
+      const made = await this.clerk.map(maps, this.from)
+      if (this.requests.replaced(request, GROUND)) return null
+      if (!made.scene) return made.refused ?? null
+      this.scene = made.scene
+      this.maps = maps
+      this.changed()
+    } catch (error) {
+      this.notice = text.run.broken(error instanceof Error ? error.message : String(error))
+    }
+    return null
   }
 
   add = (planner: string, params: Entrant['params'] = {}): void => {
@@ -220,8 +252,13 @@ class Batch {
     return ''
   }
 
-  open = ({ scene, entrants, count }: Ready): void => {
-    if (this.plans(scene, entrants, 1, count)) this.run()
+  open = async (ready: Ready): Promise<void> => {
+    if ('maps' in ready) {
+      this.enter(ready.entrants, 1, ready.count)
+      await this.scatter(ready.maps)
+      if (this.maps !== ready.maps) return
+    } else if (!this.plans(ready.scene, ready.entrants, 1, ready.count)) return
+    this.run()
   }
 
   /** What another view proposes becomes the plan; how long it takes is seen before it is run. */
@@ -230,15 +267,21 @@ class Batch {
   private plans(name: string, entrants: Ready['entrants'], from: number, count: number): boolean {
     const scene = lab.catalogue?.scenes.find((shipped) => shipped.name === name)
     if (!scene) return false
+    this.requests.note(GROUND)
     this.scene = scene
+    this.maps = null
+    this.enter(entrants, from, count)
+    this.changed()
+    return true
+  }
+
+  private enter(entrants: Ready['entrants'], from: number, count: number): void {
     this.entrants = entrants.map(({ planner, params = {} }, slot) => ({ slot, planner, params }))
     this.requests.note(...this.entrants.map(({ slot }) => `${slot}`))
     this.from = from
     this.count = count
     this.iterations = null
     this.drafts = {}
-    this.changed()
-    return true
   }
 
   /** The rows that still apply stay; while it runs, what is missing is run next. */
@@ -289,7 +332,8 @@ class Batch {
       const id = `${key} ${seed}`
       if (!planner || !entrant || key === undefined || this.rows.get(key)?.has(seed) || this.begun.has(id)) continue
       this.begun.add(id)
-      return { key, seed, setup: { planner: planner.name, scene: plan.scene, params: paramsOf(planner, entrant, plan), seed } }
+      const setup = { planner: planner.name, scene: plan.scene, params: paramsOf(planner, entrant, plan), seed }
+      return { key, seed, setup, maps: plan.maps }
     }
     return null
   }
@@ -392,8 +436,9 @@ class Batch {
       this.shown = null
       return
     }
-    const answer = await this.clerk.summarise(groups)
-    this.shown = shownOf(plan, groups, answer, this.looks.at(plan, groups))
+    const relative = inGaps(plan, groups)
+    const answer = await this.clerk.summarise(groups, relative)
+    this.shown = shownOf(plan, groups, answer, this.looks.at(plan, groups), relative)
   }
 }
 

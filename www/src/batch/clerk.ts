@@ -1,8 +1,8 @@
 import type { Setup } from 'forage-lab'
 import type { Refusal } from '../worker/protocol'
-import type { Answered, Question } from '../worker/trial.worker'
+import type { Answered, Made, Question } from '../worker/trial.worker'
 import { Thread } from '../worker/trials'
-import type { Row, Values } from './plan'
+import type { Maps, Row, Values } from './plan'
 
 export interface Group {
   slot: number
@@ -26,17 +26,27 @@ export class Clerk {
     return this.ask(({ api }) => api.check(setup))
   }
 
-  async summarise(groups: readonly Group[]): Promise<Answered> {
+  /** A map for a seed, or what the generator refuses. */
+  map(maps: Maps, seed: number): Promise<Made> {
+    return this.ask(({ api }) => api.map({ ...maps, params: { ...maps.params } }, seed))
+  }
+
+  /** `relative`: by the gaps to the optimum instead of the values. */
+  async summarise(groups: readonly Group[], relative: boolean): Promise<Answered> {
     const first = groups[0]?.rows ?? []
     const shared = new Set(first.map(({ record }) => record.seed))
     for (const { rows } of groups.slice(1)) {
       const seeds = new Set(rows.map(({ record }) => record.seed))
       for (const seed of shared) if (!seeds.has(seed)) shared.delete(seed)
     }
-    const valuesOf = (rows: readonly Row[]): (number | null)[] => rows.map(({ record }) => record.value)
+    const valuesOf = (rows: readonly Row[]): (number | null)[] =>
+      rows.map(({ record }) => (relative && record.value !== null ? record.gap : record.value))
     const question = (): Question => ({
+      relative,
       curves: groups.flatMap(({ key, rows }) =>
-        rows.filter((row) => !this.told.has(row)).map((row) => ({ key, seed: row.record.seed, curve: row.curve })),
+        rows
+          .filter((row) => !this.told.has(row))
+          .map((row) => ({ key, seed: row.record.seed, curve: { ...row.curve, exact: row.record.exact } })),
       ),
       groups: groups.map(({ label, key, rows, lots }) => ({
         name: label,

@@ -16,7 +16,7 @@ const pso = {
 } as unknown as Planner
 const scene = { kind: 'discs', name: 'a' } as Scene
 const entrant = (params: Entrant['params'], slot = 0): Entrant => ({ slot, planner: 'pso', params })
-const plan = (...entrants: Entrant[]): Plan => ({ scene, entrants, from: 1, count: 5, iterations: null })
+const plan = (...entrants: Entrant[]): Plan => ({ scene, maps: null, entrants, from: 1, count: 5, iterations: null })
 
 test('runs have the same key exactly if the core runs the same', () => {
   const key = (params: Entrant['params'], of: Plan = plan()): string => keyOf(pso, entrant(params), of)
@@ -26,6 +26,9 @@ test('runs have the same key exactly if the core runs the same', () => {
   expect(key({ w: 2, depth: 7 })).not.toBe(key({ w: 2 }))
   expect(key({}, { ...plan(), scene: { ...scene } }), 'an equal scene').toBe(key({}))
   expect(key({}, { ...plan(), scene: { ...scene, name: 'b' } })).not.toBe(key({}))
+  const maps = (columns: number): Plan => ({ ...plan(), maps: { generator: 'maze', params: { columns } } })
+  expect(key({}, maps(9)), 'other maps').not.toBe(key({}, maps(8)))
+  expect(key({}, { ...maps(9), scene: { ...scene, name: 'b' } }), 'whichever map is seen').toBe(key({}, maps(9)))
 })
 
 test('the plan’s iterations hold for entrants without their own', () => {

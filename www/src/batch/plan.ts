@@ -1,4 +1,4 @@
-import type { ParameterValue, Planner, Scene, Setup, TrialCurve, TrialRecord } from 'forage-lab'
+import type { Generator, ParameterValue, Planner, Scene, Setup, TrialCurve, TrialRecord } from 'forage-lab'
 import { applies, standardOn } from '../state/applicable'
 import { canRun } from '../state/able'
 
@@ -13,9 +13,20 @@ export interface Entrant {
   params: Values
 }
 
+/** Random maps: each seed has the map of its own number. */
+export interface Maps {
+  /** A generator's name. */
+  generator: string
+  /** What differs from the generator's defaults. */
+  params: Values
+}
+
 /** What is run: every entrant with every seed. */
 export interface Plan {
+  /** With `maps` the first seed's: others are of the same kind. */
   scene: Scene
+  /** Null: all seeds have the scene. */
+  maps: Maps | null
   entrants: readonly Entrant[]
   from: number
   count: number
@@ -37,6 +48,8 @@ export interface Errand {
   key: string
   seed: number
   setup: Setup
+  /** Where the seed's scene comes from, instead of the setup's. */
+  maps: Maps | null
 }
 
 export const MOST_ENTRANTS = 8
@@ -76,12 +89,16 @@ export function paramsOf(planner: Planner, { params }: Entrant, { scene, iterati
 
 /** Runs with the same key and seed are the same run, whatever plan they belong to. */
 export const keyOf = (planner: Planner, entrant: Entrant, plan: Plan): string =>
-  JSON.stringify([planner.name, numberOf(plan.scene), paramsOf(planner, entrant, plan)])
+  JSON.stringify([planner.name, plan.maps ?? numberOf(plan.scene), paramsOf(planner, entrant, plan)])
 
 export const shortTitle = ({ title }: Planner): string => title.split(':')[0] ?? title
 
 /** A value as it is typed and as files hold it. */
 export const told = (value: ParameterValue | undefined): string => String(value)
+
+/** What is drawn on: a scene, or random maps. */
+export const groundOf = ({ scene, maps }: Plan, generators: readonly Generator[]): string =>
+  generators.find(({ name }) => name === maps?.generator)?.title ?? scene.title
 
 /** What an entrant is called: its planner, and in which parameters it differs from others with the same planner. */
 export function labels(plan: Plan, planners: readonly Planner[]): string[] {

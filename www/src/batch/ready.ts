@@ -1,12 +1,11 @@
-import type { Values } from './plan'
+import type { Maps, Values } from './plan'
 
 /** A batch that is ready to be run, small enough to be over in a minute. Its words are in batch.en.ts, by its name. */
-export interface Ready {
+export type Ready = {
   name: keyof typeof import('../i18n/batch.en').batch.ready.batches
-  scene: string
   entrants: readonly { planner: string; params?: Values }[]
   count: number
-}
+} & ({ scene: string } | { maps: Maps })
 
 export const READY: readonly Ready[] = [
   {
@@ -27,5 +26,17 @@ export const READY: readonly Ready[] = [
     scene: 'rastrigin',
     entrants: [0.4, 0.6, 0.8].map((w) => ({ planner: 'pso', params: { w } })),
     count: 50,
+  },
+  {
+    name: 'maps',
+    maps: { generator: 'rooms', params: { columns: 20, rows: 20 } },
+    entrants: [
+      { planner: 'aco' },
+      { planner: 'aco-wolf' },
+      { planner: 'aco-direction' },
+      { planner: 'aco-dijkstra' },
+      { planner: 'a-star' },
+    ],
+    count: 100,
   },
 ]

@@ -34,13 +34,14 @@ const isWhole = (value: unknown, least: number, most: number): value is number =
   Number.isSafeInteger(value) && Number(value) >= least && Number(value) <= most
 
 /** What was kept, if this version of the page can still do something with it. */
-export function remembered({ planners, scenes }: Catalogue): Plan | null {
+export function remembered({ planners, scenes, generators }: Catalogue): Plan | null {
   try {
-    const { scene: told, entrants, from, count, iterations } = JSON.parse(sessionStorage.getItem(KEY) ?? '') as Kept
+    const { scene: told, maps = null, entrants, from, count, iterations } = JSON.parse(sessionStorage.getItem(KEY) ?? '') as Kept
     const scene = typeof told === 'string' ? scenes.find(({ name }) => name === told) : told
     const fits =
       scene &&
       scenes.some(({ kind }) => kind === scene.kind) &&
+      (maps === null || (typeof maps.params === 'object' && generators.some(({ name }) => name === maps.generator))) &&
       entrants.length <= MOST_ENTRANTS &&
       entrants.every(
         (entrant) =>
@@ -51,7 +52,7 @@ export function remembered({ planners, scenes }: Catalogue): Plan | null {
       isWhole(from, 0, Number.MAX_SAFE_INTEGER - COUNT.most) &&
       isWhole(count, COUNT.least, COUNT.most) &&
       (iterations === null || isWhole(iterations, 1, MOST_ITERATIONS))
-    return fits ? { scene, entrants, from, count, iterations } : null
+    return fits ? { scene, maps, entrants, from, count, iterations } : null
   } catch {
     return null
   }

@@ -26,6 +26,8 @@ export interface ShownGroup extends Group {
 /** The results at one moment. */
 export interface Shown {
   plan: Plan
+  /** By the gaps to each run's own optimum: summaries, tests and curves. */
+  relative: boolean
   groups: ShownGroup[]
   answer: Answered
   /** Smaller numbers of seeds at which the tests were seen before. */
@@ -40,22 +42,29 @@ export function fences({ lower, upper }: Summary): [number, number] {
   return [lower - reach, upper + reach]
 }
 
-export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered, looked: readonly number[]): Shown {
+/** Lengths on different maps say nothing about each other; how far they are above each map's optimum does. */
+export const inGaps = ({ maps }: Plan, groups: readonly Group[]): boolean =>
+  maps !== null && groups.every(({ rows }) => rows.every(({ record }) => record.value === null || record.gap !== null))
+
+export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered, looked: readonly number[], relative: boolean): Shown {
+  // What runs are measured by: nothing they have in common, where each has a map of its own.
+  const common = (exact: number | null): number | null => (relative ? 0 : plan.maps ? null : exact)
   return {
     plan,
     answer,
     looked,
+    relative,
     groups: groups.flatMap((group, at) => {
       const summary = answer.comparison.groups[at]
       const first = group.rows[0]?.record
       if (!summary || !first) return []
       const [low, high] = summary.summary ? fences(summary.summary) : [-Infinity, Infinity]
       const runs = group.rows.map((row): Run => {
-        const { value } = row.record
+        const value = row.record.value === null || !relative ? row.record.value : row.record.gap
         const rounding = SAME * Math.abs(value ?? 0)
         return { group: at, row, record: row.record, outlier: value !== null && (value < low - rounding || value > high + rounding) }
       })
-      return [{ ...group, summary, runs, exact: first.exact, exactBy: first.exact_by === 'refuted' ? 'stored' : first.exact_by }]
+      return [{ ...group, summary, runs, exact: common(first.exact), exactBy: first.exact_by === 'refuted' ? 'stored' : first.exact_by }]
     }),
   }
 }

@@ -9,6 +9,11 @@ export const batch = {
     title: 'Plan',
     scene: 'Scene',
     here: (title: string) => `${title} (edited)`,
+    maps: 'A random map for each seed',
+    mapsHelp:
+      'Seed 7 has the generator’s map 7: what a planner is worth beyond one map. Results are compared by their gaps to the exact optimum.',
+    mapSettings: 'Parameters of the maps',
+    mapsOf: (title: string) => `${title}: a map for each seed`,
     fromStage: (title: string) => `${title} (as on the stage)`,
     from: 'First seed',
     count: 'Number of seeds',
@@ -83,6 +88,10 @@ export const batch = {
       swarms: { title: 'Four swarms on seven discs', text: 'Hens and chicks beside three plain swarms, on the scene of their paper.' },
       ants: { title: 'Ants on the 30 × 30 grid', text: 'Four colonies: which rule finds the shortest way, and how soon?' },
       quantum: { title: 'Quantum swarms on the 10 m grid', text: 'Does the evolving swarm go farther than the plain quantum swarm?' },
+      maps: {
+        title: 'Colonies on 100 random maps',
+        text: 'A map of rooms for each seed, default parameters: who finds a way on all, how much longer is it, and on how many maps is it optimal?',
+      },
       inertia: { title: 'Three inertias on Rastrigin’s function', text: 'One planner with w = 0.4, 0.6 and 0.8: small values get stuck.' },
     },
   },
@@ -105,6 +114,8 @@ export const batch = {
     measured: (name: string, yardstick: string) => `${name} by the ${yardstick}`,
     yardsticksDiffer: (measured: readonly string[]) =>
       `These planners have different exact optima: ${list(measured)}. Gaps, and nearness to the optimum, tell of each by itself; beside each other only their values can be compared.`,
+    yardsticksDifferMaps: (measured: readonly string[]) =>
+      `These planners have different exact optima: ${list(measured)}. Gaps, and nearness to the optimum, tell of each by itself.`,
     optimum: 'exact optimum',
     chartHint: 'Left and right arrows read the values',
     table: (title: string) => `${title}, the table`,
@@ -131,12 +142,14 @@ export const batch = {
     reachedHintZero:
       'Share of the runs that had come within 0.01 of the exact optimum, which is 0 here. Runs that never do keep it below 100 %.',
     reachedLabel: (shares: string) => `Share of runs that came near the exact optimum, over evaluations. In the end ${shares}.`,
+    reachedHintMaps: 'Share of the runs that had come within 1 % of their map’s exact optimum. Runs that never do keep it below 100 %.',
     reachedNone: 'The exact optimum of this scene is not known.',
     share: (name: string, share: string) => `${name} ${share}`,
   },
   summary: {
     title: 'Summary',
     caption: 'Of the feasible runs; lengths and values: small is good.',
+    captionMaps: 'Gaps to each map’s exact optimum, of the feasible runs: small is good.',
     planner: 'Planner',
     runs: 'Runs',
     feasible: 'Feasible',
@@ -146,6 +159,11 @@ export const batch = {
     median: 'Median',
     worst: 'Worst',
     reached: 'Near optimum',
+    optimal: 'Optimal',
+    settled: 'Settled',
+    settledHelp:
+      'Beneath the share of runs whose population agreed at the end (its mean within 1 % of its best): since which iteration, the median.',
+    since: (iteration: string) => `since ${iteration}`,
     rank: 'Mean rank',
     interval: (low: string, high: string) => `${low} to ${high}`,
     friedman: (blocks: string, statistic: string, p: string) =>

@@ -1,7 +1,7 @@
 import * as Comlink from 'comlink'
-import init, { compare, suggest, Trial } from 'forage-lab'
-import type { Comparison, Setup } from 'forage-lab'
-import type { Errand, Row } from '../batch/plan'
+import init, { compare, generateScene, suggest, Trial } from 'forage-lab'
+import type { Comparison, Scene, Setup } from 'forage-lab'
+import type { Errand, Maps, Row } from '../batch/plan'
 import { type TestedPair, testedPairs, type TestedRanks, testedRanks } from '../batch/tested'
 import { type Bands, bands, type Reached, reached } from '../batch/summaries'
 import { breathe, SLICE } from './pace'
@@ -10,9 +10,13 @@ import type { Refusal } from './protocol'
 /** How a run ended: over, refused before it began, broken off, or with the core. */
 export type Ending = { is: 'over'; row: Row } | { is: 'refused'; refusal: Refusal } | { is: 'stopped' } | { is: 'broken'; message: string }
 
+type Curve = Row['curve']
+
 /** Runs that are compared, small values first; in all groups of `common` the same place stands for the same seed. */
 export interface Question {
-  curves: { key: string; seed: number; curve: Row['curve'] }[]
+  /** By the gaps to the optimum of each run's own map. */
+  relative: boolean
+  curves: { key: string; seed: number; curve: Measured }[]
   groups: {
     name: string
     key: string
@@ -25,6 +29,17 @@ export interface Question {
   common: { name: string; lots: boolean; values: (number | null)[] }[]
 }
 
+/** A curve with the optimum that its run is measured by. */
+interface Measured extends Curve {
+  exact: number | null
+}
+
+/** A map, or why there is none. */
+export interface Made {
+  scene?: Scene
+  refused?: Refusal
+}
+
 export interface Answered {
   comparison: Comparison
   pairs: TestedPair[]
@@ -34,12 +49,17 @@ export interface Answered {
   reached: Reached[]
 }
 
-const curves = new Map<string, Map<number, Row['curve']>>()
+const curves = new Map<string, Map<number, Measured>>()
 let stopped = false
 
 function refusal(error: unknown): Refusal {
   if (!(error instanceof Error)) return { message: String(error), field: '' }
   return { message: error.message, field: 'field' in error && typeof error.field === 'string' ? error.field : '' }
+}
+
+/** How far above the optimum, as a share of it. */
+function inGap({ evaluations, values, exact }: Measured): Curve {
+  return { evaluations, values: exact ? values.map((value) => (value - exact) / exact) : values }
 }
 
 const broken = (error: unknown): Ending => ({ is: 'broken', message: error instanceof Error ? error.message : String(error) })
@@ -58,13 +78,14 @@ async function carryOut(trial: Trial): Promise<boolean> {
 
 const api = {
   /** Carries out a run to its end, or until `stop`. */
-  async run({ setup }: Errand): Promise<Ending> {
+  async run({ setup, maps, seed }: Errand): Promise<Ending> {
     stopped = false
     await init()
     if (stopped) return { is: 'stopped' }
     let trial: Trial
     try {
-      trial = new Trial(setup, undefined)
+      const scene = maps ? generateScene(maps.generator, { ...maps.params }, seed) : setup.scene
+      trial = new Trial({ ...setup, scene }, undefined)
     } catch (error) {
       return error instanceof WebAssembly.RuntimeError ? broken(error) : { is: 'refused', refusal: refusal(error) }
     }
@@ -85,6 +106,17 @@ const api = {
     stopped = true
   },
 
+  /** A generator's map for a seed. */
+  async map({ generator, params }: Maps, seed: number): Promise<Made> {
+    await init()
+    try {
+      return { scene: generateScene(generator, { ...params }, seed) }
+    } catch (error) {
+      if (error instanceof WebAssembly.RuntimeError) throw error
+      return { refused: refusal(error) }
+    }
+  },
+
   /** What is wrong with a setup. */
   async check(setup: Setup): Promise<Refusal | null> {
     await init()
@@ -99,13 +131,15 @@ const api = {
   },
 
   /** Summaries and tests. Curves that were told before need not be told again. */
-  async summarise({ curves: told, groups, common }: Question): Promise<Answered> {
+  async summarise({ relative, curves: told, groups, common }: Question): Promise<Answered> {
     await init()
     for (const { key, seed, curve } of told) {
-      const of = curves.get(key) ?? new Map<number, Row['curve']>()
+      const of = curves.get(key) ?? new Map<number, Measured>()
       curves.set(key, of.set(seed, curve))
     }
-    const runs = groups.map(({ key, seeds }) => seeds.flatMap((seed) => curves.get(key)?.get(seed) ?? []))
+    const runs = groups
+      .map(({ key, seeds }) => seeds.flatMap((seed) => curves.get(key)?.get(seed) ?? []))
+      .map((some) => (relative ? some.map(inGap) : some))
     const comparison = compare(groups)
     return {
       comparison,

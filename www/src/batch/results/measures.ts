@@ -6,8 +6,9 @@ export type ValueScale = 'linear' | 'log'
 /** Values that span more than so many times the smallest are easier to tell apart by their logarithm. */
 const LOG_FROM = 30
 
-/** The gap is known of every run with a result. */
-export const hasGaps = ({ groups }: Shown): boolean =>
+/** The gap is known of every run with a result; on maps of their own gaps are all there is. */
+export const hasGaps = ({ plan, groups }: Shown): boolean =>
+  plan.maps === null &&
   groups.some(({ runs }) => runs.some(({ record }) => record.gap !== null)) &&
   groups.every(({ runs }) => runs.every(({ record }) => record.value === null || record.gap !== null))
 
@@ -16,7 +17,7 @@ export const oneYardstick = ({ groups }: Shown): boolean =>
   new Set(groups.flatMap(({ exact, exactBy }) => (exact === null ? [] : [exactBy]))).size < 2
 
 export const measureOf = (shown: Shown, chosen: Measure | undefined): Measure =>
-  hasGaps(shown) ? (chosen ?? (oneYardstick(shown) ? 'gap' : 'value')) : 'value'
+  shown.relative ? 'gap' : hasGaps(shown) ? (chosen ?? (oneYardstick(shown) ? 'gap' : 'value')) : 'value'
 
 /** What a run comes to in a measure; null without a feasible result. */
 export const valueIn = (measure: Measure, { value, gap }: { value: number | null; gap: number | null }): number | null =>
@@ -25,6 +26,9 @@ export const valueIn = (measure: Measure, { value, gap }: { value: number | null
 export function valuesOf({ groups }: Shown, measure: Measure): number[] {
   return groups.flatMap(({ runs }) => runs.map(({ record }) => valueIn(measure, record)).filter((value) => value !== null))
 }
+
+/** The gap up to which a length is the optimum: sums of the same steps in another order. */
+export const OPTIMAL = 1e-9
 
 /** Gaps by rounding alone are none. */
 const ROUNDING = 1e-12
