@@ -250,10 +250,9 @@ impl Parameter {
             (Domain::Integer { min, max, .. }, Value::Number(n)) => n.fract() == 0.0 && (*min as f64..=*max as f64).contains(n),
             (Domain::Choice { options }, Value::Text(text)) => options.iter().any(|o| o.value == text),
             (Domain::Subset { options, .. }, Value::Text(text)) => {
-                let mut chosen: Vec<_> = text.split(',').collect();
-                let known = chosen.iter().all(|name| options.iter().any(|o| o.value == *name));
-                chosen.sort_unstable();
-                known && chosen.windows(2).all(|w| w[0] != w[1])
+                let chosen: Vec<_> = text.split(',').collect();
+                let known = |name: &str| options.iter().any(|o| o.value == name);
+                chosen.iter().enumerate().all(|(i, name)| known(name) && !chosen[..i].contains(name))
             }
             (Domain::Flag { .. }, Value::Flag(_)) => true,
             _ => false,

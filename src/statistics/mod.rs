@@ -1,6 +1,6 @@
 //! What many results have in common, and whether planners differ: summaries, rank-sum tests with correction, rank tables.
 //!
-//! Distributions, quantiles, ranks and the Mann–Whitney test are those of the `statrs` crate. Nothing here is part of a
+//! Distributions, quantiles and ranks are those of the `statrs` crate. Nothing here is part of a
 //! run: the bits of a p-value are not promised.
 
 mod compare;
