@@ -8,7 +8,7 @@ use crate::{
     params::{Domain, Parameter, Value, as_object},
     scene::{
         Kind, Scene,
-        generate::{GENERATORS, Generator, TOURS},
+        generate::{GENERATORS, Generator, OTHERS},
         shipped_names,
     },
     search, swarm, tour, tree, tuning,
@@ -58,7 +58,7 @@ pub fn catalogue() -> Catalogue {
         version: env!("CARGO_PKG_VERSION"),
         planners: PLANNERS.iter().map(EntryView).collect(),
         scenes: shipped_names().map(|scene| &**scene).collect(),
-        generators: GENERATORS.iter().chain(TOURS).map(GeneratorView).collect(),
+        generators: GENERATORS.iter().chain(OTHERS).map(GeneratorView).collect(),
         drive: DriveView(&drive::ENTRY, Kind::Grid),
         motion: DriveView(&arm::MOTION, Kind::Arm),
         roles: Role::ALL.map(Role::name).to_vec(),

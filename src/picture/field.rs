@@ -17,7 +17,7 @@ pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, dark: 
     let Body::Function(function) = scene.body() else {
         return None;
     };
-    let mut x = vec![function.function.minimiser(); function.dimension];
+    let mut x = function.minimiser();
     let at = |i: usize, n: usize, axis: usize| view.min[axis] + (i as f64 + 0.5) / n as f64 * (view.max[axis] - view.min[axis]);
     let mut values = Vec::with_capacity(width * height);
     for row in (0..height).rev() {

@@ -95,8 +95,11 @@ impl Scene {
             out.extend(note.iter().map(|note| (key, text(note))));
         }
         match &self.body {
-            Body::Function(FunctionScene { function, dimension }) => {
+            Body::Function(FunctionScene { function, dimension, shift }) => {
                 out.extend([("function", text(function.name())), ("dimension", Value::from(*dimension))]);
+                if !shift.is_empty() {
+                    out.push(("shift", Value::from(shift.as_slice())));
+                }
             }
             Body::Discs(DiscsScene { bounds, start, goal, discs }) => {
                 let bounds = object(&mut [("min", point(bounds.min)), ("max", point(bounds.max))].into_iter());
@@ -234,7 +237,14 @@ impl Fields {
         if dimension.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&dimension) {
             return Err(Error::refused("dimension", dimension, "a positive whole number"));
         }
-        Ok(FunctionScene { function, dimension: dimension as usize })
+        let mut shift = Vec::new();
+        if self.left.contains_key("shift") {
+            for (i, value) in self.list("shift")?.iter().enumerate() {
+                shift.push(number(format!("shift[{i}]"), value)?);
+            }
+        }
+        self.known.push("shift");
+        Ok(FunctionScene { function, dimension: dimension as usize, shift })
     }
 
     fn discs_scene(&mut self) -> Result<DiscsScene, Error> {

@@ -103,17 +103,51 @@ pub struct FunctionScene {
     pub function: Function,
     /// Of how many variables.
     pub dimension: usize,
+    /// Where the function's origin is, a number for each variable; empty: at 0.
+    pub shift: Vec<f64>,
 }
 
 impl FunctionScene {
     pub(super) fn check(&self) -> Result<(), Error> {
         let (low, high) = self.function.dimensions();
-        if (low..=high).contains(&self.dimension) {
-            Ok(())
-        } else {
+        if !(low..=high).contains(&self.dimension) {
             let allowed = if low == high { low.to_string() } else { format!("a whole number from {low} to {high}") };
-            Err(Error::refused("dimension", self.dimension, format!("{allowed} for {}", self.function.name())))
+            return Err(Error::refused("dimension", self.dimension, format!("{allowed} for {}", self.function.name())));
         }
+        if ![0, self.dimension].contains(&self.shift.len()) {
+            return Err(Error::refused("shift", self.shift.len(), "a number for each variable"));
+        }
+        let inside = |shift: &&f64| (self.function.minimiser() + **shift).abs() <= self.function.half_side();
+        match self.shift.iter().find(|shift| !inside(shift)) {
+            Some(shift) => Err(Error::refused("shift", shift, "so small that the minimum stays in the search box")),
+            None => Ok(()),
+        }
+    }
+
+    /// Where the minimum is.
+    pub fn minimiser(&self) -> Vec<f64> {
+        (0..self.dimension).map(|i| self.function.minimiser() + self.shift.get(i).unwrap_or(&0.0)).collect()
+    }
+
+    /// The value at `x`, whose length is the dimension.
+    #[inline]
+    pub fn value(&self, x: &[f64]) -> f64 {
+        let moved;
+        let x = if self.shift.is_empty() {
+            x
+        } else {
+            moved = self.moved(x);
+            &moved[..x.len()]
+        };
+        self.function.value(x)
+    }
+
+    /// `x` without the shift.
+    #[cold]
+    fn moved(&self, x: &[f64]) -> [f64; MAX_DIMENSION] {
+        let mut moved = [0.0; MAX_DIMENSION];
+        moved.iter_mut().zip(x.iter().zip(&self.shift)).for_each(|(moved, (x, shift))| *moved = x - shift);
+        moved
     }
 
     pub(super) fn view(&self) -> Bounds {
@@ -127,7 +161,7 @@ impl FunctionScene {
         for (variable, value) in x.iter_mut().zip(point) {
             *variable = value;
         }
-        self.function.value(x)
+        self.value(x)
     }
 }
 
@@ -165,8 +199,18 @@ mod tests {
 
     #[test]
     fn dimensions_outside_the_table_are_refused() {
-        let refused = |function, dimension| FunctionScene { function, dimension }.check().is_err();
+        let refused = |function, dimension| FunctionScene { function, dimension, shift: Vec::new() }.check().is_err();
         assert!(refused(Function::Matyas, 3) && refused(Function::Rosenbrock, 1) && refused(Function::Sphere, 0));
         assert!(refused(Function::Sphere, MAX_DIMENSION + 1) && !refused(Function::Sphere, 1));
+    }
+
+    #[test]
+    fn a_shift_moves_the_minimum_and_keeps_it_in_the_search_box() {
+        let scene = |shift: &[f64]| FunctionScene { function: Function::Rosenbrock, dimension: 2, shift: shift.to_vec() };
+        let moved = scene(&[-3.0, 2.5]);
+        assert_eq!((moved.check(), moved.minimiser()), (Ok(()), vec![-2.0, 3.5]));
+        assert_eq!((moved.value(&[-2.0, 3.5]), moved.value(&[-1.0, 5.5])), (0.0, Function::Rosenbrock.value(&[2.0, 3.0])));
+        assert!(scene(&[3.5, 0.0]).check().unwrap_err().to_string().contains("search box"));
+        assert!(scene(&[0.0]).check().unwrap_err().to_string().contains("a number for each"));
     }
 }

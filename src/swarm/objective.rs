@@ -7,7 +7,7 @@ use crate::{
     math,
     planner::{Readings, Solution},
     rng::Stream,
-    scene::{Function, FunctionScene},
+    scene::FunctionScene,
 };
 
 /// The box in which positions are searched, and what it allows.
@@ -118,7 +118,7 @@ impl Default for Scratch {
 /// A test function of [WCPSO] Table 1 on its box.
 #[derive(Debug, Clone)]
 pub struct FunctionObjective {
-    function: Function,
+    scene: FunctionScene,
     search_box: SearchBox,
 }
 
@@ -127,7 +127,7 @@ impl FunctionObjective {
     pub fn new(scene: &FunctionScene) -> Self {
         let side = scene.function.half_side();
         let search_box = SearchBox { low: vec![-side; scene.dimension].into(), high: vec![side; scene.dimension].into() };
-        Self { function: scene.function, search_box }
+        Self { scene: scene.clone(), search_box }
     }
 }
 
@@ -137,7 +137,7 @@ impl Objective for FunctionObjective {
     }
 
     fn evaluate(&self, x: &[f64], _scratch: &mut Scratch) -> Evaluation {
-        Evaluation { cost: self.function.value(x), violation: 0.0 }
+        Evaluation { cost: self.scene.value(x), violation: 0.0 }
     }
 
     fn point_count(&self) -> usize {

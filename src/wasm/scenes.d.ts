@@ -27,6 +27,8 @@ export interface FunctionScene extends SceneBase {
   kind: 'function';
   function: 'matyas' | 'egg-crate' | 'sphere' | 'rosenbrock' | 'ackley' | 'rastrigin';
   dimension: number;
+  /** Where the function's origin is, a number for each variable; without it at 0. */
+  shift?: number[];
 }
 
 export interface Disc {

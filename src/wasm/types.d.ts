@@ -327,7 +327,7 @@ export interface Imported {
   problems: Problem[];
 }
 
-/** What a random grid is made of. */
+/** What a random scene is made of. */
 export interface Generator {
   name: string;
   title: string;

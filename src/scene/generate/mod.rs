@@ -1,9 +1,12 @@
 //! Random scenes: each made by a generator with parameters and a seed, the same everywhere.
 //!
 //! Grids have a way from start to goal without cutting corners: `scatter` blocks a share of the cells, `rooms` begins with
-//! all blocked and opens some, `calls` puts stops on them, and `moving` what moves. `points` are stops in the plane.
+//! all blocked and opens some, `calls` puts stops on them, and `moving` what moves. `points` are stops in the plane, `discs` obstacles there,
+//! and `function` is a test function with its minimum somewhere else.
 
 mod calls;
+mod discs;
+mod function;
 mod moving;
 mod points;
 mod rooms;
@@ -19,7 +22,7 @@ use crate::{
     rng::{self, Stream},
 };
 
-use super::{Body, GridScene, Header, Kind, MAX_GRID_STOPS, MAX_SIDE, Scene, TourScene};
+use super::{Body, GridScene, Header, Kind, MAX_GRID_STOPS, MAX_SIDE, Scene};
 
 use moving::{MOVING, MOVING_RADIUS, MOVING_SPEED};
 
@@ -28,8 +31,8 @@ pub use calls::with_stops;
 /// All generators of grids, in the order in which they are offered; nothing else lists them.
 pub const GENERATORS: &[Generator] = &[scatter::RANDOM, scatter::RUBBLE, rooms::ROOMS, rooms::MAZE];
 
-/// All generators of stops in the plane.
-pub const TOURS: &[Generator] = &[points::STOPS];
+/// All generators of other scenes.
+pub const OTHERS: &[Generator] = &[points::STOPS, discs::DISCS, function::SHIFTED];
 
 /// What a random scene is made of.
 #[derive(Debug, Clone, Copy)]
@@ -50,7 +53,7 @@ impl Generator {
     pub const fn kind(&self) -> Kind {
         match self.draw {
             Draw::Grid(_) => Kind::Grid,
-            Draw::Tour(_) => Kind::Tour,
+            Draw::Other(kind, _) => kind,
         }
     }
 }
@@ -60,8 +63,16 @@ impl Generator {
 enum Draw {
     /// Blocks cells, and sees to it that there is a way.
     Grid(fn(&Settings, &mut Plot, &mut Stream)),
-    /// Makes stops.
-    Tour(fn(&Settings, &mut Stream) -> TourScene),
+    /// Makes a scene of this kind.
+    Other(Kind, fn(&Settings, &mut Stream) -> Made),
+}
+
+/// A scene without a name.
+struct Made {
+    body: Body,
+    /// What the name says of it, between the generator's name and the seed.
+    size: String,
+    note: Option<String>,
 }
 
 const COLUMNS: Parameter = columns(40);
@@ -102,7 +113,7 @@ struct Plot {
 /// # Errors
 /// [`Error::Unknown`] with the names that exist.
 pub fn find(name: &str) -> Result<&'static Generator, Error> {
-    let all = || GENERATORS.iter().chain(TOURS);
+    let all = || GENERATORS.iter().chain(OTHERS);
     all().find(|g| g.name == name).ok_or_else(|| Error::unknown("generator", name, all().map(|g| g.name)))
 }
 
@@ -129,10 +140,10 @@ pub fn generate(name: &str, given: &Given, seed: u64) -> Result<Scene, Error> {
             let (columns, rows) = (grid.columns, grid.rows());
             (Body::Grid(grid), format!("{columns}x{rows}"), format!("{columns} × {rows}"))
         }
-        Draw::Tour(draw) => {
-            let tour = draw(&settings, &mut stream);
-            let size = tour.len().to_string();
-            (Body::Tour(tour), size.clone(), size)
+        Draw::Other(_, draw) => {
+            let made = draw(&settings, &mut stream);
+            note = made.note;
+            (made.body, made.size.clone(), made.size)
         }
     };
     let mut source = format!("forage generate {name}");

@@ -3,10 +3,10 @@
 use crate::{
     params::{Choice, Parameter, Settings},
     rng::Stream,
-    scene::{MAX_STOPS, Metric, TourScene},
+    scene::{Body, Kind, MAX_STOPS, Metric, TourScene},
 };
 
-use super::{Draw, Generator};
+use super::{Draw, Generator, Made};
 
 pub(super) const STOPS: Generator = Generator {
     name: "stops",
@@ -35,13 +35,13 @@ pub(super) const STOPS: Generator = Generator {
             "How far it is from one stop to another.",
         ),
     ],
-    draw: Draw::Tour(draw),
+    draw: Draw::Other(Kind::Tour, draw),
 };
 
 /// How often another place is tried for a stop whose place is taken or outside.
 const TRIES: usize = 100;
 
-fn draw(settings: &Settings, stream: &mut Stream) -> TourScene {
+fn draw(settings: &Settings, stream: &mut Stream) -> Made {
     let side = settings.integer("side") as f64;
     let spread = settings.number("spread") * side;
     let even = |stream: &mut Stream| stream.below(side as usize + 1) as f64;
@@ -63,5 +63,6 @@ fn draw(settings: &Settings, stream: &mut Stream) -> TourScene {
         points.push(place.map(|c| c.clamp(0.0, side)));
     }
     let metric = if settings.choice("metric") == Metric::Euc2d.name() { Metric::Euc2d } else { Metric::Euclidean };
-    TourScene::through(points, metric)
+    let size = points.len().to_string();
+    Made { body: Body::Tour(TourScene::through(points, metric)), size, note: None }
 }

@@ -6,7 +6,7 @@ use crate::{
     params::Domain,
     planner::Yardstick,
     scene::{
-        Motion, Robot,
+        Function, Motion, Robot,
         reach::{beside, reach},
     },
 };
@@ -311,4 +311,33 @@ fn random_stops_are_whole_inside_and_apart() {
     assert_eq!((scene.name(), scene.header().source.as_deref()), ("stops-5-7", Some(source)));
     assert_eq!(scene, make("stops", &[("stops", 5.0)], 7));
     assert_ne!(scene.stops(), make("stops", &[("stops", 5.0)], 8).stops());
+}
+
+#[test]
+fn discs_never_touch_and_always_leave_a_path() {
+    for seed in 0..60 {
+        let mut stream = Stream::new(seed, 9);
+        let scene = make("discs", &[("discs", stream.below(60) as f64), ("radius", stream.between(0.01, 0.5)), ("side", 3.0)], seed);
+        let Body::Discs(discs) = scene.body() else { unreachable!() };
+        for (i, disc) in discs.discs.iter().enumerate() {
+            assert!(discs.discs[..i].iter().all(|other| other.clearance(disc.center) > disc.radius), "{}", scene.name());
+        }
+        assert!(scene.exact().is_some_and(|exact| exact.length >= 3.0 * 2.0_f64.sqrt() - 1e-12), "{}", scene.name());
+    }
+    let full = make("discs", &[("discs", 200.0), ("radius", 0.3)], 1);
+    assert!(full.header().note.as_ref().is_some_and(|note| note.contains("room for no more")));
+}
+
+#[test]
+fn a_shifted_function_has_its_minimum_where_the_shift_says() {
+    for (seed, name) in Function::ALL.map(Function::name).into_iter().enumerate() {
+        let mut values = given(&[("dimension", 2.0)]);
+        values.insert("function", Value::from(name));
+        let scene = generate("shifted", &values, seed as u64).unwrap();
+        let Body::Function(function) = scene.body() else { unreachable!() };
+        assert!(function.value(&function.minimiser()).abs() < 1e-14 && function.shift.iter().all(|shift| *shift != 0.0), "{name}");
+        assert_eq!(Scene::from_json(&scene.to_json()).unwrap(), scene);
+    }
+    let refused = generate("shifted", &Given::from_iter([("function", Value::from("matyas")), ("dimension", Value::from(3.0))]), 1);
+    assert!(refused.unwrap_err().to_string().contains("dimension"));
 }

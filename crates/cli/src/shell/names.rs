@@ -7,7 +7,7 @@ use clap::{
 };
 use forage::{
     catalogue::PLANNERS,
-    scene::generate::{GENERATORS, Generator, TOURS},
+    scene::generate::{GENERATORS, Generator, OTHERS},
     shipped_names,
 };
 use forage_study::{REPRODUCTIONS, STUDIES};
@@ -35,7 +35,7 @@ pub(super) fn scenes() -> Vec<&'static str> {
 
 /// All generators.
 pub(super) fn all_generators() -> impl Iterator<Item = &'static Generator> {
-    GENERATORS.iter().chain(TOURS)
+    GENERATORS.iter().chain(OTHERS)
 }
 
 /// The names of all generators.

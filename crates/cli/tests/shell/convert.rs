@@ -7,7 +7,7 @@ use forage::{
     planner::{Round, Yardstick},
     scene::{
         formats::{NamedFile, import},
-        generate::{GENERATORS, TOURS},
+        generate::{GENERATORS, OTHERS},
     },
 };
 
@@ -203,13 +203,13 @@ fn what_is_refused_exits_with_2_and_writes_nothing() {
 #[test]
 fn help_and_list_follow_from_the_table_of_generators() {
     let [help, list] = [&["generate", "--help"] as &[&str], &["list"]].map(|args| words(&forage(args).stdout));
-    for generator in GENERATORS.iter().chain(TOURS) {
+    for generator in GENERATORS.iter().chain(OTHERS) {
         assert!(help.contains(generator.title) && list.contains(generator.title), "{}", generator.name);
         let page = words(&forage(&["list", generator.name]).stdout);
         assert!(generator.parameters.iter().all(|p| page.contains(p.name)), "{page}");
     }
     let list: serde_json::Value = serde_json::from_slice(&forage(&["list", "--json"]).stdout).unwrap();
     let names: Vec<_> = list["generators"].as_array().unwrap().iter().map(|g| g["name"].as_str().unwrap()).collect();
-    assert_eq!(names, GENERATORS.iter().chain(TOURS).map(|g| g.name).collect::<Vec<_>>());
+    assert_eq!(names, GENERATORS.iter().chain(OTHERS).map(|g| g.name).collect::<Vec<_>>());
     assert_eq!(list["generators"][0]["parameters"][3]["default"], 0.3);
 }
