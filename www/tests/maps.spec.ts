@@ -68,6 +68,23 @@ test('a random map is previewed, made, run, undone, and the same elsewhere by it
   expect(await lab.seek(8)).toBe(before)
 })
 
+test('random discs and shifted functions are previewed, made and run', async ({ lab, page }) => {
+  await lab.open(linkTo({}, 3))
+  await lab.settled(3)
+  await lab.section('scene')
+  const make = async (generator: string, preview: string, name: RegExp): Promise<Scene> => {
+    await page.getByTestId('generate').click()
+    await page.getByTestId('generator').selectOption(generator)
+    await expect(page.getByTestId(preview)).toHaveAccessibleName(name)
+    await page.getByTestId('make').click()
+    await expect(page.getByTestId('generate-dialog')).toHaveCount(0)
+    await lab.restarted()
+    return verified(await lab.link(await lab.seek(2))).scene as Scene
+  }
+  expect(await make('discs', 'discs-preview', /14 discs/)).toEqual(generateScene('discs', {}, 1))
+  expect(await make('shifted', 'function-preview', /2 variables/)).toEqual(generateScene('shifted', {}, 1))
+})
+
 test('what a random map can’t be is said beside the control, and the last map that can stays', async ({ lab, page }) => {
   await lab.open(linkTo({}, 3))
   await lab.settled(3)

@@ -47,8 +47,11 @@ export const inGaps = ({ maps }: Plan, groups: readonly Group[]): boolean =>
   maps !== null && groups.every(({ rows }) => rows.every(({ record }) => record.value === null || record.gap !== null))
 
 export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered, looked: readonly number[], relative: boolean): Shown {
-  // What runs are measured by: nothing they have in common, where each has a map of its own.
-  const common = (exact: number | null): number | null => (relative ? 0 : plan.maps ? null : exact)
+  // What runs are measured by: on maps of their own they may have nothing in common.
+  const common = (rows: readonly Row[]): number | null => {
+    const exact = rows[0]?.record.exact ?? null
+    return relative ? 0 : rows.every(({ record }) => record.exact === exact) ? exact : null
+  }
   return {
     plan,
     answer,
@@ -64,7 +67,7 @@ export function shownOf(plan: Plan, groups: readonly Group[], answer: Answered, 
         const rounding = SAME * Math.abs(value ?? 0)
         return { group: at, row, record: row.record, outlier: value !== null && (value < low - rounding || value > high + rounding) }
       })
-      return [{ ...group, summary, runs, exact: common(first.exact), exactBy: first.exact_by === 'refuted' ? 'stored' : first.exact_by }]
+      return [{ ...group, summary, runs, exact: common(group.rows), exactBy: first.exact_by === 'refuted' ? 'stored' : first.exact_by }]
     }),
   }
 }

@@ -6,7 +6,7 @@ const ordinal = (n: number): string => `${n}${ENDINGS[ordinals.select(n)] ?? 'th
 export const scenes = {
   scene: {
     open: 'Open files',
-    make: 'Random map',
+    make: 'Random scene',
     drop: 'Scenes (.json), MovingAI’s maps (.map, with .scen), those of ROS’s map_server (.yaml with .pgm), and stops: TSPLIB’s (.tsp, with .tour) or points (.csv). Choose files that belong together at once, or drop them on the page.',
     object: 'Object',
     x: 'x',
@@ -50,16 +50,20 @@ export const scenes = {
     onGrid: 'Planners of tours call at these instead of going from start to goal.',
   },
   generate: {
-    title: 'Random map',
+    title: 'Random scene',
     kind: 'Kind',
-    seed: 'Seed of the map',
+    seed: 'Seed of the scene',
     newSeed: 'New seed',
     parameters: 'Parameters',
     preview: (title: string, columns: number, rows: number) => `Preview: ${title}, ${columns} × ${rows} cells`,
     size: (columns: number, rows: number) => `${columns} × ${rows} cells`,
     stops: (count: number) => `${count} stops`,
     previewStops: (title: string, count: number) => `Preview: ${title}, ${count} stops`,
-    make: 'Make this map',
+    discs: (count: number) => (count === 1 ? '1 disc' : `${count} discs`),
+    previewDiscs: (title: string, count: number) => `Preview: ${title}, ${count} discs between start and goal`,
+    variables: (count: number) => (count === 1 ? '1 variable' : `${count} variables`),
+    previewFunction: (title: string, count: number) => `Preview: ${title}, a function of ${count} variables over the first two`,
+    make: 'Make this scene',
     cancel: 'Cancel',
   },
   imported: {

@@ -1,9 +1,8 @@
-import type { Generator, GridScene, ParameterValue, Scene, TourScene } from 'forage-lab'
+import type { Generator, ParameterValue, Scene } from 'forage-lab'
 import type { Refusal } from '../worker/protocol'
 import { lab } from './lab.svelte'
 import { Latest } from './latest'
 
-type Made = GridScene | TourScene
 type Values = Readonly<Record<string, ParameterValue>>
 
 interface Wish {
@@ -22,12 +21,12 @@ const without = <T>(of: Readonly<Record<string, T>>, name: string): Record<strin
 const known = ({ parameters }: Generator, values: Values): Values =>
   Object.fromEntries(Object.entries(values).filter(([name]) => parameters.some((parameter) => parameter.name === name)))
 
-/** A random map, or stops, in the making: what was chosen, and the scene that comes of it. It is kept while the page is open. */
+/** A random scene in the making: what was chosen, and the scene that comes of it. It is kept while the page is open. */
 class Generating {
   generator = $state.raw<Generator | null>(null)
   values = $state.raw<Values>({})
   seed = $state(1)
-  scene = $state.raw<Made | null>(null)
+  scene = $state.raw<Scene | null>(null)
   /** Values that were refused, by the parameter's name. */
   private refused = $state.raw<Record<string, string>>({})
   /** What is wrong with values that are fine by themselves. */
@@ -92,10 +91,8 @@ class Generating {
     for (const { name } of generator.parameters) if (!(name in values)) this.values = without(this.values, name)
     this.refused = without(this.refused, changed)
     this.trouble = answer.ok ? null : answer.refusal
-    this.scene = answer.ok ? asMade(answer.value) : null
+    this.scene = answer.ok ? answer.value : null
   }
 }
-
-const asMade = (scene: Scene): Made | null => (scene.kind === 'grid' || scene.kind === 'tour' ? scene : null)
 
 export const generating = new Generating()

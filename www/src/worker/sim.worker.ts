@@ -9,7 +9,7 @@ import init, {
   newSeed,
   parseLink,
   reachability,
-  type Session,
+  Session,
   suggest,
 } from 'forage-lab'
 import type {
@@ -132,15 +132,27 @@ const api = {
   link: (): Answer<string> => answer(() => current().link()),
   csv: (): Answer<string> => answer(() => current().csv()),
   tourFile: (): Answer<NamedFile | null> => answer(() => current().tourFile()),
-  async field({ min, max, width, height, dark }: FieldRequest): Promise<ImageBitmap | null> {
+  async field(request: FieldRequest): Promise<ImageBitmap | null> {
     await breathe()
-    const canvas = new OffscreenCanvas(width, height)
-    const context = canvas.getContext('2d')
-    const painted = answer(() => context !== null && current().paintField(context, min, max, dark))
-    if (!painted.ok || !painted.value) return null
-    const picture = canvas.transferToImageBitmap()
-    return Comlink.transfer(picture, [picture])
+    return painted(request, current)
   },
+  /** A function that is not that of the run. */
+  async preview(request: FieldRequest, planner: string): Promise<ImageBitmap | null> {
+    await breathe()
+    let session: Session | undefined
+    const picture = painted(request, () => (session = new Session({ planner, scene: request.scene, seed: 0 })))
+    session?.free()
+    return picture
+  },
+}
+
+function painted({ min, max, width, height, dark }: FieldRequest, session: () => Session): ImageBitmap | null {
+  const canvas = new OffscreenCanvas(width, height)
+  const context = canvas.getContext('2d')
+  const done = answer(() => context !== null && session().paintField(context, min, max, dark))
+  if (!done.ok || !done.value) return null
+  const picture = canvas.transferToImageBitmap()
+  return Comlink.transfer(picture, [picture])
 }
 
 function current(): Session {
