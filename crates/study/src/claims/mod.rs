@@ -115,7 +115,7 @@ pub struct Part {
 pub enum On {
     /// One that ships.
     Scene(&'static str),
-    /// A map of a generator.
+    /// A scene of a generator.
     Map {
         /// The generator's name.
         generator: &'static str,
@@ -261,6 +261,11 @@ impl Part {
     /// On a scene that ships.
     pub fn on(scene: &'static str, arms: impl Into<Vec<Arm>>, question: Question) -> Self {
         Self { question, on: vec![On::Scene(scene)], arms: arms.into(), until: Until::End, seeds: SEEDS }
+    }
+
+    /// On one scene of a generator.
+    pub fn on_map(generator: &'static str, map: u64, settings: &'static str, arms: impl Into<Vec<Arm>>, question: Question) -> Self {
+        Self { on: vec![On::Map { generator, settings, map }], ..Self::on("", arms, question) }
     }
 
     /// Over maps of all generators of grids, with these settings.

@@ -31,7 +31,8 @@ impl Part {
         match self.on.as_slice() {
             [] => String::new(),
             [On::Scene(name)] => (*name).to_owned(),
-            [On::Map { settings, .. }, ..] => format!("{} generated maps, {settings}", self.on.len()),
+            [On::Map { generator, settings, map }] => format!("{generator} {map}, {settings}").trim_end_matches(", ").to_owned(),
+            [On::Map { settings, .. }, ..] => format!("{} generated scenes, {settings}", self.on.len()).trim_end_matches(", ").to_owned(),
             _ => format!("{} scenes", self.on.len()),
         }
     }

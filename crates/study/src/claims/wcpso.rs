@@ -1,6 +1,6 @@
 //! The claims of [WCPSO].
 
-use super::{Arm, Claim, Event, LENGTH, Measure, PaperClaims, Part, Question, Until, value_on};
+use super::{Arm, Claim, Event, LENGTH, Measure, PaperClaims, Part, Question, Until, VALUE, value_on};
 
 /// See the module.
 pub(crate) const CLAIMS: PaperClaims = PaperClaims { claims: |_| claims(), first: Vec::new, files: ["", "wcpso-claims-runs.csv"] };
@@ -23,6 +23,36 @@ const DISCS: [(&str, &str); 7] = [
     ("discs-gate", ""),
     ("discs-slalom", ""),
 ];
+
+/// The functions with their minimum somewhere else, as a generator moves it.
+const SHIFTED: [&str; 4] =
+    ["function=sphere dimension=10", "function=rosenbrock dimension=10", "function=ackley dimension=10", "function=rastrigin dimension=10"];
+/// Generated scenes of discs.
+const GENERATED: [u64; 2] = [101, 124];
+/// As many of them have runs enough to compare how these vary.
+const VARIED: [u64; 2] = [101, 106];
+
+/// Two planners on functions whose minimum is not in the middle.
+fn on_shifted(pairs: &[[&'static str; 2]]) -> Vec<Part> {
+    let on = |settings, pair: &[&'static str; 2], reading| {
+        let arms = pair.map(|planner| Arm::new(planner, reading));
+        let floor = if settings == SHIFTED[2] { value_on("ackley") } else { VALUE };
+        Part::on_map("shifted", 1, settings, arms, Question::Less(floor))
+    };
+    let each = SHIFTED.into_iter().flat_map(|settings| READINGS.map(|reading| (settings, reading)));
+    each.flat_map(|(settings, reading)| pairs.iter().map(move |pair| on(settings, pair, reading))).collect()
+}
+
+/// How the lengths of `wcpso` and `wpso` vary on some generated scenes of discs.
+fn varying() -> impl Iterator<Item = Part> {
+    let arms = ["wcpso", "wpso"].map(|planner| Arm::new(planner, ""));
+    (VARIED[0]..=VARIED[1]).map(move |map| Part::on_map("discs", map, "", arms.clone(), Question::SpreadsLess(LENGTH)))
+}
+
+/// `wcpso` and `wpso` over generated scenes of discs.
+fn among_generated(question: Question) -> Part {
+    Part::on_maps(["discs"], GENERATED, "", ["wcpso", "wpso"].map(|planner| Arm::new(planner, "")), question)
+}
 
 /// Each function with each reading, and two planners.
 fn on_functions(scenes: &[&'static str], pairs: &[[&'static str; 2]]) -> Vec<Part> {
@@ -60,6 +90,7 @@ fn precision() -> Vec<Claim> {
         let ranked = ["wcpso", "wpso", "cpso", "pso"];
         READINGS.map(|reading| Part::on(scene, ranked.map(|planner| Arm::new(planner, reading)), Question::Grows(value_on(scene))))
     });
+    let others = [["wcpso", "pso"], ["wcpso", "cpso"], ["wcpso", "wpso"]];
     vec![
         Claim {
             id: "W1",
@@ -68,8 +99,8 @@ fn precision() -> Vec<Claim> {
             place: "§3.1, Table 2",
             universal: true,
             tables: &["Table 2"],
-            reading: "Both readings of r1 and r2. On some functions all swarms end at the floor of rounding, where no difference can show.",
-            parts: on_functions(&functions, &[["wcpso", "pso"], ["wcpso", "cpso"], ["wcpso", "wpso"]]),
+            reading: "Both readings of r1 and r2. On some functions all swarms end at the floor of rounding, where no difference can show. On shifted functions the minimum is not in the middle of the search box.",
+            parts: [on_functions(&functions, &others), on_shifted(&others)].concat(),
         },
         Claim {
             id: "W2",
@@ -95,7 +126,7 @@ fn fluctuation() -> Vec<Claim> {
             universal: false,
             tables: &["§3.2"],
             reading: "The paper prints neither the number of waypoints nor whether segments are checked.",
-            parts: among_discs(Question::SpreadsLess(LENGTH)).collect(),
+            parts: among_discs(Question::SpreadsLess(LENGTH)).chain(varying()).collect(),
         },
         Claim {
             id: "W3b",
@@ -105,7 +136,10 @@ fn fluctuation() -> Vec<Claim> {
             universal: false,
             tables: &["§3.2"],
             reading: "",
-            parts: among_discs(Question::Less(LENGTH)).chain(among_discs(Question::MoreOften(NEAR))).collect(),
+            parts: among_discs(Question::Less(LENGTH))
+                .chain(among_discs(Question::MoreOften(NEAR)))
+                .chain([among_generated(Question::LessAcross(LENGTH))])
+                .collect(),
         },
     ]
 }
@@ -153,7 +187,7 @@ fn parts() -> Vec<Claim> {
             parts: ["sphere", "rosenbrock", "ackley", FURTHER]
                 .into_iter()
                 .flat_map(|scene| {
-                    ["w_law=linear c1_law=linear c2_law=linear", "w_law=linear", "c1_law=linear c2_law=linear"].map(|laws| {
+                    ["w_law=linear c1_law=linear c2_law=linear", "w_law=linear", "c1_law=linear", "c2_law=linear"].map(|laws| {
                         let linear = format!("perturb=false {laws}");
                         Part::on(scene, [Arm::new("wcpso", "perturb=false"), Arm::new("wcpso", &linear)], Question::Less(value_on(scene)))
                     })
