@@ -1,5 +1,6 @@
 import type { GridScene, Point, Scene } from '../../pkg/node.js'
 import { closer } from '../src/i18n/closer.en'
+import { moving } from '../src/i18n/moving.en'
 import { panels } from '../src/i18n/panels.en'
 import { number } from '../src/panels/format'
 import { middleOf } from '../src/state/cells'
@@ -64,7 +65,7 @@ test('the printed path is laid over the stage on request, and not over an edited
   const before = await lab.wholePicture()
   await lab.layer('printed', true)
   expect((await lab.wholePicture()).digest).not.toBe(before.digest)
-  await expect(page.locator('label').filter({ has: layer })).toHaveAttribute('title', en.stage.printedHelp(number(562.842712474619, 7)))
+  await expect(page.locator('label').filter({ has: layer })).toHaveAttribute('title', moving.printedHelp(number(562.842712474619, 7)))
   await lab.layer('printed', false)
   expect((await lab.wholePicture()).digest).toBe(before.digest)
 

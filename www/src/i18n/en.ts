@@ -68,8 +68,6 @@ export const en = {
       stored: 'The shortest tour by the scene’s file; its note names the source.',
       refuted: 'The scene’s file calls it the shortest; the result is shorter.',
     },
-    printed: 'Printed path',
-    printedHelp: (length: string) => `The path that the paper prints cell by cell: ${length} long.`,
     touches: 'touches',
     stopped: 'stopped here',
     thinned: (n: number) => `1 of ${n} drawn`,

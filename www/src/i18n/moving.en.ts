@@ -1,5 +1,7 @@
-/** Text about moving obstacles and the robot that meets them: loaded with the first grid. */
+/** Text about moving obstacles, the robot that meets them, and a printed path: loaded with the first grid. */
 export const moving = {
+  printed: 'Printed path',
+  printedHelp: (length: string) => `The path that the paper prints cell by cell: ${length} long.`,
   title: 'Moving obstacles',
   help: 'They go through walls and through each other; vx and vy are how far in a second. Planners that drive meet them on the way, the others plan as if they weren’t there.',
   none: 'Nothing moves in this scene.',

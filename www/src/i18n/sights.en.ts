@@ -1,14 +1,7 @@
 import type { presets } from './presets.en'
 
-/** What there is to see in cases: loaded with the first one that is chosen. Those of arms are in sights-arm.en.ts. */
-export const sights: Readonly<Record<Exclude<keyof typeof presets.cases, `arm-${string}`>, string>> = {
-  'moving-ants':
-    'Ants find a way of the published length. On it the robot foresees that the disc comes too near, and goes round it along the pheromone; the log tells when and why.',
-  'moving-a-star':
-    'The same drive on an exact way: soon after it sets out the robot foresees that the disc comes too near, and plans a new way to the goal.',
-  'moving-printed':
-    'The path that the paper prints, cell by cell, driven without a margin: its length, its turns and its time are the printed ones. The layer “Printed path” shows it beside any other path on this map.',
-  'moving-d-star-lite': 'The same drive on another of the shortest ways: the disc is seen, and nothing has to be decided.',
+/** What there is to see in cases: loaded with the first one that is chosen. Those of arms and of drives are in sights-arm.en.ts and sights-moving.en.ts. */
+export const sights: Readonly<Record<Exclude<keyof typeof presets.cases, `${'arm' | 'moving'}-${string}`>, string>> = {
   crossing: 'Discs cross a hall from both sides: each detour is a decision with a time, a place and a reason.',
   patrol: 'Where a guard stands in a door there is no way round: the robot waits until the way is clear.',
   corridor: 'Neither a way round nor standing still is safe: the robot backs into a niche and lets the disc pass.',

@@ -27,7 +27,6 @@ import { missing, stageAt } from './stages'
 import { suits } from './stops'
 import { Suggested } from './suggested.svelte'
 import { stillness } from './theme.svelte'
-import { printedPath } from './printed'
 import { views } from './views.svelte'
 import { Visible } from './visible.svelte'
 
@@ -78,8 +77,6 @@ export class Lab extends Parameters {
   readonly limit = $derived(this.span.limit)
   readonly stages = $derived(this.span.stages)
   readonly yardstick = $derived<Yardstick>((this.grid || this.touring) && this.outcome ? this.outcome.exact_by : 'plain')
-  /** The path that the scene's paper prints. */
-  readonly printed = $derived(printedPath(this.scene))
   /** The optimum that results are measured by, in words. */
   readonly optimum = $derived(this.arm ? en.result.tip : en.result[this.planner?.stops ? 'tours' : 'optimum'][this.yardstick])
   /** The part of the run that it is in, and how far in it. */

@@ -21,13 +21,12 @@ test('the printed cells are a path through their centres, whichever way y goes',
     [3, 1],
     [5, 3],
   ]
-  expect(printedPath(scene)).toEqual(path)
-  expect(printedPath({ ...scene, y_axis: 'up' })).toEqual(path)
-  expect(lengthOf(printedPath(scene))).toBe(2 + Math.sqrt(8))
+  expect(printedPath(scene)?.path).toEqual(path)
+  expect(printedPath({ ...scene, y_axis: 'up' })?.path).toEqual(path)
+  expect(lengthOf(printedPath(scene)?.path ?? [])).toBe(2 + Math.sqrt(8))
 })
 
 test('what names no cells is no path', () => {
-  for (const path_cells of [[0, 6], [-1], [0.5], ['0'], 'none']) expect(printedPath({ ...scene, published: { path_cells } })).toEqual([])
-  expect(printedPath({ ...scene, published: undefined as never })).toEqual([])
-  expect(printedPath(null)).toEqual([])
+  for (const path_cells of [[0, 6], [-1], [0.5], ['0'], [], 'none']) expect(printedPath({ ...scene, published: { path_cells } })).toBeNull()
+  expect(printedPath({ ...scene, published: undefined as never })).toBeNull()
 })

@@ -1,10 +1,12 @@
 import type { Point, Scene } from 'forage-lab'
+import { moving as text } from '../i18n/moving.en'
+import { number } from '../panels/format'
 import { type Cell, columnsOf, middleOf } from './cells'
 
-/** The path that a paper prints cell by cell, through the centres of its cells; empty where a scene's file holds none. */
-export function printedPath(scene: Scene | null): Point[] {
-  const cells = scene?.published?.path_cells
-  if (scene?.kind !== 'grid' || !Array.isArray(cells)) return []
+/** The path that a paper prints cell by cell, through the centres of its cells, as a layer; null where a scene's file holds none. */
+export function printedPath(scene: Scene): { path: Point[]; title: string; help: string } | null {
+  const cells = scene.published?.path_cells
+  if (scene.kind !== 'grid' || !Array.isArray(cells)) return null
   const columns = columnsOf(scene)
   // They count from the row of the smallest y, as the core does.
   const cellOf = (number: number): Cell => {
@@ -13,7 +15,9 @@ export function printedPath(scene: Scene | null): Point[] {
   }
   const isCell = (number: unknown): number is number =>
     Number.isInteger(number) && Number(number) >= 0 && Number(number) < columns * scene.rows.length
-  return cells.every(isCell) ? cells.map((number) => middleOf(scene, cellOf(number))) : []
+  if (cells.length === 0 || !cells.every(isCell)) return null
+  const path = cells.map((number) => middleOf(scene, cellOf(number)))
+  return { path, title: text.printed, help: text.printedHelp(number(lengthOf(path), 7)) }
 }
 
 export const lengthOf = (path: readonly Point[]): number =>
