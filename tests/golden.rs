@@ -1,15 +1,19 @@
 //! Golden hashes of complete runs: every planner, every kind of scene, several seeds. `tests/wasm.test.mjs` checks the same
 //! stored files in wasm under Node.
 //!
-//! A test for each planner, so that a failure names it. `FORAGE_BLESS=1 cargo test --test golden` stores all runs again.
+//! A test for each planner, so that a failure names it. `FORAGE_BLESS=1 cargo test --test golden` stores all runs again, but for
+//! what they show: `FORAGE_BLESS=contents` stores that.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "support/contents.rs"]
+mod contents;
 mod support;
 #[path = "support/trial.rs"]
 mod trial;
 
 use std::process::ExitCode;
 
+use contents::shown;
 use forage::{
     Given, Session, Setup, Value,
     catalogue::{Entry, PLANNERS},
@@ -19,15 +23,18 @@ use libtest_mimic::Arguments;
 use support::{Driven, Followed, Golden, ITERATIONS, Log, bits, digest, drives, line, logs, motions, stored};
 use trial::trial;
 
-fn run(planner: &str, scene: &str, seed: u32, set: &str) -> Golden {
+/// A golden run, and what it showed at its beginning, half way and at its end.
+fn run(planner: &str, scene: &str, seed: u32, set: &str) -> (Golden, [String; 3]) {
     let mut params = Given::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
     let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
     more.into_iter().for_each(|(name, value)| params.insert(name, Value::from(value.to_string().trim_matches('"'))));
     let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
     let mut session = Session::new(setup).unwrap();
+    let first = shown(&mut session);
     session.step(u64::from(ITERATIONS / 2));
-    let half = session.hash();
+    let (half, middle) = (session.hash(), shown(&mut session));
     session.step(u64::MAX);
+    let last = shown(&mut session);
     let outcome = session.outcome();
     let exact = session.exact();
     let paths = match (&outcome.path, &outcome.tip_path) {
@@ -36,7 +43,8 @@ fn run(planner: &str, scene: &str, seed: u32, set: &str) -> Golden {
         _ => "none".to_owned(),
     };
     let cost = bits(outcome.cost);
-    Golden { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), paths, half, end: session.hash(), cost }
+    let (planner, scene, set) = (planner.to_owned(), scene.to_owned(), set.to_owned());
+    (Golden { planner, scene, seed, set, paths, half, end: session.hash(), cost }, [first, middle, last])
 }
 
 /// A golden run to be made: planner, scene, seed, parameters.
@@ -128,8 +136,13 @@ fn check_planner(planner: &str) {
     let stored: Vec<_> = stored().into_iter().filter(|run| run.planner == planner).collect();
     let specs: Vec<_> = specs().into_iter().filter(|spec| spec.0 == planner).collect();
     assert_eq!(specs.len(), stored.len(), "{planner} has other golden runs than tests/golden.json: bless the file");
+    let contents = contents::stored();
     for ((planner, scene, seed, set), stored) in specs.into_iter().zip(stored) {
-        assert_eq!(run(planner, scene, seed, set), stored);
+        let (run, shown) = run(planner, scene, seed, set);
+        // What is shown says more of a mistake than a hash.
+        let key = contents::key(planner, scene, seed, set);
+        assert_eq!(Some(&shown), contents.get(&key), "what {key} shows");
+        assert_eq!(run, stored);
     }
 }
 
@@ -218,8 +231,16 @@ fn check_hashes_differ() {
 }
 
 fn main() -> ExitCode {
-    if std::env::var_os("FORAGE_BLESS").is_some() {
-        let runs: Vec<_> = specs().into_iter().map(|(planner, scene, seed, set)| run(planner, scene, seed, set)).collect();
+    if let Some(what) = std::env::var_os("FORAGE_BLESS") {
+        let all = specs().into_iter().map(|(planner, scene, seed, set)| {
+            let (run, shown) = run(planner, scene, seed, set);
+            (run, (contents::key(planner, scene, seed, set), shown))
+        });
+        let (runs, shown): (Vec<_>, contents::Contents) = all.unzip();
+        if what == "contents" {
+            bless("tests/contents.json", &shown);
+            return ExitCode::SUCCESS;
+        }
         bless("tests/golden.json", &runs);
         bless("tests/drives.json", &every_drive());
         bless("tests/motions.json", &every_motion());
