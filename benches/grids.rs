@@ -8,7 +8,8 @@ use std::{hint::black_box, sync::Arc};
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use forage::{
     Scene,
-    catalogue::{Entry, PLANNERS},
+    catalogue::PLANNERS,
+    describe::Entry,
     params::{Given, Settings},
     planner::{Solution, Yardstick},
     rng::Stream,

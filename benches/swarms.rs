@@ -10,13 +10,7 @@ use argmin::{
     solver::particleswarm::ParticleSwarm,
 };
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use forage::{
-    Scene,
-    catalogue::{Entry, PLANNERS},
-    params::Settings,
-    scene::Function,
-    session::AnyPlanner,
-};
+use forage::{Scene, any::AnyPlanner, catalogue::PLANNERS, describe::Entry, params::Settings, scene::Function};
 use rand::SeedableRng;
 use std::sync::Arc;
 

@@ -15,7 +15,8 @@ use std::{
 use forage::{
     Given, Scene, Value,
     arm::{self, Posture},
-    catalogue::{Entry, find},
+    catalogue::find,
+    describe::Entry,
     geometry::length_in_space,
     params::Settings,
     planner::{Readings, Solution},

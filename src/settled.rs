@@ -1,6 +1,6 @@
 //! When a group that searches side by side has settled.
 
-use crate::catalogue::{Group, Reading};
+use crate::describe::{Group, Reading};
 
 /// How near to the best the mean must be.
 const WITHIN: f64 = 0.01;

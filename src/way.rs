@@ -4,7 +4,7 @@
 use std::sync::OnceLock;
 
 use crate::{
-    catalogue::{Group, Reading},
+    describe::{Group, Reading},
     geometry::{self, shortcut},
     params::Parameter,
     planner::Readings,

@@ -14,11 +14,7 @@ mod trial;
 use std::process::ExitCode;
 
 use contents::shown;
-use forage::{
-    Given, Session, Setup, Value,
-    catalogue::{Entry, PLANNERS},
-    shipped_names,
-};
+use forage::{Given, Session, Setup, Value, catalogue::PLANNERS, describe::Entry, shipped_names};
 use libtest_mimic::Arguments;
 use support::{Driven, Followed, Golden, ITERATIONS, Log, bits, digest, drives, line, logs, motions, stored};
 use trial::trial;

@@ -11,7 +11,8 @@ use std::{process::ExitCode, sync::Arc};
 
 use forage::{
     Frame, Given, Scene, Session, Setup, Status, Value,
-    catalogue::{Entry, Formula, Group, PLANNERS, Scope},
+    catalogue::PLANNERS,
+    describe::{Entry, Formula, Group, Scope},
     frame::{Role, Shape},
     params::{Domain, Parameter, When},
     planner::Item,

@@ -1,7 +1,7 @@
 //! `aco`: the traditional ant colony, [ANTBAT] §3.1.
 
 use crate::{
-    catalogue::{Entry, Preset},
+    describe::{Entry, Preset},
     params::{Fixed, Parameter, Settings},
     way::SMOOTH,
 };

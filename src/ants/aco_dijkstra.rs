@@ -1,7 +1,7 @@
 //! `aco-dijkstra`: ants that set out on a Dijkstra path's pheromone and choose greedily more and more, the paper's [14].
 
 use crate::{
-    catalogue::{Entry, Formula, Scope},
+    describe::{Entry, Formula, Scope},
     params::{Parameter, Settings},
     settled::SETTLED,
     way::{LENGTH, SMOOTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},

@@ -1,7 +1,7 @@
 //! `aco-direction`: ants that mind their direction, rewarded and punished by the median, [ANTBAT] §3.1.
 
 use crate::{
-    catalogue::{Entry, Formula},
+    describe::{Entry, Formula},
     params::{Choice, Parameter, Settings},
     way::SMOOTH,
 };

@@ -2,7 +2,7 @@
 //! [WOLF-ANT] §5.1.
 
 use crate::{
-    catalogue::{Entry, Formula, Preset, Scope},
+    describe::{Entry, Formula, Preset, Scope},
     params::{Choice, Fixed, Parameter, Settings},
     way::SMOOTH,
 };

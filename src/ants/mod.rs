@@ -22,7 +22,8 @@ mod walk;
 use std::sync::Arc;
 
 use crate::{
-    catalogue::Entry,
+    any,
+    describe::Entry,
     digest::Digest,
     error::Error,
     exact,
@@ -31,7 +32,6 @@ use crate::{
     planner::{Best, Inspection, Item, Planner, Readings, Solution, Status, Yardstick},
     rng::Stream,
     scene::Scene,
-    session,
     settled::Settled,
     way::{self, Way},
 };
@@ -123,7 +123,7 @@ impl Found {
 }
 
 /// Starts a colony with these traits.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Box<dyn session::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Box<dyn any::AnyPlanner>, Error> {
     Ok(Box::new(Colony::new(scene, settings, seed, traits)?))
 }
 

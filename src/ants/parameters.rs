@@ -1,7 +1,7 @@
 //! What the entries of the colonies share: parameters, readings, equations and layers.
 
 use crate::{
-    catalogue::{Formula, Group, Layer, Reading, Scope},
+    describe::{Formula, Group, Layer, Reading, Scope},
     frame::Role,
     params::{Choice, Parameter, When},
     scene::Kind,

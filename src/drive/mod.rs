@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 use serde::Serialize;
 
 use crate::{
-    catalogue::Formula,
+    describe::Formula,
     error::Error,
     geometry, math,
     params::{Given, Parameter, Settings, Value},

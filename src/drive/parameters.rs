@@ -1,7 +1,7 @@
 //! What can be set about a drive, what it tells, and the equations it carries out.
 
 use crate::{
-    catalogue::{Formula, Scope},
+    describe::{Formula, Scope},
     params::Parameter,
 };
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    catalogue::Entry,
+    describe::Entry,
     digest::Digest,
     error::Error,
     params::{Choice, Parameter},

@@ -30,6 +30,7 @@ use std::{
 };
 
 use crate::{
+    any,
     digest::Digest,
     error::Error,
     exact,
@@ -38,7 +39,6 @@ use crate::{
     params::Settings,
     planner::{Best, Border, Event, Inspection, Item, Planner, Readings, Solution, Stage, Status, Track, Yardstick},
     scene::{Body as SceneBody, Cells, Course, GridScene, Motion, Scene},
-    session,
 };
 
 use body::Body;
@@ -159,7 +159,7 @@ fn start(
     scene: &Arc<Scene>,
     settings: &Settings,
     route: impl FnOnce(&Arc<Ground>) -> Result<Box<dyn Route>, Error>,
-) -> Result<Box<dyn session::AnyPlanner>, Error> {
+) -> Result<Box<dyn any::AnyPlanner>, Error> {
     let ground = Arc::new(Ground::new(scene, settings)?);
     let route = route(&ground)?;
     let most = match settings.number("time_limit") {

@@ -1,7 +1,7 @@
 //! What the entries of the drives share: parameters, readings, equations, layers and kinds of events.
 
 use crate::{
-    catalogue::{EventKind, Formula, Group, Layer, Reading, Scope, Tone},
+    describe::{EventKind, Formula, Group, Layer, Reading, Scope, Tone},
     frame::Role,
     params::{Choice, Parameter},
     scene::Kind,

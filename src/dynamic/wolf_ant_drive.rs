@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     ants::{self, Colony, aco_wolf},
-    catalogue::Entry,
+    describe::Entry,
     digest::Digest,
     frame::{Frame, Role},
     params::{Choice, Given, Parameter, Value},

@@ -1,6 +1,6 @@
 //! `dijkstra`: the search without a guess, Dijkstra 1959.
 
-use crate::{catalogue::Entry, way::SMOOTH};
+use crate::{describe::Entry, way::SMOOTH};
 
 use super::{
     parameters::{BOUND, EXPAND, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS},

@@ -26,7 +26,7 @@ pub mod theta_star;
 
 use std::sync::Arc;
 
-use crate::{error::Error, params::Settings, scene::Scene, session::AnyPlanner};
+use crate::{any::AnyPlanner, error::Error, params::Settings, scene::Scene};
 
 pub use tell::SYMBOLS;
 

@@ -1,7 +1,7 @@
 //! What the entries of the searches share: parameters, readings, equations and layers.
 
 use crate::{
-    catalogue::{Formula, Group, Layer, Reading},
+    describe::{Formula, Group, Layer, Reading},
     frame::Role,
     params::{Parameter, When},
     scene::{Kind, MAX_SIDE},

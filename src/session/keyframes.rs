@@ -1,6 +1,6 @@
 //! Copies of past states, thinned as history grows so that they stay under a budget.
 
-use super::AnyPlanner;
+use crate::any::AnyPlanner;
 
 /// States at multiples of a stride, in order.
 pub(super) struct Keyframes {

@@ -1,6 +1,5 @@
 //! One run: a scene, a planner with parameters and a seed, stepped, rewound, judged and shared.
 
-mod any;
 mod jobs;
 mod keyframes;
 mod outcome;
@@ -8,14 +7,15 @@ mod trace;
 
 use std::sync::Arc;
 
-pub use any::AnyPlanner;
 pub use jobs::{carry_out, carry_out_all};
 pub use outcome::Outcome;
 pub use trace::{Trace, csv_heading, csv_line, csv_row};
 
 use crate::{
+    any::AnyPlanner,
     arm::{self, Motion, MotionOutcome},
-    catalogue::{Entry, Suggestion, find},
+    catalogue::find,
+    describe::{Entry, Suggestion},
     digest::Digest,
     drive::{self, Drive},
     error::Error,

@@ -11,7 +11,8 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    catalogue::{Entry, Formula, Group, Layer, Preset, Reading},
+    any,
+    describe::{Entry, Formula, Group, Layer, Preset, Reading},
     digest::Digest,
     error::Error,
     frame::{Frame, Role},
@@ -20,7 +21,6 @@ use crate::{
     planner::{Column, Inspection, Item, Planner, Readings},
     rng::Stream,
     scene::Scene,
-    session,
 };
 
 use super::{
@@ -94,7 +94,7 @@ trait Watch {
 
 impl Watch for () {}
 
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn session::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn any::AnyPlanner>, Error> {
     let mut rng = Stream::new(seed, 0);
     let size = settings.integer("population") as usize;
     let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);

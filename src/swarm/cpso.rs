@@ -1,7 +1,7 @@
 //! `cpso`: the swarm whose accelerations change linearly, [WCPSO] §3.1 and its reference [18].
 
 use crate::{
-    catalogue::{Entry, Formula, Preset},
+    describe::{Entry, Formula, Preset},
     params::{Choice, Fixed, Parameter},
 };
 

@@ -15,7 +15,8 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    catalogue::{Entry, Formula, Group, Layer, Preset, ROAD, Reading},
+    any,
+    describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading},
     digest::Digest,
     error::Error,
     frame::{Frame, Role},
@@ -23,7 +24,6 @@ use crate::{
     planner::{Column, Inspection, Item, Planner, Readings},
     rng::Stream,
     scene::{Kind, Scene},
-    session,
 };
 
 use super::{
@@ -79,7 +79,7 @@ trait Watch {
 
 impl Watch for () {}
 
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn session::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn any::AnyPlanner>, Error> {
     let mut rng = Stream::new(seed, 0);
     let size = settings.integer("population") as usize;
     let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);

@@ -35,7 +35,7 @@ pub mod wpso;
 
 use std::sync::Arc;
 
-use crate::{error::Error, params::Settings, scene::Scene, session::AnyPlanner};
+use crate::{any::AnyPlanner, error::Error, params::Settings, scene::Scene};
 
 pub use quantum::{ltqpso, qpso};
 pub use tell::SYMBOLS;

@@ -1,7 +1,7 @@
 //! What the entries of the swarms share: parameters, readings, equations and layers.
 
 use crate::{
-    catalogue::{Formula, Group, Layer, Preset, Reading, Scope},
+    describe::{Formula, Group, Layer, Preset, Reading, Scope},
     frame::Role,
     params::{Choice, Fixed, Parameter, When},
     scene::Kind,

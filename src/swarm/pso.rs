@@ -1,6 +1,6 @@
 //! `pso`: the swarm with constant coefficients, [WCPSO] (1) and (2).
 
-use crate::catalogue::Entry;
+use crate::describe::Entry;
 
 use super::{
     encoding::with_paths,

@@ -12,7 +12,7 @@
 use std::sync::Arc;
 
 use crate::{
-    catalogue::{Entry, Group, Preset, ROAD, Reading},
+    describe::{Entry, Group, Preset, ROAD, Reading},
     error::Error,
     params::{Fixed, Parameter, Settings},
     rng::Stream,

@@ -1,7 +1,7 @@
 //! `wcpso`: the swarm with trigonometric coefficients and hen/chick perturbation, [WCPSO] §2.
 
 use crate::{
-    catalogue::{Entry, Formula, Preset},
+    describe::{Entry, Formula, Preset},
     params::{Choice, Fixed, Parameter, Settings},
 };
 

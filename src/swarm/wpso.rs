@@ -1,7 +1,7 @@
 //! `wpso`: the swarm whose inertia weight falls linearly, [WCPSO] §3.1 and its reference [16].
 
 use crate::{
-    catalogue::{Entry, Preset},
+    describe::{Entry, Preset},
     params::Fixed,
 };
 

@@ -8,7 +8,7 @@
 use std::sync::Arc;
 
 use crate::{
-    catalogue::{Entry, Formula, Group, Layer, Reading, Scope},
+    describe::{Entry, Formula, Group, Layer, Reading, Scope},
     digest::Digest,
     frame::Role,
     params::{Parameter, Settings},

@@ -26,6 +26,7 @@ pub mod two_opt;
 use std::sync::Arc;
 
 use crate::{
+    any,
     digest::Digest,
     error::Error,
     exact::{MAX_EXACT_STOPS, shortest_tour},
@@ -34,7 +35,6 @@ use crate::{
     planner::{Best, Finding, Inspection, Item, Job, Planner, Readings, Round, Solution, Stage, Status, Yardstick},
     rng::Stream,
     scene::{Body, Scene},
-    session,
     settled::Settled,
 };
 
@@ -117,7 +117,7 @@ fn start(
     seed: u64,
     tells: &'static [&'static str],
     begin: Begin,
-) -> Result<Box<dyn session::AnyPlanner>, Error> {
+) -> Result<Box<dyn any::AnyPlanner>, Error> {
     let network = match scene.body() {
         Body::Grid(grid) => Some(Network::new(scene, grid, settings, seed)?),
         _ => None,

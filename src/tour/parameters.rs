@@ -1,7 +1,7 @@
 //! What the entries of the tour planners share: parameters, readings, equations and layers.
 
 use crate::{
-    catalogue::{Formula, Group, Layer, Member, Reading, Scope},
+    describe::{Formula, Group, Layer, Member, Reading, Scope},
     frame::Role,
     params::{Choice, Parameter, Settings},
     planner::Round,

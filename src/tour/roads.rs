@@ -4,7 +4,8 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::{
-    catalogue::{self, ROAD},
+    catalogue,
+    describe::ROAD,
     error::Error,
     exact::is_reachable,
     geometry,

@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use crate::{
-    catalogue::{Entry, Formula, Group, Layer, Member, Reading},
+    describe::{Entry, Formula, Group, Layer, Member, Reading},
     digest::Digest,
     frame::Role,
     math,

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::{
-    Given, Scene, Session, Setup, Status,
-    catalogue::{self, Entry},
+    Given, Scene, Session, Setup, Status, catalogue,
+    describe::Entry,
     frame::Role,
     params::{Domain, Value},
     planner::{Item, Round},

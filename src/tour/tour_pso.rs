@@ -10,7 +10,7 @@
 use std::sync::Arc;
 
 use crate::{
-    catalogue::{Entry, Formula, Group, Layer, Member, Preset, Reading},
+    describe::{Entry, Formula, Group, Layer, Member, Preset, Reading},
     digest::Digest,
     frame::Role,
     params::{Fixed, Parameter, Settings},

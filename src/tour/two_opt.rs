@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    catalogue::{Entry, Formula, Group, Reading},
+    describe::{Entry, Formula, Group, Reading},
     digest::Digest,
     params::Settings,
     planner::{Readings, Status},

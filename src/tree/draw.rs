@@ -1,7 +1,7 @@
 //! What trees look like: edges, nodes, the path, and what the last extension looked at.
 
 use crate::{
-    catalogue::Layer,
+    describe::Layer,
     frame::{Frame, Role, Shape},
 };
 

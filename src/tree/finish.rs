@@ -2,7 +2,7 @@
 //! left out, and none ever goes through an obstacle.
 
 use crate::{
-    catalogue::{Formula, Scope},
+    describe::{Formula, Scope},
     params::Settings,
 };
 

@@ -1,7 +1,7 @@
 //! What the entries of the trees share: parameters, readings and equations.
 
 use crate::{
-    catalogue::{Formula, Group, Reading},
+    describe::{Formula, Group, Reading},
     params::{Fixed, Parameter},
     scene::Kind,
 };

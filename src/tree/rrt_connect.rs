@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::{catalogue::Entry, digest::Digest, error::Error, params::Settings, rng::Stream, scene::Scene};
+use crate::{describe::Entry, digest::Digest, error::Error, params::Settings, rng::Stream, scene::Scene};
 
 use super::{
     draw::CONNECT_LAYERS,

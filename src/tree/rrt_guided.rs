@@ -11,7 +11,7 @@
 use std::{f64::consts::PI, sync::Arc};
 
 use crate::{
-    catalogue::Entry,
+    describe::Entry,
     error::Error,
     params::{Choice, Parameter, Settings},
     rng::Stream,

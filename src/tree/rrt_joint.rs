@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    catalogue::{Entry, Member},
+    describe::{Entry, Member},
     params::Parameter,
     scene::Kind,
 };

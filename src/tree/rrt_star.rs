@@ -3,7 +3,7 @@
 
 use std::{f64::consts::PI, sync::Arc};
 
-use crate::{catalogue::Entry, digest::Digest, error::Error, math, params::Settings, rng::Stream, scene::Scene};
+use crate::{describe::Entry, digest::Digest, error::Error, math, params::Settings, rng::Stream, scene::Scene};
 
 use super::{
     draw::LAYERS,

@@ -11,7 +11,8 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    catalogue::{self, Entry},
+    any, catalogue,
+    describe::Entry,
     digest::Digest,
     error::Error,
     exact::is_reachable,
@@ -114,7 +115,7 @@ struct Tuning {
     rng: Stream,
 }
 
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn session::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn any::AnyPlanner>, Error> {
     let colony = catalogue::find(settings.choice("colony"))?;
     let chosen = settings.choice("tune");
     let axes: Vec<_> = colony.parameters.iter().filter(|p| chosen.split(',').any(|name| name == p.name)).filter_map(Axis::new).collect();

@@ -1,7 +1,7 @@
 //! The entry's parts: what is tuned, the swarm's own parameters, readings, equations and layers.
 
 use crate::{
-    catalogue::{Entry, Formula, Group, Layer, Reading, Scope},
+    describe::{Entry, Formula, Group, Layer, Reading, Scope},
     frame::Role,
     params::{Choice, Parameter},
     scene::Kind,

@@ -6,7 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Given, Session, Setup, Value,
-    catalogue::{Entry, PLANNERS},
+    catalogue::PLANNERS,
+    describe::Entry,
     error::Error,
     scene::{
         Kind, Scene,

@@ -7,7 +7,8 @@ use std::sync::{
 
 use forage::{
     Given, Outcome, Session, Setup,
-    catalogue::{Preset, find},
+    catalogue::find,
+    describe::Preset,
     error::Error,
     planner::{Finding, Job, Yardstick},
     scene::{Distances, Scene},

@@ -1,7 +1,7 @@
 //! `ltqpso`: the quantum swarm with evolution speed, dispersion and natural selection, [LTQPSO] §2.2.
 
 use crate::{
-    catalogue::{Entry, Formula},
+    describe::{Entry, Formula},
     params::{Choice, Parameter, Settings},
     swarm::{
         encoding::with_paths,

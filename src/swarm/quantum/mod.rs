@@ -11,6 +11,7 @@ pub mod qpso;
 use std::sync::Arc;
 
 use crate::{
+    any,
     digest::Digest,
     error::Error,
     frame::{Frame, Role},
@@ -19,7 +20,6 @@ use crate::{
     planner::{Inspection, Item, Planner, Readings},
     rng::Stream,
     scene::Scene,
-    session,
 };
 
 use super::{
@@ -43,7 +43,7 @@ struct Adaptation {
 }
 
 /// Starts a quantum swarm on whatever kind of scene it is given.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: Option<Adaptation>) -> Result<Box<dyn session::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: Option<Adaptation>) -> Result<Box<dyn any::AnyPlanner>, Error> {
     let mut rng = Stream::new(seed, 0);
     let population = Population::new(encoding::objective(scene, settings)?, settings.integer("population") as usize, &mut rng);
     Ok(Box::new(Quantum::new(population, settings, rng, adaptive)))

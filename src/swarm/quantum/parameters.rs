@@ -1,7 +1,7 @@
 //! What the entries of the quantum swarms share.
 
 use crate::{
-    catalogue::{Formula, Group, Layer, Reading, Suggestion},
+    describe::{Formula, Group, Layer, Reading, Suggestion},
     frame::Role,
     math,
     params::{Fixed, Parameter, Settings},

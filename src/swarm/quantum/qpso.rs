@@ -1,7 +1,7 @@
 //! `qpso`: the quantum swarm, [LTQPSO] §2.1.
 
 use crate::{
-    catalogue::{Entry, Formula},
+    describe::{Entry, Formula},
     swarm::{
         encoding::with_paths,
         parameters::{

@@ -8,8 +8,8 @@ use std::{
 };
 
 use forage::{
-    Error, Given, Link, Scene, Setup, Value, arm,
-    catalogue::{self, Suggestion},
+    Error, Given, Link, Scene, Setup, Value, arm, catalogue,
+    describe::Suggestion,
     drive, rng,
     scene::{
         Kind,

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use forage::{Given, Setup, catalogue::Suggestion};
+use forage::{Given, Setup, describe::Suggestion};
 
 use super::{
     args::SuggestArgs,

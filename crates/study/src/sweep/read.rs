@@ -5,13 +5,7 @@ use std::{collections::BTreeMap, path::PathBuf, sync::Arc};
 use serde::Deserialize;
 use toml::{Table, Value as Toml};
 
-use forage::{
-    Scene, Value,
-    catalogue::{Entry, find},
-    error::Error,
-    rng::check_seed,
-    trial::WITHIN,
-};
+use forage::{Scene, Value, catalogue::find, describe::Entry, error::Error, rng::check_seed, trial::WITHIN};
 
 use super::{
     super::Failure,

@@ -7,7 +7,8 @@ use std::{fmt::Write, process::ExitCode};
 
 use forage::{
     arm,
-    catalogue::{self, Entry, PLANNERS},
+    catalogue::{self, PLANNERS},
+    describe::Entry,
     drive,
     scene::Kind,
     shipped_names,

@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use forage::{
     Scene,
-    catalogue::{self, Entry, PLANNERS},
+    catalogue::{self, PLANNERS},
+    describe::Entry,
     drive,
     params::Parameter,
     scene::{

@@ -1,0 +1,127 @@
+//! A planner's entry: all that is known of it without running it, and the function that starts it.
+
+use std::sync::Arc;
+
+use serde::Serialize;
+
+use crate::{
+    any::AnyPlanner,
+    error::Error,
+    params::{Given, Parameter, Settings},
+    scene::{Body, Kind, Scene},
+};
+
+use super::{EventKind, Formula, Layer, Member, Preset, Reading};
+
+/// Starts a run: refuses everything that can be refused.
+pub type Start = fn(&Arc<Scene>, &Settings, u64) -> Result<Box<dyn AnyPlanner>, Error>;
+
+/// What there is to know about a planner.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// The name in commands and links.
+    pub name: &'static str,
+    /// The name for people.
+    pub title: &'static str,
+    /// What it belongs to.
+    pub family: &'static str,
+    /// Where it comes from, e.g. `[WCPSO] §2`.
+    pub source: &'static str,
+    /// A sentence or two.
+    pub summary: &'static str,
+    /// The kinds of scene it runs on.
+    pub kinds: &'static [Kind],
+    /// Whether it calls at a scene's stops instead of going from start to goal.
+    pub stops: bool,
+    /// The most stops that it can do with.
+    pub most_stops: Option<usize>,
+    /// Its parameters; every planner has `iterations`.
+    pub parameters: &'static [Parameter],
+    /// The numbers it tells after each iteration.
+    pub readings: &'static [Reading],
+    /// The equations it carries out.
+    pub formulas: &'static [Formula],
+    /// The layers it draws, in drawing order.
+    pub layers: &'static [Layer],
+    /// The numbers that it tells of each of those that search side by side.
+    pub members: &'static [Member],
+    /// The kinds of events that it tells of.
+    pub events: &'static [EventKind],
+    /// Parameters under a name: as published, or fitted to published figures.
+    pub presets: &'static [Preset],
+    /// What its paper recommends for these settings; `None` where it says nothing.
+    pub suggest: fn(&Settings) -> Option<Suggestion>,
+    /// How a run begins.
+    pub start: Start,
+}
+
+/// Sizes that a paper recommends for a setup.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Suggestion {
+    /// How many particles.
+    pub population: u64,
+    /// How many iterations.
+    pub iterations: u64,
+    /// Where the recommendation comes from, e.g. `[LTQPSO] (10)`.
+    pub source: &'static str,
+}
+
+impl Entry {
+    /// Refuses a kind of scene that this planner does not run on.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] with the kinds it runs on.
+    pub fn check_kind(&self, kind: Kind) -> Result<(), Error> {
+        if self.kinds.contains(&kind) {
+            return Ok(());
+        }
+        let kinds: Vec<_> = self.kinds.iter().map(|k| k.name()).collect();
+        Err(Error::Unsupported { planner: self.name.to_owned(), kind: kind.name().to_owned(), kinds: kinds.join(", ") })
+    }
+
+    /// Refuses a scene that this planner does not run on.
+    ///
+    /// # Errors
+    /// As [`Entry::check_kind`]; [`Error::Refused`] for a grid without what the planner goes to, and for too many stops.
+    pub fn check_scene(&self, scene: &Scene) -> Result<(), Error> {
+        self.check_kind(scene.kind())?;
+        match scene.body() {
+            Body::Grid(grid) if self.stops && grid.stops.len() < 2 => {
+                let found = if grid.stops.is_empty() { "nothing" } else { "a list of 1" };
+                Err(Error::refused("stops", found, "two stops at least: this planner calls at stops"))
+            }
+            Body::Grid(grid) if !self.stops => grid.ends().map(|_| ()),
+            Body::Grid(grid) => self.check_most("stops", grid.stops.len()),
+            Body::Tour(tour) => self.check_most(if tour.matrix.is_some() { "matrix" } else { "points" }, tour.len()),
+            _ => Ok(()),
+        }
+    }
+
+    /// The values of a preset that mean something on this kind of scene.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the names that exist; [`Error::Refused`] for a planner without presets.
+    pub fn preset(&self, name: &str, kind: Kind) -> Result<Given, Error> {
+        if self.presets.is_empty() {
+            return Err(Error::refused("preset", name, format!("left out: {} has no presets", self.name)));
+        }
+        let preset = self.presets.iter().find(|preset| preset.name == name);
+        let preset = preset.ok_or_else(|| Error::unknown("preset", name, self.presets.iter().map(|preset| preset.name)))?;
+        let applies = |name: &str| self.parameters_on(kind).any(|parameter| parameter.name == name);
+        Ok(preset.given().iter().filter(|(name, _)| applies(name)).map(|(name, value)| (name, value.clone())).collect())
+    }
+
+    fn check_most(&self, field: &str, n: usize) -> Result<(), Error> {
+        match self.most_stops {
+            Some(most) if n > most => {
+                Err(Error::refused(field, format!("a list of {n}"), format!("at most {most} stops for {}", self.name)))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The parameters that mean something on this kind of scene.
+    pub fn parameters_on(&self, kind: Kind) -> impl Iterator<Item = &'static Parameter> {
+        self.parameters.iter().filter(move |p| p.applies_to(kind))
+    }
+}

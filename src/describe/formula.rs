@@ -1,0 +1,50 @@
+//! The equations that a planner carries out.
+
+use serde::Serialize;
+
+use crate::params::When;
+
+/// An equation.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Formula {
+    /// An identifier within the planner.
+    pub name: &'static str,
+    /// Where it comes from, e.g. `[WCPSO] (3)`.
+    pub source: &'static str,
+    /// A few words.
+    pub title: &'static str,
+    /// TeX, as in the paper.
+    pub tex: &'static str,
+    /// TeX with `@name@` where a number of the moment goes.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    pub live: &'static str,
+    /// Where those numbers come from.
+    pub scope: Scope,
+    /// A parameter's value without which another equation stands in its place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub when: Option<When>,
+}
+
+impl Formula {
+    /// An equation that is filled in from an inspection's values.
+    pub const fn of_item(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Self {
+        Self { name, source, title, tex, live, scope: Scope::Item, when: None }
+    }
+
+    /// The same, carried out only while a parameter has this value.
+    #[must_use]
+    pub const fn when(mut self, parameter: &'static str, value: &'static str) -> Self {
+        self.when = Some(When { parameter, value });
+        self
+    }
+}
+
+/// Where a formula's numbers come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Scope {
+    /// The readings of the iteration, and the parameters.
+    Iteration,
+    /// An inspection's values.
+    Item,
+}

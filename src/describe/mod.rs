@@ -1,0 +1,19 @@
+//! What there is to know of a planner before it runs: its entry, parameters, readings, formulas and layers.
+//!
+//! Vocabulary only: whoever describes something imports from here, and nothing here knows a planner.
+
+mod entry;
+mod event;
+mod formula;
+mod layer;
+mod member;
+mod preset;
+mod reading;
+
+pub use entry::{Entry, Start, Suggestion};
+pub use event::{EventKind, Tone};
+pub use formula::{Formula, Scope};
+pub use layer::Layer;
+pub use member::Member;
+pub use preset::{Preset, ROAD};
+pub use reading::{Group, Reading};

@@ -1,0 +1,35 @@
+//! Parameters under a name.
+
+use serde::{Serialize, Serializer};
+
+use crate::params::{Fixed, Given, Value, as_object};
+
+/// The name of the preset with which a planner builds one of many roads between stops: sizes that make 66 runs take seconds.
+pub const ROAD: &str = "road";
+
+/// Parameters under a name.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Preset {
+    /// The name in commands: `paper`, `fitted`.
+    pub name: &'static str,
+    /// A few words: As in the text.
+    pub title: &'static str,
+    /// What it is good for, and what it rests on.
+    pub help: &'static str,
+    /// A shipped scene on which to try it.
+    pub scene: &'static str,
+    /// The values that differ from the defaults.
+    #[serde(rename = "params", serialize_with = "fixed")]
+    pub values: &'static [(&'static str, Fixed)],
+}
+
+fn fixed<S: Serializer>(values: &[(&'static str, Fixed)], serializer: S) -> Result<S::Ok, S::Error> {
+    as_object(&values.iter().map(|&(name, value)| (name, Value::from(value))).collect::<Vec<_>>(), serializer)
+}
+
+impl Preset {
+    /// The values as overrides.
+    pub fn given(&self) -> Given {
+        self.values.iter().map(|&(name, value)| (name, Value::from(value))).collect()
+    }
+}
