@@ -7,7 +7,7 @@ use std::{hint::black_box, sync::Arc};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use forage::{
     Given, Scene, Session, Setup, Value,
-    rng::Stream,
+    kernel::rng::Stream,
     scene::{Body, GridScene, Header},
     shipped,
 };

@@ -10,9 +10,8 @@ use forage::{
     Scene,
     catalogue::PLANNERS,
     describe::Entry,
+    kernel::{Solution, Yardstick, rng::Stream},
     params::{Given, Settings},
-    planner::{Solution, Yardstick},
-    rng::Stream,
     scene::{Body, Cells, DIRECTIONS, GridScene},
 };
 use pathfinding::directed::astar::astar;

@@ -18,9 +18,8 @@ use forage::{
     catalogue::find,
     describe::Entry,
     geometry::length_in_space,
+    kernel::{Readings, Solution, rng::Stream},
     params::Settings,
-    planner::{Readings, Solution},
-    rng::Stream,
     shipped,
 };
 

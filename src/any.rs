@@ -1,10 +1,8 @@
 //! The object-safe twin of [`Planner`], so that a session holds any planner. Kept apart from the trait itself because
 //! the same method names in one scope would clash.
 
-use crate::{
-    digest::Digest,
-    frame::Frame,
-    planner::{Best, Event, Finding, Inspection, Item, Job, Planner, Readings, Round, Stage, Status, Tuned, Yardstick},
+use crate::kernel::{
+    Best, Digest, Event, Finding, Frame, Inspection, Item, Job, Planner, Readings, Round, Stage, Status, Tuned, Yardstick,
 };
 
 /// Any planner, boxed. Implemented for every [`Planner`] by one blanket implementation.

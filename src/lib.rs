@@ -15,19 +15,19 @@
 //! ```
 //!
 //! # The map of the house
-//! - [`planner`]: the stepped contract that a planner's author implements.
-//! - [`catalogue`]: every planner and its parameters; nothing else lists planners.
-//! - [`scene`]: what is planned in, one file a kind, and the scene files. [`exact`]: the oracles for them.
-//! - [`swarm`]: particle swarms. [`search`]: exact searches over a grid's cells. A folder a family; a file a planner or a
+//! From the ground up; a module uses what is above it in this list.
+//! - [`math`], [`statistics`], [`geometry`]: deterministic functions, tests between samples, shapes.
+//! - [`kernel`]: the stepped contract that a planner implements, and the data that it speaks of: errors, random streams,
+//!   solutions, readings, frames, digests.
+//! - [`describe`]: what a planner's entry is made of. [`params`]: its parameters, and values for them.
+//! - [`scene`]: what is planned in, one file a kind, and the scene files. [`exact`]: exact optima for them.
+//! - [`arm`]: six-axis arms, their kinematics, what they touch, and how they follow a path.
+//! - [`swarm`], [`ants`], [`search`], [`tour`], [`tree`], [`tuning`]: planners. A folder a family; a file a planner or a
 //!   part of one.
-//! - [`tree`]: rapidly-exploring random trees, in the plane, in space and in joints. [`arm`]: six-axis arms, their
-//!   kinematics, what they touch, and how they follow a path.
 //! - [`drive`]: a robot that follows what was found, and what its outline touches.
-//! - [`session`]: one run, with rewind, hash and link. [`frame`] and [`picture`]: what it looks like.
-//! - [`trial`]: one run of many, summed up in a line. [`statistics`]: what many of them have in common, and tests between them.
-//! - [`geometry`], [`math`], [`rng`], [`digest`], [`error`](mod@error): the ground.
-//!
-//! Imports point one way: faces → session → catalogue → families → scene, geometry, exact → math, rng, error.
+//! - [`catalogue`]: every planner and its parameters; nothing else lists planners.
+//! - [`session`]: one run, with rewind, hash and [`link`]. [`picture`]: what it looks like. [`trial`]: one run of many,
+//!   summed up in a line.
 //!
 //! Papers are cited by tag and equation: `[WCPSO]` is Jia Huiqun et al., *Path planning based on improved particle
 //! swarm optimization algorithm*, Transactions of the Chinese Society for Agricultural Machinery, 2018 no. 12.
@@ -37,20 +37,15 @@ pub mod any;
 pub mod arm;
 pub mod catalogue;
 pub mod describe;
-pub mod digest;
 pub mod drive;
 mod dynamic;
-pub mod error;
 pub mod exact;
-pub mod frame;
 pub mod geometry;
-pub mod json;
+pub mod kernel;
 pub mod link;
 pub mod math;
 pub mod params;
 pub mod picture;
-pub mod planner;
-pub mod rng;
 pub mod scene;
 pub mod search;
 pub mod session;
@@ -67,11 +62,9 @@ pub mod way;
 
 pub use catalogue::catalogue;
 pub use drive::{Drive, DriveOutcome};
-pub use error::Error;
-pub use frame::Frame;
+pub use kernel::{Error, Frame, Status};
 pub use link::Link;
 pub use params::{Given, Value};
-pub use planner::Status;
 pub use scene::{Scene, shipped, shipped_names};
 pub use session::{Outcome, Session, Setup};
 pub use trial::Trial;

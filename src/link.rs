@@ -8,9 +8,8 @@ use std::{fmt, sync::Arc};
 use base64ct::{Base64UrlUnpadded, Encoding};
 
 use crate::{
-    error::Error,
+    kernel::{Error, rng::SEED_RANGE},
     params::{Given, Value},
-    rng::SEED_RANGE,
     scene::{Scene, shipped},
     session::Setup,
 };

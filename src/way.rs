@@ -6,8 +6,8 @@ use std::sync::OnceLock;
 use crate::{
     describe::{Group, Reading},
     geometry::{self, shortcut},
+    kernel::Readings,
     params::Parameter,
-    planner::Readings,
     scene::Scene,
 };
 

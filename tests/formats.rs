@@ -6,7 +6,7 @@ mod generated;
 
 use forage::{
     Error, Given, Scene, Value,
-    planner::{Round, Yardstick},
+    kernel::{Round, Yardstick},
     scene::{
         formats::{Format, NamedFile, export, import, wanted},
         generate::{GENERATORS, generate},

@@ -13,9 +13,8 @@ use forage::{
     Frame, Given, Scene, Session, Setup, Status, Value,
     catalogue::PLANNERS,
     describe::{Entry, Formula, Group, Scope},
-    frame::{Role, Shape},
+    kernel::{Item, Role, Shape},
     params::{Domain, Parameter, When},
-    planner::Item,
     scene::Kind,
     shipped_names,
 };
@@ -175,7 +174,7 @@ fn rewinding_is_exact(entry: &'static Entry) {
 /// A link opens the very same state, with an edited scene and changed parameters.
 fn a_link_reproduces_the_hash(entry: &'static Entry) {
     let scenes = scenes(entry);
-    property(&(0..scenes.len(), 0..forage::rng::MAX_SEED, 0..30_u64, 1..40_u32), |(scene, seed, k, population)| {
+    property(&(0..scenes.len(), 0..forage::kernel::rng::MAX_SEED, 0..30_u64, 1..40_u32), |(scene, seed, k, population)| {
         let scene = &scenes[scene];
         let edited = scene.to_json().replace(scene.header().title.as_str(), "edited & <named> 5 % \u{2713}");
         let scene = Arc::new(Scene::from_json(&edited).unwrap());

@@ -3,7 +3,7 @@
 
 use forage::{
     Given, Scene, Session, Setup, catalogue,
-    planner::{Round, Solution, Yardstick},
+    kernel::{Round, Solution, Yardstick},
     scene::Kind,
     shipped, shipped_names,
 };
@@ -14,7 +14,7 @@ fn the_exact_optimum_agrees_with_the_one_stored_in_the_scene() {
     for scene in shipped_names().filter(|scene| scene.kind() != Kind::Function) {
         let Some(stored) = scene.header().exact.as_ref().and_then(|exact| exact["length"].as_f64()) else { continue };
         let exact = match scene.kind() {
-            Kind::Tour => scene.exact_tour(forage::planner::Yardstick::default(), forage::planner::Round::Closed),
+            Kind::Tour => scene.exact_tour(forage::kernel::Yardstick::default(), forage::kernel::Round::Closed),
             _ => scene.exact(),
         };
         let exact = exact.unwrap();

@@ -1,7 +1,7 @@
 //! Pheromone as a field and as trails, and the ants' walks.
 
 use crate::{
-    frame::{Frame, Role, Shape},
+    kernel::{Frame, Role, Shape},
     scene::Cells,
 };
 

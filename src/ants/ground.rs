@@ -6,8 +6,9 @@ use std::{
 };
 
 use crate::{
-    error::Error,
-    exact, geometry, math,
+    exact, geometry,
+    kernel::Error,
+    math,
     scene::{Cells, Course, Scene, angle},
 };
 

@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Reading, Scope},
-    frame::Role,
+    kernel::Role,
     params::{Choice, Parameter, When},
     scene::Kind,
     settled::SETTLED,

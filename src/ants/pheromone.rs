@@ -1,6 +1,6 @@
 //! Pheromone on the steps from cell to cell, and what it makes of their attraction.
 
-use crate::{digest::Digest, math, scene::Cells};
+use crate::{kernel::Digest, math, scene::Cells};
 
 use super::ground::{Ground, Power};
 

@@ -4,9 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     exact,
-    frame::Frame,
-    planner::{Planner, Status},
-    rng::Stream,
+    kernel::{Frame, Planner, Status, rng::Stream},
     scene::Course,
 };
 

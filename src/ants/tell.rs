@@ -1,9 +1,8 @@
 //! Why an ant would go where, and what one has laid.
 
 use crate::{
-    frame::{Role, Shape},
+    kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape},
     math,
-    planner::{Column, Inspection, Item, Mark, Quantity},
 };
 
 use super::{

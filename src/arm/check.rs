@@ -1,6 +1,6 @@
 //! What is a six-axis arm with a spherical wrist, and what is refused by name.
 
-use crate::error::Error;
+use crate::kernel::Error;
 
 use super::{Arm, Joint};
 

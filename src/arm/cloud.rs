@@ -1,6 +1,6 @@
 //! Where the tip can come: a cloud of points over the workspace.
 
-use crate::{error::Error, scene::ArmScene};
+use crate::{kernel::Error, scene::ArmScene};
 
 use super::{Arm, DIRECTIONS, Links, Unreachable};
 

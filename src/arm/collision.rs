@@ -308,7 +308,7 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::*;
-    use crate::{arm::radians, rng::Stream, shipped};
+    use crate::{arm::radians, kernel::rng::Stream, shipped};
 
     fn scene(cuboids: &[Cuboid]) -> ArmScene {
         let shipped = shipped("arm-free").unwrap();

@@ -2,7 +2,7 @@
 
 use std::{fmt, ops::Deref};
 
-use crate::error::Error;
+use crate::kernel::Error;
 
 use super::Posture;
 

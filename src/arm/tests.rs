@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{Isometry3, Unit, UnitQuaternion, Vector3};
 
-use crate::{rng::Stream, shipped};
+use crate::{kernel::rng::Stream, shipped};
 
 use super::*;
 

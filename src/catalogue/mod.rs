@@ -2,7 +2,7 @@
 
 mod view;
 
-use crate::{ants, describe::Entry, dynamic, error::Error, search, swarm, tour, tree, tuning};
+use crate::{ants, describe::Entry, dynamic, kernel::Error, search, swarm, tour, tree, tuning};
 
 pub use view::{Catalogue, catalogue};
 

@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use crate::{
     ants, arm, drive, dynamic,
-    frame::{Role, Shape},
+    kernel::{Role, Shape},
     params::{Domain, Parameter, Value, as_object},
     scene::{
         Kind, Scene,

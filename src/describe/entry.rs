@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::{
     any::AnyPlanner,
-    error::Error,
+    kernel::Error,
     params::{Given, Parameter, Settings},
     scene::{Body, Kind, Scene},
 };

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{frame::Role, params::When, scene::Kind};
+use crate::{kernel::Role, params::When, scene::Kind};
 
 /// A layer that a planner draws.
 #[derive(Debug, Clone, Copy, Serialize)]

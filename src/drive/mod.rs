@@ -22,8 +22,9 @@ use serde::Serialize;
 
 use crate::{
     describe::Formula,
-    error::Error,
-    geometry, math,
+    geometry,
+    kernel::Error,
+    math,
     params::{Given, Parameter, Settings, Value},
     scene::{Body, GridScene, Kind, Robot, Scene, YAxis},
 };

@@ -148,7 +148,7 @@ mod tests {
     #[test]
     fn who_searches_anew_at_every_cell_stays_on_the_way() {
         for seed in 0..40 {
-            let mut rng = crate::rng::Stream::new(seed, 5);
+            let mut rng = crate::kernel::rng::Stream::new(seed, 5);
             let walls = [0.0, 0.1, 0.2, 0.3][seed as usize % 4];
             let cells = Arc::new(Cells::new(&GridScene::new(1.0, 50, (0..2500).map(|_| rng.unit() < walls).collect())));
             let (from, to, none) = (rng.below(2500), rng.below(2500), [false; 2500]);
@@ -163,7 +163,7 @@ mod tests {
     /// What a search leaves behind does not reach the next.
     #[test]
     fn a_used_one_answers_as_a_new_one() {
-        let mut rng = crate::rng::Stream::new(4, 0);
+        let mut rng = crate::kernel::rng::Stream::new(4, 0);
         let cells = Arc::new(Cells::new(&GridScene::new(1.0, 12, (0..120).map(|_| rng.unit() < 0.2).collect())));
         let mut used = AStar::new(&cells);
         for _ in 0..300 {

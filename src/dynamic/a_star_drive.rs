@@ -4,8 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::Entry,
-    digest::Digest,
-    error::Error,
+    kernel::{Digest, Error},
     params::{Choice, Parameter},
 };
 

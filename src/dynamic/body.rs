@@ -2,10 +2,8 @@
 //! foreseen and what is driven are made of the same stretches.
 
 use crate::{
-    digest::Digest,
-    error::Error,
+    kernel::{Border, Digest, Error},
     params::Settings,
-    planner::Border,
     scene::{GridScene, Robot},
 };
 

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use crate::{
-    digest::Digest,
+    kernel::Digest,
     scene::{Cells, Steps},
 };
 

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::{describe::Entry, digest::Digest};
+use crate::{describe::Entry, kernel::Digest};
 
 use super::{Ground, a_star_drive, d_star_lite::DStarLite, route::Route};
 

@@ -1,6 +1,6 @@
 //! What a drive looks like: obstacles, what is expected of them, the robot and its way, and where it decided what.
 
-use crate::frame::{Frame, Role, Shape};
+use crate::kernel::{Frame, Role, Shape};
 
 use super::{Dynamic, journey::Journey, world::View};
 

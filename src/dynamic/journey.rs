@@ -7,9 +7,8 @@
 use std::sync::Arc;
 
 use crate::{
-    digest::Digest,
     geometry::{closest_approach, first_within},
-    planner::Event,
+    kernel::{Digest, Event},
     scene::CONTACT,
 };
 

@@ -30,14 +30,9 @@ use std::{
 };
 
 use crate::{
-    any,
-    digest::Digest,
-    error::Error,
-    exact,
-    frame::Frame,
-    geometry,
+    any, exact, geometry,
+    kernel::{Best, Border, Digest, Error, Event, Frame, Inspection, Item, Planner, Readings, Solution, Stage, Status, Track, Yardstick},
     params::Settings,
-    planner::{Best, Border, Event, Inspection, Item, Planner, Readings, Solution, Stage, Status, Track, Yardstick},
     scene::{Body as SceneBody, Cells, Course, GridScene, Motion, Scene},
 };
 

@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{EventKind, Formula, Group, Layer, Reading, Scope, Tone},
-    frame::Role,
+    kernel::Role,
     params::{Choice, Parameter},
     scene::Kind,
 };

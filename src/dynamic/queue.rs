@@ -1,6 +1,6 @@
 //! Cells in the order of their keys, of which each can be given another key or taken out.
 
-use crate::digest::Digest;
+use crate::kernel::Digest;
 
 /// What cells are ordered by: the first number, among equals the second.
 pub(super) type Key = [u64; 2];
@@ -102,7 +102,7 @@ impl Queue {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rng::Stream;
+    use crate::kernel::rng::Stream;
 
     /// Beside a plain list: cells put in, given other keys, taken out.
     #[test]

@@ -1,9 +1,7 @@
 //! Who plans the ways: before the drive, and again when something is in the way. What the drives differ in.
 
 use crate::{
-    digest::Digest,
-    frame::Frame,
-    planner::{Inspection, Item},
+    kernel::{Digest, Frame, Inspection, Item},
     scene::{Cells, Course},
 };
 

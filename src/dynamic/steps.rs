@@ -116,7 +116,7 @@ mod tests {
 
     #[test]
     fn what_leads_to_a_cell_and_what_leads_from_it_are_the_same_steps() {
-        let mut rng = crate::rng::Stream::new(3, 0);
+        let mut rng = crate::kernel::rng::Stream::new(3, 0);
         let blocked = (0..9 * 7).map(|_| rng.unit() < 0.3).collect();
         let cells = Cells::new(&GridScene::new(1.0, 9, blocked));
         let mut forth: Vec<_> = (0..63).flat_map(|a| all_next(&cells, a).map(move |(b, d)| (a, b, d))).collect();

@@ -1,9 +1,8 @@
 //! The numbers of a drive, and why it went as it did.
 
 use crate::{
-    frame::{Role, Shape},
     geometry::closest_approach,
-    planner::{Inspection, Item, Mark, Quantity, Readings},
+    kernel::{Inspection, Item, Mark, Quantity, Readings, Role, Shape},
 };
 
 use super::{Dynamic, journey::Journey};

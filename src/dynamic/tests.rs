@@ -3,8 +3,8 @@ use std::sync::Arc;
 use crate::{
     Scene, Session, Setup, Status, Value,
     catalogue::PLANNERS,
+    kernel::{Border, Event, Solution, Track},
     params::Given,
-    planner::{Border, Event, Solution, Track},
     scene::Body as SceneBody,
     session::Outcome,
     shipped,
@@ -265,7 +265,7 @@ fn a_track_through_an_obstacle_is_not_feasible() {
 /// Whatever the scene is: drives end, keep their identities, never tell less than happens, and rewind exactly.
 #[test]
 fn every_drive_on_random_scenes_keeps_its_promises() {
-    let mut rng = crate::rng::Stream::new(17, 0);
+    let mut rng = crate::kernel::rng::Stream::new(17, 0);
     let (mut arrived, mut collided, mut decided) = (0, 0, 0);
     for k in 0..40 {
         let rows: Vec<String> = (0..9).map(|_| (0..12).map(|_| if rng.unit() < 0.18 { '#' } else { '.' }).collect()).collect();

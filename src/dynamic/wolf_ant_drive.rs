@@ -5,11 +5,8 @@ use std::sync::Arc;
 use crate::{
     ants::{self, Colony, aco_wolf},
     describe::Entry,
-    digest::Digest,
-    frame::{Frame, Role},
+    kernel::{Digest, Frame, Inspection, Item, Planner, Role, rng::Stream},
     params::{Choice, Given, Parameter, Value},
-    planner::{Inspection, Item, Planner},
-    rng::Stream,
 };
 
 use super::{

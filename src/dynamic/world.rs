@@ -2,8 +2,8 @@
 //! continuous motion, so that nothing tunnels between two moments.
 
 use crate::{
-    geometry::{closest_approach, distance_squared},
-    scene::{Bounds, CONTACT, Cells, GridScene, Moving},
+    geometry::{Bounds, closest_approach, distance_squared},
+    scene::{CONTACT, Cells, GridScene, Moving},
 };
 
 use super::body::{Body, Stretch};

@@ -66,7 +66,7 @@ pub fn is_reachable(cells: &Cells, start: usize, goal: usize) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Scene, planner::Yardstick, scene::Body, shipped};
+    use crate::{Scene, kernel::Yardstick, scene::Body, shipped};
 
     /// Against the optima that the scene files carry, which another program computed.
     #[test]

@@ -294,7 +294,7 @@ mod tests {
 
     #[test]
     fn never_longer_than_a_fine_visibility_graph_and_never_shorter_by_more_than_its_error() {
-        use crate::rng::Stream;
+        use crate::kernel::rng::Stream;
         for seed in 0..30 {
             let mut rng = Stream::new(seed, 0);
             let count = 3 + rng.below(5);

@@ -1,7 +1,7 @@
 //! The shortest tour, by Held and Karp's dynamic programme over sets of stops. Independent of the planners that look for
 //! tours: it is what they are measured by.
 
-use crate::{planner::Round, scene::Distances};
+use crate::{kernel::Round, scene::Distances};
 
 /// The most stops of a tour whose optimum is computed.
 pub const MAX_EXACT_STOPS: usize = 15;
@@ -51,7 +51,7 @@ pub fn shortest_tour(distances: &Distances, round: Round) -> Option<(Vec<usize>,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rng::Stream;
+    use crate::kernel::rng::Stream;
 
     /// Every order there is, one after another.
     fn by_trying(distances: &Distances, round: Round) -> f64 {
@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn the_published_scene_has_the_stored_tour() {
-        use crate::planner::Yardstick;
+        use crate::kernel::Yardstick;
         let scene = crate::shipped("ant-bat-30").unwrap();
         let cells = scene.exact_tour(Yardstick::Cells, Round::Closed).unwrap();
         let stored = scene.header().exact.as_ref().unwrap();

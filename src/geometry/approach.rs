@@ -34,7 +34,7 @@ pub fn first_within(apart: [f64; 2], closing: [f64; 2], seconds: f64, reach: f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rng::Stream;
+    use crate::kernel::rng::Stream;
 
     #[test]
     fn the_closest_approach_is_where_the_motion_is_square_to_the_line_between() {

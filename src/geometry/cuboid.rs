@@ -110,7 +110,7 @@ impl Cuboid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rng::Stream;
+    use crate::kernel::rng::Stream;
 
     /// The five cases of [ARM-RRT] fig. 3: through a face, over an edge, in a face's plane, parallel to it, apart.
     #[test]

@@ -328,7 +328,7 @@ mod tests {
     /// However far the search for the nearest block has to go: against a look at every block.
     #[test]
     fn a_turned_rectangle_s_distance_is_from_the_nearest_block() {
-        let mut rng = crate::rng::Stream::new(6, 0);
+        let mut rng = crate::kernel::rng::Stream::new(6, 0);
         for case in 0..200 {
             let blocked: Vec<_> = (0..40 * 30).map(|i| rng.unit() < 0.03 * f64::from(case % 4) || (case % 4 == 0 && i == 77)).collect();
             let field = Field::new(0.5, 40, &blocked, 0.3, false);
@@ -363,7 +363,7 @@ mod tests {
     /// The rows and columns that are passed over never hide a hit: against a look at every block.
     #[test]
     fn passing_over_far_rows_changes_nothing() {
-        let mut rng = crate::rng::Stream::new(5, 0);
+        let mut rng = crate::kernel::rng::Stream::new(5, 0);
         for case in 0..24 {
             let radius = [0.0, 0.3, 0.5, 1.7][case % 4];
             let blocked: Vec<_> = (0..12 * 9).map(|_| rng.unit() < 0.2).collect();

@@ -2,6 +2,7 @@
 
 mod approach;
 mod block;
+mod bounds;
 mod cuboid;
 mod disc;
 mod field;
@@ -13,6 +14,7 @@ mod smooth;
 
 pub use approach::{closest_approach, first_within};
 pub use block::Block;
+pub use bounds::Bounds;
 pub use cuboid::Cuboid;
 pub use disc::Disc;
 pub use field::Field;

@@ -66,7 +66,7 @@ fn gap_between(points: &[[f64; 2]; 4], block: &Block) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{geometry::distance_squared, math, rng::Stream};
+    use crate::{geometry::distance_squared, kernel::rng::Stream, math};
 
     const BLOCK: Block = Block { min: [2.0, 1.0], max: [5.0, 3.0] };
 

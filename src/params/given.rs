@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use crate::json;
+use crate::kernel::json;
 
 /// A parameter's value as it is given.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -7,7 +7,7 @@ mod settings;
 
 use serde::Serialize;
 
-use crate::{error::Error, scene::Kind};
+use crate::{kernel::Error, scene::Kind};
 
 pub use given::{Given, Value, as_object};
 pub use settings::Settings;

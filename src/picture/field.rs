@@ -1,8 +1,9 @@
 //! A function's heights as pixels, with contours.
 
 use crate::{
+    geometry::Bounds,
     math,
-    scene::{Body, Bounds, Scene},
+    scene::{Body, Scene},
 };
 
 /// Colours from the lowest to the highest value: calm, and monotone in lightness so that they also read in grey.

@@ -1,8 +1,8 @@
 //! A field layer of a frame as pixels: pheromone, the cells that a search has settled.
 
 use crate::{
-    frame::{Frame, Role, Shape, VERTEX},
-    scene::Bounds,
+    geometry::Bounds,
+    kernel::{Frame, Role, Shape, VERTEX},
 };
 
 /// A field as a picture, a pixel for each value, transparent where there is nothing.

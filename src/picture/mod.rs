@@ -9,9 +9,8 @@ pub use layer::{Raster, raster};
 pub use svg::svg;
 
 use crate::{
-    frame::{Frame, Role, Shape, VERTEX},
     geometry::distance_squared,
-    planner::Item,
+    kernel::{Frame, Item, Role, Shape, VERTEX},
 };
 
 /// The piece nearest to a point, within `reach`, among a frame's layers of these roles. The frame must be complete

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use crate::{
-    frame::{Frame, Role, Shape, Span, VERTEX},
-    geometry,
-    scene::{Body, Bounds, Scene, YAxis},
+    geometry::{self, Bounds},
+    kernel::{Frame, Role, Shape, Span, VERTEX},
+    scene::{Body, Scene, YAxis},
     session::Session,
 };
 

@@ -4,13 +4,12 @@ use serde_json::Value;
 
 use crate::{
     arm::{self, Arm, Posture},
-    error::Error,
     exact::{AmongCuboids, Exact, shortest_among_cuboids},
-    geometry::{Cuboid, length_in_space},
-    planner::Solution,
+    geometry::{Bounds, Cuboid, length_in_space},
+    kernel::{Error, Solution},
 };
 
-use super::{Bounds, Verdict, limited};
+use super::{Verdict, limited};
 
 /// How far from start and goal the tip may be where postures were planned, in metres.
 pub(crate) const JOINED: f64 = 1e-6;

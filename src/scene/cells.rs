@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_4, SQRT_2};
 
-use crate::{error::Error, geometry::Field};
+use crate::{geometry::Field, kernel::Error};
 
 use super::{GridScene, YAxis};
 
@@ -312,7 +312,7 @@ mod tests {
 
     #[test]
     fn the_steps_of_every_cell_are_those_of_the_definition() {
-        let mut rng = crate::rng::Stream::new(2, 0);
+        let mut rng = crate::kernel::rng::Stream::new(2, 0);
         for (columns, rows) in [(1, 1), (1, 7), (7, 1), (5, 9), (40, 17)] {
             for cutting in [false, true] {
                 let blocked: Vec<_> = (0..columns * rows).map(|_| rng.unit() < 0.4).collect();

@@ -1,24 +1,15 @@
 //! Scenes of kind `discs`: a start, a goal and circular obstacles in the plane, [WCPSO] §3.2.
 
 use crate::{
-    error::Error,
     exact::{Exact, shortest_among_discs},
-    geometry::{self, Disc},
+    geometry::{self, Bounds, Disc},
+    kernel::Error,
 };
 
 use super::{LARGEST, Verdict, coordinate, finite};
 
 /// The most discs in a scene: up to here the exact optimum takes a moment, not a minute.
 pub const MAX_DISCS: usize = 200;
-
-/// An axis-parallel box.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bounds {
-    /// Lower left corner.
-    pub min: [f64; 2],
-    /// Upper right corner.
-    pub max: [f64; 2],
-}
 
 /// A plane with circular obstacles.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! Distances between stops: what a tour is measured by.
 
-use crate::{error::Error, math};
+use crate::{kernel::Error, math};
 
 /// How far it is from one point to another. All but the first are TSPLIB's, whole numbers, by its own formulas: lengths
 /// that are compared with published optima are made of these.

@@ -7,9 +7,12 @@ mod tour;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use crate::{error::Error, geometry::Disc, json};
+use crate::{
+    geometry::{Bounds, Disc},
+    kernel::{Error, json},
+};
 
-use super::{Body, Bounds, DiscsScene, Function, FunctionScene, Header, Kind, Scene};
+use super::{Body, DiscsScene, Function, FunctionScene, Header, Kind, Scene};
 
 const FORMAT: &str = "forage-scene";
 const VERSION: u32 = 1;

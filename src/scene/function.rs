@@ -2,9 +2,7 @@
 
 use std::f64::consts::{E, TAU};
 
-use crate::{error::Error, math};
-
-use super::Bounds;
+use crate::{geometry::Bounds, kernel::Error, math};
 
 /// The largest dimension of a function.
 pub const MAX_DIMENSION: usize = 100;

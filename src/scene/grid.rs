@@ -3,14 +3,13 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::{
-    error::Error,
     exact::{Exact, MAX_EXACT_STOPS, shortest_on_grid, shortest_over_cells, shortest_tour},
-    geometry::{self, Field},
-    planner::{Round, Track, Yardstick},
+    geometry::{self, Bounds, Field},
+    kernel::{Error, Round, Track, Yardstick},
 };
 
 use super::{
-    Bounds, Cells, Course, Distances, LARGEST, Verdict, coordinate, finite,
+    Cells, Course, Distances, LARGEST, Verdict, coordinate, finite,
     moving::{MAX_MOVING, Moving},
 };
 

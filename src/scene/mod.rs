@@ -22,15 +22,15 @@ use std::sync::OnceLock;
 use serde::Serialize;
 
 use crate::{
-    error::Error,
     exact::Exact,
-    planner::{Round, Solution, Yardstick},
+    geometry::Bounds,
+    kernel::{Error, Round, Solution, Yardstick},
 };
 
 pub(crate) use arm::JOINED;
 pub use arm::{ArmScene, MAX_CUBOIDS};
 pub use cells::{Cells, Course, DIRECTIONS, Steps, angle};
-pub use discs::{Bounds, DiscsScene, MAX_DISCS};
+pub use discs::{DiscsScene, MAX_DISCS};
 use distances::LONGEST;
 pub use distances::{Distances, Metric};
 pub use function::{Function, FunctionScene, MAX_DIMENSION};

@@ -3,12 +3,11 @@
 //! Reading: walls do not stop them, and they do not stop each other.
 
 use crate::{
-    error::Error,
-    geometry::{closest_approach, first_within},
-    planner::Border,
+    geometry::{Bounds, closest_approach, first_within},
+    kernel::{Border, Error},
 };
 
-use super::{Bounds, LARGEST, coordinate, finite, grid::positive, limited};
+use super::{LARGEST, coordinate, finite, grid::positive, limited};
 
 /// The most way-points of a moving obstacle.
 pub const MAX_WAYPOINTS: usize = 10_000;
@@ -206,7 +205,7 @@ fn bounced(start: f64, velocity: f64, [low, high]: [f64; 2], time: f64) -> [f64;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rng::Stream;
+    use crate::kernel::rng::Stream;
 
     const BOUNDS: Bounds = Bounds { min: [0.0, 0.0], max: [10.0, 20.0] };
 

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::error::Error;
+use crate::kernel::Error;
 
 use super::Scene;
 
@@ -62,7 +62,7 @@ pub fn shipped(name: &str) -> Result<Arc<Scene>, Error> {
 mod tests {
     use crate::{
         Given, Value,
-        planner::{Border, Round, Solution, Track, Yardstick},
+        kernel::{Border, Round, Solution, Track, Yardstick},
         scene::{Motion, generate::generate},
     };
 
@@ -88,7 +88,7 @@ mod tests {
             let made = made.tour().unwrap();
             assert_eq!((&made.points, made.metric), (&tour.points, tour.metric), "{}", scene.name());
             if let Some(exact) = &scene.header().exact {
-                let found = scene.exact_tour(crate::planner::Yardstick::default(), Round::Closed).unwrap();
+                let found = scene.exact_tour(crate::kernel::Yardstick::default(), Round::Closed).unwrap();
                 assert_eq!((found.order.len(), Some(found.length)), (tour.len(), exact["length"].as_f64()), "{}", scene.name());
             }
         }

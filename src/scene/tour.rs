@@ -5,13 +5,13 @@ use std::sync::{Arc, OnceLock};
 use serde_json::Value;
 
 use crate::{
-    error::Error,
     exact::{Exact, shortest_tour},
+    geometry::Bounds,
+    kernel::{Error, Round, Solution},
     math,
-    planner::{Round, Solution},
 };
 
-use super::{Bounds, Distances, Metric, Verdict, coordinate};
+use super::{Distances, Metric, Verdict, coordinate};
 
 /// The most stops of a tour.
 pub const MAX_STOPS: usize = 2000;

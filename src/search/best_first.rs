@@ -3,10 +3,8 @@
 use std::sync::Arc;
 
 use crate::{
-    digest::Digest,
-    error::Error,
+    kernel::{Digest, Error, Status},
     params::Settings,
-    planner::Status,
     scene::{Cells, Course, DIRECTIONS, Scene},
 };
 

@@ -1,6 +1,6 @@
 //! What a search looks like: the cells it has settled, its frontier, and the path.
 
-use crate::frame::{Frame, Role, Shape};
+use crate::kernel::{Frame, Role, Shape};
 
 use super::best_first::Search;
 

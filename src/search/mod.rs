@@ -26,7 +26,7 @@ pub mod theta_star;
 
 use std::sync::Arc;
 
-use crate::{any::AnyPlanner, error::Error, params::Settings, scene::Scene};
+use crate::{any::AnyPlanner, kernel::Error, params::Settings, scene::Scene};
 
 pub use tell::SYMBOLS;
 

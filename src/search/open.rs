@@ -1,6 +1,6 @@
 //! The cells that a search has reached and not settled, the most promising first.
 
-use crate::digest::Digest;
+use crate::kernel::Digest;
 
 /// Children of a node of the heap: four lie side by side in memory, and the heap is half as high as with two.
 const ARITY: usize = 4;
@@ -183,7 +183,7 @@ impl Open {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rng::Stream;
+    use crate::kernel::rng::Stream;
 
     /// Few values of f and many, put in and taken out in turn: what comes is always a lowest one, and all come once.
     #[test]

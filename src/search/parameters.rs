@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Reading},
-    frame::Role,
+    kernel::Role,
     params::{Parameter, When},
     scene::{Kind, MAX_SIDE},
     way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},

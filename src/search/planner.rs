@@ -1,9 +1,7 @@
 //! A search by the stepped contract.
 
 use crate::{
-    digest::Digest,
-    frame::Frame,
-    planner::{Best, Inspection, Item, Planner, Readings, Solution, Status, Yardstick},
+    kernel::{Best, Digest, Frame, Inspection, Item, Planner, Readings, Solution, Status, Yardstick},
     way,
 };
 

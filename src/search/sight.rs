@@ -44,7 +44,7 @@ pub(super) fn walk(cells: &Cells, cutting: bool, from: usize, to: usize) -> bool
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{rng::Stream, scene::GridScene};
+    use crate::{kernel::rng::Stream, scene::GridScene};
 
     #[test]
     fn the_walk_says_what_the_field_says() {

@@ -1,9 +1,6 @@
 //! Why a cell has the number it has.
 
-use crate::{
-    frame::{Role, Shape},
-    planner::{Column, Inspection, Item, Mark, Quantity},
-};
+use crate::kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape};
 
 use super::{
     best_first::Search,

@@ -3,11 +3,8 @@
 use std::sync::Arc;
 
 use crate::{
-    Given, Scene, Session, Setup, Status, Value,
-    frame::Role,
-    geometry,
-    planner::{Item, Yardstick},
-    rng::Stream,
+    Given, Scene, Session, Setup, Status, Value, geometry,
+    kernel::{Item, Role, Yardstick, rng::Stream},
     scene::{Body, GridScene, Robot},
     shipped,
 };

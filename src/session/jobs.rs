@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    error::Error,
-    planner::{Finding, Job, Status},
+    kernel::{Error, Finding, Job, Status},
     scene::Scene,
 };
 

@@ -16,15 +16,11 @@ use crate::{
     arm::{self, Motion, MotionOutcome},
     catalogue::find,
     describe::{Entry, Suggestion},
-    digest::Digest,
     drive::{self, Drive},
-    error::Error,
     exact::Exact,
-    frame::Frame,
+    kernel::{Best, Digest, Error, Event, Finding, Frame, Inspection, Item, Job, Readings, Solution, Stage, Status, rng::check_seed},
     link::Link,
     params::{Given, Settings},
-    planner::{Best, Event, Finding, Inspection, Item, Job, Readings, Solution, Stage, Status},
-    rng::check_seed,
     scene::Scene,
 };
 
@@ -389,7 +385,7 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{frame::Role, shipped};
+    use crate::{kernel::Role, shipped};
 
     /// Whatever way the state before was reached (keyframe, replay, or the one kept from the last inspection), the
     /// explanation is the same, and asking for it changes nothing.

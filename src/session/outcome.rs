@@ -6,8 +6,8 @@ use crate::{
     arm::{self, MotionOutcome},
     drive::{self, DriveOutcome},
     geometry,
+    kernel::{Event, Solution, Status, Track, Tuned, Yardstick},
     params::{Given, Value, as_object},
-    planner::{Event, Solution, Status, Track, Tuned, Yardstick},
     scene::Kind,
 };
 

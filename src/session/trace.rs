@@ -2,7 +2,7 @@
 
 use std::{fmt::Display, io};
 
-use crate::planner::Readings;
+use crate::kernel::Readings;
 
 /// Readings of iterations 0, s, 2s, … where the stride s doubles whenever [`Trace::CAPACITY`] rows are full.
 #[derive(Debug, Clone)]

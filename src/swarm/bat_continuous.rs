@@ -13,13 +13,9 @@ use std::sync::Arc;
 use crate::{
     any,
     describe::{Entry, Formula, Group, Layer, Preset, Reading},
-    digest::Digest,
-    error::Error,
-    frame::{Frame, Role},
+    kernel::{Column, Digest, Error, Frame, Inspection, Item, Planner, Readings, Role, rng::Stream},
     math::{self, limit},
     params::{Choice, Fixed, Parameter, Settings},
-    planner::{Column, Inspection, Item, Planner, Readings},
-    rng::Stream,
     scene::Scene,
 };
 

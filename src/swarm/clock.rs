@@ -1,6 +1,9 @@
 //! How many iterations a swarm has taken and when it stops.
 
-use crate::{digest::Digest, params::Settings, planner::Status};
+use crate::{
+    kernel::{Digest, Status},
+    params::Settings,
+};
 
 /// The iterations of a run, and its two reasons to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]

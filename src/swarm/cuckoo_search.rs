@@ -17,12 +17,8 @@ use std::sync::Arc;
 use crate::{
     any,
     describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading},
-    digest::Digest,
-    error::Error,
-    frame::{Frame, Role},
+    kernel::{Column, Digest, Error, Frame, Inspection, Item, Planner, Readings, Role, rng::Stream},
     params::{Fixed, Parameter, Settings},
-    planner::{Column, Inspection, Item, Planner, Readings},
-    rng::Stream,
     scene::{Kind, Scene},
 };
 

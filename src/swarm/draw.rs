@@ -1,7 +1,7 @@
 //! What a swarm looks like: its particles (points, or the paths they stand for), their bests, and who was perturbed.
 
 use crate::{
-    frame::{Frame, Role, Shape},
+    kernel::{Frame, Role, Shape},
     math,
 };
 

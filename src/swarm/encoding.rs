@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    error::Error,
+    kernel::Error,
     params::{Choice, Fixed, Parameter, Settings},
     scene::{Body, Kind, Scene},
 };

@@ -1,10 +1,7 @@
 //! Why a particle moved as it did: its velocity as the sum of inertia, cognitive and social part with the r1 and r2
 //! that were drawn, or the hen's or chick's jump.
 
-use crate::{
-    frame::Role,
-    planner::{Column, Inspection, Item, Mark},
-};
+use crate::kernel::{Column, Inspection, Item, Mark, Role};
 
 use super::{
     flight::{Swarm, Term, Watch},
@@ -283,8 +280,7 @@ mod tests {
     use std::sync::Arc;
 
     use crate::{
-        frame::Role,
-        planner::Item,
+        kernel::{Item, Role},
         scene::shipped,
         session::{Session, Setup},
     };
@@ -327,7 +323,7 @@ mod tests {
     }
 
     /// How often each event was told in 80 iterations; `check` sees every inspection.
-    fn told(set: &[(&str, &str)], check: impl Fn(&crate::planner::Inspection)) -> std::collections::BTreeMap<&'static str, usize> {
+    fn told(set: &[(&str, &str)], check: impl Fn(&crate::kernel::Inspection)) -> std::collections::BTreeMap<&'static str, usize> {
         let params = set.iter().map(|&(name, value)| (name, crate::Value::from(value))).collect();
         let scene = crate::shipped("wcpso-discs").unwrap();
         let mut session = Session::new(Setup { planner: "wcpso".into(), scene, params, seed: 4 }).unwrap();
@@ -347,8 +343,7 @@ mod tests {
 
     #[test]
     fn one_pair_of_random_numbers_serves_a_whole_particle() {
-        let at =
-            |row: &[f64], name: &str, told: &crate::planner::Inspection| row[told.columns.iter().position(|c| c.name == name).unwrap()];
+        let at = |row: &[f64], name: &str, told: &crate::kernel::Inspection| row[told.columns.iter().position(|c| c.name == name).unwrap()];
         let seen = told(&[("random", "particle")], |told| {
             let pair = match told.event {
                 "move" => ["r1", "r2"],
@@ -364,7 +359,7 @@ mod tests {
 
     #[test]
     fn a_hen_that_must_be_better_never_raises_the_cost() {
-        let value = |told: &crate::planner::Inspection, name: &str| told.values.iter().find(|v| v.name == name).unwrap().value;
+        let value = |told: &crate::kernel::Inspection, name: &str| told.values.iter().find(|v| v.name == name).unwrap().value;
         let refused = std::cell::Cell::new(0);
         let seen = told(&[("hen_keep", "better")], |told| {
             if told.event == "hen" {

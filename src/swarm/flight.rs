@@ -3,12 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
-    digest::Digest,
-    frame::Frame,
+    kernel::{Digest, Frame, Inspection, Item, Planner, Readings, rng::Stream},
     math::limit,
     params::Settings,
-    planner::{Inspection, Item, Planner, Readings},
-    rng::Stream,
 };
 
 use super::{

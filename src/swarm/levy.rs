@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{math, rng::Stream};
+use crate::{kernel::rng::Stream, math};
 
 /// Mantegna's algorithm: numbers s = u / |v|^(1/λ) whose tails fall like a Lévy distribution's, |s|^(−1−λ).
 #[derive(Debug, Clone, Copy)]

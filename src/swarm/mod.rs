@@ -35,7 +35,7 @@ pub mod wpso;
 
 use std::sync::Arc;
 
-use crate::{any::AnyPlanner, error::Error, params::Settings, scene::Scene};
+use crate::{any::AnyPlanner, kernel::Error, params::Settings, scene::Scene};
 
 pub use quantum::{ltqpso, qpso};
 pub use tell::SYMBOLS;

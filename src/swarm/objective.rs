@@ -3,10 +3,8 @@
 use std::sync::Arc;
 
 use crate::{
-    frame::Frame,
+    kernel::{Frame, Readings, Solution, rng::Stream},
     math,
-    planner::{Readings, Solution},
-    rng::Stream,
     scene::FunctionScene,
 };
 

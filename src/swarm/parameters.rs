@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Preset, Reading, Scope},
-    frame::Role,
+    kernel::Role,
     params::{Choice, Fixed, Parameter, When},
     scene::Kind,
 };

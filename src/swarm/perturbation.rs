@@ -6,7 +6,7 @@
 //!
 //! What the text leaves open is a parameter: [`Sign`], [`Timing`], [`Keep`], [`Partner`].
 
-use crate::{math, rng::Stream};
+use crate::{kernel::rng::Stream, math};
 
 /// The parameters of a perturbation.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,12 +4,10 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::{
-    frame::{Frame, Role, Shape},
+    geometry::Bounds,
+    kernel::{Frame, Readings, Role, Shape, Solution, rng::Stream},
     math,
     params::Settings,
-    planner::{Readings, Solution},
-    rng::Stream,
-    scene::Bounds,
 };
 
 use super::{

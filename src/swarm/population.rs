@@ -2,25 +2,21 @@
 
 use std::sync::Arc;
 
-use crate::{
-    digest::Digest,
-    planner::{Best, Readings},
-    rng::Stream,
-};
+use crate::kernel::{Best, Digest, Readings, rng::Stream};
 
 use super::objective::{Objective, Scratch};
 
-/// The methods of [`crate::planner::Planner`] that every planner with a `clock`, a `population` and a method `advance` has in common.
+/// The methods of [`crate::kernel::Planner`] that every planner with a `clock`, a `population` and a method `advance` has in common.
 macro_rules! of_population {
     () => {
-        fn step(&mut self) -> $crate::planner::Status {
+        fn step(&mut self) -> $crate::kernel::Status {
             if self.clock.running() {
                 self.advance(&mut ());
             }
             self.status()
         }
 
-        fn status(&self) -> $crate::planner::Status {
+        fn status(&self) -> $crate::kernel::Status {
             self.clock.status()
         }
 
@@ -36,7 +32,7 @@ macro_rules! of_population {
             self.population.evaluations
         }
 
-        fn best(&self) -> Option<$crate::planner::Best> {
+        fn best(&self) -> Option<$crate::kernel::Best> {
             Some(self.population.best())
         }
     };

@@ -13,9 +13,8 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Group, Preset, ROAD, Reading},
-    error::Error,
+    kernel::{Error, rng::Stream},
     params::{Fixed, Parameter, Settings},
-    rng::Stream,
     scene::{Kind, Scene},
     tree::paths::Paths,
 };
@@ -130,7 +129,11 @@ pub const ENTRY: Entry = Entry {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Session, Setup, Value, frame::Role, planner::Item, shipped};
+    use crate::{
+        Session, Setup, Value,
+        kernel::{Item, Role},
+        shipped,
+    };
 
     fn session(scene: &str, params: &[(&str, f64)], seed: u64) -> Session {
         let params = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();

@@ -1,9 +1,6 @@
 //! What explanations of all swarms are made of: sheets, tables, marks.
 
-use crate::{
-    frame::{Role, Shape},
-    planner::{Column, Inspection, Item, Mark, Quantity},
-};
+use crate::kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape};
 
 use super::{objective::Objective, population::Population};
 

@@ -3,13 +3,11 @@
 use std::sync::Arc;
 
 use crate::{
-    error::Error,
-    frame::{Frame, Role, Shape},
-    geometry::{Disc, Field, PIECES, distance_squared, shuman, subdivided},
+    geometry::{Bounds, Disc, Field, PIECES, distance_squared, shuman, subdivided},
+    kernel::{Error, Frame, Readings, Role, Shape, Solution},
     math,
     params::Settings,
-    planner::{Readings, Solution},
-    scene::{Bounds, DiscsScene, GridScene},
+    scene::{DiscsScene, GridScene},
 };
 
 use super::objective::{Evaluation, Scratch};

@@ -1,11 +1,10 @@
 //! Paths as way-points, [WCPSO] §3.2.2: a position is (x₁ … x_n, y₁ … y_n).
 
 use crate::{
-    frame::Frame,
-    geometry, math,
+    geometry,
+    kernel::{Frame, Readings, Solution, rng::Stream},
+    math,
     params::Settings,
-    planner::{Readings, Solution},
-    rng::Stream,
 };
 
 use super::{
@@ -152,7 +151,7 @@ mod tests {
         super::terrain::{Obstacles, Penalty},
         *,
     };
-    use crate::{geometry::Disc, scene::Bounds};
+    use crate::geometry::{Bounds, Disc};
 
     fn objective(penalty: Penalty) -> Waypoints {
         let discs = [Disc { center: [2.0, 1.0], radius: 2.0 }, Disc { center: [6.0, -3.0], radius: 1.0 }];

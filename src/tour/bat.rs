@@ -11,12 +11,9 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Preset, Reading},
-    digest::Digest,
-    frame::Role,
+    kernel::{Digest, Inspection, Readings, Role, rng::Stream},
     math,
     params::{Choice, Fixed, Parameter, Settings},
-    planner::{Inspection, Readings},
-    rng::Stream,
     settled::SETTLED,
 };
 

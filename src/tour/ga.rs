@@ -7,12 +7,9 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Reading},
-    digest::Digest,
-    frame::Role,
+    kernel::{Digest, Inspection, Readings, Role, rng::Stream},
     math,
     params::{Parameter, Settings},
-    planner::{Inspection, Readings},
-    rng::Stream,
     settled::SETTLED,
 };
 

@@ -9,11 +9,8 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Reading, Scope},
-    digest::Digest,
-    frame::Role,
+    kernel::{Digest, Readings, Role, Status, rng::Stream},
     params::{Parameter, Settings},
-    planner::{Readings, Status},
-    rng::Stream,
 };
 
 use super::{

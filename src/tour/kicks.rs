@@ -6,7 +6,7 @@ use super::{
     local::Local,
     problem::{Problem, Stop, Tour},
 };
-use crate::rng::Stream;
+use crate::kernel::rng::Stream;
 
 /// A tour that is kicked and repaired again and again: an iterated local search (Lourenço, Martin and Stützle 2003).
 #[derive(Debug, Clone)]

@@ -6,7 +6,7 @@
 use std::{cell::Cell, collections::VecDeque, sync::Arc};
 
 use super::problem::{Problem, Stop, Tour};
-use crate::{math, rng::Stream};
+use crate::{kernel::rng::Stream, math};
 
 /// How many neighbours of a stop are tried.
 const NEIGHBOURS: usize = 10;
@@ -350,7 +350,7 @@ const KICK: usize = 50;
 #[cfg(test)]
 mod tests {
     use super::{super::moves, *};
-    use crate::{planner::Round, scene::Distances};
+    use crate::{kernel::Round, scene::Distances};
 
     fn random(n: usize, round: Round, rng: &mut Stream) -> Arc<Problem> {
         let points: Vec<_> = (0..n).map(|_| [rng.unit(), rng.unit()]).collect();

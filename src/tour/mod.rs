@@ -27,13 +27,12 @@ use std::sync::Arc;
 
 use crate::{
     any,
-    digest::Digest,
-    error::Error,
     exact::{MAX_EXACT_STOPS, shortest_tour},
-    frame::{Frame, Role, Shape},
+    kernel::{
+        Best, Digest, Error, Finding, Frame, Inspection, Item, Job, Planner, Readings, Role, Round, Shape, Solution, Stage, Status,
+        Yardstick, rng::Stream,
+    },
     params::Settings,
-    planner::{Best, Finding, Inspection, Item, Job, Planner, Readings, Round, Solution, Stage, Status, Yardstick},
-    rng::Stream,
     scene::{Body, Scene},
     settled::Settled,
 };

@@ -2,7 +2,7 @@
 //! that may be moved are at 1 to m.
 
 use super::problem::{Problem, Stop, Tour};
-use crate::rng::Stream;
+use crate::kernel::rng::Stream;
 
 /// What reversing the stops at `i` to `j` adds to the length: a 2-opt move. 1 ≤ i ≤ j ≤ m.
 #[inline]
@@ -159,7 +159,7 @@ pub fn shortest<'a>(mut tours: impl Iterator<Item = &'a Tour>) -> Option<&'a Tou
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{planner::Round, scene::Distances};
+    use crate::{kernel::Round, scene::Distances};
 
     fn problem(n: usize, round: Round, rng: &mut Stream) -> Problem {
         Problem::new(&Distances::of(n, |_, _| rng.between(1.0, 9.0)), round)

@@ -1,7 +1,7 @@
 //! The nearest neighbour's tour.
 
 use super::problem::{Problem, Stop, Tour};
-use crate::rng::Stream;
+use crate::kernel::rng::Stream;
 
 /// The tour that goes on to the nearest stop not called at yet (Rosenkrantz et al. 1977), from a random one.
 pub fn nearest_neighbour(problem: &Problem, rng: &mut Stream) -> Tour {
@@ -40,7 +40,7 @@ fn chain(problem: &Problem, row: &mut [Stop]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{planner::Round, scene::Distances};
+    use crate::{kernel::Round, scene::Distances};
 
     #[test]
     fn the_nearest_neighbour_comes_next() {

@@ -2,9 +2,8 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Member, Reading, Scope},
-    frame::Role,
+    kernel::{Role, Round},
     params::{Choice, Parameter, Settings},
-    planner::Round,
     scene::{Body, Kind, Scene},
 };
 

@@ -6,12 +6,10 @@ use std::sync::{Arc, OnceLock};
 use crate::{
     catalogue,
     describe::ROAD,
-    error::Error,
     exact::is_reachable,
     geometry,
+    kernel::{Error, Finding, Job, rng::Stream},
     params::{Given, Settings, Value},
-    planner::{Finding, Job},
-    rng::Stream,
     scene::{Course, Distances, GridScene, Scene},
     session,
 };

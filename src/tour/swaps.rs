@@ -4,7 +4,7 @@
 //! another; it is what a velocity is to a position.
 
 use super::{moves, problem::Stop};
-use crate::rng::Stream;
+use crate::kernel::rng::Stream;
 
 /// The two places whose stops are exchanged.
 pub type Swap = [u16; 2];

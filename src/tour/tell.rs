@@ -1,9 +1,8 @@
 //! What a road, a stop and a tour are asked about.
 
 use crate::{
-    frame::{Role, Shape},
     geometry,
-    planner::{Column, Inspection, Item, Mark, Quantity},
+    kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape},
 };
 
 use super::{

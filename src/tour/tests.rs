@@ -5,10 +5,8 @@ use std::sync::Arc;
 use crate::{
     Given, Scene, Session, Setup, Status, catalogue,
     describe::Entry,
-    frame::Role,
+    kernel::{Item, Role, Round, rng::Stream},
     params::{Domain, Value},
-    planner::{Item, Round},
-    rng::Stream,
     scene::{Body, Distances},
     shipped,
 };
@@ -309,7 +307,7 @@ fn an_optimum_that_is_longer_than_what_is_found_is_none() {
     let mut session = Session::new(Setup { planner: "two-opt".into(), scene, params: Given::new(), seed: 1 }).unwrap();
     session.step(u64::MAX);
     let outcome = session.outcome();
-    assert_eq!((outcome.exact, outcome.gap, outcome.exact_by), (None, None, crate::planner::Yardstick::Refuted));
+    assert_eq!((outcome.exact, outcome.gap, outcome.exact_by), (None, None, crate::kernel::Yardstick::Refuted));
 }
 
 #[test]

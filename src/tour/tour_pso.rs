@@ -11,11 +11,8 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Preset, Reading},
-    digest::Digest,
-    frame::Role,
+    kernel::{Digest, Inspection, Readings, Role, rng::Stream},
     params::{Fixed, Parameter, Settings},
-    planner::{Inspection, Readings},
-    rng::Stream,
     settled::SETTLED,
 };
 

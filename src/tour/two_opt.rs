@@ -4,10 +4,8 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Reading},
-    digest::Digest,
+    kernel::{Digest, Readings, Status, rng::Stream},
     params::Settings,
-    planner::{Readings, Status},
-    rng::Stream,
 };
 
 use super::{

@@ -2,7 +2,7 @@
 
 use crate::{
     describe::Layer,
-    frame::{Frame, Role, Shape},
+    kernel::{Frame, Role, Shape},
 };
 
 use super::{

@@ -1,6 +1,6 @@
 //! Trees of nodes: where each is, whose child, and how long the way to it is.
 
-use crate::digest::Digest;
+use crate::kernel::Digest;
 
 use super::{nearest::Nearest, vector::distance};
 

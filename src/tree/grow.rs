@@ -3,7 +3,10 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::{digest::Digest, params::Settings, planner::Status, rng::Stream};
+use crate::{
+    kernel::{Digest, Status, rng::Stream},
+    params::Settings,
+};
 
 use super::{
     finish::Finish,

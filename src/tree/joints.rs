@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use crate::{
     arm::{self, Arm, Posture},
-    error::Error,
+    kernel::{Error, Solution},
     params::Settings,
-    planner::Solution,
     scene::{ArmScene, JOINED, Scene},
 };
 

@@ -34,7 +34,7 @@ mod vector;
 
 use std::sync::Arc;
 
-use crate::{error::Error, params::Settings, scene::Scene};
+use crate::{kernel::Error, params::Settings, scene::Scene};
 
 pub use tell::SYMBOLS;
 

@@ -193,7 +193,7 @@ fn offer<const N: usize>(found: &mut (usize, f64), points: &[[f64; N]], to: &[f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rng::Stream;
+    use crate::kernel::rng::Stream;
 
     fn check<const N: usize>(flat: Option<usize>) {
         let mut rng = Stream::new(N as u64, 0);

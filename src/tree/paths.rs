@@ -5,7 +5,11 @@ use std::{
     sync::{Arc, OnceLock},
 };
 
-use crate::{error::Error, geometry::shortcut, rng::Stream, scene::Scene};
+use crate::{
+    geometry::shortcut,
+    kernel::{Error, rng::Stream},
+    scene::Scene,
+};
 
 use super::{
     finish::Finish,

@@ -1,10 +1,6 @@
 //! A tree by the stepped contract.
 
-use crate::{
-    digest::Digest,
-    frame::{Frame, Role},
-    planner::{Best, Inspection, Item, Planner, Readings, Status},
-};
+use crate::kernel::{Best, Digest, Frame, Inspection, Item, Planner, Readings, Role, Status};
 
 use super::{
     grow::{Grown, Method, Seen},

@@ -2,7 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::{describe::Entry, error::Error, params::Settings, rng::Stream, scene::Scene};
+use crate::{
+    describe::Entry,
+    kernel::{Error, rng::Stream},
+    params::Settings,
+    scene::Scene,
+};
 
 use super::{
     draw::LAYERS,

@@ -2,7 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::{describe::Entry, digest::Digest, error::Error, params::Settings, rng::Stream, scene::Scene};
+use crate::{
+    describe::Entry,
+    kernel::{Digest, Error, rng::Stream},
+    params::Settings,
+    scene::Scene,
+};
 
 use super::{
     draw::CONNECT_LAYERS,

@@ -12,9 +12,8 @@ use std::{f64::consts::PI, sync::Arc};
 
 use crate::{
     describe::Entry,
-    error::Error,
+    kernel::{Error, rng::Stream},
     params::{Choice, Parameter, Settings},
-    rng::Stream,
     scene::Scene,
 };
 

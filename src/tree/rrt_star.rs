@@ -3,7 +3,13 @@
 
 use std::{f64::consts::PI, sync::Arc};
 
-use crate::{describe::Entry, digest::Digest, error::Error, math, params::Settings, rng::Stream, scene::Scene};
+use crate::{
+    describe::Entry,
+    kernel::{Digest, Error, rng::Stream},
+    math,
+    params::Settings,
+    scene::Scene,
+};
 
 use super::{
     draw::LAYERS,

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::{math, rng::Stream};
+use crate::{kernel::rng::Stream, math};
 
 use super::vector::{dot, minus};
 

@@ -4,9 +4,8 @@ use std::sync::Arc;
 
 use crate::{
     arm,
-    error::Error,
     geometry::Cuboid,
-    planner::Solution,
+    kernel::{Error, Solution},
     scene::{Body, Scene},
 };
 

@@ -1,9 +1,6 @@
 //! How a node came about, and what became of a sample.
 
-use crate::{
-    frame::{Role, Shape},
-    planner::{Column, Inspection, Item, Mark, Quantity},
-};
+use crate::kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape};
 
 use super::{
     grow::{By, Extension, Fate, Sample, Seen, Source},

@@ -4,9 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     Given, Scene, Session, Setup, Status, Value,
-    frame::Role,
-    planner::{Item, Planner},
-    rng::Stream,
+    kernel::{Item, Planner, Role, rng::Stream},
     scene::Kind,
     shipped,
 };

@@ -6,9 +6,8 @@
 use serde::Serialize;
 
 use crate::{
-    error::Error,
+    kernel::{Error, Status, Yardstick},
     params::Given,
-    planner::{Status, Yardstick},
     session::{Session, Setup},
     settled::SETTLED,
 };

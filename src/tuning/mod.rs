@@ -13,14 +13,14 @@ use std::sync::Arc;
 use crate::{
     any, catalogue,
     describe::Entry,
-    digest::Digest,
-    error::Error,
     exact::is_reachable,
-    frame::{Frame, Role, Shape},
-    geometry, math,
+    geometry,
+    kernel::{
+        Best, Digest, Error, Finding, Frame, Inspection, Item, Job, Planner, Readings, Role, Shape, Solution, Status, Tuned, Yardstick,
+        rng::Stream,
+    },
+    math,
     params::{Domain, Given, Parameter, Settings, Value},
-    planner::{Best, Finding, Inspection, Item, Job, Planner, Readings, Solution, Status, Tuned, Yardstick},
-    rng::Stream,
     scene::{Course, Scene},
     session,
 };

@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Reading, Scope},
-    frame::Role,
+    kernel::Role,
     params::{Choice, Parameter},
     scene::Kind,
 };

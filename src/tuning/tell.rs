@@ -1,9 +1,6 @@
 //! What a particle stands for.
 
-use crate::{
-    frame::{Role, Shape},
-    planner::{Column, Inspection, Item, Mark, Quantity},
-};
+use crate::kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape};
 
 use super::Tuning;
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::planner::{Column, Inspection, Item, Mark, Quantity};
+use crate::kernel::{Column, Inspection, Item, Mark, Quantity};
 
 #[derive(Serialize)]
 pub(super) struct ItemView {

@@ -23,11 +23,11 @@ use crate::{
     Error, Frame, Given, Link, Scene,
     catalogue::find,
     drive,
+    geometry::Bounds,
+    kernel::{Status, rng},
     params::as_object,
     picture,
-    planner::Status,
-    rng,
-    scene::{Bounds, formats::tour_file},
+    scene::formats::tour_file,
     session,
 };
 

@@ -6,9 +6,7 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use crate::{
     Error, Given, Scene, Setup, Value,
-    frame::Role,
-    planner::Item,
-    rng,
+    kernel::{Item, Role, rng},
     scene::{Kind, shipped},
 };
 

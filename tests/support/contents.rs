@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use forage::{Frame, Session, digest::Digest};
+use forage::{Frame, Session, kernel::Digest};
 
 /// Digests of what a run showed at its beginning, half way and at its end, by `planner on scene, seed, parameters`.
 pub type Contents = BTreeMap<String, [String; 3]>;

@@ -1,6 +1,6 @@
 //! What the tests know about random grids; the wasm's tests read the digests here.
 
-use forage::digest::Digest;
+use forage::kernel::Digest;
 
 /// What every generator's grid of 31 × 22 cells with seed 7 is, in the generators' order. Written when the generators were:
 /// the same parameters and seed give the same grid for ever, natively and in WebAssembly.

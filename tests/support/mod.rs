@@ -107,7 +107,7 @@ pub fn line(iteration: u64, time: f64, [x, y]: [f64; 2], kind: &str, obstacle: O
 
 /// The digest of the bits of many numbers.
 pub fn digest(numbers: &[f64]) -> String {
-    let mut digest = forage::digest::Digest::default();
+    let mut digest = forage::kernel::Digest::default();
     digest.numbers(numbers);
     digest.hex()
 }

@@ -4,8 +4,7 @@ use std::fs;
 
 use forage::{
     Given, Setup,
-    error::Error,
-    planner::Yardstick,
+    kernel::{Error, Yardstick},
     scene::{Scene, shipped},
 };
 

@@ -12,8 +12,8 @@ use serde::{Deserialize, Serialize};
 use forage::{
     Setup, Value,
     catalogue::find,
-    error::Error,
     exact::MAX_EXACT_STOPS,
+    kernel::Error,
     math,
     scene::{Scene, generate, shipped},
 };

@@ -9,8 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Setup, Value,
-    error::Error,
-    planner::{Round, Yardstick},
+    kernel::{Error, Round, Yardstick},
     scene::{Distances, Scene, shipped},
 };
 

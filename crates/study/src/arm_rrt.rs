@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use forage::{
     Given, Setup, Value,
-    error::Error,
     geometry::length_in_space,
+    kernel::Error,
     scene::{ArmScene, Scene, shipped},
 };
 

@@ -9,8 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Given, Session, Setup, catalogue,
-    error::Error,
-    planner::{Status, Yardstick},
+    kernel::{Error, Status, Yardstick},
     scene::Scene,
 };
 

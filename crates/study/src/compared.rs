@@ -1,6 +1,6 @@
 //! Published figures and the computed ones.
 
-use forage::{error::Error, statistics::Summary};
+use forage::{kernel::Error, statistics::Summary};
 
 use super::{
     figure::Figure,

@@ -3,7 +3,7 @@
 use std::f64::consts::SQRT_2;
 
 use forage::{
-    error::Error,
+    kernel::Error,
     scene::{Course, Scene},
 };
 

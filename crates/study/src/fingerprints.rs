@@ -12,7 +12,7 @@ use std::{
     time::Duration,
 };
 
-use forage::{digest::Digest, error::Error};
+use forage::kernel::{Digest, Error};
 use serde::{Deserialize, Serialize};
 
 use super::{

@@ -6,7 +6,7 @@ use std::{cmp::Reverse, fmt::Write};
 
 use serde::Serialize;
 
-use forage::{error::Error, math, scene::shipped};
+use forage::{kernel::Error, math, scene::shipped};
 
 use super::{
     Failure, Options, Study,

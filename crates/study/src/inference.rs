@@ -21,8 +21,8 @@ use statrs::{
 };
 
 use forage::{
+    kernel::rng::Stream,
     math,
-    rng::Stream,
     statistics::{CONFIDENCE, Moments, Summary, rank_sum},
 };
 

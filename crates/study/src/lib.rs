@@ -48,7 +48,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use forage::{Setup, error::Error, statistics};
+use forage::{Setup, kernel::Error, statistics};
 
 use escape::path_text;
 use fingerprints::JobList;

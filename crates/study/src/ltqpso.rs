@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, sync::atomic::AtomicBool};
 
 use serde::{Deserialize, Serialize};
 
-use forage::{Given, Session, Setup, Value, error::Error, scene::shipped};
+use forage::{Given, Session, Setup, Value, kernel::Error, scene::shipped};
 
 use super::{
     Failure, Options, Study, command,

@@ -2,7 +2,7 @@
 
 pub mod wcpso;
 
-use forage::{error::Error, scene::Scene};
+use forage::{kernel::Error, scene::Scene};
 
 use super::figure::Figure;
 

@@ -8,7 +8,7 @@ use forage::{
     Given, Session, Setup, Value,
     catalogue::PLANNERS,
     describe::Entry,
-    error::Error,
+    kernel::Error,
     scene::{
         Kind, Scene,
         generate::{self, GENERATORS},

@@ -11,7 +11,7 @@ use std::{
 
 use serde::{Serialize, de::DeserializeOwned};
 
-use forage::error::Error;
+use forage::kernel::Error;
 
 use super::{Failure, at, sweep::kept::locked};
 

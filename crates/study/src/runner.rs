@@ -11,7 +11,7 @@ use std::{
 
 use rayon::iter::{ParallelBridge, ParallelIterator};
 
-use forage::error::Error;
+use forage::kernel::Error;
 
 use super::{
     Failure,

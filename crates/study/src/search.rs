@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::{Deserialize, Serialize};
 
-use forage::{Given, Setup, Value, error::Error, scene::shipped};
+use forage::{Given, Setup, Value, kernel::Error, scene::shipped};
 
 use super::{rows::Row, runner::Job, statistics::Moments};
 

@@ -9,8 +9,7 @@ use forage::{
     Given, Outcome, Session, Setup,
     catalogue::find,
     describe::Preset,
-    error::Error,
-    planner::{Finding, Job, Yardstick},
+    kernel::{Error, Finding, Job, Yardstick},
     scene::{Distances, Scene},
     session,
 };
@@ -164,7 +163,7 @@ mod tests {
     fn exact_distances_give_the_exact_tour_its_length() {
         let scene = shipped("ant-bat-30").unwrap();
         for yardstick in [Yardstick::Cells, Yardstick::AnyAngle] {
-            let exact = scene.exact_tour(yardstick, forage::planner::Round::Closed).unwrap();
+            let exact = scene.exact_tour(yardstick, forage::kernel::Round::Closed).unwrap();
             let distances = exact_distances(&scene, yardstick).unwrap().unwrap();
             assert!(same(distances.length(&exact.order, true), exact.length), "{yardstick:?}");
         }

@@ -10,7 +10,11 @@ use std::{
 
 use serde::{Deserialize, Serialize};
 
-use forage::{Given, Session, Setup, Value, error::Error, planner::Status, scene::Scene};
+use forage::{
+    Given, Session, Setup, Value,
+    kernel::{Error, Status},
+    scene::Scene,
+};
 
 use super::{
     Failure, Options,

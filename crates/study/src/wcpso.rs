@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Given, Setup, Trial, Value, catalogue,
-    error::Error,
+    kernel::Error,
     scene::shipped,
     statistics::{Group, compare},
     trial::WITHIN,

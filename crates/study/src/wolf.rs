@@ -3,10 +3,8 @@
 use std::sync::Arc;
 
 use forage::{
-    Given, Setup, Value,
-    error::Error,
-    geometry,
-    planner::Yardstick,
+    Given, Setup, Value, geometry,
+    kernel::{Error, Yardstick},
     scene::{Scene, shipped},
 };
 

@@ -6,8 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Given, Session, Setup, Status, Value,
-    error::Error,
-    planner::Event,
+    kernel::{Error, Event},
     scene::{
         Scene,
         generate::{self, GENERATORS},

@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, UnitQuaternion};
 
 use crate::{
     arm::{Arm, Links, Posture},
-    rng::Stream,
+    kernel::rng::Stream,
     scene::ArmScene,
 };
 

@@ -130,7 +130,7 @@ pub(super) fn squared(a: &Posture, b: &Posture) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{arm::degrees, rng::Stream, shipped};
+    use crate::{arm::degrees, kernel::rng::Stream, shipped};
 
     /// A random posture's tip is brought back by its own hand, and every posture found has its tip there, on arms of all signs.
     #[test]

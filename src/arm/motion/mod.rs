@@ -19,10 +19,8 @@ use nalgebra::UnitQuaternion;
 use serde::Serialize;
 
 use crate::{
-    error::Error,
+    kernel::{Error, Solution, rng::Stream},
     params::{Given, Settings},
-    planner::Solution,
-    rng::Stream,
     scene::{ArmScene, Kind, Scene},
 };
 

@@ -121,7 +121,7 @@ const PARAMETERS: &[Parameter] = &[
         "seed",
         "",
         "Seed",
-        [0, crate::rng::MAX_SEED, 1],
+        [0, crate::kernel::rng::MAX_SEED, 1],
         "Of what is random: the tool’s angles, and joints drawn for points without a posture.",
     ),
 ];

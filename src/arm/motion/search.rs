@@ -144,7 +144,7 @@ fn back(reached: &[Vec<Option<usize>>], end: usize) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rng::Stream;
+    use crate::kernel::rng::Stream;
 
     fn layer(k: usize, firsts: &[f64]) -> Layer {
         Layer { station: k, along: k as f64, postures: firsts.iter().map(|&q| [q, 0.0, 0.0, 0.0, 0.0, 0.0]).collect() }

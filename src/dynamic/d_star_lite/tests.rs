@@ -2,7 +2,7 @@
 
 use super::{super::a_star::AStar, *};
 use crate::{
-    rng::Stream,
+    kernel::rng::Stream,
     scene::{GridScene, Robot},
 };
 

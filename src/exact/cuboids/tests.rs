@@ -1,5 +1,5 @@
 use super::*;
-use crate::rng::Stream;
+use crate::kernel::rng::Stream;
 
 const WORKSPACE: Cuboid = Cuboid { min: [-0.3, -0.2, 0.0], max: [1.2, 1.1, 0.7] };
 const START: [f64; 3] = [-0.2, 0.022, 0.05];

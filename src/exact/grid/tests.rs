@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::*;
-use crate::{geometry, rng::Stream};
+use crate::{geometry, kernel::rng::Stream};
 
 /// A grid whose rows are listed from y = 0 upwards.
 struct Grid {

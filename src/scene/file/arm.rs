@@ -4,8 +4,8 @@ use serde_json::Value;
 
 use crate::{
     arm::{Arm, Axis, Base, Joint, Tool},
-    error::Error,
     geometry::Cuboid,
+    kernel::Error,
 };
 
 use super::{super::ArmScene, Fields, number, object, shown};

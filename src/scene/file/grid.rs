@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::error::Error;
+use crate::kernel::Error;
 
 use super::{
     super::{GridScene, Motion, Moving, Robot, YAxis},

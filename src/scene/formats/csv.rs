@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::{
-    error::Error,
+    kernel::Error,
     scene::{Body, LARGEST, MAX_STOPS, Metric, Scene, TourScene},
 };
 

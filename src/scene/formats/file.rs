@@ -1,6 +1,9 @@
 //! A file with its name, and how messages speak of it.
 
-use crate::{error::Error, json, scene::MAX_SIDE};
+use crate::{
+    kernel::{Error, json},
+    scene::MAX_SIDE,
+};
 
 /// A file as bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -16,7 +16,7 @@ mod tsplib;
 
 use serde::Serialize;
 
-use crate::error::Error;
+use crate::kernel::Error;
 
 use super::{Body, GridScene, Header, Scene};
 

@@ -4,9 +4,8 @@
 use std::fmt::Write;
 
 use crate::{
-    error::Error,
     exact::shortest_over_cells,
-    json,
+    kernel::{Error, json},
     scene::{Body, Course, GridScene, YAxis},
 };
 

@@ -1,6 +1,6 @@
 //! Grey pictures: PGM as text (P2) and as bytes (P5).
 
-use crate::{error::Error, scene::MAX_SIDE};
+use crate::{kernel::Error, scene::MAX_SIDE};
 
 use super::NamedFile;
 

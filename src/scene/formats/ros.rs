@@ -7,8 +7,7 @@
 //! in every mode, and a note counts the cells between.
 
 use crate::{
-    error::Error,
-    json,
+    kernel::{Error, json},
     scene::{Body, GridScene, LARGEST, YAxis},
 };
 

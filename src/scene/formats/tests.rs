@@ -3,7 +3,7 @@
 use crate::{
     Scene,
     exact::shortest_over_cells,
-    planner::Yardstick,
+    kernel::Yardstick,
     scene::{Course, YAxis, shipped},
 };
 

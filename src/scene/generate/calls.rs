@@ -1,8 +1,10 @@
 //! Stops on a grid, so that tours can be looked for where there was one way.
 
 use crate::{
-    error::Error,
-    rng::{self, Stream},
+    kernel::{
+        Error,
+        rng::{self, Stream},
+    },
     scene::{Body, GridScene, Header, MAX_GRID_STOPS, Scene},
 };
 

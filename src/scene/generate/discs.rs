@@ -1,10 +1,10 @@
 //! Discs in a square that do not touch each other, so that there is always a path between them: scenes of kind `discs`.
 
 use crate::{
-    geometry::Disc,
+    geometry::{Bounds, Disc},
+    kernel::rng::Stream,
     params::{Parameter, Settings},
-    rng::Stream,
-    scene::{Body, Bounds, DiscsScene, Kind, MAX_DISCS},
+    scene::{Body, DiscsScene, Kind, MAX_DISCS},
 };
 
 use super::{Draw, Generator, Made};

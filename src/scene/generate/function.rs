@@ -1,8 +1,8 @@
 //! Test functions whose minimum is not in the middle of the search box: scenes of kind `function`.
 
 use crate::{
+    kernel::rng::Stream,
     params::{Choice, Parameter, Settings},
-    rng::Stream,
     scene::{Body, Function, FunctionScene, Kind, MAX_DIMENSION},
 };
 

@@ -17,9 +17,11 @@ mod tests;
 use std::fmt::Write;
 
 use crate::{
-    error::Error,
+    kernel::{
+        Error,
+        rng::{self, Stream},
+    },
     params::{Given, Parameter, Settings},
-    rng::{self, Stream},
 };
 
 use super::{Body, GridScene, Header, Kind, MAX_GRID_STOPS, MAX_SIDE, Scene};

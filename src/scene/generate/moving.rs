@@ -4,9 +4,9 @@
 use std::f64::consts::TAU;
 
 use crate::{
+    kernel::rng::Stream,
     math,
     params::{Parameter, Settings},
-    rng::Stream,
     scene::{GridScene, Moving, Robot},
 };
 

@@ -1,8 +1,8 @@
 //! Stops in the plane, evenly or in clusters: scenes of kind `tour`, with whole coordinates, as TSPLIB's instances have.
 
 use crate::{
+    kernel::rng::Stream,
     params::{Choice, Parameter, Settings},
-    rng::Stream,
     scene::{Body, Kind, MAX_STOPS, Metric, TourScene},
 };
 

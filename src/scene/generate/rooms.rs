@@ -1,8 +1,8 @@
 //! Rooms with doors between them; a maze is rooms of one cell, joined by as few doors as will do.
 
 use crate::{
+    kernel::rng::Stream,
     params::{Parameter, Settings},
-    rng::Stream,
     scene::reach::beside,
 };
 

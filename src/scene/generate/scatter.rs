@@ -6,8 +6,8 @@
 //! (columns + rows − 1): then all but a shortest way is blocked, and a note says so.
 
 use crate::{
+    kernel::rng::Stream,
     params::{Parameter, Settings},
-    rng::Stream,
     scene::reach::{beside, crossing},
 };
 

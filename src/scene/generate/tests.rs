@@ -2,9 +2,8 @@
 
 use crate::{
     Scene, Value,
-    digest::Digest,
+    kernel::{Digest, Yardstick},
     params::Domain,
-    planner::Yardstick,
     scene::{
         Function, Motion, Robot,
         reach::{beside, reach},
@@ -196,7 +195,7 @@ fn stops_can_be_put_on_any_grid_where_its_robot_fits() {
     assert_eq!((with.name(), with.stops().len()), ("qpso-10m-6-stops", 6));
     assert_eq!(with, with_stops(&scene, 6, 3).unwrap());
     assert_ne!(with.stops(), with_stops(&scene, 6, 4).unwrap().stops());
-    let exact = with.exact_tour(Yardstick::Cells, crate::planner::Round::Closed);
+    let exact = with.exact_tour(Yardstick::Cells, crate::kernel::Round::Closed);
     assert!(exact.is_some_and(|exact| exact.order.len() == 6));
     // Without a start the largest region counts: the right one.
     let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "a", "title": "A", "cell": 1, "rows": [".#..."],

@@ -1,8 +1,7 @@
 //! Why a particle leapt where it did: (9) with its numbers, and whose place it took afterwards.
 
 use crate::{
-    frame::Role,
-    planner::{Column, Inspection, Item},
+    kernel::{Column, Inspection, Item, Role},
     swarm::{
         population::{column, deviation},
         tell::{Label, arrows, column as head, mark, particle, quantities, sheet},
@@ -118,8 +117,7 @@ mod tests {
 
     use crate::{
         Given, Session, Setup, Value,
-        frame::{Frame, Role},
-        planner::Item,
+        kernel::{Frame, Item, Role},
         shipped,
     };
 

@@ -12,13 +12,9 @@ use std::sync::Arc;
 
 use crate::{
     any,
-    digest::Digest,
-    error::Error,
-    frame::{Frame, Role},
+    kernel::{Digest, Error, Frame, Inspection, Item, Planner, Readings, Role, rng::Stream},
     math,
     params::Settings,
-    planner::{Inspection, Item, Planner, Readings},
-    rng::Stream,
     scene::Scene,
 };
 

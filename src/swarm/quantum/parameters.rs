@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Reading, Suggestion},
-    frame::Role,
+    kernel::Role,
     math,
     params::{Fixed, Parameter, Settings},
     scene::Kind,

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::{
+    kernel::Round,
     params::Given,
-    planner::Round,
     scene::{Distances, Kind},
 };
 

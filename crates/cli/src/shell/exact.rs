@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use forage::{
     Scene,
     exact::{AmongCuboids, MAX_EXACT_CUBOIDS, MAX_EXACT_STOPS, shortest_among_cuboids},
-    planner::{Round, Yardstick},
+    kernel::{Round, Yardstick},
     scene::{Body, MAX_EXACT_CELLS},
 };
 use serde::Serialize;

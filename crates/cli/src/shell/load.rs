@@ -10,7 +10,8 @@ use std::{
 use forage::{
     Error, Given, Link, Scene, Setup, Value, arm, catalogue,
     describe::Suggestion,
-    drive, rng,
+    drive,
+    kernel::rng,
     scene::{
         Kind,
         formats::{self, Format, NamedFile},

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use forage::{
     Scene,
-    planner::{Round, Yardstick},
+    kernel::{Round, Yardstick},
     scene::{
         formats::{NamedFile, import},
         generate::{GENERATORS, OTHERS},

@@ -6,9 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Session, Setup, Status, Value,
-    error::Error,
     geometry::length_in_space,
-    planner::{Readings, Solution},
+    kernel::{Error, Readings, Solution},
     scene::ArmScene,
 };
 

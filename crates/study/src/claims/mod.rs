@@ -24,7 +24,7 @@ use std::{
 
 use forage::{
     Given, Value,
-    error::Error,
+    kernel::Error,
     scene::{
         Scene,
         generate::{self, GENERATORS},

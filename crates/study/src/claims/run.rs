@@ -7,7 +7,7 @@ use std::{
 
 use serde::{Deserialize, Serialize};
 
-use forage::{Given, Setup, Status, Trial, arm::MOTION, error::Error, trial::WITHIN};
+use forage::{Given, Setup, Status, Trial, arm::MOTION, kernel::Error, trial::WITHIN};
 
 use super::{
     super::{arm_rrt, colonies, rows::Row, runner::Job},

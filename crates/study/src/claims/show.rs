@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
-use forage::error::Error;
+use forage::kernel::Error;
 
 use super::{
     super::{

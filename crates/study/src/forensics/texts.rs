@@ -1,9 +1,8 @@
 //! Numbers of the papers' texts, and what in the papers contradicts something else in them.
 
 use forage::{
-    Given, Session, Setup, Value, catalogue,
-    error::Error,
-    geometry,
+    Given, Session, Setup, Value, catalogue, geometry,
+    kernel::Error,
     scene::{Kind, shipped},
 };
 

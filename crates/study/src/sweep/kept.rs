@@ -11,7 +11,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use forage::{error::Error, trial::Record};
+use forage::{kernel::Error, trial::Record};
 
 use super::{
     super::{Failure, at, files::is_same},

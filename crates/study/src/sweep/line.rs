@@ -4,7 +4,10 @@ use std::{io, path::Path};
 
 use serde_json::{Map, Value};
 
-use forage::{error::Error, planner::Yardstick, trial::Record};
+use forage::{
+    kernel::{Error, Yardstick},
+    trial::Record,
+};
 
 use super::plan::{Sweep, value_text};
 

@@ -21,8 +21,7 @@ use std::{
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use forage::{
-    error::Error,
-    planner::Status,
+    kernel::{Error, Status},
     session::Session,
     trial::{Record, Trial},
 };

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, fmt, str::FromStr, sync::Arc};
 
-use forage::{Given, Scene, Setup, Value, error::Error, params::Settings};
+use forage::{Given, Scene, Setup, Value, kernel::Error, params::Settings};
 
 use super::line::number_text;
 

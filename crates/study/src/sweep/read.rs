@@ -5,7 +5,13 @@ use std::{collections::BTreeMap, path::PathBuf, sync::Arc};
 use serde::Deserialize;
 use toml::{Table, Value as Toml};
 
-use forage::{Scene, Value, catalogue::find, describe::Entry, error::Error, rng::check_seed, trial::WITHIN};
+use forage::{
+    Scene, Value,
+    catalogue::find,
+    describe::Entry,
+    kernel::{Error, rng::check_seed},
+    trial::WITHIN,
+};
 
 use super::{
     super::Failure,
@@ -135,8 +141,8 @@ fn seeds(given: Option<&Toml>) -> Result<Seeds, Error> {
         number.ok_or_else(|| refused(place, value, allowed))
     };
     let seed = |place: &str, value: &Toml| {
-        let number = whole(place, value, forage::rng::SEED_RANGE)?;
-        check_seed(number).map_err(|_| refused(place, value, forage::rng::SEED_RANGE))
+        let number = whole(place, value, forage::kernel::rng::SEED_RANGE)?;
+        check_seed(number).map_err(|_| refused(place, value, forage::kernel::rng::SEED_RANGE))
     };
     match given {
         Some(Toml::Table(range)) => {

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use forage::{
     Given,
-    planner::Yardstick,
+    kernel::Yardstick,
     statistics::{Comparison, Friedman, Group, GroupSummary, Pair, comparable, compare, friedman},
 };
 

@@ -1,7 +1,7 @@
 //! Reading a `.tsp`.
 
 use crate::{
-    error::Error,
+    kernel::Error,
     scene::{Body, Distances, LARGEST, LONGEST, MAX_STOPS, Metric, TourScene},
 };
 

@@ -2,7 +2,7 @@
 
 use crate::{
     Scene,
-    planner::{Round, Yardstick},
+    kernel::{Round, Yardstick},
     scene::{
         Body, Header, Metric, TourScene,
         formats::{Format, NamedFile, export, import, wanted},

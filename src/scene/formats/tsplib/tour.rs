@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value};
 
-use crate::{error::Error, scene::Scene};
+use crate::{kernel::Error, scene::Scene};
 
 use super::{
     super::{Imported, NamedFile, is_optimal},

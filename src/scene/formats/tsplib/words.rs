@@ -2,7 +2,7 @@
 
 use std::{iter::Enumerate, str::Lines};
 
-use crate::error::Error;
+use crate::kernel::Error;
 
 use super::super::NamedFile;
 

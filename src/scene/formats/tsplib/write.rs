@@ -3,8 +3,7 @@
 use std::fmt::Write;
 
 use crate::{
-    error::Error,
-    planner::{Round, Yardstick},
+    kernel::{Error, Round, Yardstick},
     scene::{Metric, Scene, TourScene},
 };
 

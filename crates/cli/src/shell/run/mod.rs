@@ -14,9 +14,8 @@ use std::{
 use forage::{
     Given, Outcome, Session, Status, arm,
     drive::{COLUMNS, Column},
-    frame::Role,
+    kernel::{Finding, Role},
     picture,
-    planner::Finding,
     scene::formats::{stem_of, tour_file},
     session::{carry_out_all, csv_heading, csv_line, csv_row},
 };

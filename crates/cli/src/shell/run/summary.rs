@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Write as _};
 
-use forage::{DriveOutcome, Outcome, Status, arm::MotionOutcome, planner::Yardstick};
+use forage::{DriveOutcome, Outcome, Status, arm::MotionOutcome, kernel::Yardstick};
 
 use crate::shell::text::{escape, measured, number, point};
 

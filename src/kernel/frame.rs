@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::scene::Bounds;
+use crate::geometry::Bounds;
 
 /// What a layer shows. The page has a style for each role and knows no planner by name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]

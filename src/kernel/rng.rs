@@ -7,7 +7,10 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-use crate::{digest::Digest, error::Error, math};
+use crate::{
+    kernel::{Digest, Error},
+    math,
+};
 
 /// The largest seed: every whole number up to here is exact in JavaScript.
 pub const MAX_SEED: u64 = (1 << 53) - 1;

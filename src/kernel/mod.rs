@@ -1,0 +1,25 @@
+//! The contract of planners, and the data that it speaks of. Nothing here knows a planner or a kind of scene.
+
+mod digest;
+pub mod error;
+mod event;
+mod frame;
+mod inspection;
+pub mod json;
+mod planner;
+mod readings;
+pub mod rng;
+mod solution;
+mod status;
+mod subtask;
+
+pub use digest::Digest;
+pub use error::Error;
+pub use event::Event;
+pub use frame::{Frame, Role, Shape, Span, VERTEX};
+pub use inspection::{Column, Inspection, Item, Mark, Quantity};
+pub use planner::Planner;
+pub use readings::Readings;
+pub use solution::{Best, Border, Round, Solution, Track, Yardstick};
+pub use status::{Stage, Status};
+pub use subtask::{Finding, Job, Tuned};

@@ -1,0 +1,40 @@
+//! Runs of other planners that a step needs, and what they found.
+
+use serde::{Deserialize, Serialize};
+
+use crate::params::Given;
+
+/// A run of another planner on the same scene that the next step needs. Whoever steps may carry them out side by side
+/// and hand over what they found; a step that was handed nothing carries them out itself. The result is the same.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Job {
+    /// The planner's name.
+    pub planner: &'static str,
+    /// Parameters that differ from its defaults.
+    pub params: Given,
+    /// The seed.
+    pub seed: u64,
+    /// Where it starts and where it leads, if not where the scene says.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ends: Option<[[f64; 2]; 2]>,
+}
+
+/// What a [`Job`] found.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Finding {
+    /// The best cost; `None` if nothing feasible was found.
+    pub cost: Option<f64>,
+    /// The iteration in which the best was found.
+    pub converged: f64,
+    /// The best path; empty if nothing feasible was found.
+    pub path: Vec<[f64; 2]>,
+}
+
+/// Parameters that a planner of planners recommends.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Tuned {
+    /// For this planner.
+    pub planner: &'static str,
+    /// Those that were searched and those that were given.
+    pub params: Given,
+}
