@@ -10,9 +10,10 @@ use forage::{
     Scene,
     catalogue::PLANNERS,
     describe::Entry,
+    geometry::{Cells, DIRECTIONS},
     kernel::{Solution, Yardstick, rng::Stream},
     params::{Given, Settings},
-    scene::{Body, Cells, DIRECTIONS, GridScene},
+    scene::{Body, GridScene},
 };
 use pathfinding::directed::astar::astar;
 
@@ -108,7 +109,7 @@ fn grids(criterion: &mut Criterion) {
     });
     group.bench_function("steps known, forage", |b| b.iter(|| black_box(forage(entry("a-star"), &scene))));
     group.bench_function("steps known, pathfinding", |b| b.iter(|| black_box(pathfinding(grid, |&at| by_moves(cells, at)))));
-    group.bench_function("working out the steps", |b| b.iter(|| black_box(Cells::new(grid))));
+    group.bench_function("working out the steps", |b| b.iter(|| black_box(fresh().grid().expect("it is one").cells().len())));
     group.finish();
 
     let mut group = criterion.benchmark_group(format!("other searches over {SIDE} x {SIDE} cells, a quarter blocked"));

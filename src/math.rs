@@ -4,7 +4,7 @@
 
 pub use libm::{acos, asin, atan2, cos, exp, log as ln, log10, pow, sin, tgamma as gamma};
 
-use std::f64::consts::PI;
+use std::{cmp::Ordering, f64::consts::PI};
 
 /// Taylor coefficients in x² of sin x / x − 1; what is left out is under 1e-16.
 const SIN: [f64; 7] =
@@ -28,6 +28,24 @@ pub fn limit(x: f64, low: f64, high: f64) -> f64 {
         high
     } else {
         x
+    }
+}
+
+/// A length that can be ordered; lengths here are never NaN.
+#[derive(PartialEq)]
+pub(crate) struct Length(pub f64);
+
+impl Eq for Length {}
+
+impl PartialOrd for Length {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Length {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.total_cmp(&other.0)
     }
 }
 

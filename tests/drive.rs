@@ -6,9 +6,9 @@ use std::sync::Arc;
 use forage::{
     Drive, Given, Scene, Session, Setup, Value,
     drive::{COLUMNS, RESOLUTION, settings, simulate},
-    geometry::{self, Oriented},
+    geometry::{self, Oriented, YAxis},
     math,
-    scene::{GridScene, Robot, YAxis},
+    scene::{GridScene, Robot},
     shipped,
 };
 use proptest::prelude::*;

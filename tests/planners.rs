@@ -13,9 +13,8 @@ use forage::{
     Frame, Given, Scene, Session, Setup, Status, Value,
     catalogue::PLANNERS,
     describe::{Entry, Formula, Group, Scope},
-    kernel::{Item, Role, Shape},
+    kernel::{Item, Kind, Role, Shape},
     params::{Domain, Parameter, When},
-    scene::Kind,
     shipped_names,
 };
 use libtest_mimic::Arguments;

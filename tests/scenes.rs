@@ -3,8 +3,7 @@
 
 use forage::{
     Given, Scene, Session, Setup, catalogue,
-    kernel::{Round, Solution, Yardstick},
-    scene::Kind,
+    kernel::{Kind, Round, Solution, Yardstick},
     shipped, shipped_names,
 };
 

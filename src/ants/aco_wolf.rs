@@ -146,7 +146,7 @@ pub(super) fn traits(settings: &Settings) -> Traits {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Given, Value, scene::Kind};
+    use crate::{Given, Value, kernel::Kind};
 
     #[test]
     fn heuristic_and_update_are_switched_apart() {

@@ -1,8 +1,8 @@
 //! Pheromone as a field and as trails, and the ants' walks.
 
 use crate::{
+    geometry::Cells,
     kernel::{Frame, Role, Shape},
-    scene::Cells,
 };
 
 use super::{

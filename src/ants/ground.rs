@@ -6,10 +6,11 @@ use std::{
 };
 
 use crate::{
-    exact, geometry,
+    exact,
+    geometry::{self, Cells, Course, angle},
     kernel::Error,
     math,
-    scene::{Cells, Course, Scene, angle},
+    scene::Scene,
 };
 
 /// Directions of a step; `NOWHERE` stands for the direction from which an ant comes that has not moved yet.
@@ -66,7 +67,7 @@ impl Ground {
     pub fn new(scene: &Arc<Scene>, heuristic: Heuristic, beta: f64, gamma: f64, direction: Direction) -> Result<Self, Error> {
         let grid = scene.grid()?;
         let cells = Arc::clone(grid.cells());
-        let course = Course::new(grid)?;
+        let course = grid.course()?;
         let mut ground = Self {
             scene: Arc::clone(scene),
             turn: [[1.0; 8]; 9],
@@ -163,7 +164,7 @@ fn between(a: f64, b: f64) -> f64 {
 /// the nearest 5, then 4, 4, 3, 3, 2, 2, the farthest 1, [WOLF-ANT] (6). Reading: those equally far share their weights.
 pub(super) fn ranked([dx, dy]: [i64; 2]) -> [f64; 8] {
     const WEIGHTS: [f64; 8] = [5.0, 4.0, 4.0, 3.0, 3.0, 2.0, 2.0, 1.0];
-    let squared = crate::scene::DIRECTIONS.map(|[x, y]| (dx - i64::from(x)).pow(2) + (dy - i64::from(y)).pow(2));
+    let squared = crate::geometry::DIRECTIONS.map(|[x, y]| (dx - i64::from(x)).pow(2) + (dy - i64::from(y)).pow(2));
     squared.map(|own| {
         let nearer = squared.iter().filter(|&&other| other < own).count();
         let alike = squared.iter().filter(|&&other| other == own).count();

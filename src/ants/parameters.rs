@@ -2,9 +2,8 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Reading, Scope},
-    kernel::Role,
+    kernel::{Kind, Role},
     params::{Choice, Parameter, When},
-    scene::Kind,
     settled::SETTLED,
     way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };

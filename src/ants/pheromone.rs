@@ -1,6 +1,6 @@
 //! Pheromone on the steps from cell to cell, and what it makes of their attraction.
 
-use crate::{kernel::Digest, math, scene::Cells};
+use crate::{geometry::Cells, kernel::Digest, math};
 
 use super::ground::{Ground, Power};
 
@@ -25,7 +25,7 @@ pub(super) struct Pheromone {
 
 const UNKNOWN: u32 = u32::MAX;
 
-/// The steps from a cell, in the order of [`crate::scene::DIRECTIONS`].
+/// The steps from a cell, in the order of [`crate::geometry::DIRECTIONS`].
 #[derive(Debug, Clone)]
 struct Known {
     cell: u32,

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::{
     exact,
+    geometry::Course,
     kernel::{Frame, Planner, Status, rng::Stream},
-    scene::Course,
 };
 
 use super::{Colony, draw, ground::Ground, update::Update, walk::Walks};

@@ -1,6 +1,6 @@
 //! An ant's way: where it may go, what it chooses, where it ends.
 
-use crate::{kernel::rng::Stream, scene::Steps};
+use crate::{geometry::Steps, kernel::rng::Stream};
 
 use super::{
     ground::{Ground, NOWHERE},

@@ -1,6 +1,6 @@
 //! Where the tip can come: a cloud of points over the workspace.
 
-use crate::{kernel::Error, scene::ArmScene};
+use crate::{arm::ArmScene, kernel::Error};
 
 use super::{Arm, DIRECTIONS, Links, Unreachable};
 

@@ -10,7 +10,7 @@
 //! Motions between postures, all joints turning evenly, are tested as a whole and not at samples: a posture with more
 //! room about each link than the link can travel answers for a whole stretch, and a stretch without such a posture is halved.
 
-use crate::{geometry::Cuboid, math::limit, scene::ArmScene};
+use crate::{arm::ArmScene, geometry::Cuboid, math::limit};
 
 use super::{Arm, Posture, Skeleton};
 

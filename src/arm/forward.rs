@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
-use super::{Arm, Axis, Posture, Skeleton, Tool};
+use super::model::{Arm, Axis, Posture, Skeleton, Tool, quarters};
 
 /// A frame as three axes and an origin: what the chain is multiplied in.
 #[derive(Clone, Copy)]
@@ -55,20 +55,6 @@ impl Frame {
     fn isometry(&self) -> Isometry3<f64> {
         let rotation = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[self.x, self.y, self.z]));
         Isometry3::from_parts(Translation3::from(self.origin), UnitQuaternion::from_rotation_matrix(&rotation))
-    }
-}
-
-/// Sine and cosine of an angle in degrees; exactly 0 and ±1 at multiples of 90.
-#[inline]
-pub(super) fn quarters(degrees: f64) -> (f64, f64) {
-    if degrees == 0.0 {
-        (0.0, 1.0)
-    } else if degrees.abs() == 90.0 {
-        (degrees.signum(), 0.0)
-    } else if degrees.abs() == 180.0 {
-        (0.0, -1.0)
-    } else {
-        libm::sincos(degrees.to_radians())
     }
 }
 

@@ -3,18 +3,20 @@
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use crate::{
-    ants, arm, drive, dynamic,
-    kernel::{Role, Shape},
+    ants, arm,
+    describe::{Entry, Follower},
+    drive, dynamic,
+    kernel::{Kind, Role, Shape},
     params::{Domain, Parameter, Value, as_object},
     scene::{
-        Kind, Scene,
+        Scene,
         generate::{GENERATORS, Generator, OTHERS},
         shipped_names,
     },
     search, swarm, tour, tree, tuning,
 };
 
-use super::{Entry, PLANNERS};
+use super::PLANNERS;
 
 /// The whole catalogue as it crosses to the page and to `forage list --json`.
 #[derive(Debug, Serialize)]
@@ -115,7 +117,7 @@ impl Serialize for GeneratorView {
 
 /// How a robot, or an arm, follows a path.
 #[derive(Debug)]
-struct DriveView(&'static drive::Entry, Kind);
+struct DriveView(&'static Follower, Kind);
 
 impl Serialize for DriveView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -6,9 +6,9 @@ use serde::Serialize;
 
 use crate::{
     any::AnyPlanner,
-    kernel::Error,
+    kernel::{Error, Kind},
     params::{Given, Parameter, Settings},
-    scene::{Body, Kind, Scene},
+    scene::{Body, Scene},
 };
 
 use super::{EventKind, Formula, Layer, Member, Preset, Reading};

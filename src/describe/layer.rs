@@ -2,7 +2,10 @@
 
 use serde::Serialize;
 
-use crate::{kernel::Role, params::When, scene::Kind};
+use crate::{
+    kernel::{Kind, Role},
+    params::When,
+};
 
 /// A layer that a planner draws.
 #[derive(Debug, Clone, Copy, Serialize)]

@@ -4,6 +4,7 @@
 
 mod entry;
 mod event;
+mod follower;
 mod formula;
 mod layer;
 mod member;
@@ -12,6 +13,7 @@ mod reading;
 
 pub use entry::{Entry, Start, Suggestion};
 pub use event::{EventKind, Tone};
+pub use follower::{Column, Follower};
 pub use formula::{Formula, Scope};
 pub use layer::Layer;
 pub use member::Member;

@@ -21,12 +21,11 @@ use std::f64::consts::PI;
 use serde::Serialize;
 
 use crate::{
-    describe::Formula,
-    geometry,
-    kernel::Error,
+    geometry::{self, YAxis},
+    kernel::{Error, Kind},
     math,
-    params::{Given, Parameter, Settings, Value},
-    scene::{Body, GridScene, Kind, Robot, Scene, YAxis},
+    params::{Given, Settings, Value},
+    scene::{Body, GridScene, Robot, Scene},
 };
 
 pub use parameters::{COLUMNS, ENTRY, PARAMETERS};
@@ -48,34 +47,6 @@ pub const PATIENCE: f64 = 4.0;
 
 /// And after this many periods, whatever the time.
 pub const MOST_PERIODS: u64 = 100_000;
-
-/// What there is to know about driving along a path.
-#[derive(Debug, Clone, Copy)]
-pub struct Entry {
-    /// Where it comes from.
-    pub source: &'static str,
-    /// A sentence or two.
-    pub summary: &'static str,
-    /// What can be set.
-    pub parameters: &'static [Parameter],
-    /// The numbers of a row.
-    pub columns: &'static [Column],
-    /// The equations it carries out.
-    pub formulas: &'static [Formula],
-}
-
-/// A number that a drive tells for each moment.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct Column {
-    /// An identifier.
-    pub name: &'static str,
-    /// A few words.
-    pub title: &'static str,
-    /// TeX.
-    pub symbol: &'static str,
-    /// `s`, `m`, `rad/s`, …; empty for a bare number. `m` stands for the scene's unit.
-    pub unit: &'static str,
-}
 
 /// How a drive along a path went.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -1,14 +1,12 @@
 //! What can be set about a drive, what it tells, and the equations it carries out.
 
 use crate::{
-    describe::{Formula, Scope},
+    describe::{Column, Follower, Formula, Scope},
     params::Parameter,
 };
 
-use super::{Column, Entry};
-
-/// The entry in the catalogue.
-pub const ENTRY: Entry = Entry {
+/// What there is to know about it.
+pub const ENTRY: Follower = Follower {
     source: "[LTQPSO] §5",
     summary: "A robot with two driven wheels follows the path by pure pursuit, within its limits. Its outline, turned as it \
               stands, is checked against the obstacles all along the way.",

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::scene::{Cells, Steps};
+use crate::geometry::{Cells, Steps};
 
 use super::{
     queue::Queue,
@@ -100,7 +100,7 @@ mod tests {
 
     fn cells(rows: &[&str]) -> Arc<Cells> {
         let blocked = rows.iter().flat_map(|row| row.chars().map(|c| c == '#')).collect();
-        Arc::new(Cells::new(&GridScene::new(1.0, rows[0].len(), blocked)))
+        Arc::clone(GridScene::new(1.0, rows[0].len(), blocked).cells())
     }
 
     /// The cells marked with an `x`.
@@ -150,7 +150,7 @@ mod tests {
         for seed in 0..40 {
             let mut rng = crate::kernel::rng::Stream::new(seed, 5);
             let walls = [0.0, 0.1, 0.2, 0.3][seed as usize % 4];
-            let cells = Arc::new(Cells::new(&GridScene::new(1.0, 50, (0..2500).map(|_| rng.unit() < walls).collect())));
+            let cells = Arc::clone(GridScene::new(1.0, 50, (0..2500).map(|_| rng.unit() < walls).collect()).cells());
             let (from, to, none) = (rng.below(2500), rng.below(2500), [false; 2500]);
             let mut search = AStar::new(&cells);
             let Some(way) = search.way(&none, from, to) else { continue };
@@ -164,7 +164,7 @@ mod tests {
     #[test]
     fn a_used_one_answers_as_a_new_one() {
         let mut rng = crate::kernel::rng::Stream::new(4, 0);
-        let cells = Arc::new(Cells::new(&GridScene::new(1.0, 12, (0..120).map(|_| rng.unit() < 0.2).collect())));
+        let cells = Arc::clone(GridScene::new(1.0, 12, (0..120).map(|_| rng.unit() < 0.2).collect()).cells());
         let mut used = AStar::new(&cells);
         for _ in 0..300 {
             let occupied: Vec<_> = (0..120).map(|_| rng.unit() < 0.2).collect();

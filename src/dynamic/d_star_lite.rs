@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use crate::{
+    geometry::{Cells, Steps},
     kernel::Digest,
-    scene::{Cells, Steps},
 };
 
 use super::{

@@ -30,10 +30,12 @@ use std::{
 };
 
 use crate::{
-    any, exact, geometry,
+    any, exact,
+    geometry::{self, Cells, Course},
     kernel::{Best, Border, Digest, Error, Event, Frame, Inspection, Item, Planner, Readings, Solution, Stage, Status, Track, Yardstick},
+    math::Length,
     params::Settings,
-    scene::{Body as SceneBody, Cells, Course, GridScene, Motion, Scene},
+    scene::{Body as SceneBody, GridScene, Motion, Scene},
 };
 
 use body::Body;
@@ -77,7 +79,7 @@ impl Ground {
         }
         Ok(Self {
             cells: Arc::clone(grid.cells()),
-            course: Course::new(grid)?,
+            course: grid.course()?,
             body,
             period: settings.number("period"),
             ahead: OnceLock::new(),
@@ -97,9 +99,9 @@ impl Ground {
         let all = || {
             let cells = &self.cells;
             let mut best = vec![f64::INFINITY; cells.len()];
-            let mut open = BinaryHeap::from([(Reverse(exact::Length(0.0)), self.course.goal)]);
+            let mut open = BinaryHeap::from([(Reverse(Length(0.0)), self.course.goal)]);
             best[self.course.goal] = 0.0;
-            while let Some((Reverse(exact::Length(length)), at)) = open.pop() {
+            while let Some((Reverse(Length(length)), at)) = open.pop() {
                 if length > best[at] {
                     continue;
                 }
@@ -107,7 +109,7 @@ impl Ground {
                     let (next, to) = (cells.next(at, d), length + if d & 1 == 0 { 1.0 } else { std::f64::consts::SQRT_2 });
                     if to < best[next] {
                         best[next] = to;
-                        open.push((Reverse(exact::Length(to)), next));
+                        open.push((Reverse(Length(to)), next));
                     }
                 }
             }

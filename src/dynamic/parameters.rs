@@ -2,9 +2,8 @@
 
 use crate::{
     describe::{EventKind, Formula, Group, Layer, Reading, Scope, Tone},
-    kernel::Role,
+    kernel::{Kind, Role},
     params::{Choice, Parameter},
-    scene::Kind,
 };
 
 /// The kinds of scene that a robot drives on.

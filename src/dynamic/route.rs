@@ -1,8 +1,8 @@
 //! Who plans the ways: before the drive, and again when something is in the way. What the drives differ in.
 
 use crate::{
+    geometry::{Cells, Course},
     kernel::{Digest, Frame, Inspection, Item},
-    scene::{Cells, Course},
 };
 
 use super::body::{Plan, Step};

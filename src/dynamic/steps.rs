@@ -3,7 +3,7 @@
 
 use std::{cmp::Reverse, iter::successors};
 
-use crate::scene::{Cells, DIRECTIONS, Steps};
+use crate::geometry::{Cells, DIRECTIONS, Steps};
 
 /// Longer than any way: there is none.
 pub(super) const NEVER: Steps = Steps { straight: u32::MAX, diagonal: u32::MAX };
@@ -100,6 +100,8 @@ pub(super) fn straightest(start: usize, end: usize, step: impl Fn(usize, usize) 
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
     use crate::scene::GridScene;
 
@@ -118,7 +120,7 @@ mod tests {
     fn what_leads_to_a_cell_and_what_leads_from_it_are_the_same_steps() {
         let mut rng = crate::kernel::rng::Stream::new(3, 0);
         let blocked = (0..9 * 7).map(|_| rng.unit() < 0.3).collect();
-        let cells = Cells::new(&GridScene::new(1.0, 9, blocked));
+        let cells = Arc::clone(GridScene::new(1.0, 9, blocked).cells());
         let mut forth: Vec<_> = (0..63).flat_map(|a| all_next(&cells, a).map(move |(b, d)| (a, b, d))).collect();
         let mut back: Vec<_> = (0..63).flat_map(|b| all_previous(&cells, b).map(move |(a, d)| (a, b, d))).collect();
         forth.sort_unstable();
@@ -128,7 +130,7 @@ mod tests {
 
     #[test]
     fn the_octile_distance_is_a_way_over_free_cells() {
-        let cells = Cells::new(&GridScene::new(1.0, 9, vec![false; 63]));
+        let cells = Arc::clone(GridScene::new(1.0, 9, vec![false; 63]).cells());
         assert_eq!(octile(&cells, 0, 9 * 2 + 5), Steps { straight: 3, diagonal: 2 });
         assert_eq!(octile(&cells, 62, 8), Steps { straight: 6, diagonal: 0 });
         assert_eq!(octile(&cells, 6, 6), Steps::default());
@@ -137,7 +139,7 @@ mod tests {
     #[test]
     fn among_shortest_ways_one_with_few_turns_is_taken() {
         // To the far corner of an open field: (8, 6) takes 2 straight and 6 diagonal steps in any order.
-        let cells = Cells::new(&GridScene::new(1.0, 9, vec![false; 63]));
+        let cells = Arc::clone(GridScene::new(1.0, 9, vec![false; 63]).cells());
         let far = |cell| octile(&cells, cell, 62);
         let way = straightest(0, 62, |cell, d| next(&cells, cell, d).filter(|&next| far(next).and(d) == far(cell))).unwrap();
         assert_eq!(way, [0, 10, 20, 30, 40, 50, 60, 61, 62], "one turn");

@@ -2,8 +2,8 @@
 //! continuous motion, so that nothing tunnels between two moments.
 
 use crate::{
-    geometry::{Bounds, closest_approach, distance_squared},
-    scene::{CONTACT, Cells, GridScene, Moving},
+    geometry::{Bounds, Cells, closest_approach, distance_squared},
+    scene::{CONTACT, GridScene, Moving},
 };
 
 use super::body::{Body, Stretch};

@@ -3,9 +3,12 @@
 
 use std::{cmp::Reverse, collections::BinaryHeap};
 
-use crate::scene::{Cells, Course, Steps};
+use crate::{
+    geometry::{Cells, Course, Steps},
+    math::Length,
+};
 
-use super::{Exact, Length};
+use super::Exact;
 
 /// The shortest way from start to goal from cell to neighbouring cell; `None` where there is none.
 pub fn shortest_over_cells(cells: &Cells, course: &Course) -> Option<Exact> {

@@ -3,14 +3,14 @@
 mod cells;
 mod cuboids;
 mod discs;
+mod distances;
 mod grid;
 mod tours;
-
-use std::cmp::Ordering;
 
 pub use cells::{is_reachable, shortest_over_cells, shortest_way};
 pub use cuboids::{AmongCuboids, MAX_EXACT_CUBOIDS, shortest_among_cuboids};
 pub use discs::shortest_among_discs;
+pub use distances::{Distances, LONGEST, Metric};
 pub use grid::shortest_on_grid;
 pub use tours::{MAX_EXACT_STOPS, shortest_tour};
 
@@ -33,23 +33,5 @@ impl Exact {
     /// A way of this length.
     pub fn way(length: f64, path: Vec<[f64; 2]>) -> Self {
         Self { length, path, tip_path: Vec::new(), order: Vec::new(), stored: false }
-    }
-}
-
-/// A length that can be ordered; lengths here are never NaN.
-#[derive(PartialEq)]
-pub(crate) struct Length(pub f64);
-
-impl Eq for Length {}
-
-impl PartialOrd for Length {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Length {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.0.total_cmp(&other.0)
     }
 }

@@ -1,7 +1,7 @@
 //! The shortest tour, by Held and Karp's dynamic programme over sets of stops. Independent of the planners that look for
 //! tours: it is what they are measured by.
 
-use crate::{kernel::Round, scene::Distances};
+use crate::{exact::Distances, kernel::Round};
 
 /// The most stops of a tour whose optimum is computed.
 pub const MAX_EXACT_STOPS: usize = 15;

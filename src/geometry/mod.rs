@@ -3,6 +3,7 @@
 mod approach;
 mod block;
 mod bounds;
+mod cells;
 mod cuboid;
 mod disc;
 mod field;
@@ -15,6 +16,7 @@ mod smooth;
 pub use approach::{closest_approach, first_within};
 pub use block::Block;
 pub use bounds::Bounds;
+pub use cells::{Cells, Course, DIRECTIONS, Plan, Steps, YAxis, angle};
 pub use cuboid::Cuboid;
 pub use disc::Disc;
 pub use field::Field;

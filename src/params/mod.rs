@@ -7,7 +7,7 @@ mod settings;
 
 use serde::Serialize;
 
-use crate::{kernel::Error, scene::Kind};
+use crate::kernel::{Error, Kind};
 
 pub use given::{Given, Value, as_object};
 pub use settings::Settings;

@@ -1,6 +1,6 @@
 //! Given values checked against a planner's parameters, and the defaults filled in.
 
-use crate::{kernel::Error, scene::Kind};
+use crate::kernel::{Error, Kind};
 
 use super::{Given, Parameter, Value, When};
 

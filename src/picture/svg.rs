@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use crate::{
-    geometry::{self, Bounds},
+    geometry::{self, Bounds, YAxis},
     kernel::{Frame, Role, Shape, Span, VERTEX},
-    scene::{Body, Scene, YAxis},
+    scene::{Body, Scene},
     session::Session,
 };
 

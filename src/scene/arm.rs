@@ -3,13 +3,13 @@
 use serde_json::Value;
 
 use crate::{
-    arm::{self, Arm, Posture},
+    arm::{self, ArmScene, Posture},
     exact::{AmongCuboids, Exact, shortest_among_cuboids},
     geometry::{Bounds, Cuboid, length_in_space},
-    kernel::{Error, Solution},
+    kernel::{Error, Solution, Verdict},
 };
 
-use super::{Verdict, limited};
+use super::check::limited;
 
 /// How far from start and goal the tip may be where postures were planned, in metres.
 pub(crate) const JOINED: f64 = 1e-6;
@@ -20,21 +20,6 @@ const RESOLUTION: f64 = 1e-3;
 
 /// The most cuboids in a scene.
 pub const MAX_CUBOIDS: usize = 200;
-
-/// An arm among cuboids.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ArmScene {
-    /// Where the tip may be.
-    pub workspace: Cuboid,
-    /// Where the tip starts.
-    pub start: [f64; 3],
-    /// Where it must come to.
-    pub goal: [f64; 3],
-    /// What it must not touch.
-    pub cuboids: Vec<Cuboid>,
-    /// The arm.
-    pub arm: Arm,
-}
 
 impl ArmScene {
     pub(super) fn check(&self) -> Result<(), Error> {

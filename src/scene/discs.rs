@@ -3,10 +3,10 @@
 use crate::{
     exact::{Exact, shortest_among_discs},
     geometry::{self, Bounds, Disc},
-    kernel::Error,
+    kernel::{Error, Verdict},
 };
 
-use super::{LARGEST, Verdict, coordinate, finite};
+use super::check::{LARGEST, coordinate, finite};
 
 /// The most discs in a scene: up to here the exact optimum takes a moment, not a minute.
 pub const MAX_DISCS: usize = 200;

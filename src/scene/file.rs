@@ -1,18 +1,17 @@
 //! The scene file: JSON in and out, every refusal with the field it is about.
 
 mod arm;
+mod discs;
+mod function;
 mod grid;
 mod tour;
 
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::Value;
 
-use crate::{
-    geometry::{Bounds, Disc},
-    kernel::{Error, json},
-};
+use crate::kernel::{Error, Kind, fields::Fields, json};
 
-use super::{Body, DiscsScene, Function, FunctionScene, Header, Kind, Scene};
+use super::{Body, Header, Scene};
 
 const FORMAT: &str = "forage-scene";
 const VERSION: u32 = 1;
@@ -62,11 +61,11 @@ impl Scene {
             published: fields.optional("published"),
         };
         let body = match kind {
-            Kind::Function => Body::Function(fields.function()?),
-            Kind::Discs => Body::Discs(fields.discs_scene()?),
-            Kind::Grid => Body::Grid(fields.grid()?),
-            Kind::Tour => Body::Tour(fields.tour()?),
-            Kind::Arm => Body::Arm(fields.arm_scene()?),
+            Kind::Function => Body::Function(function::read(&mut fields)?),
+            Kind::Discs => Body::Discs(discs::read(&mut fields)?),
+            Kind::Grid => Body::Grid(grid::read(&mut fields)?),
+            Kind::Tour => Body::Tour(tour::read(&mut fields)?),
+            Kind::Arm => Body::Arm(arm::read(&mut fields)?),
         };
         fields.end()?;
         Self::new(header, body)
@@ -98,220 +97,16 @@ impl Scene {
             out.extend(note.iter().map(|note| (key, text(note))));
         }
         match &self.body {
-            Body::Function(FunctionScene { function, dimension, shift }) => {
-                out.extend([("function", text(function.name())), ("dimension", Value::from(*dimension))]);
-                if !shift.is_empty() {
-                    out.push(("shift", Value::from(shift.as_slice())));
-                }
-            }
-            Body::Discs(DiscsScene { bounds, start, goal, discs }) => {
-                let bounds = object(&mut [("min", point(bounds.min)), ("max", point(bounds.max))].into_iter());
-                let discs = discs
-                    .iter()
-                    .map(|disc| object(&mut [("center", point(disc.center)), ("radius", Value::from(disc.radius))].into_iter()))
-                    .collect();
-                out.extend([("bounds", bounds), ("start", point(*start)), ("goal", point(*goal)), ("discs", Value::Array(discs))]);
-            }
-            Body::Grid(grid) => grid::write(grid, &mut out),
-            Body::Tour(tour) => tour::write(tour, &mut out),
+            Body::Function(scene) => function::write(scene, &mut out),
+            Body::Discs(scene) => discs::write(scene, &mut out),
+            Body::Grid(scene) => grid::write(scene, &mut out),
+            Body::Tour(scene) => tour::write(scene, &mut out),
             Body::Arm(scene) => arm::write(scene, &mut out),
         }
         for (key, kept) in [("exact", exact), ("published", published)] {
             out.extend(kept.iter().map(|kept| (key, kept.clone())));
         }
         out
-    }
-}
-
-fn point(point: [f64; 2]) -> Value {
-    Value::Array(point.map(Value::from).to_vec())
-}
-
-fn points(points: &[[f64; 2]]) -> Value {
-    Value::Array(points.iter().copied().map(point).collect())
-}
-
-/// One by one: collecting would bring in a sort for every number of fields.
-fn object(fields: &mut dyn Iterator<Item = (&'static str, Value)>) -> Value {
-    let mut object = Map::new();
-    for (name, value) in fields {
-        object.insert(name.to_owned(), value);
-    }
-    Value::Object(object)
-}
-
-/// What an object still holds while it is read field by field. What nobody asked for is refused at the end.
-struct Fields {
-    /// Where the object stands, e.g. `discs[2]`; empty for the scene itself.
-    at: String,
-    left: Map<String, Value>,
-    /// The names that were asked for: what is allowed here.
-    known: Vec<&'static str>,
-}
-
-impl Fields {
-    fn of(at: &str, value: Value, allowed: &str) -> Result<Self, Error> {
-        match value {
-            Value::Object(left) => Ok(Self { at: at.to_owned(), left, known: Vec::new() }),
-            other => Err(Error::refused(at, shown(&other), allowed)),
-        }
-    }
-
-    /// A field's path, e.g. `discs[2].radius`.
-    fn path(&self, name: &str) -> String {
-        if self.at.is_empty() { name.to_owned() } else { format!("{}.{name}", self.at) }
-    }
-
-    fn take(&mut self, name: &'static str) -> Value {
-        self.known.push(name);
-        self.left.remove(name).unwrap_or(Value::Null)
-    }
-
-    fn refuse(&self, name: &str, found: &Value, allowed: &str) -> Error {
-        Error::refused(self.path(name), shown(found), allowed)
-    }
-
-    fn expect(&mut self, name: &'static str, fits: impl Fn(&Value) -> bool, allowed: &str) -> Result<(), Error> {
-        let found = self.take(name);
-        if fits(&found) { Ok(()) } else { Err(self.refuse(name, &found, allowed)) }
-    }
-
-    /// Anything, as it stands in the file.
-    fn optional(&mut self, name: &'static str) -> Option<Value> {
-        let mut found = self.take(name);
-        plus_zero(&mut found);
-        Some(found).filter(|found| !found.is_null())
-    }
-
-    fn optional_text(&mut self, name: &'static str) -> Result<Option<String>, Error> {
-        match self.take(name) {
-            Value::Null => Ok(None),
-            Value::String(text) => Ok(Some(text)),
-            other => Err(self.refuse(name, &other, "a text")),
-        }
-    }
-
-    fn text(&mut self, name: &'static str) -> Result<String, Error> {
-        self.optional_text(name)?.ok_or_else(|| self.refuse(name, &Value::Null, "a text"))
-    }
-
-    fn one_of<T: Copy, const N: usize>(&mut self, name: &'static str, all: [T; N], name_of: fn(T) -> &'static str) -> Result<T, Error> {
-        let found = self.take(name);
-        let known = all.into_iter().find(|&one| found == name_of(one));
-        known.ok_or_else(|| self.refuse(name, &found, &format!("one of {}", all.map(name_of).join(", "))))
-    }
-
-    fn number(&mut self, name: &'static str) -> Result<f64, Error> {
-        let found = self.take(name);
-        number(self.path(name), &found)
-    }
-
-    fn point(&mut self, name: &'static str) -> Result<[f64; 2], Error> {
-        let found = self.take(name);
-        point_of(&self.path(name), &found)
-    }
-
-    fn optional_point(&mut self, name: &'static str) -> Result<Option<[f64; 2]>, Error> {
-        if self.left.contains_key(name) {
-            return self.point(name).map(Some);
-        }
-        self.known.push(name);
-        Ok(None)
-    }
-
-    fn list(&mut self, name: &'static str) -> Result<Vec<Value>, Error> {
-        match self.take(name) {
-            Value::Array(items) => Ok(items),
-            other => Err(self.refuse(name, &other, "a list")),
-        }
-    }
-
-    fn flag(&mut self, name: &'static str, default: bool) -> Result<bool, Error> {
-        match self.take(name) {
-            Value::Null => Ok(default),
-            Value::Bool(flag) => Ok(flag),
-            other => Err(self.refuse(name, &other, "true or false")),
-        }
-    }
-
-    fn function(&mut self) -> Result<FunctionScene, Error> {
-        let function = self.one_of("function", Function::ALL, Function::name)?;
-        let dimension = self.number("dimension")?;
-        if dimension.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&dimension) {
-            return Err(Error::refused("dimension", dimension, "a positive whole number"));
-        }
-        let mut shift = Vec::new();
-        if self.left.contains_key("shift") {
-            for (i, value) in self.list("shift")?.iter().enumerate() {
-                shift.push(number(format!("shift[{i}]"), value)?);
-            }
-        }
-        self.known.push("shift");
-        Ok(FunctionScene { function, dimension: dimension as usize, shift })
-    }
-
-    fn discs_scene(&mut self) -> Result<DiscsScene, Error> {
-        Ok(DiscsScene {
-            bounds: bounds(self.take("bounds"))?,
-            start: self.point("start")?,
-            goal: self.point("goal")?,
-            discs: self.list("discs")?.into_iter().enumerate().map(|(i, value)| disc(i, value)).collect::<Result<_, _>>()?,
-        })
-    }
-
-    fn end(self) -> Result<(), Error> {
-        match self.left.keys().next() {
-            Some(name) => Err(Error::refused(self.path(name), "this field", format!("left out, or one of {}", self.known.join(", ")))),
-            None => Ok(()),
-        }
-    }
-}
-
-fn bounds(value: Value) -> Result<Bounds, Error> {
-    let mut fields = Fields::of("bounds", value, "an object with min and max")?;
-    let bounds = Bounds { min: fields.point("min")?, max: fields.point("max")? };
-    fields.end()?;
-    Ok(bounds)
-}
-
-fn disc(i: usize, value: Value) -> Result<Disc, Error> {
-    let mut fields = Fields::of(&format!("discs[{i}]"), value, "an object with center and radius")?;
-    let disc = Disc { center: fields.point("center")?, radius: fields.number("radius")? };
-    fields.end()?;
-    Ok(disc)
-}
-
-/// A point, with the field it stands in.
-fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
-    let Some([x, y]) = found.as_array().map(Vec::as_slice) else {
-        return Err(Error::refused(path, shown(found), "a point, [x, y]"));
-    };
-    Ok([number(format!("{path}[0]"), x)?, number(format!("{path}[1]"), y)?])
-}
-
-/// A number. −0 becomes 0: JavaScript's whole numbers lose the sign on their way in, and both must give the same bits.
-fn number(path: String, found: &Value) -> Result<f64, Error> {
-    found.as_f64().map(|number| number + 0.0).ok_or_else(|| Error::refused(path, shown(found), "a finite number"))
-}
-
-/// The same for every number in what is kept as it stands.
-fn plus_zero(value: &mut Value) {
-    match value {
-        Value::Number(number) if number.as_f64() == Some(0.0) => *value = Value::from(0),
-        Value::Array(items) => items.iter_mut().for_each(plus_zero),
-        Value::Object(fields) => fields.values_mut().for_each(plus_zero),
-        _ => {}
-    }
-}
-
-fn shown(value: &Value) -> String {
-    match value {
-        Value::Null => "nothing".to_owned(),
-        Value::Object(_) => "an object".to_owned(),
-        Value::Array(items) => format!("a list of {}", items.len()),
-        Value::String(text) => format!("\"{text}\""),
-        Value::Bool(flag) => flag.to_string(),
-        Value::Number(number) => number.as_f64().unwrap_or_default().to_string(),
     }
 }
 

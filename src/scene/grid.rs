@@ -3,13 +3,13 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::{
-    exact::{Exact, MAX_EXACT_STOPS, shortest_on_grid, shortest_over_cells, shortest_tour},
-    geometry::{self, Bounds, Field},
-    kernel::{Error, Round, Track, Yardstick},
+    exact::{Distances, Exact, MAX_EXACT_STOPS, shortest_on_grid, shortest_over_cells, shortest_tour},
+    geometry::{self, Bounds, Cells, Field, YAxis},
+    kernel::{Error, Round, Track, Verdict, Yardstick},
 };
 
 use super::{
-    Cells, Course, Distances, LARGEST, Verdict, coordinate, finite,
+    check::{LARGEST, coordinate, finite, positive},
     moving::{MAX_MOVING, Moving},
 };
 
@@ -27,29 +27,6 @@ const SMALLEST_CELL: f64 = 1e-6;
 
 /// By how much of a cell the robot and a moving obstacle may overlap by rounding alone.
 pub const CONTACT: f64 = 1e-9;
-
-/// Which way y grows in a scene's coordinates. The file lists the top row first in either case.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum YAxis {
-    /// Origin at the top left, as in pictures.
-    #[default]
-    Down,
-    /// Origin at the bottom left, as on paper.
-    Up,
-}
-
-impl YAxis {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Down, Self::Up];
-
-    /// The name that scene files use.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Down => "down",
-            Self::Up => "up",
-        }
-    }
-}
 
 /// The robot that goes through a grid; what is not given is `None`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -218,7 +195,7 @@ impl GridScene {
 
     /// The free cells and the steps between them, for planners that go from cell to cell.
     pub fn cells(&self) -> &Arc<Cells> {
-        self.derived.cells.get_or_init(|| Arc::new(Cells::new(self)))
+        self.derived.cells.get_or_init(|| Arc::new(self.new_cells()))
     }
 
     /// Start and goal.
@@ -318,7 +295,7 @@ impl GridScene {
 
     /// The shortest way from cell to cell.
     pub(super) fn exact_over_cells(&self) -> Option<Exact> {
-        shortest_over_cells(self.cells(), &Course::new(self).ok()?)
+        shortest_over_cells(self.cells(), &self.course().ok()?)
     }
 
     /// The shortest tour through the stops, by the shortest way for each pair.
@@ -330,7 +307,7 @@ impl GridScene {
         let way = |i: usize, j: usize| {
             let ends = [self.stops[i], self.stops[j]];
             match yardstick {
-                Yardstick::Cells => shortest_over_cells(self.cells(), &Course::between(self, ["stops", "stops"], ends).ok()?),
+                Yardstick::Cells => shortest_over_cells(self.cells(), &self.course_between(["stops", "stops"], ends).ok()?),
                 _ => self.between(ends).exact(),
             }
         };
@@ -407,14 +384,6 @@ impl GridScene {
         let clearance = path.windows(2).filter_map(|w| field.clearance(w[0], w[1])).reduce(f64::min);
         Verdict { length: Some(geometry::length(path)), feasible: joins && inside && free, clearance }
     }
-}
-
-pub(super) fn positive(field: &str, value: f64) -> Result<(), Error> {
-    finite(field, value)?;
-    if value <= 0.0 || value > LARGEST {
-        return Err(Error::refused(field, value, format!("greater than 0, at most {LARGEST}")));
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -4,9 +4,9 @@
 //! A [`Scene`] that exists is valid: its numbers are finite, start and goal are inside and free.
 
 mod arm;
-mod cells;
+mod check;
 mod discs;
-mod distances;
+mod endpoints;
 mod file;
 pub mod formats;
 mod function;
@@ -19,57 +19,21 @@ mod tour;
 
 use std::sync::OnceLock;
 
-use serde::Serialize;
-
 use crate::{
+    arm::ArmScene,
     exact::Exact,
     geometry::Bounds,
-    kernel::{Error, Round, Solution, Yardstick},
+    kernel::{Error, Kind, Round, Solution, Verdict, Yardstick},
 };
 
 pub(crate) use arm::JOINED;
-pub use arm::{ArmScene, MAX_CUBOIDS};
-pub use cells::{Cells, Course, DIRECTIONS, Steps, angle};
+pub use arm::MAX_CUBOIDS;
 pub use discs::{DiscsScene, MAX_DISCS};
-use distances::LONGEST;
-pub use distances::{Distances, Metric};
 pub use function::{Function, FunctionScene, MAX_DIMENSION};
-pub use grid::{CONTACT, GridScene, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot, YAxis};
+pub use grid::{CONTACT, GridScene, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot};
 pub use moving::{Leg, MAX_MOVING, MAX_WAYPOINTS, Motion, Moving};
 pub use shipped::{shipped, shipped_names};
 pub use tour::{MAX_STOPS, TourScene};
-
-/// The kinds of scene. Planners say which they run on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Kind {
-    /// A test function to minimise.
-    Function,
-    /// A plane with circular obstacles.
-    Discs,
-    /// A grid of free and blocked cells.
-    Grid,
-    /// Stops to call at, and their distances.
-    Tour,
-    /// A six-axis arm among cuboids.
-    Arm,
-}
-
-impl Kind {
-    /// Every kind.
-    pub const ALL: [Self; 5] = [Self::Function, Self::Discs, Self::Grid, Self::Tour, Self::Arm];
-
-    /// The name that scene files use.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Function => "function",
-            Self::Discs => "discs",
-            Self::Grid => "grid",
-            Self::Tour => "tour",
-            Self::Arm => "arm",
-        }
-    }
-}
 
 /// What every scene file carries besides its content.
 #[derive(Debug, Clone, PartialEq)]
@@ -121,17 +85,6 @@ impl PartialEq for Scene {
     fn eq(&self, other: &Self) -> bool {
         self.header == other.header && self.body == other.body
     }
-}
-
-/// How good a solution really is, whatever cost the planner gave it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Verdict {
-    /// The path's length; `None` where there is no path.
-    pub length: Option<f64>,
-    /// It breaks nothing.
-    pub feasible: bool,
-    /// The smallest distance to an obstacle, negative inside; `None` without obstacles.
-    pub clearance: Option<f64>,
 }
 
 impl Scene {
@@ -314,25 +267,4 @@ impl Scene {
             Body::Arm(scene) => scene.view(),
         }
     }
-}
-
-/// Refuses numbers that are not finite.
-pub(crate) fn finite(field: &str, value: f64) -> Result<(), Error> {
-    if value.is_finite() { Ok(()) } else { Err(Error::refused(field, value, "a finite number")) }
-}
-
-/// The largest coordinate or size: squares of it keep their digits.
-const LARGEST: f64 = 1e6;
-
-fn coordinate(field: &str, point: [f64; 2], axis: usize) -> Result<(), Error> {
-    limited(&format!("{field}[{axis}]"), point[axis])
-}
-
-/// Refuses numbers that are not finite or too large.
-fn limited(field: &str, value: f64) -> Result<(), Error> {
-    finite(field, value)?;
-    if value.abs() > LARGEST {
-        return Err(Error::refused(field, value, format!("from -{LARGEST} to {LARGEST}")));
-    }
-    Ok(())
 }

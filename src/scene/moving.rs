@@ -7,7 +7,7 @@ use crate::{
     kernel::{Border, Error},
 };
 
-use super::{LARGEST, coordinate, finite, grid::positive, limited};
+use super::check::{LARGEST, coordinate, finite, limited, positive};
 
 /// The most way-points of a moving obstacle.
 pub const MAX_WAYPOINTS: usize = 10_000;

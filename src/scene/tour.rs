@@ -5,13 +5,13 @@ use std::sync::{Arc, OnceLock};
 use serde_json::Value;
 
 use crate::{
-    exact::{Exact, shortest_tour},
+    exact::{Distances, Exact, Metric, shortest_tour},
     geometry::Bounds,
-    kernel::{Error, Round, Solution},
+    kernel::{Error, Round, Solution, Verdict},
     math,
 };
 
-use super::{Distances, Metric, Verdict, coordinate};
+use super::check::coordinate;
 
 /// The most stops of a tour.
 pub const MAX_STOPS: usize = 2000;

@@ -3,79 +3,20 @@
 use std::sync::Arc;
 
 use crate::{
+    geometry::DIRECTIONS,
     kernel::{Digest, Error, Status},
     params::Settings,
-    scene::{Cells, Course, DIRECTIONS, Scene},
+    scene::Scene,
 };
 
 use super::{
     found::Found,
     link::{Link, onward},
     open::{Open, Place, apart, place},
-    rules::{DIAGONAL, Guess, Relaxation, Rules, STRAIGHT, line},
+    rules::{DIAGONAL, Relaxation, Rules, STRAIGHT},
     sight::walk,
+    task::Task,
 };
-
-/// Steps that a run takes at most if the number of cells a step is automatic.
-const STEPS: usize = 1024;
-
-/// What does not change while a search runs.
-pub(super) struct Task {
-    pub(super) cells: Arc<Cells>,
-    /// What is in the way. It is made when somebody looks farther than to the next cell.
-    pub(super) scene: Arc<Scene>,
-    pub(super) course: Course,
-    pub(super) rules: Rules,
-    pub(super) guess: Guess,
-    /// Hand over the smoothed path.
-    pub(super) smooth: bool,
-    cutting: bool,
-    /// The robot has a size.
-    wide: bool,
-    /// Cells settled a step.
-    expand: u64,
-    pub(super) limit: u64,
-}
-
-impl Task {
-    fn new(scene: &Arc<Scene>, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
-        let grid = scene.grid()?;
-        let (cells, course) = (Arc::clone(grid.cells()), Course::new(grid)?);
-        let expand = match settings.integer("expand") {
-            0 => cells.len().div_ceil(STEPS) as u64,
-            given => given,
-        };
-        Ok(Self {
-            scene: Arc::clone(scene),
-            wide: grid.radius() > 0.0,
-            rules,
-            guess: Guess { heuristic: rules.heuristic, weight, goal: apart(place(cells.place(course.goal))) },
-            smooth: settings.flag("smooth"),
-            cutting: grid.corner_cutting,
-            expand,
-            // No cell is settled twice: what is left of a higher limit would only be room on a timeline.
-            limit: settings.integer("iterations").min((cells.len() as u64).div_ceil(expand)),
-            cells,
-            course,
-        })
-    }
-
-    /// The distance that a step or a straight line adds.
-    #[inline]
-    pub(super) fn between(&self, from: usize, to: usize) -> f64 {
-        let ([x, y], [to_x, to_y]) = (apart(place(self.cells.place(from))), apart(place(self.cells.place(to))));
-        let by = [to_x - x, to_y - y];
-        match self.rules.relaxation {
-            Relaxation::Step => [STRAIGHT, DIAGONAL][usize::from(by[0] != 0 && by[1] != 0)],
-            Relaxation::Sight => line(by),
-        }
-    }
-
-    /// A length in the scene's unit.
-    pub(super) fn length(&self, units: f64) -> f64 {
-        units / STRAIGHT * self.cells.side
-    }
-}
 
 /// A best-first search over a grid's cells. Lengths are in units of a straight step by [`STRAIGHT`].
 #[derive(Clone)]

@@ -2,7 +2,7 @@
 
 use crate::{geometry, way::Way};
 
-use super::{best_first::Task, rules::Relaxation};
+use super::{rules::Relaxation, task::Task};
 
 /// The path and what it costs.
 pub(super) struct Found {

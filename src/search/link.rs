@@ -76,7 +76,7 @@ const fn known() -> [[u8; 256]; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::DIRECTIONS;
+    use crate::geometry::DIRECTIONS;
 
     #[test]
     fn a_link_keeps_its_parts() {

@@ -19,6 +19,7 @@ mod parameters;
 mod planner;
 mod rules;
 mod sight;
+mod task;
 mod tell;
 #[cfg(test)]
 mod tests;

@@ -2,9 +2,9 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Reading},
-    kernel::Role,
+    kernel::{Kind, Role},
     params::{Parameter, When},
-    scene::{Kind, MAX_SIDE},
+    scene::MAX_SIDE,
     way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::scene::Cells;
+use crate::geometry::Cells;
 
 /// For a point robot, in whole numbers: every cell that the line enters must be free. Where it goes through a corner of
 /// cells, it only touches the two beside it; if both are blocked, it passes if corners may be cut.

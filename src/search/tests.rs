@@ -39,7 +39,7 @@ fn random(rng: &mut Stream, size: usize) -> Option<Arc<Scene>> {
     };
     (grid.start, grid.goal) = (end(), end());
     let scene = Scene::new(shipped("ant-bat-30").unwrap().header().clone(), Body::Grid(grid)).ok()?;
-    crate::scene::Course::new(scene.grid().unwrap()).is_ok().then(|| Arc::new(scene))
+    scene.grid().unwrap().course().is_ok().then(|| Arc::new(scene))
 }
 
 #[test]

@@ -6,9 +6,8 @@ use crate::{
     arm::{self, MotionOutcome},
     drive::{self, DriveOutcome},
     geometry,
-    kernel::{Event, Solution, Status, Track, Tuned, Yardstick},
+    kernel::{Event, Kind, Solution, Status, Track, Tuned, Yardstick},
     params::{Given, Value, as_object},
-    scene::Kind,
 };
 
 use super::Session;

@@ -17,9 +17,9 @@ use std::sync::Arc;
 use crate::{
     any,
     describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading},
-    kernel::{Column, Digest, Error, Frame, Inspection, Item, Planner, Readings, Role, rng::Stream},
+    kernel::{Column, Digest, Error, Frame, Inspection, Item, Kind, Planner, Readings, Role, rng::Stream},
     params::{Fixed, Parameter, Settings},
-    scene::{Kind, Scene},
+    scene::Scene,
 };
 
 use super::{

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::Error,
+    kernel::{Error, Kind},
     params::{Choice, Fixed, Parameter, Settings},
-    scene::{Body, Kind, Scene},
+    scene::{Body, Scene},
 };
 
 use super::{

@@ -2,9 +2,8 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Preset, Reading, Scope},
-    kernel::Role,
+    kernel::{Kind, Role},
     params::{Choice, Fixed, Parameter, When},
-    scene::Kind,
 };
 
 /// The kinds of scene that a swarm runs on.

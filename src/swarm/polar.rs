@@ -209,8 +209,9 @@ mod tests {
     use super::*;
     use crate::{
         geometry::Field,
+        kernel::Kind,
         params::{Given, Value},
-        scene::{Body, Kind, shipped},
+        scene::{Body, shipped},
     };
 
     fn polar(segments: f64, more: &[(&'static str, Value)]) -> Polar {

@@ -13,9 +13,9 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Group, Preset, ROAD, Reading},
-    kernel::{Error, rng::Stream},
+    kernel::{Error, Kind, rng::Stream},
     params::{Fixed, Parameter, Settings},
-    scene::{Kind, Scene},
+    scene::Scene,
     tree::paths::Paths,
 };
 

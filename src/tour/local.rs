@@ -350,7 +350,7 @@ const KICK: usize = 50;
 #[cfg(test)]
 mod tests {
     use super::{super::moves, *};
-    use crate::{kernel::Round, scene::Distances};
+    use crate::{exact::Distances, kernel::Round};
 
     fn random(n: usize, round: Round, rng: &mut Stream) -> Arc<Problem> {
         let points: Vec<_> = (0..n).map(|_| [rng.unit(), rng.unit()]).collect();

@@ -159,7 +159,7 @@ pub fn shortest<'a>(mut tours: impl Iterator<Item = &'a Tour>) -> Option<&'a Tou
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{kernel::Round, scene::Distances};
+    use crate::{exact::Distances, kernel::Round};
 
     fn problem(n: usize, round: Round, rng: &mut Stream) -> Problem {
         Problem::new(&Distances::of(n, |_, _| rng.between(1.0, 9.0)), round)

@@ -40,7 +40,7 @@ fn chain(problem: &Problem, row: &mut [Stop]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{kernel::Round, scene::Distances};
+    use crate::{exact::Distances, kernel::Round};
 
     #[test]
     fn the_nearest_neighbour_comes_next() {

@@ -2,9 +2,9 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Member, Reading, Scope},
-    kernel::{Role, Round},
+    kernel::{Kind, Role, Round},
     params::{Choice, Parameter, Settings},
-    scene::{Body, Kind, Scene},
+    scene::{Body, Scene},
 };
 
 /// The kinds of scene that a tour planner runs on.

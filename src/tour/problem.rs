@@ -4,7 +4,7 @@
 //! stop and comes back to it; an open one comes from nowhere, or leads there, at no cost. So a move need not know what
 //! kind of tour it changes.
 
-use crate::{kernel::Round, scene::Distances};
+use crate::{exact::Distances, kernel::Round};
 
 /// A stop's number; the one after the last is nowhere.
 pub type Stop = u16;

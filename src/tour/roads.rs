@@ -6,11 +6,11 @@ use std::sync::{Arc, OnceLock};
 use crate::{
     catalogue,
     describe::ROAD,
-    exact::is_reachable,
+    exact::{Distances, is_reachable},
     geometry,
     kernel::{Error, Finding, Job, rng::Stream},
     params::{Given, Settings, Value},
-    scene::{Course, Distances, GridScene, Scene},
+    scene::{GridScene, Scene},
     session,
 };
 
@@ -67,7 +67,7 @@ impl Network {
         let stops = grid.stops.clone();
         for (i, &stop) in (1..).zip(&stops[1..]) {
             let name = format!("stops[{i}]");
-            let course = Course::between(grid, ["stops[0]", &name], [stops[0], stop])?;
+            let course = grid.course_between(["stops[0]", &name], [stops[0], stop])?;
             if !is_reachable(grid.cells(), course.start, course.goal) {
                 let allowed = "where it can be reached from stops[0]: there is no way between them";
                 return Err(Error::refused(name, format!("({}, {})", stop[0], stop[1]), allowed));

@@ -5,9 +5,10 @@ use std::sync::Arc;
 use crate::{
     Given, Scene, Session, Setup, Status, catalogue,
     describe::Entry,
+    exact::Distances,
     kernel::{Item, Role, Round, rng::Stream},
     params::{Domain, Value},
-    scene::{Body, Distances},
+    scene::Body,
     shipped,
 };
 

@@ -7,13 +7,11 @@ use crate::{
 };
 
 use super::{
+    free::Free,
     hermite::smooth,
     polyline::fitted,
     vector::{between, distance, length},
 };
-
-/// Whether one can go straight from one point to another.
-pub(super) type Free<'a, const N: usize> = &'a dyn Fn(&[f64; N], &[f64; N]) -> bool;
 
 /// What is to be made of it.
 #[derive(Debug, Clone, Copy)]

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use super::{
     finish::{Finished, finish},
-    grow::Task,
+    task::Task,
     vector::length,
 };
 

@@ -1,7 +1,7 @@
 //! Cubic Hermite smoothing, [ARM-RRT] (12): through the corners of a polyline, with continuous velocity.
 
 use super::{
-    finish::Free,
+    free::Free,
     vector::{between, distance, dot, minus},
 };
 

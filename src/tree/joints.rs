@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use crate::{
-    arm::{self, Arm, Posture},
+    arm::{self, Arm, ArmScene, Posture},
     kernel::{Error, Solution},
     params::Settings,
-    scene::{ArmScene, JOINED, Scene},
+    scene::{JOINED, Scene},
 };
 
 use super::space::{Space, room};

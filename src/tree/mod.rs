@@ -12,6 +12,7 @@ mod draw;
 mod finish;
 mod forest;
 mod found;
+mod free;
 mod grow;
 mod hermite;
 mod joints;
@@ -27,6 +28,7 @@ pub mod rrt_joint;
 pub mod rrt_star;
 mod sample;
 mod space;
+mod task;
 mod tell;
 #[cfg(test)]
 mod tests;
@@ -38,8 +40,9 @@ use crate::{kernel::Error, params::Settings, scene::Scene};
 
 pub use tell::SYMBOLS;
 
-use grow::{Grown, Method, Task};
+use grow::{Grown, Method};
 use space::Ground;
+use task::Task;
 
 /// A tree in a plane or in the workspace of an arm's tip, by a method that looks at what it is to do first.
 ///

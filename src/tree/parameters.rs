@@ -2,8 +2,8 @@
 
 use crate::{
     describe::{Formula, Group, Reading},
+    kernel::Kind,
     params::{Fixed, Parameter},
-    scene::Kind,
 };
 
 /// The kinds of scene that a tree of places grows in.

@@ -13,9 +13,10 @@ use crate::{
 
 use super::{
     finish::Finish,
-    grow::{Forest, Method, Task},
+    grow::{Forest, Method},
     rrt::Rrt,
     space::{Ground, Space},
+    task::Task,
 };
 
 /// A plane in which trees grow from the start to the goal.

@@ -1,7 +1,7 @@
 //! A path approximated by few straight pieces, by least squares, [ARM-RRT] step 3.
 
 use super::{
-    finish::Free,
+    free::Free,
     vector::{between, distance},
 };
 

@@ -12,9 +12,10 @@ use crate::{
 use super::{
     draw::LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Forest, Grown, Method, Source, Task},
+    grow::{Forest, Grown, Method, Source},
     parameters::{BIAS, FORMULA_STEP, ITERATIONS_RRT, KINDS, READINGS, STEP, with_finish},
     sample::uniform,
+    task::Task,
 };
 
 /// See the module.

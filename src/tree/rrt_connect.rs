@@ -12,9 +12,10 @@ use crate::{
 use super::{
     draw::CONNECT_LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Forest, Grown, Method, Source, Task},
+    grow::{Forest, Grown, Method, Source},
     parameters::{FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP, with_finish},
     sample::uniform,
+    task::Task,
 };
 
 /// See the module.

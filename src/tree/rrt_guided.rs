@@ -20,12 +20,13 @@ use crate::{
 use super::{
     draw::GUIDED_LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{By, Fate, Forest, Grown, Method, Sample, Source, Task},
+    grow::{By, Fate, Forest, Grown, Method, Sample, Source},
     parameters::{
         FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FORMULA_STEP, ITERATIONS, KEEP, KINDS, READINGS, SAMPLES, STEP,
         with_finish,
     },
     sample::{angle, uniform},
+    task::Task,
     vector::{distance, minus},
 };
 

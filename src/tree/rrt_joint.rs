@@ -4,17 +4,18 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Member},
+    kernel::Kind,
     params::Parameter,
-    scene::Kind,
 };
 
 use super::{
     draw::CONNECT_LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{Grown, Task},
+    grow::Grown,
     joints::Joints,
     parameters::{BLEND, FORMULA_STEP, ITERATIONS, POLYLINE, READINGS, SHORTEN, SMOOTH, TOLERANCE},
     rrt_connect::Connect,
+    task::Task,
 };
 
 /// See the module.

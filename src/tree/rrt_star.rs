@@ -15,11 +15,12 @@ use super::{
     draw::LAYERS,
     finish::{FITTED, HERMITE},
     forest::NONE,
-    grow::{Fate, Forest, Grown, Method, Source, Task},
+    grow::{Fate, Forest, Grown, Method, Source},
     parameters::{
         BIAS_STAR, FORMULA_INFORMED, FORMULA_RADIUS, FORMULA_STEP, INFORMED, ITERATIONS_STAR, KINDS, READINGS, REWIRE, STEP, with_finish,
     },
     sample::{Informed, uniform},
+    task::Task,
     vector::distance,
 };
 

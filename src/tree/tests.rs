@@ -4,15 +4,15 @@ use std::sync::Arc;
 
 use crate::{
     Given, Scene, Session, Setup, Status, Value,
-    kernel::{Item, Planner, Role, rng::Stream},
-    scene::Kind,
+    kernel::{Item, Kind, Planner, Role, rng::Stream},
     shipped,
 };
 
 use super::{
     forest::NONE,
-    grow::{Fate, Forest, Grown, Method, Source, Task},
+    grow::{Fate, Forest, Grown, Method, Source},
     space::Ground,
+    task::Task,
     vector::distance,
     *,
 };

@@ -21,7 +21,7 @@ use crate::{
     },
     math,
     params::{Domain, Given, Parameter, Settings, Value},
-    scene::{Course, Scene},
+    scene::Scene,
     session,
 };
 
@@ -125,7 +125,7 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn a
         return Err(Error::refused("tune", chosen, format!("some of {}, which {} has", known.join(", "), colony.name)));
     }
     let grid = scene.grid()?;
-    let course = Course::new(grid)?;
+    let course = grid.course()?;
     let population = settings.integer("population") as usize;
     let mut rng = Stream::new(seed, 0);
     let seeds = (0..settings.integer("seeds")).map(|_| rng.below(1 << 31) as u64).collect();

@@ -2,9 +2,8 @@
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Reading, Scope},
-    kernel::Role,
+    kernel::{Kind, Role},
     params::{Choice, Parameter},
-    scene::Kind,
 };
 
 const COLONIES: &[Choice] = &[

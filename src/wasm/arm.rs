@@ -9,8 +9,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::{
     Error, Scene,
-    arm::{self, Posture, Skeleton, degrees, radians},
-    scene::ArmScene,
+    arm::{self, ArmScene, Posture, Skeleton, degrees, radians},
 };
 
 use super::{

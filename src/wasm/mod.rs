@@ -7,6 +7,7 @@
 
 mod arm;
 mod batch;
+mod convert;
 mod formats;
 mod inspection;
 mod read;
@@ -36,6 +37,7 @@ pub use batch::{Trial, compare};
 pub use formats::{export_scene, generate_scene, import_scene};
 pub use types::*;
 
+use convert::{js_error, object, plain};
 use inspection::{InspectionView, ItemView};
 use read::{
     read_ends, read_item, read_kind, read_list, read_parameter, read_parameters, read_point, read_role, read_scene, read_setup, read_text,
@@ -44,22 +46,6 @@ use read::{
 #[wasm_bindgen(start)]
 fn start() {
     console_error_panic_hook::set_once();
-}
-
-/// An `Error` with the native message and its parts.
-fn js_error(error: &Error) -> JsValue {
-    let js = js_sys::Error::new(&error.to_string());
-    for (name, part) in [("field", error.field()), ("value", error.value()), ("allowed", error.allowed())] {
-        // Setting a property of an ordinary object cannot fail.
-        let _ = js_sys::Reflect::set(&js, &name.into(), &part.into());
-    }
-    js.into()
-}
-
-/// A plain object of anything serialisable.
-fn plain<T: JsCast>(value: &impl Serialize) -> T {
-    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
-    value.serialize(&serializer).unwrap_or(JsValue::NULL).unchecked_into()
 }
 
 fn status(status: Status) -> JsStatus {
@@ -477,14 +463,4 @@ impl<V: Serialize> Serialize for Numbers<'_, V> {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         as_object(self.0, serializer)
     }
-}
-
-/// An object of these properties.
-fn object<T: JsCast>(properties: &[(&str, JsValue)]) -> T {
-    let object = js_sys::Object::new();
-    for (name, value) in properties {
-        // Setting a property of an ordinary object cannot fail.
-        let _ = js_sys::Reflect::set(&object, &(*name).into(), value);
-    }
-    object.unchecked_into()
 }

@@ -6,8 +6,8 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use crate::{
     Error, Given, Scene, Setup, Value,
-    kernel::{Item, Role, rng},
-    scene::{Kind, shipped},
+    kernel::{Item, Kind, Role, rng},
+    scene::shipped,
 };
 
 use super::js_error;

@@ -9,8 +9,9 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Setup, Value,
+    exact::Distances,
     kernel::{Error, Round, Yardstick},
-    scene::{Distances, Scene, shipped},
+    scene::{Scene, shipped},
 };
 
 use super::{

@@ -6,9 +6,10 @@ use std::sync::Arc;
 
 use forage::{
     Given, Setup, Value,
+    arm::ArmScene,
     geometry::length_in_space,
     kernel::Error,
-    scene::{ArmScene, Scene, shipped},
+    scene::{Scene, shipped},
 };
 
 use super::{

@@ -2,10 +2,7 @@
 
 use std::f64::consts::SQRT_2;
 
-use forage::{
-    kernel::Error,
-    scene::{Course, Scene},
-};
+use forage::{kernel::Error, scene::Scene};
 
 /// A number as a paper prints it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +46,7 @@ impl Steps {
     /// A scene that is no grid, or has no ends.
     pub fn of(scene: &Scene) -> Result<Self, Error> {
         let grid = scene.grid()?;
-        let course = Course::new(grid)?;
+        let course = grid.course()?;
         let [from, to] = [course.start, course.goal].map(|cell| grid.cells().place(cell));
         Ok(Self { side: grid.cell, apart: [0, 1].map(|axis| from[axis].abs_diff(to[axis]) as u64) })
     }

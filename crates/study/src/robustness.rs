@@ -8,9 +8,9 @@ use forage::{
     Given, Session, Setup, Value,
     catalogue::PLANNERS,
     describe::Entry,
-    kernel::Error,
+    kernel::{Error, Kind},
     scene::{
-        Kind, Scene,
+        Scene,
         generate::{self, GENERATORS},
     },
 };

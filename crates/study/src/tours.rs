@@ -9,8 +9,9 @@ use forage::{
     Given, Outcome, Session, Setup,
     catalogue::find,
     describe::Preset,
+    exact::Distances,
     kernel::{Error, Finding, Job, Yardstick},
-    scene::{Distances, Scene},
+    scene::Scene,
     session,
 };
 

@@ -3,9 +3,8 @@
 use nalgebra::{Isometry3, UnitQuaternion};
 
 use crate::{
-    arm::{Arm, Links, Posture},
+    arm::{Arm, ArmScene, Links, Posture},
     kernel::rng::Stream,
-    scene::ArmScene,
 };
 
 use super::{

@@ -7,6 +7,7 @@
 mod course;
 mod follow;
 mod hand;
+mod outcome;
 mod parameters;
 mod search;
 mod smoothest;
@@ -16,64 +17,23 @@ mod trajectory;
 mod tests;
 
 use nalgebra::UnitQuaternion;
-use serde::Serialize;
 
 use crate::{
-    kernel::{Error, Solution, rng::Stream},
+    arm::ArmScene,
+    kernel::{Error, Kind, Solution, rng::Stream},
     params::{Given, Settings},
-    scene::{ArmScene, Kind, Scene},
+    scene::Scene,
 };
 
 use super::Links;
 
+pub use outcome::{Motion, MotionOutcome};
 pub use parameters::MOTION;
 
 use course::stations;
 use follow::{Followed, Follower, Pointing, densified};
 use hand::Holding;
 use trajectory::Trajectory;
-
-/// How the arm follows a path.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct MotionOutcome {
-    /// Seconds from start to end.
-    pub time: f64,
-    /// How far the tip goes.
-    pub length: f64,
-    /// Every point of the path has a posture: the tip comes to the goal.
-    pub arrived: bool,
-    /// No link touches a cuboid or the column, all along: between the rows too.
-    pub free: bool,
-    /// When the first touch is.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub touched_at: Option<f64>,
-    /// The smallest distance of a link from a cuboid at the rows; negative: overlap. `None` without cuboids.
-    pub clearance: Option<f64>,
-    /// The largest turn of a joint from one row to the next, in degrees.
-    pub largest_step: f64,
-    /// The largest distance of the tip from the path.
-    pub max_error: f64,
-    /// How many points had no posture and were replaced by their mirror image, [ARM-RRT] step 4.
-    pub mirrored: u64,
-    /// How many were replaced by random joints between their neighbours', [ARM-RRT] step 6.
-    pub drawn: u64,
-    /// Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub trouble: Option<String>,
-}
-
-/// An arm following a path.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
-    /// The columns' numbers for each moment.
-    pub rows: Vec<f64>,
-    /// Base, shoulder, elbow, wrist and tip, three numbers each, for each row.
-    pub skeletons: Vec<f64>,
-    /// How it went.
-    pub outcome: MotionOutcome,
-    /// Every parameter's value.
-    pub settings: Settings,
-}
 
 /// The scene's arm following a solution. `None` unless it is an arm's scene and an arm's solution.
 ///

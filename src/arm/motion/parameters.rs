@@ -1,13 +1,12 @@
 //! What can be set about a motion, what it tells, and the equations it carries out.
 
 use crate::{
-    describe::{Formula, Scope},
-    drive::{Column, Entry},
+    describe::{Column, Follower, Formula, Scope},
     params::{Choice, Parameter},
 };
 
 /// What there is to know about following a path.
-pub const MOTION: Entry = Entry {
+pub const MOTION: Follower = Follower {
     source: "[ARM-RRT] §3.2.2, §3.3",
     summary: "The arm follows the path with its tip: postures along it by inverse kinematics, joints that turn evenly from one to \
               the next as fast as their limits allow, and the whole arm checked against cuboids and column all the way.",

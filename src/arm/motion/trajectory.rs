@@ -8,9 +8,9 @@ use crate::{
 };
 
 use super::{
-    Motion, MotionOutcome,
     course::{aside, distance},
     follow::{Followed, Stop, evenly},
+    outcome::{Motion, MotionOutcome},
 };
 
 /// How many places between two rows the tip's distance from the path is measured at.
@@ -21,7 +21,7 @@ const OFF: f64 = 0.01;
 
 /// What a motion is timed and checked by.
 pub(super) struct Trajectory<'a> {
-    pub(super) scene: &'a crate::scene::ArmScene,
+    pub(super) scene: &'a crate::arm::ArmScene,
     pub(super) links: &'a Links<'a>,
     pub(super) settings: &'a Settings,
     /// The path, if postures were planned and do not stand at its points.

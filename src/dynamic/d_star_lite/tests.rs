@@ -9,7 +9,7 @@ use crate::{
 /// An open field, or walls by chance.
 fn field(columns: usize, rows: usize, walls: f64, rng: &mut Stream) -> Arc<Cells> {
     let blocked = (0..columns * rows).map(|_| rng.unit() < walls).collect();
-    Arc::new(Cells::new(&GridScene::new(1.0, columns, blocked)))
+    Arc::clone(GridScene::new(1.0, columns, blocked).cells())
 }
 
 /// The length of a shortest way by Bellman and Ford's method: all steps, again and again, until nothing gets shorter.
@@ -115,7 +115,7 @@ fn what_was_known_through_an_occupied_cell_is_taken_back() {
     // # # # . #      the only way to the goal is along the top
     // ```
     let rows = [".....", "###.#", "###.#"].concat();
-    let cells = Arc::new(Cells::new(&GridScene::new(1.0, 5, rows.chars().map(|c| c == '#').collect())));
+    let cells = Arc::clone(GridScene::new(1.0, 5, rows.chars().map(|c| c == '#').collect()).cells());
     let mut search = DStarLite::new(&cells, 0, 4);
     assert_eq!(search.way(0), Some(vec![0, 1, 2, 3, 4]));
     assert_eq!(search.expanded(), 4, "4, 3, 2, 1");
@@ -187,7 +187,7 @@ fn other_rules_for_steps_are_kept_too() {
         let mut rng = Stream::new(seed, 1);
         let blocked = (0..90).map(|_| rng.unit() < 0.2).collect();
         let grid = GridScene { corner_cutting: true, robot: [None, Some(wide)][seed as usize % 2], ..GridScene::new(1.0, 10, blocked) };
-        drive(&Arc::new(Cells::new(&grid)), &mut rng, 40);
+        drive(&Arc::clone(grid.cells()), &mut rng, 40);
     }
 }
 
@@ -323,7 +323,7 @@ fn long_corridors_and_long_drives_overflow_nothing() {
     let columns = crate::scene::MAX_SIDE;
     let wall = |row: usize, column: usize| row % 2 == 1 && column != if row % 4 == 1 { columns - 1 } else { 0 };
     let blocked = (0..9 * columns).map(|i| wall(i / columns, i % columns)).collect();
-    let cells = Arc::new(Cells::new(&GridScene::new(1.0, columns, blocked)));
+    let cells = Arc::clone(GridScene::new(1.0, columns, blocked).cells());
     let goal = 9 * columns - 1;
     let (mut d_star, mut a_star) = (DStarLite::new(&cells, 0, goal), AStar::new(&cells));
     let length = Some(Steps { straight: 5 * (columns as u32 - 1) + 8, diagonal: 0 });

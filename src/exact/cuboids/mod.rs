@@ -7,6 +7,7 @@
 //! other is at least as long as its bound, and every shortest path is the taut line of its own edges.
 
 mod edges;
+mod grow;
 mod joined;
 mod search;
 mod taut;
@@ -16,6 +17,7 @@ mod tests;
 use crate::geometry::{Cuboid, length_in_space};
 
 use super::Exact;
+use grow::grow;
 use search::Search;
 
 /// The most cuboids among which the shortest path is computed.
@@ -77,10 +79,6 @@ pub fn shortest_among_cuboids(workspace: &Cuboid, start: [f64; 3], goal: [f64; 3
 fn way(tip_path: Vec<[f64; 3]>) -> Exact {
     let length = length_in_space(&tip_path);
     Exact { tip_path, ..Exact::way(length, Vec::new()) }
-}
-
-fn grow(cuboid: &Cuboid, by: f64) -> Cuboid {
-    Cuboid { min: cuboid.min.map(|c| c - by), max: cuboid.max.map(|c| c + by) }
 }
 
 /// Faces in nearly one plane are put into one: a path over edges that almost coincide would never come to rest.

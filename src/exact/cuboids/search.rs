@@ -2,11 +2,14 @@
 
 use std::{array::from_fn, cmp::Reverse, collections::BinaryHeap};
 
-use crate::{exact::Length, geometry::Cuboid, math};
+use crate::{
+    geometry::Cuboid,
+    math::{self, Length},
+};
 
 use super::{
     edges::{Edge, Side, Step, steps},
-    grow,
+    grow::grow,
     taut::{Crossing, Line, Place},
 };
 

@@ -14,9 +14,12 @@ mod tests;
 
 use std::{cmp::Reverse, collections::BinaryHeap, f64::consts::FRAC_PI_2};
 
-use crate::{geometry::Field, math};
+use crate::{
+    geometry::Field,
+    math::{self, Length},
+};
 
-use super::{Exact, Length};
+use super::Exact;
 use lattice::Lattice;
 
 /// How deep, relative to the grid's size, a tangent may seem to cut a third corner before it counts as blocked:

@@ -3,46 +3,24 @@
 use serde_json::Value;
 
 use crate::{
-    arm::{Arm, Axis, Base, Joint, Tool},
+    arm::{Arm, ArmScene, Axis, Base, Joint, Tool},
     geometry::Cuboid,
-    kernel::Error,
+    kernel::{
+        Error,
+        fields::{Fields, object},
+    },
 };
 
-use super::{super::ArmScene, Fields, number, object, shown};
-
-impl Fields {
-    pub(super) fn arm_scene(&mut self) -> Result<ArmScene, Error> {
-        let cuboids = if self.left.contains_key("cuboids") { self.list("cuboids")? } else { self.absent("cuboids") };
-        Ok(ArmScene {
-            workspace: cuboid("workspace", self.take("workspace"))?,
-            start: self.point_in_space("start")?,
-            goal: self.point_in_space("goal")?,
-            cuboids: cuboids.into_iter().enumerate().map(|(i, value)| cuboid(&format!("cuboids[{i}]"), value)).collect::<Result<_, _>>()?,
-            arm: arm(self.take("arm"))?,
-        })
-    }
-
-    fn absent(&mut self, name: &'static str) -> Vec<Value> {
-        self.known.push(name);
-        Vec::new()
-    }
-
-    fn point_in_space(&mut self, name: &'static str) -> Result<[f64; 3], Error> {
-        let found = self.take(name);
-        let path = self.path(name);
-        let Some([x, y, z]) = found.as_array().map(Vec::as_slice) else {
-            return Err(Error::refused(path, shown(&found), "a point in space, [x, y, z]"));
-        };
-        Ok([number(format!("{path}[0]"), x)?, number(format!("{path}[1]"), y)?, number(format!("{path}[2]"), z)?])
-    }
-
-    fn number_or(&mut self, name: &'static str, otherwise: f64) -> Result<f64, Error> {
-        if self.left.contains_key(name) {
-            return self.number(name);
-        }
-        self.known.push(name);
-        Ok(otherwise)
-    }
+/// Reads its fields.
+pub(super) fn read(fields: &mut Fields) -> Result<ArmScene, Error> {
+    let cuboids = if fields.left.contains_key("cuboids") { fields.list("cuboids")? } else { fields.absent("cuboids") };
+    Ok(ArmScene {
+        workspace: cuboid("workspace", fields.take("workspace"))?,
+        start: fields.point_in_space("start")?,
+        goal: fields.point_in_space("goal")?,
+        cuboids: cuboids.into_iter().enumerate().map(|(i, value)| cuboid(&format!("cuboids[{i}]"), value)).collect::<Result<_, _>>()?,
+        arm: arm(fields.take("arm"))?,
+    })
 }
 
 fn cuboid(at: &str, value: Value) -> Result<Cuboid, Error> {

@@ -2,12 +2,15 @@
 
 use serde_json::Value;
 
-use crate::kernel::Error;
-
-use super::{
-    super::{GridScene, Motion, Moving, Robot, YAxis},
-    Fields, number, object, point, point_of, points, shown,
+use crate::{
+    geometry::YAxis,
+    kernel::{
+        Error,
+        fields::{Fields, number, object, point, point_of, points, shown},
+    },
 };
+
+use super::super::{GridScene, Motion, Moving, Robot};
 
 /// Its fields, in the order in which they are written.
 pub(super) fn write(grid: &GridScene, out: &mut Vec<(&'static str, Value)>) {
@@ -38,54 +41,53 @@ pub(super) fn write(grid: &GridScene, out: &mut Vec<(&'static str, Value)>) {
     }
 }
 
-impl Fields {
-    pub(super) fn grid(&mut self) -> Result<GridScene, Error> {
-        let cell = self.number("cell")?;
-        let y_axis = if self.left.contains_key("y_axis") { self.one_of("y_axis", YAxis::ALL, YAxis::name)? } else { YAxis::Down };
-        let (columns, blocked) = self.rows(y_axis)?;
-        let mut scene = GridScene::new(cell, columns, blocked);
-        scene.y_axis = y_axis;
-        scene.start = self.optional_point("start")?;
-        scene.goal = self.optional_point("goal")?;
-        if self.left.contains_key("stops") {
-            scene.stops =
-                self.list("stops")?.iter().enumerate().map(|(i, stop)| point_of(&format!("stops[{i}]"), stop)).collect::<Result<_, _>>()?;
-        }
-        scene.corner_cutting = self.flag("corner_cutting", false)?;
-        scene.robot = match self.take("robot") {
-            Value::Null => None,
-            value => Some(robot(value)?),
-        };
-        if self.left.contains_key("moving") {
-            scene.moving = self.list("moving")?.into_iter().enumerate().map(|(i, value)| moving(i, value)).collect::<Result<_, _>>()?;
-        }
-        Ok(scene.snapped())
+/// Reads its fields.
+pub(super) fn read(fields: &mut Fields) -> Result<GridScene, Error> {
+    let cell = fields.number("cell")?;
+    let y_axis = if fields.left.contains_key("y_axis") { fields.one_of("y_axis", YAxis::ALL, YAxis::name)? } else { YAxis::Down };
+    let (columns, blocked) = rows(fields, y_axis)?;
+    let mut scene = GridScene::new(cell, columns, blocked);
+    scene.y_axis = y_axis;
+    scene.start = fields.optional_point("start")?;
+    scene.goal = fields.optional_point("goal")?;
+    if fields.left.contains_key("stops") {
+        scene.stops =
+            fields.list("stops")?.iter().enumerate().map(|(i, stop)| point_of(&format!("stops[{i}]"), stop)).collect::<Result<_, _>>()?;
     }
+    scene.corner_cutting = fields.flag("corner_cutting", false)?;
+    scene.robot = match fields.take("robot") {
+        Value::Null => None,
+        value => Some(robot(value)?),
+    };
+    if fields.left.contains_key("moving") {
+        scene.moving = fields.list("moving")?.into_iter().enumerate().map(|(i, value)| moving(i, value)).collect::<Result<_, _>>()?;
+    }
+    Ok(scene.snapped())
+}
 
-    /// The cells' rows: how many columns, and which cells are blocked, by growing y.
-    fn rows(&mut self, y_axis: YAxis) -> Result<(usize, Vec<bool>), Error> {
-        let mut lines = self.list("rows")?;
-        if y_axis == YAxis::Up {
-            lines.reverse();
-        }
-        let mut columns = None;
-        let mut blocked = Vec::new();
-        let count = lines.len();
-        for (i, line) in lines.iter().enumerate() {
-            let name = format!("rows[{}]", if y_axis == YAxis::Up { count - 1 - i } else { i });
-            let Some(line) = line.as_str() else {
-                return Err(Error::refused(name, shown(line), "a text of . and #"));
-            };
-            if let Some(wrong) = line.chars().find(|c| !matches!(c, '.' | '#')) {
-                return Err(Error::refused(name, format!("the character {wrong:?}"), "only . (free) and # (blocked)"));
-            }
-            if *columns.get_or_insert(line.len()) != line.len() {
-                return Err(Error::refused(name, format!("{} cells", line.len()), "as many cells as the other rows"));
-            }
-            blocked.extend(line.bytes().map(|c| c == b'#'));
-        }
-        Ok((columns.unwrap_or(0), blocked))
+/// The cells' rows: how many columns, and which cells are blocked, by growing y.
+fn rows(fields: &mut Fields, y_axis: YAxis) -> Result<(usize, Vec<bool>), Error> {
+    let mut lines = fields.list("rows")?;
+    if y_axis == YAxis::Up {
+        lines.reverse();
     }
+    let mut columns = None;
+    let mut blocked = Vec::new();
+    let count = lines.len();
+    for (i, line) in lines.iter().enumerate() {
+        let name = format!("rows[{}]", if y_axis == YAxis::Up { count - 1 - i } else { i });
+        let Some(line) = line.as_str() else {
+            return Err(Error::refused(name, shown(line), "a text of . and #"));
+        };
+        if let Some(wrong) = line.chars().find(|c| !matches!(c, '.' | '#')) {
+            return Err(Error::refused(name, format!("the character {wrong:?}"), "only . (free) and # (blocked)"));
+        }
+        if *columns.get_or_insert(line.len()) != line.len() {
+            return Err(Error::refused(name, format!("{} cells", line.len()), "as many cells as the other rows"));
+        }
+        blocked.extend(line.bytes().map(|c| c == b'#'));
+    }
+    Ok((columns.unwrap_or(0), blocked))
 }
 
 fn robot(value: Value) -> Result<Robot, Error> {

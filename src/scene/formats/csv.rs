@@ -3,11 +3,15 @@
 use std::fmt::Write;
 
 use crate::{
+    exact::Metric,
     kernel::Error,
-    scene::{Body, LARGEST, MAX_STOPS, Metric, Scene, TourScene},
+    scene::{Body, MAX_STOPS, Scene, TourScene, check::LARGEST},
 };
 
-use super::{Exported, Imported, NamedFile, not_kept, number_up_to, scene};
+use super::{
+    file::{NamedFile, number_up_to},
+    report::{Exported, Imported, not_kept, scene},
+};
 
 /// A scene of the points in a table: its columns `x` and `y`, or its only two.
 pub(super) fn import(file: &NamedFile) -> Result<Imported, Error> {

@@ -1,6 +1,9 @@
 //! Start and goal for maps that have none.
 
-use crate::scene::{GridScene, YAxis, reach::reach};
+use crate::{
+    geometry::YAxis,
+    scene::{GridScene, reach::reach},
+};
 
 /// Puts start and goal where the way is long: the first free cell, in reading order, of the largest region that hangs
 /// together, and the cell that is the farthest from it. Returns a note; `None` if no cell is free.

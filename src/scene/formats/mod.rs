@@ -9,59 +9,21 @@ mod ends;
 mod file;
 mod movingai;
 mod pgm;
+mod report;
 mod ros;
 #[cfg(test)]
 mod tests;
 mod tsplib;
 
-use serde::Serialize;
-
 use crate::kernel::Error;
 
-use super::{Body, GridScene, Header, Scene};
+use super::Scene;
 
 pub use file::NamedFile;
+pub use report::{Exported, Imported, Problem};
 pub use tsplib::tour_file;
 
-use file::{base, is_optimal, number_up_to, stem};
-
-/// A problem of a MovingAI `.scen` file.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Problem {
-    /// The centre of the cell where it starts.
-    pub start: [f64; 2],
-    /// The centre of the cell where it ends.
-    pub goal: [f64; 2],
-    /// The length that the file gives, in cells.
-    pub length: f64,
-}
-
-/// What came of files of another format.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Imported {
-    /// The scene.
-    pub scene: Scene,
-    /// What was read in some way that should be known: unknown cells taken as blocked, ends chosen, …
-    pub notes: Vec<String>,
-    /// The problems of a `.scen` file, if one was among the files.
-    pub problems: Vec<Problem>,
-}
-
-impl Imported {
-    /// A scene without problems to choose from.
-    fn new(scene: Scene, notes: Vec<String>) -> Self {
-        Self { scene, notes, problems: Vec::new() }
-    }
-}
-
-/// What a scene is in another format.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Exported {
-    /// The files; they name each other where they belong together.
-    pub files: Vec<NamedFile>,
-    /// What the format has no place for.
-    pub notes: Vec<String>,
-}
+use file::stem;
 
 /// What can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -274,52 +236,4 @@ pub fn same_sort(a: &str, b: &str) -> bool {
 /// The name of a file without folders and ending; `.opt.tour` is one ending.
 pub fn stem_of(path: &str) -> &str {
     stem(path)
-}
-
-/// What no format of grids has a place for.
-fn lost(grid: &GridScene, notes: &mut Vec<String>) {
-    for (there, what) in [
-        (grid.robot.is_some(), "the robot"),
-        (!grid.stops.is_empty(), "the stops"),
-        (!grid.moving.is_empty(), "the moving discs"),
-        (grid.corner_cutting, "that steps may cut corners"),
-    ] {
-        if there {
-            not_kept(what, notes);
-        }
-    }
-}
-
-/// Notes what a format has no place for.
-fn not_kept(what: &str, notes: &mut Vec<String>) {
-    notes.push(format!("Not kept, as the format has no place for it: {what}."));
-}
-
-/// A scene that was read; `file` gives its name.
-fn scene(file: &NamedFile, source: &str, units: Option<&str>, body: Body, notes: &[String]) -> Result<Scene, Error> {
-    scene_named(stem(&file.name), file, source, units, body, notes)
-}
-
-/// A scene that was read and has a name of its own.
-fn scene_named(name: &str, file: &NamedFile, source: &str, units: Option<&str>, body: Body, notes: &[String]) -> Result<Scene, Error> {
-    // A scene's name has 1 to 100 bytes.
-    let name = if name.is_empty() { "map" } else { &name[..name.floor_char_boundary(100)] };
-    let header = Header {
-        name: name.to_owned(),
-        title: name.to_owned(),
-        note: (!notes.is_empty()).then(|| notes.join(" ")),
-        source: Some(format!("{source} {}", file.label())),
-        units: units.map(str::to_owned),
-        exact: None,
-        published: None,
-    };
-    Scene::new(header, body).map_err(|error| Error::malformed(file.label(), error))
-}
-
-/// Notes that the file named is not the one that was given.
-fn note_other_name(file: &NamedFile, named: &str, given: &NamedFile, notes: &mut Vec<String>) {
-    let (named, given) = (base(named), given.label());
-    if named != given {
-        notes.push(format!("{} belongs to {named}; {given} was taken.", file.label()));
-    }
 }

@@ -5,11 +5,16 @@ use std::fmt::Write;
 
 use crate::{
     exact::shortest_over_cells,
+    geometry::YAxis,
     kernel::{Error, json},
-    scene::{Body, Course, GridScene, YAxis},
+    scene::{Body, GridScene},
 };
 
-use super::{Exported, Imported, NamedFile, Problem, ends, lost, note_other_name, scene};
+use super::{
+    ends,
+    file::NamedFile,
+    report::{Exported, Imported, Problem, lost, note_other_name, scene},
+};
 
 /// A scene of a map, with the ends of one of the problems if there are some.
 pub(super) fn import(map: &NamedFile, scen: Option<&NamedFile>, problem: Option<usize>) -> Result<Imported, Error> {
@@ -173,14 +178,14 @@ pub(super) fn export(grid: &GridScene, stem: &str) -> Result<Exported, Error> {
         notes.push("There is no .scen: the scene has no start and goal.".to_owned());
     } else {
         // As the format has it: a point that goes from centre to centre and cuts no corners.
-        let course = Course::new(&GridScene { robot: None, ..grid.clone() })?;
+        let course = GridScene { robot: None, ..grid.clone() }.course()?;
         let mut plain = GridScene::new(1.0, columns, grid.blocked.clone());
         let centre = |cell| [cell % columns, cell / columns].map(|i| i as f64 + 0.5);
         (plain.start, plain.goal) = (Some(centre(course.start)), Some(centre(course.goal)));
         if course.stubs > 0.0 {
             notes.push("Start and goal were moved to the centres of their cells.".to_owned());
         }
-        if let Some(exact) = shortest_over_cells(plain.cells(), &Course::new(&plain)?) {
+        if let Some(exact) = shortest_over_cells(plain.cells(), &plain.course()?) {
             let place = |cell: usize| {
                 let row = cell / columns;
                 [cell % columns, if grid.y_axis == YAxis::Up { rows - 1 - row } else { row }]

@@ -7,11 +7,17 @@
 //! in every mode, and a note counts the cells between.
 
 use crate::{
+    geometry::YAxis,
     kernel::{Error, json},
-    scene::{Body, GridScene, LARGEST, YAxis},
+    scene::{Body, GridScene, check::LARGEST},
 };
 
-use super::{Exported, Imported, NamedFile, ends, lost, note_other_name, pgm, scene};
+use super::{
+    ends,
+    file::NamedFile,
+    pgm,
+    report::{Exported, Imported, lost, note_other_name, scene},
+};
 
 /// A line `key: value`, or `key:` with a list below it.
 struct Entry<'a> {

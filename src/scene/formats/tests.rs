@@ -1,11 +1,6 @@
 //! What is read from each format, what is refused, and with which words.
 
-use crate::{
-    Scene,
-    exact::shortest_over_cells,
-    kernel::Yardstick,
-    scene::{Course, YAxis, shipped},
-};
+use crate::{Scene, exact::shortest_over_cells, geometry::YAxis, kernel::Yardstick, scene::shipped};
 
 use super::*;
 
@@ -226,7 +221,7 @@ fn shipped_grids_survive_the_way_through_every_format() {
             if format == Format::MovingAi {
                 let exact = read.scene.exact_by(Yardstick::Cells).unwrap();
                 assert_eq!(exact.length, read.problems[0].length);
-                let course = Course::new(read.scene.grid().unwrap()).unwrap();
+                let course = read.scene.grid().unwrap().course().unwrap();
                 let cells = read.scene.grid().unwrap().cells();
                 assert_eq!(shortest_over_cells(cells, &course).unwrap().length, exact.length);
             }

@@ -2,12 +2,12 @@
 
 use crate::{
     geometry::{Bounds, Disc},
-    kernel::rng::Stream,
+    kernel::{Kind, rng::Stream},
     params::{Parameter, Settings},
-    scene::{Body, DiscsScene, Kind, MAX_DISCS},
+    scene::{Body, DiscsScene, MAX_DISCS},
 };
 
-use super::{Draw, Generator, Made};
+use super::plot::{Draw, Generator, Made};
 
 pub(super) const DISCS: Generator = Generator {
     name: "discs",

@@ -1,12 +1,12 @@
 //! Test functions whose minimum is not in the middle of the search box: scenes of kind `function`.
 
 use crate::{
-    kernel::rng::Stream,
+    kernel::{Kind, rng::Stream},
     params::{Choice, Parameter, Settings},
-    scene::{Body, Function, FunctionScene, Kind, MAX_DIMENSION},
+    scene::{Body, Function, FunctionScene, MAX_DIMENSION},
 };
 
-use super::{Draw, Generator, Made};
+use super::plot::{Draw, Generator, Made};
 
 const fn choice(function: Function, title: &'static str) -> Choice {
     Choice { value: function.name(), title, help: "" }

@@ -8,6 +8,7 @@ mod calls;
 mod discs;
 mod function;
 mod moving;
+mod plot;
 mod points;
 mod rooms;
 mod scatter;
@@ -21,94 +22,23 @@ use crate::{
         Error,
         rng::{self, Stream},
     },
-    params::{Given, Parameter, Settings},
+    params::{Given, Settings},
 };
 
-use super::{Body, GridScene, Header, Kind, MAX_GRID_STOPS, MAX_SIDE, Scene};
+use super::{Body, GridScene, Header, Scene};
 
-use moving::{MOVING, MOVING_RADIUS, MOVING_SPEED};
+use moving::MOVING;
+
+use plot::{Draw, Plot};
 
 pub use calls::with_stops;
+pub use plot::Generator;
 
 /// All generators of grids, in the order in which they are offered; nothing else lists them.
 pub const GENERATORS: &[Generator] = &[scatter::RANDOM, scatter::RUBBLE, rooms::ROOMS, rooms::MAZE];
 
 /// All generators of other scenes.
 pub const OTHERS: &[Generator] = &[points::STOPS, discs::DISCS, function::SHIFTED];
-
-/// What a random scene is made of.
-#[derive(Debug, Clone, Copy)]
-pub struct Generator {
-    /// The name in commands.
-    pub name: &'static str,
-    /// The name for people.
-    pub title: &'static str,
-    /// A sentence or two.
-    pub help: &'static str,
-    /// Its parameters; every generator of grids has `columns`, `rows`, `cell` and, last, `stops` and those of what moves.
-    pub parameters: &'static [Parameter],
-    draw: Draw,
-}
-
-impl Generator {
-    /// The kind of its scenes.
-    pub const fn kind(&self) -> Kind {
-        match self.draw {
-            Draw::Grid(_) => Kind::Grid,
-            Draw::Other(kind, _) => kind,
-        }
-    }
-}
-
-/// How a generator draws.
-#[derive(Debug, Clone, Copy)]
-enum Draw {
-    /// Blocks cells, and sees to it that there is a way.
-    Grid(fn(&Settings, &mut Plot, &mut Stream)),
-    /// Makes a scene of this kind.
-    Other(Kind, fn(&Settings, &mut Stream) -> Made),
-}
-
-/// A scene without a name.
-struct Made {
-    body: Body,
-    /// What the name says of it, between the generator's name and the seed.
-    size: String,
-    note: Option<String>,
-}
-
-const COLUMNS: Parameter = columns(40);
-const ROWS: Parameter = rows(30);
-const CELL: Parameter =
-    Parameter::number("cell", "", "Cell", [0.001, 100.0, 1.0], "The side of a cell, in the scene’s unit.").slider(0.1, 10.0, true);
-
-const STOPS: Parameter = Parameter::integer(
-    "stops",
-    "",
-    "Stops",
-    [0, MAX_GRID_STOPS as u64, 0],
-    "How many cells a tour must call at, besides start and goal: free ones that the start is connected with.",
-)
-.slider(0.0, 50.0, false);
-
-const fn columns(default: u64) -> Parameter {
-    Parameter::integer("columns", "", "Columns", [1, MAX_SIDE as u64, default], "Cells a row.").slider(5.0, 200.0, true)
-}
-
-const fn rows(default: u64) -> Parameter {
-    Parameter::integer("rows", "", "Rows", [1, MAX_SIDE as u64, default], "Rows of cells.").slider(5.0, 200.0, true)
-}
-
-/// A grid in the making.
-struct Plot {
-    columns: usize,
-    rows: usize,
-    blocked: Vec<bool>,
-    /// Cells that must stay free.
-    kept: Vec<bool>,
-    ends: [usize; 2],
-    note: Option<String>,
-}
 
 /// The generator of this name.
 ///

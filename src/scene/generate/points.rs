@@ -1,12 +1,13 @@
 //! Stops in the plane, evenly or in clusters: scenes of kind `tour`, with whole coordinates, as TSPLIB's instances have.
 
 use crate::{
-    kernel::rng::Stream,
+    exact::Metric,
+    kernel::{Kind, rng::Stream},
     params::{Choice, Parameter, Settings},
-    scene::{Body, Kind, MAX_STOPS, Metric, TourScene},
+    scene::{Body, MAX_STOPS, TourScene},
 };
 
-use super::{Draw, Generator, Made};
+use super::plot::{Draw, Generator, Made};
 
 pub(super) const STOPS: Generator = Generator {
     name: "stops",

@@ -3,10 +3,13 @@
 use crate::{
     kernel::rng::Stream,
     params::{Parameter, Settings},
-    scene::reach::beside,
+    scene::{MAX_SIDE, reach::beside},
 };
 
-use super::{CELL, COLUMNS, Draw, Generator, MAX_SIDE, MOVING, MOVING_RADIUS, MOVING_SPEED, Plot, ROWS, STOPS, columns, rows};
+use super::{
+    moving::{MOVING, MOVING_RADIUS, MOVING_SPEED},
+    plot::{CELL, COLUMNS, Draw, Generator, Plot, ROWS, STOPS, columns, rows},
+};
 
 pub(super) const ROOMS: Generator = Generator {
     name: "rooms",

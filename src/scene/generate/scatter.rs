@@ -11,7 +11,10 @@ use crate::{
     scene::reach::{beside, crossing},
 };
 
-use super::{CELL, COLUMNS, Draw, Generator, MOVING, MOVING_RADIUS, MOVING_SPEED, Plot, ROWS, STOPS};
+use super::{
+    moving::{MOVING, MOVING_RADIUS, MOVING_SPEED},
+    plot::{CELL, COLUMNS, Draw, Generator, Plot, ROWS, STOPS},
+};
 
 const SHARE: Parameter = Parameter::number("share", "", "Share", [0.0, 1.0, 0.3], "How much of the grid is blocked.");
 

@@ -2,10 +2,9 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Reading, Suggestion},
-    kernel::Role,
+    kernel::{Kind, Role},
     math,
     params::{Fixed, Parameter, Settings},
-    scene::Kind,
     swarm::parameters::schedule,
 };
 

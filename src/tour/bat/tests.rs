@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::{
-    kernel::Round,
+    exact::Distances,
+    kernel::{Kind, Round},
     params::Given,
-    scene::{Distances, Kind},
 };
 
 /// A bat at the tour 0 1 2 … n − 1 of stops on a circle, which is the shortest, but for `wrong` reversed places from 1

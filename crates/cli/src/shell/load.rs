@@ -11,11 +11,8 @@ use forage::{
     Error, Given, Link, Scene, Setup, Value, arm, catalogue,
     describe::Suggestion,
     drive,
-    kernel::rng,
-    scene::{
-        Kind,
-        formats::{self, Format, NamedFile},
-    },
+    kernel::{Kind, rng},
+    scene::formats::{self, Format, NamedFile},
     shipped,
 };
 

@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Session, Setup, Status, Value,
+    arm::ArmScene,
     geometry::length_in_space,
     kernel::{Error, Readings, Solution},
-    scene::ArmScene,
 };
 
 use super::super::{rows::Row, runner::Job};

@@ -2,8 +2,8 @@
 
 use forage::{
     Given, Session, Setup, Value, catalogue, geometry,
-    kernel::Error,
-    scene::{Kind, shipped},
+    kernel::{Error, Kind},
+    scene::shipped,
 };
 
 use super::{Finding, Source, ackley_minima, fall, samples};

@@ -1,12 +1,16 @@
 //! Reading a `.tsp`.
 
 use crate::{
+    exact::{Distances, LONGEST, Metric},
     kernel::Error,
-    scene::{Body, Distances, LARGEST, LONGEST, MAX_STOPS, Metric, TourScene},
+    scene::{Body, MAX_STOPS, TourScene, check::LARGEST},
 };
 
 use super::{
-    super::{Imported, NamedFile, number_up_to, scene_named, stem},
+    super::{
+        file::{NamedFile, number_up_to, stem},
+        report::{Imported, scene_named},
+    },
     words::Words,
 };
 

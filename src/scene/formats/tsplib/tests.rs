@@ -2,9 +2,10 @@
 
 use crate::{
     Scene,
+    exact::Metric,
     kernel::{Round, Yardstick},
     scene::{
-        Body, Header, Metric, TourScene,
+        Body, Header, TourScene,
         formats::{Format, NamedFile, export, import, wanted},
     },
 };

@@ -7,7 +7,10 @@ use serde_json::{Map, Value};
 use crate::{kernel::Error, scene::Scene};
 
 use super::{
-    super::{Imported, NamedFile, is_optimal},
+    super::{
+        file::{NamedFile, is_optimal},
+        report::Imported,
+    },
     words::Words,
 };
 

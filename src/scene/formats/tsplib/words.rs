@@ -4,7 +4,7 @@ use std::{iter::Enumerate, str::Lines};
 
 use crate::kernel::Error;
 
-use super::super::NamedFile;
+use super::super::file::NamedFile;
 
 /// The place up to which a file was read.
 pub(super) struct Words<'a> {

@@ -3,12 +3,16 @@
 use std::fmt::Write;
 
 use crate::{
+    exact::Metric,
     kernel::{Error, Round, Yardstick},
-    scene::{Metric, Scene, TourScene},
+    scene::{Scene, TourScene},
 };
 
 use super::{
-    super::{Exported, NamedFile, not_kept},
+    super::{
+        file::NamedFile,
+        report::{Exported, not_kept},
+    },
     tour_file,
 };
 

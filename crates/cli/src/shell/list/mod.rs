@@ -8,9 +8,9 @@ use std::{fmt::Write, process::ExitCode};
 use forage::{
     arm,
     catalogue::{self, PLANNERS},
-    describe::Entry,
+    describe::{Entry, Follower},
     drive,
-    scene::Kind,
+    kernel::Kind,
     shipped_names,
 };
 
@@ -138,7 +138,7 @@ fn kinds(entry: &Entry) -> String {
 }
 
 /// The followers of a path by name, with the kind of scene that they apply to.
-fn follower(name: &str) -> Option<(&'static drive::Entry, Kind)> {
+fn follower(name: &str) -> Option<(&'static Follower, Kind)> {
     match name {
         "drive" => Some((&drive::ENTRY, Kind::Grid)),
         "motion" => Some((&arm::MOTION, Kind::Arm)),

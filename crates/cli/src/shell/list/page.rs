@@ -5,13 +5,10 @@ use std::fmt::Write;
 use forage::{
     Scene,
     catalogue::{self, PLANNERS},
-    describe::Entry,
-    drive,
+    describe::{Entry, Follower},
+    kernel::Kind,
     params::Parameter,
-    scene::{
-        Kind,
-        generate::{self, Generator},
-    },
+    scene::generate::{self, Generator},
     shipped, shipped_names,
 };
 
@@ -154,7 +151,7 @@ fn generator(generator: &'static Generator, page: &mut Page) {
     page.examples(&[format!("forage generate {0} --seed 7 --out {0}.json", generator.name)]);
 }
 
-fn following(name: &str, entry: &drive::Entry, kind: Kind, page: &mut Page) {
+fn following(name: &str, entry: &Follower, kind: Kind, page: &mut Page) {
     page.line(&format!("{name}: {}", if kind == Kind::Arm { "how an arm follows a path" } else { "how a robot drives along a path" }));
     page.field("Source", entry.source);
     page.field("Scenes", kind.name());

@@ -13,7 +13,8 @@ use std::{
 
 use forage::{
     Given, Outcome, Session, Status, arm,
-    drive::{COLUMNS, Column},
+    describe::Column,
+    drive::COLUMNS,
     kernel::{Finding, Role},
     picture,
     scene::formats::{stem_of, tour_file},

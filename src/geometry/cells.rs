@@ -2,9 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_4, SQRT_2};
 
-use crate::{geometry::Field, kernel::Error};
-
-use super::{GridScene, YAxis};
+use super::Field;
 
 /// Column and row of a step in each direction; direction `d` points to `d · 45°`, odd ones are diagonal. Rows are counted
 /// along y, whichever way y grows.
@@ -44,6 +42,44 @@ impl Steps {
     }
 }
 
+/// Which way y grows in a scene's coordinates. The file lists the top row first in either case.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum YAxis {
+    /// Origin at the top left, as in pictures.
+    #[default]
+    Down,
+    /// Origin at the bottom left, as on paper.
+    Up,
+}
+
+impl YAxis {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Down, Self::Up];
+
+    /// The name that scene files use.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Down => "down",
+            Self::Up => "up",
+        }
+    }
+}
+
+/// What cells are made of.
+#[derive(Debug, Clone, Copy)]
+pub struct Plan<'a> {
+    /// The side of a cell, in the scene's unit.
+    pub side: f64,
+    /// Cells a row.
+    pub columns: usize,
+    /// Blocked cells, row by row.
+    pub blocked: &'a [bool],
+    /// Whether a diagonal step may cut a blocked cell's corner.
+    pub corner_cutting: bool,
+    /// Which way y grows.
+    pub y_axis: YAxis,
+}
+
 /// Cells and the steps between them. A cell's number is row · columns + column.
 ///
 /// A cell is free if the robot's circle fits at its centre; a step is allowed if it fits all along it. Reading of
@@ -65,18 +101,17 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// The cells of a grid. `radius` is the robot's; 0 for a point.
-    pub fn new(grid: &GridScene) -> Self {
-        let (columns, rows) = (grid.columns, grid.rows());
+    /// The cells of a plan. `field` tells where the robot's centre may be; `None` for a point.
+    pub fn new(plan: &Plan, field: Option<&Field>) -> Self {
+        let Plan { side, columns, blocked, corner_cutting, y_axis } = *plan;
+        let rows = blocked.len() / columns.max(1);
         let offsets = DIRECTIONS.map(|[x, y]| y as isize * columns.cast_signed() + x as isize);
-        let mut cells =
-            Self { side: grid.cell, columns, rows, moves: Vec::new(), free: Vec::new(), offsets, down: grid.y_axis == YAxis::Down };
-        let wide = (grid.radius() > 0.0).then(|| &**grid.field());
-        cells.free = grid.blocked.iter().map(|blocked| !blocked).collect();
-        if let Some(field) = wide {
+        let mut cells = Self { side, columns, rows, moves: Vec::new(), free: Vec::new(), offsets, down: y_axis == YAxis::Down };
+        cells.free = blocked.iter().map(|blocked| !blocked).collect();
+        if let Some(field) = field {
             cells.free = (0..columns * rows).map(|i| cells.free[i] && field.is_free(cells.centre(i), cells.centre(i))).collect();
         }
-        cells.moves = cells.allowed(grid.corner_cutting, wide);
+        cells.moves = cells.allowed(corner_cutting, field);
         cells
     }
 
@@ -217,29 +252,6 @@ pub struct Course {
 }
 
 impl Course {
-    /// Finds the cells of start and goal.
-    ///
-    /// # Errors
-    /// [`Error::Refused`] if a grid has no ends, or if the robot cannot go from one to the centre of its cell.
-    pub fn new(grid: &GridScene) -> Result<Self, Error> {
-        let (start, goal) = grid.ends()?;
-        Self::between(grid, ["start", "goal"], [start, goal])
-    }
-
-    /// Finds the cells of two points.
-    ///
-    /// # Errors
-    /// [`Error::Refused`] if the robot cannot go from one of them to the centre of its cell, by its name.
-    pub fn between(grid: &GridScene, names: [&str; 2], [start, goal]: [[f64; 2]; 2]) -> Result<Self, Error> {
-        let cells = grid.cells();
-        let stub = |point: [f64; 2], cell: usize| {
-            let [x, y] = cells.centre(cell);
-            ((x - point[0]) * (x - point[0]) + (y - point[1]) * (y - point[1])).sqrt()
-        };
-        let (from, to) = (entrance(grid, names[0], start)?, entrance(grid, names[1], goal)?);
-        Ok(Self { start: from, goal: to, ends: [start, goal], stubs: stub(start, from) + stub(goal, to) })
-    }
-
     /// The length of a way over cells from end to end, in the scene's unit.
     pub fn length(&self, cells: &Cells, steps: Steps) -> f64 {
         cells.side * steps.length() + self.stubs
@@ -252,111 +264,5 @@ impl Course {
         path.push(self.ends[1]);
         path.dedup();
         path
-    }
-}
-
-/// The cell through whose centre a path leaves or reaches a point: the one that contains it; for a point on a border
-/// between cells, the first that will do.
-fn entrance(grid: &GridScene, name: &str, point: [f64; 2]) -> Result<usize, Error> {
-    let cells = grid.cells();
-    let place = cells.place(cells.at(point));
-    let near = |axis: usize, n: usize| {
-        let i = place[axis];
-        let before = (point[axis] <= i as f64 * grid.cell).then(|| i.checked_sub(1)).flatten();
-        [Some(i), before].into_iter().flatten().filter(move |&i| i < n)
-    };
-    let mut all = near(1, cells.rows).flat_map(|row| near(0, cells.columns).map(move |column| row * cells.columns + column));
-    let fits = |cell: usize| {
-        let centre = cells.centre(cell);
-        cells.is_free(cell) && (point == centre || grid.field().is_free(point, centre))
-    };
-    all.find(|&cell| fits(cell)).ok_or_else(|| {
-        Error::refused(
-            name,
-            format!("({}, {})", point[0], point[1]),
-            "in a cell to whose centre the robot can go: this planner goes from cell to cell",
-        )
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn grid(rows: &[&str], cutting: bool) -> GridScene {
-        let blocked = rows.iter().flat_map(|row| row.chars().map(|c| c == '#')).collect();
-        GridScene {
-            corner_cutting: cutting,
-            start: Some([0.5, 0.5]),
-            goal: Some([2.5, 2.5]),
-            ..GridScene::new(1.0, rows[0].len(), blocked)
-        }
-    }
-
-    #[test]
-    fn a_diagonal_step_needs_both_cells_beside_it_free_unless_corners_may_be_cut() {
-        let bits = |directions: &[usize]| directions.iter().fold(0_u8, |mask, d| mask | 1 << d);
-        let strict = Cells::new(&grid(&["...", ".#.", "..."], false));
-        assert_eq!(strict.moves(0), bits(&[0, 2]), "no step through the block, none past its corner");
-        assert_eq!(strict.moves(1), bits(&[0, 4]));
-        assert_eq!(strict.moves(4), 0, "nothing leaves a blocked cell");
-        let cutting = Cells::new(&grid(&["...", ".#.", "..."], true));
-        assert_eq!(cutting.moves(1), bits(&[0, 1, 3, 4]), "past its corners to the cells beside it");
-        let open = Cells::new(&grid(&["...", "...", "..."], false));
-        assert_eq!(open.moves(4), 0xff);
-        assert_eq!(open.moves(8), bits(&[4, 5, 6]));
-        for d in 0..8 {
-            assert_eq!(open.next(open.next(4, d), (d + 4) % 8), 4);
-        }
-    }
-
-    #[test]
-    fn the_steps_of_every_cell_are_those_of_the_definition() {
-        let mut rng = crate::kernel::rng::Stream::new(2, 0);
-        for (columns, rows) in [(1, 1), (1, 7), (7, 1), (5, 9), (40, 17)] {
-            for cutting in [false, true] {
-                let blocked: Vec<_> = (0..columns * rows).map(|_| rng.unit() < 0.4).collect();
-                let cells = Cells::new(&GridScene { corner_cutting: cutting, ..GridScene::new(1.0, columns as usize, blocked.clone()) });
-                let free = |x: i32, y: i32| (0..columns).contains(&x) && (0..rows).contains(&y) && !blocked[(y * columns + x) as usize];
-                for (d, [dx, dy]) in DIRECTIONS.into_iter().enumerate() {
-                    for (x, y) in (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y))) {
-                        let beside = cutting || d % 2 == 0 || (free(x + dx, y) && free(x, y + dy));
-                        let allowed = free(x, y) && free(x + dx, y + dy) && beside;
-                        assert_eq!(cells.moves((y * columns + x) as usize) >> d & 1 == 1, allowed);
-                    }
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn a_wide_robot_needs_room_all_along_a_step() {
-        use crate::scene::Robot;
-        let robot = |side: f64| Some(Robot { length: Some(side), width: Some(side), ..Robot::default() });
-        let narrow = GridScene { robot: robot(0.7), ..grid(&["...", ".#.", "..."], true) };
-        let cells = Cells::new(&narrow);
-        assert!(cells.is_free(1), "radius 0.495: it just fits beside the block");
-        assert_eq!(cells.moves(1), 0b0001_0001, "but not past its corner");
-        assert!(!Cells::new(&GridScene { robot: robot(0.8), ..narrow.clone() }).is_free(1), "radius 0.566");
-    }
-
-    #[test]
-    fn a_way_over_cells_begins_and_ends_at_the_points_themselves() {
-        let mut scene = grid(&["...", "...", "..."], false);
-        let course = Course::new(&scene).unwrap();
-        assert_eq!((course.start, course.goal, course.stubs), (0, 8, 0.0));
-        let cells = scene.cells();
-        assert_eq!(cells.steps(&[0, 4, 5, 8]), Steps { straight: 2, diagonal: 1 });
-        assert_eq!(course.path(cells, [0, 4, 8]), [[0.5, 0.5], [1.5, 1.5], [2.5, 2.5]]);
-        scene.start = Some([0.5, 0.0]);
-        let course = Course::new(&scene).unwrap();
-        assert_eq!((course.start, course.stubs), (0, 0.5));
-        assert_eq!(course.path(scene.cells(), [0, 4, 8])[..2], [[0.5, 0.0], [0.5, 0.5]]);
-        // A point on the border of a blocked cell belongs to its free neighbour.
-        let mut scene = grid(&["#..", "...", "..."], false);
-        scene.start = Some([1.0, 1.0]);
-        assert_eq!(Course::new(&scene).unwrap().start, 4);
-        scene.goal = Some([1.0, 0.5]);
-        assert_eq!(Course::new(&scene).unwrap().goal, 1);
     }
 }

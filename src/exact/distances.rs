@@ -136,7 +136,7 @@ impl Distances {
 }
 
 /// The longest distance of a matrix: sums of it keep their digits.
-pub(super) const LONGEST: f64 = 1e12;
+pub const LONGEST: f64 = 1e12;
 
 #[cfg(test)]
 mod tests {

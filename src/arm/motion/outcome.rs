@@ -1,0 +1,47 @@
+//! What came of following a path.
+
+use serde::Serialize;
+
+use crate::params::Settings;
+
+/// How the arm follows a path.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MotionOutcome {
+    /// Seconds from start to end.
+    pub time: f64,
+    /// How far the tip goes.
+    pub length: f64,
+    /// Every point of the path has a posture: the tip comes to the goal.
+    pub arrived: bool,
+    /// No link touches a cuboid or the column, all along: between the rows too.
+    pub free: bool,
+    /// When the first touch is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub touched_at: Option<f64>,
+    /// The smallest distance of a link from a cuboid at the rows; negative: overlap. `None` without cuboids.
+    pub clearance: Option<f64>,
+    /// The largest turn of a joint from one row to the next, in degrees.
+    pub largest_step: f64,
+    /// The largest distance of the tip from the path.
+    pub max_error: f64,
+    /// How many points had no posture and were replaced by their mirror image, [ARM-RRT] step 4.
+    pub mirrored: u64,
+    /// How many were replaced by random joints between their neighbours', [ARM-RRT] step 6.
+    pub drawn: u64,
+    /// Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub trouble: Option<String>,
+}
+
+/// An arm following a path.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// The columns' numbers for each moment.
+    pub rows: Vec<f64>,
+    /// Base, shoulder, elbow, wrist and tip, three numbers each, for each row.
+    pub skeletons: Vec<f64>,
+    /// How it went.
+    pub outcome: MotionOutcome,
+    /// Every parameter's value.
+    pub settings: Settings,
+}

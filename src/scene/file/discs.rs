@@ -1,0 +1,45 @@
+//! The fields of a `discs` scene.
+
+use serde_json::Value;
+
+use crate::{
+    geometry::{Bounds, Disc},
+    kernel::{
+        Error,
+        fields::{Fields, object, point},
+    },
+};
+
+use super::super::DiscsScene;
+
+/// Its fields, in the order in which they are written.
+pub(super) fn write(scene: &DiscsScene, out: &mut Vec<(&'static str, Value)>) {
+    let bounds = object(&mut [("min", point(scene.bounds.min)), ("max", point(scene.bounds.max))].into_iter());
+    let disc = |disc: &Disc| object(&mut [("center", point(disc.center)), ("radius", Value::from(disc.radius))].into_iter());
+    let discs = scene.discs.iter().map(disc).collect();
+    out.extend([("bounds", bounds), ("start", point(scene.start)), ("goal", point(scene.goal)), ("discs", Value::Array(discs))]);
+}
+
+/// Reads its fields.
+pub(super) fn read(fields: &mut Fields) -> Result<DiscsScene, Error> {
+    Ok(DiscsScene {
+        bounds: bounds(fields.take("bounds"))?,
+        start: fields.point("start")?,
+        goal: fields.point("goal")?,
+        discs: fields.list("discs")?.into_iter().enumerate().map(|(i, value)| disc(i, value)).collect::<Result<_, _>>()?,
+    })
+}
+
+fn bounds(value: Value) -> Result<Bounds, Error> {
+    let mut fields = Fields::of("bounds", value, "an object with min and max")?;
+    let bounds = Bounds { min: fields.point("min")?, max: fields.point("max")? };
+    fields.end()?;
+    Ok(bounds)
+}
+
+fn disc(i: usize, value: Value) -> Result<Disc, Error> {
+    let mut fields = Fields::of(&format!("discs[{i}]"), value, "an object with center and radius")?;
+    let disc = Disc { center: fields.point("center")?, radius: fields.number("radius")? };
+    fields.end()?;
+    Ok(disc)
+}

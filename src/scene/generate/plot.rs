@@ -1,0 +1,83 @@
+//! What a generator is, and the parameters that those of grids share.
+
+use crate::{
+    kernel::{Kind, rng::Stream},
+    params::{Parameter, Settings},
+    scene::{Body, MAX_GRID_STOPS, MAX_SIDE},
+};
+
+/// What a random scene is made of.
+#[derive(Debug, Clone, Copy)]
+pub struct Generator {
+    /// The name in commands.
+    pub name: &'static str,
+    /// The name for people.
+    pub title: &'static str,
+    /// A sentence or two.
+    pub help: &'static str,
+    /// Its parameters; every generator of grids has `columns`, `rows`, `cell` and, last, `stops` and those of what moves.
+    pub parameters: &'static [Parameter],
+    pub(super) draw: Draw,
+}
+
+impl Generator {
+    /// The kind of its scenes.
+    pub const fn kind(&self) -> Kind {
+        match self.draw {
+            Draw::Grid(_) => Kind::Grid,
+            Draw::Other(kind, _) => kind,
+        }
+    }
+}
+
+/// How a generator draws.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Draw {
+    /// Blocks cells, and sees to it that there is a way.
+    Grid(fn(&Settings, &mut Plot, &mut Stream)),
+    /// Makes a scene of this kind.
+    Other(Kind, fn(&Settings, &mut Stream) -> Made),
+}
+
+/// A scene without a name.
+pub(super) struct Made {
+    pub(super) body: Body,
+    /// What the name says of it, between the generator's name and the seed.
+    pub(super) size: String,
+    pub(super) note: Option<String>,
+}
+
+pub(super) const COLUMNS: Parameter = columns(40);
+
+pub(super) const ROWS: Parameter = rows(30);
+
+pub(super) const CELL: Parameter =
+    Parameter::number("cell", "", "Cell", [0.001, 100.0, 1.0], "The side of a cell, in the scene’s unit.").slider(0.1, 10.0, true);
+
+pub(super) const STOPS: Parameter = Parameter::integer(
+    "stops",
+    "",
+    "Stops",
+    [0, MAX_GRID_STOPS as u64, 0],
+    "How many cells a tour must call at, besides start and goal: free ones that the start is connected with.",
+)
+.slider(0.0, 50.0, false);
+
+pub(super) const fn columns(default: u64) -> Parameter {
+    Parameter::integer("columns", "", "Columns", [1, MAX_SIDE as u64, default], "Cells a row.").slider(5.0, 200.0, true)
+}
+
+pub(super) const fn rows(default: u64) -> Parameter {
+    Parameter::integer("rows", "", "Rows", [1, MAX_SIDE as u64, default], "Rows of cells.").slider(5.0, 200.0, true)
+}
+
+/// A grid in the making.
+pub(super) struct Plot {
+    pub(super) columns: usize,
+    pub(super) rows: usize,
+    pub(super) blocked: Vec<bool>,
+    /// Cells that must stay free.
+    pub(super) kept: Vec<bool>,
+    pub(super) ends: [usize; 2],
+    pub(super) note: Option<String>,
+}

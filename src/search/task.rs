@@ -1,0 +1,76 @@
+//! What does not change while a search runs.
+
+use std::sync::Arc;
+
+use crate::{
+    geometry::{Cells, Course},
+    kernel::Error,
+    params::Settings,
+    scene::Scene,
+};
+
+use super::{
+    open::{apart, place},
+    rules::{DIAGONAL, Guess, Relaxation, Rules, STRAIGHT, line},
+};
+
+/// Steps that a run takes at most if the number of cells a step is automatic.
+const STEPS: usize = 1024;
+
+/// What does not change while a search runs.
+pub(super) struct Task {
+    pub(super) cells: Arc<Cells>,
+    /// What is in the way. It is made when somebody looks farther than to the next cell.
+    pub(super) scene: Arc<Scene>,
+    pub(super) course: Course,
+    pub(super) rules: Rules,
+    pub(super) guess: Guess,
+    /// Hand over the smoothed path.
+    pub(super) smooth: bool,
+    pub(super) cutting: bool,
+    /// The robot has a size.
+    pub(super) wide: bool,
+    /// Cells settled a step.
+    pub(super) expand: u64,
+    pub(super) limit: u64,
+}
+
+impl Task {
+    pub(super) fn new(scene: &Arc<Scene>, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
+        let grid = scene.grid()?;
+        let (cells, course) = (Arc::clone(grid.cells()), grid.course()?);
+        let expand = match settings.integer("expand") {
+            0 => cells.len().div_ceil(STEPS) as u64,
+            given => given,
+        };
+        Ok(Self {
+            scene: Arc::clone(scene),
+            wide: grid.radius() > 0.0,
+            rules,
+            guess: Guess { heuristic: rules.heuristic, weight, goal: apart(place(cells.place(course.goal))) },
+            smooth: settings.flag("smooth"),
+            cutting: grid.corner_cutting,
+            expand,
+            // No cell is settled twice: what is left of a higher limit would only be room on a timeline.
+            limit: settings.integer("iterations").min((cells.len() as u64).div_ceil(expand)),
+            cells,
+            course,
+        })
+    }
+
+    /// The distance that a step or a straight line adds.
+    #[inline]
+    pub(super) fn between(&self, from: usize, to: usize) -> f64 {
+        let ([x, y], [to_x, to_y]) = (apart(place(self.cells.place(from))), apart(place(self.cells.place(to))));
+        let by = [to_x - x, to_y - y];
+        match self.rules.relaxation {
+            Relaxation::Step => [STRAIGHT, DIAGONAL][usize::from(by[0] != 0 && by[1] != 0)],
+            Relaxation::Sight => line(by),
+        }
+    }
+
+    /// A length in the scene's unit.
+    pub(super) fn length(&self, units: f64) -> f64 {
+        units / STRAIGHT * self.cells.side
+    }
+}

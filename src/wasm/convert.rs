@@ -1,0 +1,32 @@
+//! Rust values as JavaScript has them.
+
+use serde::Serialize;
+use wasm_bindgen::{JsCast, JsValue};
+
+use crate::Error;
+
+/// An `Error` with the native message and its parts.
+pub(super) fn js_error(error: &Error) -> JsValue {
+    let js = js_sys::Error::new(&error.to_string());
+    for (name, part) in [("field", error.field()), ("value", error.value()), ("allowed", error.allowed())] {
+        // Setting a property of an ordinary object cannot fail.
+        let _ = js_sys::Reflect::set(&js, &name.into(), &part.into());
+    }
+    js.into()
+}
+
+/// A plain object of anything serialisable.
+pub(super) fn plain<T: JsCast>(value: &impl Serialize) -> T {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&serializer).unwrap_or(JsValue::NULL).unchecked_into()
+}
+
+/// An object of these properties.
+pub(super) fn object<T: JsCast>(properties: &[(&str, JsValue)]) -> T {
+    let object = js_sys::Object::new();
+    for (name, value) in properties {
+        // Setting a property of an ordinary object cannot fail.
+        let _ = js_sys::Reflect::set(&object, &(*name).into(), value);
+    }
+    object.unchecked_into()
+}
