@@ -9,15 +9,16 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Study, at,
     chart::{self, Curve},
     colonies::{self, CONVERGED, LENGTH, Lines, Measure, RUNS, Run, SETTLED, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
-    command,
+    failure::{Failure, at},
     figure::{Figure, Steps},
     fingerprints::JobList,
+    options::{Options, command},
     published::{ANTBAT, Way},
     report::Report,
     runner::Control,
+    study::Study,
     table::{Cell, Table},
 };
 

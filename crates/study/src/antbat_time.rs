@@ -16,18 +16,19 @@ use forage::{
     kernel::Error,
     math,
     scene::{Scene, generate, shipped},
+    statistics::Summary,
 };
 
 use super::{
-    Failure, Options, Study, at,
     chart::{self, Curve},
-    command,
     escape::path_text,
+    failure::{Failure, at},
     fit::{self, Fit},
+    options::{Options, command},
     report::Report,
     rows::Row,
     runner::{self, Control, Job},
-    statistics::Summary,
+    study::Study,
     table::{Cell, Table},
     tours::{self, Network},
 };
@@ -162,7 +163,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let path = options.out.join("antbat-time-runs.csv");
     let rows = runner::run(&tasks(&scenes, threads)?, &path, options.fresh, Some(threads), control)?;
 
-    let mut report = Report::new(&REPRODUCTION, runs, RUNS);
+    let mut report = REPRODUCTION.report(runs, RUNS);
     report.shortened = (runs != RUNS).then(|| format!("{runs} runs a planner and number of stops instead of {RUNS}"));
     report.files.push(path);
     let points: Vec<Point> = METHODS.iter().flat_map(|method| STOPS.map(|n| Point::of(*method, n, &rows))).flatten().collect();

@@ -12,19 +12,21 @@ use forage::{
     exact::Distances,
     kernel::{Error, Round, Yardstick},
     scene::{Scene, shipped},
+    statistics::Summary,
 };
 
 use super::{
-    Failure, Options, Study, command,
     compared::{ComparedFigure, Computed, Published},
+    failure::Failure,
     figure::{Figure, Steps},
     fingerprints::JobList,
     marks::Basis,
+    options::{Options, command},
     published::{ANTBAT_TOURS, Tours},
     report::Report,
     rows::Row,
     runner::{self, Control, Job},
-    statistics::Summary,
+    study::Study,
     table::{Cell, Table},
     tours::{self, Network, PLANNERS, same},
 };
@@ -145,7 +147,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let path = options.out.join(FILE);
     let rows = runner::run(&tasks(&scene, runs), &path, options.fresh, options.threads, control)?;
 
-    let mut report = Report::new(&REPRODUCTION, runs, Tours::RUNS);
+    let mut report = REPRODUCTION.report(runs, Tours::RUNS);
     report.files.push(path);
     for (block, rows) in BLOCKS.iter().zip(rows.chunks(PLANNERS.len() * runs as usize)) {
         let cells: Vec<_> = rows.chunks(runs as usize).map(Tried::of).collect();

@@ -10,16 +10,18 @@ use forage::{
     geometry::length_in_space,
     kernel::Error,
     scene::{Scene, shipped},
+    statistics::Summary,
 };
 
 use super::{
-    Failure, Options, Study, command,
     compared::{ComparedFigure, Computed, Published},
+    failure::Failure,
     fingerprints::JobList,
     marks::Basis,
+    options::{Options, command},
     report::Report,
     runner::{self, Control},
-    statistics::Summary,
+    study::Study,
     table::{Cell, Table},
 };
 
@@ -71,7 +73,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let path = options.out.join(FILE);
     let rows = runner::run(&tasks(options)?, &path, options.fresh, options.threads, control)?;
 
-    let mut report = Report::new(&REPRODUCTION, runs, SEEDS);
+    let mut report = REPRODUCTION.report(runs, SEEDS);
     report.shortened = (runs != SEEDS).then(|| format!("{runs} seeds a cell instead of {SEEDS}"));
     report.files.push(path);
     let free = shipped(SCENES[1])?;

@@ -7,9 +7,9 @@ use plotters::{element::DashedPathElement, prelude::*};
 use forage::math;
 
 use super::{
-    Failure,
+    failure::Failure,
     fit::Fit,
-    regression::{Case, QUANTITIES, Range},
+    quantities::{Case, QUANTITIES, Range},
 };
 
 const SIZE: (u32, u32) = (1040, 480);

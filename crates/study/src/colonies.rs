@@ -11,17 +11,19 @@ use forage::{
     Given, Session, Setup, catalogue,
     kernel::{Error, Status, Yardstick},
     scene::Scene,
+    statistics::Summary,
 };
 
 use super::{
-    Failure, Options, Study,
     compared::{ComparedFigure, Computed, Published},
+    failure::Failure,
     figure::Figure,
     marks::Basis,
+    options::Options,
     report::Report,
     rows::Row,
     runner::{self, Control, Job},
-    statistics::Summary,
+    study::Study,
     table::{Cell, Table},
 };
 
@@ -247,7 +249,7 @@ pub(super) fn notes(runs: &[Vec<Run>]) -> Vec<String> {
 
 /// A report over so many seeds.
 pub(super) fn report(reproduction: &Study, runs: u64) -> Report {
-    let mut report = Report::new(reproduction, runs, RUNS);
+    let mut report = reproduction.report(runs, RUNS);
     report.shortened = (runs != RUNS).then(|| format!("{runs} seeds a planner instead of {RUNS}"));
     report
 }

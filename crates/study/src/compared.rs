@@ -4,8 +4,7 @@ use forage::{kernel::Error, statistics::Summary};
 
 use super::{
     figure::Figure,
-    forensics::Source,
-    marks::{self, Basis, Marked, Marks, RankingMark},
+    marks::{Basis, Marked, Source},
 };
 
 /// A number as a paper prints it.
@@ -153,14 +152,6 @@ pub struct ComparedFigure {
     pub source: Option<Marked<Source>>,
     /// The command that repeats one of the runs; the others differ in the seed.
     pub command: String,
-}
-
-impl ComparedFigure {
-    /// The marks that need no other figure.
-    pub fn marks(&self, ranking: Option<Marked<RankingMark>>) -> Marks {
-        let basis = Marked { mark: self.basis, because: self.basis.reason() };
-        Marks { value: marks::value(self), ranking, basis, source: self.source.clone() }
-    }
 }
 
 #[cfg(test)]

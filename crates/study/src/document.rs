@@ -7,17 +7,17 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use serde::{Serialize, Serializer, ser::Error as _};
-
 use super::{
-    Failure, Options, at, claims,
-    compared::{ComparedFigure, Printed},
+    claims,
     escape::path_text,
+    failure::{Failure, at},
     fingerprints::{self, Fingerprints},
-    marks::{self, Basis, Marked, Marks, RULES, RankingMark, ValueMark},
+    marking::{RULES, marked},
+    marks::{Marks, RankingMark, ValueMark},
+    options::Options,
     papers::{self, PAPERS},
-    report::Report,
-    table::{Cell, Table, digits, significant},
+    report::{Report, figures},
+    table::digits,
 };
 
 /// The names of the files.
@@ -51,16 +51,6 @@ pub const COLUMNS: [&str; 24] = [
     "command",
 ];
 
-/// The tag of a source: `WCPSO` of `[WCPSO] Table 2`.
-pub(super) fn paper(source: &'static str) -> &'static str {
-    source.trim_start_matches('[').split(']').next().unwrap_or(source)
-}
-
-/// Figures with their marks.
-fn marked(figures: &[ComparedFigure]) -> Vec<(&ComparedFigure, Marks)> {
-    figures.iter().zip(marks::rankings(figures)).map(|(figure, ranking)| (figure, figure.marks(ranking))).collect()
-}
-
 /// How often each mark was given: `value: 3 same digits, 1 differs; ranking: 2 same`.
 fn counted<'a>(marks: &(impl Iterator<Item = &'a Marks> + Clone)) -> String {
     let count = |name: &str, of: &dyn Fn(&Marks) -> bool| (marks.clone().filter(|marks| of(marks)).count(), name.to_owned());
@@ -77,92 +67,6 @@ fn counted<'a>(marks: &(impl Iterator<Item = &'a Marks> + Clone)) -> String {
         .map(|&mark| count(mark.name(), &|marks| marks.ranking.as_ref().is_some_and(|ranking| ranking.mark == mark)))
         .collect();
     format!("values: {}; rankings of the rows that they are in: {}", listed(values), listed(rankings))
-}
-
-/// A mark in a table.
-fn cell<M>(marked: Option<&Marked<M>>, name: impl Fn(&M) -> &'static str) -> Cell {
-    marked.map_or(Cell::Empty, |marked| name(&marked.mark).into())
-}
-
-/// A table for each of the papers' tables.
-pub(super) fn tables(figures: &[ComparedFigure]) -> Vec<Table> {
-    marked(figures).chunk_by(|(a, _), (b, _)| a.table == b.table).map(table).collect()
-}
-
-/// The published figures of a table and the computed ones.
-fn table(figures: &[(&ComparedFigure, Marks)]) -> Table {
-    let columns = [
-        "row",
-        "of",
-        "published best",
-        "published mean",
-        "published std",
-        "best",
-        "mean",
-        "std",
-        "median",
-        "runs",
-        "value",
-        "ranking",
-        "basis",
-        "source",
-    ];
-    let title = figures.first().map(|(figure, _)| figure.table.clone()).unwrap_or_default();
-    let mut table = Table::new("figures", title, &columns);
-    for (figure, marks) in figures {
-        let number = |number: Option<f64>| Cell::significant(number, 6);
-        let printed = |printed: Option<Printed>| printed.map_or(Cell::Empty, |printed| Cell::Text(printed.shown()));
-        let [best, std, median] = figure.computed.spread();
-        table.rows.push(vec![
-            Cell::Text(figure.row.clone()),
-            Cell::Text(figure.measure.clone()),
-            printed(figure.published.best),
-            printed(figure.published.mean),
-            number(figure.published.std),
-            number(best),
-            number(figure.computed.mean()),
-            number(std),
-            number(median),
-            figure.computed.count().map_or(Cell::Empty, Cell::whole),
-            cell(marks.value.as_ref(), |mark| mark.name()),
-            cell(marks.ranking.as_ref(), |mark| mark.name()),
-            marks.basis.mark.name().into(),
-            cell(marks.source.as_ref(), |mark| mark.name()),
-        ]);
-    }
-    table
-}
-
-/// The reasons of a figure's marks, in a sentence.
-fn reasons(figure: &ComparedFigure, marks: &Marks) -> String {
-    let mut reasons: Vec<String> = Vec::new();
-    reasons.extend(marks.value.as_ref().map(|value| value.because.clone()));
-    reasons.extend(marks.ranking.as_ref().map(|ranking| ranking.because.clone()));
-    reasons.extend((marks.basis.mark != Basis::Printed).then(|| marks.basis.because.clone()));
-    reasons.extend(marks.source.as_ref().map(|source| source.because.clone()));
-    format!("{} ({})", reasons.join("; "), figure.measure)
-}
-
-/// The figures of a report, one table after the other, each with the reasons and the commands of its rows.
-pub(super) fn figures(report: &Report) -> String {
-    let mut text = String::new();
-    for some in marked(&report.figures).chunk_by(|(a, _), (b, _)| a.table == b.table) {
-        text += &table(some).markdown();
-        text += "\nWhy, and the command that repeats the row’s first run (the others: other seeds):\n\n";
-        let mut told: Vec<(String, String, &str)> = Vec::new();
-        for (figure, marks) in some {
-            let because = reasons(figure, marks);
-            match told.last_mut().filter(|(row, _, command)| *row == figure.row && *command == figure.command) {
-                Some((_, reasons, _)) => reasons.extend(["; ", &because]),
-                None => told.push((figure.row.clone(), because, &figure.command)),
-            }
-        }
-        for (row, because, command) in told {
-            let _ = writeln!(text, "- {row}: {because}. `{command}`");
-        }
-        text += "\n";
-    }
-    text
 }
 
 /// The whole document.
@@ -260,7 +164,7 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
             writer
                 .write_record([
                     report.name,
-                    paper(report.source),
+                    report.paper(),
                     &figure.table,
                     &figure.row,
                     &figure.measure,
@@ -289,57 +193,6 @@ pub fn csv(reports: &[Report]) -> Result<String, io::Error> {
     }
     let bytes = writer.into_inner().map_err(|error| io::Error::other(error.to_string()))?;
     String::from_utf8(bytes).map_err(io::Error::other)
-}
-
-/// A figure as an object, with its marks.
-#[derive(Serialize)]
-struct FigureRow<'a> {
-    table: &'a str,
-    row: &'a str,
-    measure: &'a str,
-    lower_is_better: bool,
-    published_best: Option<f64>,
-    published_mean: Option<f64>,
-    published_std: Option<f64>,
-    published_runs: Option<u64>,
-    best: Option<f64>,
-    mean: Option<f64>,
-    std: Option<f64>,
-    median: Option<f64>,
-    runs: Option<u64>,
-    #[serde(flatten)]
-    marks: Marks,
-    command: &'a str,
-}
-
-/// Writes figures as JSON, each with its marks.
-///
-/// # Errors
-/// What the serializer refuses.
-pub(super) fn serialize_figures<S: Serializer>(figures: &[ComparedFigure], serializer: S) -> Result<S::Ok, S::Error> {
-    let row = |(figure, marks): (&'_ ComparedFigure, Marks)| {
-        let [best, std, median] = figure.computed.spread();
-        serde_json::to_value(FigureRow {
-            table: &figure.table,
-            row: &figure.row,
-            measure: &figure.measure,
-            lower_is_better: figure.lower_is_better,
-            published_best: figure.published.best.map(|printed| printed.value),
-            published_mean: figure.published.mean.map(|printed| printed.value),
-            published_std: figure.published.std,
-            published_runs: figure.published.runs,
-            best,
-            mean: figure.computed.mean(),
-            std,
-            median,
-            runs: figure.computed.count(),
-            marks,
-            command: &figure.command,
-        })
-        .map_err(S::Error::custom)
-    };
-    let rows: Vec<_> = marked(figures).into_iter().map(row).collect::<Result<_, _>>()?;
-    rows.serialize(serializer)
 }
 
 /// All documents, in the order of [`FILES`].
@@ -378,25 +231,19 @@ pub fn differences(reports: &[Report], rows: &Fingerprints, folder: &Path) -> Re
     Ok(different)
 }
 
-impl Printed {
-    /// As the paper has it, as near as can be.
-    fn shown(&self) -> String {
-        let places = format!("{:e}", self.unit).split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
-        if (-6..=0).contains(&places) { format!("{:.*}", places.unsigned_abs() as usize, self.value) } else { significant(self.value, 7) }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::{
-        REPRODUCTIONS, STUDIES,
-        compared::{Computed, Published},
-        find,
+        compared::{ComparedFigure, Computed, Printed, Published},
+        marks::Basis,
+        registry::{REPRODUCTIONS, STUDIES},
+        study::find,
+        table::Table,
     };
 
     fn report() -> Report {
-        let mut report = Report::new(find(REPRODUCTIONS, "NAME", "wcpso-functions").unwrap(), 50, 50);
+        let mut report = find(REPRODUCTIONS, "NAME", "wcpso-functions").unwrap().report(50, 50);
         let figure = |row: &str, text: &str, computed: Computed| ComparedFigure {
             table: "Table 2".to_owned(),
             group: String::new(),
@@ -456,7 +303,7 @@ mod tests {
 
     #[test]
     fn studies_of_our_own_follow_the_papers() {
-        let mut own = Report::new(&STUDIES[0], 2, 100);
+        let mut own = STUDIES[0].report(2, 100);
         own.tables.push(Table { rows: vec![vec!["a-star".into()]], ..Table::new("maze", "maze, 2 maps", &["planner"]) });
         let text = markdown(&[report(), own]);
         let [papers, beyond] = ["## [WCPSO]", "## Beyond the papers"].map(|heading| text.find(heading).unwrap());
@@ -467,7 +314,7 @@ mod tests {
     #[test]
     fn every_reproduction_is_of_a_paper_that_the_document_has() {
         for reproduction in REPRODUCTIONS {
-            assert!(papers::find(paper(reproduction.source)).is_some(), "{}", reproduction.source);
+            assert!(papers::find(papers::tag(reproduction.source)).is_some(), "{}", reproduction.source);
         }
     }
 }

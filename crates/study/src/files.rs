@@ -1,9 +1,12 @@
-//! Which file a name is that of, whether or not it exists yet.
+//! Which file a name is that of, whether or not it exists yet, and whether somebody else writes it.
 
 use std::{
-    fs,
+    fs::{self, TryLockError},
+    io,
     path::{Path, PathBuf},
 };
+
+use super::failure::{Failure, at};
 
 /// So many links are followed, as the system does.
 const MOST_LINKS: usize = 40;
@@ -50,12 +53,38 @@ fn is_linked(_: &Path, _: &Path) -> bool {
     false
 }
 
-#[cfg(all(test, unix))]
+/// Refuses what somebody else is writing. Where files cannot be locked at all, that should be known.
+pub(crate) fn locked(outcome: Result<(), TryLockError>, path: &Path) -> Result<Option<String>, Failure> {
+    match outcome {
+        Ok(()) => Ok(None),
+        Err(TryLockError::WouldBlock) => {
+            Err(at(path)(io::Error::new(io::ErrorKind::WouldBlock, "another `forage` is writing it; nobody else can meanwhile")))
+        }
+        Err(TryLockError::Error(problem)) => {
+            Ok(Some(format!("{}: it cannot be locked ({problem}); let nothing else write it meanwhile", path.display())))
+        }
+    }
+}
+
+#[cfg(test)]
 mod tests {
+    #[cfg(unix)]
     use std::os::unix::fs::symlink;
 
     use super::*;
 
+    #[test]
+    fn what_cannot_be_locked_is_told_and_what_is_locked_is_refused() {
+        let path = Path::new("rows.csv");
+        assert!(matches!(locked(Ok(()), path), Ok(None)));
+        let none = io::Error::from(io::ErrorKind::Unsupported);
+        let told = locked(Err(TryLockError::Error(none)), path).unwrap().unwrap();
+        assert!(told.starts_with("rows.csv: it cannot be locked") && told.contains("let nothing else write"), "{told}");
+        let refused = locked(Err(TryLockError::WouldBlock), path).unwrap_err().to_string();
+        assert!(refused.contains("another `forage` is writing it"), "{refused}");
+    }
+
+    #[cfg(unix)]
     #[test]
     fn links_are_followed_to_files_that_do_not_exist_yet() {
         let folder = tempfile::tempdir().unwrap();

@@ -16,7 +16,7 @@ use forage::kernel::{Digest, Error};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Failure, Options, Study, at,
+    failure::{Failure, at},
     rows::{Row, Rows, line},
     runner::{self, Control, Job},
 };
@@ -81,7 +81,7 @@ impl<J: Job> AnyJobs for Vec<J> {
 
 /// The jobs whose rows are in one file.
 pub struct JobList {
-    /// The file of rows, in the folder of [`Options::out`].
+    /// The file of rows, in the folder of [`Options::out`](super::options::Options::out).
     pub file: &'static str,
     /// What fills it.
     pub jobs: Box<dyn AnyJobs>,
@@ -100,18 +100,16 @@ impl JobList {
 pub struct Fingerprints(BTreeMap<String, Vec<String>>);
 
 impl Fingerprints {
-    /// Those of all repeatable experiments, from the files of rows that they left.
+    /// Those of these jobs' rows, from the files of rows in a folder.
     ///
     /// # Errors
     /// A file that cannot be read, or lacks a row.
-    pub fn of_kept(reproductions: &[Study], options: &Options) -> Result<Self, Failure> {
+    pub fn of_kept(lists: &[JobList], folder: &Path) -> Result<Self, Failure> {
         let mut all = BTreeMap::new();
-        for reproduction in reproductions.iter().filter(|reproduction| reproduction.repeatable) {
-            for list in (reproduction.jobs)(options)? {
-                let rows = list.jobs.kept(&options.out.join(list.file))?;
-                let line = |rows: &[u32]| rows.iter().map(|row| format!("{row:08x}")).collect::<Vec<_>>().concat();
-                all.insert(list.file.to_owned(), rows.chunks(IN_A_LINE).map(line).collect());
-            }
+        for list in lists {
+            let rows = list.jobs.kept(&folder.join(list.file))?;
+            let line = |rows: &[u32]| rows.iter().map(|row| format!("{row:08x}")).collect::<Vec<_>>().concat();
+            all.insert(list.file.to_owned(), rows.chunks(IN_A_LINE).map(line).collect());
         }
         Ok(Self(all))
     }
@@ -158,24 +156,20 @@ pub struct Sampled {
     pub differences: Vec<Difference>,
 }
 
-/// Runs jobs of all repeatable experiments in an order that `seed` chooses, for about so much time, and compares their rows
+/// Runs some of these jobs in an order that `seed` chooses, for about so much time, and compares their rows
 /// with the stored fingerprints. Each file of rows gets the same share of the time, and at least one job.
 ///
 /// # Errors
 /// [`Failure::ComparisonInterrupted`]; whatever a job refuses; fingerprints for another number of jobs.
 pub fn sample(
-    reproductions: &[Study],
-    options: &Options,
+    lists: &[JobList],
+    threads: Option<usize>,
     stored: &Fingerprints,
     seed: &str,
     time: Duration,
     control: &Control,
 ) -> Result<Sampled, Failure> {
-    let mut lists = Vec::new();
-    for reproduction in reproductions.iter().filter(|reproduction| reproduction.repeatable) {
-        lists.extend((reproduction.jobs)(options)?);
-    }
-    let pool = runner::pool(options.threads)?;
+    let pool = runner::pool(threads)?;
     let mut sampled = Sampled { total: lists.iter().map(|list| list.jobs.count()).sum(), ..Sampled::default() };
     let share = time / u32::try_from(lists.len()).unwrap_or(1).max(1);
     for (k, list) in lists.iter().enumerate() {
@@ -242,7 +236,13 @@ fn sample_list(
 
 #[cfg(test)]
 mod tests {
+    use std::path::PathBuf;
+
     use super::*;
+    use crate::{
+        options::Options,
+        study::{Study, jobs},
+    };
 
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
     struct Divided {
@@ -279,34 +279,39 @@ mod tests {
 
     const FILE: &str = "roots.csv";
 
-    /// Options::runs stands for the version of the program.
-    fn tasks(options: &Options) -> Vec<Task> {
-        (0..40).map(|number| Task { number, version: options.runs.unwrap_or(1) }).collect()
+    fn tasks(version: u64) -> Vec<Task> {
+        (0..40).map(|number| Task { number, version }).collect()
     }
 
+    /// Options::runs stands for the version of the program.
     const ROOTS: Study = Study {
         name: "roots",
         title: "roots",
         source: "[ROOTS] 1",
         repeatable: true,
-        jobs: |options| Ok(vec![JobList::new(FILE, tasks(options))]),
+        jobs: |options| Ok(vec![JobList::new(FILE, tasks(options.runs.unwrap_or(1)))]),
         run: |_, _| unreachable!("only its jobs are run"),
     };
+    /// What is measured is not compared.
+    const MEASURED: Study = Study { repeatable: false, ..ROOTS };
+
+    fn lists(version: u64) -> Vec<JobList> {
+        let options = Options { out: PathBuf::new(), threads: None, runs: Some(version), fresh: false };
+        jobs(&[ROOTS, MEASURED], &options).unwrap()
+    }
 
     #[test]
     fn a_sample_finds_the_row_that_changed_and_ignores_what_is_measured() {
         let folder = tempfile::tempdir().unwrap();
-        let out = folder.path().to_owned();
-        let options = |version| Options { out: out.clone(), threads: Some(2), runs: Some(version), fresh: false };
+        let out = folder.path();
         let control = Control { stop: &AtomicBool::new(false), progress: &|_, _| {} };
-        runner::run(&tasks(&options(1)), &out.join(FILE), true, Some(2), &control).unwrap();
-        let kept = Fingerprints::of_kept(&[ROOTS], &options(1)).unwrap();
+        runner::run(&tasks(1), &out.join(FILE), true, Some(2), &control).unwrap();
+        let kept = Fingerprints::of_kept(&lists(1), out).unwrap();
         fs::write(out.join(super::FILE), kept.text()).unwrap();
-        let stored = Fingerprints::read(&out).unwrap();
+        let stored = Fingerprints::read(out).unwrap();
         assert_eq!(stored, kept);
 
-        let sample =
-            |version, seconds| sample(&[ROOTS], &options(version), &stored, "seed", Duration::from_secs(seconds), &control).unwrap();
+        let sample = |version, seconds| sample(&lists(version), Some(2), &stored, "seed", Duration::from_secs(seconds), &control).unwrap();
         let same = sample(1, 60);
         assert_eq!((same.compared[FILE], same.total, same.differences.len()), (40, 40, 0));
         let changed = sample(2, 60);
@@ -314,10 +319,10 @@ mod tests {
         assert_eq!(sample(1, 0).compared[FILE], 1, "at least one row, whatever the time");
 
         let stopped = Control { stop: &AtomicBool::new(true), progress: &|_, _| {} };
-        let failure = super::sample(&[ROOTS], &options(1), &stored, "seed", Duration::ZERO, &stopped).unwrap_err();
+        let failure = super::sample(&lists(1), Some(2), &stored, "seed", Duration::ZERO, &stopped).unwrap_err();
         assert_eq!(failure.to_string(), "interrupted after 0 rows were compared; nothing is kept");
 
-        let none = super::sample(&[ROOTS], &options(1), &Fingerprints::default(), "seed", Duration::ZERO, &control);
+        let none = super::sample(&lists(1), Some(2), &Fingerprints::default(), "seed", Duration::ZERO, &control);
         assert!(none.unwrap_err().to_string().contains("roots.csv has 0 fingerprints for 40 rows"));
     }
 }

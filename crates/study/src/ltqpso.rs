@@ -4,19 +4,20 @@ use std::{collections::BTreeMap, sync::atomic::AtomicBool};
 
 use serde::{Deserialize, Serialize};
 
-use forage::{Given, Session, Setup, Value, kernel::Error, scene::shipped};
+use forage::{Given, Session, Setup, Value, kernel::Error, scene::shipped, statistics::Summary};
 
 use super::{
-    Failure, Options, Study, command,
     compared::{ComparedFigure, Computed, Published},
+    failure::Failure,
     figure::Figure,
     fingerprints::JobList,
     marks::Basis,
+    options::{Options, command},
     published::{Results, TABLE_3, TABLE_4},
     report::Report,
     rows::Row,
     runner::{self, Control, Job},
-    statistics::Summary,
+    study::Study,
     table::{Cell, Table},
 };
 
@@ -208,7 +209,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let runs = options.runs_or(RUNS)?;
     let path = options.out.join(FILE);
     let rows = runner::run(&tasks(options)?, &path, options.fresh, options.threads, control)?;
-    let mut report = Report::new(&REPRODUCTION, runs, RUNS);
+    let mut report = REPRODUCTION.report(runs, RUNS);
     report.files.push(path);
     for case in &CASES {
         let of = |planner: &str| rows.iter().filter(|row| row.case == case.name && row.planner == planner).collect::<Vec<_>>();

@@ -166,6 +166,11 @@ pub fn find(tag: &str) -> Option<&'static Paper> {
     PAPERS.iter().find(|paper| paper.tag == tag)
 }
 
+/// The tag of a source: `WCPSO` of `[WCPSO] Table 2`.
+pub fn tag(source: &'static str) -> &'static str {
+    source.trim_start_matches('[').split(']').next().unwrap_or(source)
+}
+
 impl Paper {
     /// Authors, title and journal in a line of Markdown.
     pub fn citation(&self) -> String {

@@ -153,11 +153,8 @@ pub const TUNED: [(&str, f64); 5] = [("alpha", 1.0), ("beta", 7.0), ("rho", 0.36
 
 #[cfg(test)]
 mod tests {
-    use super::{
-        super::{figure::Steps, statistics::Summary},
-        *,
-    };
-    use forage::{Given, shipped};
+    use super::{super::figure::Steps, *};
+    use forage::{Given, shipped, statistics::Summary};
 
     /// Where R² can be read it is what F and 16 points give, so the paper fits one point a D.
     #[test]

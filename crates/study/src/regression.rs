@@ -8,16 +8,20 @@
 use forage::math;
 
 use super::{
-    Failure, Options, Study, chart, command,
+    chart,
     compared::{ComparedFigure, Computed, Published},
+    failure::Failure,
     figure::Figure,
     fingerprints::JobList,
     fit::{self, Fit},
     marks::Basis,
+    options::{Options, command},
     published::{Regression, TABLE_1, TABLE_2},
+    quantities::{Case, QUANTITIES, Quantity, Range},
     report::Report,
     runner::{self, Control},
     search::{Aim, Found, LIMIT, Start, THRESHOLD, Task},
+    study::Study,
     table::{Cell, Table},
 };
 
@@ -36,28 +40,6 @@ pub const BLOCKS: u64 = 3;
 /// The paper's number of runs.
 const RUNS: u64 = 100;
 const SEGMENTS: std::ops::RangeInclusive<u64> = 5..=20;
-
-/// The four quantities that the paper fits, in the order of its tables.
-pub(super) const QUANTITIES: [(&str, Quantity); 4] =
-    [("N min", |d| d.n[0]), ("N max", |d| d.n[1]), ("M min", |d| d.m[0]), ("M max", |d| d.m[1])];
-
-type Quantity = fn(&Range) -> u64;
-
-/// What the blocks of a D found: smallest and largest.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Range {
-    pub(super) d: u64,
-    pub(super) n: [u64; 2],
-    pub(super) m: [u64; 2],
-}
-
-/// A table of the paper.
-pub(super) struct Case {
-    pub(super) start: Start,
-    name: &'static str,
-    pub(super) title: &'static str,
-    pub(super) published: [Regression; 4],
-}
 
 const CASES: [Case; 2] = [
     Case { start: Start::Uniform, name: "table-1", title: "Table 1: uniform start", published: TABLE_1 },
@@ -88,7 +70,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
 
 /// What the rows say.
 fn report(rows: &[Found], runs: u64, options: &Options) -> Result<Report, Failure> {
-    let mut report = Report::new(&REPRODUCTION, runs, RUNS);
+    let mut report = REPRODUCTION.report(runs, RUNS);
     for case in &CASES {
         let ranges: Vec<Range> = SEGMENTS.filter_map(|d| range(rows, case.start, d)).collect();
         let fits = QUANTITIES.map(|(_, of)| power_law(&ranges, of));

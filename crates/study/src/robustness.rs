@@ -13,15 +13,17 @@ use forage::{
         Scene,
         generate::{self, GENERATORS},
     },
+    statistics::Summary,
 };
 
 use super::{
-    Failure, Options, Study,
+    failure::Failure,
     fingerprints::JobList,
+    options::Options,
     report::Report,
     rows::Row,
     runner::{self, Control, Job},
-    statistics::Summary,
+    study::Study,
     table::{Cell, Table},
 };
 
@@ -138,7 +140,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let maps = options.runs_or(MAPS)?;
     let path = options.out.join(FILE);
     let runs = runner::run(&tasks(maps), &path, options.fresh, options.threads, control)?;
-    let mut report = Report::new(&STUDY, maps, MAPS);
+    let mut report = STUDY.report(maps, MAPS);
     report.shortened = (maps != MAPS).then(|| format!("{maps} maps of each kind instead of {MAPS}"));
     report.files.push(path);
     for side in SIDES {

@@ -13,7 +13,10 @@ use serde::{Serialize, de::DeserializeOwned};
 
 use forage::kernel::Error;
 
-use super::{Failure, at, sweep::kept::locked};
+use super::{
+    failure::{Failure, at},
+    files::locked,
+};
 
 /// The largest file of rows: it is read as a whole.
 const LARGEST: u64 = 1 << 30;

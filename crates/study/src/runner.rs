@@ -14,7 +14,7 @@ use rayon::iter::{ParallelBridge, ParallelIterator};
 use forage::kernel::Error;
 
 use super::{
-    Failure,
+    failure::Failure,
     rows::{Row, Rows},
 };
 

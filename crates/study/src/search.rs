@@ -4,9 +4,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::{Deserialize, Serialize};
 
-use forage::{Given, Setup, Value, kernel::Error, scene::shipped};
+use forage::{Given, Setup, Value, kernel::Error, scene::shipped, statistics::Moments};
 
-use super::{rows::Row, runner::Job, statistics::Moments};
+use super::{rows::Row, runner::Job};
 
 /// The standard deviation that the results must stay under.
 pub const THRESHOLD: f64 = 0.05;

@@ -17,7 +17,8 @@ use forage::{
 };
 
 use super::{
-    Failure, Options,
+    failure::Failure,
+    options::Options,
     rows::Row,
     runner::{self, Control, Job},
 };

@@ -8,20 +8,23 @@ use forage::{
     Given, Setup, Trial, Value, catalogue,
     kernel::Error,
     scene::shipped,
+    statistics::Summary,
     statistics::{Group, compare},
     trial::WITHIN,
 };
 
 use super::{
-    Failure, Options, Study, command,
     compared::{ComparedFigure, Computed, Printed, Published},
+    failure::Failure,
     fingerprints::JobList,
-    marks::{self, Basis},
+    marking,
+    marks::Basis,
+    options::{Options, command},
     published::wcpso::{self as published, PATH_RUNS, PLANNERS, SHORTEST, TABLE_2},
     report::Report,
     rows::Row,
     runner::{self, Control, Job},
-    statistics::Summary,
+    study::Study,
     table::{Cell, Table},
 };
 
@@ -203,7 +206,7 @@ fn fitted(options: &Options, control: &Control) -> Result<Report, Failure> {
     let path = options.out.join(FITTED_FILE);
     let tasks = fitted_tasks(options)?;
     let rows = runner::run(&tasks, &path, options.fresh, options.threads, control)?;
-    let mut report = Report::new(&FITTED, runs, published::RUNS);
+    let mut report = FITTED.report(runs, published::RUNS);
     report.files.push(path);
     let fits = fits()?;
     let cells = TABLE_2.iter().flat_map(|row| fits.iter().map(move |fit| (row, fit)));
@@ -224,14 +227,14 @@ fn functions(options: &Options, control: &Control) -> Result<Report, Failure> {
     let runs = options.runs_or(published::RUNS)?;
     let path = options.out.join(FUNCTIONS_FILE);
     let rows = runner::run(&function_tasks(options)?, &path, options.fresh, options.threads, control)?;
-    let mut report = Report::new(&FUNCTIONS, runs, published::RUNS);
+    let mut report = FUNCTIONS.report(runs, published::RUNS);
     report.files.push(path);
     let cells: Vec<&[Run]> = rows.chunks(runs as usize).collect();
     let (found, unlimited) = cells.split_at(cells.len() / 2);
     report.figures = figures(found, LIMITS[0])?;
     let unlimited = figures(unlimited, LIMITS[1])?;
     report.tables = vec![differences(found), limits(&report.figures, &unlimited)];
-    let mark = |figure: &ComparedFigure| marks::value(figure).map(|marked| marked.mark);
+    let mark = |figure: &ComparedFigure| marking::value(figure).map(|marked| marked.mark);
     let changed: Vec<_> = report.figures.iter().zip(&unlimited).filter(|(a, b)| mark(a) != mark(b)).map(|(a, _)| a.row.clone()).collect();
     report.notes = vec![
         "60 particles, 1000 iterations (each planner’s defaults). The paper prints no coefficients for `pso`: 0.7298 and 1.49618 are Clerc and Kennedy’s. Positions are clamped to the box.".to_owned(),
@@ -262,7 +265,7 @@ fn limits(limited: &[ComparedFigure], unlimited: &[ComparedFigure]) -> Table {
     let mut table = Table::new("limits", "Velocities limited to 20 % of the box, and not limited", &columns);
     for (a, b) in limited.iter().zip(unlimited) {
         let cells = [a, b].map(|figure| {
-            [Cell::significant(figure.computed.mean(), 4), marks::value(figure).map_or(Cell::Empty, |marked| marked.mark.name().into())]
+            [Cell::significant(figure.computed.mean(), 4), marking::value(figure).map_or(Cell::Empty, |marked| marked.mark.name().into())]
         });
         table.rows.push([Cell::Text(a.row.clone())].into_iter().chain(cells.into_iter().flatten()).collect());
     }
@@ -344,7 +347,7 @@ fn paths(options: &Options, control: &Control) -> Result<Report, Failure> {
     let runs = options.runs_or(PATH_RUNS)?;
     let path = options.out.join(PATHS_FILE);
     let rows = runner::run(&path_tasks(options)?, &path, options.fresh, options.threads, control)?;
-    let mut report = Report::new(&PATHS, runs, PATH_RUNS);
+    let mut report = PATHS.report(runs, PATH_RUNS);
     report.files.push(path);
     let found: Vec<&[Run]> = rows.chunks(runs as usize).collect();
     let scene = shipped("wcpso-discs")?;

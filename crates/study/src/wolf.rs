@@ -9,16 +9,17 @@ use forage::{
 };
 
 use super::{
-    Failure, Options, Study,
     colonies::{self, CONVERGED, LENGTH, Lines, RUNS, Run, SECONDS, SETTLED, TURNS, hits},
-    command,
     compared::{ComparedFigure, Computed, Published},
+    failure::Failure,
     figure::{Figure, Steps},
     fingerprints::JobList,
     marks::Basis,
+    options::{Options, command},
     published::{TUNED, WOLF_ANT, WOLF_ANT_TURNS, wolf_ant_path},
     report::Report,
     runner::Control,
+    study::Study,
     table::{Cell, Table},
     tuned::{self, Tuned},
 };

@@ -12,19 +12,21 @@ use forage::{
         generate::{self, GENERATORS},
         shipped,
     },
+    statistics::Summary,
 };
 
 use super::{
-    Failure, Options, Study, command,
     compared::{ComparedFigure, Computed, Published},
+    failure::Failure,
     figure::Figure,
     fingerprints::JobList,
     marks::Basis,
+    options::{Options, command},
     published::{WOLF_ANT, WOLF_ANT_TURNS},
     report::Report,
     rows::Row,
     runner::{self, Control, Job},
-    statistics::Summary,
+    study::Study,
     table::{Cell, Table},
 };
 
@@ -175,7 +177,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     let rows = runner::run(&tasks(options)?, &path, options.fresh, options.threads, control)?;
     let (case, among) = rows.split_at(published.len());
 
-    let mut report = Report::new(&REPRODUCTION, scenes, SCENES);
+    let mut report = REPRODUCTION.report(scenes, SCENES);
     report.shortened = (scenes != SCENES).then(|| format!("{scenes} random scenes instead of {SCENES}"));
     report.files.push(path);
     report.figures = figures(case, &published);

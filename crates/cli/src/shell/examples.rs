@@ -1,6 +1,9 @@
 //! What follows the options in each command's help. A test runs every example.
 
-use forage_study::{REPRODUCTIONS, STUDIES, Study};
+use forage_study::{
+    registry::{REPRODUCTIONS, STUDIES},
+    study::Study,
+};
 
 use super::names;
 

@@ -111,7 +111,7 @@ fn read_file(path: &Path) -> Result<(read::Given, Vec<PathBuf>), Failure> {
 }
 
 /// As with `forage run --scene`, but relative to the folder of the experiment's file.
-fn scene(folder: &Path, text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), forage_study::Failure> {
+fn scene(folder: &Path, text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), forage_study::failure::Failure> {
     let file = folder.join(text);
     let found = if Link::is_link(text) || !file.exists() && names::scenes().contains(&text) {
         load::scene_and_files(text)
@@ -121,7 +121,7 @@ fn scene(folder: &Path, text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), forage
         Err(load::no_scene(text))
     };
     found.map_err(|failure| match failure {
-        Failure::File(path, error) => forage_study::Failure::File(PathBuf::from(path), error),
+        Failure::File(path, error) => forage_study::failure::Failure::File(PathBuf::from(path), error),
         Failure::Refused(problem) | Failure::Interrupted(problem) => Error::malformed("scene", problem).into(),
     })
 }

@@ -3,6 +3,7 @@
 use std::{io, path::Path, process::ExitCode};
 
 use forage::Error;
+use forage_study::failure::Failure as StudyFailure;
 
 use super::{
     names::{self, Subject},
@@ -86,12 +87,12 @@ impl From<Error> for Failure {
     }
 }
 
-impl From<forage_study::Failure> for Failure {
-    fn from(failure: forage_study::Failure) -> Self {
+impl From<StudyFailure> for Failure {
+    fn from(failure: StudyFailure) -> Self {
         match failure {
-            forage_study::Failure::Refused(error) => error.into(),
-            forage_study::Failure::File(path, error) => Self::File(path.to_string_lossy().into_owned(), error),
-            interrupted @ (forage_study::Failure::Interrupted { .. } | forage_study::Failure::ComparisonInterrupted(_)) => {
+            StudyFailure::Refused(error) => error.into(),
+            StudyFailure::File(path, error) => Self::File(path.to_string_lossy().into_owned(), error),
+            interrupted @ (StudyFailure::Interrupted { .. } | StudyFailure::ComparisonInterrupted(_)) => {
                 Self::Interrupted(interrupted.to_string())
             }
         }

@@ -10,7 +10,7 @@ use forage::{
     scene::generate::{GENERATORS, Generator, OTHERS},
     shipped_names,
 };
-use forage_study::{REPRODUCTIONS, STUDIES};
+use forage_study::registry::{REPRODUCTIONS, STUDIES};
 
 use super::text::{cut_list, quoted};
 

@@ -3,10 +3,13 @@
 use std::{fs, path::Path, process::ExitCode, sync::atomic::AtomicBool, time::Duration};
 
 use forage_study::{
-    Options, REPRODUCTIONS, STUDIES, Study, document,
+    document,
     fingerprints::{self, Fingerprints},
+    options::Options,
+    registry::{REPRODUCTIONS, STUDIES, all},
     report::Report,
     runner::Control,
+    study::{Study, find, jobs},
 };
 
 use super::{
@@ -20,8 +23,8 @@ use super::{
 
 pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
     let chosen: Vec<Study> = match &args.name {
-        Some(name) => vec![*forage_study::find(REPRODUCTIONS, "NAME", name)?],
-        None => forage_study::all(),
+        Some(name) => vec![*find(REPRODUCTIONS, "NAME", name)?],
+        None => all(),
     };
     check_files(&args)?;
     let json = args.options.json;
@@ -34,7 +37,7 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
     for study in chosen {
         if args.check.is_some() && !study.repeatable {
             // The documents hold none of its figures.
-            reports.push(Report::new(&study, 0, 0));
+            reports.push(study.report(0, 0));
             continue;
         }
         reports.push(carry_out(&study, &options, &stop, json)?);
@@ -46,7 +49,7 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
         return Ok(ExitCode::SUCCESS);
     }
     // The two folders may be the same: compare before writing.
-    let rows = Fingerprints::of_kept(&forage_study::all(), &options)?;
+    let rows = Fingerprints::of_kept(&jobs(&all(), &options)?, &options.out)?;
     let differences = args.check.map(|folder| document::differences(&reports, &rows, &folder)).transpose()?;
     document::write(&reports, &rows, &options)?;
     let Some(differences) = differences else { return Ok(ExitCode::SUCCESS) };
@@ -58,7 +61,7 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
 }
 
 pub(super) fn study(args: StudyArgs) -> super::Outcome {
-    let study = forage_study::find(STUDIES, "STUDY", &args.study)?;
+    let study = find(STUDIES, "STUDY", &args.study)?;
     check_rows(&args.options.out)?;
     let json = args.options.json;
     let report = carry_out(study, &options(args.options), &interrupt::flag(), json)?;
@@ -103,9 +106,10 @@ fn check_rows(folder: &Path) -> Result<(), Failure> {
 /// Compares the rows of some jobs with the stored fingerprints.
 fn sample(seed: &str, folder: &Path, time: Duration, options: &Options, stop: &AtomicBool, json: bool) -> super::Outcome {
     let stored = Fingerprints::read(folder)?;
+    let lists = jobs(&all(), options)?;
     let bar = progress::bar("sample");
     let show = |done, total| progress::show(&bar, done, total);
-    let sampled = fingerprints::sample(&forage_study::all(), options, &stored, seed, time, &Control { stop, progress: &show });
+    let sampled = fingerprints::sample(&lists, options.threads, &stored, seed, time, &Control { stop, progress: &show });
     bar.finish_and_clear();
     let sampled = sampled?;
     if json {

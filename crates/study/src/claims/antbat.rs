@@ -1,9 +1,13 @@
 //! The claims of [ANTBAT].
 
-use super::{Arm, Claim, EVALUATIONS, LENGTH, Measure, PaperClaims, Part, Question, Until};
+use super::{
+    claim::{Arm, Claim, Part, Question, Until},
+    measure::{EVALUATIONS, LENGTH, Measure},
+    paper::PaperClaims,
+};
 
 /// See the module.
-pub(crate) const CLAIMS: PaperClaims = PaperClaims { claims: |_| claims(), first: Vec::new, files: ["", "antbat-claims-runs.csv"] };
+pub(super) const CLAIMS: PaperClaims = PaperClaims { claims: |_| claims(), first: Vec::new, files: ["", "antbat-claims-runs.csv"] };
 
 const SCENE: &str = "ant-bat-30";
 const GRID: &str = "columns=20 rows=20";

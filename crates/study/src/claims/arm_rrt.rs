@@ -1,9 +1,13 @@
 //! The claims of [ARM-RRT].
 
-use super::{Arm, Claim, Event, GAP, LENGTH, Measure, PaperClaims, Part, Question};
+use super::{
+    claim::{Arm, Claim, Event, Part, Question},
+    measure::{GAP, LENGTH, Measure},
+    paper::PaperClaims,
+};
 
 /// See the module.
-pub(crate) const CLAIMS: PaperClaims = PaperClaims { claims: |_| claims(), first: Vec::new, files: ["", "arm-rrt-claims-runs.csv"] };
+pub(super) const CLAIMS: PaperClaims = PaperClaims { claims: |_| claims(), first: Vec::new, files: ["", "arm-rrt-claims-runs.csv"] };
 
 const NODES: Measure = Measure::new("nodes", "number of nodes", 4);
 const TESTED: Measure = Measure::new("tested", "number of collision tests", 4);

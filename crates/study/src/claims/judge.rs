@@ -2,23 +2,20 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
-
-use forage::{
-    Given,
-    statistics::{LAST, Summary, comparable, holm, proportion, rank_sum},
-};
+use forage::statistics::{LAST, Summary, comparable, holm, proportion, rank_sum};
 
 use super::{
     super::{
         inference::{brown_forsythe, fisher, log_rank, mcnemar, mean_difference, mean_of, page, signed_rank, std_of},
-        marks::LEVEL,
+        marking::LEVEL,
+        runner::Job,
         table::significant,
     },
-    Claim, Event, Measure, On, Part, Question,
+    claim::{Claim, Event, On, Part, Question},
+    judged::{Answer, Answered, Judged, Mark, ShownArm},
+    measure::Measure,
     run::Run,
 };
-use crate::runner::Job;
 
 /// The least share of pairs in which the first is better (Vargha and Delaney's A) that upholds a claim.
 pub const LEAST_EFFECT: f64 = 0.60;
@@ -26,139 +23,6 @@ pub const LEAST_EFFECT: f64 = 0.60;
 pub const TRIVIAL: f64 = 0.5;
 /// Of so many of the runs a mean or a deviation must be known.
 const KNOWN: f64 = 0.9;
-
-/// What the runs say of a part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Answer {
-    /// Significant as claimed, and large enough.
-    AsClaimed,
-    /// Significant the other way.
-    Contrary,
-    /// A length or cost that differs by less than half a per cent.
-    Trivial,
-    /// All else.
-    Undecided,
-}
-
-impl Answer {
-    /// All.
-    pub const ALL: [Self; 4] = [Self::AsClaimed, Self::Contrary, Self::Trivial, Self::Undecided];
-
-    /// In words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::AsClaimed => "as claimed",
-            Self::Contrary => "contrary",
-            Self::Trivial => "trivial",
-            Self::Undecided => "undecided",
-        }
-    }
-}
-
-/// The mark of a claim.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Mark {
-    /// Every part is as claimed.
-    Upheld,
-    /// Every part is contrary or trivial; of a claim about all cases one contrary part is enough.
-    Refuted,
-    /// All else.
-    Undecided,
-}
-
-impl Mark {
-    /// All.
-    pub const ALL: [Self; 3] = [Self::Upheld, Self::Refuted, Self::Undecided];
-
-    /// In words.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Upheld => "upheld",
-            Self::Refuted => "refuted",
-            Self::Undecided => "undecided",
-        }
-    }
-
-    fn of(answers: &[Answer], universal: bool) -> Self {
-        let all = |of: &dyn Fn(&Answer) -> bool| !answers.is_empty() && answers.iter().all(of);
-        match () {
-            () if universal && answers.contains(&Answer::Contrary) => Self::Refuted,
-            () if all(&|answer| *answer == Answer::AsClaimed) => Self::Upheld,
-            () if all(&|answer| matches!(answer, Answer::Contrary | Answer::Trivial)) => Self::Refuted,
-            () => Self::Undecided,
-        }
-    }
-}
-
-/// A planner of a part, as a report shows it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ShownArm {
-    /// The planner's name.
-    pub planner: &'static str,
-    /// The parameters that are not its defaults.
-    pub parameters: Given,
-    /// The same of the arm’s motion.
-    #[serde(skip_serializing_if = "Given::is_empty")]
-    pub motion: Given,
-    /// The command that repeats its first run.
-    pub command: String,
-}
-
-/// A part and what its runs say.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Answered {
-    /// What was asked.
-    pub question: String,
-    /// Where.
-    pub on: String,
-    /// The scene, if it is one that ships.
-    pub scene: Option<&'static str>,
-    /// The planners.
-    pub arms: Vec<ShownArm>,
-    /// The first and the last seed.
-    pub seeds: [u64; 2],
-    /// Runs of each planner; maps, if each map is a pair.
-    pub n: usize,
-    /// The numbers that were compared.
-    pub numbers: String,
-    /// The test.
-    pub test: &'static str,
-    /// Its result.
-    pub p: Option<f64>,
-    /// The same, corrected for the claim's other parts (Holm).
-    pub corrected: Option<f64>,
-    /// The size of the effect.
-    pub effect: String,
-    /// What follows.
-    pub answer: Answer,
-}
-
-/// A claim and its mark.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Judged {
-    /// See [`Claim::id`].
-    pub id: &'static str,
-    /// See [`Claim::quotation`].
-    pub quotation: &'static str,
-    /// See [`Claim::says`].
-    pub says: &'static str,
-    /// See [`Claim::place`].
-    pub place: &'static str,
-    /// See [`Claim::universal`].
-    pub universal: bool,
-    /// See [`Claim::tables`].
-    pub tables: &'static [&'static str],
-    /// See [`Claim::reading`].
-    pub reading: &'static str,
-    /// What follows from the parts.
-    pub mark: Mark,
-    /// The parts, counted.
-    pub because: String,
-    /// The parts.
-    pub parts: Vec<Answered>,
-}
 
 /// What a test says before it is corrected for the others.
 struct Found {

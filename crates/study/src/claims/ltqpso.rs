@@ -1,9 +1,13 @@
 //! The claims of [LTQPSO].
 
-use super::{Arm, Claim, EVALUATIONS, Event, LENGTH, Measure, PaperClaims, Part, Question, Until, value_on};
+use super::{
+    claim::{Arm, Claim, Event, Part, Question, Until},
+    measure::{EVALUATIONS, LENGTH, Measure, value_on},
+    paper::PaperClaims,
+};
 
 /// See the module.
-pub(crate) const CLAIMS: PaperClaims = PaperClaims { claims: |_| claims(), first: Vec::new, files: ["", "ltqpso-claims-runs.csv"] };
+pub(super) const CLAIMS: PaperClaims = PaperClaims { claims: |_| claims(), first: Vec::new, files: ["", "ltqpso-claims-runs.csv"] };
 
 const PAIR: [&str; 2] = ["ltqpso", "qpso"];
 const COST: Measure = Measure::new("cost", "cost", 6).of_any_run().or_trivial();

@@ -1,11 +1,17 @@
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{
-    judge::{Answered, judge},
-    run::Task,
+    judge::judge,
+    measure::value_on,
+    paper::{PaperClaims, Rows},
+    run::Run,
+    task::Task,
     *,
 };
-use crate::papers::{PAPERS, Paper};
+use crate::{
+    papers::{PAPERS, Paper},
+    runner::Job,
+};
 use forage::{catalogue, params::Settings};
 
 /// All claims of all papers, without what a tuning finds.

@@ -1,9 +1,13 @@
 //! The claims of [WCPSO].
 
-use super::{Arm, Claim, Event, LENGTH, Measure, PaperClaims, Part, Question, Until, VALUE, value_on};
+use super::{
+    claim::{Arm, Claim, Event, Part, Question, Until},
+    measure::{LENGTH, Measure, VALUE, value_on},
+    paper::PaperClaims,
+};
 
 /// See the module.
-pub(crate) const CLAIMS: PaperClaims = PaperClaims { claims: |_| claims(), first: Vec::new, files: ["", "wcpso-claims-runs.csv"] };
+pub(super) const CLAIMS: PaperClaims = PaperClaims { claims: |_| claims(), first: Vec::new, files: ["", "wcpso-claims-runs.csv"] };
 
 /// Table 2's functions.
 const TABLE_2: [&str; 8] = ["matyas", "egg-crate", "sphere-2", "sphere", "rosenbrock-2", "rosenbrock", "ackley-2", "ackley"];

@@ -1,10 +1,15 @@
 //! The claims of [WOLF-ANT].
 
-use super::{Arm, Claim, Event, LENGTH, Measure, On, PaperClaims, Part, Question, Rows, Until, run::Task};
-use crate::runner::Job;
+use super::{
+    super::runner::Job,
+    claim::{Arm, Claim, Event, On, Part, Question, Until},
+    measure::{LENGTH, Measure},
+    paper::{PaperClaims, Rows},
+    task::Task,
+};
 
 /// See the module.
-pub(crate) const CLAIMS: PaperClaims =
+pub(super) const CLAIMS: PaperClaims =
     PaperClaims { claims, first: tunings, files: ["wolf-ant-claims-tunings.csv", "wolf-ant-claims-runs.csv"] };
 
 const SCENE: &str = "wolf-ant-20";

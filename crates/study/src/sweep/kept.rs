@@ -6,7 +6,7 @@
 
 use std::{
     ffi::OsString,
-    fs::{self, File, OpenOptions, TryLockError},
+    fs::{self, File, OpenOptions},
     io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write},
     path::{Path, PathBuf},
 };
@@ -14,7 +14,10 @@ use std::{
 use forage::{kernel::Error, trial::Record};
 
 use super::{
-    super::{Failure, at, files::is_same},
+    super::{
+        failure::{Failure, at},
+        files::{is_same, locked},
+    },
     line::{Format, Told, Wrong},
     plan::{Part, Sweep},
 };
@@ -423,33 +426,4 @@ pub fn damaged(rows: &Path) -> PathBuf {
     let more = (2_u64..).map(|number| beside(rows, &format!(".{number}.bad")));
     // The numbers end after the names of any folder.
     std::iter::once(first.clone()).chain(more).find(|path| fs::symlink_metadata(path).is_err()).unwrap_or(first)
-}
-
-/// Refuses what somebody else is writing. Where files cannot be locked at all, that should be known.
-pub(crate) fn locked(outcome: Result<(), TryLockError>, path: &Path) -> Result<Option<String>, Failure> {
-    match outcome {
-        Ok(()) => Ok(None),
-        Err(TryLockError::WouldBlock) => {
-            Err(at(path)(io::Error::new(io::ErrorKind::WouldBlock, "another `forage` is writing it; nobody else can meanwhile")))
-        }
-        Err(TryLockError::Error(problem)) => {
-            Ok(Some(format!("{}: it cannot be locked ({problem}); let nothing else write it meanwhile", path.display())))
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_cannot_be_locked_is_told_and_what_is_locked_is_refused() {
-        let path = Path::new("rows.csv");
-        assert!(matches!(locked(Ok(()), path), Ok(None)));
-        let none = io::Error::from(io::ErrorKind::Unsupported);
-        let told = locked(Err(TryLockError::Error(none)), path).unwrap().unwrap();
-        assert!(told.starts_with("rows.csv: it cannot be locked") && told.contains("let nothing else write"), "{told}");
-        let refused = locked(Err(TryLockError::WouldBlock), path).unwrap_err().to_string();
-        assert!(refused.contains("another `forage` is writing it"), "{refused}");
-    }
 }

@@ -9,7 +9,10 @@ use forage::{
     trial::Record,
 };
 
-use super::plan::{Sweep, value_text};
+use super::{
+    plan::Sweep,
+    text::{number_text, value_text},
+};
 
 /// What is in front of the parameters,
 const LEAD: [&str; 3] = ["scene", "planner", "seed"];
@@ -279,12 +282,6 @@ fn item(value: &Value) -> Item {
         Value::String(text) => Item::Text(text.clone()),
         other => Item::Bare(other.to_string()),
     }
-}
-
-/// The shortest digits that give the number again, which JSON can read, too: `40`, `0.4`, `1e-9`.
-pub(super) fn number_text(number: f64) -> String {
-    let text = format!("{number:?}");
-    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }
 
 fn csv_line<T: AsRef<[u8]>>(texts: &[T]) -> io::Result<Vec<u8>> {

@@ -12,6 +12,7 @@ pub mod line;
 pub mod plan;
 pub mod read;
 pub mod summary;
+mod text;
 
 use std::{
     path::PathBuf,
@@ -27,7 +28,7 @@ use forage::{
 };
 
 use super::{
-    Failure,
+    failure::Failure,
     runner::{self, Control, Work},
 };
 

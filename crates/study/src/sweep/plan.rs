@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, fmt, str::FromStr, sync::Arc};
 
 use forage::{Given, Scene, Setup, Value, kernel::Error, params::Settings};
 
-use super::line::number_text;
+use super::text::value_text;
 
 /// So many runs fit in the memory of a usual machine, and in years of its time.
 pub const MOST: usize = 100_000_000;
@@ -272,15 +272,6 @@ fn weight(settings: &Settings) -> u64 {
     let each = number("population").or_else(|| number("ants")).unwrap_or(1);
     // A hundred million of them still add up.
     iterations.saturating_mul(each).clamp(1, 1 << 36)
-}
-
-/// A value as it stands in a row.
-pub(super) fn value_text(value: &Value) -> String {
-    match value {
-        Value::Number(number) => number_text(*number),
-        Value::Flag(flag) => flag.to_string(),
-        Value::Text(text) => text.clone(),
-    }
 }
 
 /// Every so many-th run.

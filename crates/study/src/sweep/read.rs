@@ -14,9 +14,10 @@ use forage::{
 };
 
 use super::{
-    super::Failure,
+    super::failure::Failure,
     line::Format,
-    plan::{MOST, MOST_CELLS, Seeds, Setting, Sweep, Variants, value_text},
+    plan::{MOST, MOST_CELLS, Seeds, Setting, Sweep, Variants},
+    text::value_text,
 };
 
 /// Finds the scene that a text stands for.

@@ -17,7 +17,8 @@ use super::{
     },
     kept::Kept,
     line::{Optimum, Told},
-    plan::{Pairs, value_text},
+    plan::Pairs,
+    text::value_text,
 };
 
 /// Between more than so many nobody reads a test of each two.

@@ -10,7 +10,7 @@ use std::{
 
 use forage::shipped;
 use forage_study::{
-    Failure,
+    failure::Failure,
     runner::Control,
     sweep::{self, Kept, Part, Sweep, read},
 };

@@ -6,10 +6,14 @@ use forage::{
     scene::shipped,
 };
 
-use super::{Finding, Source, ackley_minima, fall, samples};
+use super::{
+    finding::Finding,
+    samples::{ackley_minima, fall, samples},
+};
 use crate::{
     compared::Printed,
     figure::Figure,
+    marks::Source,
     published::{
         ANTBAT, TABLE_1, TABLE_2, TABLE_3, TABLE_4, WOLF_ANT, WOLF_ANT_TURNS,
         wcpso::{self, PLANNERS},

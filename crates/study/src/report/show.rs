@@ -1,0 +1,72 @@
+//! A report for a terminal, and as files.
+
+use std::{fmt::Write, fs};
+
+use super::{
+    super::{
+        claims,
+        escape::path_text,
+        failure::{Failure, at},
+        findings,
+        options::Options,
+        papers,
+    },
+    Report, figures,
+};
+
+impl Report {
+    /// Writes each table as CSV and the whole as Markdown.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write(&mut self, options: &Options) -> Result<(), Failure> {
+        findings::attach(&mut self.figures, papers::tag(self.source))?;
+        fs::create_dir_all(&options.out).map_err(at(&options.out))?;
+        for table in &self.tables {
+            let path = options.out.join(format!("{}-{}.csv", self.name, table.name));
+            table.csv().and_then(|text| fs::write(&path, text)).map_err(at(&path))?;
+            self.files.push(path);
+        }
+        let path = options.out.join(format!("{}.md", self.name));
+        fs::write(&path, self.markdown()).map_err(at(&path))?;
+        self.files.push(path);
+        Ok(())
+    }
+
+    fn heading(&self) -> String {
+        let shortened = self.shortened.as_ref().map_or(String::new(), |text| format!(" ({text})"));
+        format!("{}: {}, {}{shortened}", self.name, self.title, self.source)
+    }
+
+    /// For a terminal.
+    pub fn text(&self) -> String {
+        let mut text = format!("{}\n\n", self.heading());
+        figures::tables(&self.figures).iter().for_each(|table| text += &(table.text() + "\n"));
+        self.tables.iter().for_each(|table| text += &(table.text() + "\n"));
+        text += &claims::text(&self.claims);
+        let files = self.files.iter().map(|path| path_text(path));
+        for (title, items) in [("Notes", self.notes.clone()), ("To repeat a run", self.commands.clone()), ("Written", files.collect())] {
+            if items.is_empty() {
+                continue;
+            }
+            let _ = writeln!(text, "\n{title}");
+            items.iter().for_each(|item| text.extend(["  ", item, "\n"]));
+        }
+        text
+    }
+
+    fn markdown(&self) -> String {
+        let mut text = format!("## {}\n\n{}", self.heading(), figures::figures(self));
+        self.tables.iter().for_each(|table| text += &(table.markdown() + "\n"));
+        text += &claims::markdown(&self.claims);
+        if !self.notes.is_empty() {
+            text += "\n";
+        }
+        self.notes.iter().for_each(|note| text.extend(["- ", note, "\n"]));
+        if !self.commands.is_empty() {
+            text += "\nTo repeat a run:\n\n";
+        }
+        self.commands.iter().for_each(|command| text.extend(["    ", command, "\n"]));
+        text
+    }
+}
