@@ -14,14 +14,14 @@ use forage::{
 };
 
 use super::{
-    Failure,
     args::ConvertArgs,
+    failure::{Failure, Outcome},
     files, load,
     output::{note, notes},
     text::{quoted, shorten},
 };
 
-pub(super) fn convert(args: &ConvertArgs) -> super::Outcome {
+pub(super) fn convert(args: &ConvertArgs) -> Outcome {
     let Some((to, from @ [one, ..])) = args.paths.split_last() else {
         return Err(Error::refused("OUT", "nothing", "a file to write, after the files to read").into());
     };
@@ -43,7 +43,7 @@ pub(super) fn format(field: &str, path: &str) -> Result<Format, Error> {
 
 /// Writes a scene's files in a format, named like `path`, the value of `field`, except for their endings. Files that were read are
 /// never overwritten.
-pub(super) fn write(scene: &Scene, format: Format, field: &str, path: &str, read: &[String]) -> super::Outcome {
+pub(super) fn write(scene: &Scene, format: Format, field: &str, path: &str, read: &[String]) -> Outcome {
     let path = Path::new(path);
     let name = path.to_string_lossy();
     let exported = formats::export(scene, format, formats::stem_of(&name))?;

@@ -11,7 +11,8 @@ use forage::{
 use serde::Serialize;
 
 use super::{
-    Outcome, load,
+    failure::Outcome,
+    load,
     output::{print, print_json},
     text::{escape, measured, number},
 };

@@ -15,9 +15,9 @@ use forage_study::{
 use serde_json::json;
 
 use super::{
-    Failure,
     args::ExperimentArgs,
     examples::EXPERIMENT_FILE,
+    failure::{Failure, Outcome},
     files::{self, LARGEST_EXPERIMENT},
     interrupt, load, names,
     output::{notes, print, print_json, print_raw},
@@ -25,7 +25,7 @@ use super::{
     text::{escape, quoted},
 };
 
-pub(super) fn experiment(args: &ExperimentArgs) -> super::Outcome {
+pub(super) fn experiment(args: &ExperimentArgs) -> Outcome {
     let Some(file) = args.file.as_deref() else {
         print_raw(EXPERIMENT_FILE.trim_end().as_bytes())?;
         return Ok(ExitCode::SUCCESS);

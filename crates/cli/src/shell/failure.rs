@@ -7,7 +7,6 @@ use forage_study::failure::Failure as StudyFailure;
 
 use super::{
     names::{self, Subject},
-    output::note,
     text::{self, cut_list, quoted, shorten},
 };
 
@@ -25,9 +24,12 @@ pub(super) enum Failure {
     Interrupted(String),
 }
 
+/// What a command ended with.
+pub(super) type Outcome = Result<ExitCode, Failure>;
+
 impl Failure {
     /// The exit code.
-    fn code(&self) -> u8 {
+    pub(super) fn code(&self) -> u8 {
         use io::ErrorKind::{AlreadyExists, InvalidFilename, InvalidInput, IsADirectory, NotADirectory, NotFound, PermissionDenied};
         match self {
             Self::Refused(_) => 2,
@@ -65,14 +67,8 @@ impl Failure {
         Self::Refused(message(error, subject))
     }
 
-    /// Prints the message on standard error and returns the exit code.
-    pub(super) fn report(&self) -> ExitCode {
-        note(&self.message());
-        ExitCode::from(self.code())
-    }
-
     /// What is printed on standard error.
-    fn message(&self) -> String {
+    pub(super) fn message(&self) -> String {
         let message = match self {
             Self::Refused(message) | Self::Interrupted(message) => message.clone(),
             Self::File(path, error) => format!("{}: {}", quoted(path), problem(error)),

@@ -9,7 +9,7 @@ use std::{
 use forage::Error;
 use forage_study::files::{is_same, place};
 
-use super::{Failure, text::quoted};
+use super::{failure::Failure, text::quoted};
 
 /// The largest scene, map, image, TSPLIB or CSV file.
 pub(super) const LARGEST_SCENE: Limit = Limit { bytes: 64 << 20, what: "a scene file" };

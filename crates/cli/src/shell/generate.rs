@@ -5,14 +5,15 @@ use std::process::ExitCode;
 use forage::{Given, scene::generate};
 
 use super::{
-    Failure,
     args::GenerateArgs,
-    convert, load,
+    convert,
+    failure::{Failure, Outcome},
+    load,
     names::Subject,
     output::{notes, print_raw},
 };
 
-pub(super) fn generate(args: &GenerateArgs) -> super::Outcome {
+pub(super) fn generate(args: &GenerateArgs) -> Outcome {
     let generator = generate::find(&args.generator)?;
     let format = args.out.as_deref().map(|path| convert::format("--out", path)).transpose()?;
     let mut overrides = Given::new();

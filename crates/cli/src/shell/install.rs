@@ -5,8 +5,8 @@ use std::{fs, path::Path, process::ExitCode};
 use clap::{Command, CommandFactory, builder::Resettable};
 
 use super::{
-    Failure, Outcome,
     args::Cli,
+    failure::{Failure, Outcome},
     files,
     output::{note, print_raw},
     text::quoted,

@@ -17,8 +17,8 @@ use forage::{
 };
 
 use super::{
-    Failure,
     args::RunArgs,
+    failure::Failure,
     failure::in_file,
     files::{self, LARGEST_SCENE, LONGEST_LINK},
     names::{self, Subject},

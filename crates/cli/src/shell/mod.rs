@@ -30,10 +30,6 @@ use std::process::ExitCode;
 use clap::Parser;
 
 use args::{Cli, Command};
-use failure::Failure;
-
-/// What a command ended with.
-type Outcome = Result<ExitCode, Failure>;
 
 /// Runs the command line and returns its exit code.
 pub fn main() -> ExitCode {
@@ -55,5 +51,5 @@ pub fn main() -> ExitCode {
         Command::Man { out } => install::man(out.as_deref()),
         Command::Licenses => install::licenses(),
     };
-    outcome.unwrap_or_else(|failure| failure.report())
+    outcome.unwrap_or_else(|failure| output::report(&failure))
 }

@@ -3,12 +3,13 @@
 use std::{
     fmt::Write as _,
     io::{self, Write},
+    process::ExitCode,
 };
 
 use serde::Serialize;
 
 use super::{
-    Failure,
+    failure::Failure,
     text::{self, is_unsafe},
 };
 
@@ -58,6 +59,12 @@ pub(super) fn note(text: &str) {
 /// Prints several of them.
 pub(super) fn notes(texts: &[String]) {
     texts.iter().for_each(|text| note(text));
+}
+
+/// Prints why a command failed on standard error and returns the exit code.
+pub(super) fn report(failure: &Failure) -> ExitCode {
+    note(&failure.message());
+    ExitCode::from(failure.code())
 }
 
 #[cfg(test)]

@@ -13,15 +13,15 @@ use forage_study::{
 };
 
 use super::{
-    Failure,
     args::{ReproduceArgs, StudyArgs, StudyOptions},
+    failure::{Failure, Outcome},
     files::{self, LARGEST_SCENE},
     interrupt,
     output::{note, print, print_json},
     progress,
 };
 
-pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
+pub(super) fn reproduce(args: ReproduceArgs) -> Outcome {
     let chosen: Vec<Study> = match &args.name {
         Some(name) => vec![*find(REPRODUCTIONS, "NAME", name)?],
         None => all(),
@@ -60,7 +60,7 @@ pub(super) fn reproduce(args: ReproduceArgs) -> super::Outcome {
     Ok(if differences.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-pub(super) fn study(args: StudyArgs) -> super::Outcome {
+pub(super) fn study(args: StudyArgs) -> Outcome {
     let study = find(STUDIES, "STUDY", &args.study)?;
     check_rows(&args.options.out)?;
     let json = args.options.json;
@@ -104,7 +104,7 @@ fn check_rows(folder: &Path) -> Result<(), Failure> {
 }
 
 /// Compares the rows of some jobs with the stored fingerprints.
-fn sample(seed: &str, folder: &Path, time: Duration, options: &Options, stop: &AtomicBool, json: bool) -> super::Outcome {
+fn sample(seed: &str, folder: &Path, time: Duration, options: &Options, stop: &AtomicBool, json: bool) -> Outcome {
     let stored = Fingerprints::read(folder)?;
     let lists = jobs(&all(), options)?;
     let bar = progress::bar("sample");

@@ -6,12 +6,13 @@ use forage::{Given, Setup, describe::Suggestion};
 
 use super::{
     args::SuggestArgs,
+    failure::Outcome,
     load,
     output::{print, print_json},
     text::escape,
 };
 
-pub(super) fn suggest(args: SuggestArgs) -> super::Outcome {
+pub(super) fn suggest(args: SuggestArgs) -> Outcome {
     forage::catalogue::find(&args.planner)?;
     let mut setup = Setup { planner: args.planner, scene: load::scene(&args.scene)?, params: Given::new(), seed: 1 };
     load::read_pairs("--set", &args.set, &mut setup.params)?;

@@ -8,9 +8,9 @@ use clap::{
 };
 
 use super::{
-    Failure,
     args::Cli,
-    names,
+    failure::Failure,
+    names, output,
     text::{quoted, shorten},
 };
 
@@ -21,7 +21,7 @@ pub(super) fn report(error: &Error) -> ExitCode {
         let _ = error.print();
         return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
     }
-    Failure::Refused(message(error)).report()
+    output::report(&Failure::Refused(message(error)))
 }
 
 /// What is wrong, what may have been meant, and where help is.

@@ -2,28 +2,28 @@
 
 mod entry;
 mod page;
+mod words;
 
 use std::{fmt::Write, process::ExitCode};
 
 use forage::{
-    arm,
     catalogue::{self, PLANNERS},
-    describe::{Entry, Follower},
-    drive,
     kernel::Kind,
     shipped_names,
 };
 
 use super::{
-    Failure,
     args::ListArgs,
     convert::describe,
+    failure::{Failure, Outcome},
     names,
     output::{print, print_json, print_raw},
     text::{columns, cut_list, escape, fit, quoted, wrap},
 };
 
-pub(super) fn list(args: &ListArgs) -> super::Outcome {
+use words::{family, kinds};
+
+pub(super) fn list(args: &ListArgs) -> Outcome {
     match &args.name {
         None if args.json => print_json(&catalogue::catalogue())?,
         None => print(&overview(columns()))?,
@@ -107,20 +107,6 @@ fn groups() -> Vec<(String, Vec<Line>)> {
     groups
 }
 
-/// A planner's family for people.
-fn family(entry: &Entry) -> &'static str {
-    match entry.family {
-        "swarm" => "particle swarms",
-        "ants" => "ant colonies",
-        "search" => "graph search",
-        "tour" => "tours through stops",
-        "tree" => "rapidly-exploring random trees",
-        "dynamic" => "driving among moving obstacles",
-        "tuning" => "parameter tuning",
-        other => other,
-    }
-}
-
 fn scene_heading(kind: Kind) -> &'static str {
     match kind {
         Kind::Function => "test functions",
@@ -128,20 +114,5 @@ fn scene_heading(kind: Kind) -> &'static str {
         Kind::Grid => "grids",
         Kind::Tour => "stops of a tour",
         Kind::Arm => "arms",
-    }
-}
-
-/// The kinds of scene that a planner runs on.
-fn kinds(entry: &Entry) -> String {
-    let name = |kind: &Kind| if entry.stops && *kind == Kind::Grid { "grid with stops" } else { kind.name() };
-    entry.kinds.iter().map(name).collect::<Vec<_>>().join(", ")
-}
-
-/// The followers of a path by name, with the kind of scene that they apply to.
-fn follower(name: &str) -> Option<(&'static Follower, Kind)> {
-    match name {
-        "drive" => Some((&drive::ENTRY, Kind::Grid)),
-        "motion" => Some((&arm::MOTION, Kind::Arm)),
-        _ => None,
     }
 }

@@ -12,7 +12,7 @@ use forage::{
     shipped, shipped_names,
 };
 
-use super::{family, follower, kinds};
+use super::words::{family, follower, kinds};
 use crate::shell::{
     convert::describe,
     exact::unit,

@@ -24,9 +24,10 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
 use super::{
-    Failure,
     args::RunArgs,
-    exact, files, interrupt, load,
+    exact,
+    failure::{self, Failure},
+    files, interrupt, load,
     output::{note, print, print_json},
     text::{escape, quoted},
 };
@@ -39,7 +40,7 @@ struct Report {
     elapsed_ms: f64,
 }
 
-pub(super) fn run(args: &RunArgs) -> super::Outcome {
+pub(super) fn run(args: &RunArgs) -> failure::Outcome {
     let task = load::task(args)?;
     check_outputs(args, &task.files)?;
     let drive_overrides = load::drive(args, &task.setup.scene)?;
