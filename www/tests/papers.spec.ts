@@ -30,6 +30,8 @@ async function open(lab: Lab): Promise<void> {
 async function openClaim(lab: Lab, id: string): Promise<Locator> {
   const claim = lab.page.getByTestId(`claim-${id}`)
   await turned(claim, true)
+  // What is inside is made when it is opened.
+  await expect(claim.getByTestId('because')).toBeVisible()
   return claim
 }
 
@@ -263,9 +265,12 @@ for (const colorScheme of ['light', 'dark'] as const) {
         await open(lab)
         // A claim with its table is looked at, with a reason; the others are closed: axe takes its time.
         const claim = await openClaim(lab, 'O1a')
-        const groups = await claim.locator('[data-testid^="group-"]').all()
-        for (const group of groups) await turned(group, group === groups.at(-1))
-        await groups.at(-1)?.locator('td.why button').first().click()
+        const groups = claim.locator('[data-testid^="group-"]')
+        const [last, ...others] = (await groups.all()).reverse()
+        if (last === undefined) throw new Error('a claim without figures')
+        for (const group of others) await turned(group, false)
+        await turned(last, true)
+        await last.locator('td.why button').first().click()
         await turned(page.getByTestId('rule'), true)
         await expect(page.getByTestId('figure-more')).toHaveCount(1)
         expect(await violations(lab)).toEqual([])
