@@ -21,7 +21,7 @@ pub struct Follower {
     pub formulas: &'static [Formula],
 }
 
-/// A number that is told for each moment.
+/// A number that is recorded for each moment of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Column {
     /// An identifier.

@@ -1,6 +1,6 @@
 //! What there is to know of a planner before it runs: its entry, parameters, readings, formulas and layers.
 //!
-//! Vocabulary only: whoever describes something imports from here, and nothing here knows a planner.
+//! Vocabulary only: planners and followers import from here, and nothing here depends on one of them.
 
 mod entry;
 mod event;

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::params::Given;
 
-/// A run of another planner on the same scene that the next step needs. Whoever steps may carry them out side by side
+/// A run of another planner on the same scene that the next step needs. The caller may run them in parallel
 /// and hand over what they found; a step that was handed nothing carries them out itself. The result is the same.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Job {

@@ -347,7 +347,7 @@ impl GridScene {
         self.judge_way(path, allowed && ends && in_order)
     }
 
-    /// A drive must arrive, cross nothing, and never touch what moves. Its way must be the one that its moments tell.
+    /// A drive must arrive, cross nothing, and never touch a moving obstacle. Its path must be the one through its moments.
     pub(super) fn judge_drive(&self, track: &Track) -> Verdict {
         let verdict = self.judge(&track.path);
         let mut told: Vec<_> = track.moments.iter().map(|&[_, x, y]| [x, y]).collect();

@@ -13,7 +13,7 @@ pub struct Options {
     pub threads: Option<usize>,
     /// How many runs a cell; `None`: as many as the paper.
     pub runs: Option<u64>,
-    /// Carry out anew what is already there.
+    /// Repeat runs whose rows are already there.
     pub fresh: bool,
 }
 

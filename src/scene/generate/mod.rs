@@ -1,7 +1,7 @@
 //! Random scenes: each made by a generator with parameters and a seed, the same everywhere.
 //!
 //! Grids have a way from start to goal without cutting corners: `scatter` blocks a share of the cells, `rooms` begins with
-//! all blocked and opens some, `calls` puts stops on them, and `moving` what moves. `points` are stops in the plane, `discs` obstacles there,
+//! all blocked and opens some, `calls` puts stops on them, and `moving` adds moving obstacles. `points` are stops in the plane, `discs` obstacles there,
 //! and `function` is a test function with its minimum somewhere else.
 
 mod calls;

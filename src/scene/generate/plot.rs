@@ -15,7 +15,7 @@ pub struct Generator {
     pub title: &'static str,
     /// A sentence or two.
     pub help: &'static str,
-    /// Its parameters; every generator of grids has `columns`, `rows`, `cell` and, last, `stops` and those of what moves.
+    /// Its parameters; every generator of grids has `columns`, `rows`, `cell` and, last, `stops` and those of moving obstacles.
     pub parameters: &'static [Parameter],
     pub(super) draw: Draw,
 }
