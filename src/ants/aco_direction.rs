@@ -35,9 +35,9 @@ const DIRECTION_LAW: Parameter = Parameter::choice(
     "How the angles enter the direction factor. The scan of (2) is damaged; squares are the likelier reading.",
 );
 const Q_RELATIVE: Parameter = q(
-    10.0,
-    [0.1, 100.0],
-    "An ant lays Q / L on each step of a way of length L, before reward and punishment. The paper gives no value; with 10 colonies settle on random maps of every kind.",
+    100.0,
+    [1.0, 1000.0],
+    "An ant lays Q / L on each step of a way of length L, before reward and punishment. The paper gives no value; with 100, colonies settle on random maps of every kind.",
 );
 const TAU_0: Parameter = tau_0(
     2000.0,

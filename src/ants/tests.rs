@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::*;
 use crate::{
     Given, Session, Setup, Value,
-    scene::{Body, GridScene, Header},
+    scene::{Body, GridScene, Header, generate::generate},
 };
 
 fn scene(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {
@@ -211,6 +211,23 @@ fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
         }
     }
     assert!(found > 100, "most of the maps have a way");
+}
+
+/// With less pheromone on each way (`q=10`) three of these colonies of [ANTBAT] never settle: the ants' mean stays at
+/// several times their best.
+#[test]
+fn colonies_with_direction_settle_on_hard_maps() {
+    for (generator, columns, rows, seed) in
+        [("rubble", 40.0, 30.0, 2), ("rubble", 40.0, 30.0, 77), ("rooms", 50.0, 50.0, 80), ("random", 50.0, 50.0, 1)]
+    {
+        let given = [("columns", Value::from(columns)), ("rows", Value::from(rows))].into_iter().collect();
+        let scene = Arc::new(generate(generator, &given, seed).unwrap());
+        let mut session = run(&scene, "aco-direction", &[], 1);
+        session.step(u64::MAX);
+        let readings = session.readings();
+        assert_eq!(readings.get("arrived"), Some(50.0), "{generator} {seed}");
+        assert!(readings.get("settled").is_some_and(f64::is_finite), "{generator} {seed}");
+    }
 }
 
 /// Forgetting the walks costs time and nothing else.

@@ -89,7 +89,7 @@ fn report(rows: &[Found], runs: u64, options: &Options) -> Result<Report, Failur
     }
     report.notes.extend([
         format!("Without obstacles, from (0, 0) to (10, 10), smoothing, redraws and early stop off. The paper does not say how N and M are increased together, nor over what minimum and maximum are taken. Here both begin at 4 and grow in turn by a fifth (at least by 1); the first pair whose {runs} lengths have a standard deviation under {THRESHOLD} counts; extremes over {BLOCKS} blocks of seeds."),
-        format!("A search ends at N · M = {LIMIT} positions a run, to keep the whole within minutes: a D at which a block came so far is left out of the fit. Whoever has hours raises `LIMIT` in `src/experiment/search.rs`."),
+        format!("A search ends at N · M = {LIMIT} positions a run, to keep the whole within minutes: a D at which a block came so far is left out of the fit. With hours to spare, raise `LIMIT` in `crates/study/src/search.rs`."),
         "The fit is of logarithms by least squares, with 95 % confidence intervals (t) as Matlab’s `regress` gives; published R² that cannot be read are computed from the published F and 16 points (the three legible ones agree with that). The interval of Table 1’s b1 of M min does not contain its value: so printed.".to_owned(),
     ]);
     report.write(options)?;
