@@ -35,12 +35,12 @@ const DIRECTION_LAW: Parameter = Parameter::choice(
     "How the angles enter the direction factor. The scan of (2) is damaged; squares are the likelier reading.",
 );
 const Q_RELATIVE: Parameter = q(
-    100.0,
-    [1.0, 1000.0],
-    "An ant lays Q / L on each step of a way of length L, before reward and punishment. The paper gives no value; with 100, colonies settle on random maps of every kind.",
+    50.0,
+    [1.0, 100.0],
+    "An ant lays Q / L on each step of a way of length L, before reward and punishment. The paper gives no value; with 50, colonies settle on random maps of every kind.",
 );
 const TAU_0: Parameter = tau_0(
-    2000.0,
+    10_000.0,
     "What lies on every step before the first ant sets out. The paper gives no value; as much as this keeps the first paths from deciding everything.",
 );
 const TAU_MIN: Parameter = tau_min(0.1);
