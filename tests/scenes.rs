@@ -154,7 +154,8 @@ fn wolves_shares_find_the_optimum_of_the_twenty_cells() {
 
 /// [ANTBAT] Table 2's bats, 50 of them and 100 iterations, without local search: at least 28 of 30 seeds find the exact order of
 /// the twelve stops, by exact roads and by those that the paper's ants build from cell to cell. With local search, too. Of the
-/// ants' roads one in a hundred is a little longer than the shortest (15 of 1,440), so their tours need not be as long.
+/// ants' roads one in a hundred is a little longer than the shortest, so not every tour is as long: at least 24 are, and no
+/// other is longer by half a cell.
 #[test]
 fn bats_find_the_exact_tour_of_the_twelve_stops() {
     let scene = shipped("ant-bat-30").unwrap();
@@ -182,13 +183,10 @@ fn bats_find_the_exact_tour_of_the_twelve_stops() {
         let found: Vec<_> = (1..=30).map(outcome).collect();
         let as_long = found.iter().filter(|outcome| outcome.gap == Some(0.0)).count();
         let ordered = found.iter().filter(|outcome| told(outcome.order.as_ref().unwrap()) == told(&exact.order)).count();
-        let exact_roads = roads == "dijkstra";
-        let detour = found.iter().filter_map(|outcome| outcome.gap).fold(0.0, f64::max);
-        assert!(
-            ordered >= 28 && (as_long >= 28 || !exact_roads),
-            "{roads}: {as_long} as long as the exact tour, {ordered} in its order, of 30"
-        );
-        assert!(exact_roads || detour < 0.01, "{roads}: {detour} longer than the exact tour");
+        let detour = found.iter().filter_map(|outcome| outcome.length).fold(0.0, f64::max) - exact.length;
+        let least = if roads == "dijkstra" { 28 } else { 24 };
+        assert!(as_long >= least && ordered >= 28, "{roads}: {as_long} as long as the exact tour, {ordered} in its order, of 30");
+        assert!(detour < 0.5, "{roads}: a tour is longer than the exact one by {detour}");
     }
 }
 
