@@ -66,7 +66,11 @@ fn counted<'a>(marks: &(impl Iterator<Item = &'a Marks> + Clone)) -> String {
         .iter()
         .map(|&mark| count(mark.name(), &|marks| marks.ranking.as_ref().is_some_and(|ranking| ranking.mark == mark)))
         .collect();
-    format!("values: {}; rankings of the rows that they are in: {}", listed(values), listed(rankings))
+    let rankings = listed(rankings);
+    if rankings.is_empty() {
+        return format!("values: {}", listed(values));
+    }
+    format!("values: {}; rankings of the rows that they are in: {rankings}", listed(values))
 }
 
 /// The whole document.
