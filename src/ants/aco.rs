@@ -15,12 +15,12 @@ use super::{
 };
 
 pub(super) const ANTS: Parameter = ants(50, "How many ants set out in an iteration. Published: 50.");
-const ALPHA: Parameter = alpha(
-    1.0,
-    "How much pheromone counts in an ant’s choice. Published: 1.5. A larger weight makes ants agree sooner, often on a longer path.",
+const ALPHA: Parameter =
+    alpha(1.0, "How much pheromone counts in an ant’s choice. Published: 1.5. The larger, the more an ant follows the others.");
+const BETA: Parameter = beta(
+    4.0,
+    "How much the distance to the goal counts in an ant’s choice. Published: 8. The larger, the more an ant heads straight for the goal.",
 );
-const BETA: Parameter =
-    beta(4.0, "How much the distance to the goal counts in an ant’s choice. Published: 8. A larger weight leads more ants into dead ends.");
 pub(super) const RHO: Parameter = rho(0.4, "The share of the pheromone that is gone after an iteration. Published: 0.4.");
 pub(super) const Q: Parameter = q(1.0, [0.1, 100.0], "An ant lays Q / L on each step of a way of length L. The paper gives no value.");
 
@@ -47,7 +47,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[Preset {
         name: "paper",
         title: "As in the paper",
-        help: "α = 1.5 and β = 8, as [ANTBAT] prints them: ants agree early. The defaults find shorter paths on random maps.",
+        help: "α = 1.5 and β = 8, as [ANTBAT] prints them. The defaults were chosen on random maps.",
         scene: "ant-bat-30",
         values: &[("alpha", Fixed::Number(1.5)), ("beta", Fixed::Number(8.0))],
     }],

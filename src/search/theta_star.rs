@@ -13,7 +13,7 @@ pub const ENTRY: Entry = Entry {
     title: "Theta*: at any angle",
     family: "search",
     source: "Nash et al. 2007",
-    summary: "A* whose cells are joined to their neighbour’s parent wherever they see it, so that paths go straight at any angle. As a rule shorter than A*’s, and rarely much longer than the shortest there is.",
+    summary: "A* whose cells are joined to their neighbour’s parent wherever they see it, so that paths go straight at any angle. They need not be the shortest there are.",
     kinds: KINDS,
     parameters: &[ITERATIONS, EXPAND, SMOOTH],
     readings: READINGS,

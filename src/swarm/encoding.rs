@@ -81,7 +81,7 @@ pub(super) const ENCODING: Parameter = Parameter::choice(
         Choice { value: "waypoints", title: "way-points", help: "Points anywhere in the bounds, [WCPSO] §3.2.2." },
         Choice { value: "polar", title: "angles on circles", help: "A point on each of several circles about the start, [LTQPSO] §4." },
     ],
-    "How a particle’s coordinates encode a path. A few coordinates seldom encode a path through rooms and never one through a maze; use ants or a graph search there.",
+    "How a particle’s coordinates encode a path. A few coordinates describe only a path with few turns; in rooms and mazes use ants or a graph search.",
 )
 .only_on(PATHS)
 .defaults_on(&[(Kind::Grid, Fixed::Text("polar"))]);

@@ -80,7 +80,7 @@ pub(super) const REWIRE: Parameter = Parameter::number(
     "r_{\\max}",
     "Longest rewiring",
     [1.0, 100.0, 4.0],
-    "How far away a neighbour may be, at most, that changes its parent: in steps. More gives shorter paths and costs more.",
+    "How far away a neighbour may be, at most, that changes its parent: in steps. With more, more parents are tried, at more cost.",
 )
 .slider(1.0, 20.0, false);
 pub(super) const INFORMED: Parameter = Parameter::flag(
