@@ -32,7 +32,7 @@ fn pace(planner: &str, scene: &Arc<Scene>, time: Duration) -> f64 {
     while simulated == 0.0 || took < time {
         let params: Given = [("border", Value::from("bounce"))].into_iter().collect();
         let mut session = Session::with_keyframes(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed: 1 }, 0).unwrap();
-        let planned = session.stages().iter().rev().nth(1).map_or(0, |plan| plan.end);
+        let planned = session.stages().iter().rev().nth(1).map_or(0, |plan| plan.end.unwrap_or(0));
         session.step(planned);
         let begun = Instant::now();
         while session.step(u64::MAX) == Status::Running {}

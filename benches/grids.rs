@@ -11,7 +11,7 @@ use forage::{
     catalogue::PLANNERS,
     describe::Entry,
     geometry::{Cells, DIRECTIONS},
-    kernel::{Solution, Yardstick, rng::Stream},
+    kernel::{Solution, Stepper, Yardstick, rng::Stream},
     params::{Given, Settings},
     scene::{Body, GridScene},
 };
@@ -47,9 +47,9 @@ fn entry(name: &str) -> &'static Entry {
 /// A whole run, step by step: the path's length.
 fn forage(entry: &Entry, scene: &Arc<Scene>) -> f64 {
     let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).expect("defaults are valid");
-    let mut planner = (entry.start)(scene, &settings, 1).expect("defaults start");
-    while planner.step_taken() {}
-    match planner.best().map(|best| (best.cost, best.solution)) {
+    let mut run = Stepper::from((entry.start)(scene, &settings, 1).expect("defaults start"));
+    while run.step(|_| Vec::new()) {}
+    match run.planner.best().map(|best| (best.cost, best.solution)) {
         Some((cost, Solution::Path(_))) => cost,
         _ => f64::NAN,
     }

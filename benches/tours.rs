@@ -28,7 +28,7 @@ fn session(planner: &str, scene: &Arc<Scene>, polish: bool, seed: u64) -> Sessio
     }
     let mut session = Session::with_keyframes(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }, 0).unwrap();
     // The roads are not what is measured.
-    session.step(session.stages().iter().rev().nth(1).map_or(0, |roads| roads.end));
+    session.step(session.stages().iter().rev().nth(1).map_or(0, |roads| roads.end.unwrap_or(0)));
     session
 }
 

@@ -18,7 +18,7 @@ use forage::{
     catalogue::find,
     describe::Entry,
     geometry::length_in_space,
-    kernel::{Readings, Solution, rng::Stream},
+    kernel::{Readings, Solution, Stepper, rng::Stream},
     params::Settings,
     shipped,
 };
@@ -77,27 +77,27 @@ fn tip_length(solution: &Solution) -> f64 {
 
 /// A whole run as it is, and again with what is made of its path. `None` without a path.
 fn run(entry: &Entry, scene: &Arc<Scene>, given: &[(&'static str, f64)], seed: u64) -> Option<Run> {
-    let mut planner = (entry.start)(scene, &settings(entry, scene, given, false), seed).unwrap();
+    let mut run = Stepper::from((entry.start)(scene, &settings(entry, scene, given, false), seed).unwrap());
     let begun = Instant::now();
-    while planner.best().is_none() && planner.step_taken() {}
+    while run.planner.best().is_none() && run.step(|_| Vec::new()) {}
     let first = begun.elapsed().as_secs_f64();
-    let raw = tip_length(&planner.best()?.solution);
+    let raw = tip_length(&run.planner.best()?.solution);
     let mut readings = Readings::default();
-    planner.read(&mut readings);
+    run.planner.read(&mut readings);
     let nodes = readings.get("nodes").unwrap_or(f64::NAN);
     let begun = Instant::now();
-    while planner.step_taken() {}
+    while run.step(|_| Vec::new()) {}
     let seconds = first + begun.elapsed().as_secs_f64();
 
-    let mut planner = (entry.start)(scene, &settings(entry, scene, given, true), seed).unwrap();
-    while planner.step_taken() {}
+    let mut run = Stepper::from((entry.start)(scene, &settings(entry, scene, given, true), seed).unwrap());
+    while run.step(|_| Vec::new()) {}
     let begun = Instant::now();
-    let solution = planner.best()?.solution;
+    let solution = run.planner.best()?.solution;
     let finishing = begun.elapsed().as_secs_f64();
     let begun = Instant::now();
     black_box(arm::along(scene, Some(&solution), &Given::new()).unwrap());
     let following = begun.elapsed().as_secs_f64();
-    let extensions = planner.iteration();
+    let extensions = run.iteration;
     Some(Run { extensions, seconds, first, nodes, raw, finished: tip_length(&solution), finishing, following })
 }
 

@@ -33,7 +33,6 @@
 //! swarm optimization algorithm*, Transactions of the Chinese Society for Agricultural Machinery, 2018 no. 12.
 
 pub mod ants;
-pub mod any;
 pub mod arm;
 pub mod catalogue;
 pub mod describe;

@@ -9,7 +9,9 @@ use std::{
 
 use forage::{
     catalogue::PLANNERS,
+    kernel::Stepper,
     params::{Given, Settings},
+    session::carry_out_all,
     shipped,
 };
 
@@ -40,11 +42,11 @@ fn no_step_of_any_swarm_allocates() {
                 continue;
             }
             let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
-            let mut planner = (entry.start)(&scene, &settings, 1).unwrap();
+            let mut run = Stepper::from((entry.start)(&scene, &settings, 1).unwrap());
             let before = COUNT.with(Cell::get);
             assert!(before > 0, "the counter counts");
             for _ in 0..300 {
-                planner.step_taken();
+                run.step(|_| Vec::new());
             }
             assert_eq!(COUNT.with(Cell::get) - before, 0, "{} on {name}", entry.name);
         }
@@ -58,18 +60,18 @@ fn no_step_of_any_ant_allocates() {
         let scene = shipped("ant-bat-30").unwrap();
         let given = [("iterations", forage::Value::from(1000.0))].into_iter().collect();
         let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
-        let mut planner = (entry.start)(&scene, &settings, 1).unwrap();
+        let mut run = Stepper::from((entry.start)(&scene, &settings, 1).unwrap());
         for _ in 0..50 {
-            planner.step_taken();
+            run.step(|_| Vec::new());
         }
         let mut allocated = 0;
         let mut unchanged = 0;
         for _ in 0..300 {
-            let best = planner.best().map(|best| best.cost);
+            let best = run.planner.best().map(|best| best.cost);
             let before = COUNT.with(Cell::get);
-            planner.step_taken();
+            run.step(|_| Vec::new());
             let count = COUNT.with(Cell::get) - before;
-            if planner.best().map(|best| best.cost) == best {
+            if run.planner.best().map(|best| best.cost) == best {
                 allocated += count;
                 unchanged += 1;
             }
@@ -90,13 +92,15 @@ fn no_step_of_any_tour_allocates() {
             let known = |name: &str| entry.parameters.iter().any(|p| p.name == name);
             let given: Given = given.filter(|(name, _)| known(name)).map(|(name, value)| (name, forage::Value::from(value))).collect();
             let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
-            let mut planner = (entry.start)(&scene, &settings, 1).unwrap();
-            while planner.stages().first().is_some_and(|roads| planner.iteration() < roads.end) {
-                planner.step_taken();
+            let started = (entry.start)(&scene, &settings, 1).unwrap();
+            let roads = started.stages.first().and_then(|roads| roads.end).unwrap();
+            let mut run = Stepper::from(started);
+            while run.iteration < roads {
+                run.step(|jobs| carry_out_all(&scene, &jobs).unwrap());
             }
             let before = COUNT.with(Cell::get);
             for _ in 0..300 {
-                planner.step_taken();
+                run.step(|_| Vec::new());
             }
             assert_eq!(COUNT.with(Cell::get) - before, 0, "{} {more:?}", entry.name);
         }
@@ -111,19 +115,20 @@ fn no_period_of_a_drive_allocates_where_nothing_is_decided() {
         let given: Given =
             [("iterations", forage::Value::from(if entry.name == "wolf-ant-drive" { 5.0 } else { 1e6 }))].into_iter().collect();
         let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
-        let mut planner = (entry.start)(&scene, &settings, 1).unwrap();
-        while planner.events().is_empty() {
-            planner.step_taken();
+        let mut run = Stepper::from((entry.start)(&scene, &settings, 1).unwrap());
+        let happened = |run: &Stepper| run.planner.facets().timeline.unwrap().events().len();
+        while happened(&run) == 0 {
+            run.step(|_| Vec::new());
         }
         let (mut allocated, mut quiet) = (0, 0);
         loop {
-            let events = planner.events().len();
+            let events = happened(&run);
             let before = COUNT.with(Cell::get);
-            if !planner.step_taken() {
+            if !run.step(|_| Vec::new()) {
                 break;
             }
             let count = COUNT.with(Cell::get) - before;
-            if planner.events().len() == events {
+            if happened(&run) == events {
                 allocated += count;
                 quiet += 1;
             }
@@ -144,12 +149,12 @@ fn trees_allocate_only_as_they_grow() {
             "start": [1, 5], "goal": [9.5, 5], "discs": [{"center": [6, 2], "radius": 3}, {"center": [6, 7], "radius": 3.1}]}"#;
         let scene = std::sync::Arc::new(forage::Scene::from_json(text).unwrap());
         let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
-        let mut planner = (entry.start)(&scene, &settings, 1).unwrap();
+        let mut run = Stepper::from((entry.start)(&scene, &settings, 1).unwrap());
         let before = COUNT.with(Cell::get);
         for _ in 0..4000 {
-            planner.step_taken();
+            run.step(|_| Vec::new());
         }
-        assert_eq!(planner.iteration(), 4000, "{name} is not done");
+        assert_eq!(run.iteration, 4000, "{name} is not done");
         let count = COUNT.with(Cell::get) - before;
         assert!(count < 160, "{name}: {count} in 4000 steps");
     }

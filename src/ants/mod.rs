@@ -22,10 +22,12 @@ mod walk;
 use std::sync::Arc;
 
 use crate::{
-    any,
     describe::Entry,
     exact,
-    kernel::{Best, Digest, Error, Frame, Inspection, Item, Planner, Readings, Role, Solution, Status, Yardstick, rng::Stream},
+    kernel::{
+        Best, Digest, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Solution, Started, Yardstick,
+        rng::Stream,
+    },
     params::{Given, Settings},
     scene::Scene,
     settled::Settled,
@@ -119,8 +121,11 @@ impl Found {
 }
 
 /// Starts a colony with these traits.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Box<dyn any::AnyPlanner>, Error> {
-    Ok(Box::new(Colony::new(scene, settings, seed, traits)?))
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Started, Error> {
+    let colony = Colony::new(scene, settings, seed, traits)?;
+    let (limit, reachable) = (colony.limit, colony.ground.reachable);
+    let yardstick = if colony.smooth { Yardstick::AnyAngle } else { Yardstick::Cells };
+    Ok(Started::new(colony, limit).measured_by(yardstick).solvable(reachable))
 }
 
 /// The preset with the parameters of a colony's paper.
@@ -188,6 +193,11 @@ impl Colony {
             pheromone,
             ground: Arc::new(ground),
         })
+    }
+
+    /// Whether any way leads from start to goal.
+    pub(crate) fn is_reachable(&self) -> bool {
+        self.ground.reachable
     }
 
     /// q0 of an iteration, counted from 0: it changes evenly over the run.
@@ -275,32 +285,12 @@ fn lay(ground: &Ground, pheromone: &mut Pheromone, way: &[u8], amount: f64) {
 }
 
 impl Planner for Colony {
-    fn step(&mut self) -> Status {
-        if self.status() == Status::Running {
-            self.iteration += 1;
-            self.send();
-            self.judge();
-            self.renew();
-        }
-        self.status()
-    }
-
-    fn status(&self) -> Status {
-        if !self.ground.reachable {
-            Status::Infeasible
-        } else if self.iteration >= self.limit {
-            Status::Exhausted
-        } else {
-            Status::Running
-        }
-    }
-
-    fn iteration(&self) -> u64 {
-        self.iteration
-    }
-
-    fn limit(&self) -> u64 {
-        self.limit
+    fn advance(&mut self) -> Progress {
+        self.iteration += 1;
+        self.send();
+        self.judge();
+        self.renew();
+        Progress::Continue
     }
 
     fn evaluations(&self) -> u64 {
@@ -311,10 +301,6 @@ impl Planner for Colony {
         let best = self.best.as_ref()?;
         let path = if self.smooth { best.way.smooth(&self.ground.scene) } else { &best.way.path };
         Some(Best { cost: best.length, solution: Solution::Path(path.to_vec()) })
-    }
-
-    fn yardstick(&self) -> Yardstick {
-        if self.smooth { Yardstick::AnyAngle } else { Yardstick::Cells }
     }
 
     fn read(&self, out: &mut Readings) {
@@ -344,12 +330,8 @@ impl Planner for Colony {
         }
     }
 
-    fn inspect(&self, item: Item) -> Option<Inspection> {
-        match item.role {
-            Role::Pheromone => tell::cell(self, item),
-            Role::Ants => tell::ant(self, item),
-            _ => None,
-        }
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self)
     }
 
     fn digest(&self, out: &mut Digest) {
@@ -368,5 +350,15 @@ impl Planner for Colony {
     fn bytes(&self) -> usize {
         let best = self.best.as_ref().map_or(0, Found::bytes);
         self.pheromone.bytes() + self.seen.bytes() + self.walks.bytes() + self.again.bytes() + best + size_of::<Self>()
+    }
+}
+
+impl Explain for Colony {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        match item.role {
+            Role::Pheromone => tell::cell(self, item),
+            Role::Ants => tell::ant(self, item),
+            _ => None,
+        }
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     exact,
     geometry::Course,
-    kernel::{Frame, Planner, Status, rng::Stream},
+    kernel::{Frame, Planner, rng::Stream},
 };
 
 use super::{Colony, draw, ground::Ground, update::Update, walk::Walks};
@@ -49,7 +49,9 @@ impl Colony {
         let (walks, best) = (Walks::default(), None);
         let mut colony =
             Self { ground: Arc::new(ground), pheromone, walks, best, iteration: 0, limit: SORTIES, rng: rng.clone(), ..self.clone() };
-        while colony.step() == Status::Running {}
+        for _ in 0..SORTIES {
+            colony.advance();
+        }
         *rng = colony.rng.clone();
         *sent += colony.evaluations();
         colony.best_way()

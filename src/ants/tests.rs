@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::*;
 use crate::{
-    Given, Session, Setup, Value,
+    Given, Session, Setup, Status, Value,
     scene::{Body, GridScene, Header, generate::generate},
 };
 
@@ -118,14 +118,14 @@ fn what_ants_lay_follows_the_formulas() {
 fn pheromone_evaporates_and_is_laid_on_the_way() {
     let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
     let mut colony = colony(&scene, PLAIN);
-    colony.step();
+    colony.advance();
     // 0.6 · 1 + 12 / 3 along the way; 0.6 elsewhere, also on the way back.
     assert_eq!([0, 1, 2].map(|cell| colony.pheromone.tau(cell, 0)), [4.6; 3]);
     assert_eq!(colony.pheromone.tau(1, 4), 0.6);
-    colony.step();
+    colony.advance();
     assert!((colony.pheromone.tau(0, 0) - (0.6 * 4.6 + 4.0)).abs() < 1e-15);
     for _ in 0..90 {
-        colony.step();
+        colony.advance();
     }
     assert_eq!(colony.pheromone.tau(1, 4), 0.1, "no less than τ min");
 }
@@ -240,8 +240,8 @@ fn ants_whose_ways_are_not_kept_go_them_again() {
             Colony { kept, ants: 20, ..colony(&scene, traits) }
         });
         for _ in 0..30 {
-            keeps.step();
-            forgets.step();
+            keeps.advance();
+            forgets.advance();
             assert!(forgets.walks.ants.iter().any(|ant| ant.again.is_some()));
             assert!(keeps.walks.ants.iter().all(|ant| ant.again.is_none()));
             assert_eq!(keeps.pheromone.digest_of(), forgets.pheromone.digest_of());
@@ -272,7 +272,7 @@ fn greed_is_what_is_told() {
 fn a_cell_s_card_leaves_out_what_lies_behind() {
     let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
     let mut colony = colony(&scene, PLAIN);
-    colony.step();
+    colony.advance();
     let told = tell::cell(&colony, Item { role: Role::Pheromone, index: 2 }).unwrap();
     let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
     assert_eq!((p[0], p[4]), (1.0, 0.0));

@@ -5,8 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::{
-    any::AnyPlanner,
-    kernel::{Error, Kind},
+    kernel::{Error, Kind, Started},
     params::{Given, Parameter, Settings},
     scene::{Body, Scene},
 };
@@ -14,7 +13,7 @@ use crate::{
 use super::{EventKind, Formula, Layer, Member, Preset, Reading};
 
 /// Starts a run: refuses everything that can be refused.
-pub type Start = fn(&Arc<Scene>, &Settings, u64) -> Result<Box<dyn AnyPlanner>, Error>;
+pub type Start = fn(&Arc<Scene>, &Settings, u64) -> Result<Started, Error>;
 
 /// What there is to know about a planner.
 #[derive(Debug, Clone, Copy)]

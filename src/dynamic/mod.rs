@@ -30,9 +30,12 @@ use std::{
 };
 
 use crate::{
-    any, exact,
+    exact,
     geometry::{self, Cells, Course},
-    kernel::{Best, Border, Digest, Error, Event, Frame, Inspection, Item, Planner, Readings, Solution, Stage, Status, Track, Yardstick},
+    kernel::{
+        Best, Border, Digest, Error, Event, Explain, Facets, Failure, Frame, Inspection, Item, Planner, Progress, Readings, Solution,
+        Stage, Started, Status, Timeline, Track, Yardstick,
+    },
     math::Length,
     params::Settings,
     scene::{Body as SceneBody, GridScene, Motion, Scene},
@@ -43,17 +46,6 @@ use journey::Journey;
 use route::Route;
 
 pub use tell::SYMBOLS;
-
-/// Up to this many cells a drive is driven ahead of time when it begins, and up to so many cells times steps of planning the
-/// whole run when it starts: only to know how long it takes.
-const KNOWN: [usize; 2] = [10_000, 100_000];
-
-/// With more obstacles that takes too long.
-const CROWD: usize = 30;
-
-/// Nor where it takes more steps, or the robot has to search for more escapes.
-const FORETOLD: u64 = 5000;
-const SEARCHES: u64 = 40;
 
 /// How often a second an obstacle may bounce to and fro: what goes faster is everywhere at once, and takes as long to follow.
 const BOUNCES: f64 = 100.0;
@@ -144,11 +136,8 @@ struct Dynamic {
     /// Planning found no way.
     lost: bool,
     iteration: u64,
-    /// Seconds after which it gives up, and steps.
+    /// Seconds after which it gives up.
     most: f64,
-    limit: u64,
-    /// The last iteration, once somebody knows: all copies of a run end alike.
-    end: Arc<OnceLock<u64>>,
 }
 
 /// Starts a drive on ways of this kind.
@@ -156,7 +145,7 @@ fn start(
     scene: &Arc<Scene>,
     settings: &Settings,
     route: impl FnOnce(&Arc<Ground>) -> Result<Box<dyn Route>, Error>,
-) -> Result<Box<dyn any::AnyPlanner>, Error> {
+) -> Result<Started, Error> {
     let ground = Arc::new(Ground::new(scene, settings)?);
     let route = route(&ground)?;
     let most = match settings.number("time_limit") {
@@ -173,45 +162,34 @@ fn start(
     let driving = (most / ground.period).ceil() as u64;
     // Those who plan step by step count only that; the others their drive.
     let limit = if planning > 0 { planning + driving } else { driving.min(settings.integer("iterations")) };
-    let mut dynamic = Dynamic { ground, route, journey: None, lost: false, iteration: 0, most, limit, end: Arc::default() };
-    if dynamic.route.steps() == 0 {
+    let mut dynamic = Dynamic { ground, route, journey: None, lost: false, iteration: 0, most };
+    let drive = Stage { name: "drive", title: "Drive", end: None };
+    let mut stages = vec![drive];
+    if planning == 0 {
         dynamic.set_out();
-    } else if planning as usize * dynamic.ground.cells.len() <= KNOWN[1] {
-        dynamic.foretell();
+    } else {
+        stages.insert(0, Stage { name: "plan", title: "Plan", end: Some(planning) });
     }
-    Ok(Box::new(dynamic))
+    let progress = dynamic.progress();
+    let started = Started::new(dynamic, limit).open_ended().measured_by(Yardstick::Cells).in_stages(stages);
+    Ok(Started { progress, ..started })
 }
 
 impl Dynamic {
     /// The way is planned: the drive begins.
     fn set_out(&mut self) {
         match self.route.way() {
-            Some(way) => {
-                self.journey = Some(Journey::new(&self.ground, &way));
-                if self.ground.cells.len() <= KNOWN[0] {
-                    self.foretell();
-                }
-            }
+            Some(way) => self.journey = Some(Journey::new(&self.ground, &way)),
             None => self.lost = true,
         }
     }
 
-    /// Finds out when the run ends, if nobody knows and it is soon done.
-    fn foretell(&self) {
-        if self.end.get().is_none() && self.ground.grid().moving.len() <= CROWD {
-            // The copy knows of this one's end, and must not ask itself.
-            let mut other = Self { end: Arc::new(OnceLock::from(self.limit)), ..self.clone() };
-            let searches = |other: &Self| other.journey.as_ref().map_or(0, |journey| journey.searches);
-            // What takes long is not worth it: then the limit is all that is known.
-            for _ in 0..FORETOLD {
-                if Planner::step(&mut other) != Status::Running {
-                    let _ = self.end.set(other.iteration);
-                    return;
-                }
-                if searches(&other) > SEARCHES {
-                    return;
-                }
-            }
+    fn progress(&self) -> Progress {
+        match &self.journey {
+            _ if self.lost => Progress::Done(Status::Infeasible),
+            Some(journey) if journey.arrived => Progress::Done(Status::Solved),
+            Some(journey) if journey.now >= self.most => Progress::Done(Status::Exhausted),
+            _ => Progress::Continue,
         }
     }
 
@@ -222,10 +200,7 @@ impl Dynamic {
 }
 
 impl Planner for Dynamic {
-    fn step(&mut self) -> Status {
-        if self.status() != Status::Running {
-            return self.status();
-        }
+    fn advance(&mut self) -> Progress {
         self.iteration += 1;
         if let Some(journey) = &mut self.journey {
             journey.step(&mut *self.route, self.iteration);
@@ -235,28 +210,7 @@ impl Planner for Dynamic {
                 self.set_out();
             }
         }
-        let status = self.status();
-        if status != Status::Running {
-            let _ = self.end.set(self.iteration);
-        }
-        status
-    }
-
-    fn status(&self) -> Status {
-        match &self.journey {
-            _ if self.lost => Status::Infeasible,
-            Some(journey) if journey.arrived => Status::Solved,
-            Some(journey) if journey.now >= self.most || self.iteration >= self.limit => Status::Exhausted,
-            _ => Status::Running,
-        }
-    }
-
-    fn iteration(&self) -> u64 {
-        self.iteration
-    }
-
-    fn limit(&self) -> u64 {
-        self.end.get().copied().unwrap_or(self.limit)
+        self.progress()
     }
 
     fn evaluations(&self) -> u64 {
@@ -269,32 +223,6 @@ impl Planner for Dynamic {
         Some(Best { cost: journey.now, solution: Solution::Drive(self.track(journey)) })
     }
 
-    fn yardstick(&self) -> Yardstick {
-        Yardstick::Cells
-    }
-
-    fn stages(&self) -> Vec<Stage> {
-        let drive = Stage { name: "drive", title: "Drive", end: self.limit() };
-        match self.route.steps() {
-            0 => vec![drive],
-            end => vec![Stage { name: "plan", title: "Plan", end }, drive],
-        }
-    }
-
-    fn events(&self) -> &[Event] {
-        self.journey.as_ref().map_or(&[], |journey| &journey.events)
-    }
-
-    fn trouble(&self) -> Option<String> {
-        match &self.journey {
-            _ if self.lost => Some("No way to the goal was found to drive on".to_owned()),
-            Some(journey) if self.status() == Status::Exhausted => {
-                Some(tell::why_not(journey, if journey.now >= self.most { "time_limit" } else { "iterations" }))
-            }
-            _ => None,
-        }
-    }
-
     fn read(&self, out: &mut Readings) {
         tell::read(self, out);
     }
@@ -303,8 +231,8 @@ impl Planner for Dynamic {
         draw::draw(self, frame);
     }
 
-    fn inspect(&self, item: Item) -> Option<Inspection> {
-        tell::inspect(self, item)
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self).timeline(self).failure(self)
     }
 
     fn digest(&self, out: &mut Digest) {
@@ -316,5 +244,29 @@ impl Planner for Dynamic {
 
     fn bytes(&self) -> usize {
         size_of::<Self>() + self.route.bytes() + self.journey.as_ref().map_or(0, Journey::bytes)
+    }
+}
+
+impl Explain for Dynamic {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        tell::inspect(self, item)
+    }
+}
+
+impl Timeline for Dynamic {
+    fn events(&self) -> &[Event] {
+        self.journey.as_ref().map_or(&[], |journey| &journey.events)
+    }
+}
+
+impl Failure for Dynamic {
+    fn failure(&self, status: Status) -> Option<String> {
+        match &self.journey {
+            _ if self.lost => Some("No way to the goal was found to drive on".to_owned()),
+            Some(journey) if status == Status::Exhausted => {
+                Some(tell::why_not(journey, if journey.now >= self.most { "time_limit" } else { "iterations" }))
+            }
+            _ => None,
+        }
     }
 }

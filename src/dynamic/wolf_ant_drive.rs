@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     ants::{self, Colony, aco_wolf},
     describe::Entry,
-    kernel::{Digest, Frame, Inspection, Item, Planner, Role, rng::Stream},
+    kernel::{Digest, Explain, Frame, Inspection, Item, Planner, Role, rng::Stream},
     params::{Choice, Given, Parameter, Value},
 };
 
@@ -66,7 +66,7 @@ impl Route for Ants {
     }
 
     fn step(&mut self) {
-        Arc::make_mut(&mut self.colony).step();
+        Arc::make_mut(&mut self.colony).advance();
     }
 
     fn evaluations(&self) -> u64 {
@@ -101,7 +101,7 @@ impl Route for Ants {
         if !matches!(item.role, Role::Pheromone | Role::Ants) {
             return None;
         }
-        let mut told = Planner::inspect(&*self.colony, item)?;
+        let mut told = self.colony.inspect(item)?;
         // Those of other colonies are not among this planner's.
         told.formulas.retain(|name| ENTRY.formulas.iter().any(|formula| formula.name == *name) && self.colony.is_wolf());
         Some(told)
@@ -148,12 +148,13 @@ pub const ENTRY: Entry = Entry {
         let colony = ants::colony(settings.choice("colony"), scene, &given, seed)?;
         super::start(scene, settings, |ground| {
             Ok(Box::new(Ants {
-                colony: Arc::new(colony),
-                steps: settings.integer("iterations"),
+                // Where no way leads the colony has nothing to plan.
+                steps: if colony.is_reachable() { settings.integer("iterations") } else { 0 },
                 rng: Stream::new(seed, 1),
                 scouts: 0,
                 search: AStar::new(&ground.cells),
                 ground: Arc::clone(ground),
+                colony: Arc::new(colony),
             }))
         })
     },

@@ -23,6 +23,7 @@ pub struct Stage {
     pub name: &'static str,
     /// A few words.
     pub title: &'static str,
-    /// Its last iteration; the next stage's first step follows.
-    pub end: u64,
+    /// Its last iteration; the next stage's first step follows. `None`: when the run ends, which is not yet known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end: Option<u64>,
 }

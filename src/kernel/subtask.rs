@@ -4,8 +4,16 @@ use serde::{Deserialize, Serialize};
 
 use crate::params::Given;
 
-/// A run of another planner on the same scene that the next step needs. The caller may run them in parallel
-/// and hand over what they found; a step that was handed nothing carries them out itself. The result is the same.
+/// Runs of other planners that a planner's steps rest on. It never runs them itself: the run that holds it does, one after
+/// another, in parallel or elsewhere. The result is the same.
+pub trait Subtasks {
+    /// The runs that the next step needs; none if it needs none.
+    fn requests(&self) -> Vec<Job>;
+    /// Takes what these runs found, in their order; the next step uses it.
+    fn provide(&mut self, found: Vec<Finding>);
+}
+
+/// A run of another planner on the same scene that the next step needs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Job {
     /// The planner's name.

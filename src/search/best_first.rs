@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     geometry::DIRECTIONS,
-    kernel::{Digest, Error, Status},
+    kernel::{Digest, Error, Progress, Status},
     params::Settings,
     scene::Scene,
 };
@@ -28,7 +28,6 @@ pub(super) struct Search {
     /// How each cell that was reached was reached.
     links: Vec<Link>,
     open: Open,
-    pub(super) status: Status,
     pub(super) iteration: u64,
     /// How many cells are settled.
     pub(super) expanded: u64,
@@ -58,7 +57,6 @@ impl Search {
             ways: vec![0; n],
             links: vec![Link::default(); n],
             open: Open::default(),
-            status: Status::Running,
             iteration: 0,
             expanded: 0,
             frontier: 1,
@@ -70,33 +68,26 @@ impl Search {
         Ok(search)
     }
 
-    /// One step: settles some cells.
-    pub(super) fn advance(&mut self) {
-        if self.status != Status::Running {
-            return;
-        }
+    /// Settles some cells.
+    pub(super) fn settle_some(&mut self) -> Progress {
         self.iteration += 1;
         for _ in 0..self.task.expand {
-            self.status = self.settle();
-            if self.status != Status::Running {
-                return;
+            let progress = self.settle();
+            if progress != Progress::Continue {
+                return progress;
             }
         }
         self.drop_settled();
         self.lowest = self.open.first().map(|(f, _)| f);
-        if self.lowest.is_none() {
-            self.status = Status::Infeasible;
-        } else if self.iteration >= self.task.limit {
-            self.status = Status::Exhausted;
-        }
+        if self.lowest.is_some() { Progress::Continue } else { Progress::Done(Status::Infeasible) }
     }
 
     /// Settles the first cell of the frontier and reaches its neighbours from it.
-    fn settle(&mut self) -> Status {
+    fn settle(&mut self) -> Progress {
         let (f, at, cell, link) = loop {
             let Some((f, at)) = self.open.pop() else {
                 self.lowest = None;
-                return Status::Infeasible;
+                return Progress::Done(Status::Infeasible);
             };
             let cell = self.task.cell(at);
             let link = self.links[cell];
@@ -111,10 +102,10 @@ impl Search {
         if cell == self.task.course.goal {
             self.lowest = Some(f);
             self.found = Some(Arc::new(Found::new(&self.task, &self.way(cell), self.iteration)));
-            return Status::Solved;
+            return Progress::Done(Status::Solved);
         }
         self.expand(cell, link, apart(at));
-        Status::Running
+        Progress::Continue
     }
 
     /// Takes out of the queue what is settled already, so that the first one is the next.

@@ -1,28 +1,15 @@
 //! A search by the stepped contract.
 
 use crate::{
-    kernel::{Best, Digest, Frame, Inspection, Item, Planner, Readings, Solution, Status, Yardstick},
+    kernel::{Best, Digest, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Solution, Status},
     way,
 };
 
-use super::{best_first::Search, rules::Relaxation};
+use super::best_first::Search;
 
 impl Planner for Search {
-    fn step(&mut self) -> Status {
-        self.advance();
-        self.status
-    }
-
-    fn status(&self) -> Status {
-        self.status
-    }
-
-    fn iteration(&self) -> u64 {
-        self.iteration
-    }
-
-    fn limit(&self) -> u64 {
-        self.task.limit
+    fn advance(&mut self) -> Progress {
+        self.settle_some()
     }
 
     /// Cells settled.
@@ -51,24 +38,30 @@ impl Planner for Search {
         self.draw_layers(frame);
     }
 
-    fn inspect(&self, item: Item) -> Option<Inspection> {
-        self.tell(item)
-    }
-
-    fn yardstick(&self) -> Yardstick {
-        match self.task.rules.relaxation {
-            Relaxation::Step if !self.task.smooth => Yardstick::Cells,
-            _ => Yardstick::AnyAngle,
-        }
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self)
     }
 
     fn digest(&self, out: &mut Digest) {
+        // The status is the run's: golden runs and links of before have it here.
+        let status = match (&self.found, self.lowest) {
+            (Some(_), _) => Status::Solved,
+            (None, None) => Status::Infeasible,
+            _ if self.iteration >= self.task.limit => Status::Exhausted,
+            _ => Status::Running,
+        };
         out.word(self.iteration);
-        out.word(self.status as u64);
+        out.word(status as u64);
         self.digest_cells(out);
     }
 
     fn bytes(&self) -> usize {
         size_of::<Self>() + self.bytes_of_cells() + self.found.as_ref().map_or(0, |found| found.bytes())
+    }
+}
+
+impl Explain for Search {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        self.tell(item)
     }
 }

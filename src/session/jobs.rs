@@ -1,6 +1,6 @@
 //! Runs of planners for planners: one after another, or natively side by side.
 
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
 use crate::{
     kernel::{Error, Finding, Job, Status},
@@ -8,6 +8,43 @@ use crate::{
 };
 
 use super::{Session, Setup};
+
+/// What the subtasks of a run found, by the iteration whose step they were for.
+pub(super) struct Answers {
+    scene: Arc<Scene>,
+    found: BTreeMap<u64, Vec<Finding>>,
+    /// They are kept for the way back; otherwise until they are used.
+    kept: bool,
+}
+
+impl Answers {
+    pub(super) fn new(scene: Arc<Scene>, kept: bool) -> Self {
+        Self { scene, found: BTreeMap::new(), kept }
+    }
+
+    /// Whether the subtasks of an iteration were carried out.
+    pub(super) fn knows(&self, iteration: u64) -> bool {
+        self.found.contains_key(&iteration)
+    }
+
+    /// Takes what was found elsewhere.
+    pub(super) fn keep(&mut self, iteration: u64, found: Vec<Finding>) {
+        self.found.insert(iteration, found);
+    }
+
+    /// What these subtasks of an iteration find.
+    pub(super) fn of(&mut self, iteration: u64, jobs: &[Job]) -> Vec<Finding> {
+        let known = if self.kept { self.found.get(&iteration).cloned() } else { self.found.remove(&iteration) };
+        known.unwrap_or_else(|| {
+            // What starting could refuse was refused for the run itself; a failure now finds nothing.
+            let found = carry_out_all(&self.scene, jobs).unwrap_or_default();
+            if self.kept {
+                self.found.insert(iteration, found.clone());
+            }
+            found
+        })
+    }
+}
 
 /// Carries a run out to its end.
 ///
@@ -18,7 +55,7 @@ pub fn carry_out(setup: Setup) -> Result<Finding, Error> {
     while session.step(u64::MAX) == Status::Running {}
     let converged = session.readings().get("converged").unwrap_or(session.iteration() as f64);
     // A swarm's best may still touch an obstacle: then nothing was found.
-    let best = session.planner.best().filter(|best| session.scene.judge(&best.solution).feasible);
+    let best = session.best().filter(|best| session.scene.judge(&best.solution).feasible);
     let cost = best.as_ref().map(|best| best.cost);
     let path = best.and_then(|best| best.solution.path().map(<[_]>::to_vec)).unwrap_or_default();
     Ok(Finding { cost, converged, path })

@@ -1,10 +1,10 @@
 //! Copies of past states, thinned as history grows so that they stay under a budget.
 
-use crate::any::AnyPlanner;
+use crate::kernel::Stepper;
 
 /// States at multiples of a stride, in order.
 pub(super) struct Keyframes {
-    states: Vec<Box<dyn AnyPlanner>>,
+    states: Vec<Stepper>,
     stride: u64,
     bytes: usize,
     budget: usize,
@@ -19,30 +19,33 @@ impl Keyframes {
     }
 
     /// Keeps a copy if the state is due and new. Iteration 0 is never kept: the session can always start anew.
-    pub(super) fn offer(&mut self, state: &dyn AnyPlanner) {
-        let iteration = state.iteration();
-        let newest = self.states.last().map_or(0, |s| s.iteration());
-        if !iteration.is_multiple_of(self.stride) || iteration <= newest || state.bytes() > self.budget {
+    pub(super) fn offer(&mut self, state: &Stepper) {
+        let iteration = state.iteration;
+        let newest = self.states.last().map_or(0, |s| s.iteration);
+        if !iteration.is_multiple_of(self.stride) || iteration <= newest {
             return;
         }
-        while self.bytes + state.bytes() > self.budget {
+        let bytes = state.planner.bytes();
+        if bytes > self.budget {
+            return;
+        }
+        while self.bytes + bytes > self.budget {
             self.stride *= 2;
             let stride = self.stride;
-            self.states.retain(|s| s.iteration().is_multiple_of(stride));
-            self.bytes = self.states.iter().map(|s| s.bytes()).sum();
+            self.states.retain(|s| s.iteration.is_multiple_of(stride));
+            self.bytes = self.states.iter().map(|s| s.planner.bytes()).sum();
             if !iteration.is_multiple_of(stride) {
                 return;
             }
         }
-        self.bytes += state.bytes();
-        self.states.push(state.checkpoint());
+        self.bytes += bytes;
+        self.states.push(state.clone());
     }
 
     /// The latest kept state at or before iteration `k`.
-    pub(super) fn at_or_before(&self, k: u64) -> Option<(u64, &dyn AnyPlanner)> {
-        let after = self.states.partition_point(|s| s.iteration() <= k);
-        let state = &**self.states.get(after.checked_sub(1)?)?;
-        Some((state.iteration(), state))
+    pub(super) fn at_or_before(&self, k: u64) -> Option<&Stepper> {
+        let after = self.states.partition_point(|s| s.iteration <= k);
+        self.states.get(after.checked_sub(1)?)
     }
 }
 
@@ -51,33 +54,33 @@ mod tests {
     use super::*;
     use crate::{Session, Setup, shipped};
 
-    fn state(iteration: u64) -> Box<dyn AnyPlanner> {
+    fn state(iteration: u64) -> Stepper {
         let setup = Setup { planner: "pso".into(), scene: shipped("sphere").unwrap(), params: crate::Given::default(), seed: 1 };
         let mut session = Session::with_keyframes(setup, 0).unwrap();
         session.step(iteration);
-        session.planner
+        session.at
     }
 
     #[test]
     fn memory_stays_under_the_budget_while_history_grows() {
-        let size = state(0).bytes();
+        let size = state(0).planner.bytes();
         let mut keyframes = Keyframes::new(10 * size);
         let mut run = state(0);
         for _ in 0..900 {
-            run.step_taken();
-            keyframes.offer(&*run);
+            run.step(|_| Vec::new());
+            keyframes.offer(&run);
             assert!(keyframes.states.len() <= 10 && keyframes.bytes <= 10 * size);
         }
         assert!(keyframes.states.len() >= 5, "thinning must not throw nearly all away");
-        let (at, found) = keyframes.at_or_before(500).unwrap();
-        assert!(at <= 500 && found.iteration() == at && at > 300);
+        let at = keyframes.at_or_before(500).unwrap().iteration;
+        assert!(at <= 500 && at > 300);
         assert!(keyframes.at_or_before(0).is_none());
     }
 
     #[test]
     fn a_state_larger_than_the_budget_is_not_kept() {
         let mut keyframes = Keyframes::new(10);
-        keyframes.offer(&*state(STRIDE));
+        keyframes.offer(&state(STRIDE));
         assert!(keyframes.states.is_empty());
     }
 }

@@ -7,18 +7,21 @@ mod trace;
 
 use std::sync::Arc;
 
+use jobs::Answers;
 pub use jobs::{carry_out, carry_out_all};
 pub use outcome::Outcome;
 pub use trace::{Trace, csv_heading, csv_line, csv_row};
 
 use crate::{
-    any::AnyPlanner,
     arm::{self, Motion, MotionOutcome},
     catalogue::find,
     describe::{Entry, Suggestion},
     drive::{self, Drive},
     exact::Exact,
-    kernel::{Best, Digest, Error, Event, Finding, Frame, Inspection, Item, Job, Readings, Solution, Stage, Status, rng::check_seed},
+    kernel::{
+        Best, Digest, Error, Event, Finding, Frame, Inspection, Item, Job, Readings, Round, Solution, Stage, Started, Status, Stepper,
+        Timeline, Yardstick, rng::check_seed,
+    },
     link::Link,
     params::{Given, Settings},
     scene::Scene,
@@ -75,10 +78,18 @@ pub struct Session {
     scene: Arc<Scene>,
     settings: Settings,
     seed: u64,
-    planner: Box<dyn AnyPlanner>,
+    /// The planner, and where it stands.
+    at: Stepper,
+    limit: u64,
+    /// The last iteration, as soon as it is known.
+    end: Option<u64>,
+    yardstick: Yardstick,
+    round: Option<Round>,
+    stages: Vec<Stage>,
     keyframes: Keyframes,
+    answers: Answers,
     /// The state before the one that was inspected last: while an item is watched, each step costs one more, not a replay.
-    before: Option<Box<dyn AnyPlanner>>,
+    before: Option<Stepper>,
     trace: Trace,
     readings: Readings,
     /// What the arm followed last with the usual parameters, and how that went: an outcome is asked for more often than a
@@ -116,14 +127,20 @@ impl Session {
     /// As [`Session::new`].
     pub fn with_keyframes(setup: Setup, budget: usize) -> Result<Self, Error> {
         let (entry, settings) = setup.check()?;
-        let seed = setup.seed;
-        let planner = (entry.start)(&setup.scene, &settings, seed)?;
+        let Setup { scene, seed, .. } = setup;
+        let Started { planner, limit, open_ended, progress, yardstick, round, stages } = (entry.start)(&scene, &settings, seed)?;
         let mut session = Self {
             entry,
-            scene: setup.scene,
+            answers: Answers::new(Arc::clone(&scene), budget > 0),
+            scene,
             settings,
             seed,
-            planner,
+            at: Stepper::new(planner, limit, progress),
+            limit,
+            end: (!open_ended).then_some(limit),
+            yardstick,
+            round,
+            stages,
             keyframes: Keyframes::new(budget),
             before: None,
             trace: Trace::default(),
@@ -145,13 +162,19 @@ impl Session {
     /// Takes up to `steps` steps; stops where the planner does.
     pub fn step(&mut self, steps: u64) -> Status {
         for _ in 0..steps {
-            if self.planner.step_taken() {
-                self.remember();
-            } else {
+            if !self.advance() {
                 break;
             }
+            self.remember();
         }
-        self.planner.status()
+        self.status()
+    }
+
+    /// Takes a step, if there is one to take.
+    fn advance(&mut self) -> bool {
+        let Self { at, answers, .. } = self;
+        let k = at.iteration;
+        at.step(|jobs| answers.of(k, &jobs))
     }
 
     /// Goes to iteration `k`, forward or back, exactly; stops early where the planner does.
@@ -165,8 +188,8 @@ impl Session {
     pub fn rewind(&mut self, k: u64) -> u64 {
         let now = self.iteration();
         match self.keyframes.at_or_before(k) {
-            Some((at, state)) if k < now || at > now => self.planner = state.checkpoint(),
-            _ if k < now => self.planner = self.start(),
+            Some(state) if k < now || state.iteration > now => self.at = state.clone(),
+            _ if k < now => self.at = self.start(),
             _ => {}
         }
         self.iteration()
@@ -174,49 +197,68 @@ impl Session {
 
     /// A planner at iteration 0. Starting succeeded once with the same scene, settings and seed, so it does again;
     /// if it did not, staying where we are is the harmless answer.
-    fn start(&self) -> Box<dyn AnyPlanner> {
-        (self.entry.start)(&self.scene, &self.settings, self.seed).unwrap_or_else(|_| self.planner.checkpoint())
+    fn start(&self) -> Stepper {
+        match (self.entry.start)(&self.scene, &self.settings, self.seed) {
+            Ok(started) => started.into(),
+            Err(_) => self.at.clone(),
+        }
     }
 
     /// The state at an iteration at or before the present one, without going there: from whatever is at hand nearest to it.
-    fn state_at(&mut self, k: u64) -> Box<dyn AnyPlanner> {
+    fn state_at(&mut self, k: u64) -> Stepper {
         let kept = self.keyframes.at_or_before(k);
-        let mut state = match (self.before.take().filter(|state| state.iteration() <= k), kept) {
-            (Some(before), kept) if kept.is_none_or(|(at, _)| at <= before.iteration()) => before,
-            (_, Some((_, state))) => state.checkpoint(),
+        let mut state = match (self.before.take().filter(|state| state.iteration <= k), kept) {
+            (Some(before), kept) if kept.is_none_or(|kept| kept.iteration <= before.iteration) => before,
+            (_, Some(state)) => state.clone(),
             (_, None) => self.start(),
         };
-        while state.iteration() < k && state.step_taken() {}
-        state
+        loop {
+            let now = state.iteration;
+            if now >= k || !state.step(|jobs| self.answers.of(now, &jobs)) {
+                return state;
+            }
+        }
     }
 
     fn remember(&mut self) {
-        self.keyframes.offer(&*self.planner);
-        let iteration = self.planner.iteration();
-        if self.trace.wants(iteration) {
-            self.planner.read(&mut self.readings);
-            self.trace.push(iteration, &self.readings);
+        self.keyframes.offer(&self.at);
+        if self.status() != Status::Running {
+            self.end = Some(self.at.iteration);
         }
+        if self.trace.wants(self.at.iteration) {
+            self.read();
+            self.trace.push(self.at.iteration, &self.readings);
+        }
+    }
+
+    fn read(&mut self) {
+        self.readings.clear();
+        self.at.planner.read(&mut self.readings);
     }
 
     /// How many iterations were taken to come here.
     pub fn iteration(&self) -> u64 {
-        self.planner.iteration()
+        self.at.iteration
     }
 
     /// The iteration at which the run ends at the latest.
     pub fn limit(&self) -> u64 {
-        self.planner.limit()
+        self.limit
+    }
+
+    /// The last iteration, as soon as it is known: of runs that may be over before their limit, once they came to their end.
+    pub fn end(&self) -> Option<u64> {
+        self.end
     }
 
     /// Whether there is more to do, or why not.
     pub fn status(&self) -> Status {
-        self.planner.status()
+        self.at.status
     }
 
     /// Candidate solutions evaluated so far: what planners are compared by.
     pub fn evaluations(&self) -> u64 {
-        self.planner.evaluations()
+        self.at.planner.evaluations()
     }
 
     /// Takes steps until so many candidates are evaluated, or up to `steps` of them; stops where the planner does.
@@ -226,12 +268,12 @@ impl Session {
                 break;
             }
         }
-        self.planner.status()
+        self.status()
     }
 
     /// The best solution so far and what it costs the planner.
     pub fn best(&self) -> Option<Best> {
-        self.planner.best()
+        self.at.planner.best()
     }
 
     /// The planner's entry in the catalogue.
@@ -256,7 +298,7 @@ impl Session {
 
     /// The numbers of this iteration.
     pub fn readings(&mut self) -> &Readings {
-        self.planner.read(&mut self.readings);
+        self.read();
         &self.readings
     }
 
@@ -269,17 +311,18 @@ impl Session {
     /// part of the plane that [`Frame::look_at`] said.
     pub fn draw(&self, frame: &mut Frame, budget: usize) {
         frame.clear(budget);
-        self.planner.draw(frame);
+        self.at.planner.draw(frame);
     }
 
     /// Why an item did what it did in the step that led here, or, of what came about once, in the step that made it.
     pub fn inspect(&mut self, item: Item) -> Option<Inspection> {
-        if let Some(told) = self.planner.inspect(item) {
+        let explain = self.at.planner.facets().explain?;
+        if let Some(told) = explain.inspect(item) {
             return Some(told);
         }
-        let made = self.planner.made(item).unwrap_or(self.iteration());
-        let before = self.state_at(made.checked_sub(1)?);
-        let told = before.explain(item);
+        let created = explain.created_at(item).unwrap_or(self.iteration());
+        let before = self.state_at(created.checked_sub(1)?);
+        let told = before.planner.facets().explain.and_then(|explain| explain.explain_next(item));
         self.before = Some(before);
         told
     }
@@ -294,36 +337,54 @@ impl Session {
 
     /// The exact optimum by the rule that the planner keeps to, as a path.
     pub fn exact(&self) -> Option<&Exact> {
-        match self.planner.round() {
-            Some(round) => self.scene.exact_tour(self.planner.yardstick(), round),
-            None => self.scene.exact_by(self.planner.yardstick()),
+        match self.round {
+            Some(round) => self.scene.exact_tour(self.yardstick, round),
+            None => self.scene.exact_by(self.yardstick),
         }
     }
 
-    /// The parts of the run that have their own kind of step, in their order; empty for most.
+    /// The parts of the run that have their own kind of step, in their order; empty for most. The last one has no end before
+    /// the run came to its own.
     pub fn stages(&self) -> Vec<Stage> {
-        self.planner.stages()
+        let mut stages = self.stages.clone();
+        if let Some(last) = stages.last_mut() {
+            last.end = self.end;
+        }
+        stages
     }
 
     /// What happened so far in simulated time, and what was decided and why; empty for most.
     pub fn events(&self) -> &[Event] {
-        self.planner.events()
+        self.at.planner.facets().timeline.map_or(&[], Timeline::events)
     }
 
     /// The numbers of those that search side by side, row by row; the columns are the entry's `members`.
     pub fn members(&self, out: &mut Vec<f64>) {
-        self.planner.members(out);
+        out.clear();
+        if let Some(members) = self.at.planner.facets().members {
+            members.members(out);
+        }
     }
 
     /// The runs of other planners, on this scene, that the next step needs; see [`Session::supply`].
-    pub fn jobs(&self) -> Vec<Job> {
-        self.planner.jobs()
+    pub fn jobs(&mut self) -> Vec<Job> {
+        if self.status() != Status::Running || self.answers.knows(self.iteration()) {
+            return Vec::new();
+        }
+        self.at.planner.subtasks().map_or_else(Vec::new, |subtasks| subtasks.requests())
     }
 
     /// Hands over what the runs of [`Session::jobs`] found, in their order, so that the next step need not carry them
     /// out itself. What it does with them does not depend on who carried them out.
     pub fn supply(&mut self, found: Vec<Finding>) {
-        self.planner.supply(found);
+        if !found.is_empty() && found.len() == self.jobs().len() {
+            self.answers.keep(self.iteration(), found);
+        }
+    }
+
+    /// What keeps the run from a result, if something does.
+    fn failure(&self) -> Option<String> {
+        self.at.planner.facets().failure?.failure(self.status())
     }
 
     /// Everything there is to say about where the run stands.
@@ -337,7 +398,7 @@ impl Session {
     /// # Errors
     /// For a parameter that is not one of [`drive::PARAMETERS`], or its value.
     pub fn drive(&self, given: &Given) -> Result<Option<Drive>, Error> {
-        let best = self.planner.best();
+        let best = self.best();
         drive::along(&self.scene, best.as_ref().and_then(|best| best.solution.path()), given)
     }
 
@@ -346,7 +407,7 @@ impl Session {
     /// # Errors
     /// For a parameter that is not one of [`arm::MOTION`]'s, or its value.
     pub fn motion(&self, given: &Given) -> Result<Option<Motion>, Error> {
-        arm::along(&self.scene, self.planner.best().map(|best| best.solution).as_ref(), given)
+        arm::along(&self.scene, self.best().map(|best| best.solution).as_ref(), given)
     }
 
     /// How the arm follows the best path with the usual parameters.
@@ -363,10 +424,10 @@ impl Session {
     pub fn hash(&self) -> String {
         let mut digest = Digest::default();
         digest.word(self.iteration());
-        if let Some(best) = self.planner.best() {
+        if let Some(best) = self.best() {
             digest.number(best.cost);
         }
-        self.planner.digest(&mut digest);
+        self.at.planner.digest(&mut digest);
         digest.hex()
     }
 

@@ -6,7 +6,7 @@ use crate::{
     arm::{self, MotionOutcome},
     drive::{self, DriveOutcome},
     geometry,
-    kernel::{Event, Kind, Solution, Status, Track, Tuned, Yardstick},
+    kernel::{Event, Kind, Recommend, Solution, Status, Track, Tuned, Yardstick},
     params::{Given, Value, as_object},
 };
 
@@ -90,13 +90,13 @@ pub struct Outcome {
 impl Outcome {
     pub(super) fn of(session: &mut Session) -> Self {
         let readings = session.readings().iter().collect();
-        let best = session.planner.best();
+        let best = session.best();
         let verdict = best.as_ref().map(|best| session.scene.judge(&best.solution));
         let length = verdict.and_then(|v| v.length);
         let (exact, exact_by) = match session.exact() {
             Some(exact) if exact.stored && length.is_some_and(|length| length < exact.length) => (None, Yardstick::Refuted),
-            Some(exact) => (Some(exact.length), if exact.stored { Yardstick::Stored } else { session.planner.yardstick() }),
-            None => (session.scene.minimum(), session.planner.yardstick()),
+            Some(exact) => (Some(exact.length), if exact.stored { Yardstick::Stored } else { session.yardstick }),
+            None => (session.scene.minimum(), session.yardstick),
         };
         let nodes = best.as_ref().map_or(0, |best| best.solution.corners());
         let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| gap(length, exact, nodes));
@@ -121,7 +121,7 @@ impl Outcome {
             scene: session.scene.name().to_owned(),
             seed: session.seed,
             iterations: session.iteration(),
-            evaluations: session.planner.evaluations(),
+            evaluations: session.evaluations(),
             status: session.status(),
             cost,
             length,
@@ -140,9 +140,9 @@ impl Outcome {
             order,
             position,
             readings,
-            trouble: session.planner.trouble(),
-            events: session.planner.events().to_vec(),
-            tuned: session.planner.tuned(),
+            trouble: session.failure(),
+            events: session.events().to_vec(),
+            tuned: session.at.planner.facets().recommend.and_then(Recommend::recommendation),
             hash: session.hash(),
             parameters: session.settings.all().to_vec(),
         }

@@ -11,9 +11,10 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    any,
     describe::{Entry, Formula, Group, Layer, Preset, Reading},
-    kernel::{Column, Digest, Error, Frame, Inspection, Item, Planner, Readings, Role, rng::Stream},
+    kernel::{
+        Best, Column, Digest, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, rng::Stream,
+    },
     math::{self, limit},
     params::{Choice, Fixed, Parameter, Settings},
     scene::Scene,
@@ -26,7 +27,7 @@ use super::{
         BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, PERSONAL_BESTS, POPULATION, POSITION,
         SMOOTHED, SMOOTHNESS, SPREAD, V_MAX, V_MAX_UNIT, VELOCITIES,
     },
-    population::{Population, of_population},
+    population::Population,
     tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
 };
 
@@ -90,14 +91,14 @@ trait Watch {
 
 impl Watch for () {}
 
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn any::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, Error> {
     let mut rng = Stream::new(seed, 0);
     let size = settings.integer("population") as usize;
     let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
     let sides: Vec<_> = population.objective.search_box().sides().collect();
     let (v_max, absolute) = (settings.number("v_max"), settings.choice("v_max_unit") == "absolute");
     let [low, high] = ["f_min", "f_max"].map(|name| settings.number(name));
-    Ok(Box::new(Bats {
+    let bats = Bats {
         v: vec![0.0; population.x.len()],
         v_max: sides.iter().map(|side| if absolute { v_max } else { v_max * side }).collect(),
         stride: sides.iter().map(|side| settings.number("walk") * side).collect(),
@@ -114,12 +115,13 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn a
         rng,
         clock: Clock::new(settings, population.bests()),
         population,
-    }))
+    };
+    Ok(super::started(bats, settings))
 }
 
 impl Bats {
     /// One iteration. `watch` sees the move of a bat that somebody asked about.
-    fn advance(&mut self, watch: &mut impl Watch) {
+    fn iterate(&mut self, watch: &mut impl Watch) {
         self.mean_loudness = mean(&self.loudness);
         let t = (self.clock.iteration + 1) as f64;
         let fading = 1.0 - math::exp(-self.lambda * t);
@@ -173,7 +175,18 @@ fn mean(of: &[f64]) -> f64 {
 }
 
 impl Planner for Bats {
-    of_population!();
+    fn advance(&mut self) -> Progress {
+        self.iterate(&mut ());
+        self.clock.progress()
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.population.evaluations
+    }
+
+    fn best(&self) -> Option<Best> {
+        Some(self.population.best())
+    }
 
     fn read(&self, out: &mut Readings) {
         self.population.read(out);
@@ -190,12 +203,8 @@ impl Planner for Bats {
         self.population.draw_result(frame);
     }
 
-    fn inspect(&self, item: Item) -> Option<Inspection> {
-        (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "; its velocity is zero")).flatten()
-    }
-
-    fn explain(&self, item: Item) -> Option<Inspection> {
-        self.explain_step(item)
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self)
     }
 
     fn digest(&self, out: &mut Digest) {
@@ -210,6 +219,16 @@ impl Planner for Bats {
             + 8 * (self.v.len() + 3 * self.held.len() + 2 * self.loudness.len())
             + 2 * self.last.len()
             + size_of::<Self>()
+    }
+}
+
+impl Explain for Bats {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "; its velocity is zero")).flatten()
+    }
+
+    fn explain_next(&self, item: Item) -> Option<Inspection> {
+        self.explain_step(item)
     }
 }
 
@@ -259,7 +278,7 @@ impl Bats {
         let i = particle(&self.population, item)?;
         let mut record = Record { particle: i, terms: Vec::new() };
         let mut after = self.clone();
-        after.advance(&mut record);
+        after.iterate(&mut record);
         let (now, next, terms) = (&self.population, &after.population, &record.terms);
         let row = now.row(i);
         let (x, to): (_, Vec<_>) = (&now.x[row.clone()], terms.iter().map(|term| term.to).collect());

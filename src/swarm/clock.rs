@@ -1,7 +1,7 @@
 //! How many iterations a swarm has taken and when it stops.
 
 use crate::{
-    kernel::{Digest, Status},
+    kernel::{Digest, Progress, Status},
     params::Settings,
 };
 
@@ -31,12 +31,10 @@ impl Clock {
         self.best = best;
     }
 
-    pub(super) fn running(&self) -> bool {
-        self.iteration < self.limit && (self.early_stop == 0 || self.unchanged < self.early_stop)
-    }
-
-    pub(super) fn status(&self) -> Status {
-        if self.running() { Status::Running } else { Status::Exhausted }
+    /// Whether the best has stood still for too long.
+    pub(super) fn progress(&self) -> Progress {
+        let stops = self.early_stop > 0 && self.unchanged >= self.early_stop;
+        if stops { Progress::Done(Status::Exhausted) } else { Progress::Continue }
     }
 
     pub(super) fn digest(&self, out: &mut Digest) {
@@ -52,19 +50,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_run_stops_at_its_limit_or_when_the_best_has_stood_still() {
-        let clock = |limit, early_stop| Clock { iteration: 0, limit, early_stop, unchanged: 0, best: [9.0, f64::INFINITY] };
+    fn a_run_stops_when_the_best_has_stood_still() {
+        let clock = |early_stop| Clock { iteration: 0, limit: 99, early_stop, unchanged: 0, best: [9.0, f64::INFINITY] };
+        let runs = |clock: &Clock| clock.progress() == Progress::Continue;
         let run = |mut clock: Clock, costs: &[f64]| {
-            costs.iter().take_while(|&&cost| clock.running().then(|| clock.tick([cost, f64::INFINITY])).is_some()).count()
+            costs.iter().take_while(|&&cost| runs(&clock).then(|| clock.tick([cost, f64::INFINITY])).is_some()).count()
         };
         let costs = [9.0, 8.0, 8.0, 8.0, 7.0, 7.0, 7.0, 7.0];
-        assert_eq!(run(clock(5, 0), &costs), 5);
-        assert_eq!(run(clock(99, 0), &costs), 8);
-        assert_eq!(run(clock(99, 1), &costs), 1, "the first iteration brought nothing");
-        assert_eq!(run(clock(99, 2), &costs), 4);
-        assert_eq!(run(clock(99, 3), &costs), 8);
-        let mut clock = clock(99, 1);
+        assert_eq!(run(clock(0), &costs), 8);
+        assert_eq!(run(clock(1), &costs), 1, "the first iteration brought nothing");
+        assert_eq!(run(clock(2), &costs), 4);
+        assert_eq!(run(clock(3), &costs), 8);
+        let mut clock = clock(1);
         clock.tick([9.0, 12.0]);
-        assert!(clock.running(), "what is reported got better");
+        assert!(runs(&clock), "what is reported got better");
     }
 }

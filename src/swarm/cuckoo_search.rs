@@ -15,9 +15,11 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    any,
     describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading},
-    kernel::{Column, Digest, Error, Frame, Inspection, Item, Kind, Planner, Readings, Role, rng::Stream},
+    kernel::{
+        Best, Column, Digest, Error, Explain, Facets, Frame, Inspection, Item, Kind, Planner, Progress, Readings, Role, Started,
+        rng::Stream,
+    },
     params::{Fixed, Parameter, Settings},
     scene::Scene,
 };
@@ -29,7 +31,7 @@ use super::{
     parameters::{
         BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, SMOOTHED, SMOOTHNESS, SPREAD,
     },
-    population::{Population, of_population},
+    population::Population,
     tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
 };
 
@@ -75,12 +77,12 @@ trait Watch {
 
 impl Watch for () {}
 
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn any::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, Error> {
     let mut rng = Stream::new(seed, 0);
     let size = settings.integer("population") as usize;
     let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
     let numbers: Vec<_> = (0..size).collect();
-    Ok(Box::new(Nests {
+    let nests = Nests {
         levy: Levy::new(settings.number("lambda")),
         alpha: settings.number("alpha"),
         p_a: settings.number("p_a"),
@@ -91,12 +93,13 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn a
         rng,
         clock: Clock::new(settings, population.bests()),
         population,
-    }))
+    };
+    Ok(super::started(nests, settings))
 }
 
 impl Nests {
     /// One iteration. `watch` sees what happens to a nest that somebody asked about.
-    fn advance(&mut self, watch: &mut impl Watch) {
+    fn iterate(&mut self, watch: &mut impl Watch) {
         for i in 0..self.population.size {
             let cost = self.population.cost[i];
             if watch.wants(i) {
@@ -178,7 +181,18 @@ impl Nests {
 }
 
 impl Planner for Nests {
-    of_population!();
+    fn advance(&mut self) -> Progress {
+        self.iterate(&mut ());
+        self.clock.progress()
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.population.evaluations
+    }
+
+    fn best(&self) -> Option<Best> {
+        Some(self.population.best())
+    }
 
     fn read(&self, out: &mut Readings) {
         self.population.read(out);
@@ -193,15 +207,8 @@ impl Planner for Nests {
         self.population.draw_result(frame);
     }
 
-    fn inspect(&self, item: Item) -> Option<Inspection> {
-        let mut told = (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "")).flatten()?;
-        told.title = format!("Nest {}", item.index);
-        told.summary = format!("Nest {} begins here, drawn at random.", item.index);
-        Some(told)
-    }
-
-    fn explain(&self, item: Item) -> Option<Inspection> {
-        self.explain_step(item)
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self)
     }
 
     fn digest(&self, out: &mut Digest) {
@@ -216,6 +223,19 @@ impl Planner for Nests {
             + 8 * (self.before.len() + self.held.len() + 2 * self.pairs[0].len())
             + 2 * self.last.len()
             + size_of::<Self>()
+    }
+}
+
+impl Explain for Nests {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        let mut told = (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "")).flatten()?;
+        told.title = format!("Nest {}", item.index);
+        told.summary = format!("Nest {} begins here, drawn at random.", item.index);
+        Some(told)
+    }
+
+    fn explain_next(&self, item: Item) -> Option<Inspection> {
+        self.explain_step(item)
     }
 }
 
@@ -290,7 +310,7 @@ impl Nests {
         let i = particle(&self.population, item)?;
         let mut record = Record { nest: i, ..Record::default() };
         let mut after = self.clone();
-        after.advance(&mut record);
+        after.iterate(&mut record);
         let Record { flight, walk, r, costs, .. } = &record;
         let (now, next) = (&self.population, &after.population);
         let (meaning, row) = (&*now.objective, now.row(i));

@@ -115,7 +115,7 @@ impl Swarm {
         let i = particle(&self.population, item)?;
         let mut record = Record { particle: i, ..Record::default() };
         let mut after = self.clone();
-        after.advance(&mut record);
+        after.iterate(&mut record);
         let (now, next) = (&self.population, &after.population);
         let row = now.row(i);
         let other = record.other.unwrap_or(i);

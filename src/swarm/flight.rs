@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Digest, Frame, Inspection, Item, Planner, Readings, rng::Stream},
+    kernel::{Best, Digest, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, rng::Stream},
     math::limit,
     params::Settings,
 };
@@ -12,7 +12,7 @@ use super::{
     clock::Clock,
     objective::Objective,
     perturbation::{self, Event, Keep, Partner, Patience, Perturbation, Timing},
-    population::{Population, of_population},
+    population::Population,
     schedule::{Coefficients, Schedule},
     tell::introduce_as,
 };
@@ -99,7 +99,7 @@ impl Swarm {
     }
 
     /// One iteration. `watch` sees what happens to a particle that somebody asked about.
-    pub(super) fn advance(&mut self, watch: &mut dyn Watch) {
+    pub(super) fn iterate(&mut self, watch: &mut dyn Watch) {
         self.coefficients = self.flight.schedule.at(self.clock.iteration, self.clock.limit);
         let perturbation = self.flight.perturbation;
         let watched = watch.particle();
@@ -251,7 +251,18 @@ pub(super) trait Watch {
 impl Watch for () {}
 
 impl Planner for Swarm {
-    of_population!();
+    fn advance(&mut self) -> Progress {
+        self.iterate(&mut ());
+        self.clock.progress()
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.population.evaluations
+    }
+
+    fn best(&self) -> Option<Best> {
+        Some(self.population.best())
+    }
 
     fn read(&self, out: &mut Readings) {
         let Coefficients { w, c1, c2 } = self.coefficients;
@@ -275,19 +286,8 @@ impl Planner for Swarm {
         self.draw_layers(frame);
     }
 
-    fn inspect(&self, item: Item) -> Option<Inspection> {
-        if self.clock.iteration > 0 {
-            return None;
-        }
-        let origin = match self.origins.as_ref().and_then(|origins| *origins.get(item.index)?) {
-            Some(extensions) => format!("on the path of a tree of {extensions} extensions; its velocity is zero"),
-            None => "drawn at random; its velocity is zero".to_owned(),
-        };
-        introduce_as(&self.population, item, &origin)
-    }
-
-    fn explain(&self, item: Item) -> Option<Inspection> {
-        self.explain_step(item)
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self)
     }
 
     fn digest(&self, out: &mut Digest) {
@@ -302,5 +302,22 @@ impl Planner for Swarm {
 
     fn bytes(&self) -> usize {
         self.population.bytes() + 8 * (self.v.len() + self.held.len()) + 3 * self.patience.len() + size_of::<Self>()
+    }
+}
+
+impl Explain for Swarm {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        if self.clock.iteration > 0 {
+            return None;
+        }
+        let origin = match self.origins.as_ref().and_then(|origins| *origins.get(item.index)?) {
+            Some(extensions) => format!("on the path of a tree of {extensions} extensions; its velocity is zero"),
+            None => "drawn at random; its velocity is zero".to_owned(),
+        };
+        introduce_as(&self.population, item, &origin)
+    }
+
+    fn explain_next(&self, item: Item) -> Option<Inspection> {
+        self.explain_step(item)
     }
 }

@@ -35,7 +35,11 @@ pub mod wpso;
 
 use std::sync::Arc;
 
-use crate::{any::AnyPlanner, kernel::Error, params::Settings, scene::Scene};
+use crate::{
+    kernel::{Error, Planner, Started},
+    params::Settings,
+    scene::Scene,
+};
 
 pub use quantum::{ltqpso, qpso};
 pub use tell::SYMBOLS;
@@ -43,6 +47,12 @@ pub use tell::SYMBOLS;
 use flight::{Flight, Swarm};
 
 /// Starts a swarm that flies on whatever kind of scene it is given.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, flight: Flight) -> Result<Box<dyn AnyPlanner>, Error> {
-    Ok(Box::new(Swarm::new(encoding::objective(scene, settings)?, settings, seed, flight)))
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, flight: Flight) -> Result<Started, Error> {
+    Ok(started(Swarm::new(encoding::objective(scene, settings)?, settings, seed, flight), settings))
+}
+
+/// A run of a swarm, with the settings `iterations` and `early_stop`.
+fn started(swarm: impl Planner, settings: &Settings) -> Started {
+    let started = Started::new(swarm, settings.integer("iterations"));
+    if settings.integer("early_stop") > 0 { started.open_ended() } else { started }
 }

@@ -6,39 +6,6 @@ use crate::kernel::{Best, Digest, Readings, rng::Stream};
 
 use super::objective::{Objective, Scratch};
 
-/// The methods of [`crate::kernel::Planner`] that every planner with a `clock`, a `population` and a method `advance` has in common.
-macro_rules! of_population {
-    () => {
-        fn step(&mut self) -> $crate::kernel::Status {
-            if self.clock.running() {
-                self.advance(&mut ());
-            }
-            self.status()
-        }
-
-        fn status(&self) -> $crate::kernel::Status {
-            self.clock.status()
-        }
-
-        fn iteration(&self) -> u64 {
-            self.clock.iteration
-        }
-
-        fn limit(&self) -> u64 {
-            self.clock.limit
-        }
-
-        fn evaluations(&self) -> u64 {
-            self.population.evaluations
-        }
-
-        fn best(&self) -> Option<$crate::kernel::Best> {
-            Some(self.population.best())
-        }
-    };
-}
-pub(super) use of_population;
-
 /// A population of positions. Particle `i`'s coordinates are the `i`-th row of `dimension` numbers.
 #[derive(Clone)]
 pub(super) struct Population {

@@ -124,7 +124,7 @@ pub const ENTRY: Entry = Entry {
     events: &[],
     presets: &[ONE_ROAD],
     suggest: |_| None,
-    start: |scene, settings, seed| Ok(Box::new(start(scene, settings, seed)?)),
+    start: |scene, settings, seed| Ok(super::started(start(scene, settings, seed)?, settings)),
 };
 
 #[cfg(test)]

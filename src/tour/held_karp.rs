@@ -9,12 +9,12 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Reading, Scope},
-    kernel::{Digest, Readings, Role, Status, rng::Stream},
+    kernel::{Digest, Progress, Readings, Role, Status, rng::Stream},
     params::{Parameter, Settings},
 };
 
 use super::{
-    Search,
+    Begin, Search,
     parameters::{BEST, BUILT, BY_ROAD, CONVERGED, FAILED, KINDS, LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER},
     problem::{Problem, Stop, Tour},
 };
@@ -145,8 +145,8 @@ impl Search for HeldKarp {
         }
     }
 
-    fn status(&self) -> Status {
-        if self.tour.is_some() { Status::Solved } else { Status::Running }
+    fn progress(&self) -> Progress {
+        if self.tour.is_some() { Progress::Done(Status::Solved) } else { Progress::Continue }
     }
 
     fn evaluations(&self) -> u64 {
@@ -250,6 +250,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
-        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+        let begin: Begin = |problem, settings, rng| Box::new(begin(problem, settings, rng));
+        Ok(super::start(scene, settings, seed, TELLS, begin)?.open_ended())
     },
 };

@@ -26,11 +26,10 @@ pub mod two_opt;
 use std::sync::Arc;
 
 use crate::{
-    any,
     exact::{MAX_EXACT_STOPS, shortest_tour},
     kernel::{
-        Best, Digest, Error, Finding, Frame, Inspection, Item, Job, Planner, Readings, Role, Round, Shape, Solution, Stage, Status,
-        Yardstick, rng::Stream,
+        Best, Digest, Error, Explain, Facets, Failure, Frame, Inspection, Item, Members, Planner, Progress, Readings, Role, Round, Shape,
+        Solution, Stage, Started, Status, Subtasks, Yardstick, rng::Stream,
     },
     params::Settings,
     scene::{Body, Scene},
@@ -46,9 +45,9 @@ pub use tell::SYMBOLS;
 trait Search: Send {
     /// Takes one step.
     fn step(&mut self);
-    /// Whether it has something left to do; the iteration limit is not its business.
-    fn status(&self) -> Status {
-        Status::Running
+    /// Whether it has something left to do.
+    fn progress(&self) -> Progress {
+        Progress::Continue
     }
     /// How many tours it has evaluated.
     fn evaluations(&self) -> u64;
@@ -106,17 +105,10 @@ struct Tours {
     /// The search's iteration in which its best was found.
     converged: u64,
     settled: Settled,
-    limit: u64,
 }
 
 /// Starts a tour planner, which tells readings of these names beside those of every tour.
-fn start(
-    scene: &Arc<Scene>,
-    settings: &Settings,
-    seed: u64,
-    tells: &'static [&'static str],
-    begin: Begin,
-) -> Result<Box<dyn any::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, tells: &'static [&'static str], begin: Begin) -> Result<Started, Error> {
     let network = match scene.body() {
         Body::Grid(grid) => Some(Network::new(scene, grid, settings, seed)?),
         _ => None,
@@ -128,7 +120,6 @@ fn start(
         begin,
         round: parameters::round(scene, settings),
         places: scene.stops().into(),
-        limit: settings.integer("iterations") + network.as_ref().map_or(0, Network::steps),
         network,
         search: None,
         by_road: f64::NAN,
@@ -140,7 +131,19 @@ fn start(
     if let Body::Tour(tour) = scene.body() {
         tours.set_out(Problem::new(tour.distances(), tours.round));
     }
-    Ok(Box::new(tours))
+    let (roads, round, progress) = (tours.road_steps(), tours.round, tours.progress());
+    let yardstick = match &tours.network {
+        None => Yardstick::Matrix,
+        Some(_) if settings.flag("smooth") || settings.choice("roads") == "theta-star" => Yardstick::AnyAngle,
+        Some(_) => Yardstick::Cells,
+    };
+    let search = Stage { name: "tour", title: "Tour", end: None };
+    let stages = match roads {
+        0 => vec![search],
+        end => vec![Stage { name: "roads", title: "Roads", end: Some(end) }, search],
+    };
+    let started = Started::new(tours, settings.integer("iterations") + roads).measured_by(yardstick).in_stages(stages);
+    Ok(Started { progress, round: Some(round), ..started })
 }
 
 impl Tours {
@@ -154,6 +157,14 @@ impl Tours {
     /// How many steps go into roads.
     fn road_steps(&self) -> u64 {
         self.network.as_ref().map_or(0, Network::steps)
+    }
+
+    fn progress(&self) -> Progress {
+        match &self.search {
+            _ if self.torn => Progress::Done(Status::Infeasible),
+            Some((_, search)) => search.progress(),
+            None => Progress::Continue,
+        }
     }
 
     fn build(&mut self) {
@@ -193,10 +204,7 @@ impl Tours {
 }
 
 impl Planner for Tours {
-    fn step(&mut self) -> Status {
-        if self.status() != Status::Running {
-            return self.status();
-        }
+    fn advance(&mut self) -> Progress {
         self.iteration += 1;
         let roads = self.road_steps();
         match &mut self.search {
@@ -215,25 +223,7 @@ impl Planner for Tours {
                 }
             }
         }
-        self.status()
-    }
-
-    fn status(&self) -> Status {
-        if self.torn {
-            return Status::Infeasible;
-        }
-        match self.search.as_ref().map_or(Status::Running, |(_, search)| search.status()) {
-            Status::Running if self.iteration >= self.limit => Status::Exhausted,
-            status => status,
-        }
-    }
-
-    fn iteration(&self) -> u64 {
-        self.iteration
-    }
-
-    fn limit(&self) -> u64 {
-        self.limit
+        self.progress()
     }
 
     fn evaluations(&self) -> u64 {
@@ -246,39 +236,12 @@ impl Planner for Tours {
         Some(Best { cost: tour.length, solution })
     }
 
-    fn yardstick(&self) -> Yardstick {
-        match &self.network {
-            None => Yardstick::Matrix,
-            Some(_) if self.settings.flag("smooth") || self.settings.choice("roads") == "theta-star" => Yardstick::AnyAngle,
-            Some(_) => Yardstick::Cells,
-        }
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self).members(self).failure(self)
     }
 
-    fn round(&self) -> Option<Round> {
-        Some(self.round)
-    }
-
-    fn stages(&self) -> Vec<Stage> {
-        let search = Stage { name: "tour", title: "Tour", end: self.limit };
-        match self.road_steps() {
-            0 => vec![search],
-            end => vec![Stage { name: "roads", title: "Roads", end }, search],
-        }
-    }
-
-    fn jobs(&self) -> Vec<Job> {
-        let building = self.search.is_none() && self.status() == Status::Running;
-        self.network.as_ref().filter(|_| building).map_or(Vec::new(), Network::jobs)
-    }
-
-    fn supply(&mut self, found: Vec<Finding>) {
-        if let (Some(network), None) = (&mut self.network, &self.search) {
-            network.supply(found);
-        }
-    }
-
-    fn trouble(&self) -> Option<String> {
-        self.network.as_ref().filter(|_| self.torn).and_then(Network::trouble)
+    fn subtasks(&mut self) -> Option<&mut dyn Subtasks> {
+        self.network.as_mut().filter(|network| !network.is_built()).map(|network| network as &mut dyn Subtasks)
     }
 
     fn read(&self, out: &mut Readings) {
@@ -303,12 +266,6 @@ impl Planner for Tours {
             search.read(out);
         } else {
             self.tells.iter().for_each(|name| out.push(name, f64::NAN));
-        }
-    }
-
-    fn members(&self, out: &mut Vec<f64>) {
-        if let Some((_, search)) = &self.search {
-            (0..search.members()).for_each(|i| search.tell_member(i, out));
         }
     }
 
@@ -339,23 +296,6 @@ impl Planner for Tours {
         self.places.iter().zip(places).for_each(|(&stop, place)| frame.push(stop, place));
     }
 
-    fn inspect(&self, item: Item) -> Option<Inspection> {
-        match (item.role, &self.search) {
-            (Role::Roads, _) => tell::road(self.network.as_ref()?, item),
-            (Role::Stops, _) => tell::stop(self.best_tour(), &self.places, item),
-            (Role::Tours, Some((problem, search))) => {
-                let tour = search.member(item.index)?;
-                let mut told = tell::tour(problem, tour, search.best()?, &self.places, item);
-                told.marks.insert(0, tell::way(self.path(problem, tour)));
-                search.explain(item.index, &mut told);
-                Some(told)
-            }
-            // Asked of the state before, it would have the roads built once more.
-            (Role::Tours, None) => Some(tell::no_tour(item)),
-            _ => None,
-        }
-    }
-
     fn digest(&self, out: &mut Digest) {
         out.word(self.converged);
         out.number(self.settled.iteration());
@@ -373,6 +313,38 @@ impl Planner for Tours {
     fn bytes(&self) -> usize {
         let search = self.search.as_ref().map_or(0, |(_, search)| search.bytes());
         size_of::<Self>() + self.network.as_ref().map_or(0, Network::bytes) + search
+    }
+}
+
+impl Explain for Tours {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        match (item.role, &self.search) {
+            (Role::Roads, _) => tell::road(self.network.as_ref()?, item),
+            (Role::Stops, _) => tell::stop(self.best_tour(), &self.places, item),
+            (Role::Tours, Some((problem, search))) => {
+                let tour = search.member(item.index)?;
+                let mut told = tell::tour(problem, tour, search.best()?, &self.places, item);
+                told.marks.insert(0, tell::way(self.path(problem, tour)));
+                search.explain(item.index, &mut told);
+                Some(told)
+            }
+            (Role::Tours, None) => Some(tell::no_tour(item)),
+            _ => None,
+        }
+    }
+}
+
+impl Members for Tours {
+    fn members(&self, out: &mut Vec<f64>) {
+        if let Some((_, search)) = &self.search {
+            (0..search.members()).for_each(|i| search.tell_member(i, out));
+        }
+    }
+}
+
+impl Failure for Tours {
+    fn failure(&self, _status: Status) -> Option<String> {
+        self.network.as_ref().filter(|_| self.torn).and_then(Network::trouble)
     }
 }
 

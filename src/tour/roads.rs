@@ -1,17 +1,16 @@
 //! The road network, [ANTBAT] §3.2: a way for each pair of stops, found by a run of another planner: by its preset
 //! [`ROAD`] where it has one, otherwise with its defaults.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use crate::{
     catalogue,
     describe::ROAD,
     exact::{Distances, is_reachable},
     geometry,
-    kernel::{Error, Finding, Job, rng::Stream},
+    kernel::{Error, Finding, Job, Subtasks, rng::Stream},
     params::{Given, Settings, Value},
     scene::{GridScene, Scene},
-    session,
 };
 
 /// A way from one stop to a later one.
@@ -44,7 +43,6 @@ impl From<Finding> for Road {
 /// Who builds the roads of a scene, and those that are built. A step builds one stop's roads to all later stops.
 #[derive(Debug, Clone)]
 pub struct Network {
-    scene: Arc<Scene>,
     pub stops: Vec<[f64; 2]>,
     planner: &'static str,
     params: Given,
@@ -52,9 +50,8 @@ pub struct Network {
     pub seeds: Arc<[u64]>,
     /// Those that are built, pair by pair.
     pub roads: Vec<Arc<Road>>,
-    /// All of them, once somebody had to build them here: what is built again is the same, so copies share it.
-    known: Arc<OnceLock<Vec<Arc<Road>>>>,
-    supplied: Option<Vec<Finding>>,
+    /// What the runs of the next step found.
+    provided: Vec<Finding>,
 }
 
 impl Network {
@@ -79,13 +76,11 @@ impl Network {
         let mut params = sized.transpose()?.unwrap_or_default();
         params.insert("smooth", Value::Flag(settings.flag("smooth")));
         Ok(Self {
-            scene: Arc::clone(scene),
             planner: entry.name,
             params,
             seeds: (0..n * (n - 1) / 2).map(|_| rng.below(1 << 31) as u64).collect(),
             roads: Vec::new(),
-            known: Arc::default(),
-            supplied: None,
+            provided: Vec::new(),
             stops,
         })
     }
@@ -133,33 +128,12 @@ impl Network {
         from..from + self.stops.len() - 1 - first
     }
 
-    /// The runs that the next step needs, unless they were supplied.
-    pub fn jobs(&self) -> Vec<Job> {
-        if self.supplied.is_some() || self.known.get().is_some() { Vec::new() } else { self.next().map(|pair| self.job(pair)).collect() }
-    }
-
-    /// Takes what the runs of [`Network::jobs`] found.
-    pub fn supply(&mut self, found: Vec<Finding>) {
-        if found.len() == self.next().len() {
-            self.supplied = Some(found);
-        }
-    }
-
-    /// Builds one stop's roads.
+    /// Builds one stop's roads of what was provided.
     pub fn step(&mut self) {
-        let next = self.next();
-        if let Some(found) = self.supplied.take() {
-            self.roads.extend(found.into_iter().map(|found| Arc::new(Road::from(found))));
-            return;
-        }
-        let all = self.known.get_or_init(|| {
-            let jobs: Vec<_> = (0..self.seeds.len()).map(|pair| self.job(pair)).collect();
-            // What starting a run could refuse was refused for the tour's own.
-            let found = session::carry_out_all(&self.scene, &jobs).unwrap_or_default();
-            found.into_iter().map(|found| Arc::new(Road::from(found))).collect()
-        });
-        let none = || Arc::new(Road { path: Vec::new(), length: f64::INFINITY, converged: 0.0, over: Vec::new() });
-        self.roads.extend(next.map(|pair| all.get(pair).cloned().unwrap_or_else(none)));
+        let nothing = || Finding { cost: None, converged: 0.0, path: Vec::new() };
+        let count = self.next().len();
+        let found = std::mem::take(&mut self.provided).into_iter().chain(std::iter::repeat_with(nothing));
+        self.roads.extend(found.take(count).map(|found| Arc::new(Road::from(found))));
     }
 
     /// Whether every road is built.
@@ -242,6 +216,16 @@ impl Network {
     /// The memory it takes, in bytes; roads are shared.
     pub fn bytes(&self) -> usize {
         size_of::<Self>() + size_of::<Arc<Road>>() * self.roads.len() + 16 * self.stops.len()
+    }
+}
+
+impl Subtasks for Network {
+    fn requests(&self) -> Vec<Job> {
+        self.next().map(|pair| self.job(pair)).collect()
+    }
+
+    fn provide(&mut self, found: Vec<Finding>) {
+        self.provided = found;
     }
 }
 

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Reading},
-    kernel::{Digest, Readings, Status, rng::Stream},
+    kernel::{Digest, Progress, Readings, Status, rng::Stream},
     params::Settings,
 };
 
 use super::{
-    Search,
+    Begin, Search,
     local::Local,
     nearest::nearest_neighbour,
     parameters::{BEST, BUILT, BY_ROAD, CONVERGED, FAILED, KINDS, LAYERS, LENGTH, ROADS, ROUND, SMOOTH, iterations},
@@ -54,8 +54,8 @@ impl Search for Descent {
     }
 
     /// A local optimum proves nothing: it is not solved.
-    fn status(&self) -> Status {
-        if self.done { Status::Exhausted } else { Status::Running }
+    fn progress(&self) -> Progress {
+        if self.done { Progress::Done(Status::Exhausted) } else { Progress::Continue }
     }
 
     fn evaluations(&self) -> u64 {
@@ -117,6 +117,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
-        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+        let begin: Begin = |problem, settings, rng| Box::new(begin(problem, settings, rng));
+        Ok(super::start(scene, settings, seed, TELLS, begin)?.open_ended())
     },
 };

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::kernel::{Digest, Status, rng::Stream};
+use crate::kernel::{Digest, Progress, Status, rng::Stream};
 
 use super::{
     forest::Tree,
@@ -208,11 +208,8 @@ impl<const N: usize> Forest<N> {
     }
 }
 
-/// No run is run ahead any farther, only to know its end.
-const AHEAD: u64 = 20_000;
-
 /// How one extension is made.
-pub(super) trait Method<const N: usize>: Clone + Send + Sync {
+pub(super) trait Method<const N: usize>: Clone + Send + Sync + 'static {
     /// It goes on when there is a path, for a better one.
     const ANYTIME: bool = false;
     /// A second tree grows from the goal.
@@ -234,8 +231,6 @@ pub(super) struct Grown<const N: usize, M> {
     pub(super) forest: Forest<N>,
     pub(super) method: M,
     pub(super) rng: Stream,
-    pub(super) status: Status,
-    pub(super) iteration: u64,
 }
 
 /// What there is to see of a planner, whatever its method: drawn and told of once for all methods.
@@ -256,37 +251,15 @@ impl<const N: usize, M: Method<N>> Grown<N, M> {
         if M::FROM_GOAL {
             task.space.goals().iter().for_each(|&goal| forest.root(&task, 1, goal));
         }
-        Self { task: Arc::new(task), forest, method, rng: Stream::new(seed, 0), status: Status::Running, iteration: 0 }
-    }
-
-    /// The iteration at which it ends at the latest.
-    pub(super) fn end(&self) -> u64 {
-        if M::ANYTIME {
-            return self.task.limit;
-        }
-        *self.task.end.get_or_init(|| {
-            let mut ahead = self.clone();
-            while ahead.status == Status::Running && ahead.iteration < AHEAD {
-                ahead.advance();
-            }
-            if ahead.status == Status::Running { self.task.limit } else { ahead.iteration }
-        })
+        Self { task: Arc::new(task), forest, method, rng: Stream::new(seed, 0) }
     }
 
     /// One extension.
-    pub(super) fn advance(&mut self) {
-        if self.status != Status::Running {
-            return;
-        }
-        let Self { task, forest, method, rng, .. } = self;
-        self.iteration += 1;
-        forest.iteration = self.iteration;
+    pub(super) fn extend(&mut self) -> Progress {
+        let Self { task, forest, method, rng } = self;
+        forest.iteration += 1;
         method.grow(forest, task, rng);
-        forest.rejected += u64::from(!forest.last.added && forest.found.as_ref().is_none_or(|found| found.iteration != self.iteration));
-        self.status = match &forest.found {
-            Some(_) if !M::ANYTIME => Status::Solved,
-            _ if self.iteration >= task.limit => Status::Exhausted,
-            _ => Status::Running,
-        };
+        forest.rejected += u64::from(!forest.last.added && forest.found.as_ref().is_none_or(|found| found.iteration != forest.iteration));
+        if forest.found.is_some() && !M::ANYTIME { Progress::Done(Status::Solved) } else { Progress::Continue }
     }
 }

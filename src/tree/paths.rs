@@ -1,9 +1,6 @@
 //! First paths for planners that improve some: each by a basic tree of its own, without its redundant nodes.
 
-use std::{
-    cell::Cell,
-    sync::{Arc, OnceLock},
-};
+use std::{cell::Cell, sync::Arc};
 
 use crate::{
     geometry::shortcut,
@@ -43,7 +40,7 @@ impl Paths {
         let ((min, max), step) = (ground.bounds(), step_size * ground.unit());
         let start = ground.start();
         let finish = Finish::raw(step);
-        Ok(Self(Task { space: Arc::new(ground), start, min, max, step, goal_bias, limit: u64::MAX, finish, end: OnceLock::new() }))
+        Ok(Self(Task { space: Arc::new(ground), start, min, max, step, goal_bias, limit: u64::MAX, finish }))
     }
 
     /// Grows a tree by so many extensions at most.

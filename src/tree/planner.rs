@@ -1,6 +1,6 @@
 //! A tree by the stepped contract.
 
-use crate::kernel::{Best, Digest, Frame, Inspection, Item, Planner, Readings, Role, Status};
+use crate::kernel::{Best, Digest, Explain, Facets, Frame, Inspection, Item, Members, Planner, Progress, Readings, Role, Started, Status};
 
 use super::{
     grow::{Grown, Method, Seen},
@@ -8,21 +8,8 @@ use super::{
 };
 
 impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
-    fn step(&mut self) -> Status {
-        self.advance();
-        self.status
-    }
-
-    fn status(&self) -> Status {
-        self.status
-    }
-
-    fn iteration(&self) -> u64 {
-        self.iteration
-    }
-
-    fn limit(&self) -> u64 {
-        self.end()
+    fn advance(&mut self) -> Progress {
+        self.extend()
     }
 
     /// Straight pieces tested.
@@ -44,28 +31,19 @@ impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
         self.seen().draw_layers(frame);
     }
 
-    fn made(&self, item: Item) -> Option<u64> {
-        let births = &self.forest.births;
-        (item.role == Role::Nodes).then(|| births.get(item.index).map(|birth| u64::from(birth.iteration)))?
-    }
-
-    fn inspect(&self, item: Item) -> Option<Inspection> {
-        self.seen().tell(item)
-    }
-
-    fn explain(&self, item: Item) -> Option<Inspection> {
-        let mut next = self.clone();
-        next.advance();
-        next.seen().tell_birth(item)
-    }
-
-    fn members(&self, out: &mut Vec<f64>) {
-        self.seen().members(out);
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self).members(self)
     }
 
     fn digest(&self, out: &mut Digest) {
-        out.word(self.iteration);
-        out.word(self.status as u64);
+        // The status is the run's: golden runs and links of before have it here.
+        let status = match &self.forest.found {
+            Some(_) if !M::ANYTIME => Status::Solved,
+            _ if self.forest.iteration >= self.task.limit => Status::Exhausted,
+            _ => Status::Running,
+        };
+        out.word(self.forest.iteration);
+        out.word(status as u64);
         self.rng.digest(out);
         self.forest.trees.iter().for_each(|tree| tree.digest(out));
         out.word(self.forest.tested);
@@ -87,6 +65,37 @@ impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
             + size_of::<super::grow::Sample<N>>() * forest.last.samples.capacity()
             + forest.found.as_ref().map_or(0, |found| found.bytes())
             + self.method.bytes()
+    }
+}
+
+impl<const N: usize, M: Method<N>> Explain for Grown<N, M> {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        self.seen().tell(item)
+    }
+
+    fn explain_next(&self, item: Item) -> Option<Inspection> {
+        let mut next = self.clone();
+        next.extend();
+        next.seen().tell_birth(item)
+    }
+
+    fn created_at(&self, item: Item) -> Option<u64> {
+        let births = &self.forest.births;
+        (item.role == Role::Nodes).then(|| births.get(item.index).map(|birth| u64::from(birth.iteration)))?
+    }
+}
+
+impl<const N: usize, M: Method<N>> Members for Grown<N, M> {
+    fn members(&self, out: &mut Vec<f64>) {
+        self.seen().members(out);
+    }
+}
+
+impl<const N: usize, M: Method<N>> From<Grown<N, M>> for Started {
+    fn from(grown: Grown<N, M>) -> Self {
+        let limit = grown.task.limit;
+        let started = Self::new(grown, limit);
+        if M::ANYTIME { started } else { started.open_ended() }
     }
 }
 

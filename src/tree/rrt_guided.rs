@@ -70,7 +70,7 @@ pub const ENTRY: Entry = Entry {
     events: &[],
     presets: &[],
     suggest: |_| None,
-    start: |scene, settings, seed| Ok(Box::new(grown(scene, settings, seed)?)),
+    start: |scene, settings, seed| Ok(grown(scene, settings, seed)?.into()),
 };
 
 /// The planner behind the entry.

@@ -38,7 +38,7 @@ pub const ENTRY: Entry = Entry {
     suggest: |_| None,
     start: |scene, settings, seed| {
         let joints = Joints::new(scene, settings)?;
-        Ok(Box::new(Grown::new(Task::new(Arc::new(joints), settings, 0.0), Connect::default(), seed)))
+        Ok(Grown::new(Task::new(Arc::new(joints), settings, 0.0), Connect::default(), seed).into())
     },
 };
 

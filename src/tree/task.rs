@@ -1,6 +1,6 @@
 //! What stays the same in a run of a tree.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use crate::params::Settings;
 
@@ -21,8 +21,6 @@ pub(super) struct Task<const N: usize> {
     pub(super) goal_bias: f64,
     pub(super) limit: u64,
     pub(super) finish: Finish,
-    /// The last iteration, once somebody asked: a run that ends when there is a path is run ahead to know it.
-    pub(super) end: OnceLock<u64>,
 }
 
 impl<const N: usize> Task<N> {
@@ -38,7 +36,6 @@ impl<const N: usize> Task<N> {
             goal_bias,
             limit: settings.integer("iterations"),
             finish: Finish::new(settings, step),
-            end: OnceLock::new(),
             space,
         }
     }

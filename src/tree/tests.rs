@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     Given, Scene, Session, Setup, Status, Value,
-    kernel::{Item, Kind, Planner, Role, rng::Stream},
+    kernel::{Item, Kind, Progress, Role, rng::Stream},
     shipped,
 };
 
@@ -60,34 +60,38 @@ impl Method<3> for Towards {
 fn a_node_grows_by_a_step_towards_the_sample() {
     let samples = vec![[4.0, 9.0, 0.0], [1.0, 5.1, 0.0], [9.0, 5.0, 0.0], [-3.0, 5.0, 0.0]];
     let mut tree = Grown::new(task(&plane(), "rrt"), Towards(samples, false), 1);
-    tree.advance();
+    tree.extend();
     // From (1, 5) by ½ along (3, 4) / 5.
     let new = tree.forest.trees[0].points[1];
     assert!(distance(&new, &[1.3, 5.4, 0.0]) < 1e-15, "{new:?}");
     assert_eq!((tree.forest.trees[0].parents[1], tree.forest.trees[0].costs[1]), (0, distance(&new, &[1.0, 5.0, 0.0])));
-    tree.advance();
+    tree.extend();
     // A whole step beyond a sample that is nearer, as (11) is printed.
     assert_eq!(tree.forest.trees[0].points[2], [1.0, 5.5, 0.0]);
-    tree.advance();
+    tree.extend();
     // The nearest to (9, 5) is (1.3, 5.4).
     assert_eq!(tree.forest.trees[0].parents[3], 1);
-    tree.advance();
+    tree.extend();
     assert_eq!(tree.forest.last.samples[0].fate, Fate::Taken);
     assert!(distance(&tree.forest.trees[0].points[4], &[0.5, 5.0, 0.0]) < 1e-15);
 
     let mut clipped = Grown::new(task(&plane(), "rrt"), Towards(vec![[1.0, 5.1, 0.0]], true), 1);
-    clipped.advance();
+    clipped.extend();
     assert_eq!(clipped.forest.trees[0].points[1], [1.0, 5.1, 0.0], "no farther than the sample");
 }
 
 #[test]
 fn a_step_out_of_the_space_or_into_an_obstacle_adds_nothing() {
     let mut out = Grown::new(task(&plane(), "rrt"), Towards(vec![[-9.0, 5.0, 0.0]; 4], false), 1);
-    (0..4).for_each(|_| out.advance());
+    (0..4).for_each(|_| {
+        out.extend();
+    });
     // (0.5, 5), (0, 5), and no farther.
     assert_eq!((out.forest.trees[0].len(), out.forest.last.samples[0].fate, out.forest.rejected), (3, Fate::Outside, 2));
     let mut blocked = Grown::new(task(&plane(), "rrt"), Towards(vec![[9.0, 5.0, 0.0]; 9], false), 1);
-    (0..9).for_each(|_| blocked.advance());
+    (0..9).for_each(|_| {
+        blocked.extend();
+    });
     // From 1 to 4, where the disc begins.
     assert_eq!((blocked.forest.trees[0].len(), blocked.forest.last.samples[0].fate, blocked.forest.rejected), (7, Fate::Blocked, 3));
     assert_eq!(blocked.forest.nearest, 25.0);
@@ -97,8 +101,11 @@ fn a_step_out_of_the_space_or_into_an_obstacle_adds_nothing() {
 fn watch<M: Method<3>>(mut grown: Grown<3, M>, steps: usize, scene: &Scene) {
     let task = Arc::clone(&grown.task);
     let mut best = f64::INFINITY;
+    let mut progress = Progress::Continue;
     for _ in 0..steps {
-        grown.advance();
+        if progress == Progress::Continue {
+            progress = grown.extend();
+        }
         if let Some(found) = &grown.forest.found {
             assert!(found.cost <= best, "the best cost never rises");
             best = found.cost;
@@ -158,7 +165,7 @@ fn without_the_fallback_no_step_is_plain() {
     let (mut guided, mut nothing) = (0, 0);
     for seed in 0..10 {
         let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();
-        while Planner::step(&mut grown) == Status::Running && grown.forest.trees[0].len() < 60 && guided + nothing < 4000 {
+        while grown.extend() == Progress::Continue && grown.forest.trees[0].len() < 60 && guided + nothing < 4000 {
             let last = &grown.forest.last;
             assert!(!last.fell_back && last.samples.len() == 20);
             guided += usize::from(last.added);
@@ -180,7 +187,7 @@ fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_doubl
         for _ in 0..60 {
             let before = grown.forest.trees[0].clone();
             let near = grown.forest.nearest_node;
-            if Planner::step(&mut grown) != Status::Running {
+            if grown.extend() != Progress::Continue {
                 break;
             }
             let last = &grown.forest.last;
@@ -229,7 +236,7 @@ fn by_distance_the_wheel_keeps_four_and_the_nearest_that_is_free_is_taken() {
     for seed in 0..40 {
         let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();
         for _ in 0..60 {
-            if Planner::step(&mut grown) != Status::Running {
+            if grown.extend() != Progress::Continue {
                 break;
             }
             let (samples, goal) = (&grown.forest.last.samples[..20], grown.task.goal());

@@ -1,7 +1,7 @@
 //! A particle swarm over the parameters of an ant colony, [WOLF-ANT] §5.2: a planner that runs planners.
 //!
-//! It knows colonies only as everybody does, by the catalogue and the stepped contract. What the next step has to run is
-//! told beforehand ([`Planner::jobs`]), so that others may carry it out side by side; the outcome does not depend on it.
+//! It knows colonies only as everybody does, by the catalogue and the stepped contract, and never runs one: its runs are
+//! [`Subtasks`], which may be carried out side by side; the outcome does not depend on it.
 
 mod parameters;
 mod tell;
@@ -11,18 +11,17 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    any, catalogue,
+    catalogue,
     describe::Entry,
     exact::is_reachable,
     geometry,
     kernel::{
-        Best, Digest, Error, Finding, Frame, Inspection, Item, Job, Planner, Readings, Role, Shape, Solution, Status, Tuned, Yardstick,
-        rng::Stream,
+        Best, Digest, Error, Explain, Facets, Finding, Frame, Inspection, Item, Job, Planner, Progress, Readings, Recommend, Role, Shape,
+        Solution, Started, Subtasks, Tuned, Yardstick, rng::Stream,
     },
     math,
     params::{Domain, Given, Parameter, Settings, Value},
     scene::Scene,
-    session,
 };
 
 pub use parameters::{ENTRY, SYMBOLS};
@@ -108,14 +107,13 @@ struct Tuning {
     /// The shortest way that each particle's parameters gave in the last step, and the best one's.
     ways: Vec<Vec<[f64; 2]>>,
     best: Vec<[f64; 2]>,
-    supplied: Option<Vec<Finding>>,
-    reachable: bool,
+    /// What the runs of the next step found.
+    provided: Vec<Finding>,
     iteration: u64,
-    limit: u64,
     rng: Stream,
 }
 
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn any::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, Error> {
     let colony = catalogue::find(settings.choice("colony"))?;
     let chosen = settings.choice("tune");
     let axes: Vec<_> = colony.parameters.iter().filter(|p| chosen.split(',').any(|name| name == p.name)).filter_map(Axis::new).collect();
@@ -137,7 +135,7 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn a
             v.push(rng.between(axis.low - axis.high, axis.high - axis.low));
         }
     }
-    Ok(Box::new(Tuning {
+    let tuning = Tuning {
         scene: Arc::clone(scene),
         colony,
         rounds: settings.integer("colony_iterations"),
@@ -152,15 +150,15 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Box<dyn a
         g_cost: NONE,
         ways: vec![Vec::new(); population],
         best: Vec::new(),
-        supplied: None,
-        reachable: is_reachable(grid.cells(), course.start, course.goal),
+        provided: Vec::new(),
         iteration: 0,
-        limit: settings.integer("iterations"),
         x,
         v,
         axes,
         rng,
-    }))
+    };
+    let reachable = is_reachable(grid.cells(), course.start, course.goal);
+    Ok(Started::new(tuning, settings.integer("iterations")).measured_by(Yardstick::Cells).solvable(reachable))
 }
 
 impl Tuning {
@@ -176,15 +174,6 @@ impl Tuning {
 
     fn row(&self, i: usize) -> std::ops::Range<usize> {
         i * self.axes.len()..(i + 1) * self.axes.len()
-    }
-
-    /// The runs that judge the positions.
-    fn runs(&self) -> Vec<Job> {
-        let of = |i: usize| {
-            let params = self.given(&self.x[self.row(i)]);
-            self.seeds.iter().map(move |&seed| Job { planner: self.colony.name, params: params.clone(), seed, ends: None })
-        };
-        (0..self.population).flat_map(of).collect()
     }
 
     /// What the runs found, particle by particle, and the bests that follow.
@@ -223,33 +212,12 @@ impl Tuning {
 }
 
 impl Planner for Tuning {
-    fn step(&mut self) -> Status {
-        if Planner::status(self) == Status::Running {
-            self.iteration += 1;
-            // What starting could refuse was refused when the first job was made; a failure now finds nothing.
-            let found = self.supplied.take().or_else(|| session::carry_out_all(&self.scene, &self.runs()).ok());
-            self.judge(&found.unwrap_or_default());
-            self.fly();
-        }
-        Planner::status(self)
-    }
-
-    fn status(&self) -> Status {
-        if !self.reachable {
-            Status::Infeasible
-        } else if self.iteration >= self.limit {
-            Status::Exhausted
-        } else {
-            Status::Running
-        }
-    }
-
-    fn iteration(&self) -> u64 {
-        self.iteration
-    }
-
-    fn limit(&self) -> u64 {
-        self.limit
+    fn advance(&mut self) -> Progress {
+        self.iteration += 1;
+        let found = std::mem::take(&mut self.provided);
+        self.judge(&found);
+        self.fly();
+        Progress::Continue
     }
 
     fn evaluations(&self) -> u64 {
@@ -258,25 +226,6 @@ impl Planner for Tuning {
 
     fn best(&self) -> Option<Best> {
         self.g_cost.length.is_finite().then(|| Best { cost: self.g_cost.length, solution: Solution::Path(self.best.clone()) })
-    }
-
-    fn yardstick(&self) -> Yardstick {
-        Yardstick::Cells
-    }
-
-    fn jobs(&self) -> Vec<Job> {
-        let waiting = Planner::status(self) == Status::Running && self.supplied.is_none();
-        if waiting { self.runs() } else { Vec::new() }
-    }
-
-    fn supply(&mut self, found: Vec<Finding>) {
-        if found.len() == self.population * self.seeds.len() {
-            self.supplied = Some(found);
-        }
-    }
-
-    fn tuned(&self) -> Option<Tuned> {
-        self.g_cost.length.is_finite().then(|| Tuned { planner: self.colony.name, params: self.given(&self.g) })
     }
 
     fn read(&self, out: &mut Readings) {
@@ -309,8 +258,12 @@ impl Planner for Tuning {
         }
     }
 
-    fn inspect(&self, item: Item) -> Option<Inspection> {
-        (item.role == Role::Particles && item.index < self.population).then(|| tell::particle(self, item))
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self).recommend(self)
+    }
+
+    fn subtasks(&mut self) -> Option<&mut dyn Subtasks> {
+        Some(self)
     }
 
     fn digest(&self, out: &mut Digest) {
@@ -325,5 +278,32 @@ impl Planner for Tuning {
     fn bytes(&self) -> usize {
         let ways: usize = self.ways.iter().map(|way| 16 * way.len() + 24).sum();
         8 * 5 * self.x.len() + 48 * self.population + ways + size_of::<Self>()
+    }
+}
+
+impl Subtasks for Tuning {
+    /// The runs that judge the positions.
+    fn requests(&self) -> Vec<Job> {
+        let of = |i: usize| {
+            let params = self.given(&self.x[self.row(i)]);
+            self.seeds.iter().map(move |&seed| Job { planner: self.colony.name, params: params.clone(), seed, ends: None })
+        };
+        (0..self.population).flat_map(of).collect()
+    }
+
+    fn provide(&mut self, found: Vec<Finding>) {
+        self.provided = found;
+    }
+}
+
+impl Explain for Tuning {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        (item.role == Role::Particles && item.index < self.population).then(|| tell::particle(self, item))
+    }
+}
+
+impl Recommend for Tuning {
+    fn recommendation(&self) -> Option<Tuned> {
+        self.g_cost.length.is_finite().then(|| Tuned { planner: self.colony.name, params: self.given(&self.g) })
     }
 }

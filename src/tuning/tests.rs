@@ -1,7 +1,7 @@
 //! The swarm's equations by hand, and that a run does not depend on who carries out its jobs.
 
 use super::*;
-use crate::{Session, Setup, catalogue::PLANNERS, shipped};
+use crate::{Session, Setup, catalogue::PLANNERS, session, shipped};
 
 fn session(params: &[(&str, &str)]) -> Session {
     let params = [("population", "3"), ("seeds", "2"), ("colony_iterations", "4"), ("iterations", "5")]
@@ -118,10 +118,8 @@ fn a_particle_flies_by_the_equation_and_stays_in_its_range() {
         g_cost: NONE,
         ways: vec![Vec::new(); 2],
         best: Vec::new(),
-        supplied: None,
-        reachable: true,
+        provided: Vec::new(),
         iteration: 0,
-        limit: 9,
         rng: Stream::new(1, 0),
         axes,
     };

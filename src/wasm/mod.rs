@@ -211,6 +211,12 @@ impl Session {
         self.run.limit() as f64
     }
 
+    /// The last iteration, as soon as it is known: of runs that may be over before their limit, once they came to their end.
+    #[wasm_bindgen(getter)]
+    pub fn end(&self) -> Option<f64> {
+        self.run.end().map(|end| end as f64)
+    }
+
     /// Whether there is more to do, or why not.
     #[wasm_bindgen(getter)]
     pub fn status(&self) -> JsStatus {
@@ -292,7 +298,7 @@ impl Session {
 
     /// The runs of other planners, on this scene, that the next step needs; none for most planners. Carry them out with
     /// `carryOut`, in workers if you like, and `supply` what they found; a step without that carries them out itself.
-    pub fn jobs(&self) -> JsJobs {
+    pub fn jobs(&mut self) -> JsJobs {
         plain(&self.run.jobs())
     }
 

@@ -18,8 +18,8 @@ export interface RunEvent {
 export interface Stage {
   name: string;
   title: string;
-  /** Its last iteration. */
-  end: number;
+  /** Its last iteration, as soon as it is known. */
+  end?: number;
 }
 
 /** Sizes that a planner's paper recommends for a setup. */

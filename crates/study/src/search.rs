@@ -4,7 +4,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::{Deserialize, Serialize};
 
-use forage::{Given, Setup, Value, kernel::Error, scene::shipped, statistics::Moments};
+use forage::{
+    Given, Setup, Value,
+    kernel::{Error, Stepper},
+    scene::shipped,
+    statistics::Moments,
+};
 
 use super::{rows::Row, runner::Job};
 
@@ -151,11 +156,11 @@ impl Task {
             let setup = self.setup(sizes, seed)?;
             let (entry, settings) = setup.check()?;
             // Without the session around it: nobody looks at the trace of a hundred thousand runs.
-            let mut planner = (entry.start)(&setup.scene, &settings, seed)?;
-            while planner.step_taken() {}
-            let length = planner.best().and_then(|best| setup.scene.judge(&best.solution).length);
+            let mut run = Stepper::from((entry.start)(&setup.scene, &settings, seed)?);
+            while run.step(|_| Vec::new()) {}
+            let length = run.planner.best().and_then(|best| setup.scene.judge(&best.solution).length);
             moments = moments.with(length.unwrap_or(f64::NAN));
-            evaluations += planner.evaluations();
+            evaluations += run.planner.evaluations();
             if !patience && moments.squares >= most {
                 break;
             }

@@ -68,7 +68,7 @@ impl Quantum {
         let i = particle(&self.population, item)?;
         let mut record = Record { particle: i, leaps: Vec::new() };
         let mut after = self.clone();
-        after.advance(&mut record);
+        after.iterate(&mut record);
         let (now, next, leaps) = (&self.population, &after.population, &record.leaps);
         let (row, n) = (now.row(i), now.dimension);
         let (x, p, attractor) = (&now.x[row.clone()], &now.p[row.clone()], &after.attractors[row.clone()]);

@@ -11,8 +11,7 @@ pub mod qpso;
 use std::sync::Arc;
 
 use crate::{
-    any,
-    kernel::{Digest, Error, Frame, Inspection, Item, Planner, Readings, Role, rng::Stream},
+    kernel::{Best, Digest, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, rng::Stream},
     math,
     params::Settings,
     scene::Scene,
@@ -22,7 +21,7 @@ use super::{
     clock::Clock,
     draw::CONTEXT,
     encoding,
-    population::{Population, column, deviation, of_population},
+    population::{Population, column, deviation},
     schedule::Law,
     tell,
 };
@@ -39,10 +38,10 @@ struct Adaptation {
 }
 
 /// Starts a quantum swarm on whatever kind of scene it is given.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: Option<Adaptation>) -> Result<Box<dyn any::AnyPlanner>, Error> {
+fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: Option<Adaptation>) -> Result<Started, Error> {
     let mut rng = Stream::new(seed, 0);
     let population = Population::new(encoding::objective(scene, settings)?, settings.integer("population") as usize, &mut rng);
-    Ok(Box::new(Quantum::new(population, settings, rng, adaptive)))
+    Ok(super::started(Quantum::new(population, settings, rng, adaptive), settings))
 }
 
 /// A swarm that leaps: X ← p ± α gs |m − X| ln(1/u).
@@ -117,7 +116,7 @@ impl Quantum {
     }
 
     /// One iteration. `watch` sees what happens to a particle that somebody asked about.
-    fn advance(&mut self, watch: &mut impl Watch) {
+    fn iterate(&mut self, watch: &mut impl Watch) {
         self.width = self.alpha.at(self.clock.iteration, self.clock.limit);
         self.prepare();
         for i in 0..self.population.size {
@@ -215,7 +214,18 @@ fn mean(rows: &[f64], m: &mut [f64]) {
 }
 
 impl Planner for Quantum {
-    of_population!();
+    fn advance(&mut self) -> Progress {
+        self.iterate(&mut ());
+        self.clock.progress()
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.population.evaluations
+    }
+
+    fn best(&self) -> Option<Best> {
+        Some(self.population.best())
+    }
 
     fn read(&self, out: &mut Readings) {
         self.population.read(out);
@@ -240,12 +250,8 @@ impl Planner for Quantum {
         population.draw_result(frame);
     }
 
-    fn inspect(&self, item: Item) -> Option<Inspection> {
-        (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "; it has no velocity, now or later")).flatten()
-    }
-
-    fn explain(&self, item: Item) -> Option<Inspection> {
-        self.explain_step(item)
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self)
     }
 
     fn digest(&self, out: &mut Digest) {
@@ -259,6 +265,16 @@ impl Planner for Quantum {
 
     fn bytes(&self) -> usize {
         self.population.bytes() + 8 * self.attractors.len() + 32 * self.ip.len() + 16 * self.m.len() + size_of::<Self>()
+    }
+}
+
+impl Explain for Quantum {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "; it has no velocity, now or later")).flatten()
+    }
+
+    fn explain_next(&self, item: Item) -> Option<Inspection> {
+        self.explain_step(item)
     }
 }
 
@@ -327,10 +343,10 @@ mod tests {
             (Some(without), false, None),
         ] {
             let mut swarm = swarm(6.0, parts);
-            swarm.advance(&mut ());
+            swarm.iterate(&mut ());
             let before = swarm.clone();
             let mut seen = Seen::default();
-            swarm.advance(&mut seen);
+            swarm.iterate(&mut seen);
             let Population { x, p, g, p_cost, g_cost, .. } = &before.population;
             let row = before.population.row(3);
             let alpha = 1.0 - 0.5 * (1.0 / before.clock.limit as f64);

@@ -8,7 +8,7 @@ use forage::{
     Session, Setup, Status, Value,
     arm::ArmScene,
     geometry::length_in_space,
-    kernel::{Error, Readings, Solution},
+    kernel::{Error, Readings, Solution, Stepper},
 };
 
 use super::super::{rows::Row, runner::Job};
@@ -90,20 +90,20 @@ fn grow(setup: &Setup, stop: &AtomicBool) -> Result<Option<Tree>, Error> {
     }
     let (entry, settings) = raw.check()?;
     let begun = std::time::Instant::now();
-    let mut planner = (entry.start)(&raw.scene, &settings, raw.seed)?;
-    while planner.step_taken() {
-        if planner.iteration().is_multiple_of(1000) && stop.load(Ordering::Relaxed) {
+    let mut run = Stepper::from((entry.start)(&raw.scene, &settings, raw.seed)?);
+    while run.step(|_| Vec::new()) {
+        if run.iteration.is_multiple_of(1000) && stop.load(Ordering::Relaxed) {
             return Ok(None);
         }
     }
     let ms = begun.elapsed().as_secs_f64() * 1e3;
     let mut readings = Readings::default();
-    planner.read(&mut readings);
-    let path = planner.best().and_then(|best| match best.solution {
+    run.planner.read(&mut readings);
+    let path = run.planner.best().and_then(|best| match best.solution {
         Solution::Reach { path, .. } => Some(path),
         _ => None,
     });
-    Ok(Some(Tree { path, readings, extensions: planner.iteration(), ms }))
+    Ok(Some(Tree { path, readings, extensions: run.iteration, ms }))
 }
 
 impl Job for Task {

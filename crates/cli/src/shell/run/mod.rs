@@ -167,7 +167,7 @@ fn run_to_end(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>)
 
 /// Carries out the runs of other planners that the next step needs, a few at a time so that Ctrl-C takes effect. `None`: it
 /// needs none.
-fn run_subtasks(session: &Session, interrupted: &AtomicBool) -> Result<Option<Vec<Finding>>, Failure> {
+fn run_subtasks(session: &mut Session, interrupted: &AtomicBool) -> Result<Option<Vec<Finding>>, Failure> {
     let subtasks = session.jobs();
     let mut results = Vec::with_capacity(subtasks.len());
     for some in subtasks.chunks(64) {
