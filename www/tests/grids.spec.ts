@@ -1,5 +1,6 @@
 import type { GridScene, Point, Scene } from '../../pkg/node.js'
 import { closer } from '../src/i18n/closer.en'
+import { grids } from '../src/i18n/grids.en'
 import { moving } from '../src/i18n/moving.en'
 import { panels } from '../src/i18n/panels.en'
 import { number } from '../src/panels/format'
@@ -141,9 +142,9 @@ test('cells are painted with the keyboard, which says what is where', async ({ l
   await page.getByTestId('tool-paint').click()
   await lab.stage.focus()
   for (const key of ['ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowUp', 'ArrowUp']) await page.keyboard.press(key)
-  await expect(page.getByTestId('cell')).toHaveText(en.stage.cell(4, 18, false))
+  await expect(page.getByTestId('cell')).toHaveText(grids.cell(4, 18, false))
   await page.keyboard.press('Space')
-  await expect(page.getByTestId('cell')).toHaveText(en.stage.cell(4, 18, true))
+  await expect(page.getByTestId('cell')).toHaveText(grids.cell(4, 18, true))
   expect(difference(await sceneAt(lab, 4), shipped)).toEqual(['3,17 #'])
   await lab.stage.focus()
   await page.keyboard.press('Escape')

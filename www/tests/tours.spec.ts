@@ -59,11 +59,17 @@ test('roads in several threads, then bats: one run, both parts told, the same st
   expect(told.length).toBeGreaterThan(0)
   for (const text of told) expect(text).toMatch(/^Roads \d+ of 11: \d+ of \d+ runs$/)
   await expect(page.getByTestId('step-progress')).toHaveCount(0)
-  await expect(lab.timeline).toHaveAttribute('aria-valuetext', en.transport.part(String(END), 'Tour', '100', '100'))
+  await expect(lab.timeline).toHaveAttribute(
+    'aria-valuetext',
+    `${en.transport.of(String(END), String(END), false)}, ${en.transport.part('Tour', '100', '100')}`,
+  )
   await expect(page.getByTestId('parts').locator('.now')).toHaveAttribute('data-part', 'tour')
 
   expect(await lab.seek(5)).toBe(hashOf(ANTS, 5))
-  await expect(lab.timeline).toHaveAttribute('aria-valuetext', en.transport.part('5', 'Roads', '5', '11'))
+  await expect(lab.timeline).toHaveAttribute(
+    'aria-valuetext',
+    `${en.transport.of('5', String(END), false)}, ${en.transport.part('Roads', '5', '11')}`,
+  )
   const { roads } = sessionAt(ANTS, 5, (session) => session.readings())
   await expect(page.getByTestId('result-strip')).toContainText(en.result.roads(String(roads), '66'))
   expect(await lab.seek(40)).toBe(hashOf(ANTS, 40))

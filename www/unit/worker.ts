@@ -88,7 +88,7 @@ export class FakeWorker {
             limit: limitOf(setup),
             parameters: {},
             exact: null,
-            stages: [],
+            span: { end: limitOf(setup), extent: limitOf(setup), stages: [] },
           } as unknown as Run,
         }
       }),

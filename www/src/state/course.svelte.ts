@@ -1,4 +1,4 @@
-import type { RunEvent, Stage } from 'forage-lab'
+import type { RunEvent } from 'forage-lab'
 import type { FrameMessage, Run, Span } from '../worker/protocol'
 import { Curve } from './curve'
 
@@ -31,7 +31,7 @@ export class Course {
   }
 
   /** Where a run ends, and its parts, as far as is known. */
-  of(run: Run | null): { limit: number; stages: readonly Stage[] } {
-    return this.span && this.span.generation === run?.generation ? this.span : (run ?? { limit: 0, stages: [] })
+  of(run: Run | null): Span {
+    return this.span && this.span.generation === run?.generation ? this.span : (run?.span ?? { end: 0, extent: 0, stages: [] })
   }
 }

@@ -74,7 +74,12 @@ export class Lab extends Parameters {
   /** It plans in an arm's joints, and tells of each node: its costs are angles. */
   readonly inJoints = $derived(this.planner?.members.some(({ name }) => name === 'q1') ?? false)
   private readonly span = $derived(this.course.of(this.run))
-  readonly limit = $derived(this.span.limit)
+  /** The iteration at which the run ends, or, while that is open, at which it ends at the latest. */
+  readonly limit = $derived(this.span.end ?? this.run?.limit ?? 0)
+  /** How many iterations the timeline shows. */
+  readonly extent = $derived(this.span.extent)
+  /** Where the run ends is not known yet. */
+  readonly openEnded = $derived(this.span.end === null)
   readonly stages = $derived(this.span.stages)
   readonly yardstick = $derived<Yardstick>((this.grid || this.touring) && this.outcome ? this.outcome.exact_by : 'plain')
   /** The optimum that results are measured by, in words. */

@@ -7,21 +7,29 @@ export interface Part {
   title: string
   /** How far it is in this part. */
   k: number
-  of: number
+  /** How long the part is, as soon as that is known. */
+  of: number | null
 }
 
 /** Nothing where a run has no parts. */
 export function stageAt(stages: readonly Stage[] = [], iteration: number): Part | null {
-  const at = stages.findIndex(({ end }) => iteration <= end)
+  const at = stages.findIndex(({ end }) => iteration <= (end ?? Infinity))
   const { title, end } = stages[at] ?? {}
-  if (stages.length < 2 || title === undefined || end === undefined) return null
+  if (stages.length < 2 || title === undefined) return null
   const begin = stages[at - 1]?.end ?? 0
-  return { title, k: iteration - begin, of: end - begin }
+  return { title, k: iteration - begin, of: end === undefined ? null : end - begin }
+}
+
+/** Where a run is, in words. */
+export function placeOf(iteration: number, limit: number, open: boolean, part: Part | null): string {
+  const { of, part: within } = en.transport
+  const whole = of(number(iteration), number(limit), open)
+  return part ? `${whole}, ${within(part.title, number(part.k), part.of === null ? '' : number(part.of))}` : whole
 }
 
 /** The boundary of a part that comes after an iteration, or before it. */
 export function boundary(stages: readonly Stage[], iteration: number, onwards: boolean): number {
-  const ends = [0, ...stages.map(({ end }) => end)]
+  const ends = [0, ...stages.map(({ end }) => end ?? Infinity)]
   return (onwards ? ends.find((end) => end > iteration) : ends.findLast((end) => end < iteration)) ?? iteration
 }
 

@@ -15,11 +15,11 @@ export interface Run {
   planner: string
   scene: Scene
   seed: number
+  /** The iteration at which it ends at the latest. */
   limit: number
+  span: Span
   parameters: Record<string, ParameterValue>
   exact: { length: number; path: Point[]; tip_path?: Point3[] } | null
-  /** Parts that have their own kind of step; most runs have none. */
-  stages: Stage[]
 }
 
 /** Where a new run starts. */
@@ -70,7 +70,11 @@ export interface FieldPicture {
 
 /** How long a run is, and its parts. */
 export interface Span {
-  limit: number
+  /** The last iteration, as soon as it is known. */
+  end: number | null
+  /** How many iterations a timeline shows. */
+  extent: number
+  /** Parts that have their own kind of step; most runs have none. */
   stages: Stage[]
 }
 

@@ -1,5 +1,6 @@
 import { armPose, Session } from 'forage-lab'
 import type { Setup } from 'forage-lab'
+import { extent } from './extent'
 import { fieldsOf } from './fields'
 import { Judge } from './judge'
 import { breathe, SLICE } from './pace'
@@ -48,7 +49,7 @@ export class Racer {
     this.judge.look(session)
     this.most = probe(session)
     this.lookAt()
-    const { planner, scene, seed, parameters, limit, evaluations: first } = session
+    const { planner, scene, seed, parameters, evaluations: first } = session
     const skeleton =
       scene.kind === 'arm'
         ? armPose(
@@ -56,7 +57,7 @@ export class Racer {
             scene.arm.joints.map(({ home }) => home),
           ).skeleton
         : []
-    return { planner, scene, seed, parameters, exact: session.exact(), first, most: this.most, limit, skeleton }
+    return { planner, scene, seed, parameters, exact: session.exact(), first, most: this.most, limit: extent(session, 0), skeleton }
   }
 
   /** Goes to the first iteration at or beyond so many evaluations, or to the end; nothing if a newer command has come. */
@@ -152,12 +153,12 @@ export class Racer {
     const outcome = this.outcome(session)
     const curve = judge.changes === this.toldCurve ? null : judge.curve()
     this.toldCurve = judge.changes
-    const { iteration, evaluations, status, limit } = session
+    const { iteration, evaluations, status } = session
     const last = this.marks.at(-1) ?? { iteration: 0, evaluations: 0 }
     const furthest = {
       iteration: this.furthest,
       evaluations: last.evaluations,
-      limit,
+      limit: extent(session, this.furthest),
       most,
       ended,
       tail: ended && last.iteration < this.furthest,

@@ -1,6 +1,7 @@
 import { Session } from 'forage-lab'
 import type { Item, RunEvent, Setup } from 'forage-lab'
 import type { Crew, Task } from './crew'
+import { spanOf } from './extent'
 import { fieldsOf } from './fields'
 import { breathe, SLICE, wait } from './pace'
 import { pack } from './pack'
@@ -27,7 +28,8 @@ export class Simulation {
   /** How many events the page knows, and up to which iteration they are all that there are. */
   private heard = { events: 0, until: -1 }
   /** The end of the run, as it was told. */
-  private limit = 0
+  private extent = 0
+  private open = false
   /** Those who carry out runs that steps need; most planners need none. */
   private crew: Crew | undefined
   private task: Task | undefined
@@ -77,14 +79,16 @@ export class Simulation {
     this.traced = -1
     this.heard = { events: 0, until: -1 }
     this.watched = null
-    const { planner, scene, seed, limit, parameters, stages } = session
-    this.limit = limit
+    const { planner, scene, seed, limit, parameters } = session
+    const span = spanOf(session, 0)
+    this.extent = span.extent
+    this.open = span.end === null
     const exact = session.exact()
     this.task = { planner, scene }
     this.crew?.begin(this.task)
     this.stale = true
     this.seek(at, play, request)
-    return { generation: this.generation, planner, scene, seed, limit, parameters, exact, stages }
+    return { generation: this.generation, planner, scene, seed, limit, span, parameters, exact }
   }
 
   play(request: number): void {
@@ -332,13 +336,14 @@ export class Simulation {
     return fresh
   }
 
-  /** A state of before knows less about the end. */
+  /** What is new about the run's length. */
   private span(): Span | null {
-    const { session } = this
-    if (!session || session.iteration < this.computed || session.limit === this.limit) return null
-    const { limit, stages } = session
-    this.limit = limit
-    return { limit, stages }
+    if (!this.session) return null
+    const span = spanOf(this.session, this.computed)
+    if (span.extent === this.extent && (span.end === null) === this.open) return null
+    this.extent = span.extent
+    this.open = span.end === null
+    return span
   }
 
   private members(): Float64Array<ArrayBuffer> | null {
