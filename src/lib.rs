@@ -32,6 +32,9 @@
 //! Papers are cited by tag and equation: `[WCPSO]` is Jia Huiqun et al., *Path planning based on improved particle
 //! swarm optimization algorithm*, Transactions of the Chinese Society for Agricultural Machinery, 2018 no. 12.
 
+// `#[derive(State)]` writes paths as they are from outside.
+extern crate self as forage;
+
 pub mod ants;
 pub mod arm;
 pub mod catalogue;

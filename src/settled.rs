@@ -1,6 +1,9 @@
 //! When a group that searches side by side has settled.
 
-use crate::describe::{Group, Reading};
+use crate::{
+    describe::{Group, Reading},
+    kernel::State,
+};
 
 /// How near to the best the mean must be.
 const WITHIN: f64 = 0.01;
@@ -9,7 +12,7 @@ const WITHIN: f64 = 0.01;
 ///
 /// The iteration in which the final best was found says when one member was lucky. This says when the group agrees, on
 /// whatever it agrees: the mean tells how good that is.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, State)]
 pub(crate) struct Settled(Option<u64>);
 
 impl Settled {

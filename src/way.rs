@@ -6,17 +6,18 @@ use std::sync::OnceLock;
 use crate::{
     describe::{Group, Reading},
     geometry::{self, shortcut},
-    kernel::Readings,
+    kernel::{Readings, State},
     params::Parameter,
     scene::Scene,
 };
 
 /// A path from start to goal.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub struct Way {
     /// Through the cells' centres, in the scene's unit.
     pub path: Vec<[f64; 2]>,
     /// Made when it is first asked for.
+    #[state(skip)]
     smooth: OnceLock<Vec<[f64; 2]>>,
 }
 
@@ -29,11 +30,6 @@ impl Way {
     /// Without the nodes whose neighbours see each other, [ANTBAT] §3.1.
     pub fn smooth(&self, scene: &Scene) -> &[[f64; 2]] {
         self.smooth.get_or_init(|| shortcut(&self.path, |a, b| scene.is_free(a, b)))
-    }
-
-    /// The memory it takes, in bytes.
-    pub fn bytes(&self) -> usize {
-        size_of::<[f64; 2]>() * (self.path.capacity() + self.smooth.get().map_or(0, Vec::capacity))
     }
 }
 

@@ -25,7 +25,7 @@ use crate::{
     describe::Entry,
     exact,
     kernel::{
-        Best, Digest, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Solution, Started, Yardstick,
+        Best, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Solution, Started, State, Yardstick,
         rng::Stream,
     },
     params::{Given, Settings},
@@ -74,38 +74,50 @@ impl Traits {
 }
 
 /// A colony of ants. One iteration: all ants walk, then pheromone evaporates and what they lay is added.
-#[derive(Clone)]
+#[derive(Clone, State)]
 pub(crate) struct Colony {
+    #[state(shared)]
     ground: Arc<Ground>,
+    #[state(shared)]
     traits: Traits,
+    #[state(shared)]
     rules: Rules,
+    #[state(shared)]
     ants: usize,
+    #[state(shared)]
     q: f64,
+    #[state(shared)]
     smooth: bool,
     pheromone: Pheromone,
     walks: Walks,
     /// How many steps of an iteration are kept.
+    #[state(shared)]
     kept: usize,
     /// An ant whose way was not kept goes it again here; scratch space.
+    #[state(skip)]
     again: Walks,
+    #[state(skip)]
     seen: Seen,
+    #[state(skip)]
     lengths: Vec<f64>,
     best: Option<Found>,
     /// When the best was found.
     converged: u64,
     settled: Settled,
     iteration: u64,
+    #[state(shared)]
     limit: u64,
     rng: Stream,
 }
 
 /// The best way so far.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 struct Found {
     /// Its directions from the start on.
     directions: Vec<u8>,
     /// In the scene's unit.
     length: f64,
+    #[state(skip)]
     way: Way,
 }
 
@@ -113,10 +125,6 @@ impl Found {
     fn new(ground: &Ground, directions: &[u8], length: f64) -> Self {
         let path = ground.course.path(&ground.cells, ground.way(directions));
         Self { directions: directions.to_vec(), length, way: Way::new(path) }
-    }
-
-    fn bytes(&self) -> usize {
-        self.directions.len() + self.way.bytes()
     }
 }
 
@@ -332,24 +340,6 @@ impl Planner for Colony {
 
     fn facets(&self) -> Facets<'_> {
         Facets::default().explain(self)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.pheromone.digest(out);
-        self.rng.digest(out);
-        out.word(self.converged);
-        out.number(self.settled.iteration());
-        out.word(self.walks.taken);
-        for ant in &self.walks.ants {
-            out.bytes(self.walks.of(ant));
-            out.word(ant.way);
-            out.number(ant.laid);
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        let best = self.best.as_ref().map_or(0, Found::bytes);
-        self.pheromone.bytes() + self.seen.bytes() + self.walks.bytes() + self.again.bytes() + best + size_of::<Self>()
     }
 }
 

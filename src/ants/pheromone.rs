@@ -1,6 +1,6 @@
 //! Pheromone on the steps from cell to cell, and what it makes of their attraction.
 
-use crate::{geometry::Cells, kernel::Digest, math};
+use crate::{geometry::Cells, kernel::State, math};
 
 use super::ground::{Ground, Power};
 
@@ -8,7 +8,7 @@ use super::ground::{Ground, Power};
 ///
 /// Only cells that an ant has come to have numbers of their own: everywhere else the same lies on every step, so large
 /// maps cost what is walked of them.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct Pheromone {
     /// Where a cell's numbers are in `known`; `UNKNOWN` for those that no ant has come to.
     place: Vec<u32>,
@@ -16,25 +16,32 @@ pub(super) struct Pheromone {
     /// What lies on every other step.
     elsewhere: f64,
     /// Counts the iterations, so that a cell's weights are made once in each.
+    #[state(skip)]
     now: u32,
+    #[state(shared)]
     alpha: Power,
+    #[state(shared)]
     rho: f64,
     /// Nothing falls below or rises above.
+    #[state(shared)]
     bounds: [f64; 2],
 }
 
 const UNKNOWN: u32 = u32::MAX;
 
 /// The steps from a cell, in the order of [`crate::geometry::DIRECTIONS`].
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 struct Known {
     cell: u32,
     /// The iteration for which the weights were made.
+    #[state(skip)]
     made: u32,
     tau: [f64; 8],
     /// η^β ψ2^γ.
+    #[state(skip)]
     attraction: [f64; 8],
     /// τ^α η^β ψ2^γ.
+    #[state(skip)]
     weight: [f64; 8],
 }
 
@@ -136,25 +143,6 @@ impl Pheromone {
     /// The most that lies on any step.
     pub fn most(&self) -> f64 {
         self.known.iter().flat_map(|known| known.tau).fold(self.elsewhere, f64::max)
-    }
-
-    pub fn digest(&self, out: &mut Digest) {
-        out.number(self.elsewhere);
-        for known in &self.known {
-            out.word(u64::from(known.cell));
-            out.numbers(&known.tau);
-        }
-    }
-
-    #[cfg(test)]
-    pub fn digest_of(&self) -> String {
-        let mut digest = Digest::default();
-        self.digest(&mut digest);
-        digest.hex()
-    }
-
-    pub fn bytes(&self) -> usize {
-        self.place.len() * size_of::<u32>() + self.known.len() * size_of::<Known>()
     }
 }
 

@@ -1,6 +1,9 @@
 //! An ant's way: where it may go, what it chooses, where it ends.
 
-use crate::{geometry::Steps, kernel::rng::Stream};
+use crate::{
+    geometry::Steps,
+    kernel::{State, rng::Stream},
+};
 
 use super::{
     ground::{Ground, NOWHERE},
@@ -8,7 +11,7 @@ use super::{
 };
 
 /// How an ant's walk ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 pub(super) enum End {
     /// At the goal.
     Arrived,
@@ -19,7 +22,7 @@ pub(super) enum End {
 }
 
 /// One ant of an iteration.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct Ant {
     /// Where its directions begin in [`Walks`], and how many there are.
     first: usize,
@@ -36,7 +39,7 @@ pub(super) struct Ant {
 }
 
 /// The walks of an iteration's ants, a byte a step, as far as they are kept.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, State)]
 pub(super) struct Walks {
     directions: Vec<u8>,
     pub ants: Vec<Ant>,
@@ -82,14 +85,10 @@ impl Walks {
     pub fn leads_anywhere(&self) -> bool {
         self.arrived().any(|ant| ant.length > 0.0)
     }
-
-    pub fn bytes(&self) -> usize {
-        self.directions.capacity() + self.ants.capacity() * size_of::<Ant>()
-    }
 }
 
 /// The cells that the ant under way has seen: a mark for each cell, none to be wiped off between ants.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct Seen {
     mark: Vec<u32>,
     ant: u32,
@@ -106,10 +105,6 @@ impl Seen {
             self.ant = 0;
         }
         self.ant += 1;
-    }
-
-    pub fn bytes(&self) -> usize {
-        self.mark.len() * size_of::<u32>()
     }
 }
 

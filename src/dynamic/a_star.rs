@@ -3,7 +3,10 @@
 
 use std::sync::Arc;
 
-use crate::geometry::{Cells, Steps};
+use crate::{
+    geometry::{Cells, Steps},
+    kernel::State,
+};
 
 use super::{
     queue::Queue,
@@ -16,13 +19,17 @@ use super::{
 /// Among cells with equal f the one with the larger g is settled first, for it is nearer to the goal; among those the one
 /// with the smaller number. The way is read backwards from the goal, by lengths alone, and among the shortest ways over
 /// cells that were reached it is one with few turns ([`straightest`]).
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct AStar {
+    #[state(shared)]
     cells: Arc<Cells>,
     /// The shortest way known to each cell.
+    #[state(skip)]
     g: Vec<Steps>,
     /// The cells to which there is one.
+    #[state(skip)]
     reached: Vec<u32>,
+    #[state(skip)]
     open: Queue,
     expanded: u64,
 }
@@ -85,11 +92,6 @@ impl AStar {
     /// How many cells were settled so far, over all searches.
     pub(super) fn expanded(&self) -> u64 {
         self.expanded
-    }
-
-    /// The memory it takes besides itself and the cells.
-    pub(super) fn bytes(&self) -> usize {
-        size_of::<Steps>() * self.g.capacity() + size_of::<u32>() * self.reached.capacity() + self.open.bytes()
     }
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::Entry,
-    kernel::{Digest, Error},
+    kernel::{Error, State},
     params::{Choice, Parameter},
 };
 
@@ -19,11 +19,13 @@ use super::{
 };
 
 /// A search from scratch each time.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Anew {
+    #[state(shared)]
     ground: Arc<Ground>,
     search: AStar,
     /// The path to begin with, where it is not searched.
+    #[state(shared)]
     printed: Option<Vec<usize>>,
 }
 
@@ -65,14 +67,6 @@ impl Route for Anew {
 
     fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
         self.search.way(occupied, from, self.ground.course.goal)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        out.word(self.search.expanded());
-    }
-
-    fn bytes(&self) -> usize {
-        self.search.bytes()
     }
 
     fn copy(&self) -> Box<dyn Route> {

@@ -2,7 +2,7 @@
 //! foreseen and what is driven are made of the same stretches.
 
 use crate::{
-    kernel::{Border, Digest, Error},
+    kernel::{Border, Error, State},
     params::Settings,
     scene::{GridScene, Robot},
 };
@@ -66,7 +66,7 @@ impl Body {
 }
 
 /// One piece of a plan: wait, turn if need be, and go straight to a point.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, State)]
 pub(super) struct Step {
     pub to: [f64; 2],
     /// The cell that it comes to.
@@ -76,7 +76,7 @@ pub(super) struct Step {
 }
 
 /// Where the robot is on its plan.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, State)]
 pub(super) struct Pose {
     pub at: [f64; 2],
     /// The cell that it comes from and the one that it goes to; the same where it is in a cell's middle (or before it set
@@ -89,7 +89,7 @@ pub(super) struct Pose {
 }
 
 /// What the robot does in a stretch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 pub(super) enum Deed {
     Wait,
     Turn,
@@ -97,7 +97,7 @@ pub(super) enum Deed {
 }
 
 /// A stretch of even motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, State)]
 pub(super) struct Stretch {
     pub from: f64,
     pub until: f64,
@@ -186,17 +186,10 @@ impl Pose {
         }
         now
     }
-
-    pub fn digest(&self, out: &mut Digest) {
-        out.numbers(&self.at);
-        out.numbers(&self.heading);
-        self.between.iter().for_each(|&cell| out.word(cell as u64));
-        out.number(self.turn.map_or(-1.0, |(_, done)| done));
-    }
 }
 
 /// How much of a plan is done.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, State)]
 pub(super) struct Done {
     /// Whole steps.
     pub steps: usize,
@@ -205,7 +198,7 @@ pub(super) struct Done {
 }
 
 /// The steps to the goal.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, State)]
 pub(super) struct Plan {
     pub steps: Vec<Step>,
     pub done: Done,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::{
     geometry::{Cells, Steps},
-    kernel::Digest,
+    kernel::State,
 };
 
 use super::{
@@ -28,8 +28,9 @@ const STRIP: usize = 64;
 /// Among the shortest ways the last one goes on, as far as it is still free: a robot does not waver between equals.
 /// Otherwise it is one with few turns ([`straightest`]). All the shortest ways are there to choose from: their cells' keys
 /// are below the robot's (k1 at most the same, k2 less), so all of them are consistent when the search ends.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct DStarLite {
+    #[state(shared)]
     cells: Arc<Cells>,
     occupied: Vec<bool>,
     /// The robot's cell, s_start and s_last in one: k_m grows with every move, not only before changes. Along the way that
@@ -234,24 +235,6 @@ impl DStarLite {
     /// How many cells were settled so far. A cell counts whenever its g changes.
     pub(super) fn expanded(&self) -> u64 {
         self.expanded
-    }
-
-    /// The memory it takes besides itself and the cells.
-    pub(super) fn bytes(&self) -> usize {
-        size_of::<Steps>() * (self.g.capacity() + self.rhs.capacity())
-            + self.occupied.capacity()
-            + size_of::<usize>() * self.last.capacity()
-            + self.open.bytes()
-    }
-
-    /// Adds the whole state to a hash.
-    pub(super) fn digest(&self, out: &mut Digest) {
-        let word = |steps: &Steps| u64::from(steps.straight) << 32 | u64::from(steps.diagonal);
-        let all = self.g.iter().chain(&self.rhs).chain([&self.k_m]).map(word);
-        let ends = [self.robot, self.goal, self.last.len()].into_iter().chain(self.last.iter().copied()).map(|cell| cell as u64);
-        all.chain(ends).chain([self.expanded]).for_each(|one| out.word(one));
-        self.occupied.iter().for_each(|&occupied| out.word(u64::from(occupied)));
-        self.open.digest(out);
     }
 }
 

@@ -3,13 +3,14 @@
 
 use std::sync::Arc;
 
-use crate::{describe::Entry, kernel::Digest};
+use crate::{describe::Entry, kernel::State};
 
 use super::{Ground, a_star_drive, d_star_lite::DStarLite, route::Route};
 
 /// One search that is kept and repaired.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Repaired {
+    #[state(shared)]
     ground: Arc<Ground>,
     search: DStarLite,
 }
@@ -26,14 +27,6 @@ impl Route for Repaired {
     fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
         self.search.occupy(occupied);
         self.search.way(from)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.search.digest(out);
-    }
-
-    fn bytes(&self) -> usize {
-        self.search.bytes()
     }
 
     fn copy(&self) -> Box<dyn Route> {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use crate::{
     geometry::{closest_approach, first_within},
-    kernel::{Digest, Event},
+    kernel::{Event, State},
     scene::CONTACT,
 };
 
@@ -20,7 +20,7 @@ use super::{
 };
 
 /// What a drive has cost so far.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, State)]
 pub(super) struct Tally {
     pub length: f64,
     pub turns: u64,
@@ -36,7 +36,7 @@ pub(super) struct Tally {
 }
 
 /// The robot stands though its plan leads on.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, State)]
 pub(super) struct Hold {
     pub since: f64,
     pub obstacle: usize,
@@ -45,8 +45,9 @@ pub(super) struct Hold {
 }
 
 /// A drive under way.
-#[derive(Clone)]
+#[derive(Clone, State)]
 pub(super) struct Journey {
+    #[state(shared)]
     pub ground: Arc<Ground>,
     pub now: f64,
     pub pose: Pose,
@@ -75,6 +76,7 @@ pub(super) struct Journey {
     pub searches: u64,
     /// Scratch space.
     pub stretches: Vec<Stretch>,
+    #[state(skip)]
     pub occupied: Vec<bool>,
 }
 
@@ -316,29 +318,5 @@ impl Journey {
         let mut path: Vec<_> = self.moments.iter().map(|&[_, x, y]| [x, y]).collect();
         path.dedup();
         path
-    }
-
-    pub fn digest(&self, out: &mut Digest) {
-        out.number(self.now);
-        self.pose.digest(out);
-        out.numbers(self.moments.as_flattened());
-        out.numbers(&[self.tally.length, self.tally.stood, self.tally.gap, self.plan.done.waited]);
-        for step in self.plan.left() {
-            out.numbers(&[step.to[0], step.to[1], step.wait]);
-        }
-        out.word(self.local_goal.map_or(u64::MAX, |goal| goal as u64));
-        out.numbers(&self.hold.map_or([-1.0; 2], |hold| [hold.since, hold.retry]));
-        out.word(u64::from(self.distance == Distance::Contact) << 2 | u64::from(self.cornered) << 1 | u64::from(self.evading));
-        self.seen.iter().chain(&self.touching).for_each(|&flag| out.word(u64::from(flag)));
-        for event in &self.events {
-            out.number(event.time);
-            out.bytes(event.kind.as_bytes());
-            out.bytes(event.reason.as_bytes());
-        }
-    }
-
-    pub fn bytes(&self) -> usize {
-        let events: usize = self.events.iter().map(|event| size_of::<Event>() + event.reason.len()).sum();
-        size_of::<Self>() + 24 * self.moments.capacity() + events + self.occupied.len() + 48 * self.plan.steps.len()
     }
 }

@@ -33,8 +33,8 @@ use crate::{
     exact,
     geometry::{self, Cells, Course},
     kernel::{
-        Best, Border, Digest, Error, Event, Explain, Facets, Failure, Frame, Inspection, Item, Planner, Progress, Readings, Solution,
-        Stage, Started, Status, Timeline, Track, Yardstick,
+        Best, Border, Error, Event, Explain, Facets, Failure, Frame, Inspection, Item, Planner, Progress, Readings, Solution, Stage,
+        Started, State, Status, Timeline, Track, Yardstick,
     },
     math::Length,
     params::Settings,
@@ -128,8 +128,9 @@ fn check_bounces(grid: &GridScene) -> Result<(), Error> {
 }
 
 /// A plan, then a drive.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Dynamic {
+    #[state(shared)]
     ground: Arc<Ground>,
     route: Box<dyn Route>,
     journey: Option<Journey>,
@@ -137,6 +138,7 @@ struct Dynamic {
     lost: bool,
     iteration: u64,
     /// Seconds after which it gives up.
+    #[state(shared)]
     most: f64,
 }
 
@@ -233,17 +235,6 @@ impl Planner for Dynamic {
 
     fn facets(&self) -> Facets<'_> {
         Facets::default().explain(self).timeline(self).failure(self)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.route.digest(out);
-        if let Some(journey) = &self.journey {
-            journey.digest(out);
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        size_of::<Self>() + self.route.bytes() + self.journey.as_ref().map_or(0, Journey::bytes)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Cells in the order of their keys, of which each can be given another key or taken out.
 
-use crate::kernel::Digest;
+use crate::kernel::State;
 
 /// What cells are ordered by: the first number, among equals the second.
 pub(super) type Key = [u64; 2];
@@ -10,10 +10,11 @@ const NOWHERE: u32 = u32::MAX;
 
 /// A binary heap that knows where each cell is. Among cells with equal keys the smaller number comes first, so what comes
 /// depends on what is in it and on nothing else.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct Queue {
     heap: Vec<(Key, u32)>,
     /// Each cell's index in the heap.
+    #[state(skip)]
     places: Vec<u32>,
 }
 
@@ -85,17 +86,6 @@ impl Queue {
     fn set(&mut self, at: usize, entry: (Key, u32)) {
         self.heap[at] = entry;
         self.places[entry.1 as usize] = at as u32;
-    }
-
-    /// Adds everything in it to a hash.
-    pub(super) fn digest(&self, out: &mut Digest) {
-        out.word(self.heap.len() as u64);
-        self.heap.iter().for_each(|&([first, second], cell)| [first, second, u64::from(cell)].into_iter().for_each(|word| out.word(word)));
-    }
-
-    /// The memory it takes besides itself.
-    pub(super) fn bytes(&self) -> usize {
-        size_of::<(Key, u32)>() * self.heap.capacity() + size_of::<u32>() * self.places.capacity()
     }
 }
 

@@ -2,13 +2,13 @@
 
 use crate::{
     geometry::{Cells, Course},
-    kernel::{Digest, Frame, Inspection, Item},
+    kernel::{Frame, Inspection, Item, State},
 };
 
 use super::body::{Plan, Step};
 
 /// A planner of ways over cells, some of which may be occupied for the time being.
-pub(super) trait Route: Send {
+pub(super) trait Route: State + Send {
     /// How many steps it takes to plan before the drive.
     fn steps(&self) -> u64 {
         0
@@ -36,10 +36,6 @@ pub(super) trait Route: Send {
     fn inspect(&self, _item: Item) -> Option<Inspection> {
         None
     }
-    /// Adds its state to a hash.
-    fn digest(&self, out: &mut Digest);
-    /// About how much memory it takes, in bytes.
-    fn bytes(&self) -> usize;
     /// The same once more.
     fn copy(&self) -> Box<dyn Route>;
 }

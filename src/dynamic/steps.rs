@@ -3,10 +3,22 @@
 
 use std::{cmp::Reverse, iter::successors};
 
-use crate::geometry::{Cells, DIRECTIONS, Steps};
+use crate::{
+    geometry::{Cells, DIRECTIONS, Steps},
+    kernel::{Digest, State},
+};
 
 /// Longer than any way: there is none.
 pub(super) const NEVER: Steps = Steps { straight: u32::MAX, diagonal: u32::MAX };
+
+impl State for Steps {
+    fn digest(&self, out: &mut Digest) {
+        out.word(u64::from(self.straight) << 32 | u64::from(self.diagonal));
+    }
+    fn heap_size(&self) -> usize {
+        0
+    }
+}
 
 /// Whether one way is shorter than another.
 ///

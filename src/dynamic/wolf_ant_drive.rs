@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     ants::{self, Colony, aco_wolf},
     describe::Entry,
-    kernel::{Digest, Explain, Frame, Inspection, Item, Planner, Role, rng::Stream},
+    kernel::{Explain, Frame, Inspection, Item, Planner, Role, State, rng::Stream},
     params::{Choice, Given, Parameter, Value},
 };
 
@@ -46,11 +46,13 @@ const ANTS: Parameter = Parameter::integer("ants", "m", "Ants", [1, 10_000, 30],
     .slider(1.0, 500.0, true);
 
 /// A colony that plans, and whose pheromone is followed.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Ants {
+    #[state(shared)]
     ground: Arc<Ground>,
     /// It does not change any more once the robot drives: copies share it.
     colony: Arc<Colony>,
+    #[state(shared)]
     steps: u64,
     /// For ants that are sent round obstacles.
     rng: Stream,
@@ -105,16 +107,6 @@ impl Route for Ants {
         // Those of other colonies are not among this planner's.
         told.formulas.retain(|name| ENTRY.formulas.iter().any(|formula| formula.name == *name) && self.colony.is_wolf());
         Some(told)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        Planner::digest(&*self.colony, out);
-        self.rng.digest(out);
-    }
-
-    fn bytes(&self) -> usize {
-        // The colony is shared once it has planned; until then it is what a copy takes.
-        Planner::bytes(&*self.colony) + self.search.bytes()
     }
 
     fn copy(&self) -> Box<dyn Route> {

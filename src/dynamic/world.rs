@@ -3,6 +3,7 @@
 
 use crate::{
     geometry::{Bounds, Cells, closest_approach, distance_squared},
+    kernel::State,
     scene::{CONTACT, GridScene, Moving},
 };
 
@@ -12,7 +13,7 @@ use super::body::{Body, Stretch};
 const CORNERS: usize = 2000;
 
 /// How far away obstacles are to be kept.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 pub(super) enum Distance {
     /// Radius and margin; of an obstacle that is nearer already, what is left.
     Margin,
@@ -21,11 +22,12 @@ pub(super) enum Distance {
 }
 
 /// A moving obstacle that the robot sees, as it expects it to go on: as it goes now.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct Threat {
     /// Its number in the scene.
     pub number: usize,
     /// From now on: its time 0 is now.
+    #[state(shared)]
     disc: Moving,
     /// From centre to centre.
     pub distance: f64,
@@ -46,7 +48,7 @@ pub(super) struct Conflict {
 }
 
 /// The obstacles that a robot sees.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, State)]
 pub(super) struct View {
     pub now: f64,
     pub threats: Vec<Threat>,

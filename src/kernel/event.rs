@@ -2,8 +2,10 @@
 
 use serde::Serialize;
 
+use super::State;
+
 /// Something that happened in a run in simulated time, or that was decided, and why.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, State)]
 pub struct Event {
     /// The iteration after which it is known.
     pub iteration: u64,

@@ -1,6 +1,5 @@
 //! The contract of planners, and the data that it speaks of. Nothing here knows a planner or a kind of scene.
 
-mod digest;
 pub mod error;
 mod event;
 mod facets;
@@ -14,10 +13,10 @@ pub mod rng;
 mod scene;
 mod solution;
 mod started;
+mod state;
 mod status;
 mod subtask;
 
-pub use digest::Digest;
 pub use error::Error;
 pub use event::Event;
 pub use facets::{Explain, Facets, Failure, Members, Recommend, Timeline};
@@ -28,5 +27,6 @@ pub use readings::Readings;
 pub use scene::{Kind, Verdict};
 pub use solution::{Best, Border, Round, Solution, Track, Yardstick};
 pub use started::{Started, Stepper};
+pub use state::{Digest, State};
 pub use status::{Stage, Status};
 pub use subtask::{Finding, Job, Subtasks, Tuned};

@@ -5,13 +5,14 @@
 
 use std::any::Any;
 
-use super::{Best, Digest, Facets, Frame, Readings, Status, Subtasks};
+use super::{Best, Facets, Frame, Readings, State, Status, Subtasks};
 
 /// A planner that can be stepped, drawn, read, rewound and judged; what few planners can do besides is among its
 /// [`Facets`].
 ///
-/// It is deterministic, never panics, and allocates in `advance` only when something really grows.
-pub trait Planner: CloneBox + Any + Send {
+/// It is deterministic, never panics, and allocates in `advance` only when something really grows. Its [`State`] is derived:
+/// it gives the run's hash and the size of a keyframe.
+pub trait Planner: State + CloneBox + Any + Send {
     /// Takes one step. It is not called again after it was done.
     fn advance(&mut self) -> Progress;
     /// How many candidate solutions were evaluated.
@@ -30,10 +31,6 @@ pub trait Planner: CloneBox + Any + Send {
     fn subtasks(&mut self) -> Option<&mut dyn Subtasks> {
         None
     }
-    /// Adds the whole state to a hash.
-    fn digest(&self, out: &mut Digest);
-    /// About how much memory a clone takes, in bytes.
-    fn bytes(&self) -> usize;
 }
 
 /// Whether a run goes on after a step.

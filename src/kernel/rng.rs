@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use crate::{
-    kernel::{Digest, Error},
+    kernel::{Digest, Error, State},
     math,
 };
 
@@ -74,13 +74,18 @@ impl Stream {
             items.swap(last, self.below(last + 1));
         }
     }
+}
 
-    /// Adds the state to a hash, without advancing the stream.
-    pub fn digest(&self, out: &mut Digest) {
+/// What it will draw next, which is as much as its state has.
+impl State for Stream {
+    fn digest(&self, out: &mut Digest) {
         let mut ahead = self.0.clone();
         for _ in 0..4 {
             out.word(ahead.random());
         }
+    }
+    fn heap_size(&self) -> usize {
+        0
     }
 }
 

@@ -91,6 +91,11 @@ impl Stepper {
         stepper
     }
 
+    /// The memory that a copy takes, in bytes.
+    pub fn size(&self) -> usize {
+        size_of::<Self>() + self.planner.heap_size()
+    }
+
     /// Takes a step and says whether there was one to take. `answer` carries out the runs that it rests on.
     pub fn step(&mut self, answer: impl FnOnce(Vec<Job>) -> Vec<Finding>) -> bool {
         if self.status != Status::Running {

@@ -4,6 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::params::Given;
 
+use super::State;
+
 /// Runs of other planners that a planner's steps rest on. It never runs them itself: the run that holds it does, one after
 /// another, in parallel or elsewhere. The result is the same.
 pub trait Subtasks {
@@ -28,7 +30,7 @@ pub struct Job {
 }
 
 /// What a [`Job`] found.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, State)]
 pub struct Finding {
     /// The best cost; `None` if nothing feasible was found.
     pub cost: Option<f64>,

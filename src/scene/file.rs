@@ -82,6 +82,23 @@ impl Scene {
         json::object(self.fields().iter().map(|(name, value)| (*name, value)))
     }
 
+    /// What a run depends on, on one line: kind and content, without name, title and notes.
+    pub(crate) fn content(&self) -> String {
+        let mut out = vec![("kind", Value::from(self.kind().name()))];
+        self.write_body(&mut out);
+        json::object(out.iter().map(|(name, value)| (*name, value)))
+    }
+
+    fn write_body(&self, out: &mut Vec<(&'static str, Value)>) {
+        match &self.body {
+            Body::Function(scene) => function::write(scene, out),
+            Body::Discs(scene) => discs::write(scene, out),
+            Body::Grid(scene) => grid::write(scene, out),
+            Body::Tour(scene) => tour::write(scene, out),
+            Body::Arm(scene) => arm::write(scene, out),
+        }
+    }
+
     /// The file's fields, in the order in which they are written.
     fn fields(&self) -> Vec<(&'static str, Value)> {
         let Header { name, title, note, source, units, exact, published } = &self.header;
@@ -96,13 +113,7 @@ impl Scene {
         for (key, note) in [("note", note), ("source", source), ("units", units)] {
             out.extend(note.iter().map(|note| (key, text(note))));
         }
-        match &self.body {
-            Body::Function(scene) => function::write(scene, &mut out),
-            Body::Discs(scene) => discs::write(scene, &mut out),
-            Body::Grid(scene) => grid::write(scene, &mut out),
-            Body::Tour(scene) => tour::write(scene, &mut out),
-            Body::Arm(scene) => arm::write(scene, &mut out),
-        }
+        self.write_body(&mut out);
         for (key, kept) in [("exact", exact), ("published", published)] {
             out.extend(kept.iter().map(|kept| (key, kept.clone())));
         }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     geometry::DIRECTIONS,
-    kernel::{Digest, Error, Progress, Status},
+    kernel::{Error, Progress, State, Status},
     params::Settings,
     scene::Scene,
 };
@@ -19,8 +19,9 @@ use super::{
 };
 
 /// A best-first search over a grid's cells. Lengths are in units of a straight step by [`STRAIGHT`].
-#[derive(Clone)]
+#[derive(Clone, State)]
 pub(super) struct Search {
+    #[state(shared)]
     pub(super) task: Arc<Task>,
     /// The best way known to each cell: the complement of its length's bits, so that a shorter way is a greater number,
     /// and 0 no way at all (memory that is 0 costs nothing until it is used).
@@ -163,20 +164,6 @@ impl Search {
     /// Whether a cell is settled.
     pub(super) fn is_closed(&self, cell: usize) -> bool {
         self.links[cell].is_closed()
-    }
-
-    /// Adds the cells that were reached, and the queue, to a hash.
-    pub(super) fn digest_cells(&self, out: &mut Digest) {
-        for (cell, (&way, link)) in self.ways.iter().zip(&self.links).enumerate().filter(|(_, (way, _))| **way != 0) {
-            out.word((cell as u64) << 32 | u64::from(link.word()));
-            out.word(way);
-        }
-        self.open.digest(out);
-    }
-
-    /// The memory that cells and queue take.
-    pub(super) fn bytes_of_cells(&self) -> usize {
-        size_of_val(&*self.ways) + size_of_val(&*self.links) + self.open.bytes()
     }
 }
 

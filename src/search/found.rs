@@ -1,13 +1,15 @@
 //! What a search hands over once it has settled the goal.
 
-use crate::{geometry, way::Way};
+use crate::{geometry, kernel::State, way::Way};
 
 use super::{rules::Relaxation, task::Task};
 
 /// The path and what it costs.
+#[derive(State)]
 pub(super) struct Found {
     pub(super) iteration: u64,
     pub(super) cost: f64,
+    #[state(skip)]
     pub(super) way: Way,
 }
 
@@ -20,10 +22,5 @@ impl Found {
             Relaxation::Sight => geometry::length(&path),
         };
         Self { iteration, cost, way: Way::new(path) }
-    }
-
-    /// The memory it takes.
-    pub(super) fn bytes(&self) -> usize {
-        size_of::<Self>() + self.way.bytes()
     }
 }

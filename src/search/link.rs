@@ -1,8 +1,10 @@
 //! How a cell was reached: from where, by which step, and whether that is settled.
 
+use crate::kernel::State;
+
 /// Whose child a cell is (plus 1), the direction of the last step to it, and whether it is settled, in one word. 0: not
 /// reached.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, State)]
 pub(super) struct Link(u32);
 
 const CLOSED: u32 = 1 << 31;
@@ -39,11 +41,6 @@ impl Link {
     #[inline]
     pub(super) fn direction(self) -> u32 {
         self.0 >> DIRECTION & 7
-    }
-
-    /// All of it.
-    pub(super) fn word(self) -> u32 {
-        self.0
     }
 }
 

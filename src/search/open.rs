@@ -1,6 +1,6 @@
 //! The cells that a search has reached and not settled, the most promising first.
 
-use crate::kernel::Digest;
+use crate::kernel::State;
 
 /// Children of a node of the heap: four lie side by side in memory, and the heap is half as high as with two.
 const ARITY: usize = 4;
@@ -31,7 +31,7 @@ pub(super) fn apart(place: Place) -> [i32; 2] {
 /// holds the levels (about a hundred where there are thousands of places), and a small table finds the level of an f at
 /// once. (It forgets: there may be two levels of one f. What comes first still depends on nothing but what was put in
 /// and taken out before.) A place whose f falls is put in again; who takes it out a second time has to see that.
-#[derive(Clone)]
+#[derive(Clone, State)]
 pub(super) struct Open {
     /// f and level. Numbers that are not negative are ordered as their bits.
     heap: Vec<(u64, u32)>,
@@ -43,7 +43,7 @@ pub(super) struct Open {
     table: [u32; 1 << TABLE],
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, State)]
 struct Level {
     /// The bits of f; of a level that is not in use, those of no f.
     f: u64,
@@ -51,7 +51,7 @@ struct Level {
     top: u32,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, State)]
 struct Entry {
     place: Place,
     /// The entry below; of an entry that is not in use, the next such entry.
@@ -162,21 +162,6 @@ impl Open {
             at = ARITY * at + 1 + i;
         }
         heap[at] = level;
-    }
-
-    /// Adds everything in it to a hash.
-    pub(super) fn digest(&self, out: &mut Digest) {
-        self.heap.iter().for_each(|&(f, level)| [f, u64::from(level)].into_iter().for_each(|word| out.word(word)));
-        self.levels.iter().for_each(|level| [level.f, u64::from(level.top)].into_iter().for_each(|word| out.word(word)));
-        self.entries.iter().for_each(|entry| out.word(u64::from(entry.place) << 32 | u64::from(entry.below)));
-        [self.free_level, self.free_entry].into_iter().chain(self.table).for_each(|word| out.word(u64::from(word)));
-    }
-
-    /// The memory it takes besides itself.
-    pub(super) fn bytes(&self) -> usize {
-        size_of::<(u64, u32)>() * self.heap.capacity()
-            + size_of::<Level>() * self.levels.capacity()
-            + size_of::<Entry>() * self.entries.capacity()
     }
 }
 

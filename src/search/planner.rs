@@ -1,7 +1,7 @@
 //! A search by the stepped contract.
 
 use crate::{
-    kernel::{Best, Digest, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Solution, Status},
+    kernel::{Best, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Solution},
     way,
 };
 
@@ -40,23 +40,6 @@ impl Planner for Search {
 
     fn facets(&self) -> Facets<'_> {
         Facets::default().explain(self)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        // The status is the run's: golden runs and links of before have it here.
-        let status = match (&self.found, self.lowest) {
-            (Some(_), _) => Status::Solved,
-            (None, None) => Status::Infeasible,
-            _ if self.iteration >= self.task.limit => Status::Exhausted,
-            _ => Status::Running,
-        };
-        out.word(self.iteration);
-        out.word(status as u64);
-        self.digest_cells(out);
-    }
-
-    fn bytes(&self) -> usize {
-        size_of::<Self>() + self.bytes_of_cells() + self.found.as_ref().map_or(0, |found| found.bytes())
     }
 }
 

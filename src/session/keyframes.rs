@@ -25,7 +25,7 @@ impl Keyframes {
         if !iteration.is_multiple_of(self.stride) || iteration <= newest {
             return;
         }
-        let bytes = state.planner.bytes();
+        let bytes = state.size();
         if bytes > self.budget {
             return;
         }
@@ -33,7 +33,7 @@ impl Keyframes {
             self.stride *= 2;
             let stride = self.stride;
             self.states.retain(|s| s.iteration.is_multiple_of(stride));
-            self.bytes = self.states.iter().map(|s| s.planner.bytes()).sum();
+            self.bytes = self.states.iter().map(Stepper::size).sum();
             if !iteration.is_multiple_of(stride) {
                 return;
             }
@@ -63,7 +63,7 @@ mod tests {
 
     #[test]
     fn memory_stays_under_the_budget_while_history_grows() {
-        let size = state(0).planner.bytes();
+        let size = state(0).size();
         let mut keyframes = Keyframes::new(10 * size);
         let mut run = state(0);
         for _ in 0..900 {

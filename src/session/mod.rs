@@ -5,7 +5,7 @@ mod keyframes;
 mod outcome;
 mod trace;
 
-use std::sync::Arc;
+use std::{cell::OnceCell, sync::Arc};
 
 use jobs::Answers;
 pub use jobs::{carry_out, carry_out_all};
@@ -19,8 +19,8 @@ use crate::{
     drive::{self, Drive},
     exact::Exact,
     kernel::{
-        Best, Digest, Error, Event, Finding, Frame, Inspection, Item, Job, Readings, Round, Solution, Stage, Started, Status, Stepper,
-        Timeline, Yardstick, rng::check_seed,
+        Best, Digest, Error, Event, Finding, Frame, Inspection, Item, Job, Readings, Round, Solution, Stage, Started, State, Status,
+        Stepper, Timeline, Yardstick, rng::check_seed,
     },
     link::Link,
     params::{Given, Settings},
@@ -92,6 +92,8 @@ pub struct Session {
     before: Option<Stepper>,
     trace: Trace,
     readings: Readings,
+    /// What the setup adds to a hash; made when the first is asked for.
+    setup_digest: OnceCell<Digest>,
     /// What the arm followed last with the usual parameters, and how that went: an outcome is asked for more often than a
     /// path changes.
     followed: Option<(Solution, MotionOutcome)>,
@@ -145,6 +147,7 @@ impl Session {
             before: None,
             trace: Trace::default(),
             readings: Readings::default(),
+            setup_digest: OnceCell::new(),
             followed: None,
         };
         session.remember();
@@ -420,15 +423,25 @@ impl Session {
         self.followed.as_ref().map(|(_, outcome)| outcome.clone())
     }
 
-    /// The hash of iteration, best and the whole state, in hexadecimal.
+    /// The hash of setup, iteration, best and the whole state, in hexadecimal: two different runs never share one.
     pub fn hash(&self) -> String {
-        let mut digest = Digest::default();
-        digest.word(self.iteration());
-        if let Some(best) = self.best() {
-            digest.number(best.cost);
-        }
+        let mut digest = self.setup_digest.get_or_init(|| self.digest_of_setup()).clone();
+        self.iteration().digest(&mut digest);
+        self.best().map(|best| best.cost).digest(&mut digest);
         self.at.planner.digest(&mut digest);
         digest.hex()
+    }
+
+    /// Planner, parameters, seed and what is in the scene; its name, title and notes do not matter.
+    fn digest_of_setup(&self) -> Digest {
+        let mut digest = Digest::of(self.entry.name);
+        for (name, value) in self.settings.all() {
+            name.digest(&mut digest);
+            value.to_string().digest(&mut digest);
+        }
+        self.seed.digest(&mut digest);
+        self.scene.content().digest(&mut digest);
+        digest
     }
 
     /// A link that opens this very picture: planner, scene, changed parameters, seed, iteration and hash.

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Layer, Preset, Reading},
     kernel::{
-        Best, Column, Digest, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, rng::Stream,
+        Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream,
     },
     math::{self, limit},
     params::{Choice, Fixed, Parameter, Settings},
@@ -32,37 +32,45 @@ use super::{
 };
 
 /// Bats: v ← v ± (x − g) f, x ← x + v, and walks about the best.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Bats {
     population: Population,
     /// Velocities v.
     v: Vec<f64>,
     /// The most each coordinate of a velocity may be.
+    #[state(shared)]
     v_max: Arc<[f64]>,
     /// How far a walk leads at a loudness of 1, for each coordinate.
+    #[state(shared)]
     stride: Arc<[f64]>,
     loudness: Vec<f64>,
     pulse_rate: Vec<f64>,
     last: Vec<Last>,
     /// f_min and f_max.
+    #[state(shared)]
     frequencies: [f64; 2],
     /// One β for all coordinates of a bat instead of one for each.
+    #[state(shared)]
     per_particle: bool,
     /// Of x − g in (8): 1 as printed, −1 toward the best.
+    #[state(shared)]
     sign: f64,
     /// ε and λ.
+    #[state(shared)]
     epsilon: f64,
+    #[state(shared)]
     lambda: f64,
     /// The mean loudness before the step that led here.
     mean_loudness: f64,
     /// Where a bat was before it moved.
+    #[state(skip)]
     held: Vec<f64>,
     rng: Stream,
     clock: Clock,
 }
 
 /// What a bat did in the last iteration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 struct Last {
     walked: bool,
     accepted: bool,
@@ -205,20 +213,6 @@ impl Planner for Bats {
 
     fn facets(&self) -> Facets<'_> {
         Facets::default().explain(self)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.clock.digest(out);
-        self.population.digest(out);
-        [&self.v, &self.loudness, &self.pulse_rate].into_iter().for_each(|numbers| out.numbers(numbers));
-        self.rng.digest(out);
-    }
-
-    fn bytes(&self) -> usize {
-        self.population.bytes()
-            + 8 * (self.v.len() + 3 * self.held.len() + 2 * self.loudness.len())
-            + 2 * self.last.len()
-            + size_of::<Self>()
     }
 }
 

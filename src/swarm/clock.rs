@@ -1,16 +1,18 @@
 //! How many iterations a swarm has taken and when it stops.
 
 use crate::{
-    kernel::{Digest, Progress, Status},
+    kernel::{Progress, State, Status},
     params::Settings,
 };
 
 /// The iterations of a run, and its two reasons to stop.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, State)]
 pub(super) struct Clock {
     pub(super) iteration: u64,
+    #[state(shared)]
     pub(super) limit: u64,
     /// Stop when the best has not changed for this many iterations; 0: never.
+    #[state(shared)]
     early_stop: u64,
     /// For how many iterations it has not.
     pub(super) unchanged: u64,
@@ -35,13 +37,6 @@ impl Clock {
     pub(super) fn progress(&self) -> Progress {
         let stops = self.early_stop > 0 && self.unchanged >= self.early_stop;
         if stops { Progress::Done(Status::Exhausted) } else { Progress::Continue }
-    }
-
-    pub(super) fn digest(&self, out: &mut Digest) {
-        out.word(self.iteration);
-        if self.early_stop > 0 {
-            out.word(self.unchanged);
-        }
     }
 }
 

@@ -17,8 +17,7 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading},
     kernel::{
-        Best, Column, Digest, Error, Explain, Facets, Frame, Inspection, Item, Kind, Planner, Progress, Readings, Role, Started,
-        rng::Stream,
+        Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Kind, Planner, Progress, Readings, Role, Started, State, rng::Stream,
     },
     params::{Fixed, Parameter, Settings},
     scene::Scene,
@@ -36,17 +35,22 @@ use super::{
 };
 
 /// Nests: x ← x + α s (x − g) ε by Lévy flights, then x ← x + r H(p_a − ε) (x_j − x_k).
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Nests {
     population: Population,
+    #[state(shared)]
     levy: Levy,
+    #[state(shared)]
     alpha: f64,
+    #[state(shared)]
     p_a: f64,
     /// Which two nests x_j and x_k each nest walks by, drawn as two permutations in each iteration.
     pairs: [Vec<usize>; 2],
     /// All nests before the walks, which the differences are taken of.
+    #[state(skip)]
     before: Vec<f64>,
     /// Where a nest was before it was tried.
+    #[state(skip)]
     held: Vec<f64>,
     last: Vec<Last>,
     rng: Stream,
@@ -54,7 +58,7 @@ struct Nests {
 }
 
 /// Whether a nest took what its flight and its walk led to in the last iteration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 struct Last {
     flown: bool,
     walked: bool,
@@ -209,20 +213,6 @@ impl Planner for Nests {
 
     fn facets(&self) -> Facets<'_> {
         Facets::default().explain(self)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.clock.digest(out);
-        self.population.digest(out);
-        self.pairs.iter().flatten().for_each(|&nest| out.word(nest as u64));
-        self.rng.digest(out);
-    }
-
-    fn bytes(&self) -> usize {
-        self.population.bytes()
-            + 8 * (self.before.len() + self.held.len() + 2 * self.pairs[0].len())
-            + 2 * self.last.len()
-            + size_of::<Self>()
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Best, Digest, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, rng::Stream},
+    kernel::{Best, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, State, rng::Stream},
     math::limit,
     params::Settings,
 };
@@ -41,24 +41,29 @@ impl Draws {
 }
 
 /// A swarm that flies: v ← ω v + c1 r1 (p − x) + c2 r2 (g − x), x ← x + v.
-#[derive(Clone)]
+#[derive(Clone, State)]
 pub(super) struct Swarm {
     pub(super) population: Population,
     /// Velocities v.
     pub(super) v: Vec<f64>,
     /// The most each coordinate of a velocity may be.
+    #[state(shared)]
     v_max: Arc<[f64]>,
     /// One pair r1, r2 for a particle's step instead of one for each of its coordinates.
+    #[state(shared)]
     per_particle: bool,
     /// Where a particle stood before the hen moved it, should the jump not count.
+    #[state(skip)]
     held: Vec<f64>,
     pub(super) patience: Vec<Patience>,
     /// What moved each particle in this iteration.
     pub(super) events: Vec<Event>,
+    #[state(shared)]
     pub(super) flight: Flight,
     /// The coefficients of the step that led here (of the first step, before it).
     pub(super) coefficients: Coefficients,
     /// By how many extensions of a tree each particle's first path was found (`None`: it was drawn), where trees were grown.
+    #[state(shared)]
     pub(super) origins: Option<Arc<[Option<u64>]>>,
     rng: Stream,
     clock: Clock,
@@ -288,20 +293,6 @@ impl Planner for Swarm {
 
     fn facets(&self) -> Facets<'_> {
         Facets::default().explain(self)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.clock.digest(out);
-        self.population.digest(out);
-        out.numbers(&self.v);
-        for (patience, event) in self.patience.iter().zip(&self.events) {
-            out.word(u64::from(patience.worse) << 16 | u64::from(patience.after_hen) << 8 | *event as u64);
-        }
-        self.rng.digest(out);
-    }
-
-    fn bytes(&self) -> usize {
-        self.population.bytes() + 8 * (self.v.len() + self.held.len()) + 3 * self.patience.len() + size_of::<Self>()
     }
 }
 

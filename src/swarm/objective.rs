@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Frame, Readings, Solution, rng::Stream},
+    kernel::{Frame, Readings, Solution, State, rng::Stream},
     math,
     scene::FunctionScene,
 };
@@ -100,7 +100,7 @@ impl dyn Objective + '_ {
 }
 
 /// Room for an evaluation to work in.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub struct Scratch {
     /// Pieces of a segment.
     pub pieces: Vec<[f64; 2]>,

@@ -6,7 +6,10 @@
 //!
 //! What the text leaves open is a parameter: [`Sign`], [`Timing`], [`Keep`], [`Partner`].
 
-use crate::{kernel::rng::Stream, math};
+use crate::{
+    kernel::{State, rng::Stream},
+    math,
+};
 
 /// The parameters of a perturbation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,7 +65,7 @@ pub enum Partner {
 }
 
 /// What moved a particle in an iteration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, State)]
 #[repr(u8)]
 pub enum Event {
     /// The velocity, (6) and (7).
@@ -75,7 +78,7 @@ pub enum Event {
 }
 
 /// How long a particle has been getting worse.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, State)]
 pub struct Patience {
     /// Consecutive iterations in which its cost rose.
     pub worse: u8,

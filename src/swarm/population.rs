@@ -2,16 +2,20 @@
 
 use std::sync::Arc;
 
-use crate::kernel::{Best, Digest, Readings, rng::Stream};
+use crate::kernel::{Best, Readings, State, rng::Stream};
 
 use super::objective::{Objective, Scratch};
 
 /// A population of positions. Particle `i`'s coordinates are the `i`-th row of `dimension` numbers.
-#[derive(Clone)]
+#[derive(Clone, State)]
 pub(super) struct Population {
+    #[state(shared)]
     pub(super) objective: Arc<dyn Objective>,
+    #[state(skip)]
     scratch: Scratch,
+    #[state(shared)]
     pub(super) size: usize,
+    #[state(shared)]
     pub(super) dimension: usize,
     /// Positions x.
     pub(super) x: Vec<f64>,
@@ -170,16 +174,6 @@ impl Population {
             out.push("free", if self.free_cost.is_finite() { self.free_cost } else { f64::NAN });
         }
         self.objective.read(self.reported().1, out);
-    }
-
-    pub(super) fn digest(&self, out: &mut Digest) {
-        [&self.x, &self.cost, &self.p, &self.p_cost, &self.g, &self.free].into_iter().for_each(|numbers| out.numbers(numbers));
-        out.numbers(&[self.g_cost, self.free_cost]);
-        out.word(self.evaluations);
-    }
-
-    pub(super) fn bytes(&self) -> usize {
-        8 * (2 * self.x.len() + 2 * self.size + 2 * self.dimension) + size_of::<Self>()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::math;
+use crate::{kernel::State, math};
 
 /// A coefficient as a function of the iteration k, 0 ≤ k < `k_max`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +55,7 @@ pub struct Schedule {
 }
 
 /// The values of an iteration.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, State)]
 pub struct Coefficients {
     /// Inertia weight ω.
     pub w: f64,

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Preset, Reading},
-    kernel::{Digest, Inspection, Readings, Role, rng::Stream},
+    kernel::{Inspection, Readings, Role, State, rng::Stream},
     math,
     params::{Choice, Fixed, Parameter, Settings},
     settled::SETTLED,
@@ -31,7 +31,7 @@ use super::{
 };
 
 /// How a bat looked for a better tour of its own.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 enum Range {
     /// It has not flown yet.
     None,
@@ -42,7 +42,7 @@ enum Range {
 }
 
 /// What it did around the best tour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 enum Local {
     /// Its pulse rate kept it from looking there.
     Passed,
@@ -53,7 +53,7 @@ enum Local {
 }
 
 /// What a bat did in the last iteration.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, State)]
 struct Deed {
     range: Range,
     /// The distance to the best before, and how many tries it drew.
@@ -68,7 +68,7 @@ struct Deed {
     local_gain: f64,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 struct Bat {
     tour: Tour,
     loudness: f64,
@@ -77,28 +77,37 @@ struct Bat {
 }
 
 /// Bats and the best of their tours.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Bats {
+    #[state(shared)]
     problem: Arc<Problem>,
     swarm: Vec<Bat>,
     best: Tour,
     /// ε and λ.
+    #[state(shared)]
     epsilon: f64,
+    #[state(shared)]
     lambda: f64,
     t: u64,
     evaluations: u64,
     rng: Stream,
     /// Scratch space: a child and the best child, a place for each stop.
+    #[state(skip)]
     child: Tour,
+    #[state(skip)]
     kept: Tour,
+    #[state(skip)]
     places: Vec<u16>,
     /// The best tour's row, forwards or backwards.
+    #[state(skip)]
     mate: Vec<Stop>,
     /// A bat takes what it found even if that is longer than its own tour.
+    #[state(shared)]
     always: bool,
     /// What improves tours, if something does.
     local: Option<Kicks>,
     /// Beyond the paper: it also perturbs the best tour.
+    #[state(shared)]
     polish: bool,
 }
 
@@ -332,20 +341,6 @@ impl Search for Bats {
             Range::None => vec!["length"],
             _ => vec!["tries", "loudness", "pulse", "length"],
         };
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.rng.digest(out);
-        for bat in &self.swarm {
-            bat.tour.row.iter().for_each(|&stop| out.word(stop.into()));
-            out.numbers(&[bat.tour.length, bat.loudness, bat.pulse_rate]);
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        self.local.as_ref().map_or(0, Kicks::bytes)
-            + (self.swarm.len() + 4) * (self.best.bytes() + size_of::<Bat>())
-            + 2 * self.places.len()
     }
 
     fn copy(&self) -> Box<dyn Search> {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Reading},
-    kernel::{Digest, Inspection, Readings, Role, rng::Stream},
+    kernel::{Inspection, Readings, Role, State, rng::Stream},
     math,
     params::{Parameter, Settings},
     settled::SETTLED,
@@ -24,7 +24,7 @@ use super::{
 };
 
 /// How a tour came into its generation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 enum Origin {
     /// Random, in the first generation.
     Start,
@@ -41,7 +41,7 @@ enum Origin {
 }
 
 /// What made a tour. All places are those of the row before it was turned into the direction that counts.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, State)]
 struct Birth {
     origin: Origin,
     /// Numbers and lengths in the generation before; of one parent, twice the same.
@@ -53,7 +53,7 @@ struct Birth {
     reversed: (usize, usize),
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 struct One {
     tour: Tour,
     birth: Birth,
@@ -70,21 +70,29 @@ impl One {
 }
 
 /// A generation, and the shortest tour of all generations.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Genetic {
+    #[state(shared)]
     problem: Arc<Problem>,
     now: Vec<One>,
     /// The next one while it is made.
+    #[state(skip)]
     next: Vec<One>,
     best: Tour,
+    #[state(shared)]
     elite: usize,
+    #[state(shared)]
     tournament: usize,
+    #[state(shared)]
     crossover: f64,
+    #[state(shared)]
     mutation: f64,
     evaluations: u64,
     rng: Stream,
     /// Scratch space: the generation by length, and a place for each stop.
+    #[state(skip)]
     ranks: Vec<(f64, usize)>,
+    #[state(skip)]
     places: Vec<u16>,
 }
 
@@ -238,18 +246,6 @@ impl Search for Genetic {
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["gain", "length"];
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.rng.digest(out);
-        for one in &self.now {
-            one.tour.row.iter().for_each(|&stop| out.word(stop.into()));
-            out.number(one.tour.length);
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        (2 * self.now.len() + 1) * (self.best.bytes() + size_of::<One>()) + 16 * self.ranks.len() + 2 * self.places.len()
     }
 
     fn copy(&self) -> Box<dyn Search> {

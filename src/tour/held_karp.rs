@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Reading, Scope},
-    kernel::{Digest, Progress, Readings, Role, Status, rng::Stream},
+    kernel::{Progress, Readings, Role, State, Status, rng::Stream},
     params::{Parameter, Settings},
 };
 
@@ -23,10 +23,12 @@ use super::{
 const MOST: usize = 15;
 
 /// The programme, as far as it was carried out.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct HeldKarp {
+    #[state(shared)]
     problem: Arc<Problem>,
     /// The stops that may be moved; sets are of their places in this list.
+    #[state(shared)]
     stops: Vec<Stop>,
     /// The shortest way through a set to a stop of it, at `set` · m + stop. Sets of one size at a time are filled in.
     shortest: Vec<f64>,
@@ -170,19 +172,6 @@ impl Search for HeldKarp {
         out.push("size", self.size as f64);
         let ways = self.ways.iter().chain(&self.tour).map(|way| way.length);
         out.push("partial", ways.reduce(f64::min).unwrap_or(f64::NAN));
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        out.word(self.size as u64);
-        for way in self.ways.iter().chain(&self.tour) {
-            way.row.iter().for_each(|&stop| out.word(stop.into()));
-            out.number(way.length);
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        let m = self.stops.len();
-        8 * self.shortest.len() + m * (size_of::<Tour>() + 2 * m) + size_of::<Self>()
     }
 
     fn copy(&self) -> Box<dyn Search> {

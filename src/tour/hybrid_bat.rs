@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Reading},
-    kernel::{Digest, Inspection, Readings, Role, rng::Stream},
+    kernel::{Inspection, Readings, Role, State, rng::Stream},
     math,
     params::{Parameter, Settings},
     settled::SETTLED,
@@ -34,7 +34,7 @@ use super::{
 };
 
 /// How a bat's candidate was made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 enum Operator {
     /// There was none yet.
     None,
@@ -49,7 +49,7 @@ enum Operator {
 }
 
 /// What it did in the last iteration.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, State)]
 struct Deed {
     operator: Operator,
     /// The frequency of its flight, the swaps that led to the best, and how many of them it made.
@@ -62,7 +62,7 @@ struct Deed {
     gain: f64,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 struct Bat {
     tour: Tour,
     loudness: f64,
@@ -71,22 +71,31 @@ struct Bat {
 }
 
 /// Bats and the best of their tours.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Bats {
+    #[state(shared)]
     problem: Arc<Problem>,
     swarm: Vec<Bat>,
     best: Tour,
+    #[state(shared)]
     frequencies: [f64; 2],
+    #[state(shared)]
     perturbations: u64,
+    #[state(shared)]
     alpha: f64,
+    #[state(shared)]
     gamma: f64,
+    #[state(shared)]
     r0: f64,
     t: u64,
     evaluations: u64,
     rng: Stream,
     /// Scratch space: a candidate, swaps, and a place for each stop.
+    #[state(skip)]
     candidate: Tour,
+    #[state(skip)]
     list: Vec<Swap>,
+    #[state(skip)]
     places: Vec<u16>,
 }
 
@@ -266,18 +275,6 @@ impl Search for Bats {
             told.values.extend(flight.into_iter().flatten());
             told.formulas.insert(0, "velocity");
         }
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.rng.digest(out);
-        for bat in &self.swarm {
-            bat.tour.row.iter().for_each(|&stop| out.word(stop.into()));
-            out.numbers(&[bat.tour.length, bat.loudness, bat.pulse_rate]);
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        (self.swarm.len() + 2) * (self.best.bytes() + size_of::<Bat>()) + 6 * self.places.len()
     }
 
     fn copy(&self) -> Box<dyn Search> {

@@ -6,16 +6,19 @@ use super::{
     local::Local,
     problem::{Problem, Stop, Tour},
 };
-use crate::kernel::rng::Stream;
+use crate::kernel::{State, rng::Stream};
 
 /// A tour that is kicked and repaired again and again: an iterated local search (Lourenço, Martin and Stützle 2003).
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub struct Kicks {
+    #[state(shared)]
     problem: Arc<Problem>,
     local: Local,
     row: Vec<Stop>,
     /// As before the kick.
+    #[state(skip)]
     kept: Local,
+    #[state(skip)]
     kept_row: Vec<Stop>,
     /// Kicks so far.
     made: u64,
@@ -60,10 +63,5 @@ impl Kicks {
     /// How many moves and kicks it has measured so far.
     pub fn tried(&self) -> u64 {
         self.local.tried() + self.made
-    }
-
-    /// The memory it takes, in bytes.
-    pub fn bytes(&self) -> usize {
-        2 * (self.local.bytes() + size_of::<Stop>() * self.row.len())
     }
 }

@@ -6,7 +6,10 @@
 use std::{cell::Cell, collections::VecDeque, sync::Arc};
 
 use super::problem::{Problem, Stop, Tour};
-use crate::{kernel::rng::Stream, math};
+use crate::{
+    kernel::{State, rng::Stream},
+    math,
+};
 
 /// How many neighbours of a stop are tried.
 const NEIGHBOURS: usize = 10;
@@ -37,9 +40,11 @@ pub enum Move {
 }
 
 /// The local search of one row at a time.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub struct Local {
+    #[state(shared)]
     problem: Arc<Problem>,
+    #[state(shared)]
     near: Arc<[Vec<Stop>]>,
     /// Where a stop stands with another behind it, and where it stands behind another. They differ for the ends alone: the
     /// first stop of a closed tour is its head and its tail.
@@ -49,6 +54,7 @@ pub struct Local {
     queue: VecDeque<Stop>,
     queued: Vec<bool>,
     /// Gains below this may be rounding: two tours must not each be shorter than the other.
+    #[state(shared)]
     least: f64,
     /// How many moves were measured.
     tried: Cell<u64>,
@@ -329,11 +335,6 @@ impl Local {
             self.touch(row[place]);
         }
         added
-    }
-
-    /// The memory it takes, in bytes; the neighbours are shared.
-    pub fn bytes(&self) -> usize {
-        8 * self.left.len()
     }
 }
 

@@ -28,8 +28,8 @@ use std::sync::Arc;
 use crate::{
     exact::{MAX_EXACT_STOPS, shortest_tour},
     kernel::{
-        Best, Digest, Error, Explain, Facets, Failure, Frame, Inspection, Item, Members, Planner, Progress, Readings, Role, Round, Shape,
-        Solution, Stage, Started, Status, Subtasks, Yardstick, rng::Stream,
+        Best, Error, Explain, Facets, Failure, Frame, Inspection, Item, Members, Planner, Progress, Readings, Role, Round, Shape, Solution,
+        Stage, Started, State, Status, Subtasks, Yardstick, rng::Stream,
     },
     params::Settings,
     scene::{Body, Scene},
@@ -42,7 +42,7 @@ use roads::Network;
 pub use tell::SYMBOLS;
 
 /// How a planner searches the order of the stops. It evaluates its first tours when it begins.
-trait Search: Send {
+trait Search: State + Send {
     /// Takes one step.
     fn step(&mut self);
     /// Whether it has something left to do.
@@ -67,10 +67,6 @@ trait Search: Send {
     fn tell_member(&self, _i: usize, _out: &mut Vec<f64>) {}
     /// What a member did in the last step: completes what is told of every tour (its title, its order beside the best).
     fn explain(&self, _i: usize, _told: &mut Inspection) {}
-    /// Adds its state to a hash.
-    fn digest(&self, out: &mut Digest);
-    /// About how much memory it takes, in bytes.
-    fn bytes(&self) -> usize;
     /// The same once more.
     fn copy(&self) -> Box<dyn Search>;
 }
@@ -85,15 +81,21 @@ impl Clone for Box<dyn Search> {
 type Begin = fn(&Arc<Problem>, &Settings, Stream) -> Box<dyn Search>;
 
 /// Roads, then a tour.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Tours {
+    #[state(shared)]
     settings: Arc<Settings>,
+    #[state(shared)]
     seed: u64,
     /// What the search adds to the readings, of its members and of its own, in this order: unknown while roads are built.
+    #[state(shared)]
     tells: &'static [&'static str],
+    #[state(shared)]
     begin: Begin,
+    #[state(shared)]
     round: Round,
     /// Where the stops are drawn.
+    #[state(shared)]
     places: Arc<[[f64; 2]]>,
     network: Option<Network>,
     search: Option<(Arc<Problem>, Box<dyn Search>)>,
@@ -294,25 +296,6 @@ impl Planner for Tours {
         }
         frame.begin(Role::Stops, Shape::Points);
         self.places.iter().zip(places).for_each(|(&stop, place)| frame.push(stop, place));
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        out.word(self.converged);
-        out.number(self.settled.iteration());
-        if let Some(network) = &self.network {
-            network.seeds.iter().for_each(|&seed| out.word(seed));
-            for road in &network.roads {
-                out.numbers(road.path.as_flattened());
-            }
-        }
-        if let Some((_, search)) = &self.search {
-            search.digest(out);
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        let search = self.search.as_ref().map_or(0, |(_, search)| search.bytes());
-        size_of::<Self>() + self.network.as_ref().map_or(0, Network::bytes) + search
     }
 }
 

@@ -4,19 +4,25 @@
 //! stop and comes back to it; an open one comes from nowhere, or leads there, at no cost. So a move need not know what
 //! kind of tour it changes.
 
-use crate::{exact::Distances, kernel::Round};
+use crate::{
+    exact::Distances,
+    kernel::{Round, State},
+};
 
 /// A stop's number; the one after the last is nowhere.
 pub type Stop = u16;
 
 /// Distances between stops, and what the ends of a tour are.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, State)]
 pub struct Problem {
     /// How many stops.
+    #[state(shared)]
     pub n: usize,
     /// What the ends are.
+    #[state(shared)]
     pub round: Round,
     /// Row by row, nowhere last.
+    #[state(skip)]
     d: Vec<f64>,
 }
 
@@ -79,7 +85,7 @@ impl Problem {
 }
 
 /// A tour: its row of stops with head and tail, and its length.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, State)]
 pub struct Tour {
     /// Head, stops, tail.
     pub row: Vec<Stop>,
@@ -122,11 +128,6 @@ impl Tour {
     pub fn order(&self, problem: &Problem) -> Vec<usize> {
         let end = if problem.round == Round::Closed { self.row.len() - 1 } else { self.row.len() };
         self.row[..end].iter().map(|&stop| usize::from(stop)).filter(|&stop| stop < problem.n).collect()
-    }
-
-    /// The memory it takes, in bytes.
-    pub fn bytes(&self) -> usize {
-        size_of::<Self>() + size_of::<Stop>() * self.row.capacity()
     }
 }
 

@@ -8,13 +8,13 @@ use crate::{
     describe::ROAD,
     exact::{Distances, is_reachable},
     geometry,
-    kernel::{Error, Finding, Job, Subtasks, rng::Stream},
+    kernel::{Error, Finding, Job, State, Subtasks, rng::Stream},
     params::{Given, Settings, Value},
     scene::{GridScene, Scene},
 };
 
 /// A way from one stop to a later one.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, State)]
 pub struct Road {
     /// Its corners, in the scene's unit; empty if the run found none.
     pub path: Vec<[f64; 2]>,
@@ -41,16 +41,21 @@ impl From<Finding> for Road {
 }
 
 /// Who builds the roads of a scene, and those that are built. A step builds one stop's roads to all later stops.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub struct Network {
+    #[state(shared)]
     pub stops: Vec<[f64; 2]>,
+    #[state(shared)]
     planner: &'static str,
+    #[state(shared)]
     params: Given,
     /// A seed for each pair.
+    #[state(shared)]
     pub seeds: Arc<[u64]>,
     /// Those that are built, pair by pair.
     pub roads: Vec<Arc<Road>>,
     /// What the runs of the next step found.
+    #[state(skip)]
     provided: Vec<Finding>,
 }
 
@@ -211,11 +216,6 @@ impl Network {
             path.reverse();
         }
         path
-    }
-
-    /// The memory it takes, in bytes; roads are shared.
-    pub fn bytes(&self) -> usize {
-        size_of::<Self>() + size_of::<Arc<Road>>() * self.roads.len() + 16 * self.stops.len()
     }
 }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Reading},
-    kernel::{Digest, Inspection, Readings, Role, rng::Stream},
+    kernel::{Inspection, Readings, Role, State, rng::Stream},
     math,
     params::{Parameter, Settings},
     settled::SETTLED,
@@ -27,7 +27,7 @@ use super::{
 const MEASURED: u64 = 100;
 
 /// What happened at the last temperature.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, State)]
 struct Deed {
     tried: u64,
     /// Accepted because they were not longer, and although they were.
@@ -40,8 +40,9 @@ struct Deed {
 }
 
 /// One tour that is annealed, and the shortest that it was.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Annealing {
+    #[state(shared)]
     problem: Arc<Problem>,
     now: Tour,
     best: Tour,
@@ -50,7 +51,9 @@ struct Annealing {
     /// Of the last iteration's moves, and of the next one's.
     temperature: f64,
     next: f64,
+    #[state(shared)]
     cooling: f64,
+    #[state(shared)]
     moves: u64,
     evaluations: u64,
     deed: Deed,
@@ -195,16 +198,6 @@ impl Search for Annealing {
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["metropolis", "cooling", "length"];
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.rng.digest(out);
-        self.now.row.iter().for_each(|&stop| out.word(stop.into()));
-        out.numbers(&[self.now.length, self.best.length, self.temperature, self.next]);
-    }
-
-    fn bytes(&self) -> usize {
-        3 * self.now.bytes() + size_of::<Self>()
     }
 
     fn copy(&self) -> Box<dyn Search> {

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Preset, Reading},
-    kernel::{Digest, Inspection, Readings, Role, rng::Stream},
+    kernel::{Inspection, Readings, Role, State, rng::Stream},
     params::{Fixed, Parameter, Settings},
     settled::SETTLED,
 };
@@ -30,7 +30,7 @@ use super::{
 };
 
 /// What a particle did in the last iteration.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, State)]
 struct Deed {
     /// How many swaps it kept of its velocity, took towards its own best and towards the swarm's.
     kept: usize,
@@ -42,7 +42,7 @@ struct Deed {
     record: bool,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 struct Particle {
     tour: Tour,
     best: Tour,
@@ -51,21 +51,28 @@ struct Particle {
 }
 
 /// Particles and the best of their tours.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Swarm {
+    #[state(shared)]
     problem: Arc<Problem>,
     particles: Vec<Particle>,
     best: Tour,
+    #[state(shared)]
     w: f64,
+    #[state(shared)]
     c1: f64,
+    #[state(shared)]
     c2: f64,
     evaluations: u64,
     rng: Stream,
     /// What improves tours, if something does.
     local: Option<Local>,
     /// Scratch space: a row, a list of swaps, and a place for each stop.
+    #[state(skip)]
     row: Vec<Stop>,
+    #[state(skip)]
     list: Vec<Swap>,
+    #[state(skip)]
     places: Vec<u16>,
 }
 
@@ -212,22 +219,6 @@ impl Search for Swarm {
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["velocity", "position", "length"];
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.rng.digest(out);
-        for particle in &self.particles {
-            let rows = particle.tour.row.iter().chain(&particle.best.row).chain(particle.velocity.as_flattened());
-            rows.for_each(|&word| out.word(word.into()));
-            out.numbers(&[particle.tour.length, particle.best.length]);
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        let m = self.row.len();
-        self.local.as_ref().map_or(0, Local::bytes)
-            + self.particles.len() * (2 * self.best.bytes() + 4 * m + size_of::<Particle>())
-            + 20 * m
     }
 
     fn copy(&self) -> Box<dyn Search> {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Reading},
-    kernel::{Digest, Progress, Readings, Status, rng::Stream},
+    kernel::{Progress, Readings, State, Status, rng::Stream},
     params::Settings,
 };
 
@@ -17,8 +17,9 @@ use super::{
 };
 
 /// A tour that gets shorter move by move.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Descent {
+    #[state(shared)]
     problem: Arc<Problem>,
     local: Local,
     /// As the moves left it, and as it is handed over.
@@ -69,15 +70,6 @@ impl Search for Descent {
     fn read(&self, out: &mut Readings) {
         out.push("moves", self.moves as f64);
         out.push("gain", self.gain);
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.row.iter().for_each(|&stop| out.word(stop.into()));
-        out.word(self.moves);
-    }
-
-    fn bytes(&self) -> usize {
-        self.local.bytes() + 2 * self.best.bytes() + size_of::<Self>()
     }
 
     fn copy(&self) -> Box<dyn Search> {

@@ -3,6 +3,7 @@
 
 use crate::{
     describe::{Formula, Scope},
+    kernel::State,
     params::Settings,
 };
 
@@ -47,19 +48,12 @@ impl Finish {
 }
 
 /// What was made of a path.
-#[derive(Debug)]
+#[derive(Debug, State)]
 pub(super) struct Finished<const N: usize> {
     /// Without its detours.
     pub(super) short: Vec<[f64; N]>,
     /// The result.
     pub(super) path: Vec<[f64; N]>,
-}
-
-impl<const N: usize> Finished<N> {
-    /// How many points it holds.
-    pub(super) fn points(&self) -> usize {
-        self.short.capacity() + self.path.capacity()
-    }
 }
 
 /// Shortens, fits and smooths a path whose pieces are free.

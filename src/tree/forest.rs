@@ -1,6 +1,6 @@
 //! Trees of nodes: where each is, whose child, and how long the way to it is.
 
-use crate::kernel::Digest;
+use crate::kernel::State;
 
 use super::{nearest::Nearest, vector::distance};
 
@@ -8,13 +8,14 @@ use super::{nearest::Nearest, vector::distance};
 pub(super) const NONE: u32 = u32::MAX;
 
 /// A tree, or several with a root each.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct Tree<const N: usize> {
     pub(super) points: Vec<[f64; N]>,
     /// Whose child each node is; [`NONE`] for a root.
     pub(super) parents: Vec<u32>,
     /// The length of the way from the root.
     pub(super) costs: Vec<f64>,
+    #[state(skip)]
     index: Nearest<N>,
 }
 
@@ -65,17 +66,5 @@ impl<const N: usize> Tree<N> {
         let mut way: Vec<_> = std::iter::successors(Some(to), parent).map(|node| self.points[node]).collect();
         way.reverse();
         way
-    }
-
-    /// Adds all of it to a hash.
-    pub(super) fn digest(&self, out: &mut Digest) {
-        out.numbers(self.points.as_flattened());
-        out.numbers(&self.costs);
-        self.parents.iter().for_each(|&parent| out.word(u64::from(parent)));
-    }
-
-    /// The memory it takes, in bytes.
-    pub(super) fn bytes(&self) -> usize {
-        (size_of::<[f64; N]>() + size_of::<u32>() + size_of::<f64>()) * self.points.capacity() + self.index.bytes()
     }
 }

@@ -1,5 +1,7 @@
 //! A path from start to goal, and what is made of it.
 
+use crate::kernel::State;
+
 use std::sync::OnceLock;
 
 use super::{
@@ -9,12 +11,13 @@ use super::{
 };
 
 /// A path along the trees' nodes. What is made of it is made when it is first asked for.
-#[derive(Debug)]
+#[derive(Debug, State)]
 pub(super) struct Found<const N: usize> {
     pub(super) iteration: u64,
     pub(super) raw: Vec<[f64; N]>,
     /// Its length: what is minimised.
     pub(super) cost: f64,
+    #[state(skip)]
     finished: OnceLock<Finished<N>>,
 }
 
@@ -26,10 +29,5 @@ impl<const N: usize> Found<N> {
     /// Shortened, fitted and smoothed, as the settings say.
     pub(super) fn finished(&self, task: &Task<N>) -> &Finished<N> {
         self.finished.get_or_init(|| finish(&self.raw, &task.finish, &|a, b| task.space.is_free(a, b)))
-    }
-
-    /// The memory it takes, in bytes.
-    pub(super) fn bytes(&self) -> usize {
-        size_of::<[f64; N]>() * (self.raw.capacity() + self.finished.get().map_or(0, Finished::points))
     }
 }

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use crate::kernel::{Digest, Progress, Status, rng::Stream};
+use crate::kernel::{Progress, State, Status, rng::Stream};
 
 use super::{
     forest::Tree,
@@ -13,7 +13,7 @@ use super::{
 };
 
 /// What became of a sample.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 #[repr(u8)]
 pub(super) enum Fate {
     /// The tree has grown towards it.
@@ -33,7 +33,7 @@ pub(super) enum Fate {
 }
 
 /// A point that the tree was asked to grow to.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, State)]
 pub(super) struct Sample<const N: usize> {
     pub(super) point: [f64; N],
     /// The angle between its direction and the goal's, seen from the node that was to grow, in radians.
@@ -44,7 +44,7 @@ pub(super) struct Sample<const N: usize> {
 }
 
 /// How a sample came about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 pub(super) enum Source {
     /// Drawn from all of the space.
     Uniform,
@@ -59,7 +59,7 @@ pub(super) enum Source {
 }
 
 /// What decides which of many samples the tree grows to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 pub(super) enum By {
     /// Those with the smallest angles to the goal's direction are kept, a roulette wheel chooses among them.
     Angle,
@@ -68,7 +68,7 @@ pub(super) enum By {
 }
 
 /// What the last extension did.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct Extension<const N: usize> {
     pub(super) source: Source,
     /// The tree that was to grow.
@@ -86,7 +86,7 @@ pub(super) struct Extension<const N: usize> {
 }
 
 /// A node's place in the order in which all were added.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, State)]
 pub(super) struct Birth {
     pub(super) tree: u8,
     pub(super) node: u32,
@@ -94,7 +94,7 @@ pub(super) struct Birth {
 }
 
 /// Two trees (the second has nodes only where one grows from the goal) and what came of growing them.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct Forest<const N: usize> {
     pub(super) trees: [Tree<N>; 2],
     /// All nodes in the order in which they were added.
@@ -209,24 +209,19 @@ impl<const N: usize> Forest<N> {
 }
 
 /// How one extension is made.
-pub(super) trait Method<const N: usize>: Clone + Send + Sync + 'static {
+pub(super) trait Method<const N: usize>: Clone + State + Send + Sync + 'static {
     /// It goes on when there is a path, for a better one.
     const ANYTIME: bool = false;
     /// A second tree grows from the goal.
     const FROM_GOAL: bool = false;
     /// Extends the trees once; keeps a path if one is found.
     fn grow(&mut self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream);
-    /// Adds its own state to a hash.
-    fn digest(&self, _out: &mut Digest) {}
-    /// The memory that its own state takes.
-    fn bytes(&self) -> usize {
-        0
-    }
 }
 
 /// A tree planner.
-#[derive(Clone)]
+#[derive(Clone, State)]
 pub(super) struct Grown<const N: usize, M> {
+    #[state(shared)]
     pub(super) task: Arc<Task<N>>,
     pub(super) forest: Forest<N>,
     pub(super) method: M,

@@ -1,5 +1,7 @@
 //! Which node is nearest: a grid of cells over the space, as fine as there are nodes. No scan of all nodes.
 
+use crate::kernel::State;
+
 use super::vector::squared;
 
 /// No node.
@@ -10,7 +12,7 @@ const FEW: usize = 32;
 const AXES: usize = 3;
 
 /// The nodes of a tree by the cell in which they lie.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, State)]
 pub(super) struct Nearest<const N: usize> {
     /// The corner of the cells; nodes beyond the outermost ones belong to these.
     min: [f64; N],
@@ -173,11 +175,6 @@ impl<const N: usize> Nearest<N> {
             }
         }
         out.sort_unstable();
-    }
-
-    /// The memory it takes, in bytes.
-    pub(super) fn bytes(&self) -> usize {
-        size_of::<u32>() * (self.first.capacity() + self.before.capacity())
     }
 }
 

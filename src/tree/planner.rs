@@ -1,6 +1,6 @@
 //! A tree by the stepped contract.
 
-use crate::kernel::{Best, Digest, Explain, Facets, Frame, Inspection, Item, Members, Planner, Progress, Readings, Role, Started, Status};
+use crate::kernel::{Best, Explain, Facets, Frame, Inspection, Item, Members, Planner, Progress, Readings, Role, Started};
 
 use super::{
     grow::{Grown, Method, Seen},
@@ -33,38 +33,6 @@ impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
 
     fn facets(&self) -> Facets<'_> {
         Facets::default().explain(self).members(self)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        // The status is the run's: golden runs and links of before have it here.
-        let status = match &self.forest.found {
-            Some(_) if !M::ANYTIME => Status::Solved,
-            _ if self.forest.iteration >= self.task.limit => Status::Exhausted,
-            _ => Status::Running,
-        };
-        out.word(self.forest.iteration);
-        out.word(status as u64);
-        self.rng.digest(out);
-        self.forest.trees.iter().for_each(|tree| tree.digest(out));
-        out.word(self.forest.tested);
-        out.word(self.forest.rejected);
-        if let Some(best) = self.best() {
-            out.number(best.cost);
-        }
-        if let Some(found) = &self.forest.found {
-            out.numbers(found.finished(&self.task).path.as_flattened());
-        }
-        self.method.digest(out);
-    }
-
-    fn bytes(&self) -> usize {
-        let forest = &self.forest;
-        size_of::<Self>()
-            + forest.trees.iter().map(super::forest::Tree::bytes).sum::<usize>()
-            + size_of::<super::grow::Birth>() * forest.births.capacity()
-            + size_of::<super::grow::Sample<N>>() * forest.last.samples.capacity()
-            + forest.found.as_ref().map_or(0, |found| found.bytes())
-            + self.method.bytes()
     }
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::Entry,
-    kernel::{Error, rng::Stream},
+    kernel::{Error, State, rng::Stream},
     params::Settings,
     scene::Scene,
 };
@@ -44,7 +44,7 @@ pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Resul
     super::grown(scene, settings, seed, settings.number("goal_bias"), |_| Rrt)
 }
 
-#[derive(Clone)]
+#[derive(Clone, State)]
 pub(super) struct Rrt;
 
 impl<const N: usize> Method<N> for Rrt {

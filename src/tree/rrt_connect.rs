@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::Entry,
-    kernel::{Digest, Error, rng::Stream},
+    kernel::{Error, State, rng::Stream},
     params::Settings,
     scene::Scene,
 };
@@ -45,7 +45,7 @@ pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Resul
 }
 
 /// Which tree's turn it is, and what the other one goes for.
-#[derive(Clone, Default)]
+#[derive(Clone, Default, State)]
 pub(super) struct Connect {
     /// The tree that explores.
     explorer: usize,
@@ -84,10 +84,5 @@ impl<const N: usize> Method<N> for Connect {
             Some(_) => {}
             None => (self.newest, self.explorer) = (None, other),
         }
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        out.word(self.explorer as u64);
-        out.word(self.newest.map_or(u64::MAX, |node| node as u64));
     }
 }

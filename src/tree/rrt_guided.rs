@@ -12,7 +12,7 @@ use std::{f64::consts::PI, sync::Arc};
 
 use crate::{
     describe::Entry,
-    kernel::{Error, rng::Stream},
+    kernel::{Error, State, rng::Stream},
     params::{Choice, Parameter, Settings},
     scene::Scene,
 };
@@ -86,14 +86,19 @@ pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Resul
     })
 }
 
-#[derive(Clone)]
+#[derive(Clone, State)]
 pub(super) struct Guided {
+    #[state(shared)]
     samples: usize,
+    #[state(shared)]
     keep: usize,
+    #[state(shared)]
     by: By,
     /// Whether a step of plain RRT follows when nothing can be chosen.
+    #[state(shared)]
     falls_back: bool,
     /// Angles with the goal's direction, or distances to the goal, and numbers of the samples; re-used.
+    #[state(skip)]
     order: Vec<(f64, usize)>,
 }
 

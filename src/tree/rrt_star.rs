@@ -5,7 +5,7 @@ use std::{f64::consts::PI, sync::Arc};
 
 use crate::{
     describe::Entry,
-    kernel::{Digest, Error, rng::Stream},
+    kernel::{Error, State, rng::Stream},
     math,
     params::Settings,
     scene::Scene,
@@ -51,15 +51,20 @@ pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Resul
     super::grown(scene, settings, seed, settings.number("goal_bias"), star)
 }
 
-#[derive(Clone)]
+#[derive(Clone, State)]
 pub(super) struct Star {
+    #[state(shared)]
     informed: Option<Informed>,
+    #[state(shared)]
     dimensions: usize,
     /// γ: with it the radius shrinks so slowly that the path still approaches the shortest.
+    #[state(shared)]
     gamma: f64,
     /// The radius is at most so long.
+    #[state(shared)]
     most: f64,
     /// The volume of the space.
+    #[state(shared)]
     volume: f64,
     /// The goal, once it is a node.
     goal: Option<usize>,
@@ -67,8 +72,11 @@ pub(super) struct Star {
     newest: Vec<u32>,
     sibling: Vec<u32>,
     /// Neighbours by the length of the way over them, re-used.
+    #[state(skip)]
     near: Vec<u32>,
+    #[state(skip)]
     order: Vec<(f64, usize)>,
+    #[state(skip)]
     stack: Vec<u32>,
 }
 
@@ -222,14 +230,5 @@ impl Method<3> for Star {
             let path = forest.trees[0].way(goal);
             forest.found(path);
         }
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        out.word(self.goal.map_or(u64::MAX, |goal| goal as u64));
-    }
-
-    fn bytes(&self) -> usize {
-        size_of::<u32>() * (self.newest.capacity() + self.sibling.capacity() + self.near.capacity() + self.stack.capacity())
-            + size_of::<(f64, usize)>() * self.order.capacity()
     }
 }

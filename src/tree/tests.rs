@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     Given, Scene, Session, Setup, Status, Value,
-    kernel::{Item, Kind, Progress, Role, rng::Stream},
+    kernel::{Item, Kind, Progress, Role, State, rng::Stream},
     shipped,
 };
 
@@ -42,7 +42,7 @@ fn task(scene: &Arc<Scene>, planner: &str) -> Task<3> {
 }
 
 /// Grows towards fixed points, so that steps can be computed by hand.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Towards(Vec<[f64; 3]>, bool);
 
 impl Method<3> for Towards {

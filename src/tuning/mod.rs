@@ -16,8 +16,8 @@ use crate::{
     exact::is_reachable,
     geometry,
     kernel::{
-        Best, Digest, Error, Explain, Facets, Finding, Frame, Inspection, Item, Job, Planner, Progress, Readings, Recommend, Role, Shape,
-        Solution, Started, Subtasks, Tuned, Yardstick, rng::Stream,
+        Best, Error, Explain, Facets, Finding, Frame, Inspection, Item, Job, Planner, Progress, Readings, Recommend, Role, Shape, Solution,
+        Started, State, Subtasks, Tuned, Yardstick, rng::Stream,
     },
     math,
     params::{Domain, Given, Parameter, Settings, Value},
@@ -57,7 +57,7 @@ impl Axis {
 }
 
 /// How good a set of parameters is. The less the better: first the mean length, then the mean iteration of convergence.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, State)]
 struct Fitness {
     /// Infinite if a run found no way.
     length: f64,
@@ -84,16 +84,23 @@ impl Fitness {
 }
 
 /// The swarm. Positions are drawn when it starts; the first step judges them, each later one moves and judges them.
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Tuning {
+    #[state(shared)]
     scene: Arc<Scene>,
+    #[state(shared)]
     colony: &'static Entry,
+    #[state(shared)]
     rounds: u64,
+    #[state(shared)]
     axes: Vec<Axis>,
+    #[state(shared)]
     population: usize,
     /// w, c1, c2.
+    #[state(shared)]
     weights: [f64; 3],
     /// The seeds that every set of parameters is judged by.
+    #[state(shared)]
     seeds: Vec<u64>,
     /// Positions of the particles, judged in the last step; then the positions that the next step judges.
     shown: Vec<f64>,
@@ -108,6 +115,7 @@ struct Tuning {
     ways: Vec<Vec<[f64; 2]>>,
     best: Vec<[f64; 2]>,
     /// What the runs of the next step found.
+    #[state(skip)]
     provided: Vec<Finding>,
     iteration: u64,
     rng: Stream,
@@ -264,20 +272,6 @@ impl Planner for Tuning {
 
     fn subtasks(&mut self) -> Option<&mut dyn Subtasks> {
         Some(self)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        [&self.x, &self.v, &self.p, &self.g].into_iter().for_each(|numbers| out.numbers(numbers));
-        for cost in self.cost.iter().chain(&self.p_cost).chain([&self.g_cost]) {
-            out.numbers(&[cost.length, cost.converged]);
-        }
-        out.numbers(self.best.as_flattened());
-        self.rng.digest(out);
-    }
-
-    fn bytes(&self) -> usize {
-        let ways: usize = self.ways.iter().map(|way| 16 * way.len() + 24).sum();
-        8 * 5 * self.x.len() + 48 * self.population + ways + size_of::<Self>()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{super::a_star::AStar, *};
 use crate::{
-    kernel::rng::Stream,
+    kernel::{Digest, rng::Stream},
     scene::{GridScene, Robot},
 };
 
@@ -225,7 +225,7 @@ fn the_same_calls_give_the_same_ways_and_the_same_state() {
         let mut rng = Stream::new(77, 0);
         let cells = field(30, 20, 0.15, &mut rng);
         let (mut search, mut a_star) = (DStarLite::new(&cells, 0, 599), AStar::new(&cells));
-        let (mut ways, mut out) = (Vec::new(), Digest::default());
+        let mut ways = Vec::new();
         for _ in 0..60 {
             let occupied: Vec<_> = (0..600).map(|_| rng.unit() < 0.1).collect();
             if copied {
@@ -235,8 +235,7 @@ fn the_same_calls_give_the_same_ways_and_the_same_state() {
             let from = rng.below(600);
             ways.push((search.way(from), a_star.way(&occupied, from, 599), search.expanded(), a_star.expanded()));
         }
-        search.digest(&mut out);
-        (ways, out.hex())
+        (ways, Digest::of(&search).hex())
     };
     assert_eq!(run(false), run(false));
     assert_eq!(run(false), run(true));

@@ -11,7 +11,7 @@ pub mod qpso;
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Best, Digest, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, rng::Stream},
+    kernel::{Best, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream},
     math,
     params::Settings,
     scene::Scene,
@@ -45,15 +45,19 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: Option<Ad
 }
 
 /// A swarm that leaps: X ← p ± α gs |m − X| ln(1/u).
-#[derive(Clone)]
+#[derive(Clone, State)]
 struct Quantum {
     population: Population,
     /// c1 and c2 of (22).
+    #[state(shared)]
     c: [f64; 2],
+    #[state(shared)]
     alpha: Law,
     /// Evolution speed, dispersion and natural selection, (5)–(9).
+    #[state(shared)]
     adaptive: Option<Adaptation>,
     /// α of the step that led here (of the first step, before it).
+    #[state(shared)]
     width: f64,
     /// Evolution speed of each particle, (5); 1 without it.
     ip: Vec<f64>,
@@ -66,6 +70,7 @@ struct Quantum {
     /// Whose position each particle got by natural selection.
     replaced: Vec<Option<u32>>,
     /// Particles by cost; scratch space.
+    #[state(skip)]
     order: Vec<(f64, usize)>,
     rng: Stream,
     clock: Clock,
@@ -252,19 +257,6 @@ impl Planner for Quantum {
 
     fn facets(&self) -> Facets<'_> {
         Facets::default().explain(self)
-    }
-
-    fn digest(&self, out: &mut Digest) {
-        self.clock.digest(out);
-        self.population.digest(out);
-        out.numbers(&self.attractors);
-        out.numbers(&self.m);
-        self.replaced.iter().for_each(|from| out.word(from.map_or(u64::MAX, u64::from)));
-        self.rng.digest(out);
-    }
-
-    fn bytes(&self) -> usize {
-        self.population.bytes() + 8 * self.attractors.len() + 32 * self.ip.len() + 16 * self.m.len() + size_of::<Self>()
     }
 }
 
