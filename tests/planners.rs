@@ -190,6 +190,25 @@ fn a_link_reproduces_the_hash(entry: &'static Entry) {
     });
 }
 
+/// A run that calls itself deterministic comes out the same whatever its seed; one that does not has a stream in its state.
+fn only_random_runs_depend_on_their_seed(entry: &'static Entry) {
+    for scene in scenes(entry) {
+        let end = |seed| {
+            let mut session = session(entry, &scene, sized(entry, &scene, 8.0, 30.0), seed);
+            while session.step(1) == Status::Running {}
+            let mut outcome = serde_json::to_value(session.outcome()).unwrap();
+            let hash = outcome["hash"].take();
+            outcome["seed"].take();
+            (hash, outcome)
+        };
+        let [(first, told), (second, other)] = [1, 2].map(end);
+        assert_ne!(first, second, "the seed is part of the hash");
+        if told["deterministic"] == true {
+            assert_eq!(told, other, "{} on {} calls itself deterministic", entry.name, scene.name());
+        }
+    }
+}
+
 /// The hash is of the setup, too: before the first step it tells planners, scenes, seeds and parameters apart that begin
 /// alike. What is written about a scene is not part of it.
 fn no_two_setups_share_a_hash() {
@@ -476,6 +495,7 @@ const CHECKS: &[(&str, Check)] = &[
     ("a_run_only_gets_better_and_its_verdict_is_true", a_run_only_gets_better_and_its_verdict_is_true),
     ("rewinding_is_exact", rewinding_is_exact),
     ("a_link_reproduces_the_hash", a_link_reproduces_the_hash),
+    ("only_random_runs_depend_on_their_seed", only_random_runs_depend_on_their_seed),
     ("any_population_runs", any_population_runs),
     ("every_parameter_is_checked_at_both_ends", every_parameter_is_checked_at_both_ends),
     ("every_condition_can_be_met", every_condition_can_be_met),

@@ -80,9 +80,7 @@ impl Stream {
 impl State for Stream {
     fn digest(&self, out: &mut Digest) {
         let mut ahead = self.0.clone();
-        for _ in 0..4 {
-            out.word(ahead.random());
-        }
+        out.stream(std::array::from_fn(|_| ahead.random()));
     }
     fn heap_size(&self) -> usize {
         0

@@ -38,11 +38,14 @@ pub trait State {
 
 /// FNV-1a over 64-bit words, each multiplication followed by a fold so that high bits reach low ones.
 #[derive(Debug, Clone)]
-pub struct Digest(u64);
+pub struct Digest {
+    hash: u64,
+    random: bool,
+}
 
 impl Default for Digest {
     fn default() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
+        Self { hash: 0xcbf2_9ce4_8422_2325, random: false }
     }
 }
 
@@ -57,8 +60,19 @@ impl Digest {
     /// Adds one word.
     #[inline]
     pub fn word(&mut self, word: u64) {
-        let mixed = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01b3);
-        self.0 = mixed ^ (mixed >> 32);
+        let mixed = (self.hash ^ word).wrapping_mul(0x0000_0100_0000_01b3);
+        self.hash = mixed ^ (mixed >> 32);
+    }
+
+    /// Adds what a stream of random numbers will draw.
+    pub(super) fn stream(&mut self, words: [u64; 4]) {
+        self.random = true;
+        words.digest(self);
+    }
+
+    /// Whether a stream of random numbers is part of what was added.
+    pub fn is_random(&self) -> bool {
+        self.random
     }
 
     /// Adds how many bytes there are, and each as a word.
@@ -73,7 +87,7 @@ impl Digest {
 
     /// Sixteen hexadecimal digits.
     pub fn hex(&self) -> String {
-        format!("{:016x}", self.0)
+        format!("{:016x}", self.hash)
     }
 }
 

@@ -425,11 +425,15 @@ impl Session {
 
     /// The hash of setup, iteration, best and the whole state, in hexadecimal: two different runs never share one.
     pub fn hash(&self) -> String {
+        self.digest().hex()
+    }
+
+    fn digest(&self) -> Digest {
         let mut digest = self.setup_digest.get_or_init(|| self.digest_of_setup()).clone();
         self.iteration().digest(&mut digest);
         self.best().map(|best| best.cost).digest(&mut digest);
         self.at.planner.digest(&mut digest);
-        digest.hex()
+        digest
     }
 
     /// Planner, parameters, seed and what is in the scene; its name, title and notes do not matter.

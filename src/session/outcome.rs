@@ -80,7 +80,9 @@ pub struct Outcome {
     /// What a planner of planners recommends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tuned: Option<Tuned>,
-    /// The state's hash.
+    /// No random number has a part in it: other seeds give the same result.
+    pub deterministic: bool,
+    /// The hash of setup, iteration, best and state.
     pub hash: String,
     /// Every parameter's value.
     #[serde(serialize_with = "as_object")]
@@ -90,6 +92,7 @@ pub struct Outcome {
 impl Outcome {
     pub(super) fn of(session: &mut Session) -> Self {
         let readings = session.readings().iter().collect();
+        let digest = session.digest();
         let best = session.best();
         let verdict = best.as_ref().map(|best| session.scene.judge(&best.solution));
         let length = verdict.and_then(|v| v.length);
@@ -143,7 +146,8 @@ impl Outcome {
             trouble: session.failure(),
             events: session.events().to_vec(),
             tuned: session.at.planner.facets().recommend.and_then(Recommend::recommendation),
-            hash: session.hash(),
+            deterministic: !digest.is_random(),
+            hash: digest.hex(),
             parameters: session.settings.all().to_vec(),
         }
     }

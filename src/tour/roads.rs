@@ -52,6 +52,8 @@ pub struct Network {
     /// A seed for each pair.
     #[state(shared)]
     pub seeds: Arc<[u64]>,
+    /// What drew them.
+    rng: Stream,
     /// Those that are built, pair by pair.
     pub roads: Vec<Arc<Road>>,
     /// What the runs of the next step found.
@@ -84,6 +86,7 @@ impl Network {
             planner: entry.name,
             params,
             seeds: (0..n * (n - 1) / 2).map(|_| rng.below(1 << 31) as u64).collect(),
+            rng,
             roads: Vec::new(),
             provided: Vec::new(),
             stops,

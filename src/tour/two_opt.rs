@@ -28,6 +28,8 @@ struct Descent {
     moves: u64,
     gain: f64,
     done: bool,
+    /// What drew the first stop of the first tour.
+    rng: Stream,
 }
 
 fn begin(problem: &Arc<Problem>, _: &Settings, mut rng: Stream) -> Descent {
@@ -35,7 +37,7 @@ fn begin(problem: &Arc<Problem>, _: &Settings, mut rng: Stream) -> Descent {
     let mut local = Local::new(problem);
     local.load(&best.row);
     local.touch_all();
-    Descent { problem: Arc::clone(problem), local, row: best.row.clone(), best, moves: 0, gain: 0.0, done: false }
+    Descent { problem: Arc::clone(problem), local, row: best.row.clone(), best, moves: 0, gain: 0.0, done: false, rng }
 }
 
 impl Search for Descent {

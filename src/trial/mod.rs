@@ -67,6 +67,8 @@ pub struct Record {
     pub settled: Option<f64>,
     /// At how many corners the path turns.
     pub turns: Option<usize>,
+    /// No random number has a part in it: other seeds give the same result.
+    pub deterministic: bool,
     /// The state's hash.
     pub hash: String,
 }
@@ -188,6 +190,7 @@ impl Trial {
             reached_iteration: reached.map(|[iteration, _]| iteration),
             settled,
             turns: outcome.turns,
+            deterministic: outcome.deterministic,
             hash: outcome.hash,
         }
     }

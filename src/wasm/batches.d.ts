@@ -26,6 +26,8 @@ export interface TrialRecord {
   /** The iteration from which the population's mean stayed within 1 % of its best; null if it never did, or without such a reading. */
   settled: number | null;
   turns: number | null;
+  /** No random number has a part in the run: other seeds give the same result. */
+  deterministic: boolean;
   hash: string;
 }
 

@@ -285,6 +285,9 @@ export interface Outcome {
   events?: RunEvent[];
   /** What a planner of planners recommends: a planner and its parameters. */
   tuned?: { planner: string; params: Record<string, ParameterValue> };
+  /** No random number has a part in the run: other seeds give the same result. */
+  deterministic: boolean;
+  /** 16 hexadecimal digits over setup, iteration, best and state. */
   hash: string;
   parameters: Record<string, ParameterValue>;
 }

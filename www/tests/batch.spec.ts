@@ -108,7 +108,7 @@ test('a batch that is stopped keeps its rows; it goes on to the same file that i
 
   const [head = '', ...lines] = (await download(page, 'csv')).trimEnd().split('\n')
   expect(head).toBe(
-    'scene,planner,seed,status,iterations,evaluations,cost,length,value,feasible,clearance,exact,exact_by,gap,within,reached,reached_iteration,settled,turns,hash',
+    'scene,planner,seed,status,iterations,evaluations,cost,length,value,feasible,clearance,exact,exact_by,gap,within,reached,reached_iteration,settled,turns,deterministic,hash',
   )
   const records = recordsOf(['pso', 'cpso'], 40)
     .flat()

@@ -22,6 +22,7 @@ const RESULTS = [
   'reached_iteration',
   'settled',
   'turns',
+  'deterministic',
   'hash',
 ] as const
 

@@ -240,6 +240,9 @@ pub(super) struct RunArgs {
     /// Use the population and the iterations that the planner's paper recommends; --set overrides them.
     #[arg(long)]
     pub(super) suggested: bool,
+    /// Accept a link whose hash does not come out again, such as one of an older version. Otherwise that is exit code 1.
+    #[arg(long)]
+    pub(super) ignore_hash: bool,
     /// Print one JSON object with full precision.
     #[arg(long)]
     pub(super) json: bool,

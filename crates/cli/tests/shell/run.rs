@@ -124,8 +124,19 @@ fn a_link_reproduces_its_hash_where_it_stands() {
     let again = forage(&["run", "wcpso", "--scene", &link, "--json"]);
     assert_eq!(serde_json::from_slice::<Value>(&again.stdout).unwrap()["hash"], whole["hash"]);
     assert!(again.stderr.is_empty(), "the promised hash is the one found");
-    let broken = forage(&["run", "--scene", &link.replace("hash=", "hash=0"), "--json"]);
-    assert!(String::from_utf8_lossy(&broken.stderr).contains("the link gives the hash"));
+    assert_eq!(again.status.code(), Some(0));
+    let wrong = link.replace("hash=", "hash=0");
+    let broken = forage(&["run", &wrong, "--json"]);
+    let message = String::from_utf8_lossy(&broken.stderr).into_owned();
+    assert_eq!(broken.status.code(), Some(1), "{message}");
+    assert!(message.contains("at iteration 500 the link's hash is") && message.contains("--ignore-hash"), "{message}");
+    assert_eq!(serde_json::from_slice::<Value>(&broken.stdout).unwrap()["hash"], whole["hash"], "the result is printed all the same");
+    let late = forage(&["run", &link.replace("at=500", "at=501"), "--json"]);
+    assert_eq!(late.status.code(), Some(0), "the run ended at 500, and in this very state");
+    let early = forage(&["run", &wrong.replace("at=500", "at=501"), "--json"]);
+    assert!(String::from_utf8_lossy(&early.stderr).contains("this run stopped at iteration 500"));
+    let ignored = forage(&["run", &wrong, "--ignore-hash", "--json"]);
+    assert_eq!((ignored.status.code(), ignored.stderr.is_empty()), (Some(0), true));
     let other = json(&["run", "pso", "--scene", &link, "--json"]);
     assert_eq!((&other["planner"], &other["seed"]), (&"pso".into(), &7.into()));
 }

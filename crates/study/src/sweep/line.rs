@@ -17,7 +17,7 @@ use super::{
 /// What is in front of the parameters,
 const LEAD: [&str; 3] = ["scene", "planner", "seed"];
 /// and what is behind them: a [`Record`]'s fields, and what counts as reached. No times: rows are the same everywhere.
-const RESULTS: [&str; 17] = [
+const RESULTS: [&str; 18] = [
     "status",
     "iterations",
     "evaluations",
@@ -34,6 +34,7 @@ const RESULTS: [&str; 17] = [
     "reached_iteration",
     "settled",
     "turns",
+    "deterministic",
     "hash",
 ];
 
@@ -169,7 +170,12 @@ impl Format {
             "" => Ok(None),
             text => text.parse::<f64>().map(Some).map_err(|_| damaged(&format!("{name} is `{text}`, which is no number"))),
         };
-        let hash = u64::from_str_radix(result("hash"), 16).map_err(|_| damaged(&format!("hash is `{}`, which is none", result("hash"))))?;
+        let flag = |name: &str| {
+            let text = result(name);
+            text.parse::<bool>().map_err(|_| damaged(&format!("{name} is `{text}`; it must be true or false")))
+        };
+        let hash = result("hash");
+        u64::from_str_radix(hash, 16).map_err(|_| damaged(&format!("hash is `{hash}`; it must be 16 hexadecimal digits")))?;
         let by = match result("exact_by") {
             "cells" => Yardstick::Cells,
             "matrix" => Yardstick::Matrix,
@@ -178,7 +184,8 @@ impl Format {
             _ => Yardstick::AnyAngle,
         };
         let exact = Optimum::of(number("exact")?);
-        Ok((job, Told { value: number("value")?, reached: number("reached")?.is_some(), exact, by, hash }))
+        let (value, reached, deterministic) = (number("value")?, number("reached")?.is_some(), flag("deterministic")?);
+        Ok((job, Told { value, reached, exact, by, deterministic }))
     }
 }
 
@@ -227,16 +234,16 @@ pub(super) struct Told {
     pub(super) exact: Optimum,
     /// Which optimum that is.
     pub(super) by: Yardstick,
-    /// What all runs of a planner that draws no lots have alike.
-    pub(super) hash: u64,
+    /// No random number has a part in it.
+    pub(super) deterministic: bool,
 }
 
 impl From<&Record> for Told {
     fn from(record: &Record) -> Self {
         // What is no number is not written, either.
         let value = record.value.filter(|value| value.is_finite());
-        let hash = u64::from_str_radix(&record.hash, 16).unwrap_or_default();
-        Self { value, reached: record.reached.is_some(), exact: Optimum::of(record.exact), by: record.exact_by, hash }
+        let (reached, deterministic) = (record.reached.is_some(), record.deterministic);
+        Self { value, reached, exact: Optimum::of(record.exact), by: record.exact_by, deterministic }
     }
 }
 

@@ -167,7 +167,7 @@ impl Summary {
             let names: Vec<&str> = names.collect();
             if !names.is_empty() {
                 let all = if names.len() > MOST_PAIRED { format!("{} planners and parameters", names.len()) } else { names.join(", ") };
-                notes.push(format!("{}: all runs are the same and no lots are drawn, so no tests and intervals: {all}.", scene.scene));
+                notes.push(format!("{}: no tests and intervals for what is deterministic: {all}.", scene.scene));
             }
         }
         if groups > MOST_PAIRED {
@@ -195,7 +195,7 @@ impl OnScene {
             let near = runs.iter().filter(|told| told.reached).count() as f64 / runs.len() as f64;
             let measured = runs.iter().find(|told| told.exact != Optimum::None);
             optimum = measured.filter(|_| optimum == Optimum::None).map_or(optimum, |told| told.exact);
-            let draws_lots = runs.len() < 2 || runs.iter().any(|told| told.hash != runs[0].hash);
+            let draws_lots = runs.len() < 2 || runs.iter().any(|told| !told.deterministic);
             reached.push((planner.to_owned(), parameters, draws_lots, measured.map(|told| (told.by, near))));
             groups.push(Group { name, values: runs.iter().map(|told| told.value).collect() });
         }

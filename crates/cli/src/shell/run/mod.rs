@@ -61,16 +61,36 @@ pub(super) fn run(args: &RunArgs) -> failure::Outcome {
         let roles: Vec<_> = session.entry().layers.iter().filter(|layer| layer.on).map(|layer| layer.role).chain([Role::Exact]).collect();
         files::write(path, picture::svg(&session, false, &roles))?;
     }
-    if let Some(expected) = task.expected_hash.filter(|expected| *expected != outcome.hash) {
-        note(&format!("the link gives the hash {}, but this run has {}", quoted(&expected), outcome.hash));
-    }
-    let feasible = outcome.feasible;
+    let expected = task.expected_hash.filter(|_| !args.ignore_hash);
+    let difference = expected.and_then(|expected| hash_difference(&expected, task.stop_at, &outcome));
+    let succeeded = outcome.feasible && difference.is_none();
     if args.json {
         print_json(&Report { outcome, elapsed_ms })?;
     } else {
         print(&summary::summary(&outcome, exact::unit(session.scene()), elapsed_ms))?;
     }
-    Ok(ExitCode::from(u8::from(!feasible)))
+    if let Some(difference) = difference {
+        note(&difference);
+    }
+    Ok(ExitCode::from(u8::from(!succeeded)))
+}
+
+/// What is not as the link says, if its hash does not come out again.
+fn hash_difference(expected: &str, iteration: Option<u64>, outcome: &Outcome) -> Option<String> {
+    if outcome.hash == *expected {
+        return None;
+    }
+    let here = outcome.iterations;
+    let (hash, expected) = (&outcome.hash, quoted(expected));
+    let what = match iteration.filter(|&iteration| iteration != here) {
+        Some(iteration) => {
+            format!("the link shows iteration {iteration} with the hash {expected}; this run stopped at iteration {here} with {hash}")
+        }
+        None => format!("at iteration {here} the link's hash is {expected}; this run's is {hash}"),
+    };
+    Some(format!(
+        "{what}. The planner, one of its defaults or the scene is not what it was when the link was made; --ignore-hash accepts that"
+    ))
 }
 
 /// Refuses, before anything is run, to write over the scene or over another output, or where nothing can be written.
