@@ -8,7 +8,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use forage::{
     Given, Scene, Session, Setup, Value,
     kernel::rng::Stream,
-    scene::{Body, GridScene, Header},
+    scene::{GridScene, Header, grid},
     shipped,
 };
 
@@ -25,7 +25,7 @@ fn map(side: usize) -> Arc<Scene> {
     grid.start = Some([0.5, 0.5]);
     grid.goal = Some([side as f64 - 0.5, side as f64 - 0.5]);
     let header = Header { name: "map".into(), title: "Map".into(), note: None, source: None, units: None, exact: None, published: None };
-    Arc::new(Scene::new(header, Body::Grid(grid)).expect("the ends are free"))
+    Arc::new(grid::KIND.scene(header, grid).expect("the ends are free"))
 }
 
 fn session(scene: &Arc<Scene>, planner: &str, params: &[(&str, f64)]) -> Session {

@@ -12,7 +12,10 @@ use std::{
 use forage::{
     Given, Scene, Session, Setup, Status, Value,
     catalogue::PLANNERS,
-    scene::generate::{GENERATORS, generate},
+    scene::{
+        GridScene,
+        generate::{GENERATORS, generate},
+    },
     shipped,
 };
 
@@ -47,7 +50,7 @@ fn main() {
     let time = if std::env::args().any(|arg| arg == "--bench") { Duration::from_secs(1) } else { Duration::ZERO };
     println!("{:28} {:>9} {:18} {:>16} {:>14}", "scene", "obstacles", "planner", "simulated s / s", "of A*’s");
     for scene in scenes() {
-        let obstacles = scene.grid().map_or(0, |grid| grid.moving.len());
+        let obstacles = scene.get::<GridScene>().map_or(0, |grid| grid.moving.len());
         let first = pace("a-star-drive", &scene, time);
         for entry in PLANNERS.iter().filter(|entry| entry.family == "dynamic") {
             let pace = if entry.name == "a-star-drive" { first } else { pace(entry.name, &scene, time) };

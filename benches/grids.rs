@@ -13,7 +13,7 @@ use forage::{
     geometry::{Cells, DIRECTIONS},
     kernel::{Solution, Stepper, Yardstick, rng::Stream},
     params::{Given, Settings},
-    scene::{Body, GridScene},
+    scene::{GridScene, grid},
 };
 use pathfinding::directed::astar::astar;
 
@@ -34,7 +34,7 @@ fn map() -> Arc<Scene> {
             let far = SIDE as f64 - 0.5;
             let mut grid = GridScene::new(1.0, SIDE, blocked);
             (grid.start, grid.goal) = (Some([0.5, 0.5]), Some([far, far]));
-            Arc::new(Scene::new(header.clone(), Body::Grid(grid)).expect("the ends are free"))
+            Arc::new(grid::KIND.scene(header.clone(), grid).expect("the ends are free"))
         })
         .find(|scene| scene.exact_by(Yardstick::Cells).is_some())
         .expect("of a hundred maps one has a way")
@@ -88,7 +88,7 @@ fn by_moves(cells: &Cells, (x, y): At) -> impl Iterator<Item = (At, u64)> {
 
 fn grids(criterion: &mut Criterion) {
     let scene = map();
-    let grid = scene.grid().expect("it is one");
+    let grid = scene.get::<GridScene>().expect("it is one");
     let (blocked, cells) = (&grid.blocked, grid.cells());
     let ours = forage(entry("a-star"), &scene);
     for theirs in [pathfinding(grid, |&at| by_blocked(blocked, at)), pathfinding(grid, |&at| by_moves(cells, at))] {
@@ -98,18 +98,19 @@ fn grids(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group(format!("A* over {SIDE} x {SIDE} cells, a quarter blocked"));
     group.sample_size(30);
     // A copy of a grid works out the steps from cell to cell anew.
-    let fresh = || Arc::new(Scene::new(scene.header().clone(), Body::Grid(grid.clone())).expect("it is valid"));
+    let fresh = || Arc::new(grid::KIND.scene(scene.header().clone(), grid.clone()).expect("it is valid"));
     group.bench_function("from blocked cells, forage", |b| {
         // What is handed back is dropped when the clock has stopped: a scene is no part of a search.
         b.iter_batched(fresh, |scene| (forage(entry("a-star"), &scene), scene), BatchSize::PerIteration);
     });
     group.bench_function("from blocked cells, pathfinding", |b| {
-        let run = |scene: Arc<Scene>| (pathfinding(grid, |&at| by_blocked(&scene.grid().expect("it is one").blocked, at)), scene);
+        let run =
+            |scene: Arc<Scene>| (pathfinding(grid, |&at| by_blocked(&scene.get::<GridScene>().expect("it is one").blocked, at)), scene);
         b.iter_batched(fresh, run, BatchSize::PerIteration);
     });
     group.bench_function("steps known, forage", |b| b.iter(|| black_box(forage(entry("a-star"), &scene))));
     group.bench_function("steps known, pathfinding", |b| b.iter(|| black_box(pathfinding(grid, |&at| by_moves(cells, at)))));
-    group.bench_function("working out the steps", |b| b.iter(|| black_box(fresh().grid().expect("it is one").cells().len())));
+    group.bench_function("working out the steps", |b| b.iter(|| black_box(fresh().get::<GridScene>().expect("it is one").cells().len())));
     group.finish();
 
     let mut group = criterion.benchmark_group(format!("other searches over {SIDE} x {SIDE} cells, a quarter blocked"));

@@ -13,7 +13,7 @@ use forage::{Given, Scene, Session, Setup, Status, Value, catalogue::PLANNERS, s
 
 /// The 12 stops of the published grid by exact roads, and the shipped tours.
 fn scenes() -> Vec<Arc<Scene>> {
-    let tours = shipped_names().filter(|scene| scene.kind() == forage::kernel::Kind::Tour).cloned();
+    let tours = shipped_names().filter(|scene| scene.kind() == forage::scene::TOUR).cloned();
     std::iter::once(shipped("ant-bat-30").unwrap()).chain(tours).collect()
 }
 

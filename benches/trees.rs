@@ -14,7 +14,7 @@ use std::{
 
 use forage::{
     Given, Scene, Value,
-    arm::{self, Posture},
+    arm::{self, ArmScene, Posture},
     catalogue::find,
     describe::Entry,
     geometry::length_in_space,
@@ -152,7 +152,7 @@ fn kinematics(time: Duration) {
     println!("\n{:14} {:>16} {:>16} {:>20} {:>12}", "arm of", "skeletons/s", "tip poses/s", "inverse, all/s", "solutions");
     for name in ["arm-cuboid", "arm-puma"] {
         let scene = shipped(name).unwrap();
-        let arm = &scene.arm().unwrap().arm;
+        let arm = &scene.get::<ArmScene>().unwrap().arm;
         let mut rng = Stream::new(1, 0);
         let postures: Vec<Posture> = (0..1000).map(|_| arm.joints.map(|joint| rng.between(joint.min, joint.max).to_radians())).collect();
         let poses: Vec<_> = postures.iter().map(|posture| arm.forward(posture)[6]).collect();

@@ -5,7 +5,10 @@
 
 use std::{path::Path, process::ExitCode};
 
-use forage::scene::formats::{NamedFile, import};
+use forage::scene::{
+    TourScene,
+    formats::{NamedFile, import},
+};
 
 /// Names of instances, and the lengths of their optimal tours.
 const OPTIMA: [(&str, f64); 17] = [
@@ -50,7 +53,7 @@ fn main() -> ExitCode {
     };
     let canonical = |name: &str| {
         let read = read(&[format!("{name}.tsp")])?;
-        Ok(read.scene.tour().ok().map(|tour| tour.distances().length(&(0..tour.len()).collect::<Vec<_>>(), true)))
+        Ok(read.scene.get::<TourScene>().ok().map(|tour| tour.distances().length(&(0..tour.len()).collect::<Vec<_>>(), true)))
     };
     let mut fine = true;
     let all = OPTIMA.map(|row| (row, true)).into_iter().chain(CANONICAL.map(|row| (row, false)));

@@ -8,7 +8,7 @@ use crate::{
     geometry::{self, shortcut},
     kernel::{Readings, State},
     params::Parameter,
-    scene::Scene,
+    scene::GridScene,
 };
 
 /// A path from start to goal.
@@ -28,15 +28,15 @@ impl Way {
     }
 
     /// Without the nodes whose neighbours see each other, [ANTBAT] §3.1.
-    pub fn smooth(&self, scene: &Scene) -> &[[f64; 2]] {
-        self.smooth.get_or_init(|| shortcut(&self.path, |a, b| scene.is_free(a, b)))
+    pub fn smooth(&self, grid: &GridScene) -> &[[f64; 2]] {
+        self.smooth.get_or_init(|| shortcut(&self.path, |a, b| grid.field().is_free(a, b)))
     }
 }
 
 /// Tells [`LENGTH`] to [`SMOOTH_TURNING`]; of no way, that they are no numbers.
-pub fn read(way: Option<&Way>, scene: &Scene, out: &mut Readings) {
+pub fn read(way: Option<&Way>, grid: &GridScene, out: &mut Readings) {
     let measured = |path: &[[f64; 2]]| [geometry::length(path), geometry::turns(path) as f64, geometry::turning(path)];
-    let [before, after] = way.map_or([[f64::NAN; 3]; 2], |way| [measured(&way.path), measured(way.smooth(scene))]);
+    let [before, after] = way.map_or([[f64::NAN; 3]; 2], |way| [measured(&way.path), measured(way.smooth(grid))]);
     let readings = [LENGTH, TURNS, TURNING, SMOOTH_LENGTH, SMOOTH_TURNS, SMOOTH_TURNING];
     readings.iter().zip(before.into_iter().chain(after)).for_each(|(reading, value)| out.push(reading.name, value));
 }
@@ -83,16 +83,17 @@ mod tests {
     #[test]
     fn a_way_is_measured_before_and_after() {
         let scene = crate::shipped("ant-bat-30").unwrap();
+        let grid = scene.get::<GridScene>().unwrap();
         let way = Way::new(vec![[10.5, 28.5], [11.5, 28.5], [12.5, 29.5], [13.5, 29.5]]);
         let mut out = Readings::default();
-        read(Some(&way), &scene, &mut out);
+        read(Some(&way), grid, &mut out);
         let quarter = std::f64::consts::FRAC_PI_4;
         let expected = [2.0 + 2.0_f64.sqrt(), 2.0, 2.0 * quarter, 10.0_f64.sqrt(), 0.0, 0.0];
         for ((_, value), expected) in out.iter().zip(expected) {
             assert!((value - expected).abs() < 1e-15, "{value} {expected}");
         }
         out.clear();
-        read(None, &scene, &mut out);
+        read(None, grid, &mut out);
         assert!(out.iter().len() == 6 && out.iter().all(|(_, value)| value.is_nan()));
     }
 }

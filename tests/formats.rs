@@ -8,6 +8,7 @@ use forage::{
     Error, Given, Scene, Value,
     kernel::{Round, Yardstick},
     scene::{
+        GridScene, TourScene,
         formats::{Format, NamedFile, export, import, wanted},
         generate::{GENERATORS, generate},
     },
@@ -25,7 +26,7 @@ fn every_generator_gives_the_stored_grid() {
     assert_eq!(GENERATED.len(), GENERATORS.len());
     for (i, expected) in GENERATED.iter().enumerate() {
         let scene = small(i, 31, 22, 7);
-        assert_eq!(digest(&scene.grid().unwrap().lines().join("\n")), *expected, "{}", scene.name());
+        assert_eq!(digest(&scene.get::<GridScene>().unwrap().lines().join("\n")), *expected, "{}", scene.name());
     }
 }
 
@@ -97,7 +98,7 @@ proptest! {
             let files = export(&scene, format, "a map").unwrap().files;
             prop_assert!(wanted(&files).unwrap().is_none());
             let read = import(&files, None).unwrap();
-            let (was, is) = (scene.grid().unwrap(), read.scene.grid().unwrap());
+            let (was, is) = (scene.get::<GridScene>().unwrap(), read.scene.get::<GridScene>().unwrap());
             prop_assert_eq!(was.lines(), is.lines());
             prop_assert!(format == Format::Ros || was == is);
             if format == Format::MovingAi {
@@ -113,7 +114,7 @@ proptest! {
     #[test]
     fn stops_that_are_written_are_read_back(n in 2_usize..20, metric in 0..7_usize, seed in 0_u64..1 << 40) {
         let scene = stops(n, metric, seed);
-        let was = scene.tour().unwrap();
+        let was = scene.get::<TourScene>().unwrap();
         for format in OF_TOURS {
             if metric == 6 && format == Format::Csv {
                 let error = export(&scene, format, "a").unwrap_err();
@@ -122,7 +123,7 @@ proptest! {
             }
             let files = export(&scene, format, "a").unwrap().files;
             let read = import(&files, None).unwrap();
-            let is = read.scene.tour().unwrap();
+            let is = read.scene.get::<TourScene>().unwrap();
             prop_assert_eq!(&was.points, &is.points);
             if format != Format::Csv {
                 // Rounded where it was not.

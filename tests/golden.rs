@@ -54,7 +54,7 @@ fn specs() -> Vec<Spec> {
             // A planner of planners carries out hundreds of runs a step: short ones will do.
             let mut set = if entry.family == "tuning" { r#""population": 4, "seeds": 2, "colony_iterations": 3"# } else { "" };
             // Ants would build sixty-six roads a run; one run below has them do so.
-            if entry.stops && scene.kind() == forage::kernel::Kind::Grid {
+            if entry.stops && scene.kind() == forage::scene::GRID {
                 set = r#""roads": "a-star""#;
             }
             // Few will do where each tour of hundreds of stops is improved by local search.

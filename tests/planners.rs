@@ -11,10 +11,12 @@ use std::{collections::BTreeSet, process::ExitCode, sync::Arc};
 
 use forage::{
     Frame, Given, Scene, Session, Setup, Status, Value,
+    arm::ArmScene,
     catalogue::PLANNERS,
     describe::{Entry, Formula, Group, Scope},
-    kernel::{Item, Kind, Role, Shape},
+    kernel::{Item, Role, Shape},
     params::{Domain, Parameter, When},
+    scene::{DiscsScene, GRID, GridScene, TourScene},
     shipped_names,
 };
 use libtest_mimic::Arguments;
@@ -50,7 +52,7 @@ fn sized(entry: &Entry, scene: &Scene, size: f64, iterations: f64) -> Given {
         }
     }
     // Ants would build sixty-six roads a run.
-    if entry.stops && scene.kind() == Kind::Grid {
+    if entry.stops && scene.kind() == GRID {
         given.insert("roads", Value::from("a-star"));
     }
     given
@@ -108,7 +110,7 @@ fn a_run_only_gets_better_and_its_verdict_is_true(entry: &'static Entry) {
         let ends = match &outcome.order {
             Some(order) => {
                 let stops = scene.stops();
-                let closed = !matches!(scene.body(), forage::scene::Body::Tour(tour) if !tour.closed);
+                let closed = !scene.get::<TourScene>().is_ok_and(|tour| !tour.closed);
                 Some((stops[order[0]], stops[if closed { order[0] } else { order[order.len() - 1] }]))
             }
             None => scene.ends(),
@@ -123,7 +125,7 @@ fn a_run_only_gets_better_and_its_verdict_is_true(entry: &'static Entry) {
                 prop_assert!(outcome.gap.unwrap() > -1e-9, "shorter than the exact optimum: {:?}", outcome.gap);
             }
         }
-        if let (Some(tip), Ok(arm)) = (&outcome.tip_path, scene.arm()) {
+        if let (Some(tip), Ok(arm)) = (&outcome.tip_path, scene.get::<ArmScene>()) {
             let apart = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum::<f64>().sqrt();
             prop_assert!(apart(tip[0], arm.start) < 1e-6 && apart(tip[tip.len() - 1], arm.goal) < 1e-6);
             let inside = |p: [f64; 3]| arm.cuboids.iter().any(|c| (0..3).all(|i| c.min[i] < p[i] && p[i] < c.max[i]));
@@ -242,22 +244,18 @@ fn samples(path: &[[f64; 2]]) -> impl Iterator<Item = [f64; 2]> {
 /// A point's distance from the nearest obstacle (robot included), computed without the crate's geometry: disc by disc,
 /// cell by cell. Inside a cell it is only said to be inside.
 fn clearance(scene: &Scene, p: [f64; 2]) -> f64 {
-    match scene.body() {
-        forage::scene::Body::Function(_) | forage::scene::Body::Tour(_) | forage::scene::Body::Arm(_) => f64::INFINITY,
-        forage::scene::Body::Discs(discs) => {
-            discs.discs.iter().map(|d| apart(p[0] - d.center[0], p[1] - d.center[1]) - d.radius).fold(f64::INFINITY, f64::min)
-        }
-        forage::scene::Body::Grid(grid) => {
-            let (cell, radius) = (grid.cell, grid.radius());
-            let outside = (0..2).any(|axis| p[axis] < 0.0 || p[axis] > grid.bounds().max[axis]);
-            let blocked = (0..grid.blocked.len()).filter(|&i| grid.blocked[i]).map(|i| [i % grid.columns, i / grid.columns]);
-            let from = |[column, row]: [usize; 2]| {
-                let beyond = |x: f64, low: usize| (low as f64 * cell - x).max(x - (low + 1) as f64 * cell).max(0.0);
-                apart(beyond(p[0], column), beyond(p[1], row)) - radius
-            };
-            if outside { f64::NEG_INFINITY } else { blocked.map(from).fold(f64::INFINITY, f64::min) }
-        }
+    if let Ok(discs) = scene.get::<DiscsScene>() {
+        return discs.discs.iter().map(|d| apart(p[0] - d.center[0], p[1] - d.center[1]) - d.radius).fold(f64::INFINITY, f64::min);
     }
+    let Ok(grid) = scene.get::<GridScene>() else { return f64::INFINITY };
+    let (cell, radius) = (grid.cell, grid.radius());
+    let outside = (0..2).any(|axis| p[axis] < 0.0 || p[axis] > grid.bounds().max[axis]);
+    let blocked = (0..grid.blocked.len()).filter(|&i| grid.blocked[i]).map(|i| [i % grid.columns, i / grid.columns]);
+    let from = |[column, row]: [usize; 2]| {
+        let beyond = |x: f64, low: usize| (low as f64 * cell - x).max(x - (low + 1) as f64 * cell).max(0.0);
+        apart(beyond(p[0], column), beyond(p[1], row)) - radius
+    };
+    if outside { f64::NEG_INFINITY } else { blocked.map(from).fold(f64::INFINITY, f64::min) }
 }
 
 fn apart(dx: f64, dy: f64) -> f64 {
@@ -418,7 +416,7 @@ fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
             picked.extend(check_inspections(entry, &mut session));
         }
         let kind = scene.kind();
-        let still = scene.grid().is_ok_and(|grid| grid.moving.is_empty());
+        let still = scene.get::<GridScene>().is_ok_and(|grid| grid.moving.is_empty());
         for layer in entry.layers.iter().filter(|layer| layer.pickable && (layer.kinds.is_empty() || layer.kinds.contains(&kind))) {
             let there = picked.contains(&layer.role) || (layer.role == Role::Moving && still);
             assert!(there, "{} on {} draws no {} that could be picked", entry.name, scene.name(), layer.role.name());

@@ -2,23 +2,26 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use forage::{
-    Given, Scene, Session, Setup, catalogue,
-    kernel::{Kind, Round, Solution, Yardstick},
+    Given, Scene, Session, Setup,
+    arm::ArmScene,
+    catalogue,
+    kernel::{Round, Solution, Yardstick},
+    scene::{ARM, FUNCTION, GRID, TOUR},
     shipped, shipped_names,
 };
 
 #[test]
 fn the_exact_optimum_agrees_with_the_one_stored_in_the_scene() {
     let mut compared = 0;
-    for scene in shipped_names().filter(|scene| scene.kind() != Kind::Function) {
+    for scene in shipped_names().filter(|scene| scene.kind() != FUNCTION) {
         let Some(stored) = scene.header().exact.as_ref().and_then(|exact| exact["length"].as_f64()) else { continue };
         let exact = match scene.kind() {
-            Kind::Tour => scene.exact_tour(forage::kernel::Yardstick::default(), forage::kernel::Round::Closed),
+            TOUR => scene.exact_tour(forage::kernel::Yardstick::default(), forage::kernel::Round::Closed),
             _ => scene.exact(),
         };
         let exact = exact.unwrap();
         assert!((exact.length - stored).abs() < 1e-9, "{}: {} computed, {stored} stored", scene.name(), exact.length);
-        if scene.kind() == Kind::Grid {
+        if scene.kind() == GRID {
             let verdict = scene.judge(&Solution::Path(exact.path.clone()));
             assert!(verdict.feasible && verdict.length.unwrap() < exact.length * 1.0002, "{}: {verdict:?}", scene.name());
         }
@@ -33,10 +36,10 @@ fn the_exact_optimum_agrees_with_the_one_stored_in_the_scene() {
 #[test]
 fn an_arm_s_stored_optimum_is_the_computed_one() {
     let mut compared = 0;
-    let with = |scene: &&std::sync::Arc<forage::Scene>| scene.kind() == Kind::Arm && scene.header().exact.is_some();
+    let with = |scene: &&std::sync::Arc<forage::Scene>| scene.kind() == ARM && scene.header().exact.is_some();
     for scene in shipped_names().filter(with) {
         let stored = |name: &str| scene.header().exact.as_ref().and_then(|exact| exact[name].as_f64()).unwrap();
-        let arm = scene.arm().unwrap();
+        let arm = scene.get::<ArmScene>().unwrap();
         let exact = scene.exact().unwrap();
         assert!((exact.length - stored("tip_length")).abs() < 1e-9, "{}: {}", scene.name(), exact.length);
         assert_eq!(forage::geometry::length_in_space(&[arm.start, arm.goal]), stored("straight"), "{}", scene.name());
@@ -70,7 +73,7 @@ fn an_arm_among_too_many_cuboids_has_the_optimum_of_its_file() {
 #[test]
 fn a_grid_s_optimum_for_a_point_agrees_with_the_one_stored() {
     let mut compared = 0;
-    for scene in shipped_names().filter(|scene| scene.kind() == Kind::Grid) {
+    for scene in shipped_names().filter(|scene| scene.kind() == GRID) {
         let Some(stored) = scene.header().exact.as_ref().and_then(|exact| exact["point_robot_length"].as_f64()) else { continue };
         let mut value: serde_json::Value = serde_json::from_str(&scene.to_json()).unwrap();
         value.as_object_mut().unwrap().remove("robot");

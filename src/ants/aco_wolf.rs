@@ -146,13 +146,13 @@ pub(super) fn traits(settings: &Settings) -> Traits {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Given, Value, kernel::Kind};
+    use crate::{Given, Value, scene::GRID};
 
     #[test]
     fn heuristic_and_update_are_switched_apart() {
         let of = |given: &[(&str, &str)]| {
             let given: Given = given.iter().map(|&(name, value)| (name, Value::from(value))).collect();
-            let Traits { heuristic, update, .. } = traits(&Settings::new(ENTRY.parameters, Kind::Grid, &given).unwrap());
+            let Traits { heuristic, update, .. } = traits(&Settings::new(ENTRY.parameters, GRID, &given).unwrap());
             (matches!(heuristic, Heuristic::Ranked { epsilon } if epsilon == 2.0), matches!(update, Update::Wolf))
         };
         assert_eq!(of(&[]), (true, true));

@@ -10,7 +10,7 @@ use crate::{
     geometry::{self, Cells, Course, angle},
     kernel::Error,
     math,
-    scene::Scene,
+    scene::{GridScene, Scene},
 };
 
 /// Directions of a step; `NOWHERE` stands for the direction from which an ant comes that has not moved yet.
@@ -52,7 +52,7 @@ impl Direction {
 pub(super) struct Ground {
     pub cells: Arc<Cells>,
     pub course: Course,
-    pub scene: Arc<Scene>,
+    pub grid: Arc<GridScene>,
     /// What a turn from one direction to another leaves of a step's attraction: ψ^γ as far as θ1 goes.
     pub turn: [[f64; 8]; 9],
     pub heuristic: Heuristic,
@@ -65,11 +65,10 @@ pub(super) struct Ground {
 
 impl Ground {
     pub fn new(scene: &Arc<Scene>, heuristic: Heuristic, beta: f64, gamma: f64, direction: Direction) -> Result<Self, Error> {
-        let grid = scene.grid()?;
+        let grid = scene.share::<GridScene>()?;
         let cells = Arc::clone(grid.cells());
         let course = grid.course()?;
         let mut ground = Self {
-            scene: Arc::clone(scene),
             turn: [[1.0; 8]; 9],
             heuristic,
             beta: Power::new(beta),
@@ -78,6 +77,7 @@ impl Ground {
             reachable: exact::is_reachable(&cells, course.start, course.goal),
             cells,
             course,
+            grid,
         };
         if gamma != 0.0 {
             for from in 0..8 {

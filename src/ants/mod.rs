@@ -307,14 +307,14 @@ impl Planner for Colony {
 
     fn best(&self) -> Option<Best> {
         let best = self.best.as_ref()?;
-        let path = if self.smooth { best.way.smooth(&self.ground.scene) } else { &best.way.path };
+        let path = if self.smooth { best.way.smooth(&self.ground.grid) } else { &best.way.path };
         Some(Best { cost: best.length, solution: Solution::Path(path.to_vec()) })
     }
 
     fn read(&self, out: &mut Readings) {
         out.push("best", self.best.as_ref().map_or(f64::NAN, |best| best.length));
         out.push("mean", self.mean());
-        way::read(self.best.as_ref().map(|best| &best.way), &self.ground.scene, out);
+        way::read(self.best.as_ref().map(|best| &best.way), &self.ground.grid, out);
         out.push("converged", if self.best.is_some() { self.converged as f64 } else { f64::NAN });
         out.push("settled", self.settled.iteration());
         out.push("arrived", self.count(End::Arrived) as f64);
@@ -333,7 +333,7 @@ impl Planner for Colony {
         if let Some(best) = &self.best {
             draw::line(frame, Role::Best, &best.way.path);
             if self.smooth {
-                draw::line(frame, Role::Smoothed, best.way.smooth(&self.ground.scene));
+                draw::line(frame, Role::Smoothed, best.way.smooth(&self.ground.grid));
             }
         }
     }

@@ -2,14 +2,15 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Reading, Scope},
-    kernel::{Kind, Role},
+    kernel::{Role, SceneKindId},
     params::{Choice, Parameter, When},
+    scene::GRID,
     settled::SETTLED,
     way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 /// The kinds of scene that a colony runs on.
-pub(super) const KINDS: &[Kind] = &[Kind::Grid];
+pub(super) const KINDS: &[SceneKindId] = &[GRID];
 
 pub(super) const ITERATIONS: Parameter =
     Parameter::integer("iterations", "t_{\\max}", "Iterations", [1, 1_000_000, 100], "After how many iterations it stops. Published: 100.")

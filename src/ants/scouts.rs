@@ -44,7 +44,7 @@ impl Colony {
         }
         let ends = [from, to].map(|cell| cells.centre(cell));
         let course = Course { start: from, goal: to, ends, stubs: 0.0 };
-        let ground = Ground { course, cells, scene: Arc::clone(&self.ground.scene), ..*self.ground };
+        let ground = Ground { course, cells, grid: Arc::clone(&self.ground.grid), ..*self.ground };
         let pheromone = self.pheromone.seen_from(&ground);
         let (walks, best) = (Walks::default(), None);
         let mut colony =

@@ -6,14 +6,14 @@ use super::*;
 use crate::{
     Given, Session, Setup, Status, Value,
     kernel::Digest,
-    scene::{Body, GridScene, Header, generate::generate},
+    scene::{GridScene, Header, generate::generate, grid},
 };
 
 fn scene(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {
     let blocked = rows.iter().flat_map(|row| row.chars().map(|c| c == '#')).collect();
     let grid = GridScene { start: Some(start), goal: Some(goal), ..GridScene::new(1.0, rows[0].len(), blocked) };
     let header = Header { name: "test".into(), title: "Test".into(), note: None, source: None, units: None, exact: None, published: None };
-    Arc::new(Scene::new(header, Body::Grid(grid)).unwrap())
+    Arc::new(grid::KIND.scene(header, grid).unwrap())
 }
 
 const PLAIN: Traits = Traits::TRADITIONAL;
@@ -182,7 +182,7 @@ fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
             GridScene { start: centre(start), goal: centre(goal), corner_cutting: round % 3 == 0, ..GridScene::new(0.5, columns, blocked) };
         let header =
             Header { name: "test".into(), title: "Test".into(), note: None, source: None, units: None, exact: None, published: None };
-        let scene = Arc::new(Scene::new(header, Body::Grid(grid)).unwrap());
+        let scene = Arc::new(grid::KIND.scene(header, grid).unwrap());
         let exact = scene.exact_by(Yardstick::Cells).map(|exact| exact.length);
         for planner in ["aco", "aco-direction", "aco-dijkstra", "aco-wolf"] {
             let mut session = run(&scene, planner, &[("iterations", "12"), ("tau_min", "0.01"), ("tau_max", "1000")], round);
@@ -199,7 +199,7 @@ fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
                 continue;
             };
             found += 1;
-            let (path, cells) = (outcome.path.unwrap(), scene.grid().unwrap().cells());
+            let (path, cells) = (outcome.path.unwrap(), scene.get::<GridScene>().unwrap().cells());
             let way: Vec<_> = path.iter().map(|&point| cells.at(point)).collect();
             for w in way.windows(2) {
                 assert!((0..8).any(|d| cells.moves(w[0]) >> d & 1 == 1 && cells.next(w[0], d) == w[1]), "{planner}: {w:?}");

@@ -81,7 +81,10 @@ fn check_joint(joint: &Joint) -> Result<(), Error> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{arm::Arm, shipped};
+    use crate::{
+        arm::{Arm, ArmScene},
+        shipped,
+    };
 
     /// The field that is refused, and how it came to be wrong.
     type Case = (&'static str, fn(&mut Arm));
@@ -89,7 +92,7 @@ mod tests {
     #[test]
     fn what_is_no_such_arm_is_refused_by_name() {
         let scene = shipped("arm-free").unwrap();
-        let arm = &scene.arm().unwrap().arm;
+        let arm = &scene.get::<ArmScene>().unwrap().arm;
         assert_eq!(arm.check(), Ok(()));
         let cases: &[Case] = &[
             ("joints[0].alpha", |arm| arm.joints[0].alpha = 90.0),

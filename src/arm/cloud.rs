@@ -21,7 +21,7 @@ pub struct Reachability {
 ///
 /// ```
 /// let scene = forage::shipped("arm-cuboid")?;
-/// let cloud = forage::arm::reachability(scene.arm()?, 0.25)?;
+/// let cloud = forage::arm::reachability(scene.get()?, 0.25)?;
 /// assert_eq!(cloud.points.len(), 4 * 7 * 6 * 3);
 /// assert!(cloud.points.chunks(4).any(|point| point[3] > 0.4));
 /// # Ok::<(), forage::Error>(())
@@ -82,7 +82,7 @@ mod tests {
     #[test]
     fn most_of_the_papers_workspace_is_reached_and_nothing_in_a_cuboid() {
         let scene = shipped("arm-cuboid").unwrap();
-        let arm = scene.arm().unwrap();
+        let arm = scene.get::<ArmScene>().unwrap();
         let cloud = reachability(arm, 0.1).unwrap();
         assert_eq!(cloud.points.len(), 4 * 16 * 14 * 8);
         let (mut reached, mut most) = (0, 0.0_f32);
@@ -101,10 +101,10 @@ mod tests {
     fn a_step_that_makes_too_many_points_is_refused_by_name() {
         let scene = shipped("arm-free").unwrap();
         for step in [0.01, 0.0, -1.0, f64::NAN, f64::INFINITY, 1e-300] {
-            let error = reachability(scene.arm().unwrap(), step).unwrap_err();
+            let error = reachability(scene.get::<ArmScene>().unwrap(), step).unwrap_err();
             assert_eq!(error.field(), "step", "{step}");
         }
         // Wider than the workspace: its middle.
-        assert_eq!(reachability(scene.arm().unwrap(), 10.0).unwrap().points.len(), 4);
+        assert_eq!(reachability(scene.get::<ArmScene>().unwrap(), 10.0).unwrap().points.len(), 4);
     }
 }

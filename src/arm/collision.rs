@@ -312,7 +312,7 @@ mod tests {
 
     fn scene(cuboids: &[Cuboid]) -> ArmScene {
         let shipped = shipped("arm-free").unwrap();
-        let mut scene = shipped.arm().unwrap().clone();
+        let mut scene = shipped.get::<ArmScene>().unwrap().clone();
         scene.cuboids = cuboids.to_vec();
         scene
     }

@@ -70,8 +70,10 @@ impl Arm {
     /// The frame of each joint, and at last that of the tip, in the world: [ARM-RRT] (1).
     ///
     /// ```
+    /// use forage::arm::ArmScene;
+    ///
     /// let scene = forage::shipped("arm-free")?;
-    /// let arm = &scene.arm()?.arm;
+    /// let arm = &scene.get::<ArmScene>()?.arm;
     /// let tip = arm.forward(&arm.home())[6];
     /// // [595, 0, 480] mm from the base, as the paper says, with the tool pointing forward.
     /// let expected = nalgebra::Vector3::new(0.30 + 0.595, 0.65, 0.40 + 0.480);

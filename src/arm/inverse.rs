@@ -46,8 +46,10 @@ impl Arm {
     /// difference; where the wrist lies on joint 1's or 2's axis, that joint stays. `near` is taken into the limits first.
     ///
     /// ```
+    /// use forage::arm::ArmScene;
+    ///
     /// let scene = forage::shipped("arm-free")?;
-    /// let arm = &scene.arm()?.arm;
+    /// let arm = &scene.get::<ArmScene>()?.arm;
     /// let home = arm.home();
     /// let [.., tip] = arm.forward(&home);
     /// let solutions = arm.inverse(&tip, &home)?;
@@ -76,8 +78,10 @@ impl Arm {
     /// posture is taken.
     ///
     /// ```
+    /// use forage::arm::ArmScene;
+    ///
     /// let scene = forage::shipped("arm-cuboid")?;
-    /// let (arm, start) = (&scene.arm()?.arm, scene.arm()?.start);
+    /// let (arm, start) = (&scene.get::<ArmScene>()?.arm, scene.get::<ArmScene>()?.start);
     /// let down = -nalgebra::Vector3::z_axis();
     /// let solutions = arm.reaching(start, &down, &arm.home())?;
     /// let [.., tip] = arm.skeleton(&solutions[0]);

@@ -4,14 +4,14 @@ use std::f64::consts::PI;
 
 use nalgebra::{Isometry3, Unit, UnitQuaternion, Vector3};
 
-use crate::{kernel::rng::Stream, shipped};
+use crate::{arm::ArmScene, kernel::rng::Stream, shipped};
 
 use super::*;
 
 type Matrix = [[f64; 4]; 4];
 
 fn arm_of(scene: &str) -> Arm {
-    shipped(scene).unwrap().arm().unwrap().arm.clone()
+    shipped(scene).unwrap().get::<ArmScene>().unwrap().arm.clone()
 }
 
 fn paper() -> Arm {
@@ -361,7 +361,7 @@ fn nothing_panics_on_numbers_that_are_none() {
 fn start_and_goal_of_every_arms_scene_are_reached_with_the_straight_line_between_them() {
     for name in ["arm-cuboid", "arm-free", "arm-puma"] {
         let scene = shipped(name).unwrap();
-        let scene = scene.arm().unwrap();
+        let scene = scene.get::<ArmScene>().unwrap();
         for i in 0..=20 {
             let t = f64::from(i) / 20.0;
             let point = [0, 1, 2].map(|axis| scene.start[axis] + t * (scene.goal[axis] - scene.start[axis]));

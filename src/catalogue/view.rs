@@ -6,10 +6,10 @@ use crate::{
     ants, arm,
     describe::{Entry, Follower},
     drive, dynamic,
-    kernel::{Kind, Role, Shape},
+    kernel::{Role, SceneKindId, Shape},
     params::{Domain, Parameter, Value, as_object},
     scene::{
-        Scene,
+        ARM, FUNCTION, GRID, Scene, TOUR,
         generate::{GENERATORS, Generator, OTHERS},
         shipped_names,
     },
@@ -61,8 +61,8 @@ pub fn catalogue() -> Catalogue {
         planners: PLANNERS.iter().map(EntryView).collect(),
         scenes: shipped_names().map(|scene| &**scene).collect(),
         generators: GENERATORS.iter().chain(OTHERS).map(GeneratorView).collect(),
-        drive: DriveView(&drive::ENTRY, Kind::Grid),
-        motion: DriveView(&arm::MOTION, Kind::Arm),
+        drive: DriveView(&drive::ENTRY, GRID),
+        motion: DriveView(&arm::MOTION, ARM),
         roles: Role::ALL.map(Role::name).to_vec(),
         shapes: Shape::ALL.map(Shape::name),
         symbols,
@@ -109,7 +109,7 @@ impl Serialize for GeneratorView {
         out.serialize_field("name", self.0.name)?;
         out.serialize_field("title", self.0.title)?;
         out.serialize_field("help", self.0.help)?;
-        let kinds: &[Kind] = if self.0.kind() == Kind::Tour { &[Kind::Tour] } else { &[Kind::Grid] };
+        let kinds: &[SceneKindId] = if self.0.kind() == TOUR { &[TOUR] } else { &[GRID] };
         out.serialize_field("parameters", &views(self.0.parameters, kinds))?;
         out.end()
     }
@@ -117,14 +117,14 @@ impl Serialize for GeneratorView {
 
 /// How a robot, or an arm, follows a path.
 #[derive(Debug)]
-struct DriveView(&'static Follower, Kind);
+struct DriveView(&'static Follower, SceneKindId);
 
 impl Serialize for DriveView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut out = serializer.serialize_struct("DriveEntry", 5)?;
         out.serialize_field("source", self.0.source)?;
         out.serialize_field("summary", self.0.summary)?;
-        out.serialize_field("parameters", &views(self.0.parameters, if self.1 == Kind::Arm { &[Kind::Arm] } else { &[Kind::Grid] }))?;
+        out.serialize_field("parameters", &views(self.0.parameters, if self.1 == ARM { &[ARM] } else { &[GRID] }))?;
         out.serialize_field("columns", self.0.columns)?;
         out.serialize_field("formulas", self.0.formulas)?;
         out.end()
@@ -143,19 +143,19 @@ impl Serialize for Object<'_> {
 struct ParameterView {
     parameter: &'static Parameter,
     /// The kinds of scene that it could mean something on.
-    kinds: &'static [Kind],
+    kinds: &'static [SceneKindId],
 }
 
-fn views(parameters: &'static [Parameter], kinds: &'static [Kind]) -> Vec<ParameterView> {
+fn views(parameters: &'static [Parameter], kinds: &'static [SceneKindId]) -> Vec<ParameterView> {
     parameters.iter().map(|parameter| ParameterView { parameter, kinds }).collect()
 }
 
 impl Serialize for ParameterView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let p = self.parameter;
-        let kinds: Vec<Kind> = self.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
+        let kinds: Vec<SceneKindId> = self.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
         let defaults: Vec<_> = p.defaults.iter().map(|&(kind, value)| (kind.name(), value.into())).collect();
-        let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(Kind::Function));
+        let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(FUNCTION));
         let mut out = serializer.serialize_struct("Parameter", 15)?;
         out.serialize_field("name", p.name)?;
         out.serialize_field("symbol", p.symbol)?;

@@ -5,9 +5,8 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::{
-    kernel::{Error, Kind, Started},
+    kernel::{Error, Scene, SceneKindId, Started, Stops},
     params::{Given, Parameter, Settings},
-    scene::{Body, Scene},
 };
 
 use super::{EventKind, Formula, Layer, Member, Preset, Reading};
@@ -29,7 +28,7 @@ pub struct Entry {
     /// A sentence or two.
     pub summary: &'static str,
     /// The kinds of scene it runs on.
-    pub kinds: &'static [Kind],
+    pub kinds: &'static [SceneKindId],
     /// Whether it calls at a scene's stops instead of going from start to goal.
     pub stops: bool,
     /// The most stops that it can do with.
@@ -70,7 +69,7 @@ impl Entry {
     ///
     /// # Errors
     /// [`Error::Unsupported`] with the kinds it runs on.
-    pub fn check_kind(&self, kind: Kind) -> Result<(), Error> {
+    pub fn check_kind(&self, kind: SceneKindId) -> Result<(), Error> {
         if self.kinds.contains(&kind) {
             return Ok(());
         }
@@ -81,18 +80,19 @@ impl Entry {
     /// Refuses a scene that this planner does not run on.
     ///
     /// # Errors
-    /// As [`Entry::check_kind`]; [`Error::Refused`] for a grid without what the planner goes to, and for too many stops.
+    /// As [`Entry::check_kind`]; [`Error::Refused`] for a scene without what the planner goes to, and for too many stops.
     pub fn check_scene(&self, scene: &Scene) -> Result<(), Error> {
         self.check_kind(scene.kind())?;
-        match scene.body() {
-            Body::Grid(grid) if self.stops && grid.stops.len() < 2 => {
-                let found = if grid.stops.is_empty() { "nothing" } else { "a list of 1" };
-                Err(Error::refused("stops", found, "two stops at least: this planner calls at stops"))
+        if !self.stops {
+            return scene.plane().map_or(Ok(()), |plane| plane.ends().map(|_| ()));
+        }
+        let Stops { field, places } = scene.body().stops();
+        match places.len() {
+            n if n < 2 => {
+                let found = if n == 0 { "nothing" } else { "a list of 1" };
+                Err(Error::refused(field, found, "two stops at least: this planner calls at stops"))
             }
-            Body::Grid(grid) if !self.stops => grid.ends().map(|_| ()),
-            Body::Grid(grid) => self.check_most("stops", grid.stops.len()),
-            Body::Tour(tour) => self.check_most(if tour.matrix.is_some() { "matrix" } else { "points" }, tour.len()),
-            _ => Ok(()),
+            n => self.check_most(field, n),
         }
     }
 
@@ -100,7 +100,7 @@ impl Entry {
     ///
     /// # Errors
     /// [`Error::Unknown`] with the names that exist; [`Error::Refused`] for a planner without presets.
-    pub fn preset(&self, name: &str, kind: Kind) -> Result<Given, Error> {
+    pub fn preset(&self, name: &str, kind: SceneKindId) -> Result<Given, Error> {
         if self.presets.is_empty() {
             return Err(Error::refused("preset", name, format!("left out: {} has no presets", self.name)));
         }
@@ -120,7 +120,7 @@ impl Entry {
     }
 
     /// The parameters that mean something on this kind of scene.
-    pub fn parameters_on(&self, kind: Kind) -> impl Iterator<Item = &'static Parameter> {
+    pub fn parameters_on(&self, kind: SceneKindId) -> impl Iterator<Item = &'static Parameter> {
         self.parameters.iter().filter(move |p| p.applies_to(kind))
     }
 }

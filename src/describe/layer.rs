@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::{
-    kernel::{Kind, Role},
+    kernel::{Role, SceneKindId},
     params::When,
 };
 
@@ -25,7 +25,7 @@ pub struct Layer {
     pub when: Option<When>,
     /// The kinds of scene on which there is something to draw; empty: all that the planner runs on.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    pub kinds: &'static [Kind],
+    pub kinds: &'static [SceneKindId],
 }
 
 impl Layer {

@@ -10,6 +10,7 @@ mod layer;
 mod member;
 mod preset;
 mod reading;
+mod scene_kind;
 
 pub use entry::{Entry, Start, Suggestion};
 pub use event::{EventKind, Tone};
@@ -19,3 +20,4 @@ pub use layer::Layer;
 pub use member::Member;
 pub use preset::{Preset, ROAD};
 pub use reading::{Group, Reading};
+pub use scene_kind::{ReadScene, SceneKind};

@@ -22,10 +22,10 @@ use serde::Serialize;
 
 use crate::{
     geometry::{self, YAxis},
-    kernel::{Error, Kind},
+    kernel::Error,
     math,
     params::{Given, Settings, Value},
-    scene::{Body, GridScene, Robot, Scene},
+    scene::{GRID, GridScene, Robot, Scene},
 };
 
 pub use parameters::{COLUMNS, ENTRY, PARAMETERS};
@@ -93,7 +93,7 @@ pub struct Drive {
 /// # Errors
 /// As [`Settings::new`]: the field, its value and what is allowed.
 pub fn settings(robot: Option<Robot>, given: &Given) -> Result<Settings, Error> {
-    let usual = |name: &str| PARAMETERS.iter().find(|p| p.name == name).map_or(f64::NAN, |p| number(&p.default_on(Kind::Grid)));
+    let usual = |name: &str| PARAMETERS.iter().find(|p| p.name == name).map_or(f64::NAN, |p| number(&p.default_on(GRID)));
     let Robot { length, width, speed, .. } = robot.unwrap_or_default();
     let (long, wide) = (length.map_or(1.0, |length| length / 0.4), width.map_or(1.0, |width| width / 0.3));
     let asked = |name, otherwise: f64| given.get(name).map_or(otherwise, number);
@@ -113,7 +113,7 @@ pub fn settings(robot: Option<Robot>, given: &Given) -> Result<Settings, Error> 
             given.insert(name, Value::Number(value));
         }
     }
-    Settings::new(PARAMETERS, Kind::Grid, &given)
+    Settings::new(PARAMETERS, GRID, &given)
 }
 
 fn number(value: &Value) -> f64 {
@@ -122,10 +122,8 @@ fn number(value: &Value) -> f64 {
 
 /// The scene and the robot's length and width, if it is a grid with such a robot.
 pub fn robot(scene: &Scene) -> Option<(&GridScene, [f64; 2])> {
-    match scene.body() {
-        Body::Grid(grid) => Some((grid, grid.outline()?)),
-        _ => None,
-    }
+    let grid = scene.get::<GridScene>().ok()?;
+    Some((grid, grid.outline()?))
 }
 
 /// The drive along a path; `None` in a scene without a robot that has length and width, and without a path.

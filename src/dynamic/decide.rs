@@ -128,13 +128,13 @@ impl Journey {
         let (stretches, mut done) = (&mut self.stretches, plan.done);
         stretches.clear();
         pose.follow(&plan.steps, &mut done, body, [self.now, horizon], &mut |stretch| stretches.push(stretch));
-        self.view.conflict(stretches, distance, horizon, self.ground.grid(), body)
+        self.view.conflict(stretches, distance, horizon, &self.ground.grid, body)
     }
 
     /// Whether it may stand where it is as far as it looks ahead.
     fn stands(&self, distance: Distance) -> bool {
         let horizon = self.now + self.ground.body.look_ahead;
-        self.view.is_clear(&self.standing(horizon), distance, horizon, self.ground.grid(), &self.ground.body)
+        self.view.is_clear(&self.standing(horizon), distance, horizon, &self.ground.grid, &self.ground.body)
     }
 
     /// The cells that it can go to next: on to the middle ahead of it, or back.
@@ -185,7 +185,7 @@ impl Journey {
         let ground = Arc::clone(&self.ground);
         self.occupied.fill(false);
         for conflict in blockers {
-            self.view.occupy(conflict, ground.grid(), &ground.cells, &ground.body, &mut self.occupied);
+            self.view.occupy(conflict, &ground.grid, &ground.cells, &ground.body, &mut self.occupied);
         }
     }
 

@@ -7,7 +7,7 @@ use super::{Dynamic, journey::Journey, world::View};
 pub(super) fn draw(dynamic: &Dynamic, frame: &mut Frame) {
     dynamic.route.draw(dynamic.journey.is_some(), frame);
     let ground = &*dynamic.ground;
-    let (grid, body) = (ground.grid(), &ground.body);
+    let (grid, body) = (&ground.grid, &ground.body);
     let journey = dynamic.journey.as_ref();
     let (now, at) = journey.map_or((0.0, ground.course.ends[0]), |journey| (journey.now, journey.pose.at));
     // What it sees where it is now: the journey's own view is the one before the last period.

@@ -125,7 +125,7 @@ impl Search<'_> {
     }
 
     fn is_clear(&self, stretch: Stretch) -> bool {
-        self.view.is_clear(&stretch, self.distance, self.horizon, self.ground.grid(), &self.ground.body)
+        self.view.is_clear(&stretch, self.distance, self.horizon, &self.ground.grid, &self.ground.body)
     }
 
     fn wait(&mut self, number: usize, pause: f64) {

@@ -84,7 +84,7 @@ impl Journey {
     /// At the start of a way over cells.
     pub fn new(ground: &Arc<Ground>, way: &[usize]) -> Self {
         let at = ground.course.ends[0];
-        let n = ground.grid().moving.len();
+        let n = ground.grid.moving.len();
         let mut journey = Self {
             now: 0.0,
             pose: Pose { at, between: [ground.course.start; 2], heading: [0.0; 2], turn: None },
@@ -119,7 +119,7 @@ impl Journey {
             occupied: vec![false; ground.cells.len()],
             ground: Arc::clone(ground),
         };
-        journey.view.look(ground.grid(), &ground.body, at, 0.0);
+        journey.view.look(&ground.grid, &ground.body, at, 0.0);
         journey
     }
 
@@ -161,12 +161,12 @@ impl Journey {
     /// Looks around, and says what it sees for the first time.
     fn look(&mut self) {
         let ground = Arc::clone(&self.ground);
-        self.view.look(ground.grid(), &ground.body, self.pose.at, self.now);
+        self.view.look(&ground.grid, &ground.body, self.pose.at, self.now);
         for i in 0..self.view.threats.len() {
             let (number, distance) = (self.view.threats[i].number, self.view.threats[i].distance);
             if !std::mem::replace(&mut self.seen[number], true) {
                 let told = number + 1;
-                let rim = distance - ground.grid().moving[number].radius;
+                let rim = distance - ground.grid.moving[number].radius;
                 let said = format!("Obstacle {told} comes into the sensor’s reach, {} away.", self.length_of(rim.max(0.0)));
                 self.tell("seen", Some(number), said);
             }
@@ -232,7 +232,7 @@ impl Journey {
     /// begins, however long a period is.
     fn watch(&mut self, stretch: &Stretch) {
         let ground = Arc::clone(&self.ground);
-        let (grid, body) = (ground.grid(), &ground.body);
+        let (grid, body) = (&ground.grid, &ground.body);
         for (number, disc) in grid.moving.iter().enumerate() {
             let contact = disc.radius + body.radius;
             let reach = contact - CONTACT * grid.cell;

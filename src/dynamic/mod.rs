@@ -38,7 +38,7 @@ use crate::{
     },
     math::Length,
     params::Settings,
-    scene::{Body as SceneBody, GridScene, Motion, Scene},
+    scene::{GridScene, Motion, Scene},
 };
 
 use body::Body;
@@ -53,6 +53,7 @@ const BOUNCES: f64 = 100.0;
 /// What never changes during a drive.
 struct Ground {
     scene: Arc<Scene>,
+    grid: Arc<GridScene>,
     cells: Arc<Cells>,
     course: Course,
     body: Body,
@@ -64,10 +65,10 @@ struct Ground {
 
 impl Ground {
     fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
-        let grid = scene.grid()?;
-        let body = Body::new(grid, settings)?;
+        let grid = scene.share::<GridScene>()?;
+        let body = Body::new(&grid, settings)?;
         if body.border == Border::Bounce {
-            check_bounces(grid)?;
+            check_bounces(&grid)?;
         }
         Ok(Self {
             cells: Arc::clone(grid.cells()),
@@ -76,14 +77,8 @@ impl Ground {
             period: settings.number("period"),
             ahead: OnceLock::new(),
             scene: Arc::clone(scene),
+            grid,
         })
-    }
-
-    fn grid(&self) -> &GridScene {
-        match self.scene.body() {
-            SceneBody::Grid(grid) => grid,
-            _ => unreachable!("a drive starts on grids only"),
-        }
     }
 
     /// Seconds from a cell to the goal without turns, by Dijkstra's search from the goal; infinite where no way leads.

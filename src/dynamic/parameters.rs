@@ -2,12 +2,13 @@
 
 use crate::{
     describe::{EventKind, Formula, Group, Layer, Reading, Scope, Tone},
-    kernel::{Kind, Role},
+    kernel::{Role, SceneKindId},
     params::{Choice, Parameter},
+    scene::GRID,
 };
 
 /// The kinds of scene that a robot drives on.
-pub(super) const KINDS: &[Kind] = &[Kind::Grid];
+pub(super) const KINDS: &[SceneKindId] = &[GRID];
 
 /// For drives that do not plan step by step.
 pub(super) const ITERATIONS: Parameter = Parameter::integer(

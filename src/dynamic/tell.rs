@@ -65,7 +65,7 @@ fn told(item: Item, title: String, event: &'static str, summary: String) -> Insp
 /// When an obstacle and the robot come nearest if both go on as they go now.
 fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     let ground = &*dynamic.ground;
-    let (grid, body) = (ground.grid(), &ground.body);
+    let (grid, body) = (&ground.grid, &ground.body);
     let disc = grid.moving.get(item.index)?;
     let journey = dynamic.journey.as_ref();
     let now = journey.map_or(0.0, |journey| journey.now);

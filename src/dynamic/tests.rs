@@ -5,7 +5,7 @@ use crate::{
     catalogue::PLANNERS,
     kernel::{Border, Event, Solution, Track},
     params::Given,
-    scene::Body as SceneBody,
+    scene::GridScene,
     session::Outcome,
     shipped,
 };
@@ -68,7 +68,7 @@ fn check(outcome: &Outcome, scene: &Scene, name: &str) {
     } else {
         assert!(outcome.trouble.is_some() && outcome.path.is_none() && !outcome.feasible, "{name}");
     }
-    let moving = !scene.grid().unwrap().moving.is_empty();
+    let moving = !scene.get::<GridScene>().unwrap().moving.is_empty();
     assert_eq!(number("smallest_distance").is_finite(), moving && !outcome.events.is_empty());
 }
 
@@ -153,7 +153,7 @@ fn a_collision_that_cannot_be_avoided_is_told() {
         // It goes through the robot, and the robot arrives nevertheless: after a collision.
         assert!(event(&outcome, "arrived").reason.contains("after a collision"));
         let collision = event(&outcome, "collision");
-        let SceneBody::Grid(grid) = scene.body() else { unreachable!() };
+        let grid = scene.get::<GridScene>().unwrap();
         let [x, y] = grid.moving[0].at(collision.time, Border::Leave, grid.bounds());
         assert!((apart([x, y], collision.place) - 3.0).abs() < 1e-6, "told at the moment of contact");
     }
@@ -234,7 +234,7 @@ fn nothing_tunnels_at_any_speed() {
                 assert_eq!(collisions, all[0].0, "{speed}: {all:?}");
                 assert!((gap - all[0].1).abs() < 1e-6, "{speed}: {all:?}");
             }
-            let SceneBody::Grid(grid) = scene.body() else { unreachable!() };
+            let grid = scene.get::<GridScene>().unwrap();
             let disc = &grid.moving[0];
             let sampled =
                 (0..=110_000).map(|i| f64::from(i) * 1e-4).map(|t| apart(disc.at(t, border, grid.bounds()), [1.0 + 2.0 * t, 5.0]) - 1.6);

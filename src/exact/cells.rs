@@ -5,10 +5,9 @@ use std::{cmp::Reverse, collections::BinaryHeap};
 
 use crate::{
     geometry::{Cells, Course, Steps},
+    kernel::Exact,
     math::Length,
 };
-
-use super::Exact;
 
 /// The shortest way from start to goal from cell to neighbouring cell; `None` where there is none.
 pub fn shortest_over_cells(cells: &Cells, course: &Course) -> Option<Exact> {
@@ -69,16 +68,20 @@ pub fn is_reachable(cells: &Cells, start: usize, goal: usize) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Scene, kernel::Yardstick, scene::Body, shipped};
+    use crate::{
+        kernel::Yardstick,
+        scene::{GridScene, grid},
+        shipped,
+    };
 
     /// Against the optima that the scene files carry, which another program computed.
     #[test]
     fn it_finds_the_stored_optima_with_and_without_corner_cutting() {
         let length = |name: &str, cutting: bool| {
             let scene = shipped(name).unwrap();
-            let Body::Grid(mut grid) = scene.body().clone() else { panic!() };
+            let mut grid = scene.get::<GridScene>().unwrap().clone();
             grid.corner_cutting = cutting;
-            let scene = Scene::new(scene.header().clone(), Body::Grid(grid)).unwrap();
+            let scene = grid::KIND.scene(scene.header().clone(), grid).unwrap();
             let exact = scene.exact_by(Yardstick::Cells).unwrap();
             assert!((crate::geometry::length(&exact.path) - exact.length).abs() < 1e-9);
             exact.length

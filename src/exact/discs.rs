@@ -9,10 +9,9 @@ use std::{cmp::Reverse, collections::BinaryHeap, f64::consts::TAU};
 
 use crate::{
     geometry::{Disc, Vector, arc_outline, vector},
+    kernel::Exact,
     math::{self, Length},
 };
-
-use super::Exact;
 
 /// How deep, relative to the scene's size, a tangent may seem to cut a third disc before it counts as blocked:
 /// tangents that touch three discs are common in drawn scenes and must not be lost to rounding.

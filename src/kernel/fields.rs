@@ -1,59 +1,88 @@
 //! The fields of a scene's file, read one by one, so that every refusal names the field.
+//!
+//! A reader takes from [`Fields`] what it knows; what nobody asked for is refused. The functions here read and write the
+//! values in it.
 
 use serde_json::{Map, Value};
 
 use super::Error;
 
 /// What an object still holds while it is read field by field. What nobody asked for is refused at the end.
-pub(crate) struct Fields {
+#[derive(Debug)]
+pub struct Fields {
     /// Where the object stands, e.g. `discs[2]`; empty for the scene itself.
-    pub(crate) at: String,
+    at: String,
     /// The fields that nobody asked for yet.
-    pub(crate) left: Map<String, Value>,
+    left: Map<String, Value>,
     /// The names that were asked for: what is allowed here.
-    pub(crate) known: Vec<&'static str>,
+    known: Vec<&'static str>,
 }
 
 impl Fields {
-    /// The fields of a value that must be an object; `at` says where it stands.
-    pub(crate) fn of(at: &str, value: Value, allowed: &str) -> Result<Self, Error> {
+    /// The fields of a value that must be an object; `at` says where it is, e.g. `discs[2]`, `allowed` what it should be.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn of(at: &str, value: Value, allowed: &str) -> Result<Self, Error> {
         match value {
             Value::Object(left) => Ok(Self { at: at.to_owned(), left, known: Vec::new() }),
             other => Err(Error::refused(at, shown(&other), allowed)),
         }
     }
 
+    /// The fields of a whole scene: their paths are their names.
+    pub(super) fn of_scene(value: Value) -> Result<Self, Error> {
+        let fields = Self::of("scene", value, "an object with format, version, kind, name, title, …")?;
+        Ok(Self { at: String::new(), ..fields })
+    }
+
+    /// Whether there is such a field that nobody asked for yet.
+    pub fn has(&self, name: &str) -> bool {
+        self.left.contains_key(name)
+    }
+
+    /// Lists a field among those that are allowed here, without reading it.
+    pub fn allow(&mut self, name: &'static str) {
+        self.known.push(name);
+    }
+
     /// A field's path, e.g. `discs[2].radius`.
-    pub(crate) fn path(&self, name: &str) -> String {
+    pub fn path(&self, name: &str) -> String {
         if self.at.is_empty() { name.to_owned() } else { format!("{}.{name}", self.at) }
     }
 
     /// A field's value; null where there is none.
-    pub(crate) fn take(&mut self, name: &'static str) -> Value {
+    pub fn take(&mut self, name: &'static str) -> Value {
         self.known.push(name);
         self.left.remove(name).unwrap_or(Value::Null)
     }
 
     /// The refusal of a field.
-    pub(crate) fn refuse(&self, name: &str, found: &Value, allowed: &str) -> Error {
+    pub fn refuse(&self, name: &str, found: &Value, allowed: &str) -> Error {
         Error::refused(self.path(name), shown(found), allowed)
     }
 
     /// Refuses a field that does not fit.
-    pub(crate) fn expect(&mut self, name: &'static str, fits: impl Fn(&Value) -> bool, allowed: &str) -> Result<(), Error> {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] with `allowed`.
+    pub fn expect(&mut self, name: &'static str, fits: impl Fn(&Value) -> bool, allowed: &str) -> Result<(), Error> {
         let found = self.take(name);
         if fits(&found) { Ok(()) } else { Err(self.refuse(name, &found, allowed)) }
     }
 
-    /// Anything, as it stands in the file.
-    pub(crate) fn optional(&mut self, name: &'static str) -> Option<Value> {
+    /// Anything, as it is in the file.
+    pub fn optional(&mut self, name: &'static str) -> Option<Value> {
         let mut found = self.take(name);
         plus_zero(&mut found);
         Some(found).filter(|found| !found.is_null())
     }
 
     /// A text, if there is one.
-    pub(crate) fn optional_text(&mut self, name: &'static str) -> Result<Option<String>, Error> {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn optional_text(&mut self, name: &'static str) -> Result<Option<String>, Error> {
         match self.take(name) {
             Value::Null => Ok(None),
             Value::String(text) => Ok(Some(text)),
@@ -62,45 +91,58 @@ impl Fields {
     }
 
     /// A text.
-    pub(crate) fn text(&mut self, name: &'static str) -> Result<String, Error> {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn text(&mut self, name: &'static str) -> Result<String, Error> {
         self.optional_text(name)?.ok_or_else(|| self.refuse(name, &Value::Null, "a text"))
     }
 
     /// One of some names.
-    pub(crate) fn one_of<T: Copy, const N: usize>(
-        &mut self,
-        name: &'static str,
-        all: [T; N],
-        name_of: fn(T) -> &'static str,
-    ) -> Result<T, Error> {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] with the names that are allowed.
+    pub fn one_of<T: Copy, const N: usize>(&mut self, name: &'static str, all: [T; N], name_of: fn(T) -> &'static str) -> Result<T, Error> {
         let found = self.take(name);
         let known = all.into_iter().find(|&one| found == name_of(one));
         known.ok_or_else(|| self.refuse(name, &found, &format!("one of {}", all.map(name_of).join(", "))))
     }
 
     /// A number.
-    pub(crate) fn number(&mut self, name: &'static str) -> Result<f64, Error> {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn number(&mut self, name: &'static str) -> Result<f64, Error> {
         let found = self.take(name);
         number(self.path(name), &found)
     }
 
     /// A point in the plane.
-    pub(crate) fn point(&mut self, name: &'static str) -> Result<[f64; 2], Error> {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn point(&mut self, name: &'static str) -> Result<[f64; 2], Error> {
         let found = self.take(name);
         point_of(&self.path(name), &found)
     }
 
     /// A point in the plane, if there is one.
-    pub(crate) fn optional_point(&mut self, name: &'static str) -> Result<Option<[f64; 2]>, Error> {
-        if self.left.contains_key(name) {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn optional_point(&mut self, name: &'static str) -> Result<Option<[f64; 2]>, Error> {
+        if self.has(name) {
             return self.point(name).map(Some);
         }
-        self.known.push(name);
+        self.allow(name);
         Ok(None)
     }
 
     /// A list.
-    pub(crate) fn list(&mut self, name: &'static str) -> Result<Vec<Value>, Error> {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn list(&mut self, name: &'static str) -> Result<Vec<Value>, Error> {
         match self.take(name) {
             Value::Array(items) => Ok(items),
             other => Err(self.refuse(name, &other, "a list")),
@@ -108,7 +150,10 @@ impl Fields {
     }
 
     /// True or false.
-    pub(crate) fn flag(&mut self, name: &'static str, default: bool) -> Result<bool, Error> {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn flag(&mut self, name: &'static str, default: bool) -> Result<bool, Error> {
         match self.take(name) {
             Value::Null => Ok(default),
             Value::Bool(flag) => Ok(flag),
@@ -117,21 +162,33 @@ impl Fields {
     }
 
     /// Refuses what nobody asked for.
-    pub(crate) fn end(self) -> Result<(), Error> {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] with the names that are allowed.
+    pub fn end(self) -> Result<(), Error> {
         match self.left.keys().next() {
             Some(name) => Err(Error::refused(self.path(name), "this field", format!("left out, or one of {}", self.known.join(", ")))),
             None => Ok(()),
         }
     }
 
-    /// An empty list for a field that is not there.
-    pub(crate) fn absent(&mut self, name: &'static str) -> Vec<Value> {
-        self.known.push(name);
-        Vec::new()
+    /// A list; an empty one where there is no such field.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn optional_list(&mut self, name: &'static str) -> Result<Vec<Value>, Error> {
+        if self.has(name) {
+            return self.list(name);
+        }
+        self.allow(name);
+        Ok(Vec::new())
     }
 
     /// A point in space.
-    pub(crate) fn point_in_space(&mut self, name: &'static str) -> Result<[f64; 3], Error> {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn point_in_space(&mut self, name: &'static str) -> Result<[f64; 3], Error> {
         let found = self.take(name);
         let path = self.path(name);
         let Some([x, y, z]) = found.as_array().map(Vec::as_slice) else {
@@ -141,17 +198,23 @@ impl Fields {
     }
 
     /// A number, if there is one.
-    pub(crate) fn number_or(&mut self, name: &'static str, otherwise: f64) -> Result<f64, Error> {
-        if self.left.contains_key(name) {
-            return self.number(name);
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn optional_number(&mut self, name: &'static str) -> Result<Option<f64>, Error> {
+        if self.has(name) {
+            return self.number(name).map(Some);
         }
-        self.known.push(name);
-        Ok(otherwise)
+        self.allow(name);
+        Ok(None)
     }
 }
 
-/// A point, with the field it stands in.
-pub(crate) fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
+/// A point in the plane; `path` is the field that it is in.
+///
+/// # Errors
+/// [`Error::Refused`] for anything else.
+pub fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
     let Some([x, y]) = found.as_array().map(Vec::as_slice) else {
         return Err(Error::refused(path, shown(found), "a point, [x, y]"));
     };
@@ -159,7 +222,10 @@ pub(crate) fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
 }
 
 /// A number. −0 becomes 0: JavaScript's whole numbers lose the sign on their way in, and both must give the same bits.
-pub(crate) fn number(path: String, found: &Value) -> Result<f64, Error> {
+///
+/// # Errors
+/// [`Error::Refused`] for anything else.
+pub fn number(path: String, found: &Value) -> Result<f64, Error> {
     found.as_f64().map(|number| number + 0.0).ok_or_else(|| Error::refused(path, shown(found), "a finite number"))
 }
 
@@ -174,7 +240,7 @@ fn plus_zero(value: &mut Value) {
 }
 
 /// What a refusal says of a value.
-pub(crate) fn shown(value: &Value) -> String {
+pub fn shown(value: &Value) -> String {
     match value {
         Value::Null => "nothing".to_owned(),
         Value::Object(_) => "an object".to_owned(),
@@ -186,17 +252,18 @@ pub(crate) fn shown(value: &Value) -> String {
 }
 
 /// A point as it is written.
-pub(crate) fn point(point: [f64; 2]) -> Value {
+pub fn point(point: [f64; 2]) -> Value {
     Value::Array(point.map(Value::from).to_vec())
 }
 
 /// Points as they are written.
-pub(crate) fn points(points: &[[f64; 2]]) -> Value {
+pub fn points(points: &[[f64; 2]]) -> Value {
     Value::Array(points.iter().copied().map(point).collect())
 }
 
-/// One by one: collecting would bring in a sort for every number of fields.
-pub(crate) fn object(fields: &mut dyn Iterator<Item = (&'static str, Value)>) -> Value {
+/// An object as it is written.
+// One by one: collecting would bring in a sort for every number of fields.
+pub fn object(fields: &mut dyn Iterator<Item = (&'static str, Value)>) -> Value {
     let mut object = Map::new();
     for (name, value) in fields {
         object.insert(name.to_owned(), value);

@@ -1,16 +1,19 @@
-//! The contract of planners, and the data that it speaks of. Nothing here knows a planner or a kind of scene.
+//! The contract of planners and of scenes, and the data that it speaks of. Nothing here knows a planner or a kind of scene.
 
 pub mod error;
 mod event;
 mod facets;
-pub(crate) mod fields;
+pub mod fields;
 mod frame;
 mod inspection;
 pub mod json;
+mod optimum;
 mod planner;
 mod readings;
 pub mod rng;
 mod scene;
+mod scene_body;
+pub(crate) mod scene_file;
 mod solution;
 mod started;
 mod state;
@@ -20,11 +23,14 @@ mod subtask;
 pub use error::Error;
 pub use event::Event;
 pub use facets::{Explain, Facets, Failure, Members, Recommend, Timeline};
+pub use fields::Fields;
 pub use frame::{Frame, Role, Shape, Span, VERTEX};
 pub use inspection::{Column, Inspection, Item, Mark, Quantity};
+pub use optimum::Exact;
 pub use planner::{CloneBox, Planner, Progress};
 pub use readings::Readings;
-pub use scene::{Kind, Verdict};
+pub use scene::{Header, Optimum, Scene};
+pub use scene_body::{Backdrop, Plane, SceneBody, SceneKindId, Stops, Verdict};
 pub use solution::{Best, Border, Round, Solution, Track, Yardstick};
 pub use started::{Started, Stepper};
 pub use state::{Digest, State};

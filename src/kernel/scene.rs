@@ -1,46 +1,204 @@
-//! What a kind of scene is called, and how it judges a solution.
+//! A scene: what every one has in common, around a body of some kind.
 
-use serde::Serialize;
+use std::{
+    any::Any,
+    sync::{Arc, OnceLock},
+};
 
-/// The kinds of scene. Planners say which they run on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Kind {
-    /// A test function to minimise.
-    Function,
-    /// A plane with circular obstacles.
-    Discs,
-    /// A grid of free and blocked cells.
-    Grid,
-    /// Stops to call at, and their distances.
-    Tour,
-    /// A six-axis arm among cuboids.
-    Arm,
+use serde_json::Value;
+
+use crate::geometry::Bounds;
+
+use super::{
+    Error, Exact, Round, Solution, Yardstick, json,
+    scene_body::{Plane, SceneBody, SceneKindId, Verdict},
+};
+
+/// Computes what results on a scene are measured by: the shortest path by a rule, or the shortest tour with such ends.
+/// `None` where there is none, or where it would take too long.
+pub type Optimum = fn(&Scene, Yardstick, Option<Round>) -> Option<Exact>;
+
+/// What every scene file carries besides its content.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Header {
+    /// Short identifier, used in links and on the command line.
+    pub name: String,
+    /// A line for people.
+    pub title: String,
+    /// What should be known about it.
+    pub note: Option<String>,
+    /// Where it comes from.
+    pub source: Option<String>,
+    /// The unit of its lengths.
+    pub units: Option<String>,
+    /// The stored optimum; results are measured by the computed one, see [`Scene::exact`].
+    pub exact: Option<Value>,
+    /// Figures published for it, as they stand in the file.
+    pub published: Option<Value>,
 }
 
-impl Kind {
-    /// Every kind.
-    pub const ALL: [Self; 5] = [Self::Function, Self::Discs, Self::Grid, Self::Tour, Self::Arm];
+/// A valid scene. Copies share the body, and its optima once they are computed.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    header: Header,
+    body: Arc<dyn SceneBody>,
+    optimum: Option<Optimum>,
+    optima: Arc<Optima>,
+}
 
-    /// The name that scene files use.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Function => "function",
-            Self::Discs => "discs",
-            Self::Grid => "grid",
-            Self::Tour => "tour",
-            Self::Arm => "arm",
-        }
+/// By the rule (from cell to cell or not), the shortest path and then the shortest tours by their ends.
+type Optima = [[OnceLock<Option<Exact>>; 1 + Round::ALL.len()]; 2];
+
+impl PartialEq for Scene {
+    fn eq(&self, other: &Self) -> bool {
+        self.header == other.header && self.kind() == other.kind() && self.written() == other.written()
     }
 }
 
-/// How good a solution really is, whatever cost the planner gave it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Verdict {
-    /// The path's length; `None` where there is no path.
-    pub length: Option<f64>,
-    /// It breaks nothing.
-    pub feasible: bool,
-    /// The smallest distance to an obstacle, negative inside; `None` without obstacles.
-    pub clearance: Option<f64>,
+impl Scene {
+    /// A scene of checked parts; `optimum` computes its exact optima, if they can be computed.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] with the field that is wrong.
+    pub fn new(header: Header, body: Arc<dyn SceneBody>, optimum: Option<Optimum>) -> Result<Self, Error> {
+        if header.name.is_empty() || header.name.len() > 100 {
+            return Err(Error::refused("name", format!("\"{}\"", header.name), "1 to 100 characters"));
+        }
+        body.check(header.exact.as_ref())?;
+        Ok(Self { header, body, optimum, optima: Arc::default() })
+    }
+
+    /// The same scene under another header.
+    ///
+    /// # Errors
+    /// As [`Scene::new`].
+    pub fn with_header(&self, header: Header) -> Result<Self, Error> {
+        Self::new(header, Arc::clone(&self.body), self.optimum)
+    }
+
+    /// Name, title and where it comes from.
+    pub fn header(&self) -> &Header {
+        &self.header
+    }
+
+    /// The content.
+    pub fn body(&self) -> &dyn SceneBody {
+        &*self.body
+    }
+
+    /// The short identifier.
+    pub fn name(&self) -> &str {
+        &self.header.name
+    }
+
+    /// What it is made of.
+    pub fn kind(&self) -> SceneKindId {
+        self.body.kind()
+    }
+
+    /// The content as what it is.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for `kind` if it is of another kind.
+    pub fn get<B: SceneBody>(&self) -> Result<&B, Error> {
+        (self.body() as &dyn Any).downcast_ref().ok_or_else(|| self.other_kind(B::kind_id()))
+    }
+
+    /// The content as what it is, for planners that keep it.
+    ///
+    /// # Errors
+    /// As [`Scene::get`].
+    pub fn share<B: SceneBody>(&self) -> Result<Arc<B>, Error> {
+        let body: Arc<dyn Any + Send + Sync> = Arc::<dyn SceneBody>::clone(&self.body);
+        body.downcast().map_err(|_| self.other_kind(B::kind_id()))
+    }
+
+    fn other_kind(&self, expected: SceneKindId) -> Error {
+        Error::refused("kind", self.kind().name(), expected.name())
+    }
+
+    /// The plane with obstacles that paths lead through, if it is one.
+    pub fn plane(&self) -> Option<&dyn Plane> {
+        self.body.plane()
+    }
+
+    /// Where a path in the plane begins and where it leads; `None` where there is none to find.
+    pub fn ends(&self) -> Option<([f64; 2], [f64; 2])> {
+        self.plane()?.ends().ok()
+    }
+
+    /// Whether the robot can go straight from one point of the plane to another; it may touch.
+    pub fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        self.plane().is_none_or(|plane| plane.is_free(a, b))
+    }
+
+    /// Where a tour calls; empty where there are no stops.
+    pub fn stops(&self) -> Vec<[f64; 2]> {
+        self.body.stops().places
+    }
+
+    /// The same scene with another start and goal; what follows from its obstacles is shared.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for a kind that cannot change them, and for ends where the robot does not fit.
+    pub fn between(&self, ends: [[f64; 2]; 2]) -> Result<Self, Error> {
+        let header = Header { exact: None, published: None, ..self.header.clone() };
+        Self::new(header, self.body.between(ends)?, self.optimum)
+    }
+
+    /// The exact shortest path, computed at the first call; `None` where there is no path to find.
+    pub fn exact(&self) -> Option<&Exact> {
+        self.exact_by(Yardstick::default())
+    }
+
+    /// The exact shortest way by a rule, computed at the first call.
+    pub fn exact_by(&self, yardstick: Yardstick) -> Option<&Exact> {
+        self.computed(yardstick, None)
+    }
+
+    /// The exact shortest tour through a scene's stops, with ways between them by a rule; computed at the first call.
+    /// `None` where there are no stops, where one cannot be reached, or where there are too many: of those the file's own
+    /// optimum counts, if it has one for such tours.
+    pub fn exact_tour(&self, yardstick: Yardstick, round: Round) -> Option<&Exact> {
+        self.computed(yardstick, Some(round))
+    }
+
+    fn computed(&self, yardstick: Yardstick, round: Option<Round>) -> Option<&Exact> {
+        let optimum = self.optimum?;
+        let by_rule = &self.optima[usize::from(yardstick == Yardstick::Cells)];
+        by_rule[round.map_or(0, |round| 1 + round as usize)].get_or_init(|| optimum(self, yardstick, round)).as_ref()
+    }
+
+    /// A function's minimum; `None` where it is a path that is looked for.
+    pub fn minimum(&self) -> Option<f64> {
+        self.body.minimum()
+    }
+
+    /// The exact minimum of what is measured: the shortest length by a rule, or a function's minimum.
+    pub fn optimum(&self, yardstick: Yardstick) -> Option<f64> {
+        self.minimum().or_else(|| self.exact_by(yardstick).map(|exact| exact.length))
+    }
+
+    /// Measures and checks a solution.
+    pub fn judge(&self, solution: &Solution) -> Verdict {
+        self.body.judge(solution)
+    }
+
+    /// The part of the plane that a picture should show: lower left and upper right corner.
+    pub fn view(&self) -> Bounds {
+        self.body.view()
+    }
+
+    /// What a run depends on, on one line: kind and content, without name, title and notes.
+    pub(crate) fn content(&self) -> String {
+        let kind = ("kind", Value::from(self.kind().name()));
+        json::object([kind].iter().chain(&self.written()).map(|(name, value)| (*name, value)))
+    }
+
+    /// The body's fields, in the order in which they are written.
+    pub(super) fn written(&self) -> Vec<(&'static str, Value)> {
+        let mut out = Vec::new();
+        self.body.write(&mut out);
+        out
+    }
 }

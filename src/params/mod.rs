@@ -7,7 +7,7 @@ mod settings;
 
 use serde::Serialize;
 
-use crate::kernel::{Error, Kind};
+use crate::kernel::{Error, SceneKindId};
 
 pub use given::{Given, Value, as_object};
 pub use settings::Settings;
@@ -107,9 +107,9 @@ pub struct Parameter {
     /// What it may be.
     pub domain: Domain,
     /// The kinds of scene on which it means something; empty: all that the planner runs on.
-    pub kinds: &'static [Kind],
+    pub kinds: &'static [SceneKindId],
     /// Defaults that differ on a kind of scene (published ones, mostly).
-    pub defaults: &'static [(Kind, Fixed)],
+    pub defaults: &'static [(SceneKindId, Fixed)],
     /// Another parameter's value without which it means nothing.
     pub when: Option<When>,
     /// The range that a slider offers; typing may go beyond.
@@ -183,14 +183,14 @@ impl Parameter {
 
     /// The same, meaningful on these kinds only.
     #[must_use]
-    pub const fn only_on(mut self, kinds: &'static [Kind]) -> Self {
+    pub const fn only_on(mut self, kinds: &'static [SceneKindId]) -> Self {
         self.kinds = kinds;
         self
     }
 
     /// The same, with defaults that differ by kind.
     #[must_use]
-    pub const fn defaults_on(mut self, defaults: &'static [(Kind, Fixed)]) -> Self {
+    pub const fn defaults_on(mut self, defaults: &'static [(SceneKindId, Fixed)]) -> Self {
         self.defaults = defaults;
         self
     }
@@ -211,12 +211,12 @@ impl Parameter {
     }
 
     /// Whether it means something on this kind of scene.
-    pub fn applies_to(&self, kind: Kind) -> bool {
+    pub fn applies_to(&self, kind: SceneKindId) -> bool {
         self.kinds.is_empty() || self.kinds.contains(&kind)
     }
 
     /// Its default on this kind of scene.
-    pub fn default_on(&self, kind: Kind) -> Value {
+    pub fn default_on(&self, kind: SceneKindId) -> Value {
         if let Some(&(_, fixed)) = self.defaults.iter().find(|(on, _)| *on == kind) {
             return fixed.into();
         }

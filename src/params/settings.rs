@@ -1,6 +1,6 @@
 //! Given values checked against a planner's parameters, and the defaults filled in.
 
-use crate::kernel::{Error, Kind};
+use crate::kernel::{Error, SceneKindId};
 
 use super::{Given, Parameter, Value, When};
 
@@ -16,7 +16,7 @@ impl Settings {
     ///
     /// # Errors
     /// [`Error::Unknown`] for a name that is not a parameter on this kind of scene, [`Error::Refused`] for a value that is not allowed.
-    pub fn new(parameters: &[Parameter], kind: Kind, given: &Given) -> Result<Self, Error> {
+    pub fn new(parameters: &[Parameter], kind: SceneKindId, given: &Given) -> Result<Self, Error> {
         let of_kind = || parameters.iter().filter(|p| p.applies_to(kind));
         for (name, value) in given.iter() {
             let parameter =
@@ -75,7 +75,7 @@ impl Settings {
 }
 
 /// The first condition that keeps a parameter from meaning anything: its own, or one of the parameter it depends on.
-fn unmet(parameters: &[Parameter], kind: Kind, given: &Given, parameter: &Parameter) -> Option<When> {
+fn unmet(parameters: &[Parameter], kind: SceneKindId, given: &Given, parameter: &Parameter) -> Option<When> {
     let when = parameter.when?;
     let Some(other) = parameters.iter().find(|p| p.name == when.parameter && p.applies_to(kind)) else {
         return Some(when);
@@ -87,12 +87,15 @@ fn unmet(parameters: &[Parameter], kind: Kind, given: &Given, parameter: &Parame
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::{Choice, Fixed};
+    use crate::{
+        params::{Choice, Fixed},
+        scene::{DISCS, FUNCTION},
+    };
 
     const ALL: [Parameter; 3] = [
-        Parameter::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(Kind::Discs, Fixed::Number(80.0))]),
+        Parameter::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(DISCS, Fixed::Number(80.0))]),
         Parameter::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.7], ""),
-        Parameter::choice("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[Kind::Discs]),
+        Parameter::choice("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[DISCS]),
     ];
 
     fn given(name: &str, value: &str) -> Given {
@@ -101,10 +104,10 @@ mod tests {
 
     #[test]
     fn defaults_depend_on_the_kind_and_only_changes_are_kept() {
-        let on_discs = Settings::new(&ALL, Kind::Discs, &given("w", "0.7")).unwrap();
+        let on_discs = Settings::new(&ALL, DISCS, &given("w", "0.7")).unwrap();
         assert_eq!((on_discs.integer("population"), on_discs.number("w"), on_discs.choice("penalty")), (80, 0.7, "segments"));
         assert!(on_discs.changed().is_empty(), "0.7 is the default");
-        let on_function = Settings::new(&ALL, Kind::Function, &given("population", "7")).unwrap();
+        let on_function = Settings::new(&ALL, FUNCTION, &given("population", "7")).unwrap();
         assert_eq!(on_function.changed().iter().collect::<Vec<_>>(), [("population", &Value::from(7.0))]);
         assert_eq!(on_function.all().len(), 2, "the penalty means nothing on functions");
     }
@@ -126,20 +129,20 @@ mod tests {
     fn a_parameter_means_something_only_while_what_it_depends_on_has_its_value() {
         const OPTIONS: [Choice; 2] = [Choice { value: "a", title: "", help: "" }, Choice { value: "b", title: "", help: "" }];
         const CHAIN: [Parameter; 3] = [
-            Parameter::choice("first", "", "", &OPTIONS, "").defaults_on(&[(Kind::Discs, Fixed::Text("b"))]),
+            Parameter::choice("first", "", "", &OPTIONS, "").defaults_on(&[(DISCS, Fixed::Text("b"))]),
             Parameter::flag("second", "", false, "").when("first", "b"),
             Parameter::number("third", "", "", [0.0, 1.0, 0.5], "").when("second", "true"),
         ];
         let names =
             |kind, given: &Given| Settings::new(&CHAIN, kind, given).map(|s| s.all().iter().map(|(name, _)| *name).collect::<Vec<_>>());
-        assert_eq!(names(Kind::Function, &Given::new()).unwrap(), ["first"]);
-        assert_eq!(names(Kind::Discs, &Given::new()).unwrap(), ["first", "second"]);
-        assert_eq!(names(Kind::Discs, &given("second", "true")).unwrap(), ["first", "second", "third"]);
-        let refused = names(Kind::Discs, &given("third", "0.1")).unwrap_err();
+        assert_eq!(names(FUNCTION, &Given::new()).unwrap(), ["first"]);
+        assert_eq!(names(DISCS, &Given::new()).unwrap(), ["first", "second"]);
+        assert_eq!(names(DISCS, &given("second", "true")).unwrap(), ["first", "second", "third"]);
+        let refused = names(DISCS, &given("third", "0.1")).unwrap_err();
         assert_eq!((refused.field(), refused.allowed()), ("third", "left out unless second is true"));
         let both: Given =
             [("first", Value::from("a")), ("second", Value::from("true")), ("third", Value::from("0.1"))].into_iter().collect();
-        assert_eq!(names(Kind::Discs, &both).unwrap_err().allowed(), "left out unless first is b");
+        assert_eq!(names(DISCS, &both).unwrap_err().allowed(), "left out unless first is b");
     }
 
     #[test]
@@ -154,11 +157,11 @@ mod tests {
             ("w", "-0.1"),
             ("penalty", "x"),
         ] {
-            let error = Settings::new(&ALL, Kind::Discs, &given(name, value)).unwrap_err();
+            let error = Settings::new(&ALL, DISCS, &given(name, value)).unwrap_err();
             assert_eq!((error.field(), error.value()), (name, value));
             assert!(!error.allowed().is_empty());
         }
-        let unknown = Settings::new(&ALL, Kind::Function, &given("penalty", "segments")).unwrap_err();
+        let unknown = Settings::new(&ALL, FUNCTION, &given("penalty", "segments")).unwrap_err();
         assert_eq!((unknown.field(), unknown.allowed()), ("parameter", "population, w"));
     }
 }

@@ -3,7 +3,7 @@
 use crate::{
     geometry::Bounds,
     math,
-    scene::{Body, Scene},
+    scene::{FunctionScene, Scene},
 };
 
 /// Colours from the lowest to the highest value: calm, and monotone in lightness so that they also read in grey.
@@ -15,9 +15,7 @@ const CONTOURS: f64 = 14.0;
 /// The function over `view` as `width` × `height` RGBA pixels, top row first: colours by rank, so that every part
 /// of a landscape shows its shape, however steep the rest; lines between levels. `None` for scenes without a height.
 pub fn heat_map(scene: &Scene, view: Bounds, width: usize, height: usize, dark: bool) -> Option<Vec<u8>> {
-    let Body::Function(function) = scene.body() else {
-        return None;
-    };
+    let function = scene.get::<FunctionScene>().ok()?;
     let mut x = function.minimiser();
     let at = |i: usize, n: usize, axis: usize| view.min[axis] + (i as f64 + 0.5) / n as f64 * (view.max[axis] - view.min[axis]);
     let mut values = Vec::with_capacity(width * height);

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use crate::{
     geometry::{self, Bounds, YAxis},
-    kernel::{Frame, Role, Shape, Span, VERTEX},
-    scene::{Body, Scene},
+    kernel::{Backdrop, Frame, Role, Shape, Span, VERTEX},
+    scene::Scene,
     session::Session,
 };
 
@@ -69,7 +69,7 @@ pub fn svg(session: &Session, dark: bool, layers: &[Role]) -> String {
     let view = session.scene().view();
     let (width, height) = (view.max[0] - view.min[0], view.max[1] - view.min[1]);
     let scale = (SIZE - 2.0 * MARGIN) / width.max(height);
-    let down = matches!(session.scene().body(), Body::Grid(grid) if grid.y_axis == YAxis::Down);
+    let down = session.scene().plane().is_some_and(|plane| plane.y_axis() == YAxis::Down);
     let top = if down { view.min[1] } else { view.max[1] };
     let canvas = Canvas { scale, left: view.min[0], top, up: if down { -1.0 } else { 1.0 }, dark, text: String::new() };
     canvas.picture(session, layers, [width, height].map(|side| rounded(side * scale + 2.0 * MARGIN)))
@@ -125,47 +125,31 @@ impl Canvas {
 
     fn obstacles(&mut self, scene: &Scene) {
         let (fill, stroke) = (self.tone("#d8d2c2", "#26352e"), self.tone("#8c8674", "#56695f"));
-        match scene.body() {
-            Body::Function(_) | Body::Tour(_) => {}
-            Body::Discs(discs) => {
-                self.frame_of(discs.bounds);
-                for disc in &discs.discs {
-                    let [x, y] = self.at(disc.center);
-                    let radius = rounded(disc.radius * self.scale);
-                    put!(self, r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="{fill}" stroke="{stroke}" stroke-width="1.2"/>"#);
-                }
+        let margin = self.tone("#ece7d9", "#1a251f");
+        scene.body().backdrop(&mut |piece| match piece {
+            Backdrop::Border(bounds) => self.frame_of(bounds),
+            Backdrop::Disc(disc) => {
+                let [x, y] = self.at(disc.center);
+                let radius = rounded(disc.radius * self.scale);
+                put!(self, r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="{fill}" stroke="{stroke}" stroke-width="1.2"/>"#);
             }
-            Body::Grid(grid) => {
-                // What the robot's centre keeps away from: a line of twice its radius about each block, round at the corners.
-                let (margin, width) = (self.tone("#ece7d9", "#1a251f"), rounded(2.0 * grid.radius() * self.scale));
-                for block in grid.field().blocks().iter().filter(|_| width > 0.0) {
-                    self.rectangle(block.min, block.max, &format!(r#"fill="{margin}" stroke="{margin}" stroke-width="{width}""#));
-                }
-                for block in grid.field().blocks() {
-                    let max = grid.bounds().max;
-                    let inside = |corner: [f64; 2]| [0, 1].map(|axis| corner[axis].clamp(0.0, max[axis]));
-                    self.rectangle(inside(block.min), inside(block.max), &format!(r#"fill="{fill}" stroke="{fill}" stroke-width="1""#));
-                }
-                self.frame_of(grid.bounds());
+            Backdrop::Block(block) => self.rectangle(block, &format!(r#"fill="{fill}" stroke="{stroke}" stroke-width="1.2""#)),
+            Backdrop::Cells(cells) => self.rectangle(cells, &format!(r#"fill="{fill}" stroke="{fill}" stroke-width="1""#)),
+            // A line of twice the distance about the box is round at the corners.
+            Backdrop::Margin(block, distance) => {
+                let width = rounded(2.0 * distance * self.scale);
+                self.rectangle(block, &format!(r#"fill="{margin}" stroke="{margin}" stroke-width="{width}""#));
             }
-            // Seen from above.
-            Body::Arm(arm) => {
-                let flat = |[x, y, _]: [f64; 3]| [x, y];
-                for cuboid in &arm.cuboids {
-                    self.rectangle(flat(cuboid.min), flat(cuboid.max), &format!(r#"fill="{fill}" stroke="{stroke}" stroke-width="1.2""#));
-                }
-                self.frame_of(scene.view());
-            }
-        }
+        });
     }
 
     fn frame_of(&mut self, bounds: Bounds) {
         let tone = self.tone("#d9d4c5", "#2b3a33");
-        self.rectangle(bounds.min, bounds.max, &format!(r#"stroke="{tone}" stroke-width="1""#));
+        self.rectangle(bounds, &format!(r#"stroke="{tone}" stroke-width="1""#));
     }
 
-    fn rectangle(&mut self, min: [f64; 2], max: [f64; 2], look: &str) {
-        let ([x0, y0], [x1, y1]) = (self.at(min), self.at(max));
+    fn rectangle(&mut self, bounds: Bounds, look: &str) {
+        let ([x0, y0], [x1, y1]) = (self.at(bounds.min), self.at(bounds.max));
         let (width, height) = (rounded(x1 - x0), rounded((y1 - y0).abs()));
         put!(self, r#"<rect x="{x0}" y="{}" width="{width}" height="{height}" {look}/>"#, y0.min(y1));
     }

@@ -4,45 +4,18 @@ use std::sync::{Arc, OnceLock};
 
 use crate::kernel::Error;
 
-use super::Scene;
+use super::{KINDS, Scene};
 
-/// File texts in the order in which the page offers them.
-const FILES: &[&str] = &[
-    include_str!("../../scenes/wcpso-discs.json"),
-    include_str!("../../scenes/discs-gate.json"),
-    include_str!("../../scenes/discs-slalom.json"),
-    include_str!("../../scenes/qpso-10m.json"),
-    include_str!("../../scenes/qpso-10m-empty.json"),
-    include_str!("../../scenes/ant-bat-30.json"),
-    include_str!("../../scenes/wolf-ant-20.json"),
-    include_str!("../../scenes/rooms-20.json"),
-    include_str!("../../scenes/crossing.json"),
-    include_str!("../../scenes/patrol.json"),
-    include_str!("../../scenes/corridor.json"),
-    include_str!("../../scenes/open-12.json"),
-    include_str!("../../scenes/random-52.json"),
-    include_str!("../../scenes/clustered-100.json"),
-    include_str!("../../scenes/random-280.json"),
-    include_str!("../../scenes/arm-cuboid.json"),
-    include_str!("../../scenes/arm-free.json"),
-    include_str!("../../scenes/arm-bench.json"),
-    include_str!("../../scenes/arm-puma.json"),
-    include_str!("../../scenes/sphere.json"),
-    include_str!("../../scenes/sphere-2.json"),
-    include_str!("../../scenes/sphere-4.json"),
-    include_str!("../../scenes/rosenbrock.json"),
-    include_str!("../../scenes/rosenbrock-2.json"),
-    include_str!("../../scenes/ackley.json"),
-    include_str!("../../scenes/ackley-2.json"),
-    include_str!("../../scenes/rastrigin.json"),
-    include_str!("../../scenes/matyas.json"),
-    include_str!("../../scenes/egg-crate.json"),
-];
-
+/// In the order in which the page offers them: test functions come last.
 fn all() -> &'static [Arc<Scene>] {
     static SCENES: OnceLock<Vec<Arc<Scene>>> = OnceLock::new();
     // A shipped file that does not parse is caught by the test below, not left out in silence.
-    SCENES.get_or_init(|| FILES.iter().filter_map(|text| Scene::from_json(text).ok()).map(Arc::new).collect())
+    SCENES.get_or_init(|| texts().filter_map(|text| Scene::from_json(text).ok()).map(Arc::new).collect())
+}
+
+fn texts() -> impl Iterator<Item = &'static str> {
+    let (functions, others) = KINDS.split_at(1);
+    others.iter().chain(functions).flat_map(|kind| kind.shipped).copied()
 }
 
 /// Every shipped scene, in the order in which they are offered.
@@ -63,7 +36,7 @@ mod tests {
     use crate::{
         Given, Value,
         kernel::{Border, Round, Solution, Track, Yardstick},
-        scene::{Motion, generate::generate},
+        scene::{GridScene, Motion, TourScene, generate::generate},
     };
 
     use super::*;
@@ -71,7 +44,7 @@ mod tests {
     /// Stops are what the command in their source makes, and their optimum is the length of its order.
     #[test]
     fn random_stops_are_made_again_by_their_source_and_their_optimum_is_a_tour() {
-        let tours: Vec<_> = all().iter().filter_map(|scene| Some((scene, scene.tour().ok()?))).collect();
+        let tours: Vec<_> = all().iter().filter_map(|scene| Some((scene, scene.get::<TourScene>().ok()?))).collect();
         assert_eq!(tours.iter().map(|(_, tour)| tour.len()).collect::<Vec<_>>(), [12, 52, 100, 280]);
         for (scene, tour) in tours {
             let source = scene.header().source.as_deref().unwrap().split(';').next().unwrap();
@@ -85,7 +58,7 @@ mod tests {
                 }
             }
             let made = generate("stops", &given, seed).unwrap();
-            let made = made.tour().unwrap();
+            let made = made.get::<TourScene>().unwrap();
             assert_eq!((&made.points, made.metric), (&tour.points, tour.metric), "{}", scene.name());
             if let Some(exact) = &scene.header().exact {
                 let found = scene.exact_tour(crate::kernel::Yardstick::default(), Round::Closed).unwrap();
@@ -96,19 +69,19 @@ mod tests {
 
     #[test]
     fn every_file_parses_survives_a_round_trip_and_has_a_name_of_its_own() {
-        for text in FILES {
+        for text in texts() {
             let scene = Scene::from_json(text).unwrap();
             assert_eq!(Scene::from_json(&scene.to_json()).unwrap(), scene);
         }
         let mut names: Vec<_> = all().iter().map(|s| s.name()).collect();
         names.sort_unstable();
         names.dedup();
-        assert_eq!(names.len(), FILES.len());
+        assert_eq!(names.len(), texts().count());
     }
 
     /// The robot's drive from corner to corner, before each of which it waits so many seconds: is it free, with its margin?
     fn drives(scene: &Scene, corners: &[[f64; 3]], border: Border) -> bool {
-        let grid = scene.grid().unwrap();
+        let grid = scene.get::<GridScene>().unwrap();
         let robot = grid.robot.unwrap();
         let (mut path, mut moments) = (vec![grid.start.unwrap()], Vec::new());
         let (mut time, mut heading) = (0.0, None);
@@ -142,7 +115,7 @@ mod tests {
         ];
         for (name, corners) in drive {
             let scene = shipped(name).unwrap();
-            let grid = scene.grid().unwrap();
+            let grid = scene.get::<GridScene>().unwrap();
             assert!(grid.robot.unwrap().sensor.is_some() && !grid.corner_cutting);
             let shortest: Vec<_> = scene.exact_by(Yardstick::Cells).unwrap().path[1..].iter().map(|&[x, y]| [x, y, 0.0]).collect();
             for border in [Border::Leave, Border::Bounce] {
@@ -150,7 +123,7 @@ mod tests {
                 assert!(drives(&scene, corners, border), "{name} can be done");
             }
         }
-        for guard in &shipped("patrol").unwrap().grid().unwrap().moving {
+        for guard in &shipped("patrol").unwrap().get::<GridScene>().unwrap().moving {
             assert!(matches!(&guard.motion, Motion::Waypoints(points) if points[points.len() - 1][0] >= 120.0), "two minutes");
         }
     }

@@ -188,7 +188,7 @@ impl Task {
     /// Whether the robot can go straight between the centres of two free cells.
     fn sees(&self, from: usize, to: usize) -> bool {
         let cells = &self.cells;
-        if self.wide { self.scene.is_free(cells.centre(from), cells.centre(to)) } else { walk(cells, self.cutting, from, to) }
+        if self.wide { self.grid.field().is_free(cells.centre(from), cells.centre(to)) } else { walk(cells, self.cutting, from, to) }
     }
 
     /// Whose child a cell becomes that is reached from its neighbour, the child of `over`, and how long the way is, if that

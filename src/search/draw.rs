@@ -11,7 +11,7 @@ impl Search {
         if let Some(found) = &self.found {
             draw_path(frame, Role::Best, &found.way.path);
             if self.task.smooth {
-                draw_path(frame, Role::Smoothed, found.way.smooth(&self.task.scene));
+                draw_path(frame, Role::Smoothed, found.way.smooth(&self.task.grid));
             }
         }
     }

@@ -2,14 +2,14 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Reading},
-    kernel::{Kind, Role},
+    kernel::{Role, SceneKindId},
     params::{Parameter, When},
-    scene::MAX_SIDE,
+    scene::{GRID, MAX_SIDE},
     way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 /// The kinds of scene that a search runs on.
-pub(super) const KINDS: &[Kind] = &[Kind::Grid];
+pub(super) const KINDS: &[SceneKindId] = &[GRID];
 
 pub(super) const ITERATIONS: Parameter = Parameter::integer(
     "iterations",

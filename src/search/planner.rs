@@ -19,7 +19,7 @@ impl Planner for Search {
 
     fn best(&self) -> Option<Best> {
         let found = self.found.as_ref()?;
-        let path = if self.task.smooth { found.way.smooth(&self.task.scene) } else { &found.way.path };
+        let path = if self.task.smooth { found.way.smooth(&self.task.grid) } else { &found.way.path };
         Some(Best { cost: found.cost, solution: Solution::Path(path.to_vec()) })
     }
 
@@ -28,7 +28,7 @@ impl Planner for Search {
         let lowest = self.lowest.map_or(f64::NAN, |f| self.task.length(f) + self.task.course.stubs);
         out.push("best", found.map_or(f64::NAN, |found| found.cost));
         out.push("f", lowest);
-        way::read(found.map(|found| &found.way), &self.task.scene, out);
+        way::read(found.map(|found| &found.way), &self.task.grid, out);
         out.push("expanded", self.expanded as f64);
         out.push("frontier", self.frontier as f64);
         out.push("converged", found.map_or(f64::NAN, |found| found.iteration as f64));

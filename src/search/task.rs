@@ -6,7 +6,7 @@ use crate::{
     geometry::{Cells, Course},
     kernel::Error,
     params::Settings,
-    scene::Scene,
+    scene::{GridScene, Scene},
 };
 
 use super::{
@@ -21,7 +21,7 @@ const STEPS: usize = 1024;
 pub(super) struct Task {
     pub(super) cells: Arc<Cells>,
     /// What is in the way. It is made when somebody looks farther than to the next cell.
-    pub(super) scene: Arc<Scene>,
+    pub(super) grid: Arc<GridScene>,
     pub(super) course: Course,
     pub(super) rules: Rules,
     pub(super) guess: Guess,
@@ -37,14 +37,13 @@ pub(super) struct Task {
 
 impl Task {
     pub(super) fn new(scene: &Arc<Scene>, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
-        let grid = scene.grid()?;
+        let grid = scene.share::<GridScene>()?;
         let (cells, course) = (Arc::clone(grid.cells()), grid.course()?);
         let expand = match settings.integer("expand") {
             0 => cells.len().div_ceil(STEPS) as u64,
             given => given,
         };
         Ok(Self {
-            scene: Arc::clone(scene),
             wide: grid.radius() > 0.0,
             rules,
             guess: Guess { heuristic: rules.heuristic, weight, goal: apart(place(cells.place(course.goal))) },
@@ -55,6 +54,7 @@ impl Task {
             limit: settings.integer("iterations").min((cells.len() as u64).div_ceil(expand)),
             cells,
             course,
+            grid,
         })
     }
 

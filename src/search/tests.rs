@@ -5,12 +5,12 @@ use std::sync::Arc;
 use crate::{
     Given, Scene, Session, Setup, Status, Value, geometry,
     kernel::{Item, Role, Yardstick, rng::Stream},
-    scene::{Body, GridScene, Robot},
+    scene::{GridScene, Robot, grid},
     shipped,
 };
 
 fn scene(grid: GridScene) -> Arc<Scene> {
-    Arc::new(Scene::new(shipped("ant-bat-30").unwrap().header().clone(), Body::Grid(grid)).unwrap())
+    Arc::new(grid::KIND.scene(shipped("ant-bat-30").unwrap().header().clone(), grid).unwrap())
 }
 
 fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, f64)]) -> Session {
@@ -38,8 +38,8 @@ fn random(rng: &mut Stream, size: usize) -> Option<Arc<Scene>> {
         Some([((cell % columns) as f64 + off) * side, ((cell / columns) as f64 + 0.5) * side])
     };
     (grid.start, grid.goal) = (end(), end());
-    let scene = Scene::new(shipped("ant-bat-30").unwrap().header().clone(), Body::Grid(grid)).ok()?;
-    scene.grid().unwrap().course().is_ok().then(|| Arc::new(scene))
+    let scene = grid::KIND.scene(shipped("ant-bat-30").unwrap().header().clone(), grid).ok()?;
+    scene.get::<GridScene>().unwrap().course().is_ok().then(|| Arc::new(scene))
 }
 
 #[test]
@@ -69,7 +69,7 @@ fn from_cell_to_cell_the_searches_are_exact_to_the_bit() {
 
 /// Between the ends, each node is the centre of a free cell, the next one's neighbour, and no corner is cut unless it may be.
 fn check_steps(scene: &Scene, path: &[[f64; 2]]) {
-    let grid = scene.grid().unwrap();
+    let grid = scene.get::<GridScene>().unwrap();
     assert_eq!((Some(path[0]), path.last().copied()), (grid.start, grid.goal));
     let cell = |p: [f64; 2]| p.map(|c| c / grid.cell - 0.5);
     let inner: Vec<_> = path.iter().map(|&p| cell(p)).filter(|p| p.iter().all(|c| (c - c.round()).abs() < 1e-6)).collect();
@@ -270,7 +270,7 @@ fn every_iteration_comes_back_and_every_cell_explains_itself() {
         let entry = session.entry();
         for index in 0..900 {
             let Some(told) = session.inspect(Item { role: Role::Closed, index }) else {
-                assert!(!scene.grid().unwrap().cells().is_free(index));
+                assert!(!scene.get::<GridScene>().unwrap().cells().is_free(index));
                 continue;
             };
             assert!(told.rows.len() == told.labels.len() && told.rows.iter().all(|row| row.len() == told.columns.len()));

@@ -17,9 +17,8 @@ use crate::{
     catalogue::find,
     describe::{Entry, Suggestion},
     drive::{self, Drive},
-    exact::Exact,
     kernel::{
-        Best, Digest, Error, Event, Finding, Frame, Inspection, Item, Job, Readings, Round, Solution, Stage, Started, State, Status,
+        Best, Digest, Error, Event, Exact, Finding, Frame, Inspection, Item, Job, Readings, Round, Solution, Stage, Started, State, Status,
         Stepper, Timeline, Yardstick, rng::check_seed,
     },
     link::Link,

@@ -6,8 +6,9 @@ use crate::{
     arm::{self, MotionOutcome},
     drive::{self, DriveOutcome},
     geometry,
-    kernel::{Event, Kind, Recommend, Solution, Status, Track, Tuned, Yardstick},
+    kernel::{Event, Recommend, Solution, Status, Track, Tuned, Yardstick},
     params::{Given, Value, as_object},
+    scene::TOUR,
 };
 
 use super::Session;
@@ -116,7 +117,7 @@ impl Outcome {
             Some(Solution::Reach { .. }) | None => (None, None, None),
         };
         // Between stops of a tour there are no corners to count.
-        let turned = path.as_deref().filter(|_| session.scene.kind() != Kind::Tour);
+        let turned = path.as_deref().filter(|_| session.scene.kind() != TOUR);
         // The defaults are never refused.
         let drive = drive::along(&session.scene, path.as_deref(), &Given::new()).ok().flatten().map(|drive| drive.outcome);
         Self {

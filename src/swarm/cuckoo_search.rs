@@ -17,10 +17,10 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading},
     kernel::{
-        Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Kind, Planner, Progress, Readings, Role, Started, State, rng::Stream,
+        Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream,
     },
     params::{Fixed, Parameter, Settings},
-    scene::Scene,
+    scene::{DISCS, GRID, Scene},
 };
 
 use super::{
@@ -344,7 +344,7 @@ const POPULATION: Parameter = Parameter::integer(
     [1, 100_000, 30],
     "How many nests. Each is evaluated twice in an iteration, so the defaults are half of the other swarms’. Yang and Deb: 15 to 40 are enough.",
 )
-.defaults_on(&[(Kind::Discs, Fixed::Number(75.0)), (Kind::Grid, Fixed::Number(75.0))])
+.defaults_on(&[(DISCS, Fixed::Number(75.0)), (GRID, Fixed::Number(75.0))])
 .slider(2.0, 2000.0, true);
 const P_A: Parameter = Parameter::number(
     "p_a",

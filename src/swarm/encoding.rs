@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Error, Kind},
+    kernel::Error,
     params::{Choice, Fixed, Parameter, Settings},
-    scene::{Body, Scene},
+    scene::{DISCS, DiscsScene, FunctionScene, GRID, GridScene, Scene},
 };
 
 use super::{
@@ -22,12 +22,16 @@ use super::{
 /// # Errors
 /// A grid without start and goal.
 pub(super) fn objective(scene: &Scene, settings: &Settings) -> Result<Arc<dyn Objective>, Error> {
-    let terrain = match scene.body() {
-        Body::Function(function) => return Ok(Arc::new(FunctionObjective::new(function))),
-        Body::Discs(discs) => Terrain::among_discs(discs, settings),
-        Body::Grid(grid) => Terrain::on_grid(grid, settings)?,
-        // Its entries say that it does not run there.
-        Body::Tour(_) | Body::Arm(_) => return Err(Error::refused("kind", scene.kind().name(), "function, discs or grid")),
+    if let Ok(function) = scene.get::<FunctionScene>() {
+        return Ok(Arc::new(FunctionObjective::new(function)));
+    }
+    let terrain = if let Ok(discs) = scene.get::<DiscsScene>() {
+        Terrain::among_discs(discs, settings)
+    } else if let Ok(grid) = scene.get::<GridScene>() {
+        Terrain::on_grid(grid, settings)?
+    } else {
+        // The entries say that swarms do not run there.
+        return Err(Error::refused("kind", scene.kind().name(), "function, discs or grid"));
     };
     Ok(match settings.choice("encoding") {
         "polar" => Arc::new(Polar::new(terrain, settings)),
@@ -84,7 +88,7 @@ pub(super) const ENCODING: Parameter = Parameter::choice(
     "How a particle’s coordinates encode a path. A few coordinates describe only a path with few turns; in rooms and mazes use ants or a graph search.",
 )
 .only_on(PATHS)
-.defaults_on(&[(Kind::Grid, Fixed::Text("polar"))]);
+.defaults_on(&[(GRID, Fixed::Text("polar"))]);
 pub(super) const WAYPOINTS: Parameter = Parameter::integer(
     "waypoints",
     "n",
@@ -152,7 +156,7 @@ pub(super) const REDRAWS: Parameter = Parameter::integer(
     "How often an angle whose piece of the path collides is drawn again at the start, and then a particle that still collides, [LTQPSO] §4 (5); 20,000 particles in all. Each particle counts as an evaluation.",
 )
 .only_on(PATHS)
-.defaults_on(&[(Kind::Grid, Fixed::Number(100.0))])
+.defaults_on(&[(GRID, Fixed::Number(100.0))])
 .slider(0.0, 1000.0, false);
 pub(super) const F1: Parameter =
     Parameter::number("f1", "f_1", "Weight of length", [0.0, 1e6, 1.0], "f1 of [LTQPSO] (16).").only_on(PATHS).slider(0.0, 10.0, false);
@@ -164,7 +168,7 @@ pub(super) const F2: Parameter = Parameter::number(
     "f2 of [LTQPSO] (16): what uneven pieces cost. The paper gives no value; 0.01 on grids is ours, 0 among discs is [WCPSO] (14).",
 )
 .only_on(PATHS)
-.defaults_on(&[(Kind::Grid, Fixed::Number(0.01))])
+.defaults_on(&[(GRID, Fixed::Number(0.01))])
 .slider(0.0, 1.0, false);
 pub(super) const PENALTY: Parameter = Parameter::choice(
     "penalty",
@@ -176,7 +180,7 @@ pub(super) const PENALTY: Parameter = Parameter::choice(
     ],
     "Where a path is tested for discs.",
 )
-.only_on(&[Kind::Discs]);
+.only_on(&[DISCS]);
 pub(super) const PENALTY_WEIGHT: Parameter = Parameter::number(
     "penalty_weight",
     "w",
@@ -185,12 +189,12 @@ pub(super) const PENALTY_WEIGHT: Parameter = Parameter::number(
     "Among discs the safety factor w of (14): what a path through a disc’s centre costs. On grids what a unit of length inside obstacles costs; that paper gives no value.",
 )
 .only_on(PATHS)
-.defaults_on(&[(Kind::Grid, Fixed::Number(10.0))])
+.defaults_on(&[(GRID, Fixed::Number(10.0))])
 .slider(1.0, 1000.0, true);
 pub(super) const SMOOTH: Parameter =
     Parameter::flag("smooth", "Smoothing", false, "Smooth the result with a Shuman filter that never leaves free space, [LTQPSO] §4 (9).")
         .only_on(PATHS)
-        .defaults_on(&[(Kind::Grid, Fixed::Flag(true))]);
+        .defaults_on(&[(GRID, Fixed::Flag(true))]);
 pub(super) const SMOOTHING: Parameter = Parameter::number(
     "smoothing",
     "S",

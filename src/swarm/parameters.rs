@@ -2,15 +2,16 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Preset, Reading, Scope},
-    kernel::{Kind, Role},
+    kernel::{Role, SceneKindId},
     params::{Choice, Fixed, Parameter, When},
+    scene::{DISCS, FUNCTION, GRID},
 };
 
 /// The kinds of scene that a swarm runs on.
-pub(super) const KINDS: &[Kind] = &[Kind::Discs, Kind::Grid, Kind::Function];
+pub(super) const KINDS: &[SceneKindId] = &[DISCS, GRID, FUNCTION];
 
 /// The kinds of scene in which a path is searched.
-pub(super) const PATHS: &[Kind] = &[Kind::Discs, Kind::Grid];
+pub(super) const PATHS: &[SceneKindId] = &[DISCS, GRID];
 
 pub(super) const POPULATION: Parameter = Parameter::integer(
     "population",
@@ -19,7 +20,7 @@ pub(super) const POPULATION: Parameter = Parameter::integer(
     [1, 100_000, 60],
     "How many particles. Published: 60 on functions, 150 among discs.",
 )
-.defaults_on(&[(Kind::Discs, Fixed::Number(150.0)), (Kind::Grid, Fixed::Number(150.0))])
+.defaults_on(&[(DISCS, Fixed::Number(150.0)), (GRID, Fixed::Number(150.0))])
 .slider(2.0, 2000.0, true);
 pub(super) const ITERATIONS: Parameter = Parameter::integer(
     "iterations",
@@ -28,7 +29,7 @@ pub(super) const ITERATIONS: Parameter = Parameter::integer(
     [1, 1_000_000_000, 1000],
     "After how many iterations it stops; schedules stretch over them. Published: 1000 on functions, 500 among discs.",
 )
-.defaults_on(&[(Kind::Discs, Fixed::Number(500.0)), (Kind::Grid, Fixed::Number(500.0))])
+.defaults_on(&[(DISCS, Fixed::Number(500.0)), (GRID, Fixed::Number(500.0))])
 .slider(10.0, 5000.0, true);
 pub(super) const V_MAX: Parameter =
     Parameter::number("v_max", "v_{\\max}", "Velocity limit", [0.001, 1000.0, 0.2], "The most a coordinate may change in an iteration.")

@@ -209,16 +209,15 @@ mod tests {
     use super::*;
     use crate::{
         geometry::Field,
-        kernel::Kind,
         params::{Given, Value},
-        scene::{Body, shipped},
+        scene::{GRID, GridScene, shipped},
     };
 
     fn polar(segments: f64, more: &[(&'static str, Value)]) -> Polar {
         let scene = shipped("qpso-10m-empty").unwrap();
         let given: Given = [("segments", Value::from(segments))].into_iter().chain(more.iter().cloned()).collect();
-        let settings = Settings::new(super::super::pso::ENTRY.parameters, Kind::Grid, &given).unwrap();
-        let Body::Grid(grid) = scene.body() else { unreachable!() };
+        let settings = Settings::new(super::super::pso::ENTRY.parameters, GRID, &given).unwrap();
+        let grid = scene.get::<GridScene>().unwrap();
         Polar::new(Terrain::on_grid(grid, &settings).unwrap(), &settings)
     }
 

@@ -13,9 +13,9 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Group, Preset, ROAD, Reading},
-    kernel::{Error, Kind, rng::Stream},
+    kernel::{Error, rng::Stream},
     params::{Fixed, Parameter, Settings},
-    scene::Scene,
+    scene::{GRID, Scene},
     tree::paths::Paths,
 };
 
@@ -40,7 +40,7 @@ const STEP_SIZE: Parameter = Parameter::number(
     [0.01, 1e6, 0.5],
     "How far a node of a tree grows, in the scene’s unit; on grids, in cells. A higher value needs fewer extensions and misses narrow passages.",
 )
-.defaults_on(&[(Kind::Grid, Fixed::Number(1.0))])
+.defaults_on(&[(GRID, Fixed::Number(1.0))])
 .slider(0.05, 3.0, true);
 const GOAL_BIAS: Parameter = Parameter::number(
     "goal_bias",
@@ -98,7 +98,7 @@ pub const ENTRY: Entry = Entry {
     summary: "A random tree from start to goal gives each particle its first path; then a swarm with constant coefficients shortens the paths. A particle whose tree finds none is drawn at random.",
     kinds: PATHS,
     parameters: with_paths![
-        @ Parameter { defaults: &[], ..ENCODING }, WAYPOINTS.defaults_on(&[(Kind::Grid, Fixed::Number(8.0))]);
+        @ Parameter { defaults: &[], ..ENCODING }, WAYPOINTS.defaults_on(&[(GRID, Fixed::Number(8.0))]);
         POPULATION, ITERATIONS, STEP_SIZE, GOAL_BIAS, EXTENSIONS, W, C1, C2, RANDOM, V_MAX, V_MAX_UNIT
     ],
     readings: &[

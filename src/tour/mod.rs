@@ -32,7 +32,7 @@ use crate::{
         Stage, Started, State, Status, Subtasks, Yardstick, rng::Stream,
     },
     params::Settings,
-    scene::{Body, Scene},
+    scene::{GridScene, Scene, TourScene},
     settled::Settled,
 };
 
@@ -111,9 +111,9 @@ struct Tours {
 
 /// Starts a tour planner, which tells readings of these names beside those of every tour.
 fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, tells: &'static [&'static str], begin: Begin) -> Result<Started, Error> {
-    let network = match scene.body() {
-        Body::Grid(grid) => Some(Network::new(scene, grid, settings, seed)?),
-        _ => None,
+    let network = match scene.get::<GridScene>() {
+        Ok(grid) => Some(Network::new(scene, grid, settings, seed)?),
+        Err(_) => None,
     };
     let mut tours = Tours {
         settings: Arc::new(settings.clone()),
@@ -130,7 +130,7 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, tells: &'static [&'
         converged: 0,
         settled: Settled::default(),
     };
-    if let Body::Tour(tour) = scene.body() {
+    if let Ok(tour) = scene.get::<TourScene>() {
         tours.set_out(Problem::new(tour.distances(), tours.round));
     }
     let (roads, round, progress) = (tours.road_steps(), tours.round, tours.progress());

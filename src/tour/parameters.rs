@@ -2,13 +2,13 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Member, Reading, Scope},
-    kernel::{Kind, Role, Round},
+    kernel::{Role, Round, SceneKindId},
     params::{Choice, Parameter, Settings},
-    scene::{Body, Scene},
+    scene::{GRID, Scene, TOUR, TourScene},
 };
 
 /// The kinds of scene that a tour planner runs on.
-pub(super) const KINDS: &[Kind] = &[Kind::Grid, Kind::Tour];
+pub(super) const KINDS: &[SceneKindId] = &[GRID, TOUR];
 
 /// Who can build roads; a test compares the list with the catalogue.
 pub(super) const BUILDERS: &[Choice] = &[
@@ -30,14 +30,14 @@ pub(super) const ROADS: Parameter = Parameter::choice(
     BUILDERS,
     "Which planner finds the path between two stops, [ANTBAT] §3.2. It uses its preset `road`, or its defaults if it has none; each path has its own seed.",
 )
-.only_on(&[Kind::Grid]);
+.only_on(&[GRID]);
 pub(super) const SMOOTH: Parameter = Parameter::flag(
     "smooth",
     "Smooth roads",
     true,
     "Roads without redundant nodes: a node goes if its neighbours see each other, [ANTBAT] §3.1. The tour is then measured by the shortest one at any angle, otherwise by the shortest from cell to cell.",
 )
-.only_on(&[Kind::Grid]);
+.only_on(&[GRID]);
 
 const ROUNDS: &[Choice] = &[
     Choice { value: "scene", title: "As the scene says", help: "On grids: closed." },
@@ -50,13 +50,12 @@ pub(super) const ROUND: Parameter = Parameter::choice("round", "", "Tour", ROUND
 
 /// What the ends of the tours are.
 pub(super) fn round(scene: &Scene, settings: &Settings) -> Round {
-    match (settings.choice("round"), scene.body()) {
-        ("closed", _) => Round::Closed,
-        ("open", _) => Round::Open,
-        ("from-first", _) => Round::FromFirst,
-        ("first-to-last", _) => Round::FirstToLast,
-        (_, Body::Tour(tour)) => tour.round(),
-        _ => Round::Closed,
+    match settings.choice("round") {
+        "closed" => Round::Closed,
+        "open" => Round::Open,
+        "from-first" => Round::FromFirst,
+        "first-to-last" => Round::FirstToLast,
+        _ => scene.get::<TourScene>().map_or(Round::Closed, TourScene::round),
     }
 }
 
@@ -123,10 +122,8 @@ pub(super) const MEMBER_LENGTH: Member = member("length", "D", "Length", "The le
 pub(super) const MEMBER_DIFFERENT: Member =
     member("different", "HD", "Different", "At how many places its tour differs from the shortest one.");
 
-pub(super) const ROADS_LAYER: Layer = Layer {
-    kinds: &[Kind::Grid],
-    ..Layer::new(Role::Roads, "Roads", true, true, "The paths between pairs of stops that are built so far.")
-};
+pub(super) const ROADS_LAYER: Layer =
+    Layer { kinds: &[GRID], ..Layer::new(Role::Roads, "Roads", true, true, "The paths between pairs of stops that are built so far.") };
 pub(super) const TOUR_LAYER: Layer =
     Layer::new(Role::Tour, "Shortest tour", true, false, "The shortest tour so far, in its direction: the result.");
 pub(super) const STOPS_LAYER: Layer = Layer::new(Role::Stops, "Stops", true, true, "The stops, numbered in the shortest tour’s order.");

@@ -235,7 +235,7 @@ impl Subtasks for Network {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{params::Settings, scene::Body};
+    use crate::{params::Settings, scene::GridScene};
 
     /// An open grid with stops at (0.5, 0.5), (3.5, 0.5), (0.5, 3.5), (3.5, 3.5), and the lengths of the roads that were
     /// found: between 0 and 1, 0 and 2, 0 and 3, 1 and 2, 1 and 3, 2 and 3.
@@ -243,7 +243,7 @@ mod tests {
         let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "o", "title": "O", "cell": 1,
             "rows": ["....", "....", "....", "...."], "stops": [[0.5, 0.5], [3.5, 0.5], [0.5, 3.5], [3.5, 3.5]]}"#;
         let scene = Arc::new(Scene::from_json(text).unwrap());
-        let Body::Grid(grid) = scene.body() else { unreachable!() };
+        let grid = scene.get::<GridScene>().unwrap();
         let entry = crate::catalogue::find("bat").unwrap();
         let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
         let mut network = Network::new(&scene, grid, &settings, 1).unwrap();

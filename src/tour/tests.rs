@@ -8,7 +8,7 @@ use crate::{
     exact::Distances,
     kernel::{Item, Role, Round, rng::Stream},
     params::{Domain, Value},
-    scene::Body,
+    scene::TourScene,
     shipped,
 };
 
@@ -120,10 +120,7 @@ fn stops(n: usize, rng: &mut Stream) -> Arc<Scene> {
 }
 
 fn distances(scene: &Scene) -> &Distances {
-    match scene.body() {
-        Body::Tour(tour) => tour.distances(),
-        _ => unreachable!(),
-    }
+    scene.get::<TourScene>().unwrap().distances()
 }
 
 fn run(planner: &str, scene: &Arc<Scene>, params: &[(&'static str, Value)], seed: u64) -> Session {

@@ -13,7 +13,7 @@ use super::space::{Space, room};
 
 /// The joints of a scene's arm.
 pub(super) struct Joints {
-    scene: Arc<Scene>,
+    scene: Arc<ArmScene>,
     min: Posture,
     max: Posture,
     start: Posture,
@@ -31,30 +31,18 @@ impl Joints {
     /// # Errors
     /// [`Error::Refused`] for `start` or `goal` without such a posture.
     pub(super) fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
-        let body = scene.arm()?;
+        let body = scene.share::<ArmScene>()?;
         let arm = &body.arm;
         let most = settings.integer("goals") as usize;
         // Start and goal are free, however near: half of their room is left.
         let rooms = [body.start, body.goal].into_iter().flat_map(|end| body.obstacles().map(move |obstacle| room(end, obstacle)));
         let resolution = rooms.fold(settings.number("resolution"), |resolution, room| resolution.min(room / 2.0));
         let radius = settings.number("radius") + resolution;
-        let start = free_postures("start", body, body.start, &arm.home(), radius)?[0];
-        let mut goals = free_postures("goal", body, body.goal, &start, radius)?;
+        let start = free_postures("start", &body, body.start, &arm.home(), radius)?[0];
+        let mut goals = free_postures("goal", &body, body.goal, &start, radius)?;
         goals.truncate(most);
         let limit = |degrees: fn(&arm::Joint) -> f64| arm::radians(&arm.joints.each_ref().map(degrees));
-        Ok(Self {
-            scene: Arc::clone(scene),
-            min: limit(|joint| joint.min),
-            max: limit(|joint| joint.max),
-            start,
-            goals,
-            radius,
-            resolution,
-        })
-    }
-
-    fn body(&self) -> Option<&ArmScene> {
-        self.scene.arm().ok()
+        Ok(Self { min: limit(|joint| joint.min), max: limit(|joint| joint.max), start, goals, radius, resolution, scene: body })
     }
 }
 
@@ -96,7 +84,7 @@ impl Space<6> for Joints {
     }
 
     fn is_free(&self, a: &Posture, b: &Posture) -> bool {
-        let Some(scene) = self.body() else { return false };
+        let scene = &*self.scene;
         // A hair beyond the border is rounding, where start or goal lie on it.
         let inside = |tip: &[f64; 3]| (0..3).all(|i| (scene.workspace.min[i] - JOINED..=scene.workspace.max[i] + JOINED).contains(&tip[i]));
         arm::motion_is_free(scene, a, b, self.radius, self.resolution) && arm::tip_path(&scene.arm, &[*a, *b]).iter().all(inside)
@@ -104,12 +92,11 @@ impl Space<6> for Joints {
 
     /// Where the tip is.
     fn place(&self, posture: &Posture) -> [f64; 3] {
-        self.body().map_or([0.0; 3], |scene| scene.arm.skeleton(posture)[4])
+        self.scene.arm.skeleton(posture)[4]
     }
 
     fn solution(&self, path: &[Posture]) -> Solution {
-        let tips = self.body().map_or_else(Vec::new, |scene| arm::tip_path(&scene.arm, path));
-        Solution::Reach { path: tips, postures: path.to_vec() }
+        Solution::Reach { path: arm::tip_path(&self.scene.arm, path), postures: path.to_vec() }
     }
 
     fn curves(&self) -> bool {

@@ -2,12 +2,13 @@
 
 use crate::{
     describe::{Formula, Group, Reading},
-    kernel::Kind,
+    kernel::SceneKindId,
     params::{Fixed, Parameter},
+    scene::{ARM, DISCS, GRID},
 };
 
 /// The kinds of scene that a tree of places grows in.
-pub(super) const KINDS: &[Kind] = &[Kind::Arm, Kind::Discs, Kind::Grid];
+pub(super) const KINDS: &[SceneKindId] = &[ARM, DISCS, GRID];
 
 /// A planner's own parameters between those that every tree has.
 macro_rules! with_finish {
@@ -42,7 +43,7 @@ pub(super) const STEP: Parameter = Parameter::number(
     [1e-4, 1e6, 0.03],
     "How far a node grows, in the scene’s unit; on grids, in cells. The goal is reached from as near as that. Published: 0.03 and 0.05 m.",
 )
-.defaults_on(&[(Kind::Discs, Fixed::Number(0.5)), (Kind::Grid, Fixed::Number(1.0))])
+.defaults_on(&[(DISCS, Fixed::Number(0.5)), (GRID, Fixed::Number(1.0))])
 .slider(0.005, 2.0, true);
 pub(super) const MARGIN: Parameter = Parameter::number(
     "margin",
@@ -51,7 +52,7 @@ pub(super) const MARGIN: Parameter = Parameter::number(
     [0.0, 1.0, 0.005],
     "How far the tip keeps away from cuboids and column, in metres, so that the tool has room; less where start or goal have less. In the paper 0. Links with a radius need as much.",
 )
-.only_on(&[Kind::Arm])
+.only_on(&[ARM])
 .slider(0.0, 0.1, false);
 pub(super) const BIAS: Parameter = Parameter::number(
     "goal_bias",
@@ -112,7 +113,7 @@ pub(super) const SMOOTH: Parameter = Parameter::flag(
     true,
     "Round its corners by cubic Hermite curves with continuous velocity, (12); never into an obstacle.",
 )
-.defaults_on(&[(Kind::Discs, Fixed::Flag(false)), (Kind::Grid, Fixed::Flag(false))]);
+.defaults_on(&[(DISCS, Fixed::Flag(false)), (GRID, Fixed::Flag(false))]);
 pub(super) const BLEND: Parameter = Parameter::number(
     "blend",
     "b",

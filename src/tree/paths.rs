@@ -12,7 +12,7 @@ use super::{
     finish::Finish,
     grow::{Forest, Method},
     rrt::Rrt,
-    space::{Ground, Space},
+    space,
     task::Task,
 };
 
@@ -36,11 +36,11 @@ impl Paths {
     /// # Errors
     /// A scene without start and goal.
     pub fn new(scene: &Arc<Scene>, step_size: f64, goal_bias: f64) -> Result<Self, Error> {
-        let ground = Ground::new(scene, 0.0)?;
-        let ((min, max), step) = (ground.bounds(), step_size * ground.unit());
-        let start = ground.start();
+        let space = space::of_scene(scene, 0.0)?;
+        let ((min, max), step) = (space.bounds(), step_size * space.unit());
+        let start = space.start();
         let finish = Finish::raw(step);
-        Ok(Self(Task { space: Arc::new(ground), start, min, max, step, goal_bias, limit: u64::MAX, finish }))
+        Ok(Self(Task { space, start, min, max, step, goal_bias, limit: u64::MAX, finish }))
     }
 
     /// Grows a tree by so many extensions at most.

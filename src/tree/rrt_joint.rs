@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Member},
-    kernel::Kind,
     params::Parameter,
+    scene::ARM,
 };
 
 use super::{
@@ -25,7 +25,7 @@ pub const ENTRY: Entry = Entry {
     family: "tree",
     source: "Kuffner and LaValle 2000",
     summary: "Two trees of postures: one from the posture at the start, one from several at the goal. Every step is tested with all the arm’s links. The tip’s path follows from the joints, not the other way round.",
-    kinds: &[Kind::Arm],
+    kinds: &[ARM],
     stops: false,
     most_stops: None,
     parameters: &[ITERATIONS, STEP, GOALS, RADIUS, RESOLUTION, SHORTEN, POLYLINE, TOLERANCE, SMOOTH, BLEND],

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use crate::{
-    arm,
+    arm::{self, ArmScene},
     geometry::Cuboid,
-    kernel::{Error, Solution},
-    scene::{Body, Scene},
+    kernel::{Error, Plane, Scene, Solution},
+    scene::{DiscsScene, GridScene},
 };
 
 /// A box in N dimensions with obstacles. Points lie in it.
@@ -41,60 +41,50 @@ pub(super) trait Space<const N: usize>: Send + Sync {
     }
 }
 
-/// The plane of a scene with discs or cells, without extent in z, and the workspace of an arm's tip.
-pub(super) struct Ground {
-    scene: Arc<Scene>,
+/// The space of a scene with start and goal; an arm's tip keeps so much away from obstacles.
+///
+/// # Errors
+/// [`Error::Refused`] for a scene without.
+pub(super) fn of_scene(scene: &Scene, margin: f64) -> Result<Arc<dyn Space<3>>, Error> {
+    if let Ok(discs) = scene.share::<DiscsScene>() {
+        return Ok(Arc::new(Flat::new(discs, 1.0)?));
+    }
+    if let Ok(grid) = scene.share::<GridScene>() {
+        let unit = grid.cell;
+        return Ok(Arc::new(Flat::new(grid, unit)?));
+    }
+    match scene.share::<ArmScene>() {
+        Ok(arm) => Ok(Arc::new(Workspace::new(arm, margin))),
+        Err(_) => Err(Error::refused("kind", scene.kind().name(), "discs, grid or arm")),
+    }
+}
+
+/// A plane with obstacles, without extent in z.
+struct Flat<P> {
+    plane: Arc<P>,
     min: [f64; 3],
     max: [f64; 3],
     start: [f64; 3],
     goal: [[f64; 3]; 1],
     /// What a length of 1 is in the scene's unit for the planner's parameters: a cell's side on grids.
     unit: f64,
-    /// What the tip of an arm must keep away from, and how far: each cuboid, grown by that, its own corners sharp.
-    margin: f64,
-    grown: Vec<Cuboid>,
 }
 
-/// How far a point is from an obstacle.
-pub(super) fn room(point: [f64; 3], (axis, radius): (Cuboid, f64)) -> f64 {
-    axis.distance_squared(point, point).sqrt() - radius
-}
-
-impl Ground {
-    /// Of a scene with start and goal; an arm's tip keeps so much away from obstacles.
-    ///
-    /// # Errors
-    /// [`Error::Refused`] for a scene without.
-    pub(super) fn new(scene: &Arc<Scene>, margin: f64) -> Result<Self, Error> {
+impl<P: Plane> Flat<P> {
+    fn new(plane: Arc<P>, unit: f64) -> Result<Self, Error> {
         let flat = |[x, y]: [f64; 2]| [x, y, 0.0];
-        let (min, max, start, goal, unit) = match scene.body() {
-            Body::Discs(discs) => (flat(discs.bounds.min), flat(discs.bounds.max), flat(discs.start), flat(discs.goal), 1.0),
-            Body::Grid(grid) => {
-                let ((start, goal), bounds) = (grid.ends()?, grid.bounds());
-                (flat(bounds.min), flat(bounds.max), flat(start), flat(goal), grid.cell)
-            }
-            Body::Arm(arm) => (arm.workspace.min, arm.workspace.max, arm.start, arm.goal, 1.0),
-            Body::Function(_) | Body::Tour(_) => return Err(Error::refused("kind", scene.kind().name(), "discs, grid or arm")),
-        };
-        let (mut kept, mut grown) = (0.0, Vec::new());
-        if let Ok(arm) = scene.arm() {
-            // Start and goal are free, however near: half of their room is left.
-            let rooms = [start, goal].into_iter().flat_map(|end| arm.obstacles().map(move |obstacle| room(end, obstacle)));
-            kept = rooms.fold(margin, |margin, room| margin.min(room / 2.0));
-            grown =
-                arm.cuboids.iter().map(|cuboid| Cuboid { min: cuboid.min.map(|x| x - kept), max: cuboid.max.map(|x| x + kept) }).collect();
-        }
-        Ok(Self { scene: Arc::clone(scene), min, max, start, goal: [goal], unit, margin: kept, grown })
+        let ((start, goal), bounds) = (plane.ends()?, plane.bounds());
+        Ok(Self { min: flat(bounds.min), max: flat(bounds.max), start: flat(start), goal: [flat(goal)], unit, plane })
     }
 }
 
-impl Space<3> for Ground {
+impl<P: Plane> Space<3> for Flat<P> {
     fn bounds(&self) -> ([f64; 3], [f64; 3]) {
         (self.min, self.max)
     }
 
     fn dimensions(&self) -> usize {
-        if matches!(self.scene.body(), Body::Arm(_)) { 3 } else { 2 }
+        2
     }
 
     fn start(&self) -> [f64; 3] {
@@ -107,18 +97,7 @@ impl Space<3> for Ground {
 
     #[inline]
     fn is_free(&self, a: &[f64; 3], b: &[f64; 3]) -> bool {
-        if !(0..3).all(|i| self.min[i] <= b[i] && b[i] <= self.max[i]) {
-            return false;
-        }
-        match self.scene.body() {
-            Body::Arm(arm) => {
-                // Most pieces are nowhere near.
-                let near = |(cuboid, grown): (&Cuboid, &Cuboid)| grown.meets(*a, *b) && cuboid.is_within(self.margin, *a, *b);
-                let touches = arm.cuboids.iter().zip(&self.grown).any(near);
-                !touches && arm::column(arm).is_none_or(|column| !column.axis.is_within(column.radius + self.margin, *a, *b))
-            }
-            _ => self.scene.is_free([a[0], a[1]], [b[0], b[1]]),
-        }
+        (0..3).all(|i| self.min[i] <= b[i] && b[i] <= self.max[i]) && self.plane.is_free([a[0], a[1]], [b[0], b[1]])
     }
 
     fn place(&self, point: &[f64; 3]) -> [f64; 3] {
@@ -126,13 +105,68 @@ impl Space<3> for Ground {
     }
 
     fn solution(&self, path: &[[f64; 3]]) -> Solution {
-        match self.scene.body() {
-            Body::Arm(_) => Solution::Reach { path: path.to_vec(), postures: Vec::new() },
-            _ => Solution::Path(path.iter().map(|&[x, y, _]| [x, y]).collect()),
-        }
+        Solution::Path(path.iter().map(|&[x, y, _]| [x, y]).collect())
     }
 
     fn unit(&self) -> f64 {
         self.unit
+    }
+}
+
+/// The workspace of an arm's tip.
+struct Workspace {
+    arm: Arc<ArmScene>,
+    goal: [[f64; 3]; 1],
+    /// What the tip keeps away from, and how far: each cuboid, grown by that, its own corners sharp.
+    margin: f64,
+    grown: Vec<Cuboid>,
+}
+
+/// How far a point is from an obstacle.
+pub(super) fn room(point: [f64; 3], (axis, radius): (Cuboid, f64)) -> f64 {
+    axis.distance_squared(point, point).sqrt() - radius
+}
+
+impl Workspace {
+    fn new(arm: Arc<ArmScene>, margin: f64) -> Self {
+        // Start and goal are free, however near: half of their room is left.
+        let rooms = [arm.start, arm.goal].into_iter().flat_map(|end| arm.obstacles().map(move |obstacle| room(end, obstacle)));
+        let margin = rooms.fold(margin, |margin, room| margin.min(room / 2.0));
+        let grown = |cuboid: &Cuboid| Cuboid { min: cuboid.min.map(|x| x - margin), max: cuboid.max.map(|x| x + margin) };
+        Self { goal: [arm.goal], margin, grown: arm.cuboids.iter().map(grown).collect(), arm }
+    }
+}
+
+impl Space<3> for Workspace {
+    fn bounds(&self) -> ([f64; 3], [f64; 3]) {
+        (self.arm.workspace.min, self.arm.workspace.max)
+    }
+
+    fn start(&self) -> [f64; 3] {
+        self.arm.start
+    }
+
+    fn goals(&self) -> &[[f64; 3]] {
+        &self.goal
+    }
+
+    #[inline]
+    fn is_free(&self, a: &[f64; 3], b: &[f64; 3]) -> bool {
+        let arm = &*self.arm;
+        if !arm.workspace.contains(*b) {
+            return false;
+        }
+        // Most pieces are nowhere near.
+        let near = |(cuboid, grown): (&Cuboid, &Cuboid)| grown.meets(*a, *b) && cuboid.is_within(self.margin, *a, *b);
+        let touches = arm.cuboids.iter().zip(&self.grown).any(near);
+        !touches && arm::column(arm).is_none_or(|column| !column.axis.is_within(column.radius + self.margin, *a, *b))
+    }
+
+    fn place(&self, point: &[f64; 3]) -> [f64; 3] {
+        *point
+    }
+
+    fn solution(&self, path: &[[f64; 3]]) -> Solution {
+        Solution::Reach { path: path.to_vec(), postures: Vec::new() }
     }
 }

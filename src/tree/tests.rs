@@ -4,14 +4,15 @@ use std::sync::Arc;
 
 use crate::{
     Given, Scene, Session, Setup, Status, Value,
-    kernel::{Item, Kind, Progress, Role, State, rng::Stream},
+    kernel::{Item, Progress, Role, State, rng::Stream},
+    scene::ARM,
     shipped,
 };
 
 use super::{
     forest::NONE,
     grow::{Fate, Forest, Grown, Method, Source},
-    space::Ground,
+    space,
     task::Task,
     vector::distance,
     *,
@@ -38,7 +39,7 @@ fn plane() -> Arc<Scene> {
 fn task(scene: &Arc<Scene>, planner: &str) -> Task<3> {
     let entry = crate::catalogue::find(planner).unwrap();
     let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
-    Task::new(Arc::new(Ground::new(scene, settings.number("margin")).unwrap()), &settings, 0.0)
+    Task::new(space::of_scene(scene, settings.number("margin")).unwrap(), &settings, 0.0)
 }
 
 /// Grows towards fixed points, so that steps can be computed by hand.
@@ -161,7 +162,7 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
 fn without_the_fallback_no_step_is_plain() {
     let scene = shipped("arm-cuboid").unwrap();
     let given = [("fallback", "false".into())].into_iter().collect();
-    let settings = Settings::new(crate::catalogue::find("rrt-guided").unwrap().parameters, Kind::Arm, &given).unwrap();
+    let settings = Settings::new(crate::catalogue::find("rrt-guided").unwrap().parameters, ARM, &given).unwrap();
     let (mut guided, mut nothing) = (0, 0);
     for seed in 0..10 {
         let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();
@@ -180,7 +181,7 @@ fn without_the_fallback_no_step_is_plain() {
 fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_double_back() {
     let scene = shipped("arm-cuboid").unwrap();
     let entry = crate::catalogue::find("rrt-guided").unwrap();
-    let settings = Settings::new(entry.parameters, Kind::Arm, &Given::new()).unwrap();
+    let settings = Settings::new(entry.parameters, ARM, &Given::new()).unwrap();
     let (mut guided, mut fell_back, mut chosen) = (0, 0, [0; 4]);
     for seed in 0..40 {
         let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();
@@ -231,7 +232,7 @@ fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_doubl
 fn by_distance_the_wheel_keeps_four_and_the_nearest_that_is_free_is_taken() {
     let scene = shipped("arm-cuboid").unwrap();
     let entry = crate::catalogue::find("rrt-guided").unwrap();
-    let settings = Settings::new(entry.parameters, Kind::Arm, &Given::from_iter([("choice", Value::from("distance"))])).unwrap();
+    let settings = Settings::new(entry.parameters, ARM, &Given::from_iter([("choice", Value::from("distance"))])).unwrap();
     let (mut taken, mut nearest_kept, mut extensions) = (0, 0, 0);
     for seed in 0..40 {
         let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();

@@ -21,7 +21,7 @@ use crate::{
     },
     math,
     params::{Domain, Given, Parameter, Settings, Value},
-    scene::Scene,
+    scene::{GridScene, Scene},
 };
 
 pub use parameters::{ENTRY, SYMBOLS};
@@ -130,7 +130,7 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, 
         let known: Vec<_> = parameters::TUNABLE.iter().map(|option| option.value).filter(|&name| has(name)).collect();
         return Err(Error::refused("tune", chosen, format!("some of {}, which {} has", known.join(", "), colony.name)));
     }
-    let grid = scene.grid()?;
+    let grid = scene.get::<GridScene>()?;
     let course = grid.course()?;
     let population = settings.integer("population") as usize;
     let mut rng = Stream::new(seed, 0);

@@ -2,8 +2,9 @@
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Reading, Scope},
-    kernel::{Kind, Role},
+    kernel::Role,
     params::{Choice, Parameter},
+    scene::GRID,
 };
 
 const COLONIES: &[Choice] = &[
@@ -108,7 +109,7 @@ pub const ENTRY: Entry = Entry {
     family: "tuning",
     source: "[WOLF-ANT] §5.2",
     summary: "A particle swarm whose particles are parameters of an ant colony: each is judged by what a few runs of the colony find.",
-    kinds: &[Kind::Grid],
+    kinds: &[GRID],
     parameters: &[COLONY, TUNE, POPULATION, ITERATIONS, W, C1, C2, SEEDS, ROUNDS],
     readings: &[
         Reading::new("best", "\\bar L_g", "Best", Group::Cost, "The mean length that the best parameters so far gave."),

@@ -26,7 +26,7 @@ fn read_arm(scene: &JsValue) -> Result<Arc<Scene>, JsValue> {
 }
 
 fn arm_of(scene: &Scene) -> Result<&ArmScene, JsValue> {
-    scene.arm().map_err(|error| js_error(&error))
+    scene.get::<ArmScene>().map_err(|error| js_error(&error))
 }
 
 /// A list of so many finite numbers.

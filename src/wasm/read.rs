@@ -6,8 +6,8 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use crate::{
     Error, Given, Scene, Setup, Value,
-    kernel::{Item, Kind, Role, rng},
-    scene::shipped,
+    kernel::{Item, Role, SceneKindId, rng},
+    scene::{KINDS, shipped},
 };
 
 use super::js_error;
@@ -83,10 +83,11 @@ fn same_scene(value: &JsValue) -> Result<Arc<Scene>, Error> {
     Ok(scene)
 }
 
-pub(super) fn read_kind(value: &JsValue) -> Result<Kind, JsValue> {
+pub(super) fn read_kind(value: &JsValue) -> Result<SceneKindId, JsValue> {
     let name = read_text("kind", value)?;
-    let known = Kind::ALL.into_iter().find(|kind| kind.name() == name);
-    known.ok_or_else(|| js_error(&Error::unknown("kind", &name, Kind::ALL.map(Kind::name))))
+    let ids = || KINDS.iter().map(|kind| kind.id);
+    let known = ids().find(|id| id.name() == name);
+    known.ok_or_else(|| js_error(&Error::unknown("kind", &name, ids().map(SceneKindId::name))))
 }
 
 pub(super) fn read_item(value: &JsValue) -> Result<Item, JsValue> {

@@ -180,7 +180,7 @@ fn trees(scene: &Scene, title: &str, rows: &[Run]) -> Result<Table, Error> {
         "over straight %",
         "over exact %",
     ];
-    let line = straight_line(scene.arm()?);
+    let line = straight_line(scene.get::<ArmScene>()?);
     let exact = scene.exact().map(|exact| exact.length);
     let told = exact.map_or(String::new(), |exact| format!(", exact optimum {exact:.4} m"));
     let mut table = Table::new(scene.name(), format!("{title}: straight line {line:.4} m{told}"), &columns);
@@ -258,7 +258,7 @@ fn straight(scene: &Scene, rows: &[Run]) -> Result<Table, Error> {
     let columns = ["planner", "step m", "length over straight %, mean", "worst", "aside m, mean", "worst", "in steps, mean"];
     let title = "Without an obstacle: how straight the tree’s own path is, and how far it is from the straight line at most";
     let mut table = Table::new("straight", title, &columns);
-    let line = straight_line(scene.arm()?);
+    let line = straight_line(scene.get::<ArmScene>()?);
     for runs in cells(scene.name(), rows) {
         let over = summary(&runs, |run| Some(100.0 * (run.raw_length? / line - 1.0)));
         let aside = summary(&runs, |run| run.raw_aside);

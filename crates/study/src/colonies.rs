@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use forage::{
     Given, Session, Setup, catalogue,
     kernel::{Error, Status, Yardstick},
-    scene::Scene,
+    scene::{GridScene, Scene},
     statistics::Summary,
 };
 
@@ -82,7 +82,7 @@ impl Run {
 
 /// How long the scene's robot takes for a way, [WOLF-ANT] §5.3: at its speed, and for each turn on the spot.
 pub(super) fn seconds(scene: &Scene, length: f64, turns: f64) -> Option<f64> {
-    let robot = scene.grid().ok()?.robot?;
+    let robot = scene.get::<GridScene>().ok()?.robot?;
     Some(length / robot.speed? + turns * robot.turn_time.unwrap_or(0.0))
 }
 

@@ -2,7 +2,10 @@
 
 use std::f64::consts::SQRT_2;
 
-use forage::{kernel::Error, scene::Scene};
+use forage::{
+    kernel::Error,
+    scene::{GridScene, Scene},
+};
 
 /// A number as a paper prints it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,7 +48,7 @@ impl Steps {
     /// # Errors
     /// A scene that is no grid, or has no ends.
     pub fn of(scene: &Scene) -> Result<Self, Error> {
-        let grid = scene.grid()?;
+        let grid = scene.get::<GridScene>()?;
         let course = grid.course()?;
         let [from, to] = [course.start, course.goal].map(|cell| grid.cells().place(cell));
         Ok(Self { side: grid.cell, apart: [0, 1].map(|axis| from[axis].abs_diff(to[axis]) as u64) })

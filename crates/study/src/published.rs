@@ -2,7 +2,10 @@
 
 pub mod wcpso;
 
-use forage::{kernel::Error, scene::Scene};
+use forage::{
+    kernel::Error,
+    scene::{GridScene, Scene},
+};
 
 use super::figure::Figure;
 
@@ -135,7 +138,7 @@ pub const WOLF_ANT: [[Figure; 2]; 3] = [drive(602.842, 40.1421), drive(579.412, 
 /// # Errors
 /// A scene that is no grid.
 pub fn wolf_ant_path(scene: &Scene) -> Result<Vec<[f64; 2]>, Error> {
-    let cells = scene.grid()?.cells();
+    let cells = scene.get::<GridScene>()?.cells();
     let stored = scene.header().published.as_ref().and_then(|published| published.get("path_cells")?.as_array());
     let numbers = stored.into_iter().flatten().filter_map(|cell| usize::try_from(cell.as_u64()?).ok());
     Ok(numbers.filter(|cell| *cell < cells.len()).map(|cell| cells.centre(cell)).collect())

@@ -8,9 +8,9 @@ use forage::{
     Given, Session, Setup, Value,
     catalogue::PLANNERS,
     describe::Entry,
-    kernel::{Error, Kind},
+    kernel::Error,
     scene::{
-        Scene,
+        GRID, Scene,
         generate::{self, GENERATORS},
     },
     statistics::Summary,
@@ -112,7 +112,7 @@ impl Job for Task {
 /// The planners that look for one path on a grid. Those that drive along paths or tune other planners do other work.
 fn planners() -> impl Iterator<Item = &'static Entry> {
     let finds_a_path = |entry: &&Entry| !entry.stops && !["dynamic", "tuning"].contains(&entry.family);
-    PLANNERS.iter().filter(|entry| entry.kinds.contains(&Kind::Grid)).filter(finds_a_path)
+    PLANNERS.iter().filter(|entry| entry.kinds.contains(&GRID)).filter(finds_a_path)
 }
 
 fn settings(side: u32) -> Given {

@@ -8,7 +8,7 @@ use forage::{
     Given, Session, Setup, Status, Value,
     kernel::{Error, Event},
     scene::{
-        Scene,
+        GridScene, Scene,
         generate::{self, GENERATORS},
         shipped,
     },
@@ -126,7 +126,7 @@ impl Job for Task {
             planner: self.setup.planner.clone(),
             colony: self.text("colony"),
             seed: self.setup.seed,
-            obstacles: self.setup.scene.grid()?.moving.len(),
+            obstacles: self.setup.scene.get::<GridScene>()?.moving.len(),
             border: self.text("border"),
             arrived: outcome.status == Status::Solved,
             collisions: count("collisions"),
@@ -415,7 +415,7 @@ mod tests {
 
     #[test]
     fn scenes_have_one_to_ten_obstacles_and_either_border() {
-        let counts: Vec<_> = (1..=20).map(|k| one(k).unwrap().grid().unwrap().moving.len()).collect();
+        let counts: Vec<_> = (1..=20).map(|k| one(k).unwrap().get::<GridScene>().unwrap().moving.len()).collect();
         assert_eq!(counts, (1..=10).chain(1..=10).collect::<Vec<_>>());
         assert_eq!([1, 10, 11, 20, 21].map(border), ["leave", "leave", "bounce", "bounce", "leave"]);
     }

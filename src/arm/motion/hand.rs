@@ -130,7 +130,11 @@ pub(super) fn squared(a: &Posture, b: &Posture) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{arm::degrees, kernel::rng::Stream, shipped};
+    use crate::{
+        arm::{ArmScene, degrees},
+        kernel::rng::Stream,
+        shipped,
+    };
 
     /// A random posture's tip is brought back by its own hand, and every posture found has its tip there, on arms of all signs.
     #[test]
@@ -138,7 +142,7 @@ mod tests {
         let shipped = shipped("arm-free").unwrap();
         let mut random = Stream::new(3, 0);
         for round in 0..2000 {
-            let mut arm = shipped.arm().unwrap().arm.clone();
+            let mut arm = shipped.get::<ArmScene>().unwrap().arm.clone();
             if round % 2 == 1 {
                 arm.joints[1].alpha = 90.0;
                 (arm.joints[0].d, arm.joints[1].d, arm.joints[2].d) = (0.2, 0.03, -0.05);
@@ -162,7 +166,7 @@ mod tests {
     #[test]
     fn hands_are_within_the_limits_and_home_is_among_them() {
         let shipped = shipped("arm-free").unwrap();
-        let arm = &shipped.arm().unwrap().arm;
+        let arm = &shipped.get::<ArmScene>().unwrap().arm;
         let hands = Holding::new(arm).hands();
         // Eight bends of the wrist with nine turns of it, and the wrist stretched.
         assert_eq!(hands.len(), 8 * 9 + 1);

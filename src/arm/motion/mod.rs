@@ -20,9 +20,9 @@ use nalgebra::UnitQuaternion;
 
 use crate::{
     arm::ArmScene,
-    kernel::{Error, Kind, Solution, rng::Stream},
+    kernel::{Error, Solution, rng::Stream},
     params::{Given, Settings},
-    scene::Scene,
+    scene::{ARM, Scene},
 };
 
 use super::Links;
@@ -40,8 +40,8 @@ use trajectory::Trajectory;
 /// # Errors
 /// As [`Settings::new`].
 pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Given) -> Result<Option<Motion>, Error> {
-    let settings = Settings::new(MOTION.parameters, Kind::Arm, given)?;
-    let (Ok(scene), Some(Solution::Reach { path, postures })) = (scene.arm(), solution) else {
+    let settings = Settings::new(MOTION.parameters, ARM, given)?;
+    let (Ok(scene), Some(Solution::Reach { path, postures })) = (scene.get::<ArmScene>(), solution) else {
         return Ok(None);
     };
     if path.is_empty() {

@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use super::*;
 use crate::{
-    arm::{Posture, radians},
+    arm::{ArmScene, Posture, radians},
     geometry::Cuboid,
     params::{Domain, Value},
     session::{Session, Setup},
@@ -68,7 +68,7 @@ fn room(scene: &ArmScene, motion: &Motion, first_off_column: usize) -> f64 {
 
 /// What must be so of every motion that arrives.
 fn check(scene: &Scene, path: &[[f64; 3]], motion: &Motion) {
-    let (arm, rows) = (&scene.arm().unwrap().arm, rows(motion));
+    let (arm, rows) = (&scene.get::<ArmScene>().unwrap().arm, rows(motion));
     let tip = |row: &[f64]| [row[2], row[3], row[4]];
     let near = |a: [f64; 3], b: [f64; 3]| (0..3).all(|i| (a[i] - b[i]).abs() < 1e-7);
     assert!(near(tip(rows[0]), path[0]) && near(tip(rows[rows.len() - 1]), path[path.len() - 1]));
@@ -96,7 +96,7 @@ fn check(scene: &Scene, path: &[[f64; 3]], motion: &Motion) {
     assert!((outcome.largest_step - step).abs() < 1e-9 && (outcome.length - length).abs() < 1e-9);
     assert_eq!(outcome.time, rows[rows.len() - 1][0]);
     assert_eq!(outcome.free, outcome.touched_at.is_none());
-    assert!(!outcome.free || room(scene.arm().unwrap(), motion, 1) > 0.0);
+    assert!(!outcome.free || room(scene.get::<ArmScene>().unwrap(), motion, 1) > 0.0);
 }
 
 #[test]
@@ -123,7 +123,7 @@ fn thick_links_keep_their_distance() {
     check(&scene, &path, &motion);
     assert!(motion.outcome.arrived && motion.outcome.free, "{:?}", motion.outcome);
     // The upper arm is mounted 0.005 from the column, and stays so near.
-    let room = room(scene.arm().unwrap(), &motion, 2);
+    let room = room(scene.get::<ArmScene>().unwrap(), &motion, 2);
     assert!(motion.outcome.clearance.unwrap() > 0.0 && room > 0.04, "{room}");
 }
 
@@ -132,7 +132,7 @@ fn thick_links_keep_their_distance() {
 #[test]
 fn planned_postures_are_gone_through_evenly() {
     let scene = shipped("arm-free").unwrap();
-    let arm = &scene.arm().unwrap().arm;
+    let arm = &scene.get::<ArmScene>().unwrap().arm;
     let to = radians(&[90.0, -90.0, 0.0, 0.0, 0.0, 0.0]);
     let arc: Vec<_> = (0..=90).map(|i| arm.skeleton(&radians(&[f64::from(i), -90.0, 0.0, 0.0, 0.0, 0.0]))[4]).collect();
     let solution = Solution::Reach { path: arc.clone(), postures: vec![arm.home(), to] };
@@ -154,7 +154,7 @@ fn planned_postures_are_gone_through_evenly() {
 fn a_touch_between_rows_is_found_and_told() {
     let (x, y) = (0.3 + 0.4 * 0.5_f64.sqrt(), 0.65 + 0.4 * 0.5_f64.sqrt());
     let scene = with_cuboids(&[Cuboid { min: [x - 0.001, y - 0.001, 0.7], max: [x + 0.001, y + 0.001, 1.0] }]);
-    let arm = &scene.arm().unwrap().arm;
+    let arm = &scene.get::<ArmScene>().unwrap().arm;
     let postures = vec![arm.home(), radians(&[90.0, -90.0, 0.0, 0.0, 0.0, 0.0])];
     let path = postures.iter().map(|posture| arm.skeleton(posture)[4]).collect();
     let solution = Solution::Reach { path, postures };
@@ -221,7 +221,7 @@ fn a_point_without_a_posture_is_mirrored_and_then_drawn() {
 #[test]
 fn the_tool_keeps_its_orientation_or_turns_at_random() {
     let scene = shipped("arm-free").unwrap();
-    let arm = &scene.arm().unwrap().arm;
+    let arm = &scene.get::<ArmScene>().unwrap().arm;
     let path = [[0.85, 0.5, 0.5], [0.85, 0.8, 0.5]];
     let [.., home] = arm.forward(&arm.home());
     for postures in ["smoothest", "nearest"] {

@@ -14,9 +14,11 @@ mod taut;
 #[cfg(test)]
 mod tests;
 
-use crate::geometry::{Cuboid, length_in_space};
+use crate::{
+    geometry::{Cuboid, length_in_space},
+    kernel::Exact,
+};
 
-use super::Exact;
 use grow::grow;
 use search::Search;
 

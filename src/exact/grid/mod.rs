@@ -16,10 +16,10 @@ use std::{cmp::Reverse, collections::BinaryHeap, f64::consts::FRAC_PI_2};
 
 use crate::{
     geometry::Field,
+    kernel::Exact,
     math::{self, Length},
 };
 
-use super::Exact;
 use lattice::Lattice;
 
 /// How deep, relative to the grid's size, a tangent may seem to cut a third corner before it counts as blocked:

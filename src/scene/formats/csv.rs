@@ -1,11 +1,11 @@
 //! Tables of points: a line for each stop of a tour, with commas, semicolons or tabs between.
 
-use std::fmt::Write;
+use std::{fmt::Write, sync::Arc};
 
 use crate::{
     exact::Metric,
     kernel::Error,
-    scene::{Body, MAX_STOPS, Scene, TourScene, check::LARGEST},
+    scene::{MAX_STOPS, Scene, TourScene, check::LARGEST, tour},
 };
 
 use super::{
@@ -61,8 +61,8 @@ pub(super) fn import(file: &NamedFile) -> Result<Imported, Error> {
     if points.len() < 2 {
         return Err(file.wrong(last, &format!("the file ends after {} stops, expected 2 at least", points.len())));
     }
-    let body = Body::Tour(TourScene::through(points, Metric::Euclidean));
-    Ok(Imported::new(scene(file, "CSV of points", None, body, &notes)?, notes))
+    let body = Arc::new(TourScene::through(points, Metric::Euclidean));
+    Ok(Imported::new(scene(file, "CSV of points", None, &tour::KIND, body, &notes)?, notes))
 }
 
 /// A line's fields without spaces and quotes around them; between quotes the separator is a character like others.
@@ -78,7 +78,7 @@ fn fields(line: &str, between: char) -> Vec<&str> {
 
 /// The points of a tour's stops.
 pub(super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Error> {
-    let tour = scene.tour()?;
+    let tour = scene.get::<TourScene>()?;
     if tour.points.is_empty() {
         return Err(Error::refused("points", "nothing", "a point for each stop: the scene has only their distances"));
     }
@@ -122,7 +122,7 @@ mod tests {
             ("id,X,Y\n7,1,2\n7,-3.5,40\n", 1),
         ] {
             let read = table(text).unwrap();
-            let tour = read.scene.tour().unwrap();
+            let tour = read.scene.get::<TourScene>().unwrap();
             assert_eq!((tour.points.as_slice(), tour.metric), (&[[1.0, 2.0], [-3.5, 40.0]][..], Metric::Euclidean), "{text}");
             assert_eq!((read.scene.name(), read.notes.len()), ("a", notes));
         }

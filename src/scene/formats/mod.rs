@@ -15,7 +15,7 @@ mod ros;
 mod tests;
 mod tsplib;
 
-use crate::kernel::Error;
+use crate::{kernel::Error, scene::GridScene};
 
 use super::Scene;
 
@@ -220,8 +220,8 @@ pub fn export(scene: &Scene, format: Format, stem: &str) -> Result<Exported, Err
     // Names stand in tab-separated lines and between quotes.
     let stem: String = stem.chars().map(|c| if c.is_control() || "/\\\"'`".contains(c) { '-' } else { c }).collect();
     match format {
-        Format::MovingAi => movingai::export(scene.grid()?, &stem),
-        Format::Ros => Ok(ros::export(scene.grid()?, &stem)),
+        Format::MovingAi => movingai::export(scene.get::<GridScene>()?, &stem),
+        Format::Ros => Ok(ros::export(scene.get::<GridScene>()?, &stem)),
         Format::Tsplib => tsplib::export(scene, &stem),
         Format::Csv => csv::export(scene, &stem),
         Format::Json => Ok(Exported { files: vec![NamedFile::new(stem + ".json", scene.to_json() + "\n")], notes: Vec::new() }),

@@ -1,13 +1,13 @@
 //! MovingAI's `.map` (a grid) and `.scen` (problems on it). The origin is at the upper left, lengths are in cells, and
 //! steps don't cut corners: <https://movingai.com/benchmarks/formats.html>.
 
-use std::fmt::Write;
+use std::{fmt::Write, sync::Arc};
 
 use crate::{
     exact::shortest_over_cells,
     geometry::YAxis,
     kernel::{Error, json},
-    scene::{Body, GridScene},
+    scene::{GridScene, grid},
 };
 
 use super::{
@@ -46,7 +46,7 @@ pub(super) fn import(map: &NamedFile, scen: Option<&NamedFile>, problem: Option<
     } else {
         notes.push(ends::choose(&mut grid).ok_or_else(|| Error::malformed(map.label(), "no cell of the map is free"))?);
     }
-    Ok(Imported { scene: scene(map, "MovingAI map", None, Body::Grid(grid), &notes)?, notes, problems })
+    Ok(Imported { scene: scene(map, "MovingAI map", None, &grid::KIND, Arc::new(grid), &notes)?, notes, problems })
 }
 
 fn read_map(file: &NamedFile, notes: &mut Vec<String>) -> Result<GridScene, Error> {

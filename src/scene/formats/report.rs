@@ -2,9 +2,12 @@
 
 use serde::Serialize;
 
+use std::sync::Arc;
+
 use crate::{
-    kernel::Error,
-    scene::{Body, GridScene, Header, Scene},
+    describe::SceneKind,
+    kernel::{Error, SceneBody},
+    scene::{GridScene, Header, Scene},
 };
 
 use super::file::{NamedFile, base, stem};
@@ -67,8 +70,15 @@ pub(super) fn not_kept(what: &str, notes: &mut Vec<String>) {
 }
 
 /// A scene that was read; `file` gives its name.
-pub(super) fn scene(file: &NamedFile, source: &str, units: Option<&str>, body: Body, notes: &[String]) -> Result<Scene, Error> {
-    scene_named(stem(&file.name), file, source, units, body, notes)
+pub(super) fn scene(
+    file: &NamedFile,
+    source: &str,
+    units: Option<&str>,
+    kind: &SceneKind,
+    body: Arc<dyn SceneBody>,
+    notes: &[String],
+) -> Result<Scene, Error> {
+    scene_named(stem(&file.name), file, source, units, kind, body, notes)
 }
 
 /// A scene that was read and has a name of its own.
@@ -77,7 +87,8 @@ pub(super) fn scene_named(
     file: &NamedFile,
     source: &str,
     units: Option<&str>,
-    body: Body,
+    kind: &SceneKind,
+    body: Arc<dyn SceneBody>,
     notes: &[String],
 ) -> Result<Scene, Error> {
     // A scene's name has 1 to 100 bytes.
@@ -91,7 +102,7 @@ pub(super) fn scene_named(
         exact: None,
         published: None,
     };
-    Scene::new(header, body).map_err(|error| Error::malformed(file.label(), error))
+    Scene::new(header, body, kind.optimum).map_err(|error| Error::malformed(file.label(), error))
 }
 
 /// Notes that the file named is not the one that was given.

@@ -6,10 +6,12 @@
 //! `mode: raw` the value itself, of 255, is the occupancy in percent; above 100 it is unknown. What is not free is blocked
 //! in every mode, and a note counts the cells between.
 
+use std::sync::Arc;
+
 use crate::{
     geometry::YAxis,
     kernel::{Error, json},
-    scene::{Body, GridScene, check::LARGEST},
+    scene::{GridScene, check::LARGEST, grid},
 };
 
 use super::{
@@ -239,7 +241,7 @@ pub(super) fn import(file: &NamedFile, picture: &NamedFile) -> Result<Imported, 
     }
     let mut grid = GridScene { y_axis: YAxis::Up, ..GridScene::new(resolution, image.columns, blocked) };
     notes.push(ends::choose(&mut grid).ok_or_else(|| Error::malformed(picture.label(), "no cell of the map is free"))?);
-    Ok(Imported::new(scene(file, "ROS map", Some("m"), Body::Grid(grid), &notes)?, notes))
+    Ok(Imported::new(scene(file, "ROS map", Some("m"), &grid::KIND, Arc::new(grid), &notes)?, notes))
 }
 
 /// A map's two files.

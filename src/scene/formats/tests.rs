@@ -1,6 +1,12 @@
 //! What is read from each format, what is refused, and with which words.
 
-use crate::{Scene, exact::shortest_over_cells, geometry::YAxis, kernel::Yardstick, scene::shipped};
+use crate::{
+    Scene,
+    exact::shortest_over_cells,
+    geometry::YAxis,
+    kernel::Yardstick,
+    scene::{GridScene, shipped},
+};
 
 use super::*;
 
@@ -23,7 +29,7 @@ const YAML: &str =
 const PGM: &str = "P2\n# made by hand\n4 2\n255\n254 254 0 254\n205 254 0 254\n";
 
 fn rows(imported: &Imported) -> Vec<String> {
-    imported.scene.grid().unwrap().lines()
+    imported.scene.get::<GridScene>().unwrap().lines()
 }
 
 #[test]
@@ -62,7 +68,7 @@ fn an_occupancy_grid_is_read_with_its_thresholds() {
     let read = |yaml: &str, picture: &[u8]| import(&[file("map/test.yaml", yaml), file("test.pgm", picture)], None).unwrap();
     let plain = read(YAML, PGM.as_bytes());
     assert_eq!(rows(&plain), ["..#.", "#.#."]);
-    let grid = plain.scene.grid().unwrap();
+    let grid = plain.scene.get::<GridScene>().unwrap();
     assert_eq!((grid.cell, grid.y_axis, plain.scene.header().units.as_deref()), (0.05, YAxis::Up, Some("m")));
     assert!(plain.notes[0].contains("(-1.5, 2)") && plain.notes[1].contains("1 of 8 cells are unknown"), "{:?}", plain.notes);
     let negated = read(&YAML.replace("negate: 0", "negate: True"), PGM.as_bytes());
@@ -211,8 +217,8 @@ fn shut(row: &str, goal: &str) -> String {
 #[test]
 fn shipped_grids_survive_the_way_through_every_format() {
     let mut grids = 0;
-    for scene in crate::shipped_names().filter(|scene| scene.grid().is_ok()) {
-        let grid = scene.grid().unwrap();
+    for scene in crate::shipped_names().filter(|scene| scene.get::<GridScene>().is_ok()) {
+        let grid = scene.get::<GridScene>().unwrap();
         grids += 1;
         for format in [Format::MovingAi, Format::Ros, Format::Json] {
             let written = export(scene, format, scene.name()).unwrap();
@@ -221,12 +227,15 @@ fn shipped_grids_survive_the_way_through_every_format() {
             if format == Format::MovingAi {
                 let exact = read.scene.exact_by(Yardstick::Cells).unwrap();
                 assert_eq!(exact.length, read.problems[0].length);
-                let course = read.scene.grid().unwrap().course().unwrap();
-                let cells = read.scene.grid().unwrap().cells();
+                let course = read.scene.get::<GridScene>().unwrap().course().unwrap();
+                let cells = read.scene.get::<GridScene>().unwrap().cells();
                 assert_eq!(shortest_over_cells(cells, &course).unwrap().length, exact.length);
             }
             if format == Format::Ros {
-                assert_eq!((read.scene.grid().unwrap().cell, read.scene.grid().unwrap().y_axis), (grid.cell, YAxis::Up));
+                assert_eq!(
+                    (read.scene.get::<GridScene>().unwrap().cell, read.scene.get::<GridScene>().unwrap().y_axis),
+                    (grid.cell, YAxis::Up)
+                );
             }
         }
         assert_eq!(Scene::from_json(str::from_utf8(&export(scene, Format::Json, "a").unwrap().files[0].bytes).unwrap()).unwrap(), **scene);

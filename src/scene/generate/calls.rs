@@ -5,7 +5,7 @@ use crate::{
         Error,
         rng::{self, Stream},
     },
-    scene::{Body, GridScene, Header, MAX_GRID_STOPS, Scene},
+    scene::{GridScene, Header, MAX_GRID_STOPS, Scene, grid},
 };
 
 /// The same grid with `n` stops: centres of free cells, each another one, that can all be reached from each other and,
@@ -15,7 +15,7 @@ use crate::{
 /// [`Error::Refused`] for a scene that is no grid, for a number of stops that is not allowed or for which there is no
 /// room, and for a seed that is too large.
 pub fn with_stops(scene: &Scene, n: usize, seed: u64) -> Result<Scene, Error> {
-    let grid = scene.grid()?;
+    let grid = scene.get::<GridScene>()?;
     let mut stream = Stream::new(rng::check_seed(seed)?, 1);
     let mut places = room(grid);
     let most = places.len().min(MAX_GRID_STOPS);
@@ -34,7 +34,7 @@ pub fn with_stops(scene: &Scene, n: usize, seed: u64) -> Result<Scene, Error> {
         published: None,
         ..header.clone()
     };
-    Scene::new(header, Body::Grid(GridScene { stops, ..grid.clone() }))
+    grid::KIND.scene(header, GridScene { stops, ..grid.clone() })
 }
 
 /// Puts up to `n` stops on a grid; returns how many there was room for.

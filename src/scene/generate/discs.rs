@@ -1,10 +1,12 @@
 //! Discs in a square that do not touch each other, so that there is always a path between them: scenes of kind `discs`.
 
+use std::sync::Arc;
+
 use crate::{
     geometry::{Bounds, Disc},
-    kernel::{Kind, rng::Stream},
+    kernel::rng::Stream,
     params::{Parameter, Settings},
-    scene::{Body, DiscsScene, MAX_DISCS},
+    scene::{DiscsScene, MAX_DISCS, discs},
 };
 
 use super::plot::{Draw, Generator, Made};
@@ -18,7 +20,7 @@ pub(super) const DISCS: Generator = Generator {
         Parameter::number("side", "", "Side", [0.001, 1_000_000.0, 10.0], "Coordinates go from 0 to this.").slider(1.0, 100.0, true),
         Parameter::number("radius", "", "Largest radius", [0.001, 0.5, 0.15], "As a share of the side; the smallest is a third of it."),
     ],
-    draw: Draw::Other(Kind::Discs, draw),
+    draw: Draw::Other(&discs::KIND, draw),
 };
 
 /// How often another place is tried for a disc that would touch another one, or cover start or goal.
@@ -47,5 +49,5 @@ fn draw(settings: &Settings, stream: &mut Stream) -> Made {
     let there = discs.len();
     let note = (there < count).then(|| format!("There are {there} discs, not {count}: there is room for no more."));
     let bounds = Bounds { min: start, max: goal };
-    Made { body: Body::Discs(DiscsScene { bounds, start, goal, discs }), size: there.to_string(), note }
+    Made { body: Arc::new(DiscsScene { bounds, start, goal, discs }), size: there.to_string(), note }
 }

@@ -1,9 +1,11 @@
 //! Test functions whose minimum is not in the middle of the search box: scenes of kind `function`.
 
+use std::sync::Arc;
+
 use crate::{
-    kernel::{Kind, rng::Stream},
+    kernel::rng::Stream,
     params::{Choice, Parameter, Settings},
-    scene::{Body, Function, FunctionScene, MAX_DIMENSION},
+    scene::{Function, FunctionScene, MAX_DIMENSION, function},
 };
 
 use super::plot::{Draw, Generator, Made};
@@ -33,7 +35,7 @@ pub(super) const SHIFTED: Generator = Generator {
         ),
         Parameter::integer("dimension", "D", "Dimension", [1, MAX_DIMENSION as u64, 2], "How many variables.").slider(1.0, 30.0, false),
     ],
-    draw: Draw::Other(Kind::Function, draw),
+    draw: Draw::Other(&function::KIND, draw),
 };
 
 /// How far the minimum is moved at most, as a share of the way to the rim.
@@ -45,5 +47,5 @@ fn draw(settings: &Settings, stream: &mut Stream) -> Made {
     let reach = REACH * (function.half_side() - function.minimiser());
     let shift = (0..dimension).map(|_| stream.between(-reach, reach)).collect();
     let size = format!("{}-{dimension}", function.name());
-    Made { body: Body::Function(FunctionScene { function, dimension, shift }), size, note: None }
+    Made { body: Arc::new(FunctionScene { function, dimension, shift }), size, note: None }
 }

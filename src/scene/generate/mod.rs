@@ -15,17 +15,17 @@ mod scatter;
 #[cfg(test)]
 mod tests;
 
-use std::fmt::Write;
+use std::{fmt::Write, sync::Arc};
 
 use crate::{
     kernel::{
-        Error,
+        Error, SceneBody,
         rng::{self, Stream},
     },
     params::{Given, Settings},
 };
 
-use super::{Body, GridScene, Header, Scene};
+use super::{GridScene, Header, Scene};
 
 use moving::MOVING;
 
@@ -52,10 +52,10 @@ pub fn find(name: &str) -> Result<&'static Generator, Error> {
 /// Makes a scene: the same for the same parameters and seed. Its `source` is the command that makes it again.
 ///
 /// ```
-/// use forage::{Given, Value, scene::generate::generate};
+/// use forage::{Given, Value, scene::{GridScene, generate::generate}};
 ///
 /// let scene = generate("maze", &Given::from_iter([("columns", Value::from(21.0))]), 7)?;
-/// assert_eq!(scene.grid()?.columns, 21);
+/// assert_eq!(scene.get::<GridScene>()?.columns, 21);
 /// # Ok::<(), forage::Error>(())
 /// ```
 ///
@@ -70,7 +70,7 @@ pub fn generate(name: &str, given: &Given, seed: u64) -> Result<Scene, Error> {
         Draw::Grid(draw) => {
             let grid = grid(draw, &settings, &mut stream, seed, &mut note);
             let (columns, rows) = (grid.columns, grid.rows());
-            (Body::Grid(grid), format!("{columns}x{rows}"), format!("{columns} × {rows}"))
+            (Arc::new(grid) as Arc<dyn SceneBody>, format!("{columns}x{rows}"), format!("{columns} × {rows}"))
         }
         Draw::Other(_, draw) => {
             let made = draw(&settings, &mut stream);
@@ -95,7 +95,7 @@ pub fn generate(name: &str, given: &Given, seed: u64) -> Result<Scene, Error> {
         exact: None,
         published: None,
     };
-    Scene::new(header, body)
+    Scene::new(header, body, generator.draw.kind().optimum)
 }
 
 fn grid(

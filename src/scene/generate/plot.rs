@@ -1,9 +1,12 @@
 //! What a generator is, and the parameters that those of grids share.
 
+use std::sync::Arc;
+
 use crate::{
-    kernel::{Kind, rng::Stream},
+    describe::SceneKind,
+    kernel::{SceneBody, SceneKindId, rng::Stream},
     params::{Parameter, Settings},
-    scene::{Body, MAX_GRID_STOPS, MAX_SIDE},
+    scene::{MAX_GRID_STOPS, MAX_SIDE, grid},
 };
 
 /// What a random scene is made of.
@@ -22,11 +25,8 @@ pub struct Generator {
 
 impl Generator {
     /// The kind of its scenes.
-    pub const fn kind(&self) -> Kind {
-        match self.draw {
-            Draw::Grid(_) => Kind::Grid,
-            Draw::Other(kind, _) => kind,
-        }
+    pub const fn kind(&self) -> SceneKindId {
+        self.draw.kind().id
     }
 }
 
@@ -36,12 +36,21 @@ pub(super) enum Draw {
     /// Blocks cells, and sees to it that there is a way.
     Grid(fn(&Settings, &mut Plot, &mut Stream)),
     /// Makes a scene of this kind.
-    Other(Kind, fn(&Settings, &mut Stream) -> Made),
+    Other(&'static SceneKind, fn(&Settings, &mut Stream) -> Made),
+}
+
+impl Draw {
+    pub(super) const fn kind(&self) -> &'static SceneKind {
+        match self {
+            Self::Grid(_) => &grid::KIND,
+            Self::Other(kind, _) => kind,
+        }
+    }
 }
 
 /// A scene without a name.
 pub(super) struct Made {
-    pub(super) body: Body,
+    pub(super) body: Arc<dyn SceneBody>,
     /// What the name says of it, between the generator's name and the seed.
     pub(super) size: String,
     pub(super) note: Option<String>,

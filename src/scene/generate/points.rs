@@ -1,10 +1,12 @@
 //! Stops in the plane, evenly or in clusters: scenes of kind `tour`, with whole coordinates, as TSPLIB's instances have.
 
+use std::sync::Arc;
+
 use crate::{
     exact::Metric,
-    kernel::{Kind, rng::Stream},
+    kernel::rng::Stream,
     params::{Choice, Parameter, Settings},
-    scene::{Body, MAX_STOPS, TourScene},
+    scene::{MAX_STOPS, TourScene, tour},
 };
 
 use super::plot::{Draw, Generator, Made};
@@ -36,7 +38,7 @@ pub(super) const STOPS: Generator = Generator {
             "How far it is from one stop to another.",
         ),
     ],
-    draw: Draw::Other(Kind::Tour, draw),
+    draw: Draw::Other(&tour::KIND, draw),
 };
 
 /// How often another place is tried for a stop whose place is taken or outside.
@@ -65,5 +67,5 @@ fn draw(settings: &Settings, stream: &mut Stream) -> Made {
     }
     let metric = if settings.choice("metric") == Metric::Euc2d.name() { Metric::Euc2d } else { Metric::Euclidean };
     let size = points.len().to_string();
-    Made { body: Body::Tour(TourScene::through(points, metric)), size, note: None }
+    Made { body: Arc::new(TourScene::through(points, metric)), size, note: None }
 }

@@ -5,7 +5,7 @@ use crate::{
     kernel::{Digest, Yardstick},
     params::Domain,
     scene::{
-        Function, Motion, Robot,
+        DiscsScene, Function, FunctionScene, GridScene, Motion, Robot,
         reach::{beside, reach},
     },
 };
@@ -21,12 +21,12 @@ fn make(name: &str, pairs: &[(&str, f64)], seed: u64) -> Scene {
 }
 
 fn blocked(scene: &Scene) -> usize {
-    scene.grid().unwrap().blocked.iter().filter(|&&blocked| blocked).count()
+    scene.get::<GridScene>().unwrap().blocked.iter().filter(|&&blocked| blocked).count()
 }
 
 /// The cells that can be reached from the start; panics if the goal is not among them.
 fn reached(scene: &Scene) -> usize {
-    let grid = scene.grid().unwrap();
+    let grid = scene.get::<GridScene>().unwrap();
     let (start, goal) = grid.ends().unwrap();
     let mut seen = vec![false; grid.blocked.len()];
     let region = reach(&grid.blocked, grid.columns, grid.cells().at(start), &mut seen);
@@ -88,7 +88,7 @@ fn a_maze_without_loops_has_one_way_only_and_loops_add_more() {
         for (columns, rows) in [(21, 15), (20, 16), (2, 2), (1, 7), (3, 1)] {
             let side = [("columns", f64::from(columns)), ("rows", f64::from(rows))];
             let scene = make("maze", &side, seed);
-            let grid = scene.grid().unwrap();
+            let grid = scene.get::<GridScene>().unwrap();
             let free = grid.blocked.len() - blocked(&scene);
             assert_eq!(reached(&scene), free, "all corridors hang together");
             // A tree: as many cells as joints, and one more.
@@ -106,7 +106,7 @@ fn a_maze_without_loops_has_one_way_only_and_loops_add_more() {
 fn every_room_can_be_reached_and_none_is_much_smaller_than_asked_for() {
     for seed in 0..20 {
         let scene = make("rooms", &[("columns", 61.0), ("rows", 45.0), ("room", 8.0), ("loops", 0.0), ("door", 2.0)], seed);
-        let grid = scene.grid().unwrap();
+        let grid = scene.get::<GridScene>().unwrap();
         assert_eq!(reached(&scene), grid.blocked.len() - blocked(&scene));
         // Each row of the first room is free up to its wall.
         let room = grid.blocked.iter().position(|&blocked| blocked).unwrap();
@@ -122,7 +122,7 @@ fn a_seed_gives_the_same_grid_again_and_another_seed_another() {
         for seed in [1, 2, rng::MAX_SEED] {
             let scene = make(generator.name, &[], seed);
             assert_eq!(scene, make(generator.name, &[], seed));
-            assert_ne!(scene.grid(), make(generator.name, &[], seed - 1).grid());
+            assert_ne!(scene.get::<GridScene>(), make(generator.name, &[], seed - 1).get::<GridScene>());
         }
     }
 }
@@ -162,7 +162,7 @@ fn what_is_not_allowed_is_refused_by_name() {
 fn the_largest_grid_is_made_too() {
     for generator in GENERATORS {
         let scene = make(generator.name, &[("columns", 2048.0), ("rows", 1025.0)], 3);
-        assert_eq!(scene.grid().unwrap().rows(), 1025);
+        assert_eq!(scene.get::<GridScene>().unwrap().rows(), 1025);
     }
 }
 
@@ -171,7 +171,7 @@ fn stops_are_free_cells_of_their_own_that_can_all_be_reached() {
     for generator in GENERATORS {
         for seed in 0..20 {
             let scene = make(generator.name, &[("stops", 12.0)], seed);
-            let grid = scene.grid().unwrap();
+            let grid = scene.get::<GridScene>().unwrap();
             let mut seen = vec![false; grid.blocked.len()];
             reach(&grid.blocked, grid.columns, grid.cells().at(grid.start.unwrap()), &mut seen);
             let mut cells: Vec<_> = grid.stops.iter().map(|&stop| grid.cells().at(stop)).collect();
@@ -180,11 +180,11 @@ fn stops_are_free_cells_of_their_own_that_can_all_be_reached() {
             cells.dedup();
             assert_eq!(cells.len(), 12);
             let without = make(generator.name, &[], seed);
-            assert_eq!(without.grid().unwrap().blocked, grid.blocked, "stops change nothing else");
+            assert_eq!(without.get::<GridScene>().unwrap().blocked, grid.blocked, "stops change nothing else");
         }
     }
     let scene = make("maze", &[("columns", 3.0), ("rows", 3.0), ("stops", 20.0)], 1);
-    assert_eq!(scene.grid().unwrap().stops.len(), 5);
+    assert_eq!(scene.get::<GridScene>().unwrap().stops.len(), 5);
     assert_eq!(scene.header().note.as_deref(), Some("There are 5 stops, not 20: there is room for no more."));
 }
 
@@ -249,7 +249,7 @@ fn what_moves_is_clear_of_the_start_as_fast_and_as_large_as_allowed_and_changes_
             let size = [("columns", 12.0), ("rows", 9.0), ("cell", cell), ("stops", 4.0)];
             let discs = [("moving", 20.0), ("moving_speed", 2.0), ("moving_radius", 0.8)];
             let scene = make(generator.name, &[&size[..], &discs].concat(), seed);
-            let grid = scene.grid().unwrap();
+            let grid = scene.get::<GridScene>().unwrap();
             assert_eq!((grid.moving.len(), scene.header().note.as_ref()), (20, None));
             let robot = Robot { speed: Some(cell), turn_time: Some(1.0), ..Robot::default() };
             assert_eq!(grid.robot, Some(robot));
@@ -263,7 +263,7 @@ fn what_moves_is_clear_of_the_start_as_fast_and_as_large_as_allowed_and_changes_
                 radii.push(disc.radius / cell);
                 quarters[usize::from(*x < 0.0) + 2 * usize::from(*y < 0.0)] += 1;
             }
-            let mut without = make(generator.name, &size, seed).grid().unwrap().clone();
+            let mut without = make(generator.name, &size, seed).get::<GridScene>().unwrap().clone();
             (without.robot, without.moving) = (grid.robot, grid.moving.clone());
             assert_eq!(&without, grid);
             assert_eq!(Scene::from_json(&scene.to_json()).unwrap(), scene);
@@ -282,10 +282,10 @@ fn where_there_is_no_room_clear_of_the_start_fewer_discs_move_and_a_note_says_so
     let small = [("columns", 2.0), ("rows", 2.0), ("moving", 4.0)];
     // The far corner is 2.12 from the start: discs under 1.12 may begin near it, one of 1.25, the least of up to 5, not.
     let tight = make("random", &[&small[..], &[("moving_radius", 2.0)]].concat(), 1);
-    assert_eq!(tight.grid().unwrap().moving.len(), 4, "small ones find room");
-    assert!(tight.grid().unwrap().moving.iter().all(|disc| disc.radius < 1.13));
+    assert_eq!(tight.get::<GridScene>().unwrap().moving.len(), 4, "small ones find room");
+    assert!(tight.get::<GridScene>().unwrap().moving.iter().all(|disc| disc.radius < 1.13));
     let none = make("random", &[&small[..], &[("moving_radius", 5.0), ("stops", 9.0), ("share", 0.0)]].concat(), 1);
-    assert!(none.grid().unwrap().moving.is_empty());
+    assert!(none.get::<GridScene>().unwrap().moving.is_empty());
     let note = "There are 2 stops, not 9: there is room for no more. \
                 There are 0 moving obstacles, not 4: there is no room for more clear of the start.";
     assert_eq!(none.header().note.as_deref(), Some(note));
@@ -317,7 +317,7 @@ fn discs_never_touch_and_always_leave_a_path() {
     for seed in 0..60 {
         let mut stream = Stream::new(seed, 9);
         let scene = make("discs", &[("discs", stream.below(60) as f64), ("radius", stream.between(0.01, 0.5)), ("side", 3.0)], seed);
-        let Body::Discs(discs) = scene.body() else { unreachable!() };
+        let discs = scene.get::<DiscsScene>().unwrap();
         for (i, disc) in discs.discs.iter().enumerate() {
             assert!(discs.discs[..i].iter().all(|other| other.clearance(disc.center) > disc.radius), "{}", scene.name());
         }
@@ -333,7 +333,7 @@ fn a_shifted_function_has_its_minimum_where_the_shift_says() {
         let mut values = given(&[("dimension", 2.0)]);
         values.insert("function", Value::from(name));
         let scene = generate("shifted", &values, seed as u64).unwrap();
-        let Body::Function(function) = scene.body() else { unreachable!() };
+        let function = scene.get::<FunctionScene>().unwrap();
         assert!(function.value(&function.minimiser()).abs() < 1e-14 && function.shift.iter().all(|shift| *shift != 0.0), "{name}");
         assert_eq!(Scene::from_json(&scene.to_json()).unwrap(), scene);
     }

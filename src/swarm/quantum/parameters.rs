@@ -2,9 +2,10 @@
 
 use crate::{
     describe::{Formula, Group, Layer, Reading, Suggestion},
-    kernel::{Kind, Role},
+    kernel::Role,
     math,
     params::{Fixed, Parameter, Settings},
+    scene::{DISCS, FUNCTION, GRID},
     swarm::parameters::schedule,
 };
 
@@ -15,7 +16,7 @@ pub(super) const POPULATION: Parameter = Parameter::integer(
     [1, 100_000, 60],
     "How many particles. Published: 20 on functions (fig. 1), 30 on the 10 m grid; (10) and (11) suggest a number.",
 )
-.defaults_on(&[(Kind::Function, Fixed::Number(20.0)), (Kind::Discs, Fixed::Number(150.0)), (Kind::Grid, Fixed::Number(30.0))])
+.defaults_on(&[(FUNCTION, Fixed::Number(20.0)), (DISCS, Fixed::Number(150.0)), (GRID, Fixed::Number(30.0))])
 .slider(2.0, 2000.0, true);
 pub(super) const ITERATIONS: Parameter = Parameter::integer(
     "iterations",
@@ -24,7 +25,7 @@ pub(super) const ITERATIONS: Parameter = Parameter::integer(
     [1, 1_000_000_000, 500],
     "After how many iterations it stops; α falls over them. Published: 100 on functions (fig. 1), 50 on the 10 m grid; (10) and (11) suggest a number.",
 )
-.defaults_on(&[(Kind::Function, Fixed::Number(100.0)), (Kind::Grid, Fixed::Number(50.0))])
+.defaults_on(&[(FUNCTION, Fixed::Number(100.0)), (GRID, Fixed::Number(50.0))])
 .slider(10.0, 5000.0, true);
 pub(super) const ALPHA_START: Parameter = Parameter::number(
     "alpha_start",
@@ -121,7 +122,7 @@ mod tests {
     #[test]
     fn sizes_are_suggested_by_10_and_11() {
         let of = |pairs: &[(&'static str, Value)]| {
-            suggest(&Settings::new(super::super::ltqpso::ENTRY.parameters, Kind::Grid, &pairs.iter().cloned().collect()).unwrap())
+            suggest(&Settings::new(super::super::ltqpso::ENTRY.parameters, GRID, &pairs.iter().cloned().collect()).unwrap())
         };
         let uniform = of(&[]).unwrap();
         assert_eq!((uniform.population, uniform.iterations), (16, 29));

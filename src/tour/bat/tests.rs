@@ -1,11 +1,7 @@
 //! One flight of a bat, condition by condition.
 
 use super::*;
-use crate::{
-    exact::Distances,
-    kernel::{Kind, Round},
-    params::Given,
-};
+use crate::{exact::Distances, kernel::Round, params::Given, scene::TOUR};
 
 /// A bat at the tour 0 1 2 … n − 1 of stops on a circle, which is the shortest, but for `wrong` reversed places from 1
 /// on; the best is the shortest but for its last two stops.
@@ -14,7 +10,7 @@ fn bats(n: usize, wrong: usize, pulse_rate: f64, loudness: f64) -> Bats {
     let distances = Distances::of(n, |i, j| crate::geometry::length(&[place(i), place(j)]));
     let problem = Arc::new(Problem::new(&distances, Round::Closed));
     let given: Given = [("population", crate::Value::from(1.0)), ("local_search", crate::Value::from("none"))].into_iter().collect();
-    let settings = Settings::new(ENTRY.parameters, Kind::Tour, &given).unwrap();
+    let settings = Settings::new(ENTRY.parameters, TOUR, &given).unwrap();
     let mut bats = begin(&problem, &settings, Stream::new(1, 0));
     let mut best = Tour::first(&problem);
     best.row.swap(n - 2, n - 1);
@@ -79,7 +75,7 @@ fn a_loud_bat_takes_nothing_from_around_the_best() {
 fn bats_begin_half_loud_at_least_and_with_any_pulse_rate() {
     let problem = Arc::new(Problem::new(&Distances::of(9, |i, j| (j - i) as f64), Round::Closed));
     let given: Given = [("population", crate::Value::from(400.0))].into_iter().collect();
-    let settings = Settings::new(ENTRY.parameters, Kind::Tour, &given).unwrap();
+    let settings = Settings::new(ENTRY.parameters, TOUR, &given).unwrap();
     let bats = begin(&problem, &settings, Stream::new(1, 0));
     assert!(bats.swarm.iter().all(|bat| (0.5..1.0).contains(&bat.loudness) && (0.0..1.0).contains(&bat.pulse_rate)));
     let mean = |of: fn(&Bat) -> f64| bats.mean(of);

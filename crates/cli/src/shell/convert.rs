@@ -7,8 +7,9 @@ use std::{
 
 use forage::{
     Error, Scene,
+    arm::ArmScene,
     scene::{
-        Body,
+        DiscsScene, FunctionScene, GridScene, TourScene,
         formats::{self, ENDINGS, Format, NamedFile},
     },
 };
@@ -72,18 +73,22 @@ pub(super) fn write(scene: &Scene, format: Format, field: &str, path: &str, read
 
 /// The kind and the size of a scene.
 pub(super) fn describe(scene: &Scene) -> String {
-    match scene.body() {
-        Body::Function(function) => format!("function, {}", count(function.dimension, "variable")),
-        Body::Discs(discs) => format!("discs, {}", count(discs.discs.len(), "obstacle")),
-        Body::Grid(grid) => {
-            let cells = format!("grid, {} × {} cells", grid.columns, grid.rows());
-            let more = [(grid.stops.len(), "stop"), (grid.moving.len(), "moving obstacle")];
-            let more = more.into_iter().filter(|(number, _)| *number > 0).map(|(number, what)| count(number, what));
-            [cells].into_iter().chain(more).collect::<Vec<_>>().join(", ")
-        }
-        Body::Tour(tour) => format!("tour, {}", count(tour.len(), "stop")),
-        Body::Arm(arm) => format!("arm, {}", count(arm.cuboids.len(), "cuboid")),
-    }
+    let sizes = if let Ok(function) = scene.get::<FunctionScene>() {
+        vec![count(function.dimension, "variable")]
+    } else if let Ok(discs) = scene.get::<DiscsScene>() {
+        vec![count(discs.discs.len(), "obstacle")]
+    } else if let Ok(grid) = scene.get::<GridScene>() {
+        let more = [(grid.stops.len(), "stop"), (grid.moving.len(), "moving obstacle")];
+        let more = more.into_iter().filter(|(number, _)| *number > 0).map(|(number, what)| count(number, what));
+        [format!("{} × {} cells", grid.columns, grid.rows())].into_iter().chain(more).collect()
+    } else if let Ok(tour) = scene.get::<TourScene>() {
+        vec![count(tour.len(), "stop")]
+    } else if let Ok(arm) = scene.get::<ArmScene>() {
+        vec![count(arm.cuboids.len(), "cuboid")]
+    } else {
+        Vec::new()
+    };
+    [scene.kind().name().to_owned()].into_iter().chain(sizes).collect::<Vec<_>>().join(", ")
 }
 
 fn count(number: usize, what: &str) -> String {

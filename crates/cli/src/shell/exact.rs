@@ -4,9 +4,10 @@ use std::process::ExitCode;
 
 use forage::{
     Scene,
+    arm::ArmScene,
     exact::{AmongCuboids, MAX_EXACT_CUBOIDS, MAX_EXACT_STOPS, shortest_among_cuboids},
     kernel::{Round, Yardstick},
-    scene::{Body, MAX_EXACT_CELLS},
+    scene::{ARM, GRID, MAX_EXACT_CELLS, TourScene},
 };
 use serde::Serialize;
 
@@ -52,11 +53,11 @@ struct Tour<'a> {
 
 pub(super) fn exact(scene: &str, json: bool) -> Outcome {
     let scene = load::scene(scene)?;
-    let path = scene.exact().map_or(Points::Plane(&[]), |exact| match scene.body() {
-        Body::Arm(_) => Points::Space(&exact.tip_path),
+    let path = scene.exact().map_or(Points::Plane(&[]), |exact| match scene.kind() {
+        ARM => Points::Space(&exact.tip_path),
         _ => Points::Plane(&exact.path),
     });
-    let cells = matches!(scene.body(), Body::Grid(_)).then(|| scene.exact_by(Yardstick::Cells)).flatten();
+    let cells = (scene.kind() == GRID).then(|| scene.exact_by(Yardstick::Cells)).flatten();
     let answer = Answer {
         length: scene.optimum(Yardstick::AnyAngle),
         path,
@@ -74,10 +75,9 @@ pub(super) fn exact(scene: &str, json: bool) -> Outcome {
 
 /// The shortest tours by each rule that applies to a scene.
 fn tours(scene: &Scene) -> Vec<Tour<'_>> {
-    let (rules, ends): (&[_], _) = match scene.body() {
-        Body::Grid(_) => (&[Yardstick::AnyAngle, Yardstick::Cells], Round::Closed),
-        Body::Tour(tour) => (&[Yardstick::Matrix], tour.round()),
-        _ => (&[], Round::Closed),
+    let (rules, ends): (&[_], _) = match scene.get::<TourScene>() {
+        Ok(tour) => (&[Yardstick::Matrix], tour.round()),
+        Err(_) => (&[Yardstick::AnyAngle, Yardstick::Cells], Round::Closed),
     };
     let tour = |&by: &Yardstick| {
         let exact = scene.exact_tour(by, ends)?;
@@ -137,8 +137,8 @@ fn tour_line(tour: &Tour<'_>, length: &str) -> String {
 /// Why there is no exact path.
 fn no_path(scene: &Scene) -> String {
     const NONE: &str = "there is no path from start to goal";
-    match scene.body() {
-        Body::Arm(arm) => match shortest_among_cuboids(&arm.workspace, arm.start, arm.goal, &arm.cuboids) {
+    match scene.get::<ArmScene>() {
+        Ok(arm) => match shortest_among_cuboids(&arm.workspace, arm.start, arm.goal, &arm.cuboids) {
             AmongCuboids::NotComputed if arm.cuboids.len() > MAX_EXACT_CUBOIDS => {
                 format!("not computed for more than {MAX_EXACT_CUBOIDS} cuboids")
             }

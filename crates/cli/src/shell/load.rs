@@ -8,10 +8,12 @@ use std::{
 };
 
 use forage::{
-    Error, Given, Link, Scene, Setup, Value, arm, catalogue,
+    Error, Given, Link, Scene, Setup, Value,
+    arm::{self, ArmScene},
+    catalogue,
     describe::Suggestion,
     drive,
-    kernel::{Kind, rng},
+    kernel::{SceneKindId, rng},
     scene::formats::{self, Format, NamedFile},
     shipped,
 };
@@ -192,7 +194,7 @@ pub(super) fn drive(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
 pub(super) fn motion(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
     let mut overrides = Given::new();
     read_pairs("--motion-set", &args.motion_set, &mut overrides)?;
-    if scene.arm().is_err() && (args.motion.is_some() || !overrides.is_empty()) {
+    if scene.get::<ArmScene>().is_err() && (args.motion.is_some() || !overrides.is_empty()) {
         let option = if args.motion.is_some() { "--motion" } else { "--motion-set" };
         return Err(not_for(option, scene, "a scene with an arm"));
     }
@@ -246,7 +248,7 @@ pub(super) fn in_setup(setup: &Setup, error: &Error) -> Failure {
         && field == "parameter"
         && let Some(parameter) = entry.parameters.iter().find(|parameter| parameter.name == value)
     {
-        let kinds: Vec<_> = parameter.kinds.iter().copied().map(Kind::name).collect();
+        let kinds: Vec<_> = parameter.kinds.iter().copied().map(SceneKindId::name).collect();
         let (kinds, found) = (kinds.join(" and "), setup.scene.kind().name());
         return Failure::Refused(format!("`{value}` applies to scenes of kind {kinds}; this one is of kind {found}"));
     }

@@ -6,6 +6,7 @@ use forage::{
     Scene,
     kernel::{Round, Yardstick},
     scene::{
+        GridScene, TourScene,
         formats::{NamedFile, import},
         generate::{GENERATORS, OTHERS},
     },
@@ -33,7 +34,7 @@ fn a_random_grid_goes_through_every_format_in_the_shell() {
         assert_eq!((output.status.code(), words(&output.stdout)), (Some(0), String::new()), "{}", words(&output.stderr));
     }
     let last = Scene::from_json(&std::fs::read_to_string(at("p.json")).unwrap()).unwrap();
-    assert_eq!(last.grid().unwrap().lines(), scene.grid().unwrap().lines());
+    assert_eq!(last.get::<GridScene>().unwrap().lines(), scene.get::<GridScene>().unwrap().lines());
     // Every command takes a map, and its partner is found beside it.
     let exact = forage(&["exact", "--scene", &at("m.scen"), "--json"]);
     assert_eq!(exact.status.code(), Some(0), "{}", words(&exact.stderr));
@@ -69,7 +70,7 @@ fn moving_obstacles_are_asked_for_in_the_shell_and_made_again_by_their_source() 
         let wrote = " cells, 5 moving obstacles) to `";
         assert!(output.status.code() == Some(0) && words(&output.stderr).contains(wrote), "{}", words(&output.stderr));
         let scene = Scene::from_json(&std::fs::read_to_string(at("s.json")).unwrap()).unwrap();
-        let grid = scene.grid().unwrap();
+        let grid = scene.get::<GridScene>().unwrap();
         assert_eq!((grid.moving.len(), grid.robot.and_then(|robot| robot.speed)), (5, Some(1.0)));
         let source = scene.header().source.clone().unwrap();
         let args: Vec<_> = source.split_once(' ').expect("a command and its words").1.split(' ').collect();
@@ -112,8 +113,8 @@ fn stops_go_through_every_format_of_stops_and_their_shortest_tour_with_them() {
     let said = run(&["convert", &at("f.csv"), &at("g.TSP")]);
     assert!(said.contains("EUC_2D rounds"), "{said}");
     assert_eq!(
-        scene("a.json").tour().unwrap().points,
-        import(&[NamedFile::new("g.tsp", std::fs::read(at("g.TSP")).unwrap())], None).unwrap().scene.tour().unwrap().points
+        scene("a.json").get::<TourScene>().unwrap().points,
+        import(&[NamedFile::new("g.tsp", std::fs::read(at("g.TSP")).unwrap())], None).unwrap().scene.get::<TourScene>().unwrap().points
     );
     for name in ["b.tsp", "f.csv", "d.json"] {
         let output = forage(&["run", "wcpso", "--scene", &at(name)]);

@@ -122,7 +122,7 @@ impl Job for Task {
             }
         }
         let outcome = session.outcome();
-        let arm = self.0.scene.arm()?;
+        let arm = self.0.scene.get::<ArmScene>()?;
         let motion = outcome.motion.as_ref();
         let number = |name: &str| tree.readings.get(name).filter(|value| value.is_finite());
         Ok(Some(Run {
@@ -175,7 +175,7 @@ mod tests {
     #[test]
     fn a_path_is_as_far_aside_as_its_farthest_corner() {
         let scene = shipped("arm-free").unwrap();
-        let arm = scene.arm().unwrap();
+        let arm = scene.get::<ArmScene>().unwrap();
         assert_eq!(aside(arm, &[arm.start, arm.goal]), 0.0);
         let middle = [0, 1, 2].map(|i| f64::midpoint(arm.start[i], arm.goal[i]));
         // At right angles to the line, in the plane: (−dy, dx).

@@ -5,7 +5,12 @@ use std::{
     sync::atomic::{AtomicBool, Ordering},
 };
 
-use forage::{Given, Setup, Status, Trial, arm::MOTION, kernel::Error, trial::WITHIN};
+use forage::{
+    Given, Setup, Status, Trial,
+    arm::{ArmScene, MOTION},
+    kernel::Error,
+    trial::WITHIN,
+};
 
 use super::{
     super::{arm_rrt, colonies, runner::Job},
@@ -102,7 +107,7 @@ impl Job for Task {
         }
         add("seconds", colonies::seconds(&scene, record.length.unwrap_or(f64::NAN), outcome.turns.map_or(f64::NAN, |turns| turns as f64)));
         if let Some(path) = outcome.tip_path.as_deref() {
-            add("aside", Some(arm_rrt::aside(scene.arm()?, path)));
+            add("aside", Some(arm_rrt::aside(scene.get::<ArmScene>()?, path)));
         }
         if let Some(motion) = session.motion(&self.arm.motion)? {
             let jumps = jumps(&motion.rows);

@@ -2,7 +2,11 @@
 
 use std::fmt::Write;
 
-use forage::{kernel::Error, math, scene::shipped};
+use forage::{
+    kernel::Error,
+    math,
+    scene::{GridScene, shipped},
+};
 
 use super::{
     super::{
@@ -173,7 +177,7 @@ fn antbat() -> Result<Vec<Finding>, Error> {
 fn wolf_ant() -> Result<Vec<Finding>, Error> {
     let scene = shipped("wolf-ant-20")?;
     let by = Steps::of(&scene)?;
-    let (speed, turn) = scene.grid()?.robot.and_then(|robot| robot.speed.zip(robot.turn_time)).unwrap_or((f64::NAN, f64::NAN));
+    let (speed, turn) = scene.get::<GridScene>()?.robot.and_then(|robot| robot.speed.zip(robot.turn_time)).unwrap_or((f64::NAN, f64::NAN));
     let mut findings = Vec::new();
     for ((name, planner), [px, seconds]) in
         [("A*", "a-star"), ("traditional ants", "aco"), ("improved ants", "aco-wolf")].into_iter().zip(WOLF_ANT)

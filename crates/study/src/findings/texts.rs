@@ -2,8 +2,8 @@
 
 use forage::{
     Given, Session, Setup, Value, catalogue, geometry,
-    kernel::{Error, Kind},
-    scene::shipped,
+    kernel::{Error, SceneKindId},
+    scene::{FUNCTION, GridScene, shipped},
 };
 
 use super::{
@@ -33,7 +33,7 @@ fn if_so(holds: bool, otherwise: Source) -> Source {
 }
 
 /// A planner's default.
-fn default(planner: &str, name: &str, kind: Kind) -> Result<f64, Error> {
+fn default(planner: &str, name: &str, kind: SceneKindId) -> Result<f64, Error> {
     let entry = catalogue::find(planner)?;
     let parameter = entry.parameters.iter().find(|parameter| parameter.name == name);
     Ok(match parameter.map(|parameter| parameter.default_on(kind)) {
@@ -105,7 +105,7 @@ fn wcpso() -> Result<Vec<Finding>, Error> {
             format!("as a standard deviation f5’s of WPSO fits {as_std} sample of stuck runs, as a variance {as_variance}: the table has standard deviations"),
         ));
     }
-    let c = ["c_b", "c_a"].map(|name| default("wcpso", name, Kind::Function));
+    let c = ["c_b", "c_a"].map(|name| default("wcpso", name, FUNCTION));
     let [middle, swing] = [c[0].clone()?, c[1].clone()?];
     findings.push(Finding::new(
         place,
@@ -113,7 +113,7 @@ fn wcpso() -> Result<Vec<Finding>, Error> {
         if_so((middle - swing, middle + swing) == (0.5, 2.5), Source::Impossible),
         format!("(4) with its printed coefficients goes from {} to {}", middle + swing, middle - swing),
     ));
-    let f_l = default("wcpso", "f_l", Kind::Function)?;
+    let f_l = default("wcpso", "f_l", FUNCTION)?;
     findings.push(Finding::new(
         place,
         "F_L in [1, 2]",
@@ -285,7 +285,7 @@ fn arm_rrt() -> Vec<Finding> {
 
 fn wolf_ant() -> Result<Vec<Finding>, Error> {
     let scene = shipped("wolf-ant-20")?;
-    let grid = scene.grid()?;
+    let grid = scene.get::<GridScene>()?;
     let (speed, turn) = grid.robot.and_then(|robot| robot.speed.zip(robot.turn_time)).unwrap_or((f64::NAN, f64::NAN));
     let mut findings = Vec::new();
     let path = wolf_ant_path(&scene)?;

@@ -1,9 +1,11 @@
 //! Reading a `.tsp`.
 
+use std::sync::Arc;
+
 use crate::{
     exact::{Distances, LONGEST, Metric},
     kernel::Error,
-    scene::{Body, MAX_STOPS, TourScene, check::LARGEST},
+    scene::{MAX_STOPS, TourScene, check::LARGEST, tour},
 };
 
 use super::{
@@ -79,12 +81,12 @@ pub(in super::super) fn import(file: &NamedFile) -> Result<Imported, Error> {
     while let Some((keyword, value)) = words.keyword() {
         instance.read(&mut words, keyword, value)?;
     }
-    let body = Body::Tour(instance.scene(file, words.line)?);
+    let body = Arc::new(instance.scene(file, words.line)?);
     // Some files have their own name there.
     let name = instance.name.strip_suffix(".tsp").unwrap_or(instance.name);
     let name = if name.is_empty() { stem(&file.name) } else { name };
     let note = [instance.comments, instance.notes.clone()].concat();
-    Ok(Imported::new(scene_named(name, file, "TSPLIB file", None, body, &note)?, instance.notes))
+    Ok(Imported::new(scene_named(name, file, "TSPLIB file", None, &tour::KIND, body, &note)?, instance.notes))
 }
 
 impl<'a> Instance<'a> {

@@ -5,8 +5,9 @@ use crate::{
     exact::Metric,
     kernel::{Round, Yardstick},
     scene::{
-        Body, Header, TourScene,
+        Header, TourScene,
         formats::{Format, NamedFile, export, import, wanted},
+        tour,
     },
 };
 
@@ -74,7 +75,7 @@ fn geo_instances_have_the_optima_that_are_published_for_them() {
     let with = import(&[file("u.tsp", &ulysses), file("u.opt.tour", tour)], None).unwrap();
     assert_eq!(shortest(&with.scene), 6859.0);
     // Latitude first in the file, longitude first in the scene, so that pictures have the north on top.
-    let tour = with.scene.tour().unwrap();
+    let tour = with.scene.get::<TourScene>().unwrap();
     assert_eq!((tour.metric, tour.points[10]), (Metric::Geo, [-5.21, 36.08]));
 }
 
@@ -83,7 +84,7 @@ fn other_metrics_measure_as_their_formulas_say() {
     // A right triangle with legs 9 and 13: √250 = 15.81; over √10: 2.85, 4.11 and 5 exactly.
     for (kind, sides) in [("EUC_2D", [9.0, 13.0, 16.0]), ("CEIL_2D", [9.0, 13.0, 16.0]), ("ATT", [3.0, 5.0, 5.0])] {
         let scene = read(&instance(kind, &[[100.0, 100.0], [109.0, 100.0], [100.0, 113.0]]));
-        let d = scene.tour().unwrap().distances().clone();
+        let d = scene.get::<TourScene>().unwrap().distances().clone();
         assert_eq!([d.between(0, 1), d.between(0, 2), d.between(1, 2)], sides, "{kind}");
     }
     // √2 = 1.41 apart: rounded or rounded up.
@@ -119,7 +120,7 @@ fn every_form_of_a_matrix_is_the_same_one() {
         let behind = matrix(form, rows).replace("EDGE_WEIGHT_SECTION\n", "EDGE_WEIGHT_SECTION ");
         for text in [matrix(form, rows), matrix(form, &rows.replace('\n', " ")), matrix(form, &rows.replace(' ', "\n")), behind] {
             let scene = read(&text.replace('8', "8.0e+00"));
-            let d = scene.tour().unwrap().matrix.clone().unwrap();
+            let d = scene.get::<TourScene>().unwrap().matrix.clone().unwrap();
             let upper = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
             assert_eq!(upper.map(|(i, j)| d.between(i, j)), FOUR, "{form}");
             assert_eq!(upper.map(|(i, j)| d.between(j, i)), FOUR, "{form}");
@@ -135,7 +136,7 @@ fn what_other_programs_write_is_read() {
                 NODE_COORD_SECTION\r\n  2 1.0e+02 -0\r\n\t1   1\t-1.5E1  \r\n";
     for (name, text) in [("a.TSP", text.to_owned()), ("a", text.to_owned()), ("a.tsp", format!("{text}EOF\nand so on"))] {
         let read = import(&[file(name, text)], None).unwrap();
-        assert_eq!(read.scene.tour().unwrap().points, [[1.0, -15.0], [100.0, 0.0]]);
+        assert_eq!(read.scene.get::<TourScene>().unwrap().points, [[1.0, -15.0], [100.0, 0.0]]);
         assert_eq!((read.scene.name(), read.notes.len()), ("far", 1));
         assert!(read.notes[0].starts_with("Line 10 of a") && read.notes[0].contains("`BEST_KNOWN`"), "{:?}", read.notes);
         assert!(read.scene.header().note.as_ref().unwrap().starts_with("two\tstops (far apart) Line 10"));
@@ -143,15 +144,15 @@ fn what_other_programs_write_is_read() {
     // Files with a formula may say so, before it or behind.
     for to in ["EDGE_WEIGHT_FORMAT: FUNCTION\nEDGE_WEIGHT_TYPE: GEO", "EDGE_WEIGHT_TYPE: GEO\nEDGE_WEIGHT_FORMAT: FUNCTION "] {
         let text = instance("GEO", &BURMA).replace("EDGE_WEIGHT_TYPE: GEO", to);
-        assert_eq!(read(&text).tour().unwrap().metric, Metric::Geo);
+        assert_eq!(read(&text).get::<TourScene>().unwrap().metric, Metric::Geo);
     }
     // Places for pictures, of a matrix only.
     let places = "DISPLAY_DATA_SECTION\n3 3 0\n1 1 0\n2 2 0\n4 4 5\nEOF\n";
     let shown = read(&matrix("LOWER_ROW", "3\n4 6\n5 7 8").replace("EOF\n", places));
-    assert_eq!(shown.tour().unwrap().points, [[1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [4.0, 5.0]]);
+    assert_eq!(shown.get::<TourScene>().unwrap().points, [[1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [4.0, 5.0]]);
     let twice = instance("EUC_2D", &[[0.0, 3.0], [4.0, 0.0]]).replace("EOF\n", "DISPLAY_DATA_SECTION\n1 0 0\n2 1 1\n");
     let twice = import(&[file("b.tsp", twice)], None).unwrap();
-    assert_eq!((twice.scene.tour().unwrap().points[0], twice.notes.len()), ([0.0, 3.0], 1));
+    assert_eq!((twice.scene.get::<TourScene>().unwrap().points[0], twice.notes.len()), ([0.0, 3.0], 1));
     let odd = import(&[file("c.tsp", matrix("LOWER_DIAG_ROW", "9 3 -1 4 6 0 5 7 8 0"))], None).unwrap();
     assert!(odd.notes[0].starts_with("2 distances from a stop to itself"), "{:?}", odd.notes);
 }
@@ -273,7 +274,7 @@ fn a_tour_is_measured_and_kept_only_if_it_is_said_to_be_the_shortest() {
 fn scene(tour: TourScene) -> Scene {
     let text = instance("EUC_2D", &[[0.0, 0.0], [1.0, 0.0]]);
     let header = Header { note: None, ..read(&text).header().clone() };
-    Scene::new(header, Body::Tour(tour)).unwrap()
+    tour::KIND.scene(header, tour).unwrap()
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value};
 
-use crate::{kernel::Error, scene::Scene};
+use crate::{kernel::Error, scene::TourScene};
 
 use super::{
     super::{
@@ -18,7 +18,7 @@ use super::{
 /// kept as the scene's optimum, and what it measures as the length: no file's own number is trusted.
 pub(in super::super) fn with_tour(read: Imported, file: &NamedFile) -> Result<Imported, Error> {
     let Imported { scene, mut notes, problems } = read;
-    let tour = scene.tour()?;
+    let tour = scene.get::<TourScene>()?;
     if !tour.closed {
         return Err(Error::malformed(file.label(), "its tour is closed, those of the scene are open"));
     }
@@ -35,7 +35,7 @@ pub(in super::super) fn with_tour(read: Imported, file: &NamedFile) -> Result<Im
     exact.insert("order".to_owned(), Value::Array(order.into_iter().map(Value::from).collect()));
     let mut header = scene.header().clone();
     header.exact = Some(Value::Object(exact));
-    Ok(Imported { scene: Scene::new(header, scene.body().clone())?, notes, problems })
+    Ok(Imported { scene: scene.with_header(header)?, notes, problems })
 }
 
 /// The order of `n` stops, from 0.

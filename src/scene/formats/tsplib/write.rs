@@ -18,7 +18,7 @@ use super::{
 
 /// A scene of stops, and its shortest tour.
 pub(in super::super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Error> {
-    let tour = scene.tour()?;
+    let tour = scene.get::<TourScene>()?;
     let header = scene.header();
     let mut notes = Vec::new();
     let comment = header.note.as_ref().unwrap_or(&header.title);

@@ -7,8 +7,9 @@ mod words;
 use std::{fmt::Write, process::ExitCode};
 
 use forage::{
+    Scene,
     catalogue::{self, PLANNERS},
-    kernel::Kind,
+    scene::{ARM, GRID, KINDS},
     shipped_names,
 };
 
@@ -92,9 +93,7 @@ fn groups() -> Vec<(String, Vec<Line>)> {
         let line = Line { name: generator.name.to_owned(), title: generator.title.to_owned(), note: generator.kind().name().to_owned() };
         add("Generators of random scenes".to_owned(), line);
     }
-    for (name, title, kind) in
-        [("drive", "How a robot drives along a path", Kind::Grid), ("motion", "How an arm follows a path", Kind::Arm)]
-    {
+    for (name, title, kind) in [("drive", "How a robot drives along a path", GRID), ("motion", "How an arm follows a path", ARM)] {
         let line = Line { name: name.to_owned(), title: title.to_owned(), note: kind.name().to_owned() };
         add("Following a path".to_owned(), line);
     }
@@ -102,17 +101,11 @@ fn groups() -> Vec<(String, Vec<Line>)> {
         let description = describe(scene);
         let size = description.split_once(", ").map_or("", |(_, size)| size).to_owned();
         let line = Line { name: scene.name().to_owned(), title: escape(&scene.header().title).into_owned(), note: size };
-        add(format!("Scenes: {}", scene_heading(scene.kind())), line);
+        add(format!("Scenes: {}", scene_heading(scene)), line);
     }
     groups
 }
 
-fn scene_heading(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Function => "test functions",
-        Kind::Discs => "disc obstacles",
-        Kind::Grid => "grids",
-        Kind::Tour => "stops of a tour",
-        Kind::Arm => "arms",
-    }
+fn scene_heading(scene: &Scene) -> &'static str {
+    KINDS.iter().find(|kind| kind.id == scene.kind()).map_or("others", |kind| kind.title)
 }

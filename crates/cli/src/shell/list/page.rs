@@ -6,9 +6,12 @@ use forage::{
     Scene,
     catalogue::{self, PLANNERS},
     describe::{Entry, Follower},
-    kernel::Kind,
+    kernel::SceneKindId,
     params::Parameter,
-    scene::generate::{self, Generator},
+    scene::{
+        ARM, GridScene,
+        generate::{self, Generator},
+    },
     shipped, shipped_names,
 };
 
@@ -71,7 +74,7 @@ impl Page {
         }
     }
 
-    fn parameters(&mut self, option: &str, parameters: &[Parameter], kinds: &[Kind]) {
+    fn parameters(&mut self, option: &str, parameters: &[Parameter], kinds: &[SceneKindId]) {
         self.heading(&format!("Parameters ({option} NAME=VALUE)"));
         let width = parameters.iter().map(|parameter| parameter.name.len()).max().unwrap_or(0);
         for parameter in parameters {
@@ -88,8 +91,8 @@ impl Page {
 }
 
 /// The default, or the defaults by kind where they differ.
-fn defaults(parameter: &Parameter, kinds: &[Kind]) -> String {
-    let on: Vec<Kind> = kinds.iter().copied().filter(|&kind| parameter.applies_to(kind)).collect();
+fn defaults(parameter: &Parameter, kinds: &[SceneKindId]) -> String {
+    let on: Vec<SceneKindId> = kinds.iter().copied().filter(|&kind| parameter.applies_to(kind)).collect();
     let values: Vec<String> = on.iter().map(|&kind| parameter.default_on(kind).to_string()).collect();
     let Some(first) = values.first() else { return "none".to_owned() };
     if values.iter().any(|value| value != first) {
@@ -138,7 +141,7 @@ fn planner(entry: &Entry, page: &mut Page) {
 fn example_scene(entry: &Entry) -> Option<&'static Scene> {
     const FIRST: [&str; 6] = ["arm-cuboid", "wcpso-discs", "qpso-10m", "crossing", "wolf-ant-20", "ant-bat-30"];
     let preferred = FIRST.iter().filter_map(|name| shipped_names().find(|scene| scene.name() == *name));
-    let drives = |scene: &Scene| entry.family != "dynamic" || scene.grid().is_ok_and(|grid| !grid.moving.is_empty());
+    let drives = |scene: &Scene| entry.family != "dynamic" || scene.get::<GridScene>().is_ok_and(|grid| !grid.moving.is_empty());
     preferred.chain(shipped_names()).map(|scene| &**scene).find(|scene| entry.check_scene(scene).is_ok() && drives(scene))
 }
 
@@ -151,8 +154,8 @@ fn generator(generator: &'static Generator, page: &mut Page) {
     page.examples(&[format!("forage generate {0} --seed 7 --out {0}.json", generator.name)]);
 }
 
-fn following(name: &str, entry: &Follower, kind: Kind, page: &mut Page) {
-    page.line(&format!("{name}: {}", if kind == Kind::Arm { "how an arm follows a path" } else { "how a robot drives along a path" }));
+fn following(name: &str, entry: &Follower, kind: SceneKindId, page: &mut Page) {
+    page.line(&format!("{name}: {}", if kind == ARM { "how an arm follows a path" } else { "how a robot drives along a path" }));
     page.field("Source", entry.source);
     page.field("Scenes", kind.name());
     page.line("");
@@ -164,7 +167,7 @@ fn following(name: &str, entry: &Follower, kind: Kind, page: &mut Page) {
         let unit = if column.unit.is_empty() { String::new() } else { format!(" ({})", column.unit) };
         page.named(column.name, width, &format!("{}{unit}", column.title), "");
     }
-    let example = if kind == Kind::Arm { "run rrt-guided --scene arm-cuboid" } else { "run ltqpso --scene qpso-10m" };
+    let example = if kind == ARM { "run rrt-guided --scene arm-cuboid" } else { "run ltqpso --scene qpso-10m" };
     page.examples(&[format!("forage {example} --{name} {name}.csv")]);
 }
 

@@ -4,7 +4,8 @@ use forage::{
     arm,
     describe::{Entry, Follower},
     drive,
-    kernel::Kind,
+    kernel::SceneKindId,
+    scene::{ARM, GRID},
 };
 
 /// A planner's family for people.
@@ -23,15 +24,15 @@ pub(super) fn family(entry: &Entry) -> &'static str {
 
 /// The kinds of scene that a planner runs on.
 pub(super) fn kinds(entry: &Entry) -> String {
-    let name = |kind: &Kind| if entry.stops && *kind == Kind::Grid { "grid with stops" } else { kind.name() };
+    let name = |kind: &SceneKindId| if entry.stops && *kind == GRID { "grid with stops" } else { kind.name() };
     entry.kinds.iter().map(name).collect::<Vec<_>>().join(", ")
 }
 
 /// The followers of a path by name, with the kind of scene that they apply to.
-pub(super) fn follower(name: &str) -> Option<(&'static Follower, Kind)> {
+pub(super) fn follower(name: &str) -> Option<(&'static Follower, SceneKindId)> {
     match name {
-        "drive" => Some((&drive::ENTRY, Kind::Grid)),
-        "motion" => Some((&arm::MOTION, Kind::Arm)),
+        "drive" => Some((&drive::ENTRY, GRID)),
+        "motion" => Some((&arm::MOTION, ARM)),
         _ => None,
     }
 }

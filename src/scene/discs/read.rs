@@ -10,7 +10,7 @@ use crate::{
     },
 };
 
-use super::super::DiscsScene;
+use super::body::DiscsScene;
 
 /// Its fields, in the order in which they are written.
 pub(super) fn write(scene: &DiscsScene, out: &mut Vec<(&'static str, Value)>) {

@@ -7,7 +7,7 @@ use crate::kernel::{
     fields::{Fields, number},
 };
 
-use super::super::{Function, FunctionScene};
+use super::body::{Function, FunctionScene};
 
 /// Its fields, in the order in which they are written.
 pub(super) fn write(scene: &FunctionScene, out: &mut Vec<(&'static str, Value)>) {
@@ -26,11 +26,11 @@ pub(super) fn read(fields: &mut Fields) -> Result<FunctionScene, Error> {
         return Err(Error::refused("dimension", dimension, "a positive whole number"));
     }
     let mut shift = Vec::new();
-    if fields.left.contains_key("shift") {
+    if fields.has("shift") {
         for (i, value) in fields.list("shift")?.iter().enumerate() {
             shift.push(number(format!("shift[{i}]"), value)?);
         }
     }
-    fields.known.push("shift");
+    fields.allow("shift");
     Ok(FunctionScene { function, dimension: dimension as usize, shift })
 }

@@ -2,7 +2,14 @@
 
 use std::f64::consts::{E, TAU};
 
-use crate::{geometry::Bounds, kernel::Error, math};
+use crate::{
+    geometry::Bounds,
+    kernel::{Error, SceneKindId},
+    math,
+};
+
+/// What scene files call the kind.
+pub const ID: SceneKindId = SceneKindId("function");
 
 /// The largest dimension of a function.
 pub const MAX_DIMENSION: usize = 100;
@@ -106,7 +113,7 @@ pub struct FunctionScene {
 }
 
 impl FunctionScene {
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(super) fn check_fields(&self) -> Result<(), Error> {
         let (low, high) = self.function.dimensions();
         if !(low..=high).contains(&self.dimension) {
             let allowed = if low == high { low.to_string() } else { format!("a whole number from {low} to {high}") };
@@ -148,7 +155,7 @@ impl FunctionScene {
         moved
     }
 
-    pub(super) fn view(&self) -> Bounds {
+    pub(super) fn search_box(&self) -> Bounds {
         let side = self.function.half_side();
         Bounds { min: [-side, -side], max: [side, side] }
     }
@@ -197,7 +204,7 @@ mod tests {
 
     #[test]
     fn dimensions_outside_the_table_are_refused() {
-        let refused = |function, dimension| FunctionScene { function, dimension, shift: Vec::new() }.check().is_err();
+        let refused = |function, dimension| FunctionScene { function, dimension, shift: Vec::new() }.check_fields().is_err();
         assert!(refused(Function::Matyas, 3) && refused(Function::Rosenbrock, 1) && refused(Function::Sphere, 0));
         assert!(refused(Function::Sphere, MAX_DIMENSION + 1) && !refused(Function::Sphere, 1));
     }
@@ -206,9 +213,9 @@ mod tests {
     fn a_shift_moves_the_minimum_and_keeps_it_in_the_search_box() {
         let scene = |shift: &[f64]| FunctionScene { function: Function::Rosenbrock, dimension: 2, shift: shift.to_vec() };
         let moved = scene(&[-3.0, 2.5]);
-        assert_eq!((moved.check(), moved.minimiser()), (Ok(()), vec![-2.0, 3.5]));
+        assert_eq!((moved.check_fields(), moved.minimiser()), (Ok(()), vec![-2.0, 3.5]));
         assert_eq!((moved.value(&[-2.0, 3.5]), moved.value(&[-1.0, 5.5])), (0.0, Function::Rosenbrock.value(&[2.0, 3.0])));
-        assert!(scene(&[3.5, 0.0]).check().unwrap_err().to_string().contains("search box"));
-        assert!(scene(&[0.0]).check().unwrap_err().to_string().contains("a number for each"));
+        assert!(scene(&[3.5, 0.0]).check_fields().unwrap_err().to_string().contains("search box"));
+        assert!(scene(&[0.0]).check_fields().unwrap_err().to_string().contains("a number for each"));
     }
 }

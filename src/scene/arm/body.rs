@@ -4,12 +4,14 @@ use serde_json::Value;
 
 use crate::{
     arm::{self, ArmScene, Posture},
-    exact::{AmongCuboids, Exact, shortest_among_cuboids},
-    geometry::{Bounds, Cuboid, length_in_space},
-    kernel::{Error, Solution, Verdict},
+    exact::{AmongCuboids, shortest_among_cuboids},
+    geometry::{Cuboid, length_in_space},
+    kernel::{Error, Exact, SceneKindId, Solution, Verdict},
+    scene::check::limited,
 };
 
-use super::check::limited;
+/// What scene files call the kind.
+pub const ID: SceneKindId = SceneKindId("arm");
 
 /// How far from start and goal the tip may be where postures were planned, in metres.
 pub(crate) const JOINED: f64 = 1e-6;
@@ -22,7 +24,7 @@ const RESOLUTION: f64 = 1e-3;
 pub const MAX_CUBOIDS: usize = 200;
 
 impl ArmScene {
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(super) fn check_fields(&self) -> Result<(), Error> {
         check_cuboid("workspace", &self.workspace)?;
         if self.cuboids.len() > MAX_CUBOIDS {
             return Err(Error::refused("cuboids", format!("a list of {}", self.cuboids.len()), format!("at most {MAX_CUBOIDS} cuboids")));
@@ -68,7 +70,7 @@ impl ArmScene {
 
     /// The tip's shortest path, as if nothing were behind it: neither the arm nor the column under its base counts, so it is
     /// a lower bound for the arm's. Where there are too many cuboids, the length that the scene's file gives.
-    pub(super) fn exact(&self, stored: Option<&Value>) -> Option<Exact> {
+    pub(super) fn shortest(&self, stored: Option<&Value>) -> Option<Exact> {
         match shortest_among_cuboids(&self.workspace, self.start, self.goal, &self.cuboids) {
             AmongCuboids::Found(exact) => Some(exact),
             AmongCuboids::NoWay => None,
@@ -81,7 +83,8 @@ impl ArmScene {
         }
     }
 
-    pub(super) fn judge(&self, solution: &Solution) -> Verdict {
+    /// What a way of the tip, or of the whole arm, is worth.
+    pub(super) fn judge_solution(&self, solution: &Solution) -> Verdict {
         let Solution::Reach { path, postures } = solution else {
             return Verdict { length: None, feasible: false, clearance: None };
         };
@@ -113,12 +116,6 @@ impl ArmScene {
             && arm::tip_path(&self.arm, postures) == path
             && postures.iter().all(within)
             && postures.windows(2).all(|w| arm::motion_is_free(self, &w[0], &w[1], 0.0, RESOLUTION))
-    }
-
-    /// The workspace seen from above.
-    pub(super) fn view(&self) -> Bounds {
-        let flat = |[x, y, _]: [f64; 3]| [x, y];
-        Bounds { min: flat(self.workspace.min), max: flat(self.workspace.max) }
     }
 }
 

@@ -1,12 +1,14 @@
 //! Scenes of kind `discs`: a start, a goal and circular obstacles in the plane, [WCPSO] §3.2.
 
 use crate::{
-    exact::{Exact, shortest_among_discs},
+    exact::shortest_among_discs,
     geometry::{self, Bounds, Disc},
-    kernel::{Error, Verdict},
+    kernel::{Error, Exact, SceneKindId, Verdict},
+    scene::check::{LARGEST, coordinate, finite},
 };
 
-use super::check::{LARGEST, coordinate, finite};
+/// What scene files call the kind.
+pub const ID: SceneKindId = SceneKindId("discs");
 
 /// The most discs in a scene: up to here the exact optimum takes a moment, not a minute.
 pub const MAX_DISCS: usize = 200;
@@ -25,7 +27,7 @@ pub struct DiscsScene {
 }
 
 impl DiscsScene {
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(super) fn check_fields(&self) -> Result<(), Error> {
         let bounds = &self.bounds;
         for axis in 0..2 {
             coordinate("bounds.min", bounds.min, axis)?;
@@ -65,18 +67,18 @@ impl DiscsScene {
         }
     }
 
-    pub(super) fn exact(&self) -> Option<Exact> {
+    pub(super) fn shortest(&self) -> Option<Exact> {
         shortest_among_discs(self.start, self.goal, &self.discs)
     }
 
-    pub(super) fn judge(&self, path: &[[f64; 2]]) -> Verdict {
+    pub(super) fn judge_path(&self, path: &[[f64; 2]]) -> Verdict {
         let clearance =
             self.discs.iter().flat_map(|disc| path.windows(2).map(move |w| disc.clearance_of_segment(w[0], w[1]))).reduce(f64::min);
         let joins = path.first() == Some(&self.start) && path.last() == Some(&self.goal);
         Verdict { length: Some(geometry::length(path)), feasible: joins && clearance.is_none_or(|c| c >= 0.0), clearance }
     }
 
-    pub(super) fn view(&self) -> Bounds {
+    pub(super) fn whole(&self) -> Bounds {
         let Bounds { mut min, mut max } = self.bounds;
         for disc in &self.discs {
             for axis in 0..2 {
@@ -103,11 +105,11 @@ mod tests {
 
     #[test]
     fn a_path_is_judged_by_its_segments_not_by_its_corners() {
-        let through = scene().judge(&[[0.0, 0.0], [10.0, 0.0]]);
+        let through = scene().judge_path(&[[0.0, 0.0], [10.0, 0.0]]);
         assert_eq!((through.length, through.feasible, through.clearance), (Some(10.0), false, Some(-1.0)));
-        let over = scene().judge(&[[0.0, 0.0], [5.0, 5.0], [10.0, 0.0]]);
+        let over = scene().judge_path(&[[0.0, 0.0], [5.0, 5.0], [10.0, 0.0]]);
         assert!(over.feasible && over.clearance.unwrap() > 2.5);
-        assert!(!scene().judge(&[[0.0, 0.0], [5.0, 5.0]]).feasible, "it must end at the goal");
+        assert!(!scene().judge_path(&[[0.0, 0.0], [5.0, 5.0]]).feasible, "it must end at the goal");
     }
 
     #[test]
@@ -115,7 +117,7 @@ mod tests {
         let field = |change: fn(&mut DiscsScene)| {
             let mut scene = scene();
             change(&mut scene);
-            scene.check().unwrap_err().field().to_owned()
+            scene.check_fields().unwrap_err().field().to_owned()
         };
         assert_eq!(field(|s| s.start = [5.0, 0.5]), "start");
         assert_eq!(field(|s| s.goal = [11.0, 0.5]), "goal");
@@ -125,6 +127,6 @@ mod tests {
         assert_eq!(field(|s| s.discs[0].center[1] = 1e7), "discs[0].center[1]");
         assert_eq!(field(|s| s.bounds.max[1] = 0.0), "bounds.max[1]");
         assert_eq!(field(|s| s.discs = vec![s.discs[0]; MAX_DISCS + 1]), "discs");
-        assert!(scene().check().is_ok());
+        assert!(scene().check_fields().is_ok());
     }
 }

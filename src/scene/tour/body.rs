@@ -5,13 +5,15 @@ use std::sync::{Arc, OnceLock};
 use serde_json::Value;
 
 use crate::{
-    exact::{Distances, Exact, Metric, shortest_tour},
+    exact::{Distances, Metric, shortest_tour},
     geometry::Bounds,
-    kernel::{Error, Round, Solution, Verdict},
+    kernel::{Error, Exact, Round, SceneKindId, Solution, Verdict},
     math,
+    scene::check::coordinate,
 };
 
-use super::check::coordinate;
+/// What scene files call the kind.
+pub const ID: SceneKindId = SceneKindId("tour");
 
 /// The most stops of a tour.
 pub const MAX_STOPS: usize = 2000;
@@ -81,7 +83,7 @@ impl TourScene {
         if self.closed { Round::Closed } else { Round::Open }
     }
 
-    pub(super) fn check(&self, stored: Option<&Value>) -> Result<(), Error> {
+    pub(super) fn check_fields(&self, stored: Option<&Value>) -> Result<(), Error> {
         let field = if self.matrix.is_some() { "matrix" } else { "points" };
         let n = self.len();
         if !(2..=MAX_STOPS).contains(&n) {
@@ -131,7 +133,7 @@ impl TourScene {
     }
 
     /// All places, with a margin.
-    pub(super) fn view(&self) -> Bounds {
+    pub(super) fn surroundings(&self) -> Bounds {
         let mut bounds = Bounds { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
         for place in self.places() {
             for (axis, c) in place.into_iter().enumerate() {
@@ -145,7 +147,7 @@ impl TourScene {
     }
 
     /// The shortest tour; of more stops than can be computed the one that the file gives, if it has the scene's own ends.
-    pub(super) fn exact_tour(&self, round: Round, stored: Option<&Value>) -> Option<Exact> {
+    pub(super) fn shortest_tour(&self, round: Round, stored: Option<&Value>) -> Option<Exact> {
         let places = self.places();
         let path = |order: &[usize]| {
             let back = order.first().filter(|_| round.closes());
@@ -172,7 +174,7 @@ impl TourScene {
         }
     }
 
-    pub(super) fn judge(&self, solution: &Solution) -> Verdict {
+    pub(super) fn judge_solution(&self, solution: &Solution) -> Verdict {
         let Solution::Tour { order, round, .. } = solution else {
             return Verdict { length: None, feasible: true, clearance: None };
         };

@@ -10,7 +10,7 @@ use crate::{
     },
 };
 
-use super::super::{MAX_STOPS, TourScene};
+use super::body::{MAX_STOPS, TourScene};
 
 /// Its fields, in the order in which they are written.
 pub(super) fn write(tour: &TourScene, out: &mut Vec<(&'static str, Value)>) {
@@ -32,25 +32,24 @@ pub(super) fn write(tour: &TourScene, out: &mut Vec<(&'static str, Value)>) {
 
 /// Reads its fields.
 pub(super) fn read(fields: &mut Fields) -> Result<TourScene, Error> {
-    let has = |fields: &Fields, name: &str| fields.left.contains_key(name);
-    let points = if has(fields, "points") || !has(fields, "matrix") {
+    let points = if fields.has("points") || !fields.has("matrix") {
         let list = fields.list("points")?;
         list.iter().enumerate().map(|(i, point)| point_of(&format!("points[{i}]"), point)).collect::<Result<_, _>>()?
     } else {
-        fields.known.push("points");
+        fields.allow("points");
         Vec::new()
     };
-    let mut scene = if has(fields, "matrix") {
-        if has(fields, "metric") {
+    let mut scene = if fields.has("matrix") {
+        if fields.has("metric") {
             return Err(Error::refused("metric", "this field", "left out: the matrix gives the distances"));
         }
         TourScene::by(matrix(fields)?, points)
     } else {
-        fields.known.push("matrix");
-        let metric = if has(fields, "metric") { fields.one_of("metric", Metric::ALL, Metric::name)? } else { Metric::default() };
+        fields.allow("matrix");
+        let metric = if fields.has("metric") { fields.one_of("metric", Metric::ALL, Metric::name)? } else { Metric::default() };
         TourScene::through(points, metric)
     };
-    fields.known.push("metric");
+    fields.allow("metric");
     scene.closed = fields.flag("closed", true)?;
     Ok(scene)
 }

@@ -13,7 +13,7 @@ use crate::{
 
 /// Reads its fields.
 pub(super) fn read(fields: &mut Fields) -> Result<ArmScene, Error> {
-    let cuboids = if fields.left.contains_key("cuboids") { fields.list("cuboids")? } else { fields.absent("cuboids") };
+    let cuboids = fields.optional_list("cuboids")?;
     Ok(ArmScene {
         workspace: cuboid("workspace", fields.take("workspace"))?,
         start: fields.point_in_space("start")?,
@@ -44,8 +44,8 @@ fn arm(value: Value) -> Result<Arm, Error> {
         tool: Tool { axis: tool.one_of("axis", Axis::ALL, Axis::name)?, length: tool.number("length")? },
         base: Base {
             position: base.point_in_space("position")?,
-            yaw: base.number_or("yaw", 0.0)?,
-            column_radius: base.number_or("column_radius", 0.0)?,
+            yaw: base.optional_number("yaw")?.unwrap_or(0.0),
+            column_radius: base.optional_number("column_radius")?.unwrap_or(0.0),
         },
     };
     tool.end()?;
@@ -62,7 +62,7 @@ fn joint(i: usize, value: Value) -> Result<Joint, Error> {
         d: fields.number("d")?,
         min: fields.number("min")?,
         max: fields.number("max")?,
-        speed: fields.number_or("speed", Joint::SPEED)?,
+        speed: fields.optional_number("speed")?.unwrap_or(Joint::SPEED),
     };
     fields.end()?;
     Ok(joint)

@@ -3,15 +3,17 @@
 use std::sync::{Arc, OnceLock};
 
 use crate::{
-    exact::{Distances, Exact, MAX_EXACT_STOPS, shortest_on_grid, shortest_over_cells, shortest_tour},
+    exact::{Distances, MAX_EXACT_STOPS, shortest_on_grid, shortest_over_cells, shortest_tour},
     geometry::{self, Bounds, Cells, Field, YAxis},
-    kernel::{Error, Round, Track, Verdict, Yardstick},
+    kernel::{Error, Exact, Round, SceneKindId, Track, Verdict, Yardstick},
+    scene::{
+        check::{LARGEST, coordinate, finite, positive},
+        moving::{MAX_MOVING, Moving},
+    },
 };
 
-use super::{
-    check::{LARGEST, coordinate, finite, positive},
-    moving::{MAX_MOVING, Moving},
-};
+/// What scene files call the kind.
+pub const ID: SceneKindId = SceneKindId("grid");
 
 /// The most rows and columns of a grid.
 pub const MAX_SIDE: usize = 2048;
@@ -154,7 +156,7 @@ impl GridScene {
     }
 
     /// The same grid with other ends.
-    pub(super) fn between(&self, [start, goal]: [[f64; 2]; 2]) -> Self {
+    pub(super) fn with_ends(&self, [start, goal]: [[f64; 2]; 2]) -> Self {
         let derived = Derived { field: self.derived.field.clone(), cells: self.derived.cells.clone() };
         Self { start: Some(start), goal: Some(goal), derived, ..self.clone() }
     }
@@ -208,7 +210,7 @@ impl GridScene {
         Ok((one("start", self.start)?, one("goal", self.goal)?))
     }
 
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(super) fn check_fields(&self) -> Result<(), Error> {
         positive("cell", self.cell)?;
         if self.cell < SMALLEST_CELL {
             return Err(Error::refused("cell", self.cell, format!("from {SMALLEST_CELL} to {LARGEST}")));
@@ -285,7 +287,7 @@ impl GridScene {
         Err(Error::refused(field, shown(), allowed))
     }
 
-    pub(super) fn exact(&self) -> Option<Exact> {
+    pub(super) fn shortest(&self) -> Option<Exact> {
         let ends = [self.start?, self.goal?];
         if self.blocked.len() > MAX_EXACT_CELLS {
             return None;
@@ -294,12 +296,12 @@ impl GridScene {
     }
 
     /// The shortest way from cell to cell.
-    pub(super) fn exact_over_cells(&self) -> Option<Exact> {
+    pub(super) fn shortest_over_cells(&self) -> Option<Exact> {
         shortest_over_cells(self.cells(), &self.course().ok()?)
     }
 
     /// The shortest tour through the stops, by the shortest way for each pair.
-    pub(super) fn exact_tour(&self, yardstick: Yardstick, round: Round) -> Option<Exact> {
+    pub(super) fn shortest_tour(&self, yardstick: Yardstick, round: Round) -> Option<Exact> {
         let n = self.stops.len();
         if !(2..=MAX_EXACT_STOPS).contains(&n) {
             return None;
@@ -308,7 +310,7 @@ impl GridScene {
             let ends = [self.stops[i], self.stops[j]];
             match yardstick {
                 Yardstick::Cells => shortest_over_cells(self.cells(), &self.course_between(["stops", "stops"], ends).ok()?),
-                _ => self.between(ends).exact(),
+                _ => self.with_ends(ends).shortest(),
             }
         };
         let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
@@ -326,7 +328,7 @@ impl GridScene {
         Some(Exact { length, path, order, tip_path: Vec::new(), stored: false })
     }
 
-    pub(super) fn judge(&self, path: &[[f64; 2]]) -> Verdict {
+    pub(super) fn judge_path(&self, path: &[[f64; 2]]) -> Verdict {
         self.judge_way(path, path.first().copied() == self.start && path.last().copied() == self.goal)
     }
 
@@ -349,7 +351,7 @@ impl GridScene {
 
     /// A drive must arrive, cross nothing, and never touch a moving obstacle. Its path must be the one through its moments.
     pub(super) fn judge_drive(&self, track: &Track) -> Verdict {
-        let verdict = self.judge(&track.path);
+        let verdict = self.judge_path(&track.path);
         let mut told: Vec<_> = track.moments.iter().map(|&[_, x, y]| [x, y]).collect();
         told.dedup();
         let gap = self.gap(track).unwrap_or(f64::INFINITY);
@@ -398,16 +400,16 @@ mod tests {
     #[test]
     fn a_path_is_judged_with_the_robot_s_size() {
         let path = [[0.5, 0.5], [4.5, 0.5], [4.5, 2.5]];
-        let point = scene().judge(&path);
+        let point = scene().judge_path(&path);
         assert_eq!((point.length, point.feasible, point.clearance), (Some(6.0), true, Some(0.5)));
         let robot = |length| Some(Robot { length: Some(length), width: Some(0.0), ..Robot::default() });
-        let wide = GridScene { robot: robot(1.0), ..scene() }.judge(&path);
+        let wide = GridScene { robot: robot(1.0), ..scene() }.judge_path(&path);
         assert_eq!((wide.feasible, wide.clearance), (true, Some(0.0)), "it touches");
-        let wider = GridScene { robot: robot(1.25), ..scene() }.judge(&path);
+        let wider = GridScene { robot: robot(1.25), ..scene() }.judge_path(&path);
         assert_eq!((wider.feasible, wider.clearance), (false, Some(-0.125)));
-        assert!(!scene().judge(&[[0.5, 0.5], [4.5, 2.5]]).feasible, "through the blocked cell");
-        assert!(!scene().judge(&[[0.5, 0.5], [4.5, -0.5], [4.5, 2.5]]).feasible, "out of the grid");
-        assert!(!scene().judge(&path[..2]).feasible, "it must end at the goal");
+        assert!(!scene().judge_path(&[[0.5, 0.5], [4.5, 2.5]]).feasible, "through the blocked cell");
+        assert!(!scene().judge_path(&[[0.5, 0.5], [4.5, -0.5], [4.5, 2.5]]).feasible, "out of the grid");
+        assert!(!scene().judge_path(&path[..2]).feasible, "it must end at the goal");
     }
 
     #[test]
@@ -415,7 +417,7 @@ mod tests {
         let field = |change: fn(&mut GridScene)| {
             let mut scene = scene();
             change(&mut scene);
-            scene.check().unwrap_err().field().to_owned()
+            scene.check_fields().unwrap_err().field().to_owned()
         };
         assert_eq!(field(|s| s.cell = 0.0), "cell");
         assert_eq!(field(|s| s.blocked = Vec::new()), "rows");
@@ -428,7 +430,7 @@ mod tests {
         assert_eq!(field(|s| s.robot = Some(Robot { speed: Some(-1.0), ..Robot::default() })), "robot.speed");
         assert_eq!(field(|s| s.moving = vec![Moving::straight([1.0, 1.0], 0.0, [0.0, 1.0])]), "moving[0].radius");
         let tight = GridScene { robot: Some(Robot { length: Some(3.0), width: Some(2.0), ..Robot::default() }), ..scene() };
-        assert!(tight.check().unwrap_err().allowed().contains("robot fits"));
-        assert!(scene().check().is_ok());
+        assert!(tight.check_fields().unwrap_err().allowed().contains("robot fits"));
+        assert!(scene().check_fields().is_ok());
     }
 }

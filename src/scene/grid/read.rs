@@ -8,9 +8,10 @@ use crate::{
         Error,
         fields::{Fields, number, object, point, point_of, points, shown},
     },
+    scene::moving::{Motion, Moving},
 };
 
-use super::super::{GridScene, Motion, Moving, Robot};
+use super::body::{GridScene, Robot};
 
 /// Its fields, in the order in which they are written.
 pub(super) fn write(grid: &GridScene, out: &mut Vec<(&'static str, Value)>) {
@@ -44,13 +45,13 @@ pub(super) fn write(grid: &GridScene, out: &mut Vec<(&'static str, Value)>) {
 /// Reads its fields.
 pub(super) fn read(fields: &mut Fields) -> Result<GridScene, Error> {
     let cell = fields.number("cell")?;
-    let y_axis = if fields.left.contains_key("y_axis") { fields.one_of("y_axis", YAxis::ALL, YAxis::name)? } else { YAxis::Down };
+    let y_axis = if fields.has("y_axis") { fields.one_of("y_axis", YAxis::ALL, YAxis::name)? } else { YAxis::Down };
     let (columns, blocked) = rows(fields, y_axis)?;
     let mut scene = GridScene::new(cell, columns, blocked);
     scene.y_axis = y_axis;
     scene.start = fields.optional_point("start")?;
     scene.goal = fields.optional_point("goal")?;
-    if fields.left.contains_key("stops") {
+    if fields.has("stops") {
         scene.stops =
             fields.list("stops")?.iter().enumerate().map(|(i, stop)| point_of(&format!("stops[{i}]"), stop)).collect::<Result<_, _>>()?;
     }
@@ -59,7 +60,7 @@ pub(super) fn read(fields: &mut Fields) -> Result<GridScene, Error> {
         Value::Null => None,
         value => Some(robot(value)?),
     };
-    if fields.left.contains_key("moving") {
+    if fields.has("moving") {
         scene.moving = fields.list("moving")?.into_iter().enumerate().map(|(i, value)| moving(i, value)).collect::<Result<_, _>>()?;
     }
     Ok(scene.snapped())
@@ -92,7 +93,7 @@ fn rows(fields: &mut Fields, y_axis: YAxis) -> Result<(usize, Vec<bool>), Error>
 
 fn robot(value: Value) -> Result<Robot, Error> {
     let mut fields = Fields::of("robot", value, "an object with length, width, speed, turn_time, sensor, radius, margin, look_ahead")?;
-    let mut given = |name| if fields.left.contains_key(name) { fields.number(name).map(Some) } else { Ok(None) };
+    let mut given = |name| fields.optional_number(name);
     let robot = Robot {
         length: given("length")?,
         width: given("width")?,
@@ -103,7 +104,6 @@ fn robot(value: Value) -> Result<Robot, Error> {
         margin: given("margin")?,
         look_ahead: given("look_ahead")?,
     };
-    fields.known = robot.fields().map(|(name, _)| name).to_vec();
     fields.end()?;
     Ok(robot)
 }
@@ -112,9 +112,14 @@ fn moving(i: usize, value: Value) -> Result<Moving, Error> {
     let name = format!("moving[{i}]");
     let mut fields = Fields::of(&name, value, "an object with center, radius, and velocity or waypoints")?;
     let (center, radius) = (fields.point("center")?, fields.number("radius")?);
-    let motion = match ["velocity", "waypoints"].map(|name| fields.left.contains_key(name)) {
-        [true, false] => Motion::Velocity(fields.point("velocity")?),
+    let motion = match ["velocity", "waypoints"].map(|name| fields.has(name)) {
+        [true, false] => {
+            let velocity = fields.point("velocity")?;
+            fields.allow("waypoints");
+            Motion::Velocity(velocity)
+        }
         [false, true] => {
+            fields.allow("velocity");
             let list = fields.list("waypoints")?;
             Motion::Waypoints(
                 list.iter().enumerate().map(|(k, value)| moment(&format!("{name}.waypoints[{k}]"), value)).collect::<Result<_, _>>()?,
@@ -123,7 +128,6 @@ fn moving(i: usize, value: Value) -> Result<Moving, Error> {
         [false, false] => return Err(fields.refuse("velocity", &Value::Null, "a velocity, [vx, vy], or else waypoints")),
         [true, true] => return Err(Error::refused(fields.path("velocity"), "this field", "left out where there are waypoints")),
     };
-    fields.known = vec!["center", "radius", "velocity", "waypoints"];
     fields.end()?;
     Ok(Moving { center, radius, motion })
 }
@@ -138,9 +142,9 @@ fn moment(path: &str, found: &Value) -> Result<[f64; 3], Error> {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::{MAX_MOVING, MAX_WAYPOINTS};
+    use crate::scene::{MAX_MOVING, MAX_WAYPOINTS, Scene};
 
-    use super::{super::super::Scene, *};
+    use super::*;
 
     const DISC: &str = r#"{"center": [1, 1.5], "radius": 0.5, "velocity": [0.25, -1]}"#;
     const GUARD: &str = r#"{"center": [2, 1], "radius": 0.25, "waypoints": [[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]}"#;
@@ -157,7 +161,7 @@ mod tests {
     #[test]
     fn every_field_of_what_moves_and_of_the_robot_survives_a_round_trip() {
         let scene = Scene::from_json(&text(ROBOT, &format!("[{DISC}, {GUARD}]"))).unwrap();
-        let grid = scene.grid().unwrap();
+        let grid = scene.get::<GridScene>().unwrap();
         let guard = Motion::Waypoints(vec![[1.5, 2.0, 3.0], [3.0, 2.0, 3.0], [4.5, -2.0, 1000.0]]);
         let expected = [Moving::straight([1.0, 1.5], 0.5, [0.25, -1.0]), Moving { center: [2.0, 1.0], radius: 0.25, motion: guard }];
         assert_eq!(grid.moving, expected);
@@ -184,7 +188,7 @@ mod tests {
         let signs = DISC.replace("[1, 1.5]", "[-0.0, 1]").replace("[0.25, -1]", "[-0.0, -0.0]");
         let guard = GUARD.replace("[3, 2, 3]", "[3, -0.0, -0.0]");
         let scene = Scene::from_json(&text(ROBOT, &format!("[{signs}, {guard}]"))).unwrap();
-        let moving = &scene.grid().unwrap().moving;
+        let moving = &scene.get::<GridScene>().unwrap().moving;
         let (Motion::Velocity(velocity), Motion::Waypoints(points)) = (&moving[0].motion, &moving[1].motion) else { panic!("{moving:?}") };
         let all = [&moving[0].center[..], velocity, points.as_flattened()].concat();
         assert!(all.iter().all(|c| c.to_bits() != (-0.0_f64).to_bits()), "{all:?}");

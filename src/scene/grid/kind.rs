@@ -1,0 +1,117 @@
+//! The entry of grids of free and blocked cells.
+
+use std::sync::Arc;
+
+use serde_json::Value;
+
+use crate::{
+    describe::SceneKind,
+    geometry::{Bounds, YAxis},
+    kernel::{Backdrop, Error, Exact, Plane, Round, Scene, SceneBody, SceneKindId, Solution, Stops, Verdict, Yardstick},
+};
+
+use super::{
+    body::{GridScene, ID},
+    read,
+};
+
+/// Grids of free and blocked cells.
+pub const KIND: SceneKind = SceneKind {
+    id: ID,
+    title: "grids",
+    read: |fields| Ok(Arc::new(read::read(fields)?)),
+    optimum: Some(optimum),
+    shipped: &[
+        include_str!("../../../scenes/qpso-10m.json"),
+        include_str!("../../../scenes/qpso-10m-empty.json"),
+        include_str!("../../../scenes/ant-bat-30.json"),
+        include_str!("../../../scenes/wolf-ant-20.json"),
+        include_str!("../../../scenes/rooms-20.json"),
+        include_str!("../../../scenes/crossing.json"),
+        include_str!("../../../scenes/patrol.json"),
+        include_str!("../../../scenes/corridor.json"),
+    ],
+};
+
+fn optimum(scene: &Scene, yardstick: Yardstick, round: Option<Round>) -> Option<Exact> {
+    let grid = scene.get::<GridScene>().ok()?;
+    match (round, yardstick) {
+        (Some(round), _) => grid.shortest_tour(yardstick, round),
+        (None, Yardstick::Cells) => grid.shortest_over_cells(),
+        (None, _) => grid.shortest(),
+    }
+}
+
+impl SceneBody for GridScene {
+    fn kind_id() -> SceneKindId {
+        ID
+    }
+
+    fn kind(&self) -> SceneKindId {
+        ID
+    }
+
+    fn check(&self, _stored: Option<&Value>) -> Result<(), Error> {
+        self.check_fields()
+    }
+
+    fn judge(&self, solution: &Solution) -> Verdict {
+        match solution {
+            Solution::Path(path) => self.judge_path(path),
+            Solution::Tour { order, round, path } => self.judge_tour(order, *round, path),
+            Solution::Drive(track) => self.judge_drive(track),
+            _ => Verdict::NO_PATH,
+        }
+    }
+
+    fn view(&self) -> Bounds {
+        self.bounds()
+    }
+
+    fn write(&self, out: &mut Vec<(&'static str, Value)>) {
+        read::write(self, out);
+    }
+
+    fn backdrop(&self, draw: &mut dyn FnMut(Backdrop)) {
+        let (blocks, bounds) = (self.field().blocks(), self.bounds());
+        if self.radius() > 0.0 {
+            blocks.iter().for_each(|block| draw(Backdrop::Margin(Bounds { min: block.min, max: block.max }, self.radius())));
+        }
+        for block in blocks {
+            let inside = |corner: [f64; 2]| [0, 1].map(|axis| corner[axis].clamp(0.0, bounds.max[axis]));
+            draw(Backdrop::Cells(Bounds { min: inside(block.min), max: inside(block.max) }));
+        }
+        draw(Backdrop::Border(bounds));
+    }
+
+    fn plane(&self) -> Option<&dyn Plane> {
+        Some(self)
+    }
+
+    fn stops(&self) -> Stops {
+        Stops { field: "stops", places: self.stops.clone() }
+    }
+
+    fn between(&self, ends: [[f64; 2]; 2]) -> Result<Arc<dyn SceneBody>, Error> {
+        Ok(Arc::new(self.with_ends(ends)))
+    }
+}
+
+impl Plane for GridScene {
+    fn ends(&self) -> Result<([f64; 2], [f64; 2]), Error> {
+        Self::ends(self)
+    }
+
+    fn bounds(&self) -> Bounds {
+        Self::bounds(self)
+    }
+
+    #[inline]
+    fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        self.field().is_free(a, b)
+    }
+
+    fn y_axis(&self) -> YAxis {
+        self.y_axis
+    }
+}

@@ -1,0 +1,8 @@
+//! Scenes of kind `grid`.
+
+mod body;
+mod kind;
+mod read;
+
+pub use body::{CONTACT, GridScene, ID, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot};
+pub use kind::KIND;

@@ -1,0 +1,60 @@
+//! The entry of stops with their distances.
+
+use std::sync::Arc;
+
+use serde_json::Value;
+
+use crate::{
+    describe::SceneKind,
+    geometry::Bounds,
+    kernel::{Error, SceneBody, SceneKindId, Solution, Stops, Verdict},
+};
+
+use super::{
+    body::{ID, TourScene},
+    read,
+};
+
+/// Stops with their distances.
+pub const KIND: SceneKind = SceneKind {
+    id: ID,
+    title: "stops of a tour",
+    read: |fields| Ok(Arc::new(read::read(fields)?)),
+    optimum: Some(|scene, _, round| scene.get::<TourScene>().ok()?.shortest_tour(round?, scene.header().exact.as_ref())),
+    shipped: &[
+        include_str!("../../../scenes/open-12.json"),
+        include_str!("../../../scenes/random-52.json"),
+        include_str!("../../../scenes/clustered-100.json"),
+        include_str!("../../../scenes/random-280.json"),
+    ],
+};
+
+impl SceneBody for TourScene {
+    fn kind_id() -> SceneKindId {
+        ID
+    }
+
+    fn kind(&self) -> SceneKindId {
+        ID
+    }
+
+    fn check(&self, stored: Option<&Value>) -> Result<(), Error> {
+        self.check_fields(stored)
+    }
+
+    fn judge(&self, solution: &Solution) -> Verdict {
+        self.judge_solution(solution)
+    }
+
+    fn view(&self) -> Bounds {
+        self.surroundings()
+    }
+
+    fn write(&self, out: &mut Vec<(&'static str, Value)>) {
+        read::write(self, out);
+    }
+
+    fn stops(&self) -> Stops {
+        Stops { field: if self.matrix.is_some() { "matrix" } else { "points" }, places: self.places() }
+    }
+}

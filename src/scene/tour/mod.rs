@@ -1,0 +1,8 @@
+//! Scenes of kind `tour`.
+
+mod body;
+mod kind;
+mod read;
+
+pub use body::{ID, MAX_STOPS, TourScene};
+pub use kind::KIND;
