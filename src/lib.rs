@@ -17,10 +17,10 @@
 //! # The map of the house
 //! From the ground up; a module uses what is above it in this list.
 //! - [`math`], [`statistics`], [`geometry`]: deterministic functions, tests between samples, shapes.
-//! - [`kernel`]: the stepped contract that a planner implements, and the data that it speaks of: errors, random streams,
+//! - [`kernel`]: the contracts that planners and scenes implement, and the data that they speak of: errors, random streams,
 //!   solutions, readings, frames, digests.
-//! - [`describe`]: what a planner's entry is made of. [`params`]: its parameters, and values for them.
-//! - [`scene`]: what is planned in, one file a kind, and the scene files. [`exact`]: exact optima for them.
+//! - [`describe`]: what the entries of planners and of scene kinds are made of. [`params`]: parameters, and values for them.
+//! - [`exact`]: exact optima. [`scene`]: what is planned in, a folder a kind, and the scene files.
 //! - [`arm`]: six-axis arms, their kinematics, what they touch, and how they follow a path.
 //! - [`swarm`], [`ants`], [`search`], [`tour`], [`tree`], [`tuning`]: planners. A folder a family; a file a planner or a
 //!   part of one.

@@ -1,4 +1,5 @@
-//! What there is to know of a planner before it runs: its entry, parameters, readings, formulas and layers.
+//! What there is to know of a planner before it runs: its entry, parameters, readings, formulas and layers. Kinds of scene
+//! have entries, too.
 //!
 //! Vocabulary only: planners and followers import from here, and nothing here depends on one of them.
 
