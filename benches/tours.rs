@@ -53,7 +53,7 @@ fn main() {
     for scene in scenes() {
         let stops = scene.stops().len();
         for entry in PLANNERS.iter().filter(|entry| entry.stops && entry.check_scene(&scene).is_ok()) {
-            let polish = entry.parameters.iter().any(|p| p.name == "polish");
+            let polish = entry.parameter("polish").is_some();
             for polish in [false, true].into_iter().take(1 + usize::from(polish)) {
                 let runs: Vec<_> = (1..=seeds).map(|seed| race(session(entry.name, &scene, polish, seed), time)).collect();
                 let name = format!("{}{}", entry.name, if polish { " polish" } else { "" });

@@ -7,7 +7,7 @@ use crate::{
     describe::{Group, Reading},
     geometry::{self, shortcut},
     kernel::{Readings, State},
-    params::Parameter,
+    params::Param,
     scene::GridScene,
 };
 
@@ -42,7 +42,7 @@ pub fn read(way: Option<&Way>, grid: &GridScene, out: &mut Readings) {
 }
 
 /// Whether the path is handed over without its redundant nodes.
-pub const SMOOTH: Parameter = Parameter::flag(
+pub const SMOOTH: Param<bool> = Param::flag(
     "smooth",
     "Smoothing",
     false,

@@ -89,7 +89,7 @@ fn no_step_of_any_tour_allocates() {
         for more in [None, Some(("polish", "true"))] {
             let scene = shipped("ant-bat-30").unwrap();
             let given = [("iterations", "1000"), ("roads", "a-star")].into_iter().chain(more);
-            let known = |name: &str| entry.parameters.iter().any(|p| p.name == name);
+            let known = |name: &str| entry.parameter(name).is_some();
             let given: Given = given.filter(|(name, _)| known(name)).map(|(name, value)| (name, forage::Value::from(value))).collect();
             let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
             let started = (entry.start)(&scene, &settings, 1).unwrap();

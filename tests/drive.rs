@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use forage::{
     Drive, Given, Scene, Session, Setup, Value,
-    drive::{COLUMNS, RESOLUTION, settings, simulate},
+    drive::{COLUMNS, RESOLUTION, SPEED, settings, simulate},
     geometry::{self, Oriented, YAxis},
     math,
     scene::{GridScene, Robot},
@@ -191,7 +191,7 @@ fn a_session_drives_its_best_path_and_refuses_what_is_not_allowed() {
     let outcome = run.outcome();
     assert_eq!(outcome.drive, Some(drive.outcome));
     assert_eq!(outcome.turning, outcome.path.as_deref().map(geometry::turning));
-    assert_eq!((drive.outline, drive.settings.number("speed")), ([0.4, 0.3], 0.24));
+    assert_eq!((drive.outline, drive.settings[SPEED]), ([0.4, 0.3], 0.24));
     for (name, value, allowed) in [
         ("speed", "0", "a number from 0.001 to 1000"),
         ("gear", "1.5", "a whole number from 1 to 10000"),
@@ -211,8 +211,8 @@ fn a_session_drives_its_best_path_and_refuses_what_is_not_allowed() {
         session(&Arc::new(Scene::from_json(&value.to_string()).unwrap()), "ltqpso")
     };
     let slow = with(r#"{"length": 0.4, "width": 0.3, "speed": 0.1}"#);
-    assert_eq!(slow.drive(&Given::new()).unwrap().unwrap().settings.number("speed"), 0.1, "the scene's own speed");
-    assert_eq!(slow.drive(&given(&[("speed", 0.2)])).unwrap().unwrap().settings.number("speed"), 0.2);
+    assert_eq!(slow.drive(&Given::new()).unwrap().unwrap().settings[SPEED], 0.1, "the scene's own speed");
+    assert_eq!(slow.drive(&given(&[("speed", 0.2)])).unwrap().unwrap().settings[SPEED], 0.2);
     let mut point = with(r#"{"speed": 0.1}"#);
     assert!(point.drive(&Given::new()).unwrap().is_none() && point.outcome().drive.is_none() && point.outcome().turning.is_some());
     for (scene, planner) in [("wcpso-discs", "pso"), ("sphere", "pso")] {

@@ -58,7 +58,7 @@ fn specs() -> Vec<Spec> {
                 set = r#""roads": "a-star""#;
             }
             // Few will do where each tour of hundreds of stops is improved by local search.
-            if scene.name() == "random-280" && entry.parameters.iter().any(|parameter| parameter.name == "local_search") {
+            if scene.name() == "random-280" && entry.parameter("local_search").is_some() {
                 set = r#""population": 8"#;
             }
             // A drive takes longer than two hundred periods.

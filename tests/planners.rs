@@ -47,7 +47,7 @@ fn sized(entry: &Entry, scene: &Scene, size: f64, iterations: f64) -> Given {
     let mut given = given(&[("iterations", iterations)]);
     // A planner of planners judges each particle by a short run.
     for (name, value) in [("population", size), ("ants", size), ("seeds", 1.0), ("colony_iterations", 1.0)] {
-        if entry.parameters.iter().any(|p| p.name == name) {
+        if entry.parameter(name).is_some() {
             given.insert(name, Value::from(value));
         }
     }
@@ -60,7 +60,7 @@ fn sized(entry: &Entry, scene: &Scene, size: f64, iterations: f64) -> Given {
 
 /// What the planner calls the number of those that search side by side.
 fn size_name(entry: &Entry) -> Option<&'static str> {
-    entry.parameters.iter().map(|p| p.name).find(|name| ["population", "ants"].contains(name))
+    entry.all_parameters().map(|p| p.name).find(|name| ["population", "ants"].contains(name))
 }
 
 fn session(entry: &Entry, scene: &Arc<Scene>, params: Given, seed: u64) -> Session {
@@ -340,14 +340,14 @@ fn every_parameter_is_checked_at_both_ends(entry: &'static Entry) {
 fn meet_conditions(entry: &Entry, parameter: &Parameter, params: &mut Given) {
     if let Some(When { parameter: name, value }) = parameter.when {
         params.insert(name, Value::from(value));
-        meet_conditions(entry, entry.parameters.iter().find(|p| p.name == name).unwrap(), params);
+        meet_conditions(entry, entry.parameter(name).unwrap(), params);
     }
 }
 
 /// Every condition names a parameter of the same planner and a value that it may have; so does every layer's.
 fn every_condition_can_be_met(entry: &'static Entry) {
-    for when in entry.parameters.iter().filter_map(|p| p.when).chain(entry.layers.iter().filter_map(|l| l.when)) {
-        let other = entry.parameters.iter().find(|p| p.name == when.parameter).unwrap();
+    for when in entry.all_parameters().filter_map(|p| p.when).chain(entry.layers.iter().filter_map(|l| l.when)) {
+        let other = entry.parameter(when.parameter).unwrap();
         other.check(&Value::from(when.value)).unwrap();
     }
 }
@@ -514,7 +514,7 @@ fn a_preset_runs_where_it_says_and_changes_something(entry: &'static Entry) {
         session.step(2);
         assert_eq!(session.iteration(), 2, "{} {}", entry.name, preset.name);
         for (name, value) in preset.given().iter() {
-            let parameter = entry.parameters.iter().find(|parameter| parameter.name == name);
+            let parameter = entry.parameter(name);
             let parameter = parameter.unwrap_or_else(|| panic!("{} has no parameter {name}", entry.name));
             parameter.check(value).unwrap();
             assert!(entry.kinds.iter().any(|&kind| parameter.default_on(kind) != *value), "{} {}: {name}", entry.name, preset.name);

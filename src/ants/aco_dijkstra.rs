@@ -2,21 +2,20 @@
 
 use crate::{
     describe::{Entry, Formula, Scope},
-    params::{Parameter, Settings},
+    params::{Param, Settings},
     settled::SETTLED,
-    way::{LENGTH, SMOOTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
+    way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 use super::{
     Traits,
-    aco::{ANTS, Q, RHO, TAU_0, TAU_MIN},
     parameters::{
-        ANT_STEPS, ARRIVED, BEST, CHOICE, CONVERGED, DEAD_END, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN,
-        PUBLISHED_ALPHA, PUBLISHED_BETA, STEP_LIMIT, STUCK, TAU_MAX, TRADITIONAL,
+        ALPHA, ANT_STEPS, ANTS, ARRIVED, BEST, BETA, CHOICE, CONVERGED, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST,
+        MEAN, Q, RHO, STUCK, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
     },
 };
 
-const SEEDED: Parameter = Parameter::number(
+const SEEDED: Param<f64> = Param::number(
     "seeded",
     "\\tau_D / \\tau_0",
     "Pheromone of the Dijkstra path",
@@ -24,15 +23,15 @@ const SEEDED: Parameter = Parameter::number(
     "How many times τ0 lies on the steps of a Dijkstra path before the first ant sets out. The paper gives no value.",
 )
 .slider(1.0, 20.0, false);
-const Q0_START: Parameter = Parameter::number(
+const Q0_START: Param<f64> = Param::number(
     "q0_start",
     "q_{0,\\text{start}}",
     "Greed at the start",
     [0.0, 1.0, 0.1],
     "How often an ant takes the best step instead of drawing one, in the first iteration. Reading: the rule adapts by rising evenly.",
 );
-const Q0_END: Parameter =
-    Parameter::number("q0_end", "q_{0,\\text{end}}", "Greed at the end", [0.0, 1.0, 0.9], "The same, in the last iteration.");
+const Q0_END: Param<f64> =
+    Param::number("q0_end", "q_{0,\\text{end}}", "Greed at the end", [0.0, 1.0, 0.9], "The same, in the last iteration.");
 const RULE: Formula = Formula {
     name: "rule",
     source: "[ANTBAT] §3.1, its [14]",
@@ -52,21 +51,20 @@ pub const ENTRY: Entry = Entry {
     summary: "A Dijkstra path lies on the map as pheromone before the first ant sets out; ants choose ever more greedily.",
     kinds: KINDS,
     parameters: &[
-        ANTS,
-        ITERATIONS,
-        PUBLISHED_ALPHA,
-        PUBLISHED_BETA,
-        RHO,
-        Q,
-        SEEDED,
-        Q0_START,
-        Q0_END,
-        TAU_0,
-        TAU_MIN,
-        TAU_MAX,
-        DEAD_END,
-        STEP_LIMIT,
-        SMOOTH,
+        &[
+            ANTS.entry(),
+            ITERATIONS.entry(),
+            ALPHA.entry(),
+            BETA.entry(),
+            RHO.entry(),
+            Q.entry(),
+            SEEDED.entry(),
+            Q0_START.entry(),
+            Q0_END.entry(),
+            TAU_0.entry(),
+            TAU_MIN.entry(),
+        ],
+        WALKS,
     ],
     readings: &[
         BEST,
@@ -98,5 +96,5 @@ pub const ENTRY: Entry = Entry {
 
 /// What sets this colony apart.
 pub(super) fn traits(settings: &Settings) -> Traits {
-    Traits { greed: [settings.number("q0_start"), settings.number("q0_end")], seeded: settings.number("seeded"), ..Traits::TRADITIONAL }
+    Traits { greed: [settings[Q0_START], settings[Q0_END]], seeded: settings[SEEDED], ..Traits::TRADITIONAL }
 }

@@ -2,29 +2,26 @@
 
 use crate::{
     describe::{Entry, Formula},
-    params::{Choice, Parameter, Settings},
-    way::SMOOTH,
+    params::{Choice, Param, ParamValue, Settings},
 };
 
 use super::{
     Traits,
-    aco::{ANTS, RHO},
     ground::Direction,
-    parameters::{
-        DEAD_END, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, PUBLISHED_ALPHA, PUBLISHED_BETA, READINGS, STEP_LIMIT, TAU_MAX, q,
-        tau_0, tau_min,
-    },
+    parameters::{ALPHA, ANTS, BETA, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
     update::Update,
 };
 
-const GAMMA: Parameter = Parameter::number(
+impl ParamValue for Direction {}
+
+const GAMMA: Param<f64> = Param::number(
     "gamma",
     "\\gamma",
     "Weight of direction",
     [0.0, 20.0, 2.5],
     "How much it counts in an ant’s choice that a step goes straight on and towards the goal. Published: 2.5.",
 );
-const DIRECTION_LAW: Parameter = Parameter::choice(
+const DIRECTION_LAW: Param<Direction> = Param::choice(
     "direction",
     "\\psi",
     "Angles in (2)",
@@ -32,19 +29,10 @@ const DIRECTION_LAW: Parameter = Parameter::choice(
         Choice { value: "squared", title: "Squared", help: "exp(−((θ1/π)² + (θ2/π)²)): small turns cost little." },
         Choice { value: "linear", title: "Linear", help: "exp(−(θ1 + θ2)/(π/2)): every turn costs in proportion." },
     ],
+    &[Direction::Squared, Direction::Linear],
     "How the angles enter the direction factor. The scan of (2) is damaged; squares are the likelier reading.",
 );
-const Q_RELATIVE: Parameter = q(
-    50.0,
-    [1.0, 100.0],
-    "An ant lays Q / L on each step of a way of length L, before reward and punishment. The paper gives no value; with 50, colonies settle on random maps of every kind.",
-);
-const TAU_0: Parameter = tau_0(
-    10_000.0,
-    "What lies on every step before the first ant sets out. The paper gives no value; as much as this keeps the first paths from deciding everything.",
-);
-const TAU_MIN: Parameter = tau_min(0.1);
-const Q_UNIT: Parameter = Parameter::choice(
+const Q_RELATIVE: Param<bool> = Param::choice(
     "q_unit",
     "",
     "Q in",
@@ -56,9 +44,10 @@ const Q_UNIT: Parameter = Parameter::choice(
         },
         Choice { value: "absolute", title: "The scene’s unit", help: "Q is taken as it is." },
     ],
+    &[true, false],
     "What Q is measured in.",
 );
-const PHI1: Parameter = Parameter::number(
+const PHI1: Param<f64> = Param::number(
     "phi1",
     "\\varphi_1",
     "Reward by the median",
@@ -66,7 +55,7 @@ const PHI1: Parameter = Parameter::number(
     "How much more an ant lays that went less than the median, and how much less one that went more. The paper gives no value.",
 )
 .slider(0.0, 10.0, false);
-const PHI2: Parameter = Parameter::number(
+const PHI2: Param<f64> = Param::number(
     "phi2",
     "\\varphi_2",
     "Reward by the best",
@@ -89,7 +78,7 @@ const DIRECTION: Formula = Formula::of_item(
     "\\psi = \\exp\\left(-\\left(\\left(\\frac{\\theta_1}{\\pi}\\right)^2 + \\left(\\frac{\\theta_2}{\\pi}\\right)^2\\right)\\right)",
     "\\psi = \\exp\\left(-\\frac{@theta1@^2 + @theta2@^2}{\\pi^2}\\right) = @psi@",
 )
-.when("direction", "squared");
+.when(DIRECTION_LAW, "squared");
 const DIRECTION_LINEAR: Formula = Formula::of_item(
     "direction_linear",
     "[ANTBAT] (2), linear reading",
@@ -97,7 +86,7 @@ const DIRECTION_LINEAR: Formula = Formula::of_item(
     "\\psi = \\exp\\left(-\\left(\\frac{\\theta_1}{\\pi/2} + \\frac{\\theta_2}{\\pi/2}\\right)\\right)",
     "\\psi = \\exp\\left(-\\frac{@theta1@ + @theta2@}{\\pi/2}\\right) = @psi@",
 )
-.when("direction", "linear");
+.when(DIRECTION_LAW, "linear");
 const REWARD: Formula = Formula::of_item(
     "laid",
     "[ANTBAT] (5)",
@@ -115,23 +104,26 @@ pub const ENTRY: Entry = Entry {
     summary: "Ants that would rather go straight on and towards the goal; ways under the median are rewarded, those above it punished.",
     kinds: KINDS,
     parameters: &[
-        ANTS,
-        ITERATIONS,
-        PUBLISHED_ALPHA,
-        PUBLISHED_BETA,
-        GAMMA,
-        DIRECTION_LAW,
-        RHO,
-        Q_RELATIVE,
-        Q_UNIT,
-        PHI1,
-        PHI2,
-        TAU_0,
-        TAU_MIN,
-        TAU_MAX,
-        DEAD_END,
-        STEP_LIMIT,
-        SMOOTH,
+        &[
+            ANTS.entry(),
+            ITERATIONS.entry(),
+            ALPHA.entry(),
+            BETA.entry(),
+            GAMMA.entry(),
+            DIRECTION_LAW.entry(),
+            RHO.entry(),
+            Q.default_to(50.0).slider(1.0, 100.0, false)
+                .help("An ant lays Q / L on each step of a way of length L, before reward and punishment. The paper gives no value; with 50, colonies settle on random maps of every kind.")
+                .entry(),
+            Q_RELATIVE.entry(),
+            PHI1.entry(),
+            PHI2.entry(),
+            TAU_0.default_to(10_000.0)
+                .help("What lies on every step before the first ant sets out. The paper gives no value; as much as this keeps the first paths from deciding everything.")
+                .entry(),
+            TAU_MIN.default_to(0.1).entry(),
+        ],
+        WALKS,
     ],
     readings: READINGS,
     formulas: &[CHOICE, DISTANCE, DIRECTION, DIRECTION_LINEAR, EVAPORATION, REWARD],
@@ -148,10 +140,10 @@ pub const ENTRY: Entry = Entry {
 /// What sets this colony apart.
 pub(super) fn traits(settings: &Settings) -> Traits {
     Traits {
-        gamma: settings.number("gamma"),
-        direction: if settings.choice("direction") == "linear" { Direction::Linear } else { Direction::Squared },
-        relative: settings.choice("q_unit") == "distance",
-        update: Update::Reward { phi1: settings.number("phi1"), phi2: settings.number("phi2") },
+        gamma: settings[GAMMA],
+        direction: settings[DIRECTION_LAW],
+        relative: settings[Q_RELATIVE],
+        update: Update::Reward { phi1: settings[PHI1], phi2: settings[PHI2] },
         ..Traits::TRADITIONAL
     }
 }

@@ -3,18 +3,19 @@
 
 use crate::{
     describe::{Entry, Formula, Preset, Scope},
-    params::{Choice, Fixed, Parameter, Settings},
-    way::SMOOTH,
+    params::{Choice, Fixed, Param, ParamValue, Settings},
 };
 
 use super::{
     Traits,
     ground::Heuristic,
-    parameters::{DEAD_END, ITERATIONS, KINDS, LAYERS, READINGS, STEP_LIMIT, TAU_MAX, alpha, ants, beta, q, rho, tau_0, tau_min},
+    parameters::{ALPHA, ANTS, BETA, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
     update::Update,
 };
 
-const EPSILON: Parameter = Parameter::number(
+impl ParamValue for Update {}
+
+const EPSILON: Param<f64> = Param::number(
     "epsilon",
     "\\varepsilon",
     "Unit of sight",
@@ -22,7 +23,7 @@ const EPSILON: Parameter = Parameter::number(
     "What the ranks 1 to 5 are multiplied by, [WOLF-ANT] (6). Published: 2. It cancels out of the choice (4) unless it is 0: then nothing is seen.",
 );
 
-const HEURISTIC: Parameter = Parameter::choice(
+const RANKS: Param<bool> = Param::choice(
     "heuristic",
     "",
     "Heuristic",
@@ -30,9 +31,10 @@ const HEURISTIC: Parameter = Parameter::choice(
         Choice { value: "ranks", title: "Ranks", help: "[WOLF-ANT] (6)." },
         Choice { value: "distance", title: "Distance", help: "1 / distance to the goal." },
     ],
+    &[true, false],
     "What draws ants to the goal.",
 );
-const UPDATE: Parameter = Parameter::choice(
+const UPDATE: Param<Update> = Param::choice(
     "update",
     "",
     "Pheromone update",
@@ -40,6 +42,7 @@ const UPDATE: Parameter = Parameter::choice(
         Choice { value: "wolf", title: "Wolf pack", help: "[WOLF-ANT] (10) to (12)." },
         Choice { value: "ant", title: "Traditional", help: "Q / L of every ant, (9) alone." },
     ],
+    &[Update::Wolf, Update::Traditional],
     "How much pheromone ants deposit.",
 );
 
@@ -89,31 +92,30 @@ pub const ENTRY: Entry = Entry {
     summary: "Ants that rank the cells around them by their distance to the goal; an iteration’s best way gets more pheromone, its worst way less.",
     kinds: KINDS,
     parameters: &[
-        ants(30, "How many ants set out in an iteration. Published: 30."),
-        ITERATIONS,
-        alpha(1.0, "How much pheromone counts in an ant’s choice. Published: 1, found by a particle swarm."),
-        beta(
-            1.0,
-            "How much a cell’s rank counts in an ant’s choice. Published: 7, found by a particle swarm; ants then follow the rank into dead ends.",
-        ),
-        HEURISTIC,
-        EPSILON.when("heuristic", "ranks"),
-        UPDATE,
-        rho(0.2, "The share of the pheromone that is gone after an iteration. Published: 0.367, found by a particle swarm."),
-        q(
-            333.0,
-            [100.0, 1000.0],
-            "An ant lays Q / L on each step of a way of length L, in the scene’s unit. Published: 333, found by a particle swarm.",
-        ),
-        tau_0(
-            50.0,
-            "What lies on every step before the first ant sets out. The paper gives no value; 50 is about what thirty ants keep on a way.",
-        ),
-        tau_min(1.0),
-        TAU_MAX,
-        DEAD_END,
-        STEP_LIMIT,
-        SMOOTH,
+        &[
+            ANTS.default_to(30).help("How many ants set out in an iteration. Published: 30.").entry(),
+            ITERATIONS.entry(),
+            ALPHA.default_to(1.0)
+                .help("How much pheromone counts in an ant’s choice. Published: 1, found by a particle swarm.")
+                .entry(),
+            BETA.default_to(1.0)
+                .help("How much a cell’s rank counts in an ant’s choice. Published: 7, found by a particle swarm; ants then follow the rank into dead ends.")
+                .entry(),
+            RANKS.entry(),
+            EPSILON.when(RANKS, "ranks").entry(),
+            UPDATE.entry(),
+            RHO.default_to(0.2)
+                .help("The share of the pheromone that is gone after an iteration. Published: 0.367, found by a particle swarm.")
+                .entry(),
+            Q.default_to(333.0).slider(100.0, 1000.0, false)
+                .help("An ant lays Q / L on each step of a way of length L, in the scene’s unit. Published: 333, found by a particle swarm.")
+                .entry(),
+            TAU_0.default_to(50.0)
+                .help("What lies on every step before the first ant sets out. The paper gives no value; 50 is about what thirty ants keep on a way.")
+                .entry(),
+            TAU_MIN.default_to(1.0).entry(),
+        ],
+        WALKS,
     ],
     readings: READINGS,
     formulas: &[CHOICE, RANKED, PHEROMONE, LAID],
@@ -135,12 +137,8 @@ pub const ENTRY: Entry = Entry {
 
 /// What sets this colony apart.
 pub(super) fn traits(settings: &Settings) -> Traits {
-    let heuristic = match settings.choice("heuristic") {
-        "distance" => Heuristic::Distance,
-        _ => Heuristic::Ranked { epsilon: settings.number("epsilon") },
-    };
-    let update = if settings.choice("update") == "ant" { Update::Traditional } else { Update::Wolf };
-    Traits { heuristic, update, ..Traits::TRADITIONAL }
+    let heuristic = if settings[RANKS] { Heuristic::Ranked { epsilon: settings[EPSILON] } } else { Heuristic::Distance };
+    Traits { heuristic, update: settings[UPDATE], ..Traits::TRADITIONAL }
 }
 
 #[cfg(test)]

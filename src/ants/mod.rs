@@ -31,10 +31,11 @@ use crate::{
     params::{Given, Settings},
     scene::Scene,
     settled::Settled,
-    way::{self, Way},
+    way::{self, SMOOTH, Way},
 };
 
 use ground::{Direction, Ground, Heuristic};
+use parameters::{ALPHA, ANTS, BACKTRACKS, BETA, ITERATIONS, Q, RHO, STEP_LIMIT, TAU_0, TAU_MAX, TAU_MIN};
 use pheromone::Pheromone;
 use update::Update;
 use walk::{End, Rules, Seen, Walks, walk};
@@ -165,10 +166,10 @@ pub(crate) fn colony(name: &str, scene: &Arc<Scene>, given: &Given, seed: u64) -
 
 impl Colony {
     fn new(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Self, Error> {
-        let bounds = [settings.number("tau_min"), settings.number("tau_max")];
-        let ground = Ground::new(scene, traits.heuristic, settings.number("beta"), traits.gamma, traits.direction)?;
+        let bounds = [settings[TAU_MIN], settings[TAU_MAX]];
+        let ground = Ground::new(scene, traits.heuristic, settings[BETA], traits.gamma, traits.direction)?;
         let cells = &ground.cells;
-        let mut pheromone = Pheromone::new(cells, settings.number("tau_0"), settings.number("alpha"), settings.number("rho"), bounds);
+        let mut pheromone = Pheromone::new(cells, settings[TAU_0], settings[ALPHA], settings[RHO], bounds);
         if traits.seeded != 1.0
             && let Some(way) = exact::shortest_way(cells, ground.course.start, ground.course.goal)
         {
@@ -177,16 +178,16 @@ impl Colony {
                 pheromone.favour(&ground, step[0], direction, traits.seeded);
             }
         }
-        let limit = match settings.integer("step_limit") {
+        let limit = match settings[STEP_LIMIT] {
             0 => 2 * cells.len() as u64,
             steps => steps,
         };
         Ok(Self {
             traits,
-            rules: Rules { backtracks: settings.choice("dead_end") == "backtrack", limit },
-            ants: settings.integer("ants") as usize,
-            q: settings.number("q") * if traits.relative { ground.apart() } else { 1.0 },
-            smooth: settings.flag("smooth"),
+            rules: Rules { backtracks: settings[BACKTRACKS], limit },
+            ants: settings[ANTS] as usize,
+            q: settings[Q] * if traits.relative { ground.apart() } else { 1.0 },
+            smooth: settings[SMOOTH],
             walks: Walks::default(),
             kept: KEPT * cells.len(),
             again: Walks::default(),
@@ -196,7 +197,7 @@ impl Colony {
             converged: 0,
             settled: Settled::default(),
             iteration: 0,
-            limit: settings.integer("iterations"),
+            limit: settings[ITERATIONS],
             rng: Stream::new(seed, 0),
             pheromone,
             ground: Arc::new(ground),

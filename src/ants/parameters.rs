@@ -3,54 +3,69 @@
 use crate::{
     describe::{Formula, Group, Layer, Reading, Scope},
     kernel::{Role, SceneKindId},
-    params::{Choice, Parameter, When},
+    params::{Choice, Param, Parameter, When},
     scene::GRID,
     settled::SETTLED,
-    way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
+    way::{LENGTH, SMOOTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 /// The kinds of scene that a colony runs on.
 pub(super) const KINDS: &[SceneKindId] = &[GRID];
 
-pub(super) const ITERATIONS: Parameter =
-    Parameter::integer("iterations", "t_{\\max}", "Iterations", [1, 1_000_000, 100], "After how many iterations it stops. Published: 100.")
+pub(super) const ITERATIONS: Param<u64> =
+    Param::integer("iterations", "t_{\\max}", "Iterations", [1, 1_000_000, 100], "After how many iterations it stops. Published: 100.")
         .slider(10.0, 1000.0, true);
-pub(super) const fn ants(default: u64, help: &'static str) -> Parameter {
-    Parameter::integer("ants", "m", "Ants", [1, 10_000, default], help).slider(1.0, 500.0, true)
-}
-pub(super) const fn alpha(default: f64, help: &'static str) -> Parameter {
-    Parameter::number("alpha", "\\alpha", "Weight of pheromone", [0.0, 10.0, default], help)
-}
-pub(super) const fn beta(default: f64, help: &'static str) -> Parameter {
-    Parameter::number("beta", "\\beta", "Weight of sight", [0.0, 20.0, default], help)
-}
-/// As [ANTBAT] prints it.
-pub(super) const PUBLISHED_ALPHA: Parameter = alpha(1.5, "How much pheromone counts in an ant’s choice. Published: 1.5.");
-/// As [ANTBAT] prints it.
-pub(super) const PUBLISHED_BETA: Parameter = beta(8.0, "How much the distance to the goal counts in an ant’s choice. Published: 8.");
-pub(super) const fn rho(default: f64, help: &'static str) -> Parameter {
-    Parameter::number("rho", "\\rho", "Evaporation", [0.0, 1.0, default], help)
-}
-pub(super) const fn q(default: f64, [low, high]: [f64; 2], help: &'static str) -> Parameter {
-    Parameter::number("q", "Q", "Pheromone of an ant", [0.0, 1_000_000.0, default], help).slider(low, high, false)
-}
-pub(super) const fn tau_0(default: f64, help: &'static str) -> Parameter {
-    Parameter::number("tau_0", "\\tau_0", "Pheromone at the start", [1e-9, 1e9, default], help).slider(0.01, 10_000.0, true)
-}
-pub(super) const fn tau_min(default: f64) -> Parameter {
-    Parameter::number(
-        "tau_min",
-        "\\tau_{\\min}",
-        "Least pheromone",
-        [1e-12, 1e3, default],
-        "No step keeps less than this, so that none is lost for ever and punishment leaves τ positive. The papers give no value.",
-    )
-    .slider(1e-6, 10.0, true)
-}
-pub(super) const TAU_MAX: Parameter =
-    Parameter::number("tau_max", "\\tau_{\\max}", "Most pheromone", [1e3, 1e12, 1e6], "No step gathers more than this.")
-        .slider(1e3, 1e9, true);
-pub(super) const DEAD_END: Parameter = Parameter::choice(
+pub(super) const ANTS: Param<u64> =
+    Param::integer("ants", "m", "Ants", [1, 10_000, 50], "How many ants set out in an iteration. Published: 50.").slider(1.0, 500.0, true);
+/// As [ANTBAT] prints it, and β.
+pub(super) const ALPHA: Param<f64> = Param::number(
+    "alpha",
+    "\\alpha",
+    "Weight of pheromone",
+    [0.0, 10.0, 1.5],
+    "How much pheromone counts in an ant’s choice. Published: 1.5.",
+);
+pub(super) const BETA: Param<f64> = Param::number(
+    "beta",
+    "\\beta",
+    "Weight of sight",
+    [0.0, 20.0, 8.0],
+    "How much the distance to the goal counts in an ant’s choice. Published: 8.",
+);
+pub(super) const RHO: Param<f64> = Param::number(
+    "rho",
+    "\\rho",
+    "Evaporation",
+    [0.0, 1.0, 0.4],
+    "The share of the pheromone that is gone after an iteration. Published: 0.4.",
+);
+pub(super) const Q: Param<f64> = Param::number(
+    "q",
+    "Q",
+    "Pheromone of an ant",
+    [0.0, 1_000_000.0, 1.0],
+    "An ant lays Q / L on each step of a way of length L. The paper gives no value.",
+)
+.slider(0.1, 100.0, false);
+pub(super) const TAU_0: Param<f64> = Param::number(
+    "tau_0",
+    "\\tau_0",
+    "Pheromone at the start",
+    [1e-9, 1e9, 1.0],
+    "What lies on every step before the first ant sets out. The paper gives no value; 1 is about what fifty ants lay.",
+)
+.slider(0.01, 10_000.0, true);
+pub(super) const TAU_MIN: Param<f64> = Param::number(
+    "tau_min",
+    "\\tau_{\\min}",
+    "Least pheromone",
+    [1e-12, 1e3, 1e-3],
+    "No step keeps less than this, so that none is lost for ever and punishment leaves τ positive. The papers give no value.",
+)
+.slider(1e-6, 10.0, true);
+pub(super) const TAU_MAX: Param<f64> =
+    Param::number("tau_max", "\\tau_{\\max}", "Most pheromone", [1e3, 1e12, 1e6], "No step gathers more than this.").slider(1e3, 1e9, true);
+pub(super) const BACKTRACKS: Param<bool> = Param::choice(
     "dead_end",
     "",
     "In a dead end",
@@ -62,9 +77,10 @@ pub(super) const DEAD_END: Parameter = Parameter::choice(
         },
         Choice { value: "stay", title: "It stays", help: "The ant is out: it lays nothing. In rooms and mazes whole colonies are lost." },
     ],
+    &[true, false],
     "What an ant does when every cell around it is blocked or already behind it. The papers do not say.",
 );
-pub(super) const STEP_LIMIT: Parameter = Parameter::integer(
+pub(super) const STEP_LIMIT: Param<u64> = Param::integer(
     "step_limit",
     "",
     "Most steps of an ant",
@@ -109,6 +125,9 @@ pub(super) const EVAPORATION: Formula = Formula {
     scope: Scope::Iteration,
     when: None,
 };
+
+/// What an ant may do, and what is handed over: the same for every colony.
+pub(super) const WALKS: &[Parameter] = &[TAU_MAX.entry(), BACKTRACKS.entry(), STEP_LIMIT.entry(), SMOOTH.entry()];
 
 /// What every colony draws.
 pub(super) const LAYERS: &[Layer] = &[

@@ -37,7 +37,7 @@ pub struct Catalogue {
 pub fn catalogue() -> Catalogue {
     let all = PLANNERS
         .iter()
-        .flat_map(|e| e.parameters.iter().map(|p| p.symbol).chain(e.readings.iter().map(|r| r.symbol)))
+        .flat_map(|e| e.all_parameters().map(|p| p.symbol).chain(e.readings.iter().map(|r| r.symbol)))
         .chain(swarm::SYMBOLS.iter().copied())
         .chain(ants::SYMBOLS.iter().copied())
         .chain(tuning::SYMBOLS.iter().copied())
@@ -48,7 +48,7 @@ pub fn catalogue() -> Catalogue {
         .chain(PLANNERS.iter().flat_map(|e| e.members.iter().map(|m| m.symbol)))
         .chain(drive::PARAMETERS.iter().map(|p| p.symbol))
         .chain(drive::COLUMNS.iter().map(|c| c.symbol))
-        .chain(arm::MOTION.parameters.iter().map(|p| p.symbol))
+        .chain(arm::MOTION.parameters.iter().copied().flatten().map(|p| p.symbol))
         .chain(arm::MOTION.columns.iter().map(|c| c.symbol));
     let mut symbols = Vec::new();
     for symbol in all {
@@ -146,8 +146,8 @@ struct ParameterView {
     kinds: &'static [SceneKindId],
 }
 
-fn views(parameters: &'static [Parameter], kinds: &'static [SceneKindId]) -> Vec<ParameterView> {
-    parameters.iter().map(|parameter| ParameterView { parameter, kinds }).collect()
+fn views(parameters: &'static [&'static [Parameter]], kinds: &'static [SceneKindId]) -> Vec<ParameterView> {
+    parameters.iter().copied().flatten().map(|parameter| ParameterView { parameter, kinds }).collect()
 }
 
 impl Serialize for ParameterView {

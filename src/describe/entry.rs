@@ -33,8 +33,8 @@ pub struct Entry {
     pub stops: bool,
     /// The most stops that it can do with.
     pub most_stops: Option<usize>,
-    /// Its parameters; every planner has `iterations`.
-    pub parameters: &'static [Parameter],
+    /// Its parameters, in lists: its own and those that it shares; every planner has `iterations`. See [`Entry::all_parameters`].
+    pub parameters: &'static [&'static [Parameter]],
     /// The numbers it tells after each iteration.
     pub readings: &'static [Reading],
     /// The equations it carries out.
@@ -119,8 +119,18 @@ impl Entry {
         }
     }
 
+    /// All parameters, in the order in which they are offered.
+    pub fn all_parameters(&self) -> impl Iterator<Item = &'static Parameter> + use<> {
+        self.parameters.iter().copied().flatten()
+    }
+
+    /// The parameter of this name.
+    pub fn parameter(&self, name: &str) -> Option<&'static Parameter> {
+        self.all_parameters().find(|parameter| parameter.name == name)
+    }
+
     /// The parameters that mean something on this kind of scene.
-    pub fn parameters_on(&self, kind: SceneKindId) -> impl Iterator<Item = &'static Parameter> {
-        self.parameters.iter().filter(move |p| p.applies_to(kind))
+    pub fn parameters_on(&self, kind: SceneKindId) -> impl Iterator<Item = &'static Parameter> + use<> {
+        self.all_parameters().filter(move |p| p.applies_to(kind))
     }
 }

@@ -14,7 +14,7 @@ pub struct Follower {
     /// A sentence or two.
     pub summary: &'static str,
     /// What can be set.
-    pub parameters: &'static [Parameter],
+    pub parameters: &'static [&'static [Parameter]],
     /// The numbers of a row.
     pub columns: &'static [Column],
     /// The equations it carries out.

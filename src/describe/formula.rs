@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::params::When;
+use crate::params::{Param, When};
 
 /// An equation.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -33,8 +33,8 @@ impl Formula {
 
     /// The same, carried out only while a parameter has this value.
     #[must_use]
-    pub const fn when(mut self, parameter: &'static str, value: &'static str) -> Self {
-        self.when = Some(When { parameter, value });
+    pub const fn when<T: Copy>(mut self, parameter: Param<T>, value: &'static str) -> Self {
+        self.when = Some(When { parameter: parameter.name(), value });
         self
     }
 }

@@ -24,13 +24,14 @@ use crate::{
     geometry::{self, YAxis},
     kernel::Error,
     math,
-    params::{Given, Settings, Value},
+    params::{Given, Param, Settings, Value},
     scene::{GRID, GridScene, Robot, Scene},
 };
 
-pub use parameters::{COLUMNS, ENTRY, PARAMETERS};
+pub use parameters::{COLUMNS, ENTRY, PARAMETERS, SPEED};
 
 use motion::{Pose, Wheels};
+use parameters::{DECODER, GEAR, LOOK_AHEAD, PERIOD, PULSES, TURN_RATE, WHEEL_DISTANCE, WHEEL_RADIUS};
 use pursuit::{Course, Limits, distance};
 use sweep::Sweep;
 
@@ -93,27 +94,27 @@ pub struct Drive {
 /// # Errors
 /// As [`Settings::new`]: the field, its value and what is allowed.
 pub fn settings(robot: Option<Robot>, given: &Given) -> Result<Settings, Error> {
-    let usual = |name: &str| PARAMETERS.iter().find(|p| p.name == name).map_or(f64::NAN, |p| number(&p.default_on(GRID)));
+    let usual = |param: Param<f64>| number(&param.entry().default_on(GRID));
     let Robot { length, width, speed, .. } = robot.unwrap_or_default();
     let (long, wide) = (length.map_or(1.0, |length| length / 0.4), width.map_or(1.0, |width| width / 0.3));
-    let asked = |name, otherwise: f64| given.get(name).map_or(otherwise, number);
-    let speed = speed.unwrap_or(usual("speed") * long);
+    let asked = |param: Param<f64>, otherwise: f64| given.get(param.name()).map_or(otherwise, number);
+    let speed = speed.unwrap_or(usual(SPEED) * long);
     // A target nearer than the way of a period would be overrun.
-    let way = asked("speed", speed) * asked("period", usual("period"));
+    let way = asked(SPEED, speed) * asked(PERIOD, usual(PERIOD));
     let own = [
-        ("speed", speed),
-        ("look_ahead", math::limit(usual("look_ahead") * long, 2.0 * way, f64::INFINITY)),
-        ("wheel_radius", usual("wheel_radius") * long),
-        ("wheel_distance", usual("wheel_distance") * wide),
+        (SPEED, speed),
+        (LOOK_AHEAD, math::limit(usual(LOOK_AHEAD) * long, 2.0 * way, f64::INFINITY)),
+        (WHEEL_RADIUS, usual(WHEEL_RADIUS) * long),
+        (WHEEL_DISTANCE, usual(WHEEL_DISTANCE) * wide),
     ];
     let mut given = given.clone();
-    for (name, value) in own {
-        let allowed = PARAMETERS.iter().any(|p| p.name == name && p.check(&Value::Number(value)).is_ok());
-        if given.get(name).is_none() && allowed {
-            given.insert(name, Value::Number(value));
+    for (param, value) in own {
+        let value = Value::Number(value);
+        if given.get(param.name()).is_none() && param.entry().check(&value).is_ok() {
+            given.insert(param.name(), value);
         }
     }
-    Settings::new(PARAMETERS, GRID, &given)
+    Settings::new(ENTRY.parameters, GRID, &given)
 }
 
 fn number(value: &Value) -> f64 {
@@ -139,15 +140,14 @@ pub fn along(scene: &Scene, path: Option<&[[f64; 2]]>, given: &Given) -> Result<
 /// Drives the scene's robot along a path. `None` for a robot without length and width, and for a path without corners.
 pub fn simulate(scene: &GridScene, path: &[[f64; 2]], settings: &Settings) -> Option<Drive> {
     let (outline, course) = (scene.outline()?, Course::new(path)?);
-    let number = |name| settings.number(name);
-    let limits = Limits { speed: number("speed"), turn_rate: number("turn_rate"), period: number("period") };
+    let limits = Limits { speed: settings[SPEED], turn_rate: settings[TURN_RATE], period: settings[PERIOD] };
     let wheels = Wheels {
-        radius: number("wheel_radius"),
-        distance: number("wheel_distance"),
-        counts: settings.integer("pulses") * settings.integer("decoder") * settings.integer("gear"),
+        radius: settings[WHEEL_RADIUS],
+        distance: settings[WHEEL_DISTANCE],
+        counts: settings[PULSES] * settings[DECODER] * settings[GEAR],
         left_is: if scene.y_axis == YAxis::Up { 1.0 } else { -1.0 },
     };
-    let ahead = number("look_ahead");
+    let ahead = settings[LOOK_AHEAD];
     // The nearest point is looked for a little way back, and ahead as far as the robot can have come by steering for its
     // last target: enough to get round a corner that was cut, not enough to change to a later pass.
     let reach = limits.speed * limits.period;

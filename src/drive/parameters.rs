@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Column, Follower, Formula, Scope},
-    params::Parameter,
+    params::{Param, Parameter},
 };
 
 /// What there is to know about it.
@@ -10,7 +10,7 @@ pub const ENTRY: Follower = Follower {
     source: "[LTQPSO] §5",
     summary: "A robot with two driven wheels follows the path by pure pursuit, within its limits. Its outline, turned as it \
               stands, is checked against the obstacles all along the way.",
-    parameters: PARAMETERS,
+    parameters: &[PARAMETERS],
     columns: COLUMNS,
     formulas: FORMULAS,
 };
@@ -21,44 +21,61 @@ pub const ENTRY: Follower = Follower {
 /// with 0.8 m hardly any is left.
 /// (Its mass, 2.3 kg, is not among them: how it moves is given, not what forces it takes.)
 pub const PARAMETERS: &[Parameter] = &[
-    Parameter::number(
-        "speed",
-        "v_{\\max}",
-        "Top speed",
-        [0.001, 1000.0, 0.24],
-        "How fast the robot drives at most, a second. Published: 0.24 m/s; a scene’s robot may say otherwise.",
-    )
-    .slider(0.02, 2.0, true),
-    Parameter::number(
-        "turn_rate",
-        "\\omega_{\\max}",
-        "Top turn rate",
-        [0.001, 10.0, 0.2],
-        "How fast the robot turns at most, in radians a second. Published: 0.2.",
-    )
-    .slider(0.05, 3.0, true),
-    Parameter::number("period", "T", "Control period", [0.01, 2.0, 0.4], "Seconds from one command to the next. Published: 0.4.")
-        .slider(0.05, 1.0, false),
-    Parameter::number(
-        "look_ahead",
-        "L_d",
-        "Look-ahead distance",
-        [0.001, 1000.0, 0.35],
-        "How far ahead the point lies that the robot steers for. Shorter keeps closer to the path, longer goes faster round \
+    SPEED.entry(),
+    TURN_RATE.entry(),
+    PERIOD.entry(),
+    LOOK_AHEAD.entry(),
+    WHEEL_RADIUS.entry(),
+    WHEEL_DISTANCE.entry(),
+    PULSES.entry(),
+    DECODER.entry(),
+    GEAR.entry(),
+];
+
+/// How fast it drives at most.
+pub const SPEED: Param<f64> = Param::number(
+    "speed",
+    "v_{\\max}",
+    "Top speed",
+    [0.001, 1000.0, 0.24],
+    "How fast the robot drives at most, a second. Published: 0.24 m/s; a scene’s robot may say otherwise.",
+)
+.slider(0.02, 2.0, true);
+pub(super) const TURN_RATE: Param<f64> = Param::number(
+    "turn_rate",
+    "\\omega_{\\max}",
+    "Top turn rate",
+    [0.001, 10.0, 0.2],
+    "How fast the robot turns at most, in radians a second. Published: 0.2.",
+)
+.slider(0.05, 3.0, true);
+pub(super) const PERIOD: Param<f64> =
+    Param::number("period", "T", "Control period", [0.01, 2.0, 0.4], "Seconds from one command to the next. Published: 0.4.")
+        .slider(0.05, 1.0, false);
+pub(super) const LOOK_AHEAD: Param<f64> = Param::number(
+    "look_ahead",
+    "L_d",
+    "Look-ahead distance",
+    [0.001, 1000.0, 0.35],
+    "How far ahead the point lies that the robot steers for. Shorter keeps closer to the path, longer goes faster round \
          corners. It must be well more than the way of one period. The paper gives none; 0.35 m is a little less than its \
          robot’s length.",
-    )
-    .slider(0.1, 2.0, true),
-    Parameter::number("wheel_radius", "R", "Wheel radius", [0.001, 1000.0, 0.068], "Of the driven wheels. Published: 0.068 m.")
-        .slider(0.02, 0.2, false),
-    Parameter::number("wheel_distance", "b", "Wheel distance", [0.001, 1000.0, 0.3], "Between the driven wheels. Published: 0.3 m.")
-        .slider(0.1, 1.0, false),
-    Parameter::integer("pulses", "n_p", "Encoder pulses", [1, 100_000, 16], "Pulses a turn of the motor. Published: 16.")
-        .slider(1.0, 1000.0, true),
-    Parameter::integer("decoder", "n_d", "Decoder", [1, 4, 2], "How many edges of a pulse are counted. Published: 2."),
-    Parameter::integer("gear", "n_g", "Gear ratio", [1, 10_000, 131], "Turns of the motor a turn of the wheel. Published: 131.")
-        .slider(1.0, 300.0, true),
-];
+)
+.slider(0.1, 2.0, true);
+pub(super) const WHEEL_RADIUS: Param<f64> =
+    Param::number("wheel_radius", "R", "Wheel radius", [0.001, 1000.0, 0.068], "Of the driven wheels. Published: 0.068 m.")
+        .slider(0.02, 0.2, false);
+pub(super) const WHEEL_DISTANCE: Param<f64> =
+    Param::number("wheel_distance", "b", "Wheel distance", [0.001, 1000.0, 0.3], "Between the driven wheels. Published: 0.3 m.")
+        .slider(0.1, 1.0, false);
+pub(super) const PULSES: Param<u64> =
+    Param::integer("pulses", "n_p", "Encoder pulses", [1, 100_000, 16], "Pulses a turn of the motor. Published: 16.")
+        .slider(1.0, 1000.0, true);
+pub(super) const DECODER: Param<u64> =
+    Param::integer("decoder", "n_d", "Decoder", [1, 4, 2], "How many edges of a pulse are counted. Published: 2.");
+pub(super) const GEAR: Param<u64> =
+    Param::integer("gear", "n_g", "Gear ratio", [1, 10_000, 131], "Turns of the motor a turn of the wheel. Published: 131.")
+        .slider(1.0, 300.0, true);
 
 /// The numbers of a row: where the robot is at the end of a period, and what it was told in it (at the start, nothing).
 /// Without obstacles the clearance is infinite.

@@ -5,16 +5,13 @@ use std::sync::Arc;
 use crate::{
     describe::Entry,
     kernel::{Error, State},
-    params::{Choice, Parameter},
+    params::{Choice, Param},
 };
 
 use super::{
     Ground,
     a_star::AStar,
-    parameters::{
-        BORDER, EVENTS, FORMULA_APPROACH, FORMULA_TIME, ITERATIONS, KINDS, LAYERS_BARE, LOOK_AHEAD, MARGIN, PERIOD, READINGS, ROBOT,
-        ROBOT_RADIUS, SENSOR, SPEED, TIME_LIMIT, TURN_TIME,
-    },
+    parameters::{DRIVE, EVENTS, FORMULA_APPROACH, FORMULA_TIME, ITERATIONS, KINDS, LAYERS_BARE, READINGS},
     route::Route,
 };
 
@@ -29,7 +26,7 @@ struct Anew {
     printed: Option<Vec<usize>>,
 }
 
-const PATH: Parameter = Parameter::choice(
+const PRINTED: Param<bool> = Param::choice(
     "path",
     "",
     "First path",
@@ -37,6 +34,7 @@ const PATH: Parameter = Parameter::choice(
         Choice { value: "search", title: "By A*", help: "The shortest one." },
         Choice { value: "printed", title: "As printed", help: "published.path_cells of the scene." },
     ],
+    &[false, true],
     "Where the first path comes from.",
 );
 
@@ -48,7 +46,8 @@ fn printed(ground: &Ground) -> Result<Vec<usize>, Error> {
     let leads =
         |two: &[usize]| two[0] < cells.len() && (0..8).any(|d| cells.moves(two[0]) >> d & 1 != 0 && cells.next(two[0], d) == two[1]);
     let ends = (way.first(), way.last()) == (Some(&ground.course.start), Some(&ground.course.goal));
-    let wrong = || Error::refused("path", "printed", "search: published.path_cells of the scene is no free path from start to goal");
+    let wrong =
+        || Error::refused(PRINTED.name(), "printed", "search: published.path_cells of the scene is no free path from start to goal");
     if ends && way.windows(2).all(leads) { Ok(way) } else { Err(wrong()) }
 }
 
@@ -82,7 +81,7 @@ pub const ENTRY: Entry = Entry {
     source: "Hart, Nilsson and Raphael 1968; [WOLF-ANT] §6",
     summary: "The shortest way from cell to cell, then a drive in simulated time: where the robot foresees a collision it searches a new way round the obstacle’s predicted range from scratch, or waits.",
     kinds: KINDS,
-    parameters: &[PATH, ITERATIONS, BORDER, ROBOT, ROBOT_RADIUS, MARGIN, SPEED, TURN_TIME, SENSOR, LOOK_AHEAD, PERIOD, TIME_LIMIT],
+    parameters: &[&[PRINTED.entry(), ITERATIONS.entry()], DRIVE],
     readings: READINGS,
     formulas: &[FORMULA_APPROACH, FORMULA_TIME],
     layers: LAYERS_BARE,
@@ -94,7 +93,7 @@ pub const ENTRY: Entry = Entry {
     suggest: |_| None,
     start: |scene, settings, _| {
         super::start(scene, settings, |ground| {
-            let printed = (settings.choice("path") == "printed").then(|| printed(ground)).transpose()?;
+            let printed = settings[PRINTED].then(|| printed(ground)).transpose()?;
             Ok(Box::new(Anew { search: AStar::new(&ground.cells), ground: Arc::clone(ground), printed }))
         })
     },

@@ -7,6 +7,8 @@ use crate::{
     scene::{GridScene, Robot},
 };
 
+use super::parameters::{BORDER, GIVEN, LOOK_AHEAD, MARGIN, ROBOT_RADIUS, SENSOR, SPEED, TURN_TIME};
+
 /// What the robot can do. Lengths in the scene's unit, times in seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Body {
@@ -29,18 +31,17 @@ impl Body {
     pub fn new(grid: &GridScene, settings: &Settings) -> Result<Self, Error> {
         // A disc of half a cell's radius that goes from centre to centre meets no blocked cell unless it cuts corners.
         let fits = grid.radius().max(if grid.corner_cutting { 0.0 } else { grid.cell / 2.0 });
-        let given = settings.choice("robot") == "given";
-        let number = |name: &str| settings.number(name);
+        let given = settings[GIVEN];
         let Robot { disc, margin, speed, turn_time, sensor, look_ahead, .. } = grid.robot.unwrap_or_default();
         let own = if grid.radius() > 0.0 { grid.radius() } else { fits };
         let body = if given {
             Self {
-                radius: number("robot_radius") * grid.cell,
-                margin: number("margin") * grid.cell,
-                speed: number("speed") * grid.cell,
-                turn_time: number("turn_time"),
-                sensor: number("sensor") * grid.cell,
-                look_ahead: number("look_ahead"),
+                radius: settings[ROBOT_RADIUS] * grid.cell,
+                margin: settings[MARGIN] * grid.cell,
+                speed: settings[SPEED] * grid.cell,
+                turn_time: settings[TURN_TIME],
+                sensor: settings[SENSOR] * grid.cell,
+                look_ahead: settings[LOOK_AHEAD],
                 border: Border::default(),
             }
         } else {
@@ -57,11 +58,10 @@ impl Body {
         if body.radius > fits * (1.0 + 1e-12) {
             let why = "what goes from cell to cell without touching blocked ones; a larger robot needs a length and a width";
             let (field, value, most) =
-                if given { ("robot_radius", number("robot_radius"), fits / grid.cell) } else { ("robot.radius", body.radius, fits) };
+                if given { (ROBOT_RADIUS.name(), settings[ROBOT_RADIUS], fits / grid.cell) } else { ("robot.radius", body.radius, fits) };
             return Err(Error::refused(field, value, format!("at most {most}: {why}")));
         }
-        let border = if settings.choice("border") == "bounce" { Border::Bounce } else { Border::Leave };
-        Ok(Self { border, ..body })
+        Ok(Self { border: settings[BORDER], ..body })
     }
 }
 

@@ -43,6 +43,7 @@ use crate::{
 
 use body::Body;
 use journey::Journey;
+use parameters::{ITERATIONS, PERIOD, TIME_LIMIT};
 use route::Route;
 
 pub use tell::SYMBOLS;
@@ -74,7 +75,7 @@ impl Ground {
             cells: Arc::clone(grid.cells()),
             course: grid.course()?,
             body,
-            period: settings.number("period"),
+            period: settings[PERIOD],
             ahead: OnceLock::new(),
             scene: Arc::clone(scene),
             grid,
@@ -145,7 +146,7 @@ fn start(
 ) -> Result<Started, Error> {
     let ground = Arc::new(Ground::new(scene, settings)?);
     let route = route(&ground)?;
-    let most = match settings.number("time_limit") {
+    let most = match settings[TIME_LIMIT] {
         0.0 => {
             let (cells, course) = (&ground.cells, &ground.course);
             let way = exact::shortest_way(cells, course.start, course.goal).unwrap_or_default();
@@ -158,7 +159,7 @@ fn start(
     let planning = route.steps();
     let driving = (most / ground.period).ceil() as u64;
     // Those who plan step by step count only that; the others their drive.
-    let limit = if planning > 0 { planning + driving } else { driving.min(settings.integer("iterations")) };
+    let limit = if planning > 0 { planning + driving } else { driving.min(settings[ITERATIONS]) };
     let mut dynamic = Dynamic { ground, route, journey: None, lost: false, iteration: 0, most };
     let drive = Stage { name: "drive", title: "Drive", end: None };
     let mut stages = vec![drive];
@@ -250,7 +251,7 @@ impl Failure for Dynamic {
         match &self.journey {
             _ if self.lost => Some("No way to the goal was found to drive on".to_owned()),
             Some(journey) if status == Status::Exhausted => {
-                Some(tell::why_not(journey, if journey.now >= self.most { "time_limit" } else { "iterations" }))
+                Some(tell::why_not(journey, if journey.now >= self.most { TIME_LIMIT.name() } else { ITERATIONS.name() }))
             }
             _ => None,
         }

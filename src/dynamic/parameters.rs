@@ -2,16 +2,18 @@
 
 use crate::{
     describe::{EventKind, Formula, Group, Layer, Reading, Scope, Tone},
-    kernel::{Role, SceneKindId},
-    params::{Choice, Parameter},
+    kernel::{Border, Role, SceneKindId},
+    params::{Choice, Param, ParamValue, Parameter},
     scene::GRID,
 };
 
 /// The kinds of scene that a robot drives on.
 pub(super) const KINDS: &[SceneKindId] = &[GRID];
 
+impl ParamValue for Border {}
+
 /// For drives that do not plan step by step.
-pub(super) const ITERATIONS: Parameter = Parameter::integer(
+pub(super) const ITERATIONS: Param<u64> = Param::integer(
     "iterations",
     "k_{\\max}",
     "Iterations",
@@ -19,7 +21,7 @@ pub(super) const ITERATIONS: Parameter = Parameter::integer(
     "After how many periods the drive stops at the latest, arrived or not.",
 )
 .slider(1.0, 5000.0, true);
-pub(super) const BORDER: Parameter = Parameter::choice(
+pub(super) const BORDER: Param<Border> = Param::choice(
     "border",
     "",
     "At the border obstacles",
@@ -27,9 +29,10 @@ pub(super) const BORDER: Parameter = Parameter::choice(
         Choice { value: "leave", title: "Leave", help: "They go on and are gone." },
         Choice { value: "bounce", title: "Bounce", help: "They bounce off as soon as they touch it." },
     ],
+    &[Border::Leave, Border::Bounce],
     "What obstacles with a velocity do when they come to the border of the grid. Walls inside it do not stop them.",
 );
-pub(super) const ROBOT: Parameter = Parameter::choice(
+pub(super) const GIVEN: Param<bool> = Param::choice(
     "robot",
     "",
     "Robot",
@@ -41,19 +44,20 @@ pub(super) const ROBOT: Parameter = Parameter::choice(
         },
         Choice { value: "given", title: "Given here", help: "By the parameters below, lengths in cells." },
     ],
+    &[false, true],
     "What the robot can do. Published: 20 px/s and 1 s a turn.",
 );
-const fn given(name: &'static str, symbol: &'static str, title: &'static str, range: [f64; 3], help: &'static str) -> Parameter {
-    Parameter::number(name, symbol, title, range, help).when("robot", "given")
+const fn given(name: &'static str, symbol: &'static str, title: &'static str, range: [f64; 3], help: &'static str) -> Param<f64> {
+    Param::number(name, symbol, title, range, help).when(GIVEN, "given")
 }
-pub(super) const ROBOT_RADIUS: Parameter = given(
+pub(super) const ROBOT_RADIUS: Param<f64> = given(
     "robot_radius",
     "R",
     "Robot’s radius",
     [0.0, 0.5, 0.5],
     "The robot is a disc for moving obstacles, in cells; of half a cell’s radius it touches no wall as it goes from cell to cell. The paper’s is a point, and nothing would ever be foreseen in its case.",
 );
-pub(super) const MARGIN: Parameter = given(
+pub(super) const MARGIN: Param<f64> = given(
     "margin",
     "m",
     "Safety margin",
@@ -61,10 +65,10 @@ pub(super) const MARGIN: Parameter = given(
     "How far obstacles are kept from the robot’s rim, in cells; given up only where nothing keeps it.",
 )
 .slider(0.0, 3.0, false);
-pub(super) const SPEED: Parameter =
+pub(super) const SPEED: Param<f64> =
     given("speed", "v", "Speed", [1e-3, 1000.0, 1.0], "How far the robot goes, in cells a second. Published: 20 px, a cell.")
         .slider(0.1, 10.0, true);
-pub(super) const TURN_TIME: Parameter = given(
+pub(super) const TURN_TIME: Param<f64> = given(
     "turn_time",
     "t_t",
     "Time of a turn",
@@ -72,10 +76,10 @@ pub(super) const TURN_TIME: Parameter = given(
     "Seconds that a turn takes, by however much; the robot stands meanwhile. Published: 1.",
 )
 .slider(0.0, 5.0, false);
-pub(super) const SENSOR: Parameter =
+pub(super) const SENSOR: Param<f64> =
     given("sensor", "r_s", "Sensor", [0.0, 1e6, 8.0], "How far the robot sees the rim of an obstacle, in cells. Walls do not hide it.")
         .slider(0.0, 30.0, false);
-pub(super) const LOOK_AHEAD: Parameter = given(
+pub(super) const LOOK_AHEAD: Param<f64> = given(
     "look_ahead",
     "t_a",
     "Look-ahead",
@@ -83,7 +87,7 @@ pub(super) const LOOK_AHEAD: Parameter = given(
     "How many seconds ahead the robot foresees: it expects what it sees to go on as it goes.",
 )
 .slider(0.0, 30.0, false);
-pub(super) const PERIOD: Parameter = Parameter::number(
+pub(super) const PERIOD: Param<f64> = Param::number(
     "period",
     "\\Delta t",
     "Period",
@@ -91,7 +95,7 @@ pub(super) const PERIOD: Parameter = Parameter::number(
     "Seconds from step to step: how often the robot looks and decides. Whether anything meets is exact between steps too.",
 )
 .slider(0.01, 1.0, true);
-pub(super) const TIME_LIMIT: Parameter = Parameter::number(
+pub(super) const TIME_LIMIT: Param<f64> = Param::number(
     "time_limit",
     "",
     "Time limit",
@@ -99,6 +103,20 @@ pub(super) const TIME_LIMIT: Parameter = Parameter::number(
     "After how many seconds the robot gives up. 0: four times what the shortest way takes without obstacles, and a minute.",
 )
 .slider(0.0, 1000.0, false);
+
+/// What obstacles and robot do; a drive's own parameters come before.
+pub(super) const DRIVE: &[Parameter] = &[
+    BORDER.entry(),
+    GIVEN.entry(),
+    ROBOT_RADIUS.entry(),
+    MARGIN.entry(),
+    SPEED.entry(),
+    TURN_TIME.entry(),
+    SENSOR.entry(),
+    LOOK_AHEAD.entry(),
+    PERIOD.entry(),
+    TIME_LIMIT.entry(),
+];
 
 const fn event(name: &'static str, title: &'static str, tone: Tone, help: &'static str) -> EventKind {
     EventKind { name, title, help, tone }

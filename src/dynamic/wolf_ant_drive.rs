@@ -6,16 +6,13 @@ use crate::{
     ants::{self, Colony, aco_wolf},
     describe::Entry,
     kernel::{Explain, Frame, Inspection, Item, Planner, Role, State, rng::Stream},
-    params::{Choice, Given, Parameter, Value},
+    params::{Choice, Given, Param, Value},
 };
 
 use super::{
     Ground,
     a_star::AStar,
-    parameters::{
-        BORDER, EVENTS, FORMULA_APPROACH, FORMULA_TIME, KINDS, LAYERS, LOOK_AHEAD, MARGIN, PERIOD, READINGS, ROBOT, ROBOT_RADIUS, SENSOR,
-        SPEED, TIME_LIMIT, TURN_TIME,
-    },
+    parameters::{DRIVE, EVENTS, FORMULA_APPROACH, FORMULA_TIME, KINDS, LAYERS, READINGS},
     route::Route,
 };
 
@@ -27,14 +24,14 @@ pub(super) const COLONIES: &[Choice] = &[
     Choice { value: "aco", title: "Traditional ants", help: "[ANTBAT] §3.1, the traditional ants." },
 ];
 
-const COLONY: Parameter = Parameter::choice(
+const COLONY: Param<&str> = Param::name_of(
     "colony",
     "",
     "Colony",
     COLONIES,
     "The colony that plans the path and lays the pheromone that leads around obstacles. It has its paper’s parameters, except for the number of ants and iterations.",
 );
-const ITERATIONS: Parameter = Parameter::integer(
+const ITERATIONS: Param<u64> = Param::integer(
     "iterations",
     "t_{\\max}",
     "Iterations",
@@ -42,8 +39,8 @@ const ITERATIONS: Parameter = Parameter::integer(
     "How many iterations the colony plans before the robot sets out. Published: 100.",
 )
 .slider(10.0, 1000.0, true);
-const ANTS: Parameter = Parameter::integer("ants", "m", "Ants", [1, 10_000, 30], "How many ants set out in an iteration. Published: 30.")
-    .slider(1.0, 500.0, true);
+const ANTS: Param<u64> =
+    Param::integer("ants", "m", "Ants", [1, 10_000, 30], "How many ants set out in an iteration. Published: 30.").slider(1.0, 500.0, true);
 
 /// A colony that plans, and whose pheromone is followed.
 #[derive(Clone, State)]
@@ -122,7 +119,7 @@ pub const ENTRY: Entry = Entry {
     source: "[WOLF-ANT] §5.3",
     summary: "A colony plans, then a robot drives in simulated time: where it foresees a collision it follows the pheromone round the obstacle’s predicted range to a local goal, replans, or waits.",
     kinds: KINDS,
-    parameters: &[COLONY, ITERATIONS, ANTS, BORDER, ROBOT, ROBOT_RADIUS, MARGIN, SPEED, TURN_TIME, SENSOR, LOOK_AHEAD, PERIOD, TIME_LIMIT],
+    parameters: &[&[COLONY.entry(), ITERATIONS.entry(), ANTS.entry()], DRIVE],
     readings: READINGS,
     formulas: &[FORMULA_APPROACH, FORMULA_TIME, aco_wolf::CHOICE, aco_wolf::RANKED, aco_wolf::LAID],
     layers: LAYERS,
@@ -134,14 +131,14 @@ pub const ENTRY: Entry = Entry {
     suggest: |_| None,
     start: |scene, settings, seed| {
         let mut given = Given::new();
-        for name in ["iterations", "ants"] {
-            given.insert(name, Value::from(settings.integer(name) as f64));
+        for size in [ITERATIONS, ANTS] {
+            given.insert(size.name(), Value::from(settings[size] as f64));
         }
-        let colony = ants::colony(settings.choice("colony"), scene, &given, seed)?;
+        let colony = ants::colony(settings[COLONY], scene, &given, seed)?;
         super::start(scene, settings, |ground| {
             Ok(Box::new(Ants {
                 // Where no way leads the colony has nothing to plan.
-                steps: if colony.is_reachable() { settings.integer("iterations") } else { 0 },
+                steps: if colony.is_reachable() { settings[ITERATIONS] } else { 0 },
                 rng: Stream::new(seed, 1),
                 scouts: 0,
                 search: AStar::new(&ground.cells),

@@ -1,8 +1,11 @@
 //! Parameter descriptions, and values checked against them.
 //!
-//! A planner lists its [`Parameter`]s once; controls, command-line help, the checks and the defaults all follow from it.
+//! A planner declares its parameters once, each as a constant [`Param`]. Its entry lists them as [`Parameter`]s; controls,
+//! command-line help, the checks and the defaults all follow from that. Its code reads them by `settings[POPULATION]`, so a
+//! misspelt name does not compile.
 
 mod given;
+mod param;
 mod settings;
 
 use serde::Serialize;
@@ -10,6 +13,7 @@ use serde::Serialize;
 use crate::kernel::{Error, SceneKindId};
 
 pub use given::{Given, Value, as_object};
+pub use param::{Param, ParamValue, Subset};
 pub use settings::Settings;
 
 /// One of a choice's options.
@@ -119,97 +123,6 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// A real number in [`min`, `max`].
-    pub const fn number(
-        name: &'static str,
-        symbol: &'static str,
-        title: &'static str,
-        [min, max, default]: [f64; 3],
-        help: &'static str,
-    ) -> Self {
-        Self::of(name, symbol, title, Domain::Number { min, max, default }, help)
-    }
-
-    /// A whole number in [`min`, `max`].
-    pub const fn integer(
-        name: &'static str,
-        symbol: &'static str,
-        title: &'static str,
-        [min, max, default]: [u64; 3],
-        help: &'static str,
-    ) -> Self {
-        Self::of(name, symbol, title, Domain::Integer { min, max, default }, help)
-    }
-
-    /// One of a few; the first is the default.
-    pub const fn choice(
-        name: &'static str,
-        symbol: &'static str,
-        title: &'static str,
-        options: &'static [Choice],
-        help: &'static str,
-    ) -> Self {
-        Self::of(name, symbol, title, Domain::Choice { options }, help)
-    }
-
-    /// Any of a few, at least one: text with commas between.
-    pub const fn subset(
-        name: &'static str,
-        title: &'static str,
-        options: &'static [Choice],
-        default: &'static str,
-        help: &'static str,
-    ) -> Self {
-        Self::of(name, "", title, Domain::Subset { options, default }, help)
-    }
-
-    /// Yes or no.
-    pub const fn flag(name: &'static str, title: &'static str, default: bool, help: &'static str) -> Self {
-        Self::of(name, "", title, Domain::Flag { default }, help)
-    }
-
-    const fn of(name: &'static str, symbol: &'static str, title: &'static str, domain: Domain, help: &'static str) -> Self {
-        Self { name, symbol, title, help, domain, kinds: &[], defaults: &[], when: None, slider: None, logarithmic: false }
-    }
-
-    /// The same with another default.
-    #[must_use]
-    pub const fn default_to(mut self, value: f64) -> Self {
-        if let Domain::Number { default, .. } = &mut self.domain {
-            *default = value;
-        }
-        self
-    }
-
-    /// The same, meaningful on these kinds only.
-    #[must_use]
-    pub const fn only_on(mut self, kinds: &'static [SceneKindId]) -> Self {
-        self.kinds = kinds;
-        self
-    }
-
-    /// The same, with defaults that differ by kind.
-    #[must_use]
-    pub const fn defaults_on(mut self, defaults: &'static [(SceneKindId, Fixed)]) -> Self {
-        self.defaults = defaults;
-        self
-    }
-
-    /// The same, meaningful only while another parameter has this value.
-    #[must_use]
-    pub const fn when(mut self, parameter: &'static str, value: &'static str) -> Self {
-        self.when = Some(When { parameter, value });
-        self
-    }
-
-    /// The same, its slider from `low` to `high`.
-    #[must_use]
-    pub const fn slider(mut self, low: f64, high: f64, logarithmic: bool) -> Self {
-        self.slider = Some((low, high));
-        self.logarithmic = logarithmic;
-        self
-    }
-
     /// Whether it means something on this kind of scene.
     pub fn applies_to(&self, kind: SceneKindId) -> bool {
         self.kinds.is_empty() || self.kinds.contains(&kind)

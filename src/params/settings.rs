@@ -2,12 +2,16 @@
 
 use crate::kernel::{Error, SceneKindId};
 
-use super::{Given, Parameter, Value, When};
+use super::{Choice, Domain, Given, Parameter, Value, When};
 
-/// A value for every parameter of a planner on a kind of scene; all of them allowed.
+/// A value for every parameter of a planner on a kind of scene; all of them allowed. Read by `settings[POPULATION]`, see
+/// [`Param`](super::Param).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settings {
+    parameters: &'static [&'static [Parameter]],
     values: Vec<(&'static str, Value)>,
+    /// The values as whole numbers, in their order; 0 for what is no number.
+    whole: Vec<u64>,
     changed: Given,
 }
 
@@ -16,8 +20,8 @@ impl Settings {
     ///
     /// # Errors
     /// [`Error::Unknown`] for a name that is not a parameter on this kind of scene, [`Error::Refused`] for a value that is not allowed.
-    pub fn new(parameters: &[Parameter], kind: SceneKindId, given: &Given) -> Result<Self, Error> {
-        let of_kind = || parameters.iter().filter(|p| p.applies_to(kind));
+    pub fn new(parameters: &'static [&'static [Parameter]], kind: SceneKindId, given: &Given) -> Result<Self, Error> {
+        let of_kind = || flat(parameters).filter(|p| p.applies_to(kind));
         for (name, value) in given.iter() {
             let parameter =
                 of_kind().find(|p| p.name == name).ok_or_else(|| Error::unknown("parameter", name, of_kind().map(|p| p.name)))?;
@@ -28,9 +32,10 @@ impl Settings {
         }
         let applicable = || of_kind().filter(|p| unmet(parameters, kind, given, p).is_none());
         let values: Vec<_> = applicable().map(|p| (p.name, given.get(p.name).cloned().unwrap_or_else(|| p.default_on(kind)))).collect();
+        let whole = values.iter().map(|(_, value)| if let Value::Number(number) = value { *number as u64 } else { 0 }).collect();
         let changed =
             applicable().filter_map(|p| given.get(p.name).filter(|&v| *v != p.default_on(kind)).map(|v| (p.name, v.clone()))).collect();
-        Ok(Self { values, changed })
+        Ok(Self { parameters, values, whole, changed })
     }
 
     /// Every parameter with its value.
@@ -43,41 +48,52 @@ impl Settings {
         &self.changed
     }
 
-    /// A number. A name that the planner did not declare gives NaN, which no test over all planners survives.
-    pub fn number(&self, name: &str) -> f64 {
-        match self.get(name) {
-            Some(Value::Number(number)) => *number,
-            _ => f64::NAN,
-        }
+    pub(super) fn number(&self, name: &str) -> &f64 {
+        if let Some(Value::Number(number)) = self.get(name) { number } else { &f64::NAN }
     }
 
-    /// A whole number.
-    pub fn integer(&self, name: &str) -> u64 {
-        self.number(name) as u64
+    pub(super) fn whole(&self, name: &str) -> &u64 {
+        self.place(name).map_or(&0, |place| &self.whole[place])
     }
 
-    /// A choice, or a subset's text.
-    pub fn choice(&self, name: &str) -> &str {
-        match self.get(name) {
-            Some(Value::Text(text)) => text,
-            _ => "",
-        }
+    pub(super) fn flag(&self, name: &str) -> &bool {
+        if let Some(Value::Flag(flag)) = self.get(name) { flag } else { &false }
     }
 
-    /// A flag.
-    pub fn flag(&self, name: &str) -> bool {
-        self.get(name) == Some(&Value::Flag(true))
+    pub(super) fn text(&self, name: &str) -> &str {
+        if let Some(Value::Text(text)) = self.get(name) { text } else { "" }
+    }
+
+    /// The option of a choice that is chosen, and its place among them; `None` for what is no choice.
+    pub(super) fn option(&self, parameter: &Parameter) -> Option<(usize, &'static Choice)> {
+        let Domain::Choice { options } = parameter.domain else { return None };
+        let Some(Value::Text(text)) = self.get(parameter.name) else { return None };
+        let found = options.iter().enumerate().find(|(_, option)| option.value == text);
+        debug_assert!(found.is_some(), "`{}` is {text}, which what reads it does not know", parameter.name);
+        found
     }
 
     fn get(&self, name: &str) -> Option<&Value> {
-        self.values.iter().find(|(n, _)| *n == name).map(|(_, value)| value)
+        self.place(name).map(|place| &self.values[place].1)
+    }
+
+    fn place(&self, name: &str) -> Option<usize> {
+        let place = self.values.iter().position(|(known, _)| *known == name);
+        let listed = || flat(self.parameters).any(|parameter| parameter.name == name);
+        debug_assert!(place.is_some() || listed(), "`{name}` is read, and the entry does not list it");
+        place
     }
 }
 
+/// All parameters of some lists.
+fn flat(parameters: &'static [&'static [Parameter]]) -> impl Iterator<Item = &'static Parameter> {
+    parameters.iter().copied().flatten()
+}
+
 /// The first condition that keeps a parameter from meaning anything: its own, or one of the parameter it depends on.
-fn unmet(parameters: &[Parameter], kind: SceneKindId, given: &Given, parameter: &Parameter) -> Option<When> {
+fn unmet(parameters: &'static [&'static [Parameter]], kind: SceneKindId, given: &Given, parameter: &Parameter) -> Option<When> {
     let when = parameter.when?;
-    let Some(other) = parameters.iter().find(|p| p.name == when.parameter && p.applies_to(kind)) else {
+    let Some(other) = flat(parameters).find(|p| p.name == when.parameter && p.applies_to(kind)) else {
         return Some(when);
     };
     let value = given.get(other.name).cloned().unwrap_or_else(|| other.default_on(kind));
@@ -88,15 +104,16 @@ fn unmet(parameters: &[Parameter], kind: SceneKindId, given: &Given, parameter: 
 mod tests {
     use super::*;
     use crate::{
-        params::{Choice, Fixed},
-        scene::{DISCS, FUNCTION},
+        params::{Fixed, Param, Subset},
+        scene::{DISCS, FUNCTION, GRID},
     };
 
-    const ALL: [Parameter; 3] = [
-        Parameter::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(DISCS, Fixed::Number(80.0))]),
-        Parameter::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.7], ""),
-        Parameter::choice("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[DISCS]),
-    ];
+    const POPULATION: Param<u64> =
+        Param::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(DISCS, Fixed::Number(80.0))]);
+    const W: Param<f64> = Param::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.7], "");
+    const PENALTY: Param<&str> =
+        Param::name_of("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[DISCS]);
+    const ALL: &[&[Parameter]] = &[&[POPULATION.entry()], &[W.entry(), PENALTY.entry()]];
 
     fn given(name: &str, value: &str) -> Given {
         Given::from_iter([(name, Value::from(value))])
@@ -104,21 +121,26 @@ mod tests {
 
     #[test]
     fn defaults_depend_on_the_kind_and_only_changes_are_kept() {
-        let on_discs = Settings::new(&ALL, DISCS, &given("w", "0.7")).unwrap();
-        assert_eq!((on_discs.integer("population"), on_discs.number("w"), on_discs.choice("penalty")), (80, 0.7, "segments"));
+        let on_discs = Settings::new(ALL, DISCS, &given("w", "0.7")).unwrap();
+        assert_eq!((on_discs[POPULATION], on_discs[W], on_discs[PENALTY]), (80, 0.7, "segments"));
         assert!(on_discs.changed().is_empty(), "0.7 is the default");
-        let on_function = Settings::new(&ALL, FUNCTION, &given("population", "7")).unwrap();
+        let on_function = Settings::new(ALL, FUNCTION, &given("population", "7")).unwrap();
         assert_eq!(on_function.changed().iter().collect::<Vec<_>>(), [("population", &Value::from(7.0))]);
         assert_eq!(on_function.all().len(), 2, "the penalty means nothing on functions");
+        assert_eq!((on_function[POPULATION], on_function[PENALTY]), (7, ""));
     }
 
     #[test]
     fn a_subset_has_known_names_each_once() {
         const OPTIONS: [Choice; 2] = [Choice { value: "a", title: "", help: "" }, Choice { value: "b", title: "", help: "" }];
-        let parameter = Parameter::subset("some", "", &OPTIONS, "a", "");
+        const SOME: Param<Subset> = Param::subset("some", "", &OPTIONS, "a", "");
+        const SOME_ONLY: &[&[Parameter]] = &[&[SOME.entry()]];
+        let parameter = SOME.entry();
         for good in ["a", "b,a"] {
             parameter.check(&Value::from(good)).unwrap();
         }
+        let settings = Settings::new(SOME_ONLY, GRID, &given("some", "b,a")).unwrap();
+        assert_eq!(&settings[SOME], "b,a");
         for bad in ["", "c", "a,a", "a,", "a b"] {
             assert_eq!(parameter.check(&Value::from(bad)).unwrap_err().allowed(), "some of a, b, each once, with commas between");
         }
@@ -128,21 +150,30 @@ mod tests {
     #[test]
     fn a_parameter_means_something_only_while_what_it_depends_on_has_its_value() {
         const OPTIONS: [Choice; 2] = [Choice { value: "a", title: "", help: "" }, Choice { value: "b", title: "", help: "" }];
-        const CHAIN: [Parameter; 3] = [
-            Parameter::choice("first", "", "", &OPTIONS, "").defaults_on(&[(DISCS, Fixed::Text("b"))]),
-            Parameter::flag("second", "", false, "").when("first", "b"),
-            Parameter::number("third", "", "", [0.0, 1.0, 0.5], "").when("second", "true"),
-        ];
+        const FIRST: Param<bool> = Param::choice("first", "", "", &OPTIONS, &[false, true], "").defaults_on(&[(DISCS, Fixed::Text("b"))]);
+        const SECOND: Param<bool> = Param::flag("second", "", false, "").when(FIRST, "b");
+        const THIRD: Param<f64> = Param::number("third", "", "", [0.0, 1.0, 0.5], "").when(SECOND, "true");
+        const CHAIN: &[&[Parameter]] = &[&[FIRST.entry(), SECOND.entry(), THIRD.entry()]];
         let names =
-            |kind, given: &Given| Settings::new(&CHAIN, kind, given).map(|s| s.all().iter().map(|(name, _)| *name).collect::<Vec<_>>());
+            |kind, given: &Given| Settings::new(CHAIN, kind, given).map(|s| s.all().iter().map(|(name, _)| *name).collect::<Vec<_>>());
         assert_eq!(names(FUNCTION, &Given::new()).unwrap(), ["first"]);
         assert_eq!(names(DISCS, &Given::new()).unwrap(), ["first", "second"]);
         assert_eq!(names(DISCS, &given("second", "true")).unwrap(), ["first", "second", "third"]);
+        let [on_function, on_discs] = [FUNCTION, DISCS].map(|kind| Settings::new(CHAIN, kind, &Given::new()).unwrap());
+        assert_eq!((on_function[FIRST], on_discs[FIRST], on_discs[SECOND]), (false, true, false));
+        assert!(on_discs[THIRD].is_nan(), "it means nothing there");
         let refused = names(DISCS, &given("third", "0.1")).unwrap_err();
         assert_eq!((refused.field(), refused.allowed()), ("third", "left out unless second is true"));
         let both: Given =
             [("first", Value::from("a")), ("second", Value::from("true")), ("third", Value::from("0.1"))].into_iter().collect();
         assert_eq!(names(DISCS, &both).unwrap_err().allowed(), "left out unless first is b");
+    }
+
+    #[test]
+    #[should_panic(expected = "`speed` is read, and the entry does not list it")]
+    fn a_parameter_that_is_not_listed_is_noticed_in_debug_builds() {
+        const SPEED: Param<f64> = Param::number("speed", "", "", [0.0, 1.0, 0.5], "");
+        let _ = Settings::new(ALL, DISCS, &Given::new()).unwrap()[SPEED];
     }
 
     #[test]
@@ -157,11 +188,11 @@ mod tests {
             ("w", "-0.1"),
             ("penalty", "x"),
         ] {
-            let error = Settings::new(&ALL, DISCS, &given(name, value)).unwrap_err();
+            let error = Settings::new(ALL, DISCS, &given(name, value)).unwrap_err();
             assert_eq!((error.field(), error.value()), (name, value));
             assert!(!error.allowed().is_empty());
         }
-        let unknown = Settings::new(&ALL, FUNCTION, &given("penalty", "segments")).unwrap_err();
+        let unknown = Settings::new(ALL, FUNCTION, &given("penalty", "segments")).unwrap_err();
         assert_eq!((unknown.field(), unknown.allowed()), ("parameter", "population, w"));
     }
 }

@@ -15,7 +15,7 @@ pub const ENTRY: Entry = Entry {
     source: "Hart, Nilsson and Raphael 1968",
     summary: "Settles first the cells whose way from the start and least way to the goal are together shortest. Exact from cell to cell, with fewer cells than Dijkstra.",
     kinds: KINDS,
-    parameters: &[ITERATIONS, EXPAND, WEIGHT, SMOOTH],
+    parameters: &[&[ITERATIONS.entry(), EXPAND.entry(), WEIGHT.entry(), SMOOTH.entry()]],
     readings: READINGS,
     formulas: &[BOUND, FORMULA_STEP, FORMULA_OCTILE],
     layers: LAYERS,
@@ -25,5 +25,5 @@ pub const ENTRY: Entry = Entry {
     events: &[],
     presets: &[],
     suggest: |_| None,
-    start: |scene, settings, _| super::start(scene, settings, Heuristic::Octile, settings.number("weight"), Relaxation::Step),
+    start: |scene, settings, _| super::start(scene, settings, Heuristic::Octile, settings[WEIGHT], Relaxation::Step),
 };

@@ -15,7 +15,7 @@ pub const ENTRY: Entry = Entry {
     source: "Dijkstra 1959",
     summary: "Settles the cells in the order of their distance from the start until the goal is one of them. Exact from cell to cell.",
     kinds: KINDS,
-    parameters: &[ITERATIONS, EXPAND, SMOOTH],
+    parameters: &[&[ITERATIONS.entry(), EXPAND.entry(), SMOOTH.entry()]],
     readings: READINGS,
     formulas: &[BOUND, FORMULA_STEP],
     layers: LAYERS,

@@ -3,7 +3,7 @@
 use crate::{
     describe::{Formula, Group, Layer, Reading},
     kernel::{Role, SceneKindId},
-    params::{Parameter, When},
+    params::{Param, When},
     scene::{GRID, MAX_SIDE},
     way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
@@ -11,7 +11,7 @@ use crate::{
 /// The kinds of scene that a search runs on.
 pub(super) const KINDS: &[SceneKindId] = &[GRID];
 
-pub(super) const ITERATIONS: Parameter = Parameter::integer(
+pub(super) const ITERATIONS: Param<u64> = Param::integer(
     "iterations",
     "k_{\\max}",
     "Iterations",
@@ -19,7 +19,7 @@ pub(super) const ITERATIONS: Parameter = Parameter::integer(
     "After how many steps it stops at the latest, found or not.",
 )
 .slider(1.0, 5000.0, true);
-pub(super) const EXPAND: Parameter = Parameter::integer(
+pub(super) const EXPAND: Param<u64> = Param::integer(
     "expand",
     "n_e",
     "Cells a step",
@@ -27,7 +27,7 @@ pub(super) const EXPAND: Parameter = Parameter::integer(
     "How many cells a step settles; the result is the same. 0: as many as there are cells, over 1024, so that no run takes more steps than that.",
 )
 .slider(0.0, 1000.0, false);
-pub(super) const WEIGHT: Parameter = Parameter::number(
+pub(super) const WEIGHT: Param<f64> = Param::number(
     "weight",
     "w",
     "Weight of the heuristic",

@@ -7,10 +7,12 @@ use crate::{
     kernel::Error,
     params::Settings,
     scene::{GridScene, Scene},
+    way::SMOOTH,
 };
 
 use super::{
     open::{apart, place},
+    parameters::{EXPAND, ITERATIONS},
     rules::{DIAGONAL, Guess, Relaxation, Rules, STRAIGHT, line},
 };
 
@@ -39,7 +41,7 @@ impl Task {
     pub(super) fn new(scene: &Arc<Scene>, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
         let grid = scene.share::<GridScene>()?;
         let (cells, course) = (Arc::clone(grid.cells()), grid.course()?);
-        let expand = match settings.integer("expand") {
+        let expand = match settings[EXPAND] {
             0 => cells.len().div_ceil(STEPS) as u64,
             given => given,
         };
@@ -47,11 +49,11 @@ impl Task {
             wide: grid.radius() > 0.0,
             rules,
             guess: Guess { heuristic: rules.heuristic, weight, goal: apart(place(cells.place(course.goal))) },
-            smooth: settings.flag("smooth"),
+            smooth: settings[SMOOTH],
             cutting: grid.corner_cutting,
             expand,
             // No cell is settled twice: what is left of a higher limit would only be room on a timeline.
-            limit: settings.integer("iterations").min((cells.len() as u64).div_ceil(expand)),
+            limit: settings[ITERATIONS].min((cells.len() as u64).div_ceil(expand)),
             cells,
             course,
             grid,

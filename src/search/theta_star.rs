@@ -15,7 +15,7 @@ pub const ENTRY: Entry = Entry {
     source: "Nash et al. 2007",
     summary: "A* whose cells are joined to their neighbour’s parent wherever they see it, so that paths go straight at any angle. They need not be the shortest there are.",
     kinds: KINDS,
-    parameters: &[ITERATIONS, EXPAND, SMOOTH],
+    parameters: &[&[ITERATIONS.entry(), EXPAND.entry(), SMOOTH.entry()]],
     readings: READINGS,
     formulas: &[BOUND, FORMULA_SIGHT, FORMULA_STRAIGHT],
     layers: LAYERS,

@@ -16,17 +16,18 @@ use crate::{
         Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream,
     },
     math::{self, limit},
-    params::{Choice, Fixed, Parameter, Settings},
+    params::{Choice, Fixed, Param, Settings},
     scene::Scene,
 };
 
 use super::{
     clock::Clock,
-    encoding::{self, with_paths},
+    encoding,
     parameters::{
         BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, PERSONAL_BESTS, POPULATION, POSITION,
-        SMOOTHED, SMOOTHNESS, SPREAD, V_MAX, V_MAX_UNIT, VELOCITIES,
+        SMOOTHED, SMOOTHNESS, SPREAD, V_MAX, V_MAX_ABSOLUTE, VELOCITIES,
     },
+    paths::{CHARGED, ENCODED},
     population::Population,
     tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
 };
@@ -101,24 +102,24 @@ impl Watch for () {}
 
 fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, Error> {
     let mut rng = Stream::new(seed, 0);
-    let size = settings.integer("population") as usize;
+    let size = settings[POPULATION] as usize;
     let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
     let sides: Vec<_> = population.objective.search_box().sides().collect();
-    let (v_max, absolute) = (settings.number("v_max"), settings.choice("v_max_unit") == "absolute");
-    let [low, high] = ["f_min", "f_max"].map(|name| settings.number(name));
+    let (v_max, absolute) = (settings[V_MAX], settings[V_MAX_ABSOLUTE]);
+    let [low, high] = [F_MIN, F_MAX].map(|frequency| settings[frequency]);
     let bats = Bats {
         v: vec![0.0; population.x.len()],
         v_max: sides.iter().map(|side| if absolute { v_max } else { v_max * side }).collect(),
-        stride: sides.iter().map(|side| settings.number("walk") * side).collect(),
-        loudness: vec![settings.number("a0"); size],
-        pulse_rate: vec![settings.number("r0"); size],
+        stride: sides.iter().map(|side| settings[WALK] * side).collect(),
+        loudness: vec![settings[A0]; size],
+        pulse_rate: vec![settings[R0]; size],
         last: vec![Last { walked: false, accepted: false }; size],
         frequencies: [low, high.max(low)],
-        per_particle: settings.choice("random") == "particle",
-        sign: if settings.choice("pull") == "printed" { 1.0 } else { -1.0 },
-        epsilon: settings.number("epsilon"),
-        lambda: settings.number("lambda"),
-        mean_loudness: settings.number("a0"),
+        per_particle: settings[PER_BAT],
+        sign: settings[PULL],
+        epsilon: settings[EPSILON],
+        lambda: settings[LAMBDA],
+        mean_loudness: settings[A0],
         held: vec![0.0; population.dimension],
         rng,
         clock: Clock::new(settings, population.bests()),
@@ -301,9 +302,9 @@ impl Bats {
     }
 }
 
-const F_MIN: Parameter = Parameter::number("f_min", "f_{\\min}", "Lowest frequency", [0.0, 100.0, 0.0], "The least that f of (7) can be.")
-    .slider(0.0, 2.0, false);
-const F_MAX: Parameter = Parameter::number(
+const F_MIN: Param<f64> =
+    Param::number("f_min", "f_{\\min}", "Lowest frequency", [0.0, 100.0, 0.0], "The least that f of (7) can be.").slider(0.0, 2.0, false);
+const F_MAX: Param<f64> = Param::number(
     "f_max",
     "f_{\\max}",
     "Highest frequency",
@@ -311,7 +312,7 @@ const F_MAX: Parameter = Parameter::number(
     "The most that f of (7) can be; at least f_min. The higher, the faster velocities change. Yang’s programme: 2.",
 )
 .slider(0.0, 5.0, false);
-const PULL: Parameter = Parameter::choice(
+const PULL: Param<f64> = Param::choice(
     "pull",
     "",
     "Sign in (8)",
@@ -323,9 +324,10 @@ const PULL: Parameter = Parameter::choice(
             help: "v ← v + (x − x_best) f, as (8) and Yang print it: bats fly away from the best.",
         },
     ],
+    &[-1.0, 1.0],
     "In which direction the best changes a velocity.",
 );
-const WALK: Parameter = Parameter::number(
+const WALK: Param<f64> = Param::number(
     "walk",
     "s",
     "Length of a walk",
@@ -333,21 +335,21 @@ const WALK: Parameter = Parameter::number(
     "How far from the best a walk leads at most, as a share of the search box’s side, at a mean loudness of 1.",
 )
 .slider(0.0, 0.1, false);
-const A0: Parameter = Parameter::number(
+const A0: Param<f64> = Param::number(
     "a0",
     "A_0",
     "Loudness at the start",
     [0.0, 1.0, 1.0],
     "With what probability a bat accepts a position that is not worse, at first.",
 );
-const R0: Parameter = Parameter::number(
+const R0: Param<f64> = Param::number(
     "r0",
     "r_0",
     "Pulse rate at the start",
     [0.0, 1.0, 0.5],
     "With what probability a bat flies instead of walking about the best, at first.",
 );
-const RANDOM: Parameter = Parameter::choice(
+const PER_BAT: Param<bool> = Param::choice(
     "random",
     "\\beta",
     "Random numbers",
@@ -355,16 +357,17 @@ const RANDOM: Parameter = Parameter::choice(
         Choice { value: "coordinate", title: "Each coordinate", help: "Each coordinate of a bat has a frequency of its own." },
         Choice { value: "particle", title: "Each bat", help: "All coordinates of a bat share one frequency." },
     ],
+    &[false, true],
     "How often β of (7) is drawn. The paper calls it a random vector; Yang’s programme draws one number for each bat.",
 );
-const EPSILON: Parameter = Parameter::number(
+const EPSILON: Param<f64> = Param::number(
     "epsilon",
     "\\varepsilon",
     "Fading of loudness",
     [0.0, 1.0, 0.98],
     "What a bat’s loudness is multiplied by when it accepts a position, (10). Published: 0.98.",
 );
-const LAMBDA: Parameter = Parameter::number(
+const LAMBDA: Param<f64> = Param::number(
     "lambda",
     "\\lambda",
     "Pulse coefficient",
@@ -382,7 +385,7 @@ const BAT_VELOCITY: Formula = Formula::of_item(
     "v_i \\leftarrow v_i + (x_i - x_{\\text{best}}) f_i",
     "v = @v_before@ + (@x_before@ - @g@) \\cdot @f@ \\;\\to\\; @v@",
 )
-.when("pull", "printed");
+.when(PULL, "printed");
 const BAT_VELOCITY_TOWARD: Formula = Formula::of_item(
     "bat-velocity-toward",
     "[ANTBAT] (8), other sign",
@@ -390,7 +393,7 @@ const BAT_VELOCITY_TOWARD: Formula = Formula::of_item(
     "v_i \\leftarrow v_i + (x_{\\text{best}} - x_i) f_i",
     "v = @v_before@ + (@g@ - @x_before@) \\cdot @f@ \\;\\to\\; @v@",
 )
-.when("pull", "toward");
+.when(PULL, "toward");
 const BAT_POSITION: Formula = Formula { source: "[ANTBAT] (9)", ..POSITION };
 const WALK_ABOUT: Formula = Formula::of_item(
     "walk",
@@ -421,7 +424,25 @@ pub const ENTRY: Entry = Entry {
     source: "[ANTBAT] (7)–(11)",
     summary: "Each bat has a frequency, a velocity and a position. With its pulse rate it flies, otherwise it walks about the global best; loudness decides whether it accepts what is not worse.",
     kinds: KINDS,
-    parameters: with_paths![POPULATION, ITERATIONS, F_MIN, F_MAX, PULL, WALK, A0, R0, EPSILON, LAMBDA, RANDOM, V_MAX, V_MAX_UNIT],
+    parameters: &[
+        &[
+            POPULATION.entry(),
+            ITERATIONS.entry(),
+            F_MIN.entry(),
+            F_MAX.entry(),
+            PULL.entry(),
+            WALK.entry(),
+            A0.entry(),
+            R0.entry(),
+            EPSILON.entry(),
+            LAMBDA.entry(),
+            PER_BAT.entry(),
+            V_MAX.entry(),
+            V_MAX_ABSOLUTE.entry(),
+        ],
+        ENCODED,
+        CHARGED,
+    ],
     readings: &[
         BEST,
         MEAN,

@@ -5,6 +5,8 @@ use crate::{
     params::Settings,
 };
 
+use super::{parameters::ITERATIONS, paths::EARLY_STOP};
+
 /// The iterations of a run, and its two reasons to stop.
 #[derive(Debug, Clone, Copy, PartialEq, State)]
 pub(super) struct Clock {
@@ -23,7 +25,7 @@ impl Clock {
     /// With the settings `iterations` and `early_stop`; `best` are the best costs, with and without penalty, before the first
     /// iteration.
     pub(super) fn new(settings: &Settings, best: [f64; 2]) -> Self {
-        Self { iteration: 0, limit: settings.integer("iterations"), early_stop: settings.integer("early_stop"), unchanged: 0, best }
+        Self { iteration: 0, limit: settings[ITERATIONS], early_stop: settings[EARLY_STOP], unchanged: 0, best }
     }
 
     /// Counts an iteration that ended with these best costs.

@@ -2,20 +2,20 @@
 
 use crate::{
     describe::{Entry, Formula, Preset},
-    params::{Choice, Fixed, Parameter},
+    params::{Choice, Fixed, Param},
 };
 
 use super::{
-    encoding::with_paths,
     flight::Flight,
     parameters::{
-        AS_IN_TEXT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, RANDOM, READINGS, V_MAX, V_MAX_UNIT, VELOCITY, W, W_MAX,
-        W_MIN, schedule,
+        AS_IN_TEXT, ITERATIONS, KINDS, LAYERS, LINEAR_W, PER_PARTICLE, POPULATION, POSITION, READINGS, V_MAX, V_MAX_ABSOLUTE, VELOCITY, W,
+        W_MAX, W_MIN, schedule,
     },
+    paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
 };
 
-const W_LAW: Parameter = Parameter::choice(
+const W_LINEAR: Param<bool> = Param::choice(
     "w_law",
     "",
     "Course of the inertia weight",
@@ -23,26 +23,22 @@ const W_LAW: Parameter = Parameter::choice(
         Choice { value: "constant", title: "Constant", help: "ω stays what it is, as in the text." },
         Choice { value: "linear", title: "Linear", help: "ω falls linearly, as in wpso." },
     ],
+    &[false, true],
     "How ω changes over the iterations.",
 );
-const C1_START: Parameter = Parameter::number(
+const C1_START: Param<f64> = Param::number(
     "c1_start",
     "c_{1,0}",
     "Cognitive coefficient at the start",
     [0.0, 5.0, 2.5],
     "c1 changes from here: first each for itself.",
 );
-const C1_END: Parameter =
-    Parameter::number("c1_end", "c_{1,\\max}", "Cognitive coefficient at the end", [0.0, 5.0, 0.5], "c1 changes to here.");
-const C2_START: Parameter =
-    Parameter::number("c2_start", "c_{2,0}", "Social coefficient at the start", [0.0, 5.0, 0.5], "c2 changes from here.");
-const C2_END: Parameter = Parameter::number(
-    "c2_end",
-    "c_{2,\\max}",
-    "Social coefficient at the end",
-    [0.0, 5.0, 2.5],
-    "c2 changes to here: in the end all for one.",
-);
+const C1_END: Param<f64> =
+    Param::number("c1_end", "c_{1,\\max}", "Cognitive coefficient at the end", [0.0, 5.0, 0.5], "c1 changes to here.");
+const C2_START: Param<f64> =
+    Param::number("c2_start", "c_{2,0}", "Social coefficient at the start", [0.0, 5.0, 0.5], "c2 changes from here.");
+const C2_END: Param<f64> =
+    Param::number("c2_end", "c_{2,\\max}", "Social coefficient at the end", [0.0, 5.0, 2.5], "c2 changes to here: in the end all for one.");
 
 const COGNITIVE: Formula = schedule(
     "c1",
@@ -67,23 +63,27 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §3.1",
     summary: "The pull of the own best falls linearly and that of the swarm’s best rises.",
     kinds: KINDS,
-    parameters: with_paths![
-        POPULATION,
-        ITERATIONS,
-        W_LAW,
-        W.when("w_law", "constant"),
-        W_MAX.when("w_law", "linear"),
-        W_MIN.when("w_law", "linear"),
-        C1_START,
-        C1_END,
-        C2_START,
-        C2_END,
-        RANDOM,
-        V_MAX,
-        V_MAX_UNIT
+    parameters: &[
+        &[
+            POPULATION.entry(),
+            ITERATIONS.entry(),
+            W_LINEAR.entry(),
+            W.when(W_LINEAR, "constant").entry(),
+            W_MAX.when(W_LINEAR, "linear").entry(),
+            W_MIN.when(W_LINEAR, "linear").entry(),
+            C1_START.entry(),
+            C1_END.entry(),
+            C2_START.entry(),
+            C2_END.entry(),
+            PER_PARTICLE.entry(),
+            V_MAX.entry(),
+            V_MAX_ABSOLUTE.entry(),
+        ],
+        ENCODED,
+        CHARGED,
     ],
     readings: READINGS,
-    formulas: &[LINEAR_W.when("w_law", "linear"), COGNITIVE, SOCIAL, VELOCITY, POSITION],
+    formulas: &[LINEAR_W.when(W_LINEAR, "linear"), COGNITIVE, SOCIAL, VELOCITY, POSITION],
     layers: LAYERS,
     stops: false,
     most_stops: None,
@@ -101,9 +101,9 @@ pub const ENTRY: Entry = Entry {
     ],
     suggest: |_| None,
     start: |scene, settings, seed| {
-        let linear = |from, to| Law::Linear(settings.number(from), settings.number(to));
-        let w = if settings.choice("w_law") == "linear" { linear("w_max", "w_min") } else { Law::Constant(settings.number("w")) };
-        let schedule = Schedule { w, c1: linear("c1_start", "c1_end"), c2: linear("c2_start", "c2_end") };
+        let linear = |from: Param<f64>, to: Param<f64>| Law::Linear(settings[from], settings[to]);
+        let w = if settings[W_LINEAR] { linear(W_MAX, W_MIN) } else { Law::Constant(settings[W]) };
+        let schedule = Schedule { w, c1: linear(C1_START, C1_END), c2: linear(C2_START, C2_END) };
         super::start(scene, settings, seed, Flight { schedule, perturbation: None })
     },
 };

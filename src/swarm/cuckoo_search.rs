@@ -19,17 +19,18 @@ use crate::{
     kernel::{
         Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream,
     },
-    params::{Fixed, Parameter, Settings},
+    params::{Fixed, Param, Settings},
     scene::{DISCS, GRID, Scene},
 };
 
 use super::{
     clock::Clock,
-    encoding::{self, with_paths},
+    encoding,
     levy::{Draw, Levy},
     parameters::{
         BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, SMOOTHED, SMOOTHNESS, SPREAD,
     },
+    paths::{CHARGED, ENCODED},
     population::Population,
     tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
 };
@@ -83,13 +84,13 @@ impl Watch for () {}
 
 fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, Error> {
     let mut rng = Stream::new(seed, 0);
-    let size = settings.integer("population") as usize;
+    let size = settings[POPULATION] as usize;
     let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
     let numbers: Vec<_> = (0..size).collect();
     let nests = Nests {
-        levy: Levy::new(settings.number("lambda")),
-        alpha: settings.number("alpha"),
-        p_a: settings.number("p_a"),
+        levy: Levy::new(settings[LAMBDA]),
+        alpha: settings[ALPHA],
+        p_a: settings[P_A],
         pairs: [numbers.clone(), numbers],
         before: population.x.clone(),
         held: vec![0.0; population.dimension],
@@ -337,7 +338,7 @@ impl Nests {
     }
 }
 
-const POPULATION: Parameter = Parameter::integer(
+const POPULATION: Param<u64> = Param::integer(
     "population",
     "n",
     "Nests",
@@ -346,14 +347,14 @@ const POPULATION: Parameter = Parameter::integer(
 )
 .defaults_on(&[(DISCS, Fixed::Number(75.0)), (GRID, Fixed::Number(75.0))])
 .slider(2.0, 2000.0, true);
-const P_A: Parameter = Parameter::number(
+const P_A: Param<f64> = Param::number(
     "p_a",
     "p_a",
     "Share abandoned",
     [0.0, 1.0, 0.25],
     "With what probability each coordinate of a nest is rebuilt by a random walk; a higher value changes more of each nest at once. Yang and Deb: 0.25.",
 );
-const ALPHA: Parameter = Parameter::number(
+const ALPHA: Param<f64> = Param::number(
     "alpha",
     "\\alpha",
     "Step scale",
@@ -361,7 +362,7 @@ const ALPHA: Parameter = Parameter::number(
     "What a Lévy step times the distance from the best nest is multiplied by; a higher value leads farther. Yang and Deb’s program: 0.01.",
 )
 .slider(0.001, 1.0, true);
-const LAMBDA: Parameter = Parameter::number(
+const LAMBDA: Param<f64> = Param::number(
     "lambda",
     "\\lambda",
     "Lévy exponent",
@@ -416,7 +417,7 @@ pub const ENTRY: Entry = Entry {
     source: "Yang and Deb 2009",
     summary: "Each nest is a candidate solution. A Lévy flight makes a new one from it, mostly near and seldom far away; then some of its coordinates are rebuilt along the difference of two random nests. A nest is replaced only by what is not worse.",
     kinds: KINDS,
-    parameters: with_paths![POPULATION, ITERATIONS, P_A, ALPHA, LAMBDA],
+    parameters: &[&[POPULATION.entry(), ITERATIONS.entry(), P_A.entry(), ALPHA.entry(), LAMBDA.entry()], ENCODED, CHARGED],
     readings: &[
         BEST,
         MEAN,

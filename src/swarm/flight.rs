@@ -11,6 +11,7 @@ use crate::{
 use super::{
     clock::Clock,
     objective::Objective,
+    parameters::{PER_PARTICLE, POPULATION, V_MAX, V_MAX_ABSOLUTE},
     perturbation::{self, Event, Keep, Partner, Patience, Perturbation, Timing},
     population::Population,
     schedule::{Coefficients, Schedule},
@@ -76,21 +77,21 @@ impl Swarm {
     /// Positions uniform in the box, velocities zero.
     pub(super) fn new(objective: Arc<dyn Objective>, settings: &Settings, seed: u64, flight: Flight) -> Self {
         let mut rng = Stream::new(seed, 0);
-        let population = Population::new(objective, settings.integer("population") as usize, &mut rng);
+        let population = Population::new(objective, settings[POPULATION] as usize, &mut rng);
         Self::of(population, settings, rng, flight)
     }
 
     /// Of particles that have their positions; velocities zero.
     pub(super) fn of(population: Population, settings: &Settings, rng: Stream, flight: Flight) -> Self {
         let size = population.size;
-        let v_max = settings.number("v_max");
-        let absolute = settings.choice("v_max_unit") == "absolute";
+        let v_max = settings[V_MAX];
+        let absolute = settings[V_MAX_ABSOLUTE];
         let v_max = population.objective.search_box().sides().map(|side| if absolute { v_max } else { v_max * side }).collect();
         let clock = Clock::new(settings, population.bests());
         Self {
             v: vec![0.0; population.x.len()],
             v_max,
-            per_particle: settings.choice("random") == "particle",
+            per_particle: settings[PER_PARTICLE],
             held: vec![0.0; population.dimension],
             patience: vec![Patience::default(); size],
             events: vec![Event::Move; size],

@@ -7,7 +7,7 @@
 //! - `flight`: particles with velocities, by a [`schedule`] of ω, c1 and c2 and (for some) a [`perturbation`].
 //! - `quantum`: particles that leap. `bat_continuous`: bats. `cuckoo_search`: nests, whose flights `levy` draws.
 //! - `explain` and `tell` say what a step did to one particle, `draw` shows it.
-//! - `parameters`: what the entries share. [`pso`], [`wpso`], [`cpso`], [`wcpso`], [`qpso`], [`ltqpso`]: a file a planner.
+//! - `parameters` and `paths`: what the entries share. [`pso`], [`wpso`], [`cpso`], [`wcpso`], [`qpso`], [`ltqpso`]: a file a planner.
 
 pub mod bat_continuous;
 mod clock;
@@ -20,6 +20,7 @@ mod flight;
 mod levy;
 pub mod objective;
 mod parameters;
+mod paths;
 pub mod perturbation;
 pub mod polar;
 mod population;
@@ -45,6 +46,8 @@ pub use quantum::{ltqpso, qpso};
 pub use tell::SYMBOLS;
 
 use flight::{Flight, Swarm};
+use parameters::ITERATIONS;
+use paths::EARLY_STOP;
 
 /// Starts a swarm that flies on whatever kind of scene it is given.
 fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, flight: Flight) -> Result<Started, Error> {
@@ -53,6 +56,6 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, flight: Flight) -> 
 
 /// A run of a swarm, with the settings `iterations` and `early_stop`.
 fn started(swarm: impl Planner, settings: &Settings) -> Started {
-    let started = Started::new(swarm, settings.integer("iterations"));
-    if settings.integer("early_stop") > 0 { started.open_ended() } else { started }
+    let started = Started::new(swarm, settings[ITERATIONS]);
+    if settings[EARLY_STOP] > 0 { started.open_ended() } else { started }
 }

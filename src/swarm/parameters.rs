@@ -3,7 +3,7 @@
 use crate::{
     describe::{Formula, Group, Layer, Preset, Reading, Scope},
     kernel::{Role, SceneKindId},
-    params::{Choice, Fixed, Parameter, When},
+    params::{Choice, Fixed, Param, When},
     scene::{DISCS, FUNCTION, GRID},
 };
 
@@ -13,16 +13,11 @@ pub(super) const KINDS: &[SceneKindId] = &[DISCS, GRID, FUNCTION];
 /// The kinds of scene in which a path is searched.
 pub(super) const PATHS: &[SceneKindId] = &[DISCS, GRID];
 
-pub(super) const POPULATION: Parameter = Parameter::integer(
-    "population",
-    "N",
-    "Population",
-    [1, 100_000, 60],
-    "How many particles. Published: 60 on functions, 150 among discs.",
-)
-.defaults_on(&[(DISCS, Fixed::Number(150.0)), (GRID, Fixed::Number(150.0))])
-.slider(2.0, 2000.0, true);
-pub(super) const ITERATIONS: Parameter = Parameter::integer(
+pub(super) const POPULATION: Param<u64> =
+    Param::integer("population", "N", "Population", [1, 100_000, 60], "How many particles. Published: 60 on functions, 150 among discs.")
+        .defaults_on(&[(DISCS, Fixed::Number(150.0)), (GRID, Fixed::Number(150.0))])
+        .slider(2.0, 2000.0, true);
+pub(super) const ITERATIONS: Param<u64> = Param::integer(
     "iterations",
     "k_{\\max}",
     "Iterations",
@@ -31,10 +26,10 @@ pub(super) const ITERATIONS: Parameter = Parameter::integer(
 )
 .defaults_on(&[(DISCS, Fixed::Number(500.0)), (GRID, Fixed::Number(500.0))])
 .slider(10.0, 5000.0, true);
-pub(super) const V_MAX: Parameter =
-    Parameter::number("v_max", "v_{\\max}", "Velocity limit", [0.001, 1000.0, 0.2], "The most a coordinate may change in an iteration.")
+pub(super) const V_MAX: Param<f64> =
+    Param::number("v_max", "v_{\\max}", "Velocity limit", [0.001, 1000.0, 0.2], "The most a coordinate may change in an iteration.")
         .slider(0.01, 1.0, false);
-pub(super) const V_MAX_UNIT: Parameter = Parameter::choice(
+pub(super) const V_MAX_ABSOLUTE: Param<bool> = Param::choice(
     "v_max_unit",
     "",
     "Velocity limit in",
@@ -42,9 +37,10 @@ pub(super) const V_MAX_UNIT: Parameter = Parameter::choice(
         Choice { value: "fraction", title: "Shares of the side", help: "v_max is a share of the search box’s side." },
         Choice { value: "absolute", title: "The scene’s unit", help: "v_max is a distance in the scene’s unit." },
     ],
+    &[false, true],
     "What the velocity limit is measured in.",
 );
-pub(super) const RANDOM: Parameter = Parameter::choice(
+pub(super) const PER_PARTICLE: Param<bool> = Param::choice(
     "random",
     "r_1, r_2",
     "Random numbers",
@@ -56,43 +52,39 @@ pub(super) const RANDOM: Parameter = Parameter::choice(
             help: "All coordinates of a particle share one pair r1, r2: it moves in the plane of its two pulls.",
         },
     ],
+    &[false, true],
     "How often r1 and r2 of (1) are drawn. The paper does not say; its Table 2 fits one pair per particle.",
 );
-pub(super) const W: Parameter = Parameter::number(
+pub(super) const W: Param<f64> = Param::number(
     "w",
     "\\omega",
     "Inertia weight",
     [0.0, 1.5, 0.7298],
     "How much of its velocity a particle keeps. The paper gives no value; 0.7298 is Clerc and Kennedy’s.",
 );
-pub(super) const C1: Parameter = Parameter::number(
+pub(super) const C1: Param<f64> = Param::number(
     "c1",
     "c_1",
     "Cognitive coefficient",
     [0.0, 5.0, 1.496_18],
     "How strongly a particle is drawn to the best it has found itself.",
 );
-pub(super) const C2: Parameter = Parameter::number(
+pub(super) const C2: Param<f64> = Param::number(
     "c2",
     "c_2",
     "Social coefficient",
     [0.0, 5.0, 1.496_18],
     "How strongly a particle is drawn to the best that the swarm has found.",
 );
-pub(super) const W_MAX: Parameter = Parameter::number(
+pub(super) const W_MAX: Param<f64> = Param::number(
     "w_max",
     "\\omega_{\\max}",
     "Inertia weight at the start",
     [0.0, 1.5, 0.95],
     "ω falls from here, so that the swarm first explores.",
 );
-pub(super) const W_MIN: Parameter = Parameter::number(
-    "w_min",
-    "\\omega_{\\min}",
-    "Inertia weight at the end",
-    [0.0, 1.5, 0.4],
-    "ω falls to here, so that the swarm settles.",
-);
+pub(super) const W_MIN: Param<f64> =
+    Param::number("w_min", "\\omega_{\\min}", "Inertia weight at the end", [0.0, 1.5, 0.4], "ω falls to here, so that the swarm settles.");
 /// The defaults of a swarm of [WCPSO]: coefficients as the text prints them.
 pub(super) const AS_IN_TEXT: Preset = Preset {
     name: "paper",
@@ -173,53 +165,6 @@ pub(super) const VELOCITY: Formula = Formula::of_item(
 );
 pub(super) const POSITION: Formula =
     Formula::of_item("position", "[WCPSO] (2, 7)", "Position", "x \\leftarrow x + v", "x = @x_before@ + @v@ \\;\\to\\; @x@");
-pub(super) const HEN: Formula = Formula::of_item(
-    "hen",
-    "[WCPSO] (9)",
-    "Hen",
-    "x \\leftarrow x + s_1 r (p_g - x) + s_2 r' (x_t - x)",
-    "x = @x_before@ + @s1@ \\cdot @r@ \\, (@g@ - @x_before@) + @s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@) \\;\\to\\; @x@",
-)
-.when("hen_partner", "position");
-pub(super) const HEN_BEST: Formula = Formula::of_item(
-    "hen_best",
-    "[WCPSO] (9) with the personal best of the other",
-    "Hen",
-    "x \\leftarrow x + s_1 r (p_g - x) + s_2 r' (p_t - x)",
-    "x = @x_before@ + @s1@ \\cdot @r@ \\, (@g@ - @x_before@) + @s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@) \\;\\to\\; @x@",
-)
-.when("hen_partner", "best");
-pub(super) const S1: Formula = Formula::of_item(
-    "s1",
-    "[WCPSO] (10)",
-    "Pull of the best",
-    "s_1 = \\exp\\frac{f_i - f_g}{|f_i| + \\varepsilon}",
-    "s_1 = \\exp\\frac{@f_i@ - @f_g@}{|@f_i@| + \\varepsilon} = @s1@",
-);
-pub(super) const S2: Formula = Formula::of_item(
-    "s2",
-    "[WCPSO] (11), exponent at most 1",
-    "Pull of the other",
-    "s_2 = \\exp\\left(f_i - f_t\\right)",
-    "s_2 = \\exp\\left(\\min(@f_i@ - @f_t@,\\, 1)\\right) = @s2@",
-)
-.when("s2", "printed");
-pub(super) const S2_SOURCE: Formula = Formula::of_item(
-    "s2_source",
-    "[WCPSO] (11) with the sign of its source, exponent at most 1",
-    "Pull of the other",
-    "s_2 = \\exp\\left(f_t - f_i\\right)",
-    "s_2 = \\exp\\left(\\min(@f_t@ - @f_i@,\\, 1)\\right) = @s2@",
-)
-.when("s2", "source");
-pub(super) const CHICK: Formula = Formula::of_item(
-    "chick",
-    "[WCPSO] (12)",
-    "Chick",
-    "x \\leftarrow x + F_L (p_g - x)",
-    "x = @x_before@ + @f_l@ \\, (@g@ - @x_before@) \\;\\to\\; @x@",
-);
-
 pub(super) const LINEAR_W: Formula = schedule(
     "w",
     "[WCPSO] fig. 1, dashed",

@@ -12,6 +12,7 @@ use crate::{
 
 use super::{
     objective::{Evaluation, Objective, Scratch, SearchBox, subscripted},
+    paths::{Angles, INITIAL, INITIAL_MEAN, INITIAL_STD, SEGMENTS},
     terrain::Terrain,
 };
 
@@ -36,14 +37,14 @@ pub struct Polar {
 impl Polar {
     /// Paths over this terrain with the settings `segments`, `initial`, `initial_mean` and `initial_std`.
     pub(super) fn new(terrain: Terrain, settings: &Settings) -> Self {
-        let d = settings.integer("segments");
+        let d = settings[SEGMENTS];
         let [dx, dy] = [0, 1].map(|axis| terrain.goal[axis] - terrain.start[axis]);
         let distance = (dx * dx + dy * dy).sqrt();
         let radii: Vec<_> = (1..d).map(|i| i as f64 * distance / d as f64).collect();
         let ranges: Vec<_> = radii.iter().map(|&rho| range(terrain.bounds, terrain.start, math::atan2(dy, dx), rho)).collect();
-        let initial = match settings.choice("initial") {
-            "normal" => Initial::Normal(settings.number("initial_mean") * PI / 180.0, settings.number("initial_std") * PI / 180.0),
-            _ => Initial::Uniform,
+        let initial = match settings[INITIAL] {
+            Angles::Uniform => Initial::Uniform,
+            Angles::Normal => Initial::Normal(settings[INITIAL_MEAN] * PI / 180.0, settings[INITIAL_STD] * PI / 180.0),
         };
         let search_box = SearchBox { low: ranges.iter().map(|r| r[0]).collect(), high: ranges.iter().map(|r| r[1]).collect() };
         Self { terrain, radii, search_box, initial }

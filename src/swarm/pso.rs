@@ -3,9 +3,9 @@
 use crate::describe::Entry;
 
 use super::{
-    encoding::with_paths,
     flight::Flight,
-    parameters::{C1, C2, ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, RANDOM, READINGS, V_MAX, V_MAX_UNIT, VELOCITY, W},
+    parameters::{C1, C2, ITERATIONS, KINDS, LAYERS, PER_PARTICLE, POPULATION, POSITION, READINGS, V_MAX, V_MAX_ABSOLUTE, VELOCITY, W},
+    paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
 };
 
@@ -17,7 +17,20 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §1",
     summary: "Particles keep part of their velocity and are drawn to their own best and to the swarm’s. All coefficients stay constant.",
     kinds: KINDS,
-    parameters: with_paths![POPULATION, ITERATIONS, W, C1, C2, RANDOM, V_MAX, V_MAX_UNIT],
+    parameters: &[
+        &[
+            POPULATION.entry(),
+            ITERATIONS.entry(),
+            W.entry(),
+            C1.entry(),
+            C2.entry(),
+            PER_PARTICLE.entry(),
+            V_MAX.entry(),
+            V_MAX_ABSOLUTE.entry(),
+        ],
+        ENCODED,
+        CHARGED,
+    ],
     readings: READINGS,
     formulas: &[VELOCITY, POSITION],
     layers: LAYERS,
@@ -28,7 +41,7 @@ pub const ENTRY: Entry = Entry {
     presets: &[],
     suggest: |_| None,
     start: |scene, settings, seed| {
-        let [w, c1, c2] = ["w", "c1", "c2"].map(|name| Law::Constant(settings.number(name)));
+        let [w, c1, c2] = [W, C1, C2].map(|coefficient| Law::Constant(settings[coefficient]));
         super::start(scene, settings, seed, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None })
     },
 };

@@ -14,18 +14,19 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Group, Preset, ROAD, Reading},
     kernel::{Error, rng::Stream},
-    params::{Fixed, Parameter, Settings},
+    params::{Fixed, Param, Settings},
     scene::{GRID, Scene},
     tree::paths::Paths,
 };
 
 use super::{
-    encoding::{self, ENCODING, WAYPOINTS, with_paths},
+    encoding,
     flight::{Flight, Swarm},
     parameters::{
-        BEST, C1, C2, COGNITIVE, EVALUATIONS, FREE, ITERATIONS, K, LAYERS, LENGTH, MEAN, OMEGA, PATHS, POPULATION, POSITION, RANDOM,
-        SMOOTHNESS, SOCIAL, SPREAD, STAGNATING, V_MAX, V_MAX_UNIT, VELOCITY, W,
+        BEST, C1, C2, COGNITIVE, EVALUATIONS, FREE, ITERATIONS, K, LAYERS, LENGTH, MEAN, OMEGA, PATHS, PER_PARTICLE, POPULATION, POSITION,
+        SMOOTHNESS, SOCIAL, SPREAD, STAGNATING, V_MAX, V_MAX_ABSOLUTE, VELOCITY, W,
     },
+    paths::{CHARGED, EARLY_STOP, ENCODING, WAYPOINTS},
     population::Population,
     schedule::{Law, Schedule},
 };
@@ -33,7 +34,7 @@ use super::{
 /// How many extensions all trees of a run have together: where no tree comes to the goal, a big swarm must begin all the same.
 const MOST_EXTENSIONS: u64 = 500_000;
 
-const STEP_SIZE: Parameter = Parameter::number(
+const STEP_SIZE: Param<f64> = Param::number(
     "step_size",
     "L",
     "Step size",
@@ -42,7 +43,7 @@ const STEP_SIZE: Parameter = Parameter::number(
 )
 .defaults_on(&[(GRID, Fixed::Number(1.0))])
 .slider(0.05, 3.0, true);
-const GOAL_BIAS: Parameter = Parameter::number(
+const GOAL_BIAS: Param<f64> = Param::number(
     "goal_bias",
     "p_g",
     "Goal bias",
@@ -50,7 +51,7 @@ const GOAL_BIAS: Parameter = Parameter::number(
     "How often a tree grows toward the goal itself, as a share of the extensions. A higher value makes the first paths more alike.",
 )
 .slider(0.0, 0.5, false);
-const EXTENSIONS: Parameter = Parameter::integer(
+const EXTENSIONS: Param<u64> = Param::integer(
     "extensions",
     "n_T",
     "Extensions of a tree",
@@ -61,8 +62,8 @@ const EXTENSIONS: Parameter = Parameter::integer(
 
 fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Swarm, Error> {
     let objective = encoding::objective(scene, settings)?;
-    let paths = Paths::new(scene, settings.number("step_size"), settings.number("goal_bias"))?;
-    let (size, most) = (settings.integer("population") as usize, settings.integer("extensions"));
+    let paths = Paths::new(scene, settings[STEP_SIZE], settings[GOAL_BIAS])?;
+    let (size, most) = (settings[POPULATION] as usize, settings[EXTENSIONS]);
     let mut rng = Stream::new(seed, 0);
     let (mut left, mut tested, mut origins) = (MOST_EXTENSIONS, 0, vec![None; size]);
     let mut population = Population::begun(Arc::clone(&objective), size, &mut rng, |i, x, rng| {
@@ -74,7 +75,7 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Swarm, Er
         objective.encode(&path, x)
     });
     population.evaluations += tested;
-    let [w, c1, c2] = ["w", "c1", "c2"].map(|name| Law::Constant(settings.number(name)));
+    let [w, c1, c2] = [W, C1, C2].map(|coefficient| Law::Constant(settings[coefficient]));
     let flight = Flight { schedule: Schedule { w, c1, c2 }, perturbation: None };
     let mut swarm = Swarm::of(population, settings, rng, flight);
     swarm.origins = Some(origins.into());
@@ -97,9 +98,24 @@ pub const ENTRY: Entry = Entry {
     source: "[ANTBAT] fig. 8, its [32]",
     summary: "A random tree from start to goal gives each particle its first path; then a swarm with constant coefficients shortens the paths. A particle whose tree finds none is drawn at random.",
     kinds: PATHS,
-    parameters: with_paths![
-        @ Parameter { defaults: &[], ..ENCODING }, WAYPOINTS.defaults_on(&[(GRID, Fixed::Number(8.0))]);
-        POPULATION, ITERATIONS, STEP_SIZE, GOAL_BIAS, EXTENSIONS, W, C1, C2, RANDOM, V_MAX, V_MAX_UNIT
+    parameters: &[
+        &[
+            POPULATION.entry(),
+            ITERATIONS.entry(),
+            STEP_SIZE.entry(),
+            GOAL_BIAS.entry(),
+            EXTENSIONS.entry(),
+            W.entry(),
+            C1.entry(),
+            C2.entry(),
+            PER_PARTICLE.entry(),
+            V_MAX.entry(),
+            V_MAX_ABSOLUTE.entry(),
+            EARLY_STOP.entry(),
+            ENCODING.defaults_on(&[]).entry(),
+            WAYPOINTS.defaults_on(&[(GRID, Fixed::Number(8.0))]).entry(),
+        ],
+        CHARGED,
     ],
     readings: &[
         BEST,

@@ -10,7 +10,10 @@ use crate::{
     scene::{DiscsScene, GridScene},
 };
 
-use super::objective::{Evaluation, Scratch};
+use super::{
+    objective::{Evaluation, Scratch},
+    paths::{F1, F2, PASSES, PENALTY, PENALTY_WEIGHT, Penalty, REDRAWS, SMOOTH, SMOOTHING},
+};
 
 /// What a path must go round.
 #[derive(Debug, Clone)]
@@ -19,15 +22,6 @@ pub(super) enum Obstacles {
     Discs(Arc<[Disc]>, Penalty),
     /// Blocked cells, grown by the robot's radius.
     Field(Arc<Field>),
-}
-
-/// Where (15) looks for a path in a disc.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Penalty {
-    /// At the way-points, as printed. A segment may cut through a disc unpunished.
-    Waypoints,
-    /// At each segment's point closest to the disc's centre (our reading).
-    Segments,
 }
 
 /// How the result is smoothed.
@@ -64,8 +58,8 @@ pub(super) struct Measures {
 impl Terrain {
     /// A plane with discs, with the settings `penalty`, `penalty_weight` and those of every path.
     pub(super) fn among_discs(scene: &DiscsScene, settings: &Settings) -> Self {
-        let penalty = if settings.choice("penalty") == "waypoints" { Penalty::Waypoints } else { Penalty::Segments };
-        Self::new((scene.start, scene.goal), scene.bounds, Obstacles::Discs(scene.discs.as_slice().into(), penalty), settings)
+        let obstacles = Obstacles::Discs(scene.discs.as_slice().into(), settings[PENALTY]);
+        Self::new((scene.start, scene.goal), scene.bounds, obstacles, settings)
     }
 
     /// A grid, with the settings `penalty_weight` and those of every path.
@@ -77,16 +71,16 @@ impl Terrain {
     }
 
     fn new((start, goal): ([f64; 2], [f64; 2]), bounds: Bounds, obstacles: Obstacles, settings: &Settings) -> Self {
-        let smoothing = Smoothing { strength: settings.number("smoothing"), passes: settings.integer("passes") };
+        let smoothing = Smoothing { strength: settings[SMOOTHING], passes: settings[PASSES] };
         Self {
             start,
             goal,
             bounds,
             obstacles,
-            f: [settings.number("f1"), settings.number("f2")],
-            weight: settings.number("penalty_weight"),
-            redraws: settings.integer("redraws"),
-            smoothing: settings.flag("smooth").then_some(smoothing),
+            f: [settings[F1], settings[F2]],
+            weight: settings[PENALTY_WEIGHT],
+            redraws: settings[REDRAWS],
+            smoothing: settings[SMOOTH].then_some(smoothing),
         }
     }
 

@@ -9,6 +9,7 @@ use crate::{
 
 use super::{
     objective::{Evaluation, Objective, Scratch, SearchBox, subscripted},
+    paths::{ORDERED, WAYPOINTS},
     terrain::Terrain,
 };
 
@@ -24,7 +25,7 @@ pub struct Waypoints {
 impl Waypoints {
     /// Paths over this terrain with the settings `waypoints` and `ordered`.
     pub(super) fn new(terrain: Terrain, settings: &Settings) -> Self {
-        Self::with(terrain, settings.integer("waypoints") as usize, settings.flag("ordered"))
+        Self::with(terrain, settings[WAYPOINTS] as usize, settings[ORDERED])
     }
 
     fn with(terrain: Terrain, count: usize, ordered: bool) -> Self {
@@ -148,7 +149,7 @@ impl Objective for Waypoints {
 #[cfg(test)]
 mod tests {
     use super::{
-        super::terrain::{Obstacles, Penalty},
+        super::{paths::Penalty, terrain::Obstacles},
         *,
     };
     use crate::geometry::{Bounds, Disc};

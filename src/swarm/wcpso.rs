@@ -2,39 +2,47 @@
 
 use crate::{
     describe::{Entry, Formula, Preset},
-    params::{Choice, Fixed, Parameter, Settings},
+    params::{Choice, Fixed, Param, ParamValue},
 };
 
 use super::{
-    encoding::with_paths,
     flight::Flight,
     parameters::{
-        AS_IN_TEXT, CHICK, HEN, HEN_BEST, ITERATIONS, KINDS, LINEAR_W, PERTURBED, PERTURBED_LAYERS, POPULATION, POSITION, RANDOM, S1, S2,
-        S2_SOURCE, V_MAX, V_MAX_UNIT, VELOCITY, W_MAX, W_MIN, schedule,
+        AS_IN_TEXT, ITERATIONS, KINDS, LINEAR_W, PER_PARTICLE, PERTURBED, PERTURBED_LAYERS, POPULATION, POSITION, V_MAX, V_MAX_ABSOLUTE,
+        VELOCITY, W_MAX, W_MIN, schedule,
     },
+    paths::{CHARGED, ENCODED},
     perturbation::{Keep, Partner, Perturbation, Sign, Timing},
     schedule::{Law, Schedule},
 };
 
-const C_A: Parameter = Parameter::number("c_a", "c_a", "Amplitude of c1", [0.0, 2.5, 1.0], "c1 falls from c_b + c_a to c_b − c_a, (4).");
-const C_B: Parameter = Parameter::number("c_b", "c_b", "Middle of c1", [0.0, 5.0, 1.5], "c1 at half time, (4).");
-const C_ALPHA: Parameter =
-    Parameter::number("c_alpha", "c_\\alpha", "Amplitude of c2", [0.0, 2.5, 1.0], "c2 rises from c_β − c_α to c_β + c_α, (5).");
-const C_BETA: Parameter = Parameter::number("c_beta", "c_\\beta", "Middle of c2", [0.0, 5.0, 1.5], "c2 at half time, (5).");
+impl ParamValue for Sign {}
+impl ParamValue for Timing {}
+impl ParamValue for Keep {}
+impl ParamValue for Partner {}
+
+const C_A: Param<f64> = Param::number("c_a", "c_a", "Amplitude of c1", [0.0, 2.5, 1.0], "c1 falls from c_b + c_a to c_b − c_a, (4).");
+const C_B: Param<f64> = Param::number("c_b", "c_b", "Middle of c1", [0.0, 5.0, 1.5], "c1 at half time, (4).");
+const C_ALPHA: Param<f64> =
+    Param::number("c_alpha", "c_\\alpha", "Amplitude of c2", [0.0, 2.5, 1.0], "c2 rises from c_β − c_α to c_β + c_α, (5).");
+const C_BETA: Param<f64> = Param::number("c_beta", "c_\\beta", "Middle of c2", [0.0, 5.0, 1.5], "c2 at half time, (5).");
 const TRIGONOMETRIC: Choice = Choice { value: "sine", title: "Sine", help: "Along half a sine wave, as published." };
 const LINEAR: Choice = Choice { value: "linear", title: "Linear", help: "Linearly between the same values: tells what the wave is worth." };
-const W_LAW: Parameter = Parameter::choice(
+const W_LINEAR: Param<bool> = Param::choice(
     "w_law",
     "",
     "Course of the inertia weight",
     &[Choice { value: "cosine", title: "Cosine", help: "Along half a cosine wave, (3), as published." }, LINEAR],
+    &[false, true],
     "How ω falls over the iterations.",
 );
-const C1_LAW: Parameter = Parameter::choice("c1_law", "", "Course of c1", &[TRIGONOMETRIC, LINEAR], "How c1 falls over the iterations.");
-const C2_LAW: Parameter = Parameter::choice("c2_law", "", "Course of c2", &[TRIGONOMETRIC, LINEAR], "How c2 rises over the iterations.");
-const PERTURB: Parameter =
-    Parameter::flag("perturb", "Hen and chick", true, "Whether particles that stagnate are perturbed, §2.2. Off: the schedules alone.");
-const PATIENCE: Parameter = Parameter::integer(
+const C1_LINEAR: Param<bool> =
+    Param::choice("c1_law", "", "Course of c1", &[TRIGONOMETRIC, LINEAR], &[false, true], "How c1 falls over the iterations.");
+const C2_LINEAR: Param<bool> =
+    Param::choice("c2_law", "", "Course of c2", &[TRIGONOMETRIC, LINEAR], &[false, true], "How c2 rises over the iterations.");
+const PERTURB: Param<bool> =
+    Param::flag("perturb", "Hen and chick", true, "Whether particles that stagnate are perturbed, §2.2. Off: the schedules alone.");
+const PATIENCE: Param<u64> = Param::integer(
     "patience",
     "n_p",
     "Patience",
@@ -42,16 +50,16 @@ const PATIENCE: Parameter = Parameter::integer(
     "A particle whose cost rose in this many consecutive iterations is perturbed, §2.2.",
 )
 .slider(1.0, 20.0, false)
-.when("perturb", "true");
-const F_L: Parameter = Parameter::number(
+.when(PERTURB, "true");
+const F_L: Param<f64> = Param::number(
     "f_l",
     "F_L",
     "Chick’s jump",
     [0.0, 4.0, 2.0],
     "How far across the best a chick jumps, (12): 1 onto it, 2 to its mirror image.",
 )
-.when("perturb", "true");
-const S2_SIGN: Parameter = Parameter::choice(
+.when(PERTURB, "true");
+const S2_SIGN: Param<Sign> = Param::choice(
     "s2",
     "s_2",
     "Sign in (11)",
@@ -63,10 +71,11 @@ const S2_SIGN: Parameter = Parameter::choice(
             help: "s2 = exp(f_t − f_i), as in chicken swarm optimisation, where the equation comes from.",
         },
     ],
+    &[Sign::Printed, Sign::Source],
     "Which way the costs of the two particles are subtracted.",
 )
-.when("perturb", "true");
-const HEN_TIMING: Parameter = Parameter::choice(
+.when(PERTURB, "true");
+const HEN_TIMING: Param<Timing> = Param::choice(
     "hen_timing",
     "",
     "Hen and chick jump",
@@ -78,10 +87,11 @@ const HEN_TIMING: Parameter = Parameter::choice(
         },
         Choice { value: "after", title: "After flying", help: "It jumps in the same iteration, after its flight." },
     ],
+    &[Timing::Instead, Timing::After],
     "When a stagnating particle jumps. The paper does not say.",
 )
-.when("perturb", "true");
-const HEN_KEEP: Parameter = Parameter::choice(
+.when(PERTURB, "true");
+const HEN_KEEP: Param<Keep> = Param::choice(
     "hen_keep",
     "",
     "Hen’s jump counts",
@@ -89,10 +99,11 @@ const HEN_KEEP: Parameter = Parameter::choice(
         Choice { value: "always", title: "Always", help: "The particle goes where the jump leads." },
         Choice { value: "better", title: "If better", help: "The particle stays where it is unless the jump lowers its cost." },
     ],
+    &[Keep::Always, Keep::Better],
     "Which jumps of the hen count. The paper does not say.",
 )
-.when("perturb", "true");
-const HEN_PARTNER: Parameter = Parameter::choice(
+.when(PERTURB, "true");
+const HEN_PARTNER: Param<Partner> = Param::choice(
     "hen_partner",
     "",
     "Hen is drawn to",
@@ -100,9 +111,10 @@ const HEN_PARTNER: Parameter = Parameter::choice(
         Choice { value: "position", title: "The other’s position", help: "x_t, where the other particle is: as printed in (9)." },
         Choice { value: "best", title: "The other’s best", help: "p_t, the other particle’s personal best." },
     ],
+    &[Partner::Position, Partner::Best],
     "What the hen takes from the other particle t.",
 )
-.when("perturb", "true");
+.when(PERTURB, "true");
 
 const INERTIA: Formula = schedule(
     "w",
@@ -133,7 +145,7 @@ const LINEAR_COGNITIVE: Formula = schedule(
     "c_1(k) = c_b + c_a - 2 c_a \\frac{k}{k_{\\max}}",
     "c_1(@k@) = @c_b@ + @c_a@ - 2 \\cdot @c_a@ \\cdot \\frac{@k@}{@iterations@} = @c1@",
 )
-.when("c1_law", "linear");
+.when(C1_LINEAR, "linear");
 const LINEAR_SOCIAL: Formula = schedule(
     "c2_linear",
     "[WCPSO] fig. 3, dashed",
@@ -141,11 +153,58 @@ const LINEAR_SOCIAL: Formula = schedule(
     "c_2(k) = c_\\beta - c_\\alpha + 2 c_\\alpha \\frac{k}{k_{\\max}}",
     "c_2(@k@) = @c_beta@ - @c_alpha@ + 2 \\cdot @c_alpha@ \\cdot \\frac{@k@}{@iterations@} = @c2@",
 )
-.when("c2_law", "linear");
+.when(C2_LINEAR, "linear");
+
+const HEN: Formula = Formula::of_item(
+    "hen",
+    "[WCPSO] (9)",
+    "Hen",
+    "x \\leftarrow x + s_1 r (p_g - x) + s_2 r' (x_t - x)",
+    "x = @x_before@ + @s1@ \\cdot @r@ \\, (@g@ - @x_before@) + @s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@) \\;\\to\\; @x@",
+)
+.when(HEN_PARTNER, "position");
+const HEN_BEST: Formula = Formula::of_item(
+    "hen_best",
+    "[WCPSO] (9) with the personal best of the other",
+    "Hen",
+    "x \\leftarrow x + s_1 r (p_g - x) + s_2 r' (p_t - x)",
+    "x = @x_before@ + @s1@ \\cdot @r@ \\, (@g@ - @x_before@) + @s2@ \\cdot @r_@ \\, (@x_t@ - @x_before@) \\;\\to\\; @x@",
+)
+.when(HEN_PARTNER, "best");
+const S1: Formula = Formula::of_item(
+    "s1",
+    "[WCPSO] (10)",
+    "Pull of the best",
+    "s_1 = \\exp\\frac{f_i - f_g}{|f_i| + \\varepsilon}",
+    "s_1 = \\exp\\frac{@f_i@ - @f_g@}{|@f_i@| + \\varepsilon} = @s1@",
+);
+const S2: Formula = Formula::of_item(
+    "s2",
+    "[WCPSO] (11), exponent at most 1",
+    "Pull of the other",
+    "s_2 = \\exp\\left(f_i - f_t\\right)",
+    "s_2 = \\exp\\left(\\min(@f_i@ - @f_t@,\\, 1)\\right) = @s2@",
+)
+.when(S2_SIGN, "printed");
+const S2_SOURCE: Formula = Formula::of_item(
+    "s2_source",
+    "[WCPSO] (11) with the sign of its source, exponent at most 1",
+    "Pull of the other",
+    "s_2 = \\exp\\left(f_t - f_i\\right)",
+    "s_2 = \\exp\\left(\\min(@f_t@ - @f_i@,\\, 1)\\right) = @s2@",
+)
+.when(S2_SIGN, "source");
+const CHICK: Formula = Formula::of_item(
+    "chick",
+    "[WCPSO] (12)",
+    "Chick",
+    "x \\leftarrow x + F_L (p_g - x)",
+    "x = @x_before@ + @f_l@ \\, (@g@ - @x_before@) \\;\\to\\; @x@",
+);
 
 /// Between the same values at the same ends along a wave or straight.
-fn law(settings: &Settings, name: &str, amplitude: f64, middle: f64) -> Law {
-    if settings.choice(name) == "linear" { Law::Linear(middle + amplitude, middle - amplitude) } else { Law::Sine { amplitude, middle } }
+fn law(linear: bool, amplitude: f64, middle: f64) -> Law {
+    if linear { Law::Linear(middle + amplitude, middle - amplitude) } else { Law::Sine { amplitude, middle } }
 }
 
 /// See the module.
@@ -156,36 +215,40 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §2",
     summary: "Inertia falls along a cosine, the pulls cross along sines, and particles that stagnate jump like hens, then like chicks.",
     kinds: KINDS,
-    parameters: with_paths![
-        POPULATION,
-        ITERATIONS,
-        W_MAX,
-        W_MIN,
-        C_A,
-        C_B,
-        C_ALPHA,
-        C_BETA,
-        PERTURB,
-        PATIENCE,
-        F_L,
-        S2_SIGN,
-        HEN_TIMING,
-        HEN_KEEP,
-        HEN_PARTNER,
-        RANDOM,
-        V_MAX,
-        V_MAX_UNIT,
-        W_LAW,
-        C1_LAW,
-        C2_LAW
+    parameters: &[
+        &[
+            POPULATION.entry(),
+            ITERATIONS.entry(),
+            W_MAX.entry(),
+            W_MIN.entry(),
+            C_A.entry(),
+            C_B.entry(),
+            C_ALPHA.entry(),
+            C_BETA.entry(),
+            PERTURB.entry(),
+            PATIENCE.entry(),
+            F_L.entry(),
+            S2_SIGN.entry(),
+            HEN_TIMING.entry(),
+            HEN_KEEP.entry(),
+            HEN_PARTNER.entry(),
+            PER_PARTICLE.entry(),
+            V_MAX.entry(),
+            V_MAX_ABSOLUTE.entry(),
+            W_LINEAR.entry(),
+            C1_LINEAR.entry(),
+            C2_LINEAR.entry(),
+        ],
+        ENCODED,
+        CHARGED,
     ],
     readings: PERTURBED,
     formulas: &[
-        INERTIA.when("w_law", "cosine"),
-        LINEAR_W.when("w_law", "linear"),
-        COGNITIVE.when("c1_law", "sine"),
+        INERTIA.when(W_LINEAR, "cosine"),
+        LINEAR_W.when(W_LINEAR, "linear"),
+        COGNITIVE.when(C1_LINEAR, "sine"),
         LINEAR_COGNITIVE,
-        SOCIAL.when("c2_law", "sine"),
+        SOCIAL.when(C2_LINEAR, "sine"),
         LINEAR_SOCIAL,
         VELOCITY,
         POSITION,
@@ -221,19 +284,19 @@ pub const ENTRY: Entry = Entry {
     ],
     suggest: |_| None,
     start: |scene, settings, seed| {
-        let (max, min) = (settings.number("w_max"), settings.number("w_min"));
+        let (max, min) = (settings[W_MAX], settings[W_MIN]);
         let schedule = Schedule {
-            w: if settings.choice("w_law") == "linear" { Law::Linear(max, min) } else { Law::Cosine { max, min } },
-            c1: law(settings, "c1_law", settings.number("c_a"), settings.number("c_b")),
-            c2: law(settings, "c2_law", -settings.number("c_alpha"), settings.number("c_beta")),
+            w: if settings[W_LINEAR] { Law::Linear(max, min) } else { Law::Cosine { max, min } },
+            c1: law(settings[C1_LINEAR], settings[C_A], settings[C_B]),
+            c2: law(settings[C2_LINEAR], -settings[C_ALPHA], settings[C_BETA]),
         };
-        let perturbation = settings.flag("perturb").then(|| Perturbation {
-            patience: settings.integer("patience") as u8,
-            f_l: settings.number("f_l"),
-            sign: if settings.choice("s2") == "source" { Sign::Source } else { Sign::Printed },
-            timing: if settings.choice("hen_timing") == "after" { Timing::After } else { Timing::Instead },
-            keep: if settings.choice("hen_keep") == "better" { Keep::Better } else { Keep::Always },
-            partner: if settings.choice("hen_partner") == "best" { Partner::Best } else { Partner::Position },
+        let perturbation = settings[PERTURB].then(|| Perturbation {
+            patience: settings[PATIENCE] as u8,
+            f_l: settings[F_L],
+            sign: settings[S2_SIGN],
+            timing: settings[HEN_TIMING],
+            keep: settings[HEN_KEEP],
+            partner: settings[HEN_PARTNER],
         });
         super::start(scene, settings, seed, Flight { schedule, perturbation })
     },

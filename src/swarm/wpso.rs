@@ -6,12 +6,12 @@ use crate::{
 };
 
 use super::{
-    encoding::with_paths,
     flight::Flight,
     parameters::{
-        AS_IN_TEXT, C1, C2, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, RANDOM, READINGS, V_MAX, V_MAX_UNIT, VELOCITY,
-        W_MAX, W_MIN,
+        AS_IN_TEXT, C1, C2, ITERATIONS, KINDS, LAYERS, LINEAR_W, PER_PARTICLE, POPULATION, POSITION, READINGS, V_MAX, V_MAX_ABSOLUTE,
+        VELOCITY, W_MAX, W_MIN,
     },
+    paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
 };
 
@@ -23,7 +23,21 @@ pub const ENTRY: Entry = Entry {
     source: "[WCPSO] §3.1",
     summary: "The inertia weight falls linearly, so the swarm explores first and settles later.",
     kinds: KINDS,
-    parameters: with_paths![POPULATION, ITERATIONS, W_MAX, W_MIN, C1.default_to(2.0), C2.default_to(2.0), RANDOM, V_MAX, V_MAX_UNIT],
+    parameters: &[
+        &[
+            POPULATION.entry(),
+            ITERATIONS.entry(),
+            W_MAX.entry(),
+            W_MIN.entry(),
+            C1.default_to(2.0).entry(),
+            C2.default_to(2.0).entry(),
+            PER_PARTICLE.entry(),
+            V_MAX.entry(),
+            V_MAX_ABSOLUTE.entry(),
+        ],
+        ENCODED,
+        CHARGED,
+    ],
     readings: READINGS,
     formulas: &[LINEAR_W, VELOCITY, POSITION],
     layers: LAYERS,
@@ -48,11 +62,8 @@ pub const ENTRY: Entry = Entry {
     ],
     suggest: |_| None,
     start: |scene, settings, seed| {
-        let schedule = Schedule {
-            w: Law::Linear(settings.number("w_max"), settings.number("w_min")),
-            c1: Law::Constant(settings.number("c1")),
-            c2: Law::Constant(settings.number("c2")),
-        };
+        let schedule =
+            Schedule { w: Law::Linear(settings[W_MAX], settings[W_MIN]), c1: Law::Constant(settings[C1]), c2: Law::Constant(settings[C2]) };
         super::start(scene, settings, seed, Flight { schedule, perturbation: None })
     },
 };

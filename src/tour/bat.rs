@@ -13,7 +13,7 @@ use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Preset, Reading},
     kernel::{Inspection, Readings, Role, State, rng::Stream},
     math,
-    params::{Choice, Fixed, Parameter, Settings},
+    params::{Choice, Fixed, Param, Settings},
     settled::SETTLED,
 };
 
@@ -23,8 +23,8 @@ use super::{
     moves,
     nearest::nearest_neighbour,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS,
-        ROADS_LAYER, ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
+        POPULATION, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS, member,
     },
     problem::{Problem, Stop, Tour},
     tell::quantity,
@@ -113,10 +113,10 @@ struct Bats {
 
 fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
     let first = Tour::first(problem);
-    let polish = settings.flag("polish");
-    let mut local = (polish || settings.choice("local_search") == "2-opt").then(|| Kicks::new(problem));
+    let polish = settings[POLISH];
+    let mut local = (polish || settings[LOCAL_SEARCH]).then(|| Kicks::new(problem));
     let deed = Deed { range: Range::None, hamming: 0, tries: 0, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
-    let bats: Vec<_> = (0..settings.integer("population"))
+    let bats: Vec<_> = (0..settings[POPULATION])
         .map(|_| {
             let mut tour = first.clone();
             if polish {
@@ -138,15 +138,15 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
         best: best.unwrap_or(&first).clone(),
         evaluations: bats.len() as u64,
         swarm: bats,
-        epsilon: settings.number("epsilon"),
-        lambda: settings.number("lambda"),
+        epsilon: settings[EPSILON],
+        lambda: settings[LAMBDA],
         t: 0,
         rng,
         child: first.clone(),
         mate: first.row.clone(),
         kept: first,
         places: vec![0; problem.n + 1],
-        always: settings.choice("replace") == "always",
+        always: settings[REPLACES_ALWAYS],
         local,
         polish,
     }
@@ -348,14 +348,14 @@ impl Search for Bats {
     }
 }
 
-const EPSILON: Parameter = Parameter::number(
+const EPSILON: Param<f64> = Param::number(
     "epsilon",
     "\\varepsilon",
     "Fading of loudness",
     [0.0, 1.0, 0.98],
     "What a bat’s loudness is multiplied by when it accepts a tour around the best. Published: 0.98.",
 );
-const LAMBDA: Parameter = Parameter::number(
+const LAMBDA: Param<f64> = Param::number(
     "lambda",
     "\\lambda",
     "Pulse coefficient",
@@ -364,7 +364,7 @@ const LAMBDA: Parameter = Parameter::number(
 )
 .slider(0.0, 2.0, false);
 
-const REPLACE: Parameter = Parameter::choice(
+const REPLACES_ALWAYS: Param<bool> = Param::choice(
     "replace",
     "",
     "Replacement",
@@ -372,11 +372,10 @@ const REPLACE: Parameter = Parameter::choice(
         Choice { value: "always", title: "Always", help: "As published: also when it is longer than the bat’s own tour." },
         Choice { value: "better", title: "If shorter", help: "A bat’s tour never gets longer." },
     ],
+    &[true, false],
     "When the best result of a bat’s crossovers or 2-opt moves becomes its tour.",
 );
-const LOCAL: Parameter = LOCAL_SEARCH.when("polish", "false");
-
-const POLISH: Parameter = Parameter::flag(
+const POLISH: Param<bool> = Param::flag(
     "polish",
     "Polish",
     false,
@@ -429,19 +428,18 @@ pub const ENTRY: Entry = Entry {
     summary: "Each bat holds a tour. Far from the best tour it crosses over with it (PMX); close to it, it tries 2-opt moves; loudness decides whether it accepts a tour found near the best.",
     kinds: KINDS,
     parameters: &[
-        population("Bats", 50, "How many bats search. Published: 50."),
-        iterations(
-            100,
-            "After how many iterations of the bats it stops; building roads comes first. Published: 100, for 12 stops. Without local search more stops need more.",
-        ),
-        EPSILON,
-        LAMBDA,
-        REPLACE,
-        LOCAL,
-        POLISH,
-        ROUND,
-        ROADS,
-        SMOOTH,
+        &[
+            POPULATION.title("Bats").help("How many bats search. Published: 50.").entry(),
+            ITERATIONS
+                .help("After how many iterations of the bats it stops; building roads comes first. Published: 100, for 12 stops. Without local search more stops need more.")
+                .entry(),
+            EPSILON.entry(),
+            LAMBDA.entry(),
+            REPLACES_ALWAYS.entry(),
+            LOCAL_SEARCH.when(POLISH, "false").entry(),
+            POLISH.entry(),
+        ],
+        TOURS,
     ],
     readings: &[
         BEST,

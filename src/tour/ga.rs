@@ -9,15 +9,15 @@ use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Reading},
     kernel::{Inspection, Readings, Role, State, rng::Stream},
     math,
-    params::{Parameter, Settings},
+    params::{Param, Settings},
     settled::SETTLED,
 };
 
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER,
-        ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
+        ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS, member,
     },
     problem::{Problem, Tour},
     tell::quantity,
@@ -98,7 +98,7 @@ struct Genetic {
 
 fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Genetic {
     let birth = Birth { origin: Origin::Start, parents: [0; 2], lengths: [f64::NAN; 2], cut: (0, 0), reversed: (0, 0) };
-    let size = settings.integer("population") as usize;
+    let size = settings[POPULATION] as usize;
     let now: Vec<_> = (0..size).map(|_| One { tour: moves::random_tour(problem, &mut rng), birth }).collect();
     let best = moves::shortest(now.iter().map(|one| &one.tour)).cloned();
     Genetic {
@@ -106,10 +106,10 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Geneti
         best: best.unwrap_or_else(|| Tour::first(problem)),
         next: now.clone(),
         // A child at least is born.
-        elite: (settings.integer("elite") as usize).min(size - 1),
-        tournament: settings.integer("tournament") as usize,
-        crossover: settings.number("crossover"),
-        mutation: settings.number("mutation"),
+        elite: (settings[ELITE] as usize).min(size - 1),
+        tournament: settings[TOURNAMENT] as usize,
+        crossover: settings[CROSSOVER],
+        mutation: settings[MUTATION],
         evaluations: size as u64,
         rng,
         ranks: vec![(0.0, 0); size],
@@ -253,7 +253,7 @@ impl Search for Genetic {
     }
 }
 
-const TOURNAMENT: Parameter = Parameter::integer(
+const TOURNAMENT: Param<u64> = Param::integer(
     "tournament",
     "k",
     "Tournament",
@@ -261,7 +261,7 @@ const TOURNAMENT: Parameter = Parameter::integer(
     "How many tours are drawn for the shortest of them to be a parent. 1: any tour may be one. [ANTBAT] gives no parameters of its genetic algorithm; this is a usual one.",
 )
 .slider(1.0, 20.0, false);
-const ELITE: Parameter = Parameter::integer(
+const ELITE: Param<u64> = Param::integer(
     "elite",
     "e",
     "Kept",
@@ -269,15 +269,15 @@ const ELITE: Parameter = Parameter::integer(
     "How many of the shortest tours go on unchanged; one child at least is born. Ours, like all of this planner’s parameters.",
 )
 .slider(0.0, 20.0, false);
-const CROSSOVER: Parameter = Parameter::number(
+const CROSSOVER: Param<f64> = Param::number(
     "crossover",
     "p_c",
     "Crossover rate",
     [0.0, 1.0, 0.9],
     "How many of the children have two parents: a stretch of the first, the other stops in the order of the second.",
 );
-const MUTATION: Parameter =
-    Parameter::number("mutation", "p_m", "Mutation rate", [0.0, 1.0, 0.2], "How many of the children then have a random stretch reversed.");
+const MUTATION: Param<f64> =
+    Param::number("mutation", "p_m", "Mutation rate", [0.0, 1.0, 0.2], "How many of the children then have a random stretch reversed.");
 
 const GAIN: Formula = Formula::of_item(
     "gain",
@@ -309,15 +309,18 @@ pub const ENTRY: Entry = Entry {
     summary: "Generations of tours: children take a stretch of one parent and the order of the other, some have a stretch reversed, and the shortest are kept.",
     kinds: KINDS,
     parameters: &[
-        population("Tours", 50, "How many tours a generation has. As many as [ANTBAT] has bats; it says nothing of its genetic algorithm."),
-        iterations(100, "After how many generations it stops; building roads comes first. As many as [ANTBAT]’s bats fly."),
-        TOURNAMENT,
-        ELITE,
-        CROSSOVER,
-        MUTATION,
-        ROUND,
-        ROADS,
-        SMOOTH,
+        &[
+            POPULATION
+                .title("Tours")
+                .help("How many tours a generation has. As many as [ANTBAT] has bats; it says nothing of its genetic algorithm.")
+                .entry(),
+            ITERATIONS.help("After how many generations it stops; building roads comes first. As many as [ANTBAT]’s bats fly.").entry(),
+            TOURNAMENT.entry(),
+            ELITE.entry(),
+            CROSSOVER.entry(),
+            MUTATION.entry(),
+        ],
+        TOURS,
     ],
     readings: &[
         BEST,

@@ -10,12 +10,12 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Layer, Reading, Scope},
     kernel::{Progress, Readings, Role, State, Status, rng::Stream},
-    params::{Parameter, Settings},
+    params::{Param, Settings},
 };
 
 use super::{
     Begin, Search,
-    parameters::{BEST, BUILT, BY_ROAD, CONVERGED, FAILED, KINDS, LENGTH, ROADS, ROADS_LAYER, ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER},
+    parameters::{BEST, BUILT, BY_ROAD, CONVERGED, FAILED, KINDS, LENGTH, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS},
     problem::{Problem, Stop, Tour},
 };
 
@@ -179,7 +179,7 @@ impl Search for HeldKarp {
     }
 }
 
-const ITERATIONS: Parameter = Parameter::integer(
+const ITERATIONS: Param<u64> = Param::integer(
     "iterations",
     "t_{\\max}",
     "Iterations",
@@ -209,7 +209,7 @@ pub const ENTRY: Entry = Entry {
     source: "Held and Karp 1962",
     summary: "The shortest tour for certain: the shortest ways through all sets of stops, from small sets to the set of all. For 15 stops at most.",
     kinds: KINDS,
-    parameters: &[ITERATIONS, ROUND, ROADS, SMOOTH],
+    parameters: &[&[ITERATIONS.entry()], TOURS],
     readings: &[
         BEST,
         BUILT,

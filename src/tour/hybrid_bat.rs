@@ -18,15 +18,15 @@ use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Reading},
     kernel::{Inspection, Readings, Role, State, rng::Stream},
     math,
-    params::{Parameter, Settings},
+    params::{Param, Settings},
     settled::SETTLED,
 };
 
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER,
-        ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
+        ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS, member,
     },
     problem::{Problem, Tour},
     swaps::{self, Swap},
@@ -102,19 +102,18 @@ struct Bats {
 fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
     let first = Tour::first(problem);
     let deed = Deed { operator: Operator::None, frequency: 0.0, distance: 0, swaps: 0, candidate: f64::NAN, accepted: false, gain: 0.0 };
-    let loudness = settings.number("a0");
-    let swarm: Vec<_> = (0..settings.integer("population"))
-        .map(|_| Bat { tour: moves::random_tour(problem, &mut rng), loudness, pulse_rate: 0.0, deed })
-        .collect();
-    let [low, high] = ["f_min", "f_max"].map(|name| settings.number(name));
+    let loudness = settings[LOUDNESS_START];
+    let swarm: Vec<_> =
+        (0..settings[POPULATION]).map(|_| Bat { tour: moves::random_tour(problem, &mut rng), loudness, pulse_rate: 0.0, deed }).collect();
+    let [low, high] = [F_MIN, F_MAX].map(|frequency| settings[frequency]);
     Bats {
         problem: Arc::clone(problem),
         best: moves::shortest(swarm.iter().map(|bat| &bat.tour)).unwrap_or(&first).clone(),
         frequencies: [low, high.max(low)],
-        perturbations: settings.integer("perturbations"),
-        alpha: settings.number("alpha"),
-        gamma: settings.number("gamma"),
-        r0: settings.number("r0"),
+        perturbations: settings[PERTURBATIONS],
+        alpha: settings[ALPHA],
+        gamma: settings[GAMMA],
+        r0: settings[PULSE_RATE],
         t: 0,
         evaluations: swarm.len() as u64,
         swarm,
@@ -282,21 +281,21 @@ impl Search for Bats {
     }
 }
 
-const F_MIN: Parameter = Parameter::number(
+const F_MIN: Param<f64> = Param::number(
     "f_min",
     "f_{\\min}",
     "Least frequency",
     [0.0, 1.0, 0.0],
     "Of a flight: the least share of the swaps towards the best that it makes. A reading of ours, like all of this planner’s parameters: [ANTBAT] gives none of its [25].",
 );
-const F_MAX: Parameter = Parameter::number(
+const F_MAX: Param<f64> = Param::number(
     "f_max",
     "f_{\\max}",
     "Greatest frequency",
     [0.0, 1.0, 1.0],
     "The greatest share; not below the least. 1: a flight can end at the best.",
 );
-const PERTURBATIONS: Parameter = Parameter::integer(
+const PERTURBATIONS: Param<u64> = Param::integer(
     "perturbations",
     "k",
     "Perturbations",
@@ -304,24 +303,24 @@ const PERTURBATIONS: Parameter = Parameter::integer(
     "How many changes of the best tour are tried when a bat looks around it; the shortest is its candidate. With 3 it evaluates about as many tours as [ANTBAT]’s bats do.",
 )
 .slider(1.0, 100.0, true);
-const LOUDNESS_START: Parameter =
-    Parameter::number("a0", "A_0", "Loudness at first", [0.0, 1.0, 1.0], "With what probability it accepts a shorter tour at first.");
-const ALPHA: Parameter = Parameter::number(
+const LOUDNESS_START: Param<f64> =
+    Param::number("a0", "A_0", "Loudness at first", [0.0, 1.0, 1.0], "With what probability it accepts a shorter tour at first.");
+const ALPHA: Param<f64> = Param::number(
     "alpha",
     "\\alpha",
     "Fading of loudness",
     [0.0, 1.0, 0.9],
     "What a bat’s loudness is multiplied by when it accepts a tour. Yang 2010: 0.9.",
 );
-const PULSE_RATE: Parameter = Parameter::number(
+const PULSE_RATE: Param<f64> = Param::number(
     "r0",
     "r_0",
     "Pulse rate in the end",
     [0.0, 1.0, 0.5],
     "What a bat’s pulse rate rises to: the probability that it flies instead of looking around the best tour.",
 );
-const GAMMA: Parameter =
-    Parameter::number("gamma", "\\gamma", "Pulse coefficient", [0.0, 100.0, 0.9], "How fast pulse rates rise. Yang 2010: 0.9.")
+const GAMMA: Param<f64> =
+    Param::number("gamma", "\\gamma", "Pulse coefficient", [0.0, 100.0, 0.9], "How fast pulse rates rise. Yang 2010: 0.9.")
         .slider(0.0, 2.0, false);
 
 const VELOCITY: Formula = Formula::of_item(
@@ -359,18 +358,20 @@ pub const ENTRY: Entry = Entry {
     summary: "Bats that hold a tour each: they swap stops towards the best one, or take the best of a few perturbations of it.",
     kinds: KINDS,
     parameters: &[
-        population("Bats", 50, "How many bats search. As many as [ANTBAT] has."),
-        iterations(100, "After how many iterations of the bats it stops; building roads comes first. As many as [ANTBAT]’s bats fly."),
-        F_MIN,
-        F_MAX,
-        PERTURBATIONS,
-        LOUDNESS_START,
-        ALPHA,
-        PULSE_RATE,
-        GAMMA,
-        ROUND,
-        ROADS,
-        SMOOTH,
+        &[
+            POPULATION.title("Bats").help("How many bats search. As many as [ANTBAT] has.").entry(),
+            ITERATIONS
+                .help("After how many iterations of the bats it stops; building roads comes first. As many as [ANTBAT]’s bats fly.")
+                .entry(),
+            F_MIN.entry(),
+            F_MAX.entry(),
+            PERTURBATIONS.entry(),
+            LOUDNESS_START.entry(),
+            ALPHA.entry(),
+            PULSE_RATE.entry(),
+            GAMMA.entry(),
+        ],
+        TOURS,
     ],
     readings: &[
         BEST,

@@ -36,6 +36,7 @@ use crate::{
     settled::Settled,
 };
 
+use parameters::{ITERATIONS, ROADS, SMOOTH};
 use problem::{Problem, Stop, Tour};
 use roads::Network;
 
@@ -136,7 +137,7 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, tells: &'static [&'
     let (roads, round, progress) = (tours.road_steps(), tours.round, tours.progress());
     let yardstick = match &tours.network {
         None => Yardstick::Matrix,
-        Some(_) if settings.flag("smooth") || settings.choice("roads") == "theta-star" => Yardstick::AnyAngle,
+        Some(_) if settings[SMOOTH] || settings[ROADS] == "theta-star" => Yardstick::AnyAngle,
         Some(_) => Yardstick::Cells,
     };
     let search = Stage { name: "tour", title: "Tour", end: None };
@@ -144,7 +145,7 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, tells: &'static [&'
         0 => vec![search],
         end => vec![Stage { name: "roads", title: "Roads", end: Some(end) }, search],
     };
-    let started = Started::new(tours, settings.integer("iterations") + roads).measured_by(yardstick).in_stages(stages);
+    let started = Started::new(tours, settings[ITERATIONS] + roads).measured_by(yardstick).in_stages(stages);
     Ok(Started { progress, round: Some(round), ..started })
 }
 

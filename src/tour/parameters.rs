@@ -3,7 +3,7 @@
 use crate::{
     describe::{Formula, Group, Layer, Member, Reading, Scope},
     kernel::{Role, Round, SceneKindId},
-    params::{Choice, Parameter, Settings},
+    params::{Choice, Param, Parameter, Settings},
     scene::{GRID, Scene, TOUR, TourScene},
 };
 
@@ -23,7 +23,7 @@ pub(super) const BUILDERS: &[Choice] = &[
     Choice { value: "pso-rrt", title: "PSO with RRT", help: "Compared in [ANTBAT] fig. 8, its [32]. The paper gives no details." },
 ];
 
-pub(super) const ROADS: Parameter = Parameter::choice(
+pub(super) const ROADS: Param<&str> = Param::name_of(
     "roads",
     "",
     "Roads by",
@@ -31,7 +31,7 @@ pub(super) const ROADS: Parameter = Parameter::choice(
     "Which planner finds the path between two stops, [ANTBAT] §3.2. It uses its preset `road`, or its defaults if it has none; each path has its own seed.",
 )
 .only_on(&[GRID]);
-pub(super) const SMOOTH: Parameter = Parameter::flag(
+pub(super) const SMOOTH: Param<bool> = Param::flag(
     "smooth",
     "Smooth roads",
     true,
@@ -39,37 +39,45 @@ pub(super) const SMOOTH: Parameter = Parameter::flag(
 )
 .only_on(&[GRID]);
 
-const ROUNDS: &[Choice] = &[
+const ROUNDS: &[Choice; 5] = &[
     Choice { value: "scene", title: "As the scene says", help: "On grids: closed." },
     Choice { value: "closed", title: "Closed", help: "Back to where it began." },
     Choice { value: "open", title: "Open", help: "From any stop to any other." },
     Choice { value: "from-first", title: "From the first stop", help: "From the first stop to any other." },
     Choice { value: "first-to-last", title: "From the first to the last", help: "From the first stop to the last." },
 ];
-pub(super) const ROUND: Parameter = Parameter::choice("round", "", "Tour", ROUNDS, "Where a tour begins and ends.");
+pub(super) const ROUND: Param<Option<Round>> = Param::choice(
+    "round",
+    "",
+    "Tour",
+    ROUNDS,
+    &[None, Some(Round::Closed), Some(Round::Open), Some(Round::FromFirst), Some(Round::FirstToLast)],
+    "Where a tour begins and ends.",
+);
 
 /// What the ends of the tours are.
 pub(super) fn round(scene: &Scene, settings: &Settings) -> Round {
-    match settings.choice("round") {
-        "closed" => Round::Closed,
-        "open" => Round::Open,
-        "from-first" => Round::FromFirst,
-        "first-to-last" => Round::FirstToLast,
-        _ => scene.get::<TourScene>().map_or(Round::Closed, TourScene::round),
-    }
+    settings[ROUND].unwrap_or_else(|| scene.get::<TourScene>().map_or(Round::Closed, TourScene::round))
 }
+
+/// Where a tour begins and ends, and who builds roads.
+pub(super) const TOURS: &[Parameter] = &[ROUND.entry(), ROADS.entry(), SMOOTH.entry()];
 
 /// How many steps the search for the tour takes.
-pub(super) const fn iterations(default: u64, help: &'static str) -> Parameter {
-    Parameter::integer("iterations", "t_{\\max}", "Iterations", [1, 1_000_000, default], help).slider(10.0, 10_000.0, true)
-}
+pub(super) const ITERATIONS: Param<u64> = Param::integer(
+    "iterations",
+    "t_{\\max}",
+    "Iterations",
+    [1, 1_000_000, 100],
+    "After how many iterations it stops; building roads comes first.",
+)
+.slider(10.0, 10_000.0, true);
 
-pub(super) const fn population(title: &'static str, default: u64, help: &'static str) -> Parameter {
-    Parameter::integer("population", "N", title, [1, 100_000, default], help).slider(2.0, 500.0, true)
-}
+pub(super) const POPULATION: Param<u64> =
+    Param::integer("population", "N", "Population", [1, 100_000, 50], "How many search side by side.").slider(2.0, 500.0, true);
 
 /// Whether every tour that is found is improved by local search.
-pub(super) const LOCAL_SEARCH: Parameter = Parameter::choice(
+pub(super) const LOCAL_SEARCH: Param<bool> = Param::choice(
     "local_search",
     "",
     "Local search",
@@ -77,6 +85,7 @@ pub(super) const LOCAL_SEARCH: Parameter = Parameter::choice(
         Choice { value: "2-opt", title: "2-opt and Or-opt", help: "Every tour is improved by 2-opt and Or-opt moves until none helps." },
         Choice { value: "none", title: "None", help: "Tours stay as the equations make them." },
     ],
+    &[true, false],
     "What improves each tour. Swarms of the literature have a local search (Shi et al. 2007; Saji and Riffi 2016), and need it on more than about 50 stops. [ANTBAT] has none.",
 );
 

@@ -13,6 +13,8 @@ use crate::{
     scene::{GridScene, Scene},
 };
 
+use super::parameters::{ROADS, SMOOTH};
+
 /// A way from one stop to a later one.
 #[derive(Debug, Clone, PartialEq, State)]
 pub struct Road {
@@ -67,7 +69,7 @@ impl Network {
     /// # Errors
     /// [`Error::Refused`] for a stop that the others cannot be reached from, by its name.
     pub fn new(scene: &Arc<Scene>, grid: &GridScene, settings: &Settings, seed: u64) -> Result<Self, Error> {
-        let entry = catalogue::find(settings.choice("roads"))?;
+        let entry = catalogue::find(settings[ROADS])?;
         let stops = grid.stops.clone();
         for (i, &stop) in (1..).zip(&stops[1..]) {
             let name = format!("stops[{i}]");
@@ -81,7 +83,7 @@ impl Network {
         let n = stops.len();
         let sized = entry.presets.iter().find(|preset| preset.name == ROAD).map(|preset| entry.preset(preset.name, scene.kind()));
         let mut params = sized.transpose()?.unwrap_or_default();
-        params.insert("smooth", Value::Flag(settings.flag("smooth")));
+        params.insert(SMOOTH.name(), Value::Flag(settings[SMOOTH]));
         Ok(Self {
             planner: entry.name,
             params,

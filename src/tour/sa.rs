@@ -9,15 +9,15 @@ use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Reading},
     kernel::{Inspection, Readings, Role, State, rng::Stream},
     math,
-    params::{Parameter, Settings},
+    params::{Param, Settings},
     settled::SETTLED,
 };
 
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS, ROADS_LAYER, ROUND,
-        SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, ITERATIONS, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS_LAYER,
+        STOPS_LAYER, TOUR_LAYER, TOURS, member,
     },
     problem::{Problem, Tour},
     tell::quantity,
@@ -62,15 +62,15 @@ struct Annealing {
 
 fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Annealing {
     let now = moves::random_tour(problem, &mut rng);
-    let temperature = first_temperature(problem, &now, settings.number("accept_start"), &mut rng);
+    let temperature = first_temperature(problem, &now, settings[ACCEPT_START], &mut rng);
     Annealing {
         problem: Arc::clone(problem),
         best: now.clone(),
         noted: now.clone(),
         temperature,
         next: temperature,
-        cooling: settings.number("cooling"),
-        moves: settings.integer("moves") * problem.n as u64,
+        cooling: settings[COOLING],
+        moves: settings[MOVES] * problem.n as u64,
         evaluations: 1 + if now.len() > 1 { MEASURED } else { 0 },
         deed: Deed::default(),
         now,
@@ -205,14 +205,14 @@ impl Search for Annealing {
     }
 }
 
-const ACCEPT_START: Parameter = Parameter::number(
+const ACCEPT_START: Param<f64> = Param::number(
     "accept_start",
     "\\chi_0",
     "Accepted at first",
     [0.01, 0.99, 0.8],
     "How hot it begins: a move that makes the first tour longer by what such moves do on average is accepted with this probability. Measured on 100 random moves. [ANTBAT] gives no parameters of its simulated annealing; this is a usual one.",
 );
-const COOLING: Parameter = Parameter::number(
+const COOLING: Param<f64> = Param::number(
     "cooling",
     "\\alpha",
     "Cooling",
@@ -220,7 +220,7 @@ const COOLING: Parameter = Parameter::number(
     "What the temperature is multiplied by after each iteration. With more iterations it should be nearer to 1. Ours, like all of this planner’s parameters.",
 )
 .slider(0.8, 1.0, false);
-const MOVES: Parameter = Parameter::integer(
+const MOVES: Param<u64> = Param::integer(
     "moves",
     "k",
     "Moves for each stop",
@@ -259,13 +259,15 @@ pub const ENTRY: Entry = Entry {
     summary: "One tour, parts of which are turned round again and again: what makes it longer is accepted more and more rarely as it grows colder.",
     kinds: KINDS,
     parameters: &[
-        iterations(100, "After how many temperatures it stops; building roads comes first. As many as [ANTBAT]’s bats fly iterations."),
-        ACCEPT_START,
-        COOLING,
-        MOVES,
-        ROUND,
-        ROADS,
-        SMOOTH,
+        &[
+            ITERATIONS
+                .help("After how many temperatures it stops; building roads comes first. As many as [ANTBAT]’s bats fly iterations.")
+                .entry(),
+            ACCEPT_START.entry(),
+            COOLING.entry(),
+            MOVES.entry(),
+        ],
+        TOURS,
     ],
     readings: &[
         BEST,

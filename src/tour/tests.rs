@@ -21,7 +21,7 @@ fn session(planner: &str, scene: &str, params: &[(&'static str, &str)], seed: u6
 fn whoever_can_build_roads_is_in_the_catalogue() {
     for builder in super::parameters::BUILDERS {
         let entry = catalogue::find(builder.value).unwrap();
-        assert!(!entry.stops && entry.parameters.iter().any(|p| p.name == "smooth"), "{}", builder.value);
+        assert!(!entry.stops && entry.parameter("smooth").is_some(), "{}", builder.value);
     }
 }
 
@@ -129,7 +129,7 @@ fn run(planner: &str, scene: &Arc<Scene>, params: &[(&'static str, Value)], seed
 }
 
 fn names(entry: &Entry, parameter: &str) -> bool {
-    entry.parameters.iter().any(|p| p.name == parameter)
+    entry.parameter(parameter).is_some()
 }
 
 /// The tour of every member is a permutation with the ends that it should have and as long as it says.
@@ -190,7 +190,7 @@ fn every_number_of_a_tour_planner_runs_at_both_ends_of_its_range() {
     let mut rng = Stream::new(12, 0);
     for n in [2, 3, 9] {
         let scene = stops(n, &mut rng);
-        for (entry, parameter) in tour_planners().flat_map(|entry| entry.parameters.iter().map(move |parameter| (entry, parameter))) {
+        for (entry, parameter) in tour_planners().flat_map(|entry| entry.all_parameters().map(move |parameter| (entry, parameter))) {
             let (min, max) = match parameter.domain {
                 Domain::Number { min, max, .. } => (min, max),
                 Domain::Integer { min, max, .. } => (min as f64, max as f64),

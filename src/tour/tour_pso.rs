@@ -12,7 +12,7 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Preset, Reading},
     kernel::{Inspection, Readings, Role, State, rng::Stream},
-    params::{Fixed, Parameter, Settings},
+    params::{Fixed, Param, Settings},
     settled::SETTLED,
 };
 
@@ -21,8 +21,8 @@ use super::{
     local::Local,
     moves,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS,
-        ROADS_LAYER, ROUND, SMOOTH, STOPS_LAYER, TOUR_LAYER, iterations, member, population,
+        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
+        POPULATION, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS, member,
     },
     problem::{Problem, Stop, Tour},
     swaps::{self, Swap},
@@ -79,8 +79,8 @@ struct Swarm {
 fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Swarm {
     let first = Tour::first(problem);
     let m = first.len();
-    let mut local = (settings.choice("local_search") == "2-opt").then(|| Local::new(problem));
-    let particles: Vec<_> = (0..settings.integer("population"))
+    let mut local = (settings[LOCAL_SEARCH]).then(|| Local::new(problem));
+    let particles: Vec<_> = (0..settings[POPULATION])
         .map(|_| {
             let mut tour = moves::random_tour(problem, &mut rng);
             if let Some(local) = &mut local {
@@ -92,9 +92,9 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Swarm 
     Swarm {
         problem: Arc::clone(problem),
         best: moves::shortest(particles.iter().map(|particle| &particle.tour)).unwrap_or(&first).clone(),
-        w: settings.number("w"),
-        c1: settings.number("c1"),
-        c2: settings.number("c2"),
+        w: settings[W],
+        c1: settings[C1],
+        c2: settings[C2],
         evaluations: particles.len() as u64,
         particles,
         rng,
@@ -226,14 +226,14 @@ impl Search for Swarm {
     }
 }
 
-const W: Parameter = Parameter::number(
+const W: Param<f64> = Param::number(
     "w",
     "w",
     "Inertia",
     [0.0, 1.0, 0.6],
     "With what probability each swap of a velocity is kept. Wang et al. keep all: 1. [ANTBAT] gives no parameters of its swarm; these lie on the best plateau that we found for its twelve stops, so its result there is a favourable one.",
 );
-const C1: Parameter = Parameter::number(
+const C1: Param<f64> = Param::number(
     "c1",
     "c_1",
     "Towards its own best",
@@ -241,7 +241,7 @@ const C1: Parameter = Parameter::number(
     "With what probability, times a random number from 0 to 1, a particle makes each swap towards its own best. Wang et al.: 1.",
 )
 .slider(0.0, 2.0, false);
-const C2: Parameter = Parameter::number(
+const C2: Param<f64> = Param::number(
     "c2",
     "c_2",
     "Towards the swarm’s best",
@@ -289,15 +289,20 @@ pub const ENTRY: Entry = Entry {
     summary: "Each particle holds a tour and swaps stops: some of the swaps of its velocity, some toward its personal best, some toward the global best. A local search improves each tour.",
     kinds: KINDS,
     parameters: &[
-        population("Particles", 50, "How many particles search. As many as [ANTBAT] has bats; it says nothing of its swarm."),
-        iterations(100, "After how many iterations of the swarm it stops; building roads comes first. As many as [ANTBAT]’s bats fly."),
-        W,
-        C1,
-        C2,
-        LOCAL_SEARCH,
-        ROUND,
-        ROADS,
-        SMOOTH,
+        &[
+            POPULATION
+                .title("Particles")
+                .help("How many particles search. As many as [ANTBAT] has bats; it says nothing of its swarm.")
+                .entry(),
+            ITERATIONS
+                .help("After how many iterations of the swarm it stops; building roads comes first. As many as [ANTBAT]’s bats fly.")
+                .entry(),
+            W.entry(),
+            C1.entry(),
+            C2.entry(),
+            LOCAL_SEARCH.entry(),
+        ],
+        TOURS,
     ],
     readings: &[
         BEST,

@@ -12,7 +12,7 @@ use super::{
     Begin, Search,
     local::Local,
     nearest::nearest_neighbour,
-    parameters::{BEST, BUILT, BY_ROAD, CONVERGED, FAILED, KINDS, LAYERS, LENGTH, ROADS, ROUND, SMOOTH, iterations},
+    parameters::{BEST, BUILT, BY_ROAD, CONVERGED, FAILED, ITERATIONS, KINDS, LAYERS, LENGTH, TOURS},
     problem::{Problem, Stop, Tour},
 };
 
@@ -92,7 +92,10 @@ pub const ENTRY: Entry = Entry {
     source: "[ANTBAT] §3.3; Bentley 1992",
     summary: "Goes on to the nearest stop, then reverses and carries stretches of the tour, a step for each move that makes it shorter, until none does.",
     kinds: KINDS,
-    parameters: &[iterations(1000, "After how many moves it stops at the latest; mostly no move helps before that."), ROUND, ROADS, SMOOTH],
+    parameters: &[
+        &[ITERATIONS.default_to(1000).help("After how many moves it stops at the latest; mostly no move helps before that.").entry()],
+        TOURS,
+    ],
     readings: &[
         BEST,
         BUILT,

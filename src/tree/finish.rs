@@ -10,6 +10,7 @@ use crate::{
 use super::{
     free::Free,
     hermite::smooth,
+    parameters::{BLEND, POLYLINE, SHORTEN, SMOOTH, TOLERANCE},
     polyline::fitted,
     vector::{between, distance, length},
 };
@@ -29,9 +30,9 @@ impl Finish {
     /// By the settings `shorten`, `polyline`, `tolerance` and `smooth`.
     pub(super) fn new(settings: &Settings, step: f64) -> Self {
         Self {
-            shorten: settings.flag("shorten"),
-            fit: settings.flag("polyline").then(|| settings.number("tolerance") * step),
-            smooth: settings.flag("smooth").then(|| settings.number("blend") * step),
+            shorten: settings[SHORTEN],
+            fit: settings[POLYLINE].then(|| settings[TOLERANCE] * step),
+            smooth: settings[SMOOTH].then(|| settings[BLEND] * step),
             step,
         }
     }

@@ -5,11 +5,36 @@ use std::sync::Arc;
 use crate::{
     arm::{self, Arm, ArmScene, Posture},
     kernel::{Error, Solution},
-    params::Settings,
+    params::{Param, Settings},
     scene::{JOINED, Scene},
 };
 
 use super::space::{Space, room};
+
+pub(super) const GOALS: Param<u64> = Param::integer(
+    "goals",
+    "n_g",
+    "Goal postures",
+    [1, 300, 8],
+    "In how many postures the arm may end: of those at the goal that touch nothing, the ones nearest to the first.",
+)
+.slider(1.0, 50.0, false);
+pub(super) const RADIUS: Param<f64> = Param::number(
+    "radius",
+    "r",
+    "Radius of the links",
+    [0.0, 1.0, 0.0],
+    "In metres. The links are their skeleton, grown by this. In the paper 0.",
+)
+.slider(0.0, 0.1, false);
+pub(super) const RESOLUTION: Param<f64> = Param::number(
+    "resolution",
+    "\\delta",
+    "Resolution",
+    [1e-4, 0.1, 0.005],
+    "How far any point of a link may go between two tests, in metres, where a cuboid is near; and how far the links keep away, so that nothing is touched in between.",
+)
+.slider(1e-3, 0.05, true);
 
 /// The joints of a scene's arm.
 pub(super) struct Joints {
@@ -33,11 +58,11 @@ impl Joints {
     pub(super) fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
         let body = scene.share::<ArmScene>()?;
         let arm = &body.arm;
-        let most = settings.integer("goals") as usize;
+        let most = settings[GOALS] as usize;
         // Start and goal are free, however near: half of their room is left.
         let rooms = [body.start, body.goal].into_iter().flat_map(|end| body.obstacles().map(move |obstacle| room(end, obstacle)));
-        let resolution = rooms.fold(settings.number("resolution"), |resolution, room| resolution.min(room / 2.0));
-        let radius = settings.number("radius") + resolution;
+        let resolution = rooms.fold(settings[RESOLUTION], |resolution, room| resolution.min(room / 2.0));
+        let radius = settings[RADIUS] + resolution;
         let start = free_postures("start", &body, body.start, &arm.home(), radius)?[0];
         let mut goals = free_postures("goal", &body, body.goal, &start, radius)?;
         goals.truncate(most);

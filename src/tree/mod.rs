@@ -41,6 +41,7 @@ use crate::{kernel::Error, params::Settings, scene::Scene};
 pub use tell::SYMBOLS;
 
 use grow::{Grown, Method};
+use parameters::MARGIN;
 use task::Task;
 
 /// A tree in a plane or in the workspace of an arm's tip, by a method that looks at what it is to do first.
@@ -54,7 +55,7 @@ fn grown<M: Method<3>>(
     goal_bias: f64,
     method: impl FnOnce(&Task<3>) -> M,
 ) -> Result<Grown<3, M>, Error> {
-    let task = Task::new(space::of_scene(scene, settings.number("margin"))?, settings, goal_bias);
+    let task = Task::new(space::of_scene(scene, settings[MARGIN])?, settings, goal_bias);
     let method = method(&task);
     Ok(Grown::new(task, method, seed))
 }

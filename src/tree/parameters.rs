@@ -3,40 +3,22 @@
 use crate::{
     describe::{Formula, Group, Reading},
     kernel::SceneKindId,
-    params::{Fixed, Parameter},
+    params::{Fixed, Param, Parameter},
     scene::{ARM, DISCS, GRID},
 };
 
 /// The kinds of scene that a tree of places grows in.
 pub(super) const KINDS: &[SceneKindId] = &[ARM, DISCS, GRID];
 
-/// A planner's own parameters between those that every tree has.
-macro_rules! with_finish {
-    ($($own:expr),* $(,)?) => {
-        [
-            $($own,)*
-            $crate::tree::parameters::MARGIN,
-            $crate::tree::parameters::SHORTEN,
-            $crate::tree::parameters::POLYLINE,
-            $crate::tree::parameters::TOLERANCE,
-            $crate::tree::parameters::SMOOTH,
-            $crate::tree::parameters::BLEND,
-        ]
-    };
-}
-pub(super) use with_finish;
-
-const fn iterations(default: u64, help: &'static str) -> Parameter {
-    Parameter::integer("iterations", "k_{\\max}", "Iterations", [1, 1_000_000, default], help).slider(100.0, 100_000.0, true)
-}
-
-pub(super) const ITERATIONS: Parameter =
-    iterations(20_000, "After how many extensions it stops at the latest, found or not. In a large maze it takes many more.");
-pub(super) const ITERATIONS_RRT: Parameter =
-    iterations(100_000, "After how many extensions it stops at the latest, found or not. Without a goal bias it may take many.");
-pub(super) const ITERATIONS_STAR: Parameter =
-    iterations(5_000, "After how many extensions it stops: the path gets shorter as long as it goes on.");
-pub(super) const STEP: Parameter = Parameter::number(
+pub(super) const ITERATIONS: Param<u64> = Param::integer(
+    "iterations",
+    "k_{\\max}",
+    "Iterations",
+    [1, 1_000_000, 20_000],
+    "After how many extensions it stops at the latest, found or not. In a large maze it takes many more.",
+)
+.slider(100.0, 100_000.0, true);
+pub(super) const STEP: Param<f64> = Param::number(
     "step_size",
     "L",
     "Step size",
@@ -45,7 +27,7 @@ pub(super) const STEP: Parameter = Parameter::number(
 )
 .defaults_on(&[(DISCS, Fixed::Number(0.5)), (GRID, Fixed::Number(1.0))])
 .slider(0.005, 2.0, true);
-pub(super) const MARGIN: Parameter = Parameter::number(
+pub(super) const MARGIN: Param<f64> = Param::number(
     "margin",
     "m",
     "Margin",
@@ -54,7 +36,7 @@ pub(super) const MARGIN: Parameter = Parameter::number(
 )
 .only_on(&[ARM])
 .slider(0.0, 0.1, false);
-pub(super) const BIAS: Parameter = Parameter::number(
+pub(super) const BIAS: Param<f64> = Param::number(
     "goal_bias",
     "p_g",
     "Goal bias",
@@ -62,21 +44,13 @@ pub(super) const BIAS: Parameter = Parameter::number(
     "How often the sample is the goal itself, as a share of the steps. In the paper never: 0. Usual elsewhere: 0.05.",
 )
 .slider(0.0, 0.5, false);
-pub(super) const BIAS_STAR: Parameter = Parameter::number(
-    "goal_bias",
-    "p_g",
-    "Goal bias",
-    [0.0, 0.95, 0.05],
-    "How often the sample is the goal itself until there is a path, as a share of the steps.",
-)
-.slider(0.0, 0.5, false);
-pub(super) const SAMPLES: Parameter =
-    Parameter::integer("samples", "n_s", "Samples", [1, 1000, 20], "How many random points are drawn a step. Published: 20.")
+pub(super) const SAMPLES: Param<u64> =
+    Param::integer("samples", "n_s", "Samples", [1, 1000, 20], "How many random points are drawn a step. Published: 20.")
         .slider(1.0, 100.0, false);
-pub(super) const KEEP: Parameter =
-    Parameter::integer("keep", "n_k", "Kept", [1, 1000, 4], "How many of them are kept for the tree to grow toward. Published: 4.")
+pub(super) const KEEP: Param<u64> =
+    Param::integer("keep", "n_k", "Kept", [1, 1000, 4], "How many of them are kept for the tree to grow toward. Published: 4.")
         .slider(1.0, 20.0, false);
-pub(super) const REWIRE: Parameter = Parameter::number(
+pub(super) const REWIRE: Param<f64> = Param::number(
     "rewire",
     "r_{\\max}",
     "Longest rewiring",
@@ -84,45 +58,49 @@ pub(super) const REWIRE: Parameter = Parameter::number(
     "How far away a neighbour may be, at most, that changes its parent: in steps. With more, more parents are tried, at more cost.",
 )
 .slider(1.0, 20.0, false);
-pub(super) const INFORMED: Parameter = Parameter::flag(
+pub(super) const INFORMED: Param<bool> = Param::flag(
     "informed",
     "Informed",
     true,
     "Once there is a path, draw samples only where a shorter one can lead: from the ellipsoid about start and goal.",
 );
-pub(super) const SHORTEN: Parameter = Parameter::flag(
+pub(super) const SHORTEN: Param<bool> = Param::flag(
     "shorten",
     "Shorten",
     true,
     "Hand over the path without detours: straight on wherever that is free, and corners cut as far as that is free. Not in the paper.",
 );
-pub(super) const POLYLINE: Parameter =
-    Parameter::flag("polyline", "Fit a polyline", true, "Approximate it by few straight pieces, by least squares, [ARM-RRT] step 3.");
-pub(super) const TOLERANCE: Parameter = Parameter::number(
+pub(super) const POLYLINE: Param<bool> =
+    Param::flag("polyline", "Fit a polyline", true, "Approximate it by few straight pieces, by least squares, [ARM-RRT] step 3.");
+pub(super) const TOLERANCE: Param<f64> = Param::number(
     "tolerance",
     "\\varepsilon",
     "Tolerance",
     [0.0, 10.0, 0.25],
     "How far the polyline may be off, in steps. The paper prints nothing.",
 )
-.when("polyline", "true")
+.when(POLYLINE, "true")
 .slider(0.0, 2.0, false);
-pub(super) const SMOOTH: Parameter = Parameter::flag(
+pub(super) const SMOOTH: Param<bool> = Param::flag(
     "smooth",
     "Hermite smoothing",
     true,
     "Round its corners by cubic Hermite curves with continuous velocity, (12); never into an obstacle.",
 )
 .defaults_on(&[(DISCS, Fixed::Flag(false)), (GRID, Fixed::Flag(false))]);
-pub(super) const BLEND: Parameter = Parameter::number(
+pub(super) const BLEND: Param<f64> = Param::number(
     "blend",
     "b",
     "Blend",
     [0.1, 100.0, 3.0],
     "How far from a corner its curve begins, in steps; at most half-way to the next corner.",
 )
-.when("smooth", "true")
+.when(SMOOTH, "true")
 .slider(0.1, 20.0, false);
+
+/// What a planner makes of its path; its own parameters come before.
+pub(super) const FINISH: &[Parameter] =
+    &[MARGIN.entry(), SHORTEN.entry(), POLYLINE.entry(), TOLERANCE.entry(), SMOOTH.entry(), BLEND.entry()];
 
 /// What every tree tells.
 pub(super) const READINGS: &[Reading] = &[
@@ -143,30 +121,6 @@ pub(super) const FORMULA_STEP: Formula = Formula::of_item(
     "x_{\\text{new}} = x_{\\text{near}} + L \\frac{x_{\\text{rand}} - x_{\\text{near}}}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert}",
     "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert = @far@, \\quad L = @step@",
 );
-pub(super) const FORMULA_ANGLE: Formula = Formula::of_item(
-    "angle",
-    "[ARM-RRT] §3.2.1",
-    "Angle with the goal’s direction",
-    "\\varphi = \\arccos \\frac{(x_{\\text{rand}} - x_{\\text{near}}) \\cdot (x_{\\text{goal}} - x_{\\text{near}})}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert\\, \\lVert x_{\\text{goal}} - x_{\\text{near}} \\rVert}",
-    "\\varphi = @angle@",
-)
-.when("choice", "angle");
-pub(super) const FORMULA_ROULETTE: Formula = Formula::of_item(
-    "roulette",
-    "[ARM-RRT] §3.3, our weights",
-    "Share of the roulette wheel",
-    "p_i = \\frac{\\pi - \\varphi_i}{\\sum_j (\\pi - \\varphi_j)}",
-    "p = @share@",
-)
-.when("choice", "angle");
-pub(super) const FORMULA_ROULETTE_DISTANCE: Formula = Formula::of_item(
-    "roulette-distance",
-    "[ARM-RRT] §3.3, our weights",
-    "Share of the roulette wheel",
-    "p_i = \\frac{1/d_i}{\\sum_j 1/d_j}, \\quad d_i = \\lVert x_{\\text{goal}} - x_i \\rVert",
-    "p = @share@, \\quad d = @to_goal@",
-)
-.when("choice", "distance");
 pub(super) const FORMULA_RADIUS: Formula = Formula::of_item(
     "radius",
     "Karaman and Frazzoli 2011",

@@ -13,7 +13,7 @@ use super::{
     draw::LAYERS,
     finish::{FITTED, HERMITE},
     grow::{Forest, Grown, Method, Source},
-    parameters::{BIAS, FORMULA_STEP, ITERATIONS_RRT, KINDS, READINGS, STEP, with_finish},
+    parameters::{BIAS, FINISH, FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP},
     sample::uniform,
     task::Task,
 };
@@ -28,7 +28,17 @@ pub const ENTRY: Entry = Entry {
     kinds: KINDS,
     stops: false,
     most_stops: None,
-    parameters: &with_finish!(ITERATIONS_RRT, STEP, BIAS),
+    parameters: &[
+        &[
+            ITERATIONS
+                .default_to(100_000)
+                .help("After how many extensions it stops at the latest, found or not. Without a goal bias it may take many.")
+                .entry(),
+            STEP.entry(),
+            BIAS.entry(),
+        ],
+        FINISH,
+    ],
     readings: READINGS,
     formulas: &[FORMULA_STEP, FITTED, HERMITE],
     layers: LAYERS,
@@ -41,7 +51,7 @@ pub const ENTRY: Entry = Entry {
 
 /// The planner behind the entry.
 pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Rrt>, Error> {
-    super::grown(scene, settings, seed, settings.number("goal_bias"), |_| Rrt)
+    super::grown(scene, settings, seed, settings[BIAS], |_| Rrt)
 }
 
 #[derive(Clone, State)]

@@ -13,7 +13,7 @@ use super::{
     draw::CONNECT_LAYERS,
     finish::{FITTED, HERMITE},
     grow::{Forest, Grown, Method, Source},
-    parameters::{FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP, with_finish},
+    parameters::{FINISH, FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP},
     sample::uniform,
     task::Task,
 };
@@ -28,7 +28,7 @@ pub const ENTRY: Entry = Entry {
     kinds: KINDS,
     stops: false,
     most_stops: None,
-    parameters: &with_finish!(ITERATIONS, STEP),
+    parameters: &[&[ITERATIONS.entry(), STEP.entry()], FINISH],
     readings: READINGS,
     formulas: &[FORMULA_STEP, FITTED, HERMITE],
     layers: CONNECT_LAYERS,

@@ -11,9 +11,9 @@
 use std::{f64::consts::PI, sync::Arc};
 
 use crate::{
-    describe::Entry,
+    describe::{Entry, Formula},
     kernel::{Error, State, rng::Stream},
-    params::{Choice, Parameter, Settings},
+    params::{Choice, Param, ParamValue, Settings},
     scene::Scene,
 };
 
@@ -21,16 +21,15 @@ use super::{
     draw::GUIDED_LAYERS,
     finish::{FITTED, HERMITE},
     grow::{By, Fate, Forest, Grown, Method, Sample, Source},
-    parameters::{
-        FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FORMULA_STEP, ITERATIONS, KEEP, KINDS, READINGS, SAMPLES, STEP,
-        with_finish,
-    },
+    parameters::{FINISH, FORMULA_STEP, ITERATIONS, KEEP, KINDS, READINGS, SAMPLES, STEP},
     sample::{angle, uniform},
     task::Task,
     vector::{distance, minus},
 };
 
-const CHOICE: Parameter = Parameter::choice(
+impl ParamValue for By {}
+
+const CHOICE: Param<By> = Param::choice(
     "choice",
     "",
     "Choice of the sample",
@@ -42,16 +41,41 @@ const CHOICE: Parameter = Parameter::choice(
             help: "Step 2 (2): a roulette wheel keeps some by their distance to the goal, nearest first.",
         },
     ],
+    &[By::Angle, By::Distance],
     "How the sample is chosen that the tree grows toward. [ARM-RRT] describes both.",
 );
 
-const FALLBACK: Parameter = Parameter::flag(
+const FALLBACK: Param<bool> = Param::flag(
     "fallback",
     "Random step",
     true,
     "Whether a step of plain RRT follows if no kept sample can be used, [ARM-RRT] step 2 (4).",
 );
 
+const FORMULA_ANGLE: Formula = Formula::of_item(
+    "angle",
+    "[ARM-RRT] §3.2.1",
+    "Angle with the goal’s direction",
+    "\\varphi = \\arccos \\frac{(x_{\\text{rand}} - x_{\\text{near}}) \\cdot (x_{\\text{goal}} - x_{\\text{near}})}{\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert\\, \\lVert x_{\\text{goal}} - x_{\\text{near}} \\rVert}",
+    "\\varphi = @angle@",
+)
+.when(CHOICE, "angle");
+const FORMULA_ROULETTE: Formula = Formula::of_item(
+    "roulette",
+    "[ARM-RRT] §3.3, our weights",
+    "Share of the roulette wheel",
+    "p_i = \\frac{\\pi - \\varphi_i}{\\sum_j (\\pi - \\varphi_j)}",
+    "p = @share@",
+)
+.when(CHOICE, "angle");
+const FORMULA_ROULETTE_DISTANCE: Formula = Formula::of_item(
+    "roulette-distance",
+    "[ARM-RRT] §3.3, our weights",
+    "Share of the roulette wheel",
+    "p_i = \\frac{1/d_i}{\\sum_j 1/d_j}, \\quad d_i = \\lVert x_{\\text{goal}} - x_i \\rVert",
+    "p = @share@, \\quad d = @to_goal@",
+)
+.when(CHOICE, "distance");
 /// See the module.
 pub const ENTRY: Entry = Entry {
     name: "rrt-guided",
@@ -62,7 +86,7 @@ pub const ENTRY: Entry = Entry {
     kinds: KINDS,
     stops: false,
     most_stops: None,
-    parameters: &with_finish!(ITERATIONS, STEP, SAMPLES, KEEP, CHOICE, FALLBACK),
+    parameters: &[&[ITERATIONS.entry(), STEP.entry(), SAMPLES.entry(), KEEP.entry(), CHOICE.entry(), FALLBACK.entry()], FINISH],
     readings: READINGS,
     formulas: &[FORMULA_STEP, FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FITTED, HERMITE],
     layers: GUIDED_LAYERS,
@@ -75,13 +99,12 @@ pub const ENTRY: Entry = Entry {
 
 /// The planner behind the entry.
 pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Guided>, Error> {
-    let (samples, keep) = (settings.integer("samples") as usize, settings.integer("keep") as usize);
-    let by = if settings.choice("choice") == "distance" { By::Distance } else { By::Angle };
+    let (samples, keep) = (settings[SAMPLES] as usize, settings[KEEP] as usize);
     super::grown(scene, settings, seed, 0.0, |_| Guided {
         samples,
         keep,
-        by,
-        falls_back: settings.flag("fallback"),
+        by: settings[CHOICE],
+        falls_back: settings[FALLBACK],
         order: Vec::with_capacity(samples),
     })
 }

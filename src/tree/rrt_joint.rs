@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Member},
-    params::Parameter,
+    params::Param,
     scene::ARM,
 };
 
@@ -12,7 +12,7 @@ use super::{
     draw::CONNECT_LAYERS,
     finish::{FITTED, HERMITE},
     grow::Grown,
-    joints::Joints,
+    joints::{GOALS, Joints, RADIUS, RESOLUTION},
     parameters::{BLEND, FORMULA_STEP, ITERATIONS, POLYLINE, READINGS, SHORTEN, SMOOTH, TOLERANCE},
     rrt_connect::Connect,
     task::Task,
@@ -28,7 +28,18 @@ pub const ENTRY: Entry = Entry {
     kinds: &[ARM],
     stops: false,
     most_stops: None,
-    parameters: &[ITERATIONS, STEP, GOALS, RADIUS, RESOLUTION, SHORTEN, POLYLINE, TOLERANCE, SMOOTH, BLEND],
+    parameters: &[&[
+        ITERATIONS.entry(),
+        STEP_ANGLE.entry(),
+        GOALS.entry(),
+        RADIUS.entry(),
+        RESOLUTION.entry(),
+        SHORTEN.entry(),
+        POLYLINE.entry(),
+        TOLERANCE.entry(),
+        SMOOTH.entry(),
+        BLEND.entry(),
+    ]],
     readings: READINGS,
     formulas: &[FORMULA_STEP, FITTED, HERMITE],
     layers: CONNECT_LAYERS,
@@ -42,7 +53,7 @@ pub const ENTRY: Entry = Entry {
     },
 };
 
-const STEP: Parameter = Parameter::number(
+const STEP_ANGLE: Param<f64> = Param::number(
     "step_size",
     "L",
     "Step size",
@@ -50,31 +61,6 @@ const STEP: Parameter = Parameter::number(
     "How far a node grows: the root of the sum of the squares of the joints’ turns, in radians.",
 )
 .slider(0.01, 1.0, true);
-const GOALS: Parameter = Parameter::integer(
-    "goals",
-    "n_g",
-    "Goal postures",
-    [1, 300, 8],
-    "In how many postures the arm may end: of those at the goal that touch nothing, the ones nearest to the first.",
-)
-.slider(1.0, 50.0, false);
-const RADIUS: Parameter = Parameter::number(
-    "radius",
-    "r",
-    "Radius of the links",
-    [0.0, 1.0, 0.0],
-    "In metres. The links are their skeleton, grown by this. In the paper 0.",
-)
-.slider(0.0, 0.1, false);
-const RESOLUTION: Parameter = Parameter::number(
-    "resolution",
-    "\\delta",
-    "Resolution",
-    [1e-4, 0.1, 0.005],
-    "How far any point of a link may go between two tests, in metres, where a cuboid is near; and how far the links keep away, so that nothing is touched in between.",
-)
-.slider(1e-3, 0.05, true);
-
 const MEMBERS: &[Member] = &[
     member("parent", "", "Parent", "The number of the node that it has grown from; −1: the root."),
     Member { name: "tree", symbol: "", title: "Tree", help: "Which tree it belongs to.", full: None, words: &["start", "goal"] },

@@ -16,9 +16,7 @@ use super::{
     finish::{FITTED, HERMITE},
     forest::NONE,
     grow::{Fate, Forest, Grown, Method, Source},
-    parameters::{
-        BIAS_STAR, FORMULA_INFORMED, FORMULA_RADIUS, FORMULA_STEP, INFORMED, ITERATIONS_STAR, KINDS, READINGS, REWIRE, STEP, with_finish,
-    },
+    parameters::{BIAS, FINISH, FORMULA_INFORMED, FORMULA_RADIUS, FORMULA_STEP, INFORMED, ITERATIONS, KINDS, READINGS, REWIRE, STEP},
     sample::{Informed, uniform},
     task::Task,
     vector::distance,
@@ -34,7 +32,16 @@ pub const ENTRY: Entry = Entry {
     kinds: KINDS,
     stops: false,
     most_stops: None,
-    parameters: &with_finish!(ITERATIONS_STAR, STEP, BIAS_STAR, REWIRE, INFORMED),
+    parameters: &[
+        &[
+            ITERATIONS.default_to(5_000).help("After how many extensions it stops: the path gets shorter as long as it goes on.").entry(),
+            STEP.entry(),
+            BIAS.default_to(0.05).help("How often the sample is the goal itself until there is a path, as a share of the steps.").entry(),
+            REWIRE.entry(),
+            INFORMED.entry(),
+        ],
+        FINISH,
+    ],
     readings: READINGS,
     formulas: &[FORMULA_STEP, FORMULA_RADIUS, FORMULA_INFORMED, FITTED, HERMITE],
     layers: LAYERS,
@@ -47,8 +54,8 @@ pub const ENTRY: Entry = Entry {
 
 /// The planner behind the entry.
 pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Star>, Error> {
-    let star = |task: &Task<3>| Star::new(task, settings.number("rewire"), settings.flag("informed"));
-    super::grown(scene, settings, seed, settings.number("goal_bias"), star)
+    let star = |task: &Task<3>| Star::new(task, settings[REWIRE], settings[INFORMED]);
+    super::grown(scene, settings, seed, settings[BIAS], star)
 }
 
 #[derive(Clone, State)]

@@ -6,6 +6,7 @@ use crate::params::Settings;
 
 use super::{
     finish::Finish,
+    parameters::{ITERATIONS, STEP},
     space::Space,
     vector::{distance, minus},
 };
@@ -27,17 +28,8 @@ impl<const N: usize> Task<N> {
     /// Of a space, with the settings that every tree planner has.
     pub(super) fn new(space: Arc<dyn Space<N>>, settings: &Settings, goal_bias: f64) -> Self {
         let (min, max) = space.bounds();
-        let step = settings.number("step_size") * space.unit();
-        Self {
-            start: space.start(),
-            min,
-            max,
-            step,
-            goal_bias,
-            limit: settings.integer("iterations"),
-            finish: Finish::new(settings, step),
-            space,
-        }
+        let step = settings[STEP] * space.unit();
+        Self { start: space.start(), min, max, step, goal_bias, limit: settings[ITERATIONS], finish: Finish::new(settings, step), space }
     }
 
     /// The goal, for planners that know one only.

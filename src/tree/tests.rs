@@ -12,6 +12,7 @@ use crate::{
 use super::{
     forest::NONE,
     grow::{Fate, Forest, Grown, Method, Source},
+    parameters::MARGIN,
     space,
     task::Task,
     vector::distance,
@@ -39,7 +40,7 @@ fn plane() -> Arc<Scene> {
 fn task(scene: &Arc<Scene>, planner: &str) -> Task<3> {
     let entry = crate::catalogue::find(planner).unwrap();
     let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
-    Task::new(space::of_scene(scene, settings.number("margin")).unwrap(), &settings, 0.0)
+    Task::new(space::of_scene(scene, settings[MARGIN]).unwrap(), &settings, 0.0)
 }
 
 /// Grows towards fixed points, so that steps can be computed by hand.

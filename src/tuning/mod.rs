@@ -26,6 +26,8 @@ use crate::{
 
 pub use parameters::{ENTRY, SYMBOLS};
 
+use parameters::{C1, C2, COLONY, ITERATIONS, POPULATION, ROUNDS, SEEDS, TUNABLE, TUNE, W};
+
 /// A parameter that is searched, in the range that its slider offers; where that is logarithmic, so is the search.
 #[derive(Debug, Clone, Copy)]
 struct Axis {
@@ -122,19 +124,18 @@ struct Tuning {
 }
 
 fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, Error> {
-    let colony = catalogue::find(settings.choice("colony"))?;
-    let chosen = settings.choice("tune");
-    let axes: Vec<_> = colony.parameters.iter().filter(|p| chosen.split(',').any(|name| name == p.name)).filter_map(Axis::new).collect();
+    let colony = catalogue::find(settings[COLONY])?;
+    let chosen = &settings[TUNE];
+    let axes: Vec<_> = colony.all_parameters().filter(|p| chosen.split(',').any(|name| name == p.name)).filter_map(Axis::new).collect();
     if axes.is_empty() {
-        let has = |name| colony.parameters.iter().any(|p| p.name == name);
-        let known: Vec<_> = parameters::TUNABLE.iter().map(|option| option.value).filter(|&name| has(name)).collect();
-        return Err(Error::refused("tune", chosen, format!("some of {}, which {} has", known.join(", "), colony.name)));
+        let known: Vec<_> = TUNABLE.iter().map(|option| option.value).filter(|name| colony.parameter(name).is_some()).collect();
+        return Err(Error::refused(TUNE.name(), chosen, format!("some of {}, which {} has", known.join(", "), colony.name)));
     }
     let grid = scene.get::<GridScene>()?;
     let course = grid.course()?;
-    let population = settings.integer("population") as usize;
+    let population = settings[POPULATION] as usize;
     let mut rng = Stream::new(seed, 0);
-    let seeds = (0..settings.integer("seeds")).map(|_| rng.below(1 << 31) as u64).collect();
+    let seeds = (0..settings[SEEDS]).map(|_| rng.below(1 << 31) as u64).collect();
     let mut x = Vec::with_capacity(population * axes.len());
     let mut v = Vec::with_capacity(x.capacity());
     for _ in 0..population {
@@ -146,9 +147,9 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, 
     let tuning = Tuning {
         scene: Arc::clone(scene),
         colony,
-        rounds: settings.integer("colony_iterations"),
+        rounds: settings[ROUNDS],
         population,
-        weights: ["w", "c1", "c2"].map(|name| settings.number(name)),
+        weights: [W, C1, C2].map(|weight| settings[weight]),
         seeds,
         shown: x.clone(),
         cost: vec![NONE; population],
@@ -166,14 +167,14 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, 
         rng,
     };
     let reachable = is_reachable(grid.cells(), course.start, course.goal);
-    Ok(Started::new(tuning, settings.integer("iterations")).measured_by(Yardstick::Cells).solvable(reachable))
+    Ok(Started::new(tuning, settings[ITERATIONS]).measured_by(Yardstick::Cells).solvable(reachable))
 }
 
 impl Tuning {
     /// The colony's parameters at a position.
     fn given(&self, x: &[f64]) -> Given {
         let mut given = Given::new();
-        given.insert("iterations", Value::from(self.rounds as f64));
+        given.insert(ITERATIONS.name(), Value::from(self.rounds as f64));
         for (axis, &x) in self.axes.iter().zip(x) {
             given.insert(axis.parameter.name, Value::from(axis.value(x)));
         }

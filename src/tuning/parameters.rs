@@ -3,7 +3,7 @@
 use crate::{
     describe::{Entry, Formula, Group, Layer, Reading, Scope},
     kernel::Role,
-    params::{Choice, Parameter},
+    params::{Choice, Param, Subset},
     scene::GRID,
 };
 
@@ -38,37 +38,37 @@ pub(super) const TUNABLE: &[Choice] = &[
     tunable("step_limit", "Steps", "Most steps of an ant."),
 ];
 
-const COLONY: Parameter = Parameter::choice("colony", "", "Colony", COLONIES, "Whose parameters are searched.");
-const TUNE: Parameter = Parameter::subset(
+pub(super) const COLONY: Param<&str> = Param::name_of("colony", "", "Colony", COLONIES, "Whose parameters are searched.");
+pub(super) const TUNE: Param<Subset> = Param::subset(
     "tune",
     "Parameters to tune",
     TUNABLE,
     "alpha,beta,rho,q,epsilon",
     "Each is searched in the range that its slider offers. Those that the colony has not are left out. Published: α, β, ρ, Q, ε.",
 );
-const POPULATION: Parameter =
-    Parameter::integer("population", "N", "Particles", [1, 1000, 20], "How many sets of parameters are tried side by side. Published: 20.")
+pub(super) const POPULATION: Param<u64> =
+    Param::integer("population", "N", "Particles", [1, 1000, 20], "How many sets of parameters are tried side by side. Published: 20.")
         .slider(2.0, 100.0, true);
-const ITERATIONS: Parameter =
-    Parameter::integer("iterations", "k_{\\max}", "Iterations", [1, 1_000_000, 30], "After how many rounds it stops. Published: 30.")
+pub(super) const ITERATIONS: Param<u64> =
+    Param::integer("iterations", "k_{\\max}", "Iterations", [1, 1_000_000, 30], "After how many rounds it stops. Published: 30.")
         .slider(2.0, 200.0, true);
-const W: Parameter =
-    Parameter::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.729], "How much of its velocity a particle keeps. Published: 0.729.");
-const C1: Parameter = Parameter::number(
+pub(super) const W: Param<f64> =
+    Param::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.729], "How much of its velocity a particle keeps. Published: 0.729.");
+pub(super) const C1: Param<f64> = Param::number(
     "c1",
     "c_1",
     "Cognitive coefficient",
     [0.0, 5.0, 1.4962],
     "How strongly a particle is drawn to the best it has found itself. Published: 1.4962.",
 );
-const C2: Parameter = Parameter::number(
+pub(super) const C2: Param<f64> = Param::number(
     "c2",
     "c_2",
     "Social coefficient",
     [0.0, 5.0, 1.4962],
     "How strongly a particle is drawn to the best that the swarm has found. Published: 1.4962.",
 );
-const SEEDS: Parameter = Parameter::integer(
+pub(super) const SEEDS: Param<u64> = Param::integer(
     "seeds",
     "n_s",
     "Runs a particle",
@@ -76,7 +76,7 @@ const SEEDS: Parameter = Parameter::integer(
     "Over how many runs of the colony a set of parameters is judged: the same seeds for all, drawn at the start. The paper does not say; reading: a few.",
 )
 .slider(1.0, 20.0, false);
-const ROUNDS: Parameter = Parameter::integer(
+pub(super) const ROUNDS: Param<u64> = Param::integer(
     "colony_iterations",
     "t_{\\max}",
     "Iterations of the colony",
@@ -110,7 +110,17 @@ pub const ENTRY: Entry = Entry {
     source: "[WOLF-ANT] §5.2",
     summary: "A particle swarm whose particles are parameters of an ant colony: each is judged by what a few runs of the colony find.",
     kinds: &[GRID],
-    parameters: &[COLONY, TUNE, POPULATION, ITERATIONS, W, C1, C2, SEEDS, ROUNDS],
+    parameters: &[&[
+        COLONY.entry(),
+        TUNE.entry(),
+        POPULATION.entry(),
+        ITERATIONS.entry(),
+        W.entry(),
+        C1.entry(),
+        C2.entry(),
+        SEEDS.entry(),
+        ROUNDS.entry(),
+    ]],
     readings: &[
         Reading::new("best", "\\bar L_g", "Best", Group::Cost, "The mean length that the best parameters so far gave."),
         Reading::new("mean", "\\bar L", "Mean", Group::Cost, "The mean over this round’s particles whose colonies found a way."),

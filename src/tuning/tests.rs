@@ -15,7 +15,7 @@ fn session(params: &[(&str, &str)]) -> Session {
 #[test]
 fn every_number_of_every_colony_can_be_tuned() {
     let colonies = PLANNERS.iter().filter(|entry| entry.family == "ants");
-    let numbers = colonies.flat_map(|entry| entry.parameters).filter_map(Axis::new).map(|axis| axis.parameter.name);
+    let numbers = colonies.flat_map(Entry::all_parameters).filter_map(Axis::new).map(|axis| axis.parameter.name);
     let known: Vec<_> = parameters::TUNABLE.iter().map(|option| option.value).collect();
     let mut count = 0;
     for name in numbers.filter(|name| *name != "iterations") {
@@ -30,7 +30,7 @@ fn every_number_of_every_colony_can_be_tuned() {
 fn an_axis_goes_through_its_slider_s_range_evenly_or_by_magnitudes() {
     let axis = |name| {
         let colony = catalogue::find("aco-wolf").unwrap();
-        Axis::new(colony.parameters.iter().find(|p| p.name == name).unwrap()).unwrap()
+        Axis::new(colony.parameter(name).unwrap()).unwrap()
     };
     let q = axis("q");
     assert_eq!((q.low, q.high, q.value(333.25)), (100.0, 1000.0, 333.25));
@@ -100,7 +100,7 @@ fn a_particle_flies_by_the_equation_and_stays_in_its_range() {
     let settings = Settings::new(ENTRY.parameters, scene.kind(), &given.into_iter().collect()).unwrap();
     start(&scene, &settings, 1).unwrap();
     let colony = catalogue::find("aco-wolf").unwrap();
-    let axes: Vec<_> = colony.parameters.iter().filter(|p| p.name == "beta").filter_map(Axis::new).collect();
+    let axes: Vec<_> = colony.parameter("beta").into_iter().filter_map(Axis::new).collect();
     let mut swarm = Tuning {
         scene,
         colony,

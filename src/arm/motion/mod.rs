@@ -33,6 +33,7 @@ pub use parameters::MOTION;
 use course::stations;
 use follow::{Followed, Follower, Pointing, densified};
 use hand::Holding;
+use parameters::{NEAREST, ORIENTATION, Orientation, RADIUS, REPLACEMENT, RESOLUTION, SEED, SPACING, SPREAD, TRIES};
 use trajectory::Trajectory;
 
 /// The scene's arm following a solution. `None` unless it is an arm's scene and an arm's solution.
@@ -47,12 +48,12 @@ pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Given) -> Resul
     if path.is_empty() {
         return Ok(None);
     }
-    let links = Links::new(scene, settings.number("radius"));
-    let spacing = settings.number("spacing");
+    let links = Links::new(scene, settings[RADIUS]);
+    let spacing = settings[SPACING];
     if postures.is_empty() {
         let stations = stations(path, spacing);
         let mut follower = follower(scene, &settings, links.clone(), stations.len());
-        let followed = if settings.choice("postures") == "nearest" { follower.nearest(&stations) } else { follower.smoothest(&stations) };
+        let followed = if settings[NEAREST] { follower.nearest(&stations) } else { follower.smoothest(&stations) };
         let trajectory = Trajectory { scene, links: &links, settings: &settings, path: None };
         return Ok(Some(trajectory.motion(followed, stations.len())));
     }
@@ -64,20 +65,20 @@ pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Given) -> Resul
 
 fn follower<'a>(scene: &'a ArmScene, settings: &Settings, links: Links<'a>, points: usize) -> Follower<'a> {
     let holding = Holding::new(&scene.arm);
-    let mut random = Stream::new(settings.integer("seed"), 0);
+    let mut random = Stream::new(settings[SEED], 0);
     let [.., home] = scene.arm.forward(&scene.arm.home());
-    let spread = settings.number("spread");
-    let pointing = match settings.choice("orientation") {
-        "home" => Pointing::Given(vec![home.rotation; points]),
-        "random" => {
+    let spread = settings[SPREAD];
+    let pointing = match settings[ORIENTATION] {
+        Orientation::Free => Pointing::Free,
+        Orientation::Home => Pointing::Given(vec![home.rotation; points]),
+        Orientation::Random => {
             let mut angle = || random.between(-spread, spread);
             let turns = (0..points).map(|_| UnitQuaternion::from_euler_angles(angle(), angle(), angle()) * home.rotation);
             Pointing::Given(turns.collect())
         }
-        _ => Pointing::Free,
     };
     let hands = holding.hands();
-    let replaces = settings.flag("replacement");
-    let tries = if replaces { settings.integer("tries") } else { 0 };
-    Follower { scene, links, holding, hands, pointing, resolution: settings.number("resolution"), replaces, tries, random }
+    let replaces = settings[REPLACEMENT];
+    let tries = if replaces { settings[TRIES] } else { 0 };
+    Follower { scene, links, holding, hands, pointing, resolution: settings[RESOLUTION], replaces, tries, random }
 }

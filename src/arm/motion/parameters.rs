@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Column, Follower, Formula, Scope},
-    params::{Choice, Parameter},
+    params::{Choice, Param, ParamValue, Parameter},
 };
 
 /// What there is to know about following a path.
@@ -10,120 +10,142 @@ pub const MOTION: Follower = Follower {
     source: "[ARM-RRT] §3.2.2, §3.3",
     summary: "The arm follows the path with its tip: postures along it by inverse kinematics, joints that turn evenly from one to \
               the next as fast as their limits allow, and the whole arm checked against cuboids and column all the way.",
-    parameters: PARAMETERS,
+    parameters: &[PARAMETERS],
     columns: COLUMNS,
     formulas: FORMULAS,
 };
 
 const PARAMETERS: &[Parameter] = &[
-    Parameter::number(
-        "spacing",
-        "\\Delta s",
-        "Spacing",
-        [0.002, 1.0, 0.01],
-        "How far apart the points of the path are, in metres, at which the arm takes a posture; corners and ends are always among \
-         them. Ours: the paper takes the points of its smoothed path.",
-    )
-    .slider(0.002, 0.1, true),
-    Parameter::choice(
-        "orientation",
-        "",
-        "Where the tool points",
-        &[
-            Choice { value: "free", title: "anywhere", help: "Whatever suits the arm best. Ours." },
-            Choice { value: "home", title: "as at home", help: "The tool keeps the orientation that it has in the home posture. Ours." },
-            Choice {
-                value: "random",
-                title: "at random",
-                help: "Turned by three random angles at every point, about z, then y, then x. Published: 2*(rand(1,3)-0.5), step 4.",
-            },
-        ],
-        "How the tool is turned at each point of the path, which says only where its tip is.",
-    ),
-    Parameter::number(
-        "spread",
-        "\\varphi_{\\max}",
-        "Spread of the random angles",
-        [0.0, 3.2, 1.0],
-        "The random angles are uniform from minus to plus this, in radians. Published: 1.",
-    )
-    .when("orientation", "random")
-    .slider(0.0, 1.0, false),
-    Parameter::choice(
-        "postures",
-        "",
-        "Which posture",
-        &[
-            Choice {
-                value: "smoothest",
-                title: "smoothest on the whole",
-                help: "Of all ways through all points’ postures the one whose joints turn most gently, among those that touch \
-                       nothing. Ours.",
-            },
-            Choice {
-                value: "nearest",
-                title: "nearest to the last",
-                help: "At each point the one nearest to that before (at the first: to home), one that touches nothing if there is any. \
-                       Published.",
-            },
-        ],
-        "Most points can be reached in several postures.",
-    ),
-    Parameter::number(
-        "radius",
-        "r",
-        "Link radius",
-        [0.0, 0.5, 0.0],
-        "The links are that thick, in metres. Published: none, only the skeleton.",
-    )
-    .slider(0.0, 0.1, false),
-    Parameter::flag(
-        "replacement",
-        "Replace points",
-        true,
-        "Whether a point without a posture is mirrored or drawn at random, [ARM-RRT] steps 4 and 6. Off: the motion ends there.",
-    ),
-    Parameter::integer(
-        "tries",
-        "",
-        "Tries",
-        [0, 100_000, 1000],
-        "How often joints are drawn at random for a point without a posture before the motion ends there. The paper sets no limit.",
-    )
-    .when("replacement", "true"),
-    Parameter::number(
-        "speed",
-        "\\kappa",
-        "Share of the joints’ speeds",
-        [0.001, 1.0, 1.0],
-        "How much of their speed limits the joints may use. Ours: the paper gives no speeds.",
-    )
-    .slider(0.05, 1.0, false),
-    Parameter::number(
-        "tool_speed",
-        "v_{\\max}",
-        "Tool speed",
-        [0.001, 100.0, 0.5],
-        "How fast the tip goes at most, in metres a second. Ours.",
-    )
-    .slider(0.05, 5.0, true),
-    Parameter::number(
-        "resolution",
-        "\\varepsilon",
-        "Resolution of the collision test",
-        [0.000_01, 0.1, 0.001],
-        "Where there is less room than this, in metres, no point of a link goes farther between two tests. Where there is more, the \
-         test needs no samples and is exact.",
-    )
-    .slider(0.0001, 0.02, true),
-    Parameter::integer(
-        "seed",
-        "",
-        "Seed",
-        [0, crate::kernel::rng::MAX_SEED, 1],
-        "Of what is random: the tool’s angles, and joints drawn for points without a posture.",
-    ),
+    SPACING.entry(),
+    ORIENTATION.entry(),
+    SPREAD.entry(),
+    NEAREST.entry(),
+    RADIUS.entry(),
+    REPLACEMENT.entry(),
+    TRIES.entry(),
+    SPEED.entry(),
+    TOOL_SPEED.entry(),
+    RESOLUTION.entry(),
+    SEED.entry(),
 ];
+
+/// How the tool is turned at the points of a path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Orientation {
+    /// As suits the arm best.
+    Free,
+    /// As in the home posture.
+    Home,
+    /// At random.
+    Random,
+}
+
+impl ParamValue for Orientation {}
+
+pub(super) const SPACING: Param<f64> = Param::number(
+    "spacing",
+    "\\Delta s",
+    "Spacing",
+    [0.002, 1.0, 0.01],
+    "How far apart the points of the path are, in metres, at which the arm takes a posture; corners and ends are always among \
+         them. Ours: the paper takes the points of its smoothed path.",
+)
+.slider(0.002, 0.1, true);
+pub(super) const ORIENTATION: Param<Orientation> = Param::choice(
+    "orientation",
+    "",
+    "Where the tool points",
+    &[
+        Choice { value: "free", title: "anywhere", help: "Whatever suits the arm best. Ours." },
+        Choice { value: "home", title: "as at home", help: "The tool keeps the orientation that it has in the home posture. Ours." },
+        Choice {
+            value: "random",
+            title: "at random",
+            help: "Turned by three random angles at every point, about z, then y, then x. Published: 2*(rand(1,3)-0.5), step 4.",
+        },
+    ],
+    &[Orientation::Free, Orientation::Home, Orientation::Random],
+    "How the tool is turned at each point of the path, which says only where its tip is.",
+);
+pub(super) const SPREAD: Param<f64> = Param::number(
+    "spread",
+    "\\varphi_{\\max}",
+    "Spread of the random angles",
+    [0.0, 3.2, 1.0],
+    "The random angles are uniform from minus to plus this, in radians. Published: 1.",
+)
+.when(ORIENTATION, "random")
+.slider(0.0, 1.0, false);
+pub(super) const NEAREST: Param<bool> = Param::choice(
+    "postures",
+    "",
+    "Which posture",
+    &[
+        Choice {
+            value: "smoothest",
+            title: "smoothest on the whole",
+            help: "Of all ways through all points’ postures the one whose joints turn most gently, among those that touch \
+                       nothing. Ours.",
+        },
+        Choice {
+            value: "nearest",
+            title: "nearest to the last",
+            help: "At each point the one nearest to that before (at the first: to home), one that touches nothing if there is any. \
+                       Published.",
+        },
+    ],
+    &[false, true],
+    "Most points can be reached in several postures.",
+);
+pub(super) const RADIUS: Param<f64> = Param::number(
+    "radius",
+    "r",
+    "Link radius",
+    [0.0, 0.5, 0.0],
+    "The links are that thick, in metres. Published: none, only the skeleton.",
+)
+.slider(0.0, 0.1, false);
+pub(super) const REPLACEMENT: Param<bool> = Param::flag(
+    "replacement",
+    "Replace points",
+    true,
+    "Whether a point without a posture is mirrored or drawn at random, [ARM-RRT] steps 4 and 6. Off: the motion ends there.",
+);
+pub(super) const TRIES: Param<u64> = Param::integer(
+    "tries",
+    "",
+    "Tries",
+    [0, 100_000, 1000],
+    "How often joints are drawn at random for a point without a posture before the motion ends there. The paper sets no limit.",
+)
+.when(REPLACEMENT, "true");
+pub(super) const SPEED: Param<f64> = Param::number(
+    "speed",
+    "\\kappa",
+    "Share of the joints’ speeds",
+    [0.001, 1.0, 1.0],
+    "How much of their speed limits the joints may use. Ours: the paper gives no speeds.",
+)
+.slider(0.05, 1.0, false);
+pub(super) const TOOL_SPEED: Param<f64> =
+    Param::number("tool_speed", "v_{\\max}", "Tool speed", [0.001, 100.0, 0.5], "How fast the tip goes at most, in metres a second. Ours.")
+        .slider(0.05, 5.0, true);
+pub(super) const RESOLUTION: Param<f64> = Param::number(
+    "resolution",
+    "\\varepsilon",
+    "Resolution of the collision test",
+    [0.000_01, 0.1, 0.001],
+    "Where there is less room than this, in metres, no point of a link goes farther between two tests. Where there is more, the \
+         test needs no samples and is exact.",
+)
+.slider(0.0001, 0.02, true);
+pub(super) const SEED: Param<u64> = Param::integer(
+    "seed",
+    "",
+    "Seed",
+    [0, crate::kernel::rng::MAX_SEED, 1],
+    "Of what is random: the tool’s angles, and joints drawn for points without a posture.",
+);
 
 /// The numbers of a row. Angles are degrees, lengths metres.
 pub(super) const COLUMNS: &[Column] = &[

@@ -1,6 +1,9 @@
 use std::sync::Arc;
 
-use super::*;
+use super::{
+    parameters::{SPEED, TOOL_SPEED},
+    *,
+};
 use crate::{
     arm::{ArmScene, Posture, radians},
     geometry::Cuboid,
@@ -80,7 +83,7 @@ fn check(scene: &Scene, path: &[[f64; 3]], motion: &Motion) {
             assert!((joint.min - 1e-9..=joint.max + 1e-9).contains(&joints[5 + i]), "joint {} is {}", i + 1, joints[5 + i]);
         }
     }
-    let (speed, tool) = (motion.settings.number("speed"), motion.settings.number("tool_speed"));
+    let (speed, tool) = (motion.settings[SPEED], motion.settings[TOOL_SPEED]);
     let (mut step, mut length) = (0.0_f64, 0.0);
     for pair in rows.windows(2) {
         let seconds = pair[1][0] - pair[0][0];
@@ -255,7 +258,7 @@ fn the_tool_keeps_its_orientation_or_turns_at_random() {
 fn every_parameter_has_both_its_ends() {
     let scene = shipped("arm-cuboid").unwrap();
     let path = [[0.9, 0.7, 0.3], [0.8, 0.5, 0.3]];
-    for parameter in MOTION.parameters {
+    for parameter in MOTION.parameters.iter().copied().flatten() {
         let values: Vec<Value> = match parameter.domain {
             Domain::Number { min, max, .. } => vec![min.into(), max.into()],
             Domain::Integer { min, max, .. } => vec![(min as f64).into(), (max as f64).into()],
@@ -268,7 +271,7 @@ fn every_parameter_has_both_its_ends() {
             let mut pairs = vec![(parameter.name, value.clone())];
             pairs.extend(parameter.when.map(|when| (when.parameter, Value::from(when.value))));
             let motion = follow(&scene, &path, &pairs);
-            let (outcome, off) = (&motion.outcome, 0.01_f64.max(motion.settings.number("spacing")));
+            let (outcome, off) = (&motion.outcome, 0.01_f64.max(motion.settings[SPACING]));
             // What does not arrive, or leaves the path, says so; nothing else does.
             let told = !outcome.arrived || outcome.max_error > off;
             assert!(outcome.time.is_finite() && told == outcome.trouble.is_some(), "{} = {value}: {outcome:?}", parameter.name);

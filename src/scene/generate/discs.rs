@@ -5,21 +5,23 @@ use std::sync::Arc;
 use crate::{
     geometry::{Bounds, Disc},
     kernel::rng::Stream,
-    params::{Parameter, Settings},
+    params::{Param, Settings},
     scene::{DiscsScene, MAX_DISCS, discs},
 };
 
 use super::plot::{Draw, Generator, Made};
 
+const COUNT: Param<u64> = Param::integer("discs", "", "Discs", [0, MAX_DISCS as u64, 14], "How many.").slider(0.0, 50.0, false);
+const SIDE: Param<f64> =
+    Param::number("side", "", "Side", [0.001, 1_000_000.0, 10.0], "Coordinates go from 0 to this.").slider(1.0, 100.0, true);
+const RADIUS: Param<f64> =
+    Param::number("radius", "", "Largest radius", [0.001, 0.5, 0.15], "As a share of the side; the smallest is a third of it.");
+
 pub(super) const DISCS: Generator = Generator {
     name: "discs",
     title: "Random discs",
     help: "Discs in a square that do not touch, and a path from corner to corner.",
-    parameters: &[
-        Parameter::integer("discs", "", "Discs", [0, MAX_DISCS as u64, 14], "How many.").slider(0.0, 50.0, false),
-        Parameter::number("side", "", "Side", [0.001, 1_000_000.0, 10.0], "Coordinates go from 0 to this.").slider(1.0, 100.0, true),
-        Parameter::number("radius", "", "Largest radius", [0.001, 0.5, 0.15], "As a share of the side; the smallest is a third of it."),
-    ],
+    parameters: &[&[COUNT.entry(), SIDE.entry(), RADIUS.entry()]],
     draw: Draw::Other(&discs::KIND, draw),
 };
 
@@ -31,8 +33,8 @@ const DIGITS: f64 = 1000.0;
 const GAP: f64 = 0.005;
 
 fn draw(settings: &Settings, stream: &mut Stream) -> Made {
-    let [side, largest] = ["side", "radius"].map(|name| settings.number(name));
-    let count = settings.integer("discs") as usize;
+    let [side, largest] = [SIDE, RADIUS].map(|length| settings[length]);
+    let count = settings[COUNT] as usize;
     let (start, goal) = ([0.0; 2], [side; 2]);
     let mut discs: Vec<Disc> = Vec::new();
     for _ in 0..count {

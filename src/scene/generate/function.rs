@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     kernel::rng::Stream,
-    params::{Choice, Parameter, Settings},
+    params::{Choice, Param, ParamValue, Settings},
     scene::{Function, FunctionScene, MAX_DIMENSION, function},
 };
 
@@ -14,27 +14,31 @@ const fn choice(function: Function, title: &'static str) -> Choice {
     Choice { value: function.name(), title, help: "" }
 }
 
+impl ParamValue for Function {}
+
+const FUNCTION: Param<Function> = Param::choice(
+    "function",
+    "",
+    "Function",
+    &[
+        choice(Function::Sphere, "Sphere"),
+        choice(Function::Rosenbrock, "Rosenbrock"),
+        choice(Function::Ackley, "Ackley"),
+        choice(Function::Rastrigin, "Rastrigin"),
+        choice(Function::Matyas, "Matyas"),
+        choice(Function::EggCrate, "Egg crate"),
+    ],
+    &[Function::Sphere, Function::Rosenbrock, Function::Ackley, Function::Rastrigin, Function::Matyas, Function::EggCrate],
+    "Which function.",
+);
+const DIMENSION: Param<u64> =
+    Param::integer("dimension", "D", "Dimension", [1, MAX_DIMENSION as u64, 2], "How many variables.").slider(1.0, 30.0, false);
+
 pub(super) const SHIFTED: Generator = Generator {
     name: "shifted",
     title: "Shifted function",
     help: "A test function whose minimum is not in the middle.",
-    parameters: &[
-        Parameter::choice(
-            "function",
-            "",
-            "Function",
-            &[
-                choice(Function::Sphere, "Sphere"),
-                choice(Function::Rosenbrock, "Rosenbrock"),
-                choice(Function::Ackley, "Ackley"),
-                choice(Function::Rastrigin, "Rastrigin"),
-                choice(Function::Matyas, "Matyas"),
-                choice(Function::EggCrate, "Egg crate"),
-            ],
-            "Which function.",
-        ),
-        Parameter::integer("dimension", "D", "Dimension", [1, MAX_DIMENSION as u64, 2], "How many variables.").slider(1.0, 30.0, false),
-    ],
+    parameters: &[&[FUNCTION.entry(), DIMENSION.entry()]],
     draw: Draw::Other(&function::KIND, draw),
 };
 
@@ -42,8 +46,8 @@ pub(super) const SHIFTED: Generator = Generator {
 const REACH: f64 = 0.6;
 
 fn draw(settings: &Settings, stream: &mut Stream) -> Made {
-    let function = Function::ALL.into_iter().find(|function| function.name() == settings.choice("function")).unwrap_or(Function::Sphere);
-    let dimension = settings.integer("dimension") as usize;
+    let function = settings[FUNCTION];
+    let dimension = settings[DIMENSION] as usize;
     let reach = REACH * (function.half_side() - function.minimiser());
     let shift = (0..dimension).map(|_| stream.between(-reach, reach)).collect();
     let size = format!("{}-{dimension}", function.name());

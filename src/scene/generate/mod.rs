@@ -29,7 +29,7 @@ use super::{GridScene, Header, Scene};
 
 use moving::MOVING;
 
-use plot::{Draw, Plot};
+use plot::{CELL, COLUMNS, Draw, Plot, ROWS, STOPS};
 
 pub use calls::with_stops;
 pub use plot::Generator;
@@ -80,8 +80,8 @@ pub fn generate(name: &str, given: &Given, seed: u64) -> Result<Scene, Error> {
     };
     let mut source = format!("forage generate {name}");
     // Where nothing moves, the command is the one that it was before anything did.
-    let moves = settings.number(MOVING.name) > 0.0;
-    for (name, value) in settings.all().iter().filter(|(name, _)| moves || !name.starts_with(MOVING.name)) {
+    let moves = matches!(generator.draw, Draw::Other(..)) || settings[MOVING] > 0;
+    for (name, value) in settings.all().iter().filter(|(name, _)| moves || !name.starts_with(MOVING.name())) {
         // Writing to a string cannot fail.
         let _ = write!(source, " --set {name}={value}");
     }
@@ -105,11 +105,11 @@ fn grid(
     seed: u64,
     note: &mut Option<String>,
 ) -> GridScene {
-    let [columns, rows, stops, moving] = ["columns", "rows", "stops", "moving"].map(|name| settings.integer(name) as usize);
+    let [columns, rows, stops, moving] = [COLUMNS, ROWS, STOPS, MOVING].map(|count| settings[count] as usize);
     let count = columns * rows;
     let mut plot = Plot { columns, rows, blocked: vec![false; count], kept: vec![false; count], ends: [0, count - 1], note: None };
     draw(settings, &mut plot, stream);
-    let cell = settings.number("cell");
+    let cell = settings[CELL];
     let [start, goal] = plot.ends.map(|end| Some([end % columns, end / columns].map(|i| (i as f64 + 0.5) * cell)));
     let mut grid = GridScene { start, goal, ..GridScene::new(cell, columns, plot.blocked) };
     let mut notes: Vec<_> = plot.note.into_iter().collect();

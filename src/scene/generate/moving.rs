@@ -6,11 +6,13 @@ use std::f64::consts::TAU;
 use crate::{
     kernel::rng::Stream,
     math,
-    params::{Parameter, Settings},
+    params::{Param, Parameter, Settings},
     scene::{GridScene, Moving, Robot},
 };
 
-pub(super) const MOVING: Parameter = Parameter::integer(
+use super::plot::STOPS;
+
+pub(super) const MOVING: Param<u64> = Param::integer(
     "moving",
     "",
     "Moving obstacles",
@@ -20,7 +22,7 @@ pub(super) const MOVING: Parameter = Parameter::integer(
 )
 .slider(0.0, 20.0, false);
 
-pub(super) const MOVING_SPEED: Parameter = Parameter::number(
+pub(super) const MOVING_SPEED: Param<f64> = Param::number(
     "moving_speed",
     "",
     "Their speed",
@@ -29,7 +31,7 @@ pub(super) const MOVING_SPEED: Parameter = Parameter::number(
 )
 .slider(0.0, 3.0, false);
 
-pub(super) const MOVING_RADIUS: Parameter = Parameter::number(
+pub(super) const MOVING_RADIUS: Param<f64> = Param::number(
     "moving_radius",
     "",
     "Their radius",
@@ -37,6 +39,9 @@ pub(super) const MOVING_RADIUS: Parameter = Parameter::number(
     "How large the largest may be, in cells; none is smaller than a quarter of that.",
 )
 .slider(0.1, 3.0, true);
+
+/// What can be put on a grid once it is drawn: the last parameters of every generator of grids.
+pub(super) const STOPS_AND_MOVING: &[Parameter] = &[STOPS.entry(), MOVING.entry(), MOVING_SPEED.entry(), MOVING_RADIUS.entry()];
 
 /// The least speed and radius, as a share of the greatest.
 const LEAST: f64 = 0.25;
@@ -49,7 +54,7 @@ const TRIES: usize = 1000;
 
 /// Puts up to as many discs on a grid as the settings say, and a robot that meets them; returns how many there was room for.
 pub(super) fn place(grid: &mut GridScene, settings: &Settings, stream: &mut Stream) -> usize {
-    let [fastest, largest] = ["moving_speed", "moving_radius"].map(|name| settings.number(name) * grid.cell);
+    let [fastest, largest] = [MOVING_SPEED, MOVING_RADIUS].map(|most| settings[most] * grid.cell);
     let max = grid.bounds().max;
     let clear = |disc: &Moving| {
         let apart = disc.radius + APART * grid.cell;
@@ -60,7 +65,7 @@ pub(super) fn place(grid: &mut GridScene, settings: &Settings, stream: &mut Stre
     };
     // The whole disc is drawn anew: where there is little room small ones find it. Where one finds none, nor will the others.
     let one = |stream: &mut Stream| (0..TRIES).map(|_| disc(max, fastest, largest, stream)).find(clear);
-    grid.moving = (0..settings.integer("moving")).map_while(|_| one(stream)).collect();
+    grid.moving = (0..settings[MOVING]).map_while(|_| one(stream)).collect();
     grid.robot.get_or_insert(Robot { speed: Some(grid.cell), turn_time: Some(1.0), ..Robot::default() });
     grid.moving.len()
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     describe::SceneKind,
     kernel::{SceneBody, SceneKindId, rng::Stream},
-    params::{Parameter, Settings},
+    params::{Param, Parameter, Settings},
     scene::{MAX_GRID_STOPS, MAX_SIDE, grid},
 };
 
@@ -19,7 +19,7 @@ pub struct Generator {
     /// A sentence or two.
     pub help: &'static str,
     /// Its parameters; every generator of grids has `columns`, `rows`, `cell` and, last, `stops` and those of moving obstacles.
-    pub parameters: &'static [Parameter],
+    pub parameters: &'static [&'static [Parameter]],
     pub(super) draw: Draw,
 }
 
@@ -56,14 +56,15 @@ pub(super) struct Made {
     pub(super) note: Option<String>,
 }
 
-pub(super) const COLUMNS: Parameter = columns(40);
+pub(super) const COLUMNS: Param<u64> =
+    Param::integer("columns", "", "Columns", [1, MAX_SIDE as u64, 40], "Cells a row.").slider(5.0, 200.0, true);
 
-pub(super) const ROWS: Parameter = rows(30);
+pub(super) const ROWS: Param<u64> = Param::integer("rows", "", "Rows", [1, MAX_SIDE as u64, 30], "Rows of cells.").slider(5.0, 200.0, true);
 
-pub(super) const CELL: Parameter =
-    Parameter::number("cell", "", "Cell", [0.001, 100.0, 1.0], "The side of a cell, in the scene’s unit.").slider(0.1, 10.0, true);
+pub(super) const CELL: Param<f64> =
+    Param::number("cell", "", "Cell", [0.001, 100.0, 1.0], "The side of a cell, in the scene’s unit.").slider(0.1, 10.0, true);
 
-pub(super) const STOPS: Parameter = Parameter::integer(
+pub(super) const STOPS: Param<u64> = Param::integer(
     "stops",
     "",
     "Stops",
@@ -71,14 +72,6 @@ pub(super) const STOPS: Parameter = Parameter::integer(
     "How many cells a tour must call at, besides start and goal: free ones that the start is connected with.",
 )
 .slider(0.0, 50.0, false);
-
-pub(super) const fn columns(default: u64) -> Parameter {
-    Parameter::integer("columns", "", "Columns", [1, MAX_SIDE as u64, default], "Cells a row.").slider(5.0, 200.0, true)
-}
-
-pub(super) const fn rows(default: u64) -> Parameter {
-    Parameter::integer("rows", "", "Rows", [1, MAX_SIDE as u64, default], "Rows of cells.").slider(5.0, 200.0, true)
-}
 
 /// A grid in the making.
 pub(super) struct Plot {

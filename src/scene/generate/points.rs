@@ -5,39 +5,44 @@ use std::sync::Arc;
 use crate::{
     exact::Metric,
     kernel::rng::Stream,
-    params::{Choice, Parameter, Settings},
+    params::{Choice, Param, ParamValue, Settings},
     scene::{MAX_STOPS, TourScene, tour},
 };
 
 use super::plot::{Draw, Generator, Made};
 
+impl ParamValue for Metric {}
+
+const COUNT: Param<u64> = Param::integer("stops", "", "Stops", [2, MAX_STOPS as u64, 52], "How many.").slider(5.0, 300.0, true);
+const SIDE: Param<u64> =
+    Param::integer("side", "", "Side", [10, 1_000_000, 1000], "Coordinates go from 0 to this.").slider(100.0, 10000.0, true);
+const CLUSTERS: Param<u64> =
+    Param::integer("clusters", "", "Clusters", [0, 100, 0], "How many clusters; 0: none, the stops are spread evenly.")
+        .slider(0.0, 20.0, false);
+const SPREAD: Param<f64> = Param::number(
+    "spread",
+    "",
+    "Spread",
+    [0.001, 1.0, 0.05],
+    "How far a cluster spreads: the standard deviation from its centre along each axis, as a share of the side.",
+);
+const METRIC: Param<Metric> = Param::choice(
+    "metric",
+    "",
+    "Metric",
+    &[
+        Choice { value: "euc-2d", title: "EUC_2D", help: "Straight lines, rounded to whole numbers, as TSPLIB measures." },
+        Choice { value: "euclidean", title: "Euclidean", help: "Straight lines, unrounded." },
+    ],
+    &[Metric::Euc2d, Metric::Euclidean],
+    "How far it is from one stop to another.",
+);
+
 pub(super) const STOPS: Generator = Generator {
     name: "stops",
     title: "Random stops",
     help: "Stops in a square, with whole coordinates, each in a place of its own where there is room; evenly, or in clusters.",
-    parameters: &[
-        Parameter::integer("stops", "", "Stops", [2, MAX_STOPS as u64, 52], "How many.").slider(5.0, 300.0, true),
-        Parameter::integer("side", "", "Side", [10, 1_000_000, 1000], "Coordinates go from 0 to this.").slider(100.0, 10000.0, true),
-        Parameter::integer("clusters", "", "Clusters", [0, 100, 0], "How many clusters; 0: none, the stops are spread evenly.")
-            .slider(0.0, 20.0, false),
-        Parameter::number(
-            "spread",
-            "",
-            "Spread",
-            [0.001, 1.0, 0.05],
-            "How far a cluster spreads: the standard deviation from its centre along each axis, as a share of the side.",
-        ),
-        Parameter::choice(
-            "metric",
-            "",
-            "Metric",
-            &[
-                Choice { value: "euc-2d", title: "EUC_2D", help: "Straight lines, rounded to whole numbers, as TSPLIB measures." },
-                Choice { value: "euclidean", title: "Euclidean", help: "Straight lines, unrounded." },
-            ],
-            "How far it is from one stop to another.",
-        ),
-    ],
+    parameters: &[&[COUNT.entry(), SIDE.entry(), CLUSTERS.entry(), SPREAD.entry(), METRIC.entry()]],
     draw: Draw::Other(&tour::KIND, draw),
 };
 
@@ -45,12 +50,12 @@ pub(super) const STOPS: Generator = Generator {
 const TRIES: usize = 100;
 
 fn draw(settings: &Settings, stream: &mut Stream) -> Made {
-    let side = settings.integer("side") as f64;
-    let spread = settings.number("spread") * side;
+    let side = settings[SIDE] as f64;
+    let spread = settings[SPREAD] * side;
     let even = |stream: &mut Stream| stream.below(side as usize + 1) as f64;
-    let centres: Vec<_> = (0..settings.integer("clusters")).map(|_| [even(stream), even(stream)]).collect();
+    let centres: Vec<_> = (0..settings[CLUSTERS]).map(|_| [even(stream), even(stream)]).collect();
     let mut points: Vec<[f64; 2]> = Vec::new();
-    for _ in 0..settings.integer("stops") {
+    for _ in 0..settings[COUNT] {
         let mut place = [0.0; 2];
         for _ in 0..TRIES {
             place = if centres.is_empty() {
@@ -65,7 +70,6 @@ fn draw(settings: &Settings, stream: &mut Stream) -> Made {
         }
         points.push(place.map(|c| c.clamp(0.0, side)));
     }
-    let metric = if settings.choice("metric") == Metric::Euc2d.name() { Metric::Euc2d } else { Metric::Euclidean };
     let size = points.len().to_string();
-    Made { body: Arc::new(TourScene::through(points, metric)), size, note: None }
+    Made { body: Arc::new(TourScene::through(points, settings[METRIC])), size, note: None }
 }

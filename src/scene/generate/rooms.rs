@@ -2,43 +2,24 @@
 
 use crate::{
     kernel::rng::Stream,
-    params::{Parameter, Settings},
+    params::{Param, Settings},
     scene::{MAX_SIDE, reach::beside},
 };
 
 use super::{
-    moving::{MOVING, MOVING_RADIUS, MOVING_SPEED},
-    plot::{CELL, COLUMNS, Draw, Generator, Plot, ROWS, STOPS, columns, rows},
+    moving::STOPS_AND_MOVING,
+    plot::{CELL, COLUMNS, Draw, Generator, Plot, ROWS},
 };
 
 pub(super) const ROOMS: Generator = Generator {
     name: "rooms",
     title: "Rooms",
     help: "Rooms behind walls one cell thick, with doors: at least as many as it takes to come from each room to each other.",
-    parameters: &[
-        COLUMNS,
-        ROWS,
-        CELL,
-        Parameter::integer(
-            "room",
-            "",
-            "Room",
-            [1, MAX_SIDE as u64, 7],
-            "About how many cells a room has along each side; more where the grid does not divide evenly.",
-        )
-        .slider(1.0, 30.0, false),
-        Parameter::integer("door", "", "Door", [1, MAX_SIDE as u64, 1], "How many cells wide a door is, where the wall is long enough.")
-            .slider(1.0, 10.0, false),
-        Parameter::number("loops", "", "Loops", [0.0, 1.0, 0.3], LOOPS),
-        STOPS,
-        MOVING,
-        MOVING_SPEED,
-        MOVING_RADIUS,
-    ],
+    parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), ROOM.entry(), DOOR.entry(), LOOPS.entry()], STOPS_AND_MOVING],
     draw: Draw::Grid(|settings, plot, stream| {
-        let room = settings.integer("room") as usize;
+        let room = settings[ROOM] as usize;
         let spans = [plot.columns, plot.rows].map(|length| spans(length, room, stream));
-        plot.open(&spans, settings, settings.integer("door") as usize, stream);
+        plot.open(&spans, settings, settings[DOOR] as usize, stream);
     }),
 };
 
@@ -48,14 +29,8 @@ pub(super) const MAZE: Generator = Generator {
     help: "Corridors and walls one cell wide; without loops there is exactly one way between any two cells. In an even number of \
            columns or rows the last one is wall.",
     parameters: &[
-        columns(41),
-        rows(31),
-        CELL,
-        Parameter::number("loops", "", "Loops", [0.0, 1.0, 0.0], LOOPS),
-        STOPS,
-        MOVING,
-        MOVING_SPEED,
-        MOVING_RADIUS,
+        &[COLUMNS.default_to(41).entry(), ROWS.default_to(31).entry(), CELL.entry(), LOOPS.default_to(0.0).entry()],
+        STOPS_AND_MOVING,
     ],
     draw: Draw::Grid(|settings, plot, stream| {
         // What an even side has too much stays blocked.
@@ -64,7 +39,24 @@ pub(super) const MAZE: Generator = Generator {
     }),
 };
 
-const LOOPS: &str = "The chance of a door in each wall that does not need one; 0: one way only between any two rooms.";
+const ROOM: Param<u64> = Param::integer(
+    "room",
+    "",
+    "Room",
+    [1, MAX_SIDE as u64, 7],
+    "About how many cells a room has along each side; more where the grid does not divide evenly.",
+)
+.slider(1.0, 30.0, false);
+const DOOR: Param<u64> =
+    Param::integer("door", "", "Door", [1, MAX_SIDE as u64, 1], "How many cells wide a door is, where the wall is long enough.")
+        .slider(1.0, 10.0, false);
+const LOOPS: Param<f64> = Param::number(
+    "loops",
+    "",
+    "Loops",
+    [0.0, 1.0, 0.3],
+    "The chance of a door in each wall that does not need one; 0: one way only between any two rooms.",
+);
 
 /// First cell, and the wall after the last, of each room along an axis. Rooms have about `room` cells, half of them at least.
 fn spans(length: usize, room: usize, stream: &mut Stream) -> Vec<[usize; 2]> {
@@ -90,7 +82,7 @@ impl Plot {
             self.clear([left, right], [top, bottom]);
             self.ends[1] = (bottom - 1) * self.columns + right - 1;
         }
-        let loops = settings.number("loops");
+        let loops = settings[LOOPS];
         for (wall, needed) in tree(columns, down.len(), stream).into_iter().enumerate() {
             let (room, below) = (wall / 2, wall % 2 == 1);
             let ([left, right], [top, bottom]) = place(room);

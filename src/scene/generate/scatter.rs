@@ -7,25 +7,28 @@
 
 use crate::{
     kernel::rng::Stream,
-    params::{Parameter, Settings},
+    params::{Param, Settings},
     scene::reach::{beside, crossing},
 };
 
 use super::{
-    moving::{MOVING, MOVING_RADIUS, MOVING_SPEED},
-    plot::{CELL, COLUMNS, Draw, Generator, Plot, ROWS, STOPS},
+    moving::STOPS_AND_MOVING,
+    plot::{CELL, COLUMNS, Draw, Generator, Plot, ROWS},
 };
 
-const SHARE: Parameter = Parameter::number("share", "", "Share", [0.0, 1.0, 0.3], "How much of the grid is blocked.");
+const SHARE: Param<f64> = Param::number("share", "", "Share", [0.0, 1.0, 0.3], "How much of the grid is blocked.");
+const SIZE: Param<u64> =
+    Param::integer("size", "", "Largest heap", [1, 1000, 7], "Heaps are 1 to this many cells across, more or less round.")
+        .slider(1.0, 30.0, false);
 
 pub(super) const RANDOM: Generator = Generator {
     name: "random",
     title: "Random obstacles",
     help: "Single cells, each as likely as the others, until the share is blocked. Where that would leave no way, one is cleared \
            and as many other cells are blocked.",
-    parameters: &[COLUMNS, ROWS, CELL, SHARE, STOPS, MOVING, MOVING_SPEED, MOVING_RADIUS],
+    parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), SHARE.entry()], STOPS_AND_MOVING],
     draw: Draw::Grid(|settings, plot, stream| {
-        plot.scatter(settings.number("share"), stream, &mut |plot, stream, count| {
+        plot.scatter(settings[SHARE], stream, &mut |plot, stream, count| {
             let mut free = plot.free();
             for _ in 0..count {
                 plot.blocked[free.swap_remove(stream.below(free.len()))] = true;
@@ -38,24 +41,13 @@ pub(super) const RUBBLE: Generator = Generator {
     name: "rubble",
     title: "Rubble",
     help: "Heaps of different sizes, each grown from a cell at random, until the share is blocked.",
-    parameters: &[
-        COLUMNS,
-        ROWS,
-        CELL,
-        SHARE,
-        Parameter::integer("size", "", "Largest heap", [1, 1000, 7], "Heaps are 1 to this many cells across, more or less round.")
-            .slider(1.0, 30.0, false),
-        STOPS,
-        MOVING,
-        MOVING_SPEED,
-        MOVING_RADIUS,
-    ],
+    parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), SHARE.entry(), SIZE.entry()], STOPS_AND_MOVING],
     draw: Draw::Grid(rubble),
 };
 
 fn rubble(settings: &Settings, plot: &mut Plot, stream: &mut Stream) {
-    let largest = settings.integer("size") as usize;
-    plot.scatter(settings.number("share"), stream, &mut |plot, stream, mut count| {
+    let largest = settings[SIZE] as usize;
+    plot.scatter(settings[SHARE], stream, &mut |plot, stream, mut count| {
         let mut free = plot.free();
         while count > 0 && !free.is_empty() {
             let across = 1 + stream.below(largest);

@@ -40,7 +40,7 @@ fn start_and_goal_are_connected_whatever_the_size_the_seed_and_the_parameters() 
         for seed in 0..60 {
             let mut stream = Stream::new(seed, 9);
             let mut values = given(&[("columns", 1.0 + stream.below(40) as f64), ("rows", 1.0 + stream.below(40) as f64)]);
-            for parameter in &generator.parameters[2..] {
+            for parameter in generator.parameters.iter().copied().flatten().skip(2) {
                 let value = match parameter.domain {
                     Domain::Number { min, max, .. } => stream.between(min, max),
                     Domain::Integer { min, max, .. } => (min + stream.below(max.min(12) as usize) as u64) as f64,
@@ -151,7 +151,7 @@ fn what_is_not_allowed_is_refused_by_name() {
         assert_eq!(generate(name, &given(pairs), seed).unwrap_err().field(), field);
     }
     for generator in GENERATORS {
-        let names: Vec<_> = generator.parameters.iter().map(|p| p.name).collect();
+        let names: Vec<_> = generator.parameters.iter().copied().flatten().map(|p| p.name).collect();
         assert_eq!(names[..3], ["columns", "rows", "cell"]);
         assert_eq!(names[names.len() - 4..], ["stops", "moving", "moving_speed", "moving_radius"]);
         assert_eq!(find(generator.name).unwrap().name, generator.name);

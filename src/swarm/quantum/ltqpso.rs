@@ -2,13 +2,13 @@
 
 use crate::{
     describe::{Entry, Formula},
-    params::{Choice, Parameter, Settings},
+    params::{Choice, Param, Settings},
     swarm::{
-        encoding::with_paths,
         parameters::{
             BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, PARTICLES, PERSONAL_BESTS, SMOOTHED,
             SMOOTHNESS, SPREAD,
         },
+        paths::{CHARGED, ENCODED},
     },
 };
 
@@ -44,8 +44,8 @@ const DISPERSION: Formula = Formula::of_item(
     "gs = \\frac{@sigma_p@}{@sigma_x@} \\;\\to\\; @gs@",
 );
 
-const EVOLVE: Parameter = Parameter::flag("evolution", "Evolution speed", true, "Whether ip scales the pull, (5) and (7). Off: ip = 1.");
-const DISPERSE: Parameter = Parameter::choice(
+const EVOLVE: Param<bool> = Param::flag("evolution", "Evolution speed", true, "Whether ip scales the pull, (5) and (7). Off: ip = 1.");
+const MOST_DISPERSION: Param<Option<f64>> = Param::choice(
     "dispersion",
     "",
     "Dispersion",
@@ -54,18 +54,14 @@ const DISPERSE: Parameter = Parameter::choice(
         Choice { value: "uncapped", title: "As printed", help: "gs of (6); it may exceed 1." },
         Choice { value: "off", title: "Off", help: "gs = 1." },
     ],
+    &[Some(1.0), Some(f64::INFINITY), None],
     "How gs of (6) scales the leap.",
 );
-const SELECT: Parameter = Parameter::flag("selection", "Natural selection", true, "Whether the better half replaces the worse.");
+const SELECT: Param<bool> = Param::flag("selection", "Natural selection", true, "Whether the better half replaces the worse.");
 
 /// The parts that are switched on.
 pub(super) fn adaptation(settings: &Settings) -> Adaptation {
-    let most_dispersion = match settings.choice("dispersion") {
-        "capped" => Some(1.0),
-        "uncapped" => Some(f64::INFINITY),
-        _ => None,
-    };
-    Adaptation { evolution: settings.flag("evolution"), most_dispersion, selection: settings.flag("selection") }
+    Adaptation { evolution: settings[EVOLVE], most_dispersion: settings[MOST_DISPERSION], selection: settings[SELECT] }
 }
 
 /// See the module.
@@ -76,7 +72,21 @@ pub const ENTRY: Entry = Entry {
     source: "[LTQPSO] §2.2",
     summary: "A quantum swarm whose pull follows each particle’s evolution speed and whose leaps follow the swarm’s dispersion; the better half then takes the worse half’s places.",
     kinds: KINDS,
-    parameters: with_paths![POPULATION, ITERATIONS, ALPHA_START, ALPHA_END, C1, C2, EVOLVE, DISPERSE, SELECT],
+    parameters: &[
+        &[
+            POPULATION.entry(),
+            ITERATIONS.entry(),
+            ALPHA_START.entry(),
+            ALPHA_END.entry(),
+            C1.entry(),
+            C2.entry(),
+            EVOLVE.entry(),
+            MOST_DISPERSION.entry(),
+            SELECT.entry(),
+        ],
+        ENCODED,
+        CHARGED,
+    ],
     readings: &[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS],
     formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN],
     layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, SELECTED_LAYER, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],

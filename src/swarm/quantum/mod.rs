@@ -26,6 +26,8 @@ use super::{
     tell,
 };
 
+use parameters::{ALPHA_END, ALPHA_START, C1, C2, POPULATION};
+
 /// What `ltqpso` adds to the leap. Each part can be switched off.
 #[derive(Debug, Clone, Copy)]
 struct Adaptation {
@@ -40,7 +42,7 @@ struct Adaptation {
 /// Starts a quantum swarm on whatever kind of scene it is given.
 fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: Option<Adaptation>) -> Result<Started, Error> {
     let mut rng = Stream::new(seed, 0);
-    let population = Population::new(encoding::objective(scene, settings)?, settings.integer("population") as usize, &mut rng);
+    let population = Population::new(encoding::objective(scene, settings)?, settings[POPULATION] as usize, &mut rng);
     Ok(super::started(Quantum::new(population, settings, rng, adaptive), settings))
 }
 
@@ -102,10 +104,10 @@ impl Quantum {
     fn new(population: Population, settings: &Settings, rng: Stream, adaptive: Option<Adaptation>) -> Self {
         let (size, dimension) = (population.size, population.dimension);
         let mut swarm = Self {
-            c: [settings.number("c1"), settings.number("c2")],
-            alpha: Law::Linear(settings.number("alpha_start"), settings.number("alpha_end")),
+            c: [settings[C1], settings[C2]],
+            alpha: Law::Linear(settings[ALPHA_START], settings[ALPHA_END]),
             adaptive,
-            width: settings.number("alpha_start"),
+            width: settings[ALPHA_START],
             ip: vec![1.0; size],
             gs: vec![1.0; dimension],
             m: vec![0.0; dimension],

@@ -4,12 +4,15 @@ use crate::{
     describe::{Formula, Group, Layer, Reading, Suggestion},
     kernel::Role,
     math,
-    params::{Fixed, Parameter, Settings},
+    params::{Fixed, Param, Settings},
     scene::{DISCS, FUNCTION, GRID},
-    swarm::parameters::schedule,
+    swarm::{
+        parameters::schedule,
+        paths::{Angles, ENCODING, Encoding, INITIAL, SEGMENTS},
+    },
 };
 
-pub(super) const POPULATION: Parameter = Parameter::integer(
+pub(super) const POPULATION: Param<u64> = Param::integer(
     "population",
     "N",
     "Population",
@@ -18,7 +21,7 @@ pub(super) const POPULATION: Parameter = Parameter::integer(
 )
 .defaults_on(&[(FUNCTION, Fixed::Number(20.0)), (DISCS, Fixed::Number(150.0)), (GRID, Fixed::Number(30.0))])
 .slider(2.0, 2000.0, true);
-pub(super) const ITERATIONS: Parameter = Parameter::integer(
+pub(super) const ITERATIONS: Param<u64> = Param::integer(
     "iterations",
     "k_{\\max}",
     "Iterations",
@@ -27,23 +30,23 @@ pub(super) const ITERATIONS: Parameter = Parameter::integer(
 )
 .defaults_on(&[(FUNCTION, Fixed::Number(100.0)), (GRID, Fixed::Number(50.0))])
 .slider(10.0, 5000.0, true);
-pub(super) const ALPHA_START: Parameter = Parameter::number(
+pub(super) const ALPHA_START: Param<f64> = Param::number(
     "alpha_start",
     "\\alpha_0",
     "Width at the start",
     [0.0, 3.0, 1.0],
     "The contraction–expansion coefficient α falls from here: the wider, the farther the leaps.",
 );
-pub(super) const ALPHA_END: Parameter =
-    Parameter::number("alpha_end", "\\alpha_{\\max}", "Width at the end", [0.0, 3.0, 0.5], "The coefficient α falls to here.");
-pub(super) const C1: Parameter = Parameter::number(
+pub(super) const ALPHA_END: Param<f64> =
+    Param::number("alpha_end", "\\alpha_{\\max}", "Width at the end", [0.0, 3.0, 0.5], "The coefficient α falls to here.");
+pub(super) const C1: Param<f64> = Param::number(
     "c1",
     "c_1",
     "Cognitive coefficient",
     [0.001, 5.0, 2.0],
     "Beside c2 the larger, the nearer the attractor to the particle’s own best, (22).",
 );
-pub(super) const C2: Parameter = Parameter::number(
+pub(super) const C2: Param<f64> = Param::number(
     "c2",
     "c_2",
     "Social coefficient",
@@ -100,16 +103,18 @@ pub(super) const MEAN: Formula = Formula::of_item("mean", "[LTQPSO] (3, 8)", "Me
 
 /// What (10) and (11) recommend for D segments; the fits cover 5 ≤ D ≤ 20.
 pub(super) fn suggest(settings: &Settings) -> Option<Suggestion> {
-    let d = settings.integer("segments");
-    if settings.choice("encoding") != "polar" || !(5..=20).contains(&d) {
+    let d = settings[SEGMENTS];
+    if settings[ENCODING] != Encoding::Polar || !(5..=20).contains(&d) {
         return None;
     }
     let power = |factor: f64, exponent: f64| (factor * math::pow(d as f64, exponent)).round() as u64;
-    Some(match settings.choice("initial") {
-        "normal" => {
+    Some(match settings[INITIAL] {
+        Angles::Normal => {
             Suggestion { population: power(0.3161, 1.8376), iterations: power(0.1525, 2.3358), source: "[LTQPSO] (11), normal start" }
         }
-        _ => Suggestion { population: power(0.4321, 1.7292), iterations: power(0.2855, 2.2180), source: "[LTQPSO] (10), uniform start" },
+        Angles::Uniform => {
+            Suggestion { population: power(0.4321, 1.7292), iterations: power(0.2855, 2.2180), source: "[LTQPSO] (10), uniform start" }
+        }
     })
 }
 

@@ -3,11 +3,11 @@
 use crate::{
     describe::{Entry, Formula},
     swarm::{
-        encoding::with_paths,
         parameters::{
             BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, PARTICLES, PERSONAL_BESTS, SMOOTHED,
             SMOOTHNESS, SPREAD,
         },
+        paths::{CHARGED, ENCODED},
     },
 };
 
@@ -36,7 +36,11 @@ pub const ENTRY: Entry = Entry {
     source: "[LTQPSO] §2.1",
     summary: "No velocity: each particle leaps about a point between its own best and the swarm’s, the wider the farther it is from the mean of all bests.",
     kinds: KINDS,
-    parameters: with_paths![POPULATION, ITERATIONS, ALPHA_START, ALPHA_END, C1, C2],
+    parameters: &[
+        &[POPULATION.entry(), ITERATIONS.entry(), ALPHA_START.entry(), ALPHA_END.entry(), C1.entry(), C2.entry()],
+        ENCODED,
+        CHARGED,
+    ],
     readings: &[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS],
     formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, MEAN],
     layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],

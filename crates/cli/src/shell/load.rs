@@ -246,7 +246,7 @@ pub(super) fn in_setup(setup: &Setup, error: &Error) -> Failure {
     };
     if let Error::Unknown { field, value, .. } = error
         && field == "parameter"
-        && let Some(parameter) = entry.parameters.iter().find(|parameter| parameter.name == value)
+        && let Some(parameter) = entry.parameter(value)
     {
         let kinds: Vec<_> = parameter.kinds.iter().copied().map(SceneKindId::name).collect();
         let (kinds, found) = (kinds.join(" and "), setup.scene.kind().name());

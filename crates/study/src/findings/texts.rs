@@ -35,8 +35,7 @@ fn if_so(holds: bool, otherwise: Source) -> Source {
 /// A planner's default.
 fn default(planner: &str, name: &str, kind: SceneKindId) -> Result<f64, Error> {
     let entry = catalogue::find(planner)?;
-    let parameter = entry.parameters.iter().find(|parameter| parameter.name == name);
-    Ok(match parameter.map(|parameter| parameter.default_on(kind)) {
+    Ok(match entry.parameter(name).map(|parameter| parameter.default_on(kind)) {
         Some(Value::Number(number)) => number,
         _ => f64::NAN,
     })

@@ -229,7 +229,7 @@ fn variants(entry: &Entry, place: &str, params: &Table, iterations: Option<&Toml
     let mut settings = Vec::new();
     let mut count = 1_usize;
     for (name, field, value) in common.into_iter().chain(own) {
-        if let Some(parameter) = entry.parameters.iter().find(|parameter| parameter.name == name) {
+        if let Some(parameter) = entry.parameter(name) {
             let values = values(&field, value, field != "iterations")?;
             for (at, value) in values.iter().enumerate() {
                 let field = if value_is_alone(params.get(name)) { field.clone() } else { format!("{field}[{at}]") };
@@ -238,7 +238,7 @@ fn variants(entry: &Entry, place: &str, params: &Table, iterations: Option<&Toml
             count = count.saturating_mul(values.len());
             settings.push(Setting::new(column(names, name), values));
         } else {
-            return Err(Error::unknown(&format!("{place}.params"), name, entry.parameters.iter().map(|parameter| parameter.name)));
+            return Err(Error::unknown(&format!("{place}.params"), name, entry.all_parameters().map(|parameter| parameter.name)));
         }
     }
     Ok(Variants { planner: entry.name.to_owned(), settings, count })

@@ -74,10 +74,10 @@ impl Page {
         }
     }
 
-    fn parameters(&mut self, option: &str, parameters: &[Parameter], kinds: &[SceneKindId]) {
+    fn parameters(&mut self, option: &str, parameters: &[&[Parameter]], kinds: &[SceneKindId]) {
         self.heading(&format!("Parameters ({option} NAME=VALUE)"));
-        let width = parameters.iter().map(|parameter| parameter.name.len()).max().unwrap_or(0);
-        for parameter in parameters {
+        let width = parameters.iter().copied().flatten().map(|parameter| parameter.name.len()).max().unwrap_or(0);
+        for parameter in parameters.iter().copied().flatten() {
             let range = format!("{}; default {}", parameter.allowed(), defaults(parameter, kinds));
             let condition = parameter.when.map_or(String::new(), |when| format!("; only if {}={}", when.parameter, when.value));
             self.named(parameter.name, width, &format!("{range}{condition}"), parameter.help);

@@ -1,0 +1,256 @@
+//! Parameters declared once: what lists a parameter also reads it.
+
+use std::ops::Index;
+
+use crate::kernel::SceneKindId;
+
+use super::{Choice, Domain, Fixed, Parameter, Settings, When};
+
+/// A parameter and the type of its values: declared once, listed by [`Param::entry`], read by `settings[POPULATION]`.
+///
+/// It is read by name. So a planner may list a variant of a shared parameter (another default, another help text), and
+/// the code that planners share reads the shared one.
+///
+/// ```
+/// use forage::{Given, Value, kernel::SceneKindId, params::{Param, Parameter, Settings}};
+///
+/// const POPULATION: Param<u64> = Param::integer("population", "m", "Population", [1, 1000, 60], "How many particles.");
+/// const PARAMETERS: &[&[Parameter]] = &[&[POPULATION.default_to(20).entry()]];
+///
+/// assert_eq!(Settings::new(PARAMETERS, GRID, &Given::new())?[POPULATION], 20);
+/// let given = Given::from_iter([("population", Value::from(7.0))]);
+/// assert_eq!(Settings::new(PARAMETERS, GRID, &given)?[POPULATION], 7);
+/// # Ok::<(), forage::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Param<T: 'static> {
+    parameter: Parameter,
+    /// What the options of a choice mean. The first is also what it reads as where it is not listed.
+    meanings: &'static [T],
+}
+
+/// The values of a parameter that is any of a few options: text with commas between.
+#[derive(Debug, Clone, Copy)]
+pub enum Subset {}
+
+/// A type of parameter values: `f64`, `u64`, `bool`, `&'static str` for names, and what the options of a choice mean.
+pub trait ParamValue: Sized + 'static {
+    /// The value of a parameter: what its chosen option means, unless it is a number, a flag or a name.
+    fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
+        param.chosen(settings)
+    }
+}
+
+impl ParamValue for f64 {
+    fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
+        match param.parameter.domain {
+            Domain::Choice { .. } => param.chosen(settings),
+            _ => settings.number(param.parameter.name),
+        }
+    }
+}
+
+impl ParamValue for u64 {
+    fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
+        settings.whole(param.parameter.name)
+    }
+}
+
+impl ParamValue for bool {
+    fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
+        match param.parameter.domain {
+            Domain::Choice { .. } => param.chosen(settings),
+            _ => settings.flag(param.parameter.name),
+        }
+    }
+}
+
+impl ParamValue for &'static str {
+    fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
+        settings.option(&param.parameter).map_or(&"", |(_, option)| &option.value)
+    }
+}
+
+impl<T: 'static> ParamValue for Option<T> {}
+
+impl<T: ParamValue> Index<Param<T>> for Settings {
+    type Output = T;
+
+    /// The value of a parameter on this kind of scene. One that means nothing there, or that the list has not, is NaN, 0,
+    /// false, the empty text or what the first option means; in debug builds reading one that the list has not fails.
+    #[inline]
+    fn index(&self, param: Param<T>) -> &T {
+        T::read(self, &param)
+    }
+}
+
+impl Index<Param<Subset>> for Settings {
+    type Output = str;
+
+    fn index(&self, param: Param<Subset>) -> &str {
+        self.text(param.parameter.name)
+    }
+}
+
+impl<T> Param<T> {
+    const fn new(
+        name: &'static str,
+        symbol: &'static str,
+        title: &'static str,
+        domain: Domain,
+        meanings: &'static [T],
+        help: &'static str,
+    ) -> Self {
+        let (kinds, defaults, when, slider) = (&[] as &[_], &[] as &[_], None, None);
+        let parameter = Parameter { name, symbol, title, help, domain, kinds, defaults, when, slider, logarithmic: false };
+        Self { parameter, meanings }
+    }
+
+    /// One of a few, each with what it means; the first is the default.
+    pub const fn choice<const N: usize>(
+        name: &'static str,
+        symbol: &'static str,
+        title: &'static str,
+        options: &'static [Choice; N],
+        meanings: &'static [T; N],
+        help: &'static str,
+    ) -> Self {
+        const { assert!(N > 0, "a choice has an option") };
+        Self::new(name, symbol, title, Domain::Choice { options }, meanings, help)
+    }
+
+    /// What the chosen option means.
+    fn chosen(&self, settings: &Settings) -> &'static T {
+        &self.meanings[settings.option(&self.parameter).map_or(0, |(place, _)| place)]
+    }
+
+    /// Its name, as in `--set name=value`.
+    pub const fn name(&self) -> &'static str {
+        self.parameter.name
+    }
+
+    /// What a list of parameters holds of it.
+    pub const fn entry(self) -> Parameter {
+        self.parameter
+    }
+
+    /// The same with another help text.
+    #[must_use]
+    pub const fn help(mut self, help: &'static str) -> Self {
+        self.parameter.help = help;
+        self
+    }
+
+    /// The same with another title.
+    #[must_use]
+    pub const fn title(mut self, title: &'static str) -> Self {
+        self.parameter.title = title;
+        self
+    }
+
+    /// The same, meaningful on these kinds only.
+    #[must_use]
+    pub const fn only_on(mut self, kinds: &'static [SceneKindId]) -> Self {
+        self.parameter.kinds = kinds;
+        self
+    }
+
+    /// The same, with defaults that differ by kind.
+    #[must_use]
+    pub const fn defaults_on(mut self, defaults: &'static [(SceneKindId, Fixed)]) -> Self {
+        self.parameter.defaults = defaults;
+        self
+    }
+
+    /// The same, meaningful only while another parameter has this value.
+    #[must_use]
+    pub const fn when<U: Copy>(mut self, other: Param<U>, value: &'static str) -> Self {
+        self.parameter.when = Some(When { parameter: other.parameter.name, value });
+        self
+    }
+
+    /// The same, its slider from `low` to `high`.
+    #[must_use]
+    pub const fn slider(mut self, low: f64, high: f64, logarithmic: bool) -> Self {
+        self.parameter.slider = Some((low, high));
+        self.parameter.logarithmic = logarithmic;
+        self
+    }
+}
+
+impl Param<f64> {
+    /// A real number in [`min`, `max`]. Not listed, it reads as NaN.
+    pub const fn number(
+        name: &'static str,
+        symbol: &'static str,
+        title: &'static str,
+        [min, max, default]: [f64; 3],
+        help: &'static str,
+    ) -> Self {
+        Self::new(name, symbol, title, Domain::Number { min, max, default }, &[], help)
+    }
+
+    /// The same with another default.
+    #[must_use]
+    pub const fn default_to(mut self, value: f64) -> Self {
+        if let Domain::Number { default, .. } = &mut self.parameter.domain {
+            *default = value;
+        }
+        self
+    }
+}
+
+impl Param<u64> {
+    /// A whole number in [`min`, `max`]. Not listed, it reads as 0.
+    pub const fn integer(
+        name: &'static str,
+        symbol: &'static str,
+        title: &'static str,
+        [min, max, default]: [u64; 3],
+        help: &'static str,
+    ) -> Self {
+        Self::new(name, symbol, title, Domain::Integer { min, max, default }, &[], help)
+    }
+
+    /// The same with another default.
+    #[must_use]
+    pub const fn default_to(mut self, value: u64) -> Self {
+        if let Domain::Integer { default, .. } = &mut self.parameter.domain {
+            *default = value;
+        }
+        self
+    }
+}
+
+impl Param<&'static str> {
+    /// One of a few names, e.g. of planners; the first is the default.
+    pub const fn name_of(
+        name: &'static str,
+        symbol: &'static str,
+        title: &'static str,
+        options: &'static [Choice],
+        help: &'static str,
+    ) -> Self {
+        Self::new(name, symbol, title, Domain::Choice { options }, &[], help)
+    }
+}
+
+impl Param<bool> {
+    /// Yes or no. Not listed, it reads as no.
+    pub const fn flag(name: &'static str, title: &'static str, default: bool, help: &'static str) -> Self {
+        Self::new(name, "", title, Domain::Flag { default }, &[], help)
+    }
+}
+
+impl Param<Subset> {
+    /// Any of a few, at least one: text with commas between. Not listed, it reads as none.
+    pub const fn subset(
+        name: &'static str,
+        title: &'static str,
+        options: &'static [Choice],
+        default: &'static str,
+        help: &'static str,
+    ) -> Self {
+        Self::new(name, "", title, Domain::Subset { options, default }, &[], help)
+    }
+}
