@@ -9,7 +9,7 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use forage::{
     Scene,
     catalogue::PLANNERS,
-    describe::Entry,
+    describe::{Entry, Start},
     geometry::{Cells, DIRECTIONS},
     kernel::{Solution, Stepper, Yardstick, rng::Stream},
     params::{Given, Settings},
@@ -47,7 +47,8 @@ fn entry(name: &str) -> &'static Entry {
 /// A whole run, step by step: the path's length.
 fn forage(entry: &Entry, scene: &Arc<Scene>) -> f64 {
     let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).expect("defaults are valid");
-    let mut run = Stepper::from((entry.start)(scene, &settings, 1).expect("defaults start"));
+    let mut run =
+        Stepper::from((entry.start)(&Start { scene, parameters: &settings, seed: 1, entries: &PLANNERS }).expect("defaults start"));
     while run.step(|_| Vec::new()) {}
     match run.planner.best().map(|best| (best.cost, best.solution)) {
         Some((cost, Solution::Path(_))) => cost,

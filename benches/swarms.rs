@@ -10,7 +10,14 @@ use argmin::{
     solver::particleswarm::ParticleSwarm,
 };
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use forage::{Scene, catalogue::PLANNERS, describe::Entry, kernel::Stepper, params::Settings, scene::Function};
+use forage::{
+    Scene,
+    catalogue::PLANNERS,
+    describe::{Entry, Start},
+    kernel::Stepper,
+    params::Settings,
+    scene::Function,
+};
 use rand::SeedableRng;
 use std::sync::Arc;
 
@@ -31,7 +38,8 @@ fn whole_run(entry: &Entry, scene: &Arc<Scene>) -> f64 {
     let sizes = [("population", PARTICLES as f64), ("iterations", ITERATIONS as f64)];
     let given = sizes.into_iter().map(|(name, size)| (name, size.into())).collect();
     let settings = Settings::new(entry.parameters, scene.kind(), &given).expect("the sizes are valid");
-    let mut run = Stepper::from((entry.start)(scene, &settings, 1).expect("defaults start"));
+    let mut run =
+        Stepper::from((entry.start)(&Start { scene, parameters: &settings, seed: 1, entries: &PLANNERS }).expect("defaults start"));
     while run.step(|_| Vec::new()) {}
     run.planner.best().map_or(f64::NAN, |best| best.cost)
 }

@@ -15,8 +15,8 @@ use std::{
 use forage::{
     Given, Scene, Value,
     arm::{self, ArmScene, Posture},
-    catalogue::find,
-    describe::Entry,
+    catalogue::{PLANNERS, find},
+    describe::{Entry, Start},
     geometry::length_in_space,
     kernel::{Readings, Solution, Stepper, rng::Stream},
     params::Settings,
@@ -77,7 +77,9 @@ fn tip_length(solution: &Solution) -> f64 {
 
 /// A whole run as it is, and again with what is made of its path. `None` without a path.
 fn run(entry: &Entry, scene: &Arc<Scene>, given: &[(&'static str, f64)], seed: u64) -> Option<Run> {
-    let mut run = Stepper::from((entry.start)(scene, &settings(entry, scene, given, false), seed).unwrap());
+    let mut run = Stepper::from(
+        (entry.start)(&Start { scene, parameters: &settings(entry, scene, given, false), seed, entries: &PLANNERS }).unwrap(),
+    );
     let begun = Instant::now();
     while run.planner.best().is_none() && run.step(|_| Vec::new()) {}
     let first = begun.elapsed().as_secs_f64();
@@ -89,7 +91,8 @@ fn run(entry: &Entry, scene: &Arc<Scene>, given: &[(&'static str, f64)], seed: u
     while run.step(|_| Vec::new()) {}
     let seconds = first + begun.elapsed().as_secs_f64();
 
-    let mut run = Stepper::from((entry.start)(scene, &settings(entry, scene, given, true), seed).unwrap());
+    let mut run =
+        Stepper::from((entry.start)(&Start { scene, parameters: &settings(entry, scene, given, true), seed, entries: &PLANNERS }).unwrap());
     while run.step(|_| Vec::new()) {}
     let begun = Instant::now();
     let solution = run.planner.best()?.solution;

@@ -38,7 +38,7 @@ pub fn read(way: Option<&Way>, grid: &GridScene, out: &mut Readings) {
     let measured = |path: &[[f64; 2]]| [geometry::length(path), geometry::turns(path) as f64, geometry::turning(path)];
     let [before, after] = way.map_or([[f64::NAN; 3]; 2], |way| [measured(&way.path), measured(way.smooth(grid))]);
     let readings = [LENGTH, TURNS, TURNING, SMOOTH_LENGTH, SMOOTH_TURNS, SMOOTH_TURNING];
-    readings.iter().zip(before.into_iter().chain(after)).for_each(|(reading, value)| out.push(reading.name, value));
+    readings.iter().zip(before.into_iter().chain(after)).for_each(|(reading, value)| out.push(*reading, value));
 }
 
 /// Whether the path is handed over without its redundant nodes.

@@ -9,6 +9,7 @@ use std::{
 
 use forage::{
     catalogue::PLANNERS,
+    describe::Start,
     kernel::Stepper,
     params::{Given, Settings},
     session::carry_out_all,
@@ -42,7 +43,8 @@ fn no_step_of_any_swarm_allocates() {
                 continue;
             }
             let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
-            let mut run = Stepper::from((entry.start)(&scene, &settings, 1).unwrap());
+            let mut run =
+                Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
             let before = COUNT.with(Cell::get);
             assert!(before > 0, "the counter counts");
             for _ in 0..300 {
@@ -60,7 +62,7 @@ fn no_step_of_any_ant_allocates() {
         let scene = shipped("ant-bat-30").unwrap();
         let given = [("iterations", forage::Value::from(1000.0))].into_iter().collect();
         let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
-        let mut run = Stepper::from((entry.start)(&scene, &settings, 1).unwrap());
+        let mut run = Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
         for _ in 0..50 {
             run.step(|_| Vec::new());
         }
@@ -92,7 +94,7 @@ fn no_step_of_any_tour_allocates() {
             let known = |name: &str| entry.parameter(name).is_some();
             let given: Given = given.filter(|(name, _)| known(name)).map(|(name, value)| (name, forage::Value::from(value))).collect();
             let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
-            let started = (entry.start)(&scene, &settings, 1).unwrap();
+            let started = (entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap();
             let roads = started.stages.first().and_then(|roads| roads.end).unwrap();
             let mut run = Stepper::from(started);
             while run.iteration < roads {
@@ -115,7 +117,7 @@ fn no_period_of_a_drive_allocates_where_nothing_is_decided() {
         let given: Given =
             [("iterations", forage::Value::from(if entry.name == "wolf-ant-drive" { 5.0 } else { 1e6 }))].into_iter().collect();
         let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
-        let mut run = Stepper::from((entry.start)(&scene, &settings, 1).unwrap());
+        let mut run = Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
         let happened = |run: &Stepper| run.planner.facets().timeline.unwrap().events().len();
         while happened(&run) == 0 {
             run.step(|_| Vec::new());
@@ -149,7 +151,7 @@ fn trees_allocate_only_as_they_grow() {
             "start": [1, 5], "goal": [9.5, 5], "discs": [{"center": [6, 2], "radius": 3}, {"center": [6, 7], "radius": 3.1}]}"#;
         let scene = std::sync::Arc::new(forage::Scene::from_json(text).unwrap());
         let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
-        let mut run = Stepper::from((entry.start)(&scene, &settings, 1).unwrap());
+        let mut run = Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
         let before = COUNT.with(Cell::get);
         for _ in 0..4000 {
             run.step(|_| Vec::new());

@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Entry, Preset},
-    params::{Fixed, Settings},
+    params::Fixed,
 };
 
 use super::{
@@ -13,14 +13,16 @@ use super::{
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "aco",
-    title: "ACO: ants",
-    family: "ants",
-    source: "[ANTBAT] §3.1, (1)",
-    summary: "Ants go from cell to cell, the rather where pheromone lies and where the goal is near; short ways gather more of it.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "aco",
+    "ACO: ants",
+    "[ANTBAT] §3.1, (1)",
+    "Ants go from cell to cell, the rather where pheromone lies and where the goal is near; short ways gather more of it.",
+    |start| super::start(start, Traits::TRADITIONAL),
+)
+.family("ants")
+.kinds(KINDS)
+.parameters(&[
         &[
             ANTS.entry(),
             ITERATIONS.entry(),
@@ -36,26 +38,14 @@ pub const ENTRY: Entry = Entry {
             TAU_MIN.entry(),
         ],
         WALKS,
-    ],
-    readings: READINGS,
-    formulas: &[CHOICE, DISTANCE, EVAPORATION, TRADITIONAL],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[Preset {
+    ])
+.readings(READINGS)
+.formulas(&[CHOICE, DISTANCE, EVAPORATION, TRADITIONAL])
+.layers(LAYERS)
+.presets(&[Preset {
         name: "paper",
         title: "As in the paper",
         help: "α = 1.5 and β = 8, as [ANTBAT] prints them. The defaults were chosen on random maps.",
         scene: "ant-bat-30",
         values: &[("alpha", Fixed::Number(1.5)), ("beta", Fixed::Number(8.0))],
-    }],
-    suggest: |_| None,
-    start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
-};
-
-/// What sets this colony apart.
-pub(super) fn traits(_: &Settings) -> Traits {
-    Traits::TRADITIONAL
-}
+    }]);

@@ -1,7 +1,7 @@
 //! `aco-dijkstra`: ants that set out on a Dijkstra path's pheromone and choose greedily more and more, the paper's [14].
 
 use crate::{
-    describe::{Entry, Formula, Scope},
+    describe::{CONVERGED, Entry, Formula},
     params::{Param, Settings},
     settled::SETTLED,
     way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
@@ -10,8 +10,8 @@ use crate::{
 use super::{
     Traits,
     parameters::{
-        ALPHA, ANT_STEPS, ANTS, ARRIVED, BEST, BETA, CHOICE, CONVERGED, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST,
-        MEAN, Q, RHO, STUCK, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
+        ALPHA, ANT_STEPS, ANTS, ARRIVED, BEST, BETA, CHOICE, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN, Q, RHO,
+        STUCK, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
     },
 };
 
@@ -32,69 +32,61 @@ const Q0_START: Param<f64> = Param::number(
 );
 const Q0_END: Param<f64> =
     Param::number("q0_end", "q_{0,\\text{end}}", "Greed at the end", [0.0, 1.0, 0.9], "The same, in the last iteration.");
-const RULE: Formula = Formula {
-    name: "rule",
-    source: "[ANTBAT] §3.1, its [14]",
-    title: "Pseudo-random proportional rule",
-    tex: "j = \\begin{cases} \\arg\\max_s \\tau_{is}^{\\alpha} \\eta_{is}^{\\beta} & u < q_0 \\\\ \\text{drawn by (1)} & \\text{otherwise} \\end{cases}",
-    live: "q_0 = @q0@",
-    scope: Scope::Iteration,
-    when: None,
-};
+const RULE: Formula = Formula::new(
+    "rule",
+    "[ANTBAT] §3.1, its [14]",
+    "Pseudo-random proportional rule",
+    "j = \\begin{cases} \\arg\\max_s \\tau_{is}^{\\alpha} \\eta_{is}^{\\beta} & u < q_0 \\\\ \\text{drawn by (1)} & \\text{otherwise} \\end{cases}",
+    "q_0 = @q0@",
+);
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "aco-dijkstra",
-    title: "ACO on a Dijkstra path",
-    family: "ants",
-    source: "[ANTBAT] §3.1, its [14]",
-    summary: "A Dijkstra path lies on the map as pheromone before the first ant sets out; ants choose ever more greedily.",
-    kinds: KINDS,
-    parameters: &[
-        &[
-            ANTS.entry(),
-            ITERATIONS.entry(),
-            ALPHA.entry(),
-            BETA.entry(),
-            RHO.entry(),
-            Q.entry(),
-            SEEDED.entry(),
-            Q0_START.entry(),
-            Q0_END.entry(),
-            TAU_0.entry(),
-            TAU_MIN.entry(),
-        ],
-        WALKS,
+pub const ENTRY: Entry = Entry::new(
+    "aco-dijkstra",
+    "ACO on a Dijkstra path",
+    "[ANTBAT] §3.1, its [14]",
+    "A Dijkstra path lies on the map as pheromone before the first ant sets out; ants choose ever more greedily.",
+    |start| super::start(start, traits(start.parameters)),
+)
+.family("ants")
+.kinds(KINDS)
+.parameters(&[
+    &[
+        ANTS.entry(),
+        ITERATIONS.entry(),
+        ALPHA.entry(),
+        BETA.entry(),
+        RHO.entry(),
+        Q.entry(),
+        SEEDED.entry(),
+        Q0_START.entry(),
+        Q0_END.entry(),
+        TAU_0.entry(),
+        TAU_MIN.entry(),
     ],
-    readings: &[
-        BEST,
-        MEAN,
-        LENGTH,
-        TURNS,
-        TURNING,
-        SMOOTH_LENGTH,
-        SMOOTH_TURNS,
-        SMOOTH_TURNING,
-        CONVERGED,
-        SETTLED,
-        ARRIVED,
-        STUCK,
-        LOST,
-        ANT_STEPS,
-        GREED,
-    ],
-    formulas: &[RULE, CHOICE, DISTANCE, EVAPORATION, TRADITIONAL],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
-};
+    WALKS,
+])
+.readings(&[
+    BEST,
+    MEAN,
+    LENGTH,
+    TURNS,
+    TURNING,
+    SMOOTH_LENGTH,
+    SMOOTH_TURNS,
+    SMOOTH_TURNING,
+    CONVERGED,
+    SETTLED,
+    ARRIVED,
+    STUCK,
+    LOST,
+    ANT_STEPS,
+    GREED,
+])
+.formulas(&[RULE, CHOICE, DISTANCE, EVAPORATION, TRADITIONAL])
+.layers(LAYERS);
 
 /// What sets this colony apart.
-pub(super) fn traits(settings: &Settings) -> Traits {
+fn traits(settings: &Settings) -> Traits {
     Traits { greed: [settings[Q0_START], settings[Q0_END]], seeded: settings[SEEDED], ..Traits::TRADITIONAL }
 }

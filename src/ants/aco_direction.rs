@@ -96,14 +96,16 @@ const REWARD: Formula = Formula::of_item(
 );
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "aco-direction",
-    title: "ACO with direction",
-    family: "ants",
-    source: "[ANTBAT] §3.1, (2)–(5)",
-    summary: "Ants that would rather go straight on and towards the goal; ways under the median are rewarded, those above it punished.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "aco-direction",
+    "ACO with direction",
+    "[ANTBAT] §3.1, (2)–(5)",
+    "Ants that would rather go straight on and towards the goal; ways under the median are rewarded, those above it punished.",
+    |start| super::start(start, traits(start.parameters)),
+)
+.family("ants")
+.kinds(KINDS)
+.parameters(&[
         &[
             ANTS.entry(),
             ITERATIONS.entry(),
@@ -124,21 +126,13 @@ pub const ENTRY: Entry = Entry {
             TAU_MIN.default_to(0.1).entry(),
         ],
         WALKS,
-    ],
-    readings: READINGS,
-    formulas: &[CHOICE, DISTANCE, DIRECTION, DIRECTION_LINEAR, EVAPORATION, REWARD],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
-};
+    ])
+.readings(READINGS)
+.formulas(&[CHOICE, DISTANCE, DIRECTION, DIRECTION_LINEAR, EVAPORATION, REWARD])
+.layers(LAYERS);
 
 /// What sets this colony apart.
-pub(super) fn traits(settings: &Settings) -> Traits {
+fn traits(settings: &Settings) -> Traits {
     Traits {
         gamma: settings[GAMMA],
         direction: settings[DIRECTION_LAW],

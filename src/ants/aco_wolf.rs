@@ -2,7 +2,7 @@
 //! [WOLF-ANT] §5.1.
 
 use crate::{
-    describe::{Entry, Formula, Preset, Scope},
+    describe::{Entry, Formula, Preset},
     params::{Choice, Fixed, Param, ParamValue, Settings},
 };
 
@@ -46,52 +46,46 @@ const UPDATE: Param<Update> = Param::choice(
     "How much pheromone ants deposit.",
 );
 
-pub(crate) const CHOICE: Formula = Formula {
-    name: "choice",
-    source: "[WOLF-ANT] (4)",
-    title: "Choice",
-    tex: "p_{ij} = \\frac{\\tau_{ij}^{\\alpha} \\, \\eta_{ij}^{\\beta}}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_{is}^{\\beta}}",
-    live: "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}{@sum@} = @p@",
-    scope: Scope::Item,
-    when: None,
-};
-pub(crate) const RANKED: Formula = Formula {
-    name: "ranked",
-    source: "[WOLF-ANT] (6)",
-    title: "Sight by rank",
-    tex: "\\eta_{ij} = \\varepsilon \\cdot (5, 4, 4, 3, 3, 2, 2, 1) \\text{ by distance to the goal}",
-    live: "\\eta = @epsilon@ \\cdot @rank@ = @eta@",
-    scope: Scope::Item,
-    when: None,
-};
-const PHEROMONE: Formula = Formula {
-    name: "pheromone",
-    source: "[WOLF-ANT] (10)",
-    title: "Pheromone",
-    tex: "\\tau \\leftarrow (1 - \\rho) \\, \\tau + \\sum_a \\Delta\\tau^a + \\Delta\\tau_{\\text{best}} - \\Delta\\tau_{\\text{worst}}",
-    live: "\\tau \\leftarrow (1 - @rho@) \\, \\tau + \\textstyle\\sum_{a=1}^{@arrived@} \\Delta\\tau^a + \\Delta\\tau_{\\text{best}} - \\Delta\\tau_{\\text{worst}}",
-    scope: Scope::Iteration,
-    when: None,
-};
-pub(crate) const LAID: Formula = Formula {
-    name: "laid",
-    source: "[WOLF-ANT] (9), (11), (12)",
-    title: "What an ant lays",
-    tex: "\\Delta\\tau^a = \\frac{Q}{L_a}, \\quad \\Delta\\tau_{\\text{best}} = \\delta \\frac{Q}{L_{\\text{best}}}, \\quad \\Delta\\tau_{\\text{worst}} = \\omega \\frac{Q}{L_{\\text{worst}}}",
-    live: "\\Delta\\tau = @share@ \\cdot \\frac{@q@}{@length@} = @laid@",
-    scope: Scope::Item,
-    when: None,
-};
+pub(crate) const CHOICE: Formula = Formula::of_item(
+    "choice",
+    "[WOLF-ANT] (4)",
+    "Choice",
+    "p_{ij} = \\frac{\\tau_{ij}^{\\alpha} \\, \\eta_{ij}^{\\beta}}{\\sum_s \\tau_{is}^{\\alpha} \\, \\eta_{is}^{\\beta}}",
+    "p = \\frac{@tau@^{@alpha@} \\cdot @eta@^{@beta@}}{@sum@} = @p@",
+);
+pub(crate) const RANKED: Formula = Formula::of_item(
+    "ranked",
+    "[WOLF-ANT] (6)",
+    "Sight by rank",
+    "\\eta_{ij} = \\varepsilon \\cdot (5, 4, 4, 3, 3, 2, 2, 1) \\text{ by distance to the goal}",
+    "\\eta = @epsilon@ \\cdot @rank@ = @eta@",
+);
+const PHEROMONE: Formula = Formula::new(
+    "pheromone",
+    "[WOLF-ANT] (10)",
+    "Pheromone",
+    "\\tau \\leftarrow (1 - \\rho) \\, \\tau + \\sum_a \\Delta\\tau^a + \\Delta\\tau_{\\text{best}} - \\Delta\\tau_{\\text{worst}}",
+    "\\tau \\leftarrow (1 - @rho@) \\, \\tau + \\textstyle\\sum_{a=1}^{@arrived@} \\Delta\\tau^a + \\Delta\\tau_{\\text{best}} - \\Delta\\tau_{\\text{worst}}",
+);
+pub(crate) const LAID: Formula = Formula::of_item(
+    "laid",
+    "[WOLF-ANT] (9), (11), (12)",
+    "What an ant lays",
+    "\\Delta\\tau^a = \\frac{Q}{L_a}, \\quad \\Delta\\tau_{\\text{best}} = \\delta \\frac{Q}{L_{\\text{best}}}, \\quad \\Delta\\tau_{\\text{worst}} = \\omega \\frac{Q}{L_{\\text{worst}}}",
+    "\\Delta\\tau = @share@ \\cdot \\frac{@q@}{@length@} = @laid@",
+);
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "aco-wolf",
-    title: "Wolf-pack ant colony",
-    family: "ants",
-    source: "[WOLF-ANT] §5.1",
-    summary: "Ants that rank the cells around them by their distance to the goal; an iteration’s best way gets more pheromone, its worst way less.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "aco-wolf",
+    "Wolf-pack ant colony",
+    "[WOLF-ANT] §5.1",
+    "Ants that rank the cells around them by their distance to the goal; an iteration’s best way gets more pheromone, its worst way less.",
+    |start| super::start(start, traits(start.parameters)),
+)
+.family("ants")
+.kinds(KINDS)
+.parameters(&[
         &[
             ANTS.default_to(30).help("How many ants set out in an iteration. Published: 30.").entry(),
             ITERATIONS.entry(),
@@ -116,27 +110,20 @@ pub const ENTRY: Entry = Entry {
             TAU_MIN.default_to(1.0).entry(),
         ],
         WALKS,
-    ],
-    readings: READINGS,
-    formulas: &[CHOICE, RANKED, PHEROMONE, LAID],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[Preset {
+    ])
+.readings(READINGS)
+.formulas(&[CHOICE, RANKED, PHEROMONE, LAID])
+.layers(LAYERS)
+.presets(&[Preset {
         name: "paper",
         title: "As in the paper",
         help: "β = 7 and ρ = 0.367, which [WOLF-ANT] found by a particle swarm on its map. Where obstacles lead away from the goal, paths become much longer than with the defaults.",
         scene: "wolf-ant-20",
         values: &[("beta", Fixed::Number(7.0)), ("rho", Fixed::Number(0.367))],
-    }],
-    suggest: |_| None,
-    start: |scene, settings, seed| super::start(scene, settings, seed, traits(settings)),
-};
+    }]);
 
 /// What sets this colony apart.
-pub(super) fn traits(settings: &Settings) -> Traits {
+fn traits(settings: &Settings) -> Traits {
     let heuristic = if settings[RANKS] { Heuristic::Ranked { epsilon: settings[EPSILON] } } else { Heuristic::Distance };
     Traits { heuristic, update: settings[UPDATE], ..Traits::TRADITIONAL }
 }

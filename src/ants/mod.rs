@@ -22,20 +22,21 @@ mod walk;
 use std::sync::Arc;
 
 use crate::{
-    describe::Entry,
+    describe::{CONVERGED, Start},
     exact,
     kernel::{
         Best, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Solution, Started, State, Yardstick,
         rng::Stream,
     },
-    params::{Given, Settings},
-    scene::Scene,
-    settled::Settled,
+    settled::{SETTLED, Settled},
     way::{self, SMOOTH, Way},
 };
 
 use ground::{Direction, Ground, Heuristic};
-use parameters::{ALPHA, ANTS, BACKTRACKS, BETA, ITERATIONS, Q, RHO, STEP_LIMIT, TAU_0, TAU_MAX, TAU_MIN};
+use parameters::{
+    ALPHA, ANT_STEPS, ANTS, ARRIVED, BACKTRACKS, BEST, BETA, GREED, ITERATIONS, LOST, MEAN, Q, RHO, STEP_LIMIT, STUCK, TAU_0, TAU_MAX,
+    TAU_MIN,
+};
 use pheromone::Pheromone;
 use update::Update;
 use walk::{End, Rules, Seen, Walks, walk};
@@ -130,42 +131,16 @@ impl Found {
 }
 
 /// Starts a colony with these traits.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Started, Error> {
-    let colony = Colony::new(scene, settings, seed, traits)?;
+fn start(start: &Start, traits: Traits) -> Result<Started, Error> {
+    let colony = Colony::new(start, traits)?;
     let (limit, reachable) = (colony.limit, colony.ground.reachable);
     let yardstick = if colony.smooth { Yardstick::AnyAngle } else { Yardstick::Cells };
     Ok(Started::new(colony, limit).measured_by(yardstick).solvable(reachable))
 }
 
-/// The preset with the parameters of a colony's paper.
-const PUBLISHED: &str = "paper";
-
-/// What settings make of a colony.
-type OfSettings = fn(&Settings) -> Traits;
-
-/// Every colony, and what sets it apart.
-const COLONIES: &[(Entry, OfSettings)] = &[
-    (aco_wolf::ENTRY, aco_wolf::traits),
-    (aco_direction::ENTRY, aco_direction::traits),
-    (aco_dijkstra::ENTRY, aco_dijkstra::traits),
-    (aco::ENTRY, aco::traits),
-];
-
-/// A colony by its planner's name, with its published parameters but for those that are given: for planners that go on with
-/// its pheromone, which should have settled.
-///
-/// # Errors
-/// As that planner's start.
-pub(crate) fn colony(name: &str, scene: &Arc<Scene>, given: &Given, seed: u64) -> Result<Colony, Error> {
-    let (entry, traits) = COLONIES.iter().find(|(entry, _)| entry.name == name).unwrap_or(&COLONIES[0]);
-    let mut params = if entry.presets.is_empty() { Given::new() } else { entry.preset(PUBLISHED, scene.kind())? };
-    given.iter().for_each(|(name, value)| params.insert(name, value.clone()));
-    let settings = Settings::new(entry.parameters, scene.kind(), &params)?;
-    Colony::new(scene, &settings, seed, traits(&settings))
-}
-
 impl Colony {
-    fn new(scene: &Arc<Scene>, settings: &Settings, seed: u64, traits: Traits) -> Result<Self, Error> {
+    fn new(start: &Start, traits: Traits) -> Result<Self, Error> {
+        let &Start { scene, parameters: settings, seed, .. } = start;
         let bounds = [settings[TAU_MIN], settings[TAU_MAX]];
         let ground = Ground::new(scene, traits.heuristic, settings[BETA], traits.gamma, traits.direction)?;
         let cells = &ground.cells;
@@ -313,17 +288,17 @@ impl Planner for Colony {
     }
 
     fn read(&self, out: &mut Readings) {
-        out.push("best", self.best.as_ref().map_or(f64::NAN, |best| best.length));
-        out.push("mean", self.mean());
+        out.push(BEST, self.best.as_ref().map_or(f64::NAN, |best| best.length));
+        out.push(MEAN, self.mean());
         way::read(self.best.as_ref().map(|best| &best.way), &self.ground.grid, out);
-        out.push("converged", if self.best.is_some() { self.converged as f64 } else { f64::NAN });
-        out.push("settled", self.settled.iteration());
-        out.push("arrived", self.count(End::Arrived) as f64);
-        out.push("stuck", self.count(End::Stuck) as f64);
-        out.push("lost", self.count(End::Lost) as f64);
-        out.push("ant_steps", self.walks.taken as f64);
+        out.push(CONVERGED, if self.best.is_some() { self.converged as f64 } else { f64::NAN });
+        out.push(SETTLED, self.settled.iteration());
+        out.push(ARRIVED, self.count(End::Arrived) as f64);
+        out.push(STUCK, self.count(End::Stuck) as f64);
+        out.push(LOST, self.count(End::Lost) as f64);
+        out.push(ANT_STEPS, self.walks.taken as f64);
         if self.traits.greed != [0.0; 2] {
-            out.push("q0", self.greed(self.iteration.saturating_sub(1)));
+            out.push(GREED, self.greed(self.iteration.saturating_sub(1)));
         }
     }
 

@@ -1,7 +1,7 @@
 //! What the entries of the colonies share: parameters, readings, equations and layers.
 
 use crate::{
-    describe::{Formula, Group, Layer, Reading, Scope},
+    describe::{CONVERGED, Formula, Group, Layer, Reading},
     kernel::{Role, SceneKindId},
     params::{Choice, Param, Parameter, When},
     scene::GRID,
@@ -91,8 +91,6 @@ pub(super) const STEP_LIMIT: Param<u64> = Param::integer(
 pub(super) const BEST: Reading = Reading::new("best", "L_{\\text{best}}", "Shortest", Group::Cost, "The shortest way so far: the result.");
 pub(super) const MEAN: Reading =
     Reading::new("mean", "\\bar L", "Mean", Group::Cost, "The mean length of the ways of this iteration’s ants that arrived.");
-pub(super) const CONVERGED: Reading =
-    Reading::new("converged", "t^*", "Converged", Group::Count, "The iteration in which the result was found.");
 pub(super) const ARRIVED: Reading = Reading::new("arrived", "", "Arrived", Group::Count, "Ants of this iteration that reached the goal.");
 pub(super) const STUCK: Reading = Reading::new("stuck", "", "In dead ends", Group::Count, "Ants of this iteration that had no way on.");
 pub(super) const LOST: Reading = Reading::new("lost", "", "Lost", Group::Count, "Ants of this iteration that reached the step limit.");
@@ -116,15 +114,13 @@ pub(super) const TRADITIONAL: Formula = Formula::of_item(
     "\\Delta\\tau^k = \\frac{Q}{L_k}",
     "\\Delta\\tau = \\frac{@q@}{@length@} = @laid@",
 );
-pub(super) const EVAPORATION: Formula = Formula {
-    name: "evaporation",
-    source: "[ANTBAT] (4)",
-    title: "Pheromone",
-    tex: "\\tau_{ij} \\leftarrow (1 - \\rho) \\, \\tau_{ij} + \\sum_k \\Delta\\tau_{ij}^k",
-    live: "\\tau \\leftarrow (1 - @rho@) \\, \\tau + \\textstyle\\sum_{k=1}^{@arrived@} \\Delta\\tau^k",
-    scope: Scope::Iteration,
-    when: None,
-};
+pub(super) const EVAPORATION: Formula = Formula::new(
+    "evaporation",
+    "[ANTBAT] (4)",
+    "Pheromone",
+    "\\tau_{ij} \\leftarrow (1 - \\rho) \\, \\tau_{ij} + \\sum_k \\Delta\\tau_{ij}^k",
+    "\\tau \\leftarrow (1 - @rho@) \\, \\tau + \\textstyle\\sum_{k=1}^{@arrived@} \\Delta\\tau^k",
+);
 
 /// What an ant may do, and what is handed over: the same for every colony.
 pub(super) const WALKS: &[Parameter] = &[TAU_MAX.entry(), BACKTRACKS.entry(), STEP_LIMIT.entry(), SMOOTH.entry()];

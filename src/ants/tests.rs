@@ -6,7 +6,7 @@ use super::*;
 use crate::{
     Given, Session, Setup, Status, Value,
     kernel::Digest,
-    scene::{GridScene, Header, generate::generate, grid},
+    scene::{GridScene, Header, Scene, generate::generate, grid},
 };
 
 fn scene(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {

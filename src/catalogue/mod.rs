@@ -2,7 +2,13 @@
 
 mod view;
 
-use crate::{ants, describe::Entry, dynamic, kernel::Error, search, swarm, tour, tree, tuning};
+use crate::{
+    ants,
+    describe::{Entries, Entry},
+    dynamic,
+    kernel::Error,
+    search, swarm, tour, tree, tuning,
+};
 
 pub use view::{Catalogue, catalogue};
 
@@ -47,5 +53,5 @@ pub const PLANNERS: &[Entry] = &[
 /// # Errors
 /// [`Error::Unknown`] with the names that exist.
 pub fn find(name: &str) -> Result<&'static Entry, Error> {
-    PLANNERS.iter().find(|entry| entry.name == name).ok_or_else(|| Error::unknown("planner", name, PLANNERS.iter().map(|e| e.name)))
+    PLANNERS.planner(name)
 }

@@ -1,4 +1,4 @@
-//! A planner's entry: all that is known of it without running it, and the function that starts it.
+//! A planner's entry: all that is known of it without running it, and the function that starts it, with what a start begins with.
 
 use std::sync::Arc;
 
@@ -6,16 +6,14 @@ use serde::Serialize;
 
 use crate::{
     kernel::{Error, Scene, SceneKindId, Started, Stops},
-    params::{Given, Parameter, Settings},
+    params::{Given, Param, Parameter, Settings},
 };
 
 use super::{EventKind, Formula, Layer, Member, Preset, Reading};
 
-/// Starts a run: refuses everything that can be refused.
-pub type Start = fn(&Arc<Scene>, &Settings, u64) -> Result<Started, Error>;
-
-/// What there is to know about a planner.
+/// What there is to know about a planner. Made by [`Entry::new`]; what is not set is empty.
 #[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
 pub struct Entry {
     /// The name in commands and links.
     pub name: &'static str,
@@ -49,8 +47,8 @@ pub struct Entry {
     pub presets: &'static [Preset],
     /// What its paper recommends for these settings; `None` where it says nothing.
     pub suggest: fn(&Settings) -> Option<Suggestion>,
-    /// How a run begins.
-    pub start: Start,
+    /// How a run begins: refuses everything that can be refused.
+    pub start: fn(&Start) -> Result<Started, Error>,
 }
 
 /// Sizes that a paper recommends for a setup.
@@ -65,6 +63,107 @@ pub struct Suggestion {
 }
 
 impl Entry {
+    /// A planner by its name in commands, its title, source and summary, and how a run begins.
+    pub const fn new(
+        name: &'static str,
+        title: &'static str,
+        source: &'static str,
+        summary: &'static str,
+        start: fn(&Start) -> Result<Started, Error>,
+    ) -> Self {
+        Self {
+            name,
+            title,
+            family: "",
+            source,
+            summary,
+            kinds: &[],
+            stops: false,
+            most_stops: None,
+            parameters: &[],
+            readings: &[],
+            formulas: &[],
+            layers: &[],
+            members: &[],
+            events: &[],
+            presets: &[],
+            suggest: |_| None,
+            start,
+        }
+    }
+
+    /// What it belongs to.
+    #[must_use]
+    pub const fn family(self, family: &'static str) -> Self {
+        Self { family, ..self }
+    }
+
+    /// The kinds of scene it runs on.
+    #[must_use]
+    pub const fn kinds(self, kinds: &'static [SceneKindId]) -> Self {
+        Self { kinds, ..self }
+    }
+
+    /// It calls at a scene's stops, however many there are.
+    #[must_use]
+    pub const fn calls_at_stops(self) -> Self {
+        Self { stops: true, ..self }
+    }
+
+    /// It calls at a scene's stops, at most so many.
+    #[must_use]
+    pub const fn calls_at_most(self, stops: usize) -> Self {
+        Self { stops: true, most_stops: Some(stops), ..self }
+    }
+
+    /// Its parameters, in lists: its own and those that it shares. Every planner has `iterations`.
+    #[must_use]
+    pub const fn parameters(self, parameters: &'static [&'static [Parameter]]) -> Self {
+        Self { parameters, ..self }
+    }
+
+    /// The numbers it tells after each iteration.
+    #[must_use]
+    pub const fn readings(self, readings: &'static [Reading]) -> Self {
+        Self { readings, ..self }
+    }
+
+    /// The equations it carries out.
+    #[must_use]
+    pub const fn formulas(self, formulas: &'static [Formula]) -> Self {
+        Self { formulas, ..self }
+    }
+
+    /// The layers it draws, in drawing order.
+    #[must_use]
+    pub const fn layers(self, layers: &'static [Layer]) -> Self {
+        Self { layers, ..self }
+    }
+
+    /// The numbers that it tells of each of those that search side by side.
+    #[must_use]
+    pub const fn members(self, members: &'static [Member]) -> Self {
+        Self { members, ..self }
+    }
+
+    /// The kinds of events that it tells of.
+    #[must_use]
+    pub const fn events(self, events: &'static [EventKind]) -> Self {
+        Self { events, ..self }
+    }
+
+    /// Parameters under a name.
+    #[must_use]
+    pub const fn presets(self, presets: &'static [Preset]) -> Self {
+        Self { presets, ..self }
+    }
+
+    /// What its paper recommends for some settings.
+    #[must_use]
+    pub const fn suggest(self, suggest: fn(&Settings) -> Option<Suggestion>) -> Self {
+        Self { suggest, ..self }
+    }
+
     /// Refuses a kind of scene that this planner does not run on.
     ///
     /// # Errors
@@ -132,5 +231,46 @@ impl Entry {
     /// The parameters that mean something on this kind of scene.
     pub fn parameters_on(&self, kind: SceneKindId) -> impl Iterator<Item = &'static Parameter> + use<> {
         self.all_parameters().filter(move |p| p.applies_to(kind))
+    }
+}
+
+/// What a run of a planner begins with.
+#[derive(Clone, Copy)]
+pub struct Start<'a> {
+    /// What is planned in: of a kind that the planner runs on.
+    pub scene: &'a Arc<Scene>,
+    /// A value for each of its parameters.
+    pub parameters: &'a Settings,
+    /// 0 to 2^53 − 1.
+    pub seed: u64,
+    /// All planners, for one that rests on others.
+    pub entries: &'a dyn Entries,
+}
+
+impl Start<'_> {
+    /// The planner that a parameter names.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the parameter's name, its value and the planners that there are.
+    pub fn planner(&self, parameter: Param<&'static str>) -> Result<&'static Entry, Error> {
+        self.entries.planner(self.parameters[parameter]).map_err(|error| match error {
+            Error::Unknown { value, known, .. } => Error::Unknown { field: parameter.name().to_owned(), value, known },
+            other => other,
+        })
+    }
+}
+
+/// Planners by name.
+pub trait Entries {
+    /// The entry of this name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the names that exist.
+    fn planner(&self, name: &str) -> Result<&'static Entry, Error>;
+}
+
+impl Entries for &'static [Entry] {
+    fn planner(&self, name: &str) -> Result<&'static Entry, Error> {
+        self.iter().find(|entry| entry.name == name).ok_or_else(|| Error::unknown("planner", name, self.iter().map(|entry| entry.name)))
     }
 }

@@ -26,9 +26,14 @@ pub struct Formula {
 }
 
 impl Formula {
+    /// An equation that is filled in from the readings of the iteration, and the parameters.
+    pub const fn new(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Self {
+        Self { name, source, title, tex, live, scope: Scope::Iteration, when: None }
+    }
+
     /// An equation that is filled in from an inspection's values.
     pub const fn of_item(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Self {
-        Self { name, source, title, tex, live, scope: Scope::Item, when: None }
+        Self { scope: Scope::Item, ..Self::new(name, source, title, tex, live) }
     }
 
     /// The same, carried out only while a parameter has this value.

@@ -20,3 +20,22 @@ pub struct Member {
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     pub words: &'static [&'static str],
 }
+
+impl Member {
+    /// A number that is only written, by its name, TeX, title and help.
+    pub const fn new(name: &'static str, symbol: &'static str, title: &'static str, help: &'static str) -> Self {
+        Self { name, symbol, title, help, full: None, words: &[] }
+    }
+
+    /// The same, drawn as a bar from 0 to this.
+    #[must_use]
+    pub const fn full(self, full: f64) -> Self {
+        Self { full: Some(full), ..self }
+    }
+
+    /// The same, of one of these words.
+    #[must_use]
+    pub const fn words(self, words: &'static [&'static str]) -> Self {
+        Self { words, ..self }
+    }
+}

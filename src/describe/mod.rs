@@ -13,12 +13,12 @@ mod preset;
 mod reading;
 mod scene_kind;
 
-pub use entry::{Entry, Start, Suggestion};
+pub use entry::{Entries, Entry, Start, Suggestion};
 pub use event::{EventKind, Tone};
 pub use follower::{Column, Follower};
 pub use formula::{Formula, Scope};
 pub use layer::Layer;
 pub use member::Member;
-pub use preset::{Preset, ROAD};
-pub use reading::{Group, Reading};
+pub use preset::{PAPER, Preset, ROAD};
+pub use reading::{CONVERGED, Group, Reading};
 pub use scene_kind::{ReadScene, SceneKind};

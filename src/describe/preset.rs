@@ -7,6 +7,9 @@ use crate::params::{Fixed, Given, Value, as_object};
 /// The name of the preset with which a planner builds one of many roads between stops: sizes that make 66 runs take seconds.
 pub const ROAD: &str = "road";
 
+/// The name of the preset with the parameters of a planner's paper.
+pub const PAPER: &str = "paper";
+
 /// Parameters under a name.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Preset {

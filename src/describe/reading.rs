@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::kernel::ReadingName;
+
 /// A number that a planner tells after each iteration.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Reading {
@@ -17,10 +19,26 @@ pub struct Reading {
     pub group: Group,
 }
 
+/// The iteration in which the best solution was found: what a run tells that serves another planner. Each planner says
+/// in its own words what it counts, by [`Reading::told`].
+pub const CONVERGED: Reading = Reading::new("converged", "t^*", "Converged", Group::Count, "The iteration in which the result was found.");
+
+impl ReadingName for Reading {
+    fn name(self) -> &'static str {
+        self.name
+    }
+}
+
 impl Reading {
     /// A number by its name, TeX, title, group and help.
     pub const fn new(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Self {
         Self { name, symbol, title, help, group }
+    }
+
+    /// The same number, told otherwise: TeX, title and help.
+    #[must_use]
+    pub const fn told(self, symbol: &'static str, title: &'static str, help: &'static str) -> Self {
+        Self { symbol, title, help, ..self }
     }
 }
 

@@ -1,7 +1,7 @@
 //! What can be set about a drive, what it tells, and the equations it carries out.
 
 use crate::{
-    describe::{Column, Follower, Formula, Scope},
+    describe::{Column, Follower, Formula},
     params::{Param, Parameter},
 };
 
@@ -99,27 +99,26 @@ const fn column(name: &'static str, symbol: &'static str, title: &'static str, u
 }
 
 const FORMULAS: &[Formula] = &[
-    formula("curvature", "Coulter, CMU-RI-TR-92-01", "Pure pursuit", "\\kappa = \\frac{2 \\sin\\eta}{L_d}"),
-    formula(
+    Formula::new("curvature", "Coulter, CMU-RI-TR-92-01", "Pure pursuit", "\\kappa = \\frac{2 \\sin\\eta}{L_d}", ""),
+    Formula::new(
         "command",
         "limits of [LTQPSO] §5",
         "Command",
         "v = \\min\\left(v_{\\max},\\, \\frac{\\omega_{\\max}}{|\\kappa|}\\right), \\quad \\omega = \\kappa v",
+        "",
     ),
-    formula(
+    Formula::new(
         "wheels",
         "differential drive",
         "Wheel speeds",
         "\\omega_l = \\frac{v - \\omega b / 2}{R}, \\quad \\omega_r = \\frac{v + \\omega b / 2}{R}",
+        "",
     ),
-    formula(
+    Formula::new(
         "counts",
         "[LTQPSO] §5",
         "Encoder counts",
         "N = \\left\\lfloor \\frac{n_p\\, n_d\\, n_g}{2\\pi} \\int \\omega_{l,r}\\, \\mathrm{d}t \\right\\rfloor",
+        "",
     ),
 ];
-
-const fn formula(name: &'static str, source: &'static str, title: &'static str, tex: &'static str) -> Formula {
-    Formula { name, source, title, tex, live: "", scope: Scope::Iteration, when: None }
-}

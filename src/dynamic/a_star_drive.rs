@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::Entry,
-    kernel::{Error, State},
+    describe::{Entry, Start},
+    kernel::{Error, Started, State},
     params::{Choice, Param},
 };
 
@@ -74,27 +74,24 @@ impl Route for Anew {
 }
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "a-star-drive",
-    title: "A*, driving among moving obstacles",
-    family: "dynamic",
-    source: "Hart, Nilsson and Raphael 1968; [WOLF-ANT] §6",
-    summary: "The shortest way from cell to cell, then a drive in simulated time: where the robot foresees a collision it searches a new way round the obstacle’s predicted range from scratch, or waits.",
-    kinds: KINDS,
-    parameters: &[&[PRINTED.entry(), ITERATIONS.entry()], DRIVE],
-    readings: READINGS,
-    formulas: &[FORMULA_APPROACH, FORMULA_TIME],
-    layers: LAYERS_BARE,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: EVENTS,
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, _| {
-        super::start(scene, settings, |ground| {
-            let printed = settings[PRINTED].then(|| printed(ground)).transpose()?;
-            Ok(Box::new(Anew { search: AStar::new(&ground.cells), ground: Arc::clone(ground), printed }))
-        })
-    },
-};
+pub const ENTRY: Entry = Entry::new(
+    "a-star-drive",
+    "A*, driving among moving obstacles",
+    "Hart, Nilsson and Raphael 1968; [WOLF-ANT] §6",
+    "The shortest way from cell to cell, then a drive in simulated time: where the robot foresees a collision it searches a new way round the obstacle’s predicted range from scratch, or waits.",
+    start,
+)
+.family("dynamic")
+.kinds(KINDS)
+.parameters(&[&[PRINTED.entry(), ITERATIONS.entry()], DRIVE])
+.readings(READINGS)
+.formulas(&[FORMULA_APPROACH, FORMULA_TIME])
+.layers(LAYERS_BARE)
+.events(EVENTS);
+
+fn start(start: &Start) -> Result<Started, Error> {
+    super::start(start, |ground| {
+        let printed = start.parameters[PRINTED].then(|| printed(ground)).transpose()?;
+        Ok(Box::new(Anew { search: AStar::new(&ground.cells), ground: Arc::clone(ground), printed }))
+    })
+}

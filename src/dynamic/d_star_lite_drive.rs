@@ -40,8 +40,8 @@ pub const ENTRY: Entry = Entry {
     title: "D* Lite, driving among moving obstacles",
     source: "Koenig and Likhachev 2002; [WOLF-ANT] §5.3",
     summary: "The same drive on ways of D* Lite: where the robot foresees a collision, the search is repaired where the obstacle’s predicted range has changed it, or the robot waits.",
-    start: |scene, settings, _| {
-        super::start(scene, settings, |ground| {
+    start: |start| {
+        super::start(start, |ground| {
             let search = DStarLite::new(&ground.cells, ground.course.start, ground.course.goal);
             Ok(Box::new(Repaired { search, ground: Arc::clone(ground) }))
         })

@@ -30,6 +30,7 @@ use std::{
 };
 
 use crate::{
+    describe::Start,
     exact,
     geometry::{self, Cells, Course},
     kernel::{
@@ -139,12 +140,9 @@ struct Dynamic {
 }
 
 /// Starts a drive on ways of this kind.
-fn start(
-    scene: &Arc<Scene>,
-    settings: &Settings,
-    route: impl FnOnce(&Arc<Ground>) -> Result<Box<dyn Route>, Error>,
-) -> Result<Started, Error> {
-    let ground = Arc::new(Ground::new(scene, settings)?);
+fn start(start: &Start, route: impl FnOnce(&Arc<Ground>) -> Result<Box<dyn Route>, Error>) -> Result<Started, Error> {
+    let settings = start.parameters;
+    let ground = Arc::new(Ground::new(start.scene, settings)?);
     let route = route(&ground)?;
     let most = match settings[TIME_LIMIT] {
         0.0 => {

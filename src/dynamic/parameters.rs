@@ -1,7 +1,7 @@
 //! What the entries of the drives share: parameters, readings, equations, layers and kinds of events.
 
 use crate::{
-    describe::{EventKind, Formula, Group, Layer, Reading, Scope, Tone},
+    describe::{EventKind, Formula, Group, Layer, Reading, Tone},
     kernel::{Border, Role, SceneKindId},
     params::{Choice, Param, ParamValue, Parameter},
     scene::GRID,
@@ -138,35 +138,37 @@ pub(super) const EVENTS: &[EventKind] = &[
     event("arrived", "Arrived", Tone::Good, "The robot is at the goal."),
 ];
 
+pub(super) const PLANNED: Reading = Reading::new(
+    "planned",
+    "L",
+    "Planned",
+    Group::Cost,
+    "The length of the way in all, as it is planned now: what is gone and what is ahead. It rises where the robot goes round something.",
+);
+pub(super) const TIME: Reading = Reading::new("time", "T", "Time", Group::Measure, "Seconds since the robot set out.");
+pub(super) const DRIVING: Reading = Reading::new("driving", "t_d", "Driving", Group::Measure, "Seconds that it drove.");
+pub(super) const TURNING_TIME: Reading = Reading::new("turning_time", "n_t t_t", "Turning", Group::Measure, "Seconds that it turned.");
+pub(super) const WAITED: Reading = Reading::new("waited", "t_w", "Waiting", Group::Measure, "Seconds that it stood without turning.");
+pub(super) const GONE: Reading =
+    Reading::new("length", "L_{\\text{gone}}", "Gone", Group::Length, "The length of the way that it has gone.");
+pub(super) const TURNS: Reading = Reading::new("turns", "n_t", "Turns", Group::Count, "How often it has turned.");
+pub(super) const DETOURS: Reading = Reading::new("detours", "", "Detours", Group::Count, "How often it went round along the pheromone.");
+pub(super) const REPLANS: Reading = Reading::new("replans", "", "New plans", Group::Count, "How often it planned a new way to the goal.");
+pub(super) const WAITS: Reading = Reading::new("waits", "", "Waits", Group::Count, "How often it began to wait.");
+pub(super) const ESCAPES: Reading = Reading::new("escapes", "", "Escapes", Group::Count, "How often it had to get out of the way.");
+pub(super) const IN_SIGHT: Reading = Reading::new("in_sight", "", "In sight", Group::Count, "Moving obstacles that it sees now.");
+pub(super) const SMALLEST_DISTANCE: Reading = Reading::new(
+    "smallest_distance",
+    "d_{\\min}",
+    "Nearest",
+    Group::Measure,
+    "The smallest distance between the robot’s rim and an obstacle’s so far, seen or not; negative where they overlapped.",
+);
+pub(super) const COLLISIONS: Reading = Reading::new("collisions", "", "Collisions", Group::Count, "How often an obstacle has touched it.");
+
 /// What every drive tells.
-pub(super) const READINGS: &[Reading] = &[
-    Reading::new(
-        "planned",
-        "L",
-        "Planned",
-        Group::Cost,
-        "The length of the way in all, as it is planned now: what is gone and what is ahead. It rises where the robot goes round something.",
-    ),
-    Reading::new("time", "T", "Time", Group::Measure, "Seconds since the robot set out."),
-    Reading::new("driving", "t_d", "Driving", Group::Measure, "Seconds that it drove."),
-    Reading::new("turning_time", "n_t t_t", "Turning", Group::Measure, "Seconds that it turned."),
-    Reading::new("waited", "t_w", "Waiting", Group::Measure, "Seconds that it stood without turning."),
-    Reading::new("length", "L_{\\text{gone}}", "Gone", Group::Length, "The length of the way that it has gone."),
-    Reading::new("turns", "n_t", "Turns", Group::Count, "How often it has turned."),
-    Reading::new("detours", "", "Detours", Group::Count, "How often it went round along the pheromone."),
-    Reading::new("replans", "", "New plans", Group::Count, "How often it planned a new way to the goal."),
-    Reading::new("waits", "", "Waits", Group::Count, "How often it began to wait."),
-    Reading::new("escapes", "", "Escapes", Group::Count, "How often it had to get out of the way."),
-    Reading::new("in_sight", "", "In sight", Group::Count, "Moving obstacles that it sees now."),
-    Reading::new(
-        "smallest_distance",
-        "d_{\\min}",
-        "Nearest",
-        Group::Measure,
-        "The smallest distance between the robot’s rim and an obstacle’s so far, seen or not; negative where they overlapped.",
-    ),
-    Reading::new("collisions", "", "Collisions", Group::Count, "How often an obstacle has touched it."),
-];
+pub(super) const READINGS: &[Reading] =
+    &[PLANNED, TIME, DRIVING, TURNING_TIME, WAITED, GONE, TURNS, DETOURS, REPLANS, WAITS, ESCAPES, IN_SIGHT, SMALLEST_DISTANCE, COLLISIONS];
 
 pub(super) const FORMULA_APPROACH: Formula = Formula::of_item(
     "approach",
@@ -175,15 +177,13 @@ pub(super) const FORMULA_APPROACH: Formula = Formula::of_item(
     "t^* = \\max\\left(0, -\\frac{\\Delta p \\cdot \\Delta v}{|\\Delta v|^2}\\right), \\quad d^* = |\\Delta p + t^* \\Delta v| - R - r",
     "t^* = \\max\\left(0, \\frac{@towards@}{@squared@}\\right) = @t@, \\quad d^* = @centres@ - @robot@ - @radius@ = @d@",
 );
-pub(super) const FORMULA_TIME: Formula = Formula {
-    name: "time",
-    source: "[WOLF-ANT] §6",
-    title: "Time",
-    tex: "T = \\frac{L}{v} + n_t \\, t_t + t_w",
-    live: "T = @driving@ + @turning_time@ + @waited@ = @time@",
-    scope: Scope::Iteration,
-    when: None,
-};
+pub(super) const FORMULA_TIME: Formula = Formula::new(
+    "time",
+    "[WOLF-ANT] §6",
+    "Time",
+    "T = \\frac{L}{v} + n_t \\, t_t + t_w",
+    "T = @driving@ + @turning_time@ + @waited@ = @time@",
+);
 
 const PREDICTED: Layer = Layer::new(
     Role::Predicted,

@@ -5,7 +5,14 @@ use crate::{
     kernel::{Inspection, Item, Mark, Quantity, Readings, Role, Shape},
 };
 
-use super::{Dynamic, journey::Journey};
+use super::{
+    Dynamic,
+    journey::Journey,
+    parameters::{
+        COLLISIONS, DETOURS, DRIVING, ESCAPES, EVENTS, GONE, IN_SIGHT, PLANNED, REPLANS, SMALLEST_DISTANCE, TIME, TURNING_TIME, TURNS,
+        WAITED, WAITS,
+    },
+};
 
 /// The TeX strings that inspections use.
 pub const SYMBOLS: &[&str] =
@@ -15,21 +22,21 @@ pub(super) fn read(dynamic: &Dynamic, out: &mut Readings) {
     let journey = dynamic.journey.as_ref();
     let number = |of: &dyn Fn(&Journey) -> f64| journey.map_or(0.0, of);
     let planned = journey.map_or(dynamic.route.shortest(), |journey| Some(journey.tally.length + journey.left()));
-    out.push("planned", planned.unwrap_or(f64::NAN));
-    out.push("time", number(&|journey| journey.now));
-    out.push("driving", number(&|journey| journey.tally.length / dynamic.ground.body.speed));
-    out.push("turning_time", number(&Journey::turning));
-    out.push("waited", number(&Journey::waited));
-    out.push("length", number(&|journey| journey.tally.length));
-    out.push("turns", number(&|journey| journey.tally.turns as f64));
-    out.push("detours", number(&|journey| journey.tally.detours as f64));
-    out.push("replans", number(&|journey| journey.tally.replans as f64));
-    out.push("waits", number(&|journey| journey.tally.waits as f64));
-    out.push("escapes", number(&|journey| journey.tally.escapes as f64));
-    out.push("in_sight", number(&|journey| journey.view.threats.len() as f64));
+    out.push(PLANNED, planned.unwrap_or(f64::NAN));
+    out.push(TIME, number(&|journey| journey.now));
+    out.push(DRIVING, number(&|journey| journey.tally.length / dynamic.ground.body.speed));
+    out.push(TURNING_TIME, number(&Journey::turning));
+    out.push(WAITED, number(&Journey::waited));
+    out.push(GONE, number(&|journey| journey.tally.length));
+    out.push(TURNS, number(&|journey| journey.tally.turns as f64));
+    out.push(DETOURS, number(&|journey| journey.tally.detours as f64));
+    out.push(REPLANS, number(&|journey| journey.tally.replans as f64));
+    out.push(WAITS, number(&|journey| journey.tally.waits as f64));
+    out.push(ESCAPES, number(&|journey| journey.tally.escapes as f64));
+    out.push(IN_SIGHT, number(&|journey| journey.view.threats.len() as f64));
     let gap = journey.map(|journey| journey.tally.gap).filter(|gap| gap.is_finite());
-    out.push("smallest_distance", gap.unwrap_or(f64::NAN));
-    out.push("collisions", number(&|journey| journey.tally.collisions as f64));
+    out.push(SMALLEST_DISTANCE, gap.unwrap_or(f64::NAN));
+    out.push(COLLISIONS, number(&|journey| journey.tally.collisions as f64));
 }
 
 /// Why the goal was not reached in time, and which parameter ended the drive.
@@ -121,7 +128,7 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
 /// What happened at a place, and why.
 fn event(journey: &Journey, item: Item) -> Option<Inspection> {
     let event = journey.events.get(item.index)?;
-    let kind = super::parameters::EVENTS.iter().find(|kind| kind.name == event.kind)?;
+    let kind = EVENTS.iter().find(|kind| kind.name == event.kind)?;
     let mut told = told(item, format!("{}, {:.1} s", kind.title, event.time), event.kind, event.reason.clone());
     told.values = vec![quantity("t", "t", "when, seconds", event.time)];
     told.marks = vec![Mark::plane(Role::After, Shape::Points, vec![event.place])];

@@ -3,8 +3,9 @@ use std::sync::Arc;
 use crate::{
     Scene, Session, Setup, Status, Value,
     catalogue::PLANNERS,
-    kernel::{Border, Event, Solution, Track},
-    params::Given,
+    describe::{Entries, Entry, Start},
+    kernel::{Border, Error, Event, Solution, Track},
+    params::{Given, Settings},
     scene::GridScene,
     session::Outcome,
     shipped,
@@ -80,6 +81,31 @@ fn the_colonies_to_choose_from_are_those_of_the_catalogue() {
     colonies.sort_unstable();
     names.sort_unstable();
     assert_eq!(names, colonies);
+}
+
+/// A list in which each name is this planner's.
+struct Only(&'static [Entry]);
+
+impl Entries for Only {
+    fn planner(&self, name: &str) -> Result<&'static Entry, Error> {
+        self.0.first().ok_or_else(|| Error::unknown("planner", name, []))
+    }
+}
+
+#[test]
+fn a_colony_that_the_list_lacks_or_that_is_none_is_refused() {
+    const DRIVE: Entry = wolf_ant_drive::ENTRY;
+    let scene = shipped("wolf-ant-20").unwrap();
+    let parameters = Settings::new(DRIVE.parameters, scene.kind(), &Given::new()).unwrap();
+    let refused = |entries: &dyn Entries| {
+        let start = Start { scene: &scene, parameters: &parameters, seed: 1, entries };
+        (DRIVE.start)(&start).err().unwrap()
+    };
+    let none = refused(&Only(&[]));
+    assert_eq!((none.field(), none.value(), none.allowed()), ("colony", "aco-wolf", ""));
+    let other = refused(&Only(&[crate::search::a_star::ENTRY]));
+    assert_eq!((other.field(), other.value()), ("colony", "a-star"));
+    assert_eq!(other.allowed(), "an ant colony, e.g. aco-wolf, aco-direction, aco-dijkstra, aco");
 }
 
 /// The published case: all arrive on a shortest way, in its length over 20 px/s and a second a turn, and touch nothing.

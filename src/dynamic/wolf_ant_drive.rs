@@ -1,12 +1,12 @@
 //! `wolf-ant-drive`: ants plan, the robot drives, and pheromone leads it round moving obstacles, [WOLF-ANT] §5.3.
 
-use std::sync::Arc;
+use std::{any::Any, sync::Arc};
 
 use crate::{
-    ants::{self, Colony, aco_wolf},
-    describe::Entry,
-    kernel::{Explain, Frame, Inspection, Item, Planner, Role, State, rng::Stream},
-    params::{Choice, Given, Param, Value},
+    ants::{Colony, aco_wolf},
+    describe::{Entry, PAPER, Start},
+    kernel::{Error, Explain, Frame, Inspection, Item, Planner, Role, Started, State, rng::Stream},
+    params::{Choice, Given, Param, Settings, Value},
 };
 
 use super::{
@@ -112,39 +112,49 @@ impl Route for Ants {
 }
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "wolf-ant-drive",
-    title: "Ant colony, driving among moving obstacles",
-    family: "dynamic",
-    source: "[WOLF-ANT] §5.3",
-    summary: "A colony plans, then a robot drives in simulated time: where it foresees a collision it follows the pheromone round the obstacle’s predicted range to a local goal, replans, or waits.",
-    kinds: KINDS,
-    parameters: &[&[COLONY.entry(), ITERATIONS.entry(), ANTS.entry()], DRIVE],
-    readings: READINGS,
-    formulas: &[FORMULA_APPROACH, FORMULA_TIME, aco_wolf::CHOICE, aco_wolf::RANKED, aco_wolf::LAID],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: EVENTS,
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        let mut given = Given::new();
-        for size in [ITERATIONS, ANTS] {
-            given.insert(size.name(), Value::from(settings[size] as f64));
-        }
-        let colony = ants::colony(settings[COLONY], scene, &given, seed)?;
-        super::start(scene, settings, |ground| {
-            Ok(Box::new(Ants {
-                // Where no way leads the colony has nothing to plan.
-                steps: if colony.is_reachable() { settings[ITERATIONS] } else { 0 },
-                rng: Stream::new(seed, 1),
-                scouts: 0,
-                search: AStar::new(&ground.cells),
-                ground: Arc::clone(ground),
-                colony: Arc::new(colony),
-            }))
-        })
-    },
-};
+pub const ENTRY: Entry = Entry::new(
+    "wolf-ant-drive",
+    "Ant colony, driving among moving obstacles",
+    "[WOLF-ANT] §5.3",
+    "A colony plans, then a robot drives in simulated time: where it foresees a collision it follows the pheromone round the obstacle’s predicted range to a local goal, replans, or waits.",
+    start,
+)
+.family("dynamic")
+.kinds(KINDS)
+.parameters(&[&[COLONY.entry(), ITERATIONS.entry(), ANTS.entry()], DRIVE])
+.readings(READINGS)
+.formulas(&[FORMULA_APPROACH, FORMULA_TIME, aco_wolf::CHOICE, aco_wolf::RANKED, aco_wolf::LAID])
+.layers(LAYERS)
+.events(EVENTS);
+
+fn start(start: &Start) -> Result<Started, Error> {
+    let colony = colony(start)?;
+    super::start(start, |ground| {
+        Ok(Box::new(Ants {
+            // Where no way leads the colony has nothing to plan.
+            steps: if colony.is_reachable() { start.parameters[ITERATIONS] } else { 0 },
+            rng: Stream::new(start.seed, 1),
+            scouts: 0,
+            search: AStar::new(&ground.cells),
+            ground: Arc::clone(ground),
+            colony: Arc::new(colony),
+        }))
+    })
+}
+
+/// The colony that plans: with its paper's parameters, but for those that are given.
+fn colony(start: &Start) -> Result<Colony, Error> {
+    let (entry, kind) = (start.planner(COLONY)?, start.scene.kind());
+    let known = || COLONIES.iter().map(|option| option.value).collect::<Vec<_>>().join(", ");
+    let other = || Error::refused(COLONY.name(), entry.name, format!("an ant colony, e.g. {}", known()));
+    if [ITERATIONS, ANTS].iter().any(|size| entry.parameter(size.name()).is_none()) {
+        return Err(other());
+    }
+    let mut given = if entry.presets.is_empty() { Given::new() } else { entry.preset(PAPER, kind)? };
+    for size in [ITERATIONS, ANTS] {
+        given.insert(size.name(), Value::from(start.parameters[size] as f64));
+    }
+    let parameters = Settings::new(entry.parameters, kind, &given)?;
+    let planner: Box<dyn Any> = (entry.start)(&Start { parameters: &parameters, ..*start })?.planner;
+    planner.downcast().map(|colony| *colony).map_err(|_| other())
+}

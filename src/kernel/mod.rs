@@ -28,7 +28,7 @@ pub use frame::{Frame, Role, Shape, Span, VERTEX};
 pub use inspection::{Column, Inspection, Item, Mark, Quantity};
 pub use optimum::Exact;
 pub use planner::{CloneBox, Planner, Progress};
-pub use readings::Readings;
+pub use readings::{ReadingName, Readings};
 pub use scene::{Header, Optimum, Scene};
 pub use scene_body::{Backdrop, Plane, SceneBody, SceneKindId, Stops, Verdict};
 pub use solution::{Best, Border, Round, Solution, Track, Yardstick};

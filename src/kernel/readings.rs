@@ -1,5 +1,11 @@
 //! The numbers of an iteration.
 
+/// What declares a number of an iteration, so that its name is written once: a planner's `Reading`.
+pub trait ReadingName {
+    /// The name in traces, formulas and other programs.
+    fn name(self) -> &'static str;
+}
+
 /// Named numbers of an iteration. Re-used from call to call.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Readings(Vec<(&'static str, f64)>);
@@ -10,9 +16,9 @@ impl Readings {
         self.0.clear();
     }
 
-    /// Adds a number under a name that the planner's entry lists.
-    pub fn push(&mut self, name: &'static str, value: f64) {
-        self.0.push((name, value));
+    /// Adds a number that the planner's entry lists.
+    pub fn push(&mut self, reading: impl ReadingName, value: f64) {
+        self.0.push((reading.name(), value));
     }
 
     /// The names and numbers, always in the same order for the same run.
@@ -20,7 +26,12 @@ impl Readings {
         self.0.iter().copied()
     }
 
-    /// The number of this name.
+    /// This number.
+    pub fn of(&self, reading: impl ReadingName) -> Option<f64> {
+        self.get(reading.name())
+    }
+
+    /// The number of a name that somebody gave.
     pub fn get(&self, name: &str) -> Option<f64> {
         self.0.iter().find(|(n, _)| *n == name).map(|(_, value)| *value)
     }

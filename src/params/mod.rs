@@ -13,7 +13,7 @@ use serde::Serialize;
 use crate::kernel::{Error, SceneKindId};
 
 pub use given::{Given, Value, as_object};
-pub use param::{Param, ParamValue, Subset};
+pub use param::{Param, ParamValue, Selection};
 pub use settings::Settings;
 
 /// One of a choice's options.

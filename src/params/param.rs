@@ -31,7 +31,7 @@ pub struct Param<T: 'static> {
 
 /// The values of a parameter that is any of a few options: text with commas between.
 #[derive(Debug, Clone, Copy)]
-pub enum Subset {}
+pub enum Selection {}
 
 /// A type of parameter values: `f64`, `u64`, `bool`, `&'static str` for names, and what the options of a choice mean.
 pub trait ParamValue: Sized + 'static {
@@ -84,10 +84,10 @@ impl<T: ParamValue> Index<Param<T>> for Settings {
     }
 }
 
-impl Index<Param<Subset>> for Settings {
+impl Index<Param<Selection>> for Settings {
     type Output = str;
 
-    fn index(&self, param: Param<Subset>) -> &str {
+    fn index(&self, param: Param<Selection>) -> &str {
         self.text(param.parameter.name)
     }
 }
@@ -242,7 +242,7 @@ impl Param<bool> {
     }
 }
 
-impl Param<Subset> {
+impl Param<Selection> {
     /// Any of a few, at least one: text with commas between. Not listed, it reads as none.
     pub const fn subset(
         name: &'static str,

@@ -104,7 +104,7 @@ fn unmet(parameters: &'static [&'static [Parameter]], kind: SceneKindId, given: 
 mod tests {
     use super::*;
     use crate::{
-        params::{Fixed, Param, Subset},
+        params::{Fixed, Param, Selection},
         scene::{DISCS, FUNCTION, GRID},
     };
 
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn a_subset_has_known_names_each_once() {
         const OPTIONS: [Choice; 2] = [Choice { value: "a", title: "", help: "" }, Choice { value: "b", title: "", help: "" }];
-        const SOME: Param<Subset> = Param::subset("some", "", &OPTIONS, "a", "");
+        const SOME: Param<Selection> = Param::subset("some", "", &OPTIONS, "a", "");
         const SOME_ONLY: &[&[Parameter]] = &[&[SOME.entry()]];
         let parameter = SOME.entry();
         for good in ["a", "b,a"] {

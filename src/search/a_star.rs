@@ -8,22 +8,16 @@ use super::{
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "a-star",
-    title: "A*: exact, towards the goal",
-    family: "search",
-    source: "Hart, Nilsson and Raphael 1968",
-    summary: "Settles first the cells whose way from the start and least way to the goal are together shortest. Exact from cell to cell, with fewer cells than Dijkstra.",
-    kinds: KINDS,
-    parameters: &[&[ITERATIONS.entry(), EXPAND.entry(), WEIGHT.entry(), SMOOTH.entry()]],
-    readings: READINGS,
-    formulas: &[BOUND, FORMULA_STEP, FORMULA_OCTILE],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, _| super::start(scene, settings, Heuristic::Octile, settings[WEIGHT], Relaxation::Step),
-};
+pub const ENTRY: Entry = Entry::new(
+    "a-star",
+    "A*: exact, towards the goal",
+    "Hart, Nilsson and Raphael 1968",
+    "Settles first the cells whose way from the start and least way to the goal are together shortest. Exact from cell to cell, with fewer cells than Dijkstra.",
+    |start| super::start(start, Heuristic::Octile, start.parameters[WEIGHT], Relaxation::Step),
+)
+.family("search")
+.kinds(KINDS)
+.parameters(&[&[ITERATIONS.entry(), EXPAND.entry(), WEIGHT.entry(), SMOOTH.entry()]])
+.readings(READINGS)
+.formulas(&[BOUND, FORMULA_STEP, FORMULA_OCTILE])
+.layers(LAYERS);

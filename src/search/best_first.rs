@@ -3,10 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
+    describe::Start,
     geometry::DIRECTIONS,
     kernel::{Error, Progress, State, Status},
-    params::Settings,
-    scene::Scene,
 };
 
 use super::{
@@ -48,8 +47,8 @@ fn length(way: u64) -> f64 {
 }
 
 impl Search {
-    pub(super) fn new(scene: &Arc<Scene>, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
-        let task = Task::new(scene, settings, rules, weight)?;
+    pub(super) fn new(start: &Start, rules: Rules, weight: f64) -> Result<Self, Error> {
+        let task = Task::new(start, rules, weight)?;
         let (n, start) = (task.cells.len(), task.course.start);
         let first = place(task.cells.place(start));
         let h = task.guess.ahead(apart(first));

@@ -8,22 +8,16 @@ use super::{
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "dijkstra",
-    title: "Dijkstra: exact, evenly outwards",
-    family: "search",
-    source: "Dijkstra 1959",
-    summary: "Settles the cells in the order of their distance from the start until the goal is one of them. Exact from cell to cell.",
-    kinds: KINDS,
-    parameters: &[&[ITERATIONS.entry(), EXPAND.entry(), SMOOTH.entry()]],
-    readings: READINGS,
-    formulas: &[BOUND, FORMULA_STEP],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, _| super::start(scene, settings, Heuristic::Nothing, 1.0, Relaxation::Step),
-};
+pub const ENTRY: Entry = Entry::new(
+    "dijkstra",
+    "Dijkstra: exact, evenly outwards",
+    "Dijkstra 1959",
+    "Settles the cells in the order of their distance from the start until the goal is one of them. Exact from cell to cell.",
+    |start| super::start(start, Heuristic::Nothing, 1.0, Relaxation::Step),
+)
+.family("search")
+.kinds(KINDS)
+.parameters(&[&[ITERATIONS.entry(), EXPAND.entry(), SMOOTH.entry()]])
+.readings(READINGS)
+.formulas(&[BOUND, FORMULA_STEP])
+.layers(LAYERS);

@@ -25,12 +25,9 @@ mod tell;
 mod tests;
 pub mod theta_star;
 
-use std::sync::Arc;
-
 use crate::{
+    describe::Start,
     kernel::{Error, Started, Yardstick},
-    params::Settings,
-    scene::Scene,
 };
 
 pub use tell::SYMBOLS;
@@ -39,8 +36,8 @@ use best_first::Search;
 use rules::{Heuristic, Relaxation, Rules};
 
 /// Starts a search by its rules.
-fn start(scene: &Arc<Scene>, settings: &Settings, heuristic: Heuristic, weight: f64, relaxation: Relaxation) -> Result<Started, Error> {
-    let search = Search::new(scene, settings, Rules { heuristic, relaxation }, weight)?;
+fn start(start: &Start, heuristic: Heuristic, weight: f64, relaxation: Relaxation) -> Result<Started, Error> {
+    let search = Search::new(start, Rules { heuristic, relaxation }, weight)?;
     let (limit, smooth) = (search.task.limit, search.task.smooth);
     let cells = relaxation == Relaxation::Step && !smooth;
     Ok(Started::new(search, limit).open_ended().measured_by(if cells { Yardstick::Cells } else { Yardstick::AnyAngle }))

@@ -1,7 +1,7 @@
 //! What the entries of the searches share: parameters, readings, equations and layers.
 
 use crate::{
-    describe::{Formula, Group, Layer, Reading},
+    describe::{CONVERGED, Formula, Group, Layer, Reading},
     kernel::{Role, SceneKindId},
     params::{Param, When},
     scene::{GRID, MAX_SIDE},
@@ -34,26 +34,21 @@ pub(super) const WEIGHT: Param<f64> = Param::number(
     [1.0, 5.0, 1.0],
     "What the way to the goal is multiplied by. 1: the path is the shortest. Above, fewer cells are settled, and the path may be up to that many times as long as the shortest: the gap shows it.",
 );
+pub(super) const BEST: Reading = Reading::new("best", "L", "Path found", Group::Cost, "The length of the path, once it is found.");
+pub(super) const LOWEST: Reading = Reading::new(
+    "f",
+    "f_{\\min}",
+    "Least on the frontier",
+    Group::Cost,
+    "The lowest f = g + h of a cell on the frontier. Where the heuristic is exact and unweighted it only rises, no path is shorter, and it ends as the path’s length.",
+);
+pub(super) const EXPANDED: Reading = Reading::new("expanded", "n_c", "Settled", Group::Count, "Cells settled so far.");
+pub(super) const FRONTIER: Reading = Reading::new("frontier", "n_o", "Frontier", Group::Count, "Cells reached and not settled.");
+pub(super) const FOUND_AFTER: Reading = CONVERGED.told("k^*", "Found after", "The step in which the path was found.");
+
 /// What every search tells.
-pub(super) const READINGS: &[Reading] = &[
-    Reading::new("best", "L", "Path found", Group::Cost, "The length of the path, once it is found."),
-    Reading::new(
-        "f",
-        "f_{\\min}",
-        "Least on the frontier",
-        Group::Cost,
-        "The lowest f = g + h of a cell on the frontier. Where the heuristic is exact and unweighted it only rises, no path is shorter, and it ends as the path’s length.",
-    ),
-    LENGTH,
-    TURNS,
-    TURNING,
-    SMOOTH_LENGTH,
-    SMOOTH_TURNS,
-    SMOOTH_TURNING,
-    Reading::new("expanded", "n_c", "Settled", Group::Count, "Cells settled so far."),
-    Reading::new("frontier", "n_o", "Frontier", Group::Count, "Cells reached and not settled."),
-    Reading::new("converged", "k^*", "Found after", Group::Count, "The step in which the path was found."),
-];
+pub(super) const READINGS: &[Reading] =
+    &[BEST, LOWEST, LENGTH, TURNS, TURNING, SMOOTH_LENGTH, SMOOTH_TURNS, SMOOTH_TURNING, EXPANDED, FRONTIER, FOUND_AFTER];
 
 pub(super) const BOUND: Formula = Formula::of_item(
     "f",

@@ -5,7 +5,10 @@ use crate::{
     way,
 };
 
-use super::best_first::Search;
+use super::{
+    best_first::Search,
+    parameters::{BEST, EXPANDED, FOUND_AFTER, FRONTIER, LOWEST},
+};
 
 impl Planner for Search {
     fn advance(&mut self) -> Progress {
@@ -26,12 +29,12 @@ impl Planner for Search {
     fn read(&self, out: &mut Readings) {
         let found = self.found.as_deref();
         let lowest = self.lowest.map_or(f64::NAN, |f| self.task.length(f) + self.task.course.stubs);
-        out.push("best", found.map_or(f64::NAN, |found| found.cost));
-        out.push("f", lowest);
+        out.push(BEST, found.map_or(f64::NAN, |found| found.cost));
+        out.push(LOWEST, lowest);
         way::read(found.map(|found| &found.way), &self.task.grid, out);
-        out.push("expanded", self.expanded as f64);
-        out.push("frontier", self.frontier as f64);
-        out.push("converged", found.map_or(f64::NAN, |found| found.iteration as f64));
+        out.push(EXPANDED, self.expanded as f64);
+        out.push(FRONTIER, self.frontier as f64);
+        out.push(FOUND_AFTER, found.map_or(f64::NAN, |found| found.iteration as f64));
     }
 
     fn draw(&self, frame: &mut Frame) {

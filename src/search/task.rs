@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use crate::{
+    describe::Start,
     geometry::{Cells, Course},
     kernel::Error,
-    params::Settings,
-    scene::{GridScene, Scene},
+    scene::GridScene,
     way::SMOOTH,
 };
 
@@ -38,7 +38,8 @@ pub(super) struct Task {
 }
 
 impl Task {
-    pub(super) fn new(scene: &Arc<Scene>, settings: &Settings, rules: Rules, weight: f64) -> Result<Self, Error> {
+    pub(super) fn new(start: &Start, rules: Rules, weight: f64) -> Result<Self, Error> {
+        let &Start { scene, parameters: settings, .. } = start;
         let grid = scene.share::<GridScene>()?;
         let (cells, course) = (Arc::clone(grid.cells()), grid.course()?);
         let expand = match settings[EXPAND] {

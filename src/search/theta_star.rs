@@ -8,22 +8,16 @@ use super::{
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "theta-star",
-    title: "Theta*: at any angle",
-    family: "search",
-    source: "Nash et al. 2007",
-    summary: "A* whose cells are joined to their neighbour’s parent wherever they see it, so that paths go straight at any angle. They need not be the shortest there are.",
-    kinds: KINDS,
-    parameters: &[&[ITERATIONS.entry(), EXPAND.entry(), SMOOTH.entry()]],
-    readings: READINGS,
-    formulas: &[BOUND, FORMULA_SIGHT, FORMULA_STRAIGHT],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, _| super::start(scene, settings, Heuristic::Straight, 1.0, Relaxation::Sight),
-};
+pub const ENTRY: Entry = Entry::new(
+    "theta-star",
+    "Theta*: at any angle",
+    "Nash et al. 2007",
+    "A* whose cells are joined to their neighbour’s parent wherever they see it, so that paths go straight at any angle. They need not be the shortest there are.",
+    |start| super::start(start, Heuristic::Straight, 1.0, Relaxation::Sight),
+)
+.family("search")
+.kinds(KINDS)
+.parameters(&[&[ITERATIONS.entry(), EXPAND.entry(), SMOOTH.entry()]])
+.readings(READINGS)
+.formulas(&[BOUND, FORMULA_SIGHT, FORMULA_STRAIGHT])
+.layers(LAYERS);

@@ -3,6 +3,7 @@
 use std::{collections::BTreeMap, sync::Arc};
 
 use crate::{
+    describe::CONVERGED,
     kernel::{Error, Finding, Job, Status},
     scene::Scene,
 };
@@ -53,7 +54,7 @@ impl Answers {
 pub fn carry_out(setup: Setup) -> Result<Finding, Error> {
     let mut session = Session::with_keyframes(setup, 0)?;
     while session.step(u64::MAX) == Status::Running {}
-    let converged = session.readings().get("converged").unwrap_or(session.iteration() as f64);
+    let converged = session.readings().of(CONVERGED).unwrap_or(session.iteration() as f64);
     // A swarm's best may still touch an obstacle: then nothing was found.
     let best = session.best().filter(|best| session.scene.judge(&best.solution).feasible);
     let cost = best.as_ref().map(|best| best.cost);

@@ -14,8 +14,8 @@ pub use trace::{Trace, csv_heading, csv_line, csv_row};
 
 use crate::{
     arm::{self, Motion, MotionOutcome},
-    catalogue::find,
-    describe::{Entry, Suggestion},
+    catalogue::{PLANNERS, find},
+    describe::{Entry, Start, Suggestion},
     drive::{self, Drive},
     kernel::{
         Best, Digest, Error, Event, Exact, Finding, Frame, Inspection, Item, Job, Readings, Round, Solution, Stage, Started, State, Status,
@@ -129,7 +129,8 @@ impl Session {
     pub fn with_keyframes(setup: Setup, budget: usize) -> Result<Self, Error> {
         let (entry, settings) = setup.check()?;
         let Setup { scene, seed, .. } = setup;
-        let Started { planner, limit, open_ended, progress, yardstick, round, stages } = (entry.start)(&scene, &settings, seed)?;
+        let Started { planner, limit, open_ended, progress, yardstick, round, stages } =
+            (entry.start)(&Start { scene: &scene, parameters: &settings, seed, entries: &PLANNERS })?;
         let mut session = Self {
             entry,
             answers: Answers::new(Arc::clone(&scene), budget > 0),
@@ -200,7 +201,8 @@ impl Session {
     /// A planner at iteration 0. Starting succeeded once with the same scene, settings and seed, so it does again;
     /// if it did not, staying where we are is the harmless answer.
     fn start(&self) -> Stepper {
-        match (self.entry.start)(&self.scene, &self.settings, self.seed) {
+        let start = Start { scene: &self.scene, parameters: &self.settings, seed: self.seed, entries: &PLANNERS };
+        match (self.entry.start)(&start) {
             Ok(started) => started.into(),
             Err(_) => self.at.clone(),
         }

@@ -115,11 +115,15 @@ pub fn csv_line<T: Display>(out: &mut impl io::Write, values: impl Iterator<Item
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::describe::{Group, Reading};
+
+    const BEST: Reading = Reading::new("best", "", "", Group::Cost, "");
+    const MEAN: Reading = Reading::new("mean", "", "", Group::Cost, "");
 
     fn readings(value: f64) -> Readings {
         let mut readings = Readings::default();
-        readings.push("best", value);
-        readings.push("mean", 2.0 * value);
+        readings.push(BEST, value);
+        readings.push(MEAN, 2.0 * value);
         readings
     }
 

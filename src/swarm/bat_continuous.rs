@@ -11,13 +11,12 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Preset, Reading},
+    describe::{Entry, Formula, Group, Layer, Preset, Reading, Start},
     kernel::{
         Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream,
     },
     math::{self, limit},
-    params::{Choice, Fixed, Param, Settings},
-    scene::Scene,
+    params::{Choice, Fixed, Param},
 };
 
 use super::{
@@ -100,7 +99,8 @@ trait Watch {
 
 impl Watch for () {}
 
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, Error> {
+fn start(start: &Start) -> Result<Started, Error> {
+    let &Start { scene, parameters: settings, seed, .. } = start;
     let mut rng = Stream::new(seed, 0);
     let size = settings[POPULATION] as usize;
     let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
@@ -199,11 +199,11 @@ impl Planner for Bats {
 
     fn read(&self, out: &mut Readings) {
         self.population.read(out);
-        out.push("k", self.clock.iteration.saturating_sub(1) as f64);
-        out.push("loudness", mean(&self.loudness));
-        out.push("pulse_rate", mean(&self.pulse_rate));
-        out.push("accepted", self.last.iter().filter(|last| last.accepted).count() as f64);
-        out.push("evaluations", self.population.evaluations as f64);
+        out.push(K, self.clock.iteration.saturating_sub(1) as f64);
+        out.push(MEAN_LOUDNESS, mean(&self.loudness));
+        out.push(MEAN_PULSE_RATE, mean(&self.pulse_rate));
+        out.push(ACCEPTED, self.last.iter().filter(|last| last.accepted).count() as f64);
+        out.push(EVALUATIONS, self.population.evaluations as f64);
     }
 
     fn draw(&self, frame: &mut Frame) {
@@ -406,6 +406,11 @@ const LOUDNESS: Formula = Formula::of_item("loudness", "[ANTBAT] (10)", "Loudnes
 const PULSE: Formula =
     Formula::of_item("pulse", "[ANTBAT] (11)", "Pulse rate", "r_i \\leftarrow r_i \\left(1 - e^{-\\lambda t}\\right)", "r = @pulse_rate@");
 
+const MEAN_LOUDNESS: Reading = Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness.");
+const MEAN_PULSE_RATE: Reading = Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates.");
+const ACCEPTED: Reading =
+    Reading::new("accepted", "n_a", "Accepted", Group::Count, "Bats that accepted their new position in this iteration.");
+
 const BATS_LAYER: Layer = Layer { title: "Bats", help: "Where the bats are: points, or the paths they stand for.", ..PARTICLES };
 
 const PRINTED: Preset = Preset {
@@ -417,14 +422,16 @@ const PRINTED: Preset = Preset {
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "bat-continuous",
-    title: "Bat algorithm: continuous",
-    family: "swarm",
-    source: "[ANTBAT] (7)–(11)",
-    summary: "Each bat has a frequency, a velocity and a position. With its pulse rate it flies, otherwise it walks about the global best; loudness decides whether it accepts what is not worse.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "bat-continuous",
+    "Bat algorithm: continuous",
+    "[ANTBAT] (7)–(11)",
+    "Each bat has a frequency, a velocity and a position. With its pulse rate it flies, otherwise it walks about the global best; loudness decides whether it accepts what is not worse.",
+    start,
+)
+.family("swarm")
+.kinds(KINDS)
+.parameters(&[
         &[
             POPULATION.entry(),
             ITERATIONS.entry(),
@@ -442,27 +449,8 @@ pub const ENTRY: Entry = Entry {
         ],
         ENCODED,
         CHARGED,
-    ],
-    readings: &[
-        BEST,
-        MEAN,
-        SPREAD,
-        FREE,
-        LENGTH,
-        SMOOTHNESS,
-        K,
-        Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness."),
-        Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates."),
-        Reading::new("accepted", "n_a", "Accepted", Group::Count, "Bats that accepted their new position in this iteration."),
-        EVALUATIONS,
-    ],
-    formulas: &[FREQUENCY, BAT_VELOCITY, BAT_VELOCITY_TOWARD, BAT_POSITION, WALK_ABOUT, LOUDNESS, PULSE],
-    layers: &[GUIDES, PERSONAL_BESTS, BATS_LAYER, VELOCITIES, GLOBAL_BEST, SMOOTHED],
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[PRINTED],
-    suggest: |_| None,
-    start,
-};
+    ])
+.readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, MEAN_LOUDNESS, MEAN_PULSE_RATE, ACCEPTED, EVALUATIONS])
+.formulas(&[FREQUENCY, BAT_VELOCITY, BAT_VELOCITY_TOWARD, BAT_POSITION, WALK_ABOUT, LOUDNESS, PULSE])
+.layers(&[GUIDES, PERSONAL_BESTS, BATS_LAYER, VELOCITIES, GLOBAL_BEST, SMOOTHED])
+.presets(&[PRINTED]);

@@ -1,7 +1,8 @@
 //! `cpso`: the swarm whose accelerations change linearly, [WCPSO] §3.1 and its reference [18].
 
 use crate::{
-    describe::{Entry, Formula, Preset},
+    describe::{Entry, Formula, Preset, Start},
+    kernel::{Error, Started},
     params::{Choice, Fixed, Param},
 };
 
@@ -9,7 +10,7 @@ use super::{
     flight::Flight,
     parameters::{
         AS_IN_TEXT, ITERATIONS, KINDS, LAYERS, LINEAR_W, PER_PARTICLE, POPULATION, POSITION, READINGS, V_MAX, V_MAX_ABSOLUTE, VELOCITY, W,
-        W_MAX, W_MIN, schedule,
+        W_MAX, W_MIN,
     },
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
@@ -40,14 +41,14 @@ const C2_START: Param<f64> =
 const C2_END: Param<f64> =
     Param::number("c2_end", "c_{2,\\max}", "Social coefficient at the end", [0.0, 5.0, 2.5], "c2 changes to here: in the end all for one.");
 
-const COGNITIVE: Formula = schedule(
+const COGNITIVE: Formula = Formula::new(
     "c1",
     "[WCPSO] fig. 2, dashed",
     "Cognitive coefficient, linear",
     "c_1(k) = c_{1,0} + (c_{1,\\max} - c_{1,0}) \\frac{k}{k_{\\max}}",
     "c_1(@k@) = @c1_start@ + (@c1_end@ - @c1_start@) \\cdot \\frac{@k@}{@iterations@} = @c1@",
 );
-const SOCIAL: Formula = schedule(
+const SOCIAL: Formula = Formula::new(
     "c2",
     "[WCPSO] fig. 3, dashed",
     "Social coefficient, linear",
@@ -56,14 +57,16 @@ const SOCIAL: Formula = schedule(
 );
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "cpso",
-    title: "CPSO: linear accelerations",
-    family: "swarm",
-    source: "[WCPSO] §3.1",
-    summary: "The pull of the own best falls linearly and that of the swarm’s best rises.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "cpso",
+    "CPSO: linear accelerations",
+    "[WCPSO] §3.1",
+    "The pull of the own best falls linearly and that of the swarm’s best rises.",
+    start,
+)
+.family("swarm")
+.kinds(KINDS)
+.parameters(&[
         &[
             POPULATION.entry(),
             ITERATIONS.entry(),
@@ -81,15 +84,11 @@ pub const ENTRY: Entry = Entry {
         ],
         ENCODED,
         CHARGED,
-    ],
-    readings: READINGS,
-    formulas: &[LINEAR_W.when(W_LINEAR, "linear"), COGNITIVE, SOCIAL, VELOCITY, POSITION],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[
+    ])
+.readings(READINGS)
+.formulas(&[LINEAR_W.when(W_LINEAR, "linear"), COGNITIVE, SOCIAL, VELOCITY, POSITION])
+.layers(LAYERS)
+.presets(&[
         AS_IN_TEXT,
         Preset {
             name: "fitted",
@@ -98,12 +97,12 @@ pub const ENTRY: Entry = Entry {
             scene: "matyas",
             values: &[("w_law", Fixed::Text("linear")), ("random", Fixed::Text("particle"))],
         },
-    ],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        let linear = |from: Param<f64>, to: Param<f64>| Law::Linear(settings[from], settings[to]);
-        let w = if settings[W_LINEAR] { linear(W_MAX, W_MIN) } else { Law::Constant(settings[W]) };
-        let schedule = Schedule { w, c1: linear(C1_START, C1_END), c2: linear(C2_START, C2_END) };
-        super::start(scene, settings, seed, Flight { schedule, perturbation: None })
-    },
-};
+    ]);
+
+fn start(start: &Start) -> Result<Started, Error> {
+    let settings = start.parameters;
+    let linear = |from: Param<f64>, to: Param<f64>| Law::Linear(settings[from], settings[to]);
+    let w = if settings[W_LINEAR] { linear(W_MAX, W_MIN) } else { Law::Constant(settings[W]) };
+    let schedule = Schedule { w, c1: linear(C1_START, C1_END), c2: linear(C2_START, C2_END) };
+    super::start(start, Flight { schedule, perturbation: None })
+}

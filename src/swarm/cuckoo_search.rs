@@ -12,15 +12,13 @@
 #[cfg(test)]
 mod tests;
 
-use std::sync::Arc;
-
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading},
+    describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading, Start},
     kernel::{
         Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream,
     },
-    params::{Fixed, Param, Settings},
-    scene::{DISCS, GRID, Scene},
+    params::{Fixed, Param},
+    scene::{DISCS, GRID},
 };
 
 use super::{
@@ -82,7 +80,8 @@ trait Watch {
 
 impl Watch for () {}
 
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, Error> {
+fn start(start: &Start) -> Result<Started, Error> {
+    let &Start { scene, parameters: settings, seed, .. } = start;
     let mut rng = Stream::new(seed, 0);
     let size = settings[POPULATION] as usize;
     let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
@@ -201,10 +200,10 @@ impl Planner for Nests {
 
     fn read(&self, out: &mut Readings) {
         self.population.read(out);
-        out.push("k", self.clock.iteration.saturating_sub(1) as f64);
-        out.push("flown", self.count(|last| last.flown));
-        out.push("rebuilt", self.count(|last| last.walked));
-        out.push("evaluations", self.population.evaluations as f64);
+        out.push(K, self.clock.iteration.saturating_sub(1) as f64);
+        out.push(FLOWN, self.count(|last| last.flown));
+        out.push(REBUILT, self.count(|last| last.walked));
+        out.push(EVALUATIONS, self.population.evaluations as f64);
     }
 
     fn draw(&self, frame: &mut Frame) {
@@ -399,6 +398,11 @@ const ABANDON: Formula = Formula::of_item(
     "x' = @x_between@ + @r@ \\cdot @changes@ \\cdot (@x_j@ - @x_k@) \\;\\to\\; @rebuilt@",
 );
 
+const FLOWN: Reading =
+    Reading::new("flown", "n_L", "Flights kept", Group::Count, "Nests that took the candidate of their Lévy flight in this iteration.");
+const REBUILT: Reading =
+    Reading::new("rebuilt", "n_a", "Nests rebuilt", Group::Count, "Nests that took the candidate of their random walk in this iteration.");
+
 const NESTS: Layer = Layer { title: "Nests", help: "Where the nests are: points, or the paths they stand for.", ..PARTICLES };
 
 const ONE_ROAD: Preset = Preset {
@@ -410,39 +414,17 @@ const ONE_ROAD: Preset = Preset {
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "cuckoo-search",
-    title: "Cuckoo search: Lévy flights",
-    family: "swarm",
-    source: "Yang and Deb 2009",
-    summary: "Each nest is a candidate solution. A Lévy flight makes a new one from it, mostly near and seldom far away; then some of its coordinates are rebuilt along the difference of two random nests. A nest is replaced only by what is not worse.",
-    kinds: KINDS,
-    parameters: &[&[POPULATION.entry(), ITERATIONS.entry(), P_A.entry(), ALPHA.entry(), LAMBDA.entry()], ENCODED, CHARGED],
-    readings: &[
-        BEST,
-        MEAN,
-        SPREAD,
-        FREE,
-        LENGTH,
-        SMOOTHNESS,
-        K,
-        Reading::new("flown", "n_L", "Flights kept", Group::Count, "Nests that took the candidate of their Lévy flight in this iteration."),
-        Reading::new(
-            "rebuilt",
-            "n_a",
-            "Nests rebuilt",
-            Group::Count,
-            "Nests that took the candidate of their random walk in this iteration.",
-        ),
-        EVALUATIONS,
-    ],
-    formulas: &[SIGMA, STEP, FLY, ABANDON],
-    layers: &[GUIDES, NESTS, GLOBAL_BEST, SMOOTHED],
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[ONE_ROAD],
-    suggest: |_| None,
+pub const ENTRY: Entry = Entry::new(
+    "cuckoo-search",
+    "Cuckoo search: Lévy flights",
+    "Yang and Deb 2009",
+    "Each nest is a candidate solution. A Lévy flight makes a new one from it, mostly near and seldom far away; then some of its coordinates are rebuilt along the difference of two random nests. A nest is replaced only by what is not worse.",
     start,
-};
+)
+.family("swarm")
+.kinds(KINDS)
+.parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), P_A.entry(), ALPHA.entry(), LAMBDA.entry()], ENCODED, CHARGED])
+.readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, FLOWN, REBUILT, EVALUATIONS])
+.formulas(&[SIGMA, STEP, FLY, ABANDON])
+.layers(&[GUIDES, NESTS, GLOBAL_BEST, SMOOTHED])
+.presets(&[ONE_ROAD]);

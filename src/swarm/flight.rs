@@ -11,7 +11,9 @@ use crate::{
 use super::{
     clock::Clock,
     objective::Objective,
-    parameters::{PER_PARTICLE, POPULATION, V_MAX, V_MAX_ABSOLUTE},
+    parameters::{
+        CHICKS, COGNITIVE, EVALUATIONS, FROM_TREES, HENS, K, OMEGA, PER_PARTICLE, POPULATION, SOCIAL, STAGNATING, V_MAX, V_MAX_ABSOLUTE,
+    },
     perturbation::{self, Event, Keep, Partner, Patience, Perturbation, Timing},
     population::Population,
     schedule::{Coefficients, Schedule},
@@ -273,19 +275,19 @@ impl Planner for Swarm {
     fn read(&self, out: &mut Readings) {
         let Coefficients { w, c1, c2 } = self.coefficients;
         self.population.read(out);
-        out.push("k", self.clock.iteration.saturating_sub(1) as f64);
-        out.push("w", w);
-        out.push("c1", c1);
-        out.push("c2", c2);
-        out.push("stagnating", self.stagnating());
+        out.push(K, self.clock.iteration.saturating_sub(1) as f64);
+        out.push(OMEGA, w);
+        out.push(COGNITIVE, c1);
+        out.push(SOCIAL, c2);
+        out.push(STAGNATING, self.stagnating());
         if self.flight.perturbation.is_some() {
-            out.push("hens", self.count(Event::Hen));
-            out.push("chicks", self.count(Event::Chick));
+            out.push(HENS, self.count(Event::Hen));
+            out.push(CHICKS, self.count(Event::Chick));
         }
         if let Some(origins) = &self.origins {
-            out.push("from_trees", origins.iter().flatten().count() as f64);
+            out.push(FROM_TREES, origins.iter().flatten().count() as f64);
         }
-        out.push("evaluations", self.population.evaluations as f64);
+        out.push(EVALUATIONS, self.population.evaluations as f64);
     }
 
     fn draw(&self, frame: &mut Frame) {

@@ -34,12 +34,10 @@ pub mod waypoints;
 pub mod wcpso;
 pub mod wpso;
 
-use std::sync::Arc;
-
 use crate::{
+    describe::Start,
     kernel::{Error, Planner, Started},
     params::Settings,
-    scene::Scene,
 };
 
 pub use quantum::{ltqpso, qpso};
@@ -50,7 +48,8 @@ use parameters::ITERATIONS;
 use paths::EARLY_STOP;
 
 /// Starts a swarm that flies on whatever kind of scene it is given.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, flight: Flight) -> Result<Started, Error> {
+fn start(start: &Start, flight: Flight) -> Result<Started, Error> {
+    let &Start { scene, parameters: settings, seed, .. } = start;
     Ok(started(Swarm::new(encoding::objective(scene, settings)?, settings, seed, flight), settings))
 }
 

@@ -1,7 +1,7 @@
 //! What the entries of the swarms share: parameters, readings, equations and layers.
 
 use crate::{
-    describe::{Formula, Group, Layer, Preset, Reading, Scope},
+    describe::{Formula, Group, Layer, Preset, Reading},
     kernel::{Role, SceneKindId},
     params::{Choice, Fixed, Param, When},
     scene::{DISCS, FUNCTION, GRID},
@@ -138,23 +138,14 @@ pub(super) const STAGNATING: Reading = Reading::new(
     Group::Count,
     "Particles whose cost has just risen in that many consecutive iterations.",
 );
-const HENS: Reading =
+pub(super) const HENS: Reading =
     Reading::new("hens", "n_h", "Moved by the hen", Group::Count, "Particles that the hen equation moved in this iteration.");
-const CHICKS: Reading =
+pub(super) const CHICKS: Reading =
     Reading::new("chicks", "n_c", "Moved by the chick", Group::Count, "Particles that the chick equation moved in this iteration.");
+pub(super) const FROM_TREES: Reading =
+    Reading::new("from_trees", "n_T", "Begun by trees", Group::Count, "Particles whose first path came from a tree.");
 pub(super) const EVALUATIONS: Reading =
     Reading::new("evaluations", "n_f", "Evaluations", Group::Count, "How many positions were evaluated so far.");
-
-/// An equation that is filled in from the readings.
-pub(super) const fn schedule(
-    name: &'static str,
-    source: &'static str,
-    title: &'static str,
-    tex: &'static str,
-    live: &'static str,
-) -> Formula {
-    Formula { name, source, title, tex, live, scope: Scope::Iteration, when: None }
-}
 
 pub(super) const VELOCITY: Formula = Formula::of_item(
     "velocity",
@@ -165,7 +156,7 @@ pub(super) const VELOCITY: Formula = Formula::of_item(
 );
 pub(super) const POSITION: Formula =
     Formula::of_item("position", "[WCPSO] (2, 7)", "Position", "x \\leftarrow x + v", "x = @x_before@ + @v@ \\;\\to\\; @x@");
-pub(super) const LINEAR_W: Formula = schedule(
+pub(super) const LINEAR_W: Formula = Formula::new(
     "w",
     "[WCPSO] fig. 1, dashed",
     "Inertia weight, linear",

@@ -4,7 +4,10 @@ use std::sync::Arc;
 
 use crate::kernel::{Best, Readings, State, rng::Stream};
 
-use super::objective::{Objective, Scratch};
+use super::{
+    objective::{Objective, Scratch},
+    parameters::{BEST, FREE, MEAN, SPREAD},
+};
 
 /// A population of positions. Particle `i`'s coordinates are the `i`-th row of `dimension` numbers.
 #[derive(Clone, State)]
@@ -167,11 +170,11 @@ impl Population {
 
     /// Tells the costs, and what the reported path measures.
     pub(super) fn read(&self, out: &mut Readings) {
-        out.push("best", self.g_cost);
-        out.push("mean", self.mean());
-        out.push("spread", self.spread());
+        out.push(BEST, self.g_cost);
+        out.push(MEAN, self.mean());
+        out.push(SPREAD, self.spread());
         if self.objective.constrained() {
-            out.push("free", if self.free_cost.is_finite() { self.free_cost } else { f64::NAN });
+            out.push(FREE, if self.free_cost.is_finite() { self.free_cost } else { f64::NAN });
         }
         self.objective.read(self.reported().1, out);
     }

@@ -1,6 +1,9 @@
 //! `pso`: the swarm with constant coefficients, [WCPSO] (1) and (2).
 
-use crate::describe::Entry;
+use crate::{
+    describe::{Entry, Start},
+    kernel::{Error, Started},
+};
 
 use super::{
     flight::Flight,
@@ -10,38 +13,35 @@ use super::{
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "pso",
-    title: "PSO: constant coefficients",
-    family: "swarm",
-    source: "[WCPSO] §1",
-    summary: "Particles keep part of their velocity and are drawn to their own best and to the swarm’s. All coefficients stay constant.",
-    kinds: KINDS,
-    parameters: &[
-        &[
-            POPULATION.entry(),
-            ITERATIONS.entry(),
-            W.entry(),
-            C1.entry(),
-            C2.entry(),
-            PER_PARTICLE.entry(),
-            V_MAX.entry(),
-            V_MAX_ABSOLUTE.entry(),
-        ],
-        ENCODED,
-        CHARGED,
+pub const ENTRY: Entry = Entry::new(
+    "pso",
+    "PSO: constant coefficients",
+    "[WCPSO] §1",
+    "Particles keep part of their velocity and are drawn to their own best and to the swarm’s. All coefficients stay constant.",
+    start,
+)
+.family("swarm")
+.kinds(KINDS)
+.parameters(&[
+    &[
+        POPULATION.entry(),
+        ITERATIONS.entry(),
+        W.entry(),
+        C1.entry(),
+        C2.entry(),
+        PER_PARTICLE.entry(),
+        V_MAX.entry(),
+        V_MAX_ABSOLUTE.entry(),
     ],
-    readings: READINGS,
-    formulas: &[VELOCITY, POSITION],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        let [w, c1, c2] = [W, C1, C2].map(|coefficient| Law::Constant(settings[coefficient]));
-        super::start(scene, settings, seed, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None })
-    },
-};
+    ENCODED,
+    CHARGED,
+])
+.readings(READINGS)
+.formulas(&[VELOCITY, POSITION])
+.layers(LAYERS);
+
+fn start(start: &Start) -> Result<Started, Error> {
+    let settings = start.parameters;
+    let [w, c1, c2] = [W, C1, C2].map(|coefficient| Law::Constant(settings[coefficient]));
+    super::start(start, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None })
+}

@@ -12,10 +12,10 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Group, Preset, ROAD, Reading},
-    kernel::{Error, rng::Stream},
-    params::{Fixed, Param, Settings},
-    scene::{GRID, Scene},
+    describe::{Entry, Preset, ROAD, Reading, Start},
+    kernel::{Error, Started, rng::Stream},
+    params::{Fixed, Param},
+    scene::GRID,
     tree::paths::Paths,
 };
 
@@ -23,8 +23,8 @@ use super::{
     encoding,
     flight::{Flight, Swarm},
     parameters::{
-        BEST, C1, C2, COGNITIVE, EVALUATIONS, FREE, ITERATIONS, K, LAYERS, LENGTH, MEAN, OMEGA, PATHS, PER_PARTICLE, POPULATION, POSITION,
-        SMOOTHNESS, SOCIAL, SPREAD, STAGNATING, V_MAX, V_MAX_ABSOLUTE, VELOCITY, W,
+        BEST, C1, C2, COGNITIVE, EVALUATIONS, FREE, FROM_TREES, ITERATIONS, K, LAYERS, LENGTH, MEAN, OMEGA, PATHS, PER_PARTICLE,
+        POPULATION, POSITION, SMOOTHNESS, SOCIAL, SPREAD, STAGNATING, V_MAX, V_MAX_ABSOLUTE, VELOCITY, W,
     },
     paths::{CHARGED, EARLY_STOP, ENCODING, WAYPOINTS},
     population::Population,
@@ -60,7 +60,8 @@ const EXTENSIONS: Param<u64> = Param::integer(
 )
 .slider(0.0, 10_000.0, false);
 
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Swarm, Error> {
+fn start(start: &Start) -> Result<Started, Error> {
+    let &Start { scene, parameters: settings, seed, .. } = start;
     let objective = encoding::objective(scene, settings)?;
     let paths = Paths::new(scene, settings[STEP_SIZE], settings[GOAL_BIAS])?;
     let (size, most) = (settings[POPULATION] as usize, settings[EXTENSIONS]);
@@ -79,7 +80,7 @@ fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Swarm, Er
     let flight = Flight { schedule: Schedule { w, c1, c2 }, perturbation: None };
     let mut swarm = Swarm::of(population, settings, rng, flight);
     swarm.origins = Some(origins.into());
-    Ok(swarm)
+    Ok(super::started(swarm, settings))
 }
 
 const ONE_ROAD: Preset = Preset {
@@ -91,14 +92,16 @@ const ONE_ROAD: Preset = Preset {
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "pso-rrt",
-    title: "PSO with RRT: trees, then a swarm",
-    family: "swarm",
-    source: "[ANTBAT] fig. 8, its [32]",
-    summary: "A random tree from start to goal gives each particle its first path; then a swarm with constant coefficients shortens the paths. A particle whose tree finds none is drawn at random.",
-    kinds: PATHS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "pso-rrt",
+    "PSO with RRT: trees, then a swarm",
+    "[ANTBAT] fig. 8, its [32]",
+    "A random tree from start to goal gives each particle its first path; then a swarm with constant coefficients shortens the paths. A particle whose tree finds none is drawn at random.",
+    start,
+)
+.family("swarm")
+.kinds(PATHS)
+.parameters(&[
         &[
             POPULATION.entry(),
             ITERATIONS.entry(),
@@ -116,8 +119,8 @@ pub const ENTRY: Entry = Entry {
             WAYPOINTS.defaults_on(&[(GRID, Fixed::Number(8.0))]).entry(),
         ],
         CHARGED,
-    ],
-    readings: &[
+    ])
+.readings(&[
         BEST,
         MEAN,
         SPREAD,
@@ -129,19 +132,12 @@ pub const ENTRY: Entry = Entry {
         COGNITIVE,
         SOCIAL,
         STAGNATING,
-        Reading::new("from_trees", "n_T", "Begun by trees", Group::Count, "Particles whose first path came from a tree."),
+        FROM_TREES,
         Reading { help: "How many positions were evaluated so far, and straight pieces tested by trees.", ..EVALUATIONS },
-    ],
-    formulas: &[VELOCITY, POSITION],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[ONE_ROAD],
-    suggest: |_| None,
-    start: |scene, settings, seed| Ok(super::started(start(scene, settings, seed)?, settings)),
-};
+    ])
+.formulas(&[VELOCITY, POSITION])
+.layers(LAYERS)
+.presets(&[ONE_ROAD]);
 
 #[cfg(test)]
 mod tests {

@@ -12,6 +12,7 @@ use crate::{
 
 use super::{
     objective::{Evaluation, Scratch},
+    parameters::{LENGTH, SMOOTHNESS},
     paths::{F1, F2, PASSES, PENALTY, PENALTY_WEIGHT, Penalty, REDRAWS, SMOOTH, SMOOTHING},
 };
 
@@ -161,8 +162,8 @@ impl Terrain {
     /// Tells L_D and L_S of the path through these points.
     pub(super) fn read(&self, points: impl Iterator<Item = [f64; 2]>, out: &mut Readings) {
         let Measures { length, squares, .. } = self.measure(points, &mut Scratch::default());
-        out.push("length", length);
-        out.push("smoothness", squares);
+        out.push(LENGTH, length);
+        out.push(SMOOTHNESS, squares);
     }
 
     /// Draws the smoothed path through these points.

@@ -1,7 +1,8 @@
 //! `wcpso`: the swarm with trigonometric coefficients and hen/chick perturbation, [WCPSO] §2.
 
 use crate::{
-    describe::{Entry, Formula, Preset},
+    describe::{Entry, Formula, Preset, Start},
+    kernel::{Error, Started},
     params::{Choice, Fixed, Param, ParamValue},
 };
 
@@ -9,7 +10,7 @@ use super::{
     flight::Flight,
     parameters::{
         AS_IN_TEXT, ITERATIONS, KINDS, LINEAR_W, PER_PARTICLE, PERTURBED, PERTURBED_LAYERS, POPULATION, POSITION, V_MAX, V_MAX_ABSOLUTE,
-        VELOCITY, W_MAX, W_MIN, schedule,
+        VELOCITY, W_MAX, W_MIN,
     },
     paths::{CHARGED, ENCODED},
     perturbation::{Keep, Partner, Perturbation, Sign, Timing},
@@ -116,21 +117,21 @@ const HEN_PARTNER: Param<Partner> = Param::choice(
 )
 .when(PERTURB, "true");
 
-const INERTIA: Formula = schedule(
+const INERTIA: Formula = Formula::new(
     "w",
     "[WCPSO] (3)",
     "Inertia weight",
     "\\omega(k) = \\frac{\\omega_{\\max} - \\omega_{\\min}}{2} \\cos\\frac{\\pi k}{k_{\\max}} + \\frac{\\omega_{\\max} + \\omega_{\\min}}{2}",
     "\\omega(@k@) = \\frac{@w_max@ - @w_min@}{2} \\cos\\frac{\\pi \\cdot @k@}{@iterations@} + \\frac{@w_max@ + @w_min@}{2} = @w@",
 );
-const COGNITIVE: Formula = schedule(
+const COGNITIVE: Formula = Formula::new(
     "c1",
     "[WCPSO] (4)",
     "Cognitive coefficient",
     "c_1(k) = c_a \\sin\\left(\\frac{\\pi}{2} \\cdot \\frac{k_{\\max}/2 - k}{k_{\\max}/2}\\right) + c_b",
     "c_1(@k@) = @c_a@ \\sin\\left(\\frac{\\pi}{2} \\cdot \\frac{@iterations@/2 - @k@}{@iterations@/2}\\right) + @c_b@ = @c1@",
 );
-const SOCIAL: Formula = schedule(
+const SOCIAL: Formula = Formula::new(
     "c2",
     "[WCPSO] (5)",
     "Social coefficient",
@@ -138,7 +139,7 @@ const SOCIAL: Formula = schedule(
     "c_2(@k@) = @c_alpha@ \\sin\\left(\\frac{\\pi}{2} \\cdot \\frac{@k@ - @iterations@/2}{@iterations@/2}\\right) + @c_beta@ = @c2@",
 );
 
-const LINEAR_COGNITIVE: Formula = schedule(
+const LINEAR_COGNITIVE: Formula = Formula::new(
     "c1_linear",
     "[WCPSO] fig. 2, dashed",
     "Cognitive coefficient, linear",
@@ -146,7 +147,7 @@ const LINEAR_COGNITIVE: Formula = schedule(
     "c_1(@k@) = @c_b@ + @c_a@ - 2 \\cdot @c_a@ \\cdot \\frac{@k@}{@iterations@} = @c1@",
 )
 .when(C1_LINEAR, "linear");
-const LINEAR_SOCIAL: Formula = schedule(
+const LINEAR_SOCIAL: Formula = Formula::new(
     "c2_linear",
     "[WCPSO] fig. 3, dashed",
     "Social coefficient, linear",
@@ -208,14 +209,16 @@ fn law(linear: bool, amplitude: f64, middle: f64) -> Law {
 }
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "wcpso",
-    title: "WCPSO: hens and chicks",
-    family: "swarm",
-    source: "[WCPSO] §2",
-    summary: "Inertia falls along a cosine, the pulls cross along sines, and particles that stagnate jump like hens, then like chicks.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "wcpso",
+    "WCPSO: hens and chicks",
+    "[WCPSO] §2",
+    "Inertia falls along a cosine, the pulls cross along sines, and particles that stagnate jump like hens, then like chicks.",
+    start,
+)
+.family("swarm")
+.kinds(KINDS)
+.parameters(&[
         &[
             POPULATION.entry(),
             ITERATIONS.entry(),
@@ -241,9 +244,9 @@ pub const ENTRY: Entry = Entry {
         ],
         ENCODED,
         CHARGED,
-    ],
-    readings: PERTURBED,
-    formulas: &[
+    ])
+.readings(PERTURBED)
+.formulas(&[
         INERTIA.when(W_LINEAR, "cosine"),
         LINEAR_W.when(W_LINEAR, "linear"),
         COGNITIVE.when(C1_LINEAR, "sine"),
@@ -258,13 +261,9 @@ pub const ENTRY: Entry = Entry {
         S2,
         S2_SOURCE,
         CHICK,
-    ],
-    layers: PERTURBED_LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[
+    ])
+.layers(PERTURBED_LAYERS)
+.presets(&[
         AS_IN_TEXT,
         Preset {
             name: "fitted",
@@ -281,23 +280,23 @@ pub const ENTRY: Entry = Entry {
                 ("hen_partner", Fixed::Text("best")),
             ],
         },
-    ],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        let (max, min) = (settings[W_MAX], settings[W_MIN]);
-        let schedule = Schedule {
-            w: if settings[W_LINEAR] { Law::Linear(max, min) } else { Law::Cosine { max, min } },
-            c1: law(settings[C1_LINEAR], settings[C_A], settings[C_B]),
-            c2: law(settings[C2_LINEAR], -settings[C_ALPHA], settings[C_BETA]),
-        };
-        let perturbation = settings[PERTURB].then(|| Perturbation {
-            patience: settings[PATIENCE] as u8,
-            f_l: settings[F_L],
-            sign: settings[S2_SIGN],
-            timing: settings[HEN_TIMING],
-            keep: settings[HEN_KEEP],
-            partner: settings[HEN_PARTNER],
-        });
-        super::start(scene, settings, seed, Flight { schedule, perturbation })
-    },
-};
+    ]);
+
+fn start(start: &Start) -> Result<Started, Error> {
+    let settings = start.parameters;
+    let (max, min) = (settings[W_MAX], settings[W_MIN]);
+    let schedule = Schedule {
+        w: if settings[W_LINEAR] { Law::Linear(max, min) } else { Law::Cosine { max, min } },
+        c1: law(settings[C1_LINEAR], settings[C_A], settings[C_B]),
+        c2: law(settings[C2_LINEAR], -settings[C_ALPHA], settings[C_BETA]),
+    };
+    let perturbation = settings[PERTURB].then(|| Perturbation {
+        patience: settings[PATIENCE] as u8,
+        f_l: settings[F_L],
+        sign: settings[S2_SIGN],
+        timing: settings[HEN_TIMING],
+        keep: settings[HEN_KEEP],
+        partner: settings[HEN_PARTNER],
+    });
+    super::start(start, Flight { schedule, perturbation })
+}

@@ -1,7 +1,8 @@
 //! `wpso`: the swarm whose inertia weight falls linearly, [WCPSO] §3.1 and its reference [16].
 
 use crate::{
-    describe::{Entry, Preset},
+    describe::{Entry, Preset, Start},
+    kernel::{Error, Started},
     params::Fixed,
 };
 
@@ -16,14 +17,16 @@ use super::{
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "wpso",
-    title: "WPSO: linear inertia",
-    family: "swarm",
-    source: "[WCPSO] §3.1",
-    summary: "The inertia weight falls linearly, so the swarm explores first and settles later.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "wpso",
+    "WPSO: linear inertia",
+    "[WCPSO] §3.1",
+    "The inertia weight falls linearly, so the swarm explores first and settles later.",
+    start,
+)
+.family("swarm")
+.kinds(KINDS)
+.parameters(&[
         &[
             POPULATION.entry(),
             ITERATIONS.entry(),
@@ -37,15 +40,11 @@ pub const ENTRY: Entry = Entry {
         ],
         ENCODED,
         CHARGED,
-    ],
-    readings: READINGS,
-    formulas: &[LINEAR_W, VELOCITY, POSITION],
-    layers: LAYERS,
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[
+    ])
+.readings(READINGS)
+.formulas(&[LINEAR_W, VELOCITY, POSITION])
+.layers(LAYERS)
+.presets(&[
         AS_IN_TEXT,
         Preset {
             name: "fitted",
@@ -59,11 +58,11 @@ pub const ENTRY: Entry = Entry {
                 ("random", Fixed::Text("particle")),
             ],
         },
-    ],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        let schedule =
-            Schedule { w: Law::Linear(settings[W_MAX], settings[W_MIN]), c1: Law::Constant(settings[C1]), c2: Law::Constant(settings[C2]) };
-        super::start(scene, settings, seed, Flight { schedule, perturbation: None })
-    },
-};
+    ]);
+
+fn start(start: &Start) -> Result<Started, Error> {
+    let settings = start.parameters;
+    let schedule =
+        Schedule { w: Law::Linear(settings[W_MAX], settings[W_MIN]), c1: Law::Constant(settings[C1]), c2: Law::Constant(settings[C2]) };
+    super::start(start, Flight { schedule, perturbation: None })
+}

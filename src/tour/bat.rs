@@ -23,8 +23,8 @@ use super::{
     moves,
     nearest::nearest_neighbour,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
-        POPULATION, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS, member,
+        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
+        POPULATION, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS,
     },
     problem::{Problem, Stop, Tour},
     tell::quantity,
@@ -286,8 +286,8 @@ impl Search for Bats {
     }
 
     fn read(&self, out: &mut Readings) {
-        out.push("loudness", self.mean(|bat| bat.loudness));
-        out.push("pulse_rate", self.mean(|bat| bat.pulse_rate));
+        out.push(MEAN_LOUDNESS, self.mean(|bat| bat.loudness));
+        out.push(MEAN_PULSE_RATE, self.mean(|bat| bat.pulse_rate));
     }
 
     fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
@@ -398,18 +398,19 @@ const TRIES: Formula = Formula::of_item(
 /// What is told of each bat.
 const MEMBERS: &[Member] = &[
     MEMBER_LENGTH,
-    Member { full: Some(1.0), ..member("loudness", "A", "Loudness", "The louder, the rarer it accepts a tour around the best.") },
-    Member { full: Some(1.0), ..member("pulse_rate", "r", "Pulse rate", "The higher, the rarer it looks around the best tour.") },
+    Member::new("loudness", "A", "Loudness", "The louder, the rarer it accepts a tour around the best.").full(1.0),
+    Member::new("pulse_rate", "r", "Pulse rate", "The higher, the rarer it looks around the best tour.").full(1.0),
     MEMBER_DIFFERENT,
-    Member {
-        words: &["start", "PMX", "2-opt"],
-        ..member("operator", "", "Operator", "How it looked for a better tour of its own in the last iteration.")
-    },
-    member("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration; below zero: longer."),
+    Member::new("operator", "", "Operator", "How it looked for a better tour of its own in the last iteration.")
+        .words(&["start", "PMX", "2-opt"]),
+    Member::new("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration; below zero: longer."),
 ];
 
+const MEAN_LOUDNESS: Reading = Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness.");
+const MEAN_PULSE_RATE: Reading = Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates.");
+
 /// See [`super::start`].
-const TELLS: &[&str] = &["mean", "different", "settled", "loudness", "pulse_rate"];
+const TELLS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_LOUDNESS, MEAN_PULSE_RATE];
 
 const PAPER: Preset = Preset {
     name: "paper",
@@ -420,14 +421,16 @@ const PAPER: Preset = Preset {
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "bat",
-    title: "Discrete bats",
-    family: "tour",
-    source: "[ANTBAT] §3.3",
-    summary: "Each bat holds a tour. Far from the best tour it crosses over with it (PMX); close to it, it tries 2-opt moves; loudness decides whether it accepts a tour found near the best.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "bat",
+    "Discrete bats",
+    "[ANTBAT] §3.3",
+    "Each bat holds a tour. Far from the best tour it crosses over with it (PMX); close to it, it tries 2-opt moves; loudness decides whether it accepts a tour found near the best.",
+    |start| super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+)
+.family("tour")
+.kinds(KINDS)
+.parameters(&[
         &[
             POPULATION.title("Bats").help("How many bats search. Published: 50.").entry(),
             ITERATIONS
@@ -440,28 +443,10 @@ pub const ENTRY: Entry = Entry {
             POLISH.entry(),
         ],
         TOURS,
-    ],
-    readings: &[
-        BEST,
-        MEAN,
-        BUILT,
-        FAILED,
-        BY_ROAD,
-        CONVERGED,
-        SETTLED,
-        DIFFERENT,
-        Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness."),
-        Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates."),
-    ],
-    formulas: &[TRIES, LOUDNESS, PULSE, LENGTH],
-    layers: &[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every bat."), TOUR_LAYER, STOPS_LAYER],
-    stops: true,
-    most_stops: None,
-    members: MEMBERS,
-    events: &[],
-    presets: &[PAPER],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
-    },
-};
+    ])
+.readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
+.formulas(&[TRIES, LOUDNESS, PULSE, LENGTH])
+.layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every bat."), TOUR_LAYER, STOPS_LAYER])
+.calls_at_stops()
+.members(MEMBERS)
+.presets(&[PAPER]);

@@ -16,8 +16,8 @@ use crate::{
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
-        ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS, member,
+        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
+        ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS,
     },
     problem::{Problem, Tour},
     tell::quantity,
@@ -207,7 +207,7 @@ impl Search for Genetic {
     fn read(&self, out: &mut Readings) {
         let children = &self.now[self.elite..];
         let shorter = children.iter().filter(|one| one.gain() > 0.0).count();
-        out.push("shorter", shorter as f64 / children.len() as f64);
+        out.push(SHORTER, shorter as f64 / children.len() as f64);
     }
 
     fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
@@ -293,22 +293,27 @@ const WORDS: &[&str] = &["start", "kept", "copy", "crossover", "mutation", "both
 const MEMBERS: &[Member] = &[
     MEMBER_LENGTH,
     MEMBER_DIFFERENT,
-    Member { words: WORDS, ..member("operator", "", "Operator", "How it came into this generation.") },
-    member("gain", "\\Delta D", "Gain", "How much shorter it is than the shorter of its parents; below zero: longer."),
+    Member::new("operator", "", "Operator", "How it came into this generation.").words(WORDS),
+    Member::new("gain", "\\Delta D", "Gain", "How much shorter it is than the shorter of its parents; below zero: longer."),
 ];
 
+const SHORTER: Reading =
+    Reading::new("shorter", "", "Shorter children", Group::Measure, "How many of the children are shorter than both their parents.");
+
 /// See [`super::start`].
-const TELLS: &[&str] = &["mean", "different", "settled", "shorter"];
+const TELLS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, SHORTER];
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "ga",
-    title: "Genetic algorithm",
-    family: "tour",
-    source: "Davis 1985",
-    summary: "Generations of tours: children take a stretch of one parent and the order of the other, some have a stretch reversed, and the shortest are kept.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "ga",
+    "Genetic algorithm",
+    "Davis 1985",
+    "Generations of tours: children take a stretch of one parent and the order of the other, some have a stretch reversed, and the shortest are kept.",
+    |start| super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+)
+.family("tour")
+.kinds(KINDS)
+.parameters(&[
         &[
             POPULATION
                 .title("Tours")
@@ -321,27 +326,9 @@ pub const ENTRY: Entry = Entry {
             MUTATION.entry(),
         ],
         TOURS,
-    ],
-    readings: &[
-        BEST,
-        MEAN,
-        BUILT,
-        FAILED,
-        BY_ROAD,
-        CONVERGED,
-        SETTLED,
-        DIFFERENT,
-        Reading::new("shorter", "", "Shorter children", Group::Measure, "How many of the children are shorter than both their parents."),
-    ],
-    formulas: &[GAIN, LENGTH],
-    layers: &[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tours of this generation."), TOUR_LAYER, STOPS_LAYER],
-    stops: true,
-    most_stops: None,
-    members: MEMBERS,
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
-    },
-};
+    ])
+.readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, SHORTER])
+.formulas(&[GAIN, LENGTH])
+.layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tours of this generation."), TOUR_LAYER, STOPS_LAYER])
+.calls_at_stops()
+.members(MEMBERS);

@@ -8,14 +8,14 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Reading, Scope},
+    describe::{Entry, Formula, Group, Layer, Reading},
     kernel::{Progress, Readings, Role, State, Status, rng::Stream},
     params::{Param, Settings},
 };
 
 use super::{
-    Begin, Search,
-    parameters::{BEST, BUILT, BY_ROAD, CONVERGED, FAILED, KINDS, LENGTH, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS},
+    Search,
+    parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, KINDS, LENGTH, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS},
     problem::{Problem, Stop, Tour},
 };
 
@@ -169,9 +169,9 @@ impl Search for HeldKarp {
     }
 
     fn read(&self, out: &mut Readings) {
-        out.push("size", self.size as f64);
+        out.push(SIZE, self.size as f64);
         let ways = self.ways.iter().chain(&self.tour).map(|way| way.length);
-        out.push("partial", ways.reduce(f64::min).unwrap_or(f64::NAN));
+        out.push(PARTIAL, ways.reduce(f64::min).unwrap_or(f64::NAN));
     }
 
     fn copy(&self) -> Box<dyn Search> {
@@ -188,58 +188,43 @@ const ITERATIONS: Param<u64> = Param::integer(
 )
 .slider(1.0, MOST as f64, false);
 
-const RECURSION: Formula = Formula {
-    name: "recursion",
-    source: "Held and Karp 1962",
-    title: "The shortest way through a set",
-    tex: "C(S, j) = \\min_{i \\in S \\setminus \\{j\\}} C(S \\setminus \\{j\\}, i) + d(i, j)",
-    live: "|S| = @size@",
-    scope: Scope::Iteration,
-    when: None,
-};
+const RECURSION: Formula = Formula::new(
+    "recursion",
+    "Held and Karp 1962",
+    "The shortest way through a set",
+    "C(S, j) = \\min_{i \\in S \\setminus \\{j\\}} C(S \\setminus \\{j\\}, i) + d(i, j)",
+    "|S| = @size@",
+);
+
+const SIZE: Reading = Reading::new("size", "|S|", "Size", Group::Count, "How many stops the sets have that it has come to.");
+const PARTIAL: Reading = Reading::new(
+    "partial",
+    "C",
+    "Shortest part",
+    Group::Length,
+    "The shortest way through so many stops, of all sets; the tour in the end.",
+);
 
 /// See [`super::start`].
-const TELLS: &[&str] = &["size", "partial"];
+const TELLS: &[Reading] = &[SIZE, PARTIAL];
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "held-karp",
-    title: "Held and Karp: exact",
-    family: "tour",
-    source: "Held and Karp 1962",
-    summary: "The shortest tour for certain: the shortest ways through all sets of stops, from small sets to the set of all. For 15 stops at most.",
-    kinds: KINDS,
-    parameters: &[&[ITERATIONS.entry()], TOURS],
-    readings: &[
-        BEST,
-        BUILT,
-        FAILED,
-        BY_ROAD,
-        CONVERGED,
-        Reading::new("size", "|S|", "Size", Group::Count, "How many stops the sets have that it has come to."),
-        Reading::new(
-            "partial",
-            "C",
-            "Shortest part",
-            Group::Length,
-            "The shortest way through so many stops, of all sets; the tour in the end.",
-        ),
-    ],
-    formulas: &[RECURSION, LENGTH],
-    layers: &[
-        ROADS_LAYER,
-        Layer::new(Role::Tours, "Shortest parts", true, false, "The shortest way of the present size to each stop, until there is a tour."),
-        TOUR_LAYER,
-        STOPS_LAYER,
-    ],
-    stops: true,
-    most_stops: Some(MOST),
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        let begin: Begin = |problem, settings, rng| Box::new(begin(problem, settings, rng));
-        Ok(super::start(scene, settings, seed, TELLS, begin)?.open_ended())
-    },
-};
+pub const ENTRY: Entry = Entry::new(
+    "held-karp",
+    "Held and Karp: exact",
+    "Held and Karp 1962",
+    "The shortest tour for certain: the shortest ways through all sets of stops, from small sets to the set of all. For 15 stops at most.",
+    |start| Ok(super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))?.open_ended()),
+)
+.family("tour")
+.kinds(KINDS)
+.parameters(&[&[ITERATIONS.entry()], TOURS])
+.readings(&[BEST, BUILT, FAILED, BY_ROAD, FOUND, SIZE, PARTIAL])
+.formulas(&[RECURSION, LENGTH])
+.layers(&[
+    ROADS_LAYER,
+    Layer::new(Role::Tours, "Shortest parts", true, false, "The shortest way of the present size to each stop, until there is a tour."),
+    TOUR_LAYER,
+    STOPS_LAYER,
+])
+.calls_at_most(MOST);

@@ -25,8 +25,8 @@ use crate::{
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
-        ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS, member,
+        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
+        ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS,
     },
     problem::{Problem, Tour},
     swaps::{self, Swap},
@@ -225,8 +225,8 @@ impl Search for Bats {
     }
 
     fn read(&self, out: &mut Readings) {
-        out.push("loudness", self.mean(|bat| bat.loudness));
-        out.push("pulse_rate", self.mean(|bat| bat.pulse_rate));
+        out.push(MEAN_LOUDNESS, self.mean(|bat| bat.loudness));
+        out.push(MEAN_PULSE_RATE, self.mean(|bat| bat.pulse_rate));
     }
 
     fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
@@ -339,61 +339,47 @@ const WORDS: &[&str] = &["start", "flight", "reversal", "insertion", "exchange"]
 /// What is told of each bat.
 const MEMBERS: &[Member] = &[
     MEMBER_LENGTH,
-    Member { full: Some(1.0), ..member("loudness", "A", "Loudness", "The louder, the likelier it accepts a shorter tour.") },
-    Member { full: Some(1.0), ..member("pulse_rate", "r", "Pulse rate", "The higher, the rarer it looks around the best tour.") },
+    Member::new("loudness", "A", "Loudness", "The louder, the likelier it accepts a shorter tour.").full(1.0),
+    Member::new("pulse_rate", "r", "Pulse rate", "The higher, the rarer it looks around the best tour.").full(1.0),
     MEMBER_DIFFERENT,
-    Member { words: WORDS, ..member("operator", "", "Operator", "How it made the tour that it tried in the last iteration.") },
-    member("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration."),
+    Member::new("operator", "", "Operator", "How it made the tour that it tried in the last iteration.").words(WORDS),
+    Member::new("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration."),
 ];
 
+const MEAN_LOUDNESS: Reading = Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness.");
+const MEAN_PULSE_RATE: Reading = Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates.");
+
 /// See [`super::start`].
-const TELLS: &[&str] = &["mean", "different", "settled", "loudness", "pulse_rate"];
+const TELLS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_LOUDNESS, MEAN_PULSE_RATE];
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "hybrid-bat",
-    title: "Bats with perturbation",
-    family: "tour",
-    source: "[ANTBAT] §4, its [25]",
-    summary: "Bats that hold a tour each: they swap stops towards the best one, or take the best of a few perturbations of it.",
-    kinds: KINDS,
-    parameters: &[
-        &[
-            POPULATION.title("Bats").help("How many bats search. As many as [ANTBAT] has.").entry(),
-            ITERATIONS
-                .help("After how many iterations of the bats it stops; building roads comes first. As many as [ANTBAT]’s bats fly.")
-                .entry(),
-            F_MIN.entry(),
-            F_MAX.entry(),
-            PERTURBATIONS.entry(),
-            LOUDNESS_START.entry(),
-            ALPHA.entry(),
-            PULSE_RATE.entry(),
-            GAMMA.entry(),
-        ],
-        TOURS,
+pub const ENTRY: Entry = Entry::new(
+    "hybrid-bat",
+    "Bats with perturbation",
+    "[ANTBAT] §4, its [25]",
+    "Bats that hold a tour each: they swap stops towards the best one, or take the best of a few perturbations of it.",
+    |start| super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+)
+.family("tour")
+.kinds(KINDS)
+.parameters(&[
+    &[
+        POPULATION.title("Bats").help("How many bats search. As many as [ANTBAT] has.").entry(),
+        ITERATIONS
+            .help("After how many iterations of the bats it stops; building roads comes first. As many as [ANTBAT]’s bats fly.")
+            .entry(),
+        F_MIN.entry(),
+        F_MAX.entry(),
+        PERTURBATIONS.entry(),
+        LOUDNESS_START.entry(),
+        ALPHA.entry(),
+        PULSE_RATE.entry(),
+        GAMMA.entry(),
     ],
-    readings: &[
-        BEST,
-        MEAN,
-        BUILT,
-        FAILED,
-        BY_ROAD,
-        CONVERGED,
-        SETTLED,
-        DIFFERENT,
-        Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness."),
-        Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates."),
-    ],
-    formulas: &[VELOCITY, LOUDNESS, PULSE, LENGTH],
-    layers: &[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every bat."), TOUR_LAYER, STOPS_LAYER],
-    stops: true,
-    most_stops: None,
-    members: MEMBERS,
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
-    },
-};
+    TOURS,
+])
+.readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
+.formulas(&[VELOCITY, LOUDNESS, PULSE, LENGTH])
+.layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every bat."), TOUR_LAYER, STOPS_LAYER])
+.calls_at_stops()
+.members(MEMBERS);

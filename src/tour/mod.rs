@@ -26,17 +26,18 @@ pub mod two_opt;
 use std::sync::Arc;
 
 use crate::{
+    describe::{Reading, Start},
     exact::{MAX_EXACT_STOPS, shortest_tour},
     kernel::{
         Best, Error, Explain, Facets, Failure, Frame, Inspection, Item, Members, Planner, Progress, Readings, Role, Round, Shape, Solution,
         Stage, Started, State, Status, Subtasks, Yardstick, rng::Stream,
     },
     params::Settings,
-    scene::{GridScene, Scene, TourScene},
-    settled::Settled,
+    scene::{GridScene, TourScene},
+    settled::{SETTLED, Settled},
 };
 
-use parameters::{ITERATIONS, ROADS, SMOOTH};
+use parameters::{BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, MEAN, ROADS, SMOOTH};
 use problem::{Problem, Stop, Tour};
 use roads::Network;
 
@@ -90,7 +91,7 @@ struct Tours {
     seed: u64,
     /// What the search adds to the readings, of its members and of its own, in this order: unknown while roads are built.
     #[state(shared)]
-    tells: &'static [&'static str],
+    tells: &'static [Reading],
     #[state(shared)]
     begin: Begin,
     #[state(shared)]
@@ -110,10 +111,11 @@ struct Tours {
     settled: Settled,
 }
 
-/// Starts a tour planner, which tells readings of these names beside those of every tour.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, tells: &'static [&'static str], begin: Begin) -> Result<Started, Error> {
+/// Starts a tour planner, which tells these readings beside those of every tour.
+fn start(start: &Start, tells: &'static [Reading], begin: Begin) -> Result<Started, Error> {
+    let &Start { scene, parameters: settings, seed, .. } = start;
     let network = match scene.get::<GridScene>() {
-        Ok(grid) => Some(Network::new(scene, grid, settings, seed)?),
+        Ok(grid) => Some(Network::new(start, grid)?),
         Err(_) => None,
     };
     let mut tours = Tours {
@@ -249,26 +251,26 @@ impl Planner for Tours {
 
     fn read(&self, out: &mut Readings) {
         let best = self.best_tour();
-        out.push("best", best.map_or(f64::NAN, |(_, tour)| tour.length));
+        out.push(BEST, best.map_or(f64::NAN, |(_, tour)| tour.length));
         if let Some(network) = &self.network {
-            out.push("roads", network.roads.len() as f64);
-            out.push("failed", network.failed() as f64);
+            out.push(BUILT, network.roads.len() as f64);
+            out.push(FAILED, network.failed() as f64);
             if network.stops.len() <= MAX_EXACT_STOPS {
-                out.push("by_road", self.by_road);
+                out.push(BY_ROAD, self.by_road);
             }
         }
-        out.push("converged", if best.is_some() { self.converged as f64 } else { f64::NAN });
+        out.push(FOUND, if best.is_some() { self.converged as f64 } else { f64::NAN });
         if let Some((problem, search)) = &self.search {
             let members = (0..search.members()).filter_map(|i| search.member(i));
             if let (Some((_, best)), 1..) = (best, search.members()) {
                 let different: usize = members.map(|tour| moves::hamming(problem, &tour.row, &best.row)).sum();
-                out.push("mean", mean(&**search));
-                out.push("different", different as f64 / search.members() as f64);
-                out.push("settled", self.settled.iteration());
+                out.push(MEAN, mean(&**search));
+                out.push(DIFFERENT, different as f64 / search.members() as f64);
+                out.push(SETTLED, self.settled.iteration());
             }
             search.read(out);
         } else {
-            self.tells.iter().for_each(|name| out.push(name, f64::NAN));
+            self.tells.iter().for_each(|&reading| out.push(reading, f64::NAN));
         }
     }
 

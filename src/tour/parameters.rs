@@ -1,7 +1,7 @@
 //! What the entries of the tour planners share: parameters, readings, equations and layers.
 
 use crate::{
-    describe::{Formula, Group, Layer, Member, Reading, Scope},
+    describe::{CONVERGED, Formula, Group, Layer, Member, Reading},
     kernel::{Role, Round, SceneKindId},
     params::{Choice, Param, Parameter, Settings},
     scene::{GRID, Scene, TOUR, TourScene},
@@ -102,8 +102,7 @@ pub(super) const BY_ROAD: Reading = Reading::new(
     Group::Length,
     "The shortest tour by these very roads, computed for up to 15 stops: what is above it is the order’s fault, what it is above the exact optimum is the roads’.",
 );
-pub(super) const CONVERGED: Reading =
-    Reading::new("converged", "t^*", "Converged", Group::Count, "The search’s iteration in which the shortest tour was found.");
+pub(super) const FOUND: Reading = CONVERGED.told("t^*", "Converged", "The search’s iteration in which the shortest tour was found.");
 pub(super) const DIFFERENT: Reading = Reading::new(
     "different",
     "\\overline{HD}",
@@ -112,24 +111,12 @@ pub(super) const DIFFERENT: Reading = Reading::new(
     "At how many places a tour differs from the shortest one, on average: Hamming’s distance.",
 );
 
-pub(super) const LENGTH: Formula = Formula {
-    name: "length",
-    source: "[ANTBAT] (6)",
-    title: "Length of a tour",
-    tex: "D(s) = \\sum_{i=1}^{n-1} d(s_i, s_{i+1}) + d(s_n, s_1)",
-    live: "",
-    scope: Scope::Iteration,
-    when: None,
-};
+pub(super) const LENGTH: Formula =
+    Formula::new("length", "[ANTBAT] (6)", "Length of a tour", "D(s) = \\sum_{i=1}^{n-1} d(s_i, s_{i+1}) + d(s_n, s_1)", "");
 
-/// A number of each member.
-pub(super) const fn member(name: &'static str, symbol: &'static str, title: &'static str, help: &'static str) -> Member {
-    Member { name, symbol, title, help, full: None, words: &[] }
-}
-
-pub(super) const MEMBER_LENGTH: Member = member("length", "D", "Length", "The length of its tour.");
+pub(super) const MEMBER_LENGTH: Member = Member::new("length", "D", "Length", "The length of its tour.");
 pub(super) const MEMBER_DIFFERENT: Member =
-    member("different", "HD", "Different", "At how many places its tour differs from the shortest one.");
+    Member::new("different", "HD", "Different", "At how many places its tour differs from the shortest one.");
 
 pub(super) const ROADS_LAYER: Layer =
     Layer { kinds: &[GRID], ..Layer::new(Role::Roads, "Roads", true, true, "The paths between pairs of stops that are built so far.") };

@@ -4,13 +4,12 @@
 use std::sync::Arc;
 
 use crate::{
-    catalogue,
-    describe::ROAD,
+    describe::{ROAD, Start},
     exact::{Distances, is_reachable},
     geometry,
     kernel::{Error, Finding, Job, State, Subtasks, rng::Stream},
-    params::{Given, Settings, Value},
-    scene::{GridScene, Scene},
+    params::{Given, Value},
+    scene::GridScene,
 };
 
 use super::parameters::{ROADS, SMOOTH};
@@ -67,9 +66,9 @@ impl Network {
     /// The network of a grid's stops, nothing built.
     ///
     /// # Errors
-    /// [`Error::Refused`] for a stop that the others cannot be reached from, by its name.
-    pub fn new(scene: &Arc<Scene>, grid: &GridScene, settings: &Settings, seed: u64) -> Result<Self, Error> {
-        let entry = catalogue::find(settings[ROADS])?;
+    /// As [`Start::planner`]; [`Error::Refused`] for a stop that the others cannot be reached from, by its name.
+    pub fn new(start: &Start, grid: &GridScene) -> Result<Self, Error> {
+        let entry = start.planner(ROADS)?;
         let stops = grid.stops.clone();
         for (i, &stop) in (1..).zip(&stops[1..]) {
             let name = format!("stops[{i}]");
@@ -79,11 +78,11 @@ impl Network {
                 return Err(Error::refused(name, format!("({}, {})", stop[0], stop[1]), allowed));
             }
         }
-        let mut rng = Stream::new(seed, 1);
+        let mut rng = Stream::new(start.seed, 1);
         let n = stops.len();
-        let sized = entry.presets.iter().find(|preset| preset.name == ROAD).map(|preset| entry.preset(preset.name, scene.kind()));
+        let sized = entry.presets.iter().find(|preset| preset.name == ROAD).map(|preset| entry.preset(preset.name, start.scene.kind()));
         let mut params = sized.transpose()?.unwrap_or_default();
-        params.insert(SMOOTH.name(), Value::Flag(settings[SMOOTH]));
+        params.insert(SMOOTH.name(), Value::Flag(start.parameters[SMOOTH]));
         Ok(Self {
             planner: entry.name,
             params,
@@ -237,7 +236,7 @@ impl Subtasks for Network {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{params::Settings, scene::GridScene};
+    use crate::{catalogue::PLANNERS, params::Settings, scene::Scene};
 
     /// An open grid with stops at (0.5, 0.5), (3.5, 0.5), (0.5, 3.5), (3.5, 3.5), and the lengths of the roads that were
     /// found: between 0 and 1, 0 and 2, 0 and 3, 1 and 2, 1 and 3, 2 and 3.
@@ -248,7 +247,8 @@ mod tests {
         let grid = scene.get::<GridScene>().unwrap();
         let entry = crate::catalogue::find("bat").unwrap();
         let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
-        let mut network = Network::new(&scene, grid, &settings, 1).unwrap();
+        let start = Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS };
+        let mut network = Network::new(&start, grid).unwrap();
         let road = |(number, length): (usize, Option<f64>)| {
             let path = network.pair(number).map(|stop| network.stops[stop]).to_vec();
             Arc::new(match length {

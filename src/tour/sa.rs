@@ -16,8 +16,8 @@ use crate::{
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, ITERATIONS, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS_LAYER,
-        STOPS_LAYER, TOUR_LAYER, TOURS, member,
+        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS_LAYER,
+        STOPS_LAYER, TOUR_LAYER, TOURS,
     },
     problem::{Problem, Tour},
     tell::quantity,
@@ -164,8 +164,8 @@ impl Search for Annealing {
 
     fn read(&self, out: &mut Readings) {
         let Deed { tried, shorter, longer, .. } = self.deed;
-        out.push("temperature", self.temperature);
-        out.push("accepted", (shorter + longer) as f64 / tried.max(1) as f64);
+        out.push(TEMPERATURE, self.temperature);
+        out.push(ACCEPTED, (shorter + longer) as f64 / tried.max(1) as f64);
     }
 
     fn tell_member(&self, _i: usize, out: &mut Vec<f64>) {
@@ -243,53 +243,44 @@ const GEOMETRIC: Formula =
 const MEMBERS: &[Member] = &[
     MEMBER_LENGTH,
     MEMBER_DIFFERENT,
-    member("gain", "\\Delta D", "Gain", "How much shorter it became in the last iteration; below zero: longer."),
-    member("highest", "\\Delta_{\\max}", "Longest step up", "The most that an accepted move made it longer in the last iteration."),
+    Member::new("gain", "\\Delta D", "Gain", "How much shorter it became in the last iteration; below zero: longer."),
+    Member::new("highest", "\\Delta_{\\max}", "Longest step up", "The most that an accepted move made it longer in the last iteration."),
 ];
 
+const PRESENT: Reading = Reading::new("mean", "D", "Present", Group::Cost, "The length of the present tour.");
+const TEMPERATURE: Reading =
+    Reading::new("temperature", "T", "Temperature", Group::Schedule, "How hot it was in this iteration, as a length.");
+const ACCEPTED: Reading =
+    Reading::new("accepted", "\\chi", "Accepted", Group::Measure, "How many of this iteration’s moves were accepted.");
+const SETTLED_PRESENT: Reading =
+    SETTLED.told(SETTLED.symbol, SETTLED.title, "The iteration since which the present tour has stayed within 1 % of the shortest so far.");
+
 /// See [`super::start`].
-const TELLS: &[&str] = &["mean", "different", "settled", "temperature", "accepted"];
+const TELLS: &[Reading] = &[PRESENT, DIFFERENT, SETTLED_PRESENT, TEMPERATURE, ACCEPTED];
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "sa",
-    title: "Simulated annealing",
-    family: "tour",
-    source: "Kirkpatrick et al. 1983",
-    summary: "One tour, parts of which are turned round again and again: what makes it longer is accepted more and more rarely as it grows colder.",
-    kinds: KINDS,
-    parameters: &[
-        &[
-            ITERATIONS
-                .help("After how many temperatures it stops; building roads comes first. As many as [ANTBAT]’s bats fly iterations.")
-                .entry(),
-            ACCEPT_START.entry(),
-            COOLING.entry(),
-            MOVES.entry(),
-        ],
-        TOURS,
+pub const ENTRY: Entry = Entry::new(
+    "sa",
+    "Simulated annealing",
+    "Kirkpatrick et al. 1983",
+    "One tour, parts of which are turned round again and again: what makes it longer is accepted more and more rarely as it grows colder.",
+    |start| super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+)
+.family("tour")
+.kinds(KINDS)
+.parameters(&[
+    &[
+        ITERATIONS
+            .help("After how many temperatures it stops; building roads comes first. As many as [ANTBAT]’s bats fly iterations.")
+            .entry(),
+        ACCEPT_START.entry(),
+        COOLING.entry(),
+        MOVES.entry(),
     ],
-    readings: &[
-        BEST,
-        Reading::new("mean", "D", "Present", Group::Cost, "The length of the present tour."),
-        BUILT,
-        FAILED,
-        BY_ROAD,
-        CONVERGED,
-        Reading { help: "The iteration since which the present tour has stayed within 1 % of the shortest so far.", ..SETTLED },
-        DIFFERENT,
-        Reading::new("temperature", "T", "Temperature", Group::Schedule, "How hot it was in this iteration, as a length."),
-        Reading::new("accepted", "\\chi", "Accepted", Group::Measure, "How many of this iteration’s moves were accepted."),
-    ],
-    formulas: &[METROPOLIS, GEOMETRIC, LENGTH],
-    layers: &[ROADS_LAYER, Layer::new(Role::Tours, "Present tour", false, true, "The tour that is changed."), TOUR_LAYER, STOPS_LAYER],
-    stops: true,
-    most_stops: None,
-    members: MEMBERS,
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
-    },
-};
+    TOURS,
+])
+.readings(&[BEST, PRESENT, BUILT, FAILED, BY_ROAD, FOUND, SETTLED_PRESENT, DIFFERENT, TEMPERATURE, ACCEPTED])
+.formulas(&[METROPOLIS, GEOMETRIC, LENGTH])
+.layers(&[ROADS_LAYER, Layer::new(Role::Tours, "Present tour", false, true, "The tour that is changed."), TOUR_LAYER, STOPS_LAYER])
+.calls_at_stops()
+.members(MEMBERS);

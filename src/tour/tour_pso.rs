@@ -21,8 +21,8 @@ use super::{
     local::Local,
     moves,
     parameters::{
-        BEST, BUILT, BY_ROAD, CONVERGED, DIFFERENT, FAILED, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
-        POPULATION, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS, member,
+        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
+        POPULATION, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS,
     },
     problem::{Problem, Stop, Tour},
     swaps::{self, Swap},
@@ -185,7 +185,7 @@ impl Search for Swarm {
 
     fn read(&self, out: &mut Readings) {
         let swaps: usize = self.particles.iter().map(|particle| particle.velocity.len()).sum();
-        out.push("swaps", swaps as f64 / self.particles.len() as f64);
+        out.push(MEAN_SWAPS, swaps as f64 / self.particles.len() as f64);
     }
 
     fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
@@ -263,14 +263,17 @@ const POSITION: Formula =
 /// What is told of each particle.
 const MEMBERS: &[Member] = &[
     MEMBER_LENGTH,
-    member("own_best", "D_p", "Own best", "The length of the shortest tour that it had."),
+    Member::new("own_best", "D_p", "Own best", "The length of the shortest tour that it had."),
     MEMBER_DIFFERENT,
-    member("swaps", "|v|", "Velocity", "How many swaps its velocity has."),
-    member("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration; below zero: longer."),
+    Member::new("swaps", "|v|", "Velocity", "How many swaps its velocity has."),
+    Member::new("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration; below zero: longer."),
 ];
 
+const MEAN_SWAPS: Reading =
+    Reading::new("swaps", "\\overline{|v|}", "Velocity", Group::Measure, "How many swaps a velocity has, on average.");
+
 /// See [`super::start`].
-const TELLS: &[&str] = &["mean", "different", "settled", "swaps"];
+const TELLS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_SWAPS];
 
 const SWAPS_ALONE: Preset = Preset {
     name: "paper",
@@ -281,14 +284,16 @@ const SWAPS_ALONE: Preset = Preset {
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "tour-pso",
-    title: "Particle swarm with swaps",
-    family: "tour",
-    source: "Wang et al. 2003",
-    summary: "Each particle holds a tour and swaps stops: some of the swaps of its velocity, some toward its personal best, some toward the global best. A local search improves each tour.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "tour-pso",
+    "Particle swarm with swaps",
+    "Wang et al. 2003",
+    "Each particle holds a tour and swaps stops: some of the swaps of its velocity, some toward its personal best, some toward the global best. A local search improves each tour.",
+    |start| super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+)
+.family("tour")
+.kinds(KINDS)
+.parameters(&[
         &[
             POPULATION
                 .title("Particles")
@@ -303,27 +308,10 @@ pub const ENTRY: Entry = Entry {
             LOCAL_SEARCH.entry(),
         ],
         TOURS,
-    ],
-    readings: &[
-        BEST,
-        MEAN,
-        BUILT,
-        FAILED,
-        BY_ROAD,
-        CONVERGED,
-        SETTLED,
-        DIFFERENT,
-        Reading::new("swaps", "\\overline{|v|}", "Velocity", Group::Measure, "How many swaps a velocity has, on average."),
-    ],
-    formulas: &[VELOCITY, POSITION, LENGTH],
-    layers: &[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every particle."), TOUR_LAYER, STOPS_LAYER],
-    stops: true,
-    most_stops: None,
-    members: MEMBERS,
-    events: &[],
-    presets: &[SWAPS_ALONE],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        super::start(scene, settings, seed, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
-    },
-};
+    ])
+.readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_SWAPS])
+.formulas(&[VELOCITY, POSITION, LENGTH])
+.layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every particle."), TOUR_LAYER, STOPS_LAYER])
+.calls_at_stops()
+.members(MEMBERS)
+.presets(&[SWAPS_ALONE]);

@@ -9,10 +9,10 @@ use crate::{
 };
 
 use super::{
-    Begin, Search,
+    Search,
     local::Local,
     nearest::nearest_neighbour,
-    parameters::{BEST, BUILT, BY_ROAD, CONVERGED, FAILED, ITERATIONS, KINDS, LAYERS, LENGTH, TOURS},
+    parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, ITERATIONS, KINDS, LAYERS, LENGTH, TOURS},
     problem::{Problem, Stop, Tour},
 };
 
@@ -70,8 +70,8 @@ impl Search for Descent {
     }
 
     fn read(&self, out: &mut Readings) {
-        out.push("moves", self.moves as f64);
-        out.push("gain", self.gain);
+        out.push(MOVES_MADE, self.moves as f64);
+        out.push(LAST_GAIN, self.gain);
     }
 
     fn copy(&self) -> Box<dyn Search> {
@@ -81,40 +81,27 @@ impl Search for Descent {
 
 const TWO_OPT: Formula = Formula::of_item("two-opt", "Croes 1958", "2-opt move", "\\Delta = d(a, c) + d(b, d) - d(a, b) - d(c, d) < 0", "");
 
+const MOVES_MADE: Reading = Reading::new("moves", "", "Moves", Group::Count, "Moves that made the tour shorter.");
+const LAST_GAIN: Reading = Reading::new("gain", "\\Delta D", "Gain", Group::Measure, "How much shorter the last move made it.");
+
 /// See [`super::start`].
-const TELLS: &[&str] = &["moves", "gain"];
+const TELLS: &[Reading] = &[MOVES_MADE, LAST_GAIN];
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "two-opt",
-    title: "2-opt and Or-opt",
-    family: "tour",
-    source: "[ANTBAT] §3.3; Bentley 1992",
-    summary: "Goes on to the nearest stop, then reverses and carries stretches of the tour, a step for each move that makes it shorter, until none does.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "two-opt",
+    "2-opt and Or-opt",
+    "[ANTBAT] §3.3; Bentley 1992",
+    "Goes on to the nearest stop, then reverses and carries stretches of the tour, a step for each move that makes it shorter, until none does.",
+    |start| Ok(super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))?.open_ended()),
+)
+.family("tour")
+.kinds(KINDS)
+.parameters(&[
         &[ITERATIONS.default_to(1000).help("After how many moves it stops at the latest; mostly no move helps before that.").entry()],
         TOURS,
-    ],
-    readings: &[
-        BEST,
-        BUILT,
-        FAILED,
-        BY_ROAD,
-        CONVERGED,
-        Reading::new("moves", "", "Moves", Group::Count, "Moves that made the tour shorter."),
-        Reading::new("gain", "\\Delta D", "Gain", Group::Measure, "How much shorter the last move made it."),
-    ],
-    formulas: &[TWO_OPT, LENGTH],
-    layers: LAYERS,
-    stops: true,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        let begin: Begin = |problem, settings, rng| Box::new(begin(problem, settings, rng));
-        Ok(super::start(scene, settings, seed, TELLS, begin)?.open_ended())
-    },
-};
+    ])
+.readings(&[BEST, BUILT, FAILED, BY_ROAD, FOUND, MOVES_MADE, LAST_GAIN])
+.formulas(&[TWO_OPT, LENGTH])
+.layers(LAYERS)
+.calls_at_stops();

@@ -1,11 +1,7 @@
 //! What is made of a tree's path, [ARM-RRT] §3.2.2 and step 3: shortened, fitted by a polyline, smoothed. Each part can be
 //! left out, and none ever goes through an obstacle.
 
-use crate::{
-    describe::{Formula, Scope},
-    kernel::State,
-    params::Settings,
-};
+use crate::{describe::Formula, kernel::State, params::Settings};
 
 use super::{
     free::Free,
@@ -163,22 +159,18 @@ fn cut<const N: usize>(path: &[[f64; N]], fine: f64, free: Free<N>) -> Vec<[f64;
 }
 
 /// The fit of `polyline`.
-pub(super) const FITTED: Formula = Formula {
-    name: "polyline",
-    source: "[ARM-RRT] step 3",
-    title: "Polyline by least squares",
-    tex: "\\min_{c} \\sum_i \\Bigl\\lVert x_i - \\sum_j \\Lambda_j(u_i)\\, c_j \\Bigr\\rVert^2",
-    live: "",
-    scope: Scope::Iteration,
-    when: None,
-};
+pub(super) const FITTED: Formula = Formula::new(
+    "polyline",
+    "[ARM-RRT] step 3",
+    "Polyline by least squares",
+    "\\min_{c} \\sum_i \\Bigl\\lVert x_i - \\sum_j \\Lambda_j(u_i)\\, c_j \\Bigr\\rVert^2",
+    "",
+);
 /// The curves of `hermite`.
-pub(super) const HERMITE: Formula = Formula {
-    name: "hermite",
-    source: "[ARM-RRT] (12)",
-    title: "Hermite smoothing",
-    tex: "p(t) = (2t^3 - 3t^2 + 1)\\,p_0 + (t^3 - 2t^2 + t)\\,R_0 + (t^3 - t^2)\\,R_1 + (-2t^3 + 3t^2)\\,p_1",
-    live: "",
-    scope: Scope::Iteration,
-    when: None,
-};
+pub(super) const HERMITE: Formula = Formula::new(
+    "hermite",
+    "[ARM-RRT] (12)",
+    "Hermite smoothing",
+    "p(t) = (2t^3 - 3t^2 + 1)\\,p_0 + (t^3 - 2t^2 + t)\\,R_0 + (t^3 - t^2)\\,R_1 + (-2t^3 + 3t^2)\\,p_1",
+    "",
+);

@@ -34,9 +34,7 @@ mod tell;
 mod tests;
 mod vector;
 
-use std::sync::Arc;
-
-use crate::{kernel::Error, params::Settings, scene::Scene};
+use crate::{describe::Start, kernel::Error};
 
 pub use tell::SYMBOLS;
 
@@ -48,14 +46,8 @@ use task::Task;
 ///
 /// # Errors
 /// A scene without start and goal.
-fn grown<M: Method<3>>(
-    scene: &Arc<Scene>,
-    settings: &Settings,
-    seed: u64,
-    goal_bias: f64,
-    method: impl FnOnce(&Task<3>) -> M,
-) -> Result<Grown<3, M>, Error> {
-    let task = Task::new(space::of_scene(scene, settings[MARGIN])?, settings, goal_bias);
+fn grown<M: Method<3>>(start: &Start, goal_bias: f64, method: impl FnOnce(&Task<3>) -> M) -> Result<Grown<3, M>, Error> {
+    let task = Task::new(space::of_scene(start.scene, start.parameters[MARGIN])?, start.parameters, goal_bias);
     let method = method(&task);
-    Ok(Grown::new(task, method, seed))
+    Ok(Grown::new(task, method, start.seed))
 }

@@ -1,7 +1,7 @@
 //! What the entries of the trees share: parameters, readings and equations.
 
 use crate::{
-    describe::{Formula, Group, Reading},
+    describe::{CONVERGED, Formula, Group, Reading},
     kernel::SceneKindId,
     params::{Fixed, Param, Parameter},
     scene::{ARM, DISCS, GRID},
@@ -102,17 +102,23 @@ pub(super) const BLEND: Param<f64> = Param::number(
 pub(super) const FINISH: &[Parameter] =
     &[MARGIN.entry(), SHORTEN.entry(), POLYLINE.entry(), TOLERANCE.entry(), SMOOTH.entry(), BLEND.entry()];
 
+pub(super) const BEST: Reading =
+    Reading::new("best", "L_T", "Path of the tree", Group::Cost, "The length of the path along the tree, once there is one.");
+pub(super) const SHORT_LENGTH: Reading =
+    Reading::new("short_length", "L_s", "Shortened", Group::Length, "The length of the path without detours.");
+pub(super) const FINAL_LENGTH: Reading =
+    Reading::new("final_length", "L", "Final length", Group::Length, "The length of what is handed over.");
+pub(super) const TO_GOAL: Reading = Reading::new("to_goal", "d_g", "To the goal", Group::Measure, "How far the tree is from the goal.");
+pub(super) const NODES: Reading =
+    Reading::new("nodes", "n", "Nodes", Group::Count, "How many nodes there are, in both trees if there are two.");
+pub(super) const REJECTED: Reading = Reading::new("rejected", "n_r", "In vain", Group::Count, "How many extensions added no node.");
+pub(super) const TESTED: Reading =
+    Reading::new("tested", "n_t", "Tests", Group::Count, "How many straight pieces were tested for collisions.");
+pub(super) const FOUND_AFTER: Reading =
+    CONVERGED.told("k^*", "Found after", "The step in which the path was found, or last became shorter.");
+
 /// What every tree tells.
-pub(super) const READINGS: &[Reading] = &[
-    Reading::new("best", "L_T", "Path of the tree", Group::Cost, "The length of the path along the tree, once there is one."),
-    Reading::new("short_length", "L_s", "Shortened", Group::Length, "The length of the path without detours."),
-    Reading::new("final_length", "L", "Final length", Group::Length, "The length of what is handed over."),
-    Reading::new("to_goal", "d_g", "To the goal", Group::Measure, "How far the tree is from the goal."),
-    Reading::new("nodes", "n", "Nodes", Group::Count, "How many nodes there are, in both trees if there are two."),
-    Reading::new("rejected", "n_r", "In vain", Group::Count, "How many extensions added no node."),
-    Reading::new("tested", "n_t", "Tests", Group::Count, "How many straight pieces were tested for collisions."),
-    Reading::new("converged", "k^*", "Found after", Group::Count, "The step in which the path was found, or last became shorter."),
-];
+pub(super) const READINGS: &[Reading] = &[BEST, SHORT_LENGTH, FINAL_LENGTH, TO_GOAL, NODES, REJECTED, TESTED, FOUND_AFTER];
 
 pub(super) const FORMULA_STEP: Formula = Formula::of_item(
     "extend",

@@ -4,6 +4,7 @@ use crate::kernel::{Best, Explain, Facets, Frame, Inspection, Item, Members, Pla
 
 use super::{
     grow::{Grown, Method, Seen},
+    parameters::{BEST, FINAL_LENGTH, FOUND_AFTER, NODES, REJECTED, SHORT_LENGTH, TESTED, TO_GOAL},
     vector::length,
 };
 
@@ -72,14 +73,14 @@ impl<const N: usize> Seen<'_, N> {
         let (forest, task) = (self.forest, self.task);
         let found = forest.found.as_deref();
         let finished = found.map(|found| found.finished(task));
-        out.push("best", found.map_or(f64::NAN, |found| found.cost));
-        out.push("short_length", finished.map_or(f64::NAN, |finished| length(&finished.short)));
-        out.push("final_length", finished.map_or(f64::NAN, |finished| length(&finished.path)));
-        out.push("to_goal", forest.nearest.sqrt());
-        out.push("nodes", forest.births.len() as f64);
-        out.push("rejected", forest.rejected as f64);
-        out.push("tested", forest.tested as f64);
-        out.push("converged", found.map_or(f64::NAN, |found| found.iteration as f64));
+        out.push(BEST, found.map_or(f64::NAN, |found| found.cost));
+        out.push(SHORT_LENGTH, finished.map_or(f64::NAN, |finished| length(&finished.short)));
+        out.push(FINAL_LENGTH, finished.map_or(f64::NAN, |finished| length(&finished.path)));
+        out.push(TO_GOAL, forest.nearest.sqrt());
+        out.push(NODES, forest.births.len() as f64);
+        out.push(REJECTED, forest.rejected as f64);
+        out.push(TESTED, forest.tested as f64);
+        out.push(FOUND_AFTER, found.map_or(f64::NAN, |found| found.iteration as f64));
     }
 
     /// The nodes' parents, trees and coordinates in the order in which they were added.

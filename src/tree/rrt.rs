@@ -1,12 +1,8 @@
 //! `rrt`: the basic rapidly-exploring random tree, [ARM-RRT] §3.2, LaValle 1998.
 
-use std::sync::Arc;
-
 use crate::{
-    describe::Entry,
+    describe::{Entry, Start},
     kernel::{Error, State, rng::Stream},
-    params::Settings,
-    scene::Scene,
 };
 
 use super::{
@@ -19,39 +15,33 @@ use super::{
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "rrt",
-    title: "RRT: a random tree",
-    family: "tree",
-    source: "[ARM-RRT] §3.2",
-    summary: "The node nearest to a random point grows by a step towards it, until the tree comes within a step of the goal.",
-    kinds: KINDS,
-    stops: false,
-    most_stops: None,
-    parameters: &[
-        &[
-            ITERATIONS
-                .default_to(100_000)
-                .help("After how many extensions it stops at the latest, found or not. Without a goal bias it may take many.")
-                .entry(),
-            STEP.entry(),
-            BIAS.entry(),
-        ],
-        FINISH,
+pub const ENTRY: Entry = Entry::new(
+    "rrt",
+    "RRT: a random tree",
+    "[ARM-RRT] §3.2",
+    "The node nearest to a random point grows by a step towards it, until the tree comes within a step of the goal.",
+    |start| Ok(grown(start)?.into()),
+)
+.family("tree")
+.kinds(KINDS)
+.parameters(&[
+    &[
+        ITERATIONS
+            .default_to(100_000)
+            .help("After how many extensions it stops at the latest, found or not. Without a goal bias it may take many.")
+            .entry(),
+        STEP.entry(),
+        BIAS.entry(),
     ],
-    readings: READINGS,
-    formulas: &[FORMULA_STEP, FITTED, HERMITE],
-    layers: LAYERS,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| Ok(grown(scene, settings, seed)?.into()),
-};
+    FINISH,
+])
+.readings(READINGS)
+.formulas(&[FORMULA_STEP, FITTED, HERMITE])
+.layers(LAYERS);
 
 /// The planner behind the entry.
-pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Rrt>, Error> {
-    super::grown(scene, settings, seed, settings[BIAS], |_| Rrt)
+pub(super) fn grown(start: &Start) -> Result<Grown<3, Rrt>, Error> {
+    super::grown(start, start.parameters[BIAS], |_| Rrt)
 }
 
 #[derive(Clone, State)]

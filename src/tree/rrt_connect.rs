@@ -1,12 +1,8 @@
 //! `rrt-connect`: two trees that grow towards each other, Kuffner and LaValle 2000. One extension a step.
 
-use std::sync::Arc;
-
 use crate::{
-    describe::Entry,
+    describe::{Entry, Start},
     kernel::{Error, State, rng::Stream},
-    params::Settings,
-    scene::Scene,
 };
 
 use super::{
@@ -19,29 +15,23 @@ use super::{
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "rrt-connect",
-    title: "RRT-Connect: two trees",
-    family: "tree",
-    source: "Kuffner and LaValle 2000",
-    summary: "A tree grows from the start and one from the goal. One takes a step towards a random point; the other then goes straight for the new node, step by step, as far as it can. They change places until they meet.",
-    kinds: KINDS,
-    stops: false,
-    most_stops: None,
-    parameters: &[&[ITERATIONS.entry(), STEP.entry()], FINISH],
-    readings: READINGS,
-    formulas: &[FORMULA_STEP, FITTED, HERMITE],
-    layers: CONNECT_LAYERS,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| Ok(grown(scene, settings, seed)?.into()),
-};
+pub const ENTRY: Entry = Entry::new(
+    "rrt-connect",
+    "RRT-Connect: two trees",
+    "Kuffner and LaValle 2000",
+    "A tree grows from the start and one from the goal. One takes a step towards a random point; the other then goes straight for the new node, step by step, as far as it can. They change places until they meet.",
+    |start| Ok(grown(start)?.into()),
+)
+.family("tree")
+.kinds(KINDS)
+.parameters(&[&[ITERATIONS.entry(), STEP.entry()], FINISH])
+.readings(READINGS)
+.formulas(&[FORMULA_STEP, FITTED, HERMITE])
+.layers(CONNECT_LAYERS);
 
 /// The planner behind the entry.
-pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Connect>, Error> {
-    super::grown(scene, settings, seed, 0.0, |_| Connect::default())
+pub(super) fn grown(start: &Start) -> Result<Grown<3, Connect>, Error> {
+    super::grown(start, 0.0, |_| Connect::default())
 }
 
 /// Which tree's turn it is, and what the other one goes for.

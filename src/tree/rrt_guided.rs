@@ -8,13 +8,12 @@
 //! and 1/d, which fall with the angle and the distance. A candidate that is blocked, outside, or doubles back is dropped, and
 //! the next one is chosen.
 
-use std::{f64::consts::PI, sync::Arc};
+use std::f64::consts::PI;
 
 use crate::{
-    describe::{Entry, Formula},
+    describe::{Entry, Formula, Start},
     kernel::{Error, State, rng::Stream},
-    params::{Choice, Param, ParamValue, Settings},
-    scene::Scene,
+    params::{Choice, Param, ParamValue},
 };
 
 use super::{
@@ -77,30 +76,25 @@ const FORMULA_ROULETTE_DISTANCE: Formula = Formula::of_item(
 )
 .when(CHOICE, "distance");
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "rrt-guided",
-    title: "Guided RRT: towards the goal",
-    family: "tree",
-    source: "[ARM-RRT] §3.2.1",
-    summary: "Of twenty random points four are kept, by angle with the goal’s direction or by distance to the goal. The node nearest to the goal grows toward one of them. If all four are blocked, a random step follows.",
-    kinds: KINDS,
-    stops: false,
-    most_stops: None,
-    parameters: &[&[ITERATIONS.entry(), STEP.entry(), SAMPLES.entry(), KEEP.entry(), CHOICE.entry(), FALLBACK.entry()], FINISH],
-    readings: READINGS,
-    formulas: &[FORMULA_STEP, FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FITTED, HERMITE],
-    layers: GUIDED_LAYERS,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| Ok(grown(scene, settings, seed)?.into()),
-};
+pub const ENTRY: Entry = Entry::new(
+    "rrt-guided",
+    "Guided RRT: towards the goal",
+    "[ARM-RRT] §3.2.1",
+    "Of twenty random points four are kept, by angle with the goal’s direction or by distance to the goal. The node nearest to the goal grows toward one of them. If all four are blocked, a random step follows.",
+    |start| Ok(grown(start)?.into()),
+)
+.family("tree")
+.kinds(KINDS)
+.parameters(&[&[ITERATIONS.entry(), STEP.entry(), SAMPLES.entry(), KEEP.entry(), CHOICE.entry(), FALLBACK.entry()], FINISH])
+.readings(READINGS)
+.formulas(&[FORMULA_STEP, FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FITTED, HERMITE])
+.layers(GUIDED_LAYERS);
 
 /// The planner behind the entry.
-pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Guided>, Error> {
+pub(super) fn grown(start: &Start) -> Result<Grown<3, Guided>, Error> {
+    let settings = start.parameters;
     let (samples, keep) = (settings[SAMPLES] as usize, settings[KEEP] as usize);
-    super::grown(scene, settings, seed, 0.0, |_| Guided {
+    super::grown(start, 0.0, |_| Guided {
         samples,
         keep,
         by: settings[CHOICE],

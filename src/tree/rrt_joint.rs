@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Member},
+    describe::{Entry, Member, Start},
+    kernel::{Error, Started},
     params::Param,
     scene::ARM,
 };
@@ -19,16 +20,16 @@ use super::{
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "rrt-joint",
-    title: "RRT-Connect in the joints",
-    family: "tree",
-    source: "Kuffner and LaValle 2000",
-    summary: "Two trees of postures: one from the posture at the start, one from several at the goal. Every step is tested with all the arm’s links. The tip’s path follows from the joints, not the other way round.",
-    kinds: &[ARM],
-    stops: false,
-    most_stops: None,
-    parameters: &[&[
+pub const ENTRY: Entry = Entry::new(
+    "rrt-joint",
+    "RRT-Connect in the joints",
+    "Kuffner and LaValle 2000",
+    "Two trees of postures: one from the posture at the start, one from several at the goal. Every step is tested with all the arm’s links. The tip’s path follows from the joints, not the other way round.",
+    start,
+)
+.family("tree")
+.kinds(&[ARM])
+.parameters(&[&[
         ITERATIONS.entry(),
         STEP_ANGLE.entry(),
         GOALS.entry(),
@@ -39,19 +40,16 @@ pub const ENTRY: Entry = Entry {
         TOLERANCE.entry(),
         SMOOTH.entry(),
         BLEND.entry(),
-    ]],
-    readings: READINGS,
-    formulas: &[FORMULA_STEP, FITTED, HERMITE],
-    layers: CONNECT_LAYERS,
-    members: MEMBERS,
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| {
-        let joints = Joints::new(scene, settings)?;
-        Ok(Grown::new(Task::new(Arc::new(joints), settings, 0.0), Connect::default(), seed).into())
-    },
-};
+    ]])
+.readings(READINGS)
+.formulas(&[FORMULA_STEP, FITTED, HERMITE])
+.layers(CONNECT_LAYERS)
+.members(MEMBERS);
+
+fn start(start: &Start) -> Result<Started, Error> {
+    let joints = Joints::new(start.scene, start.parameters)?;
+    Ok(Grown::new(Task::new(Arc::new(joints), start.parameters, 0.0), Connect::default(), start.seed).into())
+}
 
 const STEP_ANGLE: Param<f64> = Param::number(
     "step_size",
@@ -62,16 +60,12 @@ const STEP_ANGLE: Param<f64> = Param::number(
 )
 .slider(0.01, 1.0, true);
 const MEMBERS: &[Member] = &[
-    member("parent", "", "Parent", "The number of the node that it has grown from; −1: the root."),
-    Member { name: "tree", symbol: "", title: "Tree", help: "Which tree it belongs to.", full: None, words: &["start", "goal"] },
-    member("q1", "\\theta_1", "Joint 1", "In degrees."),
-    member("q2", "\\theta_2", "Joint 2", "In degrees."),
-    member("q3", "\\theta_3", "Joint 3", "In degrees."),
-    member("q4", "\\theta_4", "Joint 4", "In degrees."),
-    member("q5", "\\theta_5", "Joint 5", "In degrees."),
-    member("q6", "\\theta_6", "Joint 6", "In degrees."),
+    Member::new("parent", "", "Parent", "The number of the node that it has grown from; −1: the root."),
+    Member::new("tree", "", "Tree", "Which tree it belongs to.").words(&["start", "goal"]),
+    Member::new("q1", "\\theta_1", "Joint 1", "In degrees."),
+    Member::new("q2", "\\theta_2", "Joint 2", "In degrees."),
+    Member::new("q3", "\\theta_3", "Joint 3", "In degrees."),
+    Member::new("q4", "\\theta_4", "Joint 4", "In degrees."),
+    Member::new("q5", "\\theta_5", "Joint 5", "In degrees."),
+    Member::new("q6", "\\theta_6", "Joint 6", "In degrees."),
 ];
-
-const fn member(name: &'static str, symbol: &'static str, title: &'static str, help: &'static str) -> Member {
-    Member { name, symbol, title, help, full: None, words: &[] }
-}

@@ -1,14 +1,12 @@
 //! `rrt-star`: the tree that goes on getting better, Karaman and Frazzoli 2011; with informed sampling once a path is known,
 //! Gammell, Srinivasa and Barfoot 2014.
 
-use std::{f64::consts::PI, sync::Arc};
+use std::f64::consts::PI;
 
 use crate::{
-    describe::Entry,
+    describe::{Entry, Start},
     kernel::{Error, State, rng::Stream},
     math,
-    params::Settings,
-    scene::Scene,
 };
 
 use super::{
@@ -23,16 +21,16 @@ use super::{
 };
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "rrt-star",
-    title: "RRT*: ever shorter",
-    family: "tree",
-    source: "Karaman and Frazzoli 2011",
-    summary: "A new node takes the parent with the shortest way, and its neighbours take it as theirs where that is shorter. The path approaches the shortest. Once there is one, samples come only from where a shorter one could lead.",
-    kinds: KINDS,
-    stops: false,
-    most_stops: None,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "rrt-star",
+    "RRT*: ever shorter",
+    "Karaman and Frazzoli 2011",
+    "A new node takes the parent with the shortest way, and its neighbours take it as theirs where that is shorter. The path approaches the shortest. Once there is one, samples come only from where a shorter one could lead.",
+    |start| Ok(grown(start)?.into()),
+)
+.family("tree")
+.kinds(KINDS)
+.parameters(&[
         &[
             ITERATIONS.default_to(5_000).help("After how many extensions it stops: the path gets shorter as long as it goes on.").entry(),
             STEP.entry(),
@@ -41,21 +39,15 @@ pub const ENTRY: Entry = Entry {
             INFORMED.entry(),
         ],
         FINISH,
-    ],
-    readings: READINGS,
-    formulas: &[FORMULA_STEP, FORMULA_RADIUS, FORMULA_INFORMED, FITTED, HERMITE],
-    layers: LAYERS,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: |scene, settings, seed| Ok(grown(scene, settings, seed)?.into()),
-};
+    ])
+.readings(READINGS)
+.formulas(&[FORMULA_STEP, FORMULA_RADIUS, FORMULA_INFORMED, FITTED, HERMITE])
+.layers(LAYERS);
 
 /// The planner behind the entry.
-pub(super) fn grown(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Grown<3, Star>, Error> {
-    let star = |task: &Task<3>| Star::new(task, settings[REWIRE], settings[INFORMED]);
-    super::grown(scene, settings, seed, settings[BIAS], star)
+pub(super) fn grown(start: &Start) -> Result<Grown<3, Star>, Error> {
+    let star = |task: &Task<3>| Star::new(task, start.parameters[REWIRE], start.parameters[INFORMED]);
+    super::grown(start, start.parameters[BIAS], star)
 }
 
 #[derive(Clone, State)]

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use crate::{
     Given, Scene, Session, Setup, Status, Value,
+    catalogue::PLANNERS,
     kernel::{Item, Progress, Role, State, rng::Stream},
+    params::Settings,
     scene::ARM,
     shipped,
 };
@@ -24,6 +26,10 @@ const TREES: [&str; 4] = ["rrt", "rrt-guided", "rrt-connect", "rrt-star"];
 fn session(planner: &str, scene: &str, given: &[(&str, Value)], seed: u64) -> Session {
     let params: Given = given.iter().map(|(name, value)| (*name, value.clone())).collect();
     Session::new(Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
+}
+
+fn start<'a>(scene: &'a Arc<Scene>, parameters: &'a Settings, seed: u64) -> Start<'a> {
+    Start { scene, parameters, seed, entries: &PLANNERS }
 }
 
 fn number(value: f64) -> Value {
@@ -148,11 +154,12 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
                 let entry = crate::catalogue::find(planner).unwrap();
                 let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
                 // The planner behind the entry, with its parts open.
+                let start = start(&scene, &settings, seed);
                 match planner {
-                    "rrt" => watch(rrt::grown(&scene, &settings, seed).unwrap(), 1500, &scene),
-                    "rrt-guided" => watch(rrt_guided::grown(&scene, &settings, seed).unwrap(), 1500, &scene),
-                    "rrt-connect" => watch(rrt_connect::grown(&scene, &settings, seed).unwrap(), 1500, &scene),
-                    _ => watch(rrt_star::grown(&scene, &settings, seed).unwrap(), 1500, &scene),
+                    "rrt" => watch(rrt::grown(&start).unwrap(), 1500, &scene),
+                    "rrt-guided" => watch(rrt_guided::grown(&start).unwrap(), 1500, &scene),
+                    "rrt-connect" => watch(rrt_connect::grown(&start).unwrap(), 1500, &scene),
+                    _ => watch(rrt_star::grown(&start).unwrap(), 1500, &scene),
                 }
             }
         }
@@ -166,7 +173,7 @@ fn without_the_fallback_no_step_is_plain() {
     let settings = Settings::new(crate::catalogue::find("rrt-guided").unwrap().parameters, ARM, &given).unwrap();
     let (mut guided, mut nothing) = (0, 0);
     for seed in 0..10 {
-        let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();
+        let mut grown = rrt_guided::grown(&start(&scene, &settings, seed)).unwrap();
         while grown.extend() == Progress::Continue && grown.forest.trees[0].len() < 60 && guided + nothing < 4000 {
             let last = &grown.forest.last;
             assert!(!last.fell_back && last.samples.len() == 20);
@@ -185,7 +192,7 @@ fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_doubl
     let settings = Settings::new(entry.parameters, ARM, &Given::new()).unwrap();
     let (mut guided, mut fell_back, mut chosen) = (0, 0, [0; 4]);
     for seed in 0..40 {
-        let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();
+        let mut grown = rrt_guided::grown(&start(&scene, &settings, seed)).unwrap();
         for _ in 0..60 {
             let before = grown.forest.trees[0].clone();
             let near = grown.forest.nearest_node;
@@ -236,7 +243,7 @@ fn by_distance_the_wheel_keeps_four_and_the_nearest_that_is_free_is_taken() {
     let settings = Settings::new(entry.parameters, ARM, &Given::from_iter([("choice", Value::from("distance"))])).unwrap();
     let (mut taken, mut nearest_kept, mut extensions) = (0, 0, 0);
     for seed in 0..40 {
-        let mut grown = rrt_guided::grown(&scene, &settings, seed).unwrap();
+        let mut grown = rrt_guided::grown(&start(&scene, &settings, seed)).unwrap();
         for _ in 0..60 {
             if grown.extend() != Progress::Continue {
                 break;

@@ -3,6 +3,7 @@
 //! It knows colonies only as everybody does, by the catalogue and the stepped contract, and never runs one: its runs are
 //! [`Subtasks`], which may be carried out side by side; the outcome does not depend on it.
 
+mod entry;
 mod parameters;
 mod tell;
 #[cfg(test)]
@@ -11,8 +12,7 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    catalogue,
-    describe::Entry,
+    describe::{Entry, Reading, Start},
     exact::is_reachable,
     geometry,
     kernel::{
@@ -20,18 +20,21 @@ use crate::{
         Started, State, Subtasks, Tuned, Yardstick, rng::Stream,
     },
     math,
-    params::{Domain, Given, Parameter, Settings, Value},
+    params::{Domain, Given, Parameter, Value},
     scene::{GridScene, Scene},
 };
 
-pub use parameters::{ENTRY, SYMBOLS};
+pub use entry::ENTRY;
+pub use parameters::SYMBOLS;
 
-use parameters::{C1, C2, COLONY, ITERATIONS, POPULATION, ROUNDS, SEEDS, TUNABLE, TUNE, W};
+use parameters::{BEST, C1, C2, COLONY, FOUND, ITERATIONS, LENGTH, MEAN, POPULATION, READINGS, ROUNDS, RUNS, SEEDS, TUNABLE, TUNE, W};
 
 /// A parameter that is searched, in the range that its slider offers; where that is logarithmic, so is the search.
 #[derive(Debug, Clone, Copy)]
 struct Axis {
     parameter: &'static Parameter,
+    /// What tells its best value.
+    reading: Reading,
     low: f64,
     high: f64,
     whole: bool,
@@ -44,9 +47,10 @@ impl Axis {
             Domain::Integer { min, max, .. } => (min as f64, max as f64, true),
             _ => return None,
         };
+        let reading = *READINGS.iter().find(|reading| reading.name == parameter.name)?;
         let (low, high) = parameter.slider.unwrap_or((min, max));
         let scale = |x: f64| if parameter.logarithmic { math::log10(x) } else { x };
-        Some(Self { parameter, low: scale(low), high: scale(high), whole })
+        Some(Self { parameter, reading, low: scale(low), high: scale(high), whole })
     }
 
     /// The parameter's value at a coordinate.
@@ -123,8 +127,9 @@ struct Tuning {
     rng: Stream,
 }
 
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64) -> Result<Started, Error> {
-    let colony = catalogue::find(settings[COLONY])?;
+fn start(start: &Start) -> Result<Started, Error> {
+    let &Start { scene, parameters: settings, seed, .. } = start;
+    let colony = start.planner(COLONY)?;
     let chosen = &settings[TUNE];
     let axes: Vec<_> = colony.all_parameters().filter(|p| chosen.split(',').any(|name| name == p.name)).filter_map(Axis::new).collect();
     if axes.is_empty() {
@@ -240,13 +245,13 @@ impl Planner for Tuning {
     fn read(&self, out: &mut Readings) {
         let known = || self.cost.iter().filter(|cost| cost.length.is_finite());
         let n = known().count();
-        out.push("best", if self.best.is_empty() { f64::NAN } else { self.g_cost.length });
-        out.push("mean", if n > 0 { known().map(|cost| cost.length).sum::<f64>() / n as f64 } else { f64::NAN });
-        out.push("length", if self.best.is_empty() { f64::NAN } else { geometry::length(&self.best) });
-        out.push("converged", if self.best.is_empty() { f64::NAN } else { self.g_cost.converged });
-        out.push("runs", Planner::evaluations(self) as f64);
+        out.push(BEST, if self.best.is_empty() { f64::NAN } else { self.g_cost.length });
+        out.push(MEAN, if n > 0 { known().map(|cost| cost.length).sum::<f64>() / n as f64 } else { f64::NAN });
+        out.push(LENGTH, if self.best.is_empty() { f64::NAN } else { geometry::length(&self.best) });
+        out.push(FOUND, if self.best.is_empty() { f64::NAN } else { self.g_cost.converged });
+        out.push(RUNS, Planner::evaluations(self) as f64);
         for (axis, &x) in self.axes.iter().zip(&self.g) {
-            out.push(axis.parameter.name, axis.value(x));
+            out.push(axis.reading, axis.value(x));
         }
     }
 

@@ -1,10 +1,9 @@
 //! The entry's parts: what is tuned, the swarm's own parameters, readings, equations and layers.
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Reading, Scope},
+    describe::{CONVERGED, Formula, Group, Layer, Reading},
     kernel::Role,
-    params::{Choice, Param, Subset},
-    scene::GRID,
+    params::{Choice, Param, Selection},
 };
 
 const COLONIES: &[Choice] = &[
@@ -39,7 +38,7 @@ pub(super) const TUNABLE: &[Choice] = &[
 ];
 
 pub(super) const COLONY: Param<&str> = Param::name_of("colony", "", "Colony", COLONIES, "Whose parameters are searched.");
-pub(super) const TUNE: Param<Subset> = Param::subset(
+pub(super) const TUNE: Param<Selection> = Param::subset(
     "tune",
     "Parameters to tune",
     TUNABLE,
@@ -85,81 +84,58 @@ pub(super) const ROUNDS: Param<u64> = Param::integer(
 )
 .slider(5.0, 500.0, true);
 
+pub(super) const BEST: Reading =
+    Reading::new("best", "\\bar L_g", "Best", Group::Cost, "The mean length that the best parameters so far gave.");
+pub(super) const MEAN: Reading =
+    Reading::new("mean", "\\bar L", "Mean", Group::Cost, "The mean over this round’s particles whose colonies found a way.");
+pub(super) const LENGTH: Reading =
+    Reading::new("length", "L", "Shortest", Group::Length, "The length of the best parameters’ shortest way.");
+pub(super) const FOUND: Reading =
+    CONVERGED.told("\\bar t^*", "Converged", "The mean iteration in which the best parameters’ runs found their result.");
+pub(super) const RUNS: Reading = Reading::new("runs", "", "Runs", Group::Count, "Runs of the colony so far.");
+
 const fn tuned(name: &'static str, symbol: &'static str, title: &'static str) -> Reading {
     Reading { name, symbol, title, help: "Its value in the best set so far.", group: Group::Schedule }
 }
 
-const VELOCITY: Formula = Formula {
-    name: "velocity",
-    source: "[WOLF-ANT] §5.2",
-    title: "Velocity and position",
-    tex: "v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x), \\quad x \\leftarrow x + v",
-    live: "",
-    scope: Scope::Iteration,
-    when: None,
-};
+pub(super) const VELOCITY: Formula = Formula::new(
+    "velocity",
+    "[WOLF-ANT] §5.2",
+    "Velocity and position",
+    "v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x), \\quad x \\leftarrow x + v",
+    "",
+);
 
 /// The TeX strings that inspections use.
 pub const SYMBOLS: &[&str] = &["x", "v", "p", "g", "\\bar L", "\\bar t^*", "\\bar L_p", "\\bar L_g"];
 
-/// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "pso-tuning",
-    title: "PSO tunes a colony",
-    family: "tuning",
-    source: "[WOLF-ANT] §5.2",
-    summary: "A particle swarm whose particles are parameters of an ant colony: each is judged by what a few runs of the colony find.",
-    kinds: &[GRID],
-    parameters: &[&[
-        COLONY.entry(),
-        TUNE.entry(),
-        POPULATION.entry(),
-        ITERATIONS.entry(),
-        W.entry(),
-        C1.entry(),
-        C2.entry(),
-        SEEDS.entry(),
-        ROUNDS.entry(),
-    ]],
-    readings: &[
-        Reading::new("best", "\\bar L_g", "Best", Group::Cost, "The mean length that the best parameters so far gave."),
-        Reading::new("mean", "\\bar L", "Mean", Group::Cost, "The mean over this round’s particles whose colonies found a way."),
-        Reading::new("length", "L", "Shortest", Group::Length, "The length of the best parameters’ shortest way."),
-        Reading::new(
-            "converged",
-            "\\bar t^*",
-            "Converged",
-            Group::Count,
-            "The mean iteration in which the best parameters’ runs found their result.",
-        ),
-        Reading::new("runs", "", "Runs", Group::Count, "Runs of the colony so far."),
-        tuned("alpha", "\\alpha", "Weight of pheromone"),
-        tuned("beta", "\\beta", "Weight of sight"),
-        tuned("rho", "\\rho", "Evaporation"),
-        tuned("q", "Q", "Pheromone of an ant"),
-        tuned("epsilon", "\\varepsilon", "Unit of sight"),
-        tuned("gamma", "\\gamma", "Weight of direction"),
-        tuned("phi1", "\\varphi_1", "Reward by the median"),
-        tuned("phi2", "\\varphi_2", "Reward by the best"),
-        tuned("seeded", "\\tau_D / \\tau_0", "Pheromone of the Dijkstra path"),
-        tuned("q0_start", "q_{0,\\text{start}}", "Greed at the start"),
-        tuned("q0_end", "q_{0,\\text{end}}", "Greed at the end"),
-        tuned("tau_0", "\\tau_0", "Pheromone at the start"),
-        tuned("tau_min", "\\tau_{\\min}", "Least pheromone"),
-        tuned("tau_max", "\\tau_{\\max}", "Most pheromone"),
-        tuned("ants", "m", "Ants"),
-        tuned("step_limit", "", "Most steps of an ant"),
-    ],
-    formulas: &[VELOCITY],
-    layers: &[
-        Layer::new(Role::Particles, "Particles", true, true, "The shortest way that each particle’s parameters gave in this round."),
-        Layer::new(Role::Best, "Best", true, false, "The shortest way that the best parameters gave."),
-    ],
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest: |_| None,
-    start: super::start,
-};
+/// What the swarm tells: of its particles, and the best value of each parameter that is searched.
+pub(super) const READINGS: &[Reading] = &[
+    BEST,
+    MEAN,
+    LENGTH,
+    FOUND,
+    RUNS,
+    tuned("alpha", "\\alpha", "Weight of pheromone"),
+    tuned("beta", "\\beta", "Weight of sight"),
+    tuned("rho", "\\rho", "Evaporation"),
+    tuned("q", "Q", "Pheromone of an ant"),
+    tuned("epsilon", "\\varepsilon", "Unit of sight"),
+    tuned("gamma", "\\gamma", "Weight of direction"),
+    tuned("phi1", "\\varphi_1", "Reward by the median"),
+    tuned("phi2", "\\varphi_2", "Reward by the best"),
+    tuned("seeded", "\\tau_D / \\tau_0", "Pheromone of the Dijkstra path"),
+    tuned("q0_start", "q_{0,\\text{start}}", "Greed at the start"),
+    tuned("q0_end", "q_{0,\\text{end}}", "Greed at the end"),
+    tuned("tau_0", "\\tau_0", "Pheromone at the start"),
+    tuned("tau_min", "\\tau_{\\min}", "Least pheromone"),
+    tuned("tau_max", "\\tau_{\\max}", "Most pheromone"),
+    tuned("ants", "m", "Ants"),
+    tuned("step_limit", "", "Most steps of an ant"),
+];
+
+/// What the swarm draws.
+pub(super) const LAYERS: &[Layer] = &[
+    Layer::new(Role::Particles, "Particles", true, true, "The shortest way that each particle’s parameters gave in this round."),
+    Layer::new(Role::Best, "Best", true, false, "The shortest way that the best parameters gave."),
+];

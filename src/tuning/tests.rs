@@ -1,7 +1,12 @@
 //! The swarm's equations by hand, and that a run does not depend on who carries out its jobs.
 
 use super::*;
-use crate::{Session, Setup, catalogue::PLANNERS, session, shipped};
+use crate::{
+    Session, Setup,
+    catalogue::{self, PLANNERS},
+    params::Settings,
+    session, shipped,
+};
 
 fn session(params: &[(&str, &str)]) -> Session {
     let params = [("population", "3"), ("seeds", "2"), ("colony_iterations", "4"), ("iterations", "5")]
@@ -98,7 +103,7 @@ fn a_particle_flies_by_the_equation_and_stays_in_its_range() {
     let scene = shipped("wolf-ant-20").unwrap();
     let given = [("w", Value::from(0.5)), ("c1", Value::from(0.0)), ("c2", Value::from(0.0)), ("tune", Value::from("beta"))];
     let settings = Settings::new(ENTRY.parameters, scene.kind(), &given.into_iter().collect()).unwrap();
-    start(&scene, &settings, 1).unwrap();
+    start(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap();
     let colony = catalogue::find("aco-wolf").unwrap();
     let axes: Vec<_> = colony.parameter("beta").into_iter().filter_map(Axis::new).collect();
     let mut swarm = Tuning {

@@ -6,6 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Given, Setup, Value,
+    catalogue::PLANNERS,
+    describe,
     kernel::{Error, Stepper},
     scene::shipped,
     statistics::Moments,
@@ -156,7 +158,8 @@ impl Task {
             let setup = self.setup(sizes, seed)?;
             let (entry, settings) = setup.check()?;
             // Without the session around it: nobody looks at the trace of a hundred thousand runs.
-            let mut run = Stepper::from((entry.start)(&setup.scene, &settings, seed)?);
+            let start = describe::Start { scene: &setup.scene, parameters: &settings, seed, entries: &PLANNERS };
+            let mut run = Stepper::from((entry.start)(&start)?);
             while run.step(|_| Vec::new()) {}
             let length = run.planner.best().and_then(|best| setup.scene.judge(&best.solution).length);
             moments = moments.with(length.unwrap_or(f64::NAN));

@@ -1,7 +1,7 @@
 //! What can be set about a motion, what it tells, and the equations it carries out.
 
 use crate::{
-    describe::{Column, Follower, Formula, Scope},
+    describe::{Column, Follower, Formula},
     params::{Choice, Param, ParamValue, Parameter},
 };
 
@@ -168,34 +168,34 @@ const fn column(name: &'static str, symbol: &'static str, title: &'static str, u
 }
 
 const FORMULAS: &[Formula] = &[
-    formula(
+    Formula::new(
         "forward",
         "[ARM-RRT] (1)",
         "Forward kinematics",
         "{}^0T_6 = \\prod_{i=1}^{6} R_x(\\alpha_{i-1})\\, T_x(a_{i-1})\\, R_z(\\theta_i)\\, T_z(d_i)",
+        "",
     ),
-    formula(
+    Formula::new(
         "smoothest",
         "ours",
         "What is least for the smoothest postures",
         "\\sum_k \\frac{\\lVert \\theta_{k+1} - \\theta_k \\rVert^2}{s_{k+1} - s_k}",
+        "",
     ),
-    formula("limits", "[ARM-RRT] Table 1", "Limits", "\\theta_i^{\\min} \\le \\theta_i \\le \\theta_i^{\\max}"),
-    formula("mirror", "[ARM-RRT] step 4", "A point without a posture is mirrored", "p_k \\leftarrow p_{k-1} + p_{k+1} - p_k"),
-    formula(
+    Formula::new("limits", "[ARM-RRT] Table 1", "Limits", "\\theta_i^{\\min} \\le \\theta_i \\le \\theta_i^{\\max}", ""),
+    Formula::new("mirror", "[ARM-RRT] step 4", "A point without a posture is mirrored", "p_k \\leftarrow p_{k-1} + p_{k+1} - p_k", ""),
+    Formula::new(
         "draw",
         "[ARM-RRT] step 6",
         "Then joints are drawn",
         "\\theta_i = \\theta_i^{k-1} + r_i\\, (\\theta_i^{k+1} - \\theta_i^{k-1}), \\quad r_i \\sim U(0,1)",
+        "",
     ),
-    formula(
+    Formula::new(
         "timing",
         "joint and tool speeds",
         "Time from one row to the next",
         "\\Delta t = \\max\\left( \\max_i \\frac{|\\Delta\\theta_i|}{\\kappa\\, \\omega_i},\\, \\frac{\\lVert \\Delta p \\rVert}{v_{\\max}} \\right)",
+        "",
     ),
 ];
-
-const fn formula(name: &'static str, source: &'static str, title: &'static str, tex: &'static str) -> Formula {
-    Formula { name, source, title, tex, live: "", scope: Scope::Iteration, when: None }
-}

@@ -65,14 +65,16 @@ pub(super) fn adaptation(settings: &Settings) -> Adaptation {
 }
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "ltqpso",
-    title: "LTQPSO: evolving quantum swarm",
-    family: "swarm",
-    source: "[LTQPSO] §2.2",
-    summary: "A quantum swarm whose pull follows each particle’s evolution speed and whose leaps follow the swarm’s dispersion; the better half then takes the worse half’s places.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "ltqpso",
+    "LTQPSO: evolving quantum swarm",
+    "[LTQPSO] §2.2",
+    "A quantum swarm whose pull follows each particle’s evolution speed and whose leaps follow the swarm’s dispersion; the better half then takes the worse half’s places.",
+    |start| super::start(start, Some(adaptation(start.parameters))),
+)
+.family("swarm")
+.kinds(KINDS)
+.parameters(&[
         &[
             POPULATION.entry(),
             ITERATIONS.entry(),
@@ -86,15 +88,8 @@ pub const ENTRY: Entry = Entry {
         ],
         ENCODED,
         CHARGED,
-    ],
-    readings: &[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS],
-    formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN],
-    layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, SELECTED_LAYER, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest,
-    start: |scene, settings, seed| super::start(scene, settings, seed, Some(adaptation(settings))),
-};
+    ])
+.readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS])
+.formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN])
+.layers(&[GUIDES, PERSONAL_BESTS, PARTICLES, SELECTED_LAYER, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED])
+.suggest(suggest);

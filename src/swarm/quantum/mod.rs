@@ -8,25 +8,24 @@ pub mod ltqpso;
 mod parameters;
 pub mod qpso;
 
-use std::sync::Arc;
-
 use crate::{
+    describe::Start,
     kernel::{Best, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream},
     math,
     params::Settings,
-    scene::Scene,
 };
 
 use super::{
     clock::Clock,
     draw::CONTEXT,
     encoding,
+    parameters::{EVALUATIONS, K},
     population::{Population, column, deviation},
     schedule::Law,
     tell,
 };
 
-use parameters::{ALPHA_END, ALPHA_START, C1, C2, POPULATION};
+use parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, GS, IP, POPULATION, SELECTED};
 
 /// What `ltqpso` adds to the leap. Each part can be switched off.
 #[derive(Debug, Clone, Copy)]
@@ -40,7 +39,8 @@ struct Adaptation {
 }
 
 /// Starts a quantum swarm on whatever kind of scene it is given.
-fn start(scene: &Arc<Scene>, settings: &Settings, seed: u64, adaptive: Option<Adaptation>) -> Result<Started, Error> {
+fn start(start: &Start, adaptive: Option<Adaptation>) -> Result<Started, Error> {
+    let &Start { scene, parameters: settings, seed, .. } = start;
     let mut rng = Stream::new(seed, 0);
     let population = Population::new(encoding::objective(scene, settings)?, settings[POPULATION] as usize, &mut rng);
     Ok(super::started(Quantum::new(population, settings, rng, adaptive), settings))
@@ -236,14 +236,14 @@ impl Planner for Quantum {
 
     fn read(&self, out: &mut Readings) {
         self.population.read(out);
-        out.push("k", self.clock.iteration.saturating_sub(1) as f64);
-        out.push("alpha", self.width);
+        out.push(K, self.clock.iteration.saturating_sub(1) as f64);
+        out.push(ALPHA, self.width);
         if self.adaptive.is_some() {
-            out.push("ip", self.ip.iter().sum::<f64>() / self.ip.len() as f64);
-            out.push("gs", self.gs.iter().sum::<f64>() / self.gs.len() as f64);
-            out.push("selected", self.replaced.iter().flatten().count() as f64);
+            out.push(IP, self.ip.iter().sum::<f64>() / self.ip.len() as f64);
+            out.push(GS, self.gs.iter().sum::<f64>() / self.gs.len() as f64);
+            out.push(SELECTED, self.replaced.iter().flatten().count() as f64);
         }
-        out.push("evaluations", self.population.evaluations as f64);
+        out.push(EVALUATIONS, self.population.evaluations as f64);
     }
 
     fn draw(&self, frame: &mut Frame) {

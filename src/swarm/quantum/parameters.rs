@@ -6,10 +6,7 @@ use crate::{
     math,
     params::{Fixed, Param, Settings},
     scene::{DISCS, FUNCTION, GRID},
-    swarm::{
-        parameters::schedule,
-        paths::{Angles, ENCODING, Encoding, INITIAL, SEGMENTS},
-    },
+    swarm::paths::{Angles, ENCODING, Encoding, INITIAL, SEGMENTS},
 };
 
 pub(super) const POPULATION: Param<u64> = Param::integer(
@@ -85,7 +82,7 @@ pub(super) const MEAN_BEST: Layer = Layer::new(
     "The mean m of all personal bests: the farther a particle is from it, the wider it leaps.",
 );
 
-pub(super) const WIDTH: Formula = schedule(
+pub(super) const WIDTH: Formula = Formula::new(
     "alpha",
     "[LTQPSO] §2.2, α from 1.0 to 0.5",
     "Contraction–expansion",

@@ -29,26 +29,21 @@ const LEAP: Formula = Formula::of_item(
 );
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "qpso",
-    title: "QPSO: quantum swarm",
-    family: "swarm",
-    source: "[LTQPSO] §2.1",
-    summary: "No velocity: each particle leaps about a point between its own best and the swarm’s, the wider the farther it is from the mean of all bests.",
-    kinds: KINDS,
-    parameters: &[
+pub const ENTRY: Entry = Entry::new(
+    "qpso",
+    "QPSO: quantum swarm",
+    "[LTQPSO] §2.1",
+    "No velocity: each particle leaps about a point between its own best and the swarm’s, the wider the farther it is from the mean of all bests.",
+    |start| super::start(start, None),
+)
+.family("swarm")
+.kinds(KINDS)
+.parameters(&[
         &[POPULATION.entry(), ITERATIONS.entry(), ALPHA_START.entry(), ALPHA_END.entry(), C1.entry(), C2.entry()],
         ENCODED,
         CHARGED,
-    ],
-    readings: &[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS],
-    formulas: &[WIDTH, LEAP, ATTRACTOR, PHI, MEAN],
-    layers: &[GUIDES, PERSONAL_BESTS, PARTICLES, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED],
-    stops: false,
-    most_stops: None,
-    members: &[],
-    events: &[],
-    presets: &[],
-    suggest,
-    start: |scene, settings, seed| super::start(scene, settings, seed, None),
-};
+    ])
+.readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS])
+.formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, MEAN])
+.layers(&[GUIDES, PERSONAL_BESTS, PARTICLES, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED])
+.suggest(suggest);

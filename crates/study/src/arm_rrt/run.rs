@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 use forage::{
     Session, Setup, Status, Value,
     arm::ArmScene,
+    catalogue::PLANNERS,
+    describe::Start,
     geometry::length_in_space,
     kernel::{Error, Readings, Solution, Stepper},
 };
@@ -90,7 +92,7 @@ fn grow(setup: &Setup, stop: &AtomicBool) -> Result<Option<Tree>, Error> {
     }
     let (entry, settings) = raw.check()?;
     let begun = std::time::Instant::now();
-    let mut run = Stepper::from((entry.start)(&raw.scene, &settings, raw.seed)?);
+    let mut run = Stepper::from((entry.start)(&Start { scene: &raw.scene, parameters: &settings, seed: raw.seed, entries: &PLANNERS })?);
     while run.step(|_| Vec::new()) {
         if run.iteration.is_multiple_of(1000) && stop.load(Ordering::Relaxed) {
             return Ok(None);
