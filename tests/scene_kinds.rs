@@ -21,7 +21,6 @@ use serde_json::Value;
 const ID: SceneKindId = SceneKindId("pond");
 
 /// A round pond in the middle of a square; paths go round it.
-#[derive(Debug)]
 struct Pond {
     radius: f64,
     side: f64,

@@ -2,6 +2,7 @@
 
 use std::{
     any::Any,
+    fmt,
     sync::{Arc, OnceLock},
 };
 
@@ -38,7 +39,7 @@ pub struct Header {
 }
 
 /// A valid scene. Copies share the body, and its optima once they are computed.
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Scene {
     header: Header,
     body: Arc<dyn SceneBody>,
@@ -48,6 +49,12 @@ pub struct Scene {
 
 /// By the rule (from cell to cell or not), the shortest path and then the shortest tours by their ends.
 type Optima = [[OnceLock<Option<Exact>>; 1 + Round::ALL.len()]; 2];
+
+impl fmt::Debug for Scene {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Scene").field("header", &self.header).field("kind", &self.kind()).field("body", &self.written()).finish()
+    }
+}
 
 impl PartialEq for Scene {
     fn eq(&self, other: &Self) -> bool {
@@ -113,6 +120,8 @@ impl Scene {
         body.downcast().map_err(|_| self.other_kind(B::kind_id()))
     }
 
+    #[cold]
+    #[inline(never)]
     fn other_kind(&self, expected: SceneKindId) -> Error {
         Error::refused("kind", self.kind().name(), expected.name())
     }

@@ -3,7 +3,7 @@
 //! Only what every scene is asked for is a method here. Readers, exact optima, file formats, generators and followers name
 //! a kind by its id instead, so that a build without them does not contain them.
 
-use std::{any::Any, fmt, sync::Arc};
+use std::{any::Any, sync::Arc};
 
 use serde::Serialize;
 use serde_json::Value;
@@ -42,7 +42,7 @@ impl Verdict {
 /// The content of a scene: where something is planned, and what a solution is worth there.
 ///
 /// It does not change once it is in a [`Scene`](super::Scene).
-pub trait SceneBody: Any + fmt::Debug + Send + Sync {
+pub trait SceneBody: Any + Send + Sync {
     /// The kind that this type stands for.
     fn kind_id() -> SceneKindId
     where

@@ -6,7 +6,7 @@ use crate::{
     arm::{self, ArmScene},
     geometry::Cuboid,
     kernel::{Error, Plane, Scene, Solution},
-    scene::{DiscsScene, GridScene},
+    scene::{ARM, DISCS, DiscsScene, GRID, GridScene},
 };
 
 /// A box in N dimensions with obstacles. Points lie in it.
@@ -46,22 +46,28 @@ pub(super) trait Space<const N: usize>: Send + Sync {
 /// # Errors
 /// [`Error::Refused`] for a scene without.
 pub(super) fn of_scene(scene: &Scene, margin: f64) -> Result<Arc<dyn Space<3>>, Error> {
-    if let Ok(discs) = scene.share::<DiscsScene>() {
-        return Ok(Arc::new(Flat::new(discs, 1.0)?));
-    }
-    if let Ok(grid) = scene.share::<GridScene>() {
-        let unit = grid.cell;
-        return Ok(Arc::new(Flat::new(grid, unit)?));
-    }
-    match scene.share::<ArmScene>() {
-        Ok(arm) => Ok(Arc::new(Workspace::new(arm, margin))),
-        Err(_) => Err(Error::refused("kind", scene.kind().name(), "discs, grid or arm")),
-    }
+    Ok(match scene.kind() {
+        DISCS => {
+            let plane = scene.share::<DiscsScene>()?;
+            Arc::new(Flat { extent: Extent::of(&*plane, 1.0)?, plane })
+        }
+        GRID => {
+            let plane = scene.share::<GridScene>()?;
+            Arc::new(Flat { extent: Extent::of(&*plane, plane.cell)?, plane })
+        }
+        ARM => Arc::new(Workspace::new(scene.share()?, margin)),
+        other => return Err(Error::refused("kind", other.name(), "discs, grid or arm")),
+    })
 }
 
 /// A plane with obstacles, without extent in z.
 struct Flat<P> {
     plane: Arc<P>,
+    extent: Extent,
+}
+
+/// Where paths through a plane lead, apart from its obstacles.
+struct Extent {
     min: [f64; 3],
     max: [f64; 3],
     start: [f64; 3],
@@ -70,17 +76,17 @@ struct Flat<P> {
     unit: f64,
 }
 
-impl<P: Plane> Flat<P> {
-    fn new(plane: Arc<P>, unit: f64) -> Result<Self, Error> {
+impl Extent {
+    fn of(plane: &dyn Plane, unit: f64) -> Result<Self, Error> {
         let flat = |[x, y]: [f64; 2]| [x, y, 0.0];
         let ((start, goal), bounds) = (plane.ends()?, plane.bounds());
-        Ok(Self { min: flat(bounds.min), max: flat(bounds.max), start: flat(start), goal: [flat(goal)], unit, plane })
+        Ok(Self { min: flat(bounds.min), max: flat(bounds.max), start: flat(start), goal: [flat(goal)], unit })
     }
 }
 
 impl<P: Plane> Space<3> for Flat<P> {
     fn bounds(&self) -> ([f64; 3], [f64; 3]) {
-        (self.min, self.max)
+        (self.extent.min, self.extent.max)
     }
 
     fn dimensions(&self) -> usize {
@@ -88,16 +94,17 @@ impl<P: Plane> Space<3> for Flat<P> {
     }
 
     fn start(&self) -> [f64; 3] {
-        self.start
+        self.extent.start
     }
 
     fn goals(&self) -> &[[f64; 3]] {
-        &self.goal
+        &self.extent.goal
     }
 
     #[inline]
     fn is_free(&self, a: &[f64; 3], b: &[f64; 3]) -> bool {
-        (0..3).all(|i| self.min[i] <= b[i] && b[i] <= self.max[i]) && self.plane.is_free([a[0], a[1]], [b[0], b[1]])
+        let Extent { min, max, .. } = &self.extent;
+        (0..3).all(|i| min[i] <= b[i] && b[i] <= max[i]) && self.plane.is_free([a[0], a[1]], [b[0], b[1]])
     }
 
     fn place(&self, point: &[f64; 3]) -> [f64; 3] {
@@ -109,7 +116,7 @@ impl<P: Plane> Space<3> for Flat<P> {
     }
 
     fn unit(&self) -> f64 {
-        self.unit
+        self.extent.unit
     }
 }
 
