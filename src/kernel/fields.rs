@@ -262,8 +262,8 @@ pub fn points(points: &[[f64; 2]]) -> Value {
 }
 
 /// An object as it is written.
-// One by one: collecting would bring in a sort for every number of fields.
-pub fn object(fields: &mut dyn Iterator<Item = (&'static str, Value)>) -> Value {
+// One by one: collecting would bring in a sort.
+pub fn object(fields: Vec<(&'static str, Value)>) -> Value {
     let mut object = Map::new();
     for (name, value) in fields {
         object.insert(name.to_owned(), value);

@@ -72,12 +72,8 @@ fn point(point: [f64; 3]) -> Value {
     Value::Array(point.map(Value::from).to_vec())
 }
 
-fn written(fields: &[(&'static str, Value)]) -> Value {
-    object(&mut fields.iter().cloned())
-}
-
 fn write_cuboid(cuboid: &Cuboid) -> Value {
-    written(&[("min", point(cuboid.min)), ("max", point(cuboid.max))])
+    object(vec![("min", point(cuboid.min)), ("max", point(cuboid.max))])
 }
 
 /// Adds the fields of an arm's scene.
@@ -90,12 +86,15 @@ pub(super) fn write(scene: &ArmScene, out: &mut Vec<(&'static str, Value)>) {
         if joint.speed != Joint::SPEED {
             fields.push(("speed", Value::from(joint.speed)));
         }
-        written(&fields)
+        object(fields)
     });
-    let tool = written(&[("axis", Value::from(tool.axis.name())), ("length", Value::from(tool.length))]);
-    let base =
-        written(&[("position", point(base.position)), ("yaw", Value::from(base.yaw)), ("column_radius", Value::from(base.column_radius))]);
-    let arm = written(&[("joints", Value::Array(joints.collect())), ("tool", tool), ("base", base)]);
+    let tool = object(vec![("axis", Value::from(tool.axis.name())), ("length", Value::from(tool.length))]);
+    let base = object(vec![
+        ("position", point(base.position)),
+        ("yaw", Value::from(base.yaw)),
+        ("column_radius", Value::from(base.column_radius)),
+    ]);
+    let arm = object(vec![("joints", Value::Array(joints.collect())), ("tool", tool), ("base", base)]);
     out.extend([
         ("workspace", write_cuboid(&scene.workspace)),
         ("start", point(scene.start)),

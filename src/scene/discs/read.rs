@@ -14,8 +14,8 @@ use super::body::DiscsScene;
 
 /// Its fields, in the order in which they are written.
 pub(super) fn write(scene: &DiscsScene, out: &mut Vec<(&'static str, Value)>) {
-    let bounds = object(&mut [("min", point(scene.bounds.min)), ("max", point(scene.bounds.max))].into_iter());
-    let disc = |disc: &Disc| object(&mut [("center", point(disc.center)), ("radius", Value::from(disc.radius))].into_iter());
+    let bounds = object(vec![("min", point(scene.bounds.min)), ("max", point(scene.bounds.max))]);
+    let disc = |disc: &Disc| object(vec![("center", point(disc.center)), ("radius", Value::from(disc.radius))]);
     let discs = scene.discs.iter().map(disc).collect();
     out.extend([("bounds", bounds), ("start", point(scene.start)), ("goal", point(scene.goal)), ("discs", Value::Array(discs))]);
 }

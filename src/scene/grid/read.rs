@@ -27,8 +27,8 @@ pub(super) fn write(grid: &GridScene, out: &mut Vec<(&'static str, Value)>) {
         out.push(("corner_cutting", Value::Bool(true)));
     }
     if let Some(robot) = grid.robot {
-        let mut given = robot.fields().into_iter().filter_map(|(name, value)| value.map(|value| (name, Value::from(value))));
-        out.push(("robot", object(&mut given)));
+        let given = robot.fields().into_iter().filter_map(|(name, value)| value.map(|value| (name, Value::from(value))));
+        out.push(("robot", object(given.collect())));
     }
     if !grid.moving.is_empty() {
         let disc = |m: &Moving| {
@@ -36,7 +36,7 @@ pub(super) fn write(grid: &GridScene, out: &mut Vec<(&'static str, Value)>) {
                 Motion::Velocity(velocity) => ("velocity", point(*velocity)),
                 Motion::Waypoints(list) => ("waypoints", list.iter().map(|moment| Value::from(moment.to_vec())).collect()),
             };
-            object(&mut [("center", point(m.center)), ("radius", m.radius.into()), motion].into_iter())
+            object(vec![("center", point(m.center)), ("radius", m.radius.into()), motion])
         };
         out.push(("moving", Value::Array(grid.moving.iter().map(disc).collect())));
     }
