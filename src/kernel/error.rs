@@ -1,6 +1,6 @@
 //! One error type: the field, the value and what is allowed.
 
-use std::fmt;
+use std::{borrow::Cow, fmt};
 
 /// Why an input was refused. Every variant says what to change.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -44,25 +44,38 @@ pub enum Error {
 
 impl Error {
     /// A field's value is outside what is allowed.
-    pub fn refused(field: impl Into<String>, value: impl fmt::Display, allowed: impl Into<String>) -> Self {
+    pub fn refused<'a>(field: impl Into<Cow<'a, str>>, value: impl fmt::Display, allowed: impl Into<Cow<'a, str>>) -> Self {
         Self::refuse(field.into(), &value, allowed.into())
+    }
+
+    /// The same, compiled once: what is borrowed is copied here, not where it is refused.
+    #[cold]
+    #[inline(never)]
+    fn refuse(field: Cow<'_, str>, value: &dyn fmt::Display, allowed: Cow<'_, str>) -> Self {
+        Self::Refused { field: field.into_owned(), value: value.to_string(), allowed: allowed.into_owned() }
+    }
+
+    /// A name that is not one of `known`.
+    pub fn unknown<'a>(field: &str, value: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+        Self::unknown_among(field, value, &known.into_iter().collect::<Vec<_>>())
     }
 
     /// The same, compiled once.
     #[cold]
     #[inline(never)]
-    fn refuse(field: String, value: &dyn fmt::Display, allowed: String) -> Self {
-        Self::Refused { field, value: value.to_string(), allowed }
-    }
-
-    /// A name that is not one of `known`.
-    pub fn unknown<'a>(field: &str, value: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
-        let known: Vec<&str> = known.into_iter().collect();
+    fn unknown_among(field: &str, value: &str, known: &[&str]) -> Self {
         Self::Unknown { field: field.to_owned(), value: value.to_owned(), known: known.join(", ") }
     }
 
     /// A text that cannot be read.
     pub fn malformed(field: &str, problem: impl fmt::Display) -> Self {
+        Self::malform(field, &problem)
+    }
+
+    /// The same, compiled once.
+    #[cold]
+    #[inline(never)]
+    fn malform(field: &str, problem: &dyn fmt::Display) -> Self {
         Self::Malformed { field: field.to_owned(), problem: problem.to_string() }
     }
 
