@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Entry, Preset},
-    params::Fixed,
+    params::{Fixed, Parameter},
 };
 
 use super::{
@@ -11,6 +11,29 @@ use super::{
         ALPHA, ANTS, BETA, CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
     },
 };
+
+const AS_IN_PAPER: Preset = Preset {
+    name: "paper",
+    title: "As in the paper",
+    help: "α = 1.5 and β = 8, as [ANTBAT] prints them. The defaults were chosen on random maps.",
+    scene: "ant-bat-30",
+    values: &[("alpha", Fixed::Number(1.5)), ("beta", Fixed::Number(8.0))],
+};
+
+const OWN: &[Parameter] = &[
+    ANTS.entry(),
+    ITERATIONS.entry(),
+    ALPHA.default_to(1.0)
+        .help("How much pheromone counts in an ant’s choice. Published: 1.5. The larger, the more an ant follows the others.")
+        .entry(),
+    BETA.default_to(4.0)
+        .help("How much the distance to the goal counts in an ant’s choice. Published: 8. The larger, the more an ant heads straight for the goal.")
+        .entry(),
+    RHO.entry(),
+    Q.entry(),
+    TAU_0.entry(),
+    TAU_MIN.entry(),
+];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -22,30 +45,8 @@ pub const ENTRY: Entry = Entry::new(
 )
 .family("ants")
 .kinds(KINDS)
-.parameters(&[
-        &[
-            ANTS.entry(),
-            ITERATIONS.entry(),
-            ALPHA.default_to(1.0)
-                .help("How much pheromone counts in an ant’s choice. Published: 1.5. The larger, the more an ant follows the others.")
-                .entry(),
-            BETA.default_to(4.0)
-                .help("How much the distance to the goal counts in an ant’s choice. Published: 8. The larger, the more an ant heads straight for the goal.")
-                .entry(),
-            RHO.entry(),
-            Q.entry(),
-            TAU_0.entry(),
-            TAU_MIN.entry(),
-        ],
-        WALKS,
-    ])
+.parameters(&[OWN, WALKS])
 .readings(READINGS)
 .formulas(&[CHOICE, DISTANCE, EVAPORATION, TRADITIONAL])
 .layers(LAYERS)
-.presets(&[Preset {
-        name: "paper",
-        title: "As in the paper",
-        help: "α = 1.5 and β = 8, as [ANTBAT] prints them. The defaults were chosen on random maps.",
-        scene: "ant-bat-30",
-        values: &[("alpha", Fixed::Number(1.5)), ("beta", Fixed::Number(8.0))],
-    }]);
+.presets(&[AS_IN_PAPER]);

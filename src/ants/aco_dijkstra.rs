@@ -51,19 +51,8 @@ pub const ENTRY: Entry = Entry::new(
 .family("ants")
 .kinds(KINDS)
 .parameters(&[
-    &[
-        ANTS.entry(),
-        ITERATIONS.entry(),
-        ALPHA.entry(),
-        BETA.entry(),
-        RHO.entry(),
-        Q.entry(),
-        SEEDED.entry(),
-        Q0_START.entry(),
-        Q0_END.entry(),
-        TAU_0.entry(),
-        TAU_MIN.entry(),
-    ],
+    &[ANTS.entry(), ITERATIONS.entry(), ALPHA.entry(), BETA.entry(), RHO.entry(), Q.entry()],
+    &[SEEDED.entry(), Q0_START.entry(), Q0_END.entry(), TAU_0.entry(), TAU_MIN.entry()],
     WALKS,
 ])
 .readings(&[

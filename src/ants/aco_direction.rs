@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Entry, Formula},
-    params::{Choice, Param, ParamValue, Settings},
+    params::{Choice, Param, ParamValue, Parameter, Settings},
 };
 
 use super::{
@@ -95,6 +95,26 @@ const REWARD: Formula = Formula::of_item(
     "\\Delta\\tau = \\frac{@q@}{@length@} + @phi1@ \\cdot \\frac{@median@ - @length@}{@median@} + @phi2@ \\cdot \\frac{@global@ - @length@}{@global@} = @laid@",
 );
 
+const OWN: &[Parameter] = &[
+    ANTS.entry(),
+    ITERATIONS.entry(),
+    ALPHA.entry(),
+    BETA.entry(),
+    GAMMA.entry(),
+    DIRECTION_LAW.entry(),
+    RHO.entry(),
+    Q.default_to(50.0).slider(1.0, 100.0, false)
+        .help("An ant lays Q / L on each step of a way of length L, before reward and punishment. The paper gives no value; with 50, colonies settle on random maps of every kind.")
+        .entry(),
+    Q_RELATIVE.entry(),
+    PHI1.entry(),
+    PHI2.entry(),
+    TAU_0.default_to(10_000.0)
+        .help("What lies on every step before the first ant sets out. The paper gives no value; as much as this keeps the first paths from deciding everything.")
+        .entry(),
+    TAU_MIN.default_to(0.1).entry(),
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "aco-direction",
@@ -105,28 +125,7 @@ pub const ENTRY: Entry = Entry::new(
 )
 .family("ants")
 .kinds(KINDS)
-.parameters(&[
-        &[
-            ANTS.entry(),
-            ITERATIONS.entry(),
-            ALPHA.entry(),
-            BETA.entry(),
-            GAMMA.entry(),
-            DIRECTION_LAW.entry(),
-            RHO.entry(),
-            Q.default_to(50.0).slider(1.0, 100.0, false)
-                .help("An ant lays Q / L on each step of a way of length L, before reward and punishment. The paper gives no value; with 50, colonies settle on random maps of every kind.")
-                .entry(),
-            Q_RELATIVE.entry(),
-            PHI1.entry(),
-            PHI2.entry(),
-            TAU_0.default_to(10_000.0)
-                .help("What lies on every step before the first ant sets out. The paper gives no value; as much as this keeps the first paths from deciding everything.")
-                .entry(),
-            TAU_MIN.default_to(0.1).entry(),
-        ],
-        WALKS,
-    ])
+.parameters(&[OWN, WALKS])
 .readings(READINGS)
 .formulas(&[CHOICE, DISTANCE, DIRECTION, DIRECTION_LINEAR, EVAPORATION, REWARD])
 .layers(LAYERS);

@@ -3,7 +3,7 @@
 
 use crate::{
     describe::{Entry, Formula, Preset},
-    params::{Choice, Fixed, Param, ParamValue, Settings},
+    params::{Choice, Fixed, Param, ParamValue, Parameter, Settings},
 };
 
 use super::{
@@ -75,6 +75,36 @@ pub(crate) const LAID: Formula = Formula::of_item(
     "\\Delta\\tau = @share@ \\cdot \\frac{@q@}{@length@} = @laid@",
 );
 
+const AS_IN_PAPER: Preset = Preset {
+    name: "paper",
+    title: "As in the paper",
+    help: "β = 7 and ρ = 0.367, which [WOLF-ANT] found by a particle swarm on its map. Where obstacles lead away from the goal, paths become much longer than with the defaults.",
+    scene: "wolf-ant-20",
+    values: &[("beta", Fixed::Number(7.0)), ("rho", Fixed::Number(0.367))],
+};
+
+const OWN: &[Parameter] = &[
+    ANTS.default_to(30).help("How many ants set out in an iteration. Published: 30.").entry(),
+    ITERATIONS.entry(),
+    ALPHA.default_to(1.0).help("How much pheromone counts in an ant’s choice. Published: 1, found by a particle swarm.").entry(),
+    BETA.default_to(1.0)
+        .help("How much a cell’s rank counts in an ant’s choice. Published: 7, found by a particle swarm; ants then follow the rank into dead ends.")
+        .entry(),
+    RANKS.entry(),
+    EPSILON.when(RANKS, "ranks").entry(),
+    UPDATE.entry(),
+    RHO.default_to(0.2)
+        .help("The share of the pheromone that is gone after an iteration. Published: 0.367, found by a particle swarm.")
+        .entry(),
+    Q.default_to(333.0).slider(100.0, 1000.0, false)
+        .help("An ant lays Q / L on each step of a way of length L, in the scene’s unit. Published: 333, found by a particle swarm.")
+        .entry(),
+    TAU_0.default_to(50.0)
+        .help("What lies on every step before the first ant sets out. The paper gives no value; 50 is about what thirty ants keep on a way.")
+        .entry(),
+    TAU_MIN.default_to(1.0).entry(),
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "aco-wolf",
@@ -85,42 +115,11 @@ pub const ENTRY: Entry = Entry::new(
 )
 .family("ants")
 .kinds(KINDS)
-.parameters(&[
-        &[
-            ANTS.default_to(30).help("How many ants set out in an iteration. Published: 30.").entry(),
-            ITERATIONS.entry(),
-            ALPHA.default_to(1.0)
-                .help("How much pheromone counts in an ant’s choice. Published: 1, found by a particle swarm.")
-                .entry(),
-            BETA.default_to(1.0)
-                .help("How much a cell’s rank counts in an ant’s choice. Published: 7, found by a particle swarm; ants then follow the rank into dead ends.")
-                .entry(),
-            RANKS.entry(),
-            EPSILON.when(RANKS, "ranks").entry(),
-            UPDATE.entry(),
-            RHO.default_to(0.2)
-                .help("The share of the pheromone that is gone after an iteration. Published: 0.367, found by a particle swarm.")
-                .entry(),
-            Q.default_to(333.0).slider(100.0, 1000.0, false)
-                .help("An ant lays Q / L on each step of a way of length L, in the scene’s unit. Published: 333, found by a particle swarm.")
-                .entry(),
-            TAU_0.default_to(50.0)
-                .help("What lies on every step before the first ant sets out. The paper gives no value; 50 is about what thirty ants keep on a way.")
-                .entry(),
-            TAU_MIN.default_to(1.0).entry(),
-        ],
-        WALKS,
-    ])
+.parameters(&[OWN, WALKS])
 .readings(READINGS)
 .formulas(&[CHOICE, RANKED, PHEROMONE, LAID])
 .layers(LAYERS)
-.presets(&[Preset {
-        name: "paper",
-        title: "As in the paper",
-        help: "β = 7 and ρ = 0.367, which [WOLF-ANT] found by a particle swarm on its map. Where obstacles lead away from the goal, paths become much longer than with the defaults.",
-        scene: "wolf-ant-20",
-        values: &[("beta", Fixed::Number(7.0)), ("rho", Fixed::Number(0.367))],
-    }]);
+.presets(&[AS_IN_PAPER]);
 
 /// What sets this colony apart.
 fn traits(settings: &Settings) -> Traits {

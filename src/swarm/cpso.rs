@@ -8,10 +8,7 @@ use crate::{
 
 use super::{
     flight::Flight,
-    parameters::{
-        AS_IN_TEXT, ITERATIONS, KINDS, LAYERS, LINEAR_W, PER_PARTICLE, POPULATION, POSITION, READINGS, V_MAX, V_MAX_ABSOLUTE, VELOCITY, W,
-        W_MAX, W_MIN,
-    },
+    parameters::{AS_IN_TEXT, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, READINGS, VELOCITY, W, W_MAX, W_MIN},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
 };
@@ -56,6 +53,14 @@ const SOCIAL: Formula = Formula::new(
     "c_2(@k@) = @c2_start@ + (@c2_end@ - @c2_start@) \\cdot \\frac{@k@}{@iterations@} = @c2@",
 );
 
+const FITTED: Preset = Preset {
+    name: "fitted",
+    title: "Fitted to Table 2",
+    help: "ω falls from 0.95 to 0.4, one pair r1, r2 per particle: chosen because [WCPSO] Table 2 then comes out on f1 to f3 with 2 variables.",
+    scene: "matyas",
+    values: &[("w_law", Fixed::Text("linear")), ("random", Fixed::Text("particle"))],
+};
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "cpso",
@@ -67,37 +72,17 @@ pub const ENTRY: Entry = Entry::new(
 .family("swarm")
 .kinds(KINDS)
 .parameters(&[
-        &[
-            POPULATION.entry(),
-            ITERATIONS.entry(),
-            W_LINEAR.entry(),
-            W.when(W_LINEAR, "constant").entry(),
-            W_MAX.when(W_LINEAR, "linear").entry(),
-            W_MIN.when(W_LINEAR, "linear").entry(),
-            C1_START.entry(),
-            C1_END.entry(),
-            C2_START.entry(),
-            C2_END.entry(),
-            PER_PARTICLE.entry(),
-            V_MAX.entry(),
-            V_MAX_ABSOLUTE.entry(),
-        ],
-        ENCODED,
-        CHARGED,
-    ])
+    &[POPULATION.entry(), ITERATIONS.entry(), W_LINEAR.entry()],
+    &[W.when(W_LINEAR, "constant").entry(), W_MAX.when(W_LINEAR, "linear").entry(), W_MIN.when(W_LINEAR, "linear").entry()],
+    &[C1_START.entry(), C1_END.entry(), C2_START.entry(), C2_END.entry()],
+    FLIGHT,
+    ENCODED,
+    CHARGED,
+])
 .readings(READINGS)
 .formulas(&[LINEAR_W.when(W_LINEAR, "linear"), COGNITIVE, SOCIAL, VELOCITY, POSITION])
 .layers(LAYERS)
-.presets(&[
-        AS_IN_TEXT,
-        Preset {
-            name: "fitted",
-            title: "Fitted to Table 2",
-            help: "ω falls from 0.95 to 0.4, one pair r1, r2 per particle: chosen because [WCPSO] Table 2 then comes out on f1 to f3 with 2 variables.",
-            scene: "matyas",
-            values: &[("w_law", Fixed::Text("linear")), ("random", Fixed::Text("particle"))],
-        },
-    ]);
+.presets(&[AS_IN_TEXT, FITTED]);
 
 fn start(start: &Start) -> Result<Started, Error> {
     let settings = start.parameters;

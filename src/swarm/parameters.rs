@@ -3,7 +3,7 @@
 use crate::{
     describe::{Formula, Group, Layer, Preset, Reading},
     kernel::{Role, SceneKindId},
-    params::{Choice, Fixed, Param, When},
+    params::{Choice, Fixed, Param, Parameter, When},
     scene::{DISCS, FUNCTION, GRID},
 };
 
@@ -55,6 +55,8 @@ pub(super) const PER_PARTICLE: Param<bool> = Param::choice(
     &[false, true],
     "How often r1 and r2 of (1) are drawn. The paper does not say; its Table 2 fits one pair per particle.",
 );
+/// How a swarm flies, by whatever coefficients.
+pub(super) const FLIGHT: &[Parameter] = &[PER_PARTICLE.entry(), V_MAX.entry(), V_MAX_ABSOLUTE.entry()];
 pub(super) const W: Param<f64> = Param::number(
     "w",
     "\\omega",

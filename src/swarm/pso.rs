@@ -7,7 +7,7 @@ use crate::{
 
 use super::{
     flight::Flight,
-    parameters::{C1, C2, ITERATIONS, KINDS, LAYERS, PER_PARTICLE, POPULATION, POSITION, READINGS, V_MAX, V_MAX_ABSOLUTE, VELOCITY, W},
+    parameters::{C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, READINGS, VELOCITY, W},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
 };
@@ -22,20 +22,7 @@ pub const ENTRY: Entry = Entry::new(
 )
 .family("swarm")
 .kinds(KINDS)
-.parameters(&[
-    &[
-        POPULATION.entry(),
-        ITERATIONS.entry(),
-        W.entry(),
-        C1.entry(),
-        C2.entry(),
-        PER_PARTICLE.entry(),
-        V_MAX.entry(),
-        V_MAX_ABSOLUTE.entry(),
-    ],
-    ENCODED,
-    CHARGED,
-])
+.parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), W.entry(), C1.entry(), C2.entry()], FLIGHT, ENCODED, CHARGED])
 .readings(READINGS)
 .formulas(&[VELOCITY, POSITION])
 .layers(LAYERS);

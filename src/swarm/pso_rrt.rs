@@ -23,8 +23,8 @@ use super::{
     encoding,
     flight::{Flight, Swarm},
     parameters::{
-        BEST, C1, C2, COGNITIVE, EVALUATIONS, FREE, FROM_TREES, ITERATIONS, K, LAYERS, LENGTH, MEAN, OMEGA, PATHS, PER_PARTICLE,
-        POPULATION, POSITION, SMOOTHNESS, SOCIAL, SPREAD, STAGNATING, V_MAX, V_MAX_ABSOLUTE, VELOCITY, W,
+        BEST, C1, C2, COGNITIVE, EVALUATIONS, FLIGHT, FREE, FROM_TREES, ITERATIONS, K, LAYERS, LENGTH, MEAN, OMEGA, PATHS, POPULATION,
+        POSITION, SMOOTHNESS, SOCIAL, SPREAD, STAGNATING, VELOCITY, W,
     },
     paths::{CHARGED, EARLY_STOP, ENCODING, WAYPOINTS},
     population::Population,
@@ -102,39 +102,26 @@ pub const ENTRY: Entry = Entry::new(
 .family("swarm")
 .kinds(PATHS)
 .parameters(&[
-        &[
-            POPULATION.entry(),
-            ITERATIONS.entry(),
-            STEP_SIZE.entry(),
-            GOAL_BIAS.entry(),
-            EXTENSIONS.entry(),
-            W.entry(),
-            C1.entry(),
-            C2.entry(),
-            PER_PARTICLE.entry(),
-            V_MAX.entry(),
-            V_MAX_ABSOLUTE.entry(),
-            EARLY_STOP.entry(),
-            ENCODING.defaults_on(&[]).entry(),
-            WAYPOINTS.defaults_on(&[(GRID, Fixed::Number(8.0))]).entry(),
-        ],
-        CHARGED,
-    ])
+    &[POPULATION.entry(), ITERATIONS.entry(), STEP_SIZE.entry(), GOAL_BIAS.entry(), EXTENSIONS.entry(), W.entry(), C1.entry(), C2.entry()],
+    FLIGHT,
+    &[EARLY_STOP.entry(), ENCODING.defaults_on(&[]).entry(), WAYPOINTS.defaults_on(&[(GRID, Fixed::Number(8.0))]).entry()],
+    CHARGED,
+])
 .readings(&[
-        BEST,
-        MEAN,
-        SPREAD,
-        FREE,
-        LENGTH,
-        SMOOTHNESS,
-        K,
-        OMEGA,
-        COGNITIVE,
-        SOCIAL,
-        STAGNATING,
-        FROM_TREES,
-        Reading { help: "How many positions were evaluated so far, and straight pieces tested by trees.", ..EVALUATIONS },
-    ])
+    BEST,
+    MEAN,
+    SPREAD,
+    FREE,
+    LENGTH,
+    SMOOTHNESS,
+    K,
+    OMEGA,
+    COGNITIVE,
+    SOCIAL,
+    STAGNATING,
+    FROM_TREES,
+    Reading { help: "How many positions were evaluated so far, and straight pieces tested by trees.", ..EVALUATIONS },
+])
 .formulas(&[VELOCITY, POSITION])
 .layers(LAYERS)
 .presets(&[ONE_ROAD]);

@@ -9,8 +9,7 @@ use crate::{
 use super::{
     flight::Flight,
     parameters::{
-        AS_IN_TEXT, ITERATIONS, KINDS, LINEAR_W, PER_PARTICLE, PERTURBED, PERTURBED_LAYERS, POPULATION, POSITION, V_MAX, V_MAX_ABSOLUTE,
-        VELOCITY, W_MAX, W_MIN,
+        AS_IN_TEXT, FLIGHT, ITERATIONS, KINDS, LINEAR_W, PERTURBED, PERTURBED_LAYERS, POPULATION, POSITION, VELOCITY, W_MAX, W_MIN,
     },
     paths::{CHARGED, ENCODED},
     perturbation::{Keep, Partner, Perturbation, Sign, Timing},
@@ -208,6 +207,22 @@ fn law(linear: bool, amplitude: f64, middle: f64) -> Law {
     if linear { Law::Linear(middle + amplitude, middle - amplitude) } else { Law::Sine { amplitude, middle } }
 }
 
+const FITTED: Preset = Preset {
+    name: "fitted",
+    title: "Nearest to Table 2",
+    help: "A variant chosen because it comes nearest to [WCPSO] Table 2 on f1 to f3 with 2 variables: ω from 0.9, one pair r1, r2 per particle, the hen after the flight whenever the cost rises, towards the personal best of the other, and only if that is better; no chick.",
+    scene: "matyas",
+    values: &[
+        ("w_max", Fixed::Number(0.9)),
+        ("random", Fixed::Text("particle")),
+        ("patience", Fixed::Number(1.0)),
+        ("f_l", Fixed::Number(0.0)),
+        ("hen_timing", Fixed::Text("after")),
+        ("hen_keep", Fixed::Text("better")),
+        ("hen_partner", Fixed::Text("best")),
+    ],
+};
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "wcpso",
@@ -219,68 +234,32 @@ pub const ENTRY: Entry = Entry::new(
 .family("swarm")
 .kinds(KINDS)
 .parameters(&[
-        &[
-            POPULATION.entry(),
-            ITERATIONS.entry(),
-            W_MAX.entry(),
-            W_MIN.entry(),
-            C_A.entry(),
-            C_B.entry(),
-            C_ALPHA.entry(),
-            C_BETA.entry(),
-            PERTURB.entry(),
-            PATIENCE.entry(),
-            F_L.entry(),
-            S2_SIGN.entry(),
-            HEN_TIMING.entry(),
-            HEN_KEEP.entry(),
-            HEN_PARTNER.entry(),
-            PER_PARTICLE.entry(),
-            V_MAX.entry(),
-            V_MAX_ABSOLUTE.entry(),
-            W_LINEAR.entry(),
-            C1_LINEAR.entry(),
-            C2_LINEAR.entry(),
-        ],
-        ENCODED,
-        CHARGED,
-    ])
+    &[POPULATION.entry(), ITERATIONS.entry(), W_MAX.entry(), W_MIN.entry(), C_A.entry(), C_B.entry(), C_ALPHA.entry(), C_BETA.entry()],
+    &[PERTURB.entry(), PATIENCE.entry(), F_L.entry(), S2_SIGN.entry(), HEN_TIMING.entry(), HEN_KEEP.entry(), HEN_PARTNER.entry()],
+    FLIGHT,
+    &[W_LINEAR.entry(), C1_LINEAR.entry(), C2_LINEAR.entry()],
+    ENCODED,
+    CHARGED,
+])
 .readings(PERTURBED)
 .formulas(&[
-        INERTIA.when(W_LINEAR, "cosine"),
-        LINEAR_W.when(W_LINEAR, "linear"),
-        COGNITIVE.when(C1_LINEAR, "sine"),
-        LINEAR_COGNITIVE,
-        SOCIAL.when(C2_LINEAR, "sine"),
-        LINEAR_SOCIAL,
-        VELOCITY,
-        POSITION,
-        HEN,
-        HEN_BEST,
-        S1,
-        S2,
-        S2_SOURCE,
-        CHICK,
-    ])
+    INERTIA.when(W_LINEAR, "cosine"),
+    LINEAR_W.when(W_LINEAR, "linear"),
+    COGNITIVE.when(C1_LINEAR, "sine"),
+    LINEAR_COGNITIVE,
+    SOCIAL.when(C2_LINEAR, "sine"),
+    LINEAR_SOCIAL,
+    VELOCITY,
+    POSITION,
+    HEN,
+    HEN_BEST,
+    S1,
+    S2,
+    S2_SOURCE,
+    CHICK,
+])
 .layers(PERTURBED_LAYERS)
-.presets(&[
-        AS_IN_TEXT,
-        Preset {
-            name: "fitted",
-            title: "Nearest to Table 2",
-            help: "A variant chosen because it comes nearest to [WCPSO] Table 2 on f1 to f3 with 2 variables: ω from 0.9, one pair r1, r2 per particle, the hen after the flight whenever the cost rises, towards the personal best of the other, and only if that is better; no chick.",
-            scene: "matyas",
-            values: &[
-                ("w_max", Fixed::Number(0.9)),
-                ("random", Fixed::Text("particle")),
-                ("patience", Fixed::Number(1.0)),
-                ("f_l", Fixed::Number(0.0)),
-                ("hen_timing", Fixed::Text("after")),
-                ("hen_keep", Fixed::Text("better")),
-                ("hen_partner", Fixed::Text("best")),
-            ],
-        },
-    ]);
+.presets(&[AS_IN_TEXT, FITTED]);
 
 fn start(start: &Start) -> Result<Started, Error> {
     let settings = start.parameters;

@@ -8,12 +8,17 @@ use crate::{
 
 use super::{
     flight::Flight,
-    parameters::{
-        AS_IN_TEXT, C1, C2, ITERATIONS, KINDS, LAYERS, LINEAR_W, PER_PARTICLE, POPULATION, POSITION, READINGS, V_MAX, V_MAX_ABSOLUTE,
-        VELOCITY, W_MAX, W_MIN,
-    },
+    parameters::{AS_IN_TEXT, C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, READINGS, VELOCITY, W_MAX, W_MIN},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
+};
+
+const FITTED: Preset = Preset {
+    name: "fitted",
+    title: "Fitted to Table 2",
+    help: "ω from 0.9 and c1 = c2 = 1.5, one pair r1, r2 per particle: chosen because [WCPSO] Table 2 then comes out on f1 to f3 with 2 variables.",
+    scene: "matyas",
+    values: &[("w_max", Fixed::Number(0.9)), ("c1", Fixed::Number(1.5)), ("c2", Fixed::Number(1.5)), ("random", Fixed::Text("particle"))],
 };
 
 /// See the module.
@@ -27,38 +32,15 @@ pub const ENTRY: Entry = Entry::new(
 .family("swarm")
 .kinds(KINDS)
 .parameters(&[
-        &[
-            POPULATION.entry(),
-            ITERATIONS.entry(),
-            W_MAX.entry(),
-            W_MIN.entry(),
-            C1.default_to(2.0).entry(),
-            C2.default_to(2.0).entry(),
-            PER_PARTICLE.entry(),
-            V_MAX.entry(),
-            V_MAX_ABSOLUTE.entry(),
-        ],
-        ENCODED,
-        CHARGED,
-    ])
+    &[POPULATION.entry(), ITERATIONS.entry(), W_MAX.entry(), W_MIN.entry(), C1.default_to(2.0).entry(), C2.default_to(2.0).entry()],
+    FLIGHT,
+    ENCODED,
+    CHARGED,
+])
 .readings(READINGS)
 .formulas(&[LINEAR_W, VELOCITY, POSITION])
 .layers(LAYERS)
-.presets(&[
-        AS_IN_TEXT,
-        Preset {
-            name: "fitted",
-            title: "Fitted to Table 2",
-            help: "ω from 0.9 and c1 = c2 = 1.5, one pair r1, r2 per particle: chosen because [WCPSO] Table 2 then comes out on f1 to f3 with 2 variables.",
-            scene: "matyas",
-            values: &[
-                ("w_max", Fixed::Number(0.9)),
-                ("c1", Fixed::Number(1.5)),
-                ("c2", Fixed::Number(1.5)),
-                ("random", Fixed::Text("particle")),
-            ],
-        },
-    ]);
+.presets(&[AS_IN_TEXT, FITTED]);
 
 fn start(start: &Start) -> Result<Started, Error> {
     let settings = start.parameters;

@@ -13,7 +13,7 @@ use crate::{
     describe::{Entry, Formula, Group, Layer, Member, Preset, Reading},
     kernel::{Inspection, Readings, Role, State, rng::Stream},
     math,
-    params::{Choice, Fixed, Param, Settings},
+    params::{Choice, Fixed, Param, Parameter, Settings},
     settled::SETTLED,
 };
 
@@ -420,6 +420,18 @@ const PAPER: Preset = Preset {
     values: &[("local_search", Fixed::Text("none"))],
 };
 
+const OWN: &[Parameter] = &[
+    POPULATION.title("Bats").help("How many bats search. Published: 50.").entry(),
+    ITERATIONS
+        .help("After how many iterations of the bats it stops; building roads comes first. Published: 100, for 12 stops. Without local search more stops need more.")
+        .entry(),
+    EPSILON.entry(),
+    LAMBDA.entry(),
+    REPLACES_ALWAYS.entry(),
+    LOCAL_SEARCH.when(POLISH, "false").entry(),
+    POLISH.entry(),
+];
+
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
     "bat",
@@ -430,20 +442,7 @@ pub const ENTRY: Entry = Entry::new(
 )
 .family("tour")
 .kinds(KINDS)
-.parameters(&[
-        &[
-            POPULATION.title("Bats").help("How many bats search. Published: 50.").entry(),
-            ITERATIONS
-                .help("After how many iterations of the bats it stops; building roads comes first. Published: 100, for 12 stops. Without local search more stops need more.")
-                .entry(),
-            EPSILON.entry(),
-            LAMBDA.entry(),
-            REPLACES_ALWAYS.entry(),
-            LOCAL_SEARCH.when(POLISH, "false").entry(),
-            POLISH.entry(),
-        ],
-        TOURS,
-    ])
+.parameters(&[OWN, TOURS])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
 .formulas(&[TRIES, LOUDNESS, PULSE, LENGTH])
 .layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every bat."), TOUR_LAYER, STOPS_LAYER])

@@ -314,19 +314,15 @@ pub const ENTRY: Entry = Entry::new(
 .family("tour")
 .kinds(KINDS)
 .parameters(&[
-        &[
-            POPULATION
-                .title("Tours")
-                .help("How many tours a generation has. As many as [ANTBAT] has bats; it says nothing of its genetic algorithm.")
-                .entry(),
-            ITERATIONS.help("After how many generations it stops; building roads comes first. As many as [ANTBAT]’s bats fly.").entry(),
-            TOURNAMENT.entry(),
-            ELITE.entry(),
-            CROSSOVER.entry(),
-            MUTATION.entry(),
-        ],
-        TOURS,
-    ])
+    &[
+        POPULATION.title("Tours")
+            .help("How many tours a generation has. As many as [ANTBAT] has bats; it says nothing of its genetic algorithm.")
+            .entry(),
+        ITERATIONS.help("After how many generations it stops; building roads comes first. As many as [ANTBAT]’s bats fly.").entry(),
+    ],
+    &[TOURNAMENT.entry(), ELITE.entry(), CROSSOVER.entry(), MUTATION.entry()],
+    TOURS,
+])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, SHORTER])
 .formulas(&[GAIN, LENGTH])
 .layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tours of this generation."), TOUR_LAYER, STOPS_LAYER])

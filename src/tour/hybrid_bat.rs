@@ -368,14 +368,8 @@ pub const ENTRY: Entry = Entry::new(
         ITERATIONS
             .help("After how many iterations of the bats it stops; building roads comes first. As many as [ANTBAT]’s bats fly.")
             .entry(),
-        F_MIN.entry(),
-        F_MAX.entry(),
-        PERTURBATIONS.entry(),
-        LOUDNESS_START.entry(),
-        ALPHA.entry(),
-        PULSE_RATE.entry(),
-        GAMMA.entry(),
     ],
+    &[F_MIN.entry(), F_MAX.entry(), PERTURBATIONS.entry(), LOUDNESS_START.entry(), ALPHA.entry(), PULSE_RATE.entry(), GAMMA.entry()],
     TOURS,
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])

@@ -269,14 +269,10 @@ pub const ENTRY: Entry = Entry::new(
 .family("tour")
 .kinds(KINDS)
 .parameters(&[
-    &[
-        ITERATIONS
-            .help("After how many temperatures it stops; building roads comes first. As many as [ANTBAT]’s bats fly iterations.")
-            .entry(),
-        ACCEPT_START.entry(),
-        COOLING.entry(),
-        MOVES.entry(),
-    ],
+    &[ITERATIONS
+        .help("After how many temperatures it stops; building roads comes first. As many as [ANTBAT]’s bats fly iterations.")
+        .entry()],
+    &[ACCEPT_START.entry(), COOLING.entry(), MOVES.entry()],
     TOURS,
 ])
 .readings(&[BEST, PRESENT, BUILT, FAILED, BY_ROAD, FOUND, SETTLED_PRESENT, DIFFERENT, TEMPERATURE, ACCEPTED])

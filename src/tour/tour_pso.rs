@@ -294,21 +294,17 @@ pub const ENTRY: Entry = Entry::new(
 .family("tour")
 .kinds(KINDS)
 .parameters(&[
-        &[
-            POPULATION
-                .title("Particles")
-                .help("How many particles search. As many as [ANTBAT] has bats; it says nothing of its swarm.")
-                .entry(),
-            ITERATIONS
-                .help("After how many iterations of the swarm it stops; building roads comes first. As many as [ANTBAT]’s bats fly.")
-                .entry(),
-            W.entry(),
-            C1.entry(),
-            C2.entry(),
-            LOCAL_SEARCH.entry(),
-        ],
-        TOURS,
-    ])
+    &[
+        POPULATION.title("Particles")
+            .help("How many particles search. As many as [ANTBAT] has bats; it says nothing of its swarm.")
+            .entry(),
+        ITERATIONS
+            .help("After how many iterations of the swarm it stops; building roads comes first. As many as [ANTBAT]’s bats fly.")
+            .entry(),
+    ],
+    &[W.entry(), C1.entry(), C2.entry(), LOCAL_SEARCH.entry()],
+    TOURS,
+])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_SWAPS])
 .formulas(&[VELOCITY, POSITION, LENGTH])
 .layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every particle."), TOUR_LAYER, STOPS_LAYER])

@@ -98,9 +98,9 @@ pub const ENTRY: Entry = Entry::new(
 .family("tour")
 .kinds(KINDS)
 .parameters(&[
-        &[ITERATIONS.default_to(1000).help("After how many moves it stops at the latest; mostly no move helps before that.").entry()],
-        TOURS,
-    ])
+    &[ITERATIONS.default_to(1000).help("After how many moves it stops at the latest; mostly no move helps before that.").entry()],
+    TOURS,
+])
 .readings(&[BEST, BUILT, FAILED, BY_ROAD, FOUND, MOVES_MADE, LAST_GAIN])
 .formulas(&[TWO_OPT, LENGTH])
 .layers(LAYERS)

@@ -31,15 +31,15 @@ pub const ENTRY: Entry = Entry::new(
 .family("tree")
 .kinds(KINDS)
 .parameters(&[
-        &[
-            ITERATIONS.default_to(5_000).help("After how many extensions it stops: the path gets shorter as long as it goes on.").entry(),
-            STEP.entry(),
-            BIAS.default_to(0.05).help("How often the sample is the goal itself until there is a path, as a share of the steps.").entry(),
-            REWIRE.entry(),
-            INFORMED.entry(),
-        ],
-        FINISH,
-    ])
+    &[
+        ITERATIONS.default_to(5_000).help("After how many extensions it stops: the path gets shorter as long as it goes on.").entry(),
+        STEP.entry(),
+        BIAS.default_to(0.05).help("How often the sample is the goal itself until there is a path, as a share of the steps.").entry(),
+        REWIRE.entry(),
+        INFORMED.entry(),
+    ],
+    FINISH,
+])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FORMULA_RADIUS, FORMULA_INFORMED, FITTED, HERMITE])
 .layers(LAYERS);

@@ -74,21 +74,7 @@ pub const ENTRY: Entry = Entry::new(
 )
 .family("swarm")
 .kinds(KINDS)
-.parameters(&[
-        &[
-            POPULATION.entry(),
-            ITERATIONS.entry(),
-            ALPHA_START.entry(),
-            ALPHA_END.entry(),
-            C1.entry(),
-            C2.entry(),
-            EVOLVE.entry(),
-            MOST_DISPERSION.entry(),
-            SELECT.entry(),
-        ],
-        ENCODED,
-        CHARGED,
-    ])
+.parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), ALPHA_START.entry(), ALPHA_END.entry(), C1.entry(), C2.entry()], &[EVOLVE.entry(), MOST_DISPERSION.entry(), SELECT.entry()], ENCODED, CHARGED])
 .readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS])
 .formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN])
 .layers(&[GUIDES, PERSONAL_BESTS, PARTICLES, SELECTED_LAYER, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED])

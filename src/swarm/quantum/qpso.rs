@@ -39,10 +39,10 @@ pub const ENTRY: Entry = Entry::new(
 .family("swarm")
 .kinds(KINDS)
 .parameters(&[
-        &[POPULATION.entry(), ITERATIONS.entry(), ALPHA_START.entry(), ALPHA_END.entry(), C1.entry(), C2.entry()],
-        ENCODED,
-        CHARGED,
-    ])
+    &[POPULATION.entry(), ITERATIONS.entry(), ALPHA_START.entry(), ALPHA_END.entry(), C1.entry(), C2.entry()],
+    ENCODED,
+    CHARGED,
+])
 .readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS])
 .formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, MEAN])
 .layers(&[GUIDES, PERSONAL_BESTS, PARTICLES, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED])
