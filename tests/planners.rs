@@ -13,8 +13,8 @@ use forage::{
     Frame, Given, Scene, Session, Setup, Status, Value,
     arm::ArmScene,
     catalogue::PLANNERS,
-    describe::{Entry, Formula, Group, Scope},
-    kernel::{Item, Role, Shape},
+    describe::{Entry, Formula, Group, Scope, Shown, layers},
+    kernel::{Item, LayerKey, Shape},
     params::{Domain, Parameter, When},
     scene::{DiscsScene, GRID, GridScene, TourScene},
     shipped_names,
@@ -399,8 +399,10 @@ fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
         assert!(entry.readings.iter().any(|reading| reading.group == Group::Cost));
         let mut frame = Frame::default();
         session.draw(&mut frame, Frame::BUDGET);
+        let (_, marks) = entry.drawn_and_marked();
+        assert!(marks.iter().all(|layer| layer.shown == Shown::Inspection), "{} lists a layer after those of explanations", entry.name);
+        assert!(frame.unlisted().is_empty(), "{} draws {:?}, which its entry does not list", entry.name, frame.unlisted());
         for span in frame.spans() {
-            assert!(entry.layers.iter().any(|layer| layer.role == span.role), "{}: {:?} is not in the legend", entry.name, span.role);
             assert!(span.shape != Shape::Polyline || span.count >= 2);
         }
         let numbers: Vec<_> = told.iter().copied().chain(session.settings().all().iter().map(|(name, _)| *name)).collect();
@@ -418,14 +420,14 @@ fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
         let kind = scene.kind();
         let still = scene.get::<GridScene>().is_ok_and(|grid| grid.moving.is_empty());
         for layer in entry.layers.iter().filter(|layer| layer.pickable && (layer.kinds.is_empty() || layer.kinds.contains(&kind))) {
-            let there = picked.contains(&layer.role) || (layer.role == Role::Moving && still);
-            assert!(there, "{} on {} draws no {} that could be picked", entry.name, scene.name(), layer.role.name());
+            let there = picked.contains(&layer.key) || (layer.key == layers::MOVING.key && still);
+            assert!(there, "{} on {} draws no {} that could be picked", entry.name, scene.name(), layer.key.0);
         }
     }
 }
 
 /// Whatever can be picked can be asked about, and what is told can be typeset. Returns the roles of what there was.
-fn check_inspections(entry: &Entry, session: &mut Session) -> Vec<Role> {
+fn check_inspections(entry: &Entry, session: &mut Session) -> Vec<LayerKey> {
     let mut there = Vec::new();
     let mut frame = Frame::default();
     session.draw(&mut frame, usize::MAX);
@@ -433,19 +435,22 @@ fn check_inspections(entry: &Entry, session: &mut Session) -> Vec<Role> {
     let symbols: Vec<_> = symbols.as_array().unwrap().iter().map(|symbol| symbol.as_str().unwrap()).collect();
     let kind = session.scene().kind();
     let here = entry.layers.iter().filter(|layer| layer.kinds.is_empty() || layer.kinds.contains(&kind));
-    for role in here.filter(|layer| layer.pickable).map(|layer| layer.role) {
-        let spans = || frame.spans().filter(|span| span.role == role);
+    for layer in here.filter(|layer| layer.pickable).map(|layer| layer.key) {
+        let spans = || frame.spans().filter(|span| span.layer == layer);
         let pieces: usize = spans().map(|span| if span.shape == Shape::Polyline { 1 } else { span.count as usize }).sum();
         if pieces > 0 {
-            there.push(role);
+            there.push(layer);
         }
         for index in (0..pieces).step_by((pieces / 80).max(1)) {
-            let Some(told) = session.inspect(Item { role, index }) else {
+            let Some(told) = session.inspect(Item { layer, index }) else {
                 // A field has values for all cells, and nothing to say of some.
                 let field = spans().next().unwrap();
                 assert!(field.shape == Shape::Field && frame.vertices()[4 * (field.first as usize + index) + 3] < 0.0);
                 continue;
             };
+            for mark in &told.marks {
+                assert!(entry.layer(mark.layer).is_some(), "{} marks {:?}, which its entry does not list", entry.name, mark.layer);
+            }
             for name in &told.formulas {
                 let formula =
                     entry.formulas.iter().find(|f| f.name == *name).unwrap_or_else(|| panic!("{} has no formula {name}", entry.name));
@@ -459,7 +464,7 @@ fn check_inspections(entry: &Entry, session: &mut Session) -> Vec<Role> {
             let used = told.values.iter().map(|v| v.symbol).chain(told.columns.iter().map(|c| c.symbol));
             used.for_each(|symbol| assert!(symbols.contains(&symbol), "{symbol} is not listed, so no page can typeset it"));
         }
-        assert!(session.inspect(Item { role, index: usize::MAX }).is_none());
+        assert!(session.inspect(Item { layer, index: usize::MAX }).is_none());
     }
     there
 }

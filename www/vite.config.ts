@@ -2,6 +2,7 @@ import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vite'
 import { formulas } from './plugins/formulas.ts'
+import { palette } from './plugins/palette.ts'
 import { reproduction } from './plugins/reproduction.ts'
 
 const core = fileURLToPath(new URL('../pkg', import.meta.url))
@@ -13,7 +14,7 @@ const styles = (_: string, files: string[], { hostType }: { hostType: 'html' | '
 
 export default defineConfig({
   base: './',
-  plugins: [svelte(), formulas(core), reproduction(root)],
+  plugins: [svelte(), formulas(core), palette(`${root}/src/describe/palette.json`), reproduction(root)],
   resolve: { alias: { 'forage-lab': `${core}/forage.js` } },
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } },

@@ -1,8 +1,9 @@
 //! Pheromone as a field and as trails, and the ants' walks.
 
 use crate::{
+    describe::layers,
     geometry::Cells,
-    kernel::{Frame, Role, Shape},
+    kernel::{Frame, LayerKey, Shape},
 };
 
 use super::{
@@ -21,7 +22,7 @@ pub(super) fn pheromone(cells: &Cells, pheromone: &Pheromone, frame: &mut Frame)
         side += 1;
     }
     let (columns, rows) = (cells.columns.div_ceil(side), cells.rows.div_ceil(side));
-    frame.begin(Role::Pheromone, Shape::Field);
+    frame.begin(layers::PHEROMONE.key, Shape::Field);
     let middle = |i: usize| (i as f64 + 0.5) * side as f64 * cells.side;
     for row in 0..rows {
         for column in 0..columns {
@@ -52,7 +53,7 @@ pub(super) fn trails(cells: &Cells, pheromone: &Pheromone, frame: &mut Frame) {
     }
     let untouched = pheromone.elsewhere();
     let most = pheromone.most() - untouched;
-    frame.begin(Role::Trails, Shape::Segments);
+    frame.begin(layers::TRAILS.key, Shape::Segments);
     for row in rows {
         for cell in columns.clone().map(|column| row * cells.columns + column) {
             let allowed = cells.moves(cell);
@@ -74,7 +75,7 @@ pub(super) fn ants(ground: &Ground, walks: &Walks, frame: &mut Frame) {
     let every = frame.thin(walks.ants.len(), points.div_ceil(walks.ants.len().max(1)), true);
     for ant in walks.ants.iter().step_by(every) {
         let weight = f64::from(u8::from(ant.end == End::Arrived));
-        frame.begin(Role::Ants, Shape::Polyline);
+        frame.begin(layers::ANTS.key, Shape::Polyline);
         let mut last = [0.0; 2];
         for cell in ground.way(walks.of(ant)) {
             last = ground.cells.centre(cell);
@@ -86,7 +87,7 @@ pub(super) fn ants(ground: &Ground, walks: &Walks, frame: &mut Frame) {
     }
 }
 
-pub(super) fn line(frame: &mut Frame, role: Role, path: &[[f64; 2]]) {
-    frame.begin(role, Shape::Polyline);
+pub(super) fn line(frame: &mut Frame, layer: LayerKey, path: &[[f64; 2]]) {
+    frame.begin(layer, Shape::Polyline);
     path.iter().for_each(|&point| frame.push(point, 0.0));
 }

@@ -22,10 +22,10 @@ mod walk;
 use std::sync::Arc;
 
 use crate::{
-    describe::{CONVERGED, Start},
+    describe::{CONVERGED, Start, layers},
     exact,
     kernel::{
-        Best, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Solution, Started, State, Yardstick,
+        Best, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Solution, Started, State, Yardstick,
         rng::Stream,
     },
     settled::{SETTLED, Settled},
@@ -307,9 +307,9 @@ impl Planner for Colony {
         draw::trails(&self.ground.cells, &self.pheromone, frame);
         draw::ants(&self.ground, &self.walks, frame);
         if let Some(best) = &self.best {
-            draw::line(frame, Role::Best, &best.way.path);
+            draw::line(frame, layers::BEST.key, &best.way.path);
             if self.smooth {
-                draw::line(frame, Role::Smoothed, best.way.smooth(&self.ground.grid));
+                draw::line(frame, layers::SMOOTHED.key, best.way.smooth(&self.ground.grid));
             }
         }
     }
@@ -321,9 +321,9 @@ impl Planner for Colony {
 
 impl Explain for Colony {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        match item.role {
-            Role::Pheromone => tell::cell(self, item),
-            Role::Ants => tell::ant(self, item),
+        match item.layer {
+            layer if layer == layers::PHEROMONE.key => tell::cell(self, item),
+            layer if layer == layers::ANTS.key => tell::ant(self, item),
             _ => None,
         }
     }

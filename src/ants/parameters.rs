@@ -1,9 +1,9 @@
 //! What the entries of the colonies share: parameters, readings, equations and layers.
 
 use crate::{
-    describe::{CONVERGED, Formula, Group, Layer, Reading},
-    kernel::{Role, SceneKindId},
-    params::{Choice, Param, Parameter, When},
+    describe::{CONVERGED, Formula, Group, Layer, Reading, layers},
+    kernel::SceneKindId,
+    params::{Choice, Param, Parameter},
     scene::GRID,
     settled::SETTLED,
     way::{LENGTH, SMOOTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
@@ -127,14 +127,13 @@ pub(super) const WALKS: &[Parameter] = &[TAU_MAX.entry(), BACKTRACKS.entry(), ST
 
 /// What every colony draws.
 pub(super) const LAYERS: &[Layer] = &[
-    Layer::new(Role::Pheromone, "Pheromone", true, true, "How much lies on each cell’s strongest step."),
-    Layer::new(Role::Trails, "Trails", true, false, "How much more lies on each step than where no ant has been; seen from near."),
-    Layer::new(Role::Ants, "Ants", true, true, "The ways of this iteration’s ants."),
-    Layer::new(Role::Best, "Shortest", true, false, "The shortest way so far: the result."),
-    Layer {
-        when: Some(When { parameter: "smooth", value: "true" }),
-        ..Layer::new(Role::Smoothed, "Smoothed", true, false, "The shortest way without redundant nodes: the result that is handed over.")
-    },
+    layers::PHEROMONE,
+    layers::TRAILS,
+    layers::ANTS,
+    layers::BEST.titled("Shortest", "The shortest way so far: the result."),
+    layers::SMOOTHED.titled("Smoothed", "The shortest way without redundant nodes: the result that is handed over.").when("smooth", "true"),
+    layers::CANDIDATES,
+    layers::AFTER,
 ];
 
 /// What every colony tells.

@@ -1,7 +1,8 @@
 //! Why an ant would go where, and what one has laid.
 
 use crate::{
-    kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape},
+    describe::layers,
+    kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
     math,
 };
 
@@ -181,7 +182,7 @@ impl<'a> View<'a> {
         let cells = &*self.ground.cells;
         let likely = (0..8).filter(|&d| self.share(d) > 0.001);
         let vertices = likely.flat_map(|d| [cells.centre(self.cell), cells.centre(cells.next(self.cell, d))]).collect();
-        Mark::plane(Role::Candidates, Shape::Segments, vertices)
+        Mark::plane(layers::CANDIDATES.key, Shape::Segments, vertices)
     }
 }
 
@@ -278,6 +279,6 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
         columns: Vec::new(),
         labels: Vec::new(),
         rows: Vec::new(),
-        marks: vec![Mark::plane(Role::After, if path.len() > 1 { Shape::Polyline } else { Shape::Points }, path)],
+        marks: vec![Mark::plane(layers::AFTER.key, if path.len() > 1 { Shape::Polyline } else { Shape::Points }, path)],
     })
 }

@@ -56,7 +56,7 @@ fn probabilities_follow_the_formula() {
     let mut colony = colony(&scene, PLAIN);
     // From (0, 0): east (1, 0) is √2 from (2, 1), south-east (1, 1) is 1 from it, south (0, 1) is 2 from it.
     colony.pheromone.favour(&colony.ground, 0, 0, 3.0);
-    let told = tell::cell(&colony, Item { role: Role::Pheromone, index: 0 }).unwrap();
+    let told = tell::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 0 }).unwrap();
     let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
     let (east, diagonal, south) = (3.0 * 0.5, 1.0, 0.25);
     let sum = east + diagonal + south;
@@ -189,7 +189,7 @@ fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
             let mut frame = Frame::default();
             while session.step(1) == Status::Running {
                 session.draw(&mut frame, Frame::BUDGET);
-                let field = frame.spans().find(|span| span.role == Role::Pheromone).unwrap();
+                let field = frame.spans().find(|span| span.layer == layers::PHEROMONE.key).unwrap();
                 let tau = frame.vertices()[..4 * field.count as usize].chunks(4).map(|v| v[3]);
                 assert!(tau.clone().all(|tau| tau == -1.0 || (0.01..=1000.0).contains(&tau)));
             }
@@ -274,7 +274,7 @@ fn a_cell_s_card_leaves_out_what_lies_behind() {
     let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
     let mut colony = colony(&scene, PLAIN);
     colony.advance();
-    let told = tell::cell(&colony, Item { role: Role::Pheromone, index: 2 }).unwrap();
+    let told = tell::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 2 }).unwrap();
     let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
     assert_eq!((p[0], p[4]), (1.0, 0.0));
     assert!(told.summary.contains("coming from the west"));

@@ -4,9 +4,9 @@ mod view;
 
 use crate::{
     ants,
-    describe::{Entries, Entry},
+    describe::{Entries, Entry, layers},
     dynamic,
-    kernel::Error,
+    kernel::{Error, LayerKey},
     search, swarm, tour, tree, tuning,
 };
 
@@ -54,4 +54,25 @@ pub const PLANNERS: &[Entry] = &[
 /// [`Error::Unknown`] with the names that exist.
 pub fn find(name: &str) -> Result<&'static Entry, Error> {
     PLANNERS.planner(name)
+}
+
+/// The keys of all layers: those that planners draw or mark, and the scenes' own.
+pub fn layer_keys() -> Vec<LayerKey> {
+    let mut keys = Vec::new();
+    for layer in PLANNERS.iter().flat_map(|entry| entry.layers).chain(layers::SCENE) {
+        if !keys.contains(&layer.key) {
+            keys.push(layer.key);
+        }
+    }
+    keys
+}
+
+/// The key of the layers of this name.
+///
+/// # Errors
+/// [`Error::Unknown`] with the names that exist.
+pub fn layer_key(name: &str) -> Result<LayerKey, Error> {
+    let keys = layer_keys();
+    let known = keys.iter().copied().find(|key| key.0 == name);
+    known.ok_or_else(|| Error::unknown("role", name, keys.iter().map(|key| key.0)))
 }

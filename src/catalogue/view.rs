@@ -4,9 +4,9 @@ use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use crate::{
     ants, arm,
-    describe::{Entry, Follower},
+    describe::{Entry, Follower, Layer, layers},
     drive, dynamic,
-    kernel::{Role, SceneKindId, Shape},
+    kernel::{LayerKey, SceneKindId, Shape},
     params::{Domain, Parameter, Value, as_object},
     scene::{
         ARM, FUNCTION, GRID, Scene, TOUR,
@@ -16,7 +16,7 @@ use crate::{
     search, swarm, tour, tree, tuning,
 };
 
-use super::PLANNERS;
+use super::{PLANNERS, layer_keys};
 
 /// The whole catalogue as it crosses to the page and to `forage list --json`.
 #[derive(Debug, Serialize)]
@@ -27,7 +27,10 @@ pub struct Catalogue {
     generators: Vec<GeneratorView>,
     drive: DriveView,
     motion: DriveView,
-    roles: Vec<&'static str>,
+    /// The keys of all layers.
+    roles: Vec<LayerKey>,
+    /// The layers of a scene itself, which no planner need draw.
+    layers: &'static [Layer],
     shapes: [&'static str; Shape::ALL.len()],
     /// Every TeX string that can appear outside a formula, so that pages can typeset them when they are built.
     symbols: Vec<&'static str>,
@@ -63,7 +66,8 @@ pub fn catalogue() -> Catalogue {
         generators: GENERATORS.iter().chain(OTHERS).map(GeneratorView).collect(),
         drive: DriveView(&drive::ENTRY, GRID),
         motion: DriveView(&arm::MOTION, ARM),
-        roles: Role::ALL.map(Role::name).to_vec(),
+        roles: layer_keys(),
+        layers: layers::SCENE,
         shapes: Shape::ALL.map(Shape::name),
         symbols,
     }
@@ -77,7 +81,7 @@ impl Serialize for EntryView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let entry = self.0;
         let parameters = views(entry.parameters, entry.kinds);
-        let mut out = serializer.serialize_struct("Planner", 15)?;
+        let mut out = serializer.serialize_struct("Planner", 16)?;
         out.serialize_field("name", entry.name)?;
         out.serialize_field("title", entry.title)?;
         out.serialize_field("family", entry.family)?;
@@ -92,7 +96,9 @@ impl Serialize for EntryView {
         out.serialize_field("presets", entry.presets)?;
         out.serialize_field("readings", entry.readings)?;
         out.serialize_field("formulas", entry.formulas)?;
-        out.serialize_field("layers", entry.layers)?;
+        let (layers, marks) = entry.drawn_and_marked();
+        out.serialize_field("layers", layers)?;
+        out.serialize_field("marks", marks)?;
         out.serialize_field("members", entry.members)?;
         out.serialize_field("events", entry.events)?;
         out.end()

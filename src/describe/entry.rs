@@ -5,11 +5,11 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::{
-    kernel::{Error, Scene, SceneKindId, Started, Stops},
+    kernel::{Error, LayerKey, Scene, SceneKindId, Started, Stops},
     params::{Given, Param, Parameter, Settings},
 };
 
-use super::{EventKind, Formula, Layer, Member, Preset, Reading};
+use super::{EventKind, Formula, Layer, Member, Preset, Reading, Shown};
 
 /// What there is to know about a planner. Made by [`Entry::new`]; what is not set is empty.
 #[derive(Debug, Clone, Copy)]
@@ -37,7 +37,7 @@ pub struct Entry {
     pub readings: &'static [Reading],
     /// The equations it carries out.
     pub formulas: &'static [Formula],
-    /// The layers it draws, in drawing order.
+    /// The layers it draws, in drawing order, and after them those that only its explanations mark.
     pub layers: &'static [Layer],
     /// The numbers that it tells of each of those that search side by side.
     pub members: &'static [Member],
@@ -162,6 +162,17 @@ impl Entry {
     #[must_use]
     pub const fn suggest(self, suggest: fn(&Settings) -> Option<Suggestion>) -> Self {
         Self { suggest, ..self }
+    }
+
+    /// The layers that frames consist of, and those that only explanations mark. A frame's table counts the former.
+    pub fn drawn_and_marked(&self) -> (&'static [Layer], &'static [Layer]) {
+        let drawn = self.layers.iter().position(|layer| layer.shown == Shown::Inspection);
+        self.layers.split_at(drawn.unwrap_or(self.layers.len()))
+    }
+
+    /// The layer of this name.
+    pub fn layer(&self, key: LayerKey) -> Option<&'static Layer> {
+        self.layers.iter().find(|layer| layer.key == key)
     }
 
     /// Refuses a kind of scene that this planner does not run on.

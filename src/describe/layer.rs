@@ -1,23 +1,36 @@
 //! The layers that a planner draws.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use crate::{
-    kernel::{Role, SceneKindId},
+    kernel::{LayerKey, SceneKindId},
     params::When,
 };
 
-/// A layer that a planner draws.
+use super::Look;
+
+/// A layer that a planner draws, or that its explanations mark.
+///
+/// ```
+/// use forage::{describe::{Color, Layer, Look, layers}, kernel::LayerKey};
+/// const BEST: Layer = layers::BEST.titled("Shortest", "The shortest path so far: the result.");
+/// const SCOUTS: LayerKey = LayerKey("scouts");
+/// const LOOK: Look = Look { color: Color::new("#7a5c00", "#e8c95a"), width: 1.5, ..Look::PLAIN };
+/// const LAYERS: &[Layer] = &[BEST, Layer::new(SCOUTS, "Scouts", "Ants that explore.", &LOOK).pickable()];
+/// # assert!(LAYERS[1].pickable && LAYERS[0].look.result > 0);
+/// ```
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Layer {
-    /// What it shows.
-    pub role: Role,
+    /// What the drawing calls it.
+    #[serde(rename = "role")]
+    pub key: LayerKey,
     /// For a legend.
     pub title: &'static str,
     /// A sentence.
     pub help: &'static str,
-    /// Drawn without being asked for.
-    pub on: bool,
+    /// Whether it is drawn without being asked for.
+    #[serde(rename = "on", serialize_with = "is_on")]
+    pub shown: Shown,
     /// Its pieces can be inspected.
     pub pickable: bool,
     /// A parameter's value without which there is nothing to draw.
@@ -26,11 +39,119 @@ pub struct Layer {
     /// The kinds of scene on which there is something to draw; empty: all that the planner runs on.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     pub kinds: &'static [SceneKindId],
+    /// What its vertices' weight means.
+    #[serde(skip_serializing_if = "Weight::is_none", serialize_with = "name_of")]
+    pub weight: Weight,
+    /// How it looks.
+    pub look: &'static Look,
 }
 
 impl Layer {
-    /// A layer that there is whatever the parameters are.
-    pub const fn new(role: Role, title: &'static str, on: bool, pickable: bool, help: &'static str) -> Self {
-        Self { role, title, help, on, pickable, when: None, kinds: &[] }
+    /// A layer that is shown whatever the parameters are.
+    pub const fn new(key: LayerKey, title: &'static str, help: &'static str, look: &'static Look) -> Self {
+        Self { key, title, help, shown: Shown::On, pickable: false, when: None, kinds: &[], weight: Weight::None, look }
     }
+
+    /// With another title and help.
+    #[must_use]
+    pub const fn titled(self, title: &'static str, help: &'static str) -> Self {
+        Self { title, help, ..self }
+    }
+
+    /// With weights that mean something.
+    #[must_use]
+    pub const fn weighted(self, weight: Weight) -> Self {
+        Self { weight, ..self }
+    }
+
+    /// Shown only when it is asked for.
+    #[must_use]
+    pub const fn off(self) -> Self {
+        Self { shown: Shown::Off, ..self }
+    }
+
+    /// Never drawn in a frame, only by explanations.
+    #[must_use]
+    pub const fn inspection(self) -> Self {
+        Self { shown: Shown::Inspection, ..self }
+    }
+
+    /// With pieces that can be inspected.
+    #[must_use]
+    pub const fn pickable(self) -> Self {
+        Self { pickable: true, ..self }
+    }
+
+    /// With something to draw only while a parameter has this value (`polar`, `true`).
+    #[must_use]
+    pub const fn when(self, parameter: &'static str, value: &'static str) -> Self {
+        Self { when: Some(When { parameter, value }), ..self }
+    }
+
+    /// With something to draw only on these kinds of scene.
+    #[must_use]
+    pub const fn on_kinds(self, kinds: &'static [SceneKindId]) -> Self {
+        Self { kinds, ..self }
+    }
+}
+
+/// When a layer is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shown {
+    /// Unless somebody hides it.
+    On,
+    /// When somebody asks for it.
+    Off,
+    /// In an explanation only.
+    Inspection,
+}
+
+/// What the weight of a layer's vertices means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Weight {
+    /// Nothing: it is 0.
+    None,
+    /// How much worse than the best of the moment, from 0 (the best) towards 1.
+    Rank,
+    /// A share, from 0 to 1.
+    Share,
+    /// A length or a cost, in the scene's unit.
+    Length,
+    /// An amount of pheromone; below 0: there can be none.
+    Pheromone,
+    /// A place in the best tour, from 0; −1: none.
+    Place,
+    /// Half the width of a tube, in the scene's unit.
+    HalfWidth,
+    /// Seconds since the start.
+    Time,
+    /// 1 where a walk came to its goal, 0 where it did not. A walk has a vertex for each step.
+    Arrived,
+}
+
+impl Weight {
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
+    fn is_none(&self) -> bool {
+        *self == Self::None
+    }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
+fn name_of<S: Serializer>(weight: &Weight, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(match weight {
+        Weight::None => "",
+        Weight::Rank => "rank",
+        Weight::Share => "share",
+        Weight::Length => "length",
+        Weight::Pheromone => "pheromone",
+        Weight::Place => "place",
+        Weight::HalfWidth => "half-width",
+        Weight::Time => "time",
+        Weight::Arrived => "arrived",
+    })
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
+fn is_on<S: Serializer>(shown: &Shown, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_bool(*shown == Shown::On)
 }

@@ -1,8 +1,8 @@
 //! What the entries of the drives share: parameters, readings, equations, layers and kinds of events.
 
 use crate::{
-    describe::{EventKind, Formula, Group, Layer, Reading, Tone},
-    kernel::{Border, Role, SceneKindId},
+    describe::{EventKind, Formula, Group, Layer, Reading, Tone, layers},
+    kernel::{Border, SceneKindId},
     params::{Choice, Param, ParamValue, Parameter},
     scene::GRID,
 };
@@ -185,36 +185,36 @@ pub(super) const FORMULA_TIME: Formula = Formula::new(
     "T = @driving@ + @turning_time@ + @waited@ = @time@",
 );
 
-const PREDICTED: Layer = Layer::new(
-    Role::Predicted,
-    "Predicted",
-    true,
-    false,
-    "Where the robot expects the obstacles that it sees as far as it looks ahead, grown by itself and its margin: its centre must stay out while they are there.",
-);
-const TRACK: Layer = Layer::new(Role::Track, "Track", true, false, "The way that the robot has gone.");
-const AHEAD: Layer = Layer::new(Role::Ahead, "Ahead", true, false, "The way that it means to go.");
-const LOCAL_GOAL: Layer = Layer::new(Role::LocalGoal, "Local goal", true, false, "Where a detour comes back to the planned way.");
-const SENSOR_LAYER: Layer = Layer::new(Role::Sensor, "Sensor", true, false, "How far the robot sees the rims of obstacles.");
-const MOVING: Layer = Layer::new(Role::Moving, "Moving obstacles", true, true, "Where they are now.");
-const ROBOT_LAYER: Layer = Layer::new(Role::Robot, "Robot", true, false, "The robot, and where it is headed.");
-const HAPPENED: Layer = Layer::new(Role::Events, "Events", true, true, "Where something happened or was decided.");
-
 /// What a drive on searched ways draws.
-pub(super) const LAYERS_BARE: &[Layer] = &[PREDICTED, SENSOR_LAYER, AHEAD, TRACK, LOCAL_GOAL, HAPPENED, MOVING, ROBOT_LAYER];
+pub(super) const LAYERS_BARE: &[Layer] = &[
+    layers::PREDICTED,
+    layers::SENSOR,
+    layers::AHEAD,
+    layers::TRACK,
+    layers::LOCAL_GOAL,
+    layers::EVENTS,
+    layers::MOVING,
+    layers::ROBOT,
+    layers::VELOCITY,
+    layers::CANDIDATES,
+    layers::AFTER,
+];
 
 /// What a drive on pheromone draws.
 pub(super) const LAYERS: &[Layer] = &[
-    Layer::new(Role::Pheromone, "Pheromone", true, true, "How much lies on each cell’s strongest step; the drive leaves it as it is."),
-    Layer::new(Role::Trails, "Trails", true, false, "How much lies on each step; seen from near."),
-    Layer::new(Role::Ants, "Ants", true, true, "The ways of this iteration’s ants, while they plan."),
-    Layer::new(Role::Best, "Planned", true, false, "The shortest way so far, while the ants plan."),
-    PREDICTED,
-    SENSOR_LAYER,
-    AHEAD,
-    TRACK,
-    LOCAL_GOAL,
-    HAPPENED,
-    MOVING,
-    ROBOT_LAYER,
+    layers::PHEROMONE.titled("Pheromone", "How much lies on each cell’s strongest step; the drive leaves it as it is."),
+    layers::TRAILS.titled("Trails", "How much lies on each step; seen from near."),
+    layers::ANTS.titled("Ants", "The ways of this iteration’s ants, while they plan."),
+    layers::BEST.titled("Planned", "The shortest way so far, while the ants plan."),
+    layers::PREDICTED,
+    layers::SENSOR,
+    layers::AHEAD,
+    layers::TRACK,
+    layers::LOCAL_GOAL,
+    layers::EVENTS,
+    layers::MOVING,
+    layers::ROBOT,
+    layers::VELOCITY,
+    layers::CANDIDATES,
+    layers::AFTER,
 ];

@@ -1,8 +1,9 @@
 //! The numbers of a drive, and why it went as it did.
 
 use crate::{
+    describe::layers,
     geometry::closest_approach,
-    kernel::{Inspection, Item, Mark, Quantity, Readings, Role, Shape},
+    kernel::{Inspection, Item, Mark, Quantity, Readings, Shape},
 };
 
 use super::{
@@ -53,9 +54,9 @@ pub(super) fn why_not(journey: &Journey, limit: &str) -> String {
 }
 
 pub(super) fn inspect(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
-    match item.role {
-        Role::Moving => obstacle(dynamic, item),
-        Role::Events => event(dynamic.journey.as_ref()?, item),
+    match item.layer {
+        layer if layer == layers::MOVING.key => obstacle(dynamic, item),
+        layer if layer == layers::EVENTS.key => event(dynamic.journey.as_ref()?, item),
         _ => dynamic.route.inspect(item),
     }
 }
@@ -118,9 +119,9 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     }
     let then = |from: [f64; 2], velocity: [f64; 2]| [0, 1].map(|axis| from[axis] + time * velocity[axis]);
     told.marks = vec![
-        Mark::plane(Role::Velocity, Shape::Segments, vec![leg.at, [0, 1].map(|axis| leg.at[axis] + leg.velocity[axis])]),
-        Mark::plane(Role::Candidates, Shape::Segments, vec![then(at, going), then(leg.at, leg.velocity)]),
-        Mark::plane(Role::After, Shape::Points, vec![leg.at]),
+        Mark::plane(layers::VELOCITY.key, Shape::Segments, vec![leg.at, [0, 1].map(|axis| leg.at[axis] + leg.velocity[axis])]),
+        Mark::plane(layers::CANDIDATES.key, Shape::Segments, vec![then(at, going), then(leg.at, leg.velocity)]),
+        Mark::plane(layers::AFTER.key, Shape::Points, vec![leg.at]),
     ];
     Some(told)
 }
@@ -131,6 +132,6 @@ fn event(journey: &Journey, item: Item) -> Option<Inspection> {
     let kind = EVENTS.iter().find(|kind| kind.name == event.kind)?;
     let mut told = told(item, format!("{}, {:.1} s", kind.title, event.time), event.kind, event.reason.clone());
     told.values = vec![quantity("t", "t", "when, seconds", event.time)];
-    told.marks = vec![Mark::plane(Role::After, Shape::Points, vec![event.place])];
+    told.marks = vec![Mark::plane(layers::AFTER.key, Shape::Points, vec![event.place])];
     Some(told)
 }

@@ -4,8 +4,8 @@ use std::{any::Any, sync::Arc};
 
 use crate::{
     ants::{Colony, aco_wolf},
-    describe::{Entry, PAPER, Start},
-    kernel::{Error, Explain, Frame, Inspection, Item, Planner, Role, Started, State, rng::Stream},
+    describe::{Entry, PAPER, Start, layers},
+    kernel::{Error, Explain, Frame, Inspection, Item, Planner, Started, State, rng::Stream},
     params::{Choice, Given, Param, Settings, Value},
 };
 
@@ -97,7 +97,7 @@ impl Route for Ants {
     }
 
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        if !matches!(item.role, Role::Pheromone | Role::Ants) {
+        if ![layers::PHEROMONE.key, layers::ANTS.key].contains(&item.layer) {
             return None;
         }
         let mut told = self.colony.inspect(item)?;

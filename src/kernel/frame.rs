@@ -4,200 +4,11 @@ use serde::Serialize;
 
 use crate::geometry::Bounds;
 
-/// What a layer shows. The page has a style for each role and knows no planner by name.
+/// The name of a layer: what a drawing and an explanation call it, and what pages, pictures and links know it by. A planner
+/// brings new ones by listing layers under them in its entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-#[repr(u32)]
-pub enum Role {
-    /// A swarm's members: points, or the paths they stand for.
-    Particles,
-    /// Each member's velocity: from where it is to where it alone would take it.
-    Velocities,
-    /// The best that each member has found.
-    PersonalBests,
-    /// The best that the planner has found: its result.
-    Best,
-    /// Members that the hen equation moved in this iteration, [WCPSO] (9).
-    Hen,
-    /// Members that the chick equation moved in this iteration, [WCPSO] (12).
-    Chick,
-    /// Curves on which the planner places points: the circles of a polar path, [LTQPSO] (13).
-    Guides,
-    /// Members whose position natural selection replaced in this iteration, [LTQPSO] §2.2.
-    Selected,
-    /// Each member's local attractor, [LTQPSO] (7).
-    Attractors,
-    /// The mean of all personal bests, [LTQPSO] (8).
-    MeanBest,
-    /// How much pheromone lies on each cell's strongest way out.
-    Pheromone,
-    /// How much pheromone lies on each step from cell to cell.
-    Trails,
-    /// The ways that an iteration's ants went, one line each.
-    Ants,
-    /// Cells that a search has settled, by their distance from the start.
-    Closed,
-    /// Cells that a search has reached and not settled.
-    Frontier,
-    /// The ways between stops, one line each; the weight is the length.
-    Roads,
-    /// The tours of those that search side by side, one line each.
-    Tours,
-    /// The best tour so far, in its direction: the result.
-    Tour,
-    /// The stops, in their order in the scene; the weight is the place in the best tour, from 0, or −1.
-    Stops,
-    /// Obstacles that move, where they are now: tubes of one vertex, as wide as they are.
-    Moving,
-    /// Where a robot expects the obstacles that it sees to come, grown by itself and its margin: one tube each.
-    Predicted,
-    /// How far a robot sees: a tube of one vertex.
-    Sensor,
-    /// The robot: a tube of one vertex, and a segment from its centre to its front.
-    Robot,
-    /// The way that a robot has gone.
-    Track,
-    /// The way that a robot means to go.
-    Ahead,
-    /// Where a detour comes back to the planned way.
-    LocalGoal,
-    /// Where something happened or was decided, one point each.
-    Events,
-    /// A tree's edges, from each node's parent to the node; the weight is the node's cost. The first node has none.
-    Tree,
-    /// The edges of the tree that grows from the goal.
-    GoalTree,
-    /// A tree's nodes, in their order; of two trees, the start's and then the goal's.
-    Nodes,
-    /// In an inspection: the samples that were drawn, [ARM-RRT] §3.2.1.
-    Samples,
-    /// In an inspection: those that were kept.
-    Kept,
-    /// In an inspection: the one that was taken.
-    Chosen,
-    /// The result after smoothing.
-    Smoothed,
-    /// The exact optimum.
-    Exact,
-    /// In an inspection: what is left of the old velocity.
-    Inertia,
-    /// In an inspection: the pull of the personal best.
-    Cognitive,
-    /// In an inspection: the pull of the global best.
-    Social,
-    /// In an inspection: the sum, as it was carried out.
-    Velocity,
-    /// In an inspection: a jump that a perturbation made.
-    Jump,
-    /// In an inspection: the steps to choose from.
-    Candidates,
-    /// In an inspection: what is not as in the best.
-    Different,
-    /// In an inspection: where the item was.
-    Before,
-    /// In an inspection: where the item is.
-    After,
-}
-
-impl Role {
-    /// Every role, in the order of their numbers.
-    pub const ALL: [Self; 44] = [
-        Self::Particles,
-        Self::Velocities,
-        Self::PersonalBests,
-        Self::Best,
-        Self::Hen,
-        Self::Chick,
-        Self::Guides,
-        Self::Selected,
-        Self::Attractors,
-        Self::MeanBest,
-        Self::Pheromone,
-        Self::Trails,
-        Self::Ants,
-        Self::Closed,
-        Self::Frontier,
-        Self::Roads,
-        Self::Tours,
-        Self::Tour,
-        Self::Stops,
-        Self::Moving,
-        Self::Predicted,
-        Self::Sensor,
-        Self::Robot,
-        Self::Track,
-        Self::Ahead,
-        Self::LocalGoal,
-        Self::Events,
-        Self::Tree,
-        Self::GoalTree,
-        Self::Nodes,
-        Self::Samples,
-        Self::Kept,
-        Self::Chosen,
-        Self::Smoothed,
-        Self::Exact,
-        Self::Inertia,
-        Self::Cognitive,
-        Self::Social,
-        Self::Velocity,
-        Self::Jump,
-        Self::Candidates,
-        Self::Different,
-        Self::Before,
-        Self::After,
-    ];
-
-    /// The name that the page and the pictures use.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Particles => "particles",
-            Self::Velocities => "velocities",
-            Self::PersonalBests => "personal-bests",
-            Self::Best => "best",
-            Self::Hen => "hen",
-            Self::Chick => "chick",
-            Self::Guides => "guides",
-            Self::Selected => "selected",
-            Self::Attractors => "attractors",
-            Self::MeanBest => "mean-best",
-            Self::Pheromone => "pheromone",
-            Self::Trails => "trails",
-            Self::Ants => "ants",
-            Self::Closed => "closed",
-            Self::Frontier => "frontier",
-            Self::Roads => "roads",
-            Self::Tours => "tours",
-            Self::Tour => "tour",
-            Self::Stops => "stops",
-            Self::Moving => "moving",
-            Self::Predicted => "predicted",
-            Self::Sensor => "sensor",
-            Self::Robot => "robot",
-            Self::Track => "track",
-            Self::Ahead => "ahead",
-            Self::LocalGoal => "local-goal",
-            Self::Events => "events",
-            Self::Tree => "tree",
-            Self::GoalTree => "goal-tree",
-            Self::Nodes => "nodes",
-            Self::Samples => "samples",
-            Self::Kept => "kept",
-            Self::Chosen => "chosen",
-            Self::Smoothed => "smoothed",
-            Self::Exact => "exact",
-            Self::Inertia => "inertia",
-            Self::Cognitive => "cognitive",
-            Self::Social => "social",
-            Self::Velocity => "velocity",
-            Self::Jump => "jump",
-            Self::Candidates => "candidates",
-            Self::Different => "different",
-            Self::Before => "before",
-            Self::After => "after",
-        }
-    }
-}
+#[serde(transparent)]
+pub struct LayerKey(pub &'static str);
 
 /// How a span's vertices belong together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -233,11 +44,13 @@ impl Shape {
     }
 }
 
-/// One entry of the table: `count` vertices from `first` on.
+/// One row of the table: `count` vertices from `first` on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Span {
-    /// What they show.
-    pub role: Role,
+    /// Which layer they belong to.
+    pub layer: LayerKey,
+    /// That layer's place among the frame's.
+    pub index: usize,
     /// How they belong together.
     pub shape: Shape,
     /// The first vertex.
@@ -250,8 +63,13 @@ pub struct Span {
 #[derive(Debug, Clone)]
 pub struct Frame {
     vertices: Vec<f32>,
-    /// The table as it crosses to the page: role, shape, first, count.
+    /// The table as it crosses to the page: layer, shape, first, count.
     table: Vec<u32>,
+    /// The layers that can be drawn; the table's first column counts them from 0.
+    layers: Vec<LayerKey>,
+    /// The layer of the open span; `None`: it is not one of `layers`, so that its vertices are dropped.
+    open: Option<usize>,
+    unlisted: Vec<LayerKey>,
     budget: usize,
     thinning: u32,
     /// The part of the plane that is looked at; `None`: all of it.
@@ -265,7 +83,16 @@ pub const SPAN: usize = 4;
 
 impl Default for Frame {
     fn default() -> Self {
-        Self { vertices: Vec::new(), table: Vec::new(), budget: Self::BUDGET, thinning: 1, window: None }
+        Self {
+            vertices: Vec::new(),
+            table: Vec::new(),
+            layers: Vec::new(),
+            open: None,
+            unlisted: Vec::new(),
+            budget: Self::BUDGET,
+            thinning: 1,
+            window: None,
+        }
     }
 }
 
@@ -273,10 +100,14 @@ impl Frame {
     /// How many vertices a layer draws unless told otherwise: what a canvas draws in a few tens of milliseconds.
     pub const BUDGET: usize = 100_000;
 
-    /// Empties the frame; layers drawn next keep to `budget` vertices each.
-    pub fn clear(&mut self, budget: usize) {
+    /// Empties the frame and lists the layers that can be drawn next, each of them with up to `budget` vertices.
+    pub fn clear(&mut self, budget: usize, layers: impl IntoIterator<Item = LayerKey>) {
         self.vertices.clear();
         self.table.clear();
+        self.layers.clear();
+        self.layers.extend(layers);
+        self.open = None;
+        self.unlisted.clear();
         self.budget = budget.max(1);
         self.thinning = 1;
     }
@@ -310,17 +141,23 @@ impl Frame {
         cost.div_ceil(self.budget).max(1)
     }
 
-    /// Opens a span; vertices pushed from here on belong to it.
-    pub fn begin(&mut self, role: Role, shape: Shape) {
-        self.table.extend([role as u32, shape as u32, (self.vertices.len() / VERTEX) as u32, 0]);
+    /// Opens a span; vertices pushed from here on belong to it. A layer that the frame does not list is not drawn.
+    pub fn begin(&mut self, layer: LayerKey, shape: Shape) {
+        // Most spans follow one of the same layer.
+        if self.open.is_none_or(|open| self.layers[open] != layer) {
+            self.open = self.layers.iter().position(|&listed| listed == layer);
+        }
+        match self.open {
+            Some(open) => self.table.extend([open as u32, shape as u32, (self.vertices.len() / VERTEX) as u32, 0]),
+            None if !self.unlisted.contains(&layer) => self.unlisted.push(layer),
+            None => {}
+        }
     }
 
     /// Adds a vertex of a field's row of this length to the open span.
     #[inline]
     pub fn push_field(&mut self, [x, y]: [f64; 2], row: usize, weight: f64) {
-        self.push([x, y], weight);
-        let at = self.vertices.len() - 2;
-        self.vertices[at] = row as f32;
+        self.push_in_space([x, y, row as f64], weight);
     }
 
     /// Adds a vertex in the plane to the open span.
@@ -330,12 +167,23 @@ impl Frame {
     }
 
     /// Adds a vertex in space to the open span.
-    #[inline]
     pub fn push_in_space(&mut self, [x, y, z]: [f64; 3], weight: f64) {
-        self.vertices.extend([x as f32, y as f32, z as f32, weight as f32]);
-        if let Some(count) = self.table.last_mut() {
-            *count += 1;
+        if self.open.is_some() {
+            self.vertices.extend([x as f32, y as f32, z as f32, weight as f32]);
+            if let Some(count) = self.table.last_mut() {
+                *count += 1;
+            }
         }
+    }
+
+    /// The layers that can be drawn, in the order that the table counts them in.
+    pub fn layers(&self) -> &[LayerKey] {
+        &self.layers
+    }
+
+    /// What was drawn in vain, since the frame does not list it: a mistake in the planner's entry.
+    pub fn unlisted(&self) -> &[LayerKey] {
+        &self.unlisted
     }
 
     /// x, y, z, weight of all vertices.
@@ -343,7 +191,7 @@ impl Frame {
         &self.vertices
     }
 
-    /// role, shape, first, count of all spans.
+    /// layer, shape, first, count of all spans; the layer as its place among [`Frame::layers`].
     pub fn table(&self) -> &[u32] {
         &self.table
     }
@@ -356,7 +204,8 @@ impl Frame {
     /// The spans, in drawing order.
     pub fn spans(&self) -> impl Iterator<Item = Span> + '_ {
         self.table.chunks_exact(SPAN).map(|row| Span {
-            role: Role::ALL[row[0] as usize],
+            layer: self.layers[row[0] as usize],
+            index: row[0] as usize,
             shape: Shape::ALL[row[1] as usize],
             first: row[2],
             count: row[3],
@@ -375,20 +224,36 @@ impl Frame {
 mod tests {
     use super::*;
 
+    const RED: LayerKey = LayerKey("red");
+    const BLUE: LayerKey = LayerKey("blue");
+
     #[test]
-    fn role_and_shape_numbers_index_their_lists() {
-        for (i, role) in Role::ALL.into_iter().enumerate() {
-            assert_eq!(role as usize, i);
-        }
+    fn shape_numbers_index_their_list() {
         for (i, shape) in Shape::ALL.into_iter().enumerate() {
             assert_eq!(shape as usize, i);
         }
     }
 
     #[test]
+    fn a_layer_is_drawn_by_its_key_and_one_that_is_not_listed_is_reported() {
+        let mut frame = Frame::default();
+        frame.clear(10, [RED, BLUE]);
+        for layer in [BLUE, LayerKey("green"), BLUE, RED] {
+            frame.begin(layer, Shape::Points);
+            frame.push([1.0, 2.0], 3.0);
+        }
+        let drawn: Vec<_> = frame.spans().map(|span| (span.layer, span.index, span.first, span.count)).collect();
+        assert_eq!(drawn, [(BLUE, 1, 0, 1), (BLUE, 1, 1, 1), (RED, 0, 2, 1)]);
+        assert_eq!(frame.vertices().len(), 3 * VERTEX);
+        assert_eq!(frame.unlisted(), [LayerKey("green")]);
+        frame.clear(10, [RED]);
+        assert!(frame.unlisted().is_empty() && frame.table().is_empty());
+    }
+
+    #[test]
     fn thinning_keeps_to_the_budget() {
         let mut frame = Frame::default();
-        frame.clear(1000);
+        frame.clear(1000, []);
         assert_eq!(frame.thin(1000, 1, false), 1);
         assert_eq!(frame.thin(1001, 1, false), 2);
         assert_eq!(frame.thin(1000, 5, true), 20);

@@ -2,13 +2,13 @@
 
 use serde::Serialize;
 
-use super::{Role, Shape};
+use super::{LayerKey, Shape};
 
-/// Something in a frame that can be asked about: the `index`-th piece of a role's layers.
+/// Something in a frame that can be asked about: the `index`-th piece of a layer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Item {
-    /// What it is.
-    pub role: Role,
+    /// The layer that it is a piece of.
+    pub layer: LayerKey,
     /// Which one, counted over all pieces, drawn or not.
     pub index: usize,
 }
@@ -40,8 +40,9 @@ pub struct Column {
 /// A mark to draw over the picture.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mark {
-    /// What it shows.
-    pub role: Role,
+    /// One of the entry's layers: what it shows, and how it looks.
+    #[serde(rename = "role")]
+    pub layer: LayerKey,
     /// How its vertices belong together.
     pub shape: Shape,
     /// In the scene's unit; in the plane z is 0.
@@ -50,8 +51,8 @@ pub struct Mark {
 
 impl Mark {
     /// A mark in the plane.
-    pub fn plane(role: Role, shape: Shape, vertices: Vec<[f64; 2]>) -> Self {
-        Self { role, shape, vertices: vertices.into_iter().map(|[x, y]| [x, y, 0.0]).collect() }
+    pub fn plane(layer: LayerKey, shape: Shape, vertices: Vec<[f64; 2]>) -> Self {
+        Self { layer, shape, vertices: vertices.into_iter().map(|[x, y]| [x, y, 0.0]).collect() }
     }
 }
 

@@ -24,7 +24,7 @@ pub use error::Error;
 pub use event::Event;
 pub use facets::{Explain, Facets, Failure, Members, Recommend, Timeline};
 pub use fields::Fields;
-pub use frame::{Frame, Role, Shape, Span, VERTEX};
+pub use frame::{Frame, LayerKey, Shape, Span, VERTEX};
 pub use inspection::{Column, Inspection, Item, Mark, Quantity};
 pub use optimum::Exact;
 pub use planner::{CloneBox, Planner, Progress};

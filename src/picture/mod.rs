@@ -10,20 +10,20 @@ pub use svg::svg;
 
 use crate::{
     geometry::distance_squared,
-    kernel::{Frame, Item, Role, Shape, VERTEX},
+    kernel::{Frame, Item, LayerKey, Shape, VERTEX},
 };
 
-/// The piece nearest to a point, within `reach`, among a frame's layers of these roles. The frame must be complete
+/// The piece nearest to a point, within `reach`, among these of a frame's layers. The frame must be complete
 /// (not thinned), so that pieces are counted as the planner counts them.
-pub fn nearest(frame: &Frame, roles: &[Role], point: [f64; 2], reach: f64) -> Option<Item> {
+pub fn nearest(frame: &Frame, layers: &[LayerKey], point: [f64; 2], reach: f64) -> Option<Item> {
     let mut found = (reach * reach, None);
-    let mut count = [0; Role::ALL.len()];
-    for span in frame.spans().filter(|span| roles.contains(&span.role)) {
-        let first = &mut count[span.role as usize];
+    let mut count = vec![0; frame.layers().len()];
+    for span in frame.spans().filter(|span| layers.contains(&span.layer)) {
+        let first = &mut count[span.index];
         let points: Vec<_> = frame.points(span).collect();
         let mut offer_at = |squared: f64, piece: usize| {
             if squared < found.0 || (squared == found.0 && found.1.is_none()) {
-                found = (squared, Some(Item { role: span.role, index: *first + piece }));
+                found = (squared, Some(Item { layer: span.layer, index: *first + piece }));
             }
         };
         let mut offer = |piece: usize, a, b| offer_at(distance_squared(a, b, point), piece);
@@ -60,23 +60,25 @@ pub fn nearest(frame: &Frame, roles: &[Role], point: [f64; 2], reach: f64) -> Op
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::describe::layers::{BEST, PARTICLES};
 
     #[test]
-    fn the_nearest_piece_is_counted_within_its_role() {
+    fn the_nearest_piece_is_counted_within_its_layer() {
         let mut frame = Frame::default();
-        frame.begin(Role::Particles, Shape::Polyline);
+        frame.clear(10, [PARTICLES.key, BEST.key]);
+        frame.begin(PARTICLES.key, Shape::Polyline);
         [[0.0, 0.0], [4.0, 0.0]].into_iter().for_each(|p| frame.push(p, 0.0));
-        frame.begin(Role::Best, Shape::Polyline);
+        frame.begin(BEST.key, Shape::Polyline);
         [[0.0, 2.0], [4.0, 2.0]].into_iter().for_each(|p| frame.push(p, 0.0));
-        frame.begin(Role::Particles, Shape::Polyline);
+        frame.begin(PARTICLES.key, Shape::Polyline);
         [[0.0, 3.0], [4.0, 3.0]].into_iter().for_each(|p| frame.push(p, 0.0));
-        let pick = |point, reach| nearest(&frame, &[Role::Particles], point, reach).map(|item| item.index);
+        let pick = |point, reach| nearest(&frame, &[PARTICLES.key], point, reach).map(|item| item.index);
         assert_eq!(pick([2.0, 0.5], 1.0), Some(0));
         assert_eq!(pick([2.0, 2.1], 1.0), Some(1), "the best is nearer but cannot be picked");
         assert_eq!(pick([2.0, 1.5], 1.0), None);
-        frame.clear(10);
-        frame.begin(Role::Particles, Shape::Points);
+        frame.clear(10, [PARTICLES.key]);
+        frame.begin(PARTICLES.key, Shape::Points);
         [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].into_iter().for_each(|p| frame.push(p, 0.0));
-        assert_eq!(nearest(&frame, &[Role::Particles], [1.2, 0.1], 0.5).unwrap().index, 1);
+        assert_eq!(nearest(&frame, &[PARTICLES.key], [1.2, 0.1], 0.5).unwrap().index, 1);
     }
 }

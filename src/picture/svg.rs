@@ -1,78 +1,52 @@
 //! A run as an SVG picture: for the shell's `--svg` and the page's export.
 
-use std::fmt::Write;
+use std::fmt::{self, Display, Formatter, Write};
 
 use crate::{
+    describe::{Color, Entry, Glyph, Hex, Layer, Look, Rgba, layers},
     geometry::{self, Bounds, YAxis},
-    kernel::{Backdrop, Frame, Role, Shape, Span, VERTEX},
+    kernel::{Backdrop, Frame, LayerKey, Shape, Span, VERTEX},
     scene::Scene,
     session::Session,
 };
 
-/// How a role is drawn: stroke in each theme, width in pixels, opacity, dashes.
-struct Style {
-    light: &'static str,
-    dark: &'static str,
-    width: f64,
-    opacity: f64,
-    dash: &'static str,
+use super::raster;
+
+const STAGE: Color = Color::named("stage");
+const EDGE: Color = Color::named("axis");
+const DISC: [Color; 2] = [Color::named("disc"), Color::named("disc-edge")];
+const WALL: Color = Color::named("wall");
+const MARGIN_COLOR: Color = Color::named("margin");
+const START: Color = Color::named("accent");
+const GOAL: Color = Color::named("danger");
+const INK: Color = Color::named("ink");
+const UNNUMBERED: Color = Color::named("ink-2");
+
+/// A result where a later one is handed over: how that came about.
+const fn beneath(look: &Look) -> Look {
+    Look { width: 1.5, opacity: [0.75, 0.75], dash: &[1.0, 4.0], ..*look }
 }
 
-const fn style(light: &'static str, dark: &'static str, width: f64, opacity: f64, dash: &'static str) -> Style {
-    Style { light, dark, width, opacity, dash }
-}
-
-fn style_of(role: Role) -> Style {
-    match role {
-        Role::Particles | Role::Before => style("#5b5fa8", "#9aa2e8", 1.0, 0.35, ""),
-        Role::PersonalBests => style("#4d8f8b", "#6fc0ba", 1.0, 0.3, ""),
-        Role::Velocities | Role::Inertia => style("#7a7f78", "#98a39a", 1.0, 0.5, ""),
-        Role::Roads => style("#8c8674", "#56695f", 1.0, 0.6, ""),
-        Role::Tours => style("#5b5fa8", "#9aa2e8", 1.0, 0.2, ""),
-        Role::Stops | Role::Different => style("#8f3fb0", "#cf8df0", 1.4, 0.9, ""),
-        Role::Best | Role::After | Role::Smoothed | Role::Tour => style("#c27803", "#f2b33d", 3.0, 1.0, ""),
-        Role::Pheromone | Role::Trails => style("#7b5ea7", "#b79be0", 1.5, 0.6, ""),
-        Role::Ants => style("#8a5a2b", "#d9a86c", 1.0, 0.3, ""),
-        Role::Closed => style("#7fa8c9", "#3f6f94", 1.0, 0.5, ""),
-        Role::Frontier | Role::Candidates => style("#1f6fb2", "#7cc0f5", 1.0, 0.9, ""),
-        Role::Hen => style("#b4446c", "#ee86ac", 1.4, 0.8, ""),
-        Role::Chick | Role::Jump => style("#8f3fb0", "#cf8df0", 1.4, 0.8, ""),
-        Role::Moving => style("#b03a2e", "#ff8f80", 1.6, 0.9, ""),
-        Role::Predicted => style("#b03a2e", "#ff8f80", 1.0, 0.16, ""),
-        Role::Sensor => style("#1f6fb2", "#7cc0f5", 1.0, 0.7, "4 4"),
-        Role::Robot => style("#1f6fb2", "#7cc0f5", 2.0, 1.0, ""),
-        Role::Track => style("#1f6fb2", "#7cc0f5", 2.5, 1.0, ""),
-        Role::Ahead => style("#c27803", "#f2b33d", 2.0, 0.9, "2 4"),
-        Role::LocalGoal => style("#c27803", "#f2b33d", 4.0, 1.0, ""),
-        Role::Events => style("#26302a", "#e8ebe2", 1.8, 0.9, ""),
-        Role::Exact => style("#2f6b4f", "#7fcf9f", 2.0, 0.9, "6 5"),
-        Role::Cognitive => style("#4d8f8b", "#6fc0ba", 1.6, 1.0, ""),
-        Role::Social | Role::Velocity | Role::MeanBest => style("#c27803", "#f2b33d", 1.6, 1.0, ""),
-        Role::Tree | Role::Nodes => style("#5b5fa8", "#9aa2e8", 1.0, 0.6, ""),
-        Role::GoalTree => style("#8a5a2b", "#d9a86c", 1.0, 0.6, ""),
-        Role::Samples => style("#7a7f78", "#98a39a", 1.0, 0.6, ""),
-        Role::Kept => style("#1f6fb2", "#7cc0f5", 1.4, 0.9, ""),
-        Role::Chosen => style("#c27803", "#f2b33d", 2.0, 1.0, ""),
-        Role::Guides => style("#8c8674", "#56695f", 0.8, 0.5, "2 4"),
-        Role::Selected => style("#8f3fb0", "#cf8df0", 1.0, 0.5, ""),
-        Role::Attractors => style("#4d8f8b", "#6fc0ba", 1.0, 0.6, ""),
-    }
-}
-
+/// The opacity of what a tube covers.
+const SHADE: f64 = 0.16;
+/// The least opacity of a point: it has less ink than a line.
+const FAINTEST_POINT: f64 = 0.65;
+/// The radius of a field's values.
+const FIELD_POINT: f64 = 2.6;
 const SIZE: f64 = 900.0;
 const MARGIN: f64 = 24.0;
 /// Of more stops none has a number.
 const NUMBERED: usize = 100;
 
-/// The session's present state: the scene, the layers of these roles, and the exact optimum if `exact` is among them.
-pub fn svg(session: &Session, dark: bool, layers: &[Role]) -> String {
+/// The session's present state: the scene, these of the planner's layers, and the exact optimum if `exact` is among them.
+pub fn svg(session: &Session, dark: bool, shown: &[LayerKey]) -> String {
     let view = session.scene().view();
     let (width, height) = (view.max[0] - view.min[0], view.max[1] - view.min[1]);
     let scale = (SIZE - 2.0 * MARGIN) / width.max(height);
     let down = session.scene().plane().is_some_and(|plane| plane.y_axis() == YAxis::Down);
     let top = if down { view.min[1] } else { view.max[1] };
     let canvas = Canvas { scale, left: view.min[0], top, up: if down { -1.0 } else { 1.0 }, dark, text: String::new() };
-    canvas.picture(session, layers, [width, height].map(|side| rounded(side * scale + 2.0 * MARGIN)))
+    canvas.picture(session, shown, [width, height].map(|side| rounded(side * scale + 2.0 * MARGIN)))
 }
 
 struct Canvas {
@@ -95,27 +69,27 @@ impl Canvas {
         [MARGIN + (x - self.left) * self.scale, MARGIN + self.up * (self.top - y) * self.scale].map(rounded)
     }
 
-    fn tone(&self, light: &'static str, dark: &'static str) -> &'static str {
-        if self.dark { dark } else { light }
+    fn tone(&self, color: Color) -> Hex {
+        Hex(opaque(color.on(self.dark)))
     }
 
-    fn picture(mut self, session: &Session, layers: &[Role], [width, height]: [f64; 2]) -> String {
+    fn picture(mut self, session: &Session, shown: &[LayerKey], [width, height]: [f64; 2]) -> String {
         let title = format!("{} on {}, iteration {}", session.entry().title, session.scene().header().title, session.iteration());
         put!(
             self,
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" fill="none" stroke-linecap="round" stroke-linejoin="round">"#
         );
         put!(self, "<title>{}</title>", escaped(&title));
-        put!(self, r#"<rect width="100%" height="100%" fill="{}"/>"#, self.tone("#faf8f2", "#101714"));
+        put!(self, r#"<rect width="100%" height="100%" fill="{}"/>"#, self.tone(STAGE));
         self.obstacles(session.scene());
         let mut frame = Frame::default();
         session.draw(&mut frame, Frame::BUDGET / 4);
-        self.layers(&frame, layers);
-        if let Some(exact) = session.exact().filter(|_| layers.contains(&Role::Exact)) {
-            self.line(Role::Exact, &style_of(Role::Exact), &exact.path);
+        self.layers(session.entry(), &frame, shown);
+        if let Some(exact) = session.exact().filter(|_| shown.contains(&layers::EXACT.key)) {
+            self.line(layers::EXACT.key, layers::EXACT.look, 0.0, &exact.path);
         }
         if session.entry().stops {
-            self.stops(&session.scene().stops(), &frame, layers);
+            self.stops(&session.scene().stops(), session.entry(), &frame, shown);
         } else {
             self.ends(session.scene());
         }
@@ -124,8 +98,8 @@ impl Canvas {
     }
 
     fn obstacles(&mut self, scene: &Scene) {
-        let (fill, stroke) = (self.tone("#d8d2c2", "#26352e"), self.tone("#8c8674", "#56695f"));
-        let margin = self.tone("#ece7d9", "#1a251f");
+        let [fill, stroke] = DISC.map(|color| self.tone(color));
+        let (wall, margin) = (self.tone(WALL), self.tone(MARGIN_COLOR));
         scene.body().backdrop(&mut |piece| match piece {
             Backdrop::Border(bounds) => self.frame_of(bounds),
             Backdrop::Disc(disc) => {
@@ -134,7 +108,7 @@ impl Canvas {
                 put!(self, r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="{fill}" stroke="{stroke}" stroke-width="1.2"/>"#);
             }
             Backdrop::Block(block) => self.rectangle(block, &format!(r#"fill="{fill}" stroke="{stroke}" stroke-width="1.2""#)),
-            Backdrop::Cells(cells) => self.rectangle(cells, &format!(r#"fill="{fill}" stroke="{fill}" stroke-width="1""#)),
+            Backdrop::Cells(cells) => self.rectangle(cells, &format!(r#"fill="{wall}" stroke="{wall}" stroke-width="1""#)),
             // A line of twice the distance about the box is round at the corners.
             Backdrop::Margin(block, distance) => {
                 let width = rounded(2.0 * distance * self.scale);
@@ -144,7 +118,7 @@ impl Canvas {
     }
 
     fn frame_of(&mut self, bounds: Bounds) {
-        let tone = self.tone("#d9d4c5", "#2b3a33");
+        let tone = self.tone(EDGE);
         self.rectangle(bounds, &format!(r#"stroke="{tone}" stroke-width="1""#));
     }
 
@@ -154,78 +128,96 @@ impl Canvas {
         put!(self, r#"<rect x="{x0}" y="{}" width="{width}" height="{height}" {look}/>"#, y0.min(y1));
     }
 
-    fn layers(&mut self, frame: &Frame, layers: &[Role]) {
-        // Where the result is smoothed, what it was made of is drawn thin.
-        let smoothed = layers.contains(&Role::Smoothed) && frame.spans().any(|span| span.role == Role::Smoothed);
-        for span in frame.spans().filter(|span| layers.contains(&span.role)) {
-            let points: Vec<_> = frame.points(span).collect();
-            let look = style_of(if smoothed && span.role == Role::Best { Role::Guides } else { span.role });
-            match span.shape {
-                Shape::Polyline => {
-                    self.line(span.role, &look, &points);
-                    if span.role == Role::Tour {
-                        self.arrows(&look, &points);
-                    }
+    fn layers(&mut self, entry: &Entry, frame: &Frame, shown: &[LayerKey]) {
+        let drawn = || frame.spans().filter_map(|span| Some((span, entry.layer(span.layer).filter(|layer| shown.contains(&layer.key))?)));
+        let result = drawn().map(|(_, layer)| layer.look.result).max();
+        for (span, layer) in drawn() {
+            let look = if layer.look.result > 0 && Some(layer.look.result) < result { &beneath(layer.look) } else { layer.look };
+            self.span(frame, span, layer, look);
+        }
+    }
+
+    fn span(&mut self, frame: &Frame, span: Span, layer: &Layer, look: &Look) {
+        let points: Vec<_> = frame.points(span).collect();
+        let weight = |vertex: usize| f64::from(frame.vertices()[(span.first as usize + vertex) * VERTEX + 3]);
+        match span.shape {
+            Shape::Polyline => {
+                self.line(layer.key, look, weight(0), &points);
+                if look.glyph == Glyph::Arrow {
+                    self.arrows(look, &points);
                 }
-                Shape::Tube => self.tube(span.role, &look, &points, f64::from(frame.vertices()[span.first as usize * VERTEX + 3])),
-                Shape::Points if span.role == Role::Stops => {}
-                Shape::Segments => points.chunks_exact(2).for_each(|pair| self.line(span.role, &look, pair)),
-                Shape::Points | Shape::Field => points.iter().for_each(|&point| self.dot(span.role, point)),
+            }
+            Shape::Tube => self.tube(layer.key, look, &points, weight(0)),
+            // Drawn with the scene.
+            Shape::Points if look.glyph == Glyph::Number => {}
+            Shape::Segments => points.chunks_exact(2).enumerate().for_each(|(i, pair)| self.line(layer.key, look, weight(2 * i), pair)),
+            Shape::Points => {
+                for (i, &point) in points.iter().enumerate() {
+                    let opacity = look.opacity_at(weight(i)).max(FAINTEST_POINT);
+                    self.dot(layer.key, point, look.point / 2.0, look.color.on(self.dark), opacity);
+                }
+            }
+            Shape::Field => {
+                let pixels = raster(frame, layer, self.dark).map_or_else(Vec::new, |raster| raster.pixels);
+                for (&point, pixel) in points.iter().zip(pixels.as_chunks::<4>().0).filter(|(_, pixel)| pixel[3] > 0) {
+                    self.dot(layer.key, point, FIELD_POINT, *pixel, 1.0);
+                }
             }
         }
     }
 
-    fn line(&mut self, role: Role, look: &Style, points: &[[f64; 2]]) {
-        let &Style { light, dark, width, opacity, dash } = look;
+    fn line(&mut self, layer: LayerKey, look: &Look, weight: f64, points: &[[f64; 2]]) {
         let mut list = String::new();
         for &point in points {
             let [x, y] = self.at(point);
             let _ = write!(list, "{x},{y} ");
         }
-        let dash = if dash.is_empty() { String::new() } else { format!(r#" stroke-dasharray="{dash}""#) };
+        let color = look.color.on(self.dark);
+        let width = if look.swell > 0.0 { look.width + weight.clamp(0.0, 1.0) * (look.swell - look.width) } else { look.width };
         put!(
             self,
-            r#"<polyline class="{}" points="{}" stroke="{}" stroke-width="{width}" stroke-opacity="{opacity}"{dash}/>"#,
-            role.name(),
+            r#"<polyline class="{}" points="{}" stroke="{}" stroke-width="{}" stroke-opacity="{}"{}/>"#,
+            layer.0,
             list.trim_end(),
-            self.tone(light, dark)
+            Hex(opaque(color)),
+            rounded(width),
+            opacity_of(color, look.opacity_at(weight)),
+            Dashes(look.dash)
         );
     }
 
     /// A line as wide as it says, with round ends; of one point a disc. Where robots and obstacles are, they are outlined.
-    fn tube(&mut self, role: Role, look: &Style, points: &[[f64; 2]], half: f64) {
-        let (tone, opacity, radius) = (self.tone(look.light, look.dark), look.opacity, rounded(half * self.scale));
-        match points {
-            [point] => {
-                let [x, y] = self.at(*point);
-                let fill = if role == Role::Sensor { "none" } else { tone };
-                let dash = if look.dash.is_empty() { String::new() } else { format!(r#" stroke-dasharray="{}""#, look.dash) };
-                put!(
-                    self,
-                    r#"<circle class="{}" cx="{x}" cy="{y}" r="{radius}" fill="{fill}" fill-opacity="{}" stroke="{tone}" stroke-width="{}" stroke-opacity="{opacity}"{dash}/>"#,
-                    role.name(),
-                    opacity / 2.0,
-                    look.width
-                );
-            }
-            _ => self.line(role, &Style { width: 2.0 * radius, ..*look }, points),
-        }
-    }
-
-    fn dot(&mut self, role: Role, point: [f64; 2]) {
-        let Style { light, dark, width, opacity, .. } = style_of(role);
+    fn tube(&mut self, layer: LayerKey, look: &Look, points: &[[f64; 2]], half: f64) {
+        let radius = rounded(half * self.scale);
+        let [edge, inside] = [look.color, look.fill.unwrap_or(look.color)].map(|color| color.on(self.dark));
+        let &[point] = points else {
+            let color = Color { light: opaque(look.color.light), dark: opaque(look.color.dark), ..look.color };
+            return self.line(layer, &Look { color, width: 2.0 * radius, opacity: [SHADE, SHADE], ..*look }, 0.0, points);
+        };
         let [x, y] = self.at(point);
+        let covered = if look.fill.is_some() { 1.0 } else { SHADE };
+        let covered = if look.glyph == Glyph::Reach { 0.0 } else { covered };
         put!(
             self,
-            r#"<circle class="{}" cx="{x}" cy="{y}" r="{}" fill="{}" fill-opacity="{opacity}"/>"#,
-            role.name(),
-            1.6 + width,
-            self.tone(light, dark)
+            r#"<circle class="{}" cx="{x}" cy="{y}" r="{radius}" fill="{}" fill-opacity="{}" stroke="{}" stroke-width="{}" stroke-opacity="{}"{}/>"#,
+            layer.0,
+            Hex(opaque(inside)),
+            opacity_of(inside, covered),
+            Hex(opaque(edge)),
+            look.width,
+            opacity_of(edge, look.opacity[0]),
+            Dashes(look.dash)
         );
     }
 
+    fn dot(&mut self, layer: LayerKey, point: [f64; 2], radius: f64, color: Rgba, opacity: f64) {
+        let [x, y] = self.at(point);
+        let (fill, opacity) = (Hex(opaque(color)), opacity_of(color, opacity));
+        put!(self, r#"<circle class="{}" cx="{x}" cy="{y}" r="{radius}" fill="{fill}" fill-opacity="{opacity}"/>"#, layer.0);
+    }
+
     /// Heads that say in which direction a tour goes: on each stretch with room for one, and every so often.
-    fn arrows(&mut self, look: &Style, points: &[[f64; 2]]) {
+    fn arrows(&mut self, look: &Look, points: &[[f64; 2]]) {
         let places: Vec<_> = points.iter().map(|&point| self.at(point)).collect();
         let often = (geometry::length(&places) / 100.0).max(90.0);
         let mut since = often / 2.0;
@@ -243,21 +235,21 @@ impl Canvas {
             let ((tip_x, tip_y), (left_x, left_y), (right_x, right_y)) = (corner(1.0, 0.0), corner(-1.0, 0.85), corner(-1.0, -0.85));
             let _ = write!(heads, "M{tip_x} {tip_y} {left_x} {left_y} {right_x} {right_y}Z");
         }
-        put!(self, r#"<path d="{heads}" fill="{}"/>"#, self.tone(look.light, look.dark));
+        put!(self, r#"<path d="{heads}" fill="{}"/>"#, self.tone(look.color));
     }
 
     /// The stops with their places in the tour, as far as there is one, or else with the scene's own numbers.
-    fn stops(&mut self, stops: &[[f64; 2]], frame: &Frame, layers: &[Role]) {
-        let all = |span: &Span| span.role == Role::Stops && span.count as usize == stops.len() && layers.contains(&span.role);
+    fn stops(&mut self, stops: &[[f64; 2]], entry: &Entry, frame: &Frame, shown: &[LayerKey]) {
+        let numbers = |span: &Span| entry.layer(span.layer).is_some_and(|layer| layer.look.glyph == Glyph::Number);
+        let all = |span: &Span| numbers(span) && span.count as usize == stops.len() && shown.contains(&span.layer);
         let span = frame.spans().find(all);
         let place = |stop: usize| span.map_or(-1.0, |span| frame.vertices()[(span.first as usize + stop) * VERTEX + 3]);
-        let Style { light, dark, .. } = style_of(Role::Tour);
-        let (ground, ink) = (self.tone("#faf8f2", "#101714"), self.tone("#26302a", "#e8ebe2"));
+        let (ground, ink) = (self.tone(STAGE), self.tone(INK));
         let numbered = stops.len() <= NUMBERED;
         for (i, &stop) in stops.iter().enumerate() {
             let [x, y] = self.at(stop);
             let at = place(i);
-            let tone = if at < 0.0 { self.tone("#8c8674", "#56695f") } else { self.tone(light, dark) };
+            let tone = self.tone(if at < 0.0 { UNNUMBERED } else { layers::TOUR.look.color });
             let radius = if numbered { 9.5 } else { 3.5 };
             put!(self, r#"<circle cx="{x}" cy="{y}" r="{radius}" fill="{ground}" stroke="{tone}" stroke-width="1.75"/>"#);
             if at == 0.0 {
@@ -278,11 +270,32 @@ impl Canvas {
         let Some((start, goal)) = scene.ends() else {
             return;
         };
-        for (point, fill) in [(start, self.tone("#2f6b4f", "#7fcf9f")), (goal, self.tone("#a63d2f", "#f0907f"))] {
+        for (point, fill) in [(start, self.tone(START)), (goal, self.tone(GOAL))] {
             let [x, y] = self.at(point);
             put!(self, r#"<circle cx="{x}" cy="{y}" r="6" fill="{fill}"/>"#);
         }
     }
+}
+
+/// The attribute that says how a line is dashed, if it is.
+struct Dashes(&'static [f64]);
+
+impl Display for Dashes {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        for (i, length) in self.0.iter().enumerate() {
+            write!(out, "{}{length}", if i == 0 { r#" stroke-dasharray=""# } else { " " })?;
+        }
+        out.write_str(if self.0.is_empty() { "" } else { "\"" })
+    }
+}
+
+/// The opacity of a colour that has one of its own.
+fn opacity_of(color: Rgba, opacity: f64) -> f64 {
+    rounded(opacity * f64::from(color[3]) / 255.0)
+}
+
+const fn opaque([red, green, blue, _]: Rgba) -> Rgba {
+    [red, green, blue, 255]
 }
 
 /// To a hundredth of a pixel.
@@ -303,13 +316,13 @@ mod tests {
     fn a_tour_is_drawn_with_its_direction_and_the_stops_with_their_places() {
         let setup = Setup { planner: "bat".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Given::default(), seed: 1 };
         let mut session = Session::new(setup).unwrap();
-        let before = svg(&session, false, &[Role::Tour, Role::Stops]);
+        let before = svg(&session, false, &[layers::TOUR.key, layers::STOPS.key]);
         assert_eq!(before.matches("<circle").count(), 12, "neither start nor goal");
         assert!(before.contains(">12</text>") && !before.contains("<path"), "the scene's own numbers");
         while session.outcome().length.is_none() {
             session.step(1);
         }
-        let picture = svg(&session, false, &[Role::Tour, Role::Stops]);
+        let picture = svg(&session, false, &[layers::TOUR.key, layers::STOPS.key]);
         assert_eq!(picture.matches("<circle").count(), 12 + 1, "the first has a ring");
         assert!(picture.matches('Z').count() >= 12, "a head on each leg");
         let numbers: std::collections::BTreeSet<_> =
@@ -322,12 +335,12 @@ mod tests {
         let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: crate::Given::default(), seed: 1 };
         let mut session = Session::new(setup).unwrap();
         session.step(5);
-        let picture = svg(&session, false, &[Role::Best, Role::Exact]);
+        let picture = svg(&session, false, &[layers::BEST.key, layers::EXACT.key]);
         assert_eq!(picture.matches("<circle").count(), 7 + 2, "discs, start and goal");
         assert_eq!(picture.matches(r#"class="best""#).count(), 1);
         assert_eq!(picture.matches(r#"class="exact""#).count(), 1);
         assert_eq!(picture.matches(r#"class="particles""#).count(), 0);
-        assert_eq!(svg(&session, true, &[Role::Particles]).matches(r#"class="particles""#).count(), 150);
+        assert_eq!(svg(&session, true, &[layers::PARTICLES.key]).matches(r#"class="particles""#).count(), 150);
         assert_eq!(escaped("a<b & c>d"), "a&lt;b &amp; c&gt;d");
     }
 }

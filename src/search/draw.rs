@@ -1,6 +1,9 @@
 //! What a search looks like: the cells it has settled, its frontier, and the path.
 
-use crate::kernel::{Frame, Role, Shape};
+use crate::{
+    describe::layers,
+    kernel::{Frame, LayerKey, Shape},
+};
 
 use super::best_first::Search;
 
@@ -9,9 +12,9 @@ impl Search {
         self.draw_closed(frame);
         self.draw_frontier(frame);
         if let Some(found) = &self.found {
-            draw_path(frame, Role::Best, &found.way.path);
+            draw_path(frame, layers::BEST.key, &found.way.path);
             if self.task.smooth {
-                draw_path(frame, Role::Smoothed, found.way.smooth(&self.task.grid));
+                draw_path(frame, layers::SMOOTHED.key, found.way.smooth(&self.task.grid));
             }
         }
     }
@@ -24,7 +27,7 @@ impl Search {
         while cells.columns.div_ceil(side) * cells.rows.div_ceil(side) > budget {
             side += 1;
         }
-        frame.begin(Role::Closed, Shape::Field);
+        frame.begin(layers::CLOSED.key, Shape::Field);
         let (width, spacing) = (cells.columns.div_ceil(side), side as f64 * cells.side);
         for (j, top) in (0..cells.rows).step_by(side).enumerate() {
             let row = (top + side / 2).min(cells.rows - 1);
@@ -38,7 +41,7 @@ impl Search {
 
     fn draw_frontier(&self, frame: &mut Frame) {
         let every = frame.thin(self.frontier as usize, 1, false);
-        frame.begin(Role::Frontier, Shape::Points);
+        frame.begin(layers::FRONTIER.key, Shape::Points);
         let open = (0..self.task.cells.len()).filter_map(|cell| Some((cell, self.reached(cell).filter(|_| !self.is_closed(cell))?)));
         for (cell, g) in open.step_by(every) {
             frame.push(self.task.cells.centre(cell), self.task.length(g));
@@ -46,7 +49,7 @@ impl Search {
     }
 }
 
-fn draw_path(frame: &mut Frame, role: Role, path: &[[f64; 2]]) {
-    frame.begin(role, Shape::Polyline);
+fn draw_path(frame: &mut Frame, layer: LayerKey, path: &[[f64; 2]]) {
+    frame.begin(layer, Shape::Polyline);
     path.iter().for_each(|&point| frame.push(point, 0.0));
 }

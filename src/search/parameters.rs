@@ -1,9 +1,9 @@
 //! What the entries of the searches share: parameters, readings, equations and layers.
 
 use crate::{
-    describe::{CONVERGED, Formula, Group, Layer, Reading},
-    kernel::{Role, SceneKindId},
-    params::{Param, When},
+    describe::{CONVERGED, Formula, Group, Layer, Reading, layers},
+    kernel::SceneKindId,
+    params::Param,
     scene::{GRID, MAX_SIDE},
     way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
@@ -86,22 +86,12 @@ pub(super) const FORMULA_STRAIGHT: Formula = Formula::of_item(
     "h = @side@ \\sqrt{@dx@^2 + @dy@^2} = @h@",
 );
 
-const fn layer(role: Role, title: &'static str, pickable: bool, help: &'static str) -> Layer {
-    Layer::new(role, title, true, pickable, help)
-}
-
 /// What every search draws.
 pub(super) const LAYERS: &[Layer] = &[
-    layer(
-        Role::Closed,
-        "Settled",
-        true,
-        "Cells that are settled, the farther from the start the darker: no shorter way to them is looked for.",
-    ),
-    layer(Role::Frontier, "Frontier", false, "Cells that are reached and not settled: the next one is among them."),
-    layer(Role::Best, "Path", false, "The path, once the goal is settled."),
-    Layer {
-        when: Some(When { parameter: "smooth", value: "true" }),
-        ..layer(Role::Smoothed, "Smoothed", false, "The path without its redundant nodes: the result that is handed over.")
-    },
+    layers::CLOSED,
+    layers::FRONTIER,
+    layers::BEST.titled("Path", "The path, once the goal is settled."),
+    layers::SMOOTHED.titled("Smoothed", "The path without its redundant nodes: the result that is handed over.").when("smooth", "true"),
+    layers::BEFORE,
+    layers::AFTER,
 ];

@@ -1,6 +1,9 @@
 //! Why a cell has the number it has.
 
-use crate::kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape};
+use crate::{
+    describe::layers,
+    kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
+};
 
 use super::{
     best_first::Search,
@@ -25,7 +28,7 @@ impl Search {
     /// A cell's numbers and whose child it is; nothing is said about a blocked cell.
     pub(super) fn tell(&self, item: Item) -> Option<Inspection> {
         let (cells, cell) = (&self.task.cells, item.index);
-        if item.role != Role::Closed || cell >= cells.len() || !cells.is_free(cell) {
+        if item.layer != layers::CLOSED.key || cell >= cells.len() || !cells.is_free(cell) {
             return None;
         }
         let [column, row] = cells.told(cell);
@@ -39,7 +42,7 @@ impl Search {
             columns: COLUMNS.to_vec(),
             labels: Vec::new(),
             rows: Vec::new(),
-            marks: vec![Mark::plane(Role::After, Shape::Points, vec![cells.centre(cell)])],
+            marks: vec![Mark::plane(layers::AFTER.key, Shape::Points, vec![cells.centre(cell)])],
         };
         if let Some(g) = self.reached(cell) {
             self.tell_way(cell, g, &mut told);
@@ -83,7 +86,7 @@ impl Search {
             if vertices[0] != task.course.ends[0] {
                 vertices.insert(0, task.course.ends[0]);
             }
-            told.marks.insert(0, Mark::plane(Role::Before, Shape::Polyline, vertices));
+            told.marks.insert(0, Mark::plane(layers::BEFORE.key, Shape::Polyline, vertices));
         }
     }
 

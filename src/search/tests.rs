@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use crate::{
-    Given, Scene, Session, Setup, Status, Value, geometry,
-    kernel::{Item, Role, Yardstick, rng::Stream},
+    Given, Scene, Session, Setup, Status, Value,
+    describe::layers,
+    geometry,
+    kernel::{Item, Yardstick, rng::Stream},
     scene::{GridScene, Robot, grid},
     shipped,
 };
@@ -150,7 +152,7 @@ fn g_h_and_f_are_those_computed_by_hand() {
     let scene = small(&[".#.", "...", "..."], [1.0, 1.0], [5.0, 1.0]);
     let mut session = session("a-star", &scene, &[("expand", 1.0)]);
     let value = |session: &mut Session, cell: usize, name: &str| {
-        let told = session.inspect(Item { role: Role::Closed, index: cell }).unwrap();
+        let told = session.inspect(Item { layer: layers::CLOSED.key, index: cell }).unwrap();
         (told.event, told.values.iter().find(|v| v.name == name).map(|v| (v.value * 1e9).round() / 1e9))
     };
     let root = std::f64::consts::SQRT_2;
@@ -169,10 +171,10 @@ fn g_h_and_f_are_those_computed_by_hand() {
     assert_eq!(value(&mut session, 7, "g"), ("frontier", digits(2.0 + 2.0 * root)));
     assert_eq!(session.step(u64::MAX), Status::Solved);
     assert_eq!(session.outcome().cost, Some(8.0));
-    assert_eq!(session.inspect(Item { role: Role::Closed, index: 1 }), None, "it is blocked");
-    assert_eq!(session.inspect(Item { role: Role::Closed, index: 9 }), None);
-    let told = session.inspect(Item { role: Role::Closed, index: 2 }).unwrap();
-    let way = told.marks.iter().find(|mark| mark.role == Role::Before).unwrap();
+    assert_eq!(session.inspect(Item { layer: layers::CLOSED.key, index: 1 }), None, "it is blocked");
+    assert_eq!(session.inspect(Item { layer: layers::CLOSED.key, index: 9 }), None);
+    let told = session.inspect(Item { layer: layers::CLOSED.key, index: 2 }).unwrap();
+    let way = told.marks.iter().find(|mark| mark.layer == layers::BEFORE.key).unwrap();
     assert_eq!(way.vertices, [[1.0, 1.0, 0.0], [1.0, 3.0, 0.0], [3.0, 3.0, 0.0], [5.0, 3.0, 0.0], [5.0, 1.0, 0.0]]);
 }
 
@@ -223,15 +225,15 @@ fn the_picture_keeps_to_its_budget() {
     let mut frame = crate::Frame::default();
     for (budget, cells) in [(usize::MAX, 900), (900, 900), (899, 225), (100, 100), (1, 1)] {
         session.draw(&mut frame, budget);
-        let field = frame.spans().find(|span| span.role == Role::Closed).unwrap();
+        let field = frame.spans().find(|span| span.layer == layers::CLOSED.key).unwrap();
         assert_eq!(field.count, cells);
         assert!(frame.spans().all(|span| span.count as usize <= budget.max(1)));
     }
     session.draw(&mut frame, usize::MAX);
-    let field = frame.spans().find(|span| span.role == Role::Closed).unwrap();
+    let field = frame.spans().find(|span| span.layer == layers::CLOSED.key).unwrap();
     let weights: Vec<_> = frame.vertices()[field.first as usize * 4..][..4 * 900].chunks_exact(4).map(|v| v[3]).collect();
     assert_eq!(weights.iter().filter(|&&w| w >= 0.0).count(), 300);
-    let open = frame.spans().find(|span| span.role == Role::Frontier).unwrap();
+    let open = frame.spans().find(|span| span.layer == layers::FRONTIER.key).unwrap();
     assert_eq!(f64::from(open.count), session.readings().get("frontier").unwrap());
 }
 
@@ -269,7 +271,7 @@ fn every_iteration_comes_back_and_every_cell_explains_itself() {
         session.seek(hashes.len() as u64 / 2);
         let entry = session.entry();
         for index in 0..900 {
-            let Some(told) = session.inspect(Item { role: Role::Closed, index }) else {
+            let Some(told) = session.inspect(Item { layer: layers::CLOSED.key, index }) else {
                 assert!(!scene.get::<GridScene>().unwrap().cells().is_free(index));
                 continue;
             };

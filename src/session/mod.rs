@@ -314,7 +314,7 @@ impl Session {
     /// Draws the present state, at most about `budget` vertices a layer; what is only worth drawing from near, in the
     /// part of the plane that [`Frame::look_at`] said.
     pub fn draw(&self, frame: &mut Frame, budget: usize) {
-        frame.clear(budget);
+        frame.clear(budget, self.entry.drawn_and_marked().0.iter().map(|layer| layer.key));
         self.at.planner.draw(frame);
     }
 
@@ -335,7 +335,7 @@ impl Session {
     pub fn pick(&self, point: [f64; 2], reach: f64) -> Option<Item> {
         let mut frame = Frame::default();
         self.draw(&mut frame, usize::MAX);
-        let pickable: Vec<_> = self.entry.layers.iter().filter(|l| l.pickable).map(|l| l.role).collect();
+        let pickable: Vec<_> = self.entry.layers.iter().filter(|layer| layer.pickable).map(|layer| layer.key).collect();
         crate::picture::nearest(&frame, &pickable, point, reach)
     }
 
@@ -464,14 +464,14 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{kernel::Role, shipped};
+    use crate::{describe::layers, shipped};
 
     /// Whatever way the state before was reached (keyframe, replay, or the one kept from the last inspection), the
     /// explanation is the same, and asking for it changes nothing.
     #[test]
     fn an_explanation_does_not_depend_on_what_was_asked_before() {
         let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Given::default(), seed: 2 };
-        let item = Item { role: Role::Particles, index: 17 };
+        let item = Item { layer: layers::PARTICLES.key, index: 17 };
         let mut watched = Session::with_keyframes(setup.clone(), 200_000).unwrap();
         let mut hashes = Vec::new();
         let told: Vec<_> = (0..40)

@@ -11,10 +11,8 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Preset, Reading, Start},
-    kernel::{
-        Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream,
-    },
+    describe::{Entry, Formula, Group, Layer, Preset, Reading, Start, layers},
+    kernel::{Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
     math::{self, limit},
     params::{Choice, Fixed, Param},
 };
@@ -23,8 +21,8 @@ use super::{
     clock::Clock,
     encoding,
     parameters::{
-        BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, PERSONAL_BESTS, POPULATION, POSITION,
-        SMOOTHED, SMOOTHNESS, SPREAD, V_MAX, V_MAX_ABSOLUTE, VELOCITIES,
+        BEST, EVALUATIONS, FREE, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, POPULATION, POSITION, SMOOTHED, SMOOTHNESS, SPREAD, V_MAX,
+        V_MAX_ABSOLUTE,
     },
     paths::{CHARGED, ENCODED},
     population::Population,
@@ -297,7 +295,11 @@ impl Bats {
         }
         let costs = [now.cost[i], next.cost[i], next.p_cost[i], after.loudness[i], after.pulse_rate[i]];
         told.values.extend(quantities(&AFTERWARDS, &costs));
-        told.marks = vec![mark(meaning, Role::Before, x), arrows(meaning, Role::Jump, x, &to), mark(meaning, Role::After, &next.x[row])];
+        told.marks = vec![
+            mark(meaning, layers::BEFORE.key, x),
+            arrows(meaning, layers::JUMP.key, x, &to),
+            mark(meaning, layers::AFTER.key, &next.x[row]),
+        ];
         Some(told)
     }
 }
@@ -411,7 +413,7 @@ const MEAN_PULSE_RATE: Reading = Reading::new("pulse_rate", "\\bar r", "Pulse ra
 const ACCEPTED: Reading =
     Reading::new("accepted", "n_a", "Accepted", Group::Count, "Bats that accepted their new position in this iteration.");
 
-const BATS_LAYER: Layer = Layer { title: "Bats", help: "Where the bats are: points, or the paths they stand for.", ..PARTICLES };
+const BATS_LAYER: Layer = layers::PARTICLES.titled("Bats", "Where the bats are: points, or the paths they stand for.");
 
 const PRINTED: Preset = Preset {
     name: "paper",
@@ -434,5 +436,15 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), F_MIN.entry(), F_MAX.entry(), PULL.entry(), WALK.entry(), A0.entry(), R0.entry(), EPSILON.entry(), LAMBDA.entry()], &[PER_BAT.entry(), V_MAX.entry(), V_MAX_ABSOLUTE.entry()], ENCODED, CHARGED])
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, MEAN_LOUDNESS, MEAN_PULSE_RATE, ACCEPTED, EVALUATIONS])
 .formulas(&[FREQUENCY, BAT_VELOCITY, BAT_VELOCITY_TOWARD, BAT_POSITION, WALK_ABOUT, LOUDNESS, PULSE])
-.layers(&[GUIDES, PERSONAL_BESTS, BATS_LAYER, VELOCITIES, GLOBAL_BEST, SMOOTHED])
+.layers(&[
+    GUIDES,
+    layers::PERSONAL_BESTS,
+    BATS_LAYER,
+    layers::VELOCITIES,
+    layers::BEST,
+    SMOOTHED,
+    layers::BEFORE,
+    layers::JUMP,
+    layers::AFTER,
+])
 .presets(&[PRINTED]);

@@ -13,10 +13,8 @@
 mod tests;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading, Start},
-    kernel::{
-        Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream,
-    },
+    describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading, Start, layers},
+    kernel::{Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
     params::{Fixed, Param},
     scene::{DISCS, GRID},
 };
@@ -25,9 +23,7 @@ use super::{
     clock::Clock,
     encoding,
     levy::{Draw, Levy},
-    parameters::{
-        BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, PARTICLES, SMOOTHED, SMOOTHNESS, SPREAD,
-    },
+    parameters::{BEST, EVALUATIONS, FREE, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, SMOOTHED, SMOOTHNESS, SPREAD},
     paths::{CHARGED, ENCODED},
     population::Population,
     tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
@@ -331,8 +327,11 @@ impl Nests {
         let (changes, [x_j, x_k], end) = walk[0];
         told.values.extend(quantities(&WALK, &[between[0], *r, f64::from(u8::from(changes)), x_j, x_k, end]));
         told.values.extend(quantities(&COSTS, &[now.cost[i], costs[0], costs[1], next.cost[i]]));
-        told.marks =
-            vec![mark(meaning, Role::Before, x), arrows(meaning, Role::Jump, x, &candidate), mark(meaning, Role::After, &next.x[row])];
+        told.marks = vec![
+            mark(meaning, layers::BEFORE.key, x),
+            arrows(meaning, layers::JUMP.key, x, &candidate),
+            mark(meaning, layers::AFTER.key, &next.x[row]),
+        ];
         Some(told)
     }
 }
@@ -403,7 +402,7 @@ const FLOWN: Reading =
 const REBUILT: Reading =
     Reading::new("rebuilt", "n_a", "Nests rebuilt", Group::Count, "Nests that took the candidate of their random walk in this iteration.");
 
-const NESTS: Layer = Layer { title: "Nests", help: "Where the nests are: points, or the paths they stand for.", ..PARTICLES };
+const NESTS: Layer = layers::PARTICLES.titled("Nests", "Where the nests are: points, or the paths they stand for.");
 
 const ONE_ROAD: Preset = Preset {
     name: ROAD,
@@ -426,5 +425,5 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), P_A.entry(), ALPHA.entry(), LAMBDA.entry()], ENCODED, CHARGED])
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, FLOWN, REBUILT, EVALUATIONS])
 .formulas(&[SIGMA, STEP, FLY, ABANDON])
-.layers(&[GUIDES, NESTS, GLOBAL_BEST, SMOOTHED])
+.layers(&[GUIDES, NESTS, layers::BEST, SMOOTHED, layers::BEFORE, layers::JUMP, layers::AFTER])
 .presets(&[ONE_ROAD]);

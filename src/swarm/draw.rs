@@ -1,7 +1,8 @@
 //! What a swarm looks like: its particles (points, or the paths they stand for), their bests, and who was perturbed.
 
 use crate::{
-    kernel::{Frame, Role, Shape},
+    describe::layers,
+    kernel::{Frame, LayerKey, Shape},
     math,
 };
 
@@ -14,9 +15,9 @@ impl Swarm {
     pub(super) fn draw_layers(&self, frame: &mut Frame) {
         let population = &self.population;
         population.draw_members(frame);
-        let perturbed = [(Role::Hen, Event::Hen), (Role::Chick, Event::Chick)];
-        for (role, event) in perturbed.into_iter().filter(|_| self.flight.perturbation.is_some()) {
-            population.draw(frame, role, &population.x, |i| self.events[i] == event, |_| 0.0, 1);
+        let perturbed = [(layers::HENS.key, Event::Hen), (layers::CHICKS.key, Event::Chick)];
+        for (layer, event) in perturbed.into_iter().filter(|_| self.flight.perturbation.is_some()) {
+            population.draw(frame, layer, &population.x, &|i| self.events[i] == event, &|_| 0.0, 1);
         }
         population.draw_velocities(frame, &self.v);
         population.draw_result(frame);
@@ -34,20 +35,20 @@ impl Population {
     /// Draws what the positions lie on, the personal bests and the particles.
     pub(super) fn draw_members(&self, frame: &mut Frame) {
         self.objective.draw_guides(frame);
-        self.draw(frame, Role::PersonalBests, &self.p, |_| true, |_| 0.0, CONTEXT);
-        self.draw(frame, Role::Particles, &self.x, |_| true, self.weights(), 1);
+        self.draw(frame, layers::PERSONAL_BESTS.key, &self.p, &|_| true, &|_| 0.0, CONTEXT);
+        self.draw(frame, layers::PARTICLES.key, &self.x, &|_| true, &self.weights(), 1);
     }
 
     /// The same where each particle is its own personal best.
     pub(super) fn draw_particles(&self, frame: &mut Frame) {
         self.objective.draw_guides(frame);
-        self.draw(frame, Role::Particles, &self.x, |_| true, self.weights(), 1);
+        self.draw(frame, layers::PARTICLES.key, &self.x, &|_| true, &self.weights(), 1);
     }
 
     /// Draws the result, and what becomes of it.
     pub(super) fn draw_result(&self, frame: &mut Frame) {
         let (_, best) = self.reported();
-        self.draw_one(frame, Role::Best, best, 0.0);
+        self.draw_one(frame, layers::BEST.key, best, 0.0);
         self.objective.draw_result(best, frame);
     }
 
@@ -55,10 +56,10 @@ impl Population {
     pub(super) fn draw(
         &self,
         frame: &mut Frame,
-        role: Role,
+        layer: LayerKey,
         rows: &[f64],
-        chosen: impl Fn(usize) -> bool,
-        weight: impl Fn(usize) -> f64,
+        chosen: &dyn Fn(usize) -> bool,
+        weight: &dyn Fn(usize) -> f64,
         share: usize,
     ) {
         let lines = self.objective.ends().is_some();
@@ -66,11 +67,11 @@ impl Population {
         let every =
             if share == 1 { frame.thin(self.size, vertices, lines) } else { frame.thin_context(self.size * share, vertices, lines) };
         if !lines {
-            frame.begin(role, Shape::Points);
+            frame.begin(layer, Shape::Points);
         }
         for i in (0..self.size).step_by(every).filter(|&i| chosen(i)) {
             if lines {
-                self.draw_one(frame, role, &rows[self.row(i)], weight(i));
+                self.draw_one(frame, layer, &rows[self.row(i)], weight(i));
             } else {
                 self.objective.points(&rows[self.row(i)]).for_each(|point| frame.push(point, weight(i)));
             }
@@ -80,7 +81,7 @@ impl Population {
     /// Draws the velocities `v` from where the particles are.
     pub(super) fn draw_velocities(&self, frame: &mut Frame, v: &[f64]) {
         let every = frame.thin_context(self.size * CONTEXT, 2 * self.objective.point_count(), true);
-        frame.begin(Role::Velocities, Shape::Segments);
+        frame.begin(layers::VELOCITIES.key, Shape::Segments);
         let mut tip = vec![0.0; self.dimension];
         for i in (0..self.size).step_by(every) {
             let (x, v) = (&self.x[self.row(i)], &v[self.row(i)]);
@@ -93,9 +94,9 @@ impl Population {
     }
 
     /// Draws one row as a piece of its own.
-    pub(super) fn draw_one(&self, frame: &mut Frame, role: Role, x: &[f64], weight: f64) {
+    pub(super) fn draw_one(&self, frame: &mut Frame, layer: LayerKey, x: &[f64], weight: f64) {
         let ends = self.objective.ends();
-        frame.begin(role, if ends.is_some() { Shape::Polyline } else { Shape::Points });
+        frame.begin(layer, if ends.is_some() { Shape::Polyline } else { Shape::Points });
         ends.iter().for_each(|ends| frame.push(ends.0, weight));
         self.objective.points(x).for_each(|point| frame.push(point, weight));
         ends.iter().for_each(|ends| frame.push(ends.1, weight));

@@ -1,7 +1,10 @@
 //! Why a particle moved as it did: its velocity as the sum of inertia, cognitive and social part with the r1 and r2
 //! that were drawn, or the hen's or chick's jump.
 
-use crate::kernel::{Column, Inspection, Item, Mark, Role};
+use crate::{
+    describe::layers,
+    kernel::{Column, Inspection, Item, Mark},
+};
 
 use super::{
     flight::{Swarm, Term, Watch},
@@ -196,15 +199,15 @@ impl Step<'_> {
         let Coefficients { w, c1, c2 } = self.coefficients;
         let [r1, r2] = terms[0].r;
         told.values.extend(quantities(&MOVED, &[w, c1, c2, self.v[0], r1, r2, x[0], p[0], self.g[0], terms[0].step, to[0]]));
-        told.marks = vec![mark(self.meaning, Role::Before, x), mark(self.meaning, Role::After, to)];
+        told.marks = vec![mark(self.meaning, layers::BEFORE.key, x), mark(self.meaning, layers::AFTER.key, to)];
         // Head to tail: each part begins where the one before it ends.
         let mut tip = x.to_vec();
-        for (part, role) in [Role::Inertia, Role::Cognitive, Role::Social].into_iter().enumerate() {
+        for (part, layer) in [layers::INERTIA.key, layers::COGNITIVE.key, layers::SOCIAL.key].into_iter().enumerate() {
             let tail = tip.clone();
             tip.iter_mut().zip(terms).for_each(|(tip, term)| *tip += [term.inertia, term.cognitive, term.social][part]);
-            told.marks.push(arrows(self.meaning, role, &tail, &tip));
+            told.marks.push(arrows(self.meaning, layer, &tail, &tip));
         }
-        told.marks.push(arrows(self.meaning, Role::Velocity, x, to));
+        told.marks.push(arrows(self.meaning, layers::VELOCITY.key, x, to));
         told
     }
 
@@ -266,11 +269,11 @@ impl Step<'_> {
 
     fn jump(&self) -> Vec<Mark> {
         let (meaning, from) = (self.meaning, &*self.record.from);
-        let mut marks = vec![mark(meaning, Role::Before, self.x), mark(meaning, Role::After, self.to)];
+        let mut marks = vec![mark(meaning, layers::BEFORE.key, self.x), mark(meaning, layers::AFTER.key, self.to)];
         if !self.record.terms.is_empty() {
-            marks.push(arrows(meaning, Role::Velocity, self.x, from));
+            marks.push(arrows(meaning, layers::VELOCITY.key, self.x, from));
         }
-        marks.push(arrows(meaning, Role::Jump, from, self.target()));
+        marks.push(arrows(meaning, layers::JUMP.key, from, self.target()));
         marks
     }
 }
@@ -280,7 +283,8 @@ mod tests {
     use std::sync::Arc;
 
     use crate::{
-        kernel::{Item, Role},
+        describe::layers,
+        kernel::Item,
         scene::shipped,
         session::{Session, Setup},
     };
@@ -300,7 +304,7 @@ mod tests {
             session.step(1);
             let drawn = session_paths(&session);
             for (index, path) in drawn.iter().enumerate() {
-                let told = session.inspect(Item { role: Role::Particles, index }).unwrap();
+                let told = session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
                 *seen.entry(told.event).or_insert(0) += 1;
                 let get = |row: &[f64], name| row[told.columns.iter().position(|c| c.name == name).unwrap()];
                 for row in &told.rows {
@@ -313,7 +317,7 @@ mod tests {
                         assert!((inside - reached).abs() < 1e-12 || !(0.0..=8.0).contains(&reached), "{reached} {inside}");
                     }
                 }
-                let after: Vec<_> = told.marks.iter().find(|m| m.role == Role::After).unwrap().vertices.clone();
+                let after: Vec<_> = told.marks.iter().find(|m| m.layer == layers::AFTER.key).unwrap().vertices.clone();
                 for (a, b) in after.iter().zip(path) {
                     assert!((a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5);
                 }
@@ -331,9 +335,9 @@ mod tests {
         for _ in 0..80 {
             session.step(1);
             for (index, path) in session_paths(&session).iter().enumerate() {
-                let told = session.inspect(Item { role: Role::Particles, index }).unwrap();
+                let told = session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
                 *seen.entry(told.event).or_insert(0) += 1;
-                let after = &told.marks.iter().find(|m| m.role == Role::After).unwrap().vertices;
+                let after = &told.marks.iter().find(|m| m.layer == layers::AFTER.key).unwrap().vertices;
                 assert!(after.iter().zip(path).all(|(a, b)| (a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5), "{}", told.summary);
                 check(&told);
             }
@@ -374,7 +378,9 @@ mod tests {
     fn a_hen_after_the_flight_jumps_from_where_it_led_towards_a_personal_best() {
         let seen = told(&[("hen_timing", "after"), ("hen_partner", "best"), ("s2", "source")], |told| {
             if told.event == "hen" {
-                assert!(told.marks.iter().any(|m| m.role == Role::Velocity) && told.marks.iter().any(|m| m.role == Role::Jump));
+                assert!(
+                    told.marks.iter().any(|m| m.layer == layers::VELOCITY.key) && told.marks.iter().any(|m| m.layer == layers::JUMP.key)
+                );
                 assert_eq!(told.formulas, ["hen_best", "s1", "s2_source"]);
                 let [s1, s2, g] = ["s1", "s2", "g"].map(|name| told.values.iter().find(|v| v.name == name).unwrap().value);
                 let [x, r, r_, x_t, to] = told.rows[0][..] else { panic!("five columns") };
@@ -388,15 +394,15 @@ mod tests {
     fn session_paths(session: &Session) -> Vec<Vec<[f64; 2]>> {
         let mut frame = crate::Frame::default();
         session.draw(&mut frame, usize::MAX);
-        frame.spans().filter(|s| s.role == Role::Particles).map(|s| frame.points(s).collect()).collect()
+        frame.spans().filter(|s| s.layer == layers::PARTICLES.key).map(|s| frame.points(s).collect()).collect()
     }
 
     #[test]
     fn nothing_is_said_about_a_particle_that_does_not_exist() {
         let mut session = session();
-        assert_eq!(session.inspect(Item { role: Role::Particles, index: 0 }).unwrap().event, "start");
-        assert_eq!(session.inspect(Item { role: Role::Particles, index: 150 }), None);
+        assert_eq!(session.inspect(Item { layer: layers::PARTICLES.key, index: 0 }).unwrap().event, "start");
+        assert_eq!(session.inspect(Item { layer: layers::PARTICLES.key, index: 150 }), None);
         session.step(2);
-        assert_eq!(session.inspect(Item { role: Role::Best, index: 0 }), None);
+        assert_eq!(session.inspect(Item { layer: layers::BEST.key, index: 0 }), None);
     }
 }

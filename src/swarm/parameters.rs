@@ -1,9 +1,9 @@
 //! What the entries of the swarms share: parameters, readings, equations and layers.
 
 use crate::{
-    describe::{Formula, Group, Layer, Preset, Reading},
-    kernel::{Role, SceneKindId},
-    params::{Choice, Fixed, Param, Parameter, When},
+    describe::{Formula, Group, Layer, Preset, Reading, layers},
+    kernel::SceneKindId,
+    params::{Choice, Fixed, Param, Parameter},
     scene::{DISCS, FUNCTION, GRID},
 };
 
@@ -167,29 +167,37 @@ pub(super) const LINEAR_W: Formula = Formula::new(
 );
 
 /// What every swarm draws; those that perturb draw [`PERTURBED_LAYERS`].
-pub(super) const LAYERS: &[Layer] = &[GUIDES, PERSONAL_BESTS, PARTICLES, VELOCITIES, GLOBAL_BEST, SMOOTHED];
-pub(super) const PERTURBED_LAYERS: &[Layer] =
-    &[GUIDES, PERSONAL_BESTS, PARTICLES, HEN_LAYER, CHICK_LAYER, VELOCITIES, GLOBAL_BEST, SMOOTHED];
+pub(super) const LAYERS: &[Layer] = &[
+    GUIDES,
+    layers::PERSONAL_BESTS,
+    layers::PARTICLES,
+    layers::VELOCITIES,
+    layers::BEST,
+    SMOOTHED,
+    layers::BEFORE,
+    layers::AFTER,
+    layers::INERTIA,
+    layers::COGNITIVE,
+    layers::SOCIAL,
+    layers::VELOCITY,
+];
+pub(super) const PERTURBED_LAYERS: &[Layer] = &[
+    GUIDES,
+    layers::PERSONAL_BESTS,
+    layers::PARTICLES,
+    layers::HENS,
+    layers::CHICKS,
+    layers::VELOCITIES,
+    layers::BEST,
+    SMOOTHED,
+    layers::BEFORE,
+    layers::AFTER,
+    layers::INERTIA,
+    layers::COGNITIVE,
+    layers::SOCIAL,
+    layers::VELOCITY,
+    layers::JUMP,
+];
 
-pub(super) const GUIDES: Layer = Layer {
-    when: Some(When { parameter: "encoding", value: "polar" }),
-    ..Layer::new(
-        Role::Guides,
-        "Circles",
-        true,
-        false,
-        "The circles on which a path’s points lie, as far as their angles are searched, [LTQPSO] (13).",
-    )
-};
-pub(super) const SMOOTHED: Layer = Layer {
-    when: Some(When { parameter: "smooth", value: "true" }),
-    ..Layer::new(Role::Smoothed, "Smoothed", true, false, "The best, smoothed: the result that is handed over.")
-};
-pub(super) const PERSONAL_BESTS: Layer =
-    Layer::new(Role::PersonalBests, "Personal bests", false, false, "The best that each particle has found.");
-pub(super) const PARTICLES: Layer =
-    Layer::new(Role::Particles, "Particles", true, true, "Where the particles are: points, or the paths they stand for.");
-const HEN_LAYER: Layer = Layer::new(Role::Hen, "Hens", true, false, "Particles that the hen equation moved in this iteration.");
-const CHICK_LAYER: Layer = Layer::new(Role::Chick, "Chicks", true, false, "Particles that the chick equation moved in this iteration.");
-pub(super) const VELOCITIES: Layer = Layer::new(Role::Velocities, "Velocities", false, false, "The particles’ velocities, to scale.");
-pub(super) const GLOBAL_BEST: Layer = Layer::new(Role::Best, "Best", true, false, "The best so far: the result.");
+pub(super) const GUIDES: Layer = layers::GUIDES.when("encoding", "polar");
+pub(super) const SMOOTHED: Layer = layers::SMOOTHED.when("smooth", "true");

@@ -4,8 +4,9 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::{
+    describe::layers,
     geometry::Bounds,
-    kernel::{Frame, Readings, Role, Shape, Solution, rng::Stream},
+    kernel::{Frame, Readings, Shape, Solution, rng::Stream},
     math,
     params::Settings,
 };
@@ -195,7 +196,7 @@ impl Objective for Polar {
         const CORNERS: usize = 64;
         for (j, &rho) in self.radii.iter().enumerate() {
             let (low, high) = (self.search_box.low[j], self.search_box.high[j]);
-            frame.begin(Role::Guides, Shape::Polyline);
+            frame.begin(layers::GUIDES.key, Shape::Polyline);
             (0..=CORNERS).for_each(|i| frame.push(self.at(rho, low + (high - low) * i as f64 / CORNERS as f64), 0.0));
         }
     }

@@ -128,11 +128,7 @@ pub const ENTRY: Entry = Entry::new(
 
 #[cfg(test)]
 mod tests {
-    use crate::{
-        Session, Setup, Value,
-        kernel::{Item, Role},
-        shipped,
-    };
+    use crate::{Session, Setup, Value, describe::layers, kernel::Item, shipped};
 
     fn session(scene: &str, params: &[(&str, f64)], seed: u64) -> Session {
         let params = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
@@ -151,7 +147,7 @@ mod tests {
             let outcome = session.outcome();
             assert!(outcome.feasible, "{scene}: with a waypoint for each corner nothing is lost");
             assert!(outcome.evaluations > 20, "{scene}: what the trees tested counts");
-            let told = session.inspect(Item { role: Role::Particles, index: 3 }).unwrap();
+            let told = session.inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
             assert!(told.summary.contains("on the path of a tree of"), "{}", told.summary);
         }
     }
@@ -168,7 +164,7 @@ mod tests {
             pso.step(1);
         }
         assert_eq!(reading(&mut alone, "from_trees"), 0.0);
-        let told = session("wcpso-discs", &[("extensions", 0.0)], 4).inspect(Item { role: Role::Particles, index: 3 }).unwrap();
+        let told = session("wcpso-discs", &[("extensions", 0.0)], 4).inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
         assert!(told.summary.contains("drawn at random"), "{}", told.summary);
     }
 }

@@ -1,6 +1,9 @@
 //! What explanations of all swarms are made of: sheets, tables, marks.
 
-use crate::kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape};
+use crate::{
+    describe::layers,
+    kernel::{Column, Inspection, Item, LayerKey, Mark, Quantity, Shape},
+};
 
 use super::{objective::Objective, population::Population};
 
@@ -73,7 +76,7 @@ pub(super) const fn column(name: &'static str, symbol: &'static str, title: &'st
 
 /// The particle that an item means, if there is one.
 pub(super) fn particle(population: &Population, item: Item) -> Option<usize> {
-    let known = matches!(item.role, Role::Particles | Role::PersonalBests);
+    let known = [layers::PARTICLES.key, layers::PERSONAL_BESTS.key].contains(&item.layer);
     (known && item.index < population.size).then_some(item.index)
 }
 
@@ -91,7 +94,7 @@ pub(super) fn introduce_as(population: &Population, item: Item, origin: &str) ->
     told.columns = START.to_vec();
     told.rows = x.iter().map(|&x| vec![x]).collect();
     told.values.extend(quantities(&COST, &[population.cost[i]]));
-    told.marks = vec![mark(meaning, Role::After, x)];
+    told.marks = vec![mark(meaning, layers::AFTER.key, x)];
     Some(told)
 }
 
@@ -110,7 +113,7 @@ pub(super) fn sheet(meaning: &dyn Objective, item: Item, event: &'static str, su
     }
 }
 
-pub(super) fn mark(meaning: &dyn Objective, role: Role, x: &[f64]) -> Mark {
+pub(super) fn mark(meaning: &dyn Objective, layer: LayerKey, x: &[f64]) -> Mark {
     let mut vertices: Vec<_> = meaning.points(x).collect();
     let shape = match meaning.ends() {
         Some((start, goal)) => {
@@ -120,10 +123,10 @@ pub(super) fn mark(meaning: &dyn Objective, role: Role, x: &[f64]) -> Mark {
         }
         None => Shape::Points,
     };
-    Mark::plane(role, shape, vertices)
+    Mark::plane(layer, shape, vertices)
 }
 
-pub(super) fn arrows(meaning: &dyn Objective, role: Role, from: &[f64], to: &[f64]) -> Mark {
+pub(super) fn arrows(meaning: &dyn Objective, layer: LayerKey, from: &[f64], to: &[f64]) -> Mark {
     let vertices = meaning.points(from).zip(meaning.points(to)).flat_map(|(a, b)| [a, b]).collect();
-    Mark::plane(role, Shape::Segments, vertices)
+    Mark::plane(layer, Shape::Segments, vertices)
 }

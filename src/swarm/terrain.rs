@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
+    describe::layers,
     geometry::{Bounds, Disc, Field, PIECES, distance_squared, shuman, subdivided},
-    kernel::{Error, Frame, Readings, Role, Shape, Solution},
+    kernel::{Error, Frame, Readings, Shape, Solution},
     math,
     params::Settings,
     scene::{DiscsScene, GridScene},
@@ -169,7 +170,7 @@ impl Terrain {
     /// Draws the smoothed path through these points.
     pub(super) fn draw_result(&self, points: impl Iterator<Item = [f64; 2]>, frame: &mut Frame) {
         if let Some(path) = self.smoothed(&self.path(points)) {
-            frame.begin(Role::Smoothed, Shape::Polyline);
+            frame.begin(layers::SMOOTHED.key, Shape::Polyline);
             path.into_iter().for_each(|point| frame.push(point, 0.0));
         }
     }

@@ -10,8 +10,8 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Member, Preset, Reading},
-    kernel::{Inspection, Readings, Role, State, rng::Stream},
+    describe::{Entry, Formula, Group, Member, Preset, Reading, layers},
+    kernel::{Inspection, Readings, State, rng::Stream},
     math,
     params::{Choice, Fixed, Param, Parameter, Settings},
     settled::SETTLED,
@@ -24,7 +24,7 @@ use super::{
     nearest::nearest_neighbour,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
-        POPULATION, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS,
+        POPULATION, ROADS_LAYER, TOURS,
     },
     problem::{Problem, Stop, Tour},
     tell::quantity,
@@ -445,7 +445,14 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[OWN, TOURS])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
 .formulas(&[TRIES, LOUDNESS, PULSE, LENGTH])
-.layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every bat."), TOUR_LAYER, STOPS_LAYER])
+.layers(&[
+        ROADS_LAYER,
+        layers::TOURS.titled("All tours", "The tour of every bat.").off().pickable(),
+        layers::TOUR,
+        layers::STOPS,
+        layers::DIFFERENT,
+        layers::AFTER,
+    ])
 .calls_at_stops()
 .members(MEMBERS)
 .presets(&[PAPER]);

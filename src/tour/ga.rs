@@ -6,8 +6,8 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Member, Reading},
-    kernel::{Inspection, Readings, Role, State, rng::Stream},
+    describe::{Entry, Formula, Group, Member, Reading, layers},
+    kernel::{Inspection, Readings, State, rng::Stream},
     math,
     params::{Param, Settings},
     settled::SETTLED,
@@ -17,7 +17,7 @@ use super::{
     Search, moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
-        ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS,
+        ROADS_LAYER, TOURS,
     },
     problem::{Problem, Tour},
     tell::quantity,
@@ -325,6 +325,13 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, SHORTER])
 .formulas(&[GAIN, LENGTH])
-.layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tours of this generation."), TOUR_LAYER, STOPS_LAYER])
+.layers(&[
+        ROADS_LAYER,
+        layers::TOURS.titled("All tours", "The tours of this generation.").off().pickable(),
+        layers::TOUR,
+        layers::STOPS,
+        layers::DIFFERENT,
+        layers::AFTER,
+    ])
 .calls_at_stops()
 .members(MEMBERS);

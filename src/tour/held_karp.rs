@@ -8,14 +8,14 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Reading},
-    kernel::{Progress, Readings, Role, State, Status, rng::Stream},
+    describe::{Entry, Formula, Group, Reading, layers},
+    kernel::{Progress, Readings, State, Status, rng::Stream},
     params::{Param, Settings},
 };
 
 use super::{
     Search,
-    parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, KINDS, LENGTH, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS},
+    parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, KINDS, LENGTH, ROADS_LAYER, TOURS},
     problem::{Problem, Stop, Tour},
 };
 
@@ -223,8 +223,9 @@ pub const ENTRY: Entry = Entry::new(
 .formulas(&[RECURSION, LENGTH])
 .layers(&[
     ROADS_LAYER,
-    Layer::new(Role::Tours, "Shortest parts", true, false, "The shortest way of the present size to each stop, until there is a tour."),
-    TOUR_LAYER,
-    STOPS_LAYER,
+    layers::TOURS.titled("Shortest parts", "The shortest way of the present size to each stop, until there is a tour."),
+    layers::TOUR,
+    layers::STOPS,
+    layers::AFTER,
 ])
 .calls_at_most(MOST);

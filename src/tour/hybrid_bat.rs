@@ -15,8 +15,8 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Member, Reading},
-    kernel::{Inspection, Readings, Role, State, rng::Stream},
+    describe::{Entry, Formula, Group, Member, Reading, layers},
+    kernel::{Inspection, Readings, State, rng::Stream},
     math,
     params::{Param, Settings},
     settled::SETTLED,
@@ -26,7 +26,7 @@ use super::{
     Search, moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
-        ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS,
+        ROADS_LAYER, TOURS,
     },
     problem::{Problem, Tour},
     swaps::{self, Swap},
@@ -374,6 +374,13 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
 .formulas(&[VELOCITY, LOUDNESS, PULSE, LENGTH])
-.layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every bat."), TOUR_LAYER, STOPS_LAYER])
+.layers(&[
+    ROADS_LAYER,
+    layers::TOURS.titled("All tours", "The tour of every bat.").off().pickable(),
+    layers::TOUR,
+    layers::STOPS,
+    layers::DIFFERENT,
+    layers::AFTER,
+])
 .calls_at_stops()
 .members(MEMBERS);

@@ -26,11 +26,11 @@ pub mod two_opt;
 use std::sync::Arc;
 
 use crate::{
-    describe::{Reading, Start},
+    describe::{Reading, Start, layers},
     exact::{MAX_EXACT_STOPS, shortest_tour},
     kernel::{
-        Best, Error, Explain, Facets, Failure, Frame, Inspection, Item, Members, Planner, Progress, Readings, Role, Round, Shape, Solution,
-        Stage, Started, State, Status, Subtasks, Yardstick, rng::Stream,
+        Best, Error, Explain, Facets, Failure, Frame, Inspection, Item, LayerKey, Members, Planner, Progress, Readings, Round, Shape,
+        Solution, Stage, Started, State, Status, Subtasks, Yardstick, rng::Stream,
     },
     params::Settings,
     scene::{GridScene, TourScene},
@@ -281,7 +281,7 @@ impl Planner for Tours {
             for (number, road) in network.roads.iter().enumerate().step_by(every) {
                 // One that was not found is a dot at its first stop, so that the others keep their numbers.
                 let nowhere = [self.places[network.pair(number)[0]]; 2];
-                line(frame, Role::Roads, if road.path.len() > 1 { &road.path } else { &nowhere }, road.length);
+                line(frame, layers::ROADS.key, if road.path.len() > 1 { &road.path } else { &nowhere }, road.length);
             }
         }
         let mut places = vec![-1.0; self.places.len()];
@@ -290,31 +290,31 @@ impl Planner for Tours {
             let corners = self.network.as_ref().map_or(1, |network| network.roads.iter().map(|road| road.path.len()).max().unwrap_or(1));
             let every = frame.thin_context(members, corners * (self.places.len() + 1), true);
             for tour in (0..members).step_by(every).filter_map(|i| search.member(i)) {
-                line(frame, Role::Tours, &self.path(problem, tour), tour.length);
+                line(frame, layers::TOURS.key, &self.path(problem, tour), tour.length);
             }
             if let Some(best) = search.best() {
-                line(frame, Role::Tour, &self.path(problem, best), best.length);
+                line(frame, layers::TOUR.key, &self.path(problem, best), best.length);
                 best.order(problem).iter().enumerate().for_each(|(place, &stop)| places[stop] = place as f64);
             }
         }
-        frame.begin(Role::Stops, Shape::Points);
+        frame.begin(layers::STOPS.key, Shape::Points);
         self.places.iter().zip(places).for_each(|(&stop, place)| frame.push(stop, place));
     }
 }
 
 impl Explain for Tours {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        match (item.role, &self.search) {
-            (Role::Roads, _) => tell::road(self.network.as_ref()?, item),
-            (Role::Stops, _) => tell::stop(self.best_tour(), &self.places, item),
-            (Role::Tours, Some((problem, search))) => {
+        match (item.layer, &self.search) {
+            (layer, _) if layer == layers::ROADS.key => tell::road(self.network.as_ref()?, item),
+            (layer, _) if layer == layers::STOPS.key => tell::stop(self.best_tour(), &self.places, item),
+            (layer, Some((problem, search))) if layer == layers::TOURS.key => {
                 let tour = search.member(item.index)?;
                 let mut told = tell::tour(problem, tour, search.best()?, &self.places, item);
                 told.marks.insert(0, tell::way(self.path(problem, tour)));
                 search.explain(item.index, &mut told);
                 Some(told)
             }
-            (Role::Tours, None) => Some(tell::no_tour(item)),
+            (layer, None) if layer == layers::TOURS.key => Some(tell::no_tour(item)),
             _ => None,
         }
     }
@@ -343,7 +343,7 @@ fn lengths(search: &dyn Search) -> impl Iterator<Item = f64> {
     (0..search.members()).filter_map(|i| search.member(i)).map(|tour| tour.length)
 }
 
-fn line(frame: &mut Frame, role: Role, path: &[[f64; 2]], weight: f64) {
-    frame.begin(role, Shape::Polyline);
+fn line(frame: &mut Frame, layer: LayerKey, path: &[[f64; 2]], weight: f64) {
+    frame.begin(layer, Shape::Polyline);
     path.iter().for_each(|&point| frame.push(point, weight));
 }

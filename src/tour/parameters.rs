@@ -1,8 +1,8 @@
 //! What the entries of the tour planners share: parameters, readings, equations and layers.
 
 use crate::{
-    describe::{CONVERGED, Formula, Group, Layer, Member, Reading},
-    kernel::{Role, Round, SceneKindId},
+    describe::{CONVERGED, Formula, Group, Layer, Member, Reading, layers},
+    kernel::{Round, SceneKindId},
     params::{Choice, Param, Parameter, Settings},
     scene::{GRID, Scene, TOUR, TourScene},
 };
@@ -118,11 +118,7 @@ pub(super) const MEMBER_LENGTH: Member = Member::new("length", "D", "Length", "T
 pub(super) const MEMBER_DIFFERENT: Member =
     Member::new("different", "HD", "Different", "At how many places its tour differs from the shortest one.");
 
-pub(super) const ROADS_LAYER: Layer =
-    Layer { kinds: &[GRID], ..Layer::new(Role::Roads, "Roads", true, true, "The paths between pairs of stops that are built so far.") };
-pub(super) const TOUR_LAYER: Layer =
-    Layer::new(Role::Tour, "Shortest tour", true, false, "The shortest tour so far, in its direction: the result.");
-pub(super) const STOPS_LAYER: Layer = Layer::new(Role::Stops, "Stops", true, true, "The stops, numbered in the shortest tour’s order.");
+pub(super) const ROADS_LAYER: Layer = layers::ROADS.on_kinds(&[GRID]);
 
 /// What a planner with one tour draws.
-pub(super) const LAYERS: &[Layer] = &[ROADS_LAYER, TOUR_LAYER, STOPS_LAYER];
+pub(super) const LAYERS: &[Layer] = &[ROADS_LAYER, layers::TOUR, layers::STOPS, layers::AFTER];

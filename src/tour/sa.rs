@@ -6,8 +6,8 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Member, Reading},
-    kernel::{Inspection, Readings, Role, State, rng::Stream},
+    describe::{Entry, Formula, Group, Member, Reading, layers},
+    kernel::{Inspection, Readings, State, rng::Stream},
     math,
     params::{Param, Settings},
     settled::SETTLED,
@@ -16,8 +16,7 @@ use crate::{
 use super::{
     Search, moves,
     parameters::{
-        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS_LAYER,
-        STOPS_LAYER, TOUR_LAYER, TOURS,
+        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS_LAYER, TOURS,
     },
     problem::{Problem, Tour},
     tell::quantity,
@@ -277,6 +276,13 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, PRESENT, BUILT, FAILED, BY_ROAD, FOUND, SETTLED_PRESENT, DIFFERENT, TEMPERATURE, ACCEPTED])
 .formulas(&[METROPOLIS, GEOMETRIC, LENGTH])
-.layers(&[ROADS_LAYER, Layer::new(Role::Tours, "Present tour", false, true, "The tour that is changed."), TOUR_LAYER, STOPS_LAYER])
+.layers(&[
+    ROADS_LAYER,
+    layers::TOURS.titled("Present tour", "The tour that is changed.").off().pickable(),
+    layers::TOUR,
+    layers::STOPS,
+    layers::DIFFERENT,
+    layers::AFTER,
+])
 .calls_at_stops()
 .members(MEMBERS);

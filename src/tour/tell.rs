@@ -1,8 +1,9 @@
 //! What a road, a stop and a tour are asked about.
 
 use crate::{
+    describe::layers,
     geometry,
-    kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape},
+    kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
 };
 
 use super::{
@@ -75,7 +76,7 @@ fn plain(item: Item, title: String, event: &'static str, summary: String) -> Ins
 
 /// A way to draw clearly.
 pub(super) fn way(vertices: Vec<[f64; 2]>) -> Mark {
-    Mark::plane(Role::After, Shape::Polyline, vertices)
+    Mark::plane(layers::AFTER.key, Shape::Polyline, vertices)
 }
 
 /// A tour that is asked about before there are any.
@@ -166,7 +167,7 @@ pub(super) fn tour(problem: &Problem, tour: &Tour, best: &Tour, places: &[[f64; 
     told.rows = (0..own.len()).map(|k| vec![number(own[k]), number(theirs[k]), f64::from(u8::from(differs[k]))]).collect();
     let vertices: Vec<_> = own.iter().zip(&differs).filter(|(_, differs)| **differs).map(|(&stop, _)| places[stop]).collect();
     if !vertices.is_empty() {
-        told.marks.push(Mark::plane(Role::Different, Shape::Points, vertices));
+        told.marks.push(Mark::plane(layers::DIFFERENT.key, Shape::Points, vertices));
     }
     told
 }

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crate::{
     Given, Scene, Session, Setup, Status, catalogue,
-    describe::Entry,
+    describe::{Entry, layers},
     exact::Distances,
-    kernel::{Item, Role, Round, rng::Stream},
+    kernel::{Item, Round, rng::Stream},
     params::{Domain, Value},
     scene::TourScene,
     shipped,
@@ -137,7 +137,7 @@ fn check_members(session: &mut Session, round: Round) {
     let scene = Arc::clone(session.scene());
     let n = scene.stops().len();
     for index in 0.. {
-        let Some(told) = session.inspect(Item { role: Role::Tours, index }) else {
+        let Some(told) = session.inspect(Item { layer: layers::TOURS.key, index }) else {
             break;
         };
         let order: Vec<_> = told.rows.iter().map(|row| row[0] as usize - 1).collect();

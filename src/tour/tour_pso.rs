@@ -10,8 +10,8 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Member, Preset, Reading},
-    kernel::{Inspection, Readings, Role, State, rng::Stream},
+    describe::{Entry, Formula, Group, Member, Preset, Reading, layers},
+    kernel::{Inspection, Readings, State, rng::Stream},
     params::{Fixed, Param, Settings},
     settled::SETTLED,
 };
@@ -22,7 +22,7 @@ use super::{
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
-        POPULATION, ROADS_LAYER, STOPS_LAYER, TOUR_LAYER, TOURS,
+        POPULATION, ROADS_LAYER, TOURS,
     },
     problem::{Problem, Stop, Tour},
     swaps::{self, Swap},
@@ -307,7 +307,14 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_SWAPS])
 .formulas(&[VELOCITY, POSITION, LENGTH])
-.layers(&[ROADS_LAYER, Layer::new(Role::Tours, "All tours", false, true, "The tour of every particle."), TOUR_LAYER, STOPS_LAYER])
+.layers(&[
+        ROADS_LAYER,
+        layers::TOURS.titled("All tours", "The tour of every particle.").off().pickable(),
+        layers::TOUR,
+        layers::STOPS,
+        layers::DIFFERENT,
+        layers::AFTER,
+    ])
 .calls_at_stops()
 .members(MEMBERS)
 .presets(&[SWAPS_ALONE]);

@@ -1,8 +1,8 @@
 //! What trees look like: edges, nodes, the path, and what the last extension looked at.
 
 use crate::{
-    describe::Layer,
-    kernel::{Frame, Role, Shape},
+    describe::{Layer, layers},
+    kernel::{Frame, Shape},
 };
 
 use super::{
@@ -10,58 +10,73 @@ use super::{
     grow::{Fate, Seen},
 };
 
-const TREE: Layer = Layer::new(Role::Tree, "Tree", true, false, "Each node is joined to its parent.");
-const GOAL_TREE: Layer = Layer::new(Role::GoalTree, "Goal’s tree", true, false, "The tree that grows from the goal.");
-const NODES: Layer = Layer::new(Role::Nodes, "Nodes", true, true, "Select one to see how it came about.");
-const SAMPLES: Layer =
-    Layer::new(Role::Samples, "Samples", true, true, "The random points of the last extension. Select one to see what became of it.");
-const KEPT: Layer = Layer::new(Role::Kept, "Kept", true, false, "Those of them whose directions are nearest to the goal’s.");
-const BEST: Layer = Layer::new(Role::Best, "Path", true, false, "The path along the tree.");
-const SMOOTHED: Layer =
-    Layer::new(Role::Smoothed, "Finished", true, false, "The path that is handed over: shortened, fitted and smoothed.");
+const BEST: Layer = layers::BEST.titled("Path", "The path along the tree.");
+const FINISHED: Layer = layers::SMOOTHED.titled("Finished", "The path that is handed over: shortened, fitted and smoothed.");
 
 /// Of one tree.
-pub(super) const LAYERS: &[Layer] = &[TREE, NODES, SAMPLES, BEST, SMOOTHED];
+pub(super) const LAYERS: &[Layer] = &[
+    layers::TREE,
+    layers::NODES,
+    layers::SAMPLES,
+    BEST,
+    FINISHED,
+    layers::KEPT.inspection(),
+    layers::CHOSEN,
+    layers::BEFORE,
+    layers::AFTER,
+];
 /// With the samples that were kept.
-pub(super) const GUIDED_LAYERS: &[Layer] = &[TREE, NODES, SAMPLES, KEPT, BEST, SMOOTHED];
+pub(super) const GUIDED_LAYERS: &[Layer] =
+    &[layers::TREE, layers::NODES, layers::SAMPLES, layers::KEPT, BEST, FINISHED, layers::CHOSEN, layers::BEFORE, layers::AFTER];
 /// Of two trees.
-pub(super) const CONNECT_LAYERS: &[Layer] = &[TREE, GOAL_TREE, NODES, SAMPLES, BEST, SMOOTHED];
+pub(super) const CONNECT_LAYERS: &[Layer] = &[
+    layers::TREE,
+    layers::GOAL_TREE,
+    layers::NODES,
+    layers::SAMPLES,
+    BEST,
+    FINISHED,
+    layers::KEPT.inspection(),
+    layers::CHOSEN,
+    layers::BEFORE,
+    layers::AFTER,
+];
 
 impl<const N: usize> Seen<'_, N> {
     pub(super) fn draw_layers(&self, frame: &mut Frame) {
         let place = |point: &[f64; N]| self.task.space.place(point);
-        for (tree, role) in self.forest.trees.iter().zip([Role::Tree, Role::GoalTree]) {
+        for (tree, layer) in self.forest.trees.iter().zip([layers::TREE.key, layers::GOAL_TREE.key]) {
             if tree.len() == 0 {
                 continue;
             }
             let every = frame.thin(tree.len(), 2, true);
-            frame.begin(role, Shape::Segments);
+            frame.begin(layer, Shape::Segments);
             for node in (0..tree.len()).step_by(every).filter(|&node| tree.parents[node] != NONE) {
                 frame.push_in_space(place(&tree.points[tree.parents[node] as usize]), tree.costs[node]);
                 frame.push_in_space(place(&tree.points[node]), tree.costs[node]);
             }
         }
         let every = frame.thin(self.forest.births.len(), 1, false);
-        frame.begin(Role::Nodes, Shape::Points);
+        frame.begin(layers::NODES.key, Shape::Points);
         for birth in self.forest.births.iter().step_by(every) {
             let tree = &self.forest.trees[usize::from(birth.tree)];
             frame.push_in_space(place(&tree.points[birth.node as usize]), tree.costs[birth.node as usize]);
         }
-        frame.begin(Role::Samples, Shape::Points);
+        frame.begin(layers::SAMPLES.key, Shape::Points);
         self.forest.last.samples.iter().for_each(|sample| frame.push_in_space(place(&sample.point), 0.0));
         if matches!(self.forest.last.source, super::grow::Source::Guided(_)) {
-            frame.begin(Role::Kept, Shape::Points);
+            frame.begin(layers::KEPT.key, Shape::Points);
             let kept = self.forest.last.samples.iter().filter(|sample| sample.fate != Fate::NotKept && sample.share > 0.0);
             kept.for_each(|sample| frame.push_in_space(place(&sample.point), sample.share));
         }
         let Some(found) = &self.forest.found else { return };
-        let mut line = |role, path: &[[f64; N]]| {
-            frame.begin(role, Shape::Polyline);
+        let mut line = |layer, path: &[[f64; N]]| {
+            frame.begin(layer, Shape::Polyline);
             self.drawn(path).for_each(|place| frame.push_in_space(place, 0.0));
         };
-        line(Role::Best, &found.raw);
+        line(layers::BEST.key, &found.raw);
         if !self.task.finish.is_raw() {
-            line(Role::Smoothed, &found.finished(self.task).path);
+            line(layers::SMOOTHED.key, &found.finished(self.task).path);
         }
     }
 

@@ -1,6 +1,9 @@
 //! A tree by the stepped contract.
 
-use crate::kernel::{Best, Explain, Facets, Frame, Inspection, Item, Members, Planner, Progress, Readings, Role, Started};
+use crate::{
+    describe::layers,
+    kernel::{Best, Explain, Facets, Frame, Inspection, Item, Members, Planner, Progress, Readings, Started},
+};
 
 use super::{
     grow::{Grown, Method, Seen},
@@ -50,7 +53,7 @@ impl<const N: usize, M: Method<N>> Explain for Grown<N, M> {
 
     fn created_at(&self, item: Item) -> Option<u64> {
         let births = &self.forest.births;
-        (item.role == Role::Nodes).then(|| births.get(item.index).map(|birth| u64::from(birth.iteration)))?
+        (item.layer == layers::NODES.key).then(|| births.get(item.index).map(|birth| u64::from(birth.iteration)))?
     }
 }
 

@@ -1,6 +1,9 @@
 //! How a node came about, and what became of a sample.
 
-use crate::kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape};
+use crate::{
+    describe::layers,
+    kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
+};
 
 use super::{
     grow::{By, Extension, Fate, Sample, Seen, Source},
@@ -54,9 +57,9 @@ impl Fate {
 impl<const N: usize> Seen<'_, N> {
     /// What can be said from the present state: of samples of the last extension, and of a root.
     pub(super) fn tell(&self, item: Item) -> Option<Inspection> {
-        match item.role {
-            Role::Samples => self.tell_sample(item),
-            Role::Nodes if self.forest.births.get(item.index)?.iteration == 0 => {
+        match item.layer {
+            layer if layer == layers::SAMPLES.key => self.tell_sample(item),
+            layer if layer == layers::NODES.key && self.forest.births.get(item.index)?.iteration == 0 => {
                 let birth = self.forest.births[item.index];
                 let mut told = self.node(item)?;
                 told.event = "root";
@@ -69,7 +72,7 @@ impl<const N: usize> Seen<'_, N> {
 
     /// How the newest node came about: the state is that after the step.
     pub(super) fn tell_birth(&self, item: Item) -> Option<Inspection> {
-        let birth = *self.forest.births.get(item.index).filter(|_| item.role == Role::Nodes)?;
+        let birth = *self.forest.births.get(item.index).filter(|_| item.layer == layers::NODES.key)?;
         if u64::from(birth.iteration) != self.forest.iteration {
             return None;
         }
@@ -104,8 +107,8 @@ impl<const N: usize> Seen<'_, N> {
             values.push(quantity(name, symbol, "where it is", at[axis]));
         }
         let way = tree.way(node).iter().map(place).collect();
-        let mut marks = vec![Mark { role: Role::Before, shape: Shape::Polyline, vertices: way }];
-        marks.push(Mark { role: Role::After, shape: Shape::Points, vertices: vec![at] });
+        let mut marks = vec![Mark { layer: layers::BEFORE.key, shape: Shape::Polyline, vertices: way }];
+        marks.push(Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![at] });
         Some(Inspection {
             item,
             title: format!("Node {}", item.index + 1),
@@ -166,9 +169,9 @@ impl<const N: usize> Seen<'_, N> {
         let kept = lines(&|sample| !matches!(sample.fate, Fate::NotKept | Fate::Taken));
         let chosen = lines(&|sample| sample.fate == Fate::Taken);
         let all = last.samples.iter().map(|sample| place(&sample.point)).collect();
-        told.marks.push(Mark { role: Role::Samples, shape: Shape::Points, vertices: all });
-        told.marks.push(Mark { role: Role::Kept, shape: Shape::Segments, vertices: kept });
-        told.marks.push(Mark { role: Role::Chosen, shape: Shape::Segments, vertices: chosen });
+        told.marks.push(Mark { layer: layers::SAMPLES.key, shape: Shape::Points, vertices: all });
+        told.marks.push(Mark { layer: layers::KEPT.key, shape: Shape::Segments, vertices: kept });
+        told.marks.push(Mark { layer: layers::CHOSEN.key, shape: Shape::Segments, vertices: chosen });
         told.marks.retain(|mark| !mark.vertices.is_empty());
     }
 
@@ -187,7 +190,7 @@ impl<const N: usize> Seen<'_, N> {
             columns: Vec::new(),
             labels: Vec::new(),
             rows: Vec::new(),
-            marks: vec![Mark { role: Role::After, shape: Shape::Points, vertices: vec![place(&sample.point)] }],
+            marks: vec![Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![place(&sample.point)] }],
         };
         self.tell_taken(sample, &near, &mut told);
         self.table(&near, &mut told);

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::{
     Given, Scene, Session, Setup, Status, Value,
     catalogue::PLANNERS,
-    kernel::{Item, Progress, Role, State, rng::Stream},
+    describe::layers,
+    kernel::{Item, Progress, State, rng::Stream},
     params::Settings,
     scene::ARM,
     shipped,
@@ -275,7 +276,7 @@ fn a_node_says_how_it_came_about_however_long_ago() {
     let nodes = run.readings().get("nodes").unwrap() as usize;
     let mut fallbacks = 0;
     for index in 0..nodes {
-        let told = run.inspect(Item { role: Role::Nodes, index }).unwrap();
+        let told = run.inspect(Item { layer: layers::NODES.key, index }).unwrap();
         assert_eq!(told.title, format!("Node {}", index + 1));
         if index == 0 {
             assert_eq!(told.event, "root");
@@ -287,9 +288,9 @@ fn a_node_says_how_it_came_about_however_long_ago() {
         fallbacks += usize::from(told.event == "random step");
     }
     assert!(fallbacks > 0 && fallbacks < nodes - 1);
-    assert_eq!(run.inspect(Item { role: Role::Nodes, index: nodes }), None);
+    assert_eq!(run.inspect(Item { layer: layers::NODES.key, index: nodes }), None);
     for index in 0..20 {
-        assert!(run.inspect(Item { role: Role::Samples, index }).unwrap().marks.iter().any(|mark| mark.role == Role::After));
+        assert!(run.inspect(Item { layer: layers::SAMPLES.key, index }).unwrap().marks.iter().any(|mark| mark.layer == layers::AFTER.key));
     }
 }
 

@@ -12,11 +12,11 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Reading, Start},
+    describe::{Entry, Reading, Start, layers},
     exact::is_reachable,
     geometry,
     kernel::{
-        Best, Error, Explain, Facets, Finding, Frame, Inspection, Item, Job, Planner, Progress, Readings, Recommend, Role, Shape, Solution,
+        Best, Error, Explain, Facets, Finding, Frame, Inspection, Item, Job, Planner, Progress, Readings, Recommend, Shape, Solution,
         Started, State, Subtasks, Tuned, Yardstick, rng::Stream,
     },
     math,
@@ -260,15 +260,15 @@ impl Planner for Tuning {
         let every = frame.thin(self.population, longest, true);
         // One that found nothing is a dot at the start, so that the others keep their numbers.
         let nowhere = self.scene.ends().map_or([[0.0; 2]; 2], |(start, _)| [start; 2]);
-        let mut line = |role, way: &[[f64; 2]]| {
-            frame.begin(role, Shape::Polyline);
+        let mut line = |layer, way: &[[f64; 2]]| {
+            frame.begin(layer, Shape::Polyline);
             way.iter().for_each(|&point| frame.push(point, 0.0));
         };
         for way in self.ways.iter().step_by(every) {
-            line(Role::Particles, if way.len() > 1 { way } else { &nowhere });
+            line(layers::PARTICLES.key, if way.len() > 1 { way } else { &nowhere });
         }
         if self.best.len() > 1 {
-            line(Role::Best, &self.best);
+            line(layers::BEST.key, &self.best);
         }
     }
 
@@ -298,7 +298,7 @@ impl Subtasks for Tuning {
 
 impl Explain for Tuning {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        (item.role == Role::Particles && item.index < self.population).then(|| tell::particle(self, item))
+        (item.layer == layers::PARTICLES.key && item.index < self.population).then(|| tell::particle(self, item))
     }
 }
 

@@ -1,8 +1,7 @@
 //! The entry's parts: what is tuned, the swarm's own parameters, readings, equations and layers.
 
 use crate::{
-    describe::{CONVERGED, Formula, Group, Layer, Reading},
-    kernel::Role,
+    describe::{CONVERGED, Formula, Group, Layer, Reading, layers},
     params::{Choice, Param, Selection},
 };
 
@@ -136,6 +135,7 @@ pub(super) const READINGS: &[Reading] = &[
 
 /// What the swarm draws.
 pub(super) const LAYERS: &[Layer] = &[
-    Layer::new(Role::Particles, "Particles", true, true, "The shortest way that each particle’s parameters gave in this round."),
-    Layer::new(Role::Best, "Best", true, false, "The shortest way that the best parameters gave."),
+    layers::PARTICLES.titled("Particles", "The shortest way that each particle’s parameters gave in this round."),
+    layers::BEST.titled("Best", "The shortest way that the best parameters gave."),
+    layers::AFTER,
 ];

@@ -1,6 +1,9 @@
 //! What a particle stands for.
 
-use crate::kernel::{Column, Inspection, Item, Mark, Quantity, Role, Shape};
+use crate::{
+    describe::layers,
+    kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
+};
 
 use super::Tuning;
 
@@ -52,6 +55,6 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
         columns: COLUMNS.to_vec(),
         labels: swarm.axes.iter().map(|axis| axis.parameter.name.to_owned()).collect(),
         rows: rows.collect(),
-        marks: if way.is_empty() { Vec::new() } else { vec![Mark::plane(Role::After, Shape::Polyline, way.clone())] },
+        marks: if way.is_empty() { Vec::new() } else { vec![Mark::plane(layers::AFTER.key, Shape::Polyline, way.clone())] },
     }
 }

@@ -90,8 +90,10 @@ export interface Planner {
   presets: Preset[];
   readings: Reading[];
   formulas: Formula[];
-  /** Layers it can draw, in drawing order. */
+  /** Layers it can draw, in drawing order. A frame's span table counts them from 0. */
   layers: Layer[];
+  /** Layers that only its explanations mark. */
+  marks: Layer[];
   /** The numbers that it tells of each of those that search side by side; empty: none. */
   members: Member[];
   /** The kinds of events that it tells of. */
@@ -120,8 +122,49 @@ export interface EventKind {
   tone: 'plain' | 'warning' | 'decision' | 'good' | 'bad';
 }
 
-/** A layer's role, and how to name it in a legend. */
+/** A colour by day, on a light ground, and by night: `#rrggbb` or `#rrggbbaa`. */
+export interface Color {
+  light: string;
+  dark: string;
+}
+
+/** How a layer looks. Lengths are in pixels. */
+export interface Look {
+  color: Color;
+  /** Of what a disc, a band, a robot or a sign covers. */
+  fill?: Color;
+  /** Of lines. */
+  width: number;
+  /** The diameter of a point. */
+  point: number;
+  /** Of a weight of 0, and of a weight of 1: from 0 (invisible) to 1. */
+  opacity: [number, number];
+  /** Layers of a higher order are drawn later. */
+  order: number;
+  /** Lengths of dashes and gaps, in turn. Absent: solid. */
+  dash?: number[];
+  /** A form of its own: points as a ring or diamond, stops with their `number`, lines with `arrow` heads; tubes as a `disc`, what they cover
+   * (`band`) or its rim (`reach`); a `robot`; a sign for an `event`. Absent: plain. */
+  glyph?: 'ring' | 'diamond' | 'number' | 'arrow' | 'disc' | 'band' | 'reach' | 'robot' | 'event';
+  /** A field's colours: of its smallest value, the middle and the largest. */
+  ramp?: [Color, Color, Color];
+  /** The ramp is that of the values' square root. */
+  root?: true;
+  /** Lines grow from `width` to this with their weight. */
+  swell?: number;
+  /** Drawn only for the part of the plane that `lookAt` gives. */
+  near?: true;
+  /** Lifted off what lies beneath by a rim. */
+  lifted?: true;
+  /** How its vertices belong together, if that does not depend on the scene. */
+  shape?: 'points' | 'polyline' | 'segments' | 'field' | 'tube';
+  /** It shows the planner's result. The highest of several is what is handed over. */
+  result?: number;
+}
+
+/** A layer: its key, how to name it in a legend, and how it looks. */
 export interface Layer {
+  /** Its key: what frames, items and marks call it. */
   role: string;
   title: string;
   help: string;
@@ -133,6 +176,10 @@ export interface Layer {
   when?: When;
   /** It is drawn only on these kinds of scene. */
   kinds?: Kind[];
+  /** What its vertices' weight means: how much worse than the best of the moment (0 to 1), a share, a length or cost, an amount of pheromone,
+   * a place in the best tour, half a tube's width, seconds, whether a walk arrived. Absent: nothing. */
+  weight?: 'rank' | 'share' | 'length' | 'pheromone' | 'place' | 'half-width' | 'time' | 'arrived';
+  look: Look;
 }
 
 export interface Catalogue {
@@ -147,8 +194,10 @@ export interface Catalogue {
   drive: DriveEntry;
   /** How an arm follows what a planner found. */
   motion: DriveEntry;
-  /** Names of role numbers in a frame's span table. */
+  /** The keys of all layers. A frame's span table counts its planner's `layers`, not these. */
   roles: string[];
+  /** Layers of a scene itself, whatever the planner draws: exact optimum, printed path, moving obstacles, arm. */
+  layers: Layer[];
   /** Every TeX string that stands outside a formula, so that a page can typeset them when it is built. */
   symbols: string[];
   /** Names of shape numbers in a frame's span table. */

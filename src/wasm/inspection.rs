@@ -12,7 +12,7 @@ pub(super) struct ItemView {
 
 impl From<Item> for ItemView {
     fn from(item: Item) -> Self {
-        Self { role: item.role.name(), index: item.index }
+        Self { role: item.layer.0, index: item.index }
     }
 }
 

@@ -40,7 +40,7 @@ pub use types::*;
 use convert::{js_error, object, plain};
 use inspection::{InspectionView, ItemView};
 use read::{
-    read_ends, read_item, read_kind, read_list, read_parameter, read_parameters, read_point, read_role, read_scene, read_setup, read_text,
+    read_ends, read_item, read_kind, read_layer, read_list, read_parameter, read_parameters, read_point, read_scene, read_setup, read_text,
 };
 
 #[wasm_bindgen(start)]
@@ -52,7 +52,7 @@ fn status(status: Status) -> JsStatus {
     plain(&status)
 }
 
-/// Every planner with its parameters, the scenes that ship, and the names of roles and shapes.
+/// Every planner with its parameters, the scenes that ship, and the names of layers and shapes.
 #[wasm_bindgen]
 pub fn catalogue() -> JsCatalogue {
     plain(&crate::catalogue())
@@ -275,13 +275,14 @@ impl Session {
         Ok(())
     }
 
-    /// A field of the frame that was drawn last, coloured: pheromone, settled cells; null if there is none of this role.
+    /// A field of the frame that was drawn last, coloured: pheromone, settled cells; null if this layer has none.
     ///
     /// # Errors
-    /// For an unknown role, or when there is no `ImageData` here.
+    /// For an unknown layer, or when there is no `ImageData` here.
     #[wasm_bindgen(js_name = layerImage)]
     pub fn layer_image(&self, role: &str, dark: bool) -> Result<JsLayerImageOrNull, JsValue> {
-        let Some(raster) = picture::raster(&self.frame, read_role(role)?, dark) else {
+        let layer = self.run.entry().layer(read_layer(role)?);
+        let Some(raster) = layer.and_then(|layer| picture::raster(&self.frame, layer, dark)) else {
             return Ok(JsValue::NULL.unchecked_into());
         };
         let (width, height) = (raster.width as u32, raster.height as u32);
@@ -385,7 +386,7 @@ impl Session {
     /// Why an item did what it did in the step that led here.
     ///
     /// # Errors
-    /// For an unknown role.
+    /// For an unknown layer.
     pub fn inspect(&mut self, item: &JsItem) -> Result<JsInspectionOrNull, JsValue> {
         Ok(plain(&self.run.inspect(read_item(item)?).map(InspectionView::from)))
     }
@@ -424,14 +425,14 @@ impl Session {
         Ok(true)
     }
 
-    /// A picture of the present state with the layers of these roles.
+    /// A picture of the present state with these layers.
     ///
     /// # Errors
-    /// For an unknown role.
+    /// For an unknown layer.
     pub fn svg(&self, dark: bool, layers: &JsNames) -> Result<String, JsValue> {
         let names = read_list("layers", layers)?;
-        let roles = names.iter().map(|name| read_role(&read_text("layers", name)?)).collect::<Result<Vec<_>, _>>()?;
-        Ok(picture::svg(&self.run, dark, &roles))
+        let layers = names.iter().map(|name| read_layer(&read_text("layers", name)?)).collect::<Result<Vec<_>, _>>()?;
+        Ok(picture::svg(&self.run, dark, &layers))
     }
 
     /// The best tour so far as a TSPLIB `.tour` file; null where no tour was found.

@@ -6,7 +6,7 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use crate::{
     Error, Given, Scene, Setup, Value,
-    kernel::{Item, Role, SceneKindId, rng},
+    kernel::{Item, SceneKindId, rng},
     scene::{KINDS, shipped},
 };
 
@@ -91,14 +91,13 @@ pub(super) fn read_kind(value: &JsValue) -> Result<SceneKindId, JsValue> {
 }
 
 pub(super) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
-    let role = read_role(&read_text("role", &property(value, "role"))?)?;
+    let layer = read_layer(&read_text("role", &property(value, "role"))?)?;
     let index = read_number("index", &property(value, "index"))?;
-    Ok(Item { role, index: if index >= 0.0 { index as usize } else { usize::MAX } })
+    Ok(Item { layer, index: if index >= 0.0 { index as usize } else { usize::MAX } })
 }
 
-pub(super) fn read_role(name: &str) -> Result<Role, JsValue> {
-    let known = Role::ALL.into_iter().find(|role| role.name() == name);
-    known.ok_or_else(|| js_error(&Error::unknown("role", name, Role::ALL.map(Role::name))))
+pub(super) fn read_layer(name: &str) -> Result<LayerKey, JsValue> {
+    layer_key(name).map_err(|error| js_error(&error))
 }
 
 pub(super) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {

@@ -183,7 +183,7 @@ export type Status = 'running' | 'solved' | 'exhausted' | 'infeasible';
 export interface FrameViews {
   /** x, y, z, weight for each vertex. */
   vertices: Float32Array;
-  /** role, shape, first vertex, count for each span. */
+  /** layer, shape, first vertex, count for each span; the layer as its place among the planner's `layers` in the catalogue. */
   spans: Uint32Array;
   /** How many of the planner's pieces were left out to keep to the budget: every `thinning`-th is drawn. */
   thinning: number;

@@ -57,7 +57,7 @@ pub fn shown(session: &mut Session) -> String {
     session.draw(&mut frame, BUDGET);
     let vertices = frame.vertices();
     for span in frame.spans() {
-        digest.bytes(span.role.name().as_bytes());
+        digest.bytes(span.layer.0.as_bytes());
         digest.bytes(span.shape.name().as_bytes());
         for vertex in vertices.chunks_exact(4).skip(span.first as usize).take(span.count as usize) {
             vertex.iter().for_each(|number| digest.word(u64::from(number.to_bits())));

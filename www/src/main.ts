@@ -1,5 +1,6 @@
 import { mount } from 'svelte'
 import App from './App.svelte'
+import 'virtual:palette.css'
 import './theme/tokens.css'
 import './theme/base.css'
 

@@ -1,10 +1,10 @@
-import { catalogue, type GridScene, type Inspection, type Scene } from '../../pkg/node.js'
+import type { GridScene, Inspection, Scene } from '../../pkg/node.js'
 import { closer } from '../src/i18n/closer.en'
 import { chance, COMPASS } from '../src/panels/compass'
 import { number } from '../src/panels/format'
 import { indexOf, middleOf } from '../src/state/cells'
 import { Walk } from '../src/state/walk'
-import { linkTo, sceneOf, sessionAt, verified } from './support/core'
+import { layerOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 
 const ANTS = { planner: 'aco-direction', scene: 'wolf-ant-20' }
@@ -20,8 +20,8 @@ const scene = grid(sceneOf(ANTS))
 /** The frame's pheromone, cell by cell. */
 const pheromone = (iteration: number): number[] =>
   sessionAt(ANTS, iteration, (session) => {
+    const role = layerOf(session, 'pheromone')
     const { vertices, spans } = session.frame()
-    const role = catalogue().roles.indexOf('pheromone')
     for (let at = 0; at < spans.length; at += 4) {
       const [of, , first = 0, count = 0] = spans.subarray(at, at + 4)
       if (of === role) return Array.from({ length: count }, (_, k) => vertices[4 * (first + k) + 3] ?? NaN)
@@ -31,8 +31,7 @@ const pheromone = (iteration: number): number[] =>
 
 const walkAt = (iteration: number): Walk =>
   sessionAt(ANTS, iteration, (session) => {
-    // Before the frame: its views hold until the next call.
-    const role = catalogue().roles.indexOf('ants')
+    const role = layerOf(session, 'ants')
     const { vertices, spans } = session.frame()
     return Walk.of(vertices, spans, role)
   })

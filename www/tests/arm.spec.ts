@@ -1,12 +1,11 @@
 import { readFile } from 'node:fs/promises'
 import type { ArmScene, Point3 } from '../../pkg/node.js'
-import { catalogue } from '../../pkg/node.js'
 import { arm as words } from '../src/i18n/arm.en'
 import { space as text } from '../src/i18n/space.en'
 import { LIFT } from '../src/space/grip'
 import { middle } from '../src/state/arms'
 import { violations } from './support/axe'
-import { hashOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
+import { hashOf, layerOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 import { armOf, seenAt, shot } from './support/space'
 
@@ -54,7 +53,7 @@ const near = (found: readonly number[] | undefined, expected: readonly number[],
 /** Where the tree's nodes are. */
 const nodes = (iteration: number): Point3[] =>
   sessionAt(GUIDED, iteration, (session) => {
-    const role = catalogue().roles.indexOf('nodes')
+    const role = layerOf(session, 'nodes')
     const { vertices, spans } = session.frame(1e6)
     const found: Point3[] = []
     for (let span = 0; span < spans.length; span += 4) {

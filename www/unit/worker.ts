@@ -136,6 +136,7 @@ export class FakeWorker {
     this.playing = play
     this.frames.push({
       type: 'frame',
+      planner: '',
       generation: this.generation,
       iteration: this.iteration,
       computed: this.iteration,

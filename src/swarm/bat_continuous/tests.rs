@@ -42,7 +42,7 @@ fn a_bat_moves_by_the_printed_equations() {
 }
 
 fn told(session: &mut Session, index: usize) -> Inspection {
-    session.inspect(Item { role: Role::Particles, index }).unwrap()
+    session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap()
 }
 
 #[test]

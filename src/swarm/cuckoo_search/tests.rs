@@ -9,7 +9,7 @@ fn session(scene: &str, params: &[(&str, Value)], seed: u64) -> Session {
 }
 
 fn told(session: &mut Session, index: usize) -> Inspection {
-    session.inspect(Item { role: Role::Particles, index }).unwrap()
+    session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap()
 }
 
 fn close(value: f64, expected: f64) {

@@ -1,7 +1,8 @@
 //! Why a particle leapt where it did: (9) with its numbers, and whose place it took afterwards.
 
 use crate::{
-    kernel::{Column, Inspection, Item, Role},
+    describe::layers,
+    kernel::{Column, Inspection, Item},
     swarm::{
         population::{column, deviation},
         tell::{Label, arrows, column as head, mark, particle, quantities, sheet},
@@ -101,11 +102,11 @@ impl Quantum {
         }
         told.values.extend(quantities(&COSTS, &[now.cost[i], next.cost[i], next.p_cost[i]]));
         told.marks = vec![
-            mark(meaning, Role::Before, x),
-            mark(meaning, Role::MeanBest, &after.m),
-            mark(meaning, Role::Attractors, attractor),
-            arrows(meaning, Role::Jump, x, &landed),
-            mark(meaning, Role::After, &next.x[row]),
+            mark(meaning, layers::BEFORE.key, x),
+            mark(meaning, layers::MEAN_BEST.key, &after.m),
+            mark(meaning, layers::ATTRACTORS.key, attractor),
+            arrows(meaning, layers::JUMP.key, x, &landed),
+            mark(meaning, layers::AFTER.key, &next.x[row]),
         ];
         Some(told)
     }
@@ -117,7 +118,8 @@ mod tests {
 
     use crate::{
         Given, Session, Setup, Value,
-        kernel::{Frame, Item, Role},
+        describe::layers,
+        kernel::{Frame, Item},
         shipped,
     };
 
@@ -133,15 +135,16 @@ mod tests {
             session.step(1);
             let mut frame = Frame::default();
             session.draw(&mut frame, usize::MAX);
-            let drawn: Vec<Vec<_>> = frame.spans().filter(|s| s.role == Role::Particles).map(|s| frame.points(s).collect()).collect();
+            let drawn: Vec<Vec<_>> =
+                frame.spans().filter(|s| s.layer == layers::PARTICLES.key).map(|s| frame.points(s).collect()).collect();
             for (index, path) in drawn.iter().enumerate() {
-                let told = session.inspect(Item { role: Role::Particles, index }).unwrap();
+                let told = session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
                 *seen.entry(told.event).or_insert(0) += 1;
                 let of = |name| told.values.iter().find(|v| v.name == name).unwrap().value;
                 let to =
                     of("attractor") + of("sign") * of("alpha") * of("gs") * (of("m") - of("x_before")).abs() * -crate::math::ln(of("u"));
                 assert!((of("x") - to).abs() < 1e-12 || of("x") == 0.0 || of("x") > 1.57, "{} {to}", of("x"));
-                let after = &told.marks.iter().find(|m| m.role == Role::After).unwrap().vertices;
+                let after = &told.marks.iter().find(|m| m.layer == layers::AFTER.key).unwrap().vertices;
                 for (a, b) in after.iter().zip(path) {
                     assert!((a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5);
                 }

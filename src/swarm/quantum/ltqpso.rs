@@ -1,23 +1,17 @@
 //! `ltqpso`: the quantum swarm with evolution speed, dispersion and natural selection, [LTQPSO] §2.2.
 
 use crate::{
-    describe::{Entry, Formula},
+    describe::{Entry, Formula, layers},
     params::{Choice, Param, Settings},
     swarm::{
-        parameters::{
-            BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, PARTICLES, PERSONAL_BESTS, SMOOTHED,
-            SMOOTHNESS, SPREAD,
-        },
+        parameters::{BEST, EVALUATIONS, FREE, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, SMOOTHED, SMOOTHNESS, SPREAD},
         paths::{CHARGED, ENCODED},
     },
 };
 
 use super::{
     Adaptation,
-    parameters::{
-        ALPHA, ALPHA_END, ALPHA_START, ATTRACTORS, C1, C2, GS, IP, ITERATIONS, MEAN, MEAN_BEST, PHI, POPULATION, SELECTED, SELECTED_LAYER,
-        WIDTH, suggest,
-    },
+    parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, GS, IP, ITERATIONS, MEAN, PHI, POPULATION, SELECTED, WIDTH, suggest},
 };
 
 const ATTRACTOR: Formula = Formula::of_item(
@@ -77,5 +71,17 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), ALPHA_START.entry(), ALPHA_END.entry(), C1.entry(), C2.entry()], &[EVOLVE.entry(), MOST_DISPERSION.entry(), SELECT.entry()], ENCODED, CHARGED])
 .readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS])
 .formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN])
-.layers(&[GUIDES, PERSONAL_BESTS, PARTICLES, SELECTED_LAYER, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED])
+.layers(&[
+        GUIDES,
+        layers::PERSONAL_BESTS,
+        layers::PARTICLES,
+        layers::SELECTED,
+        layers::ATTRACTORS,
+        layers::MEAN_BEST,
+        layers::BEST,
+        SMOOTHED,
+        layers::BEFORE,
+        layers::JUMP,
+        layers::AFTER,
+    ])
 .suggest(suggest);

@@ -9,8 +9,8 @@ mod parameters;
 pub mod qpso;
 
 use crate::{
-    describe::Start,
-    kernel::{Best, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Role, Started, State, rng::Stream},
+    describe::{Start, layers},
+    kernel::{Best, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
     math,
     params::Settings,
 };
@@ -250,10 +250,10 @@ impl Planner for Quantum {
         let population = &self.population;
         population.draw_members(frame);
         if self.adaptive.is_some() {
-            population.draw(frame, Role::Selected, &population.x, |i| self.replaced[i].is_some(), |_| 0.0, 1);
+            population.draw(frame, layers::SELECTED.key, &population.x, &|i| self.replaced[i].is_some(), &|_| 0.0, 1);
         }
-        population.draw(frame, Role::Attractors, &self.attractors, |_| true, |_| 0.0, CONTEXT);
-        population.draw_one(frame, Role::MeanBest, &self.m, 0.0);
+        population.draw(frame, layers::ATTRACTORS.key, &self.attractors, &|_| true, &|_| 0.0, CONTEXT);
+        population.draw_one(frame, layers::MEAN_BEST.key, &self.m, 0.0);
         population.draw_result(frame);
     }
 

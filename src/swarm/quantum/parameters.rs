@@ -1,8 +1,7 @@
 //! What the entries of the quantum swarms share.
 
 use crate::{
-    describe::{Formula, Group, Layer, Reading, Suggestion},
-    kernel::Role,
+    describe::{Formula, Group, Reading, Suggestion},
     math,
     params::{Fixed, Param, Settings},
     scene::{DISCS, FUNCTION, GRID},
@@ -69,18 +68,6 @@ pub(super) const GS: Reading = Reading::new(
 );
 pub(super) const SELECTED: Reading =
     Reading::new("selected", "n_r", "Replaced", Group::Count, "Particles whose position natural selection replaced in this iteration.");
-
-pub(super) const SELECTED_LAYER: Layer =
-    Layer::new(Role::Selected, "Replaced", false, false, "Particles that natural selection put where a better one was.");
-pub(super) const ATTRACTORS: Layer =
-    Layer::new(Role::Attractors, "Attractors", false, false, "Each particle’s local attractor p: between its own best and the swarm’s.");
-pub(super) const MEAN_BEST: Layer = Layer::new(
-    Role::MeanBest,
-    "Mean best",
-    false,
-    false,
-    "The mean m of all personal bests: the farther a particle is from it, the wider it leaps.",
-);
 
 pub(super) const WIDTH: Formula = Formula::new(
     "alpha",

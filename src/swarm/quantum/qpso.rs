@@ -1,17 +1,14 @@
 //! `qpso`: the quantum swarm, [LTQPSO] §2.1.
 
 use crate::{
-    describe::{Entry, Formula},
+    describe::{Entry, Formula, layers},
     swarm::{
-        parameters::{
-            BEST, EVALUATIONS, FREE, GLOBAL_BEST, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, PARTICLES, PERSONAL_BESTS, SMOOTHED,
-            SMOOTHNESS, SPREAD,
-        },
+        parameters::{BEST, EVALUATIONS, FREE, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, SMOOTHED, SMOOTHNESS, SPREAD},
         paths::{CHARGED, ENCODED},
     },
 };
 
-use super::parameters::{ALPHA, ALPHA_END, ALPHA_START, ATTRACTORS, C1, C2, ITERATIONS, MEAN, MEAN_BEST, PHI, POPULATION, WIDTH, suggest};
+use super::parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, ITERATIONS, MEAN, PHI, POPULATION, WIDTH, suggest};
 
 const ATTRACTOR: Formula = Formula::of_item(
     "attractor",
@@ -45,5 +42,16 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS])
 .formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, MEAN])
-.layers(&[GUIDES, PERSONAL_BESTS, PARTICLES, ATTRACTORS, MEAN_BEST, GLOBAL_BEST, SMOOTHED])
+.layers(&[
+        GUIDES,
+        layers::PERSONAL_BESTS,
+        layers::PARTICLES,
+        layers::ATTRACTORS,
+        layers::MEAN_BEST,
+        layers::BEST,
+        SMOOTHED,
+        layers::BEFORE,
+        layers::JUMP,
+        layers::AFTER,
+    ])
 .suggest(suggest);

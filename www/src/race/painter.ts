@@ -1,20 +1,20 @@
-import type { Catalogue, Outcome, Planner, Scene } from 'forage-lab'
+import type { Catalogue, Layer, Look, Outcome, Planner, Scene } from 'forage-lab'
 import { met } from '../state/applicable'
+import { layerOf, type Names, namesOf, PLAIN } from '../state/looks'
 import { movingOf } from '../state/moving'
 import { stopsOf } from '../state/stops'
 import { drawArrows } from '../stage/arrows'
 import { Cells } from '../stage/cells'
-import { drawRobot, drawTubes, own } from '../stage/driven'
+import { drawRobots, drawTubes, own } from '../stage/driven'
 import type { Field } from '../stage/field'
 import { drawDiscs, drawEnds, drawGrid } from '../stage/ground'
 import { drawHappenings } from '../stage/happenings'
 import { insideCells } from '../stage/inside'
-import { drawLayers, drawPath, isNear, type Layers, piecesOf } from '../stage/layers'
-import { drawMovers, EVENTS, placesNow, placesOf } from '../stage/movers'
+import { drawLayers, drawPath, isNear, type Layers } from '../stage/layers'
+import { drawMovers, placesNow, placesOf } from '../stage/movers'
 import type { Pen } from '../stage/pen'
 import { drawRaster } from '../stage/raster'
 import { drawStops, placesOf as placesOfStops } from '../stage/stops'
-import { styleOf } from '../stage/styles'
 import type { Picture, Start } from '../worker/race.protocol'
 import { drawRoom, flattened, projected, seen, type Side } from './space'
 
@@ -34,12 +34,22 @@ export interface Subject {
 }
 
 /** The layers that are on without being asked for. */
-export const rolesOf = (planner: Planner | undefined, scene: Scene, values: Start['parameters'] = {}): string[] =>
-  (planner?.layers ?? [])
-    .filter(
-      ({ on, when, kinds }) => on && (kinds?.includes(scene.kind) ?? true) && met(when, planner?.parameters ?? [], scene.kind, values),
-    )
-    .map(({ role }) => role)
+export const shownOf = (planner: Planner | undefined, scene: Scene, values: Start['parameters'] = {}): Layer[] =>
+  (planner?.layers ?? []).filter(
+    ({ on, when, kinds }) => on && (kinds?.includes(scene.kind) ?? true) && met(when, planner?.parameters ?? [], scene.kind, values),
+  )
+
+/** A racer's results have its own colour: the one that its lane has for the best. */
+function namesIn({ palette }: Pen, catalogue: Catalogue, planner: Planner | undefined): Names {
+  const { layers, shapes } = namesOf(catalogue, planner)
+  const [light, dark] = [palette.get('--best'), palette.get('--best')]
+  return {
+    shapes,
+    layers: layers.map((layer) => (layer.look.result ? { ...layer, look: { ...layer.look, color: { light, dark } } } : layer)),
+  }
+}
+
+const exactOf = (catalogue: Catalogue): Look => layerOf(catalogue, null, 'exact')?.look ?? PLAIN
 
 /** Draws a racer as the stage would, read-only. */
 export class Painter {
@@ -58,61 +68,59 @@ export class Painter {
     const { context, size, palette } = pen
     context.fillStyle = palette.get('--stage')
     context.fillRect(0, 0, size.width, size.height)
-    if (subject.scene.kind === 'arm') this.inSpace(pen, subject)
-    else this.inThePlane(pen, subject)
+    // Whose run is shown may not be the one that is chosen any more.
+    const { catalogue, run } = subject
+    const planner = catalogue.planners.find(({ name }) => name === run?.planner) ?? subject.planner
+    if (subject.scene.kind === 'arm') this.inSpace(pen, { ...subject, planner })
+    else this.inThePlane(pen, { ...subject, planner })
   }
 
   private inSpace(pen: Pen, { scene, catalogue, planner, run, picture, side, names }: Subject): void {
     if (scene.kind !== 'arm') return
     const skeleton = run?.skeleton ?? []
     const flat = flattened(scene, skeleton, side)
-    const shown = rolesOf(planner, scene, run?.parameters)
+    const shown = shownOf(planner, scene, run?.parameters)
     drawRoom(pen, scene, skeleton, side)
     if (picture) {
       if (this.last?.picture !== picture || this.last.side !== side) this.last = { picture, side, layers: projected(picture, side) }
-      drawLayers(pen, this.last.layers, catalogue, (role) => shown.includes(role), flat, {})
+      drawLayers(pen, this.last.layers, namesIn(pen, catalogue, planner), (role) => shown.some((layer) => layer.role === role), flat, {})
     }
     const tip = run && picture ? run.exact?.tip_path : undefined
-    if (tip) drawPath(pen, tip.map(seen(side)), styleOf('exact'))
+    if (tip) drawPath(pen, tip.map(seen(side)), exactOf(catalogue))
     drawEnds(pen, flat, false, null, null, null, names)
   }
 
   private inThePlane(pen: Pen, subject: Subject): void {
     const { scene, catalogue, planner, run, picture, names } = subject
-    const shown = rolesOf(planner, scene, run?.parameters)
-    const on = (role: string): boolean => shown.includes(role)
+    const shown = shownOf(planner, scene, run?.parameters)
+    const drawn = namesIn(pen, catalogue, planner)
+    const on = (role: string): boolean => shown.some((layer) => layer.role === role)
     const touring = scene.kind === 'tour' || (planner?.stops ?? false)
     this.field.draw(pen)
-    if (picture)
-      for (const field of picture.fields) if (on(field.role)) drawRaster(pen, field, isNear(picture, catalogue, on) ? BENEATH : 1)
+    if (picture) for (const field of picture.fields) if (on(field.role)) drawRaster(pen, field, isNear(picture, drawn, on) ? BENEATH : 1)
     if (scene.kind === 'grid') this.cells.draw(pen, scene, true)
     drawGrid(pen, scene, scene.kind !== 'grid' && scene.kind !== 'function')
     if (scene.kind === 'discs') drawDiscs(pen, scene, null)
-    if (picture) drawLayers(pen, picture, catalogue, on, scene, { own, drawTubes, drawArrows, insideCells })
-    if (picture && run?.exact) drawPath(pen, run.exact.path, styleOf('exact'))
-    const places = picture ? placesOfStops(picture, catalogue, stopsOf(scene).length) : null
+    if (picture) drawLayers(pen, picture, drawn, on, scene, { own, drawTubes, drawArrows, insideCells })
+    if (picture && run?.exact) drawPath(pen, run.exact.path, exactOf(catalogue))
+    const places = picture ? placesOfStops(picture, drawn, stopsOf(scene).length) : null
     drawStops(pen, scene, { places, selection: null, hover: null, blamed: null, touring })
     this.moving(pen, subject)
     if (scene.kind !== 'function' && scene.kind !== 'arm') drawEnds(pen, scene, touring, null, null, null, names)
-    if (picture) robot(pen, picture, catalogue)
+    if (picture) drawRobots(pen, picture, drawn, () => true)
   }
 
   /** What moves is where it is at the racer's time. */
   private moving(pen: Pen, { scene, catalogue, planner, picture, outcome }: Subject): void {
     if (scene.kind !== 'grid' || movingOf(scene).length === 0) return
-    const now = picture && placesNow(picture, catalogue, movingOf(scene).length)
+    const drawn = namesOf(catalogue, planner)
+    const now = picture && placesNow(picture, drawn, movingOf(scene).length)
     drawMovers(pen, scene, { now, quiet: now !== null && (picture?.iteration ?? 0) > 0, selection: null, hover: null, blamed: null })
     if (!picture) return
     drawHappenings(
       pen,
-      placesOf(picture, catalogue, EVENTS),
+      placesOf(picture, drawn, 'event'),
       (index) => planner?.events.find(({ name }) => name === outcome?.events?.[index]?.kind)?.tone,
     )
   }
-}
-
-function robot(pen: Pen, picture: Picture, { roles, shapes }: Catalogue): void {
-  const vertices = new Float32Array(picture.buffer, 0, picture.vertices)
-  const spans = new Uint32Array(picture.buffer, picture.vertices * 4, picture.spans)
-  drawRobot(pen, styleOf('robot'), vertices, piecesOf(spans, roles.indexOf('robot'), shapes))
 }

@@ -1,8 +1,9 @@
 import { Color } from 'three'
+import type { Color as Named } from 'forage-lab'
 import type { Palette } from '../stage/palette'
 
-/** A token's colour. */
-export const colourOf = (palette: Palette, token: string): Color => new Color(palette.get(token))
+/** The colour of a token, or of a look. */
+export const colourOf = (palette: Palette, which: string | Named): Color => new Color(palette.get(which))
 
 /** Between two colours, as they are seen. */
 export function mixed(from: Color, to: Color, share: number): Color {

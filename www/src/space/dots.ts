@@ -1,8 +1,8 @@
 import { BufferAttribute, BufferGeometry, CanvasTexture, type Color, DynamicDrawUsage, Points, PointsMaterial } from 'three'
-import type { Style } from '../stage/styles'
+import type { Look } from 'forage-lab'
 
 const SIDE = 64
-type Mark = Style['mark']
+type Mark = Look['glyph']
 const marks = new Map<Mark, CanvasTexture>()
 
 /** What a point looks like: round, unless it has a mark of its own. */
@@ -33,7 +33,7 @@ function draw(context: CanvasRenderingContext2D, mark: Mark): void {
       context.lineTo(middle + x * (middle - width), middle + y * (middle - width))
     context.closePath()
     context.stroke()
-  } else if (mark === 'ring') {
+  } else if (mark === 'ring' || mark === 'number') {
     context.arc(middle, middle, middle - rim - width / 2, 0, 2 * Math.PI)
     context.stroke()
   } else {

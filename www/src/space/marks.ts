@@ -1,11 +1,11 @@
-import type { ArmScene, Inspection, Point3 } from 'forage-lab'
+import type { ArmScene, Inspection, Look, Point3 } from 'forage-lab'
 import { whereIs } from '../state/arms'
 import type { Selection } from '../state/edits'
 import { space } from '../i18n/space.en'
 import { HANDLE, plate } from '../stage/ground'
 import { arrow, MANY, SMALL } from '../stage/closely'
-import { applyStyle, marked, type Pen } from '../stage/pen'
-import { closer, styleOf } from '../stage/styles'
+import { applyStyle, isMarked, marked, type Pen } from '../stage/pen'
+import { closer } from '../state/looks'
 import { faceOf, facing, type Grip, isHidden, liftAt } from './grip'
 import type { World } from './world'
 
@@ -148,10 +148,10 @@ function lift({ context, palette }: Pen, [x, y]: readonly [number, number], mean
 }
 
 /** What was looked at closer: its points, and arrows. */
-export function drawInspection(pen: Pen, world: World, scene: ArmScene, { layers }: Inspection): void {
+export function drawInspection(pen: Pen, world: World, scene: ArmScene, { layers }: Inspection, lookOf: (key: string) => Look): void {
   const { context } = pen
-  for (const { role, shape, vertices } of [...layers].sort((a, b) => styleOf(a.role).order - styleOf(b.role).order)) {
-    const style = closer(role)
+  for (const { role, shape, vertices } of [...layers].sort((a, b) => lookOf(a.role).order - lookOf(b.role).order)) {
+    const style = closer(lookOf(role))
     applyStyle(pen, style)
     const seen = vertices.map((vertex) => world.project(vertex))
     if (shape === 'points') {
@@ -159,8 +159,8 @@ export function drawInspection(pen: Pen, world: World, scene: ArmScene, { layers
       seen.forEach((at, index) => {
         const vertex = vertices[index]
         if (!at || !vertex) return
-        context.globalAlpha = style.alpha[0] * (isHidden(scene, world, vertex) ? BEHIND : 1)
-        if (style.mark) marked(pen, small, at.x, at.y)
+        context.globalAlpha = style.opacity[0] * (isHidden(scene, world, vertex) ? BEHIND : 1)
+        if (isMarked(style)) marked(pen, small, at.x, at.y)
         else {
           context.beginPath()
           context.arc(at.x, at.y, style.point / 2 + 1, 0, 2 * Math.PI)
@@ -170,7 +170,7 @@ export function drawInspection(pen: Pen, world: World, scene: ArmScene, { layers
       })
       continue
     }
-    context.globalAlpha = style.alpha[0]
+    context.globalAlpha = style.opacity[0]
     for (let at = 0; at + 1 < seen.length; at += shape === 'polyline' ? 1 : 2) {
       const [from, to] = [seen[at], seen[at + 1]]
       if (!from || !to) continue

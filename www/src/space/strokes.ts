@@ -2,9 +2,9 @@ import { type Color, DynamicDrawUsage, GreaterDepth, Group, InstancedInterleaved
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js'
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js'
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js'
-import type { Style } from '../stage/styles'
+import type { Look } from 'forage-lab'
 
-/** How the strokes look, as far as the style doesn't say. */
+/** How the strokes look, as far as their look doesn't say. */
 export interface Ink {
   colour: Color
   /** The stage's, for what lifts strokes off what lies behind. */
@@ -83,7 +83,7 @@ export class Strokes {
     }
   }
 
-  look(style: Style, { colour, ground, alpha, result }: Ink): void {
+  look(style: Look, { colour, ground, alpha, result }: Ink): void {
     for (const material of [this.line, this.hidden]) {
       material.color.copy(colour)
       material.linewidth = result ? Math.max(style.width, LEAST.width) : style.width
@@ -94,7 +94,7 @@ export class Strokes {
     // The way along a tree lies on its edges, and wins over them.
     this.line.polygonOffset = result
     this.line.polygonOffsetUnits = -300
-    this.line.opacity = alpha * style.alpha[0]
+    this.line.opacity = alpha * style.opacity[0]
     this.hidden.opacity = alpha * HIDDEN
     this.halo.color.copy(ground)
     this.halo.linewidth = style.width + HALO

@@ -1,5 +1,5 @@
 import type { Pen } from './pen'
-import type { Style } from './styles'
+import type { Style } from '../state/looks'
 import { rise } from './view'
 
 /** A straight stretch of at least this length, in pixels, has a head in its middle, a long one several. */
@@ -52,7 +52,7 @@ export function drawArrows(
   context.lineWidth = 1.75
   context.strokeStyle = palette.get('--stage')
   context.stroke(heads)
-  context.fillStyle = palette.get(style.colour)
+  context.fillStyle = palette.get(style.color)
   context.fill(heads)
 }
 

@@ -1,15 +1,14 @@
-import type { GridScene, Point } from 'forage-lab'
+import type { GridScene, Layer, Point } from 'forage-lab'
 import { moving } from '../i18n/moving.en'
 import { added, aimed, neatly, steered, strideOf, tipOf } from '../state/aiming'
 import { type Handle, move, place, same, type Selection } from '../state/edits'
 import { lab } from '../state/lab.svelte'
+import { keyOf } from '../state/looks'
 import type { Hands } from './hands.svelte'
-import { drawRobot } from './driven'
+import { drawRobots } from './driven'
 import { drawHappenings } from './happenings'
-import { drawMovers, eventAt, EVENTS, hitMoving, MOVING, placesNow, placesOf } from './movers'
-import { piecesOf } from './layers'
+import { drawMovers, eventAt, hitMoving, placesNow, placesOf } from './movers'
 import type { Pen } from './pen'
-import { styleOf } from './styles'
 import { type Size, toScene, type View } from './view'
 
 /** How near to an axis, in pixels, an arrow is straight. */
@@ -30,7 +29,7 @@ export class Carrying {
 
   /** Where what moves is now, as far as the planner tells. */
   get now(): Point[] | null {
-    return lab.frame && lab.catalogue ? placesNow(lab.frame, lab.catalogue, lab.moving.length) : null
+    return lab.frame && lab.names ? placesNow(lab.frame, lab.names, lab.moving.length) : null
   }
 
   /** A drive goes on: what is on its way can't be caught. */
@@ -102,14 +101,15 @@ export class Carrying {
     if (object && 'index' in object) {
       lab.select(object)
       // What the planner has to say about it.
-      if (asked(MOVING)) lab.inspect({ role: MOVING, index: object.index })
+      const moving = asked('disc')
+      if (moving) lab.inspect({ role: moving.role, index: object.index })
       return true
     }
-    const event =
-      handle === null && asked(EVENTS) && lab.frame && lab.catalogue ? eventAt(lab.frame, lab.catalogue, view, size, at, coarse) : null
-    if (event === null) return false
+    const events = asked('event')
+    const event = handle === null && events && lab.frame && lab.names ? eventAt(lab.frame, lab.names, view, size, at, coarse) : null
+    if (!events || event === null) return false
     lab.select(null)
-    lab.inspect({ role: EVENTS, index: event })
+    lab.inspect({ role: events.role, index: event })
     return true
   }
 
@@ -128,28 +128,25 @@ export class Carrying {
 
   /** Where obstacles begin and how they set out, and what of them is selected; where they are now, if the picture is that of the scene. */
   draw(pen: Pen, scene: GridScene, hover: Handle | null, blamed: Selection | null, fresh: boolean): void {
-    if (lab.visible.shows(MOVING, true))
+    if (lab.visible.shows(keyOf(lab.layers, 'disc') || 'moving', true))
       drawMovers(pen, scene, { now: fresh ? this.now : null, quiet: this.rushing, selection: lab.selection, hover, blamed })
   }
 
   /** Where something happened. */
   drawEvents(pen: Pen): void {
-    const { frame, catalogue, planner, outcome } = lab
-    if (!frame || !catalogue || !asked(EVENTS)) return
+    const { frame, names, planner, outcome } = lab
+    if (!frame || !names || !asked('event')) return
     drawHappenings(
       pen,
-      placesOf(frame, catalogue, EVENTS),
+      placesOf(frame, names, 'event'),
       (index) => planner?.events.find(({ name }) => name === outcome?.events?.[index]?.kind)?.tone,
     )
   }
 
   /** On top of all, start and goal included. */
   drawRobot(pen: Pen): void {
-    const { frame, catalogue } = lab
-    if (!frame || !catalogue || !lab.visible.shows('robot', true)) return
-    const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
-    const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
-    drawRobot(pen, styleOf('robot'), vertices, piecesOf(spans, catalogue.roles.indexOf('robot'), catalogue.shapes))
+    const { frame, names } = lab
+    if (frame && names) drawRobots(pen, frame, names, (role) => lab.visible.shows(role, true))
   }
 
   /** What a new one needs, in words. */
@@ -164,8 +161,8 @@ export class Carrying {
 }
 
 /** The planner tells about such things, and they are shown. */
-const asked = (role: string): boolean =>
-  lab.layers.some((layer) => layer.role === role && layer.pickable && lab.visible.shows(role, layer.on))
+const asked = (glyph: 'disc' | 'event'): Layer | undefined =>
+  lab.layers.find(({ role, look, pickable, on }) => look.glyph === glyph && pickable && lab.visible.shows(role, on))
 
 /** Near to an axis the hand means the axis. */
 function straight({ scale }: View, [x, y]: Point): Point {

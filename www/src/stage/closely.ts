@@ -1,19 +1,19 @@
-import type { Inspection, Point } from 'forage-lab'
+import type { Inspection, Look, Point } from 'forage-lab'
+import { closer } from '../state/looks'
 import { drawPath } from './layers'
-import { applyStyle, marked, type Pen } from './pen'
-import { closer, styleOf } from './styles'
+import { applyStyle, isMarked, marked, type Pen } from './pen'
 import { toScreen } from './view'
 
 /** So many marks are small. */
 export const [MANY, SMALL] = [60, 13]
 
 /** The arrows and marks of what was picked. */
-export function drawInspection(pen: Pen, { layers }: Inspection): void {
+export function drawInspection(pen: Pen, { layers }: Inspection, lookOf: (key: string) => Look): void {
   const { context, view, size } = pen
-  for (const { role, shape, vertices } of [...layers].sort((a, b) => styleOf(a.role).order - styleOf(b.role).order)) {
-    const style = closer(role)
+  for (const { role, shape, vertices } of [...layers].sort((a, b) => lookOf(a.role).order - lookOf(b.role).order)) {
+    const style = closer(lookOf(role))
     applyStyle(pen, style)
-    context.globalAlpha = style.alpha[0]
+    context.globalAlpha = style.opacity[0]
     if (shape === 'polyline') drawPath(pen, vertices, style)
     else if (shape === 'segments') {
       for (let at = 0; at + 1 < vertices.length; at += 2) {
@@ -23,7 +23,7 @@ export function drawInspection(pen: Pen, { layers }: Inspection): void {
     } else {
       for (const vertex of vertices) {
         const [x, y] = toScreen(view, size, vertex)
-        if (style.mark) {
+        if (isMarked(style)) {
           marked(pen, vertices.length > MANY ? { ...style, point: Math.min(style.point, SMALL) } : style, x, y)
           continue
         }

@@ -1,5 +1,7 @@
+import type { Color } from 'forage-lab'
+import type { Names, Style } from '../state/looks'
+import { type Layers, piecesOf } from './layers'
 import type { Pen } from './pen'
-import type { Style } from './styles'
 import { beads, hatch, type Piece, tube } from './tubes'
 
 /** The robot's mark is never smaller than this, in pixels from its centre to its rim. */
@@ -19,7 +21,7 @@ function fill({ context }: Pen, path: Path2D, colour: string | CanvasPattern | n
   context.globalAlpha = 1
 }
 
-function stroke({ context, palette }: Pen, path: Path2D, token: string, width: number, dash: readonly number[] = []): void {
+function stroke({ context, palette }: Pen, path: Path2D, token: string | Color, width: number, dash: readonly number[] = []): void {
   context.setLineDash([...dash])
   context.lineWidth = width
   context.strokeStyle = palette.get(token)
@@ -35,9 +37,9 @@ const moving: Draw = (pen, style, vertices, pieces) => {
     tube(path, line, Math.max(0, OBSTACLE - (line[0]?.[2] ?? 0)))
   }
   stroke(pen, path, '--stage', style.width + 3)
-  fill(pen, path, pen.palette.get('--moving-soft'))
-  fill(pen, path, hatch(pen, style.colour))
-  stroke(pen, path, style.colour, style.width)
+  fill(pen, path, pen.palette.get(style.fill ?? style.color))
+  fill(pen, path, hatch(pen, style.color))
+  stroke(pen, path, style.color, style.width)
 }
 
 /** Shaded, so that what lies beneath can be seen, and outlined as one where ranges overlap. */
@@ -48,9 +50,9 @@ const predicted: Draw = (pen, style, vertices, pieces) => {
     tube(inner, line)
     tube(outer, line, style.width)
   }
-  fill(pen, inner, pen.palette.get('--predicted'))
-  fill(pen, inner, hatch(pen, '--predicted-edge'), 0.5)
-  rims(pen, inner, outer, pen.palette.get('--predicted-edge'))
+  fill(pen, inner, pen.palette.get(style.fill ?? style.color))
+  fill(pen, inner, hatch(pen, style.color), 0.5)
+  rims(pen, inner, outer, pen.palette.get(style.color))
 }
 
 let sheet: OffscreenCanvas | null = null
@@ -79,13 +81,13 @@ function rims({ context, size }: Pen, inner: Path2D, outer: Path2D, colour: stri
 const sensor: Draw = (pen, style, vertices, pieces) => {
   const path = new Path2D()
   for (const piece of tubesOf(pieces)) tube(path, beads(pen, vertices, piece))
-  pen.context.globalAlpha = style.alpha[0]
-  stroke(pen, path, style.colour, style.width, style.dash)
+  pen.context.globalAlpha = style.opacity[0]
+  stroke(pen, path, style.color, style.width, style.dash)
   pen.context.globalAlpha = 1
 }
 
 /** A disc on two wheels with an arrow head where it looks to. */
-export const drawRobot: Draw = (pen, style, vertices, pieces) => {
+const robot: Draw = (pen, style, vertices, pieces) => {
   const { context, palette } = pen
   const [disc] = tubesOf(pieces)
   const [body] = disc ? beads(pen, vertices, disc) : []
@@ -104,9 +106,9 @@ export const drawRobot: Draw = (pen, style, vertices, pieces) => {
   const [long, wide] = [0.95 * radius, 0.34 * radius]
   for (const side of [-1, 1]) wheels.roundRect(-long / 2, side * radius - wide / 2, long, wide, wide / 2)
   for (const part of [wheels, round]) stroke(pen, part, '--stage', 4)
-  fill(pen, wheels, palette.get(style.colour))
-  fill(pen, round, palette.get('--robot-soft'))
-  stroke(pen, round, style.colour, style.width)
+  fill(pen, wheels, palette.get(style.color))
+  fill(pen, round, palette.get(style.fill ?? '--stage'))
+  stroke(pen, round, style.color, style.width)
   const head = new Path2D()
   if (looks) {
     head.moveTo(0.74 * radius, 0)
@@ -117,7 +119,7 @@ export const drawRobot: Draw = (pen, style, vertices, pieces) => {
   } else {
     head.arc(0, 0, 0.35 * radius, 0, 2 * Math.PI)
   }
-  fill(pen, head, palette.get(style.colour))
+  fill(pen, head, palette.get(style.color))
   context.restore()
 }
 
@@ -137,25 +139,35 @@ const goal: Draw = (pen, style, vertices, pieces) => {
   pen.context.lineJoin = 'round'
   stroke(pen, path, '--stage', style.width + 3)
   fill(pen, path, pen.palette.get('--stage'))
-  stroke(pen, path, style.colour, style.width)
+  stroke(pen, path, style.color, style.width)
+}
+
+/** The robots of a frame's layers that are on. */
+export function drawRobots(pen: Pen, frame: Layers, names: Names, on: (role: string) => boolean): void {
+  const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
+  const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
+  names.layers.forEach(({ role, look }, number) => {
+    if (look.glyph === 'robot' && on(role)) robot(pen, look, vertices, piecesOf(spans, number, names.shapes))
+  })
 }
 
 function nothing(): void {}
 
-/** Roles that have a drawing of their own. */
-export const own: Readonly<Record<string, Draw>> = {
-  moving,
-  predicted,
-  sensor,
-  'local-goal': goal,
+const GLYPHS: Partial<Record<NonNullable<Style['glyph']>, Draw>> = {
+  disc: moving,
+  band: predicted,
+  reach: sensor,
   // Drawn with start and goal, for which of them lies on top.
   robot: nothing,
-  events: nothing,
+  event: nothing,
 }
 
-/** Tubes of any other role: what they cover, shaded. */
+/** The drawing of what is neither points nor lines, or points that are lifted. */
+export const own = ({ glyph, lifted }: Style): Draw | undefined => (lifted && glyph === 'diamond' ? goal : glyph && GLYPHS[glyph])
+
+/** Any other tubes: what they cover, shaded. */
 export const drawTubes: Draw = (pen, style, vertices, pieces) => {
   const path = new Path2D()
   for (const piece of tubesOf(pieces)) tube(path, beads(pen, vertices, piece))
-  fill(pen, path, pen.palette.get(style.colour), 0.2)
+  fill(pen, path, pen.palette.get(style.color), 0.2)
 }

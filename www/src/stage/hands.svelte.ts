@@ -4,7 +4,6 @@ import { discOf, type Handle, LEAST_RADIUS, move, place, resize, same, type Sele
 import { lab } from '../state/lab.svelte'
 import { takesStops } from '../state/stops'
 import { CROWD, hit } from './hit'
-import { STOPS, styleOf } from './styles'
 import { type Size, toScene, type View } from './view'
 
 /** What a press on the stage is for: looking and moving, a new disc or stop, one that moves, painting cells, going from cell to cell. */
@@ -35,7 +34,7 @@ export class Hands {
   /** The field that is shown and whose cells can be asked about. */
   readonly role = $derived(
     lab.grid
-      ? (lab.layers.find(({ role, on, pickable }) => pickable && styleOf(role).ramp && lab.visible.shows(role, on))?.role ?? null)
+      ? (lab.layers.find(({ role, on, pickable, look }) => pickable && look.ramp && lab.visible.shows(role, on))?.role ?? null)
       : null,
   )
   /** Stops mean something here and can be changed. */
@@ -154,8 +153,8 @@ export class Hands {
     } else if (handle) {
       lab.select(objectOf(handle))
       // What the planner has to say about it.
-      if (handle.kind === 'stop' && lab.layers.some(({ role, pickable }) => pickable && role === STOPS))
-        lab.inspect({ role: STOPS, index: handle.index })
+      const stops = lab.layers.find(({ pickable, look }) => pickable && look.glyph === 'number')
+      if (handle.kind === 'stop' && stops) lab.inspect({ role: stops.role, index: handle.index })
     } else if (cell) {
       this.cell = cell
       this.toggle()

@@ -39,7 +39,7 @@ export function insideCells(pen: Pen, scene: GridScene, path: readonly Point[]):
   context.setLineDash([])
   context.lineCap = 'round'
   context.lineWidth = WRONG.width
-  context.strokeStyle = pen.palette.get(WRONG.colour)
+  context.strokeStyle = pen.palette.get(WRONG.color)
   context.stroke()
 }
 

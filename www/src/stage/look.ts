@@ -1,15 +1,15 @@
+import type { Layer } from 'forage-lab'
 import type { Look } from '../worker/protocol'
-import { styleOf } from './styles'
 import { type Size, toScene, type View } from './view'
 
 /** What the worker has to know of how these layers are seen. */
-export function lookOf(shown: readonly string[], view: View, size: Size, dark: boolean): Look {
-  const near = shown.some((role) => styleOf(role).near)
+export function lookOf(shown: readonly Layer[], view: View, size: Size, dark: boolean): Look {
+  const near = shown.some((layer) => layer.look.near)
   const [left, top] = toScene(view, size, [0, 0])
   const [right, bottom] = toScene(view, size, [size.width, size.height])
   return {
     dark,
-    fields: shown.filter((role) => styleOf(role).ramp),
+    fields: shown.filter((layer) => layer.look.ramp).map(({ role }) => role),
     window: near ? { min: [left, Math.min(top, bottom)], max: [right, Math.max(top, bottom)] } : null,
   }
 }

@@ -1,15 +1,12 @@
 import type { GridScene, Moving, Point } from 'forage-lab'
 import { tipOf } from '../state/aiming'
 import { type Handle, same, type Selection } from '../state/edits'
+import type { Names } from '../state/looks'
 import { movingOf } from '../state/moving'
-import type { Layers, Names } from './layers'
+import type { Layers } from './layers'
 import type { Pen } from './pen'
 import { type Size, toScreen, type View } from './view'
 
-/** The role of the obstacles where they are now. */
-export const MOVING = 'moving'
-/** The role of the places where something happened. */
-export const EVENTS = 'events'
 /** An arrow reaches at least this far out of its disc, in pixels. */
 const BEYOND = 15
 /** Below this, in pixels, an obstacle is where it began. */
@@ -23,11 +20,11 @@ const HEAD = 9
 /** How clear the start of one is that has left it. */
 const LEFT = 0.5
 
-/** The vertices of a role. */
-export function placesOf(frame: Layers, names: Names, role: string): Point[] {
+/** The vertices of the layer with this form. */
+export function placesOf(frame: Layers, names: Names, glyph: 'disc' | 'event'): Point[] {
   const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
-  const number = names.roles.indexOf(role)
+  const number = names.layers.findIndex(({ look }) => look.glyph === glyph)
   const found: Point[] = []
   for (let at = 0; at < spans.length; at += 4) {
     const [of, , first = 0, count = 0] = spans.subarray(at, at + 4)
@@ -40,14 +37,14 @@ export function placesOf(frame: Layers, names: Names, role: string): Point[] {
 
 /** A frame's obstacles where they are now; nothing where a planner doesn't tell of them, or not of so many. */
 export function placesNow(frame: Layers, names: Names, count: number): Point[] | null {
-  const found = count > 0 ? placesOf(frame, names, MOVING) : []
+  const found = count > 0 ? placesOf(frame, names, 'disc') : []
   return count > 0 && found.length === count ? found : null
 }
 
 /** The event at a point of the screen: of several the nearest, and at one place the latest. */
 export function eventAt(frame: Layers, names: Names, view: View, size: Size, at: Point, coarse: boolean): number | null {
   let best = { index: -1, from: coarse ? COARSE : NEAR }
-  placesOf(frame, names, EVENTS).forEach((place, index) => {
+  placesOf(frame, names, 'event').forEach((place, index) => {
     const from = apart(toScreen(view, size, place), at)
     if (from <= best.from) best = { index, from }
   })

@@ -1,7 +1,10 @@
+import type { Color } from 'forage-lab'
+
 /** The tokens' values as the canvas needs them; read anew when the theme changes. */
 export class Palette {
   private known = new Map<string, string>()
   private style: CSSStyleDeclaration
+  private dark: boolean | undefined
 
   constructor(element: Element) {
     this.style = getComputedStyle(element)
@@ -9,9 +12,15 @@ export class Palette {
 
   refresh(): void {
     this.known.clear()
+    this.dark = undefined
   }
 
-  get(token: string): string {
+  /** A token's value, or a colour by the theme. */
+  get(token: string | Color): string {
+    if (typeof token !== 'string') {
+      this.dark ??= this.style.colorScheme === 'dark'
+      return this.dark ? token.dark : token.light
+    }
     let colour = this.known.get(token)
     if (colour === undefined) {
       colour = this.style.getPropertyValue(token).trim()

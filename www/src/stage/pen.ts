@@ -1,6 +1,6 @@
 import { rise, type Size, type View } from './view'
 import type { Palette } from './palette'
-import type { Style } from './styles'
+import type { Style } from '../state/looks'
 
 /** What drawing needs to know. */
 export interface Pen {
@@ -22,12 +22,12 @@ const ROUND = 3000
 
 const stepOf = (weight: number): number => Math.min(STEPS - 1, Math.max(0, Math.floor(weight * STEPS)))
 
-function alphaAt({ alpha: [best, worst] }: Style, step: number): number {
+function alphaAt({ opacity: [best, worst] }: Style, step: number): number {
   return best + ((worst - best) * step) / (STEPS - 1)
 }
 
 export function applyStyle({ context, palette }: Pen, style: Style): void {
-  const colour = palette.get(style.colour)
+  const colour = palette.get(style.color)
   context.strokeStyle = colour
   context.fillStyle = colour
   context.lineWidth = style.width
@@ -46,7 +46,7 @@ export function points(pen: Pen, style: Style, vertices: Float32Array, first: nu
   const up = rise(view) * scale
   const top = size.height / 2 + view.y * up - style.point / 2
   const end = (first + count) * 4
-  if (style.mark && count < 500) {
+  if (isMarked(style) && count < 500) {
     for (let at = first * 4; at < end; at += 4)
       marked(pen, style, left + style.point / 2 + (vertices[at] ?? 0) * scale, top + style.point / 2 - (vertices[at + 1] ?? 0) * up)
     return
@@ -71,13 +71,16 @@ function dot(context: CanvasRenderingContext2D, left: number, top: number, radiu
   context.fill()
 }
 
+/** Points of this look are told by their form. */
+export const isMarked = ({ glyph }: Style): boolean => glyph === 'ring' || glyph === 'diamond'
+
 /** A mark that is told by its form. */
 export function marked({ context }: Pen, style: Style, x: number, y: number): void {
   const half = style.point / 2
   context.beginPath()
   context.setLineDash([])
   context.lineWidth = 2
-  if (style.mark === 'diamond') {
+  if (style.glyph === 'diamond') {
     context.moveTo(x, y - half - 1)
     context.lineTo(x + half + 1, y)
     context.lineTo(x, y + half + 1)

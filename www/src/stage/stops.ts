@@ -1,9 +1,9 @@
 import type { Scene } from 'forage-lab'
 import { ends, type Handle, same, type Selection } from '../state/edits'
+import type { Names } from '../state/looks'
 import { stopsOf } from '../state/stops'
-import type { Layers, Names } from './layers'
+import type { Layers } from './layers'
 import type { Pen } from './pen'
-import { STOPS } from './styles'
 import { toScreen } from './view'
 
 /** A disc holds a number of two digits. */
@@ -22,7 +22,7 @@ const MANY = 400
 export function placesOf(frame: Layers, names: Names, count: number): number[] | null {
   const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
   for (let at = 0; at < spans.length; at += 4) {
-    if (names.roles[spans[at] ?? 0] !== STOPS) continue
+    if (names.layers[spans[at] ?? 0]?.look.glyph !== 'number') continue
     const vertices = new Float32Array(frame.buffer, (spans[at + 2] ?? 0) * 16, (spans[at + 3] ?? 0) * 4)
     const places = Array.from({ length: vertices.length / 4 }, (_, stop) => vertices[4 * stop + 3] ?? -1)
     return places.length === count && places.includes(0) ? places : null

@@ -1,3 +1,4 @@
+import type { Color } from 'forage-lab'
 import type { Pen } from './pen'
 import { rise } from './view'
 
@@ -57,7 +58,7 @@ const hatches = new Map<string, CanvasPattern>()
 const PITCH = 7
 
 /** Thin slanting lines of a colour. They lie still on the plane while the view moves. */
-export function hatch({ context, view, size, palette }: Pen, token: string): CanvasPattern | null {
+export function hatch({ context, view, size, palette }: Pen, token: string | Color): CanvasPattern | null {
   const density = devicePixelRatio || 1
   const key = [palette.get(token), density].join()
   const pattern = hatches.get(key) ?? tiled(context, palette.get(token), density)

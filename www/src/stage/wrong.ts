@@ -1,12 +1,12 @@
 import type { Disc } from 'forage-lab'
+import { PLAIN, type Style } from '../state/looks'
 import type { Lines, Pen } from './pen'
-import { styleOf } from './styles'
 import { toScreen } from './view'
 
 /** How near a rim is not yet inside, in pixels: what touches isn't wrong. */
 export const TOUCH = 1
 
-export const WRONG = { ...styleOf('best'), colour: '--danger', width: 4 }
+export const WRONG: Style = { ...PLAIN, color: '--danger', width: 4, opacity: [1, 1] }
 
 /** Whatever part of the result lies inside a disc is drawn in red. */
 export function insideDiscs(pen: Pen, lines: Lines, discs: readonly Disc[]): void {

@@ -65,7 +65,7 @@ class Arm implements ArmView {
 
   /** Where a point is, if there is one now. */
   place(aim: Aim): Point3 | null {
-    if (aim === 'node') return lab.inspection && lab.frame && lab.catalogue && nodeOf(lab.inspection, lab.frame, lab.catalogue)
+    if (aim === 'node') return lab.inspection && lab.frame && lab.names && nodeOf(lab.inspection, lab.frame, lab.names)
     if (aim === 'tip') return this.following.track?.tipAt(this.clock.time) ?? null
     return lab.arm?.[aim] ?? null
   }

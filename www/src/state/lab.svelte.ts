@@ -4,6 +4,7 @@ import type {
   Item,
   Layer,
   LinkSetup,
+  Look,
   Outcome,
   ParameterValue,
   Planner,
@@ -23,6 +24,7 @@ import { Followers } from './followers.svelte'
 import type { Follower } from './following.svelte'
 import type { Again } from './scenes.svelte'
 import { Parameters } from './parameters.svelte'
+import { layerOf, type Names, namesOf, PLAIN } from './looks'
 import { missing, stageAt } from './stages'
 import { suits } from './stops'
 import { Suggested } from './suggested.svelte'
@@ -67,6 +69,9 @@ export class Lab extends Parameters {
   /** A random map is being made. */
   making = $state(false)
   readonly planner = $derived<Planner | null>(this.catalogue?.planners.find(({ name }) => name === this.plannerName) ?? null)
+  /** The planner that drew the frame: another one may have been chosen. */
+  private readonly drawer = $derived(this.catalogue?.planners.find(({ name }) => name === this.frame?.planner))
+  readonly names = $derived<Names | null>(this.catalogue && namesOf(this.catalogue, this.drawer))
   /** What is looked for is a tour through the stops: start and goal mean nothing. */
   readonly touring = $derived(this.scene?.kind === 'tour' || (this.grid !== null && (this.planner?.stops ?? false)))
   /** It tells what happens and what it decides. */
@@ -243,6 +248,9 @@ export class Lab extends Parameters {
       this.item = null
     }
   }
+
+  /** How a layer of the frame, of an explanation or of the scene looks. */
+  lookOf = (key: string): Look => layerOf(this.catalogue, this.drawer, key)?.look ?? PLAIN
 
   /** Whether a condition on the parameters is met. */
   met = (when: When | undefined): boolean =>

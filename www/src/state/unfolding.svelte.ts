@@ -14,14 +14,14 @@ class Unfolding {
   private of = ''
 
   /** Takes what a settled frame shows. The same iteration again changes nothing. */
-  take(frame: FrameMessage, role: number): void {
+  take(frame: FrameMessage, layer: number): void {
     const of = [frame.generation, frame.iteration].join()
     if (of === this.of) return
     this.of = of
     const walk = Walk.of(
       new Float32Array(frame.buffer, 0, frame.vertices),
       new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans),
-      role,
+      layer,
     )
     this.walk = walk
     this.clock.pace = PACES.find((pace) => walk.end / pace <= PATIENCE) ?? PACES[2]

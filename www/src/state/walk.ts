@@ -28,12 +28,12 @@ export class Walk {
     this.stride = ants.reduce((least, { places, last }) => (last > 0 ? Math.min(least, strideOf(places)) : least), Infinity)
   }
 
-  /** From the lines of a role in a frame: a vertex a step, of weight 1 where the ant arrived. */
-  static of(vertices: Float32Array, spans: Uint32Array, role: number): Walk {
+  /** From the lines of a layer in a frame: a vertex a step, of weight 1 where the ant arrived. */
+  static of(vertices: Float32Array, spans: Uint32Array, layer: number): Walk {
     const ants: Ant[] = []
     for (let at = 0; at < spans.length; at += 4) {
       const [of, , first = 0, count = 0] = spans.subarray(at, at + 4)
-      if (of !== role || count === 0) continue
+      if (of !== layer || count === 0) continue
       const own = vertices.subarray(VERTEX * first, VERTEX * (first + count))
       const places = Float32Array.from({ length: 2 * count }, (_, k) => own[VERTEX * (k >> 1) + (k & 1)] ?? 0)
       ants.push({ places, last: count - 1, arrived: (own[3] ?? 0) > 0.5 })

@@ -81,6 +81,8 @@ export interface Span {
 export interface FrameMessage {
   type: 'frame'
   generation: number
+  /** Who drew it: the span table counts this planner's layers. */
+  planner: string
   iteration: number
   computed: number
   status: Status

@@ -307,6 +307,7 @@ export class Simulation {
     const message: FrameMessage = {
       type: 'frame',
       generation: this.generation,
+      planner: this.task?.planner ?? '',
       iteration,
       computed: this.computed,
       status,

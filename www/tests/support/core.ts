@@ -29,10 +29,16 @@ export function trialOf(setup: Setup): { record: TrialRecord; curve: { evaluatio
   return told
 }
 
+/** The number of a layer in the session's frames. Ask before the frame: its views hold until the next call. */
+export const layerOf = ({ planner }: Session, key: string): number =>
+  catalogue()
+    .planners.find(({ name }) => name === planner)
+    ?.layers.findIndex(({ role }) => role === key) ?? -1
+
 /** Where the particles are on a function's map. */
 export const particles = (setup: Partial<Setup>, iteration: number): [number, number][] =>
   sessionAt(setup, iteration, (session) => {
-    const role = catalogue().roles.indexOf('particles')
+    const role = layerOf(session, 'particles')
     const { vertices, spans } = session.frame(1e6)
     const found: [number, number][] = []
     for (let span = 0; span < spans.length; span += 4) {
@@ -46,7 +52,7 @@ export const particles = (setup: Partial<Setup>, iteration: number): [number, nu
 /** Bends of the particles' paths, ends left out. */
 export const bends = (setup: Partial<Setup>, iteration: number): [number, number][] =>
   sessionAt(setup, iteration, (session) => {
-    const role = catalogue().roles.indexOf('particles')
+    const role = layerOf(session, 'particles')
     const { vertices, spans } = session.frame(1e6)
     const found: [number, number][] = []
     for (let span = 0; span < spans.length; span += 4) {

@@ -13,9 +13,9 @@ use std::{
 
 use forage::{
     Given, Outcome, Session, Status, arm,
-    describe::Column,
+    describe::{Column, Shown, layers},
     drive::COLUMNS,
-    kernel::{Finding, Role},
+    kernel::Finding,
     picture,
     scene::formats::{stem_of, tour_file},
     session::{carry_out_all, csv_heading, csv_line, csv_row},
@@ -58,8 +58,9 @@ pub(super) fn run(args: &RunArgs) -> failure::Outcome {
         write_tour(path, &outcome)?;
     }
     if let Some(path) = &args.svg {
-        let roles: Vec<_> = session.entry().layers.iter().filter(|layer| layer.on).map(|layer| layer.role).chain([Role::Exact]).collect();
-        files::write(path, picture::svg(&session, false, &roles))?;
+        let shown = session.entry().layers.iter().filter(|layer| layer.shown == Shown::On);
+        let layers: Vec<_> = shown.map(|layer| layer.key).chain([layers::EXACT.key]).collect();
+        files::write(path, picture::svg(&session, false, &layers))?;
     }
     let expected = task.expected_hash.filter(|_| !args.ignore_hash);
     let difference = expected.and_then(|expected| hash_difference(&expected, task.stop_at, &outcome));
