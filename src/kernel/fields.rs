@@ -126,6 +126,14 @@ impl Fields {
         point_of(&self.path(name), &found)
     }
 
+    /// A list of points in the plane.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn points(&mut self, name: &'static str) -> Result<Vec<[f64; 2]>, Error> {
+        each(&self.path(name), self.list(name)?, |path, value| point_of(path, &value))
+    }
+
     /// A point in the plane, if there is one.
     ///
     /// # Errors
@@ -210,11 +218,20 @@ impl Fields {
     }
 }
 
-/// A point in the plane; `path` is the field that it is in.
+/// What is read of each item of a list; `path` is the field that the list is in, and `read` gets that of the item.
 ///
 /// # Errors
-/// [`Error::Refused`] for anything else.
-pub fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
+/// As `read`.
+pub fn each<T>(path: &str, list: Vec<Value>, read: impl Fn(&str, Value) -> Result<T, Error>) -> Result<Vec<T>, Error> {
+    let mut out = Vec::with_capacity(list.len());
+    for (i, value) in list.into_iter().enumerate() {
+        out.push(read(&format!("{path}[{i}]"), value)?);
+    }
+    Ok(out)
+}
+
+/// A point in the plane; `path` is the field that it is in.
+fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
     let Some([x, y]) = found.as_array().map(Vec::as_slice) else {
         return Err(Error::refused(path, shown(found), "a point, [x, y]"));
     };

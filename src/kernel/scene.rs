@@ -52,7 +52,11 @@ type Optima = [[OnceLock<Option<Exact>>; 1 + Round::ALL.len()]; 2];
 
 impl fmt::Debug for Scene {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Scene").field("header", &self.header).field("kind", &self.kind()).field("body", &self.written()).finish()
+        f.debug_struct("Scene")
+            .field("header", &self.header)
+            .field("kind", &self.kind())
+            .field("body", &self.written())
+            .finish_non_exhaustive()
     }
 }
 

@@ -7,7 +7,7 @@ use crate::{
     geometry::Cuboid,
     kernel::{
         Error,
-        fields::{Fields, object},
+        fields::{Fields, each, object},
     },
 };
 
@@ -18,7 +18,7 @@ pub(super) fn read(fields: &mut Fields) -> Result<ArmScene, Error> {
         workspace: cuboid("workspace", fields.take("workspace"))?,
         start: fields.point_in_space("start")?,
         goal: fields.point_in_space("goal")?,
-        cuboids: cuboids.into_iter().enumerate().map(|(i, value)| cuboid(&format!("cuboids[{i}]"), value)).collect::<Result<_, _>>()?,
+        cuboids: each("cuboids", cuboids, cuboid)?,
         arm: arm(fields.take("arm"))?,
     })
 }
@@ -32,9 +32,8 @@ fn cuboid(at: &str, value: Value) -> Result<Cuboid, Error> {
 
 fn arm(value: Value) -> Result<Arm, Error> {
     let mut fields = Fields::of("arm", value, "an object with joints, tool and base")?;
-    let joints = fields.list("joints")?;
+    let joints = each("arm.joints", fields.list("joints")?, joint)?;
     let n = joints.len();
-    let joints = joints.into_iter().enumerate().map(|(i, value)| joint(i, value)).collect::<Result<Vec<_>, _>>()?;
     let joints = joints.try_into().map_err(|_| Error::refused("arm.joints", format!("a list of {n}"), "a list of 6"))?;
     let mut tool = Fields::of("arm.tool", fields.take("tool"), "an object with axis and length")?;
     let mut base = Fields::of("arm.base", fields.take("base"), "an object with position, yaw and column_radius")?;
@@ -53,8 +52,8 @@ fn arm(value: Value) -> Result<Arm, Error> {
     Ok(arm)
 }
 
-fn joint(i: usize, value: Value) -> Result<Joint, Error> {
-    let mut fields = Fields::of(&format!("arm.joints[{i}]"), value, "an object with a, alpha, home, d, min and max")?;
+fn joint(at: &str, value: Value) -> Result<Joint, Error> {
+    let mut fields = Fields::of(at, value, "an object with a, alpha, home, d, min and max")?;
     let joint = Joint {
         a: fields.number("a")?,
         alpha: fields.number("alpha")?,

@@ -6,7 +6,7 @@ use crate::{
     geometry::{Bounds, Disc},
     kernel::{
         Error,
-        fields::{Fields, object, point},
+        fields::{Fields, each, object, point},
     },
 };
 
@@ -26,7 +26,7 @@ pub(super) fn read(fields: &mut Fields) -> Result<DiscsScene, Error> {
         bounds: bounds(fields.take("bounds"))?,
         start: fields.point("start")?,
         goal: fields.point("goal")?,
-        discs: fields.list("discs")?.into_iter().enumerate().map(|(i, value)| disc(i, value)).collect::<Result<_, _>>()?,
+        discs: each("discs", fields.list("discs")?, disc)?,
     })
 }
 
@@ -37,8 +37,8 @@ fn bounds(value: Value) -> Result<Bounds, Error> {
     Ok(bounds)
 }
 
-fn disc(i: usize, value: Value) -> Result<Disc, Error> {
-    let mut fields = Fields::of(&format!("discs[{i}]"), value, "an object with center and radius")?;
+fn disc(at: &str, value: Value) -> Result<Disc, Error> {
+    let mut fields = Fields::of(at, value, "an object with center and radius")?;
     let disc = Disc { center: fields.point("center")?, radius: fields.number("radius")? };
     fields.end()?;
     Ok(disc)

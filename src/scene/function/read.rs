@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::kernel::{
     Error,
-    fields::{Fields, number},
+    fields::{Fields, each, number},
 };
 
 use super::body::{Function, FunctionScene};
@@ -27,9 +27,7 @@ pub(super) fn read(fields: &mut Fields) -> Result<FunctionScene, Error> {
     }
     let mut shift = Vec::new();
     if fields.has("shift") {
-        for (i, value) in fields.list("shift")?.iter().enumerate() {
-            shift.push(number(format!("shift[{i}]"), value)?);
-        }
+        shift = each("shift", fields.list("shift")?, |at, value| number(at.to_owned(), &value))?;
     }
     fields.allow("shift");
     Ok(FunctionScene { function, dimension: dimension as usize, shift })

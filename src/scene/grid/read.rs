@@ -6,7 +6,7 @@ use crate::{
     geometry::YAxis,
     kernel::{
         Error,
-        fields::{Fields, number, object, point, point_of, points, shown},
+        fields::{Fields, each, number, object, point, points, shown},
     },
     scene::moving::{Motion, Moving},
 };
@@ -52,8 +52,7 @@ pub(super) fn read(fields: &mut Fields) -> Result<GridScene, Error> {
     scene.start = fields.optional_point("start")?;
     scene.goal = fields.optional_point("goal")?;
     if fields.has("stops") {
-        scene.stops =
-            fields.list("stops")?.iter().enumerate().map(|(i, stop)| point_of(&format!("stops[{i}]"), stop)).collect::<Result<_, _>>()?;
+        scene.stops = fields.points("stops")?;
     }
     scene.corner_cutting = fields.flag("corner_cutting", false)?;
     scene.robot = match fields.take("robot") {
@@ -61,7 +60,7 @@ pub(super) fn read(fields: &mut Fields) -> Result<GridScene, Error> {
         value => Some(robot(value)?),
     };
     if fields.has("moving") {
-        scene.moving = fields.list("moving")?.into_iter().enumerate().map(|(i, value)| moving(i, value)).collect::<Result<_, _>>()?;
+        scene.moving = each("moving", fields.list("moving")?, moving)?;
     }
     Ok(scene.snapped())
 }
@@ -108,9 +107,8 @@ fn robot(value: Value) -> Result<Robot, Error> {
     Ok(robot)
 }
 
-fn moving(i: usize, value: Value) -> Result<Moving, Error> {
-    let name = format!("moving[{i}]");
-    let mut fields = Fields::of(&name, value, "an object with center, radius, and velocity or waypoints")?;
+fn moving(at: &str, value: Value) -> Result<Moving, Error> {
+    let mut fields = Fields::of(at, value, "an object with center, radius, and velocity or waypoints")?;
     let (center, radius) = (fields.point("center")?, fields.number("radius")?);
     let motion = match ["velocity", "waypoints"].map(|name| fields.has(name)) {
         [true, false] => {
@@ -120,10 +118,7 @@ fn moving(i: usize, value: Value) -> Result<Moving, Error> {
         }
         [false, true] => {
             fields.allow("velocity");
-            let list = fields.list("waypoints")?;
-            Motion::Waypoints(
-                list.iter().enumerate().map(|(k, value)| moment(&format!("{name}.waypoints[{k}]"), value)).collect::<Result<_, _>>()?,
-            )
+            Motion::Waypoints(each(&fields.path("waypoints"), fields.list("waypoints")?, |at, value| moment(at, &value))?)
         }
         [false, false] => return Err(fields.refuse("velocity", &Value::Null, "a velocity, [vx, vy], or else waypoints")),
         [true, true] => return Err(Error::refused(fields.path("velocity"), "this field", "left out where there are waypoints")),

@@ -6,7 +6,7 @@ use crate::{
     exact::{Distances, Metric},
     kernel::{
         Error,
-        fields::{Fields, number, point_of, points, shown},
+        fields::{Fields, number, points, shown},
     },
 };
 
@@ -33,8 +33,7 @@ pub(super) fn write(tour: &TourScene, out: &mut Vec<(&'static str, Value)>) {
 /// Reads its fields.
 pub(super) fn read(fields: &mut Fields) -> Result<TourScene, Error> {
     let points = if fields.has("points") || !fields.has("matrix") {
-        let list = fields.list("points")?;
-        list.iter().enumerate().map(|(i, point)| point_of(&format!("points[{i}]"), point)).collect::<Result<_, _>>()?
+        fields.points("points")?
     } else {
         fields.allow("points");
         Vec::new()
