@@ -17,8 +17,13 @@ impl Readings {
     }
 
     /// Adds a number that the planner's entry lists.
+    #[inline]
     pub fn push(&mut self, reading: impl ReadingName, value: f64) {
-        self.0.push((reading.name(), value));
+        self.add(reading.name(), value);
+    }
+
+    fn add(&mut self, name: &'static str, value: f64) {
+        self.0.push((name, value));
     }
 
     /// The names and numbers, always in the same order for the same run.

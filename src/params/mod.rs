@@ -123,6 +123,12 @@ pub struct Parameter {
 }
 
 impl Parameter {
+    /// The options of a choice.
+    #[inline]
+    pub(crate) const fn options(&self) -> &'static [Choice] {
+        if let Domain::Choice { options } = self.domain { options } else { &[] }
+    }
+
     /// Whether it means something on this kind of scene.
     pub fn applies_to(&self, kind: SceneKindId) -> bool {
         self.kinds.is_empty() || self.kinds.contains(&kind)

@@ -1,4 +1,8 @@
 //! Parameters declared once: what lists a parameter also reads it.
+#![expect(
+    clippy::inline_always,
+    reason = "only so does a reading need the name alone, and no copy of the declaration in the program's data"
+)]
 
 use std::ops::Index;
 
@@ -36,12 +40,14 @@ pub enum Selection {}
 /// A type of parameter values: `f64`, `u64`, `bool`, `&'static str` for names, and what the options of a choice mean.
 pub trait ParamValue: Sized + 'static {
     /// The value of a parameter: what its chosen option means, unless it is a number, a flag or a name.
+    #[inline(always)]
     fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
         param.chosen(settings)
     }
 }
 
 impl ParamValue for f64 {
+    #[inline(always)]
     fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
         match param.parameter.domain {
             Domain::Choice { .. } => param.chosen(settings),
@@ -51,12 +57,14 @@ impl ParamValue for f64 {
 }
 
 impl ParamValue for u64 {
+    #[inline(always)]
     fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
         settings.whole(param.parameter.name)
     }
 }
 
 impl ParamValue for bool {
+    #[inline(always)]
     fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
         match param.parameter.domain {
             Domain::Choice { .. } => param.chosen(settings),
@@ -66,8 +74,9 @@ impl ParamValue for bool {
 }
 
 impl ParamValue for &'static str {
+    #[inline(always)]
     fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
-        settings.option(&param.parameter).map_or(&"", |(_, option)| &option.value)
+        &settings.option(param.parameter.name, param.parameter.options()).1.value
     }
 }
 
@@ -78,7 +87,7 @@ impl<T: ParamValue> Index<Param<T>> for Settings {
 
     /// The value of a parameter on this kind of scene. One that means nothing there, or that the list has not, is NaN, 0,
     /// false, the empty text or what the first option means; in debug builds reading one that the list has not fails.
-    #[inline]
+    #[inline(always)]
     fn index(&self, param: Param<T>) -> &T {
         T::read(self, &param)
     }
@@ -120,8 +129,9 @@ impl<T> Param<T> {
     }
 
     /// What the chosen option means.
+    #[inline(always)]
     fn chosen(&self, settings: &Settings) -> &'static T {
-        &self.meanings[settings.option(&self.parameter).map_or(0, |(place, _)| place)]
+        &self.meanings[settings.option(self.parameter.name, self.parameter.options()).0]
     }
 
     /// Its name, as in `--set name=value`.

@@ -2,7 +2,7 @@
 
 use crate::kernel::{Error, SceneKindId};
 
-use super::{Choice, Domain, Given, Parameter, Value, When};
+use super::{Choice, Given, Parameter, Value, When};
 
 /// A value for every parameter of a planner on a kind of scene; all of them allowed. Read by `settings[POPULATION]`, see
 /// [`Param`](super::Param).
@@ -48,29 +48,34 @@ impl Settings {
         &self.changed
     }
 
+    #[inline(never)]
     pub(super) fn number(&self, name: &str) -> &f64 {
         if let Some(Value::Number(number)) = self.get(name) { number } else { &f64::NAN }
     }
 
+    #[inline(never)]
     pub(super) fn whole(&self, name: &str) -> &u64 {
         self.place(name).map_or(&0, |place| &self.whole[place])
     }
 
+    #[inline(never)]
     pub(super) fn flag(&self, name: &str) -> &bool {
         if let Some(Value::Flag(flag)) = self.get(name) { flag } else { &false }
     }
 
+    #[inline(never)]
     pub(super) fn text(&self, name: &str) -> &str {
         if let Some(Value::Text(text)) = self.get(name) { text } else { "" }
     }
 
-    /// The option of a choice that is chosen, and its place among them; `None` for what is no choice.
-    pub(super) fn option(&self, parameter: &Parameter) -> Option<(usize, &'static Choice)> {
-        let Domain::Choice { options } = parameter.domain else { return None };
-        let Some(Value::Text(text)) = self.get(parameter.name) else { return None };
+    /// The option of a choice that is chosen, and its place among them; the first one where none is.
+    #[inline(never)]
+    pub(super) fn option(&self, name: &str, options: &'static [Choice]) -> (usize, &'static Choice) {
+        const NONE: Choice = Choice { value: "", title: "", help: "" };
+        let text = self.text(name);
         let found = options.iter().enumerate().find(|(_, option)| option.value == text);
-        debug_assert!(found.is_some(), "`{}` is {text}, which what reads it does not know", parameter.name);
-        found
+        debug_assert!(found.is_some() || text.is_empty(), "`{name}` is {text}, which what reads it does not know");
+        found.unwrap_or((0, &NONE))
     }
 
     fn get(&self, name: &str) -> Option<&Value> {

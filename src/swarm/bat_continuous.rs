@@ -104,7 +104,7 @@ fn start(start: &Start) -> Result<Started, Error> {
     let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
     let sides: Vec<_> = population.objective.search_box().sides().collect();
     let (v_max, absolute) = (settings[V_MAX], settings[V_MAX_ABSOLUTE]);
-    let [low, high] = [F_MIN, F_MAX].map(|frequency| settings[frequency]);
+    let [low, high] = [settings[F_MIN], settings[F_MAX]];
     let bats = Bats {
         v: vec![0.0; population.x.len()],
         v_max: sides.iter().map(|side| if absolute { v_max } else { v_max * side }).collect(),

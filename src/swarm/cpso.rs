@@ -86,8 +86,10 @@ pub const ENTRY: Entry = Entry::new(
 
 fn start(start: &Start) -> Result<Started, Error> {
     let settings = start.parameters;
-    let linear = |from: Param<f64>, to: Param<f64>| Law::Linear(settings[from], settings[to]);
-    let w = if settings[W_LINEAR] { linear(W_MAX, W_MIN) } else { Law::Constant(settings[W]) };
-    let schedule = Schedule { w, c1: linear(C1_START, C1_END), c2: linear(C2_START, C2_END) };
+    let schedule = Schedule {
+        w: if settings[W_LINEAR] { Law::Linear(settings[W_MAX], settings[W_MIN]) } else { Law::Constant(settings[W]) },
+        c1: Law::Linear(settings[C1_START], settings[C1_END]),
+        c2: Law::Linear(settings[C2_START], settings[C2_END]),
+    };
     super::start(start, Flight { schedule, perturbation: None })
 }

@@ -29,6 +29,6 @@ pub const ENTRY: Entry = Entry::new(
 
 fn start(start: &Start) -> Result<Started, Error> {
     let settings = start.parameters;
-    let [w, c1, c2] = [W, C1, C2].map(|coefficient| Law::Constant(settings[coefficient]));
+    let [w, c1, c2] = [settings[W], settings[C1], settings[C2]].map(Law::Constant);
     super::start(start, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None })
 }

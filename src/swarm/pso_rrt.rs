@@ -76,7 +76,7 @@ fn start(start: &Start) -> Result<Started, Error> {
         objective.encode(&path, x)
     });
     population.evaluations += tested;
-    let [w, c1, c2] = [W, C1, C2].map(|coefficient| Law::Constant(settings[coefficient]));
+    let [w, c1, c2] = [settings[W], settings[C1], settings[C2]].map(Law::Constant);
     let flight = Flight { schedule: Schedule { w, c1, c2 }, perturbation: None };
     let mut swarm = Swarm::of(population, settings, rng, flight);
     swarm.origins = Some(origins.into());

@@ -105,7 +105,7 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
     let loudness = settings[LOUDNESS_START];
     let swarm: Vec<_> =
         (0..settings[POPULATION]).map(|_| Bat { tour: moves::random_tour(problem, &mut rng), loudness, pulse_rate: 0.0, deed }).collect();
-    let [low, high] = [F_MIN, F_MAX].map(|frequency| settings[frequency]);
+    let [low, high] = [settings[F_MIN], settings[F_MAX]];
     Bats {
         problem: Arc::clone(problem),
         best: moves::shortest(swarm.iter().map(|bat| &bat.tour)).unwrap_or(&first).clone(),

@@ -154,7 +154,7 @@ fn start(start: &Start) -> Result<Started, Error> {
         colony,
         rounds: settings[ROUNDS],
         population,
-        weights: [W, C1, C2].map(|weight| settings[weight]),
+        weights: [settings[W], settings[C1], settings[C2]],
         seeds,
         shown: x.clone(),
         cost: vec![NONE; population],

@@ -33,7 +33,7 @@ const DIGITS: f64 = 1000.0;
 const GAP: f64 = 0.005;
 
 fn draw(settings: &Settings, stream: &mut Stream) -> Made {
-    let [side, largest] = [SIDE, RADIUS].map(|length| settings[length]);
+    let [side, largest] = [settings[SIDE], settings[RADIUS]];
     let count = settings[COUNT] as usize;
     let (start, goal) = ([0.0; 2], [side; 2]);
     let mut discs: Vec<Disc> = Vec::new();

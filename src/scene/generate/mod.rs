@@ -105,7 +105,7 @@ fn grid(
     seed: u64,
     note: &mut Option<String>,
 ) -> GridScene {
-    let [columns, rows, stops, moving] = [COLUMNS, ROWS, STOPS, MOVING].map(|count| settings[count] as usize);
+    let [columns, rows, stops, moving] = [settings[COLUMNS], settings[ROWS], settings[STOPS], settings[MOVING]].map(|count| count as usize);
     let count = columns * rows;
     let mut plot = Plot { columns, rows, blocked: vec![false; count], kept: vec![false; count], ends: [0, count - 1], note: None };
     draw(settings, &mut plot, stream);

@@ -54,7 +54,7 @@ const TRIES: usize = 1000;
 
 /// Puts up to as many discs on a grid as the settings say, and a robot that meets them; returns how many there was room for.
 pub(super) fn place(grid: &mut GridScene, settings: &Settings, stream: &mut Stream) -> usize {
-    let [fastest, largest] = [MOVING_SPEED, MOVING_RADIUS].map(|most| settings[most] * grid.cell);
+    let [fastest, largest] = [settings[MOVING_SPEED], settings[MOVING_RADIUS]].map(|most| most * grid.cell);
     let max = grid.bounds().max;
     let clear = |disc: &Moving| {
         let apart = disc.radius + APART * grid.cell;
