@@ -191,7 +191,7 @@ impl Canvas {
         let radius = rounded(half * self.scale);
         let [edge, inside] = [look.color, look.fill.unwrap_or(look.color)].map(|color| color.on(self.dark));
         let &[point] = points else {
-            let color = Color { light: opaque(look.color.light), dark: opaque(look.color.dark), ..look.color };
+            let color = Color { light: opaque(look.color.light), dark: opaque(look.color.dark) };
             return self.line(layer, &Look { color, width: 2.0 * radius, opacity: [SHADE, SHADE], ..*look }, 0.0, points);
         };
         let [x, y] = self.at(point);
@@ -342,5 +342,19 @@ mod tests {
         assert_eq!(picture.matches(r#"class="particles""#).count(), 0);
         assert_eq!(svg(&session, true, &[layers::PARTICLES.key]).matches(r#"class="particles""#).count(), 150);
         assert_eq!(escaped("a<b & c>d"), "a&lt;b &amp; c&gt;d");
+    }
+
+    #[test]
+    fn a_layer_has_the_colour_of_its_look_by_day_and_by_night_and_cells_without_pheromone_are_left_out() {
+        let setup = Setup { planner: "aco".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Given::default(), seed: 1 };
+        let mut session = Session::new(setup).unwrap();
+        session.step(3);
+        for dark in [false, true] {
+            let picture = svg(&session, dark, &[layers::BEST.key, layers::PHEROMONE.key]);
+            let best = picture.lines().find(|line| line.contains(r#"class="best""#)).unwrap();
+            assert!(best.contains(&format!(r#"stroke="{}""#, Hex(layers::BEST.look.color.on(dark)))), "{best}");
+            let cells = picture.matches(r#"class="pheromone""#).count();
+            assert!((1..900).contains(&cells), "{cells} of 900 cells");
+        }
     }
 }
