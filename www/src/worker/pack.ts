@@ -32,10 +32,10 @@ export function pack(vertices: Float32Array, spans: Uint32Array, field: number, 
 function leaveOut(vertices: Float32Array, spans: Uint32Array, field: number, points: Float32Array, table: Uint32Array): void {
   let [filled, row] = [0, 0]
   for (let at = 0; at < spans.length; at += SPAN) {
-    const [role = 0, shape = 0, first = 0, count = 0] = spans.subarray(at, at + SPAN)
+    const [layer = 0, shape = 0, first = 0, count = 0] = spans.subarray(at, at + SPAN)
     if (shape === field) continue
     points.set(vertices.subarray(VERTEX * first, VERTEX * (first + count)), filled)
-    table.set([role, shape, filled / VERTEX, count], row)
+    table.set([layer, shape, filled / VERTEX, count], row)
     filled += VERTEX * count
     row += SPAN
   }
