@@ -6,7 +6,8 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use crate::{
     Error, Given, Scene, Setup, Value,
-    kernel::{Item, SceneKindId, rng},
+    catalogue::layer_key,
+    kernel::{Item, LayerKey, SceneKindId, rng},
     scene::{KINDS, shipped},
 };
 
