@@ -57,8 +57,8 @@ impl Digest {
         digest
     }
 
-    /// Adds one word.
-    #[inline]
+    /// Adds one word. Not inlined: states have hundreds of fields, and hashing them is no hot path.
+    #[inline(never)]
     pub fn word(&mut self, word: u64) {
         let mixed = (self.hash ^ word).wrapping_mul(0x0000_0100_0000_01b3);
         self.hash = mixed ^ (mixed >> 32);

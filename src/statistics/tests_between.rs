@@ -1,10 +1,9 @@
 //! Tests between samples.
 
+use std::cmp::Ordering;
+
 use serde::Serialize;
-use statrs::{
-    distribution::{ChiSquared, ContinuousCDF, Normal},
-    statistics::{Data, OrderStatistics, RankTieBreaker},
-};
+use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
 
 /// A sample of up to so many without ties is tested exactly, as SciPy does,
 const FEW: usize = 8;
@@ -115,9 +114,12 @@ pub fn friedman(blocks: &[Vec<f64>]) -> Option<Friedman> {
     }
     let (mut sums, mut ties) = (vec![0.0; k], 0.0);
     for block in blocks {
-        let ranks = Data::new(block.clone()).ranks(RankTieBreaker::Average);
-        sums.iter_mut().zip(&ranks).for_each(|(sum, rank)| *sum += rank);
-        ties += block.iter().map(|x| block.iter().filter(|y| *y == x).count() as f64).map(|t| t * t - 1.0).sum::<f64>();
+        for (sum, x) in sums.iter_mut().zip(block) {
+            let count = |order| block.iter().filter(|y| y.partial_cmp(&x) == Some(order)).count() as f64;
+            let (smaller, equal) = (count(Ordering::Less), count(Ordering::Equal));
+            *sum += smaller + f64::midpoint(equal, 1.0);
+            ties += equal * equal - 1.0;
+        }
     }
     let k_ = k as f64;
     let raw = 12.0 / (n * k_ * (k_ + 1.0)) * sums.iter().map(|sum| sum * sum).sum::<f64>() - 3.0 * n * (k_ + 1.0);
