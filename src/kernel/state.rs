@@ -97,7 +97,7 @@ macro_rules! words {
         impl State for $number {
             #[inline]
             fn digest(&self, out: &mut Digest) {
-                out.word(*self as u64);
+                out.word(u64::from(*self));
             }
             #[inline]
             fn heap_size(&self) -> usize {
@@ -106,7 +106,18 @@ macro_rules! words {
         }
     )* };
 }
-words!(bool, u8, u16, u32, u64, usize, i8, i32, i64);
+words!(bool, u8, u16, u32, u64);
+
+impl State for usize {
+    #[inline]
+    fn digest(&self, out: &mut Digest) {
+        out.word(*self as u64);
+    }
+    #[inline]
+    fn heap_size(&self) -> usize {
+        0
+    }
+}
 
 impl State for f64 {
     #[inline]
