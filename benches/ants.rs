@@ -6,7 +6,7 @@ use std::{hint::black_box, sync::Arc};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use forage::{
-    Given, Scene, Session, Setup, Value,
+    Overrides, Scene, Session, Setup, Value,
     kernel::rng::Stream,
     scene::{GridScene, Header, grid},
     shipped,
@@ -29,7 +29,7 @@ fn map(side: usize) -> Arc<Scene> {
 }
 
 fn session(scene: &Arc<Scene>, planner: &str, params: &[(&str, f64)]) -> Session {
-    let params: Given = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
+    let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
     Session::with_keyframes(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed: 1 }, 0).expect("a valid setup")
 }
 

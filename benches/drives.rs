@@ -10,7 +10,7 @@ use std::{
 };
 
 use forage::{
-    Given, Scene, Session, Setup, Status, Value,
+    Overrides, Scene, Session, Setup, Status, Value,
     catalogue::PLANNERS,
     scene::{
         GridScene,
@@ -33,7 +33,7 @@ fn scenes() -> Vec<Arc<Scene>> {
 fn pace(planner: &str, scene: &Arc<Scene>, time: Duration) -> f64 {
     let (mut simulated, mut took) = (0.0, Duration::ZERO);
     while simulated == 0.0 || took < time {
-        let params: Given = [("border", Value::from("bounce"))].into_iter().collect();
+        let params: Overrides = [("border", Value::from("bounce"))].into_iter().collect();
         let mut session = Session::with_keyframes(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed: 1 }, 0).unwrap();
         let planned = session.stages().iter().rev().nth(1).map_or(0, |plan| plan.end.unwrap_or(0));
         session.step(planned);

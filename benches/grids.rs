@@ -11,8 +11,8 @@ use forage::{
     catalogue::PLANNERS,
     describe::{Entry, Start},
     geometry::{Cells, DIRECTIONS},
-    kernel::{Solution, Stepper, Yardstick, rng::Stream},
-    params::{Given, Settings},
+    kernel::{ReferenceOptimum, Solution, Stepper, rng::Stream},
+    params::{Overrides, Parameters},
     scene::{GridScene, grid},
 };
 use pathfinding::directed::astar::astar;
@@ -36,7 +36,7 @@ fn map() -> Arc<Scene> {
             (grid.start, grid.goal) = (Some([0.5, 0.5]), Some([far, far]));
             Arc::new(grid::KIND.scene(header.clone(), grid).expect("the ends are free"))
         })
-        .find(|scene| scene.exact_by(Yardstick::Cells).is_some())
+        .find(|scene| scene.exact_by(ReferenceOptimum::Cells).is_some())
         .expect("of a hundred maps one has a way")
 }
 
@@ -46,7 +46,7 @@ fn entry(name: &str) -> &'static Entry {
 
 /// A whole run, step by step: the path's length.
 fn forage(entry: &Entry, scene: &Arc<Scene>) -> f64 {
-    let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).expect("defaults are valid");
+    let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).expect("defaults are valid");
     let mut run =
         Stepper::from((entry.start)(&Start { scene, parameters: &settings, seed: 1, entries: &PLANNERS }).expect("defaults start"));
     while run.step(|_| Vec::new()) {}

@@ -15,7 +15,7 @@ use forage::{
     catalogue::PLANNERS,
     describe::{Entry, Start},
     kernel::Stepper,
-    params::Settings,
+    params::Parameters,
     scene::Function,
 };
 use rand::SeedableRng;
@@ -37,7 +37,7 @@ fn scene(function: Function) -> Arc<Scene> {
 fn whole_run(entry: &Entry, scene: &Arc<Scene>) -> f64 {
     let sizes = [("population", PARTICLES as f64), ("iterations", ITERATIONS as f64)];
     let given = sizes.into_iter().map(|(name, size)| (name, size.into())).collect();
-    let settings = Settings::new(entry.parameters, scene.kind(), &given).expect("the sizes are valid");
+    let settings = Parameters::new(entry.parameters, scene.kind(), &given).expect("the sizes are valid");
     let mut run =
         Stepper::from((entry.start)(&Start { scene, parameters: &settings, seed: 1, entries: &PLANNERS }).expect("defaults start"));
     while run.step(|_| Vec::new()) {}

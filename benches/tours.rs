@@ -9,7 +9,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use forage::{Given, Scene, Session, Setup, Status, Value, catalogue::PLANNERS, shipped, shipped_names};
+use forage::{Overrides, Scene, Session, Setup, Status, Value, catalogue::PLANNERS, shipped, shipped_names};
 
 /// The 12 stops of the published grid by exact roads, and the shipped tours.
 fn scenes() -> Vec<Arc<Scene>> {
@@ -18,7 +18,7 @@ fn scenes() -> Vec<Arc<Scene>> {
 }
 
 fn session(planner: &str, scene: &Arc<Scene>, polish: bool, seed: u64) -> Session {
-    let mut params: Given = [("iterations", Value::from(1e6))].into_iter().collect();
+    let mut params: Overrides = [("iterations", Value::from(1e6))].into_iter().collect();
     if scene.name() == "ant-bat-30" {
         params.insert("roads", Value::from("dijkstra"));
         params.insert("smooth", Value::from("false"));

@@ -13,13 +13,13 @@ use std::{
 };
 
 use forage::{
-    Given, Scene, Value,
+    Overrides, Scene, Value,
     arm::{self, ArmScene, Posture},
     catalogue::{PLANNERS, find},
     describe::{Entry, Start},
     geometry::length_in_space,
     kernel::{Readings, Solution, Stepper, rng::Stream},
-    params::Settings,
+    params::Parameters,
     shipped,
 };
 
@@ -60,12 +60,12 @@ struct Run {
     following: f64,
 }
 
-fn settings(entry: &Entry, scene: &Scene, given: &[(&'static str, f64)], finish: bool) -> Settings {
-    let mut params: Given = given.iter().map(|&(name, number)| (name, Value::from(number))).collect();
+fn settings(entry: &Entry, scene: &Scene, given: &[(&'static str, f64)], finish: bool) -> Parameters {
+    let mut params: Overrides = given.iter().map(|&(name, number)| (name, Value::from(number))).collect();
     for part in ["shorten", "polyline", "smooth"] {
         params.insert(part, Value::Flag(finish));
     }
-    Settings::new(entry.parameters, scene.kind(), &params).unwrap()
+    Parameters::new(entry.parameters, scene.kind(), &params).unwrap()
 }
 
 fn tip_length(solution: &Solution) -> f64 {
@@ -98,7 +98,7 @@ fn run(entry: &Entry, scene: &Arc<Scene>, given: &[(&'static str, f64)], seed: u
     let solution = run.planner.best()?.solution;
     let finishing = begun.elapsed().as_secs_f64();
     let begun = Instant::now();
-    black_box(arm::along(scene, Some(&solution), &Given::new()).unwrap());
+    black_box(arm::along(scene, Some(&solution), &Overrides::new()).unwrap());
     let following = begun.elapsed().as_secs_f64();
     let extensions = run.iteration;
     Some(Run { extensions, seconds, first, nodes, raw, finished: tip_length(&solution), finishing, following })

@@ -66,7 +66,7 @@ pub use catalogue::catalogue;
 pub use drive::{Drive, DriveOutcome};
 pub use kernel::{Error, Frame, Status};
 pub use link::Link;
-pub use params::{Given, Value};
+pub use params::{Overrides, Value};
 pub use scene::{Scene, shipped, shipped_names};
 pub use session::{Outcome, Session, Setup};
 pub use trial::Trial;

@@ -9,7 +9,7 @@ use base64ct::{Base64UrlUnpadded, Encoding};
 
 use crate::{
     kernel::{Error, rng::SEED_RANGE},
-    params::{Given, Value},
+    params::{Overrides, Value},
     scene::{Scene, shipped},
     session::Setup,
 };
@@ -55,7 +55,7 @@ impl Link {
         let wrong = |problem: String| Error::malformed("link", problem);
         let (_, fragment) = text.trim().split_once('#').ok_or_else(|| wrong("it has no #…".to_owned()))?;
         let (mut version, mut planner, mut scene, mut seed, mut iteration, mut hash) = (None, None, None, 1, 0, None);
-        let mut params = Given::new();
+        let mut params = Overrides::new();
         for (key, value) in fragment.split('&').filter_map(|pair| pair.split_once('=')) {
             match key {
                 "v" => version = Some(value),
@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     fn link(scene: Arc<Scene>) -> Link {
-        let params = Given::from_iter([("w_max", Value::from(0.8)), ("penalty", Value::from("waypoints"))]);
+        let params = Overrides::from_iter([("w_max", Value::from(0.8)), ("penalty", Value::from("waypoints"))]);
         Link { setup: Setup { planner: "wcpso".to_owned(), scene, params, seed: 7 }, iteration: 120, hash: Some("00ff".to_owned()) }
     }
 

@@ -21,7 +21,7 @@ fn nearest(t: f64) -> f64 {
 /// `x`, but not below `low` and not above `high`. Unlike `f64::min` and `max` it leaves no choice between 0 and −0,
 /// and unlike `f64::clamp` it has nothing to check.
 #[inline]
-pub fn limit(x: f64, low: f64, high: f64) -> f64 {
+pub fn clamp(x: f64, low: f64, high: f64) -> f64 {
     if x < low {
         low
     } else if x > high {

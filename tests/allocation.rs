@@ -11,8 +11,8 @@ use forage::{
     catalogue::PLANNERS,
     describe::Start,
     kernel::Stepper,
-    params::{Given, Settings},
-    session::carry_out_all,
+    params::{Overrides, Parameters},
+    session::run_subtasks,
     shipped,
 };
 
@@ -42,7 +42,7 @@ fn no_step_of_any_swarm_allocates() {
             if entry.check_scene(&scene).is_err() {
                 continue;
             }
-            let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
+            let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
             let mut run =
                 Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
             let before = COUNT.with(Cell::get);
@@ -61,7 +61,7 @@ fn no_step_of_any_ant_allocates() {
     for entry in PLANNERS.iter().filter(|entry| entry.family == "ants") {
         let scene = shipped("ant-bat-30").unwrap();
         let given = [("iterations", forage::Value::from(1000.0))].into_iter().collect();
-        let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
+        let settings = Parameters::new(entry.parameters, scene.kind(), &given).unwrap();
         let mut run = Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
         for _ in 0..50 {
             run.step(|_| Vec::new());
@@ -92,13 +92,13 @@ fn no_step_of_any_tour_allocates() {
             let scene = shipped("ant-bat-30").unwrap();
             let given = [("iterations", "1000"), ("roads", "a-star")].into_iter().chain(more);
             let known = |name: &str| entry.parameter(name).is_some();
-            let given: Given = given.filter(|(name, _)| known(name)).map(|(name, value)| (name, forage::Value::from(value))).collect();
-            let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
+            let given: Overrides = given.filter(|(name, _)| known(name)).map(|(name, value)| (name, forage::Value::from(value))).collect();
+            let settings = Parameters::new(entry.parameters, scene.kind(), &given).unwrap();
             let started = (entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap();
             let roads = started.stages.first().and_then(|roads| roads.end).unwrap();
             let mut run = Stepper::from(started);
             while run.iteration < roads {
-                run.step(|jobs| carry_out_all(&scene, &jobs).unwrap());
+                run.step(|jobs| run_subtasks(&scene, &jobs).unwrap());
             }
             let before = COUNT.with(Cell::get);
             for _ in 0..300 {
@@ -114,9 +114,9 @@ fn no_step_of_any_tour_allocates() {
 fn no_period_of_a_drive_allocates_where_nothing_is_decided() {
     for entry in PLANNERS.iter().filter(|entry| entry.family == "dynamic") {
         let scene = shipped("crossing").unwrap();
-        let given: Given =
+        let given: Overrides =
             [("iterations", forage::Value::from(if entry.name == "wolf-ant-drive" { 5.0 } else { 1e6 }))].into_iter().collect();
-        let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
+        let settings = Parameters::new(entry.parameters, scene.kind(), &given).unwrap();
         let mut run = Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
         let happened = |run: &Stepper| run.planner.facets().timeline.unwrap().events().len();
         while happened(&run) == 0 {
@@ -150,7 +150,7 @@ fn trees_allocate_only_as_they_grow() {
         let text = r#"{"format": "forage-scene", "version": 1, "kind": "discs", "name": "w", "title": "W", "bounds": {"min": [0, 0], "max": [10, 10]},
             "start": [1, 5], "goal": [9.5, 5], "discs": [{"center": [6, 2], "radius": 3}, {"center": [6, 7], "radius": 3.1}]}"#;
         let scene = std::sync::Arc::new(forage::Scene::from_json(text).unwrap());
-        let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
+        let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
         let mut run = Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
         let before = COUNT.with(Cell::get);
         for _ in 0..4000 {

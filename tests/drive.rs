@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use forage::{
-    Drive, Given, Scene, Session, Setup, Value,
+    Drive, Overrides, Scene, Session, Setup, Value,
     drive::{COLUMNS, RESOLUTION, SPEED, settings, simulate},
     geometry::{self, Oriented, YAxis},
     math,
@@ -28,7 +28,7 @@ fn scene(cell: f64, rows: &[&str]) -> GridScene {
     with_robot(GridScene::new(cell, rows[0].len(), blocked), YAxis::Up)
 }
 
-fn given(pairs: &[(&str, f64)]) -> Given {
+fn given(pairs: &[(&str, f64)]) -> Overrides {
     pairs.iter().map(|&(name, value)| (name, Value::from(value))).collect()
 }
 
@@ -130,7 +130,7 @@ fn a_later_pass_is_not_taken_for_this_one() {
     }
     let nowhere = drive(&free, &[[1.0, 1.0], [1.0, 1.0]], &[]);
     assert!(nowhere.outcome.arrived && nowhere.outcome.time == 0.0 && rows(&nowhere).len() == 1);
-    assert!(simulate(&free, &[], &settings(None, &Given::new()).unwrap()).is_none());
+    assert!(simulate(&free, &[], &settings(None, &Overrides::new()).unwrap()).is_none());
 }
 
 /// The path keeps 0.16 m from a wall: the robot, 0.3 m wide, passes with a centimetre. Rounding the wall's corner its
@@ -181,13 +181,13 @@ fn every_drive_ends() {
 #[test]
 fn a_session_drives_its_best_path_and_refuses_what_is_not_allowed() {
     let session = |scene: &Arc<Scene>, planner: &str| {
-        let setup = Setup { planner: planner.into(), scene: Arc::clone(scene), params: Given::new(), seed: 1 };
+        let setup = Setup { planner: planner.into(), scene: Arc::clone(scene), params: Overrides::new(), seed: 1 };
         let mut session = Session::new(setup).unwrap();
         session.step(30);
         session
     };
     let mut run = session(&shipped("qpso-10m").unwrap(), "ltqpso");
-    let drive = run.drive(&Given::new()).unwrap().unwrap();
+    let drive = run.drive(&Overrides::new()).unwrap().unwrap();
     let outcome = run.outcome();
     assert_eq!(outcome.drive, Some(drive.outcome));
     assert_eq!(outcome.turning, outcome.path.as_deref().map(geometry::turning));
@@ -198,7 +198,7 @@ fn a_session_drives_its_best_path_and_refuses_what_is_not_allowed() {
         ("period", "fast", "a number from 0.01 to 2"),
         ("turn_rate", "NaN", "a number from 0.001 to 10"),
     ] {
-        let error = run.drive(&Given::from_iter([(name, Value::from(value))])).unwrap_err();
+        let error = run.drive(&Overrides::from_iter([(name, Value::from(value))])).unwrap_err();
         assert_eq!((error.field(), error.value(), error.allowed()), (name, value, allowed));
     }
     let unknown = run.drive(&given(&[("mass", 2.3)])).unwrap_err();
@@ -211,12 +211,12 @@ fn a_session_drives_its_best_path_and_refuses_what_is_not_allowed() {
         session(&Arc::new(Scene::from_json(&value.to_string()).unwrap()), "ltqpso")
     };
     let slow = with(r#"{"length": 0.4, "width": 0.3, "speed": 0.1}"#);
-    assert_eq!(slow.drive(&Given::new()).unwrap().unwrap().settings[SPEED], 0.1, "the scene's own speed");
+    assert_eq!(slow.drive(&Overrides::new()).unwrap().unwrap().settings[SPEED], 0.1, "the scene's own speed");
     assert_eq!(slow.drive(&given(&[("speed", 0.2)])).unwrap().unwrap().settings[SPEED], 0.2);
     let mut point = with(r#"{"speed": 0.1}"#);
-    assert!(point.drive(&Given::new()).unwrap().is_none() && point.outcome().drive.is_none() && point.outcome().turning.is_some());
+    assert!(point.drive(&Overrides::new()).unwrap().is_none() && point.outcome().drive.is_none() && point.outcome().turning.is_some());
     for (scene, planner) in [("wcpso-discs", "pso"), ("sphere", "pso")] {
-        assert_eq!(session(&shipped(scene).unwrap(), planner).drive(&Given::new()), Ok(None));
+        assert_eq!(session(&shipped(scene).unwrap(), planner).drive(&Overrides::new()), Ok(None));
     }
 }
 

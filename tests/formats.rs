@@ -5,8 +5,8 @@
 mod generated;
 
 use forage::{
-    Error, Given, Scene, Value,
-    kernel::{Round, Yardstick},
+    Error, Overrides, Scene, Value,
+    kernel::{ReferenceOptimum, TourEnds},
     scene::{
         GridScene, TourScene,
         formats::{Format, NamedFile, export, import, wanted},
@@ -18,7 +18,7 @@ use proptest::prelude::*;
 
 fn small(generator: usize, columns: usize, rows: usize, seed: u64) -> Scene {
     let sides = [("columns", columns), ("rows", rows)].map(|(name, side)| (name, Value::from(side as f64)));
-    generate(GENERATORS[generator].name, &Given::from_iter(sides), seed).unwrap()
+    generate(GENERATORS[generator].name, &Overrides::from_iter(sides), seed).unwrap()
 }
 
 #[test]
@@ -38,7 +38,7 @@ const OF_TOURS: [Format; 3] = [Format::Tsplib, Format::Csv, Format::Json];
 
 /// Random stops by one of TSPLIB's metrics, or else by a matrix, with places or without.
 fn stops(n: usize, metric: usize, seed: u64) -> Scene {
-    let given = Given::from_iter([("stops", Value::from(n as f64)), ("side", Value::from(60.0))]);
+    let given = Overrides::from_iter([("stops", Value::from(n as f64)), ("side", Value::from(60.0))]);
     let mut text = generate("stops", &given, seed).unwrap().to_json();
     if let Some(metric) = ["euclidean", "euc-2d", "ceil-2d", "att", "geo"].get(metric) {
         text = text.replace("\"euc-2d\"", &format!("\"{metric}\""));
@@ -102,7 +102,7 @@ proptest! {
             prop_assert_eq!(was.lines(), is.lines());
             prop_assert!(format == Format::Ros || was == is);
             if format == Format::MovingAi {
-                prop_assert_eq!(read.scene.exact_by(Yardstick::Cells).unwrap().length, read.problems[0].length);
+                prop_assert_eq!(read.scene.exact_by(ReferenceOptimum::Cells).unwrap().length, read.problems[0].length);
             }
             // And once more, from what was read.
             let again = export(&read.scene, format, "a map").unwrap().files;
@@ -131,7 +131,7 @@ proptest! {
                 for (was, is) in was.distances().rows().flatten().zip(is.distances().rows().flatten()) {
                     prop_assert!((was - is).abs() <= rounded);
                 }
-                let [was, is] = [&scene, &read.scene].map(|scene| scene.exact_tour(Yardstick::default(), Round::Closed).map(|exact| exact.length));
+                let [was, is] = [&scene, &read.scene].map(|scene| scene.exact_tour(ReferenceOptimum::default(), TourEnds::Closed).map(|exact| exact.length));
                 prop_assert!(metric == 0 || was == is, "{was:?} {is:?}");
             }
             if metric > 0 {

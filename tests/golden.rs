@@ -14,14 +14,14 @@ mod trial;
 use std::process::ExitCode;
 
 use contents::shown;
-use forage::{Given, Session, Setup, Value, catalogue::PLANNERS, describe::Entry, shipped_names};
+use forage::{Overrides, Session, Setup, Value, catalogue::PLANNERS, describe::Entry, shipped_names};
 use libtest_mimic::Arguments;
 use support::{Driven, Followed, Golden, ITERATIONS, Log, bits, digest, drives, line, logs, motions, stored};
 use trial::trial;
 
 /// A golden run, and what it showed at its beginning, half way and at its end.
 fn run(planner: &str, scene: &str, seed: u32, set: &str) -> (Golden, [String; 3]) {
-    let mut params = Given::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
+    let mut params = Overrides::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
     let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
     more.into_iter().for_each(|(name, value)| params.insert(name, Value::from(value.to_string().trim_matches('"'))));
     let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
@@ -148,10 +148,11 @@ fn bless(file: &str, stored: &impl serde::Serialize) {
 }
 
 fn drive(planner: &str, scene: &str, seed: u32, look_ahead: f64) -> Driven {
-    let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params: Given::new(), seed: u64::from(seed) };
+    let setup =
+        Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params: Overrides::new(), seed: u64::from(seed) };
     let mut session = Session::new(setup).unwrap();
     session.step(u64::MAX);
-    let drive = session.drive(&Given::from_iter([("look_ahead", Value::from(look_ahead))])).unwrap().unwrap();
+    let drive = session.drive(&Overrides::from_iter([("look_ahead", Value::from(look_ahead))])).unwrap().unwrap();
     Driven { planner: planner.to_owned(), scene: scene.to_owned(), seed, look_ahead, rows: digest(&drive.rows) }
 }
 
@@ -165,11 +166,12 @@ fn every_drive() -> Vec<Driven> {
 }
 
 fn follow(planner: &str, scene: &str, seed: u32, set: &str) -> Followed {
-    let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params: Given::new(), seed: u64::from(seed) };
+    let setup =
+        Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params: Overrides::new(), seed: u64::from(seed) };
     let mut session = Session::new(setup).unwrap();
     session.step(u64::MAX);
     let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
-    let mut given = Given::new();
+    let mut given = Overrides::new();
     more.into_iter().for_each(|(name, value)| given.insert(name, Value::from(value.to_string().trim_matches('"'))));
     let motion = session.motion(&given).unwrap().unwrap();
     let rows = digest(&[motion.rows, motion.skeletons].concat());
@@ -190,7 +192,7 @@ fn every_motion() -> Vec<Followed> {
 
 fn log(planner: &str, scene: &str, seed: u32, set: &str) -> Log {
     let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
-    let mut params = Given::new();
+    let mut params = Overrides::new();
     more.into_iter().for_each(|(name, value)| params.insert(name, Value::from(value.to_string().trim_matches('"'))));
     let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
     let mut session = Session::new(setup).unwrap();

@@ -10,7 +10,7 @@ mod trial;
 use std::{collections::BTreeSet, process::ExitCode, sync::Arc};
 
 use forage::{
-    Frame, Given, Scene, Session, Setup, Status, Value,
+    Frame, Overrides, Scene, Session, Setup, Status, Value,
     arm::ArmScene,
     catalogue::PLANNERS,
     describe::{Entry, Formula, Group, Scope, Shown, layers},
@@ -38,12 +38,12 @@ fn property<S: Strategy>(values: &S, check: impl Fn(S::Value) -> TestCaseResult)
     TestRunner::new(config).run(values, check).unwrap_or_else(|failure| panic!("{failure}"));
 }
 
-fn given(pairs: &[(&str, f64)]) -> Given {
+fn given(pairs: &[(&str, f64)]) -> Overrides {
     pairs.iter().map(|&(name, value)| (name, Value::from(value))).collect()
 }
 
 /// So many particles or ants, where the planner has some, and so many iterations.
-fn sized(entry: &Entry, scene: &Scene, size: f64, iterations: f64) -> Given {
+fn sized(entry: &Entry, scene: &Scene, size: f64, iterations: f64) -> Overrides {
     let mut given = given(&[("iterations", iterations)]);
     // A planner of planners judges each particle by a short run.
     for (name, value) in [("population", size), ("ants", size), ("seeds", 1.0), ("colony_iterations", 1.0)] {
@@ -63,7 +63,7 @@ fn size_name(entry: &Entry) -> Option<&'static str> {
     entry.all_parameters().map(|p| p.name).find(|name| ["population", "ants"].contains(name))
 }
 
-fn session(entry: &Entry, scene: &Arc<Scene>, params: Given, seed: u64) -> Session {
+fn session(entry: &Entry, scene: &Arc<Scene>, params: Overrides, seed: u64) -> Session {
     Session::new(Setup { planner: entry.name.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
@@ -214,7 +214,7 @@ fn only_random_runs_depend_on_their_seed(entry: &'static Entry) {
 /// The hash is of the setup, too: before the first step it tells planners, scenes, seeds and parameters apart that begin
 /// alike. What is written about a scene is not part of it.
 fn no_two_setups_share_a_hash() {
-    let hash = |entry: &Entry, scene: &Arc<Scene>, params: Given, seed| session(entry, scene, params, seed).hash();
+    let hash = |entry: &Entry, scene: &Arc<Scene>, params: Overrides, seed| session(entry, scene, params, seed).hash();
     let mut hashes = BTreeSet::new();
     let mut setups = 0;
     for entry in PLANNERS {
@@ -228,7 +228,7 @@ fn no_two_setups_share_a_hash() {
     assert_eq!(hashes.len(), setups);
     let scene = forage::shipped("wcpso-discs").unwrap();
     let edited = |from: &str, to: &str| Arc::new(Scene::from_json(&scene.to_json().replacen(from, to, 1)).unwrap());
-    let pso = |scene: &Arc<Scene>| hash(forage::catalogue::find("pso").unwrap(), scene, Given::new(), 1);
+    let pso = |scene: &Arc<Scene>| hash(forage::catalogue::find("pso").unwrap(), scene, Overrides::new(), 1);
     assert_eq!(pso(&scene), pso(&edited(scene.header().title.as_str(), "Another title")));
     assert_ne!(pso(&scene), pso(&edited("\"radius\": 1.0", "\"radius\": 1.01")));
 }
@@ -337,7 +337,7 @@ fn every_parameter_is_checked_at_both_ends(entry: &'static Entry) {
 }
 
 /// Gives the parameters that this one depends on the values that it needs.
-fn meet_conditions(entry: &Entry, parameter: &Parameter, params: &mut Given) {
+fn meet_conditions(entry: &Entry, parameter: &Parameter, params: &mut Overrides) {
     if let Some(When { parameter: name, value }) = parameter.when {
         params.insert(name, Value::from(value));
         meet_conditions(entry, entry.parameter(name).unwrap(), params);
@@ -388,7 +388,7 @@ fn every_encoding_runs(entry: &'static Entry) {
 /// What an entry promises, its planner keeps: readings, layers, formulas and inspections agree with the catalogue.
 fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
     let presets = entry.presets.iter().map(|preset| (forage::scene::shipped(preset.scene).unwrap(), preset.given()));
-    for (scene, params) in scenes(entry).into_iter().map(|scene| (scene, Given::new())).chain(presets) {
+    for (scene, params) in scenes(entry).into_iter().map(|scene| (scene, Overrides::new())).chain(presets) {
         let mut given = sized(entry, &scene, 80.0, 120.0);
         params.iter().for_each(|(name, value)| given.insert(name, value.clone()));
         let mut session = session(entry, &scene, given, 3);
@@ -482,13 +482,13 @@ fn placeholders(tex: &str) -> Vec<&str> {
 
 fn what_cannot_run_is_refused() {
     let scene = forage::shipped("sphere").unwrap();
-    let error = |planner: &str, params: Given, seed| {
+    let error = |planner: &str, params: Overrides, seed| {
         Session::new(Setup { planner: planner.to_owned(), scene: Arc::clone(&scene), params, seed }).err().unwrap()
     };
-    assert_eq!(error("psso", Given::new(), 1).field(), "planner");
+    assert_eq!(error("psso", Overrides::new(), 1).field(), "planner");
     assert_eq!(error("pso", given(&[("omega", 1.0)]), 1).value(), "omega");
     assert_eq!(error("pso", given(&[("waypoints", 3.0)]), 1).value(), "waypoints", "it means nothing on functions");
-    assert_eq!(error("pso", Given::new(), u64::MAX).field(), "seed");
+    assert_eq!(error("pso", Overrides::new(), u64::MAX).field(), "seed");
 }
 
 /// A check of one planner.

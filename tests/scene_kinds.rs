@@ -13,7 +13,7 @@ use forage::{
     Error, Scene,
     describe::SceneKind,
     geometry::{self, Bounds, Disc},
-    kernel::{Backdrop, Exact, Fields, Plane, SceneBody, SceneKindId, Solution, Verdict, Yardstick},
+    kernel::{Backdrop, Exact, Fields, Plane, ReferenceOptimum, SceneBody, SceneKindId, Solution, Verdict},
     scene::{GridScene, KINDS, grid},
 };
 use serde_json::Value;
@@ -163,7 +163,7 @@ fn an_optimum_is_computed_once_for_all_copies_of_a_scene() {
     let copy = scene.clone();
     assert_eq!(COMPUTED.load(Ordering::Relaxed), 0);
     assert_eq!(copy.exact().map(|exact| exact.length), Some(20.0));
-    assert_eq!(scene.optimum(Yardstick::AnyAngle), Some(20.0));
+    assert_eq!(scene.optimum(ReferenceOptimum::AnyAngle), Some(20.0));
     assert_eq!(COMPUTED.load(Ordering::Relaxed), 1);
     let without = Scene::read(&[&SceneKind { optimum: None, ..KIND }], TEXT).unwrap();
     assert_eq!((without.exact(), COMPUTED.load(Ordering::Relaxed)), (None, 1));

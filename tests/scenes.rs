@@ -2,10 +2,10 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use forage::{
-    Given, Scene, Session, Setup,
+    Overrides, Scene, Session, Setup,
     arm::ArmScene,
     catalogue,
-    kernel::{Round, Solution, Yardstick},
+    kernel::{ReferenceOptimum, Solution, TourEnds},
     scene::{ARM, FUNCTION, GRID, TOUR},
     shipped, shipped_names,
 };
@@ -16,7 +16,7 @@ fn the_exact_optimum_agrees_with_the_one_stored_in_the_scene() {
     for scene in shipped_names().filter(|scene| scene.kind() != FUNCTION) {
         let Some(stored) = scene.header().exact.as_ref().and_then(|exact| exact["length"].as_f64()) else { continue };
         let exact = match scene.kind() {
-            TOUR => scene.exact_tour(forage::kernel::Yardstick::default(), forage::kernel::Round::Closed),
+            TOUR => scene.exact_tour(forage::kernel::ReferenceOptimum::default(), forage::kernel::TourEnds::Closed),
             _ => scene.exact(),
         };
         let exact = exact.unwrap();
@@ -104,7 +104,7 @@ fn blocking_the_shortest_way_gives_a_longer_one() {
 fn wcpso_finds_the_way_among_the_seven_discs() {
     let good = (1..=10)
         .filter(|&seed| {
-            let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Given::new(), seed };
+            let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Overrides::new(), seed };
             let mut session = Session::with_keyframes(setup, 0).unwrap();
             session.step(u64::MAX);
             let outcome = session.outcome();
@@ -121,7 +121,7 @@ fn wcpso_finds_the_way_among_the_seven_discs() {
 fn quantum_swarms_are_compared_at_equal_evaluations() {
     for seed in 1..=50 {
         let [q, lt] = ["qpso", "ltqpso"].map(|planner| {
-            let setup = Setup { planner: planner.into(), scene: shipped("qpso-10m").unwrap(), params: Given::new(), seed };
+            let setup = Setup { planner: planner.into(), scene: shipped("qpso-10m").unwrap(), params: Overrides::new(), seed };
             let mut session = Session::with_keyframes(setup, 0).unwrap();
             session.step(u64::MAX);
             let outcome = session.outcome();
@@ -137,7 +137,7 @@ fn colony(planner: &str, scene: &str) -> Vec<f64> {
     let run = |seed| {
         let scene = shipped(scene).unwrap();
         let entry = catalogue::find(planner).unwrap();
-        let params = if entry.presets.is_empty() { Given::new() } else { entry.preset("paper", scene.kind()).unwrap() };
+        let params = if entry.presets.is_empty() { Overrides::new() } else { entry.preset("paper", scene.kind()).unwrap() };
         let mut session = Session::with_keyframes(Setup { planner: planner.into(), scene, params, seed }, 0).unwrap();
         session.step(u64::MAX);
         let outcome = session.outcome();
@@ -162,7 +162,7 @@ fn wolves_shares_find_the_optimum_of_the_twenty_cells() {
 #[test]
 fn bats_find_the_exact_tour_of_the_twelve_stops() {
     let scene = shipped("ant-bat-30").unwrap();
-    let exact = scene.exact_tour(Yardstick::Cells, Round::Closed).unwrap();
+    let exact = scene.exact_tour(ReferenceOptimum::Cells, TourEnds::Closed).unwrap();
     assert!((exact.length - 122.083_261_120_685).abs() < 1e-9, "{}", exact.length);
     // From the first stop, in the direction whose second stop has the smaller number.
     let told = |order: &[usize]| {
@@ -175,7 +175,7 @@ fn bats_find_the_exact_tour_of_the_twelve_stops() {
     };
     for [roads, local_search] in [["dijkstra", "none"], ["aco-direction", "none"], ["dijkstra", "2-opt"]] {
         let outcome = |seed| {
-            let params = Given::from_iter([("roads", roads.into()), ("smooth", "false".into()), ("local_search", local_search.into())]);
+            let params = Overrides::from_iter([("roads", roads.into()), ("smooth", "false".into()), ("local_search", local_search.into())]);
             let setup = Setup { planner: "bat".into(), scene: std::sync::Arc::clone(&scene), params, seed };
             let mut session = Session::with_keyframes(setup, 0).unwrap();
             session.step(u64::MAX);
@@ -199,7 +199,7 @@ fn the_printed_penalty_is_judged_by_the_whole_path() {
     let setup = |seed| Setup {
         planner: "wcpso".into(),
         scene: shipped("wcpso-discs").unwrap(),
-        params: Given::from_iter([("penalty", "waypoints".into())]),
+        params: Overrides::from_iter([("penalty", "waypoints".into())]),
         seed,
     };
     for seed in 1..=5 {
@@ -274,7 +274,7 @@ fn nothing_squeezes_between_two_cells_that_touch() {
     let scene = std::sync::Arc::new(grid(1.0, &["....", ".#..", "..#.", "...."], [0.5, 3.5], [3.5, 0.5]).unwrap());
     for planner in ["wcpso", "pso", "ltqpso"] {
         for seed in 1..=5 {
-            let params = Given::from_iter([("segments", 2.0.into())]);
+            let params = Overrides::from_iter([("segments", 2.0.into())]);
             let mut session = Session::new(Setup { planner: planner.into(), scene: std::sync::Arc::clone(&scene), params, seed }).unwrap();
             session.step(u64::MAX);
             let outcome = session.outcome();
@@ -288,7 +288,7 @@ fn nothing_squeezes_between_two_cells_that_touch() {
 fn smoothing_keeps_to_the_border() {
     for (y, strength) in [(3.0, 0.2), (8.1, 0.2), (12.8, 0.2), (6.3, 0.45)] {
         let scene = grid(y / 3.0, &[".........."; 3], [0.0, 3.0 * (y / 3.0)], [10.0 * (y / 3.0), 3.0 * (y / 3.0)]).unwrap();
-        let params = Given::from_iter([("smoothing", strength.into())]);
+        let params = Overrides::from_iter([("smoothing", strength.into())]);
         let mut session = Session::new(Setup { planner: "pso".into(), scene: scene.into(), params, seed: 1 }).unwrap();
         session.step(u64::MAX);
         assert!(session.outcome().feasible, "y = {y}, S = {strength}");

@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{CONVERGED, Entry, Formula},
-    params::{Param, Settings},
+    params::{Param, Parameters},
     settled::SETTLED,
     way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
@@ -76,6 +76,6 @@ pub const ENTRY: Entry = Entry::new(
 .layers(LAYERS);
 
 /// What sets this colony apart.
-fn traits(settings: &Settings) -> Traits {
+fn traits(settings: &Parameters) -> Traits {
     Traits { greed: [settings[Q0_START], settings[Q0_END]], seeded: settings[SEEDED], ..Traits::TRADITIONAL }
 }

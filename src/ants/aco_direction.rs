@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Entry, Formula},
-    params::{Choice, Param, ParamValue, Parameter, Settings},
+    params::{Choice, Param, ParamValue, Parameter, Parameters},
 };
 
 use super::{
@@ -131,7 +131,7 @@ pub const ENTRY: Entry = Entry::new(
 .layers(LAYERS);
 
 /// What sets this colony apart.
-fn traits(settings: &Settings) -> Traits {
+fn traits(settings: &Parameters) -> Traits {
     Traits {
         gamma: settings[GAMMA],
         direction: settings[DIRECTION_LAW],

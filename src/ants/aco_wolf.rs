@@ -3,7 +3,7 @@
 
 use crate::{
     describe::{Entry, Formula, Preset},
-    params::{Choice, Fixed, Param, ParamValue, Parameter, Settings},
+    params::{Choice, Fixed, Param, ParamValue, Parameter, Parameters},
 };
 
 use super::{
@@ -122,7 +122,7 @@ pub const ENTRY: Entry = Entry::new(
 .presets(&[AS_IN_PAPER]);
 
 /// What sets this colony apart.
-fn traits(settings: &Settings) -> Traits {
+fn traits(settings: &Parameters) -> Traits {
     let heuristic = if settings[RANKS] { Heuristic::Ranked { epsilon: settings[EPSILON] } } else { Heuristic::Distance };
     Traits { heuristic, update: settings[UPDATE], ..Traits::TRADITIONAL }
 }
@@ -130,13 +130,13 @@ fn traits(settings: &Settings) -> Traits {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Given, Value, scene::GRID};
+    use crate::{Overrides, Value, scene::GRID};
 
     #[test]
     fn heuristic_and_update_are_switched_apart() {
         let of = |given: &[(&str, &str)]| {
-            let given: Given = given.iter().map(|&(name, value)| (name, Value::from(value))).collect();
-            let Traits { heuristic, update, .. } = traits(&Settings::new(ENTRY.parameters, GRID, &given).unwrap());
+            let given: Overrides = given.iter().map(|&(name, value)| (name, Value::from(value))).collect();
+            let Traits { heuristic, update, .. } = traits(&Parameters::new(ENTRY.parameters, GRID, &given).unwrap());
             (matches!(heuristic, Heuristic::Ranked { epsilon } if epsilon == 2.0), matches!(update, Update::Wolf))
         };
         assert_eq!(of(&[]), (true, true));

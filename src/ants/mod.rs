@@ -9,11 +9,11 @@ pub mod aco_dijkstra;
 pub mod aco_direction;
 pub mod aco_wolf;
 mod draw;
+mod explain;
 mod ground;
 mod parameters;
 mod pheromone;
 mod scouts;
-mod tell;
 #[cfg(test)]
 mod tests;
 mod update;
@@ -25,8 +25,8 @@ use crate::{
     describe::{CONVERGED, Start, layers},
     exact,
     kernel::{
-        Best, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Solution, Started, State, Yardstick,
-        rng::Stream,
+        Candidate, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, ReferenceOptimum, Solution, Started,
+        State, rng::Stream,
     },
     settled::{SETTLED, Settled},
     way::{self, SMOOTH, Way},
@@ -41,7 +41,7 @@ use pheromone::Pheromone;
 use update::Update;
 use walk::{End, Rules, Seen, Walks, walk};
 
-pub use tell::SYMBOLS;
+pub use explain::SYMBOLS;
 
 /// How many bytes a cell go into keeping the walks of an iteration; ants beyond go their ways again when they are needed.
 const KEPT: usize = 16;
@@ -134,8 +134,8 @@ impl Found {
 fn start(start: &Start, traits: Traits) -> Result<Started, Error> {
     let colony = Colony::new(start, traits)?;
     let (limit, reachable) = (colony.limit, colony.ground.reachable);
-    let yardstick = if colony.smooth { Yardstick::AnyAngle } else { Yardstick::Cells };
-    Ok(Started::new(colony, limit).measured_by(yardstick).solvable(reachable))
+    let reference = if colony.smooth { ReferenceOptimum::AnyAngle } else { ReferenceOptimum::Cells };
+    Ok(Started::new(colony, limit).measured_by(reference).solvable(reachable))
 }
 
 impl Colony {
@@ -281,10 +281,10 @@ impl Planner for Colony {
         self.iteration * self.ants as u64
     }
 
-    fn best(&self) -> Option<Best> {
+    fn best(&self) -> Option<Candidate> {
         let best = self.best.as_ref()?;
         let path = if self.smooth { best.way.smooth(&self.ground.grid) } else { &best.way.path };
-        Some(Best { cost: best.length, solution: Solution::Path(path.to_vec()) })
+        Some(Candidate { cost: best.length, solution: Solution::Path(path.to_vec()) })
     }
 
     fn read(&self, out: &mut Readings) {
@@ -322,8 +322,8 @@ impl Planner for Colony {
 impl Explain for Colony {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         match item.layer {
-            layer if layer == layers::PHEROMONE.key => tell::cell(self, item),
-            layer if layer == layers::ANTS.key => tell::ant(self, item),
+            layer if layer == layers::PHEROMONE.key => explain::cell(self, item),
+            layer if layer == layers::ANTS.key => explain::ant(self, item),
             _ => None,
         }
     }

@@ -47,7 +47,7 @@ struct Known {
 
 impl Pheromone {
     pub fn new(cells: &Cells, start: f64, alpha: f64, rho: f64, bounds: [f64; 2]) -> Self {
-        let elsewhere = math::limit(start, bounds[0], bounds[1]);
+        let elsewhere = math::clamp(start, bounds[0], bounds[1]);
         Self { place: vec![UNKNOWN; cells.len()], known: Vec::new(), elsewhere, now: 1, alpha: Power::new(alpha), rho, bounds }
     }
 
@@ -70,7 +70,7 @@ impl Pheromone {
     pub fn favour(&mut self, ground: &Ground, cell: usize, direction: usize, factor: f64) {
         let [low, high] = self.bounds;
         let tau = &mut self.known(ground, cell).tau[direction];
-        *tau = math::limit(*tau * factor, low, high);
+        *tau = math::clamp(*tau * factor, low, high);
     }
 
     #[inline]
@@ -125,8 +125,8 @@ impl Pheromone {
     /// Keeps τ within its bounds; weights are made anew from here on.
     pub fn settle(&mut self) {
         let [low, high] = self.bounds;
-        self.elsewhere = math::limit(self.elsewhere, low, high);
-        self.known.iter_mut().for_each(|known| known.tau.iter_mut().for_each(|tau| *tau = math::limit(*tau, low, high)));
+        self.elsewhere = math::clamp(self.elsewhere, low, high);
+        self.known.iter_mut().for_each(|known| known.tau.iter_mut().for_each(|tau| *tau = math::clamp(*tau, low, high)));
         self.now += 1;
     }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::*;
 use crate::{
-    Given, Session, Setup, Status, Value,
+    Overrides, Session, Setup, Status, Value,
     kernel::Digest,
     scene::{GridScene, Header, Scene, generate::generate, grid},
 };
@@ -44,7 +44,7 @@ fn colony(scene: &Arc<Scene>, traits: Traits) -> Colony {
 }
 
 fn run(scene: &Arc<Scene>, planner: &str, params: &[(&str, &str)], seed: u64) -> Session {
-    let params: Given = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
+    let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
     Session::new(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
@@ -56,7 +56,7 @@ fn probabilities_follow_the_formula() {
     let mut colony = colony(&scene, PLAIN);
     // From (0, 0): east (1, 0) is √2 from (2, 1), south-east (1, 1) is 1 from it, south (0, 1) is 2 from it.
     colony.pheromone.favour(&colony.ground, 0, 0, 3.0);
-    let told = tell::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 0 }).unwrap();
+    let told = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 0 }).unwrap();
     let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
     let (east, diagonal, south) = (3.0 * 0.5, 1.0, 0.25);
     let sum = east + diagonal + south;
@@ -183,7 +183,7 @@ fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
         let header =
             Header { name: "test".into(), title: "Test".into(), note: None, source: None, units: None, exact: None, published: None };
         let scene = Arc::new(grid::KIND.scene(header, grid).unwrap());
-        let exact = scene.exact_by(Yardstick::Cells).map(|exact| exact.length);
+        let exact = scene.exact_by(ReferenceOptimum::Cells).map(|exact| exact.length);
         for planner in ["aco", "aco-direction", "aco-dijkstra", "aco-wolf"] {
             let mut session = run(&scene, planner, &[("iterations", "12"), ("tau_min", "0.01"), ("tau_max", "1000")], round);
             let mut frame = Frame::default();
@@ -274,7 +274,7 @@ fn a_cell_s_card_leaves_out_what_lies_behind() {
     let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
     let mut colony = colony(&scene, PLAIN);
     colony.advance();
-    let told = tell::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 2 }).unwrap();
+    let told = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 2 }).unwrap();
     let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
     assert_eq!((p[0], p[4]), (1.0, 0.0));
     assert!(told.summary.contains("coming from the west"));

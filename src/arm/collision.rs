@@ -10,7 +10,7 @@
 //! Motions between postures, all joints turning evenly, are tested as a whole and not at samples: a posture with more
 //! room about each link than the link can travel answers for a whole stretch, and a stretch without such a posture is halved.
 
-use crate::{arm::ArmScene, geometry::Cuboid, math::limit};
+use crate::{arm::ArmScene, geometry::Cuboid, math::clamp};
 
 use super::{Arm, Posture, Skeleton};
 
@@ -287,7 +287,7 @@ impl<'a> Links<'a> {
         if self.leans_in(column, [shoulder, elbow]) {
             return false;
         }
-        let foot: [f64; 3] = std::array::from_fn(|i| limit(shoulder[i], column.axis.min[i], column.axis.max[i]));
+        let foot: [f64; 3] = std::array::from_fn(|i| clamp(shoulder[i], column.axis.min[i], column.axis.max[i]));
         let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
         let minus = |p: [f64; 3], q: [f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
         let (out, arm) = (minus(shoulder, foot), minus(elbow, shoulder));

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{Isometry3, Matrix3, Unit, Vector3};
 
-use crate::math::limit;
+use crate::math::clamp;
 
 use super::{
     Arm, Axis, Posture, Solutions, Unreachable, distance,
@@ -32,7 +32,7 @@ enum Within {
 #[derive(Clone, Copy, PartialEq)]
 enum Roll {
     /// As the pose says.
-    Given,
+    Overrides,
     /// Joint 6, about whose axis the tool lies, stays as it is.
     Kept,
 }
@@ -61,7 +61,7 @@ impl Arm {
     /// # Errors
     /// [`Unreachable`]: whether position, orientation or limits are at fault.
     pub fn inverse(&self, pose: &Isometry3<f64>, near: &Posture) -> Result<Solutions, Unreachable> {
-        self.solve(pose, near, Within::Limits, Roll::Given)
+        self.solve(pose, near, Within::Limits, Roll::Overrides)
     }
 
     /// As [`inverse`](Self::inverse), whatever the limits: angles in (−π, π].
@@ -69,7 +69,7 @@ impl Arm {
     /// # Errors
     /// [`Unreachable::Position`] or [`Unreachable::Orientation`].
     pub fn inverse_all(&self, pose: &Isometry3<f64>, near: &Posture) -> Result<Solutions, Unreachable> {
-        self.solve(pose, near, Within::Turn, Roll::Given)
+        self.solve(pose, near, Within::Turn, Roll::Overrides)
     }
 
     /// The postures within the limits that bring the tip to a point with the tool pointing in a direction, the nearest to
@@ -97,7 +97,7 @@ impl Arm {
         }
         let mut best = Err(Unreachable::Position);
         for roll in (0..ROLLS).map(|i| f64::from(i) * TURN / f64::from(ROLLS)) {
-            let next = self.solve(&self.pose(point, direction, roll), near, Within::Limits, Roll::Given);
+            let next = self.solve(&self.pose(point, direction, roll), near, Within::Limits, Roll::Overrides);
             best = match (best, next) {
                 (Ok(a), Ok(b)) => Ok(if distance(&b[0], near) < distance(&a[0], near) { b } else { a }),
                 (Ok(found), _) | (_, Ok(found)) => Ok(found),
@@ -203,7 +203,7 @@ impl Arm {
             let joint = &self.joints[i];
             let angle = if near[i].is_finite() { near[i] } else { joint.home.to_radians() };
             match within {
-                Within::Limits => limit(angle, joint.min.to_radians(), joint.max.to_radians()),
+                Within::Limits => clamp(angle, joint.min.to_radians(), joint.max.to_radians()),
                 Within::Turn => wrap(angle),
             }
         })
@@ -217,8 +217,8 @@ impl Arm {
         let (min, max) = (self.joints[i].min.to_radians(), self.joints[i].max.to_radians());
         let least = ((min - LIMIT - angle) / TURN).ceil();
         let most = ((max + LIMIT - angle) / TURN).floor();
-        let turns = limit(((near[i] - angle) / TURN).round(), least, most);
-        (least <= most).then(|| limit(angle + turns * TURN, min, max))
+        let turns = clamp(((near[i] - angle) / TURN).round(), least, most);
+        (least <= most).then(|| clamp(angle + turns * TURN, min, max))
     }
 
     /// Where θ4 and θ6 of a singular wrist may be.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::math::{acos, atan2, cos, limit, sin};
+use crate::math::{acos, atan2, clamp, cos, sin};
 
 use super::{Arm, Posture, Unreachable};
 
@@ -102,7 +102,7 @@ impl Limbs {
                 continue;
             }
             // The law of cosines: θ3 but for the forearm's own angle.
-            let cosine = limit((away * away - upper * upper - forearm * forearm) / (2.0 * upper * forearm), -1.0, 1.0);
+            let cosine = clamp((away * away - upper * upper - forearm * forearm) / (2.0 * upper * forearm), -1.0, 1.0);
             for bent in [1.0, -1.0] {
                 let sine = bent * ((1.0 - cosine) * (1.0 + cosine)).sqrt();
                 let (theta3, [sin3, cos3]) = fixed(sine * along - cosine * across, cosine * along + sine * across);
@@ -130,13 +130,13 @@ impl Limbs {
             return Unreachable::Position;
         }
         // Only latitudes whose circle comes as far out as the plane lies aside.
-        let end = if aside > out { acos(limit((aside - out) / reach, -1.0, 1.0)) } else { FRAC_PI_2 };
+        let end = if aside > out { acos(clamp((aside - out) / reach, -1.0, 1.0)) } else { FRAC_PI_2 };
         // Squared distances from the shoulder: nearest and farthest on the circle of one latitude.
         let distances = |shoulder: f64, latitude: f64| {
             let (across, v) = (reach * cos(latitude), up + reach * sin(latitude));
             let inside = |far: f64| (far * far - aside * aside).max(0.0).sqrt();
             let (from, to) = (inside((out - across).abs().max(aside)), inside(out + across));
-            let nearest = limit(shoulder, from, to) - shoulder;
+            let nearest = clamp(shoulder, from, to) - shoulder;
             let farthest = (from - shoulder).abs().max((to - shoulder).abs());
             [nearest * nearest + v * v, farthest * farthest + v * v]
         };

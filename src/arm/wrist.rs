@@ -80,7 +80,7 @@ pub(super) fn share(sum: f64, sign: f64, near: &Posture, ranges: [[f64; 2]; 2]) 
         if low > high {
             continue;
         }
-        let t = crate::math::limit(0.0, low, high);
+        let t = crate::math::clamp(0.0, low, high);
         let away = half * half + t * t;
         if best.is_none_or(|(least, _)| away < least) {
             best = Some((away, [theta4 + t, theta6 - sign * t]));

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::{
     kernel::{Error, LayerKey, Scene, SceneKindId, Started, Stops},
-    params::{Given, Param, Parameter, Settings},
+    params::{Overrides, Param, Parameter, Parameters},
 };
 
 use super::{EventKind, Formula, Layer, Member, Preset, Reading, Shown};
@@ -46,7 +46,7 @@ pub struct Entry {
     /// Parameters under a name: as published, or fitted to published figures.
     pub presets: &'static [Preset],
     /// What its paper recommends for these settings; `None` where it says nothing.
-    pub suggest: fn(&Settings) -> Option<Suggestion>,
+    pub suggest: fn(&Parameters) -> Option<Suggestion>,
     /// How a run begins: refuses everything that can be refused.
     pub start: fn(&Start) -> Result<Started, Error>,
 }
@@ -160,7 +160,7 @@ impl Entry {
 
     /// What its paper recommends for some settings.
     #[must_use]
-    pub const fn suggest(self, suggest: fn(&Settings) -> Option<Suggestion>) -> Self {
+    pub const fn suggest(self, suggest: fn(&Parameters) -> Option<Suggestion>) -> Self {
         Self { suggest, ..self }
     }
 
@@ -210,7 +210,7 @@ impl Entry {
     ///
     /// # Errors
     /// [`Error::Unknown`] with the names that exist; [`Error::Refused`] for a planner without presets.
-    pub fn preset(&self, name: &str, kind: SceneKindId) -> Result<Given, Error> {
+    pub fn preset(&self, name: &str, kind: SceneKindId) -> Result<Overrides, Error> {
         if self.presets.is_empty() {
             return Err(Error::refused("preset", name, format!("left out: {} has no presets", self.name)));
         }
@@ -251,7 +251,7 @@ pub struct Start<'a> {
     /// What is planned in: of a kind that the planner runs on.
     pub scene: &'a Arc<Scene>,
     /// A value for each of its parameters.
-    pub parameters: &'a Settings,
+    pub parameters: &'a Parameters,
     /// 0 to 2^53 − 1.
     pub seed: u64,
     /// All planners, for one that rests on others.

@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-use crate::params::{Fixed, Given, Value, as_object};
+use crate::params::{Fixed, Overrides, Value, as_object};
 
 /// The name of the preset with which a planner builds one of many roads between stops: sizes that make 66 runs take seconds.
 pub const ROAD: &str = "road";
@@ -32,7 +32,7 @@ fn fixed<S: Serializer>(values: &[(&'static str, Fixed)], serializer: S) -> Resu
 
 impl Preset {
     /// The values as overrides.
-    pub fn given(&self) -> Given {
+    pub fn given(&self) -> Overrides {
         self.values.iter().map(|&(name, value)| (name, Value::from(value))).collect()
     }
 }

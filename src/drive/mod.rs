@@ -24,7 +24,7 @@ use crate::{
     geometry::{self, YAxis},
     kernel::Error,
     math,
-    params::{Given, Param, Settings, Value},
+    params::{Overrides, Param, Parameters, Value},
     scene::{GRID, GridScene, Robot, Scene},
 };
 
@@ -85,15 +85,15 @@ pub struct Drive {
     /// The robot's length and width.
     pub outline: [f64; 2],
     /// Every parameter's value.
-    pub settings: Settings,
+    pub settings: Parameters,
 }
 
 /// The values for a scene's robot: what was given, then what the scene says of it, then the defaults. Those are the
 /// figures of a robot 0.4 m long and 0.3 m wide; for another size (and another unit) lengths keep their proportion to it.
 ///
 /// # Errors
-/// As [`Settings::new`]: the field, its value and what is allowed.
-pub fn settings(robot: Option<Robot>, given: &Given) -> Result<Settings, Error> {
+/// As [`Parameters::new`]: the field, its value and what is allowed.
+pub fn settings(robot: Option<Robot>, given: &Overrides) -> Result<Parameters, Error> {
     let usual = |param: Param<f64>| number(&param.entry().default_on(GRID));
     let Robot { length, width, speed, .. } = robot.unwrap_or_default();
     let (long, wide) = (length.map_or(1.0, |length| length / 0.4), width.map_or(1.0, |width| width / 0.3));
@@ -103,7 +103,7 @@ pub fn settings(robot: Option<Robot>, given: &Given) -> Result<Settings, Error> 
     let way = asked(SPEED, speed) * asked(PERIOD, usual(PERIOD));
     let own = [
         (SPEED, speed),
-        (LOOK_AHEAD, math::limit(usual(LOOK_AHEAD) * long, 2.0 * way, f64::INFINITY)),
+        (LOOK_AHEAD, math::clamp(usual(LOOK_AHEAD) * long, 2.0 * way, f64::INFINITY)),
         (WHEEL_RADIUS, usual(WHEEL_RADIUS) * long),
         (WHEEL_DISTANCE, usual(WHEEL_DISTANCE) * wide),
     ];
@@ -114,7 +114,7 @@ pub fn settings(robot: Option<Robot>, given: &Given) -> Result<Settings, Error> 
             given.insert(param.name(), value);
         }
     }
-    Settings::new(ENTRY.parameters, GRID, &given)
+    Parameters::new(ENTRY.parameters, GRID, &given)
 }
 
 fn number(value: &Value) -> f64 {
@@ -131,14 +131,14 @@ pub fn robot(scene: &Scene) -> Option<(&GridScene, [f64; 2])> {
 ///
 /// # Errors
 /// As [`settings`], whether there is anything to drive or not.
-pub fn along(scene: &Scene, path: Option<&[[f64; 2]]>, given: &Given) -> Result<Option<Drive>, Error> {
+pub fn along(scene: &Scene, path: Option<&[[f64; 2]]>, given: &Overrides) -> Result<Option<Drive>, Error> {
     let grid = robot(scene);
     let settings = settings(grid.and_then(|(grid, _)| grid.robot), given)?;
     Ok(grid.zip(path).and_then(|((grid, _), path)| simulate(grid, path, &settings)))
 }
 
 /// Drives the scene's robot along a path. `None` for a robot without length and width, and for a path without corners.
-pub fn simulate(scene: &GridScene, path: &[[f64; 2]], settings: &Settings) -> Option<Drive> {
+pub fn simulate(scene: &GridScene, path: &[[f64; 2]], settings: &Parameters) -> Option<Drive> {
     let (outline, course) = (scene.outline()?, Course::new(path)?);
     let limits = Limits { speed: settings[SPEED], turn_rate: settings[TURN_RATE], period: settings[PERIOD] };
     let wheels = Wheels {

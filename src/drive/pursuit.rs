@@ -161,12 +161,12 @@ impl Limits {
         let eta = math::atan2(aside, ahead);
         if eta.abs() > TURN_ON_THE_SPOT {
             // Where a period is long enough to turn past it, slower.
-            let turn_rate = math::limit(eta / self.period, -self.turn_rate, self.turn_rate);
+            let turn_rate = math::clamp(eta / self.period, -self.turn_rate, self.turn_rate);
             return (Motion { speed: 0.0, turn_rate }, self.period);
         }
         let curvature = curvature(eta, ahead, aside);
         let speed = self.speed.min(self.turn_rate / curvature.abs());
-        let motion = Motion { speed, turn_rate: math::limit(curvature * speed, -self.turn_rate, self.turn_rate) };
+        let motion = Motion { speed, turn_rate: math::clamp(curvature * speed, -self.turn_rate, self.turn_rate) };
         // The arc turns by 2η over its chord.
         let arc = if eta.abs() < 1e-6 { (dx * dx + dy * dy).sqrt() } else { 2.0 * eta / curvature };
         let seconds = if target.is_goal { self.period.min(arc / speed) } else { self.period };

@@ -3,7 +3,7 @@
 
 use crate::{
     kernel::{Border, Error, State},
-    params::Settings,
+    params::Parameters,
     scene::{GridScene, Robot},
 };
 
@@ -28,7 +28,7 @@ pub(super) struct Body {
 
 impl Body {
     /// The robot of a scene, or as the parameters say.
-    pub fn new(grid: &GridScene, settings: &Settings) -> Result<Self, Error> {
+    pub fn new(grid: &GridScene, settings: &Parameters) -> Result<Self, Error> {
         // A disc of half a cell's radius that goes from centre to centre meets no blocked cell unless it cuts corners.
         let fits = grid.radius().max(if grid.corner_cutting { 0.0 } else { grid.cell / 2.0 });
         let given = settings[GIVEN];

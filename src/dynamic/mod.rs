@@ -12,12 +12,12 @@ pub mod d_star_lite_drive;
 mod decide;
 mod draw;
 mod escape;
+mod explain;
 mod journey;
 mod parameters;
 mod queue;
 mod route;
 mod steps;
-mod tell;
 #[cfg(test)]
 mod tests;
 pub mod wolf_ant_drive;
@@ -34,11 +34,11 @@ use crate::{
     exact,
     geometry::{self, Cells, Course},
     kernel::{
-        Best, Border, Error, Event, Explain, Facets, Failure, Frame, Inspection, Item, Planner, Progress, Readings, Solution, Stage,
-        Started, State, Status, Timeline, Track, Yardstick,
+        Border, Candidate, Error, Event, Explain, Facets, Failure, Frame, Inspection, Item, Planner, Progress, Readings, ReferenceOptimum,
+        Solution, Stage, Started, State, Status, Timeline, Track,
     },
     math::Length,
-    params::Settings,
+    params::Parameters,
     scene::{GridScene, Motion, Scene},
 };
 
@@ -47,7 +47,7 @@ use journey::Journey;
 use parameters::{ITERATIONS, PERIOD, TIME_LIMIT};
 use route::Route;
 
-pub use tell::SYMBOLS;
+pub use explain::SYMBOLS;
 
 /// How often a second an obstacle may bounce to and fro: what goes faster is everywhere at once, and takes as long to follow.
 const BOUNCES: f64 = 100.0;
@@ -66,7 +66,7 @@ struct Ground {
 }
 
 impl Ground {
-    fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
+    fn new(scene: &Arc<Scene>, settings: &Parameters) -> Result<Self, Error> {
         let grid = scene.share::<GridScene>()?;
         let body = Body::new(&grid, settings)?;
         if body.border == Border::Bounce {
@@ -167,7 +167,7 @@ fn start(start: &Start, route: impl FnOnce(&Arc<Ground>) -> Result<Box<dyn Route
         stages.insert(0, Stage { name: "plan", title: "Plan", end: Some(planning) });
     }
     let progress = dynamic.progress();
-    let started = Started::new(dynamic, limit).open_ended().measured_by(Yardstick::Cells).in_stages(stages);
+    let started = Started::new(dynamic, limit).open_ended().measured_by(ReferenceOptimum::Cells).in_stages(stages);
     Ok(Started { progress, ..started })
 }
 
@@ -214,13 +214,13 @@ impl Planner for Dynamic {
     }
 
     /// There is a result when the robot is at the goal; it costs the time that it took.
-    fn best(&self) -> Option<Best> {
+    fn best(&self) -> Option<Candidate> {
         let journey = self.journey.as_ref().filter(|journey| journey.arrived)?;
-        Some(Best { cost: journey.now, solution: Solution::Drive(self.track(journey)) })
+        Some(Candidate { cost: journey.now, solution: Solution::Drive(self.track(journey)) })
     }
 
     fn read(&self, out: &mut Readings) {
-        tell::read(self, out);
+        explain::read(self, out);
     }
 
     fn draw(&self, frame: &mut Frame) {
@@ -234,7 +234,7 @@ impl Planner for Dynamic {
 
 impl Explain for Dynamic {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        tell::inspect(self, item)
+        explain::inspect(self, item)
     }
 }
 
@@ -249,7 +249,7 @@ impl Failure for Dynamic {
         match &self.journey {
             _ if self.lost => Some("No way to the goal was found to drive on".to_owned()),
             Some(journey) if status == Status::Exhausted => {
-                Some(tell::why_not(journey, if journey.now >= self.most { TIME_LIMIT.name() } else { ITERATIONS.name() }))
+                Some(explain::why_not(journey, if journey.now >= self.most { TIME_LIMIT.name() } else { ITERATIONS.name() }))
             }
             _ => None,
         }

@@ -5,7 +5,7 @@ use crate::{
     catalogue::PLANNERS,
     describe::{Entries, Entry, Start},
     kernel::{Border, Error, Event, Solution, Track},
-    params::{Given, Settings},
+    params::{Overrides, Parameters},
     scene::GridScene,
     session::Outcome,
     shipped,
@@ -16,7 +16,7 @@ use super::wolf_ant_drive;
 const DRIVES: [&str; 3] = ["wolf-ant-drive", "a-star-drive", "d-star-lite-drive"];
 
 fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Session {
-    let params: Given = params.iter().map(|(name, value)| (*name, value.clone())).collect();
+    let params: Overrides = params.iter().map(|(name, value)| (*name, value.clone())).collect();
     Session::new(Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
@@ -67,7 +67,7 @@ fn check(outcome: &Outcome, scene: &Scene, name: &str) {
         assert_eq!(outcome.feasible, told == 0, "{name}: what touches nothing is feasible, and nothing else");
         assert!((outcome.cost.unwrap() - number("time")).abs() < 1e-12);
     } else {
-        assert!(outcome.trouble.is_some() && outcome.path.is_none() && !outcome.feasible, "{name}");
+        assert!(outcome.failure.is_some() && outcome.path.is_none() && !outcome.feasible, "{name}");
     }
     let moving = !scene.get::<GridScene>().unwrap().moving.is_empty();
     assert_eq!(number("smallest_distance").is_finite(), moving && !outcome.events.is_empty());
@@ -96,7 +96,7 @@ impl Entries for Only {
 fn a_colony_that_the_list_lacks_or_that_is_none_is_refused() {
     const DRIVE: Entry = wolf_ant_drive::ENTRY;
     let scene = shipped("wolf-ant-20").unwrap();
-    let parameters = Settings::new(DRIVE.parameters, scene.kind(), &Given::new()).unwrap();
+    let parameters = Parameters::new(DRIVE.parameters, scene.kind(), &Overrides::new()).unwrap();
     let refused = |entries: &dyn Entries| {
         let start = Start { scene: &scene, parameters: &parameters, seed: 1, entries };
         (DRIVE.start)(&start).err().unwrap()
@@ -352,7 +352,7 @@ fn what_the_robot_cannot_be_is_refused_by_name() {
                 "start": [1, 1], "goal": [5, 5], "robot": {robot}}}"#
         );
         let scene = Arc::new(Scene::from_json(&text).unwrap());
-        let params: Given = params.iter().map(|(name, value)| (*name, value.clone())).collect();
+        let params: Overrides = params.iter().map(|(name, value)| (*name, value.clone())).collect();
         let error = Session::new(Setup { planner: "a-star-drive".to_owned(), scene, params, seed: 1 }).err().unwrap();
         (error.field().to_owned(), error.value().to_owned())
     };

@@ -6,7 +6,7 @@ use crate::{
     ants::{Colony, aco_wolf},
     describe::{Entry, PAPER, Start, layers},
     kernel::{Error, Explain, Frame, Inspection, Item, Planner, Started, State, rng::Stream},
-    params::{Choice, Given, Param, Settings, Value},
+    params::{Choice, Overrides, Param, Parameters, Value},
 };
 
 use super::{
@@ -150,11 +150,11 @@ fn colony(start: &Start) -> Result<Colony, Error> {
     if [ITERATIONS, ANTS].iter().any(|size| entry.parameter(size.name()).is_none()) {
         return Err(other());
     }
-    let mut given = if entry.presets.is_empty() { Given::new() } else { entry.preset(PAPER, kind)? };
+    let mut given = if entry.presets.is_empty() { Overrides::new() } else { entry.preset(PAPER, kind)? };
     for size in [ITERATIONS, ANTS] {
         given.insert(size.name(), Value::from(start.parameters[size] as f64));
     }
-    let parameters = Settings::new(entry.parameters, kind, &given)?;
+    let parameters = Parameters::new(entry.parameters, kind, &given)?;
     let planner: Box<dyn Any> = (entry.start)(&Start { parameters: &parameters, ..*start })?.planner;
     planner.downcast().map(|colony| *colony).map_err(|_| other())
 }

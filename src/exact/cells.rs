@@ -69,7 +69,7 @@ pub fn is_reachable(cells: &Cells, start: usize, goal: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use crate::{
-        kernel::Yardstick,
+        kernel::ReferenceOptimum,
         scene::{GridScene, grid},
         shipped,
     };
@@ -82,7 +82,7 @@ mod tests {
             let mut grid = scene.get::<GridScene>().unwrap().clone();
             grid.corner_cutting = cutting;
             let scene = grid::KIND.scene(scene.header().clone(), grid).unwrap();
-            let exact = scene.exact_by(Yardstick::Cells).unwrap();
+            let exact = scene.exact_by(ReferenceOptimum::Cells).unwrap();
             assert!((crate::geometry::length(&exact.path) - exact.length).abs() < 1e-9);
             exact.length
         };

@@ -1,13 +1,13 @@
 //! The shortest tour, by Held and Karp's dynamic programme over sets of stops. Independent of the planners that look for
 //! tours: it is what they are measured by.
 
-use crate::{exact::Distances, kernel::Round};
+use crate::{exact::Distances, kernel::TourEnds};
 
 /// The most stops of a tour whose optimum is computed.
 pub const MAX_EXACT_STOPS: usize = 15;
 
 /// The order of a shortest tour and its length; `None` for more than [`MAX_EXACT_STOPS`] stops or fewer than two.
-pub fn shortest_tour(distances: &Distances, round: Round) -> Option<(Vec<usize>, f64)> {
+pub fn shortest_tour(distances: &Distances, round: TourEnds) -> Option<(Vec<usize>, f64)> {
     let n = distances.len();
     if !(2..=MAX_EXACT_STOPS).contains(&n) {
         return None;
@@ -16,7 +16,7 @@ pub fn shortest_tour(distances: &Distances, round: Round) -> Option<(Vec<usize>,
     // best[set · n + last]: the shortest way that begins as it must, calls at the stops of the set and ends at `last`.
     let mut best = vec![f64::INFINITY; n << n];
     for first in 0..n {
-        if first == 0 || round == Round::Open {
+        if first == 0 || round == TourEnds::Open {
             best[(1 << first) * n + first] = 0.0;
         }
     }
@@ -31,7 +31,7 @@ pub fn shortest_tour(distances: &Distances, round: Round) -> Option<(Vec<usize>,
     }
     let all = (1 << n) - 1;
     let back = |last: usize| if round.closes() { d(last, 0) } else { 0.0 };
-    let may_end = |last: &usize| round != Round::FirstToLast || *last == n - 1;
+    let may_end = |last: &usize| round != TourEnds::FirstToLast || *last == n - 1;
     let mut last = (0..n).filter(may_end).min_by(|&a, &b| (best[all * n + a] + back(a)).total_cmp(&(best[all * n + b] + back(b))))?;
     let (mut set, mut order) = (all, vec![last]);
     while order.len() < n {
@@ -54,8 +54,8 @@ mod tests {
     use crate::kernel::rng::Stream;
 
     /// Every order there is, one after another.
-    fn by_trying(distances: &Distances, round: Round) -> f64 {
-        fn go(order: &mut Vec<usize>, k: usize, distances: &Distances, round: Round, best: &mut f64) {
+    fn by_trying(distances: &Distances, round: TourEnds) -> f64 {
+        fn go(order: &mut Vec<usize>, k: usize, distances: &Distances, round: TourEnds, best: &mut f64) {
             if k == order.len() {
                 if round.allows(order, order.len()) {
                     *best = best.min(distances.length(order, round.closes()));
@@ -78,7 +78,7 @@ mod tests {
         let mut rng = Stream::new(5, 0);
         for n in 2..=8 {
             let distances = Distances::of(n, |_, _| rng.between(1.0, 9.0));
-            for round in Round::ALL {
+            for round in TourEnds::ALL {
                 let (order, length) = shortest_tour(&distances, round).unwrap();
                 assert!(round.allows(&order, n));
                 assert!((length - by_trying(&distances, round)).abs() < 1e-12, "{n} stops, {round:?}");
@@ -88,9 +88,9 @@ mod tests {
 
     #[test]
     fn the_published_scene_has_the_stored_tour() {
-        use crate::kernel::Yardstick;
+        use crate::kernel::ReferenceOptimum;
         let scene = crate::shipped("ant-bat-30").unwrap();
-        let cells = scene.exact_tour(Yardstick::Cells, Round::Closed).unwrap();
+        let cells = scene.exact_tour(ReferenceOptimum::Cells, TourEnds::Closed).unwrap();
         let stored = scene.header().exact.as_ref().unwrap();
         let length = |path: &[&str]| path.iter().fold(stored, |value, name| &value[*name]).as_f64().unwrap();
         assert!((cells.length - length(&["tour", "grid_no_cut", "length"])).abs() < 1e-9);

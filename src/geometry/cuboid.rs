@@ -1,6 +1,6 @@
 //! Boxes in space, and segments that meet them, [ARM-RRT] §3.1.
 
-use crate::math::limit;
+use crate::math::clamp;
 
 /// An axis-parallel box, closed: what touches a face meets it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,7 +62,7 @@ impl Cuboid {
         let excess = |t: f64| {
             std::array::from_fn::<f64, 3, _>(|axis| {
                 let x = a[axis] + t * along[axis];
-                x - limit(x, self.min[axis], self.max[axis])
+                x - clamp(x, self.min[axis], self.max[axis])
             })
         };
         let dot = |u: [f64; 3], v: [f64; 3]| u[0] * v[0] + u[1] * v[1] + u[2] * v[2];

@@ -1,7 +1,7 @@
 //! What some planners can do and others cannot. A new ability is a new facet: neither the contract nor planners without
 //! it change.
 
-use super::{Event, Inspection, Item, Status, Tuned};
+use super::{Event, Inspection, Item, Recommendation, Status};
 
 /// The abilities of a planner beyond the contract, listed by `Facets::default().explain(self).members(self)` and the like.
 #[derive(Default, Clone, Copy)]
@@ -83,7 +83,7 @@ pub trait Timeline {
 /// Recommends parameters for another planner.
 pub trait Recommend {
     /// The parameters, once there are any.
-    fn recommendation(&self) -> Option<Tuned>;
+    fn recommendation(&self) -> Option<Recommendation>;
 }
 
 /// Says why there is no result.

@@ -5,7 +5,7 @@
 
 use std::any::Any;
 
-use super::{Best, Facets, Frame, Readings, State, Status, Subtasks};
+use super::{Candidate, Facets, Frame, Readings, State, Status, Subtasks};
 
 /// A planner that can be stepped, drawn, read, rewound and judged; what few planners can do besides is among its
 /// [`Facets`].
@@ -18,7 +18,7 @@ pub trait Planner: State + CloneBox + Any + Send {
     /// How many candidate solutions were evaluated.
     fn evaluations(&self) -> u64;
     /// The best solution so far.
-    fn best(&self) -> Option<Best>;
+    fn best(&self) -> Option<Candidate>;
     /// The numbers of this iteration.
     fn read(&self, out: &mut Readings);
     /// Draws itself into a cleared frame.

@@ -11,13 +11,13 @@ use serde_json::Value;
 use crate::geometry::Bounds;
 
 use super::{
-    Error, Exact, Round, Solution, Yardstick, json,
+    Error, Exact, ReferenceOptimum, Solution, TourEnds, json,
     scene_body::{Plane, SceneBody, SceneKindId, Verdict},
 };
 
 /// Computes what results on a scene are measured by: the shortest path by a rule, or the shortest tour with such ends.
 /// `None` where there is none, or where it would take too long.
-pub type Optimum = fn(&Scene, Yardstick, Option<Round>) -> Option<Exact>;
+pub type Optimum = fn(&Scene, ReferenceOptimum, Option<TourEnds>) -> Option<Exact>;
 
 /// What every scene file carries besides its content.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +48,7 @@ pub struct Scene {
 }
 
 /// By the rule (from cell to cell or not), the shortest path and then the shortest tours by their ends.
-type Optima = [[OnceLock<Option<Exact>>; 1 + Round::ALL.len()]; 2];
+type Optima = [[OnceLock<Option<Exact>>; 1 + TourEnds::ALL.len()]; 2];
 
 impl fmt::Debug for Scene {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -161,25 +161,25 @@ impl Scene {
 
     /// The exact shortest path, computed at the first call; `None` where there is no path to find.
     pub fn exact(&self) -> Option<&Exact> {
-        self.exact_by(Yardstick::default())
+        self.exact_by(ReferenceOptimum::default())
     }
 
     /// The exact shortest way by a rule, computed at the first call.
-    pub fn exact_by(&self, yardstick: Yardstick) -> Option<&Exact> {
-        self.computed(yardstick, None)
+    pub fn exact_by(&self, reference: ReferenceOptimum) -> Option<&Exact> {
+        self.computed(reference, None)
     }
 
     /// The exact shortest tour through a scene's stops, with ways between them by a rule; computed at the first call.
     /// `None` where there are no stops, where one cannot be reached, or where there are too many: of those the file's own
     /// optimum counts, if it has one for such tours.
-    pub fn exact_tour(&self, yardstick: Yardstick, round: Round) -> Option<&Exact> {
-        self.computed(yardstick, Some(round))
+    pub fn exact_tour(&self, reference: ReferenceOptimum, round: TourEnds) -> Option<&Exact> {
+        self.computed(reference, Some(round))
     }
 
-    fn computed(&self, yardstick: Yardstick, round: Option<Round>) -> Option<&Exact> {
+    fn computed(&self, reference: ReferenceOptimum, round: Option<TourEnds>) -> Option<&Exact> {
         let optimum = self.optimum?;
-        let by_rule = &self.optima[usize::from(yardstick == Yardstick::Cells)];
-        by_rule[round.map_or(0, |round| 1 + round as usize)].get_or_init(|| optimum(self, yardstick, round)).as_ref()
+        let by_rule = &self.optima[usize::from(reference == ReferenceOptimum::Cells)];
+        by_rule[round.map_or(0, |round| 1 + round as usize)].get_or_init(|| optimum(self, reference, round)).as_ref()
     }
 
     /// A function's minimum; `None` where it is a path that is looked for.
@@ -188,8 +188,8 @@ impl Scene {
     }
 
     /// The exact minimum of what is measured: the shortest length by a rule, or a function's minimum.
-    pub fn optimum(&self, yardstick: Yardstick) -> Option<f64> {
-        self.minimum().or_else(|| self.exact_by(yardstick).map(|exact| exact.length))
+    pub fn optimum(&self, reference: ReferenceOptimum) -> Option<f64> {
+        self.minimum().or_else(|| self.exact_by(reference).map(|exact| exact.length))
     }
 
     /// Measures and checks a solution.

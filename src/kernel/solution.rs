@@ -16,7 +16,7 @@ pub enum Solution {
         /// The stops' numbers in the order in which it calls at them, each once.
         order: Vec<usize>,
         /// What its ends are.
-        round: Round,
+        round: TourEnds,
         /// The way through them, back to the first if it is closed, in the scene's unit.
         path: Vec<[f64; 2]>,
     },
@@ -77,7 +77,7 @@ impl Solution {
 /// What the ends of a tour are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Round {
+pub enum TourEnds {
     /// It goes back to where it began.
     #[default]
     Closed,
@@ -89,7 +89,7 @@ pub enum Round {
     FirstToLast,
 }
 
-impl Round {
+impl TourEnds {
     /// Every one.
     pub const ALL: [Self; 4] = [Self::Closed, Self::Open, Self::FromFirst, Self::FirstToLast];
 
@@ -114,7 +114,7 @@ impl Round {
 /// Which optimum a result is measured by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Yardstick {
+pub enum ReferenceOptimum {
     /// The shortest way there is, at any angle.
     #[default]
     AnyAngle,
@@ -130,7 +130,7 @@ pub enum Yardstick {
 
 /// The best solution so far and what it costs the planner. Whether it is any good, [`crate::Scene::judge`] says.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Best {
+pub struct Candidate {
     /// What the planner minimises.
     pub cost: f64,
     /// What it found.

@@ -1,6 +1,6 @@
 //! A run's beginning, and where it stands.
 
-use super::{Finding, Job, Planner, Progress, Round, Stage, Status, Yardstick};
+use super::{Planner, Progress, ReferenceOptimum, Stage, Status, Subtask, SubtaskResult, TourEnds};
 
 /// A planner at iteration 0, and what does not change while it runs.
 pub struct Started {
@@ -13,9 +13,9 @@ pub struct Started {
     /// Whether there is anything to do.
     pub progress: Progress,
     /// Which optimum its results are measured by.
-    pub yardstick: Yardstick,
+    pub reference: ReferenceOptimum,
     /// What the ends of its tours are, if it finds tours.
-    pub round: Option<Round>,
+    pub round: Option<TourEnds>,
     /// The parts of a run, in their order; none, for most: all steps are of one kind.
     pub stages: Vec<Stage>,
 }
@@ -28,7 +28,7 @@ impl Started {
             limit,
             open_ended: false,
             progress: Progress::Continue,
-            yardstick: Yardstick::default(),
+            reference: ReferenceOptimum::default(),
             round: None,
             stages: Vec::new(),
         }
@@ -42,8 +42,8 @@ impl Started {
 
     /// Measured by this optimum.
     #[must_use]
-    pub fn measured_by(self, yardstick: Yardstick) -> Self {
-        Self { yardstick, ..self }
+    pub fn measured_by(self, reference: ReferenceOptimum) -> Self {
+        Self { reference, ..self }
     }
 
     /// A run that is over before its first step unless there is a solution.
@@ -97,7 +97,7 @@ impl Stepper {
     }
 
     /// Takes a step and says whether there was one to take. `answer` carries out the runs that it rests on.
-    pub fn step(&mut self, answer: impl FnOnce(Vec<Job>) -> Vec<Finding>) -> bool {
+    pub fn step(&mut self, answer: impl FnOnce(Vec<Subtask>) -> Vec<SubtaskResult>) -> bool {
         if self.status != Status::Running {
             return false;
         }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::params::Given;
+use crate::params::Overrides;
 
 use super::State;
 
@@ -10,18 +10,18 @@ use super::State;
 /// another, in parallel or elsewhere. The result is the same.
 pub trait Subtasks {
     /// The runs that the next step needs; none if it needs none.
-    fn requests(&self) -> Vec<Job>;
+    fn requests(&self) -> Vec<Subtask>;
     /// Takes what these runs found, in their order; the next step uses it.
-    fn provide(&mut self, found: Vec<Finding>);
+    fn provide(&mut self, found: Vec<SubtaskResult>);
 }
 
 /// A run of another planner on the same scene that the next step needs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Job {
+pub struct Subtask {
     /// The planner's name.
     pub planner: &'static str,
     /// Parameters that differ from its defaults.
-    pub params: Given,
+    pub params: Overrides,
     /// The seed.
     pub seed: u64,
     /// Where it starts and where it leads, if not where the scene says.
@@ -29,9 +29,9 @@ pub struct Job {
     pub ends: Option<[[f64; 2]; 2]>,
 }
 
-/// What a [`Job`] found.
+/// What a [`Subtask`] found.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, State)]
-pub struct Finding {
+pub struct SubtaskResult {
     /// The best cost; `None` if nothing feasible was found.
     pub cost: Option<f64>,
     /// The iteration in which the best was found.
@@ -42,9 +42,9 @@ pub struct Finding {
 
 /// Parameters that a planner of planners recommends.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Tuned {
+pub struct Recommendation {
     /// For this planner.
     pub planner: &'static str,
     /// Those that were searched and those that were given.
-    pub params: Given,
+    pub params: Overrides,
 }

@@ -47,9 +47,9 @@ impl From<&str> for Value {
 
 /// Values by name, ordered by name. What is not given has its default.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Given(Vec<(String, Value)>);
+pub struct Overrides(Vec<(String, Value)>);
 
-impl Given {
+impl Overrides {
     /// Nothing given: all defaults.
     pub fn new() -> Self {
         Self::default()
@@ -80,7 +80,7 @@ impl Given {
     }
 }
 
-impl<'a> FromIterator<(&'a str, Value)> for Given {
+impl<'a> FromIterator<(&'a str, Value)> for Overrides {
     fn from_iter<I: IntoIterator<Item = (&'a str, Value)>>(pairs: I) -> Self {
         let mut given = Self::new();
         pairs.into_iter().for_each(|(name, value)| given.insert(name, value));
@@ -88,7 +88,7 @@ impl<'a> FromIterator<(&'a str, Value)> for Given {
     }
 }
 
-impl Serialize for Given {
+impl Serialize for Overrides {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.iter())
     }

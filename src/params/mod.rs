@@ -12,9 +12,9 @@ use serde::Serialize;
 
 use crate::kernel::{Error, SceneKindId};
 
-pub use given::{Given, Value, as_object};
+pub use given::{Overrides, Value, as_object};
 pub use param::{Param, ParamValue, Selection};
-pub use settings::Settings;
+pub use settings::Parameters;
 
 /// One of a choice's options.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

@@ -8,7 +8,7 @@ use std::ops::Index;
 
 use crate::kernel::SceneKindId;
 
-use super::{Choice, Domain, Fixed, Parameter, Settings, When};
+use super::{Choice, Domain, Fixed, Parameter, Parameters, When};
 
 /// A parameter and the type of its values: declared once, listed by [`Param::entry`], read by `settings[POPULATION]`.
 ///
@@ -16,14 +16,14 @@ use super::{Choice, Domain, Fixed, Parameter, Settings, When};
 /// the code that planners share reads the shared one.
 ///
 /// ```
-/// use forage::{Given, Value, kernel::SceneKindId, params::{Param, Parameter, Settings}};
+/// use forage::{Overrides, Value, kernel::SceneKindId, params::{Param, Parameter, Parameters}};
 ///
 /// const POPULATION: Param<u64> = Param::integer("population", "m", "Population", [1, 1000, 60], "How many particles.");
 /// const PARAMETERS: &[&[Parameter]] = &[&[POPULATION.default_to(20).entry()]];
 ///
-/// assert_eq!(Settings::new(PARAMETERS, GRID, &Given::new())?[POPULATION], 20);
-/// let given = Given::from_iter([("population", Value::from(7.0))]);
-/// assert_eq!(Settings::new(PARAMETERS, GRID, &given)?[POPULATION], 7);
+/// assert_eq!(Parameters::new(PARAMETERS, GRID, &Overrides::new())?[POPULATION], 20);
+/// let given = Overrides::from_iter([("population", Value::from(7.0))]);
+/// assert_eq!(Parameters::new(PARAMETERS, GRID, &given)?[POPULATION], 7);
 /// # Ok::<(), forage::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy)]
@@ -41,14 +41,14 @@ pub enum Selection {}
 pub trait ParamValue: Sized + 'static {
     /// The value of a parameter: what its chosen option means, unless it is a number, a flag or a name.
     #[inline(always)]
-    fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
+    fn read<'a>(settings: &'a Parameters, param: &Param<Self>) -> &'a Self {
         param.chosen(settings)
     }
 }
 
 impl ParamValue for f64 {
     #[inline(always)]
-    fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
+    fn read<'a>(settings: &'a Parameters, param: &Param<Self>) -> &'a Self {
         match param.parameter.domain {
             Domain::Choice { .. } => param.chosen(settings),
             _ => settings.number(param.parameter.name),
@@ -58,14 +58,14 @@ impl ParamValue for f64 {
 
 impl ParamValue for u64 {
     #[inline(always)]
-    fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
+    fn read<'a>(settings: &'a Parameters, param: &Param<Self>) -> &'a Self {
         settings.whole(param.parameter.name)
     }
 }
 
 impl ParamValue for bool {
     #[inline(always)]
-    fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
+    fn read<'a>(settings: &'a Parameters, param: &Param<Self>) -> &'a Self {
         match param.parameter.domain {
             Domain::Choice { .. } => param.chosen(settings),
             _ => settings.flag(param.parameter.name),
@@ -75,14 +75,14 @@ impl ParamValue for bool {
 
 impl ParamValue for &'static str {
     #[inline(always)]
-    fn read<'a>(settings: &'a Settings, param: &Param<Self>) -> &'a Self {
+    fn read<'a>(settings: &'a Parameters, param: &Param<Self>) -> &'a Self {
         &settings.option(param.parameter.name, param.parameter.options()).1.value
     }
 }
 
 impl<T: 'static> ParamValue for Option<T> {}
 
-impl<T: ParamValue> Index<Param<T>> for Settings {
+impl<T: ParamValue> Index<Param<T>> for Parameters {
     type Output = T;
 
     /// The value of a parameter on this kind of scene. One that means nothing there, or that the list has not, is NaN, 0,
@@ -93,7 +93,7 @@ impl<T: ParamValue> Index<Param<T>> for Settings {
     }
 }
 
-impl Index<Param<Selection>> for Settings {
+impl Index<Param<Selection>> for Parameters {
     type Output = str;
 
     fn index(&self, param: Param<Selection>) -> &str {
@@ -130,7 +130,7 @@ impl<T> Param<T> {
 
     /// What the chosen option means.
     #[inline(always)]
-    fn chosen(&self, settings: &Settings) -> &'static T {
+    fn chosen(&self, settings: &Parameters) -> &'static T {
         &self.meanings[settings.option(self.parameter.name, self.parameter.options()).0]
     }
 

@@ -2,25 +2,25 @@
 
 use crate::kernel::{Error, SceneKindId};
 
-use super::{Choice, Given, Parameter, Value, When};
+use super::{Choice, Overrides, Parameter, Value, When};
 
 /// A value for every parameter of a planner on a kind of scene; all of them allowed. Read by `settings[POPULATION]`, see
 /// [`Param`](super::Param).
 #[derive(Debug, Clone, PartialEq)]
-pub struct Settings {
+pub struct Parameters {
     parameters: &'static [&'static [Parameter]],
     values: Vec<(&'static str, Value)>,
     /// The values as whole numbers, in their order; 0 for what is no number.
     whole: Vec<u64>,
-    changed: Given,
+    changed: Overrides,
 }
 
-impl Settings {
+impl Parameters {
     /// Checks what was given and fills in the defaults.
     ///
     /// # Errors
     /// [`Error::Unknown`] for a name that is not a parameter on this kind of scene, [`Error::Refused`] for a value that is not allowed.
-    pub fn new(parameters: &'static [&'static [Parameter]], kind: SceneKindId, given: &Given) -> Result<Self, Error> {
+    pub fn new(parameters: &'static [&'static [Parameter]], kind: SceneKindId, given: &Overrides) -> Result<Self, Error> {
         let of_kind = || flat(parameters).filter(|p| p.applies_to(kind));
         for (name, value) in given.iter() {
             let parameter =
@@ -44,7 +44,7 @@ impl Settings {
     }
 
     /// What differs from the defaults.
-    pub fn changed(&self) -> &Given {
+    pub fn changed(&self) -> &Overrides {
         &self.changed
     }
 
@@ -96,7 +96,7 @@ fn flat(parameters: &'static [&'static [Parameter]]) -> impl Iterator<Item = &'s
 }
 
 /// The first condition that keeps a parameter from meaning anything: its own, or one of the parameter it depends on.
-fn unmet(parameters: &'static [&'static [Parameter]], kind: SceneKindId, given: &Given, parameter: &Parameter) -> Option<When> {
+fn unmet(parameters: &'static [&'static [Parameter]], kind: SceneKindId, given: &Overrides, parameter: &Parameter) -> Option<When> {
     let when = parameter.when?;
     let Some(other) = flat(parameters).find(|p| p.name == when.parameter && p.applies_to(kind)) else {
         return Some(when);
@@ -120,16 +120,16 @@ mod tests {
         Param::name_of("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[DISCS]);
     const ALL: &[&[Parameter]] = &[&[POPULATION.entry()], &[W.entry(), PENALTY.entry()]];
 
-    fn given(name: &str, value: &str) -> Given {
-        Given::from_iter([(name, Value::from(value))])
+    fn given(name: &str, value: &str) -> Overrides {
+        Overrides::from_iter([(name, Value::from(value))])
     }
 
     #[test]
     fn defaults_depend_on_the_kind_and_only_changes_are_kept() {
-        let on_discs = Settings::new(ALL, DISCS, &given("w", "0.7")).unwrap();
+        let on_discs = Parameters::new(ALL, DISCS, &given("w", "0.7")).unwrap();
         assert_eq!((on_discs[POPULATION], on_discs[W], on_discs[PENALTY]), (80, 0.7, "segments"));
         assert!(on_discs.changed().is_empty(), "0.7 is the default");
-        let on_function = Settings::new(ALL, FUNCTION, &given("population", "7")).unwrap();
+        let on_function = Parameters::new(ALL, FUNCTION, &given("population", "7")).unwrap();
         assert_eq!(on_function.changed().iter().collect::<Vec<_>>(), [("population", &Value::from(7.0))]);
         assert_eq!(on_function.all().len(), 2, "the penalty means nothing on functions");
         assert_eq!((on_function[POPULATION], on_function[PENALTY]), (7, ""));
@@ -144,7 +144,7 @@ mod tests {
         for good in ["a", "b,a"] {
             parameter.check(&Value::from(good)).unwrap();
         }
-        let settings = Settings::new(SOME_ONLY, GRID, &given("some", "b,a")).unwrap();
+        let settings = Parameters::new(SOME_ONLY, GRID, &given("some", "b,a")).unwrap();
         assert_eq!(&settings[SOME], "b,a");
         for bad in ["", "c", "a,a", "a,", "a b"] {
             assert_eq!(parameter.check(&Value::from(bad)).unwrap_err().allowed(), "some of a, b, each once, with commas between");
@@ -159,17 +159,18 @@ mod tests {
         const SECOND: Param<bool> = Param::flag("second", "", false, "").when(FIRST, "b");
         const THIRD: Param<f64> = Param::number("third", "", "", [0.0, 1.0, 0.5], "").when(SECOND, "true");
         const CHAIN: &[&[Parameter]] = &[&[FIRST.entry(), SECOND.entry(), THIRD.entry()]];
-        let names =
-            |kind, given: &Given| Settings::new(CHAIN, kind, given).map(|s| s.all().iter().map(|(name, _)| *name).collect::<Vec<_>>());
-        assert_eq!(names(FUNCTION, &Given::new()).unwrap(), ["first"]);
-        assert_eq!(names(DISCS, &Given::new()).unwrap(), ["first", "second"]);
+        let names = |kind, given: &Overrides| {
+            Parameters::new(CHAIN, kind, given).map(|s| s.all().iter().map(|(name, _)| *name).collect::<Vec<_>>())
+        };
+        assert_eq!(names(FUNCTION, &Overrides::new()).unwrap(), ["first"]);
+        assert_eq!(names(DISCS, &Overrides::new()).unwrap(), ["first", "second"]);
         assert_eq!(names(DISCS, &given("second", "true")).unwrap(), ["first", "second", "third"]);
-        let [on_function, on_discs] = [FUNCTION, DISCS].map(|kind| Settings::new(CHAIN, kind, &Given::new()).unwrap());
+        let [on_function, on_discs] = [FUNCTION, DISCS].map(|kind| Parameters::new(CHAIN, kind, &Overrides::new()).unwrap());
         assert_eq!((on_function[FIRST], on_discs[FIRST], on_discs[SECOND]), (false, true, false));
         assert!(on_discs[THIRD].is_nan(), "it means nothing there");
         let refused = names(DISCS, &given("third", "0.1")).unwrap_err();
         assert_eq!((refused.field(), refused.allowed()), ("third", "left out unless second is true"));
-        let both: Given =
+        let both: Overrides =
             [("first", Value::from("a")), ("second", Value::from("true")), ("third", Value::from("0.1"))].into_iter().collect();
         assert_eq!(names(DISCS, &both).unwrap_err().allowed(), "left out unless first is b");
     }
@@ -178,7 +179,7 @@ mod tests {
     #[should_panic(expected = "`speed` is read, and the entry does not list it")]
     fn a_parameter_that_is_not_listed_is_noticed_in_debug_builds() {
         const SPEED: Param<f64> = Param::number("speed", "", "", [0.0, 1.0, 0.5], "");
-        let _ = Settings::new(ALL, DISCS, &Given::new()).unwrap()[SPEED];
+        let _ = Parameters::new(ALL, DISCS, &Overrides::new()).unwrap()[SPEED];
     }
 
     #[test]
@@ -193,11 +194,11 @@ mod tests {
             ("w", "-0.1"),
             ("penalty", "x"),
         ] {
-            let error = Settings::new(ALL, DISCS, &given(name, value)).unwrap_err();
+            let error = Parameters::new(ALL, DISCS, &given(name, value)).unwrap_err();
             assert_eq!((error.field(), error.value()), (name, value));
             assert!(!error.allowed().is_empty());
         }
-        let unknown = Settings::new(ALL, FUNCTION, &given("penalty", "segments")).unwrap_err();
+        let unknown = Parameters::new(ALL, FUNCTION, &given("penalty", "segments")).unwrap_err();
         assert_eq!((unknown.field(), unknown.allowed()), ("parameter", "population, w"));
     }
 }

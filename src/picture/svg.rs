@@ -314,7 +314,7 @@ mod tests {
 
     #[test]
     fn a_tour_is_drawn_with_its_direction_and_the_stops_with_their_places() {
-        let setup = Setup { planner: "bat".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Given::default(), seed: 1 };
+        let setup = Setup { planner: "bat".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Overrides::default(), seed: 1 };
         let mut session = Session::new(setup).unwrap();
         let before = svg(&session, false, &[layers::TOUR.key, layers::STOPS.key]);
         assert_eq!(before.matches("<circle").count(), 12, "neither start nor goal");
@@ -332,7 +332,7 @@ mod tests {
 
     #[test]
     fn a_picture_holds_the_scene_and_only_the_layers_asked_for() {
-        let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: crate::Given::default(), seed: 1 };
+        let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: crate::Overrides::default(), seed: 1 };
         let mut session = Session::new(setup).unwrap();
         session.step(5);
         let picture = svg(&session, false, &[layers::BEST.key, layers::EXACT.key]);
@@ -346,7 +346,7 @@ mod tests {
 
     #[test]
     fn a_layer_has_the_colour_of_its_look_by_day_and_by_night_and_cells_without_pheromone_are_left_out() {
-        let setup = Setup { planner: "aco".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Given::default(), seed: 1 };
+        let setup = Setup { planner: "aco".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Overrides::default(), seed: 1 };
         let mut session = Session::new(setup).unwrap();
         session.step(3);
         for dark in [false, true] {

@@ -37,8 +37,8 @@ pub fn shipped(name: &str) -> Result<Arc<Scene>, Error> {
 #[cfg(test)]
 mod tests {
     use crate::{
-        Given, Value,
-        kernel::{Border, Round, Solution, Track, Yardstick},
+        Overrides, Value,
+        kernel::{Border, ReferenceOptimum, Solution, TourEnds, Track},
         scene::{GridScene, Motion, TourScene, generate::generate},
     };
 
@@ -52,7 +52,7 @@ mod tests {
         for (scene, tour) in tours {
             let source = scene.header().source.as_deref().unwrap().split(';').next().unwrap();
             let words: Vec<_> = source.strip_prefix("forage generate stops ").unwrap().split(' ').collect();
-            let (mut given, mut seed) = (Given::new(), 0);
+            let (mut given, mut seed) = (Overrides::new(), 0);
             for pair in words.chunks(2) {
                 match (pair[0], pair[1].split_once('=')) {
                     ("--seed", _) => seed = pair[1].parse().unwrap(),
@@ -64,7 +64,7 @@ mod tests {
             let made = made.get::<TourScene>().unwrap();
             assert_eq!((&made.points, made.metric), (&tour.points, tour.metric), "{}", scene.name());
             if let Some(exact) = &scene.header().exact {
-                let found = scene.exact_tour(crate::kernel::Yardstick::default(), Round::Closed).unwrap();
+                let found = scene.exact_tour(crate::kernel::ReferenceOptimum::default(), TourEnds::Closed).unwrap();
                 assert_eq!((found.order.len(), Some(found.length)), (tour.len(), exact["length"].as_f64()), "{}", scene.name());
             }
         }
@@ -121,7 +121,7 @@ mod tests {
             let scene = shipped(name).unwrap();
             let grid = scene.get::<GridScene>().unwrap();
             assert!(grid.robot.unwrap().sensor.is_some() && !grid.corner_cutting);
-            let shortest: Vec<_> = scene.exact_by(Yardstick::Cells).unwrap().path[1..].iter().map(|&[x, y]| [x, y, 0.0]).collect();
+            let shortest: Vec<_> = scene.exact_by(ReferenceOptimum::Cells).unwrap().path[1..].iter().map(|&[x, y]| [x, y, 0.0]).collect();
             for border in [Border::Leave, Border::Bounce] {
                 assert!(!drives(&scene, &shortest, border), "{name} calls for something");
                 assert!(drives(&scene, corners, border), "{name} can be done");

@@ -5,13 +5,14 @@
 //!
 //! - `open`: the cells reached and not settled, in order. `link`: how a cell was reached. `sight`: whether one cell sees another.
 //! - `found`: the path, and the path without the nodes that it does not need. `planner`: the stepped contract.
-//! - `draw` shows the cells settled and the frontier, `tell` says why a cell has the number it has.
+//! - `draw` shows the cells settled and the frontier, `explain` says why a cell has the number it has.
 //! - `parameters`: what the entries share. [`dijkstra`], [`a_star`], [`theta_star`]: a file a planner.
 
 pub mod a_star;
 mod best_first;
 pub mod dijkstra;
 mod draw;
+mod explain;
 mod found;
 mod link;
 mod open;
@@ -20,17 +21,16 @@ mod planner;
 mod rules;
 mod sight;
 mod task;
-mod tell;
 #[cfg(test)]
 mod tests;
 pub mod theta_star;
 
 use crate::{
     describe::Start,
-    kernel::{Error, Started, Yardstick},
+    kernel::{Error, ReferenceOptimum, Started},
 };
 
-pub use tell::SYMBOLS;
+pub use explain::SYMBOLS;
 
 use best_first::Search;
 use rules::{Heuristic, Relaxation, Rules};
@@ -40,5 +40,5 @@ fn start(start: &Start, heuristic: Heuristic, weight: f64, relaxation: Relaxatio
     let search = Search::new(start, Rules { heuristic, relaxation }, weight)?;
     let (limit, smooth) = (search.task.limit, search.task.smooth);
     let cells = relaxation == Relaxation::Step && !smooth;
-    Ok(Started::new(search, limit).open_ended().measured_by(if cells { Yardstick::Cells } else { Yardstick::AnyAngle }))
+    Ok(Started::new(search, limit).open_ended().measured_by(if cells { ReferenceOptimum::Cells } else { ReferenceOptimum::AnyAngle }))
 }

@@ -1,7 +1,7 @@
 //! A search by the stepped contract.
 
 use crate::{
-    kernel::{Best, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Solution},
+    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Solution},
     way,
 };
 
@@ -20,10 +20,10 @@ impl Planner for Search {
         self.expanded
     }
 
-    fn best(&self) -> Option<Best> {
+    fn best(&self) -> Option<Candidate> {
         let found = self.found.as_ref()?;
         let path = if self.task.smooth { found.way.smooth(&self.task.grid) } else { &found.way.path };
-        Some(Best { cost: found.cost, solution: Solution::Path(path.to_vec()) })
+        Some(Candidate { cost: found.cost, solution: Solution::Path(path.to_vec()) })
     }
 
     fn read(&self, out: &mut Readings) {
@@ -48,6 +48,6 @@ impl Planner for Search {
 
 impl Explain for Search {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        self.tell(item)
+        self.explain(item)
     }
 }

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use crate::{
-    Given, Scene, Session, Setup, Status, Value,
+    Overrides, Scene, Session, Setup, Status, Value,
     describe::layers,
     geometry,
-    kernel::{Item, Yardstick, rng::Stream},
+    kernel::{Item, ReferenceOptimum, rng::Stream},
     scene::{GridScene, Robot, grid},
     shipped,
 };
@@ -16,7 +16,7 @@ fn scene(grid: GridScene) -> Arc<Scene> {
 }
 
 fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, f64)]) -> Session {
-    let params: Given = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
+    let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
     Session::new(Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed: 1 }).unwrap()
 }
 
@@ -49,7 +49,7 @@ fn from_cell_to_cell_the_searches_are_exact_to_the_bit() {
     let mut rng = Stream::new(11, 0);
     let mut count = [0; 2];
     for scene in (0..700).filter_map(|_| random(&mut rng, 24)) {
-        let exact = scene.exact_by(Yardstick::Cells).map(|exact| exact.length.to_bits());
+        let exact = scene.exact_by(ReferenceOptimum::Cells).map(|exact| exact.length.to_bits());
         for name in ["dijkstra", "a-star"] {
             let mut session = session(name, &scene, &[]);
             let status = session.step(u64::MAX);
@@ -92,14 +92,14 @@ fn at_any_angle_a_path_is_free_and_between_the_optimum_and_the_way_over_cells() 
         let mut session = session("theta-star", &scene, &[]);
         let status = session.step(u64::MAX);
         let outcome = session.outcome();
-        let Some(over_cells) = scene.exact_by(Yardstick::Cells) else {
+        let Some(over_cells) = scene.exact_by(ReferenceOptimum::Cells) else {
             assert_eq!((status, outcome.cost), (Status::Infeasible, None));
             continue;
         };
         let (cost, exact) = (outcome.cost.unwrap(), scene.exact().unwrap().length);
         assert!(outcome.feasible, "{:?} {}", outcome.path, scene.to_json());
         assert!(cost >= exact - 1e-9 && cost <= over_cells.length + 1e-9, "{exact} {cost} {}", over_cells.length);
-        assert_eq!((outcome.exact_by, outcome.length.map(f64::to_bits)), (Yardstick::AnyAngle, Some(cost.to_bits())));
+        assert_eq!((outcome.exact_by, outcome.length.map(f64::to_bits)), (ReferenceOptimum::AnyAngle, Some(cost.to_bits())));
         shorter += usize::from(cost < over_cells.length - 1e-9);
     }
     assert!(shorter > 100, "{shorter}");
@@ -132,7 +132,7 @@ fn the_lowest_f_rises_to_the_result() {
     let scene = shipped("wolf-ant-20").unwrap();
     for name in ["dijkstra", "a-star"] {
         let mut session = session(name, &scene, &[("expand", 1.0)]);
-        let best = scene.exact_by(Yardstick::Cells).unwrap().length;
+        let best = scene.exact_by(ReferenceOptimum::Cells).unwrap().length;
         let mut last = 0.0;
         loop {
             let f = session.readings().get("f").unwrap();
@@ -183,7 +183,7 @@ fn a_weight_trades_length_for_fewer_cells() {
     let mut rng = Stream::new(14, 0);
     let (mut fewer, mut more) = (0, 0);
     for scene in (0..80).filter_map(|_| random(&mut rng, 40)) {
-        let Some(exact) = scene.exact_by(Yardstick::Cells) else { continue };
+        let Some(exact) = scene.exact_by(ReferenceOptimum::Cells) else { continue };
         let run = |weight: f64| {
             let mut session = session("a-star", &scene, &[("weight", weight)]);
             session.step(u64::MAX);
@@ -208,7 +208,9 @@ fn smoothing_hands_over_fewer_nodes_and_is_measured_at_any_angle() {
         smooth.step(u64::MAX);
         let (a, b) = (raw.outcome(), smooth.outcome());
         assert_eq!(a.cost, b.cost, "smoothing is not part of the search");
-        assert!(b.feasible && b.length <= a.length && b.turns <= a.turns && b.exact_by == Yardstick::AnyAngle && b.gap > Some(-1e-12));
+        assert!(
+            b.feasible && b.length <= a.length && b.turns <= a.turns && b.exact_by == ReferenceOptimum::AnyAngle && b.gap > Some(-1e-12)
+        );
         let path = b.path.unwrap();
         let mut read = |name| raw.readings().get(name).unwrap();
         assert_eq!([read("smooth_length"), read("smooth_turns")], [geometry::length(&path), geometry::turns(&path) as f64]);

@@ -55,7 +55,7 @@ mod tests {
     use crate::{Session, Setup, shipped};
 
     fn state(iteration: u64) -> Stepper {
-        let setup = Setup { planner: "pso".into(), scene: shipped("sphere").unwrap(), params: crate::Given::default(), seed: 1 };
+        let setup = Setup { planner: "pso".into(), scene: shipped("sphere").unwrap(), params: crate::Overrides::default(), seed: 1 };
         let mut session = Session::with_keyframes(setup, 0).unwrap();
         session.step(iteration);
         session.at

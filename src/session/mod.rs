@@ -1,15 +1,15 @@
 //! One run: a scene, a planner with parameters and a seed, stepped, rewound, judged and shared.
 
-mod jobs;
 mod keyframes;
 mod outcome;
+mod subtasks;
 mod trace;
 
 use std::{cell::OnceCell, sync::Arc};
 
-use jobs::Answers;
-pub use jobs::{carry_out, carry_out_all};
 pub use outcome::Outcome;
+use subtasks::Answers;
+pub use subtasks::{run_subtasks, run_to_end};
 pub use trace::{Trace, csv_heading, csv_line, csv_row};
 
 use crate::{
@@ -18,11 +18,11 @@ use crate::{
     describe::{Entry, Start, Suggestion},
     drive::{self, Drive},
     kernel::{
-        Best, Digest, Error, Event, Exact, Finding, Frame, Inspection, Item, Job, Readings, Round, Solution, Stage, Started, State, Status,
-        Stepper, Timeline, Yardstick, rng::check_seed,
+        Candidate, Digest, Error, Event, Exact, Frame, Inspection, Item, Readings, ReferenceOptimum, Solution, Stage, Started, State,
+        Status, Stepper, Subtask, SubtaskResult, Timeline, TourEnds, rng::check_seed,
     },
     link::Link,
-    params::{Given, Settings},
+    params::{Overrides, Parameters},
     scene::Scene,
 };
 
@@ -36,7 +36,7 @@ pub struct Setup {
     /// What is planned in.
     pub scene: Arc<Scene>,
     /// Parameters that differ from the defaults.
-    pub params: Given,
+    pub params: Overrides,
     /// 0 to 2^53 − 1.
     pub seed: u64,
 }
@@ -46,11 +46,11 @@ impl Setup {
     ///
     /// # Errors
     /// The planner's name, a scene it does not run on, a parameter, the seed.
-    pub fn check(&self) -> Result<(&'static Entry, Settings), Error> {
+    pub fn check(&self) -> Result<(&'static Entry, Parameters), Error> {
         let entry = find(&self.planner)?;
         entry.check_scene(&self.scene)?;
         check_seed(self.seed)?;
-        Ok((entry, Settings::new(entry.parameters, self.scene.kind(), &self.params)?))
+        Ok((entry, Parameters::new(entry.parameters, self.scene.kind(), &self.params)?))
     }
 
     /// The sizes that the planner's paper recommends for this setup, if it says anything.
@@ -75,15 +75,15 @@ impl Setup {
 pub struct Session {
     entry: &'static Entry,
     scene: Arc<Scene>,
-    settings: Settings,
+    settings: Parameters,
     seed: u64,
     /// The planner, and where it stands.
     at: Stepper,
     limit: u64,
     /// The last iteration, as soon as it is known.
     end: Option<u64>,
-    yardstick: Yardstick,
-    round: Option<Round>,
+    reference: ReferenceOptimum,
+    round: Option<TourEnds>,
     stages: Vec<Stage>,
     keyframes: Keyframes,
     answers: Answers,
@@ -129,7 +129,7 @@ impl Session {
     pub fn with_keyframes(setup: Setup, budget: usize) -> Result<Self, Error> {
         let (entry, settings) = setup.check()?;
         let Setup { scene, seed, .. } = setup;
-        let Started { planner, limit, open_ended, progress, yardstick, round, stages } =
+        let Started { planner, limit, open_ended, progress, reference, round, stages } =
             (entry.start)(&Start { scene: &scene, parameters: &settings, seed, entries: &PLANNERS })?;
         let mut session = Self {
             entry,
@@ -140,7 +140,7 @@ impl Session {
             at: Stepper::new(planner, limit, progress),
             limit,
             end: (!open_ended).then_some(limit),
-            yardstick,
+            reference,
             round,
             stages,
             keyframes: Keyframes::new(budget),
@@ -276,7 +276,7 @@ impl Session {
     }
 
     /// The best solution so far and what it costs the planner.
-    pub fn best(&self) -> Option<Best> {
+    pub fn best(&self) -> Option<Candidate> {
         self.at.planner.best()
     }
 
@@ -291,7 +291,7 @@ impl Session {
     }
 
     /// Every parameter's value.
-    pub fn settings(&self) -> &Settings {
+    pub fn settings(&self) -> &Parameters {
         &self.settings
     }
 
@@ -342,8 +342,8 @@ impl Session {
     /// The exact optimum by the rule that the planner keeps to, as a path.
     pub fn exact(&self) -> Option<&Exact> {
         match self.round {
-            Some(round) => self.scene.exact_tour(self.yardstick, round),
-            None => self.scene.exact_by(self.yardstick),
+            Some(round) => self.scene.exact_tour(self.reference, round),
+            None => self.scene.exact_by(self.reference),
         }
     }
 
@@ -370,18 +370,18 @@ impl Session {
         }
     }
 
-    /// The runs of other planners, on this scene, that the next step needs; see [`Session::supply`].
-    pub fn jobs(&mut self) -> Vec<Job> {
+    /// The runs of other planners, on this scene, that the next step needs; see [`Session::provide`].
+    pub fn subtasks(&mut self) -> Vec<Subtask> {
         if self.status() != Status::Running || self.answers.knows(self.iteration()) {
             return Vec::new();
         }
         self.at.planner.subtasks().map_or_else(Vec::new, |subtasks| subtasks.requests())
     }
 
-    /// Hands over what the runs of [`Session::jobs`] found, in their order, so that the next step need not carry them
+    /// Hands over what the runs of [`Session::subtasks`] found, in their order, so that the next step need not carry them
     /// out itself. What it does with them does not depend on who carried them out.
-    pub fn supply(&mut self, found: Vec<Finding>) {
-        if !found.is_empty() && found.len() == self.jobs().len() {
+    pub fn provide(&mut self, found: Vec<SubtaskResult>) {
+        if !found.is_empty() && found.len() == self.subtasks().len() {
             self.answers.keep(self.iteration(), found);
         }
     }
@@ -401,7 +401,7 @@ impl Session {
     ///
     /// # Errors
     /// For a parameter that is not one of [`drive::PARAMETERS`], or its value.
-    pub fn drive(&self, given: &Given) -> Result<Option<Drive>, Error> {
+    pub fn drive(&self, given: &Overrides) -> Result<Option<Drive>, Error> {
         let best = self.best();
         drive::along(&self.scene, best.as_ref().and_then(|best| best.solution.path()), given)
     }
@@ -410,7 +410,7 @@ impl Session {
     ///
     /// # Errors
     /// For a parameter that is not one of [`arm::MOTION`]'s, or its value.
-    pub fn motion(&self, given: &Given) -> Result<Option<Motion>, Error> {
+    pub fn motion(&self, given: &Overrides) -> Result<Option<Motion>, Error> {
         arm::along(&self.scene, self.best().map(|best| best.solution).as_ref(), given)
     }
 
@@ -418,7 +418,7 @@ impl Session {
     fn usual_motion(&mut self, best: &Solution) -> Option<MotionOutcome> {
         if self.followed.as_ref().is_none_or(|(solution, _)| solution != best) {
             // The defaults are never refused.
-            let motion = arm::along(&self.scene, Some(best), &Given::new()).ok().flatten();
+            let motion = arm::along(&self.scene, Some(best), &Overrides::new()).ok().flatten();
             self.followed = motion.map(|motion| (best.clone(), motion.outcome));
         }
         self.followed.as_ref().map(|(_, outcome)| outcome.clone())
@@ -470,7 +470,7 @@ mod tests {
     /// explanation is the same, and asking for it changes nothing.
     #[test]
     fn an_explanation_does_not_depend_on_what_was_asked_before() {
-        let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Given::default(), seed: 2 };
+        let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Overrides::default(), seed: 2 };
         let item = Item { layer: layers::PARTICLES.key, index: 17 };
         let mut watched = Session::with_keyframes(setup.clone(), 200_000).unwrap();
         let mut hashes = Vec::new();

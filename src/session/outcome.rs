@@ -6,8 +6,8 @@ use crate::{
     arm::{self, MotionOutcome},
     drive::{self, DriveOutcome},
     geometry,
-    kernel::{Event, Recommend, Solution, Status, Track, Tuned, Yardstick},
-    params::{Given, Value, as_object},
+    kernel::{Event, Recommend, Recommendation, ReferenceOptimum, Solution, Status, Track},
+    params::{Overrides, Value, as_object},
     scene::TOUR,
 };
 
@@ -39,7 +39,7 @@ pub struct Outcome {
     /// The exact optimum by the rule that the planner keeps to.
     pub exact: Option<f64>,
     /// Which optimum that is: over the cells of a grid, at any angle, by the scene's distances, or as its file says.
-    pub exact_by: Yardstick,
+    pub exact_by: ReferenceOptimum,
     /// (length − exact) / exact; `None` where the optimum is 0 or there is no length.
     pub gap: Option<f64>,
     /// At how many corners the path turns.
@@ -73,14 +73,14 @@ pub struct Outcome {
     #[serde(serialize_with = "as_object")]
     pub readings: Vec<(&'static str, f64)>,
     /// What keeps the planner from a result, if something does.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub trouble: Option<String>,
+    #[serde(rename = "trouble", skip_serializing_if = "Option::is_none")]
+    pub failure: Option<String>,
     /// What happened in simulated time, and what was decided and why.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub events: Vec<Event>,
     /// What a planner of planners recommends.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub tuned: Option<Tuned>,
+    pub tuned: Option<Recommendation>,
     /// No random number has a part in it: other seeds give the same result.
     pub deterministic: bool,
     /// The hash of setup, iteration, best and state.
@@ -98,9 +98,9 @@ impl Outcome {
         let verdict = best.as_ref().map(|best| session.scene.judge(&best.solution));
         let length = verdict.and_then(|v| v.length);
         let (exact, exact_by) = match session.exact() {
-            Some(exact) if exact.stored && length.is_some_and(|length| length < exact.length) => (None, Yardstick::Refuted),
-            Some(exact) => (Some(exact.length), if exact.stored { Yardstick::Stored } else { session.yardstick }),
-            None => (session.scene.minimum(), session.yardstick),
+            Some(exact) if exact.stored && length.is_some_and(|length| length < exact.length) => (None, ReferenceOptimum::Refuted),
+            Some(exact) => (Some(exact.length), if exact.stored { ReferenceOptimum::Stored } else { session.reference }),
+            None => (session.scene.minimum(), session.reference),
         };
         let nodes = best.as_ref().map_or(0, |best| best.solution.corners());
         let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| gap(length, exact, nodes));
@@ -119,7 +119,7 @@ impl Outcome {
         // Between stops of a tour there are no corners to count.
         let turned = path.as_deref().filter(|_| session.scene.kind() != TOUR);
         // The defaults are never refused.
-        let drive = drive::along(&session.scene, path.as_deref(), &Given::new()).ok().flatten().map(|drive| drive.outcome);
+        let drive = drive::along(&session.scene, path.as_deref(), &Overrides::new()).ok().flatten().map(|drive| drive.outcome);
         Self {
             planner: session.entry.name,
             scene: session.scene.name().to_owned(),
@@ -144,7 +144,7 @@ impl Outcome {
             order,
             position,
             readings,
-            trouble: session.failure(),
+            failure: session.failure(),
             events: session.events().to_vec(),
             tuned: session.at.planner.facets().recommend.and_then(Recommend::recommendation),
             deterministic: !digest.is_random(),

@@ -12,8 +12,10 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Preset, Reading, Start, layers},
-    kernel::{Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
-    math::{self, limit},
+    kernel::{
+        Candidate, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream,
+    },
+    math::{self, clamp},
     params::{Choice, Fixed, Param},
 };
 
@@ -26,7 +28,7 @@ use super::{
     },
     paths::{CHARGED, ENCODED},
     population::Population,
-    tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
+    sheet::{self, Label, arrows, column, mark, particle, quantities, sheet},
 };
 
 /// Bats: v ← v ± (x − g) f, x ← x + v, and walks about the best.
@@ -167,7 +169,7 @@ impl Bats {
         let shared = self.per_particle.then(|| self.rng.unit());
         for j in 0..x.len() {
             let f = low + (high - low) * shared.unwrap_or_else(|| self.rng.unit()); // (7)
-            let step = limit(v[j] + self.sign * (x[j] - g[j]) * f, -self.v_max[j], self.v_max[j]); // (8)
+            let step = clamp(v[j] + self.sign * (x[j] - g[j]) * f, -self.v_max[j], self.v_max[j]); // (8)
             let epsilon = if walked { self.rng.between(-1.0, 1.0) } else { 0.0 };
             let reached = if walked { g[j] + epsilon * self.mean_loudness * self.stride[j] } else { x[j] + step }; // (9)
             x[j] = search_box.clamp(j, reached);
@@ -191,7 +193,7 @@ impl Planner for Bats {
         self.population.evaluations
     }
 
-    fn best(&self) -> Option<Best> {
+    fn best(&self) -> Option<Candidate> {
         Some(self.population.best())
     }
 
@@ -217,7 +219,7 @@ impl Planner for Bats {
 
 impl Explain for Bats {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "; its velocity is zero")).flatten()
+        (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, "; its velocity is zero")).flatten()
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {

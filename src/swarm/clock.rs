@@ -2,7 +2,7 @@
 
 use crate::{
     kernel::{Progress, State, Status},
-    params::Settings,
+    params::Parameters,
 };
 
 use super::{parameters::ITERATIONS, paths::EARLY_STOP};
@@ -24,7 +24,7 @@ pub(super) struct Clock {
 impl Clock {
     /// With the settings `iterations` and `early_stop`; `best` are the best costs, with and without penalty, before the first
     /// iteration.
-    pub(super) fn new(settings: &Settings, best: [f64; 2]) -> Self {
+    pub(super) fn new(settings: &Parameters, best: [f64; 2]) -> Self {
         Self { iteration: 0, limit: settings[ITERATIONS], early_stop: settings[EARLY_STOP], unchanged: 0, best }
     }
 

@@ -14,7 +14,9 @@ mod tests;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading, Start, layers},
-    kernel::{Best, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
+    kernel::{
+        Candidate, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream,
+    },
     params::{Fixed, Param},
     scene::{DISCS, GRID},
 };
@@ -26,7 +28,7 @@ use super::{
     parameters::{BEST, EVALUATIONS, FREE, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, SMOOTHED, SMOOTHNESS, SPREAD},
     paths::{CHARGED, ENCODED},
     population::Population,
-    tell::{self, Label, arrows, column, mark, particle, quantities, sheet},
+    sheet::{self, Label, arrows, column, mark, particle, quantities, sheet},
 };
 
 /// Nests: x ← x + α s (x − g) ε by Lévy flights, then x ← x + r H(p_a − ε) (x_j − x_k).
@@ -190,7 +192,7 @@ impl Planner for Nests {
         self.population.evaluations
     }
 
-    fn best(&self) -> Option<Best> {
+    fn best(&self) -> Option<Candidate> {
         Some(self.population.best())
     }
 
@@ -214,7 +216,7 @@ impl Planner for Nests {
 
 impl Explain for Nests {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        let mut told = (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "")).flatten()?;
+        let mut told = (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, "")).flatten()?;
         told.title = format!("Nest {}", item.index);
         told.summary = format!("Nest {} begins here, drawn at random.", item.index);
         Some(told)

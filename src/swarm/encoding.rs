@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     kernel::Error,
-    params::Settings,
+    params::Parameters,
     scene::{DiscsScene, FunctionScene, GridScene, Scene},
 };
 
@@ -21,7 +21,7 @@ use super::{
 ///
 /// # Errors
 /// A grid without start and goal.
-pub(super) fn objective(scene: &Scene, settings: &Settings) -> Result<Arc<dyn Objective>, Error> {
+pub(super) fn objective(scene: &Scene, settings: &Parameters) -> Result<Arc<dyn Objective>, Error> {
     if let Ok(function) = scene.get::<FunctionScene>() {
         return Ok(Arc::new(FunctionObjective::new(function)));
     }

@@ -11,7 +11,7 @@ use super::{
     objective::Objective,
     perturbation::{Event, Partner, Sign},
     schedule::Coefficients,
-    tell::{Label, arrows, column, mark, particle, quantities, sheet},
+    sheet::{Label, arrows, column, mark, particle, quantities, sheet},
 };
 
 const COSTS: [Label; 3] = [("cost_before", "f(x)", "cost before"), ("cost", "f(x)", "cost after"), ("p_cost", "f(p)", "personal best")];
@@ -143,7 +143,7 @@ impl Swarm {
             patience: self.flight.perturbation.map_or(0, |p| p.patience),
             record: &record,
         };
-        Some(step.tell(after.events[i]))
+        Some(step.inspection(after.events[i]))
     }
 }
 
@@ -173,7 +173,7 @@ struct Step<'a> {
 }
 
 impl Step<'_> {
-    fn tell(&self, event: Event) -> Inspection {
+    fn inspection(&self, event: Event) -> Inspection {
         let mut told = match event {
             Event::Move => self.tell_move(),
             Event::Hen => self.tell_hen(),
@@ -291,7 +291,7 @@ mod tests {
 
     fn session() -> Session {
         let scene = Arc::clone(&shipped("wcpso-discs").unwrap());
-        Session::new(Setup { planner: "wcpso".into(), scene, params: crate::Given::default(), seed: 3 }).unwrap()
+        Session::new(Setup { planner: "wcpso".into(), scene, params: crate::Overrides::default(), seed: 3 }).unwrap()
     }
 
     /// Every particle of many iterations: the terms add up to the velocity, and the velocity (or the jump) leads from

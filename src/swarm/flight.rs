@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Best, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, State, rng::Stream},
-    math::limit,
-    params::Settings,
+    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, State, rng::Stream},
+    math::clamp,
+    params::Parameters,
 };
 
 use super::{
@@ -17,7 +17,7 @@ use super::{
     perturbation::{self, Event, Keep, Partner, Patience, Perturbation, Timing},
     population::Population,
     schedule::{Coefficients, Schedule},
-    tell::introduce_as,
+    sheet::introduce_as,
 };
 
 /// What distinguishes one swarm of [WCPSO] from another.
@@ -77,14 +77,14 @@ const PATIENCE: u8 = 3;
 
 impl Swarm {
     /// Positions uniform in the box, velocities zero.
-    pub(super) fn new(objective: Arc<dyn Objective>, settings: &Settings, seed: u64, flight: Flight) -> Self {
+    pub(super) fn new(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64, flight: Flight) -> Self {
         let mut rng = Stream::new(seed, 0);
         let population = Population::new(objective, settings[POPULATION] as usize, &mut rng);
         Self::of(population, settings, rng, flight)
     }
 
     /// Of particles that have their positions; velocities zero.
-    pub(super) fn of(population: Population, settings: &Settings, rng: Stream, flight: Flight) -> Self {
+    pub(super) fn of(population: Population, settings: &Parameters, rng: Stream, flight: Flight) -> Self {
         let size = population.size;
         let v_max = settings[V_MAX];
         let absolute = settings[V_MAX_ABSOLUTE];
@@ -148,10 +148,10 @@ impl Swarm {
         for j in 0..n {
             let [r1, r2] = draws.next(&mut self.rng);
             let (inertia, cognitive, social) = (w * v[j], c1 * r1 * (p[j] - x[j]), c2 * r2 * (g[j] - x[j]));
-            let step = limit(inertia + cognitive + social, -v_max[j], v_max[j]);
+            let step = clamp(inertia + cognitive + social, -v_max[j], v_max[j]);
             watch.term(Term { r: [r1, r2], inertia, cognitive, social, step });
             let reached = x[j] + step;
-            x[j] = limit(reached, low[j], high[j]);
+            x[j] = clamp(reached, low[j], high[j]);
             v[j] = if x[j] == reached { step } else { 0.0 };
         }
         self.population.evaluate(i);
@@ -268,7 +268,7 @@ impl Planner for Swarm {
         self.population.evaluations
     }
 
-    fn best(&self) -> Option<Best> {
+    fn best(&self) -> Option<Candidate> {
         Some(self.population.best())
     }
 

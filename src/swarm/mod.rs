@@ -6,7 +6,7 @@
 //! - `population`: positions, costs, personal and global bests; whatever moves the particles. `clock`: when it stops.
 //! - `flight`: particles with velocities, by a [`schedule`] of ω, c1 and c2 and (for some) a [`perturbation`].
 //! - `quantum`: particles that leap. `bat_continuous`: bats. `cuckoo_search`: nests, whose flights `levy` draws.
-//! - `explain` and `tell` say what a step did to one particle, `draw` shows it.
+//! - `explain` says what a step did to one particle, with the tables of `sheet`, `draw` shows it.
 //! - `parameters` and `paths`: what the entries share. [`pso`], [`wpso`], [`cpso`], [`wcpso`], [`qpso`], [`ltqpso`]: a file a planner.
 
 pub mod bat_continuous;
@@ -28,7 +28,7 @@ pub mod pso;
 pub mod pso_rrt;
 mod quantum;
 pub mod schedule;
-mod tell;
+mod sheet;
 mod terrain;
 pub mod waypoints;
 pub mod wcpso;
@@ -37,11 +37,11 @@ pub mod wpso;
 use crate::{
     describe::Start,
     kernel::{Error, Planner, Started},
-    params::Settings,
+    params::Parameters,
 };
 
 pub use quantum::{ltqpso, qpso};
-pub use tell::SYMBOLS;
+pub use sheet::SYMBOLS;
 
 use flight::{Flight, Swarm};
 use parameters::ITERATIONS;
@@ -54,7 +54,7 @@ fn start(start: &Start, flight: Flight) -> Result<Started, Error> {
 }
 
 /// A run of a swarm, with the settings `iterations` and `early_stop`.
-fn started(swarm: impl Planner, settings: &Settings) -> Started {
+fn started(swarm: impl Planner, settings: &Parameters) -> Started {
     let started = Started::new(swarm, settings[ITERATIONS]);
     if settings[EARLY_STOP] > 0 { started.open_ended() } else { started }
 }

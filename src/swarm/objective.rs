@@ -36,7 +36,7 @@ impl SearchBox {
     /// The value nearest to `x` that coordinate `j` may have.
     #[inline]
     pub fn clamp(&self, j: usize, x: f64) -> f64 {
-        math::limit(x, self.low[j], self.high[j])
+        math::clamp(x, self.low[j], self.high[j])
     }
 }
 

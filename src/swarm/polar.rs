@@ -8,7 +8,7 @@ use crate::{
     geometry::Bounds,
     kernel::{Frame, Readings, Shape, Solution, rng::Stream},
     math,
-    params::Settings,
+    params::Parameters,
 };
 
 use super::{
@@ -37,7 +37,7 @@ pub struct Polar {
 
 impl Polar {
     /// Paths over this terrain with the settings `segments`, `initial`, `initial_mean` and `initial_std`.
-    pub(super) fn new(terrain: Terrain, settings: &Settings) -> Self {
+    pub(super) fn new(terrain: Terrain, settings: &Parameters) -> Self {
         let d = settings[SEGMENTS];
         let [dx, dy] = [0, 1].map(|axis| terrain.goal[axis] - terrain.start[axis]);
         let distance = (dx * dx + dy * dy).sqrt();
@@ -56,7 +56,7 @@ impl Polar {
     fn at(&self, rho: f64, alpha: f64) -> [f64; 2] {
         let Terrain { start, bounds: Bounds { min, max }, .. } = &self.terrain;
         let point = [start[0] + rho * math::cos(alpha), start[1] + rho * math::sin(alpha)];
-        [0, 1].map(|axis| math::limit(point[axis], min[axis], max[axis]))
+        [0, 1].map(|axis| math::clamp(point[axis], min[axis], max[axis]))
     }
 
     fn first_angle(&self, j: usize, rng: &mut Stream) -> f64 {
@@ -211,14 +211,14 @@ mod tests {
     use super::*;
     use crate::{
         geometry::Field,
-        params::{Given, Value},
+        params::{Overrides, Value},
         scene::{GRID, GridScene, shipped},
     };
 
     fn polar(segments: f64, more: &[(&'static str, Value)]) -> Polar {
         let scene = shipped("qpso-10m-empty").unwrap();
-        let given: Given = [("segments", Value::from(segments))].into_iter().chain(more.iter().cloned()).collect();
-        let settings = Settings::new(super::super::pso::ENTRY.parameters, GRID, &given).unwrap();
+        let given: Overrides = [("segments", Value::from(segments))].into_iter().chain(more.iter().cloned()).collect();
+        let settings = Parameters::new(super::super::pso::ENTRY.parameters, GRID, &given).unwrap();
         let grid = scene.get::<GridScene>().unwrap();
         Polar::new(Terrain::on_grid(grid, &settings).unwrap(), &settings)
     }

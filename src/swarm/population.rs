@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::kernel::{Best, Readings, State, rng::Stream};
+use crate::kernel::{Candidate, Readings, State, rng::Stream};
 
 use super::{
     objective::{Objective, Scratch},
@@ -146,9 +146,9 @@ impl Population {
     }
 
     /// The reported position as a solution.
-    pub(super) fn best(&self) -> Best {
+    pub(super) fn best(&self) -> Candidate {
         let (cost, x) = self.reported();
-        Best { cost, solution: self.objective.solution(x) }
+        Candidate { cost, solution: self.objective.solution(x) }
     }
 
     /// The mean cost of the present positions.
@@ -195,7 +195,7 @@ pub(super) fn column(rows: &[f64], dimension: usize, j: usize) -> impl Iterator<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Given, params::Settings, shipped, swarm::encoding};
+    use crate::{Overrides, params::Parameters, shipped, swarm::encoding};
 
     #[test]
     fn a_deviation_is_that_of_a_population() {
@@ -208,7 +208,7 @@ mod tests {
     #[test]
     fn the_spread_is_the_mean_deviation_as_a_share_of_the_box() {
         let scene = shipped("sphere-2").unwrap();
-        let settings = Settings::new(crate::swarm::pso::ENTRY.parameters, scene.kind(), &Given::new()).unwrap();
+        let settings = Parameters::new(crate::swarm::pso::ENTRY.parameters, scene.kind(), &Overrides::new()).unwrap();
         let mut population = Population::new(encoding::objective(&scene, &settings).unwrap(), 2, &mut Stream::new(1, 0));
         let search_box = population.objective.search_box();
         assert_eq!((search_box.low[0], search_box.high[1]), (-100.0, 100.0));

@@ -7,7 +7,7 @@ use crate::{
     geometry::{Bounds, Disc, Field, PIECES, distance_squared, shuman, subdivided},
     kernel::{Error, Frame, Readings, Shape, Solution},
     math,
-    params::Settings,
+    params::Parameters,
     scene::{DiscsScene, GridScene},
 };
 
@@ -59,7 +59,7 @@ pub(super) struct Measures {
 
 impl Terrain {
     /// A plane with discs, with the settings `penalty`, `penalty_weight` and those of every path.
-    pub(super) fn among_discs(scene: &DiscsScene, settings: &Settings) -> Self {
+    pub(super) fn among_discs(scene: &DiscsScene, settings: &Parameters) -> Self {
         let obstacles = Obstacles::Discs(scene.discs.as_slice().into(), settings[PENALTY]);
         Self::new((scene.start, scene.goal), scene.bounds, obstacles, settings)
     }
@@ -68,11 +68,11 @@ impl Terrain {
     ///
     /// # Errors
     /// A grid without start and goal.
-    pub(super) fn on_grid(scene: &GridScene, settings: &Settings) -> Result<Self, Error> {
+    pub(super) fn on_grid(scene: &GridScene, settings: &Parameters) -> Result<Self, Error> {
         Ok(Self::new(scene.ends()?, scene.bounds(), Obstacles::Field(Arc::clone(scene.field())), settings))
     }
 
-    fn new((start, goal): ([f64; 2], [f64; 2]), bounds: Bounds, obstacles: Obstacles, settings: &Settings) -> Self {
+    fn new((start, goal): ([f64; 2], [f64; 2]), bounds: Bounds, obstacles: Obstacles, settings: &Parameters) -> Self {
         let smoothing = Smoothing { strength: settings[SMOOTHING], passes: settings[PASSES] };
         Self {
             start,
@@ -156,7 +156,7 @@ impl Terrain {
         let mut path = subdivided(path, PIECES, free);
         // The filter's rounding must not carry a point over the border.
         let Bounds { min, max } = self.bounds;
-        shuman(&mut path, strength, passes, |point| [0, 1].map(|axis| math::limit(point[axis], min[axis], max[axis])), free);
+        shuman(&mut path, strength, passes, |point| [0, 1].map(|axis| math::clamp(point[axis], min[axis], max[axis])), free);
         Some(path)
     }
 

@@ -4,7 +4,7 @@ use crate::{
     geometry,
     kernel::{Frame, Readings, Solution, rng::Stream},
     math,
-    params::Settings,
+    params::Parameters,
 };
 
 use super::{
@@ -24,7 +24,7 @@ pub struct Waypoints {
 
 impl Waypoints {
     /// Paths over this terrain with the settings `waypoints` and `ordered`.
-    pub(super) fn new(terrain: Terrain, settings: &Settings) -> Self {
+    pub(super) fn new(terrain: Terrain, settings: &Parameters) -> Self {
         Self::with(terrain, settings[WAYPOINTS] as usize, settings[ORDERED])
     }
 

@@ -13,12 +13,13 @@ use crate::{
     describe::{Entry, Formula, Group, Member, Preset, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
     math,
-    params::{Choice, Fixed, Param, Parameter, Settings},
+    params::{Choice, Fixed, Param, Parameter, Parameters},
     settled::SETTLED,
 };
 
 use super::{
     Search,
+    explain::quantity,
     kicks::Kicks,
     moves,
     nearest::nearest_neighbour,
@@ -27,7 +28,6 @@ use super::{
         POPULATION, ROADS_LAYER, TOURS,
     },
     problem::{Problem, Stop, Tour},
-    tell::quantity,
 };
 
 /// How a bat looked for a better tour of its own.
@@ -54,7 +54,7 @@ enum Local {
 
 /// What a bat did in the last iteration.
 #[derive(Debug, Clone, Copy, State)]
-struct Deed {
+struct LastMove {
     range: Range,
     /// The distance to the best before, and how many tries it drew.
     hamming: usize,
@@ -73,7 +73,7 @@ struct Bat {
     tour: Tour,
     loudness: f64,
     pulse_rate: f64,
-    deed: Deed,
+    last_move: LastMove,
 }
 
 /// Bats and the best of their tours.
@@ -111,11 +111,12 @@ struct Bats {
     polish: bool,
 }
 
-fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
+fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Bats {
     let first = Tour::first(problem);
     let polish = settings[POLISH];
     let mut local = (polish || settings[LOCAL_SEARCH]).then(|| Kicks::new(problem));
-    let deed = Deed { range: Range::None, hamming: 0, tries: 0, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
+    let last_move =
+        LastMove { range: Range::None, hamming: 0, tries: 0, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
     let bats: Vec<_> = (0..settings[POPULATION])
         .map(|_| {
             let mut tour = first.clone();
@@ -129,7 +130,7 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
                 kicks.polish(&mut tour);
             }
             // Reading: a loudness of 1 would never accept.
-            Bat { tour, loudness: rng.between(0.5, 1.0), pulse_rate: rng.unit(), deed }
+            Bat { tour, loudness: rng.between(0.5, 1.0), pulse_rate: rng.unit(), last_move }
         })
         .collect();
     let best = bats.iter().map(|bat| &bat.tour).reduce(|best, tour| if tour.length < best.length { tour } else { best });
@@ -207,23 +208,23 @@ impl Bats {
             kicks.polish(&mut self.kept);
         }
         let bat = &mut self.swarm[i];
-        let mut deed = Deed { range, hamming, tries, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
+        let mut last_move = LastMove { range, hamming, tries, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
         if self.always || self.kept.length < bat.tour.length {
-            deed.gain = bat.tour.length - self.kept.length;
+            last_move.gain = bat.tour.length - self.kept.length;
             bat.tour.copy_from(&self.kept);
         }
         if self.rng.unit() > bat.pulse_rate {
-            self.look_around(i, &mut deed);
+            self.look_around(i, &mut last_move);
         }
         let bat = &mut self.swarm[i];
-        bat.deed = deed;
+        bat.last_move = last_move;
         if bat.tour.length < self.best.length {
             self.best.copy_from(&bat.tour);
         }
     }
 
     /// Around the best: a stop moves to just behind another. A bat that is quiet enough takes what is shorter than its own.
-    fn look_around(&mut self, i: usize, deed: &mut Deed) {
+    fn look_around(&mut self, i: usize, last_move: &mut LastMove) {
         let (from, to) = moves::stop_elsewhere(self.child.len(), &mut self.rng);
         let candidate = match self.local.as_mut().filter(|_| self.polish) {
             None => self.best.length + moves::insertion(&self.problem, &self.best.row, from, to),
@@ -235,7 +236,7 @@ impl Bats {
             }
         };
         self.evaluations += u64::from(!self.polish);
-        (deed.local, deed.candidate) = (Local::Tried, candidate);
+        (last_move.local, last_move.candidate) = (Local::Tried, candidate);
         let bat = &mut self.swarm[i];
         let accepts = self.rng.unit() > bat.loudness;
         // What polish found shorter than the best is not thrown away for a loud bat.
@@ -250,8 +251,8 @@ impl Bats {
         }
         // A sum of differences may have promised what rounding gave.
         if self.kept.length < bat.tour.length {
-            deed.local = Local::Taken;
-            deed.local_gain = bat.tour.length - self.kept.length;
+            last_move.local = Local::Taken;
+            last_move.local_gain = bat.tour.length - self.kept.length;
             bat.tour.copy_from(&self.kept);
             bat.loudness *= self.epsilon; // (10)
             bat.pulse_rate *= 1.0 - math::exp(-self.lambda * self.t as f64); // (11)
@@ -291,16 +292,23 @@ impl Search for Bats {
     }
 
     fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
-        let Bat { tour, loudness, pulse_rate, deed } = &self.swarm[i];
+        let Bat { tour, loudness, pulse_rate, last_move } = &self.swarm[i];
         let different = moves::hamming(&self.problem, &tour.row, &self.best.row);
-        out.extend([tour.length, *loudness, *pulse_rate, different as f64, f64::from(deed.range as u8), deed.gain + deed.local_gain]);
+        out.extend([
+            tour.length,
+            *loudness,
+            *pulse_rate,
+            different as f64,
+            f64::from(last_move.range as u8),
+            last_move.gain + last_move.local_gain,
+        ]);
     }
 
     fn explain(&self, i: usize, told: &mut Inspection) {
-        let Bat { loudness, pulse_rate, deed, .. } = &self.swarm[i];
+        let Bat { loudness, pulse_rate, last_move, .. } = &self.swarm[i];
         told.title = format!("Bat {}", i + 1);
-        let Deed { tries, hamming, .. } = *deed;
-        let (event, range) = match deed.range {
+        let LastMove { tries, hamming, .. } = *last_move;
+        let (event, range) = match last_move.range {
             Range::None => ("start", "It begins with a random tour.".to_owned()),
             Range::Far => (
                 "crossover",
@@ -313,31 +321,31 @@ impl Search for Bats {
                 format!("Before, it differed from the best at {hamming} places, fewer than half, and tried {tries} × a random 2-opt move."),
             ),
         };
-        let helped = if self.local.is_some() && deed.range != Range::None { " Local search improved the best of them." } else { "" };
-        let gained = match deed.range {
+        let helped = if self.local.is_some() && last_move.range != Range::None { " Local search improved the best of them." } else { "" };
+        let gained = match last_move.range {
             Range::None => String::new(),
-            _ if deed.gain > 0.0 => format!(" The best try made its tour {:.4} shorter.", deed.gain),
-            _ if deed.gain < 0.0 => format!(" The best try is its tour now, {:.4} longer than before.", -deed.gain),
+            _ if last_move.gain > 0.0 => format!(" The best try made its tour {:.4} shorter.", last_move.gain),
+            _ if last_move.gain < 0.0 => format!(" The best try is its tour now, {:.4} longer than before.", -last_move.gain),
             _ => " No try was shorter than its own tour.".to_owned(),
         };
-        let local = match deed.local {
+        let local = match last_move.local {
             Local::Passed => "",
             Local::Tried => " Its pulse let it try an insertion in the best tour; it did not take that.",
             Local::Taken => " It took the best tour with one stop inserted elsewhere: quieter now, and its pulse rate falls.",
         };
         (told.event, told.summary) =
-            (if deed.local == Local::Taken { "insertion" } else { event }, format!("{range}{helped}{gained}{local}"));
+            (if last_move.local == Local::Taken { "insertion" } else { event }, format!("{range}{helped}{gained}{local}"));
         let values = [
             quantity("hamming", "HD", "places that differed before", hamming as f64),
             quantity("tries", "v", "tries", tries as f64),
-            quantity("gain", "\\Delta D", "gained by them", deed.gain),
-            quantity("candidate", "D'", "tour around the best", deed.candidate),
-            quantity("local_gain", "\\Delta D'", "gained by taking it", deed.local_gain),
+            quantity("gain", "\\Delta D", "gained by them", last_move.gain),
+            quantity("candidate", "D'", "tour around the best", last_move.candidate),
+            quantity("local_gain", "\\Delta D'", "gained by taking it", last_move.local_gain),
             quantity("loudness", "A", "loudness", *loudness),
             quantity("pulse_rate", "r", "pulse rate", *pulse_rate),
         ];
         told.values.extend(values.into_iter().flatten());
-        told.formulas = match deed.range {
+        told.formulas = match last_move.range {
             Range::None => vec!["length"],
             _ => vec!["tries", "loudness", "pulse", "length"],
         };

@@ -9,18 +9,19 @@ use crate::{
     describe::{Entry, Formula, Group, Member, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
     math,
-    params::{Param, Settings},
+    params::{Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    Search, moves,
+    Search,
+    explain::quantity,
+    moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
         ROADS_LAYER, TOURS,
     },
     problem::{Problem, Tour},
-    tell::quantity,
 };
 
 /// How a tour came into its generation.
@@ -96,7 +97,7 @@ struct Genetic {
     places: Vec<u16>,
 }
 
-fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Genetic {
+fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Genetic {
     let birth = Birth { origin: Origin::Start, parents: [0; 2], lengths: [f64::NAN; 2], cut: (0, 0), reversed: (0, 0) };
     let size = settings[POPULATION] as usize;
     let now: Vec<_> = (0..size).map(|_| One { tour: moves::random_tour(problem, &mut rng), birth }).collect();

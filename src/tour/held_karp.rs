@@ -10,7 +10,7 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Reading, layers},
     kernel::{Progress, Readings, State, Status, rng::Stream},
-    params::{Param, Settings},
+    params::{Param, Parameters},
 };
 
 use super::{
@@ -40,7 +40,7 @@ struct HeldKarp {
     evaluations: u64,
 }
 
-fn begin(problem: &Arc<Problem>, _settings: &Settings, _rng: Stream) -> HeldKarp {
+fn begin(problem: &Arc<Problem>, _settings: &Parameters, _rng: Stream) -> HeldKarp {
     let stops: Vec<Stop> = problem.movable().collect();
     let m = stops.len();
     HeldKarp {

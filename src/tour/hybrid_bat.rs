@@ -18,19 +18,20 @@ use crate::{
     describe::{Entry, Formula, Group, Member, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
     math,
-    params::{Param, Settings},
+    params::{Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    Search, moves,
+    Search,
+    explain::quantity,
+    moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
         ROADS_LAYER, TOURS,
     },
     problem::{Problem, Tour},
     swaps::{self, Swap},
-    tell::quantity,
 };
 
 /// How a bat's candidate was made.
@@ -50,7 +51,7 @@ enum Operator {
 
 /// What it did in the last iteration.
 #[derive(Debug, Clone, Copy, State)]
-struct Deed {
+struct LastMove {
     operator: Operator,
     /// The frequency of its flight, the swaps that led to the best, and how many of them it made.
     frequency: f64,
@@ -67,7 +68,7 @@ struct Bat {
     tour: Tour,
     loudness: f64,
     pulse_rate: f64,
-    deed: Deed,
+    last_move: LastMove,
 }
 
 /// Bats and the best of their tours.
@@ -99,12 +100,14 @@ struct Bats {
     places: Vec<u16>,
 }
 
-fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
+fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Bats {
     let first = Tour::first(problem);
-    let deed = Deed { operator: Operator::None, frequency: 0.0, distance: 0, swaps: 0, candidate: f64::NAN, accepted: false, gain: 0.0 };
+    let last_move =
+        LastMove { operator: Operator::None, frequency: 0.0, distance: 0, swaps: 0, candidate: f64::NAN, accepted: false, gain: 0.0 };
     let loudness = settings[LOUDNESS_START];
-    let swarm: Vec<_> =
-        (0..settings[POPULATION]).map(|_| Bat { tour: moves::random_tour(problem, &mut rng), loudness, pulse_rate: 0.0, deed }).collect();
+    let swarm: Vec<_> = (0..settings[POPULATION])
+        .map(|_| Bat { tour: moves::random_tour(problem, &mut rng), loudness, pulse_rate: 0.0, last_move })
+        .collect();
     let [low, high] = [settings[F_MIN], settings[F_MAX]];
     Bats {
         problem: Arc::clone(problem),
@@ -126,7 +129,7 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Bats {
 
 impl Bats {
     /// A flight towards the best: the candidate is the bat's own tour after a share of the swaps that lead there.
-    fn fly(&mut self, i: usize) -> Deed {
+    fn fly(&mut self, i: usize) -> LastMove {
         let own = &self.swarm[i].tour;
         let frequency = self.rng.between(self.frequencies[0], self.frequencies[1]); // (7)
         self.list.clear();
@@ -139,11 +142,11 @@ impl Bats {
         swaps::apply(&mut self.candidate.row, &self.list); // (9)
         self.evaluations += 1;
         let swaps = self.list.len();
-        Deed { operator: Operator::Flight, frequency, distance, swaps, candidate: f64::NAN, accepted: false, gain: 0.0 }
+        LastMove { operator: Operator::Flight, frequency, distance, swaps, candidate: f64::NAN, accepted: false, gain: 0.0 }
     }
 
     /// Around the best: the candidate is the shortest of a few perturbations.
-    fn perturb(&mut self) -> Deed {
+    fn perturb(&mut self) -> LastMove {
         let (m, row) = (self.best.len(), &self.best.row);
         let (mut operator, mut least, mut at) = (Operator::Reversal, f64::INFINITY, [1, 1, 1]);
         for _ in 0..self.perturbations {
@@ -172,7 +175,7 @@ impl Bats {
             _ => moves::reverse(&mut self.candidate.row, at[0], at[1]),
         }
         self.evaluations += self.perturbations;
-        Deed { operator, frequency: 0.0, distance: 0, swaps: 0, candidate: f64::NAN, accepted: false, gain: 0.0 }
+        LastMove { operator, frequency: 0.0, distance: 0, swaps: 0, candidate: f64::NAN, accepted: false, gain: 0.0 }
     }
 
     /// Moves bat `i`.
@@ -180,18 +183,18 @@ impl Bats {
         if self.best.len() < 2 {
             return; // there is one tour only
         }
-        let mut deed = if self.rng.unit() > self.swarm[i].pulse_rate { self.perturb() } else { self.fly(i) };
+        let mut last_move = if self.rng.unit() > self.swarm[i].pulse_rate { self.perturb() } else { self.fly(i) };
         self.candidate.settle(&self.problem);
-        deed.candidate = self.candidate.length;
+        last_move.candidate = self.candidate.length;
         let bat = &mut self.swarm[i];
         if self.candidate.length < bat.tour.length && self.rng.unit() < bat.loudness {
-            deed.accepted = true;
-            deed.gain = bat.tour.length - self.candidate.length;
+            last_move.accepted = true;
+            last_move.gain = bat.tour.length - self.candidate.length;
             bat.tour.copy_from(&self.candidate);
             bat.loudness *= self.alpha;
             bat.pulse_rate = self.r0 * (1.0 - math::exp(-self.gamma * self.t as f64));
         }
-        bat.deed = deed;
+        bat.last_move = last_move;
         if self.candidate.length < self.best.length {
             self.best.copy_from(&self.candidate);
         }
@@ -230,14 +233,14 @@ impl Search for Bats {
     }
 
     fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
-        let Bat { tour, loudness, pulse_rate, deed } = &self.swarm[i];
+        let Bat { tour, loudness, pulse_rate, last_move } = &self.swarm[i];
         let different = moves::hamming(&self.problem, &tour.row, &self.best.row);
-        out.extend([tour.length, *loudness, *pulse_rate, different as f64, f64::from(deed.operator as u8), deed.gain]);
+        out.extend([tour.length, *loudness, *pulse_rate, different as f64, f64::from(last_move.operator as u8), last_move.gain]);
     }
 
     fn explain(&self, i: usize, told: &mut Inspection) {
-        let Bat { loudness, pulse_rate, deed, .. } = &self.swarm[i];
-        let Deed { operator, frequency, distance, swaps, candidate, accepted, gain } = *deed;
+        let Bat { loudness, pulse_rate, last_move, .. } = &self.swarm[i];
+        let LastMove { operator, frequency, distance, swaps, candidate, accepted, gain } = *last_move;
         told.title = format!("Bat {}", i + 1);
         told.event = WORDS[operator as usize];
         told.summary = match operator {

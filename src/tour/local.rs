@@ -351,9 +351,9 @@ const KICK: usize = 50;
 #[cfg(test)]
 mod tests {
     use super::{super::moves, *};
-    use crate::{exact::Distances, kernel::Round};
+    use crate::{exact::Distances, kernel::TourEnds};
 
-    fn random(n: usize, round: Round, rng: &mut Stream) -> Arc<Problem> {
+    fn random(n: usize, round: TourEnds, rng: &mut Stream) -> Arc<Problem> {
         let points: Vec<_> = (0..n).map(|_| [rng.unit(), rng.unit()]).collect();
         let d = |i: usize, j: usize| crate::geometry::length(&[points[i], points[j]]);
         Arc::new(Problem::new(&Distances::of(n, d), round))
@@ -363,7 +363,7 @@ mod tests {
     fn every_move_gains_what_it_says_and_keeps_a_permutation() {
         let mut rng = Stream::new(3, 0);
         for case in 0..300 {
-            let round = Round::ALL[case % 4];
+            let round = TourEnds::ALL[case % 4];
             let n = 2 + rng.below(30);
             let problem = random(n, round, &mut rng);
             let mut tour = Tour::first(&problem);
@@ -397,7 +397,7 @@ mod tests {
     fn where_it_ends_no_move_helps() {
         let mut rng = Stream::new(8, 0);
         for case in 0..80 {
-            let problem = random(4 + rng.below(7), Round::ALL[case % 4], &mut rng);
+            let problem = random(4 + rng.below(7), TourEnds::ALL[case % 4], &mut rng);
             let mut tour = Tour::first(&problem);
             moves::shuffle(&mut tour.row, &mut rng);
             Local::new(&problem).polish(&mut tour);

@@ -5,6 +5,7 @@
 //! planners differ in is a `Search`, a file each. `problem` is what they search, `moves` are the changes that they make.
 
 pub mod bat;
+mod explain;
 pub mod ga;
 pub mod held_karp;
 pub mod hybrid_bat;
@@ -17,7 +18,6 @@ mod problem;
 mod roads;
 pub mod sa;
 mod swaps;
-mod tell;
 #[cfg(test)]
 mod tests;
 pub mod tour_pso;
@@ -29,10 +29,10 @@ use crate::{
     describe::{Reading, Start, layers},
     exact::{MAX_EXACT_STOPS, shortest_tour},
     kernel::{
-        Best, Error, Explain, Facets, Failure, Frame, Inspection, Item, LayerKey, Members, Planner, Progress, Readings, Round, Shape,
-        Solution, Stage, Started, State, Status, Subtasks, Yardstick, rng::Stream,
+        Candidate, Error, Explain, Facets, Failure, Frame, Inspection, Item, LayerKey, Members, Planner, Progress, Readings,
+        ReferenceOptimum, Shape, Solution, Stage, Started, State, Status, Subtasks, TourEnds, rng::Stream,
     },
-    params::Settings,
+    params::Parameters,
     scene::{GridScene, TourScene},
     settled::{SETTLED, Settled},
 };
@@ -41,7 +41,7 @@ use parameters::{BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, MEA
 use problem::{Problem, Stop, Tour};
 use roads::Network;
 
-pub use tell::SYMBOLS;
+pub use explain::SYMBOLS;
 
 /// How a planner searches the order of the stops. It evaluates its first tours when it begins.
 trait Search: State + Send {
@@ -80,13 +80,13 @@ impl Clone for Box<dyn Search> {
 }
 
 /// How a search begins: the problem, the parameters, and its stream of random numbers.
-type Begin = fn(&Arc<Problem>, &Settings, Stream) -> Box<dyn Search>;
+type Begin = fn(&Arc<Problem>, &Parameters, Stream) -> Box<dyn Search>;
 
 /// Roads, then a tour.
 #[derive(Clone, State)]
 struct Tours {
     #[state(shared)]
-    settings: Arc<Settings>,
+    settings: Arc<Parameters>,
     #[state(shared)]
     seed: u64,
     /// What the search adds to the readings, of its members and of its own, in this order: unknown while roads are built.
@@ -95,7 +95,7 @@ struct Tours {
     #[state(shared)]
     begin: Begin,
     #[state(shared)]
-    round: Round,
+    round: TourEnds,
     /// Where the stops are drawn.
     #[state(shared)]
     places: Arc<[[f64; 2]]>,
@@ -137,17 +137,17 @@ fn start(start: &Start, tells: &'static [Reading], begin: Begin) -> Result<Start
         tours.set_out(Problem::new(tour.distances(), tours.round));
     }
     let (roads, round, progress) = (tours.road_steps(), tours.round, tours.progress());
-    let yardstick = match &tours.network {
-        None => Yardstick::Matrix,
-        Some(_) if settings[SMOOTH] || settings[ROADS] == "theta-star" => Yardstick::AnyAngle,
-        Some(_) => Yardstick::Cells,
+    let reference = match &tours.network {
+        None => ReferenceOptimum::Matrix,
+        Some(_) if settings[SMOOTH] || settings[ROADS] == "theta-star" => ReferenceOptimum::AnyAngle,
+        Some(_) => ReferenceOptimum::Cells,
     };
     let search = Stage { name: "tour", title: "Tour", end: None };
     let stages = match roads {
         0 => vec![search],
         end => vec![Stage { name: "roads", title: "Roads", end: Some(end) }, search],
     };
-    let started = Started::new(tours, settings[ITERATIONS] + roads).measured_by(yardstick).in_stages(stages);
+    let started = Started::new(tours, settings[ITERATIONS] + roads).measured_by(reference).in_stages(stages);
     Ok(Started { progress, round: Some(round), ..started })
 }
 
@@ -235,10 +235,10 @@ impl Planner for Tours {
         self.search.as_ref().map_or(0, |(_, search)| search.evaluations())
     }
 
-    fn best(&self) -> Option<Best> {
+    fn best(&self) -> Option<Candidate> {
         let (problem, tour) = self.best_tour()?;
         let solution = Solution::Tour { order: tour.order(problem), round: self.round, path: self.path(problem, tour) };
-        Some(Best { cost: tour.length, solution })
+        Some(Candidate { cost: tour.length, solution })
     }
 
     fn facets(&self) -> Facets<'_> {
@@ -305,16 +305,16 @@ impl Planner for Tours {
 impl Explain for Tours {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         match (item.layer, &self.search) {
-            (layer, _) if layer == layers::ROADS.key => tell::road(self.network.as_ref()?, item),
-            (layer, _) if layer == layers::STOPS.key => tell::stop(self.best_tour(), &self.places, item),
+            (layer, _) if layer == layers::ROADS.key => explain::road(self.network.as_ref()?, item),
+            (layer, _) if layer == layers::STOPS.key => explain::stop(self.best_tour(), &self.places, item),
             (layer, Some((problem, search))) if layer == layers::TOURS.key => {
                 let tour = search.member(item.index)?;
-                let mut told = tell::tour(problem, tour, search.best()?, &self.places, item);
-                told.marks.insert(0, tell::way(self.path(problem, tour)));
+                let mut told = explain::tour(problem, tour, search.best()?, &self.places, item);
+                told.marks.insert(0, explain::way(self.path(problem, tour)));
                 search.explain(item.index, &mut told);
                 Some(told)
             }
-            (layer, None) if layer == layers::TOURS.key => Some(tell::no_tour(item)),
+            (layer, None) if layer == layers::TOURS.key => Some(explain::no_tour(item)),
             _ => None,
         }
     }
@@ -330,7 +330,7 @@ impl Members for Tours {
 
 impl Failure for Tours {
     fn failure(&self, _status: Status) -> Option<String> {
-        self.network.as_ref().filter(|_| self.torn).and_then(Network::trouble)
+        self.network.as_ref().filter(|_| self.torn).and_then(Network::failure)
     }
 }
 

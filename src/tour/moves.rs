@@ -159,9 +159,9 @@ pub fn shortest<'a>(mut tours: impl Iterator<Item = &'a Tour>) -> Option<&'a Tou
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{exact::Distances, kernel::Round};
+    use crate::{exact::Distances, kernel::TourEnds};
 
-    fn problem(n: usize, round: Round, rng: &mut Stream) -> Problem {
+    fn problem(n: usize, round: TourEnds, rng: &mut Stream) -> Problem {
         Problem::new(&Distances::of(n, |_, _| rng.between(1.0, 9.0)), round)
     }
 
@@ -211,10 +211,10 @@ mod tests {
         reverse(&mut row, 2, 4);
         assert_eq!(row, [0, 2, 4, 3, 1, 5, 0]);
         let mut rng = Stream::new(1, 0);
-        let closed = problem(6, Round::Closed, &mut rng);
+        let closed = problem(6, TourEnds::Closed, &mut rng);
         assert_eq!(hamming(&closed, &row, &[0, 1, 2, 3, 4, 5, 0]), 3, "3 and 5 stand where they stood");
         assert_eq!(hamming(&closed, &row, &[0, 5, 1, 3, 2, 4, 0]), 2, "backwards it is nearer");
-        let open = problem(7, Round::FromFirst, &mut rng);
+        let open = problem(7, TourEnds::FromFirst, &mut rng);
         assert_eq!(hamming(&open, &row, &[0, 5, 1, 3, 2, 4, 7]), 4);
     }
 
@@ -223,7 +223,7 @@ mod tests {
         let mut rng = Stream::new(7, 0);
         for case in 0..2000 {
             let n = 4 + rng.below(12);
-            let problem = problem(n, Round::ALL[case % 4], &mut rng);
+            let problem = problem(n, TourEnds::ALL[case % 4], &mut rng);
             let mut tour = Tour::first(&problem);
             let m = tour.len();
             shuffle(&mut tour.row, &mut rng);

@@ -40,19 +40,19 @@ fn chain(problem: &Problem, row: &mut [Stop]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{exact::Distances, kernel::Round};
+    use crate::{exact::Distances, kernel::TourEnds};
 
     #[test]
     fn the_nearest_neighbour_comes_next() {
         // Stops on a line at 0, 10, 1, 3: from any of them it goes on to the nearest.
         let at = [0.0_f64, 10.0, 1.0, 3.0];
         let distances = Distances::of(4, |i, j| (at[i] - at[j]).abs());
-        for round in [Round::FromFirst, Round::FirstToLast] {
+        for round in [TourEnds::FromFirst, TourEnds::FirstToLast] {
             let problem = Problem::new(&distances, round);
             let order = nearest_neighbour(&problem, &mut Stream::new(1, 0)).order(&problem);
-            assert_eq!(order, if round == Round::FromFirst { [0, 2, 3, 1] } else { [0, 2, 1, 3] });
+            assert_eq!(order, if round == TourEnds::FromFirst { [0, 2, 3, 1] } else { [0, 2, 1, 3] });
         }
-        let problem = Problem::new(&distances, Round::Closed);
+        let problem = Problem::new(&distances, TourEnds::Closed);
         for seed in 0..9 {
             let tour = nearest_neighbour(&problem, &mut Stream::new(seed, 0));
             assert_eq!(tour.length, 20.0, "every such tour goes there and back");

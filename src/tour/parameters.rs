@@ -2,8 +2,8 @@
 
 use crate::{
     describe::{CONVERGED, Formula, Group, Layer, Member, Reading, layers},
-    kernel::{Round, SceneKindId},
-    params::{Choice, Param, Parameter, Settings},
+    kernel::{SceneKindId, TourEnds},
+    params::{Choice, Param, Parameter, Parameters},
     scene::{GRID, Scene, TOUR, TourScene},
 };
 
@@ -46,18 +46,18 @@ const ROUNDS: &[Choice; 5] = &[
     Choice { value: "from-first", title: "From the first stop", help: "From the first stop to any other." },
     Choice { value: "first-to-last", title: "From the first to the last", help: "From the first stop to the last." },
 ];
-pub(super) const ROUND: Param<Option<Round>> = Param::choice(
+pub(super) const ROUND: Param<Option<TourEnds>> = Param::choice(
     "round",
     "",
     "Tour",
     ROUNDS,
-    &[None, Some(Round::Closed), Some(Round::Open), Some(Round::FromFirst), Some(Round::FirstToLast)],
+    &[None, Some(TourEnds::Closed), Some(TourEnds::Open), Some(TourEnds::FromFirst), Some(TourEnds::FirstToLast)],
     "Where a tour begins and ends.",
 );
 
 /// What the ends of the tours are.
-pub(super) fn round(scene: &Scene, settings: &Settings) -> Round {
-    settings[ROUND].unwrap_or_else(|| scene.get::<TourScene>().map_or(Round::Closed, TourScene::round))
+pub(super) fn round(scene: &Scene, settings: &Parameters) -> TourEnds {
+    settings[ROUND].unwrap_or_else(|| scene.get::<TourScene>().map_or(TourEnds::Closed, TourScene::round))
 }
 
 /// Where a tour begins and ends, and who builds roads.

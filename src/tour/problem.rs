@@ -6,7 +6,7 @@
 
 use crate::{
     exact::Distances,
-    kernel::{Round, State},
+    kernel::{State, TourEnds},
 };
 
 /// A stop's number; the one after the last is nowhere.
@@ -20,7 +20,7 @@ pub struct Problem {
     pub n: usize,
     /// What the ends are.
     #[state(shared)]
-    pub round: Round,
+    pub round: TourEnds,
     /// Row by row, nowhere last.
     #[state(skip)]
     d: Vec<f64>,
@@ -28,7 +28,7 @@ pub struct Problem {
 
 impl Problem {
     /// Tours with such ends by these distances.
-    pub fn new(distances: &Distances, round: Round) -> Self {
+    pub fn new(distances: &Distances, round: TourEnds) -> Self {
         let n = distances.len();
         let mut d = Vec::with_capacity((n + 1) * (n + 1));
         for row in distances.rows() {
@@ -51,15 +51,15 @@ impl Problem {
 
     /// What comes before the row of stops that may be moved.
     pub fn head(&self) -> Stop {
-        if self.round == Round::Open { self.nowhere() } else { 0 }
+        if self.round == TourEnds::Open { self.nowhere() } else { 0 }
     }
 
     /// What comes behind it.
     pub fn tail(&self) -> Stop {
         match self.round {
-            Round::Closed => 0,
-            Round::Open | Round::FromFirst => self.nowhere(),
-            Round::FirstToLast => (self.n - 1) as Stop,
+            TourEnds::Closed => 0,
+            TourEnds::Open | TourEnds::FromFirst => self.nowhere(),
+            TourEnds::FirstToLast => (self.n - 1) as Stop,
         }
     }
 
@@ -67,9 +67,9 @@ impl Problem {
     pub fn movable(&self) -> std::ops::Range<Stop> {
         let n = self.n as Stop;
         match self.round {
-            Round::Open => 0..n,
-            Round::Closed | Round::FromFirst => 1..n,
-            Round::FirstToLast => 1..n - 1,
+            TourEnds::Open => 0..n,
+            TourEnds::Closed | TourEnds::FromFirst => 1..n,
+            TourEnds::FirstToLast => 1..n - 1,
         }
     }
 
@@ -126,7 +126,7 @@ impl Tour {
 
     /// The stops' numbers in order, the fixed ends among them.
     pub fn order(&self, problem: &Problem) -> Vec<usize> {
-        let end = if problem.round == Round::Closed { self.row.len() - 1 } else { self.row.len() };
+        let end = if problem.round == TourEnds::Closed { self.row.len() - 1 } else { self.row.len() };
         self.row[..end].iter().map(|&stop| usize::from(stop)).filter(|&stop| stop < problem.n).collect()
     }
 }
@@ -148,16 +148,16 @@ mod tests {
             tour.settle(&problem);
             (tour.order(&problem), tour.length)
         };
-        assert_eq!(tour(Round::Closed), (vec![0, 1, 2, 3], 14.0), "the reverse is the same tour");
-        assert_eq!(tour(Round::Open), (vec![0, 1, 2, 3], 7.0));
-        assert_eq!(tour(Round::FromFirst), (vec![0, 3, 2, 1], 13.0));
-        assert_eq!(tour(Round::FirstToLast), (vec![0, 2, 1, 3], 3.0 + 2.0 + 6.0));
+        assert_eq!(tour(TourEnds::Closed), (vec![0, 1, 2, 3], 14.0), "the reverse is the same tour");
+        assert_eq!(tour(TourEnds::Open), (vec![0, 1, 2, 3], 7.0));
+        assert_eq!(tour(TourEnds::FromFirst), (vec![0, 3, 2, 1], 13.0));
+        assert_eq!(tour(TourEnds::FirstToLast), (vec![0, 2, 1, 3], 3.0 + 2.0 + 6.0));
     }
 
     #[test]
     fn two_stops_are_a_tour_too() {
         let distances = Distances::of(2, |_, _| 5.0);
-        for round in Round::ALL {
+        for round in TourEnds::ALL {
             let problem = Problem::new(&distances, round);
             let tour = Tour::first(&problem);
             assert_eq!(tour.order(&problem), [0, 1]);

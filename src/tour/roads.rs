@@ -7,8 +7,8 @@ use crate::{
     describe::{ROAD, Start},
     exact::{Distances, is_reachable},
     geometry,
-    kernel::{Error, Finding, Job, State, Subtasks, rng::Stream},
-    params::{Given, Value},
+    kernel::{Error, State, Subtask, SubtaskResult, Subtasks, rng::Stream},
+    params::{Overrides, Value},
     scene::GridScene,
 };
 
@@ -34,8 +34,8 @@ impl Road {
     }
 }
 
-impl From<Finding> for Road {
-    fn from(found: Finding) -> Self {
+impl From<SubtaskResult> for Road {
+    fn from(found: SubtaskResult) -> Self {
         let length = if found.cost.is_some() { geometry::length(&found.path) } else { f64::INFINITY };
         Self { path: found.path, length, converged: found.converged, over: Vec::new() }
     }
@@ -49,7 +49,7 @@ pub struct Network {
     #[state(shared)]
     planner: &'static str,
     #[state(shared)]
-    params: Given,
+    params: Overrides,
     /// A seed for each pair.
     #[state(shared)]
     pub seeds: Arc<[u64]>,
@@ -59,7 +59,7 @@ pub struct Network {
     pub roads: Vec<Arc<Road>>,
     /// What the runs of the next step found.
     #[state(skip)]
-    provided: Vec<Finding>,
+    provided: Vec<SubtaskResult>,
 }
 
 impl Network {
@@ -122,9 +122,9 @@ impl Network {
         i * (2 * self.stops.len() - i - 1) / 2 + j - i - 1
     }
 
-    fn job(&self, number: usize) -> Job {
+    fn job(&self, number: usize) -> Subtask {
         let ends = self.pair(number).map(|stop| self.stops[stop]);
-        Job { planner: self.planner, params: self.params.clone(), seed: self.seeds[number], ends: Some(ends) }
+        Subtask { planner: self.planner, params: self.params.clone(), seed: self.seeds[number], ends: Some(ends) }
     }
 
     /// The pairs whose roads the next step builds.
@@ -139,7 +139,7 @@ impl Network {
 
     /// Builds one stop's roads of what was provided.
     pub fn step(&mut self) {
-        let nothing = || Finding { cost: None, converged: 0.0, path: Vec::new() };
+        let nothing = || SubtaskResult { cost: None, converged: 0.0, path: Vec::new() };
         let count = self.next().len();
         let found = std::mem::take(&mut self.provided).into_iter().chain(std::iter::repeat_with(nothing));
         self.roads.extend(found.take(count).map(|found| Arc::new(Road::from(found))));
@@ -205,7 +205,7 @@ impl Network {
     }
 
     /// Why there is no tour: the first pair of stops without a road, and what to do.
-    pub fn trouble(&self) -> Option<String> {
+    pub fn failure(&self) -> Option<String> {
         let [i, j] = self.pair(self.roads.iter().position(|road| road.path.is_empty())?);
         Some(format!(
             "{} found no road from stops[{i}] to stops[{j}], and none leads there over other stops; roads=a-star finds one wherever there is one",
@@ -224,11 +224,11 @@ impl Network {
 }
 
 impl Subtasks for Network {
-    fn requests(&self) -> Vec<Job> {
+    fn requests(&self) -> Vec<Subtask> {
         self.next().map(|pair| self.job(pair)).collect()
     }
 
-    fn provide(&mut self, found: Vec<Finding>) {
+    fn provide(&mut self, found: Vec<SubtaskResult>) {
         self.provided = found;
     }
 }
@@ -236,7 +236,7 @@ impl Subtasks for Network {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{catalogue::PLANNERS, params::Settings, scene::Scene};
+    use crate::{catalogue::PLANNERS, params::Parameters, scene::Scene};
 
     /// An open grid with stops at (0.5, 0.5), (3.5, 0.5), (0.5, 3.5), (3.5, 3.5), and the lengths of the roads that were
     /// found: between 0 and 1, 0 and 2, 0 and 3, 1 and 2, 1 and 3, 2 and 3.
@@ -246,7 +246,7 @@ mod tests {
         let scene = Arc::new(Scene::from_json(text).unwrap());
         let grid = scene.get::<GridScene>().unwrap();
         let entry = crate::catalogue::find("bat").unwrap();
-        let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
+        let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
         let start = Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS };
         let mut network = Network::new(&start, grid).unwrap();
         let road = |(number, length): (usize, Option<f64>)| {
@@ -268,7 +268,7 @@ mod tests {
         assert_eq!((over.failed(), &over.roads[2].over[..]), (1, &[2][..]));
         assert_eq!(over.roads[2].path, [[0.5, 0.5], [0.5, 3.5], [3.5, 3.5]]);
         assert_eq!(over.way(3, 0), [[3.5, 3.5], [0.5, 3.5], [0.5, 0.5]]);
-        assert_eq!(over.trouble(), None);
+        assert_eq!(over.failure(), None);
     }
 
     #[test]
@@ -284,6 +284,6 @@ mod tests {
     fn what_no_road_leads_to_is_named() {
         let mut apart = network([Some(1.0), None, None, None, None, Some(1.0)]);
         assert!(apart.distances().is_none());
-        assert!(apart.trouble().unwrap().contains("stops[0] to stops[2]"));
+        assert!(apart.failure().unwrap().contains("stops[0] to stops[2]"));
     }
 }

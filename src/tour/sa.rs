@@ -9,17 +9,18 @@ use crate::{
     describe::{Entry, Formula, Group, Member, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
     math,
-    params::{Param, Settings},
+    params::{Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    Search, moves,
+    Search,
+    explain::quantity,
+    moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS_LAYER, TOURS,
     },
     problem::{Problem, Tour},
-    tell::quantity,
 };
 
 /// How many moves say how hot it must be.
@@ -27,7 +28,7 @@ const MEASURED: u64 = 100;
 
 /// What happened at the last temperature.
 #[derive(Debug, Clone, Copy, Default, State)]
-struct Deed {
+struct LastMove {
     tried: u64,
     /// Accepted because they were not longer, and although they were.
     shorter: u64,
@@ -55,11 +56,11 @@ struct Annealing {
     #[state(shared)]
     moves: u64,
     evaluations: u64,
-    deed: Deed,
+    last_move: LastMove,
     rng: Stream,
 }
 
-fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Annealing {
+fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Annealing {
     let now = moves::random_tour(problem, &mut rng);
     let temperature = first_temperature(problem, &now, settings[ACCEPT_START], &mut rng);
     Annealing {
@@ -71,7 +72,7 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Anneal
         cooling: settings[COOLING],
         moves: settings[MOVES] * problem.n as u64,
         evaluations: 1 + if now.len() > 1 { MEASURED } else { 0 },
-        deed: Deed::default(),
+        last_move: LastMove::default(),
         now,
         rng,
     }
@@ -119,10 +120,10 @@ impl Annealing {
         if added > 0.0 {
             // Only here a shortest tour can get lost: to note every step down would take time.
             self.remember();
-            self.deed.longer += 1;
-            self.deed.highest = self.deed.highest.max(added);
+            self.last_move.longer += 1;
+            self.last_move.highest = self.last_move.highest.max(added);
         } else {
-            self.deed.shorter += 1;
+            self.last_move.shorter += 1;
         }
         moves::reverse(&mut self.now.row, i, j);
         self.now.length += added;
@@ -132,16 +133,16 @@ impl Annealing {
 impl Search for Annealing {
     fn step(&mut self) {
         self.temperature = self.next;
-        self.deed = Deed::default();
+        self.last_move = LastMove::default();
         let before = self.now.length;
         if self.now.len() > 1 {
             (0..self.moves).for_each(|_| self.attempt());
-            self.deed.tried = self.moves;
+            self.last_move.tried = self.moves;
             self.evaluations += self.moves;
         }
         self.now.settle(&self.problem);
         self.remember();
-        self.deed.gain = before - self.now.length;
+        self.last_move.gain = before - self.now.length;
         self.next *= self.cooling;
     }
 
@@ -162,18 +163,18 @@ impl Search for Annealing {
     }
 
     fn read(&self, out: &mut Readings) {
-        let Deed { tried, shorter, longer, .. } = self.deed;
+        let LastMove { tried, shorter, longer, .. } = self.last_move;
         out.push(TEMPERATURE, self.temperature);
         out.push(ACCEPTED, (shorter + longer) as f64 / tried.max(1) as f64);
     }
 
     fn tell_member(&self, _i: usize, out: &mut Vec<f64>) {
         let different = moves::hamming(&self.problem, &self.now.row, &self.best.row);
-        out.extend([self.now.length, different as f64, self.deed.gain, self.deed.highest]);
+        out.extend([self.now.length, different as f64, self.last_move.gain, self.last_move.highest]);
     }
 
     fn explain(&self, _i: usize, told: &mut Inspection) {
-        let Deed { tried, shorter, longer, highest, gain } = self.deed;
+        let LastMove { tried, shorter, longer, highest, gain } = self.last_move;
         told.title = String::from("Present tour");
         (told.event, told.summary) = match (tried, shorter + longer) {
             (0, _) => ("start", "It begins with a random tour.".to_owned()),

@@ -3,17 +3,17 @@
 use std::sync::Arc;
 
 use crate::{
-    Given, Scene, Session, Setup, Status, catalogue,
+    Overrides, Scene, Session, Setup, Status, catalogue,
     describe::{Entry, layers},
     exact::Distances,
-    kernel::{Item, Round, rng::Stream},
+    kernel::{Item, TourEnds, rng::Stream},
     params::{Domain, Value},
     scene::TourScene,
     shipped,
 };
 
 fn session(planner: &str, scene: &str, params: &[(&'static str, &str)], seed: u64) -> Session {
-    let params: Given = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
+    let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
     Session::new(Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
 
@@ -33,7 +33,7 @@ fn roads_of_swarms_give_a_feasible_tour() {
             let mut session = session("bat", "ant-bat-30", &[("roads", roads), ("iterations", "20")], seed);
             session.step(u64::MAX);
             let outcome = session.outcome();
-            assert!(outcome.feasible && outcome.gap > Some(0.0), "{roads}, seed {seed}: {:?}", outcome.trouble);
+            assert!(outcome.feasible && outcome.gap > Some(0.0), "{roads}, seed {seed}: {:?}", outcome.failure);
         }
     }
 }
@@ -44,14 +44,15 @@ fn a_road_that_touches_an_obstacle_is_not_found() {
     let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "w", "title": "W", "cell": 1,
         "rows": [".....", ".....", ".####", "....."], "start": [4.5, 0.5], "goal": [4.5, 3.5]}"#;
     let scene = Arc::new(Scene::from_json(text).unwrap());
-    let params: Given = [("iterations", 1.0), ("population", 1.0)].into_iter().map(|(name, value)| (name, Value::from(value))).collect();
+    let params: Overrides =
+        [("iterations", 1.0), ("population", 1.0)].into_iter().map(|(name, value)| (name, Value::from(value))).collect();
     let setup = Setup { planner: "pso".into(), scene, params, seed: 1 };
     assert!(!{
         let mut session = Session::new(setup.clone()).unwrap();
         session.step(u64::MAX);
         session.outcome().feasible
     });
-    let found = crate::session::carry_out(setup).unwrap();
+    let found = crate::session::run_to_end(setup).unwrap();
     assert_eq!((found.cost, found.path), (None, Vec::new()));
 }
 
@@ -61,14 +62,14 @@ fn roads_are_the_same_whoever_builds_them() {
     let mut alone = session("bat", "ant-bat-30", &params, 4);
     let mut helped = session("bat", "ant-bat-30", &params, 4);
     while helped.status() == Status::Running {
-        let jobs = helped.jobs();
+        let jobs = helped.subtasks();
         if !jobs.is_empty() {
             let scene = Arc::clone(helped.scene());
             // Backwards, one by one.
             let mut found: Vec<_> =
-                jobs.iter().rev().map(|job| crate::session::carry_out_all(&scene, std::slice::from_ref(job)).unwrap().remove(0)).collect();
+                jobs.iter().rev().map(|job| crate::session::run_subtasks(&scene, std::slice::from_ref(job)).unwrap().remove(0)).collect();
             found.reverse();
-            helped.supply(found);
+            helped.provide(found);
         }
         helped.step(1);
         alone.step(1);
@@ -91,7 +92,7 @@ fn with_exact_roads_the_bats_find_the_exact_tour_for_every_round() {
         assert!(outcomes.iter().any(|outcome| outcome.gap == Some(0.0)), "{round}");
         for outcome in outcomes {
             assert!(outcome.feasible && outcome.gap >= Some(0.0), "{round}");
-            assert!(Round::ALL[i].allows(&outcome.order.unwrap(), 12));
+            assert!(TourEnds::ALL[i].allows(&outcome.order.unwrap(), 12));
         }
     }
 }
@@ -101,7 +102,7 @@ fn a_stop_behind_walls_is_named() {
     let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "w", "title": "W", "cell": 1,
         "rows": ["..#.", "..#.", "..#."], "stops": [[0.5, 0.5], [1.5, 2.5], [3.5, 0.5]]}"#;
     let scene = Arc::new(crate::Scene::from_json(text).unwrap());
-    let setup = Setup { planner: "bat".into(), scene, params: Given::new(), seed: 1 };
+    let setup = Setup { planner: "bat".into(), scene, params: Overrides::new(), seed: 1 };
     let error = Session::new(setup).err().unwrap();
     assert_eq!((error.field(), error.value()), ("stops[2]", "(3.5, 0.5)"));
 }
@@ -124,7 +125,7 @@ fn distances(scene: &Scene) -> &Distances {
 }
 
 fn run(planner: &str, scene: &Arc<Scene>, params: &[(&'static str, Value)], seed: u64) -> Session {
-    let params: Given = params.iter().cloned().collect();
+    let params: Overrides = params.iter().cloned().collect();
     Session::new(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
@@ -133,7 +134,7 @@ fn names(entry: &Entry, parameter: &str) -> bool {
 }
 
 /// The tour of every member is a permutation with the ends that it should have and as long as it says.
-fn check_members(session: &mut Session, round: Round) {
+fn check_members(session: &mut Session, round: TourEnds) {
     let scene = Arc::clone(session.scene());
     let n = scene.stops().len();
     for index in 0.. {
@@ -157,7 +158,7 @@ fn tours_stay_permutations_and_the_best_never_rises_whatever_the_planner_and_the
             if entry.check_scene(&scene).is_err() {
                 continue;
             }
-            for (round, name) in Round::ALL.into_iter().zip(ROUNDS) {
+            for (round, name) in TourEnds::ALL.into_iter().zip(ROUNDS) {
                 let mut params = vec![("round", Value::from(name)), ("iterations", Value::from(25.0))];
                 if names(entry, "population") {
                     params.push(("population", Value::from((n % 7 + 1) as f64)));
@@ -214,7 +215,7 @@ fn every_number_of_a_tour_planner_runs_at_both_ends_of_its_range() {
 }
 
 /// Every order there is, one after another.
-fn by_trying(order: &mut Vec<usize>, k: usize, distances: &Distances, round: Round) -> f64 {
+fn by_trying(order: &mut Vec<usize>, k: usize, distances: &Distances, round: TourEnds) -> f64 {
     if k == order.len() {
         return if round.allows(order, k) { distances.length(order, round.closes()) } else { f64::INFINITY };
     }
@@ -231,7 +232,7 @@ fn held_and_karp_find_the_shortest_of_all_orders() {
     let mut rng = Stream::new(13, 0);
     for n in 2..=12 {
         let scene = stops(n, &mut rng);
-        for (round, name) in Round::ALL.into_iter().zip(ROUNDS) {
+        for (round, name) in TourEnds::ALL.into_iter().zip(ROUNDS) {
             let mut session = run("held-karp", &scene, &[("round", Value::from(name))], 1);
             session.step(u64::MAX);
             let outcome = session.outcome();
@@ -250,7 +251,7 @@ fn held_and_karp_find_the_shortest_of_all_orders() {
 fn held_and_karp_take_no_more_stops_than_they_say() {
     let mut rng = Stream::new(14, 0);
     let refused = |n: usize, rng: &mut Stream| {
-        let setup = Setup { planner: "held-karp".into(), scene: stops(n, rng), params: Given::new(), seed: 1 };
+        let setup = Setup { planner: "held-karp".into(), scene: stops(n, rng), params: Overrides::new(), seed: 1 };
         Session::new(setup).err().map(|error| (error.field().to_owned(), error.value().to_owned(), error.allowed().to_owned()))
     };
     assert_eq!(refused(15, &mut rng), None);
@@ -291,7 +292,7 @@ fn two_thousand_stops_are_not_too_many() {
         let first = session.outcome().cost.unwrap();
         session.step(u64::MAX);
         let outcome = session.outcome();
-        assert!(Round::Closed.allows(&outcome.order.unwrap(), 2000), "{}", entry.name);
+        assert!(TourEnds::Closed.allows(&outcome.order.unwrap(), 2000), "{}", entry.name);
         assert!(outcome.cost.unwrap() <= first);
     }
 }
@@ -302,10 +303,10 @@ fn an_optimum_that_is_longer_than_what_is_found_is_none() {
     let mut file: serde_json::Value = serde_json::from_str(&text).unwrap();
     file["exact"] = serde_json::json!({"length": 100_000});
     let scene = Arc::new(crate::Scene::from_value(file).unwrap());
-    let mut session = Session::new(Setup { planner: "two-opt".into(), scene, params: Given::new(), seed: 1 }).unwrap();
+    let mut session = Session::new(Setup { planner: "two-opt".into(), scene, params: Overrides::new(), seed: 1 }).unwrap();
     session.step(u64::MAX);
     let outcome = session.outcome();
-    assert_eq!((outcome.exact, outcome.gap, outcome.exact_by), (None, None, crate::kernel::Yardstick::Refuted));
+    assert_eq!((outcome.exact, outcome.gap, outcome.exact_by), (None, None, crate::kernel::ReferenceOptimum::Refuted));
 }
 
 #[test]
@@ -313,16 +314,16 @@ fn ants_that_build_no_road_are_told_of() {
     let text = crate::scene::generate::generate("maze", &[("stops", Value::from(3.0))].into_iter().collect(), 2).unwrap().to_json();
     let scene = Arc::new(crate::Scene::from_json(&text).unwrap());
     let run = |roads: &str| {
-        let params: Given = [("roads", Value::from(roads)), ("iterations", Value::from(5.0))].into_iter().collect();
+        let params: Overrides = [("roads", Value::from(roads)), ("iterations", Value::from(5.0))].into_iter().collect();
         let mut session = Session::new(Setup { planner: "held-karp".into(), scene: Arc::clone(&scene), params, seed: 1 }).unwrap();
         session.step(u64::MAX);
         session.outcome()
     };
     let (ants, exact) = (run("aco-direction"), run("a-star"));
-    assert_eq!((exact.status, exact.trouble), (Status::Solved, None));
+    assert_eq!((exact.status, exact.failure), (Status::Solved, None));
     match ants.status {
-        Status::Infeasible => assert!(ants.trouble.unwrap().starts_with("aco-direction found no road from stops[0]")),
-        status => assert!(status == Status::Solved && ants.trouble.is_none()),
+        Status::Infeasible => assert!(ants.failure.unwrap().starts_with("aco-direction found no road from stops[0]")),
+        status => assert!(status == Status::Solved && ants.failure.is_none()),
     }
 }
 

@@ -12,12 +12,13 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Member, Preset, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
-    params::{Fixed, Param, Settings},
+    params::{Fixed, Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
     Search,
+    explain::quantity,
     local::Local,
     moves,
     parameters::{
@@ -26,12 +27,11 @@ use super::{
     },
     problem::{Problem, Stop, Tour},
     swaps::{self, Swap},
-    tell::quantity,
 };
 
 /// What a particle did in the last iteration.
 #[derive(Debug, Clone, Copy, Default, State)]
-struct Deed {
+struct LastMove {
     /// How many swaps it kept of its velocity, took towards its own best and towards the swarm's.
     kept: usize,
     own: usize,
@@ -47,7 +47,7 @@ struct Particle {
     tour: Tour,
     best: Tour,
     velocity: Vec<Swap>,
-    deed: Deed,
+    last_move: LastMove,
 }
 
 /// Particles and the best of their tours.
@@ -76,7 +76,7 @@ struct Swarm {
     places: Vec<u16>,
 }
 
-fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Swarm {
+fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Swarm {
     let first = Tour::first(problem);
     let m = first.len();
     let mut local = (settings[LOCAL_SEARCH]).then(|| Local::new(problem));
@@ -86,7 +86,7 @@ fn begin(problem: &Arc<Problem>, settings: &Settings, mut rng: Stream) -> Swarm 
             if let Some(local) = &mut local {
                 local.polish(&mut tour);
             }
-            Particle { best: tour.clone(), tour, velocity: Vec::with_capacity(m), deed: Deed::default() }
+            Particle { best: tour.clone(), tour, velocity: Vec::with_capacity(m), last_move: LastMove::default() }
         })
         .collect();
     Swarm {
@@ -155,7 +155,7 @@ impl Swarm {
         if record {
             particle.best.copy_from(&particle.tour);
         }
-        particle.deed = Deed { kept, own, swarm, gain: length - particle.tour.length, record };
+        particle.last_move = LastMove { kept, own, swarm, gain: length - particle.tour.length, record };
         if particle.tour.length < self.best.length {
             self.best.copy_from(&particle.tour);
         }
@@ -189,15 +189,15 @@ impl Search for Swarm {
     }
 
     fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
-        let Particle { tour, best, velocity, deed } = &self.particles[i];
+        let Particle { tour, best, velocity, last_move } = &self.particles[i];
         let different = moves::hamming(&self.problem, &tour.row, &self.best.row);
-        out.extend([tour.length, best.length, different as f64, velocity.len() as f64, deed.gain]);
+        out.extend([tour.length, best.length, different as f64, velocity.len() as f64, last_move.gain]);
     }
 
     fn explain(&self, i: usize, told: &mut Inspection) {
-        let Particle { best, velocity, deed, .. } = &self.particles[i];
+        let Particle { best, velocity, last_move, .. } = &self.particles[i];
         told.title = format!("Particle {}", i + 1);
-        let Deed { kept, own, swarm, gain, record } = *deed;
+        let LastMove { kept, own, swarm, gain, record } = *last_move;
         (told.event, told.summary) = if kept + own + swarm == 0 {
             ("rests", "It made no swap: it begins, or nothing drew it anywhere.".to_owned())
         } else {

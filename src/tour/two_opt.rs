@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Reading},
     kernel::{Progress, Readings, State, Status, rng::Stream},
-    params::Settings,
+    params::Parameters,
 };
 
 use super::{
@@ -32,7 +32,7 @@ struct Descent {
     rng: Stream,
 }
 
-fn begin(problem: &Arc<Problem>, _: &Settings, mut rng: Stream) -> Descent {
+fn begin(problem: &Arc<Problem>, _: &Parameters, mut rng: Stream) -> Descent {
     let best = nearest_neighbour(problem, &mut rng);
     let mut local = Local::new(problem);
     local.load(&best.row);

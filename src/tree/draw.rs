@@ -7,7 +7,7 @@ use crate::{
 
 use super::{
     forest::NONE,
-    grow::{Fate, Seen},
+    grow::{SampleOutcome, Seen},
 };
 
 const BEST: Layer = layers::BEST.titled("Path", "The path along the tree.");
@@ -66,7 +66,7 @@ impl<const N: usize> Seen<'_, N> {
         self.forest.last.samples.iter().for_each(|sample| frame.push_in_space(place(&sample.point), 0.0));
         if matches!(self.forest.last.source, super::grow::Source::Guided(_)) {
             frame.begin(layers::KEPT.key, Shape::Points);
-            let kept = self.forest.last.samples.iter().filter(|sample| sample.fate != Fate::NotKept && sample.share > 0.0);
+            let kept = self.forest.last.samples.iter().filter(|sample| sample.outcome != SampleOutcome::NotKept && sample.share > 0.0);
             kept.for_each(|sample| frame.push_in_space(place(&sample.point), sample.share));
         }
         let Some(found) = &self.forest.found else { return };

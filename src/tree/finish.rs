@@ -1,7 +1,7 @@
 //! What is made of a tree's path, [ARM-RRT] §3.2.2 and step 3: shortened, fitted by a polyline, smoothed. Each part can be
 //! left out, and none ever goes through an obstacle.
 
-use crate::{describe::Formula, kernel::State, params::Settings};
+use crate::{describe::Formula, kernel::State, params::Parameters};
 
 use super::{
     free::Free,
@@ -24,7 +24,7 @@ pub(super) struct Finish {
 
 impl Finish {
     /// By the settings `shorten`, `polyline`, `tolerance` and `smooth`.
-    pub(super) fn new(settings: &Settings, step: f64) -> Self {
+    pub(super) fn new(settings: &Parameters, step: f64) -> Self {
         Self {
             shorten: settings[SHORTEN],
             fit: settings[POLYLINE].then(|| settings[TOLERANCE] * step),

@@ -15,7 +15,7 @@ use super::{
 /// What became of a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 #[repr(u8)]
-pub(super) enum Fate {
+pub(super) enum SampleOutcome {
     /// The tree has grown towards it.
     Taken,
     /// Its direction was not among the best.
@@ -40,7 +40,7 @@ pub(super) struct Sample<const N: usize> {
     pub(super) angle: f64,
     /// Its share of the roulette wheel when it was drawn, or would have been at first; 0 if it was not kept.
     pub(super) share: f64,
-    pub(super) fate: Fate,
+    pub(super) outcome: SampleOutcome,
 }
 
 /// How a sample came about.
@@ -159,12 +159,12 @@ impl<const N: usize> Forest<N> {
 
     /// Whether the way from a node to a new one is free, and the new one inside.
     #[inline]
-    pub(super) fn test(&mut self, task: &Task<N>, from: &[f64; N], to: &[f64; N]) -> Fate {
+    pub(super) fn test(&mut self, task: &Task<N>, from: &[f64; N], to: &[f64; N]) -> SampleOutcome {
         if !task.contains(to) {
-            return Fate::Outside;
+            return SampleOutcome::Outside;
         }
         self.tested += 1;
-        if task.space.is_free(from, to) { Fate::Taken } else { Fate::Blocked }
+        if task.space.is_free(from, to) { SampleOutcome::Taken } else { SampleOutcome::Blocked }
     }
 
     /// Forgets the last extension; another begins.
@@ -183,15 +183,15 @@ impl<const N: usize> Forest<N> {
         let far = distance(&from, &sample);
         self.last.near = near;
         let new = if clip && far <= task.step { sample } else { task.towards(&from, &sample) };
-        let fate = if far == 0.0 { Fate::TooNear } else { self.test(task, &from, &new) };
-        self.last.samples.push(Sample { point: sample, angle: f64::NAN, share: 1.0, fate });
-        (fate == Fate::Taken).then(|| self.add(task, tree, new, near))
+        let outcome = if far == 0.0 { SampleOutcome::TooNear } else { self.test(task, &from, &new) };
+        self.last.samples.push(Sample { point: sample, angle: f64::NAN, share: 1.0, outcome });
+        (outcome == SampleOutcome::Taken).then(|| self.add(task, tree, new, near))
     }
 
     /// Joins the goal if a node is no farther from it than a step and sees it.
     pub(super) fn reach(&mut self, task: &Task<N>, node: usize) -> bool {
         let (point, goal) = (self.trees[0].points[node], task.goal());
-        if distance(&point, &goal) > task.step || self.test(task, &point, &goal) != Fate::Taken {
+        if distance(&point, &goal) > task.step || self.test(task, &point, &goal) != SampleOutcome::Taken {
             return false;
         }
         let mut path = self.trees[0].way(node);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     arm::{self, Arm, ArmScene, Posture},
     kernel::{Error, Solution},
-    params::{Param, Settings},
+    params::{Param, Parameters},
     scene::{JOINED, Scene},
 };
 
@@ -55,7 +55,7 @@ impl Joints {
     ///
     /// # Errors
     /// [`Error::Refused`] for `start` or `goal` without such a posture.
-    pub(super) fn new(scene: &Arc<Scene>, settings: &Settings) -> Result<Self, Error> {
+    pub(super) fn new(scene: &Arc<Scene>, settings: &Parameters) -> Result<Self, Error> {
         let body = scene.share::<ArmScene>()?;
         let arm = &body.arm;
         let most = settings[GOALS] as usize;

@@ -6,9 +6,10 @@
 //! - `grow`: what the planners share, and what the last extension did. A `Method` says how one extension is made:
 //!   [`rrt`], [`rrt_guided`], [`rrt_connect`], [`rrt_star`], [`rrt_joint`], a file a planner.
 //! - `found`, `finish`, `polyline`, `hermite`: the path, and what is made of it. [`paths`]: paths for other planners to begin with.
-//! - `planner`: the stepped contract; `draw` and `tell`: what it looks like and why; `parameters`: what the entries share.
+//! - `planner`: the stepped contract; `draw` and `explain`: what it looks like and why; `parameters`: what the entries share.
 
 mod draw;
+mod explain;
 mod finish;
 mod forest;
 mod found;
@@ -29,14 +30,13 @@ pub mod rrt_star;
 mod sample;
 mod space;
 mod task;
-mod tell;
 #[cfg(test)]
 mod tests;
 mod vector;
 
 use crate::{describe::Start, kernel::Error};
 
-pub use tell::SYMBOLS;
+pub use explain::SYMBOLS;
 
 use grow::{Grown, Method};
 use parameters::MARGIN;

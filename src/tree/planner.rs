@@ -2,7 +2,7 @@
 
 use crate::{
     describe::layers,
-    kernel::{Best, Explain, Facets, Frame, Inspection, Item, Members, Planner, Progress, Readings, Started},
+    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Members, Planner, Progress, Readings, Started},
 };
 
 use super::{
@@ -21,10 +21,10 @@ impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
         self.forest.tested
     }
 
-    fn best(&self) -> Option<Best> {
+    fn best(&self) -> Option<Candidate> {
         let found = self.forest.found.as_ref()?;
         let path = if self.task.finish.is_raw() { &found.raw } else { &found.finished(&self.task).path };
-        Some(Best { cost: found.cost, solution: self.task.space.solution(path) })
+        Some(Candidate { cost: found.cost, solution: self.task.space.solution(path) })
     }
 
     fn read(&self, out: &mut Readings) {
@@ -42,7 +42,7 @@ impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
 
 impl<const N: usize, M: Method<N>> Explain for Grown<N, M> {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        self.seen().tell(item)
+        self.seen().explain(item)
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {

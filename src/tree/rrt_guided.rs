@@ -19,7 +19,7 @@ use crate::{
 use super::{
     draw::GUIDED_LAYERS,
     finish::{FITTED, HERMITE},
-    grow::{By, Fate, Forest, Grown, Method, Sample, Source},
+    grow::{By, Forest, Grown, Method, Sample, SampleOutcome, Source},
     parameters::{FINISH, FORMULA_STEP, ITERATIONS, KEEP, KINDS, READINGS, SAMPLES, STEP},
     sample::{angle, uniform},
     task::Task,
@@ -165,7 +165,7 @@ impl Guided {
             let point = uniform(&task.min, &task.max, rng);
             let angle = angle(&minus(&point, &from), &ahead);
             self.order.push((if self.by == By::Angle { angle } else { distance(&point, &goal) }, i));
-            forest.last.samples.push(Sample { point, angle, share: 0.0, fate: Fate::NotKept });
+            forest.last.samples.push(Sample { point, angle, share: 0.0, outcome: SampleOutcome::NotKept });
         }
         forest.last.near = near;
         if self.by == By::Angle {
@@ -185,7 +185,7 @@ impl Guided {
             crate::math::sort(&mut self.order);
         }
         for &(_, i) in &self.order {
-            forest.last.samples[i].fate = Fate::NotDrawn;
+            forest.last.samples[i].outcome = SampleOutcome::NotDrawn;
         }
     }
 
@@ -196,15 +196,15 @@ impl Guided {
             let chosen = if self.by == By::Angle { self.spin(0, rng) } else { 0 };
             let (_, i) = self.order.remove(chosen);
             let sample = forest.last.samples[i].point;
-            let (fate, new) = if distance(&from, &sample) < task.step {
-                (Fate::TooNear, from)
+            let (outcome, new) = if distance(&from, &sample) < task.step {
+                (SampleOutcome::TooNear, from)
             } else {
                 let new = task.towards(&from, &sample);
                 let doubles_back = task.contains(&new) && forest.trees[0].nearest(&new) != near;
-                (if doubles_back { Fate::DoublesBack } else { forest.test(task, &from, &new) }, new)
+                (if doubles_back { SampleOutcome::DoublesBack } else { forest.test(task, &from, &new) }, new)
             };
-            forest.last.samples[i].fate = fate;
-            if fate == Fate::Taken {
+            forest.last.samples[i].outcome = outcome;
+            if outcome == SampleOutcome::Taken {
                 return Some(forest.add(task, 0, new, near));
             }
         }
@@ -219,7 +219,7 @@ fn plain<const N: usize>(forest: &mut Forest<N>, task: &Task<N>, rng: &mut Strea
     let near = forest.trees[0].nearest(&sample);
     if distance(&forest.trees[0].points[near], &sample) < task.step {
         forest.last.near = near;
-        forest.last.samples.push(Sample { point: sample, angle: f64::NAN, share: 1.0, fate: Fate::TooNear });
+        forest.last.samples.push(Sample { point: sample, angle: f64::NAN, share: 1.0, outcome: SampleOutcome::TooNear });
         return None;
     }
     forest.extend(task, sample, false)

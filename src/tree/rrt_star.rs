@@ -13,7 +13,7 @@ use super::{
     draw::LAYERS,
     finish::{FITTED, HERMITE},
     forest::NONE,
-    grow::{Fate, Forest, Grown, Method, Source},
+    grow::{Forest, Grown, Method, SampleOutcome, Source},
     parameters::{BIAS, FINISH, FORMULA_INFORMED, FORMULA_RADIUS, FORMULA_STEP, INFORMED, ITERATIONS, KINDS, READINGS, REWIRE, STEP},
     sample::{Informed, uniform},
     task::Task,
@@ -146,7 +146,7 @@ impl Star {
         for &(cost, node) in self.order.iter().take_while(|(cost, _)| *cost < known) {
             let from = forest.trees[0].points[node];
             debug_assert!(cost < known);
-            if forest.test(task, &from, &new) == Fate::Taken {
+            if forest.test(task, &from, &new) == SampleOutcome::Taken {
                 parent = node;
                 break;
             }
@@ -159,7 +159,7 @@ impl Star {
             let other = self.near[i] as usize;
             let (point, way) =
                 (forest.trees[0].points[other], forest.trees[0].costs[node] + distance(&forest.trees[0].points[other], &new));
-            if other != parent && way < forest.trees[0].costs[other] && forest.test(task, &new, &point) == Fate::Taken {
+            if other != parent && way < forest.trees[0].costs[other] && forest.test(task, &new, &point) == SampleOutcome::Taken {
                 self.rewire(forest, other, node);
                 forest.last.rewired += 1;
             }
@@ -209,17 +209,17 @@ impl Method<3> for Star {
         let from = forest.trees[0].points[near];
         let far = distance(&from, &sample);
         let new = if far <= task.step { sample } else { task.towards(&from, &sample) };
-        let fate = if far == 0.0 { Fate::TooNear } else { forest.test(task, &from, &new) };
+        let outcome = if far == 0.0 { SampleOutcome::TooNear } else { forest.test(task, &from, &new) };
         forest.last.near = near;
-        forest.last.samples.push(super::grow::Sample { point: sample, angle: f64::NAN, share: 1.0, fate });
-        if fate != Fate::Taken {
+        forest.last.samples.push(super::grow::Sample { point: sample, angle: f64::NAN, share: 1.0, outcome });
+        if outcome != SampleOutcome::Taken {
             return;
         }
         let node = self.insert(forest, task, new, near);
         let goal = task.goal();
         if self.goal.is_none() && new == goal {
             self.goal = Some(node);
-        } else if self.goal.is_none() && distance(&new, &goal) <= task.step && forest.test(task, &new, &goal) == Fate::Taken {
+        } else if self.goal.is_none() && distance(&new, &goal) <= task.step && forest.test(task, &new, &goal) == SampleOutcome::Taken {
             self.goal = Some(self.insert(forest, task, goal, node));
         }
         // The goal's way is a path; kept when it became shorter.

@@ -75,7 +75,7 @@ pub(super) fn angle<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     if aa == 0.0 || bb == 0.0 {
         return 0.0;
     }
-    math::acos(math::limit(dot(a, b) / (aa * bb).sqrt(), -1.0, 1.0))
+    math::acos(math::clamp(dot(a, b) / (aa * bb).sqrt(), -1.0, 1.0))
 }
 
 #[cfg(test)]

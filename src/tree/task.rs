@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::params::Settings;
+use crate::params::Parameters;
 
 use super::{
     finish::Finish,
@@ -26,7 +26,7 @@ pub(super) struct Task<const N: usize> {
 
 impl<const N: usize> Task<N> {
     /// Of a space, with the settings that every tree planner has.
-    pub(super) fn new(space: Arc<dyn Space<N>>, settings: &Settings, goal_bias: f64) -> Self {
+    pub(super) fn new(space: Arc<dyn Space<N>>, settings: &Parameters, goal_bias: f64) -> Self {
         let (min, max) = space.bounds();
         let step = settings[STEP] * space.unit();
         Self { start: space.start(), min, max, step, goal_bias, limit: settings[ITERATIONS], finish: Finish::new(settings, step), space }

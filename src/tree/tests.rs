@@ -3,18 +3,18 @@
 use std::sync::Arc;
 
 use crate::{
-    Given, Scene, Session, Setup, Status, Value,
+    Overrides, Scene, Session, Setup, Status, Value,
     catalogue::PLANNERS,
     describe::layers,
     kernel::{Item, Progress, State, rng::Stream},
-    params::Settings,
+    params::Parameters,
     scene::ARM,
     shipped,
 };
 
 use super::{
     forest::NONE,
-    grow::{Fate, Forest, Grown, Method, Source},
+    grow::{Forest, Grown, Method, SampleOutcome, Source},
     parameters::MARGIN,
     space,
     task::Task,
@@ -25,11 +25,11 @@ use super::{
 const TREES: [&str; 4] = ["rrt", "rrt-guided", "rrt-connect", "rrt-star"];
 
 fn session(planner: &str, scene: &str, given: &[(&str, Value)], seed: u64) -> Session {
-    let params: Given = given.iter().map(|(name, value)| (*name, value.clone())).collect();
+    let params: Overrides = given.iter().map(|(name, value)| (*name, value.clone())).collect();
     Session::new(Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
 
-fn start<'a>(scene: &'a Arc<Scene>, parameters: &'a Settings, seed: u64) -> Start<'a> {
+fn start<'a>(scene: &'a Arc<Scene>, parameters: &'a Parameters, seed: u64) -> Start<'a> {
     Start { scene, parameters, seed, entries: &PLANNERS }
 }
 
@@ -46,7 +46,7 @@ fn plane() -> Arc<Scene> {
 
 fn task(scene: &Arc<Scene>, planner: &str) -> Task<3> {
     let entry = crate::catalogue::find(planner).unwrap();
-    let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
+    let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
     Task::new(space::of_scene(scene, settings[MARGIN]).unwrap(), &settings, 0.0)
 }
 
@@ -81,7 +81,7 @@ fn a_node_grows_by_a_step_towards_the_sample() {
     // The nearest to (9, 5) is (1.3, 5.4).
     assert_eq!(tree.forest.trees[0].parents[3], 1);
     tree.extend();
-    assert_eq!(tree.forest.last.samples[0].fate, Fate::Taken);
+    assert_eq!(tree.forest.last.samples[0].outcome, SampleOutcome::Taken);
     assert!(distance(&tree.forest.trees[0].points[4], &[0.5, 5.0, 0.0]) < 1e-15);
 
     let mut clipped = Grown::new(task(&plane(), "rrt"), Towards(vec![[1.0, 5.1, 0.0]], true), 1);
@@ -96,13 +96,16 @@ fn a_step_out_of_the_space_or_into_an_obstacle_adds_nothing() {
         out.extend();
     });
     // (0.5, 5), (0, 5), and no farther.
-    assert_eq!((out.forest.trees[0].len(), out.forest.last.samples[0].fate, out.forest.rejected), (3, Fate::Outside, 2));
+    assert_eq!((out.forest.trees[0].len(), out.forest.last.samples[0].outcome, out.forest.rejected), (3, SampleOutcome::Outside, 2));
     let mut blocked = Grown::new(task(&plane(), "rrt"), Towards(vec![[9.0, 5.0, 0.0]; 9], false), 1);
     (0..9).for_each(|_| {
         blocked.extend();
     });
     // From 1 to 4, where the disc begins.
-    assert_eq!((blocked.forest.trees[0].len(), blocked.forest.last.samples[0].fate, blocked.forest.rejected), (7, Fate::Blocked, 3));
+    assert_eq!(
+        (blocked.forest.trees[0].len(), blocked.forest.last.samples[0].outcome, blocked.forest.rejected),
+        (7, SampleOutcome::Blocked, 3)
+    );
     assert_eq!(blocked.forest.nearest, 25.0);
 }
 
@@ -153,7 +156,7 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
         for seed in 0..4 {
             for planner in TREES {
                 let entry = crate::catalogue::find(planner).unwrap();
-                let settings = Settings::new(entry.parameters, scene.kind(), &Given::new()).unwrap();
+                let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
                 // The planner behind the entry, with its parts open.
                 let start = start(&scene, &settings, seed);
                 match planner {
@@ -171,7 +174,7 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
 fn without_the_fallback_no_step_is_plain() {
     let scene = shipped("arm-cuboid").unwrap();
     let given = [("fallback", "false".into())].into_iter().collect();
-    let settings = Settings::new(crate::catalogue::find("rrt-guided").unwrap().parameters, ARM, &given).unwrap();
+    let settings = Parameters::new(crate::catalogue::find("rrt-guided").unwrap().parameters, ARM, &given).unwrap();
     let (mut guided, mut nothing) = (0, 0);
     for seed in 0..10 {
         let mut grown = rrt_guided::grown(&start(&scene, &settings, seed)).unwrap();
@@ -190,7 +193,7 @@ fn without_the_fallback_no_step_is_plain() {
 fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_double_back() {
     let scene = shipped("arm-cuboid").unwrap();
     let entry = crate::catalogue::find("rrt-guided").unwrap();
-    let settings = Settings::new(entry.parameters, ARM, &Given::new()).unwrap();
+    let settings = Parameters::new(entry.parameters, ARM, &Overrides::new()).unwrap();
     let (mut guided, mut fell_back, mut chosen) = (0, 0, [0; 4]);
     for seed in 0..40 {
         let mut grown = rrt_guided::grown(&start(&scene, &settings, seed)).unwrap();
@@ -214,10 +217,10 @@ fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_doubl
             order.sort_by(|&a, &b| samples[a].angle.total_cmp(&samples[b].angle));
             let all: f64 = order[..4].iter().map(|&i| std::f64::consts::PI - samples[i].angle).sum();
             for (rank, &i) in order.iter().enumerate() {
-                assert_eq!(samples[i].fate == Fate::NotKept, rank >= 4);
+                assert_eq!(samples[i].outcome == SampleOutcome::NotKept, rank >= 4);
                 let share = if rank < 4 { (std::f64::consts::PI - samples[i].angle) / all } else { 0.0 };
                 assert!((samples[i].share - share).abs() < 1e-12);
-                if samples[i].fate == Fate::Taken {
+                if samples[i].outcome == SampleOutcome::Taken {
                     chosen[rank] += 1;
                 }
             }
@@ -241,7 +244,7 @@ fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_doubl
 fn by_distance_the_wheel_keeps_four_and_the_nearest_that_is_free_is_taken() {
     let scene = shipped("arm-cuboid").unwrap();
     let entry = crate::catalogue::find("rrt-guided").unwrap();
-    let settings = Settings::new(entry.parameters, ARM, &Given::from_iter([("choice", Value::from("distance"))])).unwrap();
+    let settings = Parameters::new(entry.parameters, ARM, &Overrides::from_iter([("choice", Value::from("distance"))])).unwrap();
     let (mut taken, mut nearest_kept, mut extensions) = (0, 0, 0);
     for seed in 0..40 {
         let mut grown = rrt_guided::grown(&start(&scene, &settings, seed)).unwrap();
@@ -253,15 +256,15 @@ fn by_distance_the_wheel_keeps_four_and_the_nearest_that_is_free_is_taken() {
             let far = |i: usize| distance(&samples[i].point, &goal);
             let all: f64 = (0..20).map(|i| 1.0 / far(i)).sum();
             assert!((0..20).all(|i| (samples[i].share - 1.0 / far(i) / all).abs() < 1e-12));
-            let mut kept: Vec<_> = (0..20).filter(|&i| samples[i].fate != Fate::NotKept).collect();
+            let mut kept: Vec<_> = (0..20).filter(|&i| samples[i].outcome != SampleOutcome::NotKept).collect();
             assert_eq!(kept.len(), 4);
             kept.sort_by(|&a, &b| far(a).total_cmp(&far(b)));
             extensions += 1;
             nearest_kept += usize::from((0..20).all(|i| far(i) >= far(kept[0])));
-            if let Some(at) = kept.iter().position(|&i| samples[i].fate == Fate::Taken) {
+            if let Some(at) = kept.iter().position(|&i| samples[i].outcome == SampleOutcome::Taken) {
                 taken += 1;
-                assert!(kept[..at].iter().all(|&i| samples[i].fate != Fate::NotDrawn));
-                assert!(kept[at + 1..].iter().all(|&i| samples[i].fate == Fate::NotDrawn));
+                assert!(kept[..at].iter().all(|&i| samples[i].outcome != SampleOutcome::NotDrawn));
+                assert!(kept[at + 1..].iter().all(|&i| samples[i].outcome == SampleOutcome::NotDrawn));
             }
         }
     }

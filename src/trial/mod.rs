@@ -6,8 +6,8 @@
 use serde::Serialize;
 
 use crate::{
-    kernel::{Error, Status, Yardstick},
-    params::Given,
+    kernel::{Error, ReferenceOptimum, Status},
+    params::Overrides,
     session::{Session, Setup},
     settled::SETTLED,
 };
@@ -36,7 +36,7 @@ pub struct Record {
     /// The seed.
     pub seed: u64,
     /// The parameters that differ from the defaults.
-    pub parameters: Given,
+    pub parameters: Overrides,
     /// Running, or why it stopped.
     pub status: Status,
     /// Iterations taken.
@@ -56,7 +56,7 @@ pub struct Record {
     /// The exact optimum by the rule that the planner keeps to.
     pub exact: Option<f64>,
     /// Which optimum that is.
-    pub exact_by: Yardstick,
+    pub exact_by: ReferenceOptimum,
     /// (length − exact) / exact.
     pub gap: Option<f64>,
     /// Evaluations when the best was first feasible and near enough to the optimum; `None` if it never was, or there is none.

@@ -4,8 +4,8 @@
 //! [`Subtasks`], which may be carried out side by side; the outcome does not depend on it.
 
 mod entry;
+mod explain;
 mod parameters;
-mod tell;
 #[cfg(test)]
 mod tests;
 
@@ -16,11 +16,11 @@ use crate::{
     exact::is_reachable,
     geometry,
     kernel::{
-        Best, Error, Explain, Facets, Finding, Frame, Inspection, Item, Job, Planner, Progress, Readings, Recommend, Shape, Solution,
-        Started, State, Subtasks, Tuned, Yardstick, rng::Stream,
+        Candidate, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Recommend, Recommendation,
+        ReferenceOptimum, Shape, Solution, Started, State, Subtask, SubtaskResult, Subtasks, rng::Stream,
     },
     math,
-    params::{Domain, Given, Parameter, Value},
+    params::{Domain, Overrides, Parameter, Value},
     scene::{GridScene, Scene},
 };
 
@@ -58,7 +58,7 @@ impl Axis {
         let (low, high) = self.parameter.slider.unwrap_or((self.low, self.high));
         let value = if self.parameter.logarithmic { math::pow(10.0, x) } else { x };
         // Rounding must not lead out of what is allowed.
-        math::limit(if self.whole { value.round() } else { value }, low, high)
+        math::clamp(if self.whole { value.round() } else { value }, low, high)
     }
 }
 
@@ -74,7 +74,7 @@ const NONE: Fitness = Fitness { length: f64::INFINITY, converged: f64::INFINITY 
 
 impl Fitness {
     /// The mean over some runs.
-    fn of(found: &[Finding]) -> Self {
+    fn of(found: &[SubtaskResult]) -> Self {
         let n = found.len() as f64;
         // Equal lengths in another order must give the same mean, or rounding would break ties.
         let mut lengths: Vec<_> = found.iter().map(|f| f.cost.unwrap_or(f64::INFINITY)).collect();
@@ -122,7 +122,7 @@ struct Tuning {
     best: Vec<[f64; 2]>,
     /// What the runs of the next step found.
     #[state(skip)]
-    provided: Vec<Finding>,
+    provided: Vec<SubtaskResult>,
     iteration: u64,
     rng: Stream,
 }
@@ -172,13 +172,13 @@ fn start(start: &Start) -> Result<Started, Error> {
         rng,
     };
     let reachable = is_reachable(grid.cells(), course.start, course.goal);
-    Ok(Started::new(tuning, settings[ITERATIONS]).measured_by(Yardstick::Cells).solvable(reachable))
+    Ok(Started::new(tuning, settings[ITERATIONS]).measured_by(ReferenceOptimum::Cells).solvable(reachable))
 }
 
 impl Tuning {
     /// The colony's parameters at a position.
-    fn given(&self, x: &[f64]) -> Given {
-        let mut given = Given::new();
+    fn given(&self, x: &[f64]) -> Overrides {
+        let mut given = Overrides::new();
         given.insert(ITERATIONS.name(), Value::from(self.rounds as f64));
         for (axis, &x) in self.axes.iter().zip(x) {
             given.insert(axis.parameter.name, Value::from(axis.value(x)));
@@ -191,7 +191,7 @@ impl Tuning {
     }
 
     /// What the runs found, particle by particle, and the bests that follow.
-    fn judge(&mut self, found: &[Finding]) {
+    fn judge(&mut self, found: &[SubtaskResult]) {
         self.shown.copy_from_slice(&self.x);
         for (i, found) in found.chunks_exact(self.seeds.len()).enumerate() {
             let row = self.row(i);
@@ -219,8 +219,8 @@ impl Tuning {
             let Axis { low, high, .. } = self.axes[j];
             let (r1, r2) = (self.rng.unit(), self.rng.unit());
             let v = w * self.v[i] + c1 * r1 * (self.p[i] - self.x[i]) + c2 * r2 * (self.g[j] - self.x[i]);
-            self.v[i] = math::limit(v, low - high, high - low);
-            self.x[i] = math::limit(self.x[i] + self.v[i], low, high);
+            self.v[i] = math::clamp(v, low - high, high - low);
+            self.x[i] = math::clamp(self.x[i] + self.v[i], low, high);
         }
     }
 }
@@ -238,8 +238,8 @@ impl Planner for Tuning {
         self.iteration * (self.population * self.seeds.len()) as u64
     }
 
-    fn best(&self) -> Option<Best> {
-        self.g_cost.length.is_finite().then(|| Best { cost: self.g_cost.length, solution: Solution::Path(self.best.clone()) })
+    fn best(&self) -> Option<Candidate> {
+        self.g_cost.length.is_finite().then(|| Candidate { cost: self.g_cost.length, solution: Solution::Path(self.best.clone()) })
     }
 
     fn read(&self, out: &mut Readings) {
@@ -283,27 +283,27 @@ impl Planner for Tuning {
 
 impl Subtasks for Tuning {
     /// The runs that judge the positions.
-    fn requests(&self) -> Vec<Job> {
+    fn requests(&self) -> Vec<Subtask> {
         let of = |i: usize| {
             let params = self.given(&self.x[self.row(i)]);
-            self.seeds.iter().map(move |&seed| Job { planner: self.colony.name, params: params.clone(), seed, ends: None })
+            self.seeds.iter().map(move |&seed| Subtask { planner: self.colony.name, params: params.clone(), seed, ends: None })
         };
         (0..self.population).flat_map(of).collect()
     }
 
-    fn provide(&mut self, found: Vec<Finding>) {
+    fn provide(&mut self, found: Vec<SubtaskResult>) {
         self.provided = found;
     }
 }
 
 impl Explain for Tuning {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        (item.layer == layers::PARTICLES.key && item.index < self.population).then(|| tell::particle(self, item))
+        (item.layer == layers::PARTICLES.key && item.index < self.population).then(|| explain::particle(self, item))
     }
 }
 
 impl Recommend for Tuning {
-    fn recommendation(&self) -> Option<Tuned> {
-        self.g_cost.length.is_finite().then(|| Tuned { planner: self.colony.name, params: self.given(&self.g) })
+    fn recommendation(&self) -> Option<Recommendation> {
+        self.g_cost.length.is_finite().then(|| Recommendation { planner: self.colony.name, params: self.given(&self.g) })
     }
 }

@@ -4,7 +4,7 @@ use super::*;
 use crate::{
     Session, Setup,
     catalogue::{self, PLANNERS},
-    params::Settings,
+    params::Parameters,
     session, shipped,
 };
 
@@ -50,24 +50,24 @@ fn an_axis_goes_through_its_slider_s_range_evenly_or_by_magnitudes() {
 fn supplied_findings_give_the_same_run() {
     let (mut alone, mut helped) = (session(&[]), session(&[]));
     for _ in 0..5 {
-        let jobs = helped.jobs();
+        let jobs = helped.subtasks();
         assert_eq!(jobs.len(), 6);
-        let setup = |job: &Job| Setup {
+        let setup = |job: &Subtask| Setup {
             planner: job.planner.into(),
             scene: Arc::clone(helped.scene()),
             params: job.params.clone(),
             seed: job.seed,
         };
-        let mut found: Vec<_> = jobs.iter().rev().map(|job| session::carry_out(setup(job)).unwrap()).collect();
+        let mut found: Vec<_> = jobs.iter().rev().map(|job| session::run_to_end(setup(job)).unwrap()).collect();
         found.reverse();
-        helped.supply(found);
-        assert!(helped.jobs().is_empty(), "they are done");
+        helped.provide(found);
+        assert!(helped.subtasks().is_empty(), "they are done");
         alone.step(1);
         helped.step(1);
         assert_eq!(alone.hash(), helped.hash());
     }
     assert_eq!(alone.outcome().tuned, helped.outcome().tuned);
-    assert!(helped.jobs().is_empty(), "nothing is left to do");
+    assert!(helped.subtasks().is_empty(), "nothing is left to do");
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn what_it_recommends_gives_what_it_says() {
     let costs = [(); 2].map(|()| {
         let seed = rng.below(1 << 31) as u64;
         let setup = Setup { planner: tuned.planner.into(), scene: Arc::clone(tuning.scene()), params: tuned.params.clone(), seed };
-        session::carry_out(setup).unwrap().cost.unwrap()
+        session::run_to_end(setup).unwrap().cost.unwrap()
     });
     assert_eq!(outcome.cost.unwrap(), costs.iter().sum::<f64>() / 2.0);
 }
@@ -102,7 +102,7 @@ fn a_subset_that_the_colony_has_not_is_refused() {
 fn a_particle_flies_by_the_equation_and_stays_in_its_range() {
     let scene = shipped("wolf-ant-20").unwrap();
     let given = [("w", Value::from(0.5)), ("c1", Value::from(0.0)), ("c2", Value::from(0.0)), ("tune", Value::from("beta"))];
-    let settings = Settings::new(ENTRY.parameters, scene.kind(), &given.into_iter().collect()).unwrap();
+    let settings = Parameters::new(ENTRY.parameters, scene.kind(), &given.into_iter().collect()).unwrap();
     start(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap();
     let colony = catalogue::find("aco-wolf").unwrap();
     let axes: Vec<_> = colony.parameter("beta").into_iter().filter_map(Axis::new).collect();
@@ -130,7 +130,7 @@ fn a_particle_flies_by_the_equation_and_stays_in_its_range() {
     };
     swarm.fly();
     assert_eq!((swarm.x.as_slice(), swarm.v.as_slice()), ([5.5, 20.0].as_slice(), [1.5, 4.0].as_slice()));
-    let finding = |cost, converged| Finding { cost, converged, path: vec![[0.0; 2]; 2] };
+    let finding = |cost, converged| SubtaskResult { cost, converged, path: vec![[0.0; 2]; 2] };
     swarm.judge(&[finding(Some(7.0), 9.0), finding(Some(7.0), 3.0)]);
     assert_eq!((swarm.g[0], swarm.g_cost), (20.0, Fitness { length: 7.0, converged: 3.0 }), "equally long: the one that converged earlier");
     swarm.judge(&[finding(None, 0.0), finding(Some(8.0), 1.0)]);

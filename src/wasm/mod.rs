@@ -21,7 +21,7 @@ use wasm_bindgen::{JsCast, prelude::*};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
 use crate::{
-    Error, Frame, Given, Link, Scene,
+    Error, Frame, Link, Overrides, Scene,
     catalogue::find,
     drive,
     geometry::Bounds,
@@ -68,7 +68,7 @@ pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
     struct LinkSetup<'a> {
         planner: &'a str,
         scene: &'a Scene,
-        params: &'a Given,
+        params: &'a Overrides,
         seed: u64,
         iteration: u64,
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -122,13 +122,13 @@ pub fn suggest(setup: &JsSetup) -> Result<JsSuggestionOrNull, JsValue> {
 /// # Errors
 /// As the constructor of `Session`.
 #[wasm_bindgen(js_name = carryOut)]
-pub fn carry_out(setup: &JsRun) -> Result<JsFinding, JsValue> {
+pub fn run_to_end(setup: &JsRun) -> Result<JsFinding, JsValue> {
     let ends = read_ends(setup)?;
     let mut setup = read_setup(setup)?;
     if let Some(ends) = ends {
         setup.scene = Arc::new(setup.scene.between(ends).map_err(|error| js_error(&error))?);
     }
-    session::carry_out(setup).map(|found| plain(&found)).map_err(|error| js_error(&error))
+    session::run_to_end(setup).map(|found| plain(&found)).map_err(|error| js_error(&error))
 }
 
 /// A fresh seed from the system.
@@ -300,7 +300,7 @@ impl Session {
     /// The runs of other planners, on this scene, that the next step needs; none for most planners. Carry them out with
     /// `carryOut`, in workers if you like, and `supply` what they found; a step without that carries them out itself.
     pub fn jobs(&mut self) -> JsJobs {
-        plain(&self.run.jobs())
+        plain(&self.run.subtasks())
     }
 
     /// Takes what the runs of `jobs` found, in their order.
@@ -309,7 +309,7 @@ impl Session {
     /// For anything that is no list of findings.
     pub fn supply(&mut self, findings: &JsFindings) -> Result<(), JsValue> {
         let found = serde_wasm_bindgen::from_value(findings.into()).map_err(|problem| js_error(&Error::malformed("findings", problem)))?;
-        self.run.supply(found);
+        self.run.provide(found);
         Ok(())
     }
 

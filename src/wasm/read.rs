@@ -5,7 +5,7 @@ use std::{cell::RefCell, sync::Arc};
 use wasm_bindgen::{JsCast, JsValue};
 
 use crate::{
-    Error, Given, Scene, Setup, Value,
+    Error, Overrides, Scene, Setup, Value,
     catalogue::layer_key,
     kernel::{Item, LayerKey, SceneKindId, rng},
     scene::{KINDS, shipped},
@@ -48,8 +48,8 @@ pub(super) fn read_parameter(name: &str, value: &JsValue) -> Result<Value, JsVal
     read.ok_or_else(|| refused(name, value, "a number, a text, true or false"))
 }
 
-pub(super) fn read_parameters(value: &JsValue) -> Result<Given, JsValue> {
-    let mut given = Given::new();
+pub(super) fn read_parameters(value: &JsValue) -> Result<Overrides, JsValue> {
+    let mut given = Overrides::new();
     if value.is_undefined() || value.is_null() {
         return Ok(given);
     }

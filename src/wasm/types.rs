@@ -89,7 +89,7 @@ extern "C" {
     /// `LayerImage | null`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "LayerImage | null")]
     pub type JsLayerImageOrNull;
-    /// `Job[]`, as `types.d.ts` describes it.
+    /// `Subtask[]`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Job[]")]
     pub type JsJobs;
     /// A job and its scene.
@@ -101,10 +101,10 @@ extern "C" {
     /// `RunEvent[]`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "RunEvent[]")]
     pub type JsEvents;
-    /// `Finding[]`, as `types.d.ts` describes it.
+    /// `SubtaskResult[]`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Finding[]")]
     pub type JsFindings;
-    /// `Finding`, as `types.d.ts` describes it.
+    /// `SubtaskResult`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Finding")]
     pub type JsFinding;
     /// `NamedFile` or null, as `types.d.ts` describes it.

@@ -3,8 +3,8 @@
 use std::fs;
 
 use forage::{
-    Given, Session, Setup,
-    kernel::{Error, Yardstick},
+    Overrides, Session, Setup,
+    kernel::{Error, ReferenceOptimum},
     scene::{Scene, shipped},
 };
 
@@ -54,7 +54,7 @@ const FILE: &str = "antbat-paths-runs.csv";
 
 fn setups() -> Result<Vec<Setup>, Error> {
     let scene = shipped("ant-bat-30")?;
-    PLANNERS.into_iter().map(|planner| colonies::published(planner, &scene, &Given::new())).collect()
+    PLANNERS.into_iter().map(|planner| colonies::published(planner, &scene, &Overrides::new())).collect()
 }
 
 fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
@@ -121,7 +121,7 @@ fn draw(report: &mut Report, scene: &Scene, setup: &Setup, found: &[Vec<Run>], o
     let points = |mean: &Vec<Option<f64>>| (1..).zip(mean).filter_map(|(k, mean)| Some([f64::from(k), (*mean)?])).collect();
     let curves: Vec<_> = PLANNERS.into_iter().zip(&means).map(|(name, mean)| Curve { name, points: points(mean) }).collect();
     let path = options.out.join("antbat-paths-convergence.svg");
-    if let Some(exact) = scene.optimum(Yardstick::Cells) {
+    if let Some(exact) = scene.optimum(ReferenceOptimum::Cells) {
         let title = format!("{}: mean over {} seeds", scene.name(), found[0].len());
         chart::convergence(&path, &title, &curves, ("exact optimum", exact))?;
         report.files.push(path);

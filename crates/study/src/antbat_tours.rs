@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use forage::{
     Setup, Value,
     exact::Distances,
-    kernel::{Error, Round, Yardstick},
+    kernel::{Error, ReferenceOptimum, TourEnds},
     scene::{Scene, shipped},
     statistics::Summary,
 };
@@ -47,7 +47,7 @@ struct Block {
     name: &'static str,
     title: &'static str,
     params: [(&'static str, &'static str); 2],
-    yardstick: Yardstick,
+    reference: ReferenceOptimum,
     /// Whether the published lengths are measured like these.
     comparable: bool,
 }
@@ -57,21 +57,21 @@ const BLOCKS: [Block; 3] = [
         name: "ants",
         title: "Roads from cell to cell by the improved ants",
         params: [("roads", "aco-direction"), ("smooth", "false")],
-        yardstick: Yardstick::Cells,
+        reference: ReferenceOptimum::Cells,
         comparable: true,
     },
     Block {
         name: "exact-roads",
         title: "The shortest roads from cell to cell, the same in all runs",
         params: [("roads", "dijkstra"), ("smooth", "false")],
-        yardstick: Yardstick::Cells,
+        reference: ReferenceOptimum::Cells,
         comparable: true,
     },
     Block {
         name: "smoothed",
         title: "The ants’ roads without redundant nodes, measured at any angle",
         params: [("roads", "aco-direction"), ("smooth", "true")],
-        yardstick: Yardstick::AnyAngle,
+        reference: ReferenceOptimum::AnyAngle,
         comparable: false,
     },
 ];
@@ -241,8 +241,8 @@ impl Measured {
     fn of(scene: &Scene, block: &Block, rows: &[Run]) -> Result<Self, Error> {
         let exact = rows.iter().filter(|run| run.planner == "held-karp").filter_map(|run| Some((run.seed, run.length?)));
         Ok(Self {
-            optimum: scene.exact_tour(block.yardstick, Round::Closed).map_or(f64::NAN, |exact| exact.length),
-            distances: tours::exact_distances(scene, block.yardstick)?,
+            optimum: scene.exact_tour(block.reference, TourEnds::Closed).map_or(f64::NAN, |exact| exact.length),
+            distances: tours::exact_distances(scene, block.reference)?,
             best: exact.collect(),
         })
     }
@@ -319,7 +319,7 @@ fn gap(length: f64, optimum: f64) -> f64 {
 }
 
 fn notes(scene: &Scene, rows: &[Run]) -> Vec<String> {
-    let exact = scene.exact_tour(Yardstick::Cells, Round::Closed).map_or(f64::NAN, |exact| exact.length);
+    let exact = scene.exact_tour(ReferenceOptimum::Cells, TourEnds::Closed).map_or(f64::NAN, |exact| exact.length);
     let mut notes = vec![
         "`its` columns are the paper’s. Variances are of samples, with n − 1.".to_owned(),
         format!("`exact tour`: runs whose tour is as long as the exact one. `exact order`: runs whose order would be an exact tour’s by the shortest roads; what remains of the gap is the roads’. `best order`: runs whose order is the best by the very roads that they had, as held-karp’s with the same seed is. The gap is that of the mean; `converged` is the mean iteration of the search in which the tour was found. The published {:.2} is shorter than the exact {exact:.4}: the layout of the obstacles is a reconstruction (the paper prints none), and lengths are rounded.", ANTBAT_TOURS[0].best.value),

@@ -5,7 +5,7 @@ mod run;
 use std::sync::Arc;
 
 use forage::{
-    Given, Setup, Value,
+    Overrides, Setup, Value,
     arm::ArmScene,
     geometry::length_in_space,
     kernel::Error,
@@ -124,8 +124,8 @@ fn setups() -> Result<Vec<Setup>, Error> {
     for scene in SCENES {
         let scene = shipped(scene)?;
         for planner in PLANNERS {
-            let given = |step: f64| Given::from_iter([("step_size", Value::from(step))]);
-            let params = if planner == JOINT { vec![Given::new()] } else { STEPS.map(given).to_vec() };
+            let given = |step: f64| Overrides::from_iter([("step_size", Value::from(step))]);
+            let params = if planner == JOINT { vec![Overrides::new()] } else { STEPS.map(given).to_vec() };
             setups.extend(params.into_iter().map(|params| Setup {
                 planner: planner.to_owned(),
                 scene: Arc::clone(&scene),

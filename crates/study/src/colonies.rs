@@ -8,8 +8,8 @@ use std::{
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Given, Session, Setup, catalogue,
-    kernel::{Error, Status, Yardstick},
+    Overrides, Session, Setup, catalogue,
+    kernel::{Error, ReferenceOptimum, Status},
     scene::{GridScene, Scene},
     statistics::Summary,
 };
@@ -131,9 +131,9 @@ impl Job for Task {
 }
 
 /// A planner with the parameters that its paper prints, and these.
-pub(super) fn published(planner: &str, scene: &Arc<Scene>, params: &Given) -> Result<Setup, Error> {
+pub(super) fn published(planner: &str, scene: &Arc<Scene>, params: &Overrides) -> Result<Setup, Error> {
     let entry = catalogue::find(planner)?;
-    let mut all = if entry.presets.is_empty() { Given::new() } else { entry.preset("paper", scene.kind())? };
+    let mut all = if entry.presets.is_empty() { Overrides::new() } else { entry.preset("paper", scene.kind())? };
     params.iter().for_each(|(name, value)| all.insert(name, value.clone()));
     Ok(Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params: all, seed: 1 })
 }
@@ -156,17 +156,17 @@ pub(super) struct Measure {
     pub digits: usize,
     pub of: fn(&Run) -> Option<f64>,
     /// The optimum that it can reach.
-    pub optimum: Option<Yardstick>,
+    pub optimum: Option<ReferenceOptimum>,
 }
 
-pub(super) const LENGTH: Measure = Measure { name: "length", digits: 4, of: |run| run.length, optimum: Some(Yardstick::Cells) };
+pub(super) const LENGTH: Measure = Measure { name: "length", digits: 4, of: |run| run.length, optimum: Some(ReferenceOptimum::Cells) };
 pub(super) const TURNS: Measure = Measure { name: "turns", digits: 2, of: |run| run.turns, optimum: None };
 pub(super) const TURNING: Measure = Measure { name: "turning", digits: 3, of: |run| run.turning, optimum: None };
 pub(super) const CONVERGED: Measure = Measure { name: "converged", digits: 2, of: |run| run.converged, optimum: None };
 pub(super) const SETTLED: Measure = Measure { name: "settled", digits: 2, of: |run| run.settled, optimum: None };
 pub(super) const SECONDS: Measure = Measure { name: "seconds", digits: 4, of: |run| run.seconds, optimum: None };
 pub(super) const SMOOTH_LENGTH: Measure =
-    Measure { name: "length, smoothed", digits: 4, of: |run| run.smooth_length, optimum: Some(Yardstick::AnyAngle) };
+    Measure { name: "length, smoothed", digits: 4, of: |run| run.smooth_length, optimum: Some(ReferenceOptimum::AnyAngle) };
 pub(super) const SMOOTH_TURNS: Measure = Measure { name: "turns, smoothed", digits: 2, of: |run| run.smooth_turns, optimum: None };
 pub(super) const SMOOTH_TURNING: Measure = Measure { name: "turning, smoothed", digits: 3, of: |run| run.smooth_turning, optimum: None };
 
@@ -213,7 +213,7 @@ impl<'a> Lines<'a> {
     /// A line.
     pub fn push(&mut self, label: &str, measure: &Measure, published: Option<Figure>, runs: &[Run]) {
         let summary = measure.summary(runs);
-        let exact = measure.optimum.and_then(|yardstick| self.scene.optimum(yardstick));
+        let exact = measure.optimum.and_then(|reference| self.scene.optimum(reference));
         let number = |of: fn(&Summary) -> f64| Cell::maybe(summary.as_ref().map(of), measure.digits);
         let gap = summary.zip(exact).map(|(summary, exact)| 100.0 * (summary.mean - exact) / exact);
         self.table.rows.push(vec![

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, sync::atomic::AtomicBool};
 
 use serde::{Deserialize, Serialize};
 
-use forage::{Given, Session, Setup, Value, kernel::Error, scene::shipped, statistics::Summary};
+use forage::{Overrides, Session, Setup, Value, kernel::Error, scene::shipped, statistics::Summary};
 
 use super::{
     compared::{ComparedFigure, Computed, Published},
@@ -71,7 +71,7 @@ const CASES: [Case; 4] = [
 impl Case {
     fn setup(&self, planner: &str, seed: u64) -> Result<Setup, Error> {
         let number = |n: u64| Value::Number(n as f64);
-        let mut params = Given::from_iter([("segments", number(self.segments)), ("early_stop", number(0))]);
+        let mut params = Overrides::from_iter([("segments", number(self.segments)), ("early_stop", number(0))]);
         params.insert("initial", if self.normal.is_some() { "normal" } else { "uniform" }.into());
         if let Some([mean, std]) = self.normal {
             params.insert("initial_mean", number(mean));

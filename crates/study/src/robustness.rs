@@ -5,7 +5,7 @@ use std::sync::{Arc, atomic::AtomicBool};
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Given, Session, Setup, Value,
+    Overrides, Session, Setup, Value,
     catalogue::PLANNERS,
     describe::Entry,
     kernel::Error,
@@ -80,7 +80,7 @@ struct Task {
 impl Task {
     fn setup(&self) -> Result<Setup, Error> {
         let scene = Arc::new(map(self.generator, self.side, self.map)?);
-        Ok(Setup { planner: self.planner.to_owned(), scene, params: Given::new(), seed: self.map })
+        Ok(Setup { planner: self.planner.to_owned(), scene, params: Overrides::new(), seed: self.map })
     }
 }
 
@@ -115,7 +115,7 @@ fn planners() -> impl Iterator<Item = &'static Entry> {
     PLANNERS.iter().filter(|entry| entry.kinds.contains(&GRID)).filter(finds_a_path)
 }
 
-fn settings(side: u32) -> Given {
+fn settings(side: u32) -> Overrides {
     ["columns", "rows"].map(|name| (name, Value::from(f64::from(side)))).into_iter().collect()
 }
 

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Given, Setup, Value,
+    Overrides, Setup, Value,
     catalogue::PLANNERS,
     describe,
     kernel::{Error, Stepper},
@@ -121,10 +121,11 @@ impl Task {
     /// # Errors
     /// None that is known: the scene ships.
     pub fn setup(&self, [population, iterations]: [u64; 2], seed: u64) -> Result<Setup, Error> {
-        let mut params: Given = [("population", population), ("iterations", iterations), ("segments", self.segments), ("early_stop", 0)]
-            .map(|(name, number)| (name, Value::Number(number as f64)))
-            .into_iter()
-            .collect();
+        let mut params: Overrides =
+            [("population", population), ("iterations", iterations), ("segments", self.segments), ("early_stop", 0)]
+                .map(|(name, number)| (name, Value::Number(number as f64)))
+                .into_iter()
+                .collect();
         params.insert("initial", self.start.name().into());
         params.insert("smooth", Value::Flag(false));
         params.insert("redraws", Value::Number(0.0));

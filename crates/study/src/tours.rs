@@ -6,11 +6,11 @@ use std::sync::{
 };
 
 use forage::{
-    Given, Outcome, Session, Setup,
+    Outcome, Overrides, Session, Setup,
     catalogue::find,
     describe::Preset,
     exact::Distances,
-    kernel::{Error, Finding, Job, Yardstick},
+    kernel::{Error, ReferenceOptimum, Subtask, SubtaskResult},
     scene::Scene,
     session,
 };
@@ -19,9 +19,9 @@ use forage::{
 pub(super) const PLANNERS: [&str; 7] = ["bat", "hybrid-bat", "ga", "tour-pso", "sa", "two-opt", "held-karp"];
 
 /// A planner's parameters as published, where its defaults are others: its preset `paper`.
-pub(super) fn published(planner: &str) -> Given {
+pub(super) fn published(planner: &str) -> Overrides {
     let preset = find(planner).ok().and_then(|entry| entry.presets.iter().find(|preset| preset.name == "paper"));
-    preset.map_or_else(Given::new, Preset::given)
+    preset.map_or_else(Overrides::new, Preset::given)
 }
 
 /// The roads between a scene's stops. For the same seed all planners ask for the same ones, so they are found once, by
@@ -31,7 +31,7 @@ pub(super) struct Network(Mutex<Option<Arc<Laid>>>);
 
 /// What the runs that build the roads are, and what they found, step by step.
 struct Laid {
-    steps: Vec<(Vec<Job>, Vec<Finding>)>,
+    steps: Vec<(Vec<Subtask>, Vec<SubtaskResult>)>,
     ms: f64,
 }
 
@@ -55,8 +55,8 @@ pub(super) fn carry_out(setup: &Setup, network: &Network, stop: &AtomicBool) -> 
     let begun = std::time::Instant::now();
     for (jobs, found) in &laid.steps {
         // A planner that wants other roads builds them itself: then they count as time for the order.
-        if session.jobs() == *jobs {
-            session.supply(found.clone());
+        if session.subtasks() == *jobs {
+            session.provide(found.clone());
         }
         session.step(1);
     }
@@ -82,7 +82,7 @@ fn lay(setup: &Setup, stop: &AtomicBool) -> Result<Option<Laid>, Error> {
     let mut session = Session::with_keyframes(setup.clone(), 0)?;
     let (mut steps, mut ms) = (Vec::new(), 0.0);
     loop {
-        let jobs = session.jobs();
+        let jobs = session.subtasks();
         if jobs.is_empty() {
             return Ok(Some(Laid { steps, ms }));
         }
@@ -92,22 +92,22 @@ fn lay(setup: &Setup, stop: &AtomicBool) -> Result<Option<Laid>, Error> {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
             }
-            found.extend(session::carry_out_all(&setup.scene, std::slice::from_ref(job))?);
+            found.extend(session::run_subtasks(&setup.scene, std::slice::from_ref(job))?);
         }
         ms += begun.elapsed().as_secs_f64() * 1e3;
-        session.supply(found.clone());
+        session.provide(found.clone());
         session.step(1);
         steps.push((jobs, found));
     }
 }
 
 /// The lengths of the shortest ways between a grid's stops, by a rule; `None` if there is none between two of them.
-pub(super) fn exact_distances(scene: &Scene, yardstick: Yardstick) -> Result<Option<Distances>, Error> {
+pub(super) fn exact_distances(scene: &Scene, reference: ReferenceOptimum) -> Result<Option<Distances>, Error> {
     let stops = scene.stops();
     let mut between = Vec::new();
     for (i, &from) in stops.iter().enumerate() {
         for &to in &stops[i + 1..] {
-            between.push(scene.between([from, to])?.optimum(yardstick));
+            between.push(scene.between([from, to])?.optimum(reference));
         }
     }
     // They are asked for in the order in which they were found.
@@ -136,7 +136,8 @@ mod tests {
     use forage::{Value, shipped};
 
     fn setup(seed: u64) -> Setup {
-        let params = Given::from_iter([("smooth", Value::Flag(false)), ("roads", Value::from("aco")), ("iterations", Value::from(20.0))]);
+        let params =
+            Overrides::from_iter([("smooth", Value::Flag(false)), ("roads", Value::from("aco")), ("iterations", Value::from(20.0))]);
         Setup { planner: "bat".into(), scene: shipped("ant-bat-30").unwrap(), params, seed }
     }
 
@@ -163,10 +164,10 @@ mod tests {
     #[test]
     fn exact_distances_give_the_exact_tour_its_length() {
         let scene = shipped("ant-bat-30").unwrap();
-        for yardstick in [Yardstick::Cells, Yardstick::AnyAngle] {
-            let exact = scene.exact_tour(yardstick, forage::kernel::Round::Closed).unwrap();
-            let distances = exact_distances(&scene, yardstick).unwrap().unwrap();
-            assert!(same(distances.length(&exact.order, true), exact.length), "{yardstick:?}");
+        for reference in [ReferenceOptimum::Cells, ReferenceOptimum::AnyAngle] {
+            let exact = scene.exact_tour(reference, forage::kernel::TourEnds::Closed).unwrap();
+            let distances = exact_distances(&scene, reference).unwrap().unwrap();
+            assert!(same(distances.length(&exact.order, true), exact.length), "{reference:?}");
         }
     }
 }

@@ -11,7 +11,7 @@ use std::{
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Given, Session, Setup, Value,
+    Overrides, Session, Setup, Value,
     kernel::{Error, Status},
     scene::Scene,
 };
@@ -46,7 +46,7 @@ pub(super) struct Tuned {
 impl Tuned {
     /// The colony with these parameters.
     pub fn setup(&self, scene: &Arc<Scene>) -> Setup {
-        let mut params: Given = self.tuned().into_iter().map(|(name, value)| (name, Value::Number(value))).collect();
+        let mut params: Overrides = self.tuned().into_iter().map(|(name, value)| (name, Value::Number(value))).collect();
         params.insert("iterations", Value::Number(self.iterations));
         Setup { planner: self.planner.clone(), scene: Arc::clone(scene), params, seed: 1 }
     }

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Given, Setup, Trial, Value, catalogue,
+    Overrides, Setup, Trial, Value, catalogue,
     kernel::Error,
     scene::shipped,
     statistics::Summary,
@@ -107,7 +107,7 @@ struct Task {
 
 impl Task {
     fn new(scene: &str, planner: &str, v_max: Option<f64>, seed: u64) -> Result<Self, Error> {
-        let params = v_max.map(|v_max| ("v_max", Value::Number(v_max))).into_iter().collect::<Given>();
+        let params = v_max.map(|v_max| ("v_max", Value::Number(v_max))).into_iter().collect::<Overrides>();
         Ok(Self { setup: Setup { planner: planner.to_owned(), scene: shipped(scene)?, params, seed }, v_max })
     }
 }
@@ -165,7 +165,7 @@ fn function_tasks(options: &Options) -> Result<Vec<Task>, Error> {
 struct Fit {
     /// Its place among the table's planners.
     planner: usize,
-    params: Given,
+    params: Overrides,
     /// By so many figures.
     figures: u64,
 }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use forage::{
-    Given, Setup, Value, geometry,
-    kernel::{Error, Yardstick},
+    Overrides, Setup, Value, geometry,
+    kernel::{Error, ReferenceOptimum},
     scene::{Scene, shipped},
 };
 
@@ -51,7 +51,7 @@ fn tunings(runs: u64) -> u64 {
 
 /// The planners with the published parameters.
 fn setups(scene: &Arc<Scene>) -> Result<Vec<Setup>, Error> {
-    PLANNERS.into_iter().zip([Given::new(), sizes(), sizes()]).map(|(name, params)| colonies::published(name, scene, &params)).collect()
+    PLANNERS.into_iter().zip([Overrides::new(), sizes(), sizes()]).map(|(name, params)| colonies::published(name, scene, &params)).collect()
 }
 
 /// The tunings, and the runs that do not need them.
@@ -129,7 +129,7 @@ fn printed(scene: &Arc<Scene>) -> Result<Vec<ComparedFigure>, Error> {
 }
 
 /// 30 ants, 100 iterations.
-fn sizes() -> Given {
+fn sizes() -> Overrides {
     [("ants", 30.0), ("iterations", 100.0)].map(|(name, number)| (name, Value::Number(number))).into_iter().collect()
 }
 
@@ -152,7 +152,7 @@ fn optima(scene: &Scene, tuned: &[Tuned], published: &[Run], with_tuned: &[Vec<R
     let columns = ["parameters", "α", "β", "ρ", "Q", "ε", "fitness", "its converged", "mean", "worst", "hits", "converged"];
     let title = format!("§5.2: what 20 particles find in 30 iterations, and its lengths with seeds 1 to {}", published.len());
     let mut table = Table::new("tuning", title, &columns);
-    let optimum = scene.optimum(Yardstick::Cells).unwrap_or(f64::NAN);
+    let optimum = scene.optimum(ReferenceOptimum::Cells).unwrap_or(f64::NAN);
     let mut push = |label: String, parameters: [f64; 5], judged: [Option<f64>; 2], runs: &[Run]| {
         let length = LENGTH.summary(runs);
         let mut row = vec![Cell::Text(label)];

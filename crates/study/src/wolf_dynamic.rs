@@ -5,7 +5,7 @@ use std::sync::{Arc, atomic::AtomicBool};
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Given, Session, Setup, Status, Value,
+    Overrides, Session, Setup, Status, Value,
     kernel::{Error, Event},
     scene::{
         GridScene, Scene,
@@ -210,7 +210,7 @@ fn random(scenes: u64) -> Result<Vec<Setup>, Error> {
     for k in 1..=scenes {
         let scene = Arc::new(one(k)?);
         for planner in PLANNERS {
-            let mut params = Given::new();
+            let mut params = Overrides::new();
             params.insert("border", Value::from(border(k)));
             if planner == PLANNERS[0] {
                 params.insert("colony", Value::from("aco-wolf"));

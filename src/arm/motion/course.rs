@@ -63,7 +63,7 @@ pub(super) fn aside(point: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
     let minus = |u: [f64; 3], v: [f64; 3]| [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
     let (way, there) = (minus(to, from), minus(point, from));
     let long = dot(way, way);
-    let share = if long > 0.0 { crate::math::limit(dot(there, way) / long, 0.0, 1.0) } else { 0.0 };
+    let share = if long > 0.0 { crate::math::clamp(dot(there, way) / long, 0.0, 1.0) } else { 0.0 };
     distance(point, between(from, to, share))
 }
 

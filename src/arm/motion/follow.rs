@@ -18,7 +18,7 @@ pub(super) enum Pointing {
     /// Any way.
     Free,
     /// So, point by point.
-    Given(Vec<UnitQuaternion<f64>>),
+    Overrides(Vec<UnitQuaternion<f64>>),
 }
 
 /// What can be asked of the arm on its way.
@@ -51,13 +51,13 @@ pub(super) struct Followed {
     pub(super) mirrored: u64,
     pub(super) drawn: u64,
     /// Why it came no farther.
-    pub(super) trouble: Option<String>,
+    pub(super) failure: Option<String>,
 }
 
 impl Followed {
     /// The arm ends before this point.
     pub(super) fn end(mut self, follower: &Follower, stations: &[Station], point: usize) -> Self {
-        self.trouble = Some(follower.trouble(stations, point));
+        self.failure = Some(follower.failure(stations, point));
         self
     }
 }
@@ -79,7 +79,7 @@ impl Follower<'_> {
                     all.for_each(|some| found.extend_from_slice(&some));
                 }
             }
-            Pointing::Given(rotations) => {
+            Pointing::Overrides(rotations) => {
                 let pose = Isometry3::from_parts(at.into(), rotations[station]);
                 if let Ok(solutions) = self.arm().inverse(&pose, near) {
                     solutions.iter().for_each(|posture| self.with_turns(posture, &mut found));
@@ -130,12 +130,12 @@ impl Follower<'_> {
     }
 
     /// Which point has no posture, and why.
-    fn trouble(&self, stations: &[Station], point: usize) -> String {
+    fn failure(&self, stations: &[Station], point: usize) -> String {
         let Station { at: [x, y, z], along } = stations[point];
         let home = self.arm().home();
         let why = match &self.pointing {
             Pointing::Free => self.arm().reaching_somehow([x, y, z], &home).err(),
-            Pointing::Given(rotations) => self.arm().inverse(&Isometry3::from_parts([x, y, z].into(), rotations[point]), &home).err(),
+            Pointing::Overrides(rotations) => self.arm().inverse(&Isometry3::from_parts([x, y, z].into(), rotations[point]), &home).err(),
         };
         let why = why.map_or_else(|| "every posture that was tried there touches a cuboid or the column".to_owned(), |why| why.to_string());
         format!("point {} of {}, ({x:.4}, {y:.4}, {z:.4}), {along:.4} m along the path: {why}", point + 1, stations.len())

@@ -116,7 +116,7 @@ impl<'a> Holding<'a> {
         let fits = |angle: &f64| (min - LIMIT..=max + LIMIT).contains(angle);
         let other = if turned < near { turned + TAU } else { turned - TAU };
         let further = turned + turned - other;
-        [turned, other, further].into_iter().find(fits).map(|angle| crate::math::limit(angle, min, max))
+        [turned, other, further].into_iter().find(fits).map(|angle| crate::math::clamp(angle, min, max))
     }
 }
 

@@ -21,7 +21,7 @@ use nalgebra::UnitQuaternion;
 use crate::{
     arm::ArmScene,
     kernel::{Error, Solution, rng::Stream},
-    params::{Given, Settings},
+    params::{Overrides, Parameters},
     scene::{ARM, Scene},
 };
 
@@ -39,9 +39,9 @@ use trajectory::Trajectory;
 /// The scene's arm following a solution. `None` unless it is an arm's scene and an arm's solution.
 ///
 /// # Errors
-/// As [`Settings::new`].
-pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Given) -> Result<Option<Motion>, Error> {
-    let settings = Settings::new(MOTION.parameters, ARM, given)?;
+/// As [`Parameters::new`].
+pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Overrides) -> Result<Option<Motion>, Error> {
+    let settings = Parameters::new(MOTION.parameters, ARM, given)?;
     let (Ok(scene), Some(Solution::Reach { path, postures })) = (scene.get::<ArmScene>(), solution) else {
         return Ok(None);
     };
@@ -63,18 +63,18 @@ pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Given) -> Resul
     Ok(Some(trajectory.motion(Followed { stops, ..Followed::default() }, points)))
 }
 
-fn follower<'a>(scene: &'a ArmScene, settings: &Settings, links: Links<'a>, points: usize) -> Follower<'a> {
+fn follower<'a>(scene: &'a ArmScene, settings: &Parameters, links: Links<'a>, points: usize) -> Follower<'a> {
     let holding = Holding::new(&scene.arm);
     let mut random = Stream::new(settings[SEED], 0);
     let [.., home] = scene.arm.forward(&scene.arm.home());
     let spread = settings[SPREAD];
     let pointing = match settings[ORIENTATION] {
         Orientation::Free => Pointing::Free,
-        Orientation::Home => Pointing::Given(vec![home.rotation; points]),
+        Orientation::Home => Pointing::Overrides(vec![home.rotation; points]),
         Orientation::Random => {
             let mut angle = || random.between(-spread, spread);
             let turns = (0..points).map(|_| UnitQuaternion::from_euler_angles(angle(), angle(), angle()) * home.rotation);
-            Pointing::Given(turns.collect())
+            Pointing::Overrides(turns.collect())
         }
     };
     let hands = holding.hands();

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::params::Settings;
+use crate::params::Parameters;
 
 /// How the arm follows a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -29,8 +29,8 @@ pub struct MotionOutcome {
     /// How many were replaced by random joints between their neighbours', [ARM-RRT] step 6.
     pub drawn: u64,
     /// Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub trouble: Option<String>,
+    #[serde(rename = "trouble", skip_serializing_if = "Option::is_none")]
+    pub failure: Option<String>,
 }
 
 /// An arm following a path.
@@ -43,5 +43,5 @@ pub struct Motion {
     /// How it went.
     pub outcome: MotionOutcome,
     /// Every parameter's value.
-    pub settings: Settings,
+    pub settings: Parameters,
 }

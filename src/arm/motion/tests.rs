@@ -18,7 +18,7 @@ const COLUMNS: usize = 12;
 const OVER: [[f64; 3]; 4] = [[-0.2, 0.022, 0.05], [0.245, 0.29, 0.335], [0.455, 0.43, 0.335], [0.9, 0.7, 0.3]];
 const ROUND: [[f64; 3]; 4] = [[-0.2, 0.022, 0.05], [0.24, 0.19, 0.15], [0.47, 0.19, 0.2], [0.9, 0.7, 0.3]];
 
-fn given(pairs: &[(&'static str, Value)]) -> Given {
+fn given(pairs: &[(&'static str, Value)]) -> Overrides {
     pairs.iter().cloned().collect()
 }
 
@@ -109,7 +109,7 @@ fn the_whole_arm_goes_over_the_cuboid_and_round_it() {
         let motion = follow(&scene, &path, &[]);
         check(&scene, &path, &motion);
         let outcome = &motion.outcome;
-        assert!(outcome.arrived && outcome.free && outcome.trouble.is_none(), "{outcome:?}");
+        assert!(outcome.arrived && outcome.free && outcome.failure.is_none(), "{outcome:?}");
         assert!(outcome.largest_step < 10.0 && outcome.max_error < 1e-3, "{outcome:?}");
         assert!((outcome.length - crate::geometry::length_in_space(&path)).abs() < 1e-3);
         assert_eq!((outcome.mirrored, outcome.drawn), (0, 0));
@@ -172,20 +172,20 @@ fn a_touch_between_rows_is_found_and_told() {
 fn a_path_that_nobody_can_follow_says_where_and_why() {
     let scene = shipped("arm-free").unwrap();
     let far = follow(&scene, &[[0.9, 0.7, 0.3], [5.0, 0.7, 0.3]], &[]);
-    let trouble = far.outcome.trouble.as_deref().unwrap();
+    let failure = far.outcome.failure.as_deref().unwrap();
     assert!(!far.outcome.arrived && !far.rows.is_empty() && far.outcome.free, "{:?}", far.outcome);
     assert!(
-        trouble.starts_with(&format!("point {} of 411, (", rows(&far).len() + 1)) && trouble.contains("the tip cannot come there"),
-        "{trouble}"
+        failure.starts_with(&format!("point {} of 411, (", rows(&far).len() + 1)) && failure.contains("the tip cannot come there"),
+        "{failure}"
     );
     let nowhere = follow(&scene, &[[5.0; 3], [6.0; 3]], &[]);
     assert!(nowhere.rows.is_empty() && nowhere.skeletons.is_empty() && !nowhere.outcome.free && !nowhere.outcome.arrived);
-    assert!(nowhere.outcome.trouble.unwrap().starts_with("point 1 of "));
+    assert!(nowhere.outcome.failure.unwrap().starts_with("point 1 of "));
     let inside = with_cuboids(&[Cuboid { min: [0.7, 0.6, 0.2], max: [0.8, 0.8, 0.4] }]);
     let blocked = follow(&inside, &[[0.9, 0.7, 0.3], [0.75, 0.7, 0.3]], &[]);
-    assert!(blocked.outcome.trouble.unwrap().contains("touches a cuboid or the column") && blocked.outcome.free);
-    assert_eq!(along(&scene, Some(&Solution::Reach { path: Vec::new(), postures: Vec::new() }), &Given::new()), Ok(None));
-    assert_eq!(along(&scene, None, &Given::new()), Ok(None));
+    assert!(blocked.outcome.failure.unwrap().contains("touches a cuboid or the column") && blocked.outcome.free);
+    assert_eq!(along(&scene, Some(&Solution::Reach { path: Vec::new(), postures: Vec::new() }), &Overrides::new()), Ok(None));
+    assert_eq!(along(&scene, None, &Overrides::new()), Ok(None));
 }
 
 /// Three points, the middle one inside a cuboid: its mirror image is reached; with another cuboid there, joints are drawn.
@@ -214,7 +214,7 @@ fn a_point_without_a_posture_is_mirrored_and_then_drawn() {
         }
         let without = follow(&two, &path, &pairs(0.0));
         assert_eq!((rows(&without).len(), without.outcome.arrived), (1, false));
-        assert!(without.outcome.trouble.unwrap().starts_with("point 2 of 3, (0.7500, 0.6500, 0.3000)"));
+        assert!(without.outcome.failure.unwrap().starts_with("point 2 of 3, (0.7500, 0.6500, 0.3000)"));
         // Without replacement the motion ends even where a mirror image could be reached.
         let ended = follow(&one, &path, &[pairs(1000.0)[0].clone(), pairs(0.0)[1].clone(), ("replacement", "false".into())]);
         assert_eq!((rows(&ended).len(), ended.outcome.mirrored, ended.outcome.arrived), (1, 0, false));
@@ -274,7 +274,7 @@ fn every_parameter_has_both_its_ends() {
             let (outcome, off) = (&motion.outcome, 0.01_f64.max(motion.settings[SPACING]));
             // What does not arrive, or leaves the path, says so; nothing else does.
             let told = !outcome.arrived || outcome.max_error > off;
-            assert!(outcome.time.is_finite() && told == outcome.trouble.is_some(), "{} = {value}: {outcome:?}", parameter.name);
+            assert!(outcome.time.is_finite() && told == outcome.failure.is_some(), "{} = {value}: {outcome:?}", parameter.name);
         }
     }
     let refused = along(&scene, None, &given(&[("spacing", 0.0.into())])).unwrap_err();
@@ -304,11 +304,11 @@ fn of_random_lines_every_motion_keeps_the_promises() {
 fn the_arm_follows_what_guided_trees_find() {
     let mut free = 0;
     for seed in 1..=100 {
-        let setup = Setup { planner: "rrt-guided".to_owned(), scene: shipped("arm-cuboid").unwrap(), params: Given::new(), seed };
+        let setup = Setup { planner: "rrt-guided".to_owned(), scene: shipped("arm-cuboid").unwrap(), params: Overrides::new(), seed };
         let mut session = Session::with_keyframes(setup, 0).unwrap();
         session.step(session.limit());
         let MotionOutcome { arrived, free: is_free, touched_at, largest_step, max_error, .. } =
-            session.motion(&Given::new()).unwrap().unwrap().outcome;
+            session.motion(&Overrides::new()).unwrap().unwrap().outcome;
         // What is not free says when it touches.
         assert!(arrived && is_free == touched_at.is_none(), "seed {seed}");
         assert!(!is_free || (largest_step < 10.0 && max_error < 1e-3), "seed {seed}: {largest_step}° {max_error}");

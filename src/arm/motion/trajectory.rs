@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::{
     arm::{Links, Posture},
-    params::Settings,
+    params::Parameters,
 };
 
 use super::{
@@ -24,7 +24,7 @@ const OFF: f64 = 0.01;
 pub(super) struct Trajectory<'a> {
     pub(super) scene: &'a crate::arm::ArmScene,
     pub(super) links: &'a Links<'a>,
-    pub(super) settings: &'a Settings,
+    pub(super) settings: &'a Parameters,
     /// The path, if postures were planned and do not stand at its points.
     pub(super) path: Option<&'a [[f64; 3]]>,
 }
@@ -96,7 +96,7 @@ impl Trajectory<'_> {
         }
         outcome.free = outcome.touched_at.is_none() && !followed.stops.is_empty();
         outcome.arrived = followed.stops.len() == points;
-        (outcome.mirrored, outcome.drawn, outcome.trouble) = (followed.mirrored, followed.drawn, followed.trouble.or(off));
+        (outcome.mirrored, outcome.drawn, outcome.failure) = (followed.mirrored, followed.drawn, followed.failure.or(off));
         motion
     }
 }
@@ -113,6 +113,6 @@ fn nothing() -> MotionOutcome {
         max_error: 0.0,
         mirrored: 0,
         drawn: 0,
-        trouble: None,
+        failure: None,
     }
 }

@@ -146,7 +146,7 @@ impl Search {
             }
             let mut crossings = sequence.line.crossings.clone();
             if let Some(last) = crossings.last_mut() {
-                *last = Crossing { edge: last.edge, range: here, at: math::limit(last.at, here[0], here[1]) };
+                *last = Crossing { edge: last.edge, range: here, at: math::clamp(last.at, here[0], here[1]) };
             }
             crossings.push(Crossing::within(step.edge, step.arrive));
             let line = self.taut(crossings, limit);

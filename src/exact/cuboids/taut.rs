@@ -109,7 +109,7 @@ impl Line {
                 let (a, b) = (beside(edge, before, smooth), beside(edge, after, smooth));
                 if a + b > 0.0 {
                     let at = (before[edge.axis] * b + after[edge.axis] * a) / (a + b);
-                    self.crossings[i].at = math::limit(at, range[0], range[1]);
+                    self.crossings[i].at = math::clamp(at, range[0], range[1]);
                 }
             }
             smooth = if smooth > LEAST_SMOOTH * scale { effort.left * smooth } else { 0.0 };

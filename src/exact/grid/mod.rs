@@ -150,7 +150,7 @@ impl<'a> Search<'a> {
         // A coordinate that is a line of the grid but for rounding (0.1 · 3 / 0.1) is that line; none lies outside.
         let snap = |p: f64, most: f64| {
             let (c, line) = (p / cell, (p / cell).round());
-            math::limit(if (c - line).abs() <= SNAP { line } else { c }, 0.0, most)
+            math::clamp(if (c - line).abs() <= SNAP { line } else { c }, 0.0, most)
         };
         let ends = given.map(|p| [snap(p[0], width), snap(p[1], height)]);
         let radius = field.radius() / cell + if field.radius() > 0.0 { wider * size } else { 0.0 };

@@ -64,7 +64,7 @@ impl Search<'_> {
 
     fn place(&self, mark: &Mark, lift: f64) -> [f64; 2] {
         let size = self.field.size();
-        std::array::from_fn(|axis| math::limit(mark.at[axis] + lift * mark.out[axis], 0.0, size[axis]))
+        std::array::from_fn(|axis| math::clamp(mark.at[axis] + lift * mark.out[axis], 0.0, size[axis]))
     }
 
     fn mark(&self, turn: usize, along: [f64; 2]) -> Mark {

@@ -4,7 +4,7 @@ use crate::{
     Scene,
     exact::shortest_over_cells,
     geometry::YAxis,
-    kernel::Yardstick,
+    kernel::ReferenceOptimum,
     scene::{GridScene, shipped},
 };
 
@@ -45,7 +45,7 @@ fn a_map_and_its_problems_are_read_and_the_exact_search_finds_their_optima() {
     for (i, problem) in read.problems.iter().enumerate() {
         let scene = import(&files, Some(i)).unwrap().scene;
         assert_eq!(scene.ends(), Some((problem.start, problem.goal)));
-        let exact = scene.exact_by(Yardstick::Cells).unwrap().length;
+        let exact = scene.exact_by(ReferenceOptimum::Cells).unwrap().length;
         assert!((exact - problem.length).abs() < 1e-8, "{exact} {problem:?}");
     }
     assert!(import(&files, Some(2)).unwrap_err().allowed().contains("from 0 to 1"));
@@ -225,7 +225,7 @@ fn shipped_grids_survive_the_way_through_every_format() {
             let read = import(&written.files, None).unwrap();
             assert_eq!(rows(&read), grid.lines(), "{} as {}", scene.name(), format.name());
             if format == Format::MovingAi {
-                let exact = read.scene.exact_by(Yardstick::Cells).unwrap();
+                let exact = read.scene.exact_by(ReferenceOptimum::Cells).unwrap();
                 assert_eq!(exact.length, read.problems[0].length);
                 let course = read.scene.get::<GridScene>().unwrap().course().unwrap();
                 let cells = read.scene.get::<GridScene>().unwrap().cells();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     geometry::{Bounds, Disc},
     kernel::rng::Stream,
-    params::{Param, Settings},
+    params::{Param, Parameters},
     scene::{DiscsScene, MAX_DISCS, discs},
 };
 
@@ -32,7 +32,7 @@ const DIGITS: f64 = 1000.0;
 /// Between two discs, and from a disc to start and goal, at least: a share of the side.
 const GAP: f64 = 0.005;
 
-fn draw(settings: &Settings, stream: &mut Stream) -> Made {
+fn draw(settings: &Parameters, stream: &mut Stream) -> Made {
     let [side, largest] = [settings[SIDE], settings[RADIUS]];
     let count = settings[COUNT] as usize;
     let (start, goal) = ([0.0; 2], [side; 2]);

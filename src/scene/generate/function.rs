@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     kernel::rng::Stream,
-    params::{Choice, Param, ParamValue, Settings},
+    params::{Choice, Param, ParamValue, Parameters},
     scene::{Function, FunctionScene, MAX_DIMENSION, function},
 };
 
@@ -45,7 +45,7 @@ pub(super) const SHIFTED: Generator = Generator {
 /// How far the minimum is moved at most, as a share of the way to the rim.
 const REACH: f64 = 0.6;
 
-fn draw(settings: &Settings, stream: &mut Stream) -> Made {
+fn draw(settings: &Parameters, stream: &mut Stream) -> Made {
     let function = settings[FUNCTION];
     let dimension = settings[DIMENSION] as usize;
     let reach = REACH * (function.half_side() - function.minimiser());

@@ -22,7 +22,7 @@ use crate::{
         Error, SceneBody,
         rng::{self, Stream},
     },
-    params::{Given, Settings},
+    params::{Overrides, Parameters},
 };
 
 use super::{GridScene, Header, Scene};
@@ -52,18 +52,18 @@ pub fn find(name: &str) -> Result<&'static Generator, Error> {
 /// Makes a scene: the same for the same parameters and seed. Its `source` is the command that makes it again.
 ///
 /// ```
-/// use forage::{Given, Value, scene::{GridScene, generate::generate}};
+/// use forage::{Overrides, Value, scene::{GridScene, generate::generate}};
 ///
-/// let scene = generate("maze", &Given::from_iter([("columns", Value::from(21.0))]), 7)?;
+/// let scene = generate("maze", &Overrides::from_iter([("columns", Value::from(21.0))]), 7)?;
 /// assert_eq!(scene.get::<GridScene>()?.columns, 21);
 /// # Ok::<(), forage::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::Unknown`] for a name that means nothing, [`Error::Refused`] for a value that is not allowed.
-pub fn generate(name: &str, given: &Given, seed: u64) -> Result<Scene, Error> {
+pub fn generate(name: &str, given: &Overrides, seed: u64) -> Result<Scene, Error> {
     let generator = find(name)?;
-    let settings = Settings::new(generator.parameters, generator.kind(), given)?;
+    let settings = Parameters::new(generator.parameters, generator.kind(), given)?;
     let mut stream = Stream::new(rng::check_seed(seed)?, 0);
     let mut note = None;
     let (body, size, title) = match generator.draw {
@@ -99,8 +99,8 @@ pub fn generate(name: &str, given: &Given, seed: u64) -> Result<Scene, Error> {
 }
 
 fn grid(
-    draw: fn(&Settings, &mut Plot, &mut Stream),
-    settings: &Settings,
+    draw: fn(&Parameters, &mut Plot, &mut Stream),
+    settings: &Parameters,
     stream: &mut Stream,
     seed: u64,
     note: &mut Option<String>,

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use crate::{
     kernel::rng::Stream,
     math,
-    params::{Param, Parameter, Settings},
+    params::{Param, Parameter, Parameters},
     scene::{GridScene, Moving, Robot},
 };
 
@@ -53,7 +53,7 @@ const APART: f64 = 0.5 + 0.5;
 const TRIES: usize = 1000;
 
 /// Puts up to as many discs on a grid as the settings say, and a robot that meets them; returns how many there was room for.
-pub(super) fn place(grid: &mut GridScene, settings: &Settings, stream: &mut Stream) -> usize {
+pub(super) fn place(grid: &mut GridScene, settings: &Parameters, stream: &mut Stream) -> usize {
     let [fastest, largest] = [settings[MOVING_SPEED], settings[MOVING_RADIUS]].map(|most| most * grid.cell);
     let max = grid.bounds().max;
     let clear = |disc: &Moving| {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     describe::SceneKind,
     kernel::{SceneBody, SceneKindId, rng::Stream},
-    params::{Param, Parameter, Settings},
+    params::{Param, Parameter, Parameters},
     scene::{MAX_GRID_STOPS, MAX_SIDE, grid},
 };
 
@@ -34,9 +34,9 @@ impl Generator {
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Draw {
     /// Blocks cells, and sees to it that there is a way.
-    Grid(fn(&Settings, &mut Plot, &mut Stream)),
+    Grid(fn(&Parameters, &mut Plot, &mut Stream)),
     /// Makes a scene of this kind.
-    Other(&'static SceneKind, fn(&Settings, &mut Stream) -> Made),
+    Other(&'static SceneKind, fn(&Parameters, &mut Stream) -> Made),
 }
 
 impl Draw {

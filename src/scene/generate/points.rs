@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     exact::Metric,
     kernel::rng::Stream,
-    params::{Choice, Param, ParamValue, Settings},
+    params::{Choice, Param, ParamValue, Parameters},
     scene::{MAX_STOPS, TourScene, tour},
 };
 
@@ -49,7 +49,7 @@ pub(super) const STOPS: Generator = Generator {
 /// How often another place is tried for a stop whose place is taken or outside.
 const TRIES: usize = 100;
 
-fn draw(settings: &Settings, stream: &mut Stream) -> Made {
+fn draw(settings: &Parameters, stream: &mut Stream) -> Made {
     let side = settings[SIDE] as f64;
     let spread = settings[SPREAD] * side;
     let even = |stream: &mut Stream| stream.below(side as usize + 1) as f64;

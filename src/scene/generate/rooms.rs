@@ -2,7 +2,7 @@
 
 use crate::{
     kernel::rng::Stream,
-    params::{Param, Settings},
+    params::{Param, Parameters},
     scene::{MAX_SIDE, reach::beside},
 };
 
@@ -73,7 +73,7 @@ fn spans(length: usize, room: usize, stream: &mut Stream) -> Vec<[usize; 2]> {
 
 impl Plot {
     /// Blocks all but the rooms of these spans, and opens doors: those of a random tree, and others by chance.
-    fn open(&mut self, [across, down]: &[Vec<[usize; 2]>; 2], settings: &Settings, door: usize, stream: &mut Stream) {
+    fn open(&mut self, [across, down]: &[Vec<[usize; 2]>; 2], settings: &Parameters, door: usize, stream: &mut Stream) {
         self.blocked.fill(true);
         let columns = across.len();
         let place = |room: usize| (across[room % columns], down[room / columns]);

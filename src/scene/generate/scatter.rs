@@ -7,7 +7,7 @@
 
 use crate::{
     kernel::rng::Stream,
-    params::{Param, Settings},
+    params::{Param, Parameters},
     scene::reach::{beside, crossing},
 };
 
@@ -45,7 +45,7 @@ pub(super) const RUBBLE: Generator = Generator {
     draw: Draw::Grid(rubble),
 };
 
-fn rubble(settings: &Settings, plot: &mut Plot, stream: &mut Stream) {
+fn rubble(settings: &Parameters, plot: &mut Plot, stream: &mut Stream) {
     let largest = settings[SIZE] as usize;
     plot.scatter(settings[SHARE], stream, &mut |plot, stream, mut count| {
         let mut free = plot.free();

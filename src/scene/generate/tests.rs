@@ -2,7 +2,7 @@
 
 use crate::{
     Scene, Value,
-    kernel::{Digest, Yardstick},
+    kernel::{Digest, ReferenceOptimum},
     params::Domain,
     scene::{
         DiscsScene, Function, FunctionScene, GridScene, Motion, Robot,
@@ -12,7 +12,7 @@ use crate::{
 
 use super::*;
 
-fn given(pairs: &[(&str, f64)]) -> Given {
+fn given(pairs: &[(&str, f64)]) -> Overrides {
     pairs.iter().map(|&(name, value)| (name, Value::from(value))).collect()
 }
 
@@ -50,7 +50,7 @@ fn start_and_goal_are_connected_whatever_the_size_the_seed_and_the_parameters() 
             }
             let scene = generate(generator.name, &values, seed).unwrap();
             reached(&scene);
-            let exact = scene.exact_by(Yardstick::Cells);
+            let exact = scene.exact_by(ReferenceOptimum::Cells);
             assert!(exact.is_some(), "{:?}", scene.header());
         }
     }
@@ -195,7 +195,7 @@ fn stops_can_be_put_on_any_grid_where_its_robot_fits() {
     assert_eq!((with.name(), with.stops().len()), ("qpso-10m-6-stops", 6));
     assert_eq!(with, with_stops(&scene, 6, 3).unwrap());
     assert_ne!(with.stops(), with_stops(&scene, 6, 4).unwrap().stops());
-    let exact = with.exact_tour(Yardstick::Cells, crate::kernel::Round::Closed);
+    let exact = with.exact_tour(ReferenceOptimum::Cells, crate::kernel::TourEnds::Closed);
     assert!(exact.is_some_and(|exact| exact.order.len() == 6));
     // Without a start the largest region counts: the right one.
     let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "a", "title": "A", "cell": 1, "rows": [".#..."],
@@ -337,6 +337,6 @@ fn a_shifted_function_has_its_minimum_where_the_shift_says() {
         assert!(function.value(&function.minimiser()).abs() < 1e-14 && function.shift.iter().all(|shift| *shift != 0.0), "{name}");
         assert_eq!(Scene::from_json(&scene.to_json()).unwrap(), scene);
     }
-    let refused = generate("shifted", &Given::from_iter([("function", Value::from("matyas")), ("dimension", Value::from(3.0))]), 1);
+    let refused = generate("shifted", &Overrides::from_iter([("function", Value::from("matyas")), ("dimension", Value::from(3.0))]), 1);
     assert!(refused.unwrap_err().to_string().contains("dimension"));
 }

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use crate::{
     exact::{Distances, MAX_EXACT_STOPS, shortest_on_grid, shortest_over_cells, shortest_tour},
     geometry::{self, Bounds, Cells, Field, YAxis},
-    kernel::{Error, Exact, Round, SceneKindId, Track, Verdict, Yardstick},
+    kernel::{Error, Exact, ReferenceOptimum, SceneKindId, TourEnds, Track, Verdict},
     scene::{
         check::{LARGEST, coordinate, finite, positive},
         moving::{MAX_MOVING, Moving},
@@ -301,15 +301,15 @@ impl GridScene {
     }
 
     /// The shortest tour through the stops, by the shortest way for each pair.
-    pub(super) fn shortest_tour(&self, yardstick: Yardstick, round: Round) -> Option<Exact> {
+    pub(super) fn shortest_tour(&self, reference: ReferenceOptimum, round: TourEnds) -> Option<Exact> {
         let n = self.stops.len();
         if !(2..=MAX_EXACT_STOPS).contains(&n) {
             return None;
         }
         let way = |i: usize, j: usize| {
             let ends = [self.stops[i], self.stops[j]];
-            match yardstick {
-                Yardstick::Cells => shortest_over_cells(self.cells(), &self.course_between(["stops", "stops"], ends).ok()?),
+            match reference {
+                ReferenceOptimum::Cells => shortest_over_cells(self.cells(), &self.course_between(["stops", "stops"], ends).ok()?),
                 _ => self.with_ends(ends).shortest(),
             }
         };
@@ -333,7 +333,7 @@ impl GridScene {
     }
 
     /// A tour must call at each stop in its order.
-    pub(super) fn judge_tour(&self, order: &[usize], round: Round, path: &[[f64; 2]]) -> Verdict {
+    pub(super) fn judge_tour(&self, order: &[usize], round: TourEnds, path: &[[f64; 2]]) -> Verdict {
         let allowed = round.allows(order, self.stops.len());
         let calls: Vec<_> = order.iter().chain(order.first().filter(|_| round.closes())).filter_map(|&i| self.stops.get(i)).collect();
         let ends = path.first() == calls.first().copied() && path.last() == calls.last().copied();

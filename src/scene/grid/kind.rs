@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::{
     describe::SceneKind,
     geometry::{Bounds, YAxis},
-    kernel::{Backdrop, Error, Exact, Plane, Round, Scene, SceneBody, SceneKindId, Solution, Stops, Verdict, Yardstick},
+    kernel::{Backdrop, Error, Exact, Plane, ReferenceOptimum, Scene, SceneBody, SceneKindId, Solution, Stops, TourEnds, Verdict},
 };
 
 use super::{
@@ -33,11 +33,11 @@ pub const KIND: SceneKind = SceneKind {
     ],
 };
 
-fn optimum(scene: &Scene, yardstick: Yardstick, round: Option<Round>) -> Option<Exact> {
+fn optimum(scene: &Scene, reference: ReferenceOptimum, round: Option<TourEnds>) -> Option<Exact> {
     let grid = scene.get::<GridScene>().ok()?;
-    match (round, yardstick) {
-        (Some(round), _) => grid.shortest_tour(yardstick, round),
-        (None, Yardstick::Cells) => grid.shortest_over_cells(),
+    match (round, reference) {
+        (Some(round), _) => grid.shortest_tour(reference, round),
+        (None, ReferenceOptimum::Cells) => grid.shortest_over_cells(),
         (None, _) => grid.shortest(),
     }
 }

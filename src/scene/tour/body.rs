@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::{
     exact::{Distances, Metric, shortest_tour},
     geometry::Bounds,
-    kernel::{Error, Exact, Round, SceneKindId, Solution, Verdict},
+    kernel::{Error, Exact, SceneKindId, Solution, TourEnds, Verdict},
     math,
     scene::check::coordinate,
 };
@@ -79,8 +79,8 @@ impl TourScene {
     }
 
     /// What a tour's ends are unless a planner is told otherwise.
-    pub fn round(&self) -> Round {
-        if self.closed { Round::Closed } else { Round::Open }
+    pub fn round(&self) -> TourEnds {
+        if self.closed { TourEnds::Closed } else { TourEnds::Open }
     }
 
     pub(super) fn check_fields(&self, stored: Option<&Value>) -> Result<(), Error> {
@@ -147,7 +147,7 @@ impl TourScene {
     }
 
     /// The shortest tour; of more stops than can be computed the one that the file gives, if it has the scene's own ends.
-    pub(super) fn shortest_tour(&self, round: Round, stored: Option<&Value>) -> Option<Exact> {
+    pub(super) fn shortest_tour(&self, round: TourEnds, stored: Option<&Value>) -> Option<Exact> {
         let places = self.places();
         let path = |order: &[usize]| {
             let back = order.first().filter(|_| round.closes());

@@ -5,7 +5,7 @@ use crate::{
     kernel::{Column, Inspection, Item},
     swarm::{
         population::{column, deviation},
-        tell::{Label, arrows, column as head, mark, particle, quantities, sheet},
+        sheet::{Label, arrows, column as head, mark, particle, quantities, sheet},
     },
 };
 
@@ -117,7 +117,7 @@ mod tests {
     use std::sync::Arc;
 
     use crate::{
-        Given, Session, Setup, Value,
+        Overrides, Session, Setup, Value,
         describe::layers,
         kernel::{Frame, Item},
         shipped,
@@ -128,7 +128,7 @@ mod tests {
     #[test]
     fn the_explanation_ends_where_the_particle_is() {
         let scene = Arc::clone(&shipped("qpso-10m").unwrap());
-        let params = Given::from_iter([("population", Value::from(12.0))]);
+        let params = Overrides::from_iter([("population", Value::from(12.0))]);
         let mut session = Session::new(Setup { planner: "ltqpso".into(), scene, params, seed: 3 }).unwrap();
         let mut seen = std::collections::BTreeMap::new();
         for _ in 0..20 {

@@ -2,7 +2,7 @@
 
 use crate::{
     describe::{Entry, Formula, layers},
-    params::{Choice, Param, Settings},
+    params::{Choice, Param, Parameters},
     swarm::{
         parameters::{BEST, EVALUATIONS, FREE, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, SMOOTHED, SMOOTHNESS, SPREAD},
         paths::{CHARGED, ENCODED},
@@ -54,7 +54,7 @@ const MOST_DISPERSION: Param<Option<f64>> = Param::choice(
 const SELECT: Param<bool> = Param::flag("selection", "Natural selection", true, "Whether the better half replaces the worse.");
 
 /// The parts that are switched on.
-pub(super) fn adaptation(settings: &Settings) -> Adaptation {
+pub(super) fn adaptation(settings: &Parameters) -> Adaptation {
     Adaptation { evolution: settings[EVOLVE], most_dispersion: settings[MOST_DISPERSION], selection: settings[SELECT] }
 }
 

@@ -10,9 +10,9 @@ pub mod qpso;
 
 use crate::{
     describe::{Start, layers},
-    kernel::{Best, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
+    kernel::{Candidate, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
     math,
-    params::Settings,
+    params::Parameters,
 };
 
 use super::{
@@ -22,7 +22,7 @@ use super::{
     parameters::{EVALUATIONS, K},
     population::{Population, column, deviation},
     schedule::Law,
-    tell,
+    sheet,
 };
 
 use parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, GS, IP, POPULATION, SELECTED};
@@ -101,7 +101,7 @@ trait Watch {
 impl Watch for () {}
 
 impl Quantum {
-    fn new(population: Population, settings: &Settings, rng: Stream, adaptive: Option<Adaptation>) -> Self {
+    fn new(population: Population, settings: &Parameters, rng: Stream, adaptive: Option<Adaptation>) -> Self {
         let (size, dimension) = (population.size, population.dimension);
         let mut swarm = Self {
             c: [settings[C1], settings[C2]],
@@ -174,7 +174,7 @@ impl Quantum {
             let u = self.rng.positive_unit();
             let sign = if self.rng.unit() < 0.5 { 1.0 } else { -1.0 };
             let reached = attractors[j] + sign * (alpha * gs[j] * (m[j] - x[j]).abs() * -math::ln(u));
-            x[j] = math::limit(reached, low[j], high[j]);
+            x[j] = math::clamp(reached, low[j], high[j]);
             watch.leap(Leap { r, phi, u, sign, to: x[j] });
         }
     }
@@ -200,7 +200,7 @@ impl Quantum {
 /// ip = F(G) / F(P), (5): how far a personal best is from the global best's cost. Reading: a zero denominator gives 1,
 /// and costs that are not positive are kept in 0..1.
 fn evolution_speed(global: f64, personal: f64) -> f64 {
-    if personal == 0.0 { 1.0 } else { math::limit(global / personal, 0.0, 1.0) }
+    if personal == 0.0 { 1.0 } else { math::clamp(global / personal, 0.0, 1.0) }
 }
 
 /// gs = σ(P) / σ(X), (6): how scattered the personal bests are compared with the positions, in one coordinate. Reading: a zero
@@ -230,7 +230,7 @@ impl Planner for Quantum {
         self.population.evaluations
     }
 
-    fn best(&self) -> Option<Best> {
+    fn best(&self) -> Option<Candidate> {
         Some(self.population.best())
     }
 
@@ -264,7 +264,7 @@ impl Planner for Quantum {
 
 impl Explain for Quantum {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        (self.clock.iteration == 0).then(|| tell::introduce(&self.population, item, "; it has no velocity, now or later")).flatten()
+        (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, "; it has no velocity, now or later")).flatten()
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {
@@ -305,9 +305,9 @@ mod tests {
     fn swarm(population: f64, parts: Option<&[(&str, &str)]>) -> Quantum {
         let entry = if parts.is_some() { ltqpso::ENTRY } else { qpso::ENTRY };
         let scene = crate::shipped("sphere").unwrap();
-        let mut given: crate::Given = [("population", population.into())].into_iter().collect();
+        let mut given: crate::Overrides = [("population", population.into())].into_iter().collect();
         parts.into_iter().flatten().for_each(|&(name, value)| given.insert(name, value.into()));
-        let settings = Settings::new(entry.parameters, scene.kind(), &given).unwrap();
+        let settings = Parameters::new(entry.parameters, scene.kind(), &given).unwrap();
         let mut rng = Stream::new(4, 0);
         let population = Population::new(encoding::objective(&scene, &settings).unwrap(), population as usize, &mut rng);
         Quantum::new(population, &settings, rng, parts.map(|_| ltqpso::adaptation(&settings)))

@@ -3,7 +3,7 @@
 use crate::{
     describe::{Formula, Group, Reading, Suggestion},
     math,
-    params::{Fixed, Param, Settings},
+    params::{Fixed, Param, Parameters},
     scene::{DISCS, FUNCTION, GRID},
     swarm::paths::{Angles, ENCODING, Encoding, INITIAL, SEGMENTS},
 };
@@ -86,7 +86,7 @@ pub(super) const PHI: Formula = Formula::of_item(
 pub(super) const MEAN: Formula = Formula::of_item("mean", "[LTQPSO] (3, 8)", "Mean best", "m_j = \\frac{1}{N} \\sum_i P_{ij}", "m = @m@");
 
 /// What (10) and (11) recommend for D segments; the fits cover 5 ≤ D ≤ 20.
-pub(super) fn suggest(settings: &Settings) -> Option<Suggestion> {
+pub(super) fn suggest(settings: &Parameters) -> Option<Suggestion> {
     let d = settings[SEGMENTS];
     if settings[ENCODING] != Encoding::Polar || !(5..=20).contains(&d) {
         return None;
@@ -111,7 +111,7 @@ mod tests {
     #[test]
     fn sizes_are_suggested_by_10_and_11() {
         let of = |pairs: &[(&'static str, Value)]| {
-            suggest(&Settings::new(super::super::ltqpso::ENTRY.parameters, GRID, &pairs.iter().cloned().collect()).unwrap())
+            suggest(&Parameters::new(super::super::ltqpso::ENTRY.parameters, GRID, &pairs.iter().cloned().collect()).unwrap())
         };
         let uniform = of(&[]).unwrap();
         assert_eq!((uniform.population, uniform.iterations), (16, 29));

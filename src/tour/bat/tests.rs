@@ -1,16 +1,16 @@
 //! One flight of a bat, condition by condition.
 
 use super::*;
-use crate::{exact::Distances, kernel::Round, params::Given, scene::TOUR};
+use crate::{exact::Distances, kernel::TourEnds, params::Overrides, scene::TOUR};
 
 /// A bat at the tour 0 1 2 … n − 1 of stops on a circle, which is the shortest, but for `wrong` reversed places from 1
 /// on; the best is the shortest but for its last two stops.
 fn bats(n: usize, wrong: usize, pulse_rate: f64, loudness: f64) -> Bats {
     let place = |i: usize| [math::cos_turns(i as f64 / n as f64), math::cos_turns(i as f64 / n as f64 - 0.25)];
     let distances = Distances::of(n, |i, j| crate::geometry::length(&[place(i), place(j)]));
-    let problem = Arc::new(Problem::new(&distances, Round::Closed));
-    let given: Given = [("population", crate::Value::from(1.0)), ("local_search", crate::Value::from("none"))].into_iter().collect();
-    let settings = Settings::new(ENTRY.parameters, TOUR, &given).unwrap();
+    let problem = Arc::new(Problem::new(&distances, TourEnds::Closed));
+    let given: Overrides = [("population", crate::Value::from(1.0)), ("local_search", crate::Value::from("none"))].into_iter().collect();
+    let settings = Parameters::new(ENTRY.parameters, TOUR, &given).unwrap();
     let mut bats = begin(&problem, &settings, Stream::new(1, 0));
     let mut best = Tour::first(&problem);
     best.row.swap(n - 2, n - 1);
@@ -28,10 +28,10 @@ fn half_of_all_places_is_far_and_fewer_are_near() {
     for (n, wrong, hamming, range) in [(12, 6, 6, Range::Far), (12, 4, 4, Range::Near), (8, 4, 4, Range::Far), (8, 2, 2, Range::Near)] {
         let mut bats = bats(n, wrong, 1.0, 1.0);
         bats.step();
-        let deed = bats.swarm[0].deed;
-        assert_eq!((deed.hamming, deed.range), (hamming, range), "{n} stops, {wrong} reversed");
-        assert!((1..=hamming).contains(&deed.tries));
-        assert_eq!(deed.local, Local::Passed, "with a pulse rate of 1 nobody looks around the best");
+        let last_move = bats.swarm[0].last_move;
+        assert_eq!((last_move.hamming, last_move.range), (hamming, range), "{n} stops, {wrong} reversed");
+        assert!((1..=hamming).contains(&last_move.tries));
+        assert_eq!(last_move.local, Local::Passed, "with a pulse rate of 1 nobody looks around the best");
     }
 }
 
@@ -47,12 +47,12 @@ fn a_bat_that_takes_a_tour_gets_quieter_and_its_pulse_rate_falls() {
         bats.swarm[0].tour.settle(&bats.problem);
         bats.step();
         let bat = &bats.swarm[0];
-        if bat.deed.local == Local::Taken {
+        if bat.last_move.local == Local::Taken {
             taken += 1;
             assert_eq!(bat.loudness, -0.98, "(10): ε A");
             let factor = 1.0 - math::exp(-0.98 * (t + 1) as f64);
             assert_eq!(bat.pulse_rate, -factor, "(11): r (1 − e^(−λt))");
-            assert!(bat.deed.local_gain > 0.0);
+            assert!(bat.last_move.local_gain > 0.0);
         } else {
             assert_eq!((bat.loudness, bat.pulse_rate), (-1.0, -1.0));
         }
@@ -66,16 +66,16 @@ fn a_loud_bat_takes_nothing_from_around_the_best() {
         let mut bats = bats(12, 10, -1.0, 1.0);
         bats.rng = Stream::new(seed, 1);
         bats.step();
-        assert_eq!(bats.swarm[0].deed.local, Local::Tried);
+        assert_eq!(bats.swarm[0].last_move.local, Local::Tried);
         assert_eq!((bats.swarm[0].loudness, bats.swarm[0].pulse_rate), (1.0, -1.0));
     }
 }
 
 #[test]
 fn bats_begin_half_loud_at_least_and_with_any_pulse_rate() {
-    let problem = Arc::new(Problem::new(&Distances::of(9, |i, j| (j - i) as f64), Round::Closed));
-    let given: Given = [("population", crate::Value::from(400.0))].into_iter().collect();
-    let settings = Settings::new(ENTRY.parameters, TOUR, &given).unwrap();
+    let problem = Arc::new(Problem::new(&Distances::of(9, |i, j| (j - i) as f64), TourEnds::Closed));
+    let given: Overrides = [("population", crate::Value::from(400.0))].into_iter().collect();
+    let settings = Parameters::new(ENTRY.parameters, TOUR, &given).unwrap();
     let bats = begin(&problem, &settings, Stream::new(1, 0));
     assert!(bats.swarm.iter().all(|bat| (0.5..1.0).contains(&bat.loudness) && (0.0..1.0).contains(&bat.pulse_rate)));
     let mean = |of: fn(&Bat) -> f64| bats.mean(of);
@@ -91,9 +91,9 @@ fn a_bat_takes_its_best_try_always_or_if_it_is_shorter() {
             (bats.always, bats.rng) = (always, Stream::new(seed, 1));
             let before = bats.swarm[0].tour.length;
             bats.step();
-            let Bat { tour, deed, .. } = &bats.swarm[0];
-            assert_eq!(before - tour.length, deed.gain);
-            deed.gain
+            let Bat { tour, last_move, .. } = &bats.swarm[0];
+            assert_eq!(before - tour.length, last_move.gain);
+            last_move.gain
         };
         (0..40).map(fly).collect()
     };

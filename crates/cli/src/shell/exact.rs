@@ -6,7 +6,7 @@ use forage::{
     Scene,
     arm::ArmScene,
     exact::{AmongCuboids, MAX_EXACT_CUBOIDS, MAX_EXACT_STOPS, shortest_among_cuboids},
-    kernel::{Round, Yardstick},
+    kernel::{ReferenceOptimum, TourEnds},
     scene::{ARM, GRID, MAX_EXACT_CELLS, TourScene},
 };
 use serde::Serialize;
@@ -45,7 +45,7 @@ struct CellPath<'a> {
 
 #[derive(Serialize)]
 struct Tour<'a> {
-    by: Yardstick,
+    by: ReferenceOptimum,
     length: f64,
     order: &'a [usize],
     path: &'a [[f64; 2]],
@@ -57,9 +57,9 @@ pub(super) fn exact(scene: &str, json: bool) -> Outcome {
         ARM => Points::Space(&exact.tip_path),
         _ => Points::Plane(&exact.path),
     });
-    let cells = (scene.kind() == GRID).then(|| scene.exact_by(Yardstick::Cells)).flatten();
+    let cells = (scene.kind() == GRID).then(|| scene.exact_by(ReferenceOptimum::Cells)).flatten();
     let answer = Answer {
-        length: scene.optimum(Yardstick::AnyAngle),
+        length: scene.optimum(ReferenceOptimum::AnyAngle),
         path,
         cells: cells.map(|exact| CellPath { length: exact.length, path: &exact.path }),
         tours: tours(&scene),
@@ -76,12 +76,12 @@ pub(super) fn exact(scene: &str, json: bool) -> Outcome {
 /// The shortest tours by each rule that applies to a scene.
 fn tours(scene: &Scene) -> Vec<Tour<'_>> {
     let (rules, ends): (&[_], _) = match scene.get::<TourScene>() {
-        Ok(tour) => (&[Yardstick::Matrix], tour.round()),
-        Err(_) => (&[Yardstick::AnyAngle, Yardstick::Cells], Round::Closed),
+        Ok(tour) => (&[ReferenceOptimum::Matrix], tour.round()),
+        Err(_) => (&[ReferenceOptimum::AnyAngle, ReferenceOptimum::Cells], TourEnds::Closed),
     };
-    let tour = |&by: &Yardstick| {
+    let tour = |&by: &ReferenceOptimum| {
         let exact = scene.exact_tour(by, ends)?;
-        let by = if exact.stored { Yardstick::Stored } else { by };
+        let by = if exact.stored { ReferenceOptimum::Stored } else { by };
         Some(Tour { by, length: exact.length, order: &exact.order, path: &exact.path })
     };
     rules.iter().filter_map(tour).collect()
@@ -125,10 +125,10 @@ fn summary(scene: &Scene, answer: &Answer<'_>) -> String {
 
 fn tour_line(tour: &Tour<'_>, length: &str) -> String {
     let by = match tour.by {
-        Yardstick::AnyAngle => "with any-angle paths",
-        Yardstick::Cells => "from cell to cell",
-        Yardstick::Matrix => "by the scene’s distances",
-        Yardstick::Stored | Yardstick::Refuted => "stated in the scene file",
+        ReferenceOptimum::AnyAngle => "with any-angle paths",
+        ReferenceOptimum::Cells => "from cell to cell",
+        ReferenceOptimum::Matrix => "by the scene’s distances",
+        ReferenceOptimum::Stored | ReferenceOptimum::Refuted => "stated in the scene file",
     };
     let stops: Vec<_> = tour.order.iter().map(usize::to_string).collect();
     format!("shortest tour {length} {by}, stops {}", stops.join(" "))

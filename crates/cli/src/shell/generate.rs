@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use forage::{Given, scene::generate};
+use forage::{Overrides, scene::generate};
 
 use super::{
     args::GenerateArgs,
@@ -16,7 +16,7 @@ use super::{
 pub(super) fn generate(args: &GenerateArgs) -> Outcome {
     let generator = generate::find(&args.generator)?;
     let format = args.out.as_deref().map(|path| convert::format("--out", path)).transpose()?;
-    let mut overrides = Given::new();
+    let mut overrides = Overrides::new();
     load::read_pairs("--set", &args.set, &mut overrides)?;
     let scene = generate::generate(generator.name, &overrides, load::seed(&args.seed)?)
         .map_err(|error| Failure::about(Subject::Named(generator.name), &error))?;

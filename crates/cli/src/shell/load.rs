@@ -8,7 +8,7 @@ use std::{
 };
 
 use forage::{
-    Error, Given, Link, Scene, Setup, Value,
+    Error, Link, Overrides, Scene, Setup, Value,
     arm::{self, ArmScene},
     catalogue,
     describe::Suggestion,
@@ -140,7 +140,7 @@ fn from_names(planner: Option<&str>, scene_name: Option<&str>) -> Result<Task, F
     catalogue::find(planner)?;
     let (scene, files) =
         scene_and_files(scene_name.ok_or_else(|| missing("--scene is missing: a file, a shipped scene’s name or a link"))?)?;
-    let setup = Setup { planner: planner.to_owned(), scene, params: Given::new(), seed: 1 };
+    let setup = Setup { planner: planner.to_owned(), scene, params: Overrides::new(), seed: 1 };
     Ok(Task { setup, stop_at: None, expected_hash: None, files })
 }
 
@@ -154,14 +154,14 @@ fn from_link(link: Link, planner: Option<&str>) -> Task {
                 link.setup.planner,
                 quoted(name)
             ));
-            let setup = Setup { planner: name.to_owned(), params: Given::new(), ..link.setup };
+            let setup = Setup { planner: name.to_owned(), params: Overrides::new(), ..link.setup };
             Task { setup, stop_at: None, expected_hash: None, files: Vec::new() }
         }
     }
 }
 
 /// Reads name=value pairs into parameters.
-pub(super) fn read_pairs(option: &str, pairs: &[String], params: &mut Given) -> Result<(), Failure> {
+pub(super) fn read_pairs(option: &str, pairs: &[String], params: &mut Overrides) -> Result<(), Failure> {
     for pair in pairs {
         let (name, value) = pair.split_once('=').ok_or_else(|| Error::refused(option, pair, "name=value"))?;
         params.insert(name.trim(), value_of(value));
@@ -178,8 +178,8 @@ fn value_of(text: &str) -> Value {
 }
 
 /// The drive's parameters, checked before the run; refused in scenes without a robot that can drive.
-pub(super) fn drive(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
-    let mut overrides = Given::new();
+pub(super) fn drive(args: &RunArgs, scene: &Scene) -> Result<Overrides, Failure> {
+    let mut overrides = Overrides::new();
     read_pairs("--drive-set", &args.drive_set, &mut overrides)?;
     let robot = drive::robot(scene).and_then(|(grid, _)| grid.robot);
     if robot.is_none() && (args.drive.is_some() || !overrides.is_empty()) {
@@ -191,8 +191,8 @@ pub(super) fn drive(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
 }
 
 /// The motion's parameters, checked before the run; refused in scenes without an arm.
-pub(super) fn motion(args: &RunArgs, scene: &Scene) -> Result<Given, Failure> {
-    let mut overrides = Given::new();
+pub(super) fn motion(args: &RunArgs, scene: &Scene) -> Result<Overrides, Failure> {
+    let mut overrides = Overrides::new();
     read_pairs("--motion-set", &args.motion_set, &mut overrides)?;
     if scene.get::<ArmScene>().is_err() && (args.motion.is_some() || !overrides.is_empty()) {
         let option = if args.motion.is_some() { "--motion" } else { "--motion-set" };

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use forage::{Given, Setup, describe::Suggestion};
+use forage::{Overrides, Setup, describe::Suggestion};
 
 use super::{
     args::SuggestArgs,
@@ -14,7 +14,7 @@ use super::{
 
 pub(super) fn suggest(args: SuggestArgs) -> Outcome {
     forage::catalogue::find(&args.planner)?;
-    let mut setup = Setup { planner: args.planner, scene: load::scene(&args.scene)?, params: Given::new(), seed: 1 };
+    let mut setup = Setup { planner: args.planner, scene: load::scene(&args.scene)?, params: Overrides::new(), seed: 1 };
     load::read_pairs("--set", &args.set, &mut setup.params)?;
     let (suggested, title) = load::suggestion(&setup)?;
     if args.json {

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use forage::{
     Scene,
-    kernel::{Round, Yardstick},
+    kernel::{ReferenceOptimum, TourEnds},
     scene::{
         GridScene, TourScene,
         formats::{NamedFile, import},
@@ -40,7 +40,7 @@ fn a_random_grid_goes_through_every_format_in_the_shell() {
     assert_eq!(exact.status.code(), Some(0), "{}", words(&exact.stderr));
     assert!(words(&exact.stderr).contains("Problem 0 of 1"));
     let length = serde_json::from_slice::<serde_json::Value>(&exact.stdout).unwrap()["cells"]["length"].as_f64();
-    assert_eq!(length, scene.exact_by(Yardstick::Cells).map(|exact| exact.length));
+    assert_eq!(length, scene.exact_by(ReferenceOptimum::Cells).map(|exact| exact.length));
     let run = forage(&["run", "wcpso", "--scene", &at("n.yaml"), "--iterations", "3", "--json"]);
     assert!(run.status.code() < Some(2) && words(&run.stderr).contains("start and no goal"), "{}", words(&run.stderr));
     // A shipped scene by its name; a note says what the format cannot hold.
@@ -99,7 +99,7 @@ fn stops_go_through_every_format_of_stops_and_their_shortest_tour_with_them() {
     run(&["convert", &at("a.json"), &at("b.tsp")]);
     let said = run(&["convert", &at("b.tsp"), &at("b.opt.tour"), &at("c.json")]);
     assert!(said.contains("The tour in b.opt.tour has the length"), "{said}");
-    let shortest = |name: &str| scene(name).exact_tour(Yardstick::default(), Round::Closed).map(|exact| exact.length);
+    let shortest = |name: &str| scene(name).exact_tour(ReferenceOptimum::default(), TourEnds::Closed).map(|exact| exact.length);
     let stored = scene("c.json").header().exact.as_ref().map(|exact| exact["length"].as_f64());
     assert_eq!((stored, shortest("c.json")), (Some(shortest("a.json")), shortest("a.json")));
     // A tour alone finds its instance; its name is the one that was asked for, and the instance goes with it.

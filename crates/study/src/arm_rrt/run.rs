@@ -44,7 +44,8 @@ pub(super) struct Run {
     pub seconds: Option<f64>,
     pub mirrored: Option<u64>,
     pub drawn: Option<u64>,
-    pub trouble: Option<String>,
+    #[serde(rename = "trouble")]
+    pub failure: Option<String>,
     /// The time of the tree alone.
     pub measured_ms: f64,
 }
@@ -145,7 +146,7 @@ impl Job for Task {
             seconds: motion.map(|motion| motion.time),
             mirrored: motion.map(|motion| motion.mirrored),
             drawn: motion.map(|motion| motion.drawn),
-            trouble: motion.and_then(|motion| motion.trouble.clone()),
+            failure: motion.and_then(|motion| motion.failure.clone()),
             measured_ms: tree.ms,
         }))
     }

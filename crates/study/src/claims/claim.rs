@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use forage::{
-    Given, Value,
+    Overrides, Value,
     kernel::Error,
     scene::{
         Scene,
@@ -79,9 +79,9 @@ pub struct Arm {
     /// The planner's name.
     pub planner: &'static str,
     /// Its parameters.
-    pub params: Given,
+    pub params: Overrides,
     /// Parameters of the arm's motion along the path, where they are not the defaults.
-    pub motion: Given,
+    pub motion: Overrides,
 }
 
 /// When a run is looked at.
@@ -143,7 +143,7 @@ pub enum Question {
 impl Arm {
     /// A planner with parameters as they are typed: `random=particle v_max=1`.
     pub fn new(planner: &'static str, params: &str) -> Self {
-        Self { planner, params: given(params), motion: Given::new() }
+        Self { planner, params: given(params), motion: Overrides::new() }
     }
 
     /// With parameters of the arm's motion.
@@ -153,7 +153,7 @@ impl Arm {
     }
 }
 
-fn given(text: &str) -> Given {
+fn given(text: &str) -> Overrides {
     text.split_whitespace().filter_map(|pair| pair.split_once('=')).map(|(name, value)| (name, Value::from(value))).collect()
 }
 

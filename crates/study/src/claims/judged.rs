@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use forage::Given;
+use forage::Overrides;
 
 /// What the runs say of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -75,10 +75,10 @@ pub struct ShownArm {
     /// The planner's name.
     pub planner: &'static str,
     /// The parameters that are not its defaults.
-    pub parameters: Given,
+    pub parameters: Overrides,
     /// The same of the arm’s motion.
-    #[serde(skip_serializing_if = "Given::is_empty")]
-    pub motion: Given,
+    #[serde(skip_serializing_if = "Overrides::is_empty")]
+    pub motion: Overrides,
     /// The command that repeats its first run.
     pub command: String,
 }

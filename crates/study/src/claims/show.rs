@@ -32,7 +32,7 @@ fn planners(part: &Answered) -> String {
     }
     let [first, rest @ ..] = part.arms.as_slice() else { return String::new() };
     let is_common = |name: &str| rest.iter().all(|arm| arm.parameters.get(name) == first.parameters.get(name));
-    let listed = |of: &dyn Fn(&str) -> bool, given: &forage::Given| {
+    let listed = |of: &dyn Fn(&str) -> bool, given: &forage::Overrides| {
         given.iter().filter(|(name, _)| of(name)).map(|(name, value)| format!("{name}={value}")).collect::<Vec<_>>().join(" ")
     };
     let labels = part.arms.iter().map(|arm| {

@@ -6,7 +6,7 @@ use std::{
 };
 
 use forage::{
-    Given, Setup, Status, Trial,
+    Overrides, Setup, Status, Trial,
     arm::{ArmScene, MOTION},
     kernel::Error,
     trial::WITHIN,
@@ -57,7 +57,7 @@ impl Until {
 
 impl Arm {
     fn parameters(&self) -> String {
-        let listed = |given: &Given| given.iter().map(|(name, value)| format!("{name}={value}")).collect::<Vec<_>>().join(" ");
+        let listed = |given: &Overrides| given.iter().map(|(name, value)| format!("{name}={value}")).collect::<Vec<_>>().join(" ");
         if self.motion.is_empty() { listed(&self.params) } else { format!("{} motion: {}", listed(&self.params), listed(&self.motion)) }
     }
 }

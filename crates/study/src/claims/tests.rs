@@ -12,7 +12,7 @@ use crate::{
     papers::{PAPERS, Paper},
     runner::Job,
 };
-use forage::{catalogue, params::Settings};
+use forage::{catalogue, params::Parameters};
 
 /// All claims of all papers, without what a tuning finds.
 fn all() -> Vec<(&'static str, Claim)> {
@@ -210,7 +210,7 @@ fn all_claims_are_of_known_planners_parameters_and_scenes() {
                     let scene = on.scene().unwrap();
                     let entry = catalogue::find(arm.planner).unwrap();
                     entry.check_scene(&scene).unwrap();
-                    let settings = Settings::new(entry.parameters, scene.kind(), &arm.params);
+                    let settings = Parameters::new(entry.parameters, scene.kind(), &arm.params);
                     assert!(settings.is_ok(), "[{paper}] {}: {} {:?}", claim.id, arm.planner, settings.err());
                 }
             }

@@ -1,7 +1,7 @@
 //! Numbers of the papers' texts, and what in the papers contradicts something else in them.
 
 use forage::{
-    Given, Session, Setup, Value, catalogue, geometry,
+    Overrides, Session, Setup, Value, catalogue, geometry,
     kernel::{Error, SceneKindId},
     scene::{FUNCTION, GridScene, shipped},
 };
@@ -131,7 +131,7 @@ fn wcpso() -> Result<Vec<Finding>, Error> {
 
 /// What (10) and (11) suggest for D segments.
 fn suggested(d: u64, initial: &str) -> Result<[u64; 2], Error> {
-    let params: Given = [("segments", Value::from(d as f64)), ("initial", Value::from(initial))].into_iter().collect();
+    let params: Overrides = [("segments", Value::from(d as f64)), ("initial", Value::from(initial))].into_iter().collect();
     let setup = Setup { planner: "ltqpso".to_owned(), scene: shipped("qpso-10m")?, params, seed: 1 };
     Ok(setup.suggest()?.map_or([0, 0], |suggestion| [suggestion.population, suggestion.iterations]))
 }
@@ -311,7 +311,7 @@ fn wolf_ant() -> Result<Vec<Finding>, Error> {
         format!("A* is exact. Its printed time {} s is also that of the ants’ length with 12 turns ({as_best:.4} s), so it may have had the optimal length", a_star.value),
     ));
     let run = |epsilon: f64| -> Result<Option<f64>, Error> {
-        let params: Given = [("epsilon", Value::from(epsilon)), ("iterations", Value::from(20.0))].into_iter().collect();
+        let params: Overrides = [("epsilon", Value::from(epsilon)), ("iterations", Value::from(20.0))].into_iter().collect();
         let mut session = Session::with_keyframes(Setup { planner: "aco-wolf".to_owned(), scene: scene.clone(), params, seed: 1 }, 0)?;
         session.step(u64::MAX);
         Ok(session.readings().get("mean"))

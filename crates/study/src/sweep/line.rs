@@ -5,7 +5,7 @@ use std::{io, path::Path};
 use serde_json::{Map, Value};
 
 use forage::{
-    kernel::{Error, Yardstick},
+    kernel::{Error, ReferenceOptimum},
     trial::Record,
 };
 
@@ -177,11 +177,11 @@ impl Format {
         let hash = result("hash");
         u64::from_str_radix(hash, 16).map_err(|_| damaged(&format!("hash is `{hash}`; it must be 16 hexadecimal digits")))?;
         let by = match result("exact_by") {
-            "cells" => Yardstick::Cells,
-            "matrix" => Yardstick::Matrix,
-            "stored" => Yardstick::Stored,
-            "refuted" => Yardstick::Refuted,
-            _ => Yardstick::AnyAngle,
+            "cells" => ReferenceOptimum::Cells,
+            "matrix" => ReferenceOptimum::Matrix,
+            "stored" => ReferenceOptimum::Stored,
+            "refuted" => ReferenceOptimum::Refuted,
+            _ => ReferenceOptimum::AnyAngle,
         };
         let exact = Optimum::of(number("exact")?);
         let (value, reached, deterministic) = (number("value")?, number("reached")?.is_some(), flag("deterministic")?);
@@ -233,7 +233,7 @@ pub(super) struct Told {
     pub(super) reached: bool,
     pub(super) exact: Optimum,
     /// Which optimum that is.
-    pub(super) by: Yardstick,
+    pub(super) by: ReferenceOptimum,
     /// No random number has a part in it.
     pub(super) deterministic: bool,
 }

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, fmt, str::FromStr, sync::Arc};
 
-use forage::{Given, Scene, Setup, Value, kernel::Error, params::Settings};
+use forage::{Overrides, Scene, Setup, Value, kernel::Error, params::Parameters};
 
 use super::text::value_text;
 
@@ -181,7 +181,7 @@ impl Sweep {
         Setup {
             planner: self.planners[planner].planner.clone(),
             scene: Arc::clone(&self.scenes[scene]),
-            params: self.values(planner, variant).into_iter().map(|(name, value)| (name, value.clone())).collect::<Given>(),
+            params: self.values(planner, variant).into_iter().map(|(name, value)| (name, value.clone())).collect::<Overrides>(),
             seed: self.seeds.seed(job % self.seeds.len()),
         }
     }
@@ -263,7 +263,7 @@ impl Variants {
 }
 
 /// Iterations times those that take part in each, as far as the planner says.
-fn weight(settings: &Settings) -> u64 {
+fn weight(settings: &Parameters) -> u64 {
     let number = |name: &str| {
         let value = settings.all().iter().find(|(known, _)| *known == name);
         value.and_then(|(_, value)| if let Value::Number(number) = value { Some(*number as u64) } else { None })

@@ -25,7 +25,7 @@ pub type Load<'a> = &'a dyn Fn(&str) -> Result<Arc<Scene>, Failure>;
 
 /// What a file says.
 #[derive(Debug)]
-pub struct Given {
+pub struct Overrides {
     /// The runs.
     pub sweep: Sweep,
     /// Where the rows are to go, if it says so.
@@ -58,7 +58,7 @@ struct Planner {
 ///
 /// # Errors
 /// The field, its value and what is allowed.
-pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Given, Failure> {
+pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Overrides, Failure> {
     let given: File = toml::from_str(text).map_err(|problem| Error::malformed(file, placed(text, &problem)))?;
     let name = given.name.map_or(Ok(default_name.to_owned()), |name| plain_text("name", &name))?;
     let scenes = scenes(given.scenes.as_ref(), load)?;
@@ -84,7 +84,7 @@ pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Gi
         return Err(Error::refused("seeds", format!("a sweep of {runs} runs"), allowed).into());
     }
     sweep.weigh()?;
-    Ok(Given { sweep, out })
+    Ok(Overrides { sweep, out })
 }
 
 /// A TOML error in one line, with its place.

@@ -5,8 +5,8 @@ use std::{fmt::Write, path::PathBuf};
 use serde::Serialize;
 
 use forage::{
-    Given,
-    kernel::Yardstick,
+    Overrides,
+    kernel::ReferenceOptimum,
     statistics::{Comparison, Friedman, Group, GroupSummary, Pair, comparable, compare, friedman},
 };
 
@@ -65,11 +65,11 @@ pub struct OfGroup {
     /// The planner's name.
     pub planner: String,
     /// The parameters that the sweep sets.
-    pub parameters: Given,
+    pub parameters: Overrides,
     /// Whether its runs differ at all: a test of what is the same each time says nothing.
     pub draws_lots: bool,
     /// Which optimum it is measured by; `None` where there is none.
-    pub exact_by: Option<Yardstick>,
+    pub exact_by: Option<ReferenceOptimum>,
     /// The share of runs that came near enough to the optimum; `None` where there is no optimum.
     pub reached: Option<f64>,
     /// The rest.
@@ -191,7 +191,7 @@ impl OnScene {
             // What all have alike tells nobody apart.
             let set = parameters.iter().filter(|pair| !common.contains(pair));
             let name = set.fold(planner.to_owned(), |name, (parameter, value)| format!("{name} {parameter}={}", value_text(value)));
-            let parameters: Given = parameters.into_iter().map(|(name, value)| (name, value.clone())).collect();
+            let parameters: Overrides = parameters.into_iter().map(|(name, value)| (name, value.clone())).collect();
             let near = runs.iter().filter(|told| told.reached).count() as f64 / runs.len() as f64;
             let measured = runs.iter().find(|told| told.exact != Optimum::None);
             optimum = measured.filter(|_| optimum == Optimum::None).map_or(optimum, |told| told.exact);
@@ -275,7 +275,7 @@ impl OnScene {
                 Cell::maybe(group.reached.map(|share| 100.0 * share), 1),
             ];
             if differ {
-                row.push(group.exact_by.map_or(Cell::Empty, |by| yardstick(by).into()));
+                row.push(group.exact_by.map_or(Cell::Empty, |by| reference(by).into()));
             }
             table.rows.push(row);
         }
@@ -301,13 +301,13 @@ impl OnScene {
     }
 }
 
-fn yardstick(by: Yardstick) -> &'static str {
+fn reference(by: ReferenceOptimum) -> &'static str {
     match by {
-        Yardstick::AnyAngle => "any angle",
-        Yardstick::Cells => "cells",
-        Yardstick::Matrix => "matrix",
-        Yardstick::Stored => "stored",
-        Yardstick::Refuted => "refuted",
+        ReferenceOptimum::AnyAngle => "any angle",
+        ReferenceOptimum::Cells => "cells",
+        ReferenceOptimum::Matrix => "matrix",
+        ReferenceOptimum::Stored => "stored",
+        ReferenceOptimum::Refuted => "refuted",
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::{
     Scene,
     exact::Metric,
-    kernel::{Round, Yardstick},
+    kernel::{ReferenceOptimum, TourEnds},
     scene::{
         Header, TourScene,
         formats::{Format, NamedFile, export, import, wanted},
@@ -26,7 +26,7 @@ fn instance(kind: &str, points: &[[f64; 2]]) -> String {
 }
 
 fn shortest(scene: &Scene) -> f64 {
-    scene.exact_tour(Yardstick::default(), Round::Closed).unwrap().length
+    scene.exact_tour(ReferenceOptimum::default(), TourEnds::Closed).unwrap().length
 }
 
 /// Fourteen towns of Burma, TSPLIB's burma14: latitudes and longitudes in degrees and minutes.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::{
     exact::Metric,
-    kernel::{Error, Round, Yardstick},
+    kernel::{Error, ReferenceOptimum, TourEnds},
     scene::{Scene, TourScene},
 };
 
@@ -49,7 +49,7 @@ pub(in super::super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Er
     let mut files = vec![NamedFile::new(format!("{stem}.tsp"), text)];
     if !tour.closed {
         not_kept("that tours are open", &mut notes);
-    } else if let Some(exact) = scene.exact_tour(Yardstick::default(), Round::Closed).filter(|exact| !exact.order.is_empty()) {
+    } else if let Some(exact) = scene.exact_tour(ReferenceOptimum::default(), TourEnds::Closed).filter(|exact| !exact.order.is_empty()) {
         // What is the shortest tour before rounding need not be it afterwards.
         let ending = if rounded { "tour" } else { "opt.tour" };
         files.push(tour_file(&format!("{stem}.{ending}"), &exact.order));

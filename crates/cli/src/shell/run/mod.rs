@@ -12,13 +12,13 @@ use std::{
 };
 
 use forage::{
-    Given, Outcome, Session, Status, arm,
+    Outcome, Overrides, Session, Status, arm,
     describe::{Column, Shown, layers},
     drive::COLUMNS,
-    kernel::Finding,
+    kernel::SubtaskResult,
     picture,
     scene::formats::{stem_of, tour_file},
-    session::{carry_out_all, csv_heading, csv_line, csv_row},
+    session::{csv_heading, csv_line, csv_row, run_subtasks},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
@@ -114,7 +114,7 @@ fn check_outputs(args: &RunArgs, read: &[PathBuf]) -> Result<(), Failure> {
 }
 
 /// Lets the robot drive along the path, if that was asked for.
-fn follow_drive(args: &RunArgs, overrides: &Given, session: &Session, outcome: &mut Outcome) -> Result<(), Failure> {
+fn follow_drive(args: &RunArgs, overrides: &Overrides, session: &Session, outcome: &mut Outcome) -> Result<(), Failure> {
     if args.drive.is_none() && overrides.is_empty() {
         return Ok(());
     }
@@ -129,7 +129,7 @@ fn follow_drive(args: &RunArgs, overrides: &Given, session: &Session, outcome: &
 }
 
 /// Lets the arm follow the path, if that was asked for.
-fn follow_motion(args: &RunArgs, overrides: &Given, session: &Session, outcome: &mut Outcome) -> Result<(), Failure> {
+fn follow_motion(args: &RunArgs, overrides: &Overrides, session: &Session, outcome: &mut Outcome) -> Result<(), Failure> {
     if args.motion.is_none() && overrides.is_empty() {
         return Ok(());
     }
@@ -168,8 +168,8 @@ fn run_to_end(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>)
         if done || interrupted.load(Ordering::Relaxed) {
             break;
         }
-        if let Some(found) = run_subtasks(session, &interrupted)? {
-            session.supply(found);
+        if let Some(found) = answer_subtasks(session, &interrupted)? {
+            session.provide(found);
         }
         if !interrupted.load(Ordering::Relaxed) {
             session.step(1);
@@ -188,14 +188,14 @@ fn run_to_end(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>)
 
 /// Carries out the runs of other planners that the next step needs, a few at a time so that Ctrl-C takes effect. `None`: it
 /// needs none.
-fn run_subtasks(session: &mut Session, interrupted: &AtomicBool) -> Result<Option<Vec<Finding>>, Failure> {
-    let subtasks = session.jobs();
+fn answer_subtasks(session: &mut Session, interrupted: &AtomicBool) -> Result<Option<Vec<SubtaskResult>>, Failure> {
+    let subtasks = session.subtasks();
     let mut results = Vec::with_capacity(subtasks.len());
     for some in subtasks.chunks(64) {
         if interrupted.load(Ordering::Relaxed) {
             break;
         }
-        results.extend(carry_out_all(session.scene(), some)?);
+        results.extend(run_subtasks(session.scene(), some)?);
     }
     Ok((!subtasks.is_empty()).then_some(results))
 }

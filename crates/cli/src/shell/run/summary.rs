@@ -2,7 +2,7 @@
 
 use std::fmt::{Display, Write as _};
 
-use forage::{DriveOutcome, Outcome, Status, arm::MotionOutcome, kernel::Yardstick};
+use forage::{DriveOutcome, Outcome, Status, arm::MotionOutcome, kernel::ReferenceOptimum};
 
 use crate::shell::text::{escape, measured, number, point};
 
@@ -44,7 +44,7 @@ pub(super) fn summary(outcome: &Outcome, unit: &str, elapsed_ms: f64) -> String 
     }
     if let Some(motion) = &outcome.motion {
         lines.add("motion", motion_line(motion));
-        if let Some(failure) = &motion.trouble {
+        if let Some(failure) = &motion.failure {
             lines.add("", escape(failure));
         }
     }
@@ -108,9 +108,9 @@ fn optimum(outcome: &Outcome, lines: &mut Lines) {
     if let Some(exact) = outcome.exact {
         let gap = outcome.gap.map_or(String::new(), |gap| format!(" ({})", percent(gap)));
         let by = match outcome.exact_by {
-            Yardstick::Cells => ", from cell to cell",
-            Yardstick::Stored => ", stated in the scene file",
-            Yardstick::AnyAngle | Yardstick::Matrix | Yardstick::Refuted => "",
+            ReferenceOptimum::Cells => ", from cell to cell",
+            ReferenceOptimum::Stored => ", stated in the scene file",
+            ReferenceOptimum::AnyAngle | ReferenceOptimum::Matrix | ReferenceOptimum::Refuted => "",
         };
         let exact = if outcome.length.is_some() { lines.length(exact) } else { number(exact) };
         lines.add("optimum", format!("{exact}{by}{gap}"));
@@ -120,13 +120,13 @@ fn optimum(outcome: &Outcome, lines: &mut Lines) {
         let gap = percent((length - by_road) / by_road);
         lines.add("best tour", format!("{} with these paths between stops ({gap})", lines.length(by_road)));
     }
-    if outcome.exact_by == Yardstick::Refuted {
+    if outcome.exact_by == ReferenceOptimum::Refuted {
         lines.add("optimum", "this result is better than the optimum stated in the scene file");
     }
 }
 
 fn feasibility(outcome: &Outcome, lines: &mut Lines) {
-    if let Some(failure) = &outcome.trouble {
+    if let Some(failure) = &outcome.failure {
         lines.add("failure", escape(failure));
     }
     let clearance = outcome.clearance.map(|clearance| lines.length(clearance.abs()));

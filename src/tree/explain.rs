@@ -6,7 +6,7 @@ use crate::{
 };
 
 use super::{
-    grow::{By, Extension, Fate, Sample, Seen, Source},
+    grow::{By, Extension, Sample, SampleOutcome, Seen, Source},
     vector::distance,
 };
 
@@ -25,7 +25,7 @@ fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value
     Quantity { name, symbol, title, value }
 }
 
-impl Fate {
+impl SampleOutcome {
     /// In a few words.
     fn words(self) -> &'static str {
         match self {
@@ -56,7 +56,7 @@ impl Fate {
 
 impl<const N: usize> Seen<'_, N> {
     /// What can be said from the present state: of samples of the last extension, and of a root.
-    pub(super) fn tell(&self, item: Item) -> Option<Inspection> {
+    pub(super) fn explain(&self, item: Item) -> Option<Inspection> {
         match item.layer {
             layer if layer == layers::SAMPLES.key => self.tell_sample(item),
             layer if layer == layers::NODES.key && self.forest.births.get(item.index)?.iteration == 0 => {
@@ -88,7 +88,7 @@ impl<const N: usize> Seen<'_, N> {
         };
         told.summary = summary(last);
         let near = tree.points[last.near];
-        if let Some(sample) = last.samples.iter().find(|sample| sample.fate == Fate::Taken) {
+        if let Some(sample) = last.samples.iter().find(|sample| sample.outcome == SampleOutcome::Taken) {
             self.tell_taken(sample, &near, &mut told);
         }
         self.table(&near, &mut told);
@@ -157,7 +157,7 @@ impl<const N: usize> Seen<'_, N> {
             told.columns.extend(COLUMNS);
             let goal = self.task.goal();
             for (i, sample) in last.samples.iter().enumerate().filter(|(_, sample)| sample.angle.is_finite()) {
-                told.labels.push(format!("{}: {}", i + 1, sample.fate.words()));
+                told.labels.push(format!("{}: {}", i + 1, sample.outcome.words()));
                 let key = if by == By::Angle { sample.angle.to_degrees() } else { distance(&goal, &sample.point) };
                 told.rows.push(vec![key, sample.share, distance(near, &sample.point)]);
             }
@@ -166,8 +166,8 @@ impl<const N: usize> Seen<'_, N> {
         let lines = |fates: &dyn Fn(&Sample<N>) -> bool| -> Vec<[f64; 3]> {
             last.samples.iter().filter(|sample| fates(sample)).flat_map(|sample| [from, place(&sample.point)]).collect()
         };
-        let kept = lines(&|sample| !matches!(sample.fate, Fate::NotKept | Fate::Taken));
-        let chosen = lines(&|sample| sample.fate == Fate::Taken);
+        let kept = lines(&|sample| !matches!(sample.outcome, SampleOutcome::NotKept | SampleOutcome::Taken));
+        let chosen = lines(&|sample| sample.outcome == SampleOutcome::Taken);
         let all = last.samples.iter().map(|sample| place(&sample.point)).collect();
         told.marks.push(Mark { layer: layers::SAMPLES.key, shape: Shape::Points, vertices: all });
         told.marks.push(Mark { layer: layers::KEPT.key, shape: Shape::Segments, vertices: kept });
@@ -183,8 +183,8 @@ impl<const N: usize> Seen<'_, N> {
         let mut told = Inspection {
             item,
             title: format!("Sample {}", item.index + 1),
-            event: sample.fate.words(),
-            summary: sample.fate.sentence(last.source).to_owned(),
+            event: sample.outcome.words(),
+            summary: sample.outcome.sentence(last.source).to_owned(),
             values: Vec::new(),
             formulas: Vec::new(),
             columns: Vec::new(),
@@ -205,14 +205,14 @@ fn summary<const N: usize>(last: &Extension<N>) -> String {
         1 => " One neighbour has become its child.".to_owned(),
         n => format!(" {n} neighbours have become its children."),
     };
-    let count = |fate: Fate| last.samples.iter().filter(|sample| sample.fate == fate).count();
+    let count = |outcome: SampleOutcome| last.samples.iter().filter(|sample| sample.outcome == outcome).count();
     match last.source {
         Source::Guided(_) if last.fell_back => {
-            let kept = last.samples.iter().filter(|sample| sample.angle.is_finite() && sample.fate != Fate::NotKept).count();
+            let kept = last.samples.iter().filter(|sample| sample.angle.is_finite() && sample.outcome != SampleOutcome::NotKept).count();
             format!("None of the {kept} kept samples led on, so the tree took a plain random step.")
         }
         Source::Guided(by) => {
-            let (drawn, kept) = (last.samples.len(), last.samples.len() - count(Fate::NotKept));
+            let (drawn, kept) = (last.samples.len(), last.samples.len() - count(SampleOutcome::NotKept));
             match by {
                 By::Angle => format!(
                     "Of {drawn} samples the {kept} with the smallest angles were kept. The tree has grown toward the one that the roulette wheel chose."

@@ -26,7 +26,7 @@ fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value
 
 impl Search {
     /// A cell's numbers and whose child it is; nothing is said about a blocked cell.
-    pub(super) fn tell(&self, item: Item) -> Option<Inspection> {
+    pub(super) fn explain(&self, item: Item) -> Option<Inspection> {
         let (cells, cell) = (&self.task.cells, item.index);
         if item.layer != layers::CLOSED.key || cell >= cells.len() || !cells.is_free(cell) {
             return None;
