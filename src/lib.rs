@@ -60,7 +60,6 @@ pub mod trial;
 pub mod tuning;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
-pub mod way;
 
 pub use catalogue::catalogue;
 pub use drive::{Drive, DriveOutcome};

@@ -3,8 +3,8 @@
 use crate::{
     describe::{CONVERGED, Entry, Formula},
     params::{Param, Parameters},
+    scene::grid_path::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
     settled::SETTLED,
-    way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 use super::{

@@ -198,7 +198,7 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
     let likeliest = view.likeliest();
     let (event, summary) = match likeliest {
         _ if !cells.is_free(item.index) => ("blocked", "No ant comes here: the cell is blocked.".to_owned()),
-        _ if item.index == colony.ground.course.goal => ("goal", "This is the goal: an ant ends here.".to_owned()),
+        _ if item.index == colony.ground.endpoints.goal => ("goal", "This is the goal: an ant ends here.".to_owned()),
         None => ("blocked", "There is no way on from here.".to_owned()),
         Some(d) => {
             let comes = match view.from {

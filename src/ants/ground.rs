@@ -7,7 +7,7 @@ use std::{
 
 use crate::{
     exact,
-    geometry::{self, Cells, Course, angle},
+    geometry::{self, Cells, Endpoints, angle},
     kernel::Error,
     math,
     scene::{GridScene, Scene},
@@ -51,7 +51,7 @@ impl Direction {
 #[derive(Debug)]
 pub(super) struct Ground {
     pub cells: Arc<Cells>,
-    pub course: Course,
+    pub endpoints: Endpoints,
     pub grid: Arc<GridScene>,
     /// What a turn from one direction to another leaves of a step's attraction: ψ^γ as far as θ1 goes.
     pub turn: [[f64; 8]; 9],
@@ -67,16 +67,16 @@ impl Ground {
     pub fn new(scene: &Arc<Scene>, heuristic: Heuristic, beta: f64, gamma: f64, direction: Direction) -> Result<Self, Error> {
         let grid = scene.share::<GridScene>()?;
         let cells = Arc::clone(grid.cells());
-        let course = grid.course()?;
+        let endpoints = grid.endpoints()?;
         let mut ground = Self {
             turn: [[1.0; 8]; 9],
             heuristic,
             beta: Power::new(beta),
             gamma,
             direction,
-            reachable: exact::is_reachable(&cells, course.start, course.goal),
+            reachable: exact::is_reachable(&cells, endpoints.start, endpoints.goal),
             cells,
-            course,
+            endpoints,
             grid,
         };
         if gamma != 0.0 {
@@ -117,7 +117,7 @@ impl Ground {
 
     /// The cells of a walk in these directions from the start on.
     pub fn way<'a>(&'a self, directions: &'a [u8]) -> impl Iterator<Item = usize> + 'a {
-        let start = self.course.start;
+        let start = self.endpoints.start;
         let cells = directions.iter().scan(start, |cell, &d| {
             *cell = self.cells.next(*cell, usize::from(d));
             Some(*cell)
@@ -127,18 +127,18 @@ impl Ground {
 
     /// The straight distance from start to goal, in the scene's unit.
     pub fn apart(&self) -> f64 {
-        let [from, to] = [self.course.start, self.course.goal].map(|cell| self.cells.centre(cell));
+        let [from, to] = [self.endpoints.start, self.endpoints.goal].map(|cell| self.cells.centre(cell));
         geometry::length(&[from, to])
     }
 
     /// 1 / distance to the goal, in cells. Reading: the goal itself is half a cell away.
     fn nearness(&self, cell: usize) -> f64 {
-        1.0 / self.cells.apart(cell, self.course.goal).max(0.5)
+        1.0 / self.cells.apart(cell, self.endpoints.goal).max(0.5)
     }
 
     /// Columns and rows from a cell to the goal.
     fn to_goal(&self, cell: usize) -> [i64; 2] {
-        let (from, to) = (self.cells.place(cell), self.cells.place(self.course.goal));
+        let (from, to) = (self.cells.place(cell), self.cells.place(self.endpoints.goal));
         std::array::from_fn(|axis| to[axis] as i64 - from[axis] as i64)
     }
 
@@ -225,7 +225,7 @@ mod tests {
     fn attraction_is_eta_to_the_beta_times_psi_to_the_gamma() {
         let scene = shipped("ant-bat-30").unwrap();
         let ground = Ground::new(&scene, Heuristic::Distance, 8.0, 2.5, Direction::Squared).unwrap();
-        let cell = ground.course.start;
+        let cell = ground.endpoints.start;
         assert_eq!(ground.cells.place(cell), [1, 26]);
         // The goal is 27 columns to the right and 25 rows down; a step to the right leaves 26 and 25.
         // √(26² + 25²) to the eighth is 1301⁴; atan(25 / 27) = 0.746946.
@@ -239,7 +239,7 @@ mod tests {
         assert!((linear.attraction(cell)[0] / (eighth * math::exp(-2.5 * theta2 / FRAC_PI_2)) - 1.0).abs() < 1e-12);
         assert!((linear.turn[0][2] / math::exp(-2.5) - 1.0).abs() < 1e-14);
         assert_eq!((ground.turn[3][3], ground.turn[NOWHERE][5]), (1.0, 1.0));
-        assert_eq!(ground.nearness(ground.course.goal), 2.0);
+        assert_eq!(ground.nearness(ground.endpoints.goal), 2.0);
         let plain = Ground::new(&scene, Heuristic::Distance, 8.0, 0.0, Direction::Squared).unwrap();
         assert!((plain.attraction(cell)[0] / eighth - 1.0).abs() < 1e-12);
         assert!(plain.turn.iter().flatten().all(|&factor| factor == 1.0));

@@ -28,8 +28,8 @@ use crate::{
         Candidate, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, ReferenceOptimum, Solution, Started,
         State, rng::Stream,
     },
+    scene::grid_path::{self, GridPath, SMOOTH},
     settled::{SETTLED, Settled},
-    way::{self, SMOOTH, Way},
 };
 
 use ground::{Direction, Ground, Heuristic};
@@ -120,13 +120,13 @@ struct Found {
     /// In the scene's unit.
     length: f64,
     #[state(skip)]
-    way: Way,
+    way: GridPath,
 }
 
 impl Found {
     fn new(ground: &Ground, directions: &[u8], length: f64) -> Self {
-        let path = ground.course.path(&ground.cells, ground.way(directions));
-        Self { directions: directions.to_vec(), length, way: Way::new(path) }
+        let path = ground.endpoints.path(&ground.cells, ground.way(directions));
+        Self { directions: directions.to_vec(), length, way: GridPath::new(path) }
     }
 }
 
@@ -146,7 +146,7 @@ impl Colony {
         let cells = &ground.cells;
         let mut pheromone = Pheromone::new(cells, settings[TAU_0], settings[ALPHA], settings[RHO], bounds);
         if traits.seeded != 1.0
-            && let Some(way) = exact::shortest_way(cells, ground.course.start, ground.course.goal)
+            && let Some(way) = exact::shortest_way(cells, ground.endpoints.start, ground.endpoints.goal)
         {
             for step in way.windows(2) {
                 let direction = (0..8).find(|&d| cells.next(step[0], d) == step[1]).unwrap_or(0);
@@ -261,7 +261,7 @@ impl Colony {
 
 /// Adds to each step of a way.
 fn lay(ground: &Ground, pheromone: &mut Pheromone, way: &[u8], amount: f64) {
-    let mut cell = ground.course.start;
+    let mut cell = ground.endpoints.start;
     for d in way.iter().map(|&d| usize::from(d)) {
         pheromone.lay(cell, d, amount);
         cell = ground.cells.next(cell, d);
@@ -290,7 +290,7 @@ impl Planner for Colony {
     fn read(&self, out: &mut Readings) {
         out.push(BEST, self.best.as_ref().map_or(f64::NAN, |best| best.length));
         out.push(MEAN, self.mean());
-        way::read(self.best.as_ref().map(|best| &best.way), &self.ground.grid, out);
+        grid_path::read(self.best.as_ref().map(|best| &best.way), &self.ground.grid, out);
         out.push(CONVERGED, if self.best.is_some() { self.converged as f64 } else { f64::NAN });
         out.push(SETTLED, self.settled.iteration());
         out.push(ARRIVED, self.count(End::Arrived) as f64);

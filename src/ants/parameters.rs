@@ -5,8 +5,8 @@ use crate::{
     kernel::SceneKindId,
     params::{Choice, Param, Parameter},
     scene::GRID,
+    scene::grid_path::{LENGTH, SMOOTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
     settled::SETTLED,
-    way::{LENGTH, SMOOTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 /// The kinds of scene that a colony runs on.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     exact,
-    geometry::Course,
+    geometry::Endpoints,
     kernel::{Frame, Planner, rng::Stream},
 };
 
@@ -43,8 +43,8 @@ impl Colony {
             return None;
         }
         let ends = [from, to].map(|cell| cells.centre(cell));
-        let course = Course { start: from, goal: to, ends, stubs: 0.0 };
-        let ground = Ground { course, cells, grid: Arc::clone(&self.ground.grid), ..*self.ground };
+        let endpoints = Endpoints { start: from, goal: to, ends, stubs: 0.0 };
+        let ground = Ground { endpoints, cells, grid: Arc::clone(&self.ground.grid), ..*self.ground };
         let pheromone = self.pheromone.seen_from(&ground);
         let (walks, best) = (Walks::default(), None);
         let mut colony =

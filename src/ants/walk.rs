@@ -130,11 +130,11 @@ pub(super) fn walk(
 ) {
     let cells = &*ground.cells;
     let first = walks.directions.len();
-    let (mut cell, mut from, mut taken) = (ground.course.start, NOWHERE, 0);
+    let (mut cell, mut from, mut taken) = (ground.endpoints.start, NOWHERE, 0);
     seen.begin();
     seen.mark[cell] = seen.ant;
     let end = loop {
-        if cell == ground.course.goal {
+        if cell == ground.endpoints.goal {
             break End::Arrived;
         }
         if taken >= rules.limit {
@@ -167,7 +167,7 @@ pub(super) fn walk(
     walks.taken += taken;
     let count = walks.directions.len() - first;
     let steps = walks.directions[first..].iter().fold(Steps::default(), |steps, &d| steps.and(usize::from(d)));
-    let length = ground.course.length(cells, steps);
+    let length = ground.endpoints.length(cells, steps);
     let way = fold(&walks.directions[first..]);
     walks.ants.push(Ant { first, count, end, length, laid: 0.0, way, again: None });
 }

@@ -45,7 +45,7 @@ fn printed(ground: &Ground) -> Result<Vec<usize>, Error> {
     let way: Vec<usize> = stored.into_iter().flatten().map(|cell| cell.as_u64().unwrap_or(u64::MAX) as usize).collect();
     let leads =
         |two: &[usize]| two[0] < cells.len() && (0..8).any(|d| cells.moves(two[0]) >> d & 1 != 0 && cells.next(two[0], d) == two[1]);
-    let ends = (way.first(), way.last()) == (Some(&ground.course.start), Some(&ground.course.goal));
+    let ends = (way.first(), way.last()) == (Some(&ground.endpoints.start), Some(&ground.endpoints.goal));
     let wrong =
         || Error::refused(PRINTED.name(), "printed", "search: published.path_cells of the scene is no free path from start to goal");
     if ends && way.windows(2).all(leads) { Ok(way) } else { Err(wrong()) }
@@ -61,11 +61,11 @@ impl Route for Anew {
             return self.printed.clone();
         }
         let nothing = vec![false; self.ground.cells.len()];
-        self.search.way(&nothing, self.ground.course.start, self.ground.course.goal)
+        self.search.way(&nothing, self.ground.endpoints.start, self.ground.endpoints.goal)
     }
 
     fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
-        self.search.way(occupied, from, self.ground.course.goal)
+        self.search.way(occupied, from, self.ground.endpoints.goal)
     }
 
     fn copy(&self) -> Box<dyn Route> {

@@ -109,7 +109,7 @@ pub(super) struct Stretch {
 }
 
 /// From one point to another: the unit vector and the distance.
-pub(super) fn course([x, y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> ([f64; 2], f64) {
+pub(super) fn endpoints([x, y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> ([f64; 2], f64) {
     let (dx, dy) = (to_x - x, to_y - y);
     let distance = (dx * dx + dy * dy).sqrt();
     if distance > 0.0 { ([dx / distance, dy / distance], distance) } else { ([0.0; 2], 0.0) }
@@ -137,7 +137,7 @@ impl Pose {
         let mut now = from;
         while let Some(step) = steps.get(done.steps) {
             let number = done.steps - first;
-            let (way, distance) = course(self.at, step.to);
+            let (way, distance) = endpoints(self.at, step.to);
             let at = self.at;
             let mut stand = |now: &mut f64, seconds: f64, deed| {
                 let stood = seconds.min(until - *now);

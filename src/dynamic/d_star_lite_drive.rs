@@ -21,7 +21,7 @@ impl Route for Repaired {
     }
 
     fn way(&mut self) -> Option<Vec<usize>> {
-        self.search.way(self.ground.course.start)
+        self.search.way(self.ground.endpoints.start)
     }
 
     fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
@@ -42,7 +42,7 @@ pub const ENTRY: Entry = Entry {
     summary: "The same drive on ways of D* Lite: where the robot foresees a collision, the search is repaired where the obstacle’s predicted range has changed it, or the robot waits.",
     start: |start| {
         super::start(start, |ground| {
-            let search = DStarLite::new(&ground.cells, ground.course.start, ground.course.goal);
+            let search = DStarLite::new(&ground.cells, ground.endpoints.start, ground.endpoints.goal);
             Ok(Box::new(Repaired { search, ground: Arc::clone(ground) }))
         })
     },

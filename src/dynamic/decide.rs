@@ -155,7 +155,7 @@ impl Journey {
                     let Some((way, local_goal)) = self.way(route, origin, detour.then_some((&rest[..], conflict.step))) else {
                         continue;
                     };
-                    let plan = plan(&self.ground.cells, &self.ground.course, &way);
+                    let plan = plan(&self.ground.cells, &self.ground.endpoints, &way);
                     if let Some(next) = self.conflict_of(self.pose, &plan, distance) {
                         other = other.or(Some(next));
                         continue;
@@ -272,7 +272,7 @@ impl Journey {
         let Some(way) = route.replan(&self.occupied, from) else {
             return false;
         };
-        all.extend(steps(&self.ground.cells, &self.ground.course, &way));
+        all.extend(steps(&self.ground.cells, &self.ground.endpoints, &way));
         (self.plan, self.local_goal, self.hold) = (Plan::new(all), None, None);
         true
     }

@@ -11,7 +11,7 @@ use std::{
 
 use super::{
     Ground,
-    body::{Deed, Pose, Step, Stretch, course},
+    body::{Deed, Pose, Step, Stretch, endpoints},
     world::{Distance, View},
 };
 
@@ -90,7 +90,7 @@ impl Search<'_> {
             if !seen.insert((node.spot, heading, bin)) {
                 continue;
             }
-            if node.time >= self.horizon || node.spot == ground.course.goal {
+            if node.time >= self.horizon || node.spot == ground.endpoints.goal {
                 return Escape { steps: self.steps(number), safe: true };
             }
             if node.time > self.nodes[longest].time {
@@ -115,7 +115,7 @@ impl Search<'_> {
 
     fn push(&mut self, node: Node) {
         let ground = self.ground;
-        let near = |cell: usize| course(node.at, ground.cells.centre(cell)).1 / ground.body.speed + ground.ahead(cell);
+        let near = |cell: usize| endpoints(node.at, ground.cells.centre(cell)).1 / ground.body.speed + ground.ahead(cell);
         let left = match self.pose.between {
             [behind, ahead] if node.spot == ground.cells.len() => near(ahead).min(near(behind)),
             _ => ground.ahead(node.spot),
@@ -139,7 +139,7 @@ impl Search<'_> {
     fn go(&mut self, number: usize, cell: usize) {
         let (node, body) = (self.nodes[number], &self.ground.body);
         let to = self.ground.cells.centre(cell);
-        let (way, distance) = course(node.at, to);
+        let (way, distance) = endpoints(node.at, to);
         // Only who goes at once goes on with a turn that was begun.
         let turn = if node.parent == number { self.pose.turn } else { None };
         let turned = node.time + Pose { heading: node.heading, turn, ..*self.pose }.turning(way, body);

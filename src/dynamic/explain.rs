@@ -77,7 +77,7 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     let disc = grid.moving.get(item.index)?;
     let journey = dynamic.journey.as_ref();
     let now = journey.map_or(0.0, |journey| journey.now);
-    let (at, going) = journey.map_or((ground.course.ends[0], [0.0; 2]), |journey| (journey.pose.at, journey.velocity()));
+    let (at, going) = journey.map_or((ground.endpoints.ends[0], [0.0; 2]), |journey| (journey.pose.at, journey.velocity()));
     let leg = disc.leg(now, body.border, grid.bounds());
     let apart = [leg.at[0] - at[0], leg.at[1] - at[1]];
     let closing = [leg.velocity[0] - going[0], leg.velocity[1] - going[1]];

@@ -83,12 +83,12 @@ pub(super) struct Journey {
 impl Journey {
     /// At the start of a way over cells.
     pub fn new(ground: &Arc<Ground>, way: &[usize]) -> Self {
-        let at = ground.course.ends[0];
+        let at = ground.endpoints.ends[0];
         let n = ground.grid.moving.len();
         let mut journey = Self {
             now: 0.0,
-            pose: Pose { at, between: [ground.course.start; 2], heading: [0.0; 2], turn: None },
-            plan: plan(&ground.cells, &ground.course, way),
+            pose: Pose { at, between: [ground.endpoints.start; 2], heading: [0.0; 2], turn: None },
+            plan: plan(&ground.cells, &ground.endpoints, way),
             view: View::default(),
             tally: Tally {
                 length: 0.0,
@@ -268,7 +268,7 @@ impl Journey {
     pub fn left(&self) -> f64 {
         let mut at = self.pose.at;
         self.plan.left().iter().fold(0.0, |sum, step| {
-            let (_, distance) = super::body::course(at, step.to);
+            let (_, distance) = super::body::endpoints(at, step.to);
             at = step.to;
             sum + distance
         })

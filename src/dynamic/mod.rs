@@ -32,7 +32,7 @@ use std::{
 use crate::{
     describe::Start,
     exact,
-    geometry::{self, Cells, Course},
+    geometry::{self, Cells, Endpoints},
     kernel::{
         Border, Candidate, Error, Event, Explain, Facets, Failure, Frame, Inspection, Item, Planner, Progress, Readings, ReferenceOptimum,
         Solution, Stage, Started, State, Status, Timeline, Track,
@@ -57,7 +57,7 @@ struct Ground {
     scene: Arc<Scene>,
     grid: Arc<GridScene>,
     cells: Arc<Cells>,
-    course: Course,
+    endpoints: Endpoints,
     body: Body,
     /// Seconds a step.
     period: f64,
@@ -74,7 +74,7 @@ impl Ground {
         }
         Ok(Self {
             cells: Arc::clone(grid.cells()),
-            course: grid.course()?,
+            endpoints: grid.endpoints()?,
             body,
             period: settings[PERIOD],
             ahead: OnceLock::new(),
@@ -88,8 +88,8 @@ impl Ground {
         let all = || {
             let cells = &self.cells;
             let mut best = vec![f64::INFINITY; cells.len()];
-            let mut open = BinaryHeap::from([(Reverse(Length(0.0)), self.course.goal)]);
-            best[self.course.goal] = 0.0;
+            let mut open = BinaryHeap::from([(Reverse(Length(0.0)), self.endpoints.goal)]);
+            best[self.endpoints.goal] = 0.0;
             while let Some((Reverse(Length(length)), at)) = open.pop() {
                 if length > best[at] {
                     continue;
@@ -146,9 +146,9 @@ fn start(start: &Start, route: impl FnOnce(&Arc<Ground>) -> Result<Box<dyn Route
     let route = route(&ground)?;
     let most = match settings[TIME_LIMIT] {
         0.0 => {
-            let (cells, course) = (&ground.cells, &ground.course);
-            let way = exact::shortest_way(cells, course.start, course.goal).unwrap_or_default();
-            let path = course.path(cells, way);
+            let (cells, endpoints) = (&ground.cells, &ground.endpoints);
+            let way = exact::shortest_way(cells, endpoints.start, endpoints.goal).unwrap_or_default();
+            let path = endpoints.path(cells, way);
             // As long as the shortest way takes four times over, and a minute.
             60.0 + 4.0 * (geometry::length(&path) / ground.body.speed + geometry::turns(&path) as f64 * ground.body.turn_time)
         }

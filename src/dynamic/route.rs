@@ -1,7 +1,7 @@
 //! Who plans the ways: before the drive, and again when something is in the way. What the drives differ in.
 
 use crate::{
-    geometry::{Cells, Course},
+    geometry::{Cells, Endpoints},
     kernel::{Frame, Inspection, Item, State},
 };
 
@@ -47,15 +47,15 @@ impl Clone for Box<dyn Route> {
 }
 
 /// The steps of a way over cells that ends at the goal, from the middle of its first cell on (that included).
-pub(super) fn steps(cells: &Cells, course: &Course, way: &[usize]) -> Vec<Step> {
+pub(super) fn steps(cells: &Cells, endpoints: &Endpoints, way: &[usize]) -> Vec<Step> {
     let mut steps: Vec<_> = way.iter().map(|&cell| Step { to: cells.centre(cell), cell, wait: 0.0 }).collect();
-    if let Some(last) = steps.last().copied().filter(|last| last.cell == course.goal && last.to != course.ends[1]) {
-        steps.push(Step { to: course.ends[1], ..last });
+    if let Some(last) = steps.last().copied().filter(|last| last.cell == endpoints.goal && last.to != endpoints.ends[1]) {
+        steps.push(Step { to: endpoints.ends[1], ..last });
     }
     steps
 }
 
 /// The plan of a way.
-pub(super) fn plan(cells: &Cells, course: &Course, way: &[usize]) -> Plan {
-    Plan::new(steps(cells, course, way))
+pub(super) fn plan(cells: &Cells, endpoints: &Endpoints, way: &[usize]) -> Plan {
+    Plan::new(steps(cells, endpoints, way))
 }

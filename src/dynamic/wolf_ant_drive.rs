@@ -85,7 +85,7 @@ impl Route for Ants {
     }
 
     fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
-        self.search.way(occupied, from, self.ground.course.goal)
+        self.search.way(occupied, from, self.ground.endpoints.goal)
     }
 
     fn draw(&self, driving: bool, frame: &mut Frame) {

@@ -4,15 +4,15 @@
 use std::{cmp::Reverse, collections::BinaryHeap};
 
 use crate::{
-    geometry::{Cells, Course, Steps},
+    geometry::{Cells, Endpoints, Steps},
     kernel::Exact,
     math::Length,
 };
 
 /// The shortest way from start to goal from cell to neighbouring cell; `None` where there is none.
-pub fn shortest_over_cells(cells: &Cells, course: &Course) -> Option<Exact> {
-    let way = shortest_way(cells, course.start, course.goal)?;
-    Some(Exact::way(course.length(cells, cells.steps(&way)), course.path(cells, way)))
+pub fn shortest_over_cells(cells: &Cells, endpoints: &Endpoints) -> Option<Exact> {
+    let way = shortest_way(cells, endpoints.start, endpoints.goal)?;
+    Some(Exact::way(endpoints.length(cells, cells.steps(&way)), endpoints.path(cells, way)))
 }
 
 /// The cells of a shortest way from one to another; `None` where there is none.

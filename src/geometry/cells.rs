@@ -240,7 +240,7 @@ impl Cells {
 
 /// A grid's cells with a start and a goal: what every planner from cell to cell runs on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Course {
+pub struct Endpoints {
     /// The cell of the start.
     pub start: usize,
     /// The cell of the goal.
@@ -251,7 +251,7 @@ pub struct Course {
     pub stubs: f64,
 }
 
-impl Course {
+impl Endpoints {
     /// The length of a way over cells from end to end, in the scene's unit.
     pub fn length(&self, cells: &Cells, steps: Steps) -> f64 {
         cells.side * steps.length() + self.stubs

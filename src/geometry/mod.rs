@@ -16,7 +16,7 @@ mod smooth;
 pub use approach::{closest_approach, first_within};
 pub use block::Block;
 pub use bounds::Bounds;
-pub use cells::{Cells, Course, DIRECTIONS, Plan, Steps, YAxis, angle};
+pub use cells::{Cells, DIRECTIONS, Endpoints, Plan, Steps, YAxis, angle};
 pub use cuboid::Cuboid;
 pub use disc::Disc;
 pub use field::Field;

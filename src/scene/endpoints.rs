@@ -1,7 +1,7 @@
 //! A grid as planners see it that go from cell to cell: its cells, and those of its ends.
 
 use crate::{
-    geometry::{Cells, Course, Plan},
+    geometry::{Cells, Endpoints, Plan},
     kernel::Error,
 };
 
@@ -19,23 +19,23 @@ impl GridScene {
     ///
     /// # Errors
     /// [`Error::Refused`] if the grid has no ends, or if the robot cannot go from one to the centre of its cell.
-    pub fn course(&self) -> Result<Course, Error> {
+    pub fn endpoints(&self) -> Result<Endpoints, Error> {
         let (start, goal) = self.ends()?;
-        self.course_between(["start", "goal"], [start, goal])
+        self.endpoints_between(["start", "goal"], [start, goal])
     }
 
     /// The cells of two points.
     ///
     /// # Errors
     /// [`Error::Refused`] if the robot cannot go from one of them to the centre of its cell, by its name.
-    pub fn course_between(&self, names: [&str; 2], [start, goal]: [[f64; 2]; 2]) -> Result<Course, Error> {
+    pub fn endpoints_between(&self, names: [&str; 2], [start, goal]: [[f64; 2]; 2]) -> Result<Endpoints, Error> {
         let cells = self.cells();
         let stub = |point: [f64; 2], cell: usize| {
             let [x, y] = cells.centre(cell);
             ((x - point[0]) * (x - point[0]) + (y - point[1]) * (y - point[1])).sqrt()
         };
         let (from, to) = (entrance(self, names[0], start)?, entrance(self, names[1], goal)?);
-        Ok(Course { start: from, goal: to, ends: [start, goal], stubs: stub(start, from) + stub(goal, to) })
+        Ok(Endpoints { start: from, goal: to, ends: [start, goal], stubs: stub(start, from) + stub(goal, to) })
     }
 }
 
@@ -129,20 +129,20 @@ mod tests {
     #[test]
     fn a_way_over_cells_begins_and_ends_at_the_points_themselves() {
         let mut scene = grid(&["...", "...", "..."], false);
-        let course = scene.course().unwrap();
-        assert_eq!((course.start, course.goal, course.stubs), (0, 8, 0.0));
+        let endpoints = scene.endpoints().unwrap();
+        assert_eq!((endpoints.start, endpoints.goal, endpoints.stubs), (0, 8, 0.0));
         let cells = scene.cells();
         assert_eq!(cells.steps(&[0, 4, 5, 8]), Steps { straight: 2, diagonal: 1 });
-        assert_eq!(course.path(cells, [0, 4, 8]), [[0.5, 0.5], [1.5, 1.5], [2.5, 2.5]]);
+        assert_eq!(endpoints.path(cells, [0, 4, 8]), [[0.5, 0.5], [1.5, 1.5], [2.5, 2.5]]);
         scene.start = Some([0.5, 0.0]);
-        let course = scene.course().unwrap();
-        assert_eq!((course.start, course.stubs), (0, 0.5));
-        assert_eq!(course.path(scene.cells(), [0, 4, 8])[..2], [[0.5, 0.0], [0.5, 0.5]]);
+        let endpoints = scene.endpoints().unwrap();
+        assert_eq!((endpoints.start, endpoints.stubs), (0, 0.5));
+        assert_eq!(endpoints.path(scene.cells(), [0, 4, 8])[..2], [[0.5, 0.0], [0.5, 0.5]]);
         // A point on the border of a blocked cell belongs to its free neighbour.
         let mut scene = grid(&["#..", "...", "..."], false);
         scene.start = Some([1.0, 1.0]);
-        assert_eq!(scene.course().unwrap().start, 4);
+        assert_eq!(scene.endpoints().unwrap().start, 4);
         scene.goal = Some([1.0, 0.5]);
-        assert_eq!(scene.course().unwrap().goal, 1);
+        assert_eq!(scene.endpoints().unwrap().goal, 1);
     }
 }

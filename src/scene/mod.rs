@@ -12,6 +12,7 @@ pub mod formats;
 pub mod function;
 pub mod generate;
 pub mod grid;
+pub mod grid_path;
 mod kinds;
 mod moving;
 mod reach;

@@ -1,6 +1,6 @@
 //! `a-star`: the search with the octile heuristic, Hart, Nilsson and Raphael 1968.
 
-use crate::{describe::Entry, way::SMOOTH};
+use crate::{describe::Entry, scene::grid_path::SMOOTH};
 
 use super::{
     parameters::{BOUND, EXPAND, FORMULA_OCTILE, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS, WEIGHT},

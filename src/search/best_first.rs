@@ -49,7 +49,7 @@ fn length(way: u64) -> f64 {
 impl Search {
     pub(super) fn new(start: &Start, rules: Rules, weight: f64) -> Result<Self, Error> {
         let task = Task::new(start, rules, weight)?;
-        let (n, start) = (task.cells.len(), task.course.start);
+        let (n, start) = (task.cells.len(), task.endpoints.start);
         let first = place(task.cells.place(start));
         let h = task.guess.ahead(apart(first));
         let mut search = Self {
@@ -99,7 +99,7 @@ impl Search {
         self.links[cell] = link.closed();
         self.expanded += 1;
         self.frontier -= 1;
-        if cell == self.task.course.goal {
+        if cell == self.task.endpoints.goal {
             self.lowest = Some(f);
             self.found = Some(Arc::new(Found::new(&self.task, &self.way(cell), self.iteration)));
             return Progress::Done(Status::Solved);

@@ -1,6 +1,6 @@
 //! `dijkstra`: the search without a guess, Dijkstra 1959.
 
-use crate::{describe::Entry, way::SMOOTH};
+use crate::{describe::Entry, scene::grid_path::SMOOTH};
 
 use super::{
     parameters::{BOUND, EXPAND, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS},

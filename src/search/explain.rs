@@ -83,8 +83,8 @@ impl Search {
             ]);
             told.formulas.insert(1, "g");
             let mut vertices: Vec<_> = self.way(cell).into_iter().map(|cell| task.cells.centre(cell)).collect();
-            if vertices[0] != task.course.ends[0] {
-                vertices.insert(0, task.course.ends[0]);
+            if vertices[0] != task.endpoints.ends[0] {
+                vertices.insert(0, task.endpoints.ends[0]);
             }
             told.marks.insert(0, Mark::plane(layers::BEFORE.key, Shape::Polyline, vertices));
         }
@@ -102,7 +102,7 @@ impl Search {
 
     /// Columns and rows between a cell and the goal.
     fn goal_from(&self, cell: usize) -> [i32; 2] {
-        let [[x, y], [goal_x, goal_y]] = [cell, self.task.course.goal].map(|cell| apart(place(self.task.cells.place(cell))));
+        let [[x, y], [goal_x, goal_y]] = [cell, self.task.endpoints.goal].map(|cell| apart(place(self.task.cells.place(cell))));
         [(goal_x - x).abs(), (goal_y - y).abs()]
     }
 

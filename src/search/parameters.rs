@@ -4,8 +4,8 @@ use crate::{
     describe::{CONVERGED, Formula, Group, Layer, Reading, layers},
     kernel::SceneKindId,
     params::Param,
+    scene::grid_path::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
     scene::{GRID, MAX_SIDE},
-    way::{LENGTH, SMOOTH_LENGTH, SMOOTH_TURNING, SMOOTH_TURNS, TURNING, TURNS},
 };
 
 /// The kinds of scene that a search runs on.

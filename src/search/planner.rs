@@ -2,7 +2,7 @@
 
 use crate::{
     kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Solution},
-    way,
+    scene::grid_path,
 };
 
 use super::{
@@ -28,10 +28,10 @@ impl Planner for Search {
 
     fn read(&self, out: &mut Readings) {
         let found = self.found.as_deref();
-        let lowest = self.lowest.map_or(f64::NAN, |f| self.task.length(f) + self.task.course.stubs);
+        let lowest = self.lowest.map_or(f64::NAN, |f| self.task.length(f) + self.task.endpoints.stubs);
         out.push(BEST, found.map_or(f64::NAN, |found| found.cost));
         out.push(LOWEST, lowest);
-        way::read(found.map(|found| &found.way), &self.task.grid, out);
+        grid_path::read(found.map(|found| &found.way), &self.task.grid, out);
         out.push(EXPANDED, self.expanded as f64);
         out.push(FRONTIER, self.frontier as f64);
         out.push(FOUND_AFTER, found.map_or(f64::NAN, |found| found.iteration as f64));

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use crate::{
     describe::Start,
-    geometry::{Cells, Course},
+    geometry::{Cells, Endpoints},
     kernel::Error,
     scene::GridScene,
-    way::SMOOTH,
+    scene::grid_path::SMOOTH,
 };
 
 use super::{
@@ -24,7 +24,7 @@ pub(super) struct Task {
     pub(super) cells: Arc<Cells>,
     /// What is in the way. It is made when somebody looks farther than to the next cell.
     pub(super) grid: Arc<GridScene>,
-    pub(super) course: Course,
+    pub(super) endpoints: Endpoints,
     pub(super) rules: Rules,
     pub(super) guess: Guess,
     /// Hand over the smoothed path.
@@ -41,7 +41,7 @@ impl Task {
     pub(super) fn new(start: &Start, rules: Rules, weight: f64) -> Result<Self, Error> {
         let &Start { scene, parameters: settings, .. } = start;
         let grid = scene.share::<GridScene>()?;
-        let (cells, course) = (Arc::clone(grid.cells()), grid.course()?);
+        let (cells, endpoints) = (Arc::clone(grid.cells()), grid.endpoints()?);
         let expand = match settings[EXPAND] {
             0 => cells.len().div_ceil(STEPS) as u64,
             given => given,
@@ -49,14 +49,14 @@ impl Task {
         Ok(Self {
             wide: grid.radius() > 0.0,
             rules,
-            guess: Guess { heuristic: rules.heuristic, weight, goal: apart(place(cells.place(course.goal))) },
+            guess: Guess { heuristic: rules.heuristic, weight, goal: apart(place(cells.place(endpoints.goal))) },
             smooth: settings[SMOOTH],
             cutting: grid.corner_cutting,
             expand,
             // No cell is settled twice: what is left of a higher limit would only be room on a timeline.
             limit: settings[ITERATIONS].min((cells.len() as u64).div_ceil(expand)),
             cells,
-            course,
+            endpoints,
             grid,
         })
     }

@@ -41,7 +41,7 @@ fn random(rng: &mut Stream, size: usize) -> Option<Arc<Scene>> {
     };
     (grid.start, grid.goal) = (end(), end());
     let scene = grid::KIND.scene(shipped("ant-bat-30").unwrap().header().clone(), grid).ok()?;
-    scene.get::<GridScene>().unwrap().course().is_ok().then(|| Arc::new(scene))
+    scene.get::<GridScene>().unwrap().endpoints().is_ok().then(|| Arc::new(scene))
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `theta-star`: the search at any angle, Nash, Daniel, Koenig and Felner 2007.
 
-use crate::{describe::Entry, way::SMOOTH};
+use crate::{describe::Entry, scene::grid_path::SMOOTH};
 
 use super::{
     parameters::{BOUND, EXPAND, FORMULA_SIGHT, FORMULA_STRAIGHT, ITERATIONS, KINDS, LAYERS, READINGS},

@@ -86,7 +86,7 @@ impl Polar {
     }
 
     #[inline]
-    fn course<'a>(&'a self, x: &'a [f64]) -> impl Iterator<Item = [f64; 2]> + 'a {
+    fn endpoints<'a>(&'a self, x: &'a [f64]) -> impl Iterator<Item = [f64; 2]> + 'a {
         self.radii.iter().zip(x).map(|(&rho, &alpha)| self.at(rho, alpha))
     }
 }
@@ -124,7 +124,7 @@ impl Objective for Polar {
     }
 
     fn evaluate(&self, x: &[f64], scratch: &mut Scratch) -> Evaluation {
-        self.terrain.evaluate(self.course(x), scratch)
+        self.terrain.evaluate(self.endpoints(x), scratch)
     }
 
     /// Angle after angle; one whose piece of the path collides is drawn anew, at most `redraws` times. Beyond a dead end
@@ -180,7 +180,7 @@ impl Objective for Polar {
     }
 
     fn solution(&self, x: &[f64]) -> Solution {
-        self.terrain.solution(self.course(x))
+        self.terrain.solution(self.endpoints(x))
     }
 
     fn coordinate(&self, j: usize) -> String {
@@ -188,7 +188,7 @@ impl Objective for Polar {
     }
 
     fn read(&self, x: &[f64], out: &mut Readings) {
-        self.terrain.read(self.course(x), out);
+        self.terrain.read(self.endpoints(x), out);
     }
 
     /// The circles, as far as they are searched.
@@ -202,7 +202,7 @@ impl Objective for Polar {
     }
 
     fn draw_result(&self, x: &[f64], frame: &mut Frame) {
-        self.terrain.draw_result(self.course(x), frame);
+        self.terrain.draw_result(self.endpoints(x), frame);
     }
 }
 

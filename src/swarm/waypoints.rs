@@ -35,7 +35,7 @@ impl Waypoints {
     }
 
     #[inline]
-    fn course<'a>(&'a self, x: &'a [f64]) -> impl Iterator<Item = [f64; 2]> + 'a {
+    fn endpoints<'a>(&'a self, x: &'a [f64]) -> impl Iterator<Item = [f64; 2]> + 'a {
         let (xs, ys) = x.split_at(self.count);
         xs.iter().zip(ys).map(|(&x, &y)| [x, y])
     }
@@ -48,7 +48,7 @@ impl Waypoints {
         }
         let Terrain { start, goal, .. } = &self.terrain;
         let [dx, dy] = [goal[0] - start[0], goal[1] - start[1]];
-        let points: Vec<_> = self.course(x).collect();
+        let points: Vec<_> = self.endpoints(x).collect();
         let mut along: Vec<_> = points.iter().enumerate().map(|(i, [px, py])| (px * dx + py * dy, i)).collect();
         math::sort(&mut along);
         for (i, (_, from)) in along.into_iter().enumerate() {
@@ -94,7 +94,7 @@ impl Objective for Waypoints {
     }
 
     fn evaluate(&self, x: &[f64], scratch: &mut Scratch) -> Evaluation {
-        self.terrain.evaluate(self.course(x), scratch)
+        self.terrain.evaluate(self.endpoints(x), scratch)
     }
 
     fn draw(&self, x: &mut [f64], rng: &mut Stream) {
@@ -130,7 +130,7 @@ impl Objective for Waypoints {
     }
 
     fn solution(&self, x: &[f64]) -> Solution {
-        self.terrain.solution(self.course(x))
+        self.terrain.solution(self.endpoints(x))
     }
 
     fn coordinate(&self, j: usize) -> String {
@@ -138,11 +138,11 @@ impl Objective for Waypoints {
     }
 
     fn read(&self, x: &[f64], out: &mut Readings) {
-        self.terrain.read(self.course(x), out);
+        self.terrain.read(self.endpoints(x), out);
     }
 
     fn draw_result(&self, x: &[f64], frame: &mut Frame) {
-        self.terrain.draw_result(self.course(x), frame);
+        self.terrain.draw_result(self.endpoints(x), frame);
     }
 }
 

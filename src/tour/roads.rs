@@ -72,8 +72,8 @@ impl Network {
         let stops = grid.stops.clone();
         for (i, &stop) in (1..).zip(&stops[1..]) {
             let name = format!("stops[{i}]");
-            let course = grid.course_between(["stops[0]", &name], [stops[0], stop])?;
-            if !is_reachable(grid.cells(), course.start, course.goal) {
+            let endpoints = grid.endpoints_between(["stops[0]", &name], [stops[0], stop])?;
+            if !is_reachable(grid.cells(), endpoints.start, endpoints.goal) {
                 let allowed = "where it can be reached from stops[0]: there is no way between them";
                 return Err(Error::refused(name, format!("({}, {})", stop[0], stop[1]), allowed));
             }

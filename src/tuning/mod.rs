@@ -137,7 +137,7 @@ fn start(start: &Start) -> Result<Started, Error> {
         return Err(Error::refused(TUNE.name(), chosen, format!("some of {}, which {} has", known.join(", "), colony.name)));
     }
     let grid = scene.get::<GridScene>()?;
-    let course = grid.course()?;
+    let endpoints = grid.endpoints()?;
     let population = settings[POPULATION] as usize;
     let mut rng = Stream::new(seed, 0);
     let seeds = (0..settings[SEEDS]).map(|_| rng.below(1 << 31) as u64).collect();
@@ -171,7 +171,7 @@ fn start(start: &Start) -> Result<Started, Error> {
         axes,
         rng,
     };
-    let reachable = is_reachable(grid.cells(), course.start, course.goal);
+    let reachable = is_reachable(grid.cells(), endpoints.start, endpoints.goal);
     Ok(Started::new(tuning, settings[ITERATIONS]).measured_by(ReferenceOptimum::Cells).solvable(reachable))
 }
 

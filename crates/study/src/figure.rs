@@ -49,8 +49,8 @@ impl Steps {
     /// A scene that is no grid, or has no ends.
     pub fn of(scene: &Scene) -> Result<Self, Error> {
         let grid = scene.get::<GridScene>()?;
-        let course = grid.course()?;
-        let [from, to] = [course.start, course.goal].map(|cell| grid.cells().place(cell));
+        let endpoints = grid.endpoints()?;
+        let [from, to] = [endpoints.start, endpoints.goal].map(|cell| grid.cells().place(cell));
         Ok(Self { side: grid.cell, apart: [0, 1].map(|axis| from[axis].abs_diff(to[axis]) as u64) })
     }
 

@@ -178,19 +178,19 @@ pub(super) fn export(grid: &GridScene, stem: &str) -> Result<Exported, Error> {
         notes.push("There is no .scen: the scene has no start and goal.".to_owned());
     } else {
         // As the format has it: a point that goes from centre to centre and cuts no corners.
-        let course = GridScene { robot: None, ..grid.clone() }.course()?;
+        let endpoints = GridScene { robot: None, ..grid.clone() }.endpoints()?;
         let mut plain = GridScene::new(1.0, columns, grid.blocked.clone());
         let centre = |cell| [cell % columns, cell / columns].map(|i| i as f64 + 0.5);
-        (plain.start, plain.goal) = (Some(centre(course.start)), Some(centre(course.goal)));
-        if course.stubs > 0.0 {
+        (plain.start, plain.goal) = (Some(centre(endpoints.start)), Some(centre(endpoints.goal)));
+        if endpoints.stubs > 0.0 {
             notes.push("Start and goal were moved to the centres of their cells.".to_owned());
         }
-        if let Some(exact) = shortest_over_cells(plain.cells(), &plain.course()?) {
+        if let Some(exact) = shortest_over_cells(plain.cells(), &plain.endpoints()?) {
             let place = |cell: usize| {
                 let row = cell / columns;
                 [cell % columns, if grid.y_axis == YAxis::Up { rows - 1 - row } else { row }]
             };
-            let ([ax, ay], [bx, by]) = (place(course.start), place(course.goal));
+            let ([ax, ay], [bx, by]) = (place(endpoints.start), place(endpoints.goal));
             let (bucket, length) = ((exact.length / 4.0) as u64, exact.length);
             let mut scen = String::from("version 1\n");
             // Writing to a string cannot fail.

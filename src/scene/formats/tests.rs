@@ -227,9 +227,9 @@ fn shipped_grids_survive_the_way_through_every_format() {
             if format == Format::MovingAi {
                 let exact = read.scene.exact_by(ReferenceOptimum::Cells).unwrap();
                 assert_eq!(exact.length, read.problems[0].length);
-                let course = read.scene.get::<GridScene>().unwrap().course().unwrap();
+                let endpoints = read.scene.get::<GridScene>().unwrap().endpoints().unwrap();
                 let cells = read.scene.get::<GridScene>().unwrap().cells();
-                assert_eq!(shortest_over_cells(cells, &course).unwrap().length, exact.length);
+                assert_eq!(shortest_over_cells(cells, &endpoints).unwrap().length, exact.length);
             }
             if format == Format::Ros {
                 assert_eq!(

@@ -297,7 +297,7 @@ impl GridScene {
 
     /// The shortest way from cell to cell.
     pub(super) fn shortest_over_cells(&self) -> Option<Exact> {
-        shortest_over_cells(self.cells(), &self.course().ok()?)
+        shortest_over_cells(self.cells(), &self.endpoints().ok()?)
     }
 
     /// The shortest tour through the stops, by the shortest way for each pair.
@@ -309,7 +309,7 @@ impl GridScene {
         let way = |i: usize, j: usize| {
             let ends = [self.stops[i], self.stops[j]];
             match reference {
-                ReferenceOptimum::Cells => shortest_over_cells(self.cells(), &self.course_between(["stops", "stops"], ends).ok()?),
+                ReferenceOptimum::Cells => shortest_over_cells(self.cells(), &self.endpoints_between(["stops", "stops"], ends).ok()?),
                 _ => self.with_ends(ends).shortest(),
             }
         };

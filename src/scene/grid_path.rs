@@ -8,12 +8,13 @@ use crate::{
     geometry::{self, shortcut},
     kernel::{Readings, State},
     params::Param,
-    scene::GridScene,
 };
+
+use super::GridScene;
 
 /// A path from start to goal.
 #[derive(Debug, Clone, State)]
-pub struct Way {
+pub struct GridPath {
     /// Through the cells' centres, in the scene's unit.
     pub path: Vec<[f64; 2]>,
     /// Made when it is first asked for.
@@ -21,7 +22,7 @@ pub struct Way {
     smooth: OnceLock<Vec<[f64; 2]>>,
 }
 
-impl Way {
+impl GridPath {
     /// Of the corners of a path.
     pub fn new(path: Vec<[f64; 2]>) -> Self {
         Self { path, smooth: OnceLock::new() }
@@ -34,7 +35,7 @@ impl Way {
 }
 
 /// Tells [`LENGTH`] to [`SMOOTH_TURNING`]; of no way, that they are no numbers.
-pub fn read(way: Option<&Way>, grid: &GridScene, out: &mut Readings) {
+pub fn read(way: Option<&GridPath>, grid: &GridScene, out: &mut Readings) {
     let measured = |path: &[[f64; 2]]| [geometry::length(path), geometry::turns(path) as f64, geometry::turning(path)];
     let [before, after] = way.map_or([[f64::NAN; 3]; 2], |way| [measured(&way.path), measured(way.smooth(grid))]);
     let readings = [LENGTH, TURNS, TURNING, SMOOTH_LENGTH, SMOOTH_TURNS, SMOOTH_TURNING];
@@ -84,7 +85,7 @@ mod tests {
     fn a_way_is_measured_before_and_after() {
         let scene = crate::shipped("ant-bat-30").unwrap();
         let grid = scene.get::<GridScene>().unwrap();
-        let way = Way::new(vec![[10.5, 28.5], [11.5, 28.5], [12.5, 29.5], [13.5, 29.5]]);
+        let way = GridPath::new(vec![[10.5, 28.5], [11.5, 28.5], [12.5, 29.5], [13.5, 29.5]]);
         let mut out = Readings::default();
         read(Some(&way), grid, &mut out);
         let quarter = std::f64::consts::FRAC_PI_4;
