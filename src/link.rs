@@ -11,7 +11,7 @@ use crate::{
     kernel::{Error, rng::SEED_RANGE},
     params::{Overrides, Value},
     scene::{Scene, shipped},
-    session::Setup,
+    session::{Session, Setup},
 };
 
 const VERSION: &str = "1";
@@ -84,6 +84,27 @@ impl Link {
         let setup = Setup { planner, scene, params, seed };
         setup.check()?;
         Ok(Self { setup, iteration, hash })
+    }
+}
+
+impl Session {
+    /// The run that a link describes, at its beginning.
+    ///
+    /// # Errors
+    /// As [`Session::new`], and for a link that cannot be read.
+    pub fn from_link(link: &str) -> Result<Self, Error> {
+        Self::new(Link::parse(link)?.setup)
+    }
+
+    /// A link that opens this very picture: planner, scene, changed parameters, seed, iteration and hash.
+    pub fn link(&self) -> String {
+        let setup = Setup {
+            planner: self.entry().name.to_owned(),
+            scene: Arc::clone(self.scene()),
+            params: self.settings().changed().clone(),
+            seed: self.seed(),
+        };
+        Link { setup, iteration: self.iteration(), hash: Some(self.hash()) }.to_string()
     }
 }
 

@@ -6,10 +6,11 @@ use crate::{
 };
 
 use super::{
-    Traits,
+    colony::Traits,
     parameters::{
         ALPHA, ANTS, BETA, CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
     },
+    planner,
 };
 
 const AS_IN_PAPER: Preset = Preset {
@@ -41,7 +42,7 @@ pub const ENTRY: Entry = Entry::new(
     "ACO: ants",
     "[ANTBAT] §3.1, (1)",
     "Ants go from cell to cell, the rather where pheromone lies and where the goal is near; short ways gather more of it.",
-    |start| super::start(start, Traits::TRADITIONAL),
+    |start| planner::start(start, Traits::TRADITIONAL),
 )
 .family("ants")
 .kinds(KINDS)

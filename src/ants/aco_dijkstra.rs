@@ -8,11 +8,12 @@ use crate::{
 };
 
 use super::{
-    Traits,
+    colony::Traits,
     parameters::{
         ALPHA, ANT_STEPS, ANTS, ARRIVED, BEST, BETA, CHOICE, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN, Q, RHO,
         STUCK, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
     },
+    planner,
 };
 
 const SEEDED: Param<f64> = Param::number(
@@ -46,7 +47,7 @@ pub const ENTRY: Entry = Entry::new(
     "ACO on a Dijkstra path",
     "[ANTBAT] §3.1, its [14]",
     "A Dijkstra path lies on the map as pheromone before the first ant sets out; ants choose ever more greedily.",
-    |start| super::start(start, traits(start.parameters)),
+    |start| planner::start(start, traits(start.parameters)),
 )
 .family("ants")
 .kinds(KINDS)

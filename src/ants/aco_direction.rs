@@ -6,9 +6,10 @@ use crate::{
 };
 
 use super::{
-    Traits,
+    colony::Traits,
     ground::Direction,
     parameters::{ALPHA, ANTS, BETA, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
+    planner,
     update::Update,
 };
 
@@ -121,7 +122,7 @@ pub const ENTRY: Entry = Entry::new(
     "ACO with direction",
     "[ANTBAT] §3.1, (2)–(5)",
     "Ants that would rather go straight on and towards the goal; ways under the median are rewarded, those above it punished.",
-    |start| super::start(start, traits(start.parameters)),
+    |start| planner::start(start, traits(start.parameters)),
 )
 .family("ants")
 .kinds(KINDS)

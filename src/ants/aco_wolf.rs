@@ -7,9 +7,10 @@ use crate::{
 };
 
 use super::{
-    Traits,
+    colony::Traits,
     ground::Heuristic,
     parameters::{ALPHA, ANTS, BETA, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
+    planner,
     update::Update,
 };
 
@@ -111,7 +112,7 @@ pub const ENTRY: Entry = Entry::new(
     "Wolf-pack ant colony",
     "[WOLF-ANT] §5.1",
     "Ants that rank the cells around them by their distance to the goal; an iteration’s best way gets more pheromone, its worst way less.",
-    |start| super::start(start, traits(start.parameters)),
+    |start| planner::start(start, traits(start.parameters)),
 )
 .family("ants")
 .kinds(KINDS)

@@ -7,7 +7,7 @@ use crate::{
 };
 
 use super::{
-    Colony,
+    colony::Colony,
     ground::{Direction, Ground, Heuristic, NOWHERE, theta1},
     update::Update,
     walk::End,

@@ -8,7 +8,7 @@ use crate::{
     kernel::{Frame, Planner, rng::Stream},
 };
 
-use super::{Colony, draw, ground::Ground, update::Update, walk::Walks};
+use super::{colony::Colony, draw, ground::Ground, update::Update, walk::Walks};
 
 /// How often the ants that look for a way round set out.
 const SORTIES: u64 = 10;

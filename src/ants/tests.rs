@@ -2,11 +2,14 @@
 
 use std::sync::Arc;
 
-use super::*;
+use super::{colony::Traits, ground::*, pheromone::Pheromone, update::Update, walk::*, *};
 use crate::{
     Overrides, Session, Setup, Status, Value,
-    kernel::Digest,
+    describe::layers,
+    kernel::rng::Stream,
+    kernel::{Digest, Frame, Item, Planner, ReferenceOptimum},
     scene::{GridScene, Header, Scene, generate::generate, grid},
+    settled::Settled,
 };
 
 fn scene(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {

@@ -9,9 +9,10 @@ use crate::{
 };
 
 use super::{
-    Ground,
     a_star::AStar,
+    ground::Ground,
     parameters::{DRIVE, EVENTS, FORMULA_APPROACH, FORMULA_TIME, ITERATIONS, KINDS, LAYERS_BARE, READINGS},
+    planner,
     route::Route,
 };
 
@@ -90,7 +91,7 @@ pub const ENTRY: Entry = Entry::new(
 .events(EVENTS);
 
 fn start(start: &Start) -> Result<Started, Error> {
-    super::start(start, |ground| {
+    planner::start(start, |ground| {
         let printed = start.parameters[PRINTED].then(|| printed(ground)).transpose()?;
         Ok(Box::new(Anew { search: AStar::new(&ground.cells), ground: Arc::clone(ground), printed }))
     })

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::{describe::Entry, kernel::State};
 
-use super::{Ground, a_star_drive, d_star_lite::DStarLite, route::Route};
+use super::{a_star_drive, d_star_lite::DStarLite, ground::Ground, planner, route::Route};
 
 /// One search that is kept and repaired.
 #[derive(Clone, State)]
@@ -41,7 +41,7 @@ pub const ENTRY: Entry = Entry {
     source: "Koenig and Likhachev 2002; [WOLF-ANT] §5.3",
     summary: "The same drive on ways of D* Lite: where the robot foresees a collision, the search is repaired where the obstacle’s predicted range has changed it, or the robot waits.",
     start: |start| {
-        super::start(start, |ground| {
+        planner::start(start, |ground| {
             let search = DStarLite::new(&ground.cells, ground.endpoints.start, ground.endpoints.goal);
             Ok(Box::new(Repaired { search, ground: Arc::clone(ground) }))
         })

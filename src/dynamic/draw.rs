@@ -5,7 +5,7 @@ use crate::{
     kernel::{Frame, LayerKey, Shape},
 };
 
-use super::{Dynamic, journey::Journey, world::View};
+use super::{drive::Dynamic, journey::Journey, world::View};
 
 pub(super) fn draw(dynamic: &Dynamic, frame: &mut Frame) {
     dynamic.route.draw(dynamic.journey.is_some(), frame);

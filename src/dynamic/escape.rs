@@ -10,8 +10,8 @@ use std::{
 };
 
 use super::{
-    Ground,
     body::{Deed, Pose, Step, Stretch, endpoints},
+    ground::Ground,
     world::{Distance, View},
 };
 

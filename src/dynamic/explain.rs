@@ -7,7 +7,7 @@ use crate::{
 };
 
 use super::{
-    Dynamic,
+    drive::Dynamic,
     journey::Journey,
     parameters::{
         COLLISIONS, DETOURS, DRIVING, ESCAPES, EVENTS, GONE, IN_SIGHT, PLANNED, REPLANS, SMALLEST_DISTANCE, TIME, TURNING_TIME, TURNS,

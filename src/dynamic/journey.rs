@@ -13,8 +13,8 @@ use crate::{
 };
 
 use super::{
-    Ground,
     body::{Deed, Plan, Pose, Stretch, same},
+    ground::Ground,
     route::{Route, plan},
     world::{Distance, View},
 };

@@ -10,9 +10,10 @@ use crate::{
 };
 
 use super::{
-    Ground,
     a_star::AStar,
+    ground::Ground,
     parameters::{DRIVE, EVENTS, FORMULA_APPROACH, FORMULA_TIME, KINDS, LAYERS, READINGS},
+    planner,
     route::Route,
 };
 
@@ -129,7 +130,7 @@ pub const ENTRY: Entry = Entry::new(
 
 fn start(start: &Start) -> Result<Started, Error> {
     let colony = colony(start)?;
-    super::start(start, |ground| {
+    planner::start(start, |ground| {
         Ok(Box::new(Ants {
             // Where no way leads the colony has nothing to plan.
             steps: if colony.is_reachable() { start.parameters[ITERATIONS] } else { 0 },

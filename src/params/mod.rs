@@ -4,17 +4,17 @@
 //! command-line help, the checks and the defaults all follow from that. Its code reads them by `settings[POPULATION]`, so a
 //! misspelt name does not compile.
 
-mod given;
+mod overrides;
 mod param;
-mod settings;
+mod parameters;
 
 use serde::Serialize;
 
 use crate::kernel::{Error, SceneKindId};
 
-pub use given::{Overrides, Value, as_object};
+pub use overrides::{Overrides, Value, as_object};
 pub use param::{Param, ParamValue, Selection};
-pub use settings::Parameters;
+pub use parameters::Parameters;
 
 /// One of a choice's options.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

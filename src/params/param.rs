@@ -16,7 +16,7 @@ use super::{Choice, Domain, Fixed, Parameter, Parameters, When};
 /// the code that planners share reads the shared one.
 ///
 /// ```
-/// use forage::{Overrides, Value, kernel::SceneKindId, params::{Param, Parameter, Parameters}};
+/// use forage::{Overrides, Value, params::{Param, Parameter, Parameters}, scene::GRID};
 ///
 /// const POPULATION: Param<u64> = Param::integer("population", "m", "Population", [1, 1000, 60], "How many particles.");
 /// const PARAMETERS: &[&[Parameter]] = &[&[POPULATION.default_to(20).entry()]];

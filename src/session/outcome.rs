@@ -11,7 +11,7 @@ use crate::{
     scene::TOUR,
 };
 
-use super::Session;
+use super::run::Session;
 
 /// Where a run stands. Serialises to the object that `forage run --json` prints and `outcome()` returns.
 #[derive(Debug, Clone, Serialize)]
@@ -88,6 +88,28 @@ pub struct Outcome {
     /// Every parameter's value.
     #[serde(serialize_with = "as_object")]
     pub parameters: Vec<(&'static str, Value)>,
+}
+
+impl Session {
+    /// Everything there is to say about where the run stands.
+    pub fn outcome(&mut self) -> Outcome {
+        Outcome::of(self)
+    }
+
+    /// How the arm follows the best path with the usual parameters.
+    fn usual_motion(&mut self, best: &Solution) -> Option<MotionOutcome> {
+        if self.followed.as_ref().is_none_or(|(solution, _)| solution != best) {
+            // The defaults are never refused.
+            let motion = arm::along(&self.scene, Some(best), &Overrides::new()).ok().flatten();
+            self.followed = motion.map(|motion| (best.clone(), motion.outcome));
+        }
+        self.followed.as_ref().map(|(_, outcome)| outcome.clone())
+    }
+
+    /// What keeps the run from a result, if something does.
+    fn failure(&self) -> Option<String> {
+        self.at.planner.facets().failure?.failure(self.status())
+    }
 }
 
 impl Outcome {

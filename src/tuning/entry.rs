@@ -4,7 +4,7 @@ use crate::{describe::Entry, scene::GRID};
 
 use super::{
     parameters::{C1, C2, COLONY, ITERATIONS, LAYERS, POPULATION, READINGS, ROUNDS, SEEDS, TUNE, VELOCITY, W},
-    start,
+    planner::start,
 };
 
 /// See the module.

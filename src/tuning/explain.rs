@@ -5,7 +5,7 @@ use crate::{
     kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
 };
 
-use super::Tuning;
+use super::swarm::Tuning;
 
 const COLUMNS: [Column; 4] = [
     Column { name: "x", symbol: "x", title: "tried" },

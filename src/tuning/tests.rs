@@ -1,10 +1,16 @@
 //! The swarm's equations by hand, and that a run does not depend on who carries out its jobs.
 
-use super::*;
+use std::sync::Arc;
+
+use super::{planner::start, swarm::*, *};
 use crate::{
     Session, Setup,
     catalogue::{self, PLANNERS},
-    params::Parameters,
+    describe::{Entry, Start},
+    kernel::Subtask,
+    kernel::{SubtaskResult, rng::Stream},
+    math,
+    params::{Parameters, Value},
     session, shipped,
 };
 

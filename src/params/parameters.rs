@@ -8,7 +8,7 @@ use super::{Choice, Overrides, Parameter, Value, When};
 /// [`Param`](super::Param).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameters {
-    parameters: &'static [&'static [Parameter]],
+    declared: &'static [&'static [Parameter]],
     values: Vec<(&'static str, Value)>,
     /// The values as whole numbers, in their order; 0 for what is no number.
     whole: Vec<u64>,
@@ -35,7 +35,7 @@ impl Parameters {
         let whole = values.iter().map(|(_, value)| if let Value::Number(number) = value { *number as u64 } else { 0 }).collect();
         let changed =
             applicable().filter_map(|p| given.get(p.name).filter(|&v| *v != p.default_on(kind)).map(|v| (p.name, v.clone()))).collect();
-        Ok(Self { parameters, values, whole, changed })
+        Ok(Self { declared: parameters, values, whole, changed })
     }
 
     /// Every parameter with its value.
@@ -84,7 +84,7 @@ impl Parameters {
 
     fn place(&self, name: &str) -> Option<usize> {
         let place = self.values.iter().position(|(known, _)| *known == name);
-        let listed = || flat(self.parameters).any(|parameter| parameter.name == name);
+        let listed = || flat(self.declared).any(|parameter| parameter.name == name);
         debug_assert!(place.is_some() || listed(), "`{name}` is read, and the entry does not list it");
         place
     }

@@ -1,0 +1,236 @@
+//! The colony: its state, and what it does in an iteration.
+
+use std::sync::Arc;
+
+use crate::{
+    describe::Start,
+    exact,
+    kernel::{Error, State, rng::Stream},
+    scene::grid_path::{GridPath, SMOOTH},
+    settled::Settled,
+};
+
+use super::{
+    ground::{Direction, Ground, Heuristic},
+    parameters::{ALPHA, ANTS, BACKTRACKS, BETA, ITERATIONS, Q, RHO, STEP_LIMIT, TAU_0, TAU_MAX, TAU_MIN},
+    pheromone::Pheromone,
+    update::{self, Update},
+    walk::{End, Rules, Seen, Walks, walk},
+};
+
+/// How many bytes a cell go into keeping the walks of an iteration; ants beyond go their ways again when they are needed.
+pub(super) const KEPT: usize = 16;
+
+/// What one colony has and another has not.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Traits {
+    pub(super) heuristic: Heuristic,
+    /// γ: how much the direction of a step counts.
+    pub(super) gamma: f64,
+    pub(super) direction: Direction,
+    pub(super) update: Update,
+    /// Q is multiplied by the distance from start to goal, so that it means the same on every map.
+    pub(super) relative: bool,
+    /// q0 at the start and at the end.
+    pub(super) greed: [f64; 2],
+    /// By how much a Dijkstra path's pheromone is multiplied before the first ant sets out; 1: not at all.
+    pub(super) seeded: f64,
+}
+
+impl Traits {
+    /// The traditional colony, [ANTBAT] (1); the others differ from it.
+    pub(super) const TRADITIONAL: Self = Self {
+        heuristic: Heuristic::Distance,
+        gamma: 0.0,
+        direction: Direction::Squared,
+        update: Update::Traditional,
+        relative: false,
+        greed: [0.0; 2],
+        seeded: 1.0,
+    };
+}
+
+/// A colony of ants. One iteration: all ants walk, then pheromone evaporates and what they lay is added.
+#[derive(Clone, State)]
+pub(crate) struct Colony {
+    #[state(shared)]
+    pub(super) ground: Arc<Ground>,
+    #[state(shared)]
+    pub(super) traits: Traits,
+    #[state(shared)]
+    pub(super) rules: Rules,
+    #[state(shared)]
+    pub(super) ants: usize,
+    #[state(shared)]
+    pub(super) q: f64,
+    #[state(shared)]
+    pub(super) smooth: bool,
+    pub(super) pheromone: Pheromone,
+    pub(super) walks: Walks,
+    /// How many steps of an iteration are kept.
+    #[state(shared)]
+    pub(super) kept: usize,
+    /// An ant whose way was not kept goes it again here; scratch space.
+    #[state(skip)]
+    pub(super) again: Walks,
+    #[state(skip)]
+    pub(super) seen: Seen,
+    #[state(skip)]
+    pub(super) lengths: Vec<f64>,
+    pub(super) best: Option<Found>,
+    /// When the best was found.
+    pub(super) converged: u64,
+    pub(super) settled: Settled,
+    pub(super) iteration: u64,
+    #[state(shared)]
+    pub(super) limit: u64,
+    pub(super) rng: Stream,
+}
+
+/// The best way so far.
+#[derive(Debug, Clone, State)]
+pub(super) struct Found {
+    /// Its directions from the start on.
+    pub(super) directions: Vec<u8>,
+    /// In the scene's unit.
+    pub(super) length: f64,
+    #[state(skip)]
+    pub(super) way: GridPath,
+}
+
+impl Found {
+    pub(super) fn new(ground: &Ground, directions: &[u8], length: f64) -> Self {
+        let path = ground.endpoints.path(&ground.cells, ground.way(directions));
+        Self { directions: directions.to_vec(), length, way: GridPath::new(path) }
+    }
+}
+
+impl Colony {
+    pub(super) fn new(start: &Start, traits: Traits) -> Result<Self, Error> {
+        let &Start { scene, parameters: settings, seed, .. } = start;
+        let bounds = [settings[TAU_MIN], settings[TAU_MAX]];
+        let ground = Ground::new(scene, traits.heuristic, settings[BETA], traits.gamma, traits.direction)?;
+        let cells = &ground.cells;
+        let mut pheromone = Pheromone::new(cells, settings[TAU_0], settings[ALPHA], settings[RHO], bounds);
+        if traits.seeded != 1.0
+            && let Some(way) = exact::shortest_way(cells, ground.endpoints.start, ground.endpoints.goal)
+        {
+            for step in way.windows(2) {
+                let direction = (0..8).find(|&d| cells.next(step[0], d) == step[1]).unwrap_or(0);
+                pheromone.favour(&ground, step[0], direction, traits.seeded);
+            }
+        }
+        let limit = match settings[STEP_LIMIT] {
+            0 => 2 * cells.len() as u64,
+            steps => steps,
+        };
+        Ok(Self {
+            traits,
+            rules: Rules { backtracks: settings[BACKTRACKS], limit },
+            ants: settings[ANTS] as usize,
+            q: settings[Q] * if traits.relative { ground.apart() } else { 1.0 },
+            smooth: settings[SMOOTH],
+            walks: Walks::default(),
+            kept: KEPT * cells.len(),
+            again: Walks::default(),
+            seen: Seen::new(cells.len()),
+            lengths: Vec::new(),
+            best: None,
+            converged: 0,
+            settled: Settled::default(),
+            iteration: 0,
+            limit: settings[ITERATIONS],
+            rng: Stream::new(seed, 0),
+            pheromone,
+            ground: Arc::new(ground),
+        })
+    }
+
+    /// Whether any way leads from start to goal.
+    pub(crate) fn is_reachable(&self) -> bool {
+        self.ground.reachable
+    }
+
+    /// q0 of an iteration, counted from 0: it changes evenly over the run.
+    pub(super) fn greed(&self, iteration: u64) -> f64 {
+        let [from, to] = self.traits.greed;
+        from + (to - from) * (iteration as f64 / (self.limit.max(2) - 1) as f64).min(1.0)
+    }
+
+    /// All ants walk, one after another; the iteration is counted already.
+    pub(super) fn send(&mut self) {
+        let greed = self.greed(self.iteration - 1);
+        self.walks.clear();
+        for _ in 0..self.ants {
+            let begun = self.rng.clone();
+            walk(&self.ground, &mut self.pheromone, self.rules, greed, &mut self.seen, &mut self.rng, &mut self.walks);
+            self.walks.forget(self.kept, begun);
+        }
+    }
+
+    /// An ant's directions; one whose way was not kept goes it again. (The weights are those of its iteration until
+    /// pheromone has settled.)
+    pub(super) fn way(&mut self, i: usize) -> Vec<u8> {
+        let ant = &self.walks.ants[i];
+        let Some(mut rng) = ant.again.clone() else {
+            return self.walks.of(ant).to_vec();
+        };
+        let greed = self.greed(self.iteration - 1);
+        self.again.clear();
+        walk(&self.ground, &mut self.pheromone, self.rules, greed, &mut self.seen, &mut rng, &mut self.again);
+        self.again.ants.first().map_or(Vec::new(), |ant| self.again.of(ant).to_vec())
+    }
+
+    /// Keeps the iteration's shortest way if it is shorter than the best so far.
+    pub(super) fn judge(&mut self) {
+        let arrived = self.walks.ants.iter().enumerate().filter(|(_, ant)| ant.end == End::Arrived);
+        let shortest = arrived.map(|(i, ant)| (i, ant.length)).min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((i, length)) = shortest.filter(|&(_, length)| self.best.as_ref().is_none_or(|best| length < best.length)) {
+            let way = self.way(i);
+            self.best = Some(Found::new(&self.ground, &way, length));
+            self.converged = self.iteration;
+        }
+        self.settled.note(self.iteration, self.mean(), shortest.map_or(f64::NAN, |(_, length)| length));
+    }
+
+    /// The mean length of the iteration's ways that arrived; NaN if none did.
+    pub(super) fn mean(&self) -> f64 {
+        let (sum, arrived) = self.walks.arrived().fold((0.0, 0), |(sum, n), ant| (sum + ant.length, n + 1));
+        if arrived > 0 { sum / f64::from(arrived) } else { f64::NAN }
+    }
+
+    /// [ANTBAT] (4), [WOLF-ANT] (10).
+    pub(super) fn renew(&mut self) {
+        self.pheromone.evaporate();
+        if let Some(best) = self.best.as_ref().filter(|_| self.walks.leads_anywhere()) {
+            update::lay(self.traits.update, self.q, best.length, &mut self.walks, &mut self.lengths);
+        }
+        for i in 0..self.walks.ants.len() {
+            let ant = &self.walks.ants[i];
+            let (laid, kept) = (ant.laid, ant.again.is_none());
+            if ant.end != End::Arrived {
+                continue;
+            }
+            if kept {
+                lay(&self.ground, &mut self.pheromone, self.walks.of(ant), laid);
+            } else {
+                let way = self.way(i);
+                lay(&self.ground, &mut self.pheromone, &way, laid);
+            }
+        }
+        self.pheromone.settle();
+    }
+
+    pub(super) fn count(&self, end: End) -> usize {
+        self.walks.ants.iter().filter(|ant| ant.end == end).count()
+    }
+}
+
+/// Adds to each step of a way.
+pub(super) fn lay(ground: &Ground, pheromone: &mut Pheromone, way: &[u8], amount: f64) {
+    let mut cell = ground.endpoints.start;
+    for d in way.iter().map(|&d| usize::from(d)) {
+        pheromone.lay(cell, d, amount);
+        cell = ground.cells.next(cell, d);
+    }
+}

@@ -1,0 +1,349 @@
+//! A run that can go forward and back.
+
+use std::{cell::OnceCell, sync::Arc};
+
+use crate::{
+    arm::{self, Motion, MotionOutcome},
+    catalogue::PLANNERS,
+    describe::{Entry, Start},
+    drive::{self, Drive},
+    kernel::{
+        Candidate, Digest, Error, Event, Exact, Frame, Inspection, Item, Readings, ReferenceOptimum, Solution, Stage, State, Status,
+        Stepper, Subtask, SubtaskResult, Timeline, TourEnds,
+    },
+    params::{Overrides, Parameters},
+    scene::Scene,
+};
+
+use super::{answers::Answers, keyframes::Keyframes, trace::Trace};
+
+/// A run that can go forward and back.
+pub struct Session {
+    pub(super) entry: &'static Entry,
+    pub(super) scene: Arc<Scene>,
+    pub(super) settings: Parameters,
+    pub(super) seed: u64,
+    /// The planner, and where it stands.
+    pub(super) at: Stepper,
+    pub(super) limit: u64,
+    /// The last iteration, as soon as it is known.
+    pub(super) end: Option<u64>,
+    pub(super) reference: ReferenceOptimum,
+    pub(super) round: Option<TourEnds>,
+    pub(super) stages: Vec<Stage>,
+    pub(super) keyframes: Keyframes,
+    pub(super) answers: Answers,
+    /// The state before the one that was inspected last: while an item is watched, each step costs one more, not a replay.
+    pub(super) before: Option<Stepper>,
+    pub(super) trace: Trace,
+    pub(super) readings: Readings,
+    /// What the setup adds to a hash; made when the first is asked for.
+    pub(super) setup_digest: OnceCell<Digest>,
+    /// What the arm followed last with the usual parameters, and how that went: an outcome is asked for more often than a
+    /// path changes.
+    pub(super) followed: Option<(Solution, MotionOutcome)>,
+}
+
+impl Session {
+    /// Memory for keyframes unless told otherwise, in bytes.
+    pub const KEYFRAME_BUDGET: usize = 64 << 20;
+
+    /// Takes up to `steps` steps; stops where the planner does.
+    pub fn step(&mut self, steps: u64) -> Status {
+        for _ in 0..steps {
+            if !self.advance() {
+                break;
+            }
+            self.remember();
+        }
+        self.status()
+    }
+
+    /// Takes a step, if there is one to take.
+    pub(super) fn advance(&mut self) -> bool {
+        let Self { at, answers, .. } = self;
+        let k = at.iteration;
+        at.step(|jobs| answers.of(k, &jobs))
+    }
+
+    /// Goes to iteration `k`, forward or back, exactly; stops early where the planner does.
+    pub fn seek(&mut self, k: u64) -> Status {
+        self.rewind(k);
+        self.step(k.saturating_sub(self.iteration()))
+    }
+
+    /// Jumps to the latest state at or before iteration `k` that is at hand, and says which iteration that is.
+    /// The rest of the way to `k` is `step`.
+    pub fn rewind(&mut self, k: u64) -> u64 {
+        let now = self.iteration();
+        match self.keyframes.at_or_before(k) {
+            Some(state) if k < now || state.iteration > now => self.at = state.clone(),
+            _ if k < now => self.at = self.start(),
+            _ => {}
+        }
+        self.iteration()
+    }
+
+    /// A planner at iteration 0. Starting succeeded once with the same scene, settings and seed, so it does again;
+    /// if it did not, staying where we are is the harmless answer.
+    pub(super) fn start(&self) -> Stepper {
+        let start = Start { scene: &self.scene, parameters: &self.settings, seed: self.seed, entries: &PLANNERS };
+        match (self.entry.start)(&start) {
+            Ok(started) => started.into(),
+            Err(_) => self.at.clone(),
+        }
+    }
+
+    /// The state at an iteration at or before the present one, without going there: from whatever is at hand nearest to it.
+    pub(super) fn state_at(&mut self, k: u64) -> Stepper {
+        let kept = self.keyframes.at_or_before(k);
+        let mut state = match (self.before.take().filter(|state| state.iteration <= k), kept) {
+            (Some(before), kept) if kept.is_none_or(|kept| kept.iteration <= before.iteration) => before,
+            (_, Some(state)) => state.clone(),
+            (_, None) => self.start(),
+        };
+        loop {
+            let now = state.iteration;
+            if now >= k || !state.step(|jobs| self.answers.of(now, &jobs)) {
+                return state;
+            }
+        }
+    }
+
+    pub(super) fn remember(&mut self) {
+        self.keyframes.offer(&self.at);
+        if self.status() != Status::Running {
+            self.end = Some(self.at.iteration);
+        }
+        if self.trace.wants(self.at.iteration) {
+            self.read();
+            self.trace.push(self.at.iteration, &self.readings);
+        }
+    }
+
+    pub(super) fn read(&mut self) {
+        self.readings.clear();
+        self.at.planner.read(&mut self.readings);
+    }
+
+    /// How many iterations were taken to come here.
+    pub fn iteration(&self) -> u64 {
+        self.at.iteration
+    }
+
+    /// The iteration at which the run ends at the latest.
+    pub fn limit(&self) -> u64 {
+        self.limit
+    }
+
+    /// The last iteration, as soon as it is known: of runs that may be over before their limit, once they came to their end.
+    pub fn end(&self) -> Option<u64> {
+        self.end
+    }
+
+    /// Whether there is more to do, or why not.
+    pub fn status(&self) -> Status {
+        self.at.status
+    }
+
+    /// Candidate solutions evaluated so far: what planners are compared by.
+    pub fn evaluations(&self) -> u64 {
+        self.at.planner.evaluations()
+    }
+
+    /// Takes steps until so many candidates are evaluated, or up to `steps` of them; stops where the planner does.
+    pub fn step_to(&mut self, evaluations: u64, steps: u64) -> Status {
+        for _ in 0..steps {
+            if self.evaluations() >= evaluations || self.step(1) != Status::Running {
+                break;
+            }
+        }
+        self.status()
+    }
+
+    /// The best solution so far and what it costs the planner.
+    pub fn best(&self) -> Option<Candidate> {
+        self.at.planner.best()
+    }
+
+    /// The planner's entry in the catalogue.
+    pub fn entry(&self) -> &'static Entry {
+        self.entry
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Arc<Scene> {
+        &self.scene
+    }
+
+    /// Every parameter's value.
+    pub fn settings(&self) -> &Parameters {
+        &self.settings
+    }
+
+    /// The seed.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// The numbers of this iteration.
+    pub fn readings(&mut self) -> &Readings {
+        self.read();
+        &self.readings
+    }
+
+    /// The readings of past iterations.
+    pub fn trace(&self) -> &Trace {
+        &self.trace
+    }
+
+    /// Draws the present state, at most about `budget` vertices a layer; what is only worth drawing from near, in the
+    /// part of the plane that [`Frame::look_at`] said.
+    pub fn draw(&self, frame: &mut Frame, budget: usize) {
+        frame.clear(budget, self.entry.drawn_and_marked().0.iter().map(|layer| layer.key));
+        self.at.planner.draw(frame);
+    }
+
+    /// Why an item did what it did in the step that led here, or, of what came about once, in the step that made it.
+    pub fn inspect(&mut self, item: Item) -> Option<Inspection> {
+        let explain = self.at.planner.facets().explain?;
+        if let Some(told) = explain.inspect(item) {
+            return Some(told);
+        }
+        let created = explain.created_at(item).unwrap_or(self.iteration());
+        let before = self.state_at(created.checked_sub(1)?);
+        let told = before.planner.facets().explain.and_then(|explain| explain.explain_next(item));
+        self.before = Some(before);
+        told
+    }
+
+    /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.
+    pub fn pick(&self, point: [f64; 2], reach: f64) -> Option<Item> {
+        let mut frame = Frame::default();
+        self.draw(&mut frame, usize::MAX);
+        let pickable: Vec<_> = self.entry.layers.iter().filter(|layer| layer.pickable).map(|layer| layer.key).collect();
+        crate::picture::nearest(&frame, &pickable, point, reach)
+    }
+
+    /// The exact optimum by the rule that the planner keeps to, as a path.
+    pub fn exact(&self) -> Option<&Exact> {
+        match self.round {
+            Some(round) => self.scene.exact_tour(self.reference, round),
+            None => self.scene.exact_by(self.reference),
+        }
+    }
+
+    /// The parts of the run that have their own kind of step, in their order; empty for most. The last one has no end before
+    /// the run came to its own.
+    pub fn stages(&self) -> Vec<Stage> {
+        let mut stages = self.stages.clone();
+        if let Some(last) = stages.last_mut() {
+            last.end = self.end;
+        }
+        stages
+    }
+
+    /// What happened so far in simulated time, and what was decided and why; empty for most.
+    pub fn events(&self) -> &[Event] {
+        self.at.planner.facets().timeline.map_or(&[], Timeline::events)
+    }
+
+    /// The numbers of those that search side by side, row by row; the columns are the entry's `members`.
+    pub fn members(&self, out: &mut Vec<f64>) {
+        out.clear();
+        if let Some(members) = self.at.planner.facets().members {
+            members.members(out);
+        }
+    }
+
+    /// The runs of other planners, on this scene, that the next step needs; see [`Session::provide`].
+    pub fn subtasks(&mut self) -> Vec<Subtask> {
+        if self.status() != Status::Running || self.answers.knows(self.iteration()) {
+            return Vec::new();
+        }
+        self.at.planner.subtasks().map_or_else(Vec::new, |subtasks| subtasks.requests())
+    }
+
+    /// Hands over what the runs of [`Session::subtasks`] found, in their order, so that the next step need not carry them
+    /// out itself. What it does with them does not depend on who carried them out.
+    pub fn provide(&mut self, found: Vec<SubtaskResult>) {
+        if !found.is_empty() && found.len() == self.subtasks().len() {
+            self.answers.keep(self.iteration(), found);
+        }
+    }
+
+    /// The scene's robot driving along the best path so far. `None` unless the scene is a grid with a robot that has
+    /// length and width, and a path was found.
+    ///
+    /// # Errors
+    /// For a parameter that is not one of [`drive::PARAMETERS`], or its value.
+    pub fn drive(&self, given: &Overrides) -> Result<Option<Drive>, Error> {
+        let best = self.best();
+        drive::along(&self.scene, best.as_ref().and_then(|best| best.solution.path()), given)
+    }
+
+    /// The scene's arm following the best path so far. `None` unless the scene is an arm's, and a path was found.
+    ///
+    /// # Errors
+    /// For a parameter that is not one of [`arm::MOTION`]'s, or its value.
+    pub fn motion(&self, given: &Overrides) -> Result<Option<Motion>, Error> {
+        arm::along(&self.scene, self.best().map(|best| best.solution).as_ref(), given)
+    }
+
+    /// The hash of setup, iteration, best and the whole state, in hexadecimal: two different runs never share one.
+    pub fn hash(&self) -> String {
+        self.digest().hex()
+    }
+
+    pub(super) fn digest(&self) -> Digest {
+        let mut digest = self.setup_digest.get_or_init(|| self.digest_of_setup()).clone();
+        self.iteration().digest(&mut digest);
+        self.best().map(|best| best.cost).digest(&mut digest);
+        self.at.planner.digest(&mut digest);
+        digest
+    }
+
+    /// Planner, parameters, seed and what is in the scene; its name, title and notes do not matter.
+    pub(super) fn digest_of_setup(&self) -> Digest {
+        let mut digest = Digest::of(self.entry.name);
+        for (name, value) in self.settings.all() {
+            name.digest(&mut digest);
+            value.to_string().digest(&mut digest);
+        }
+        self.seed.digest(&mut digest);
+        self.scene.content().digest(&mut digest);
+        digest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Overrides, Setup, describe::layers, shipped};
+
+    /// Whatever way the state before was reached (keyframe, replay, or the one kept from the last inspection), the
+    /// explanation is the same, and asking for it changes nothing.
+    #[test]
+    fn an_explanation_does_not_depend_on_what_was_asked_before() {
+        let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Overrides::default(), seed: 2 };
+        let item = Item { layer: layers::PARTICLES.key, index: 17 };
+        let mut watched = Session::with_keyframes(setup.clone(), 200_000).unwrap();
+        let mut hashes = Vec::new();
+        let told: Vec<_> = (0..40)
+            .map(|_| {
+                watched.step(1);
+                let told = watched.inspect(item).unwrap();
+                hashes.push(watched.hash());
+                told
+            })
+            .collect();
+        let mut fresh = Session::with_keyframes(setup, 0).unwrap();
+        for k in [40, 3, 17, 18, 16, 39_u64] {
+            watched.seek(k);
+            fresh.seek(k);
+            assert_eq!(fresh.hash(), hashes[k as usize - 1]);
+            assert_eq!(fresh.inspect(item).as_ref(), Some(&told[k as usize - 1]));
+            assert_eq!(watched.inspect(item).as_ref(), Some(&told[k as usize - 1]));
+        }
+    }
+}
