@@ -1,8 +1,9 @@
 //! Drives among moving obstacles, [WOLF-ANT] §5.3: a way is planned, then a robot drives it in simulated time, sees what
 //! moves, foresees collisions and goes round, plans anew or waits.
 //!
-//! `planner` plans and then drives (`drive`). There is one journey (`journey`), and one way to decide (`decide`). What its planners differ in is who plans the ways, a `Route`, a file each. `body` is how
-//! the robot moves, `world` what it sees and foresees, `escape` what it does when neither a way round nor standing is safe.
+//! A plan and then a `drive` are one planner (`planner`), on a `ground` that does not change. What its planners differ in is
+//! who plans the paths, a `Route`, a file each. The robot's `journey` decides in one way (`decide`): `body` is how it moves,
+//! `world` what it sees and foresees, `escape` what it does when neither a way round nor standing is safe.
 
 mod a_star;
 pub mod a_star_drive;

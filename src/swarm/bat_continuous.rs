@@ -435,7 +435,13 @@ pub const ENTRY: Entry = Entry::new(
 )
 .family("swarm")
 .kinds(KINDS)
-.parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), F_MIN.entry(), F_MAX.entry(), PULL.entry(), WALK.entry(), A0.entry(), R0.entry(), EPSILON.entry(), LAMBDA.entry()], &[PER_BAT.entry(), V_MAX.entry(), V_MAX_ABSOLUTE.entry()], ENCODED, CHARGED])
+.parameters(&[
+    &[POPULATION.entry(), ITERATIONS.entry(), F_MIN.entry(), F_MAX.entry(), PULL.entry(), WALK.entry()],
+    &[A0.entry(), R0.entry(), EPSILON.entry(), LAMBDA.entry()],
+    &[PER_BAT.entry(), V_MAX.entry(), V_MAX_ABSOLUTE.entry()],
+    ENCODED,
+    CHARGED,
+])
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, MEAN_LOUDNESS, MEAN_PULSE_RATE, ACCEPTED, EVALUATIONS])
 .formulas(&[FREQUENCY, BAT_VELOCITY, BAT_VELOCITY_TOWARD, BAT_POSITION, WALK_ABOUT, LOUDNESS, PULSE])
 .layers(&[

@@ -454,13 +454,13 @@ pub const ENTRY: Entry = Entry::new(
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
 .formulas(&[TRIES, LOUDNESS, PULSE, LENGTH])
 .layers(&[
-        ROADS_LAYER,
-        layers::TOURS.titled("All tours", "The tour of every bat.").off().pickable(),
-        layers::TOUR,
-        layers::STOPS,
-        layers::DIFFERENT,
-        layers::AFTER,
-    ])
+    ROADS_LAYER,
+    layers::TOURS.titled("All tours", "The tour of every bat.").off().pickable(),
+    layers::TOUR,
+    layers::STOPS,
+    layers::DIFFERENT,
+    layers::AFTER,
+])
 .calls_at_stops()
 .members(MEMBERS)
 .presets(&[PAPER]);

@@ -327,12 +327,12 @@ pub const ENTRY: Entry = Entry::new(
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, SHORTER])
 .formulas(&[GAIN, LENGTH])
 .layers(&[
-        ROADS_LAYER,
-        layers::TOURS.titled("All tours", "The tours of this generation.").off().pickable(),
-        layers::TOUR,
-        layers::STOPS,
-        layers::DIFFERENT,
-        layers::AFTER,
-    ])
+    ROADS_LAYER,
+    layers::TOURS.titled("All tours", "The tours of this generation.").off().pickable(),
+    layers::TOUR,
+    layers::STOPS,
+    layers::DIFFERENT,
+    layers::AFTER,
+])
 .calls_at_stops()
 .members(MEMBERS);

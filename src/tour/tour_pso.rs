@@ -308,13 +308,13 @@ pub const ENTRY: Entry = Entry::new(
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_SWAPS])
 .formulas(&[VELOCITY, POSITION, LENGTH])
 .layers(&[
-        ROADS_LAYER,
-        layers::TOURS.titled("All tours", "The tour of every particle.").off().pickable(),
-        layers::TOUR,
-        layers::STOPS,
-        layers::DIFFERENT,
-        layers::AFTER,
-    ])
+    ROADS_LAYER,
+    layers::TOURS.titled("All tours", "The tour of every particle.").off().pickable(),
+    layers::TOUR,
+    layers::STOPS,
+    layers::DIFFERENT,
+    layers::AFTER,
+])
 .calls_at_stops()
 .members(MEMBERS)
 .presets(&[SWAPS_ALONE]);

@@ -29,7 +29,10 @@ pub const ENTRY: Entry = Entry::new(
 )
 .family("tree")
 .kinds(&[ARM])
-.parameters(&[&[ITERATIONS.entry(), STEP_ANGLE.entry(), GOALS.entry(), RADIUS.entry(), RESOLUTION.entry()], &[SHORTEN.entry(), POLYLINE.entry(), TOLERANCE.entry(), SMOOTH.entry(), BLEND.entry()]])
+.parameters(&[
+    &[ITERATIONS.entry(), STEP_ANGLE.entry(), GOALS.entry(), RADIUS.entry(), RESOLUTION.entry()],
+    &[SHORTEN.entry(), POLYLINE.entry(), TOLERANCE.entry(), SMOOTH.entry(), BLEND.entry()],
+])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FITTED, HERMITE])
 .layers(CONNECT_LAYERS)

@@ -68,20 +68,25 @@ pub const ENTRY: Entry = Entry::new(
 )
 .family("swarm")
 .kinds(KINDS)
-.parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), ALPHA_START.entry(), ALPHA_END.entry(), C1.entry(), C2.entry()], &[EVOLVE.entry(), MOST_DISPERSION.entry(), SELECT.entry()], ENCODED, CHARGED])
+.parameters(&[
+    &[POPULATION.entry(), ITERATIONS.entry(), ALPHA_START.entry(), ALPHA_END.entry(), C1.entry(), C2.entry()],
+    &[EVOLVE.entry(), MOST_DISPERSION.entry(), SELECT.entry()],
+    ENCODED,
+    CHARGED,
+])
 .readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS])
 .formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN])
 .layers(&[
-        GUIDES,
-        layers::PERSONAL_BESTS,
-        layers::PARTICLES,
-        layers::SELECTED,
-        layers::ATTRACTORS,
-        layers::MEAN_BEST,
-        layers::BEST,
-        SMOOTHED,
-        layers::BEFORE,
-        layers::JUMP,
-        layers::AFTER,
-    ])
+    GUIDES,
+    layers::PERSONAL_BESTS,
+    layers::PARTICLES,
+    layers::SELECTED,
+    layers::ATTRACTORS,
+    layers::MEAN_BEST,
+    layers::BEST,
+    SMOOTHED,
+    layers::BEFORE,
+    layers::JUMP,
+    layers::AFTER,
+])
 .suggest(suggest);

@@ -43,15 +43,15 @@ pub const ENTRY: Entry = Entry::new(
 .readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS])
 .formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, MEAN])
 .layers(&[
-        GUIDES,
-        layers::PERSONAL_BESTS,
-        layers::PARTICLES,
-        layers::ATTRACTORS,
-        layers::MEAN_BEST,
-        layers::BEST,
-        SMOOTHED,
-        layers::BEFORE,
-        layers::JUMP,
-        layers::AFTER,
-    ])
+    GUIDES,
+    layers::PERSONAL_BESTS,
+    layers::PARTICLES,
+    layers::ATTRACTORS,
+    layers::MEAN_BEST,
+    layers::BEST,
+    SMOOTHED,
+    layers::BEFORE,
+    layers::JUMP,
+    layers::AFTER,
+])
 .suggest(suggest);
