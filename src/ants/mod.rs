@@ -1,8 +1,9 @@
-//! Ants that go from cell to cell of a grid and lay pheromone on their ways, [ANTBAT] §3.1 and [WOLF-ANT] §5.1.
+//! Ants that go from cell to cell of a grid and lay pheromone on their paths, [ANTBAT] §3.1 and [WOLF-ANT] §5.1.
 //!
-//! There is one `colony`, which `planner` makes a planner. What its planners differ in is exchanged: how an ant sees the cells around it (`ground`), how it
-//! chooses among them (`walk`), and what it lays (`update`). `pheromone` keeps τ and the choice weights, which are made
-//! once per iteration for each cell that an ant comes to; a step is then a look-up and one random number.
+//! There is one `colony`; `planner` is its stepped contract, `draw` shows it, `explain` says why an ant chose a step. What the
+//! planners differ in is exchanged: how an ant sees the cells around it (`ground`), how it chooses among them (`walk`), and
+//! what it lays (`update`). `pheromone` keeps τ and the choice weights, which are made once per iteration for each cell that an
+//! ant comes to; a step is then a look-up and one random number. `scouts` are ants sent around obstacles of a drive.
 
 pub mod aco;
 pub mod aco_dijkstra;

@@ -3,7 +3,8 @@
 //!
 //! A plan and then a `drive` are one planner (`planner`), on a `ground` that does not change. What its planners differ in is
 //! who plans the paths, a `Route`, a file each. The robot's `journey` decides in one way (`decide`): `body` is how it moves,
-//! `world` what it sees and foresees, `escape` what it does when neither a way round nor standing is safe.
+//! `world` what it sees and foresees, `escape` what it does when neither a way round nor standing is safe. `a_star` and
+//! `d_star_lite` search, over the `queue` and the `steps` that they share; `draw` and `explain` show the drive.
 
 mod a_star;
 pub mod a_star_drive;

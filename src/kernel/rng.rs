@@ -27,7 +27,7 @@ pub fn check_seed(seed: u64) -> Result<u64, Error> {
 pub const SEED_RANGE: &str = "a whole number from 0 to 9007199254740991";
 
 /// A stream of random numbers that belongs to one run.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Stream(Xoshiro256PlusPlus);
 
 impl Stream {

@@ -202,7 +202,7 @@ impl Scene {
         self.body.view()
     }
 
-    /// What a run depends on, on one line: kind and content, without name, title and notes.
+    /// Kind and content on one line, without what the header has: name, title, notes, stored optimum, published figures.
     pub(crate) fn content(&self) -> String {
         let kind = ("kind", Value::from(self.kind().name()));
         json::object([kind].iter().chain(&self.written()).map(|(name, value)| (*name, value)))

@@ -2,14 +2,14 @@
 
 use std::{
     cell::Cell,
-    collections::VecDeque,
+    collections::{BTreeMap, BTreeSet, VecDeque},
     sync::{Arc, OnceLock},
 };
 
 /// Derives [`trait@State`] from the fields of a struct or enum.
 ///
 /// Every field counts in hash and size, unless it is marked `#[state(skip)]` (counted, not hashed: scratch memory and caches,
-/// which no result depends on) or `#[state(shared)]` (neither: what follows from the setup and never changes in a run).
+/// which no result depends on) or `#[state(shared)]` (neither: what follows from the setup, or from the other fields).
 ///
 /// ```
 /// use forage::kernel::{Digest, State};
@@ -70,7 +70,8 @@ impl Digest {
         words.digest(self);
     }
 
-    /// Whether a stream of random numbers is part of what was added.
+    /// Whether a stream of random numbers is part of what was added. A planner that draws only when it starts keeps its stream,
+    /// so that its runs are not taken for deterministic.
     pub fn is_random(&self) -> bool {
         self.random
     }
@@ -106,23 +107,29 @@ macro_rules! words {
         }
     )* };
 }
-words!(bool, u8, u16, u32, u64);
+words!(bool, u8, u16, u32, u64, char);
+
+/// Numbers that have a word by their bits.
+macro_rules! bits {
+    ($($number:ty => $word:ty),*) => { $(
+        impl State for $number {
+            #[inline]
+            fn digest(&self, out: &mut Digest) {
+                out.word(u64::from(<$word>::from_ne_bytes(self.to_ne_bytes())));
+            }
+            #[inline]
+            fn heap_size(&self) -> usize {
+                0
+            }
+        }
+    )* };
+}
+bits!(i8 => u8, i16 => u16, i32 => u32, i64 => u64, f32 => u32, f64 => u64);
 
 impl State for usize {
     #[inline]
     fn digest(&self, out: &mut Digest) {
         out.word(*self as u64);
-    }
-    #[inline]
-    fn heap_size(&self) -> usize {
-        0
-    }
-}
-
-impl State for f64 {
-    #[inline]
-    fn digest(&self, out: &mut Digest) {
-        out.word(self.to_bits());
     }
     #[inline]
     fn heap_size(&self) -> usize {
@@ -238,6 +245,40 @@ impl<T: State> State for OnceLock<T> {
     fn digest(&self, _out: &mut Digest) {}
     fn heap_size(&self) -> usize {
         self.get().map_or(0, T::heap_size)
+    }
+}
+
+impl<K: State, V: State> State for BTreeMap<K, V> {
+    fn digest(&self, out: &mut Digest) {
+        out.word(self.len() as u64);
+        for (key, value) in self {
+            key.digest(out);
+            value.digest(out);
+        }
+    }
+    fn heap_size(&self) -> usize {
+        self.len() * size_of::<(K, V)>() + self.iter().map(|(key, value)| key.heap_size() + value.heap_size()).sum::<usize>()
+    }
+}
+
+impl<T: State> State for BTreeSet<T> {
+    fn digest(&self, out: &mut Digest) {
+        out.word(self.len() as u64);
+        self.iter().for_each(|one| one.digest(out));
+    }
+    fn heap_size(&self) -> usize {
+        self.len() * size_of::<T>() + self.iter().map(T::heap_size).sum::<usize>()
+    }
+}
+
+impl<A: State, B: State, C: State> State for (A, B, C) {
+    fn digest(&self, out: &mut Digest) {
+        self.0.digest(out);
+        self.1.digest(out);
+        self.2.digest(out);
+    }
+    fn heap_size(&self) -> usize {
+        self.0.heap_size() + self.1.heap_size() + self.2.heap_size()
     }
 }
 

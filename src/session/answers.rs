@@ -7,7 +7,7 @@ use crate::{
     scene::Scene,
 };
 
-/// Carries subtasks out on a scene, whoever runs them.
+/// Runs subtasks on a scene.
 pub(super) type RunSubtasks = fn(&Arc<Scene>, &[Subtask]) -> Result<Vec<SubtaskResult>, Error>;
 
 /// What the subtasks of a run found, by the iteration whose step they were for.

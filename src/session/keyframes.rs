@@ -4,7 +4,9 @@ use crate::kernel::Stepper;
 
 /// States at multiples of a stride, in order.
 pub(super) struct Keyframes {
-    states: Vec<Stepper>,
+    /// With the memory that each added when it was kept. What states share is counted with the first of them, and no more once
+    /// that one is dropped: one copy at most of what does not change.
+    states: Vec<(Stepper, usize)>,
     stride: u64,
     bytes: usize,
     budget: usize,
@@ -21,7 +23,7 @@ impl Keyframes {
     /// Keeps a copy if the state is due and new. Iteration 0 is never kept: the session can always start anew.
     pub(super) fn offer(&mut self, state: &Stepper) {
         let iteration = state.iteration;
-        let newest = self.states.last().map_or(0, |s| s.iteration);
+        let newest = self.states.last().map_or(0, |(state, _)| state.iteration);
         if !iteration.is_multiple_of(self.stride) || iteration <= newest {
             return;
         }
@@ -32,20 +34,20 @@ impl Keyframes {
         while self.bytes + bytes > self.budget {
             self.stride *= 2;
             let stride = self.stride;
-            self.states.retain(|s| s.iteration.is_multiple_of(stride));
-            self.bytes = self.states.iter().map(Stepper::size).sum();
+            self.states.retain(|(state, _)| state.iteration.is_multiple_of(stride));
+            self.bytes = self.states.iter().map(|(_, bytes)| bytes).sum();
             if !iteration.is_multiple_of(stride) {
                 return;
             }
         }
         self.bytes += bytes;
-        self.states.push(state.clone());
+        self.states.push((state.clone(), bytes));
     }
 
     /// The latest kept state at or before iteration `k`.
     pub(super) fn at_or_before(&self, k: u64) -> Option<&Stepper> {
-        let after = self.states.partition_point(|s| s.iteration <= k);
-        self.states.get(after.checked_sub(1)?)
+        let after = self.states.partition_point(|(state, _)| state.iteration <= k);
+        self.states.get(after.checked_sub(1)?).map(|(state, _)| state)
     }
 }
 

@@ -1,7 +1,7 @@
 //! One run: a scene, a planner with parameters and a seed, stepped, rewound, judged and shared.
 //!
 //! `setup` is what a run is made of, `start` begins it, `run` steps, rewinds, draws and reads it, `outcome` judges it. `subtasks` carries
-//! out the runs of other planners that a run rests on; `answers` remembers what they found. `keyframes` are for the way back,
+//! out the runs of other planners that a run needs; `answers` remembers what they found. `keyframes` are for the way back,
 //! `trace` has the readings of past iterations.
 
 mod answers;

@@ -290,7 +290,7 @@ impl Session {
         arm::along(&self.scene, self.best().map(|best| best.solution).as_ref(), given)
     }
 
-    /// The hash of setup, iteration, best and the whole state, in hexadecimal: two different runs never share one.
+    /// The hash of setup, iteration, best cost and the whole state, in hexadecimal: two different runs never share one.
     pub fn hash(&self) -> String {
         self.digest().hex()
     }

@@ -25,23 +25,23 @@ pub fn run_to_end(setup: Setup) -> Result<SubtaskResult, Error> {
     Ok(SubtaskResult { cost, converged, path })
 }
 
-/// Carries jobs out, with the feature `parallel` on all cores. The findings are in the jobs' order, whoever was first.
+/// Runs subtasks, with the feature `parallel` on all cores. The results are in the order of the subtasks.
 ///
 /// # Errors
-/// The first job's that is refused.
-pub fn run_subtasks(scene: &Arc<Scene>, jobs: &[Subtask]) -> Result<Vec<SubtaskResult>, Error> {
-    let one = |job: &Subtask| {
-        let scene = match job.ends {
+/// What is refused of the first subtask that is.
+pub fn run_subtasks(scene: &Arc<Scene>, subtasks: &[Subtask]) -> Result<Vec<SubtaskResult>, Error> {
+    let one = |subtask: &Subtask| {
+        let scene = match subtask.ends {
             Some(ends) => Arc::new(scene.between(ends)?),
             None => Arc::clone(scene),
         };
-        run_to_end(Setup { planner: job.planner.to_owned(), scene, params: job.params.clone(), seed: job.seed })
+        run_to_end(Setup { planner: subtask.planner.to_owned(), scene, params: subtask.params.clone(), seed: subtask.seed })
     };
     #[cfg(feature = "parallel")]
     {
         use rayon::prelude::*;
-        jobs.par_iter().map(one).collect()
+        subtasks.par_iter().map(one).collect()
     }
     #[cfg(not(feature = "parallel"))]
-    jobs.iter().map(one).collect()
+    subtasks.iter().map(one).collect()
 }

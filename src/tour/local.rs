@@ -54,7 +54,7 @@ pub struct Local {
     queue: VecDeque<Stop>,
     queued: Vec<bool>,
     /// Gains below this may be rounding: two tours must not each be shorter than the other.
-    #[state(shared)]
+    #[state(skip)]
     least: f64,
     /// How many moves were measured.
     tried: Cell<u64>,

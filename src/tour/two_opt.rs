@@ -28,12 +28,14 @@ struct Descent {
     moves: u64,
     gain: f64,
     done: bool,
-    /// What drew the first stop of the first tour.
-    rng: Stream,
+    /// What drew where the first tour begins, if that is not fixed.
+    rng: Option<Stream>,
 }
 
 fn begin(problem: &Arc<Problem>, _: &Parameters, mut rng: Stream) -> Descent {
+    let fresh = rng.clone();
     let best = nearest_neighbour(problem, &mut rng);
+    let rng = (rng != fresh).then_some(rng);
     let mut local = Local::new(problem);
     local.load(&best.row);
     local.touch_all();

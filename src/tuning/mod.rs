@@ -1,7 +1,8 @@
 //! A particle swarm over the parameters of an ant colony, [WOLF-ANT] §5.2: a planner that runs planners.
 //!
-//! It knows colonies only as everybody does, by the catalogue and the stepped contract, and never runs one: its runs are
-//! [`Subtasks`], which may be carried out side by side; the outcome does not depend on it.
+//! It finds colonies in the list of planners that it starts with and never runs one: it asks for runs as subtasks, which may
+//! run in parallel without changing the result. `swarm` is its state, `planner` the stepped contract, `explain` what a
+//! particle stands for, `parameters` what is searched, `entry` the entry.
 
 mod entry;
 mod explain;

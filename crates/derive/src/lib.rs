@@ -1,6 +1,5 @@
 //! `#[derive(State)]` of [forage-lab](https://docs.rs/forage-lab): what a planner's state adds to the hash of its run, and how
-//! much memory it takes, both from the same list of fields. A field that is added later is in both without anyone thinking
-//! of it.
+//! much memory it takes, both from the same list of fields. A field that is added later is in both.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -10,7 +9,7 @@ use syn::{Attribute, Data, DeriveInput, Error, Field, Fields, Generics, Ident, p
 ///
 /// Every field is part of the hash and of the size, and so must implement `State` itself, unless it is marked:
 /// - `#[state(skip)]`: counted but not hashed. For scratch memory and caches, which no result depends on.
-/// - `#[state(shared)]`: neither. For what follows from the setup and never changes during a run, such as the scene.
+/// - `#[state(shared)]`: neither. For what follows from the setup, such as the scene, or from the other fields.
 #[proc_macro_derive(State, attributes(state))]
 pub fn derive_state(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let input = parse_macro_input!(input as DeriveInput);
@@ -18,7 +17,8 @@ pub fn derive_state(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
 }
 
 fn state(input: DeriveInput) -> Result<TokenStream, Error> {
-    let DeriveInput { ident, generics, data, .. } = input;
+    let DeriveInput { ident, generics, data, attrs, .. } = input;
+    unmarked(&attrs)?;
     let [digest, size] = match &data {
         Data::Struct(data) => {
             let parts = Parts::of(&data.fields)?;
@@ -28,6 +28,7 @@ fn state(input: DeriveInput) -> Result<TokenStream, Error> {
         Data::Enum(data) => {
             let mut arms = [Vec::new(), Vec::new()];
             for (number, variant) in data.variants.iter().enumerate() {
+                unmarked(&variant.attrs)?;
                 let parts = Parts::of(&variant.fields)?;
                 let (name, number) = (&variant.ident, number as u64);
                 let (pattern, digest, size) = (parts.pattern(), parts.digest(), parts.size());
@@ -104,10 +105,21 @@ impl Parts {
     }
 }
 
+/// Refuses a mark where there is no field.
+fn unmarked(attributes: &[Attribute]) -> Result<(), Error> {
+    match attributes.iter().find(|attribute| attribute.path().is_ident("state")) {
+        Some(attribute) => Err(Error::new_spanned(attribute, "only a field has a mark")),
+        None => Ok(()),
+    }
+}
+
 fn part(attributes: &[Attribute]) -> Result<Part, Error> {
     let mut part = Part::Whole;
     for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("state")) {
         attribute.parse_nested_meta(|meta| {
+            if part != Part::Whole {
+                return Err(meta.error("a field has one mark: `skip` or `shared`"));
+            }
             part = match () {
                 () if meta.path.is_ident("skip") => Part::Skipped,
                 () if meta.path.is_ident("shared") => Part::Shared,

@@ -59,7 +59,6 @@ struct Quantum {
     #[state(shared)]
     adaptive: Option<Adaptation>,
     /// α of the step that led here (of the first step, before it).
-    #[state(shared)]
     width: f64,
     /// Evolution speed of each particle, (5); 1 without it.
     ip: Vec<f64>,
