@@ -181,7 +181,7 @@ impl Frame {
         &self.layers
     }
 
-    /// What was drawn in vain, since the frame does not list it: a mistake in the planner's entry.
+    /// Layers that were drawn and that the frame does not list: a mistake in the planner's entry.
     pub fn unlisted(&self) -> &[LayerKey] {
         &self.unlisted
     }
