@@ -41,7 +41,7 @@ pub const ENTRY: Entry = Entry::new(
     "aco",
     "ACO: ants",
     "[ANTBAT] §3.1, (1)",
-    "Ants go from cell to cell, the rather where pheromone lies and where the goal is near; short ways gather more of it.",
+    "Ants go from cell to cell, more likely where there is more pheromone and where the goal is near; shorter paths gather more of it.",
     |start| planner::start(start, Traits::TRADITIONAL),
 )
 .family("ants")

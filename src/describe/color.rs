@@ -74,7 +74,7 @@ impl Serialize for Color {
     }
 }
 
-/// Whether `"word"` stands here.
+/// Whether `"word"` begins here.
 const fn quoted_at(text: &[u8], at: usize, word: &[u8]) -> bool {
     if text[at] != b'"' || at + word.len() + 2 >= text.len() || text[at + word.len() + 1] != b'"' {
         return false;

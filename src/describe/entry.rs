@@ -254,7 +254,7 @@ pub struct Start<'a> {
     pub parameters: &'a Parameters,
     /// 0 to 2^53 − 1.
     pub seed: u64,
-    /// All planners, for one that rests on others.
+    /// All planners, for one that needs others.
     pub entries: &'a dyn Entries,
 }
 

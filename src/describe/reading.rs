@@ -19,7 +19,7 @@ pub struct Reading {
     pub group: Group,
 }
 
-/// The iteration in which the best solution was found: what a run tells that serves another planner. Each planner says
+/// The iteration in which the best solution was found: the reading that planners use of runs of others. Each planner says
 /// in its own words what it counts, by [`Reading::told`].
 pub const CONVERGED: Reading = Reading::new("converged", "t^*", "Converged", Group::Count, "The iteration in which the result was found.");
 

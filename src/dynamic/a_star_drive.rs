@@ -18,7 +18,7 @@ use super::{
 
 /// A search from scratch each time.
 #[derive(Clone, State)]
-struct Anew {
+struct Replanning {
     #[state(shared)]
     ground: Arc<Ground>,
     search: AStar,
@@ -52,7 +52,7 @@ fn printed(ground: &Ground) -> Result<Vec<usize>, Error> {
     if ends && way.windows(2).all(leads) { Ok(way) } else { Err(wrong()) }
 }
 
-impl Route for Anew {
+impl Route for Replanning {
     fn evaluations(&self) -> u64 {
         self.search.expanded()
     }
@@ -93,6 +93,6 @@ pub const ENTRY: Entry = Entry::new(
 fn start(start: &Start) -> Result<Started, Error> {
     planner::start(start, |ground| {
         let printed = start.parameters[PRINTED].then(|| printed(ground)).transpose()?;
-        Ok(Box::new(Anew { search: AStar::new(&ground.cells), ground: Arc::clone(ground), printed }))
+        Ok(Box::new(Replanning { search: AStar::new(&ground.cells), ground: Arc::clone(ground), printed }))
     })
 }

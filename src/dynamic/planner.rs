@@ -1,4 +1,4 @@
-//! A drive as a planner: how it starts, steps, and what it tells.
+//! A drive as a planner: how it starts, steps, and what it reports.
 
 use std::sync::Arc;
 
@@ -38,7 +38,7 @@ pub(super) fn start(start: &Start, route: impl FnOnce(&Arc<Ground>) -> Result<Bo
     };
     let planning = route.steps();
     let driving = (most / ground.period).ceil() as u64;
-    // Those who plan step by step count only that; the others their drive.
+    // Where there are planning steps the parameter `iterations` counts these; otherwise it counts driving periods.
     let limit = if planning > 0 { planning + driving } else { driving.min(settings[ITERATIONS]) };
     let mut dynamic = Dynamic { ground, route, journey: None, lost: false, iteration: 0, most };
     let drive = Stage { name: "drive", title: "Drive", end: None };

@@ -75,7 +75,7 @@ fn check(outcome: &Outcome, scene: &Scene, name: &str) {
 
 #[test]
 fn the_colonies_to_choose_from_are_those_of_the_catalogue() {
-    let options = wolf_ant_drive::COLONIES;
+    let options = crate::ants::COLONIES;
     let mut colonies: Vec<_> = PLANNERS.iter().filter(|entry| entry.family == "ants").map(|entry| entry.name).collect();
     let mut names: Vec<_> = options.iter().map(|option| option.value).collect();
     colonies.sort_unstable();

@@ -3,10 +3,10 @@
 use std::{any::Any, sync::Arc};
 
 use crate::{
-    ants::{Colony, aco_wolf},
+    ants::{COLONIES, Colony, aco_wolf},
     describe::{Entry, PAPER, Start, layers},
     kernel::{Error, Explain, Frame, Inspection, Item, Planner, Started, State, rng::Stream},
-    params::{Choice, Overrides, Param, Parameters, Value},
+    params::{Overrides, Param, Parameters, Value},
 };
 
 use super::{
@@ -16,14 +16,6 @@ use super::{
     planner,
     route::Route,
 };
-
-/// Who can plan; a test compares the list with the catalogue.
-pub(super) const COLONIES: &[Choice] = &[
-    Choice { value: "aco-wolf", title: "Wolf-pack ant colony", help: "[WOLF-ANT] §5.1: the paper’s." },
-    Choice { value: "aco-direction", title: "Ants with direction", help: "[ANTBAT] §3.1, the improved ants." },
-    Choice { value: "aco-dijkstra", title: "Ants on a Dijkstra path", help: "[ANTBAT] §3.1, its [14]." },
-    Choice { value: "aco", title: "Traditional ants", help: "[ANTBAT] §3.1, the traditional ants." },
-];
 
 const COLONY: Param<&str> = Param::name_of(
     "colony",

@@ -34,7 +34,7 @@ pub struct Header {
     pub units: Option<String>,
     /// The stored optimum; results are measured by the computed one, see [`Scene::exact`].
     pub exact: Option<Value>,
-    /// Figures published for it, as they stand in the file.
+    /// Figures published for it, as in the file.
     pub published: Option<Value>,
 }
 

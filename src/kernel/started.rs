@@ -1,4 +1,4 @@
-//! A run's beginning, and where it stands.
+//! How a run begins, and its planner under way.
 
 use super::{Planner, Progress, ReferenceOptimum, Stage, Status, Subtask, SubtaskResult, TourEnds};
 

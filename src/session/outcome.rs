@@ -91,7 +91,7 @@ pub struct Outcome {
 }
 
 impl Session {
-    /// Everything there is to say about where the run stands.
+    /// The run's current result, judged, with all its numbers.
     pub fn outcome(&mut self) -> Outcome {
         Outcome::of(self)
     }

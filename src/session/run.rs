@@ -23,7 +23,7 @@ pub struct Session {
     pub(super) scene: Arc<Scene>,
     pub(super) settings: Parameters,
     pub(super) seed: u64,
-    /// The planner, and where it stands.
+    /// The planner, its iteration and its status.
     pub(super) at: Stepper,
     pub(super) limit: u64,
     /// The last iteration, as soon as it is known.

@@ -157,7 +157,7 @@ pub(super) const F2: Param<f64> = Param::number(
     "f_2",
     "Weight of smoothness",
     [0.0, 1e6, 0.0],
-    "f2 of [LTQPSO] (16): what uneven pieces cost. The paper gives no value; 0.01 on grids is ours, 0 among discs is [WCPSO] (14).",
+    "f2 of [LTQPSO] (16): what uneven pieces cost. The paper gives no value; 0.01 on grids is our choice, 0 among discs is [WCPSO] (14).",
 )
 .only_on(PATHS)
 .defaults_on(&[(GRID, Fixed::Number(0.01))])

@@ -196,7 +196,7 @@ const RECURSION: Formula = Formula::new(
     "|S| = @size@",
 );
 
-const SIZE: Reading = Reading::new("size", "|S|", "Size", Group::Count, "How many stops the sets have that it has come to.");
+const SIZE: Reading = Reading::new("size", "|S|", "Size", Group::Count, "How many stops the sets of this iteration have.");
 const PARTIAL: Reading = Reading::new(
     "partial",
     "C",
@@ -213,7 +213,7 @@ pub const ENTRY: Entry = Entry::new(
     "held-karp",
     "Held and Karp: exact",
     "Held and Karp 1962",
-    "The shortest tour for certain: the shortest ways through all sets of stops, from small sets to the set of all. For 15 stops at most.",
+    "The shortest tour, guaranteed: the shortest paths through all sets of stops, from small sets to the set of all. For 15 stops at most.",
     |start| Ok(super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))?.open_ended()),
 )
 .family("tour")

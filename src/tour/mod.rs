@@ -111,7 +111,7 @@ struct Tours {
     settled: Settled,
 }
 
-/// Starts a tour planner, which tells these readings beside those of every tour.
+/// Starts a tour planner, which adds these readings to those of every tour.
 fn start(start: &Start, tells: &'static [Reading], begin: Begin) -> Result<Started, Error> {
     let &Start { scene, parameters: settings, seed, .. } = start;
     let network = match scene.get::<GridScene>() {

@@ -111,7 +111,8 @@ pub(super) const FINAL_LENGTH: Reading =
 pub(super) const TO_GOAL: Reading = Reading::new("to_goal", "d_g", "To the goal", Group::Measure, "How far the tree is from the goal.");
 pub(super) const NODES: Reading =
     Reading::new("nodes", "n", "Nodes", Group::Count, "How many nodes there are, in both trees if there are two.");
-pub(super) const REJECTED: Reading = Reading::new("rejected", "n_r", "In vain", Group::Count, "How many extensions added no node.");
+pub(super) const REJECTED: Reading =
+    Reading::new("rejected", "n_r", "Rejected extensions", Group::Count, "How many extensions added no node.");
 pub(super) const TESTED: Reading =
     Reading::new("tested", "n_t", "Tests", Group::Count, "How many straight pieces were tested for collisions.");
 pub(super) const FOUND_AFTER: Reading =

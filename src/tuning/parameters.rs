@@ -1,16 +1,10 @@
 //! The entry's parts: what is tuned, the swarm's own parameters, readings, equations and layers.
 
 use crate::{
+    ants::COLONIES,
     describe::{CONVERGED, Formula, Group, Layer, Reading, layers},
     params::{Choice, Param, Selection},
 };
-
-const COLONIES: &[Choice] = &[
-    Choice { value: "aco-wolf", title: "Wolves’ shares", help: "[WOLF-ANT] §5.1, the colony that the paper tunes." },
-    Choice { value: "aco-direction", title: "Direction", help: "[ANTBAT] §3.1, the improved ants." },
-    Choice { value: "aco-dijkstra", title: "Dijkstra path", help: "[ANTBAT] §3.1, its [14]." },
-    Choice { value: "aco", title: "Traditional", help: "[ANTBAT] §3.1, the traditional ants." },
-];
 
 const fn tunable(value: &'static str, title: &'static str, help: &'static str) -> Choice {
     Choice { value, title, help }

@@ -56,8 +56,12 @@ pub(super) const ORIENTATION: Param<Orientation> = Param::choice(
     "",
     "Where the tool points",
     &[
-        Choice { value: "free", title: "anywhere", help: "Whatever suits the arm best. Ours." },
-        Choice { value: "home", title: "as at home", help: "The tool keeps the orientation that it has in the home posture. Ours." },
+        Choice { value: "free", title: "anywhere", help: "Whatever suits the arm best. The paper does not say." },
+        Choice {
+            value: "home",
+            title: "as at home",
+            help: "The tool keeps the orientation that it has in the home posture. The paper does not say.",
+        },
         Choice {
             value: "random",
             title: "at random",
@@ -85,7 +89,7 @@ pub(super) const NEAREST: Param<bool> = Param::choice(
             value: "smoothest",
             title: "smoothest on the whole",
             help: "Of all ways through all points’ postures the one whose joints turn most gently, among those that touch \
-                       nothing. Ours.",
+                       nothing. The paper does not say.",
         },
         Choice {
             value: "nearest",
@@ -127,9 +131,14 @@ pub(super) const SPEED: Param<f64> = Param::number(
     "How much of their speed limits the joints may use. Ours: the paper gives no speeds.",
 )
 .slider(0.05, 1.0, false);
-pub(super) const TOOL_SPEED: Param<f64> =
-    Param::number("tool_speed", "v_{\\max}", "Tool speed", [0.001, 100.0, 0.5], "How fast the tip goes at most, in metres a second. Ours.")
-        .slider(0.05, 5.0, true);
+pub(super) const TOOL_SPEED: Param<f64> = Param::number(
+    "tool_speed",
+    "v_{\\max}",
+    "Tool speed",
+    [0.001, 100.0, 0.5],
+    "How fast the tip goes at most, in metres a second. The paper gives no value.",
+)
+.slider(0.05, 5.0, true);
 pub(super) const RESOLUTION: Param<f64> = Param::number(
     "resolution",
     "\\varepsilon",
