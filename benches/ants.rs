@@ -6,10 +6,10 @@ use std::{hint::black_box, sync::Arc};
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use forage::{
-    Overrides, Scene, Session, Setup, Value,
+    Overrides, Run, Scene, Setup, Value,
     kernel::rng::Stream,
     scene::{GridScene, Header, grid},
-    shipped,
+    shipped, standard,
 };
 
 /// A square map, a quarter of it blocked at random, from one corner to the other; the diagonal is kept free.
@@ -28,9 +28,9 @@ fn map(side: usize) -> Arc<Scene> {
     Arc::new(grid::KIND.scene(header, grid).expect("the ends are free"))
 }
 
-fn session(scene: &Arc<Scene>, planner: &str, params: &[(&str, f64)]) -> Session {
+fn session(scene: &Arc<Scene>, planner: &str, params: &[(&str, f64)]) -> Run {
     let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
-    Session::with_keyframes(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed: 1 }, 0).expect("a valid setup")
+    Run::with_keyframes(standard(), Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed: 1 }, 0).expect("a valid setup")
 }
 
 fn steps(criterion: &mut Criterion) {

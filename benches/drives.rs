@@ -9,21 +9,13 @@ use std::{
     time::{Duration, Instant},
 };
 
-use forage::{
-    Overrides, Scene, Session, Setup, Status, Value,
-    catalogue::PLANNERS,
-    scene::{
-        GridScene,
-        generate::{GENERATORS, generate},
-    },
-    shipped,
-};
+use forage::{Overrides, Run, Scene, Setup, Status, Value, scene::GridScene, shipped, standard};
 
 fn scenes() -> Vec<Arc<Scene>> {
     let random = |side: f64, moving: f64| {
         let given =
             [("columns", side), ("rows", side), ("share", 0.2), ("moving", moving)].map(|(name, number)| (name, Value::from(number)));
-        Arc::new(generate(GENERATORS[0].name, &given.into_iter().collect(), 1).unwrap())
+        Arc::new(standard().generate("random", &given.into_iter().collect(), 1).unwrap())
     };
     let shipped = ["wolf-ant-20", "crossing", "patrol", "corridor"].map(|name| shipped(name).unwrap());
     shipped.into_iter().chain([random(40.0, 30.0), random(100.0, 100.0)]).collect()
@@ -34,7 +26,8 @@ fn pace(planner: &str, scene: &Arc<Scene>, time: Duration) -> f64 {
     let (mut simulated, mut took) = (0.0, Duration::ZERO);
     while simulated == 0.0 || took < time {
         let params: Overrides = [("border", Value::from("bounce"))].into_iter().collect();
-        let mut session = Session::with_keyframes(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed: 1 }, 0).unwrap();
+        let mut session =
+            Run::with_keyframes(standard(), Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed: 1 }, 0).unwrap();
         let planned = session.stages().iter().rev().nth(1).map_or(0, |plan| plan.end.unwrap_or(0));
         session.step(planned);
         let begun = Instant::now();
@@ -52,7 +45,7 @@ fn main() {
     for scene in scenes() {
         let obstacles = scene.get::<GridScene>().map_or(0, |grid| grid.moving.len());
         let first = pace("a-star-drive", &scene, time);
-        for entry in PLANNERS.iter().filter(|entry| entry.family == "dynamic") {
+        for entry in standard().planners().iter().copied().filter(|entry| entry.family == "dynamic") {
             let pace = if entry.name == "a-star-drive" { first } else { pace(entry.name, &scene, time) };
             println!("{:28} {obstacles:>9} {:18} {pace:>16.0} {:>14.2}", scene.name(), entry.name, pace / first);
         }

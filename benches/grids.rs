@@ -8,12 +8,12 @@ use std::{hint::black_box, sync::Arc};
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use forage::{
     Scene,
-    catalogue::PLANNERS,
     describe::{Entry, Start},
     geometry::{Cells, DIRECTIONS},
     kernel::{ReferenceOptimum, Solution, Stepper, rng::Stream},
     params::{Overrides, Parameters},
     scene::{GridScene, grid},
+    standard,
 };
 use pathfinding::directed::astar::astar;
 
@@ -41,14 +41,14 @@ fn map() -> Arc<Scene> {
 }
 
 fn entry(name: &str) -> &'static Entry {
-    PLANNERS.iter().find(|entry| entry.name == name).expect("it is listed")
+    standard().planners().iter().copied().find(|entry| entry.name == name).expect("it is listed")
 }
 
 /// A whole run, step by step: the path's length.
 fn forage(entry: &Entry, scene: &Arc<Scene>) -> f64 {
     let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).expect("defaults are valid");
     let mut run =
-        Stepper::from((entry.start)(&Start { scene, parameters: &settings, seed: 1, entries: &PLANNERS }).expect("defaults start"));
+        Stepper::from((entry.start)(&Start { scene, parameters: &settings, seed: 1, entries: &**standard() }).expect("defaults start"));
     while run.step(|_| Vec::new()) {}
     match run.planner.best().map(|best| (best.cost, best.solution)) {
         Some((cost, Solution::Path(_))) => cost,

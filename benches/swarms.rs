@@ -12,11 +12,11 @@ use argmin::{
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use forage::{
     Scene,
-    catalogue::PLANNERS,
     describe::{Entry, Start},
     kernel::Stepper,
     params::Parameters,
     scene::Function,
+    standard,
 };
 use rand::SeedableRng;
 use std::sync::Arc;
@@ -31,7 +31,7 @@ fn scene(function: Function) -> Arc<Scene> {
         r#"{{"format": "forage-scene", "version": 1, "kind": "function", "name": "bench", "title": "bench", "function": "{}", "dimension": {DIMENSION}}}"#,
         function.name()
     );
-    Arc::new(Scene::from_json(&text).expect("the scene is valid"))
+    Arc::new(standard().read_scene(&text).expect("the scene is valid"))
 }
 
 fn whole_run(entry: &Entry, scene: &Arc<Scene>) -> f64 {
@@ -39,7 +39,7 @@ fn whole_run(entry: &Entry, scene: &Arc<Scene>) -> f64 {
     let given = sizes.into_iter().map(|(name, size)| (name, size.into())).collect();
     let settings = Parameters::new(entry.parameters, scene.kind(), &given).expect("the sizes are valid");
     let mut run =
-        Stepper::from((entry.start)(&Start { scene, parameters: &settings, seed: 1, entries: &PLANNERS }).expect("defaults start"));
+        Stepper::from((entry.start)(&Start { scene, parameters: &settings, seed: 1, entries: &**standard() }).expect("defaults start"));
     while run.step(|_| Vec::new()) {}
     run.planner.best().map_or(f64::NAN, |best| best.cost)
 }
@@ -83,7 +83,7 @@ fn swarms(criterion: &mut Criterion) {
         let scene = scene(function);
         let mut group = criterion.benchmark_group(format!("{} D{DIMENSION}, {PARTICLES} x {ITERATIONS}", function.name()));
         group.sample_size(20);
-        for entry in PLANNERS.iter().filter(|entry| entry.family == "swarm") {
+        for entry in standard().planners().iter().copied().filter(|entry| entry.family == "swarm") {
             group
                 .bench_with_input(BenchmarkId::new("forage", entry.name), entry, |b, entry| b.iter(|| black_box(whole_run(entry, &scene))));
         }
@@ -96,7 +96,7 @@ fn grid(criterion: &mut Criterion) {
     let scene = forage::shipped("qpso-10m").expect("it ships");
     let mut group = criterion.benchmark_group(format!("10 m grid D8, {PARTICLES} x {ITERATIONS}"));
     group.sample_size(20);
-    for entry in PLANNERS.iter().filter(|entry| entry.family == "swarm") {
+    for entry in standard().planners().iter().copied().filter(|entry| entry.family == "swarm") {
         group.bench_with_input(BenchmarkId::new("forage", entry.name), entry, |b, entry| b.iter(|| black_box(whole_run(entry, &scene))));
     }
     group.finish();

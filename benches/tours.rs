@@ -9,15 +9,15 @@ use std::{
     time::{Duration, Instant},
 };
 
-use forage::{Overrides, Scene, Session, Setup, Status, Value, catalogue::PLANNERS, shipped, shipped_names};
+use forage::{Overrides, Run, Scene, Setup, Status, Value, shipped, standard};
 
 /// The 12 stops of the published grid by exact roads, and the shipped tours.
 fn scenes() -> Vec<Arc<Scene>> {
-    let tours = shipped_names().filter(|scene| scene.kind() == forage::scene::TOUR).cloned();
+    let tours = standard().scenes().iter().filter(|scene| scene.kind() == forage::scene::TOUR).cloned();
     std::iter::once(shipped("ant-bat-30").unwrap()).chain(tours).collect()
 }
 
-fn session(planner: &str, scene: &Arc<Scene>, polish: bool, seed: u64) -> Session {
+fn session(planner: &str, scene: &Arc<Scene>, polish: bool, seed: u64) -> Run {
     let mut params: Overrides = [("iterations", Value::from(1e6))].into_iter().collect();
     if scene.name() == "ant-bat-30" {
         params.insert("roads", Value::from("dijkstra"));
@@ -26,14 +26,15 @@ fn session(planner: &str, scene: &Arc<Scene>, polish: bool, seed: u64) -> Sessio
     if polish {
         params.insert("polish", Value::from("true"));
     }
-    let mut session = Session::with_keyframes(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }, 0).unwrap();
+    let mut session =
+        Run::with_keyframes(standard(), Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }, 0).unwrap();
     // The roads are not what is measured.
     session.step(session.stages().iter().rev().nth(1).map_or(0, |roads| roads.end.unwrap_or(0)));
     session
 }
 
 /// Iterations a second, the gap after some time (`None` where no optimum is known), and how long it went.
-fn race(mut session: Session, time: Duration) -> (f64, Option<f64>, Duration) {
+fn race(mut session: Run, time: Duration) -> (f64, Option<f64>, Duration) {
     let from = session.iteration();
     let begun = Instant::now();
     while begun.elapsed() < time && session.step(1) == Status::Running {}
@@ -52,7 +53,7 @@ fn main() {
     println!("{:16} {:>5} {:14} {:>14} {:>12} {:>10}", "scene", "stops", "planner", "iterations/s", "gap", "seconds");
     for scene in scenes() {
         let stops = scene.stops().len();
-        for entry in PLANNERS.iter().filter(|entry| entry.stops && entry.check_scene(&scene).is_ok()) {
+        for entry in standard().planners().iter().copied().filter(|entry| entry.stops && entry.check_scene(&scene).is_ok()) {
             let polish = entry.parameter("polish").is_some();
             for polish in [false, true].into_iter().take(1 + usize::from(polish)) {
                 let runs: Vec<_> = (1..=seeds).map(|seed| race(session(entry.name, &scene, polish, seed), time)).collect();

@@ -14,13 +14,13 @@ use std::{
 
 use forage::{
     Overrides, Scene, Value,
-    arm::{self, ArmScene, Posture},
-    catalogue::{PLANNERS, find},
+    arm::{ArmScene, Posture},
     describe::{Entry, Start},
+    follow::motion,
     geometry::length_in_space,
     kernel::{Readings, Solution, Stepper, rng::Stream},
     params::Parameters,
-    shipped,
+    shipped, standard,
 };
 
 /// Planners, and what differs from their defaults. OMPL's RRT asks for the goal once in twenty steps, the paper's never.
@@ -78,7 +78,7 @@ fn tip_length(solution: &Solution) -> f64 {
 /// A whole run as it is, and again with what is made of its path. `None` without a path.
 fn run(entry: &Entry, scene: &Arc<Scene>, given: &[(&'static str, f64)], seed: u64) -> Option<Run> {
     let mut run = Stepper::from(
-        (entry.start)(&Start { scene, parameters: &settings(entry, scene, given, false), seed, entries: &PLANNERS }).unwrap(),
+        (entry.start)(&Start { scene, parameters: &settings(entry, scene, given, false), seed, entries: &**standard() }).unwrap(),
     );
     let begun = Instant::now();
     while run.planner.best().is_none() && run.step(|_| Vec::new()) {}
@@ -91,14 +91,15 @@ fn run(entry: &Entry, scene: &Arc<Scene>, given: &[(&'static str, f64)], seed: u
     while run.step(|_| Vec::new()) {}
     let seconds = first + begun.elapsed().as_secs_f64();
 
-    let mut run =
-        Stepper::from((entry.start)(&Start { scene, parameters: &settings(entry, scene, given, true), seed, entries: &PLANNERS }).unwrap());
+    let mut run = Stepper::from(
+        (entry.start)(&Start { scene, parameters: &settings(entry, scene, given, true), seed, entries: &**standard() }).unwrap(),
+    );
     while run.step(|_| Vec::new()) {}
     let begun = Instant::now();
     let solution = run.planner.best()?.solution;
     let finishing = begun.elapsed().as_secs_f64();
     let begun = Instant::now();
-    black_box(arm::along(scene, Some(&solution), &Overrides::new()).unwrap());
+    black_box(motion::along(scene, Some(&solution), &Overrides::new()).unwrap());
     let following = begun.elapsed().as_secs_f64();
     let extensions = run.iteration;
     Some(Run { extensions, seconds, first, nodes, raw, finished: tip_length(&solution), finishing, following })
@@ -112,7 +113,7 @@ fn trees(scene: &Arc<Scene>, seeds: u64) {
         "planner", "found", "extensions/s", "first path ms", "nodes", "tree m", "finished m", "worst m", "finishing ms", "following ms"
     );
     for (name, given) in RUNS {
-        let entry = find(name).unwrap();
+        let entry = standard().planner(name).unwrap();
         let runs: Vec<Run> = (1..=seeds).filter_map(|seed| run(entry, scene, given, seed)).collect();
         let of = |of: fn(&Run) -> f64| median(runs.iter().map(of).collect());
         let rate = runs.iter().map(|run| run.extensions as f64).sum::<f64>() / runs.iter().map(|run| run.seconds).sum::<f64>();

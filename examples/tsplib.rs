@@ -45,7 +45,7 @@ fn main() -> ExitCode {
             Ok(NamedFile::new(name.clone(), bytes))
         };
         let files = names.iter().map(file).collect::<Result<Vec<_>, String>>()?;
-        import(&files, None).map_err(|error| error.to_string())
+        import(forage::standard(), &files, None).map_err(|error| error.to_string())
     };
     let optimum = |name: &str| {
         let read = read(&[format!("{name}.tsp"), format!("{name}.opt.tour")])?;

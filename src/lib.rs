@@ -1,71 +1,92 @@
-//! **Forage** is a laboratory for path planners: a *scene* and a *planner* (with parameters and a seed) make a
-//! *session*; a session *steps*; after each step it can be drawn, read, explained, rewound and judged, the same way
-//! for every planner. The shell, Node and the page are three thin faces on that, and all give the same bits.
+//! **Forage** is a laboratory for path planners: particles, quantum swarms, ants, bats and trees that look for a way, one
+//! iteration at a time, with the same bits natively and in WebAssembly.
+//!
+//! A [`Scene`] and a planner, with parameters and a seed, make a [`Run`]. A run steps; after each step it can be drawn, read,
+//! explained, rewound and judged, the same way for every planner, ours or yours. The command line, Node and the page are
+//! thin faces on that.
 //!
 //! ```
-//! use forage::{Session, Setup, shipped};
+//! use forage::{Run, Setup, shipped, standard};
 //!
 //! let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs")?, params: Default::default(), seed: 1 };
-//! let mut session = Session::new(setup)?;
-//! session.step(500);
-//! let outcome = session.outcome();
+//! let mut run = Run::new(standard(), setup)?;
+//! run.step(500);
+//! let outcome = run.outcome();
 //! println!("{} within {:.3} % of the optimum", outcome.length.unwrap(), 100.0 * outcome.gap.unwrap());
 //! # assert!(outcome.feasible);
 //! # Ok::<(), forage::Error>(())
 //! ```
 //!
-//! # The map of the house
-//! From the ground up; a module uses what is above it in this list.
-//! - [`math`], [`statistics`], [`geometry`]: deterministic functions, tests between samples, shapes.
-//! - [`kernel`]: the contracts that planners and scenes implement, and the data that they speak of: errors, random streams,
-//!   solutions, readings, frames, digests.
-//! - [`describe`]: what the entries of planners and of scene kinds are made of. [`params`]: parameters, and values for them.
-//! - [`exact`]: exact optima. [`scene`]: what is planned in, a folder a kind, and the scene files.
-//! - [`arm`]: six-axis arms, their kinematics, what they touch, and how they follow a path.
-//! - [`swarm`], [`ants`], [`search`], [`tour`], [`tree`], [`tuning`]: planners. A folder a family; a file a planner or a
-//!   part of one.
-//! - [`drive`]: a robot that follows what was found, and what its outline touches.
-//! - [`catalogue`]: every planner and its parameters; nothing else lists planners.
-//! - [`session`]: one run, with rewind, hash and [`link`]. [`picture`]: what it looks like. [`trial`]: one run of many,
-//!   summed up in a line.
+//! # Where to begin
+//! - **Run something**: [`Registry`] lists what there is, [`Setup`] says what to run, [`Run`] runs it, [`Outcome`] judges it.
+//! - **Bring a planner**: implement [`Planner`](kernel::Planner), describe it in an [`Entry`](describe::Entry), and list it by
+//!   [`Registry::with`]. `examples/own-planner` is a crate that does; its `main` is a whole command line.
+//! - **Bring a part**: an objective for a swarm ([`swarm::objective`]), a kind of scene ([`describe::SceneKind`]), and what each
+//!   family's page says can be exchanged.
 //!
-//! Papers are cited by tag and equation: `[WCPSO]` is Jia Huiqun et al., *Path planning based on improved particle
-//! swarm optimization algorithm*, Transactions of the Chinese Society for Agricultural Machinery, 2018 no. 12.
+//! # The map
+//! From the ground up: a module knows what stands above it here, and nothing below. No two files import each other at any
+//! distance; a test sees to it.
+//! - [`math`], [`statistics`], [`geometry`]: deterministic functions, tests between samples, shapes.
+//! - [`kernel`]: the contracts of planners and scenes, and the data that they speak of: candidates, readings, frames, random
+//!   streams, states and their hashes, errors.
+//! - [`params`], [`describe`]: parameters; what entries are made of, and the [`Registry`] that lists them.
+//! - [`arm`], [`exact`]: six-axis arms, their kinematics and collisions; exact optima.
+//! - [`scene`]: the kinds of scenes, a folder each, other programs' files, random scenes.
+//! - [`run`]: a run, its subtasks, its way back, its outcome and its link; a trial, one run of many.
+//! - [`swarm`], [`ants`], [`search`], [`tour`], [`tree`], [`tuning`]: planners, a folder a family and a file a planner.
+//! - [`follow`]: a robot or an arm on the path that was found. [`picture`]: what a run looks like.
+//! - [`standard`]: all that ships, a line each.
+//! - `wasm`: the JavaScript face, in WebAssembly only.
+//!
+//! # Papers
+//! The documentation cites them by these tags, with section, table or equation number. All five are in Chinese; what the
+//! copies that we used do not print is marked with "probably" or "not printed".
+//! - **WCPSO**: Jia Huiqun (贾会群) et al., *Path Planning Based on Improved Particle Swarm Optimization Algorithm*
+//!   (基于改进粒子群算法的路径规划), Transactions of the Chinese Society for Agricultural Machinery, 2018, no. 12.
+//! - **LTQPSO**: Liu Jie (刘洁), Zhao Haifang (赵海方), Zhou Delian (周德廉), *Path planning of mobile robots with an improved
+//!   quantum-behaved PSO* (一种改进量子行为粒子群优化算法的移动机器人路径规划; our translation), probably Computer Science,
+//!   no. 11A; year and volume not printed.
+//! - **ANTBAT**: Fang Min (方敏), Jin Shijun (金世俊), *Multi-point path planning based on ant colony and bat algorithms*
+//!   (基于蚁群算法和蝙蝠算法的多点路径规划; our translation), probably Electronic Measurement Technology, no. 18; year and
+//!   volume not printed.
+//! - **ARM-RRT**: Dai Yanhui (代彦辉), Liang Yanyang (梁艳阳), Xie Gang, *The Mechanical Arm of Six-Dof Obstacle Avoidance Path
+//!   Planning Based on Rapid-Exploring Random Trees* (基于RRT搜索算法的六自由度机械臂避障路径规划), Techniques of Automation &
+//!   Applications, 2012, no. 10, 31–37.
+//! - **WOLF-ANT**: *Dynamic path planning of a mobile robot based on an improved ant colony algorithm* (our translation of
+//!   基于改进蚁群算法的移动机器人动态路径规划方法, from its abstract); title, authors, journal and year not printed.
 
 // `#[derive(State)]` writes paths as they are from outside.
 extern crate self as forage;
 
 pub mod ants;
 pub mod arm;
-pub mod catalogue;
 pub mod describe;
-pub mod drive;
 mod dynamic;
 pub mod exact;
+pub mod follow;
 pub mod geometry;
 pub mod kernel;
-pub mod link;
 pub mod math;
+#[cfg(all(target_arch = "wasm32", feature = "standard"))]
+mod module;
 pub mod params;
 pub mod picture;
+mod registry;
+pub mod run;
 pub mod scene;
 pub mod search;
-pub mod session;
 mod settled;
 pub mod statistics;
 pub mod swarm;
 pub mod tour;
 pub mod tree;
-pub mod trial;
 pub mod tuning;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
 
-pub use catalogue::catalogue;
-pub use drive::{Drive, DriveOutcome};
-pub use kernel::{Error, Frame, Status};
-pub use link::Link;
+pub use describe::Registry;
+pub use kernel::{Error, Frame, Scene, Status};
 pub use params::{Overrides, Value};
-pub use scene::{Scene, shipped, shipped_names};
-pub use session::{Outcome, Session, Setup};
-pub use trial::Trial;
+pub use registry::{shipped, standard};
+pub use run::{Link, Outcome, Run, Setup, Trial};

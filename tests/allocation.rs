@@ -8,12 +8,11 @@ use std::{
 };
 
 use forage::{
-    catalogue::PLANNERS,
     describe::Start,
     kernel::Stepper,
     params::{Overrides, Parameters},
-    session::run_subtasks,
-    shipped,
+    run::run_subtasks,
+    shipped, standard,
 };
 
 struct Counting;
@@ -36,7 +35,7 @@ static ALLOCATOR: Counting = Counting;
 
 #[test]
 fn no_step_of_any_swarm_allocates() {
-    for entry in PLANNERS.iter().filter(|entry| entry.family == "swarm") {
+    for entry in standard().planners().iter().copied().filter(|entry| entry.family == "swarm") {
         for name in ["wcpso-discs", "qpso-10m", "ackley"] {
             let scene = shipped(name).unwrap();
             if entry.check_scene(&scene).is_err() {
@@ -44,7 +43,7 @@ fn no_step_of_any_swarm_allocates() {
             }
             let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
             let mut run =
-                Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
+                Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
             let before = COUNT.with(Cell::get);
             assert!(before > 0, "the counter counts");
             for _ in 0..300 {
@@ -58,11 +57,12 @@ fn no_step_of_any_swarm_allocates() {
 /// What an iteration's ants leave is kept in buffers that soon are large enough; only a better way is new.
 #[test]
 fn no_step_of_any_ant_allocates() {
-    for entry in PLANNERS.iter().filter(|entry| entry.family == "ants") {
+    for entry in standard().planners().iter().copied().filter(|entry| entry.family == "ants") {
         let scene = shipped("ant-bat-30").unwrap();
         let given = [("iterations", forage::Value::from(1000.0))].into_iter().collect();
         let settings = Parameters::new(entry.parameters, scene.kind(), &given).unwrap();
-        let mut run = Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
+        let mut run =
+            Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
         for _ in 0..50 {
             run.step(|_| Vec::new());
         }
@@ -87,18 +87,18 @@ fn no_step_of_any_ant_allocates() {
 /// Once the roads stand a tour's planner only moves stops about. (A planner that goes through sets of stops grows.)
 #[test]
 fn no_step_of_any_tour_allocates() {
-    for entry in PLANNERS.iter().filter(|entry| entry.stops && entry.name != "held-karp") {
+    for entry in standard().planners().iter().copied().filter(|entry| entry.stops && entry.name != "held-karp") {
         for more in [None, Some(("polish", "true"))] {
             let scene = shipped("ant-bat-30").unwrap();
             let given = [("iterations", "1000"), ("roads", "a-star")].into_iter().chain(more);
             let known = |name: &str| entry.parameter(name).is_some();
             let given: Overrides = given.filter(|(name, _)| known(name)).map(|(name, value)| (name, forage::Value::from(value))).collect();
             let settings = Parameters::new(entry.parameters, scene.kind(), &given).unwrap();
-            let started = (entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap();
+            let started = (entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap();
             let roads = started.stages.first().and_then(|roads| roads.end).unwrap();
             let mut run = Stepper::from(started);
             while run.iteration < roads {
-                run.step(|jobs| run_subtasks(&scene, &jobs).unwrap());
+                run.step(|jobs| run_subtasks(standard(), &scene, &jobs).unwrap());
             }
             let before = COUNT.with(Cell::get);
             for _ in 0..300 {
@@ -112,12 +112,13 @@ fn no_step_of_any_tour_allocates() {
 /// A robot that drives on looks and foresees without allocating; only what it decides, tells and leaves behind is new.
 #[test]
 fn no_period_of_a_drive_allocates_where_nothing_is_decided() {
-    for entry in PLANNERS.iter().filter(|entry| entry.family == "dynamic") {
+    for entry in standard().planners().iter().copied().filter(|entry| entry.family == "dynamic") {
         let scene = shipped("crossing").unwrap();
         let given: Overrides =
             [("iterations", forage::Value::from(if entry.name == "wolf-ant-drive" { 5.0 } else { 1e6 }))].into_iter().collect();
         let settings = Parameters::new(entry.parameters, scene.kind(), &given).unwrap();
-        let mut run = Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
+        let mut run =
+            Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
         let happened = |run: &Stepper| run.planner.facets().timeline.unwrap().events().len();
         while happened(&run) == 0 {
             run.step(|_| Vec::new());
@@ -145,13 +146,14 @@ fn no_period_of_a_drive_allocates_where_nothing_is_decided() {
 #[test]
 fn trees_allocate_only_as_they_grow() {
     for name in ["rrt", "rrt-guided", "rrt-connect"] {
-        let entry = PLANNERS.iter().find(|entry| entry.name == name).unwrap();
+        let entry = standard().planners().iter().copied().find(|entry| entry.name == name).unwrap();
         // Nothing is found: the goal is behind a wall of discs.
         let text = r#"{"format": "forage-scene", "version": 1, "kind": "discs", "name": "w", "title": "W", "bounds": {"min": [0, 0], "max": [10, 10]},
             "start": [1, 5], "goal": [9.5, 5], "discs": [{"center": [6, 2], "radius": 3}, {"center": [6, 7], "radius": 3.1}]}"#;
-        let scene = std::sync::Arc::new(forage::Scene::from_json(text).unwrap());
+        let scene = std::sync::Arc::new(forage::standard().read_scene(text).unwrap());
         let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
-        let mut run = Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap());
+        let mut run =
+            Stepper::from((entry.start)(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap());
         let before = COUNT.with(Cell::get);
         for _ in 0..4000 {
             run.step(|_| Vec::new());

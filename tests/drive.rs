@@ -4,12 +4,13 @@
 use std::sync::Arc;
 
 use forage::{
-    Drive, Overrides, Scene, Session, Setup, Value,
-    drive::{COLUMNS, RESOLUTION, SPEED, settings, simulate},
+    Overrides, Run, Scene, Setup, Value,
+    describe::Extra,
+    follow::drive::{COLUMNS, Drive, DriveOutcome, RESOLUTION, SPEED, settings, simulate},
     geometry::{self, Oriented, YAxis},
     math,
     scene::{GridScene, Robot},
-    shipped,
+    shipped, standard,
 };
 use proptest::prelude::*;
 
@@ -179,44 +180,52 @@ fn every_drive_ends() {
 }
 
 #[test]
-fn a_session_drives_its_best_path_and_refuses_what_is_not_allowed() {
+fn a_run_drives_its_best_path_and_refuses_what_is_not_allowed() {
     let session = |scene: &Arc<Scene>, planner: &str| {
         let setup = Setup { planner: planner.into(), scene: Arc::clone(scene), params: Overrides::new(), seed: 1 };
-        let mut session = Session::new(setup).unwrap();
+        let mut session = Run::new(standard(), setup).unwrap();
         session.step(30);
         session
     };
     let mut run = session(&shipped("qpso-10m").unwrap(), "ltqpso");
-    let drive = run.drive(&Overrides::new()).unwrap().unwrap();
+    let drive = run.follow("drive", &Overrides::new()).unwrap().unwrap();
     let outcome = run.outcome();
-    assert_eq!(outcome.drive, Some(drive.outcome));
+    assert_eq!(
+        outcome.followed.get::<DriveOutcome>().map(|outcome| outcome.time),
+        drive.rows().iter().copied().rev().nth(COLUMNS.len() - 1)
+    );
     assert_eq!(outcome.turning, outcome.path.as_deref().map(geometry::turning));
-    assert_eq!((drive.outline, drive.settings[SPEED]), ([0.4, 0.3], 0.24));
+    assert_eq!(drive.parameters()[SPEED], 0.24);
+    assert_eq!(drive.extra(), [("outline", Extra::Named(vec![("length", 0.4), ("width", 0.3)]))]);
     for (name, value, allowed) in [
         ("speed", "0", "a number from 0.001 to 1000"),
         ("gear", "1.5", "a whole number from 1 to 10000"),
         ("period", "fast", "a number from 0.01 to 2"),
         ("turn_rate", "NaN", "a number from 0.001 to 10"),
     ] {
-        let error = run.drive(&Overrides::from_iter([(name, Value::from(value))])).unwrap_err();
+        let error = run.follow("drive", &Overrides::from_iter([(name, Value::from(value))])).unwrap_err();
         assert_eq!((error.field(), error.value(), error.allowed()), (name, value, allowed));
     }
-    let unknown = run.drive(&given(&[("mass", 2.3)])).unwrap_err();
+    let unknown = run.follow("drive", &given(&[("mass", 2.3)])).unwrap_err();
     assert!(unknown.field() == "parameter" && unknown.allowed().contains("wheel_radius"));
 
     let file = shipped("qpso-10m").unwrap().to_json();
     let with = |robot: &str| {
         let mut value: serde_json::Value = serde_json::from_str(&file).unwrap();
         value["robot"] = serde_json::from_str(robot).unwrap();
-        session(&Arc::new(Scene::from_json(&value.to_string()).unwrap()), "ltqpso")
+        session(&Arc::new(standard().read_scene(&value.to_string()).unwrap()), "ltqpso")
     };
     let slow = with(r#"{"length": 0.4, "width": 0.3, "speed": 0.1}"#);
-    assert_eq!(slow.drive(&Overrides::new()).unwrap().unwrap().settings[SPEED], 0.1, "the scene's own speed");
-    assert_eq!(slow.drive(&given(&[("speed", 0.2)])).unwrap().unwrap().settings[SPEED], 0.2);
+    assert_eq!(slow.follow("drive", &Overrides::new()).unwrap().unwrap().parameters()[SPEED], 0.1, "the scene's own speed");
+    assert_eq!(slow.follow("drive", &given(&[("speed", 0.2)])).unwrap().unwrap().parameters()[SPEED], 0.2);
     let mut point = with(r#"{"speed": 0.1}"#);
-    assert!(point.drive(&Overrides::new()).unwrap().is_none() && point.outcome().drive.is_none() && point.outcome().turning.is_some());
+    assert!(
+        point.follow("drive", &Overrides::new()).unwrap().is_none()
+            && point.outcome().followed.get::<DriveOutcome>().is_none()
+            && point.outcome().turning.is_some()
+    );
     for (scene, planner) in [("wcpso-discs", "pso"), ("sphere", "pso")] {
-        assert_eq!(session(&shipped(scene).unwrap(), planner).drive(&Overrides::new()), Ok(None));
+        assert!(session(&shipped(scene).unwrap(), planner).follow("drive", &Overrides::new()).unwrap().is_none());
     }
 }
 

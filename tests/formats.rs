@@ -6,24 +6,30 @@ mod generated;
 
 use forage::{
     Error, Overrides, Scene, Value,
+    describe::Generator,
     kernel::{ReferenceOptimum, TourEnds},
     scene::{
-        GridScene, TourScene,
+        GRID, GridScene, TourScene,
         formats::{Format, NamedFile, export, import, wanted},
-        generate::{GENERATORS, generate},
     },
+    standard,
 };
 use generated::{GENERATED, digest};
 use proptest::prelude::*;
 
+/// The generators of grids.
+fn grids() -> Vec<&'static Generator> {
+    standard().generators_of(GRID).collect()
+}
+
 fn small(generator: usize, columns: usize, rows: usize, seed: u64) -> Scene {
     let sides = [("columns", columns), ("rows", rows)].map(|(name, side)| (name, Value::from(side as f64)));
-    generate(GENERATORS[generator].name, &Overrides::from_iter(sides), seed).unwrap()
+    standard().generate(grids()[generator].name, &Overrides::from_iter(sides), seed).unwrap()
 }
 
 #[test]
 fn every_generator_gives_the_stored_grid() {
-    assert_eq!(GENERATED.len(), GENERATORS.len());
+    assert_eq!(GENERATED.len(), grids().len());
     for (i, expected) in GENERATED.iter().enumerate() {
         let scene = small(i, 31, 22, 7);
         assert_eq!(digest(&scene.get::<GridScene>().unwrap().lines().join("\n")), *expected, "{}", scene.name());
@@ -39,7 +45,7 @@ const OF_TOURS: [Format; 3] = [Format::Tsplib, Format::Csv, Format::Json];
 /// Random stops by one of TSPLIB's metrics, or else by a matrix, with places or without.
 fn stops(n: usize, metric: usize, seed: u64) -> Scene {
     let given = Overrides::from_iter([("stops", Value::from(n as f64)), ("side", Value::from(60.0))]);
-    let mut text = generate("stops", &given, seed).unwrap().to_json();
+    let mut text = standard().generate("stops", &given, seed).unwrap().to_json();
     if let Some(metric) = ["euclidean", "euc-2d", "ceil-2d", "att", "geo"].get(metric) {
         text = text.replace("\"euc-2d\"", &format!("\"{metric}\""));
     } else {
@@ -51,7 +57,7 @@ fn stops(n: usize, metric: usize, seed: u64) -> Scene {
             text = text.split("\"points\"").next().unwrap().to_owned() + &matrix + "}";
         }
     }
-    Scene::from_json(&text).unwrap()
+    standard().read_scene(&text).unwrap()
 }
 
 /// The error of a refusal must name a field and say something about it.
@@ -83,7 +89,7 @@ fn the_valid_files_are_valid() {
     let all = valid();
     assert_eq!(all.len(), VALID);
     for files in all {
-        assert!(import(&files, None).is_ok(), "{files:?}");
+        assert!(import(standard(), &files, None).is_ok(), "{files:?}");
     }
 }
 
@@ -92,12 +98,12 @@ proptest! {
 
     /// Cells and ends survive; ROS has no place for ends, and y grows upwards there.
     #[test]
-    fn what_is_written_is_read_back(generator in 0..GENERATORS.len(), columns in 1_usize..40, rows in 1_usize..40, seed in 0_u64..1 << 40) {
+    fn what_is_written_is_read_back(generator in 0..grids().len(), columns in 1_usize..40, rows in 1_usize..40, seed in 0_u64..1 << 40) {
         let scene = small(generator, columns, rows, seed);
         for format in OF_GRIDS {
             let files = export(&scene, format, "a map").unwrap().files;
             prop_assert!(wanted(&files).unwrap().is_none());
-            let read = import(&files, None).unwrap();
+            let read = import(standard(), &files, None).unwrap();
             let (was, is) = (scene.get::<GridScene>().unwrap(), read.scene.get::<GridScene>().unwrap());
             prop_assert_eq!(was.lines(), is.lines());
             prop_assert!(format == Format::Ros || was == is);
@@ -122,7 +128,7 @@ proptest! {
                 continue;
             }
             let files = export(&scene, format, "a").unwrap().files;
-            let read = import(&files, None).unwrap();
+            let read = import(standard(), &files, None).unwrap();
             let is = read.scene.get::<TourScene>().unwrap();
             prop_assert_eq!(&was.points, &is.points);
             if format != Format::Csv {
@@ -149,7 +155,7 @@ proptest! {
         let mut files = vec![NamedFile::new(name, [head, &bytes].concat())];
         files.extend(valid()[partner].iter().filter(|file| file.name != name).cloned());
         for count in 1..=files.len() {
-            if let Err(error) = import(&files[..count], None) {
+            if let Err(error) = import(standard(), &files[..count], None) {
                 prop_assert!(said(&error), "{error:?}");
             }
             let _ = wanted(&files[..count]);
@@ -173,8 +179,8 @@ proptest! {
                 _ => if let Some(there) = bytes.get_mut(at) { *there = byte },
             }
         }
-        match import(&files, None) {
-            Ok(read) => prop_assert_eq!(Scene::from_json(&read.scene.to_json()).unwrap(), read.scene),
+        match import(standard(), &files, None) {
+            Ok(read) => prop_assert_eq!(standard().read_scene(&read.scene.to_json()).unwrap(), read.scene),
             Err(error) => prop_assert!(said(&error), "{error:?}"),
         }
     }

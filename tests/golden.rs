@@ -14,7 +14,11 @@ mod trial;
 use std::process::ExitCode;
 
 use contents::shown;
-use forage::{Overrides, Session, Setup, Value, catalogue::PLANNERS, describe::Entry, shipped_names};
+use forage::{
+    Overrides, Run, Setup, Value,
+    describe::{Entry, Extra},
+    standard,
+};
 use libtest_mimic::Arguments;
 use support::{Driven, Followed, Golden, ITERATIONS, Log, bits, digest, drives, line, logs, motions, stored};
 use trial::trial;
@@ -25,7 +29,7 @@ fn run(planner: &str, scene: &str, seed: u32, set: &str) -> (Golden, [String; 3]
     let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
     more.into_iter().for_each(|(name, value)| params.insert(name, Value::from(value.to_string().trim_matches('"'))));
     let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
-    let mut session = Session::new(setup).unwrap();
+    let mut session = Run::new(standard(), setup).unwrap();
     let first = shown(&mut session);
     session.step(u64::from(ITERATIONS / 2));
     let (half, middle) = (session.hash(), shown(&mut session));
@@ -49,8 +53,8 @@ type Spec = (&'static str, &'static str, u32, &'static str);
 /// All planners on all shipped scenes they run on, three seeds each where that makes a difference.
 fn specs() -> Vec<Spec> {
     let mut specs = Vec::new();
-    for entry in PLANNERS {
-        for scene in shipped_names().filter(|scene| entry.check_scene(scene).is_ok()) {
+    for entry in standard().planners() {
+        for scene in standard().scenes().iter().filter(|scene| entry.check_scene(scene).is_ok()) {
             // A planner of planners carries out hundreds of runs a step: short ones will do.
             let mut set = if entry.family == "tuning" { r#""population": 4, "seeds": 2, "colony_iterations": 3"# } else { "" };
             // Ants would build sixty-six roads a run; one run below has them do so.
@@ -150,10 +154,10 @@ fn bless(file: &str, stored: &impl serde::Serialize) {
 fn drive(planner: &str, scene: &str, seed: u32, look_ahead: f64) -> Driven {
     let setup =
         Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params: Overrides::new(), seed: u64::from(seed) };
-    let mut session = Session::new(setup).unwrap();
+    let mut session = Run::new(standard(), setup).unwrap();
     session.step(u64::MAX);
-    let drive = session.drive(&Overrides::from_iter([("look_ahead", Value::from(look_ahead))])).unwrap().unwrap();
-    Driven { planner: planner.to_owned(), scene: scene.to_owned(), seed, look_ahead, rows: digest(&drive.rows) }
+    let drive = session.follow("drive", &Overrides::from_iter([("look_ahead", Value::from(look_ahead))])).unwrap().unwrap();
+    Driven { planner: planner.to_owned(), scene: scene.to_owned(), seed, look_ahead, rows: digest(drive.rows()) }
 }
 
 /// Whole drives: free ones and one or another that touches.
@@ -168,13 +172,15 @@ fn every_drive() -> Vec<Driven> {
 fn follow(planner: &str, scene: &str, seed: u32, set: &str) -> Followed {
     let setup =
         Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params: Overrides::new(), seed: u64::from(seed) };
-    let mut session = Session::new(setup).unwrap();
+    let mut session = Run::new(standard(), setup).unwrap();
     session.step(u64::MAX);
     let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
     let mut given = Overrides::new();
     more.into_iter().for_each(|(name, value)| given.insert(name, Value::from(value.to_string().trim_matches('"'))));
-    let motion = session.motion(&given).unwrap().unwrap();
-    let rows = digest(&[motion.rows, motion.skeletons].concat());
+    let motion = session.follow("motion", &given).unwrap().unwrap();
+    let extra = motion.extra();
+    let [("skeletons", Extra::Rows(skeletons))] = extra[..] else { panic!("{extra:?}") };
+    let rows = digest(&[motion.rows(), skeletons].concat());
     Followed { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), rows }
 }
 
@@ -195,7 +201,7 @@ fn log(planner: &str, scene: &str, seed: u32, set: &str) -> Log {
     let mut params = Overrides::new();
     more.into_iter().for_each(|(name, value)| params.insert(name, Value::from(value.to_string().trim_matches('"'))));
     let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
-    let mut session = Session::new(setup).unwrap();
+    let mut session = Run::new(standard(), setup).unwrap();
     session.step(u64::MAX);
     let lines = session.events().iter().map(|e| line(e.iteration, e.time, e.place, e.kind, e.obstacle, &e.reason)).collect();
     Log { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), lines }
@@ -248,7 +254,7 @@ fn main() -> ExitCode {
     let of_planner = |entry: &'static Entry| {
         trial(format!("{}::{}::golden_runs_have_the_stored_bits", entry.family, entry.name), || check_planner(entry.name))
     };
-    let mut trials: Vec<_> = PLANNERS.iter().map(of_planner).collect();
+    let mut trials: Vec<_> = standard().planners().iter().copied().map(of_planner).collect();
     trials.extend([
         trial("drive::drives_have_the_stored_bits", || assert_eq!(every_drive(), drives())),
         trial("arm::motions_have_the_stored_bits", || assert_eq!(every_motion(), motions())),

@@ -10,14 +10,13 @@ mod trial;
 use std::{collections::BTreeSet, process::ExitCode, sync::Arc};
 
 use forage::{
-    Frame, Overrides, Scene, Session, Setup, Status, Value,
+    Frame, Overrides, Run, Scene, Setup, Status, Value,
     arm::ArmScene,
-    catalogue::PLANNERS,
     describe::{Entry, Formula, Group, Scope, Shown, layers},
     kernel::{Item, LayerKey, Shape},
     params::{Domain, Parameter, When},
     scene::{DiscsScene, GRID, GridScene, TourScene},
-    shipped_names,
+    standard,
 };
 use libtest_mimic::Arguments;
 use proptest::{
@@ -28,7 +27,7 @@ use trial::trial;
 
 /// The shipped scenes that a planner runs on.
 fn scenes(entry: &Entry) -> Vec<Arc<Scene>> {
-    shipped_names().filter(|scene| entry.check_scene(scene).is_ok()).cloned().collect()
+    standard().scenes().iter().filter(|scene| entry.check_scene(scene).is_ok()).cloned().collect()
 }
 
 /// Holds a property against random values: a few for each planner, or as many as `PROPTEST_CASES` says.
@@ -63,8 +62,8 @@ fn size_name(entry: &Entry) -> Option<&'static str> {
     entry.all_parameters().map(|p| p.name).find(|name| ["population", "ants"].contains(name))
 }
 
-fn session(entry: &Entry, scene: &Arc<Scene>, params: Overrides, seed: u64) -> Session {
-    Session::new(Setup { planner: entry.name.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
+fn session(entry: &Entry, scene: &Arc<Scene>, params: Overrides, seed: u64) -> Run {
+    Run::new(standard(), Setup { planner: entry.name.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
 /// A best cost never rises, a path begins at the start and ends at the goal, and what is said to be feasible
@@ -155,7 +154,8 @@ fn rewinding_is_exact(entry: &'static Entry) {
             forward.step(1);
             once.push(snapshot(&mut forward));
         }
-        let mut replayed = Session::with_keyframes(
+        let mut replayed = Run::with_keyframes(
+            standard(),
             Setup { planner: entry.name.to_owned(), scene: Arc::clone(scene), params, seed },
             if seed % 2 == 0 { 0 } else { 20_000 },
         )
@@ -178,13 +178,13 @@ fn a_link_reproduces_the_hash(entry: &'static Entry) {
     property(&(0..scenes.len(), 0..forage::kernel::rng::MAX_SEED, 0..30_u64, 1..40_u32), |(scene, seed, k, population)| {
         let scene = &scenes[scene];
         let edited = scene.to_json().replace(scene.header().title.as_str(), "edited & <named> 5 % \u{2713}");
-        let scene = Arc::new(Scene::from_json(&edited).unwrap());
+        let scene = Arc::new(standard().read_scene(&edited).unwrap());
         let mut session = session(entry, &scene, sized(entry, &scene, f64::from(population), 40.0), seed);
         session.seek(k);
         let k = session.iteration();
-        let link = forage::Link::parse(&session.link()).unwrap();
+        let link = forage::Link::parse(standard(), &session.link().unwrap()).unwrap();
         prop_assert_eq!(link.iteration, k);
-        let mut opened = Session::new(link.setup).unwrap();
+        let mut opened = Run::new(standard(), link.setup).unwrap();
         opened.seek(k);
         prop_assert_eq!(Some(opened.hash()), link.hash);
         prop_assert_eq!(opened.link(), session.link());
@@ -217,7 +217,7 @@ fn no_two_setups_share_a_hash() {
     let hash = |entry: &Entry, scene: &Arc<Scene>, params: Overrides, seed| session(entry, scene, params, seed).hash();
     let mut hashes = BTreeSet::new();
     let mut setups = 0;
-    for entry in PLANNERS {
+    for entry in standard().planners() {
         for scene in scenes(entry) {
             for (iterations, seed) in [(40.0, 1), (41.0, 1), (40.0, 2)] {
                 hashes.insert(hash(entry, &scene, sized(entry, &scene, 5.0, iterations), seed));
@@ -227,8 +227,8 @@ fn no_two_setups_share_a_hash() {
     }
     assert_eq!(hashes.len(), setups);
     let scene = forage::shipped("wcpso-discs").unwrap();
-    let edited = |from: &str, to: &str| Arc::new(Scene::from_json(&scene.to_json().replacen(from, to, 1)).unwrap());
-    let pso = |scene: &Arc<Scene>| hash(forage::catalogue::find("pso").unwrap(), scene, Overrides::new(), 1);
+    let edited = |from: &str, to: &str| Arc::new(standard().read_scene(&scene.to_json().replacen(from, to, 1)).unwrap());
+    let pso = |scene: &Arc<Scene>| hash(forage::standard().planner("pso").unwrap(), scene, Overrides::new(), 1);
     assert_eq!(pso(&scene), pso(&edited(scene.header().title.as_str(), "Another title")));
     assert_ne!(pso(&scene), pso(&edited("\"radius\": 1.0", "\"radius\": 1.01")));
 }
@@ -262,7 +262,7 @@ fn apart(dx: f64, dy: f64) -> f64 {
     (dx * dx + dy * dy).sqrt()
 }
 
-fn snapshot(session: &mut Session) -> (String, String, Vec<u32>) {
+fn snapshot(session: &mut Run) -> (String, String, Vec<u32>) {
     let mut frame = Frame::default();
     session.draw(&mut frame, Frame::BUDGET);
     let drawn = frame.vertices().iter().map(|v| v.to_bits()).chain(frame.table().iter().copied()).collect();
@@ -304,7 +304,7 @@ fn every_parameter_is_checked_at_both_ends(entry: &'static Entry) {
                 let mut params = sized(entry, &scene, 4.0, 20.0);
                 meet_conditions(entry, parameter, &mut params);
                 params.insert(parameter.name, Value::from(value));
-                Session::new(Setup { planner: entry.name.to_owned(), scene: Arc::clone(&scene), params, seed: 1 })
+                Run::new(standard(), Setup { planner: entry.name.to_owned(), scene: Arc::clone(&scene), params, seed: 1 })
             };
             let (min, max) = match parameter.domain {
                 Domain::Number { min, max, .. } => (min, max),
@@ -358,7 +358,7 @@ fn every_encoding_runs(entry: &'static Entry) {
     // A point among the same walls: its best paths touch corners exactly, where rounding decides.
     let mut point: serde_json::Value = serde_json::from_str(&forage::shipped("qpso-10m").unwrap().to_json()).unwrap();
     point.as_object_mut().unwrap().remove("robot");
-    all.push(Arc::new(Scene::from_value(point).unwrap()));
+    all.push(Arc::new(standard().read_scene_value(point).unwrap()));
     for scene in all {
         for (encoding, corners) in [("waypoints", 3), ("polar", 7)] {
             let points = corners + 2;
@@ -387,7 +387,7 @@ fn every_encoding_runs(entry: &'static Entry) {
 
 /// What an entry promises, its planner keeps: readings, layers, formulas and inspections agree with the catalogue.
 fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
-    let presets = entry.presets.iter().map(|preset| (forage::scene::shipped(preset.scene).unwrap(), preset.given()));
+    let presets = entry.presets.iter().map(|preset| (forage::shipped(preset.scene).unwrap(), preset.given()));
     for (scene, params) in scenes(entry).into_iter().map(|scene| (scene, Overrides::new())).chain(presets) {
         let mut given = sized(entry, &scene, 80.0, 120.0);
         params.iter().for_each(|(name, value)| given.insert(name, value.clone()));
@@ -405,7 +405,7 @@ fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
         for span in frame.spans() {
             assert!(span.shape != Shape::Polyline || span.count >= 2);
         }
-        let numbers: Vec<_> = told.iter().copied().chain(session.settings().all().iter().map(|(name, _)| *name)).collect();
+        let numbers: Vec<_> = told.iter().copied().chain(session.parameters().all().iter().map(|(name, _)| *name)).collect();
         for formula in entry.formulas.iter().filter(|f| f.scope == Scope::Iteration && is_carried_out(f, &session)) {
             for name in placeholders(formula.live) {
                 assert!(numbers.contains(&name), "{}: nothing fills @{name}@ in {}", entry.name, formula.name);
@@ -427,11 +427,11 @@ fn the_entry_describes_what_the_planner_does(entry: &'static Entry) {
 }
 
 /// Whatever can be picked can be asked about, and what is told can be typeset. Returns the roles of what there was.
-fn check_inspections(entry: &Entry, session: &mut Session) -> Vec<LayerKey> {
+fn check_inspections(entry: &Entry, session: &mut Run) -> Vec<LayerKey> {
     let mut there = Vec::new();
     let mut frame = Frame::default();
     session.draw(&mut frame, usize::MAX);
-    let symbols = serde_json::to_value(forage::catalogue()).unwrap()["symbols"].clone();
+    let symbols = serde_json::to_value(standard().catalogue()).unwrap()["symbols"].clone();
     let symbols: Vec<_> = symbols.as_array().unwrap().iter().map(|symbol| symbol.as_str().unwrap()).collect();
     let kind = session.scene().kind();
     let here = entry.layers.iter().filter(|layer| layer.kinds.is_empty() || layer.kinds.contains(&kind));
@@ -469,9 +469,10 @@ fn check_inspections(entry: &Entry, session: &mut Session) -> Vec<LayerKey> {
     there
 }
 
-fn is_carried_out(formula: &Formula, session: &Session) -> bool {
-    let is_set =
-        |When { parameter, value }: When| session.settings().all().iter().any(|(name, set)| *name == parameter && set.to_string() == value);
+fn is_carried_out(formula: &Formula, session: &Run) -> bool {
+    let is_set = |When { parameter, value }: When| {
+        session.parameters().all().iter().any(|(name, set)| *name == parameter && set.to_string() == value)
+    };
     formula.when.is_none_or(is_set)
 }
 
@@ -483,7 +484,7 @@ fn placeholders(tex: &str) -> Vec<&str> {
 fn what_cannot_run_is_refused() {
     let scene = forage::shipped("sphere").unwrap();
     let error = |planner: &str, params: Overrides, seed| {
-        Session::new(Setup { planner: planner.to_owned(), scene: Arc::clone(&scene), params, seed }).err().unwrap()
+        Run::new(standard(), Setup { planner: planner.to_owned(), scene: Arc::clone(&scene), params, seed }).err().unwrap()
     };
     assert_eq!(error("psso", Overrides::new(), 1).field(), "planner");
     assert_eq!(error("pso", given(&[("omega", 1.0)]), 1).value(), "omega");
@@ -532,7 +533,7 @@ fn main() -> ExitCode {
         trial("what_cannot_run_is_refused", what_cannot_run_is_refused),
         trial("no_two_setups_share_a_hash", no_two_setups_share_a_hash),
     ];
-    for entry in PLANNERS {
+    for entry in standard().planners() {
         let encodings: Option<(&str, Check)> = (entry.family == "swarm").then_some(("every_encoding_runs", every_encoding_runs));
         for (name, check) in CHECKS.iter().copied().chain(encodings) {
             trials.push(trial(format!("{}::{}::{name}", entry.family, entry.name), move || check(entry)));

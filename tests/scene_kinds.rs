@@ -10,11 +10,12 @@ use std::{
 };
 
 use forage::{
-    Error, Scene,
+    Error, Registry, Scene,
     describe::SceneKind,
     geometry::{self, Bounds, Disc},
     kernel::{Backdrop, Exact, Fields, Plane, ReferenceOptimum, SceneBody, SceneKindId, Solution, Verdict},
-    scene::{GridScene, KINDS, grid},
+    scene::{GridScene, grid},
+    standard,
 };
 use serde_json::Value;
 
@@ -111,7 +112,7 @@ const TEXT: &str = r#"{
 }"#;
 
 fn kinds() -> Vec<&'static SceneKind> {
-    KINDS.iter().copied().chain([&KIND]).collect()
+    Registry::standard().with(&KIND).kinds().to_vec()
 }
 
 fn refused(kinds: &[&SceneKind], text: &str) -> [String; 3] {
@@ -136,9 +137,9 @@ fn a_file_of_a_kind_from_outside_is_read_judged_and_written() {
 
 #[test]
 fn what_is_wrong_is_refused_by_name() {
-    let unknown = ["kind", "\"pond\"", "one of function, discs, grid, tour, arm"];
-    assert_eq!(refused(KINDS, TEXT), unknown);
-    assert_eq!(Scene::from_json(TEXT).unwrap_err().allowed(), unknown[2]);
+    let unknown = ["kind", "\"pond\"", "one of discs, grid, tour, arm, function"];
+    assert_eq!(refused(standard().kinds(), TEXT), unknown);
+    assert_eq!(standard().read_scene(TEXT).unwrap_err().allowed(), unknown[2]);
     assert_eq!(refused(&[&KIND, &grid::KIND], &TEXT.replace("pond", "lake"))[2], "one of pond, grid");
     assert_eq!(refused(&kinds(), &TEXT.replace("2.5", "5")), ["radius", "5", "greater than 0, less than half of 10"]);
     assert_eq!(refused(&kinds(), &TEXT.replace("2.5", "\"wide\"")), ["radius", "\"wide\"", "a finite number"]);

@@ -2,18 +2,17 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use forage::{
-    Overrides, Scene, Session, Setup,
+    Overrides, Run, Scene, Setup,
     arm::ArmScene,
-    catalogue,
     kernel::{ReferenceOptimum, Solution, TourEnds},
     scene::{ARM, FUNCTION, GRID, TOUR},
-    shipped, shipped_names,
+    shipped, standard,
 };
 
 #[test]
 fn the_exact_optimum_agrees_with_the_one_stored_in_the_scene() {
     let mut compared = 0;
-    for scene in shipped_names().filter(|scene| scene.kind() != FUNCTION) {
+    for scene in standard().scenes().iter().filter(|scene| scene.kind() != FUNCTION) {
         let Some(stored) = scene.header().exact.as_ref().and_then(|exact| exact["length"].as_f64()) else { continue };
         let exact = match scene.kind() {
             TOUR => scene.exact_tour(forage::kernel::ReferenceOptimum::default(), forage::kernel::TourEnds::Closed),
@@ -37,7 +36,7 @@ fn the_exact_optimum_agrees_with_the_one_stored_in_the_scene() {
 fn an_arm_s_stored_optimum_is_the_computed_one() {
     let mut compared = 0;
     let with = |scene: &&std::sync::Arc<forage::Scene>| scene.kind() == ARM && scene.header().exact.is_some();
-    for scene in shipped_names().filter(with) {
+    for scene in standard().scenes().iter().filter(with) {
         let stored = |name: &str| scene.header().exact.as_ref().and_then(|exact| exact[name].as_f64()).unwrap();
         let arm = scene.get::<ArmScene>().unwrap();
         let exact = scene.exact().unwrap();
@@ -60,7 +59,7 @@ fn an_arm_among_too_many_cuboids_has_the_optimum_of_its_file() {
             .collect::<Vec<_>>()
             .into();
         value["exact"] = stored.map_or_else(|| serde_json::json!({}), |length| serde_json::json!({"tip_length": length}));
-        Scene::from_value(value).unwrap()
+        standard().read_scene_value(value).unwrap()
     };
     let many = forage::exact::MAX_EXACT_CUBOIDS + 1;
     let told = |scene: &Scene| scene.exact().map(|exact| (exact.length, exact.stored));
@@ -73,11 +72,11 @@ fn an_arm_among_too_many_cuboids_has_the_optimum_of_its_file() {
 #[test]
 fn a_grid_s_optimum_for_a_point_agrees_with_the_one_stored() {
     let mut compared = 0;
-    for scene in shipped_names().filter(|scene| scene.kind() == GRID) {
+    for scene in standard().scenes().iter().filter(|scene| scene.kind() == GRID) {
         let Some(stored) = scene.header().exact.as_ref().and_then(|exact| exact["point_robot_length"].as_f64()) else { continue };
         let mut value: serde_json::Value = serde_json::from_str(&scene.to_json()).unwrap();
         value.as_object_mut().unwrap().remove("robot");
-        let exact = Scene::from_value(value).unwrap().exact().unwrap().length;
+        let exact = standard().read_scene_value(value).unwrap().exact().unwrap().length;
         assert!((exact - stored).abs() < 1e-9, "{}: {exact} computed, {stored} stored", scene.name());
         compared += 1;
     }
@@ -93,7 +92,7 @@ fn blocking_the_shortest_way_gives_a_longer_one() {
     let middle = exact.path[exact.path.len() / 2];
     let mut value: serde_json::Value = serde_json::from_str(&scene.to_json()).unwrap();
     value["discs"].as_array_mut().unwrap().push(serde_json::json!({"center": middle, "radius": 0.05}));
-    let blocked = Scene::from_value(value).unwrap();
+    let blocked = standard().read_scene_value(value).unwrap();
     let longer = blocked.exact().unwrap().length;
     assert!(longer > exact.length && longer < 12.32, "{longer}");
 }
@@ -105,7 +104,7 @@ fn wcpso_finds_the_way_among_the_seven_discs() {
     let good = (1..=10)
         .filter(|&seed| {
             let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Overrides::new(), seed };
-            let mut session = Session::with_keyframes(setup, 0).unwrap();
+            let mut session = Run::with_keyframes(standard(), setup, 0).unwrap();
             session.step(u64::MAX);
             let outcome = session.outcome();
             assert_eq!((outcome.iterations, outcome.evaluations), (500, 150 * 501));
@@ -122,7 +121,7 @@ fn quantum_swarms_are_compared_at_equal_evaluations() {
     for seed in 1..=50 {
         let [q, lt] = ["qpso", "ltqpso"].map(|planner| {
             let setup = Setup { planner: planner.into(), scene: shipped("qpso-10m").unwrap(), params: Overrides::new(), seed };
-            let mut session = Session::with_keyframes(setup, 0).unwrap();
+            let mut session = Run::with_keyframes(standard(), setup, 0).unwrap();
             session.step(u64::MAX);
             let outcome = session.outcome();
             assert!(outcome.feasible, "{planner}, seed {seed}");
@@ -136,9 +135,9 @@ fn quantum_swarms_are_compared_at_equal_evaluations() {
 fn colony(planner: &str, scene: &str) -> Vec<f64> {
     let run = |seed| {
         let scene = shipped(scene).unwrap();
-        let entry = catalogue::find(planner).unwrap();
+        let entry = standard().planner(planner).unwrap();
         let params = if entry.presets.is_empty() { Overrides::new() } else { entry.preset("paper", scene.kind()).unwrap() };
-        let mut session = Session::with_keyframes(Setup { planner: planner.into(), scene, params, seed }, 0).unwrap();
+        let mut session = Run::with_keyframes(standard(), Setup { planner: planner.into(), scene, params, seed }, 0).unwrap();
         session.step(u64::MAX);
         let outcome = session.outcome();
         assert!(outcome.feasible && outcome.iterations == 100, "{planner}, seed {seed}");
@@ -177,7 +176,7 @@ fn bats_find_the_exact_tour_of_the_twelve_stops() {
         let outcome = |seed| {
             let params = Overrides::from_iter([("roads", roads.into()), ("smooth", "false".into()), ("local_search", local_search.into())]);
             let setup = Setup { planner: "bat".into(), scene: std::sync::Arc::clone(&scene), params, seed };
-            let mut session = Session::with_keyframes(setup, 0).unwrap();
+            let mut session = Run::with_keyframes(standard(), setup, 0).unwrap();
             session.step(u64::MAX);
             let outcome = session.outcome();
             assert!(outcome.feasible && outcome.iterations == 11 + 100, "{roads}, seed {seed}");
@@ -203,7 +202,7 @@ fn the_printed_penalty_is_judged_by_the_whole_path() {
         seed,
     };
     for seed in 1..=5 {
-        let mut session = Session::with_keyframes(setup(seed), 0).unwrap();
+        let mut session = Run::with_keyframes(standard(), setup(seed), 0).unwrap();
         session.step(u64::MAX);
         let outcome = session.outcome();
         assert!(!outcome.feasible && outcome.clearance.unwrap() < 0.0, "a straight line through the discs has no way-point in one");
@@ -219,7 +218,7 @@ fn each_wrong_scene_file_is_refused_by_field() {
     let refused = |change: Change| {
         let mut value: serde_json::Value = serde_json::from_str(&text).unwrap();
         change(&mut value);
-        Scene::from_value(value).unwrap_err()
+        standard().read_scene_value(value).unwrap_err()
     };
     let changes: [(&str, Change); 11] = [
         ("format", &|v| v["format"] = "other".into()),
@@ -241,11 +240,11 @@ fn each_wrong_scene_file_is_refused_by_field() {
     assert!(unknown.contains("discs[1]") && unknown.contains("color"), "{unknown}");
     let unknown = refused(&|v| v["walls"] = 3.into()).to_string();
     assert!(unknown.contains("walls"), "{unknown}");
-    assert!(Scene::from_json("{").unwrap_err().to_string().contains("line 1"));
+    assert!(standard().read_scene("{").unwrap_err().to_string().contains("line 1"));
 }
 
 fn grid(cell: f64, rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Result<Scene, forage::Error> {
-    Scene::from_value(serde_json::json!({
+    standard().read_scene_value(serde_json::json!({
         "format": "forage-scene", "version": 1, "kind": "grid", "name": "g", "title": "G",
         "cell": cell, "rows": rows, "start": start, "goal": goal
     }))
@@ -275,7 +274,8 @@ fn nothing_squeezes_between_two_cells_that_touch() {
     for planner in ["wcpso", "pso", "ltqpso"] {
         for seed in 1..=5 {
             let params = Overrides::from_iter([("segments", 2.0.into())]);
-            let mut session = Session::new(Setup { planner: planner.into(), scene: std::sync::Arc::clone(&scene), params, seed }).unwrap();
+            let mut session =
+                Run::new(standard(), Setup { planner: planner.into(), scene: std::sync::Arc::clone(&scene), params, seed }).unwrap();
             session.step(u64::MAX);
             let outcome = session.outcome();
             assert!(!outcome.feasible || outcome.gap.unwrap() > -1e-9, "{planner} {seed}: {:?}", outcome.gap);
@@ -289,7 +289,7 @@ fn smoothing_keeps_to_the_border() {
     for (y, strength) in [(3.0, 0.2), (8.1, 0.2), (12.8, 0.2), (6.3, 0.45)] {
         let scene = grid(y / 3.0, &[".........."; 3], [0.0, 3.0 * (y / 3.0)], [10.0 * (y / 3.0), 3.0 * (y / 3.0)]).unwrap();
         let params = Overrides::from_iter([("smoothing", strength.into())]);
-        let mut session = Session::new(Setup { planner: "pso".into(), scene: scene.into(), params, seed: 1 }).unwrap();
+        let mut session = Run::new(standard(), Setup { planner: "pso".into(), scene: scene.into(), params, seed: 1 }).unwrap();
         session.step(u64::MAX);
         assert!(session.outcome().feasible, "y = {y}, S = {strength}");
     }

@@ -7,6 +7,7 @@ use crate::{
 
 use super::{
     colony::Traits,
+    explain::SYMBOLS,
     parameters::{
         ALPHA, ANTS, BETA, CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
     },
@@ -49,5 +50,6 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[OWN, WALKS])
 .readings(READINGS)
 .formulas(&[CHOICE, DISTANCE, EVAPORATION, TRADITIONAL])
+.symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[AS_IN_PAPER]);

@@ -9,6 +9,7 @@ use crate::{
 
 use super::{
     colony::Traits,
+    explain::SYMBOLS,
     parameters::{
         ALPHA, ANT_STEPS, ANTS, ARRIVED, BEST, BETA, CHOICE, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN, Q, RHO,
         STUCK, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
@@ -74,6 +75,7 @@ pub const ENTRY: Entry = Entry::new(
     GREED,
 ])
 .formulas(&[RULE, CHOICE, DISTANCE, EVAPORATION, TRADITIONAL])
+.symbols(SYMBOLS)
 .layers(LAYERS);
 
 /// What sets this colony apart.

@@ -7,6 +7,7 @@ use crate::{
 
 use super::{
     colony::Traits,
+    explain::SYMBOLS,
     ground::Direction,
     parameters::{ALPHA, ANTS, BETA, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
     planner,
@@ -129,6 +130,7 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[OWN, WALKS])
 .readings(READINGS)
 .formulas(&[CHOICE, DISTANCE, DIRECTION, DIRECTION_LINEAR, EVAPORATION, REWARD])
+.symbols(SYMBOLS)
 .layers(LAYERS);
 
 /// What sets this colony apart.

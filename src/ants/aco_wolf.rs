@@ -8,6 +8,7 @@ use crate::{
 
 use super::{
     colony::Traits,
+    explain::SYMBOLS,
     ground::Heuristic,
     parameters::{ALPHA, ANTS, BETA, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
     planner,
@@ -119,6 +120,7 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[OWN, WALKS])
 .readings(READINGS)
 .formulas(&[CHOICE, RANKED, PHEROMONE, LAID])
+.symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[AS_IN_PAPER]);
 

@@ -14,7 +14,7 @@ use super::{
 };
 
 /// The TeX strings that inspections use.
-pub const SYMBOLS: &[&str] = &[
+pub(super) const SYMBOLS: &[&str] = &[
     "\\tau",
     "\\eta",
     "\\psi",

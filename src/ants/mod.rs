@@ -25,4 +25,3 @@ mod walk;
 
 pub(crate) use colonies::COLONIES;
 pub(crate) use colony::Colony;
-pub use explain::SYMBOLS;

@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use super::{colony::Traits, ground::*, pheromone::Pheromone, update::Update, walk::*, *};
 use crate::{
-    Overrides, Session, Setup, Status, Value,
+    Overrides, Run, Setup, Status, Value,
     describe::layers,
     kernel::rng::Stream,
     kernel::{Digest, Frame, Item, Planner, ReferenceOptimum},
-    scene::{GridScene, Header, Scene, generate::generate, grid},
+    scene::{GridScene, Header, Scene, grid},
     settled::Settled,
+    standard,
 };
 
 fn scene(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {
@@ -46,9 +47,9 @@ fn colony(scene: &Arc<Scene>, traits: Traits) -> Colony {
     }
 }
 
-fn run(scene: &Arc<Scene>, planner: &str, params: &[(&str, &str)], seed: u64) -> Session {
+fn run(scene: &Arc<Scene>, planner: &str, params: &[(&str, &str)], seed: u64) -> Run {
     let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
-    Session::new(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }).unwrap()
+    Run::new(standard(), Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
 /// [ANTBAT] (1) by hand: two cells to choose from, at distances 1 and √2 from the goal, η² = 1 and 1/2; τ = 1 and 3.
@@ -225,7 +226,7 @@ fn colonies_with_direction_settle_on_hard_maps() {
         [("rubble", 40.0, 30.0, 2), ("rubble", 40.0, 30.0, 77), ("rooms", 50.0, 50.0, 80), ("random", 50.0, 50.0, 1)]
     {
         let given = [("columns", Value::from(columns)), ("rows", Value::from(rows))].into_iter().collect();
-        let scene = Arc::new(generate(generator, &given, seed).unwrap());
+        let scene = Arc::new(standard().generate(generator, &given, seed).unwrap());
         let mut session = run(&scene, "aco-direction", &[], 1);
         session.step(u64::MAX);
         let readings = session.readings();

@@ -1,5 +1,5 @@
 //! Six-axis arms with a spherical wrist, [ARM-RRT] §4.1 of the repaired text: the arm as data, where its links are, which
-//! postures bring its tip somewhere, what they touch, and how it follows a path.
+//! postures bring its tip somewhere, and what they touch. How it follows a path is in [`follow`](crate::follow).
 //!
 //! Lengths are metres; a scene's angles are degrees, as in its file, and a [`Posture`]'s are radians. World = base +
 //! Rz(yaw) (x, y, z).
@@ -11,7 +11,6 @@ mod directions;
 mod forward;
 mod inverse;
 mod model;
-mod motion;
 mod reach;
 mod solutions;
 mod tips;
@@ -22,7 +21,6 @@ pub use cloud::{MAX_LATTICE, Reachability, reachability};
 pub use collision::{Column, Links, clearance, column, motion_is_free, segment_meets_column, touches};
 pub use directions::DIRECTIONS;
 pub use model::{Arm, Axis, Base, Joint, Posture, Skeleton, Tool, degrees, radians};
-pub use motion::{MOTION, Motion, MotionOutcome, along};
 pub use solutions::{MAX_SOLUTIONS, Solutions, Unreachable, distance};
 pub use tips::tip_path;
 pub use workcell::ArmScene;

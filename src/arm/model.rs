@@ -99,7 +99,7 @@ impl Arm {
 
 impl Base {
     /// Sine and cosine of its yaw.
-    pub(super) fn turn(&self) -> (f64, f64) {
+    pub(crate) fn turn(&self) -> (f64, f64) {
         quarters(self.yaw)
     }
 }

@@ -37,6 +37,8 @@ pub struct Entry {
     pub readings: &'static [Reading],
     /// The equations it carries out.
     pub formulas: &'static [Formula],
+    /// What its explanations use in TeX besides the symbols of its parameters, readings and members.
+    pub symbols: &'static [&'static str],
     /// The layers it draws, in drawing order, and after them those that only its explanations mark.
     pub layers: &'static [Layer],
     /// The numbers that it tells of each of those that search side by side.
@@ -83,6 +85,7 @@ impl Entry {
             parameters: &[],
             readings: &[],
             formulas: &[],
+            symbols: &[],
             layers: &[],
             members: &[],
             events: &[],
@@ -132,6 +135,12 @@ impl Entry {
     #[must_use]
     pub const fn formulas(self, formulas: &'static [Formula]) -> Self {
         Self { formulas, ..self }
+    }
+
+    /// What its explanations use in TeX besides the symbols of its parameters, readings and members.
+    #[must_use]
+    pub const fn symbols(self, symbols: &'static [&'static str]) -> Self {
+        Self { symbols, ..self }
     }
 
     /// The layers it draws, in drawing order.
@@ -278,10 +287,4 @@ pub trait Entries {
     /// # Errors
     /// [`Error::Unknown`] with the names that exist.
     fn planner(&self, name: &str) -> Result<&'static Entry, Error>;
-}
-
-impl Entries for &'static [Entry] {
-    fn planner(&self, name: &str) -> Result<&'static Entry, Error> {
-        self.iter().find(|entry| entry.name == name).ok_or_else(|| Error::unknown("planner", name, self.iter().map(|entry| entry.name)))
-    }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-use crate::params::{Fixed, Overrides, Value, as_object};
+use crate::params::{Fixed, Object, Overrides, Value};
 
 /// The name of the preset with which a planner builds one of many roads between stops: sizes that make 66 runs take seconds.
 pub const ROAD: &str = "road";
@@ -27,7 +27,7 @@ pub struct Preset {
 }
 
 fn fixed<S: Serializer>(values: &[(&'static str, Fixed)], serializer: S) -> Result<S::Ok, S::Error> {
-    as_object(&values.iter().map(|&(name, value)| (name, Value::from(value))).collect::<Vec<_>>(), serializer)
+    Object(&values.iter().map(|&(name, value)| (name, Value::from(value))).collect::<Vec<_>>()).serialize(serializer)
 }
 
 impl Preset {

@@ -10,6 +10,7 @@ use crate::{
 
 use super::{
     a_star::AStar,
+    explain::SYMBOLS,
     ground::Ground,
     parameters::{DRIVE, EVENTS, FORMULA_APPROACH, FORMULA_TIME, ITERATIONS, KINDS, LAYERS_BARE, READINGS},
     planner,
@@ -87,6 +88,7 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[PRINTED.entry(), ITERATIONS.entry()], DRIVE])
 .readings(READINGS)
 .formulas(&[FORMULA_APPROACH, FORMULA_TIME])
+.symbols(SYMBOLS)
 .layers(LAYERS_BARE)
 .events(EVENTS);
 

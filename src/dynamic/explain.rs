@@ -16,7 +16,7 @@ use super::{
 };
 
 /// The TeX strings that inspections use.
-pub const SYMBOLS: &[&str] =
+pub(super) const SYMBOLS: &[&str] =
     &["t^*", "d^*", "-\\Delta p \\cdot \\Delta v", "|\\Delta v|^2", "|\\Delta p + t^* \\Delta v|", "r", "d", "|v|", "t"];
 
 pub(super) fn read(dynamic: &Dynamic, out: &mut Readings) {

@@ -27,5 +27,3 @@ mod steps;
 mod tests;
 pub mod wolf_ant_drive;
 mod world;
-
-pub use explain::SYMBOLS;

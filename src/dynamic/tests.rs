@@ -1,23 +1,22 @@
 use std::sync::Arc;
 
 use crate::{
-    Scene, Session, Setup, Status, Value,
-    catalogue::PLANNERS,
+    Run, Scene, Setup, Status, Value,
     describe::{Entries, Entry, Start},
     kernel::{Border, Error, Event, Solution, Track},
     params::{Overrides, Parameters},
+    run::Outcome,
     scene::GridScene,
-    session::Outcome,
-    shipped,
+    shipped, standard,
 };
 
 use super::wolf_ant_drive;
 
 const DRIVES: [&str; 3] = ["wolf-ant-drive", "a-star-drive", "d-star-lite-drive"];
 
-fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Session {
+fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Run {
     let params: Overrides = params.iter().map(|(name, value)| (*name, value.clone())).collect();
-    Session::new(Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
+    Run::new(standard(), Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
 fn run(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Outcome {
@@ -34,7 +33,7 @@ fn scene(rows: &[&str], ends: [[f64; 2]; 2], moving: &str) -> Arc<Scene> {
             "moving": [{moving}]}}"#,
         ends[0], ends[1]
     );
-    Arc::new(Scene::from_json(&text).unwrap())
+    Arc::new(standard().read_scene(&text).unwrap())
 }
 
 fn kinds(outcome: &Outcome) -> Vec<&str> {
@@ -76,7 +75,7 @@ fn check(outcome: &Outcome, scene: &Scene, name: &str) {
 #[test]
 fn the_colonies_to_choose_from_are_those_of_the_catalogue() {
     let options = crate::ants::COLONIES;
-    let mut colonies: Vec<_> = PLANNERS.iter().filter(|entry| entry.family == "ants").map(|entry| entry.name).collect();
+    let mut colonies: Vec<_> = standard().planners().iter().filter(|entry| entry.family == "ants").map(|entry| entry.name).collect();
     let mut names: Vec<_> = options.iter().map(|option| option.value).collect();
     colonies.sort_unstable();
     names.sort_unstable();
@@ -217,7 +216,7 @@ fn what_would_bounce_too_often_is_refused_by_name() {
     let scene = scene(&[".........."; 5], [[1.0, 5.0], [19.0, 5.0]], r#"{"center": [5, 5], "radius": 1, "velocity": [0, 900]}"#);
     let start = |border: &str| {
         let params = [("border", Value::from(border))].into_iter().collect();
-        Session::new(Setup { planner: "a-star-drive".to_owned(), scene: Arc::clone(&scene), params, seed: 1 })
+        Run::new(standard(), Setup { planner: "a-star-drive".to_owned(), scene: Arc::clone(&scene), params, seed: 1 })
     };
     assert_eq!(start("bounce").err().unwrap().field(), "moving[0].velocity[1]");
     assert!(start("leave").is_ok());
@@ -351,9 +350,9 @@ fn what_the_robot_cannot_be_is_refused_by_name() {
             r#"{{"format": "forage-scene", "version": 1, "kind": "grid", "name": "m", "title": "M", "cell": 2, "rows": {rows:?},
                 "start": [1, 1], "goal": [5, 5], "robot": {robot}}}"#
         );
-        let scene = Arc::new(Scene::from_json(&text).unwrap());
+        let scene = Arc::new(standard().read_scene(&text).unwrap());
         let params: Overrides = params.iter().map(|(name, value)| (*name, value.clone())).collect();
-        let error = Session::new(Setup { planner: "a-star-drive".to_owned(), scene, params, seed: 1 }).err().unwrap();
+        let error = Run::new(standard(), Setup { planner: "a-star-drive".to_owned(), scene, params, seed: 1 }).err().unwrap();
         (error.field().to_owned(), error.value().to_owned())
     };
     assert_eq!(refused(r#"{"radius": 1.5}"#, &[]), ("robot.radius".to_owned(), "1.5".to_owned()));
@@ -369,12 +368,12 @@ fn the_printed_path_is_driven_as_printed() {
         let params = point.map(|(name, value)| (name, Value::from(value))).into_iter().collect();
         Setup { planner: "a-star-drive".into(), scene, params, seed: 1 }
     };
-    let mut session = Session::with_keyframes(setup(crate::shipped("wolf-ant-20").unwrap()), 0).unwrap();
+    let mut session = Run::with_keyframes(standard(), setup(crate::shipped("wolf-ant-20").unwrap()), 0).unwrap();
     assert_eq!(session.step(u64::MAX), Status::Solved);
     let outcome = session.outcome();
     assert!((outcome.length.unwrap() - 562.842_712_474_619).abs() < 1e-9 && outcome.turns == Some(10), "{outcome:?}");
     let reading = |name: &str| outcome.readings.iter().find(|(n, _)| *n == name).unwrap().1;
     assert!((reading("time") - 38.142_135_623_731).abs() < 1e-9 && reading("collisions") == 0.0, "{:?}", outcome.readings);
-    let refused = Session::with_keyframes(setup(crate::shipped("crossing").unwrap()), 0).err().unwrap().to_string();
+    let refused = Run::with_keyframes(standard(), setup(crate::shipped("crossing").unwrap()), 0).err().unwrap().to_string();
     assert!(refused.contains("path") && refused.contains("published.path_cells"), "{refused}");
 }

@@ -7,6 +7,7 @@ pub mod fields;
 mod frame;
 mod inspection;
 pub mod json;
+mod nowhere;
 mod optimum;
 mod planner;
 mod readings;

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::kernel::{Error, SceneKindId};
 
-pub use overrides::{Overrides, Value, as_object};
+pub use overrides::{Object, Overrides, Value};
 pub use param::{Param, ParamValue, Selection};
 pub use parameters::Parameters;
 

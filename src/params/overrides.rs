@@ -94,10 +94,11 @@ impl Serialize for Overrides {
     }
 }
 
-/// Serialises pairs as an object, in their order.
-///
-/// # Errors
-/// Whatever the serializer reports.
-pub fn as_object<S: Serializer, V: Serialize>(pairs: &[(&'static str, V)], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(pairs.iter().map(|(name, value)| (name, value)))
+/// Pairs, to be serialised as an object.
+pub struct Object<'a, V>(pub &'a [(&'static str, V)]);
+
+impl<V: Serialize> Serialize for Object<'_, V> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
 }

@@ -6,7 +6,7 @@ use super::{Choice, Overrides, Parameter, Value, When};
 
 /// A value for every parameter of a planner on a kind of scene; all of them allowed. Read by `settings[POPULATION]`, see
 /// [`Param`](super::Param).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Parameters {
     declared: &'static [&'static [Parameter]],
     values: Vec<(&'static str, Value)>,

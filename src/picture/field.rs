@@ -69,7 +69,7 @@ fn colour(stops: &[[f64; 3]; 5], t: f64) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::shipped;
+    use crate::shipped;
 
     #[test]
     fn it_is_brightest_at_the_minimum_and_darkens_uphill() {

@@ -6,8 +6,8 @@ use crate::{
     describe::{Color, Entry, Glyph, Hex, Layer, Look, Rgba, layers},
     geometry::{self, Bounds, YAxis},
     kernel::{Backdrop, Frame, LayerKey, Shape, Span, VERTEX},
+    run::Run,
     scene::Scene,
-    session::Session,
 };
 
 use super::raster;
@@ -39,7 +39,7 @@ const MARGIN: f64 = 24.0;
 const NUMBERED: usize = 100;
 
 /// The session's present state: the scene, these of the planner's layers, and the exact optimum if `exact` is among them.
-pub fn svg(session: &Session, dark: bool, shown: &[LayerKey]) -> String {
+pub fn svg(session: &Run, dark: bool, shown: &[LayerKey]) -> String {
     let view = session.scene().view();
     let (width, height) = (view.max[0] - view.min[0], view.max[1] - view.min[1]);
     let scale = (SIZE - 2.0 * MARGIN) / width.max(height);
@@ -73,7 +73,7 @@ impl Canvas {
         Hex(opaque(color.on(self.dark)))
     }
 
-    fn picture(mut self, session: &Session, shown: &[LayerKey], [width, height]: [f64; 2]) -> String {
+    fn picture(mut self, session: &Run, shown: &[LayerKey], [width, height]: [f64; 2]) -> String {
         let title = format!("{} on {}, iteration {}", session.entry().title, session.scene().header().title, session.iteration());
         put!(
             self,
@@ -310,12 +310,12 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Setup, shipped};
+    use crate::{Setup, shipped, standard};
 
     #[test]
     fn a_tour_is_drawn_with_its_direction_and_the_stops_with_their_places() {
         let setup = Setup { planner: "bat".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Overrides::default(), seed: 1 };
-        let mut session = Session::new(setup).unwrap();
+        let mut session = Run::new(standard(), setup).unwrap();
         let before = svg(&session, false, &[layers::TOUR.key, layers::STOPS.key]);
         assert_eq!(before.matches("<circle").count(), 12, "neither start nor goal");
         assert!(before.contains(">12</text>") && !before.contains("<path"), "the scene's own numbers");
@@ -333,7 +333,7 @@ mod tests {
     #[test]
     fn a_picture_holds_the_scene_and_only_the_layers_asked_for() {
         let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: crate::Overrides::default(), seed: 1 };
-        let mut session = Session::new(setup).unwrap();
+        let mut session = Run::new(standard(), setup).unwrap();
         session.step(5);
         let picture = svg(&session, false, &[layers::BEST.key, layers::EXACT.key]);
         assert_eq!(picture.matches("<circle").count(), 7 + 2, "discs, start and goal");
@@ -347,7 +347,7 @@ mod tests {
     #[test]
     fn a_layer_has_the_colour_of_its_look_by_day_and_by_night_and_cells_without_pheromone_are_left_out() {
         let setup = Setup { planner: "aco".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Overrides::default(), seed: 1 };
-        let mut session = Session::new(setup).unwrap();
+        let mut session = Run::new(standard(), setup).unwrap();
         session.step(3);
         for dark in [false, true] {
             let picture = svg(&session, dark, &[layers::BEST.key, layers::PHEROMONE.key]);

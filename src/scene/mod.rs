@@ -1,5 +1,4 @@
-//! What is planned in: a folder a kind, the list of kinds (`kinds`), the scenes that ship (`shipped`), other programs'
-//! files ([`formats`]) and random scenes ([`generate`](mod@generate)).
+//! What is planned in: a folder a kind, other programs' files ([`formats`]) and random scenes ([`generate`]).
 //!
 //! A [`Scene`] that exists is valid: its numbers are finite, start and goal are inside and free. What is in a kind's folder:
 //! `body`, the data and what a solution is worth; `read`, its fields in the scene file; `kind`, its entry.
@@ -13,10 +12,10 @@ pub mod function;
 pub mod generate;
 pub mod grid;
 pub mod grid_path;
-mod kinds;
 mod moving;
 mod reach;
-mod shipped;
+#[cfg(test)]
+mod tests;
 pub mod tour;
 
 pub(crate) use arm::JOINED;
@@ -24,9 +23,7 @@ pub use arm::{ID as ARM, MAX_CUBOIDS};
 pub use discs::{DiscsScene, ID as DISCS, MAX_DISCS};
 pub use function::{Function, FunctionScene, ID as FUNCTION, MAX_DIMENSION};
 pub use grid::{CONTACT, GridScene, ID as GRID, MAX_EXACT_CELLS, MAX_GRID_STOPS, MAX_SIDE, Robot};
-pub use kinds::KINDS;
 pub use moving::{Leg, MAX_MOVING, MAX_WAYPOINTS, Motion, Moving};
-pub use shipped::{shipped, shipped_names};
 pub use tour::{ID as TOUR, MAX_STOPS, TourScene};
 
 pub use crate::kernel::{Header, Scene};

@@ -3,6 +3,7 @@
 use crate::{describe::Entry, scene::grid_path::SMOOTH};
 
 use super::{
+    explain::SYMBOLS,
     parameters::{BOUND, EXPAND, FORMULA_OCTILE, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS, WEIGHT},
     rules::{Heuristic, Relaxation},
 };
@@ -20,4 +21,5 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry(), EXPAND.entry(), WEIGHT.entry(), SMOOTH.entry()]])
 .readings(READINGS)
 .formulas(&[BOUND, FORMULA_STEP, FORMULA_OCTILE])
+.symbols(SYMBOLS)
 .layers(LAYERS);

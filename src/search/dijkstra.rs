@@ -3,6 +3,7 @@
 use crate::{describe::Entry, scene::grid_path::SMOOTH};
 
 use super::{
+    explain::SYMBOLS,
     parameters::{BOUND, EXPAND, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS},
     rules::{Heuristic, Relaxation},
 };
@@ -20,4 +21,5 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry(), EXPAND.entry(), SMOOTH.entry()]])
 .readings(READINGS)
 .formulas(&[BOUND, FORMULA_STEP])
+.symbols(SYMBOLS)
 .layers(LAYERS);

@@ -12,7 +12,7 @@ use super::{
 };
 
 /// The TeX strings that inspections use.
-pub const SYMBOLS: &[&str] = &["g", "h", "f", "w", "l", "g(p)", "c", "\\Delta x", "\\Delta y"];
+pub(super) const SYMBOLS: &[&str] = &["g", "h", "f", "w", "l", "g(p)", "c", "\\Delta x", "\\Delta y"];
 
 const COLUMNS: [Column; 3] = [
     Column { name: "g", symbol: "g", title: "way from the start" },

@@ -30,8 +30,6 @@ use crate::{
     kernel::{Error, ReferenceOptimum, Started},
 };
 
-pub use explain::SYMBOLS;
-
 use best_first::Search;
 use rules::{Heuristic, Relaxation, Rules};
 

@@ -3,21 +3,21 @@
 use std::sync::Arc;
 
 use crate::{
-    Overrides, Scene, Session, Setup, Status, Value,
+    Overrides, Run, Scene, Setup, Status, Value,
     describe::layers,
     geometry,
     kernel::{Item, ReferenceOptimum, rng::Stream},
     scene::{GridScene, Robot, grid},
-    shipped,
+    shipped, standard,
 };
 
 fn scene(grid: GridScene) -> Arc<Scene> {
     Arc::new(grid::KIND.scene(shipped("ant-bat-30").unwrap().header().clone(), grid).unwrap())
 }
 
-fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, f64)]) -> Session {
+fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, f64)]) -> Run {
     let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
-    Session::new(Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed: 1 }).unwrap()
+    Run::new(standard(), Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed: 1 }).unwrap()
 }
 
 fn small(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {
@@ -151,7 +151,7 @@ fn the_lowest_f_rises_to_the_result() {
 fn g_h_and_f_are_those_computed_by_hand() {
     let scene = small(&[".#.", "...", "..."], [1.0, 1.0], [5.0, 1.0]);
     let mut session = session("a-star", &scene, &[("expand", 1.0)]);
-    let value = |session: &mut Session, cell: usize, name: &str| {
+    let value = |session: &mut Run, cell: usize, name: &str| {
         let told = session.inspect(Item { layer: layers::CLOSED.key, index: cell }).unwrap();
         (told.event, told.values.iter().find(|v| v.name == name).map(|v| (v.value * 1e9).round() / 1e9))
     };
@@ -203,7 +203,7 @@ fn smoothing_hands_over_fewer_nodes_and_is_measured_at_any_angle() {
     for name in ["dijkstra", "a-star", "theta-star"] {
         let mut raw = session(name, &scene, &[]);
         let params = [("smooth", Value::Flag(true))].into_iter().collect();
-        let mut smooth = Session::new(Setup { planner: name.to_owned(), scene: Arc::clone(&scene), params, seed: 1 }).unwrap();
+        let mut smooth = Run::new(standard(), Setup { planner: name.to_owned(), scene: Arc::clone(&scene), params, seed: 1 }).unwrap();
         raw.step(u64::MAX);
         smooth.step(u64::MAX);
         let (a, b) = (raw.outcome(), smooth.outcome());
@@ -278,7 +278,7 @@ fn every_iteration_comes_back_and_every_cell_explains_itself() {
                 continue;
             };
             assert!(told.rows.len() == told.labels.len() && told.rows.iter().all(|row| row.len() == told.columns.len()));
-            assert!(told.values.iter().all(|v| v.value.is_finite() && super::SYMBOLS.contains(&v.symbol)));
+            assert!(told.values.iter().all(|v| v.value.is_finite() && super::explain::SYMBOLS.contains(&v.symbol)));
             for formula in &told.formulas {
                 let formula = entry.formulas.iter().find(|f| f.name == *formula).unwrap();
                 let parts: Vec<_> = formula.live.split('@').collect();

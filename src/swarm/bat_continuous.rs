@@ -28,7 +28,7 @@ use super::{
     },
     paths::{CHARGED, ENCODED},
     population::Population,
-    sheet::{self, Label, arrows, column, mark, particle, quantities, sheet},
+    sheet::{self, Label, SYMBOLS, arrows, column, mark, particle, quantities, sheet},
 };
 
 /// Bats: v ← v ± (x − g) f, x ← x + v, and walks about the best.
@@ -444,6 +444,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, MEAN_LOUDNESS, MEAN_PULSE_RATE, ACCEPTED, EVALUATIONS])
 .formulas(&[FREQUENCY, BAT_VELOCITY, BAT_VELOCITY_TOWARD, BAT_POSITION, WALK_ABOUT, LOUDNESS, PULSE])
+.symbols(SYMBOLS)
 .layers(&[
     GUIDES,
     layers::PERSONAL_BESTS,

@@ -11,6 +11,7 @@ use super::{
     parameters::{AS_IN_TEXT, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, READINGS, VELOCITY, W, W_MAX, W_MIN},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
+    sheet::SYMBOLS,
 };
 
 const W_LINEAR: Param<bool> = Param::choice(
@@ -81,6 +82,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[LINEAR_W.when(W_LINEAR, "linear"), COGNITIVE, SOCIAL, VELOCITY, POSITION])
+.symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[AS_IN_TEXT, FITTED]);
 

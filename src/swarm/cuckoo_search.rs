@@ -28,7 +28,7 @@ use super::{
     parameters::{BEST, EVALUATIONS, FREE, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, SMOOTHED, SMOOTHNESS, SPREAD},
     paths::{CHARGED, ENCODED},
     population::Population,
-    sheet::{self, Label, arrows, column, mark, particle, quantities, sheet},
+    sheet::{self, Label, SYMBOLS, arrows, column, mark, particle, quantities, sheet},
 };
 
 /// Nests: x ← x + α s (x − g) ε by Lévy flights, then x ← x + r H(p_a − ε) (x_j − x_k).
@@ -427,5 +427,6 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), P_A.entry(), ALPHA.entry(), LAMBDA.entry()], ENCODED, CHARGED])
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, FLOWN, REBUILT, EVALUATIONS])
 .formulas(&[SIGMA, STEP, FLY, ABANDON])
+.symbols(SYMBOLS)
 .layers(&[GUIDES, NESTS, layers::BEST, SMOOTHED, layers::BEFORE, layers::JUMP, layers::AFTER])
 .presets(&[ONE_ROAD]);

@@ -285,13 +285,13 @@ mod tests {
     use crate::{
         describe::layers,
         kernel::Item,
-        scene::shipped,
-        session::{Session, Setup},
+        run::{Run, Setup},
+        shipped, standard,
     };
 
-    fn session() -> Session {
+    fn session() -> Run {
         let scene = Arc::clone(&shipped("wcpso-discs").unwrap());
-        Session::new(Setup { planner: "wcpso".into(), scene, params: crate::Overrides::default(), seed: 3 }).unwrap()
+        Run::new(standard(), Setup { planner: "wcpso".into(), scene, params: crate::Overrides::default(), seed: 3 }).unwrap()
     }
 
     /// Every particle of many iterations: the terms add up to the velocity, and the velocity (or the jump) leads from
@@ -330,7 +330,7 @@ mod tests {
     fn told(set: &[(&str, &str)], check: impl Fn(&crate::kernel::Inspection)) -> std::collections::BTreeMap<&'static str, usize> {
         let params = set.iter().map(|&(name, value)| (name, crate::Value::from(value))).collect();
         let scene = crate::shipped("wcpso-discs").unwrap();
-        let mut session = Session::new(Setup { planner: "wcpso".into(), scene, params, seed: 4 }).unwrap();
+        let mut session = Run::new(standard(), Setup { planner: "wcpso".into(), scene, params, seed: 4 }).unwrap();
         let mut seen = std::collections::BTreeMap::new();
         for _ in 0..80 {
             session.step(1);
@@ -391,7 +391,7 @@ mod tests {
         assert!(seen["move"] > 0 && seen["hen"] > 0 && seen["chick"] > 0, "{seen:?}");
     }
 
-    fn session_paths(session: &Session) -> Vec<Vec<[f64; 2]>> {
+    fn session_paths(session: &Run) -> Vec<Vec<[f64; 2]>> {
         let mut frame = crate::Frame::default();
         session.draw(&mut frame, usize::MAX);
         frame.spans().filter(|s| s.layer == layers::PARTICLES.key).map(|s| frame.points(s).collect()).collect()

@@ -41,7 +41,6 @@ use crate::{
 };
 
 pub use quantum::{ltqpso, qpso};
-pub use sheet::SYMBOLS;
 
 use flight::{Flight, Swarm};
 use parameters::ITERATIONS;

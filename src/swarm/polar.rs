@@ -212,7 +212,8 @@ mod tests {
     use crate::{
         geometry::Field,
         params::{Overrides, Value},
-        scene::{GRID, GridScene, shipped},
+        scene::{GRID, GridScene},
+        shipped,
     };
 
     fn polar(segments: f64, more: &[(&'static str, Value)]) -> Polar {

@@ -10,6 +10,7 @@ use super::{
     parameters::{C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, READINGS, VELOCITY, W},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
+    sheet::SYMBOLS,
 };
 
 /// See the module.
@@ -25,6 +26,7 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), W.entry(), C1.entry(), C2.entry()], FLIGHT, ENCODED, CHARGED])
 .readings(READINGS)
 .formulas(&[VELOCITY, POSITION])
+.symbols(SYMBOLS)
 .layers(LAYERS);
 
 fn start(start: &Start) -> Result<Started, Error> {

@@ -29,6 +29,7 @@ use super::{
     paths::{CHARGED, EARLY_STOP, ENCODING, WAYPOINTS},
     population::Population,
     schedule::{Law, Schedule},
+    sheet::SYMBOLS,
 };
 
 /// How many extensions all trees of a run have together: where no tree comes to the goal, a big swarm must begin all the same.
@@ -123,19 +124,20 @@ pub const ENTRY: Entry = Entry::new(
     Reading { help: "How many positions were evaluated so far, and straight pieces tested by trees.", ..EVALUATIONS },
 ])
 .formulas(&[VELOCITY, POSITION])
+.symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[ONE_ROAD]);
 
 #[cfg(test)]
 mod tests {
-    use crate::{Session, Setup, Value, describe::layers, kernel::Item, shipped};
+    use crate::{Run, Setup, Value, describe::layers, kernel::Item, shipped, standard};
 
-    fn session(scene: &str, params: &[(&str, f64)], seed: u64) -> Session {
+    fn session(scene: &str, params: &[(&str, f64)], seed: u64) -> Run {
         let params = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
-        Session::new(Setup { planner: "pso-rrt".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
+        Run::new(standard(), Setup { planner: "pso-rrt".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
     }
 
-    fn reading(session: &mut Session, name: &str) -> f64 {
+    fn reading(session: &mut Run, name: &str) -> f64 {
         session.readings().get(name).unwrap()
     }
 
@@ -156,7 +158,8 @@ mod tests {
     fn without_extensions_it_is_pso() {
         let mut alone = session("wcpso-discs", &[("extensions", 0.0)], 4);
         let params = [("population", Value::from(150.0))].into_iter().collect();
-        let mut pso = Session::new(Setup { planner: "pso".into(), scene: shipped("wcpso-discs").unwrap(), params, seed: 4 }).unwrap();
+        let mut pso =
+            Run::new(standard(), Setup { planner: "pso".into(), scene: shipped("wcpso-discs").unwrap(), params, seed: 4 }).unwrap();
         for _ in 0..20 {
             assert_eq!(alone.best().unwrap().cost, pso.best().unwrap().cost);
             assert_eq!(alone.outcome().evaluations, pso.outcome().evaluations);

@@ -8,7 +8,7 @@ use crate::{
 use super::{objective::Objective, population::Population};
 
 /// The TeX strings that inspections use.
-pub const SYMBOLS: &[&str] = &[
+pub(super) const SYMBOLS: &[&str] = &[
     "f(x)",
     "f(p)",
     "f(g)",

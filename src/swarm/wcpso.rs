@@ -14,6 +14,7 @@ use super::{
     paths::{CHARGED, ENCODED},
     perturbation::{Keep, Partner, Perturbation, Sign, Timing},
     schedule::{Law, Schedule},
+    sheet::SYMBOLS,
 };
 
 impl ParamValue for Sign {}
@@ -258,6 +259,7 @@ pub const ENTRY: Entry = Entry::new(
     S2_SOURCE,
     CHICK,
 ])
+.symbols(SYMBOLS)
 .layers(PERTURBED_LAYERS)
 .presets(&[AS_IN_TEXT, FITTED]);
 

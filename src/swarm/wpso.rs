@@ -11,6 +11,7 @@ use super::{
     parameters::{AS_IN_TEXT, C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, READINGS, VELOCITY, W_MAX, W_MIN},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
+    sheet::SYMBOLS,
 };
 
 const FITTED: Preset = Preset {
@@ -39,6 +40,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[LINEAR_W, VELOCITY, POSITION])
+.symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[AS_IN_TEXT, FITTED]);
 

@@ -19,7 +19,7 @@ use crate::{
 
 use super::{
     Search,
-    explain::quantity,
+    explain::{SYMBOLS, quantity},
     kicks::Kicks,
     moves,
     nearest::nearest_neighbour,
@@ -453,6 +453,7 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[OWN, TOURS])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
 .formulas(&[TRIES, LOUDNESS, PULSE, LENGTH])
+.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("All tours", "The tour of every bat.").off().pickable(),

@@ -13,7 +13,7 @@ use super::{
 };
 
 /// The TeX strings that inspections use beside the members' own.
-pub const SYMBOLS: &[&str] = &[
+pub(super) const SYMBOLS: &[&str] = &[
     "D",
     "HD",
     "s_i",

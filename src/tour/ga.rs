@@ -15,7 +15,7 @@ use crate::{
 
 use super::{
     Search,
-    explain::quantity,
+    explain::{SYMBOLS, quantity},
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
@@ -326,6 +326,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, SHORTER])
 .formulas(&[GAIN, LENGTH])
+.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("All tours", "The tours of this generation.").off().pickable(),

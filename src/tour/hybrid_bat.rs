@@ -24,7 +24,7 @@ use crate::{
 
 use super::{
     Search,
-    explain::quantity,
+    explain::{SYMBOLS, quantity},
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
@@ -377,6 +377,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
 .formulas(&[VELOCITY, LOUDNESS, PULSE, LENGTH])
+.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("All tours", "The tour of every bat.").off().pickable(),

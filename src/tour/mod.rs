@@ -41,8 +41,6 @@ use parameters::{BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, MEA
 use problem::{Problem, Stop, Tour};
 use roads::Network;
 
-pub use explain::SYMBOLS;
-
 /// How a planner searches the order of the stops. It evaluates its first tours when it begins.
 trait Search: State + Send {
     /// Takes one step.

@@ -236,18 +236,18 @@ impl Subtasks for Network {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{catalogue::PLANNERS, params::Parameters, scene::Scene};
+    use crate::{params::Parameters, standard};
 
     /// An open grid with stops at (0.5, 0.5), (3.5, 0.5), (0.5, 3.5), (3.5, 3.5), and the lengths of the roads that were
     /// found: between 0 and 1, 0 and 2, 0 and 3, 1 and 2, 1 and 3, 2 and 3.
     fn network(found: [Option<f64>; 6]) -> Network {
         let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "o", "title": "O", "cell": 1,
             "rows": ["....", "....", "....", "...."], "stops": [[0.5, 0.5], [3.5, 0.5], [0.5, 3.5], [3.5, 3.5]]}"#;
-        let scene = Arc::new(Scene::from_json(text).unwrap());
+        let scene = Arc::new(standard().read_scene(text).unwrap());
         let grid = scene.get::<GridScene>().unwrap();
-        let entry = crate::catalogue::find("bat").unwrap();
+        let entry = crate::standard().planner("bat").unwrap();
         let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
-        let start = Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS };
+        let start = Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() };
         let mut network = Network::new(&start, grid).unwrap();
         let road = |(number, length): (usize, Option<f64>)| {
             let path = network.pair(number).map(|stop| network.stops[stop]).to_vec();

@@ -15,7 +15,7 @@ use crate::{
 
 use super::{
     Search,
-    explain::quantity,
+    explain::{SYMBOLS, quantity},
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS_LAYER, TOURS,
@@ -277,6 +277,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, PRESENT, BUILT, FAILED, BY_ROAD, FOUND, SETTLED_PRESENT, DIFFERENT, TEMPERATURE, ACCEPTED])
 .formulas(&[METROPOLIS, GEOMETRIC, LENGTH])
+.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("Present tour", "The tour that is changed.").off().pickable(),

@@ -3,24 +3,24 @@
 use std::sync::Arc;
 
 use crate::{
-    Overrides, Scene, Session, Setup, Status, catalogue,
+    Overrides, Run, Scene, Setup, Status,
     describe::{Entry, layers},
     exact::Distances,
     kernel::{Item, TourEnds, rng::Stream},
     params::{Domain, Value},
     scene::TourScene,
-    shipped,
+    shipped, standard,
 };
 
-fn session(planner: &str, scene: &str, params: &[(&'static str, &str)], seed: u64) -> Session {
+fn session(planner: &str, scene: &str, params: &[(&'static str, &str)], seed: u64) -> Run {
     let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
-    Session::new(Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
+    Run::new(standard(), Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
 
 #[test]
 fn whoever_can_build_roads_is_in_the_catalogue() {
     for builder in super::parameters::BUILDERS {
-        let entry = catalogue::find(builder.value).unwrap();
+        let entry = standard().planner(builder.value).unwrap();
         assert!(!entry.stops && entry.parameter("smooth").is_some(), "{}", builder.value);
     }
 }
@@ -43,16 +43,16 @@ fn a_road_that_touches_an_obstacle_is_not_found() {
     // A wall with one gap far away: a path with one corner at the start of the search does not fit through.
     let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "w", "title": "W", "cell": 1,
         "rows": [".....", ".....", ".####", "....."], "start": [4.5, 0.5], "goal": [4.5, 3.5]}"#;
-    let scene = Arc::new(Scene::from_json(text).unwrap());
+    let scene = Arc::new(standard().read_scene(text).unwrap());
     let params: Overrides =
         [("iterations", 1.0), ("population", 1.0)].into_iter().map(|(name, value)| (name, Value::from(value))).collect();
     let setup = Setup { planner: "pso".into(), scene, params, seed: 1 };
     assert!(!{
-        let mut session = Session::new(setup.clone()).unwrap();
+        let mut session = Run::new(standard(), setup.clone()).unwrap();
         session.step(u64::MAX);
         session.outcome().feasible
     });
-    let found = crate::session::run_to_end(setup).unwrap();
+    let found = crate::run::run_to_end(standard(), setup).unwrap();
     assert_eq!((found.cost, found.path), (None, Vec::new()));
 }
 
@@ -66,8 +66,11 @@ fn roads_are_the_same_whoever_builds_them() {
         if !jobs.is_empty() {
             let scene = Arc::clone(helped.scene());
             // Backwards, one by one.
-            let mut found: Vec<_> =
-                jobs.iter().rev().map(|job| crate::session::run_subtasks(&scene, std::slice::from_ref(job)).unwrap().remove(0)).collect();
+            let mut found: Vec<_> = jobs
+                .iter()
+                .rev()
+                .map(|job| crate::run::run_subtasks(standard(), &scene, std::slice::from_ref(job)).unwrap().remove(0))
+                .collect();
             found.reverse();
             helped.provide(found);
         }
@@ -101,32 +104,32 @@ fn with_exact_roads_the_bats_find_the_exact_tour_for_every_round() {
 fn a_stop_behind_walls_is_named() {
     let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "w", "title": "W", "cell": 1,
         "rows": ["..#.", "..#.", "..#."], "stops": [[0.5, 0.5], [1.5, 2.5], [3.5, 0.5]]}"#;
-    let scene = Arc::new(crate::Scene::from_json(text).unwrap());
+    let scene = Arc::new(standard().read_scene(text).unwrap());
     let setup = Setup { planner: "bat".into(), scene, params: Overrides::new(), seed: 1 };
-    let error = Session::new(setup).err().unwrap();
+    let error = Run::new(standard(), setup).err().unwrap();
     assert_eq!((error.field(), error.value()), ("stops[2]", "(3.5, 0.5)"));
 }
 
 const ROUNDS: [&str; 4] = ["closed", "open", "from-first", "first-to-last"];
 
 fn tour_planners() -> impl Iterator<Item = &'static Entry> {
-    catalogue::PLANNERS.iter().filter(|entry| entry.family == "tour")
+    standard().planners().iter().copied().filter(|entry| entry.family == "tour")
 }
 
 /// Stops here and there.
 fn stops(n: usize, rng: &mut Stream) -> Arc<Scene> {
     let points: Vec<_> = (0..n).map(|_| [rng.between(0.0, 10.0), rng.between(0.0, 10.0)]).collect();
     let text = format!(r#"{{"format": "forage-scene", "version": 1, "kind": "tour", "name": "t", "title": "T", "points": {points:?}}}"#);
-    Arc::new(Scene::from_json(&text).unwrap())
+    Arc::new(standard().read_scene(&text).unwrap())
 }
 
 fn distances(scene: &Scene) -> &Distances {
     scene.get::<TourScene>().unwrap().distances()
 }
 
-fn run(planner: &str, scene: &Arc<Scene>, params: &[(&'static str, Value)], seed: u64) -> Session {
+fn run(planner: &str, scene: &Arc<Scene>, params: &[(&'static str, Value)], seed: u64) -> Run {
     let params: Overrides = params.iter().cloned().collect();
-    Session::new(Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }).unwrap()
+    Run::new(standard(), Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
 fn names(entry: &Entry, parameter: &str) -> bool {
@@ -134,7 +137,7 @@ fn names(entry: &Entry, parameter: &str) -> bool {
 }
 
 /// The tour of every member is a permutation with the ends that it should have and as long as it says.
-fn check_members(session: &mut Session, round: TourEnds) {
+fn check_members(session: &mut Run, round: TourEnds) {
     let scene = Arc::clone(session.scene());
     let n = scene.stops().len();
     for index in 0.. {
@@ -252,7 +255,7 @@ fn held_and_karp_take_no_more_stops_than_they_say() {
     let mut rng = Stream::new(14, 0);
     let refused = |n: usize, rng: &mut Stream| {
         let setup = Setup { planner: "held-karp".into(), scene: stops(n, rng), params: Overrides::new(), seed: 1 };
-        Session::new(setup).err().map(|error| (error.field().to_owned(), error.value().to_owned(), error.allowed().to_owned()))
+        Run::new(standard(), setup).err().map(|error| (error.field().to_owned(), error.value().to_owned(), error.allowed().to_owned()))
     };
     assert_eq!(refused(15, &mut rng), None);
     let (field, value, allowed) = refused(16, &mut rng).unwrap();
@@ -302,8 +305,8 @@ fn an_optimum_that_is_longer_than_what_is_found_is_none() {
     let text = shipped("random-52").unwrap().to_json();
     let mut file: serde_json::Value = serde_json::from_str(&text).unwrap();
     file["exact"] = serde_json::json!({"length": 100_000});
-    let scene = Arc::new(crate::Scene::from_value(file).unwrap());
-    let mut session = Session::new(Setup { planner: "two-opt".into(), scene, params: Overrides::new(), seed: 1 }).unwrap();
+    let scene = Arc::new(standard().read_scene_value(file).unwrap());
+    let mut session = Run::new(standard(), Setup { planner: "two-opt".into(), scene, params: Overrides::new(), seed: 1 }).unwrap();
     session.step(u64::MAX);
     let outcome = session.outcome();
     assert_eq!((outcome.exact, outcome.gap, outcome.exact_by), (None, None, crate::kernel::ReferenceOptimum::Refuted));
@@ -311,11 +314,11 @@ fn an_optimum_that_is_longer_than_what_is_found_is_none() {
 
 #[test]
 fn ants_that_build_no_road_are_told_of() {
-    let text = crate::scene::generate::generate("maze", &[("stops", Value::from(3.0))].into_iter().collect(), 2).unwrap().to_json();
-    let scene = Arc::new(crate::Scene::from_json(&text).unwrap());
+    let text = standard().generate("maze", &[("stops", Value::from(3.0))].into_iter().collect(), 2).unwrap().to_json();
+    let scene = Arc::new(standard().read_scene(&text).unwrap());
     let run = |roads: &str| {
         let params: Overrides = [("roads", Value::from(roads)), ("iterations", Value::from(5.0))].into_iter().collect();
-        let mut session = Session::new(Setup { planner: "held-karp".into(), scene: Arc::clone(&scene), params, seed: 1 }).unwrap();
+        let mut session = Run::new(standard(), Setup { planner: "held-karp".into(), scene: Arc::clone(&scene), params, seed: 1 }).unwrap();
         session.step(u64::MAX);
         session.outcome()
     };

@@ -18,7 +18,7 @@ use crate::{
 
 use super::{
     Search,
-    explain::quantity,
+    explain::{SYMBOLS, quantity},
     local::Local,
     moves,
     parameters::{
@@ -307,6 +307,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_SWAPS])
 .formulas(&[VELOCITY, POSITION, LENGTH])
+.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("All tours", "The tour of every particle.").off().pickable(),

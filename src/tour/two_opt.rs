@@ -10,6 +10,7 @@ use crate::{
 
 use super::{
     Search,
+    explain::SYMBOLS,
     local::Local,
     nearest::nearest_neighbour,
     parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, ITERATIONS, KINDS, LAYERS, LENGTH, TOURS},
@@ -105,5 +106,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, BUILT, FAILED, BY_ROAD, FOUND, MOVES_MADE, LAST_GAIN])
 .formulas(&[TWO_OPT, LENGTH])
+.symbols(SYMBOLS)
 .layers(LAYERS)
 .calls_at_stops();

@@ -11,7 +11,7 @@ use super::{
 };
 
 /// The TeX strings that inspections use.
-pub const SYMBOLS: &[&str] =
+pub(super) const SYMBOLS: &[&str] =
     &["\\varphi", "p", "L", "d", "d_i", "g", "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert", "p_i", "\\varphi_i", "x", "y", "z"];
 
 const ANGLE: Column = Column { name: "angle", symbol: "\\varphi_i", title: "angle with the goal’s direction, in degrees" };

@@ -36,8 +36,6 @@ mod vector;
 
 use crate::{describe::Start, kernel::Error};
 
-pub use explain::SYMBOLS;
-
 use grow::{Grown, Method};
 use parameters::MARGIN;
 use task::Task;

@@ -7,6 +7,7 @@ use crate::{
 
 use super::{
     draw::LAYERS,
+    explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     grow::{Forest, Grown, Method, Source},
     parameters::{BIAS, FINISH, FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP},
@@ -37,6 +38,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FITTED, HERMITE])
+.symbols(SYMBOLS)
 .layers(LAYERS);
 
 /// The planner behind the entry.

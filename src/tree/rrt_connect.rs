@@ -7,6 +7,7 @@ use crate::{
 
 use super::{
     draw::CONNECT_LAYERS,
+    explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     grow::{Forest, Grown, Method, Source},
     parameters::{FINISH, FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP},
@@ -27,6 +28,7 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry(), STEP.entry()], FINISH])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FITTED, HERMITE])
+.symbols(SYMBOLS)
 .layers(CONNECT_LAYERS);
 
 /// The planner behind the entry.

@@ -18,6 +18,7 @@ use crate::{
 
 use super::{
     draw::GUIDED_LAYERS,
+    explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     grow::{By, Forest, Grown, Method, Sample, SampleOutcome, Source},
     parameters::{FINISH, FORMULA_STEP, ITERATIONS, KEEP, KINDS, READINGS, SAMPLES, STEP},
@@ -88,6 +89,7 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry(), STEP.entry(), SAMPLES.entry(), KEEP.entry(), CHOICE.entry(), FALLBACK.entry()], FINISH])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FITTED, HERMITE])
+.symbols(SYMBOLS)
 .layers(GUIDED_LAYERS);
 
 /// The planner behind the entry.

@@ -11,6 +11,7 @@ use crate::{
 
 use super::{
     draw::CONNECT_LAYERS,
+    explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     grow::Grown,
     joints::{GOALS, Joints, RADIUS, RESOLUTION},
@@ -35,6 +36,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FITTED, HERMITE])
+.symbols(SYMBOLS)
 .layers(CONNECT_LAYERS)
 .members(MEMBERS);
 

@@ -11,6 +11,7 @@ use crate::{
 
 use super::{
     draw::LAYERS,
+    explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     forest::NONE,
     grow::{Forest, Grown, Method, SampleOutcome, Source},
@@ -42,6 +43,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FORMULA_RADIUS, FORMULA_INFORMED, FITTED, HERMITE])
+.symbols(SYMBOLS)
 .layers(LAYERS);
 
 /// The planner behind the entry.

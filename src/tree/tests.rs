@@ -3,13 +3,12 @@
 use std::sync::Arc;
 
 use crate::{
-    Overrides, Scene, Session, Setup, Status, Value,
-    catalogue::PLANNERS,
+    Overrides, Run, Scene, Setup, Status, Value,
     describe::layers,
     kernel::{Item, Progress, State, rng::Stream},
     params::Parameters,
     scene::ARM,
-    shipped,
+    shipped, standard,
 };
 
 use super::{
@@ -24,13 +23,13 @@ use super::{
 
 const TREES: [&str; 4] = ["rrt", "rrt-guided", "rrt-connect", "rrt-star"];
 
-fn session(planner: &str, scene: &str, given: &[(&str, Value)], seed: u64) -> Session {
+fn session(planner: &str, scene: &str, given: &[(&str, Value)], seed: u64) -> Run {
     let params: Overrides = given.iter().map(|(name, value)| (*name, value.clone())).collect();
-    Session::new(Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
+    Run::new(standard(), Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
 
 fn start<'a>(scene: &'a Arc<Scene>, parameters: &'a Parameters, seed: u64) -> Start<'a> {
-    Start { scene, parameters, seed, entries: &PLANNERS }
+    Start { scene, parameters, seed, entries: &**standard() }
 }
 
 fn number(value: f64) -> Value {
@@ -41,11 +40,11 @@ fn number(value: f64) -> Value {
 fn plane() -> Arc<Scene> {
     let text = r#"{"format": "forage-scene", "version": 1, "kind": "discs", "name": "p", "title": "P",
         "bounds": {"min": [0, 0], "max": [10, 10]}, "start": [1, 5], "goal": [9, 5], "discs": [{"center": [5, 5], "radius": 1}]}"#;
-    Arc::new(Scene::from_json(text).unwrap())
+    Arc::new(standard().read_scene(text).unwrap())
 }
 
 fn task(scene: &Arc<Scene>, planner: &str) -> Task<3> {
-    let entry = crate::catalogue::find(planner).unwrap();
+    let entry = crate::standard().planner(planner).unwrap();
     let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
     Task::new(space::of_scene(scene, settings[MARGIN]).unwrap(), &settings, 0.0)
 }
@@ -155,7 +154,7 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
         let scene = shipped(scene).unwrap();
         for seed in 0..4 {
             for planner in TREES {
-                let entry = crate::catalogue::find(planner).unwrap();
+                let entry = crate::standard().planner(planner).unwrap();
                 let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
                 // The planner behind the entry, with its parts open.
                 let start = start(&scene, &settings, seed);
@@ -174,7 +173,7 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
 fn without_the_fallback_no_step_is_plain() {
     let scene = shipped("arm-cuboid").unwrap();
     let given = [("fallback", "false".into())].into_iter().collect();
-    let settings = Parameters::new(crate::catalogue::find("rrt-guided").unwrap().parameters, ARM, &given).unwrap();
+    let settings = Parameters::new(crate::standard().planner("rrt-guided").unwrap().parameters, ARM, &given).unwrap();
     let (mut guided, mut nothing) = (0, 0);
     for seed in 0..10 {
         let mut grown = rrt_guided::grown(&start(&scene, &settings, seed)).unwrap();
@@ -192,7 +191,7 @@ fn without_the_fallback_no_step_is_plain() {
 #[test]
 fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_double_back() {
     let scene = shipped("arm-cuboid").unwrap();
-    let entry = crate::catalogue::find("rrt-guided").unwrap();
+    let entry = crate::standard().planner("rrt-guided").unwrap();
     let settings = Parameters::new(entry.parameters, ARM, &Overrides::new()).unwrap();
     let (mut guided, mut fell_back, mut chosen) = (0, 0, [0; 4]);
     for seed in 0..40 {
@@ -243,7 +242,7 @@ fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_doubl
 #[test]
 fn by_distance_the_wheel_keeps_four_and_the_nearest_that_is_free_is_taken() {
     let scene = shipped("arm-cuboid").unwrap();
-    let entry = crate::catalogue::find("rrt-guided").unwrap();
+    let entry = crate::standard().planner("rrt-guided").unwrap();
     let settings = Parameters::new(entry.parameters, ARM, &Overrides::from_iter([("choice", Value::from("distance"))])).unwrap();
     let (mut taken, mut nearest_kept, mut extensions) = (0, 0, 0);
     for seed in 0..40 {

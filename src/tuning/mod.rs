@@ -13,4 +13,3 @@ mod swarm;
 mod tests;
 
 pub use entry::ENTRY;
-pub use parameters::SYMBOLS;

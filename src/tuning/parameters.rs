@@ -100,7 +100,7 @@ pub(super) const VELOCITY: Formula = Formula::new(
 );
 
 /// The TeX strings that inspections use.
-pub const SYMBOLS: &[&str] = &["x", "v", "p", "g", "\\bar L", "\\bar t^*", "\\bar L_p", "\\bar L_g"];
+pub(super) const SYMBOLS: &[&str] = &["x", "v", "p", "g", "\\bar L", "\\bar t^*", "\\bar L_p", "\\bar L_g"];
 
 /// What the swarm tells: of its particles, and the best value of each parameter that is searched.
 pub(super) const READINGS: &[Reading] = &[

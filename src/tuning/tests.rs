@@ -4,28 +4,27 @@ use std::sync::Arc;
 
 use super::{planner::start, swarm::*, *};
 use crate::{
-    Session, Setup,
-    catalogue::{self, PLANNERS},
+    Run, Setup,
     describe::{Entry, Start},
     kernel::Subtask,
     kernel::{SubtaskResult, rng::Stream},
     math,
     params::{Parameters, Value},
-    session, shipped,
+    shipped, standard,
 };
 
-fn session(params: &[(&str, &str)]) -> Session {
+fn session(params: &[(&str, &str)]) -> Run {
     let params = [("population", "3"), ("seeds", "2"), ("colony_iterations", "4"), ("iterations", "5")]
         .iter()
         .chain(params)
         .map(|&(name, value)| (name, Value::from(value)))
         .collect();
-    Session::new(Setup { planner: "pso-tuning".into(), scene: shipped("wolf-ant-20").unwrap(), params, seed: 1 }).unwrap()
+    Run::new(standard(), Setup { planner: "pso-tuning".into(), scene: shipped("wolf-ant-20").unwrap(), params, seed: 1 }).unwrap()
 }
 
 #[test]
 fn every_number_of_every_colony_can_be_tuned() {
-    let colonies = PLANNERS.iter().filter(|entry| entry.family == "ants");
+    let colonies = standard().planners().iter().copied().filter(|entry| entry.family == "ants");
     let numbers = colonies.flat_map(Entry::all_parameters).filter_map(Axis::new).map(|axis| axis.parameter.name);
     let known: Vec<_> = parameters::TUNABLE.iter().map(|option| option.value).collect();
     let mut count = 0;
@@ -40,7 +39,7 @@ fn every_number_of_every_colony_can_be_tuned() {
 #[test]
 fn an_axis_goes_through_its_slider_s_range_evenly_or_by_magnitudes() {
     let axis = |name| {
-        let colony = catalogue::find("aco-wolf").unwrap();
+        let colony = standard().planner("aco-wolf").unwrap();
         Axis::new(colony.parameter(name).unwrap()).unwrap()
     };
     let q = axis("q");
@@ -64,7 +63,7 @@ fn supplied_findings_give_the_same_run() {
             params: job.params.clone(),
             seed: job.seed,
         };
-        let mut found: Vec<_> = jobs.iter().rev().map(|job| session::run_to_end(setup(job)).unwrap()).collect();
+        let mut found: Vec<_> = jobs.iter().rev().map(|job| crate::run::run_to_end(standard(), setup(job)).unwrap()).collect();
         found.reverse();
         helped.provide(found);
         assert!(helped.subtasks().is_empty(), "they are done");
@@ -91,7 +90,7 @@ fn what_it_recommends_gives_what_it_says() {
     let costs = [(); 2].map(|()| {
         let seed = rng.below(1 << 31) as u64;
         let setup = Setup { planner: tuned.planner.into(), scene: Arc::clone(tuning.scene()), params: tuned.params.clone(), seed };
-        session::run_to_end(setup).unwrap().cost.unwrap()
+        crate::run::run_to_end(standard(), setup).unwrap().cost.unwrap()
     });
     assert_eq!(outcome.cost.unwrap(), costs.iter().sum::<f64>() / 2.0);
 }
@@ -99,7 +98,7 @@ fn what_it_recommends_gives_what_it_says() {
 #[test]
 fn a_subset_that_the_colony_has_not_is_refused() {
     let params = [("colony", Value::from("aco")), ("tune", Value::from("gamma,epsilon"))].into_iter().collect();
-    let refused = Session::new(Setup { planner: "pso-tuning".into(), scene: shipped("wolf-ant-20").unwrap(), params, seed: 1 });
+    let refused = Run::new(standard(), Setup { planner: "pso-tuning".into(), scene: shipped("wolf-ant-20").unwrap(), params, seed: 1 });
     assert_eq!(refused.err().unwrap().field(), "tune");
 }
 
@@ -109,8 +108,8 @@ fn a_particle_flies_by_the_equation_and_stays_in_its_range() {
     let scene = shipped("wolf-ant-20").unwrap();
     let given = [("w", Value::from(0.5)), ("c1", Value::from(0.0)), ("c2", Value::from(0.0)), ("tune", Value::from("beta"))];
     let settings = Parameters::new(ENTRY.parameters, scene.kind(), &given.into_iter().collect()).unwrap();
-    start(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &PLANNERS }).unwrap();
-    let colony = catalogue::find("aco-wolf").unwrap();
+    start(&Start { scene: &scene, parameters: &settings, seed: 1, entries: &**standard() }).unwrap();
+    let colony = standard().planner("aco-wolf").unwrap();
     let axes: Vec<_> = colony.parameter("beta").into_iter().filter_map(Axis::new).collect();
     let mut swarm = Tuning {
         scene,

@@ -5,13 +5,14 @@ use wasm_bindgen::prelude::*;
 
 use crate::{
     Error,
+    run::trial::{self, WITHIN},
     statistics::{self, Group},
-    trial::{self, WITHIN},
 };
 
 use super::{
     js_error, object, plain,
     read::read_setup,
+    registry::registry,
     status,
     types::{JsComparison, JsGroups, JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
 };
@@ -28,7 +29,7 @@ impl Trial {
     /// As the constructor of `Session`, and for a `within` that is no number from 0 to 1,000,000.
     #[wasm_bindgen(constructor)]
     pub fn new(setup: &JsSetup, within: Option<f64>) -> Result<Trial, JsValue> {
-        trial::Trial::new(read_setup(setup)?, within.unwrap_or(WITHIN)).map(Trial).map_err(|error| js_error(&error))
+        trial::Trial::new(registry(), read_setup(setup)?, within.unwrap_or(WITHIN)).map(Trial).map_err(|error| js_error(&error))
     }
 
     /// Takes up to `n` steps, all there are unless given; stops where the planner does.
@@ -45,13 +46,13 @@ impl Trial {
     /// How many iterations were taken to come here.
     #[wasm_bindgen(getter)]
     pub fn iteration(&mut self) -> f64 {
-        self.0.session().iteration() as f64
+        self.0.run().iteration() as f64
     }
 
     /// The iteration at which the run ends at the latest.
     #[wasm_bindgen(getter)]
     pub fn limit(&mut self) -> f64 {
-        self.0.session().limit() as f64
+        self.0.run().limit() as f64
     }
 
     /// What the run came to so far.
@@ -72,7 +73,7 @@ impl Trial {
 
     /// A link that opens the run where it stands, in the page and in the shell; begins with `#`.
     pub fn link(&mut self) -> String {
-        self.0.session().link()
+        self.0.run().link().unwrap_or_default()
     }
 }
 

@@ -3,14 +3,12 @@
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, prelude::*};
 
-use crate::scene::{
-    formats::{self, Format, NamedFile},
-    generate,
-};
+use crate::scene::formats::{self, Format, NamedFile};
 
 use super::{
     JsFormat, JsGiven, JsImported, JsNamedFiles, JsScene, js_error, object, plain,
     read::{property, read_list, read_parameters, read_scene, read_text, refused, whole},
+    registry::registry,
 };
 
 /// The scene in some files: a `.map`, alone or with a `.scen`; a `.yaml` with its `.pgm`; a `.tsp` or a scene's `.json`,
@@ -23,7 +21,7 @@ use super::{
 pub fn import_scene(files: &JsNamedFiles, problem: Option<f64>) -> Result<JsImported, JsValue> {
     let files = read_list("files", files)?.iter().map(read_file).collect::<Result<Vec<_>, _>>()?;
     let problem = problem.map(|number| whole("problem", number)).transpose()?.map(|number| number as usize);
-    formats::import(&files, problem).map(|read| plain(&read)).map_err(|error| js_error(&error))
+    formats::import(registry(), &files, problem).map(|read| plain(&read)).map_err(|error| js_error(&error))
 }
 
 /// A scene's files in another format.
@@ -49,7 +47,7 @@ pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, 
 #[wasm_bindgen(js_name = generateScene)]
 pub fn generate_scene(name: &str, params: &JsGiven, seed: f64) -> Result<JsScene, JsValue> {
     let given = read_parameters(params)?;
-    generate::generate(name, &given, whole("seed", seed)?).map(|scene| plain(&scene)).map_err(|error| js_error(&error))
+    registry().generate(name, &given, whole("seed", seed)?).map(|scene| plain(&scene)).map_err(|error| js_error(&error))
 }
 
 /// A file as an object.

@@ -11,6 +11,7 @@ mod convert;
 mod formats;
 mod inspection;
 mod read;
+mod registry;
 mod types;
 
 use std::sync::Arc;
@@ -22,19 +23,18 @@ use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
 use crate::{
     Error, Frame, Link, Overrides, Scene,
-    catalogue::find,
-    drive,
+    describe::Extra,
     geometry::Bounds,
     kernel::{Status, rng},
-    params::as_object,
-    picture,
+    params::Object,
+    picture, run,
     scene::formats::tour_file,
-    session,
 };
 
 pub use arm::{arm_pose, arm_solutions, reachability};
 pub use batch::{Trial, compare};
 pub use formats::{export_scene, generate_scene, import_scene};
+pub use registry::know;
 pub use types::*;
 
 use convert::{js_error, object, plain};
@@ -42,11 +42,7 @@ use inspection::{InspectionView, ItemView};
 use read::{
     read_ends, read_item, read_kind, read_layer, read_list, read_parameter, read_parameters, read_point, read_scene, read_setup, read_text,
 };
-
-#[wasm_bindgen(start)]
-fn start() {
-    console_error_panic_hook::set_once();
-}
+use registry::registry;
 
 fn status(status: Status) -> JsStatus {
     plain(&status)
@@ -55,7 +51,7 @@ fn status(status: Status) -> JsStatus {
 /// Every planner with its parameters, the scenes that ship, and the names of layers and shapes.
 #[wasm_bindgen]
 pub fn catalogue() -> JsCatalogue {
-    plain(&crate::catalogue())
+    plain(&registry().catalogue())
 }
 
 /// Takes a link apart without running it.
@@ -74,7 +70,7 @@ pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
         #[serde(skip_serializing_if = "Option::is_none")]
         hash: Option<&'a str>,
     }
-    let Link { setup, iteration, hash } = Link::parse(link).map_err(|error| js_error(&error))?;
+    let Link { setup, iteration, hash, .. } = Link::parse(registry(), link).map_err(|error| js_error(&error))?;
     Ok(plain(&LinkSetup {
         planner: &setup.planner,
         scene: &setup.scene,
@@ -100,7 +96,7 @@ pub fn check_scene(scene: &JsScene) -> Result<JsScene, JsValue> {
 /// An `Error` with `field`, `value` and `allowed`.
 #[wasm_bindgen(js_name = checkParameter)]
 pub fn check_parameter(planner: &str, kind: &JsKind, name: &str, value: &JsParameterValue) -> Result<(), JsValue> {
-    let entry = find(planner).map_err(|error| js_error(&error))?;
+    let entry = registry().planner(planner).map_err(|error| js_error(&error))?;
     let kind = read_kind(kind)?;
     let known = || entry.parameters_on(kind);
     let parameter =
@@ -114,7 +110,7 @@ pub fn check_parameter(planner: &str, kind: &JsKind, name: &str, value: &JsParam
 /// As the constructor of `Session`.
 #[wasm_bindgen]
 pub fn suggest(setup: &JsSetup) -> Result<JsSuggestionOrNull, JsValue> {
-    read_setup(setup)?.suggest().map(|suggestion| plain(&suggestion)).map_err(|error| js_error(&error))
+    read_setup(setup)?.suggest(registry()).map(|suggestion| plain(&suggestion)).map_err(|error| js_error(&error))
 }
 
 /// Carries out a run that a planner of planners needs (`Session.jobs`), to its end: the job and the scene it belongs to.
@@ -128,7 +124,7 @@ pub fn run_to_end(setup: &JsRun) -> Result<JsFinding, JsValue> {
     if let Some(ends) = ends {
         setup.scene = Arc::new(setup.scene.between(ends).map_err(|error| js_error(&error))?);
     }
-    session::run_to_end(setup).map(|found| plain(&found)).map_err(|error| js_error(&error))
+    run::run_to_end(registry(), setup).map(|found| plain(&found)).map_err(|error| js_error(&error))
 }
 
 /// A fresh seed from the system.
@@ -143,7 +139,7 @@ pub fn new_seed() -> Result<f64, JsValue> {
 /// One run: a scene, a planner with parameters and a seed, stepped, rewound, judged and shared.
 #[wasm_bindgen]
 pub struct Session {
-    run: session::Session,
+    run: run::Run,
     frame: Frame,
 }
 
@@ -156,7 +152,7 @@ impl Session {
     #[wasm_bindgen(constructor)]
     pub fn new(setup: &JsSetup) -> Result<Session, JsValue> {
         let setup = read_setup(setup)?;
-        session::Session::new(setup).map(Session::of).map_err(|error| js_error(&error))
+        run::Run::new(registry(), setup).map(Session::of).map_err(|error| js_error(&error))
     }
 
     /// The run that a link describes, at iteration 0.
@@ -165,10 +161,10 @@ impl Session {
     /// As the constructor, and for a link that cannot be read.
     #[wasm_bindgen(js_name = fromLink)]
     pub fn from_link(link: &str) -> Result<Session, JsValue> {
-        session::Session::from_link(link).map(Session::of).map_err(|error| js_error(&error))
+        run::Run::from_link(registry(), link).map(Session::of).map_err(|error| js_error(&error))
     }
 
-    fn of(run: session::Session) -> Self {
+    fn of(run: run::Run) -> Self {
         Self { run, frame: Frame::default() }
     }
 
@@ -244,12 +240,12 @@ impl Session {
     /// Every parameter's value.
     #[wasm_bindgen(getter)]
     pub fn parameters(&self) -> JsParameters {
-        plain(&Numbers(self.run.settings().all()))
+        plain(&Object(self.run.parameters().all()))
     }
 
     /// The numbers of this iteration, by name.
     pub fn readings(&mut self) -> JsReadings {
-        plain(&Numbers(&self.run.readings().iter().filter(|(_, value)| value.is_finite()).collect::<Vec<_>>()))
+        plain(&Object(&self.run.readings().iter().filter(|(_, value)| value.is_finite()).collect::<Vec<_>>()))
     }
 
     /// The kept readings of iterations after `after` (all of them for −1).
@@ -353,17 +349,7 @@ impl Session {
     /// # Errors
     /// An `Error` with `field`, `value` and `allowed` for a parameter that is refused.
     pub fn drive(&self, params: &JsGiven) -> Result<JsDriveOrNull, JsValue> {
-        let Some(drive) = self.run.drive(&read_parameters(params)?).map_err(|error| js_error(&error))? else {
-            return Ok(JsValue::NULL.unchecked_into());
-        };
-        let [length, width] = drive.outline;
-        Ok(object(&[
-            ("columns", plain(&drive::COLUMNS.iter().map(|column| column.name).collect::<Vec<_>>())),
-            ("rows", Float64Array::from(drive.rows.as_slice()).into()),
-            ("outcome", plain(&drive.outcome)),
-            ("outline", object(&[("length", length.into()), ("width", width.into())])),
-            ("parameters", plain(&Numbers(drive.settings.all()))),
-        ]))
+        self.follow("drive", params)
     }
 
     /// The scene's arm following the best path so far; null where there is no arm or no path.
@@ -371,16 +357,29 @@ impl Session {
     /// # Errors
     /// An `Error` with `field`, `value` and `allowed` for a parameter that is refused.
     pub fn motion(&self, params: &JsGiven) -> Result<JsMotionOrNull, JsValue> {
-        let Some(motion) = self.run.motion(&read_parameters(params)?).map_err(|error| js_error(&error))? else {
+        self.follow("motion", params)
+    }
+
+    fn follow<T: JsCast>(&self, follower: &str, params: &JsGiven) -> Result<T, JsValue> {
+        let overrides = read_parameters(params)?;
+        let known = registry().follower(follower).map_err(|error| js_error(&error))?;
+        let Some(followed) = self.run.follow(follower, &overrides).map_err(|error| js_error(&error))? else {
             return Ok(JsValue::NULL.unchecked_into());
         };
-        Ok(object(&[
-            ("columns", plain(&crate::arm::MOTION.columns.iter().map(|column| column.name).collect::<Vec<_>>())),
-            ("rows", Float64Array::from(motion.rows.as_slice()).into()),
-            ("skeletons", Float64Array::from(motion.skeletons.as_slice()).into()),
-            ("outcome", plain(&motion.outcome)),
-            ("parameters", plain(&Numbers(motion.settings.all()))),
-        ]))
+        let mut properties = vec![
+            ("columns", plain(&known.columns.iter().map(|column| column.name).collect::<Vec<_>>())),
+            ("rows", Float64Array::from(followed.rows()).into()),
+            ("outcome", plain(&&*followed.outcome())),
+            ("parameters", plain(&Object(followed.parameters().all()))),
+        ];
+        for (name, extra) in followed.extra() {
+            let value = match extra {
+                Extra::Rows(rows) => Float64Array::from(rows).into(),
+                Extra::Named(numbers) => plain(&Object(&numbers)),
+            };
+            properties.push((name, value));
+        }
+        Ok(object(&properties))
     }
 
     /// Why an item did what it did in the step that led here.
@@ -459,15 +458,6 @@ impl Session {
 
     /// A link that opens this very picture; begins with `#`.
     pub fn link(&self) -> String {
-        self.run.link()
-    }
-}
-
-/// Pairs as an object.
-struct Numbers<'a, V>(&'a [(&'static str, V)]);
-
-impl<V: Serialize> Serialize for Numbers<'_, V> {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        as_object(self.0, serializer)
+        self.run.link().unwrap_or_default()
     }
 }

@@ -6,12 +6,10 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use crate::{
     Error, Overrides, Scene, Setup, Value,
-    catalogue::layer_key,
     kernel::{Item, LayerKey, SceneKindId, rng},
-    scene::{KINDS, shipped},
 };
 
-use super::js_error;
+use super::{js_error, registry::registry};
 
 /// A value that is not what it must be.
 pub(super) fn refused(field: &str, value: &JsValue, allowed: &str) -> JsValue {
@@ -63,7 +61,7 @@ pub(super) fn read_parameters(value: &JsValue) -> Result<Overrides, JsValue> {
 
 pub(super) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
     match value.as_string() {
-        Some(name) => shipped(&name),
+        Some(name) => registry().scene(&name),
         None => same_scene(value),
     }
     .map_err(|error| js_error(&error))
@@ -79,16 +77,14 @@ fn same_scene(value: &JsValue) -> Result<Arc<Scene>, Error> {
         return Ok(scene);
     }
     let read = serde_wasm_bindgen::from_value(value.clone()).map_err(|problem| Error::malformed("scene", problem));
-    let scene = Arc::new(read.and_then(Scene::from_value)?);
+    let scene = Arc::new(read.and_then(|value| registry().read_scene_value(value))?);
     LAST.set(text.map(|text| (text, Arc::clone(&scene))));
     Ok(scene)
 }
 
 pub(super) fn read_kind(value: &JsValue) -> Result<SceneKindId, JsValue> {
     let name = read_text("kind", value)?;
-    let ids = || KINDS.iter().map(|kind| kind.id);
-    let known = ids().find(|id| id.name() == name);
-    known.ok_or_else(|| js_error(&Error::unknown("kind", &name, ids().map(SceneKindId::name))))
+    registry().kind(&name).map(|kind| kind.id).map_err(|error| js_error(&error))
 }
 
 pub(super) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
@@ -98,7 +94,7 @@ pub(super) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
 }
 
 pub(super) fn read_layer(name: &str) -> Result<LayerKey, JsValue> {
-    layer_key(name).map_err(|error| js_error(&error))
+    registry().layer_key(name).map_err(|error| js_error(&error))
 }
 
 pub(super) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {

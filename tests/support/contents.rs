@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use forage::{Frame, Session, kernel::Digest};
+use forage::{Frame, Run, kernel::Digest};
 
 /// Digests of what a run showed at its beginning, half way and at its end, by `planner on scene, seed, parameters`.
 pub type Contents = BTreeMap<String, [String; 3]>;
@@ -44,7 +44,7 @@ const OUTCOME: [&str; 19] = [
 ];
 
 /// The digest of what a session shows now: numbers bit by bit, and whatever is drawn, by the names of layers and shapes.
-pub fn shown(session: &mut Session) -> String {
+pub fn shown(session: &mut Run) -> String {
     let mut digest = Digest::default();
     let outcome = serde_json::to_value(session.outcome()).unwrap();
     for field in OUTCOME {

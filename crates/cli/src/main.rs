@@ -1,11 +1,8 @@
 //! The binary `forage`.
 
 #[cfg(not(target_arch = "wasm32"))]
-mod shell;
-
-#[cfg(not(target_arch = "wasm32"))]
 fn main() -> std::process::ExitCode {
-    shell::main()
+    forage_cli::main_with(forage::Registry::standard())
 }
 
 /// There is no shell in wasm.

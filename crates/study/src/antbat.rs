@@ -3,9 +3,10 @@
 use std::fs;
 
 use forage::{
-    Overrides, Session, Setup,
+    Overrides, Setup,
     kernel::{Error, ReferenceOptimum},
-    scene::{Scene, shipped},
+    scene::Scene,
+    shipped, standard,
 };
 
 use super::{
@@ -109,7 +110,7 @@ fn impossible(scene: &Scene) -> Result<Option<String>, Error> {
 
 /// The mean best length over the iterations, as CSV and as a picture.
 fn draw(report: &mut Report, scene: &Scene, setup: &Setup, found: &[Vec<Run>], options: &Options) -> Result<(), Failure> {
-    let iterations = Session::new(setup.clone())?.limit();
+    let iterations = forage::Run::new(standard(), setup.clone())?.limit();
     let means: Vec<_> = found.iter().map(|runs| mean_curve(runs, iterations)).collect();
     let mut table = Table::new("convergence", "Mean length of the best way", &["iteration", PLANNERS[0], PLANNERS[1], PLANNERS[2]]);
     for k in 0..iterations as usize {

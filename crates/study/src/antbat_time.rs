@@ -11,11 +11,11 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Setup, Value,
-    catalogue::find,
     exact::MAX_EXACT_STOPS,
     kernel::Error,
     math,
-    scene::{Scene, generate, shipped},
+    scene::{Scene, generate},
+    shipped, standard,
     statistics::Summary,
 };
 
@@ -199,7 +199,7 @@ fn tasks(scenes: &[Vec<Arc<Scene>>], threads: usize) -> Result<Vec<Task>, Error>
         let from = tasks.len();
         for (stops, scenes) in STOPS.into_iter().zip(scenes) {
             let takes_long = method.roads != ANTS && (scenes.len() as u64) < RUNS && stops > MOST_IN_SHORT;
-            if takes_long || find(method.planner)?.most_stops.is_some_and(|most| stops > most) {
+            if takes_long || standard().planner(method.planner)?.most_stops.is_some_and(|most| stops > most) {
                 continue;
             }
             tasks.extend((1..).zip(scenes).map(|(seed, scene)| Task {

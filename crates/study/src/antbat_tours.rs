@@ -11,7 +11,8 @@ use forage::{
     Setup, Value,
     exact::Distances,
     kernel::{Error, ReferenceOptimum, TourEnds},
-    scene::{Scene, shipped},
+    scene::Scene,
+    shipped,
     statistics::Summary,
 };
 

@@ -5,12 +5,7 @@ mod run;
 use std::sync::Arc;
 
 use forage::{
-    Overrides, Setup, Value,
-    arm::ArmScene,
-    geometry::length_in_space,
-    kernel::Error,
-    scene::{Scene, shipped},
-    statistics::Summary,
+    Overrides, Setup, Value, arm::ArmScene, geometry::length_in_space, kernel::Error, scene::Scene, shipped, statistics::Summary,
 };
 
 use super::{

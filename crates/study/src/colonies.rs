@@ -8,9 +8,10 @@ use std::{
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Overrides, Session, Setup, catalogue,
+    Overrides, Setup,
     kernel::{Error, ReferenceOptimum, Status},
     scene::{GridScene, Scene},
+    standard,
     statistics::Summary,
 };
 
@@ -96,7 +97,7 @@ impl Job for Task {
     }
 
     fn run(&self, _stop: &AtomicBool) -> Result<Option<Run>, Error> {
-        let mut session = Session::with_keyframes(self.0.clone(), 0)?;
+        let mut session = forage::Run::with_keyframes(standard(), self.0.clone(), 0)?;
         let (mut best, mut improved) = (f64::INFINITY, Vec::new());
         while session.status() == Status::Running {
             session.step(1);
@@ -132,7 +133,7 @@ impl Job for Task {
 
 /// A planner with the parameters that its paper prints, and these.
 pub(super) fn published(planner: &str, scene: &Arc<Scene>, params: &Overrides) -> Result<Setup, Error> {
-    let entry = catalogue::find(planner)?;
+    let entry = standard().planner(planner)?;
     let mut all = if entry.presets.is_empty() { Overrides::new() } else { entry.preset("paper", scene.kind())? };
     params.iter().for_each(|(name, value)| all.insert(name, value.clone()));
     Ok(Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params: all, seed: 1 })

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, sync::atomic::AtomicBool};
 
 use serde::{Deserialize, Serialize};
 
-use forage::{Overrides, Session, Setup, Value, kernel::Error, scene::shipped, statistics::Summary};
+use forage::{Overrides, Setup, Value, kernel::Error, shipped, standard, statistics::Summary};
 
 use super::{
     compared::{ComparedFigure, Computed, Published},
@@ -82,7 +82,7 @@ impl Case {
             sizes
         } else {
             // By ltqpso's equation for both planners: equal evaluations.
-            let (entry, settings) = Setup { planner: "ltqpso".to_owned(), ..setup.clone() }.check()?;
+            let (entry, settings) = Setup { planner: "ltqpso".to_owned(), ..setup.clone() }.check(standard())?;
             (entry.suggest)(&settings)
                 .map(|suggestion| [suggestion.population, suggestion.iterations])
                 .ok_or_else(|| Error::refused("segments", self.segments, "from 5 to 20"))?
@@ -144,7 +144,7 @@ impl Job for Task {
     #[expect(clippy::disallowed_types, reason = "the paper tells how long its runs took; no planner sees it")]
     fn run(&self, _stop: &AtomicBool) -> Result<Option<Run>, Error> {
         let begun = std::time::Instant::now();
-        let mut session = Session::with_keyframes(self.setup.clone(), 0)?;
+        let mut session = forage::Run::with_keyframes(standard(), self.setup.clone(), 0)?;
         session.step(u64::MAX);
         let ms = begun.elapsed().as_secs_f64() * 1e3;
         let raw_length = session.readings().get("length").unwrap_or(f64::NAN);

@@ -157,7 +157,7 @@ pub const TUNED: [(&str, f64); 5] = [("alpha", 1.0), ("beta", 7.0), ("rho", 0.36
 #[cfg(test)]
 mod tests {
     use super::{super::figure::Steps, *};
-    use forage::{Overrides, Value, shipped, statistics::Summary};
+    use forage::{Overrides, Value, shipped, standard, statistics::Summary};
 
     /// Where R² can be read it is what F and 16 points give, so the paper fits one point a D.
     #[test]
@@ -222,7 +222,7 @@ mod tests {
         }
         assert_eq!(wolf["turns"].as_f64(), Some(WOLF_ANT_TURNS.value));
         let paper = super::super::colonies::published("aco-wolf", &shipped("wolf-ant-20").unwrap(), &Overrides::new()).unwrap();
-        let used = paper.check().unwrap().1;
+        let used = paper.check(standard()).unwrap().1;
         for (name, value) in TUNED {
             assert!(used.all().contains(&(name, Value::from(value))), "{name}");
         }

@@ -5,14 +5,11 @@ use std::sync::{Arc, atomic::AtomicBool};
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Overrides, Session, Setup, Value,
-    catalogue::PLANNERS,
+    Overrides, Setup, Value,
     describe::Entry,
     kernel::Error,
-    scene::{
-        GRID, Scene,
-        generate::{self, GENERATORS},
-    },
+    scene::{GRID, Scene},
+    standard,
     statistics::Summary,
 };
 
@@ -92,7 +89,7 @@ impl Job for Task {
     }
 
     fn run(&self, _stop: &AtomicBool) -> Result<Option<Run>, Error> {
-        let mut session = Session::with_keyframes(self.setup()?, 0)?;
+        let mut session = forage::Run::with_keyframes(standard(), self.setup()?, 0)?;
         session.step(u64::MAX);
         let outcome = session.outcome();
         let settled = outcome.readings.iter().find(|(name, _)| *name == "settled").map(|(_, value)| *value);
@@ -112,7 +109,7 @@ impl Job for Task {
 /// The planners that look for one path on a grid. Those that drive along paths or tune other planners do other work.
 fn planners() -> impl Iterator<Item = &'static Entry> {
     let finds_a_path = |entry: &&Entry| !entry.stops && !["dynamic", "tuning"].contains(&entry.family);
-    PLANNERS.iter().filter(|entry| entry.kinds.contains(&GRID)).filter(finds_a_path)
+    standard().planners().iter().copied().filter(|entry| entry.kinds.contains(&GRID)).filter(finds_a_path)
 }
 
 fn settings(side: u32) -> Overrides {
@@ -120,14 +117,14 @@ fn settings(side: u32) -> Overrides {
 }
 
 fn map(generator: &str, side: u32, map: u64) -> Result<Scene, Error> {
-    generate::generate(generator, &settings(side), map)
+    standard().generate(generator, &settings(side), map)
 }
 
 /// Map by map, so that a part of them says something of all planners.
 fn tasks(maps: u64) -> Vec<Task> {
     let mut tasks = Vec::new();
     for side in SIDES {
-        for generator in GENERATORS {
+        for generator in standard().generators_of(GRID) {
             for map in 1..=maps {
                 tasks.extend(planners().map(|entry| Task { planner: entry.name, generator: generator.name, side, map }));
             }
@@ -144,7 +141,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     report.shortened = (maps != MAPS).then(|| format!("{maps} maps of each kind instead of {MAPS}"));
     report.files.push(path);
     for side in SIDES {
-        for generator in GENERATORS {
+        for generator in standard().generators_of(GRID) {
             let some: Vec<&Run> = runs.iter().filter(|run| run.side == side && run.generator == generator.name).collect();
             report.tables.push(table(generator.name, side, maps, &some));
         }
@@ -156,7 +153,7 @@ fn run(options: &Options, control: &Control) -> Result<Report, Failure> {
     ];
     report.commands = SIDES
         .into_iter()
-        .flat_map(|side| GENERATORS.iter().map(move |generator| (generator.name, side)))
+        .flat_map(|side| standard().generators_of(GRID).map(move |generator| (generator.name, side)))
         .map(|(generator, side)| format!("forage generate {generator} --set columns={side} --set rows={side} --seed 1 --out map.json"))
         .collect();
     report.write(options)?;

@@ -6,13 +6,13 @@ use std::sync::{
 };
 
 use forage::{
-    Outcome, Overrides, Session, Setup,
-    catalogue::find,
+    Outcome, Overrides, Setup,
     describe::Preset,
     exact::Distances,
     kernel::{Error, ReferenceOptimum, Subtask, SubtaskResult},
+    run,
     scene::Scene,
-    session,
+    standard,
 };
 
 /// In the order of [ANTBAT] Table 2, and then two that it does not have.
@@ -20,7 +20,7 @@ pub(super) const PLANNERS: [&str; 7] = ["bat", "hybrid-bat", "ga", "tour-pso", "
 
 /// A planner's parameters as published, where its defaults are others: its preset `paper`.
 pub(super) fn published(planner: &str) -> Overrides {
-    let preset = find(planner).ok().and_then(|entry| entry.presets.iter().find(|preset| preset.name == "paper"));
+    let preset = standard().planner(planner).ok().and_then(|entry| entry.presets.iter().find(|preset| preset.name == "paper"));
     preset.map_or_else(Overrides::new, Preset::given)
 }
 
@@ -47,11 +47,11 @@ pub(super) struct Found {
 /// Carries a run out on these roads; `None` if `stop` said to give up.
 ///
 /// # Errors
-/// Whatever [`Session::new`] refuses.
+/// Whatever [`forage::Run::new`] refuses.
 #[expect(clippy::disallowed_types, reason = "the paper shows how long its runs took; no planner sees it")]
 pub(super) fn carry_out(setup: &Setup, network: &Network, stop: &AtomicBool) -> Result<Option<Found>, Error> {
     let Some(laid) = network.laid(setup, stop)? else { return Ok(None) };
-    let mut session = Session::with_keyframes(setup.clone(), 0)?;
+    let mut session = forage::Run::with_keyframes(standard(), setup.clone(), 0)?;
     let begun = std::time::Instant::now();
     for (jobs, found) in &laid.steps {
         // A planner that wants other roads builds them itself: then they count as time for the order.
@@ -79,7 +79,7 @@ impl Network {
 /// its own could come back to the network that it has locked.
 #[expect(clippy::disallowed_types, reason = "the paper shows how long its runs took; no planner sees it")]
 fn lay(setup: &Setup, stop: &AtomicBool) -> Result<Option<Laid>, Error> {
-    let mut session = Session::with_keyframes(setup.clone(), 0)?;
+    let mut session = forage::Run::with_keyframes(standard(), setup.clone(), 0)?;
     let (mut steps, mut ms) = (Vec::new(), 0.0);
     loop {
         let jobs = session.subtasks();
@@ -92,7 +92,7 @@ fn lay(setup: &Setup, stop: &AtomicBool) -> Result<Option<Laid>, Error> {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
             }
-            found.extend(session::run_subtasks(&setup.scene, std::slice::from_ref(job))?);
+            found.extend(run::run_subtasks(standard(), &setup.scene, std::slice::from_ref(job))?);
         }
         ms += begun.elapsed().as_secs_f64() * 1e3;
         session.provide(found.clone());
@@ -144,7 +144,7 @@ mod tests {
     #[test]
     fn shared_roads_give_the_same_run() {
         let (network, stop) = (Network::default(), AtomicBool::new(false));
-        let mut alone = Session::new(setup(3)).unwrap();
+        let mut alone = forage::Run::new(standard(), setup(3)).unwrap();
         alone.step(u64::MAX);
         for _ in 0..2 {
             let found = carry_out(&setup(3), &network, &stop).unwrap().unwrap();

@@ -11,9 +11,10 @@ use std::{
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Overrides, Session, Setup, Value,
+    Overrides, Setup, Value,
     kernel::{Error, Status},
     scene::Scene,
+    standard,
 };
 
 use super::{
@@ -78,7 +79,7 @@ impl Job for Task {
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Tuned>, Error> {
-        let mut session = Session::with_keyframes(self.0.clone(), 0)?;
+        let mut session = forage::Run::with_keyframes(standard(), self.0.clone(), 0)?;
         while session.status() == Status::Running {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);

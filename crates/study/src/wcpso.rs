@@ -5,12 +5,11 @@ use std::sync::atomic::AtomicBool;
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Overrides, Setup, Trial, Value, catalogue,
+    Overrides, Setup, Trial, Value,
     kernel::Error,
-    scene::shipped,
-    statistics::Summary,
-    statistics::{Group, compare},
-    trial::WITHIN,
+    run::trial::WITHIN,
+    shipped, standard,
+    statistics::{Group, Summary, compare},
 };
 
 use super::{
@@ -120,7 +119,7 @@ impl Job for Task {
     }
 
     fn run(&self, _stop: &AtomicBool) -> Result<Option<Run>, Error> {
-        let mut trial = Trial::new(self.setup.clone(), WITHIN)?;
+        let mut trial = Trial::new(standard(), self.setup.clone(), WITHIN)?;
         trial.step(u64::MAX);
         let record = trial.record();
         Ok(Some(Run {
@@ -174,7 +173,7 @@ struct Fit {
 fn fits() -> Result<Vec<Fit>, Error> {
     let mut fits = Vec::new();
     for (planner, name) in PLANNERS.iter().enumerate() {
-        match catalogue::find(name)?.presets.iter().find(|preset| preset.name == "fitted") {
+        match standard().planner(name)?.presets.iter().find(|preset| preset.name == "fitted") {
             Some(preset) => fits.push(Fit { planner, params: preset.given(), figures: 3 }),
             None => fits.push(Fit {
                 planner,

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use forage::{
     Overrides, Setup, Value, geometry,
     kernel::{Error, ReferenceOptimum},
-    scene::{Scene, shipped},
+    scene::Scene,
+    shipped,
 };
 
 use super::{

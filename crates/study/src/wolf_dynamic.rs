@@ -5,13 +5,10 @@ use std::sync::{Arc, atomic::AtomicBool};
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Overrides, Session, Setup, Status, Value,
+    Overrides, Setup, Status, Value,
     kernel::{Error, Event},
-    scene::{
-        GridScene, Scene,
-        generate::{self, GENERATORS},
-        shipped,
-    },
+    scene::{GridScene, Scene, generate},
+    shipped, standard,
     statistics::Summary,
 };
 
@@ -111,7 +108,7 @@ impl Job for Task {
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Run>, Error> {
-        let mut session = Session::with_keyframes(self.setup.clone(), 0)?;
+        let mut session = forage::Run::with_keyframes(standard(), self.setup.clone(), 0)?;
         while session.step(1000) == Status::Running {
             if stop.load(std::sync::atomic::Ordering::Relaxed) {
                 return Ok(None);
@@ -223,7 +220,7 @@ fn random(scenes: u64) -> Result<Vec<Setup>, Error> {
 
 fn one(k: u64) -> Result<Scene, Error> {
     let given = settings(k).into_iter().collect();
-    generate::generate(GENERATORS[0].name, &given, k)
+    standard().generate(generate::RANDOM.name, &given, k)
 }
 
 /// Grids like the published one, a quarter blocked.
@@ -234,7 +231,7 @@ fn settings(k: u64) -> [(&'static str, Value); 4] {
 
 fn make(k: u64) -> String {
     let set = settings(k).map(|(name, value)| format!("--set {name}={value}")).join(" ");
-    format!("forage generate {} {set} --seed {k} --out s.json", GENERATORS[0].name)
+    format!("forage generate {} {set} --seed {k} --out s.json", generate::RANDOM.name)
 }
 
 fn border(k: u64) -> &'static str {

@@ -106,9 +106,10 @@ mod tests {
     use crate::scene::formats::{Format, export as write, import as read};
 
     use super::*;
+    use crate::standard;
 
     fn table(text: &str) -> Result<Imported, Error> {
-        read(&[NamedFile::new("folder/a.csv", text)], None)
+        read(standard(), &[NamedFile::new("folder/a.csv", text)], None)
     }
 
     #[test]
@@ -126,7 +127,7 @@ mod tests {
             assert_eq!((tour.points.as_slice(), tour.metric), (&[[1.0, 2.0], [-3.5, 40.0]][..], Metric::Euclidean), "{text}");
             assert_eq!((read.scene.name(), read.notes.len()), ("a", notes));
         }
-        assert_eq!(read(&[NamedFile::new("points", "x,y\n1,2\n3,4\n")], None).unwrap().scene.stops().len(), 2);
+        assert_eq!(read(standard(), &[NamedFile::new("points", "x,y\n1,2\n3,4\n")], None).unwrap().scene.stops().len(), 2);
     }
 
     #[test]
@@ -160,8 +161,8 @@ mod tests {
         assert_eq!((written.files[0].name.as_str(), written.files[0].bytes.as_slice()), ("b.csv", &b"x,y\n1,2\n-3.5,40\n"[..]));
         assert!(written.notes.is_empty());
         let text = scene.to_json().replace("\"points\"", "\"metric\": \"att\", \"closed\": false, \"exact\": 3, \"points\"");
-        assert_eq!(write(&Scene::from_json(&text).unwrap(), Format::Csv, "b").unwrap().notes.len(), 3);
+        assert_eq!(write(&standard().read_scene(&text).unwrap(), Format::Csv, "b").unwrap().notes.len(), 3);
         let matrix = text.split("\"metric\"").next().unwrap().to_owned() + "\"matrix\": [[0, 1], [1, 0]]}";
-        assert_eq!(write(&Scene::from_json(&matrix).unwrap(), Format::Csv, "b").unwrap_err().field(), "points");
+        assert_eq!(write(&standard().read_scene(&matrix).unwrap(), Format::Csv, "b").unwrap_err().field(), "points");
     }
 }

@@ -15,7 +15,7 @@ mod ros;
 mod tests;
 mod tsplib;
 
-use crate::{kernel::Error, scene::GridScene};
+use crate::{describe::Registry, kernel::Error, scene::GridScene};
 
 use super::Scene;
 
@@ -160,13 +160,13 @@ fn sorted(files: &[NamedFile]) -> Result<Vec<(Sort, &NamedFile)>, Error> {
 ///
 /// # Errors
 /// [`Error::Malformed`] with the file, the line and what is wrong there, or the file that is missing;
-/// [`Error::Refused`] for a problem that there is not, and whatever [`Scene::from_json`] refuses.
-pub fn import(files: &[NamedFile], problem: Option<usize>) -> Result<Imported, Error> {
+/// [`Error::Refused`] for a problem that there is not, and whatever [`Registry::read_scene`] refuses.
+pub fn import(registry: &Registry, files: &[NamedFile], problem: Option<usize>) -> Result<Imported, Error> {
     let sorted = sorted(files)?;
     if let Some(problem) = problem.filter(|_| sorted.iter().all(|(sort, _)| *sort != Sort::Scen)) {
         return Err(Error::refused("problem", problem, "left out: there is no .scen file"));
     }
-    let json = |file: &NamedFile| Ok::<_, Error>(Imported::new(Scene::from_json(file.text()?)?, Vec::new()));
+    let json = |file: &NamedFile| Ok::<_, Error>(Imported::new(registry.read_scene(file.text()?)?, Vec::new()));
     match *sorted.as_slice() {
         [(Sort::Map, map)] => movingai::import(map, None, problem),
         [(Sort::Map, map), (Sort::Scen, scen)] => movingai::import(map, Some(scen), problem),

@@ -1,12 +1,6 @@
 //! What is read from each format, what is refused, and with which words.
 
-use crate::{
-    Scene,
-    exact::shortest_over_cells,
-    geometry::YAxis,
-    kernel::ReferenceOptimum,
-    scene::{GridScene, shipped},
-};
+use crate::{exact::shortest_over_cells, geometry::YAxis, kernel::ReferenceOptimum, scene::GridScene, shipped, standard};
 
 use super::*;
 
@@ -35,7 +29,7 @@ fn rows(imported: &Imported) -> Vec<String> {
 #[test]
 fn a_map_and_its_problems_are_read_and_the_exact_search_finds_their_optima() {
     let files = [file("some/folder/test.map", MAP), file("test.map.scen", SCEN)];
-    let read = import(&files, None).unwrap();
+    let read = import(standard(), &files, None).unwrap();
     assert_eq!(rows(&read), ["......", ".###..", "...#..", "......"]);
     assert_eq!(read.scene.ends(), Some(([0.5, 0.5], [5.5, 3.5])));
     assert_eq!((read.scene.name(), read.problems.len()), ("test", 2));
@@ -43,29 +37,29 @@ fn a_map_and_its_problems_are_read_and_the_exact_search_finds_their_optima() {
         assert!(text.contains(part), "{text}");
     }
     for (i, problem) in read.problems.iter().enumerate() {
-        let scene = import(&files, Some(i)).unwrap().scene;
+        let scene = import(standard(), &files, Some(i)).unwrap().scene;
         assert_eq!(scene.ends(), Some((problem.start, problem.goal)));
         let exact = scene.exact_by(ReferenceOptimum::Cells).unwrap().length;
         assert!((exact - problem.length).abs() < 1e-8, "{exact} {problem:?}");
     }
-    assert!(import(&files, Some(2)).unwrap_err().allowed().contains("from 0 to 1"));
+    assert!(import(standard(), &files, Some(2)).unwrap_err().allowed().contains("from 0 to 1"));
 }
 
 #[test]
 fn a_map_without_ends_gets_them_far_apart_in_its_largest_region() {
-    let read = import(&[file("a.map", "type octile\nheight 3\nwidth 6\nmap\n.@....\n@@@@@.\n.T....\n")], None).unwrap();
+    let read = import(standard(), &[file("a.map", "type octile\nheight 3\nwidth 6\nmap\n.@....\n@@@@@.\n.T....\n")], None).unwrap();
     assert_eq!(read.scene.ends(), Some(([2.5, 0.5], [2.5, 2.5])), "{:?}", read.notes);
     assert!(read.notes[0].contains("(2.5, 0.5)"));
     // The same picture, but y grows upwards: reading order begins at the top all the same.
     let picture = "P2 6 3 1 1 0 1 1 1 1 0 0 0 0 0 1 1 0 1 1 1 1";
-    let read = import(&[file("a.yaml", "image: a.pgm\nresolution: 2"), file("a.pgm", picture)], None).unwrap();
+    let read = import(standard(), &[file("a.yaml", "image: a.pgm\nresolution: 2"), file("a.pgm", picture)], None).unwrap();
     assert_eq!(rows(&read), [".#....", "#####.", ".#...."]);
     assert_eq!(read.scene.ends(), Some(([5.0, 5.0], [5.0, 1.0])));
 }
 
 #[test]
 fn an_occupancy_grid_is_read_with_its_thresholds() {
-    let read = |yaml: &str, picture: &[u8]| import(&[file("map/test.yaml", yaml), file("test.pgm", picture)], None).unwrap();
+    let read = |yaml: &str, picture: &[u8]| import(standard(), &[file("map/test.yaml", yaml), file("test.pgm", picture)], None).unwrap();
     let plain = read(YAML, PGM.as_bytes());
     assert_eq!(rows(&plain), ["..#.", "#.#."]);
     let grid = plain.scene.get::<GridScene>().unwrap();
@@ -168,24 +162,24 @@ fn every_malformed_file_is_refused_with_its_name_the_line_and_the_reason() {
         (vec![], "files: nothing is not allowed"),
     ];
     for (files, part) in cases {
-        let error = import(&files, None).unwrap_err();
+        let error = import(standard(), &files, None).unwrap_err();
         let message = error.to_string();
         assert!(message.contains(part), "{message}\nshould say\n{part}");
         assert!(matches!(error.field(), "scene" | "files" | "test.pgm") || error.field().starts_with("a."), "{message}");
     }
-    assert!(import(&map("", ""), Some(0)).unwrap_err().to_string().contains("problem: 0"));
+    assert!(import(standard(), &map("", ""), Some(0)).unwrap_err().to_string().contains("problem: 0"));
     assert_eq!(wanted(&[file("a.scen", SCEN)]).unwrap().as_deref(), Some("test.map"));
     assert_eq!(wanted(&map("", "")).unwrap(), None);
 }
 
 #[test]
 fn files_are_recognised_by_what_is_in_them_and_other_names_are_noted() {
-    let read = import(&[file("one", SCEN), file("two", MAP)], Some(0)).unwrap();
+    let read = import(standard(), &[file("one", SCEN), file("two", MAP)], Some(0)).unwrap();
     assert!(read.notes.iter().any(|note| note == "one belongs to test.map; two was taken."), "{:?}", read.notes);
-    let read = import(&[file("one.YML", YAML), file("two", PGM)], None).unwrap();
+    let read = import(standard(), &[file("one.YML", YAML), file("two", PGM)], None).unwrap();
     assert_eq!(read.scene.name(), "one");
     let scene = shipped("wcpso-discs").unwrap();
-    assert_eq!(import(&[file("x", scene.to_json())], None).unwrap().scene, *scene);
+    assert_eq!(import(standard(), &[file("x", scene.to_json())], None).unwrap().scene, *scene);
     assert_eq!(Format::of_file("a/b.SCEN"), Some(Format::MovingAi));
     assert_eq!((Format::of_file("a/map"), Format::named("png").unwrap_err().allowed()), (None, "movingai, ros, tsplib, csv, json"));
 }
@@ -201,7 +195,7 @@ fn what_a_format_has_no_place_for_is_said() {
     assert_eq!(export(&shipped("sphere").unwrap(), Format::Ros, "a").unwrap_err().field(), "kind");
     assert_eq!(export(&shipped("sphere").unwrap(), Format::Tsplib, "a").unwrap_err().allowed(), "tour");
     // Without a way there is no optimum, and so no .scen.
-    let split = import(&[file("a.json", shut("...#.", "[4.5, 0.5]"))], None).unwrap().scene;
+    let split = import(standard(), &[file("a.json", shut("...#.", "[4.5, 0.5]"))], None).unwrap().scene;
     let out = export(&split, Format::MovingAi, "a").unwrap();
     assert_eq!((out.files.len(), out.notes[0].contains("no way")), (1, true));
 }
@@ -217,12 +211,12 @@ fn shut(row: &str, goal: &str) -> String {
 #[test]
 fn shipped_grids_survive_the_way_through_every_format() {
     let mut grids = 0;
-    for scene in crate::shipped_names().filter(|scene| scene.get::<GridScene>().is_ok()) {
+    for scene in crate::standard().scenes().iter().filter(|scene| scene.get::<GridScene>().is_ok()) {
         let grid = scene.get::<GridScene>().unwrap();
         grids += 1;
         for format in [Format::MovingAi, Format::Ros, Format::Json] {
             let written = export(scene, format, scene.name()).unwrap();
-            let read = import(&written.files, None).unwrap();
+            let read = import(standard(), &written.files, None).unwrap();
             assert_eq!(rows(&read), grid.lines(), "{} as {}", scene.name(), format.name());
             if format == Format::MovingAi {
                 let exact = read.scene.exact_by(ReferenceOptimum::Cells).unwrap();
@@ -238,7 +232,10 @@ fn shipped_grids_survive_the_way_through_every_format() {
                 );
             }
         }
-        assert_eq!(Scene::from_json(str::from_utf8(&export(scene, Format::Json, "a").unwrap().files[0].bytes).unwrap()).unwrap(), **scene);
+        assert_eq!(
+            standard().read_scene(str::from_utf8(&export(scene, Format::Json, "a").unwrap().files[0].bytes).unwrap()).unwrap(),
+            **scene
+        );
     }
     assert!(grids >= 4);
 }

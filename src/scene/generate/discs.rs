@@ -1,15 +1,12 @@
 //! Discs in a square that do not touch each other, so that there is always a path between them: scenes of kind `discs`.
 
-use std::sync::Arc;
-
 use crate::{
+    describe::{Draft, Generator},
     geometry::{Bounds, Disc},
     kernel::rng::Stream,
     params::{Param, Parameters},
-    scene::{DiscsScene, MAX_DISCS, discs},
+    scene::{self, DiscsScene, MAX_DISCS},
 };
-
-use super::plot::{Draw, Generator, Made};
 
 const COUNT: Param<u64> = Param::integer("discs", "", "Discs", [0, MAX_DISCS as u64, 14], "How many.").slider(0.0, 50.0, false);
 const SIDE: Param<f64> =
@@ -17,12 +14,14 @@ const SIDE: Param<f64> =
 const RADIUS: Param<f64> =
     Param::number("radius", "", "Largest radius", [0.001, 0.5, 0.15], "As a share of the side; the smallest is a third of it.");
 
-pub(super) const DISCS: Generator = Generator {
+/// Discs in a square.
+pub const DISCS: Generator = Generator {
     name: "discs",
     title: "Random discs",
     help: "Discs in a square that do not touch, and a path from corner to corner.",
+    kind: scene::DISCS,
     parameters: &[&[COUNT.entry(), SIDE.entry(), RADIUS.entry()]],
-    draw: Draw::Other(&discs::KIND, draw),
+    draw,
 };
 
 /// How often another place is tried for a disc that would touch another one, or cover start or goal.
@@ -32,7 +31,8 @@ const DIGITS: f64 = 1000.0;
 /// Between two discs, and from a disc to start and goal, at least: a share of the side.
 const GAP: f64 = 0.005;
 
-fn draw(settings: &Parameters, stream: &mut Stream) -> Made {
+fn draw(settings: &Parameters, seed: u64) -> Draft {
+    let stream = &mut Stream::new(seed, 0);
     let [side, largest] = [settings[SIDE], settings[RADIUS]];
     let count = settings[COUNT] as usize;
     let (start, goal) = ([0.0; 2], [side; 2]);
@@ -51,5 +51,5 @@ fn draw(settings: &Parameters, stream: &mut Stream) -> Made {
     let there = discs.len();
     let note = (there < count).then(|| format!("There are {there} discs, not {count}: there is room for no more."));
     let bounds = Bounds { min: start, max: goal };
-    Made { body: Arc::new(DiscsScene { bounds, start, goal, discs }), size: there.to_string(), note }
+    Draft { note, ..Draft::new(DiscsScene { bounds, start, goal, discs }, there.to_string()) }
 }

@@ -1,14 +1,11 @@
 //! Test functions whose minimum is not in the middle of the search box: scenes of kind `function`.
 
-use std::sync::Arc;
-
 use crate::{
+    describe::{Draft, Generator},
     kernel::rng::Stream,
     params::{Choice, Param, ParamValue, Parameters},
-    scene::{Function, FunctionScene, MAX_DIMENSION, function},
+    scene::{self, Function, FunctionScene, MAX_DIMENSION},
 };
-
-use super::plot::{Draw, Generator, Made};
 
 const fn choice(function: Function, title: &'static str) -> Choice {
     Choice { value: function.name(), title, help: "" }
@@ -34,22 +31,25 @@ const FUNCTION: Param<Function> = Param::choice(
 const DIMENSION: Param<u64> =
     Param::integer("dimension", "D", "Dimension", [1, MAX_DIMENSION as u64, 2], "How many variables.").slider(1.0, 30.0, false);
 
-pub(super) const SHIFTED: Generator = Generator {
+/// A test function with its minimum somewhere else.
+pub const SHIFTED: Generator = Generator {
     name: "shifted",
     title: "Shifted function",
     help: "A test function whose minimum is not in the middle.",
+    kind: scene::FUNCTION,
     parameters: &[&[FUNCTION.entry(), DIMENSION.entry()]],
-    draw: Draw::Other(&function::KIND, draw),
+    draw,
 };
 
 /// How far the minimum is moved at most, as a share of the way to the rim.
 const REACH: f64 = 0.6;
 
-fn draw(settings: &Parameters, stream: &mut Stream) -> Made {
+fn draw(settings: &Parameters, seed: u64) -> Draft {
+    let stream = &mut Stream::new(seed, 0);
     let function = settings[FUNCTION];
     let dimension = settings[DIMENSION] as usize;
     let reach = REACH * (function.half_side() - function.minimiser());
     let shift = (0..dimension).map(|_| stream.between(-reach, reach)).collect();
     let size = format!("{}-{dimension}", function.name());
-    Made { body: Arc::new(FunctionScene { function, dimension, shift }), size, note: None }
+    Draft::new(FunctionScene { function, dimension, shift }, size)
 }

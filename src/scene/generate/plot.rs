@@ -1,60 +1,9 @@
-//! What a generator is, and the parameters that those of grids share.
-
-use std::sync::Arc;
+//! A grid in the making, and the parameters that generators of grids share.
 
 use crate::{
-    describe::SceneKind,
-    kernel::{SceneBody, SceneKindId, rng::Stream},
-    params::{Param, Parameter, Parameters},
-    scene::{MAX_GRID_STOPS, MAX_SIDE, grid},
+    params::Param,
+    scene::{MAX_GRID_STOPS, MAX_SIDE},
 };
-
-/// What a random scene is made of.
-#[derive(Debug, Clone, Copy)]
-pub struct Generator {
-    /// The name in commands.
-    pub name: &'static str,
-    /// The name for people.
-    pub title: &'static str,
-    /// A sentence or two.
-    pub help: &'static str,
-    /// Its parameters; every generator of grids has `columns`, `rows`, `cell` and, last, `stops` and those of moving obstacles.
-    pub parameters: &'static [&'static [Parameter]],
-    pub(super) draw: Draw,
-}
-
-impl Generator {
-    /// The kind of its scenes.
-    pub const fn kind(&self) -> SceneKindId {
-        self.draw.kind().id
-    }
-}
-
-/// How a generator draws.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Draw {
-    /// Blocks cells, and sees to it that there is a way.
-    Grid(fn(&Parameters, &mut Plot, &mut Stream)),
-    /// Makes a scene of this kind.
-    Other(&'static SceneKind, fn(&Parameters, &mut Stream) -> Made),
-}
-
-impl Draw {
-    pub(super) const fn kind(&self) -> &'static SceneKind {
-        match self {
-            Self::Grid(_) => &grid::KIND,
-            Self::Other(kind, _) => kind,
-        }
-    }
-}
-
-/// A scene without a name.
-pub(super) struct Made {
-    pub(super) body: Arc<dyn SceneBody>,
-    /// What the name says of it, between the generator's name and the seed.
-    pub(super) size: String,
-    pub(super) note: Option<String>,
-}
 
 pub(super) const COLUMNS: Param<u64> =
     Param::integer("columns", "", "Columns", [1, MAX_SIDE as u64, 40], "Cells a row.").slider(5.0, 200.0, true);

@@ -1,15 +1,12 @@
 //! Stops in the plane, evenly or in clusters: scenes of kind `tour`, with whole coordinates, as TSPLIB's instances have.
 
-use std::sync::Arc;
-
 use crate::{
+    describe::{Draft, Generator},
     exact::Metric,
     kernel::rng::Stream,
     params::{Choice, Param, ParamValue, Parameters},
-    scene::{MAX_STOPS, TourScene, tour},
+    scene::{MAX_STOPS, TOUR, TourScene},
 };
-
-use super::plot::{Draw, Generator, Made};
 
 impl ParamValue for Metric {}
 
@@ -38,18 +35,21 @@ const METRIC: Param<Metric> = Param::choice(
     "How far it is from one stop to another.",
 );
 
-pub(super) const STOPS: Generator = Generator {
+/// Stops of a tour.
+pub const STOPS: Generator = Generator {
     name: "stops",
     title: "Random stops",
     help: "Stops in a square, with whole coordinates, each in a place of its own where there is room; evenly, or in clusters.",
+    kind: TOUR,
     parameters: &[&[COUNT.entry(), SIDE.entry(), CLUSTERS.entry(), SPREAD.entry(), METRIC.entry()]],
-    draw: Draw::Other(&tour::KIND, draw),
+    draw,
 };
 
 /// How often another place is tried for a stop whose place is taken or outside.
 const TRIES: usize = 100;
 
-fn draw(settings: &Parameters, stream: &mut Stream) -> Made {
+fn draw(settings: &Parameters, seed: u64) -> Draft {
+    let stream = &mut Stream::new(seed, 0);
     let side = settings[SIDE] as f64;
     let spread = settings[SPREAD] * side;
     let even = |stream: &mut Stream| stream.below(side as usize + 1) as f64;
@@ -71,5 +71,5 @@ fn draw(settings: &Parameters, stream: &mut Stream) -> Made {
         points.push(place.map(|c| c.clamp(0.0, side)));
     }
     let size = points.len().to_string();
-    Made { body: Arc::new(TourScene::through(points, settings[METRIC])), size, note: None }
+    Draft::new(TourScene::through(points, settings[METRIC]), size)
 }

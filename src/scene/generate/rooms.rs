@@ -1,42 +1,52 @@
 //! Rooms with doors between them; a maze is rooms of one cell, joined by as few doors as will do.
 
 use crate::{
+    describe::Generator,
     kernel::rng::Stream,
     params::{Param, Parameters},
-    scene::{MAX_SIDE, reach::beside},
+    scene::{GRID, MAX_SIDE, reach::beside},
 };
 
 use super::{
+    grids,
     moving::STOPS_AND_MOVING,
-    plot::{CELL, COLUMNS, Draw, Generator, Plot, ROWS},
+    plot::{CELL, COLUMNS, Plot, ROWS},
 };
 
-pub(super) const ROOMS: Generator = Generator {
+/// Rooms with doors.
+pub const ROOMS: Generator = Generator {
     name: "rooms",
     title: "Rooms",
     help: "Rooms behind walls one cell thick, with doors: at least as many as it takes to come from each room to each other.",
+    kind: GRID,
     parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), ROOM.entry(), DOOR.entry(), LOOPS.entry()], STOPS_AND_MOVING],
-    draw: Draw::Grid(|settings, plot, stream| {
-        let room = settings[ROOM] as usize;
-        let spans = [plot.columns, plot.rows].map(|length| spans(length, room, stream));
-        plot.open(&spans, settings, settings[DOOR] as usize, stream);
-    }),
+    draw: |settings, seed| {
+        grids::grid(settings, seed, |settings, plot, stream| {
+            let room = settings[ROOM] as usize;
+            let spans = [plot.columns, plot.rows].map(|length| spans(length, room, stream));
+            plot.open(&spans, settings, settings[DOOR] as usize, stream);
+        })
+    },
 };
 
-pub(super) const MAZE: Generator = Generator {
+/// Corridors one cell wide.
+pub const MAZE: Generator = Generator {
     name: "maze",
     title: "Maze",
     help: "Corridors and walls one cell wide; without loops there is exactly one way between any two cells. In an even number of \
            columns or rows the last one is wall.",
+    kind: GRID,
     parameters: &[
         &[COLUMNS.default_to(41).entry(), ROWS.default_to(31).entry(), CELL.entry(), LOOPS.default_to(0.0).entry()],
         STOPS_AND_MOVING,
     ],
-    draw: Draw::Grid(|settings, plot, stream| {
-        // What an even side has too much stays blocked.
-        let spans = [plot.columns, plot.rows].map(|length| spans(length - usize::from(length % 2 == 0), 1, stream));
-        plot.open(&spans, settings, 1, stream);
-    }),
+    draw: |settings, seed| {
+        grids::grid(settings, seed, |settings, plot, stream| {
+            // What an even side has too much stays blocked.
+            let spans = [plot.columns, plot.rows].map(|length| spans(length - usize::from(length % 2 == 0), 1, stream));
+            plot.open(&spans, settings, 1, stream);
+        })
+    },
 };
 
 const ROOM: Param<u64> = Param::integer(

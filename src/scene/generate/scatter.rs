@@ -6,14 +6,19 @@
 //! (columns + rows − 1): then all but a shortest way is blocked, and a note says so.
 
 use crate::{
+    describe::Generator,
     kernel::rng::Stream,
     params::{Param, Parameters},
-    scene::reach::{beside, crossing},
+    scene::{
+        GRID,
+        reach::{beside, crossing},
+    },
 };
 
 use super::{
+    grids,
     moving::STOPS_AND_MOVING,
-    plot::{CELL, COLUMNS, Draw, Generator, Plot, ROWS},
+    plot::{CELL, COLUMNS, Plot, ROWS},
 };
 
 const SHARE: Param<f64> = Param::number("share", "", "Share", [0.0, 1.0, 0.3], "How much of the grid is blocked.");
@@ -21,28 +26,34 @@ const SIZE: Param<u64> =
     Param::integer("size", "", "Largest heap", [1, 1000, 7], "Heaps are 1 to this many cells across, more or less round.")
         .slider(1.0, 30.0, false);
 
-pub(super) const RANDOM: Generator = Generator {
+/// Single cells.
+pub const RANDOM: Generator = Generator {
     name: "random",
     title: "Random obstacles",
     help: "Single cells, each as likely as the others, until the share is blocked. Where that would leave no way, one is cleared \
            and as many other cells are blocked.",
+    kind: GRID,
     parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), SHARE.entry()], STOPS_AND_MOVING],
-    draw: Draw::Grid(|settings, plot, stream| {
-        plot.scatter(settings[SHARE], stream, &mut |plot, stream, count| {
-            let mut free = plot.free();
-            for _ in 0..count {
-                plot.blocked[free.swap_remove(stream.below(free.len()))] = true;
-            }
-        });
-    }),
+    draw: |settings, seed| {
+        grids::grid(settings, seed, |settings, plot, stream| {
+            plot.scatter(settings[SHARE], stream, &mut |plot, stream, count| {
+                let mut free = plot.free();
+                for _ in 0..count {
+                    plot.blocked[free.swap_remove(stream.below(free.len()))] = true;
+                }
+            });
+        })
+    },
 };
 
-pub(super) const RUBBLE: Generator = Generator {
+/// Heaps of cells.
+pub const RUBBLE: Generator = Generator {
     name: "rubble",
     title: "Rubble",
     help: "Heaps of different sizes, each grown from a cell at random, until the share is blocked.",
+    kind: GRID,
     parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), SHARE.entry(), SIZE.entry()], STOPS_AND_MOVING],
-    draw: Draw::Grid(rubble),
+    draw: |settings, seed| grids::grid(settings, seed, rubble),
 };
 
 fn rubble(settings: &Parameters, plot: &mut Plot, stream: &mut Stream) {

@@ -2,12 +2,16 @@
 
 use crate::{
     Scene, Value,
-    kernel::{Digest, ReferenceOptimum},
-    params::Domain,
+    kernel::{
+        Digest, ReferenceOptimum,
+        rng::{self, Stream},
+    },
+    params::{Domain, Overrides},
     scene::{
-        DiscsScene, Function, FunctionScene, GridScene, Motion, Robot,
+        DiscsScene, Function, FunctionScene, GRID, GridScene, Motion, Robot,
         reach::{beside, reach},
     },
+    standard,
 };
 
 use super::*;
@@ -17,7 +21,7 @@ fn given(pairs: &[(&str, f64)]) -> Overrides {
 }
 
 fn make(name: &str, pairs: &[(&str, f64)], seed: u64) -> Scene {
-    generate(name, &given(pairs), seed).unwrap()
+    standard().generate(name, &given(pairs), seed).unwrap()
 }
 
 fn blocked(scene: &Scene) -> usize {
@@ -36,7 +40,7 @@ fn reached(scene: &Scene) -> usize {
 
 #[test]
 fn start_and_goal_are_connected_whatever_the_size_the_seed_and_the_parameters() {
-    for generator in GENERATORS {
+    for generator in standard().generators_of(GRID) {
         for seed in 0..60 {
             let mut stream = Stream::new(seed, 9);
             let mut values = given(&[("columns", 1.0 + stream.below(40) as f64), ("rows", 1.0 + stream.below(40) as f64)]);
@@ -48,7 +52,7 @@ fn start_and_goal_are_connected_whatever_the_size_the_seed_and_the_parameters() 
                 };
                 values.insert(parameter.name, Value::from(value));
             }
-            let scene = generate(generator.name, &values, seed).unwrap();
+            let scene = standard().generate(generator.name, &values, seed).unwrap();
             reached(&scene);
             let exact = scene.exact_by(ReferenceOptimum::Cells);
             assert!(exact.is_some(), "{:?}", scene.header());
@@ -118,7 +122,7 @@ fn every_room_can_be_reached_and_none_is_much_smaller_than_asked_for() {
 
 #[test]
 fn a_seed_gives_the_same_grid_again_and_another_seed_another() {
-    for generator in GENERATORS {
+    for generator in standard().generators_of(GRID) {
         for seed in [1, 2, rng::MAX_SEED] {
             let scene = make(generator.name, &[], seed);
             assert_eq!(scene, make(generator.name, &[], seed));
@@ -148,19 +152,19 @@ fn what_is_not_allowed_is_refused_by_name() {
         ("maze", &[("cell", 0.0)], 1, "cell"),
         ("maze", &[], rng::MAX_SEED + 1, "seed"),
     ] {
-        assert_eq!(generate(name, &given(pairs), seed).unwrap_err().field(), field);
+        assert_eq!(standard().generate(name, &given(pairs), seed).unwrap_err().field(), field);
     }
-    for generator in GENERATORS {
+    for generator in standard().generators_of(GRID) {
         let names: Vec<_> = generator.parameters.iter().copied().flatten().map(|p| p.name).collect();
         assert_eq!(names[..3], ["columns", "rows", "cell"]);
         assert_eq!(names[names.len() - 4..], ["stops", "moving", "moving_speed", "moving_radius"]);
-        assert_eq!(find(generator.name).unwrap().name, generator.name);
+        assert_eq!(standard().generator(generator.name).unwrap().name, generator.name);
     }
 }
 
 #[test]
 fn the_largest_grid_is_made_too() {
-    for generator in GENERATORS {
+    for generator in standard().generators_of(GRID) {
         let scene = make(generator.name, &[("columns", 2048.0), ("rows", 1025.0)], 3);
         assert_eq!(scene.get::<GridScene>().unwrap().rows(), 1025);
     }
@@ -168,7 +172,7 @@ fn the_largest_grid_is_made_too() {
 
 #[test]
 fn stops_are_free_cells_of_their_own_that_can_all_be_reached() {
-    for generator in GENERATORS {
+    for generator in standard().generators_of(GRID) {
         for seed in 0..20 {
             let scene = make(generator.name, &[("stops", 12.0)], seed);
             let grid = scene.get::<GridScene>().unwrap();
@@ -200,7 +204,7 @@ fn stops_can_be_put_on_any_grid_where_its_robot_fits() {
     // Without a start the largest region counts: the right one.
     let text = r#"{"format": "forage-scene", "version": 1, "kind": "grid", "name": "a", "title": "A", "cell": 1, "rows": [".#..."],
         "stops": [[0.5, 0.5]]}"#;
-    let split = Scene::from_json(text).unwrap();
+    let split = standard().read_scene(text).unwrap();
     assert!(with_stops(&split, 3, 1).unwrap().stops().iter().all(|[x, _]| *x > 2.0));
     for (n, field) in [(4, "stops"), (0, "stops")] {
         let error = with_stops(&split, n, 1).unwrap_err();
@@ -220,7 +224,7 @@ fn digest(scene: &Scene) -> String {
 #[test]
 fn without_moving_obstacles_a_scene_is_what_it_was_before_there_were_any() {
     let stored = ["9db03a78527c7747", "f77f5658f5be08f8", "ff8ec597874781b1", "a807ce8980010fc8"];
-    for (generator, stored) in GENERATORS.iter().zip(stored) {
+    for (generator, stored) in standard().generators_of(GRID).zip(stored) {
         assert_eq!(digest(&make(generator.name, &[("columns", 31.0), ("stops", 3.0)], 7)), stored, "{}", generator.name);
         let fast = make(generator.name, &[("columns", 31.0), ("stops", 3.0), ("moving", 0.0), ("moving_speed", 9.0)], 7);
         assert_eq!(digest(&fast), stored, "of what moves there is nothing");
@@ -243,7 +247,7 @@ fn a_seed_s_moving_obstacles_are_the_stored_ones() {
 
 #[test]
 fn what_moves_is_clear_of_the_start_as_fast_and_as_large_as_allowed_and_changes_nothing_else() {
-    for (generator, cell) in GENERATORS.iter().flat_map(|generator| [(generator, 1.0), (generator, 0.05)]) {
+    for (generator, cell) in standard().generators_of(GRID).flat_map(|generator| [(generator, 1.0), (generator, 0.05)]) {
         let (mut speeds, mut radii, mut quarters) = (Vec::new(), Vec::new(), [0; 4]);
         for seed in 0..20 {
             let size = [("columns", 12.0), ("rows", 9.0), ("cell", cell), ("stops", 4.0)];
@@ -266,7 +270,7 @@ fn what_moves_is_clear_of_the_start_as_fast_and_as_large_as_allowed_and_changes_
             let mut without = make(generator.name, &size, seed).get::<GridScene>().unwrap().clone();
             (without.robot, without.moving) = (grid.robot, grid.moving.clone());
             assert_eq!(&without, grid);
-            assert_eq!(Scene::from_json(&scene.to_json()).unwrap(), scene);
+            assert_eq!(standard().read_scene(&scene.to_json()).unwrap(), scene);
         }
         for (values, greatest) in [(speeds, 2.0), (radii, 0.8)] {
             let (least, most) = values.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), &v| (a.min(v), b.max(v)));
@@ -291,7 +295,7 @@ fn where_there_is_no_room_clear_of_the_start_fewer_discs_move_and_a_note_says_so
     assert_eq!(none.header().note.as_deref(), Some(note));
     assert!(none.header().source.as_ref().unwrap().contains("moving=4"));
     for (name, wrong) in [("moving", 101.0), ("moving", 0.5), ("moving_speed", -1.0), ("moving_speed", f64::NAN), ("moving_radius", 0.0)] {
-        assert_eq!(generate("maze", &given(&[(name, wrong)]), 1).unwrap_err().field(), name);
+        assert_eq!(standard().generate("maze", &given(&[(name, wrong)]), 1).unwrap_err().field(), name);
     }
 }
 
@@ -332,11 +336,12 @@ fn a_shifted_function_has_its_minimum_where_the_shift_says() {
     for (seed, name) in Function::ALL.map(Function::name).into_iter().enumerate() {
         let mut values = given(&[("dimension", 2.0)]);
         values.insert("function", Value::from(name));
-        let scene = generate("shifted", &values, seed as u64).unwrap();
+        let scene = standard().generate("shifted", &values, seed as u64).unwrap();
         let function = scene.get::<FunctionScene>().unwrap();
         assert!(function.value(&function.minimiser()).abs() < 1e-14 && function.shift.iter().all(|shift| *shift != 0.0), "{name}");
-        assert_eq!(Scene::from_json(&scene.to_json()).unwrap(), scene);
+        assert_eq!(standard().read_scene(&scene.to_json()).unwrap(), scene);
     }
-    let refused = generate("shifted", &Overrides::from_iter([("function", Value::from("matyas")), ("dimension", Value::from(3.0))]), 1);
+    let refused =
+        standard().generate("shifted", &Overrides::from_iter([("function", Value::from("matyas")), ("dimension", Value::from(3.0))]), 1);
     assert!(refused.unwrap_err().to_string().contains("dimension"));
 }

@@ -137,9 +137,10 @@ fn moment(path: &str, found: &Value) -> Result<[f64; 3], Error> {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::{MAX_MOVING, MAX_WAYPOINTS, Scene};
+    use crate::scene::{MAX_MOVING, MAX_WAYPOINTS};
 
     use super::*;
+    use crate::standard;
 
     const DISC: &str = r#"{"center": [1, 1.5], "radius": 0.5, "velocity": [0.25, -1]}"#;
     const GUARD: &str = r#"{"center": [2, 1], "radius": 0.25, "waypoints": [[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]}"#;
@@ -155,7 +156,7 @@ mod tests {
 
     #[test]
     fn every_field_of_what_moves_and_of_the_robot_survives_a_round_trip() {
-        let scene = Scene::from_json(&text(ROBOT, &format!("[{DISC}, {GUARD}]"))).unwrap();
+        let scene = standard().read_scene(&text(ROBOT, &format!("[{DISC}, {GUARD}]"))).unwrap();
         let grid = scene.get::<GridScene>().unwrap();
         let guard = Motion::Waypoints(vec![[1.5, 2.0, 3.0], [3.0, 2.0, 3.0], [4.5, -2.0, 1000.0]]);
         let expected = [Moving::straight([1.0, 1.5], 0.5, [0.25, -1.0]), Moving { center: [2.0, 1.0], radius: 0.25, motion: guard }];
@@ -172,7 +173,7 @@ mod tests {
         };
         assert_eq!(grid.robot, Some(robot));
         for again in [scene.to_json(), scene.to_compact_json()] {
-            assert_eq!(Scene::from_json(&again).unwrap(), scene);
+            assert_eq!(standard().read_scene(&again).unwrap(), scene);
             assert_eq!(again.matches("velocity").count() + again.matches("waypoints").count(), 2);
         }
     }
@@ -182,7 +183,7 @@ mod tests {
     fn no_number_of_what_moves_is_minus_zero() {
         let signs = DISC.replace("[1, 1.5]", "[-0.0, 1]").replace("[0.25, -1]", "[-0.0, -0.0]");
         let guard = GUARD.replace("[3, 2, 3]", "[3, -0.0, -0.0]");
-        let scene = Scene::from_json(&text(ROBOT, &format!("[{signs}, {guard}]"))).unwrap();
+        let scene = standard().read_scene(&text(ROBOT, &format!("[{signs}, {guard}]"))).unwrap();
         let moving = &scene.get::<GridScene>().unwrap().moving;
         let (Motion::Velocity(velocity), Motion::Waypoints(points)) = (&moving[0].motion, &moving[1].motion) else { panic!("{moving:?}") };
         let all = [&moving[0].center[..], velocity, points.as_flattened()].concat();
@@ -196,7 +197,7 @@ mod tests {
             text.replacen(from, to, 1)
         };
         let refused = |robot: &str, moving: &str| {
-            let error = Scene::from_json(&text(robot, moving)).unwrap_err();
+            let error = standard().read_scene(&text(robot, moving)).unwrap_err();
             [error.field(), error.value(), error.allowed()].map(str::to_owned)
         };
         let far = "from -1000000 to 1000000";
@@ -286,8 +287,8 @@ mod tests {
         for (most, more, field) in
             [(discs(MAX_MOVING), discs(MAX_MOVING + 1), "moving"), (guard(MAX_WAYPOINTS), guard(MAX_WAYPOINTS + 1), "moving[0].waypoints")]
         {
-            assert!(Scene::from_json(&most).is_ok());
-            assert_eq!(Scene::from_json(&more).unwrap_err().field(), field);
+            assert!(standard().read_scene(&most).is_ok());
+            assert_eq!(standard().read_scene(&more).unwrap_err().field(), field);
         }
     }
 }

@@ -186,11 +186,11 @@ impl TourScene {
 
 #[cfg(test)]
 mod tests {
-    use crate::Scene;
+    use crate::{Scene, standard};
 
     /// Four stops at the corners of a unit square, and what the file says of the shortest tour.
     fn square(exact: &str) -> Result<Scene, crate::Error> {
-        Scene::from_json(&format!(
+        standard().read_scene(&format!(
             r#"{{"format": "forage-scene", "version": 1, "kind": "tour", "name": "s", "title": "S",
                 "points": [[0, 0], [1, 0], [1, 1], [0, 1]], "exact": {exact}}}"#
         ))

@@ -1,11 +1,11 @@
 //! A bat’s move by the numbers that its explanation names, and what is kept of it.
 
 use super::*;
-use crate::{Session, Setup, Value, shipped};
+use crate::{Run, Setup, Value, shipped, standard};
 
-fn session(scene: &str, params: &[(&str, Value)], seed: u64) -> Session {
+fn session(scene: &str, params: &[(&str, Value)], seed: u64) -> Run {
     let params = params.iter().cloned().collect();
-    Session::new(Setup { planner: "bat-continuous".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
+    Run::new(standard(), Setup { planner: "bat-continuous".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
 
 /// (7) to (11) for every bat of several iterations, by the numbers that its explanation names; all four outcomes come up.
@@ -41,7 +41,7 @@ fn a_bat_moves_by_the_printed_equations() {
     }
 }
 
-fn told(session: &mut Session, index: usize) -> Inspection {
+fn told(session: &mut Run, index: usize) -> Inspection {
     session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap()
 }
 
@@ -55,6 +55,6 @@ fn what_is_found_is_kept_although_it_was_not_accepted() {
     assert_eq!((reading(&mut session, "mean"), reading(&mut session, "accepted")), (mean, 0.0));
 }
 
-fn reading(session: &mut Session, name: &str) -> f64 {
+fn reading(session: &mut Run, name: &str) -> f64 {
     session.readings().iter().find(|(known, _)| *known == name).unwrap().1
 }

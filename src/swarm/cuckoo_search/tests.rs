@@ -1,14 +1,14 @@
 //! A nest's two moves by the numbers that its explanation names, and what is kept of them.
 
 use super::*;
-use crate::{Session, Setup, Value, shipped};
+use crate::{Run, Setup, Value, shipped, standard};
 
-fn session(scene: &str, params: &[(&str, Value)], seed: u64) -> Session {
+fn session(scene: &str, params: &[(&str, Value)], seed: u64) -> Run {
     let params = params.iter().cloned().collect();
-    Session::new(Setup { planner: "cuckoo-search".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
+    Run::new(standard(), Setup { planner: "cuckoo-search".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
 
-fn told(session: &mut Session, index: usize) -> Inspection {
+fn told(session: &mut Run, index: usize) -> Inspection {
     session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap()
 }
 

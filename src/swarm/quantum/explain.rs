@@ -117,10 +117,10 @@ mod tests {
     use std::sync::Arc;
 
     use crate::{
-        Overrides, Session, Setup, Value,
+        Overrides, Run, Setup, Value,
         describe::layers,
         kernel::{Frame, Item},
-        shipped,
+        shipped, standard,
     };
 
     /// Every particle of several iterations: the numbers told give the leap, and the leap (or the exchange) ends where
@@ -129,7 +129,7 @@ mod tests {
     fn the_explanation_ends_where_the_particle_is() {
         let scene = Arc::clone(&shipped("qpso-10m").unwrap());
         let params = Overrides::from_iter([("population", Value::from(12.0))]);
-        let mut session = Session::new(Setup { planner: "ltqpso".into(), scene, params, seed: 3 }).unwrap();
+        let mut session = Run::new(standard(), Setup { planner: "ltqpso".into(), scene, params, seed: 3 }).unwrap();
         let mut seen = std::collections::BTreeMap::new();
         for _ in 0..20 {
             session.step(1);

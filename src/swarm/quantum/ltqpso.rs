@@ -9,6 +9,8 @@ use crate::{
     },
 };
 
+use crate::swarm::sheet::SYMBOLS;
+
 use super::{
     Adaptation,
     parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, GS, IP, ITERATIONS, MEAN, PHI, POPULATION, SELECTED, WIDTH, suggest},
@@ -76,6 +78,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS])
 .formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN])
+.symbols(SYMBOLS)
 .layers(&[
     GUIDES,
     layers::PERSONAL_BESTS,

@@ -8,6 +8,8 @@ use crate::{
     },
 };
 
+use crate::swarm::sheet::SYMBOLS;
+
 use super::parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, ITERATIONS, MEAN, PHI, POPULATION, WIDTH, suggest};
 
 const ATTRACTOR: Formula = Formula::of_item(
@@ -42,6 +44,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS])
 .formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, MEAN])
+.symbols(SYMBOLS)
 .layers(&[
     GUIDES,
     layers::PERSONAL_BESTS,

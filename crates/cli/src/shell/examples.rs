@@ -5,7 +5,7 @@ use forage_study::{
     study::Study,
 };
 
-use super::names;
+use super::registry;
 
 pub(super) const QUICK_START: &str = "Quick start:
   forage list                                   # planners, generators and scenes
@@ -93,8 +93,9 @@ name = "wpso"
 
 /// Generators and examples.
 pub(super) fn generate() -> String {
-    let width = names::all_generators().map(|generator| generator.name.len()).max().unwrap_or(0);
-    let lines: Vec<_> = names::all_generators().map(|generator| format!("  {:width$}  {}", generator.name, generator.title)).collect();
+    let width = registry().generators().iter().map(|generator| generator.name.len()).max().unwrap_or(0);
+    let lines: Vec<_> =
+        registry().generators().iter().map(|generator| format!("  {:width$}  {}", generator.name, generator.title)).collect();
     format!(
         "Generators (`forage list NAME` shows the parameters):\n{}\n
 Examples:

@@ -21,7 +21,7 @@ use super::{
     files::{self, LARGEST_EXPERIMENT},
     interrupt, load, names,
     output::{notes, print, print_json, print_raw},
-    progress,
+    progress, registry,
     text::{escape, quoted},
 };
 
@@ -30,7 +30,7 @@ pub(super) fn experiment(args: &ExperimentArgs) -> Outcome {
         print_raw(EXPERIMENT_FILE.trim_end().as_bytes())?;
         return Ok(ExitCode::SUCCESS);
     };
-    let (read::Overrides { sweep, out }, sources) = read_file(file)?;
+    let (read::Experiment { sweep, out }, sources) = read_file(file)?;
     let part = args.shard.as_deref().map_or(Ok(Part::WHOLE), str::parse)?;
     let rows = args.out.clone().unwrap_or_else(|| default_out(file, out.as_deref(), part));
     check_outputs(args, &rows, &sources)?;
@@ -94,7 +94,7 @@ fn check_outputs(args: &ExperimentArgs, rows: &Path, sources: &[PathBuf]) -> Res
 }
 
 /// Reads the experiment's file; returns it with the files that were read.
-fn read_file(path: &Path) -> Result<(read::Overrides, Vec<PathBuf>), Failure> {
+fn read_file(path: &Path) -> Result<(read::Experiment, Vec<PathBuf>), Failure> {
     let name = path.to_string_lossy();
     let text = String::from_utf8(files::read(path, LARGEST_EXPERIMENT)?)
         .map_err(|problem| Failure::Refused(format!("{}: {problem}", quoted(&name))))?;
@@ -106,7 +106,7 @@ fn read_file(path: &Path) -> Result<(read::Overrides, Vec<PathBuf>), Failure> {
         sources.borrow_mut().extend(files);
         Ok(scene)
     };
-    let given = read::read(&name, &stem, &text, &load)?;
+    let given = read::read(registry(), &name, &stem, &text, &load)?;
     Ok((given, sources.into_inner()))
 }
 

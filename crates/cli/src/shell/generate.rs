@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use forage::{Overrides, scene::generate};
+use forage::Overrides;
 
 use super::{
     args::GenerateArgs,
@@ -11,14 +11,16 @@ use super::{
     load,
     names::Subject,
     output::{notes, print_raw},
+    registry,
 };
 
 pub(super) fn generate(args: &GenerateArgs) -> Outcome {
-    let generator = generate::find(&args.generator)?;
+    let generator = registry().generator(&args.generator)?;
     let format = args.out.as_deref().map(|path| convert::format("--out", path)).transpose()?;
     let mut overrides = Overrides::new();
     load::read_pairs("--set", &args.set, &mut overrides)?;
-    let scene = generate::generate(generator.name, &overrides, load::seed(&args.seed)?)
+    let scene = registry()
+        .generate(generator.name, &overrides, load::seed(&args.seed)?)
         .map_err(|error| Failure::about(Subject::Named(generator.name), &error))?;
     notes(scene.header().note.as_slice());
     if let (Some(format), Some(path)) = (format, &args.out) {

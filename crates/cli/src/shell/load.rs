@@ -9,13 +9,9 @@ use std::{
 
 use forage::{
     Error, Link, Overrides, Scene, Setup, Value,
-    arm::{self, ArmScene},
-    catalogue,
-    describe::Suggestion,
-    drive,
+    describe::{Follower, Suggestion},
     kernel::{SceneKindId, rng},
     scene::formats::{self, Format, NamedFile},
-    shipped,
 };
 
 use super::{
@@ -25,6 +21,7 @@ use super::{
     files::{self, LARGEST_SCENE, LONGEST_LINK},
     names::{self, Subject},
     output::{note, notes},
+    registry,
     text::quoted,
 };
 
@@ -53,7 +50,7 @@ pub(super) fn scene_and_files(text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), 
     let is_shipped = names::scenes().contains(&text);
     match fs::metadata(path) {
         Ok(metadata) if !(is_shipped && metadata.is_dir()) => {}
-        _ if is_shipped => return Ok((shipped(text)?, Vec::new())),
+        _ if is_shipped => return Ok((registry().scene(text)?, Vec::new())),
         Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory | ErrorKind::InvalidFilename) => {
             return Err(no_scene(text));
         }
@@ -66,7 +63,7 @@ pub(super) fn scene_and_files(text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), 
     }
     let bytes = files::read(path, LARGEST_SCENE)?;
     let json = String::from_utf8(bytes).map_err(|problem| in_file(path, &Error::malformed("scene", format!("not JSON: {problem}"))))?;
-    let scene = Scene::from_json(&json).map_err(|error| in_file(path, &error))?;
+    let scene = registry().read_scene(&json).map_err(|error| in_file(path, &error))?;
     Ok((Arc::new(scene), vec![path.to_owned()]))
 }
 
@@ -85,7 +82,7 @@ pub(super) fn no_scene(text: &str) -> Failure {
 /// Reads a link.
 fn link(text: &str) -> Result<Link, Failure> {
     LONGEST_LINK.check("the link", text.len() as u64)?;
-    Ok(Link::parse(text)?)
+    Ok(Link::parse(registry(), text)?)
 }
 
 /// Reads the scene in some files. A file that they need and that is missing is looked for in the folder of the first one, with
@@ -98,7 +95,7 @@ pub(super) fn import(files: &mut Vec<NamedFile>, problem: Option<usize>) -> Resu
             files.push(read(&path.to_string_lossy())?);
         }
     }
-    let imported = formats::import(files, problem).map_err(|error| match error {
+    let imported = formats::import(registry(), files, problem).map_err(|error| match error {
         Error::Refused { field, value, allowed } if field == "problem" => Error::refused("--problem", value, allowed),
         other => other,
     })?;
@@ -137,7 +134,7 @@ pub(super) fn task(args: &RunArgs) -> Result<Task, Failure> {
 fn from_names(planner: Option<&str>, scene_name: Option<&str>) -> Result<Task, Failure> {
     let missing = |what: &str| Failure::Refused(format!("{what}, e.g. `forage run wcpso --scene wcpso-discs`; `forage list` shows all"));
     let planner = planner.ok_or_else(|| missing("a planner is missing"))?;
-    catalogue::find(planner)?;
+    registry().planner(planner)?;
     let (scene, files) =
         scene_and_files(scene_name.ok_or_else(|| missing("--scene is missing: a file, a shipped scene’s name or a link"))?)?;
     let setup = Setup { planner: planner.to_owned(), scene, params: Overrides::new(), seed: 1 };
@@ -177,29 +174,43 @@ fn value_of(text: &str) -> Value {
     }
 }
 
-/// The drive's parameters, checked before the run; refused in scenes without a robot that can drive.
-pub(super) fn drive(args: &RunArgs, scene: &Scene) -> Result<Overrides, Failure> {
-    let mut overrides = Overrides::new();
-    read_pairs("--drive-set", &args.drive_set, &mut overrides)?;
-    let robot = drive::robot(scene).and_then(|(grid, _)| grid.robot);
-    if robot.is_none() && (args.drive.is_some() || !overrides.is_empty()) {
-        let option = if args.drive.is_some() { "--drive" } else { "--drive-set" };
-        return Err(not_for(option, scene, "a grid whose robot has a length and a width"));
-    }
-    drive::settings(robot, &overrides).map_err(|error| Failure::about(Subject::Named("drive"), &error))?;
-    Ok(overrides)
+/// What is asked of a follower of the path.
+pub(super) struct Following<'a> {
+    pub(super) follower: &'static Follower,
+    pub(super) overrides: Overrides,
+    /// Where its rows are to go.
+    pub(super) out: Option<&'a Path>,
 }
 
-/// The motion's parameters, checked before the run; refused in scenes without an arm.
-pub(super) fn motion(args: &RunArgs, scene: &Scene) -> Result<Overrides, Failure> {
-    let mut overrides = Overrides::new();
-    read_pairs("--motion-set", &args.motion_set, &mut overrides)?;
-    if scene.get::<ArmScene>().is_err() && (args.motion.is_some() || !overrides.is_empty()) {
-        let option = if args.motion.is_some() { "--motion" } else { "--motion-set" };
-        return Err(not_for(option, scene, "a scene with an arm"));
+impl Following<'_> {
+    /// Whether anything is asked.
+    pub(super) fn is_asked(&self) -> bool {
+        self.out.is_some() || !self.overrides.is_empty()
     }
-    arm::along(scene, None, &overrides).map_err(|error| Failure::about(Subject::Named("motion"), &error))?;
-    Ok(overrides)
+}
+
+/// What is asked of the followers, checked before the run; refused in scenes that they are not for.
+pub(super) fn following<'a>(args: &'a RunArgs, scene: &Scene) -> Result<Vec<Following<'a>>, Failure> {
+    let asked = [("drive", &args.drive, &args.drive_set), ("motion", &args.motion, &args.motion_set)];
+    asked.into_iter().map(|(name, out, pairs)| follow_checked(registry().follower(name)?, out.as_deref(), pairs, scene)).collect()
+}
+
+fn follow_checked<'a>(
+    follower: &'static Follower,
+    out: Option<&'a Path>,
+    pairs: &[String],
+    scene: &Scene,
+) -> Result<Following<'a>, Failure> {
+    let name = follower.name;
+    let mut overrides = Overrides::new();
+    read_pairs(&format!("--{name}-set"), pairs, &mut overrides)?;
+    let following = Following { follower, overrides, out };
+    if following.is_asked() && !(follower.applies)(scene) {
+        let option = if out.is_some() { format!("--{name}") } else { format!("--{name}-set") };
+        return Err(not_for(&option, scene, follower.needs));
+    }
+    (follower.follow)(scene, None, &following.overrides).map_err(|error| Failure::about(Subject::Named(name), &error))?;
+    Ok(following)
 }
 
 fn not_for(option: &str, scene: &Scene, needed: &str) -> Failure {
@@ -212,7 +223,7 @@ fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
         setup.seed = seed(text)?;
     }
     if let Some(name) = &args.preset {
-        let entry = catalogue::find(&setup.planner)?;
+        let entry = registry().planner(&setup.planner)?;
         let preset = entry.preset(name, setup.scene.kind()).map_err(|error| Failure::about(Subject::Named(entry.name), &error))?;
         preset.iter().for_each(|(name, value)| setup.params.insert(name, value.clone()));
     }
@@ -233,15 +244,15 @@ fn change(setup: &mut Setup, args: &RunArgs) -> Result<bool, Failure> {
 
 /// What the planner's paper recommends for a setup, and the planner's title.
 pub(super) fn suggestion(setup: &Setup) -> Result<(Suggestion, &'static str), Failure> {
-    let entry = catalogue::find(&setup.planner)?;
-    let suggested = setup.suggest().map_err(|error| in_setup(setup, &error))?;
+    let entry = registry().planner(&setup.planner)?;
+    let suggested = setup.suggest(registry()).map_err(|error| in_setup(setup, &error))?;
     let none = || format!("no paper recommends sizes for `{}` on {} with these parameters", entry.name, quoted(setup.scene.name()));
     Ok((suggested.ok_or_else(|| Failure::Refused(none()))?, entry.title))
 }
 
 /// An error about a setup, with what its parameters belong to.
 pub(super) fn in_setup(setup: &Setup, error: &Error) -> Failure {
-    let Ok(entry) = catalogue::find(&setup.planner) else {
+    let Ok(entry) = registry().planner(&setup.planner) else {
         return Failure::about(Subject::Unknown, error);
     };
     if let Error::Unknown { field, value, .. } = error

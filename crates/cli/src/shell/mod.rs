@@ -1,8 +1,5 @@
-//! The command line of Forage: [`main`] is the whole program `forage`.
-//!
-//! Exit codes: 0 a feasible result; 1 none was found; 2 the input was refused (message on standard error, nothing on standard
-//! output); 3 a file cannot be read or written now (a full disk, another `forage` that writes it), so the same command may
-//! succeed later; 130 an experiment was interrupted (finished runs are kept, except of a sample).
+//! The command line: `args` says what there is, a file a command does it. `names` completes and corrects names; `load` turns
+//! arguments into scenes and setups.
 
 mod args;
 mod convert;
@@ -25,14 +22,27 @@ mod suggest;
 mod text;
 mod usage;
 
-use std::process::ExitCode;
+use std::{
+    process::ExitCode,
+    sync::{Arc, OnceLock},
+};
 
 use clap::Parser;
+use forage::Registry;
 
 use args::{Cli, Command};
 
-/// Runs the command line and returns its exit code.
-pub fn main() -> ExitCode {
+static REGISTRY: OnceLock<Arc<Registry>> = OnceLock::new();
+
+/// What the commands know: what was given to [`main_with`].
+fn registry() -> &'static Arc<Registry> {
+    REGISTRY.get_or_init(|| Arc::clone(forage::standard()))
+}
+
+/// Runs the command line with the planners, scenes, generators and followers of a registry, and returns its exit code. In one
+/// process the registry of the first call counts.
+pub fn main_with(known: Registry) -> ExitCode {
+    REGISTRY.get_or_init(|| Arc::new(known));
     let command = match Cli::try_parse() {
         Ok(cli) => cli.command,
         Err(error) => return usage::report(&error),

@@ -5,12 +5,9 @@ use clap::{
     builder::{PossibleValue, StringValueParser, TypedValueParser},
     error::Error as ClapError,
 };
-use forage::{
-    catalogue::PLANNERS,
-    scene::generate::{GENERATORS, Generator, OTHERS},
-    shipped_names,
-};
 use forage_study::registry::{REPRODUCTIONS, STUDIES};
+
+use crate::shell::registry;
 
 use super::text::{cut_list, quoted};
 
@@ -25,22 +22,22 @@ pub(super) enum Subject<'a> {
 
 /// All planners.
 pub(super) fn planners() -> Vec<&'static str> {
-    PLANNERS.iter().map(|entry| entry.name).collect()
+    registry().planners().iter().map(|entry| entry.name).collect()
 }
 
 /// All shipped scenes.
 pub(super) fn scenes() -> Vec<&'static str> {
-    shipped_names().map(|scene| scene.name()).collect()
-}
-
-/// All generators.
-pub(super) fn all_generators() -> impl Iterator<Item = &'static Generator> {
-    GENERATORS.iter().chain(OTHERS)
+    registry().scenes().iter().map(|scene| scene.name()).collect()
 }
 
 /// The names of all generators.
 pub(super) fn generators() -> Vec<&'static str> {
-    all_generators().map(|generator| generator.name).collect()
+    registry().generators().iter().map(|generator| generator.name).collect()
+}
+
+/// The names of all followers of a path.
+pub(super) fn followers() -> Vec<&'static str> {
+    registry().followers().iter().map(|follower| follower.name).collect()
 }
 
 /// All reproductions.
@@ -55,7 +52,7 @@ pub(super) fn studies() -> Vec<&'static str> {
 
 /// All names that `forage list NAME` shows a page about.
 pub(super) fn pages() -> Vec<&'static str> {
-    [planners(), scenes(), generators(), vec!["drive", "motion"]].concat()
+    [planners(), scenes(), generators(), followers()].concat()
 }
 
 /// The message about a name that is not one of `known`.

@@ -9,11 +9,12 @@ use super::{
     failure::Outcome,
     load,
     output::{print, print_json},
+    registry,
     text::escape,
 };
 
 pub(super) fn suggest(args: SuggestArgs) -> Outcome {
-    forage::catalogue::find(&args.planner)?;
+    registry().planner(&args.planner)?;
     let mut setup = Setup { planner: args.planner, scene: load::scene(&args.scene)?, params: Overrides::new(), seed: 1 };
     load::read_pairs("--set", &args.set, &mut setup.params)?;
     let (suggested, title) = load::suggestion(&setup)?;

@@ -3,13 +3,12 @@
 use std::path::PathBuf;
 
 use forage::{
-    Scene,
     kernel::{ReferenceOptimum, TourEnds},
     scene::{
         GridScene, TourScene,
         formats::{NamedFile, import},
-        generate::{GENERATORS, OTHERS},
     },
+    standard,
 };
 
 use crate::support::{forage, text as words};
@@ -26,14 +25,14 @@ fn a_random_grid_goes_through_every_format_in_the_shell() {
     let at = |name: &str| place("through", name);
     let printed = forage(&["generate", "maze", "--set", "columns=9", "--set", "rows=7", "--seed", "5"]);
     assert_eq!((printed.status.code(), words(&printed.stderr)), (Some(0), String::new()));
-    let scene = Scene::from_json(&words(&printed.stdout)).unwrap();
+    let scene = standard().read_scene(&words(&printed.stdout)).unwrap();
     assert_eq!(scene.name(), "maze-9x7-5");
     std::fs::write(at("m.json"), &printed.stdout).unwrap();
     for (from, to) in [("m.json", "m.scen"), ("m.scen", "n.yaml"), ("n.pgm", "o.map"), ("o.map", "o.yml"), ("o.yml", "p.json")] {
         let output = forage(&["convert", &at(from), &at(to)]);
         assert_eq!((output.status.code(), words(&output.stdout)), (Some(0), String::new()), "{}", words(&output.stderr));
     }
-    let last = Scene::from_json(&std::fs::read_to_string(at("p.json")).unwrap()).unwrap();
+    let last = standard().read_scene(&std::fs::read_to_string(at("p.json")).unwrap()).unwrap();
     assert_eq!(last.get::<GridScene>().unwrap().lines(), scene.get::<GridScene>().unwrap().lines());
     // Every command takes a map, and its partner is found beside it.
     let exact = forage(&["exact", "--scene", &at("m.scen"), "--json"]);
@@ -52,9 +51,9 @@ fn a_random_grid_goes_through_every_format_in_the_shell() {
 
 #[test]
 fn the_command_in_a_random_grid_s_source_makes_it_again() {
-    for generator in GENERATORS {
+    for generator in standard().generators_of(forage::scene::GRID) {
         let first = forage(&["generate", generator.name, "--set", "columns=12", "--seed", "9"]);
-        let scene = Scene::from_json(&words(&first.stdout)).unwrap();
+        let scene = standard().read_scene(&words(&first.stdout)).unwrap();
         let source = scene.header().source.clone().unwrap();
         let args: Vec<_> = source.split_once(' ').expect("a command and its words").1.split(' ').collect();
         assert_eq!(words(&forage(&args).stdout), words(&first.stdout), "{source}");
@@ -64,17 +63,17 @@ fn the_command_in_a_random_grid_s_source_makes_it_again() {
 #[test]
 fn moving_obstacles_are_asked_for_in_the_shell_and_made_again_by_their_source() {
     let at = |name: &str| place("moving", name);
-    for generator in GENERATORS {
+    for generator in standard().generators_of(forage::scene::GRID) {
         let set = ["--set", "columns=12", "--set", "moving=5", "--set", "moving_speed=0.5", "--seed", "9"];
         let output = forage(&[&["generate", generator.name][..], &set, &["--out", &at("s.json")]].concat());
         let wrote = " cells, 5 moving obstacles) to `";
         assert!(output.status.code() == Some(0) && words(&output.stderr).contains(wrote), "{}", words(&output.stderr));
-        let scene = Scene::from_json(&std::fs::read_to_string(at("s.json")).unwrap()).unwrap();
+        let scene = standard().read_scene(&std::fs::read_to_string(at("s.json")).unwrap()).unwrap();
         let grid = scene.get::<GridScene>().unwrap();
         assert_eq!((grid.moving.len(), grid.robot.and_then(|robot| robot.speed)), (5, Some(1.0)));
         let source = scene.header().source.clone().unwrap();
         let args: Vec<_> = source.split_once(' ').expect("a command and its words").1.split(' ').collect();
-        assert_eq!(Scene::from_json(&words(&forage(&args).stdout)).unwrap(), scene, "{source}");
+        assert_eq!(standard().read_scene(&words(&forage(&args).stdout)).unwrap(), scene, "{source}");
         // A map cannot hold them, and a note says so.
         let output = forage(&["convert", &at("s.json"), &at("s.map")]);
         let said = words(&output.stderr);
@@ -94,7 +93,7 @@ fn stops_go_through_every_format_of_stops_and_their_shortest_tour_with_them() {
         assert_eq!(output.status.code(), Some(0), "{args:?}: {}", words(&output.stderr));
         words(&output.stderr)
     };
-    let scene = |name: &str| Scene::from_json(&std::fs::read_to_string(at(name)).unwrap()).unwrap();
+    let scene = |name: &str| standard().read_scene(&std::fs::read_to_string(at(name)).unwrap()).unwrap();
     run(&["generate", "stops", "--set", "stops=9", "--seed", "4", "--out", &at("a.json")]);
     run(&["convert", &at("a.json"), &at("b.tsp")]);
     let said = run(&["convert", &at("b.tsp"), &at("b.opt.tour"), &at("c.json")]);
@@ -114,7 +113,12 @@ fn stops_go_through_every_format_of_stops_and_their_shortest_tour_with_them() {
     assert!(said.contains("EUC_2D rounds"), "{said}");
     assert_eq!(
         scene("a.json").get::<TourScene>().unwrap().points,
-        import(&[NamedFile::new("g.tsp", std::fs::read(at("g.TSP")).unwrap())], None).unwrap().scene.get::<TourScene>().unwrap().points
+        import(standard(), &[NamedFile::new("g.tsp", std::fs::read(at("g.TSP")).unwrap())], None)
+            .unwrap()
+            .scene
+            .get::<TourScene>()
+            .unwrap()
+            .points
     );
     for name in ["b.tsp", "f.csv", "d.json"] {
         let output = forage(&["run", "wcpso", "--scene", &at(name)]);
@@ -133,7 +137,7 @@ fn one_of_many_problems_can_be_chosen() {
         args.extend(problem.map(|problem| format!("--problem={problem}")));
         let output = forage(&args.iter().map(String::as_str).collect::<Vec<_>>());
         assert_eq!(output.status.code(), Some(0), "{}", words(&output.stderr));
-        let scene = Scene::from_json(&std::fs::read_to_string(at("a.json")).unwrap()).unwrap();
+        let scene = standard().read_scene(&std::fs::read_to_string(at("a.json")).unwrap()).unwrap();
         assert_eq!(scene.ends().unwrap().1, goal);
     }
 }
@@ -204,13 +208,13 @@ fn what_is_refused_exits_with_2_and_writes_nothing() {
 #[test]
 fn help_and_list_follow_from_the_table_of_generators() {
     let [help, list] = [&["generate", "--help"] as &[&str], &["list"]].map(|args| words(&forage(args).stdout));
-    for generator in GENERATORS.iter().chain(OTHERS) {
+    for generator in standard().generators() {
         assert!(help.contains(generator.title) && list.contains(generator.title), "{}", generator.name);
         let page = words(&forage(&["list", generator.name]).stdout);
         assert!(generator.parameters.iter().copied().flatten().all(|p| page.contains(p.name)), "{page}");
     }
     let list: serde_json::Value = serde_json::from_slice(&forage(&["list", "--json"]).stdout).unwrap();
     let names: Vec<_> = list["generators"].as_array().unwrap().iter().map(|g| g["name"].as_str().unwrap()).collect();
-    assert_eq!(names, GENERATORS.iter().chain(OTHERS).map(|g| g.name).collect::<Vec<_>>());
+    assert_eq!(names, standard().generators().iter().map(|g| g.name).collect::<Vec<_>>());
     assert_eq!(list["generators"][0]["parameters"][3]["default"], 0.3);
 }

@@ -5,12 +5,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use serde::{Deserialize, Serialize};
 
 use forage::{
-    Session, Setup, Status, Value,
+    Setup, Status, Value,
     arm::ArmScene,
-    catalogue::PLANNERS,
     describe::Start,
+    follow::motion::MotionOutcome,
     geometry::length_in_space,
     kernel::{Error, Readings, Solution, Stepper},
+    standard,
 };
 
 use super::super::{rows::Row, runner::Job};
@@ -91,9 +92,10 @@ fn grow(setup: &Setup, stop: &AtomicBool) -> Result<Option<Tree>, Error> {
     for part in ["shorten", "polyline", "smooth"] {
         raw.params.insert(part, Value::Flag(false));
     }
-    let (entry, settings) = raw.check()?;
+    let (entry, settings) = raw.check(standard())?;
     let begun = std::time::Instant::now();
-    let mut run = Stepper::from((entry.start)(&Start { scene: &raw.scene, parameters: &settings, seed: raw.seed, entries: &PLANNERS })?);
+    let mut run =
+        Stepper::from((entry.start)(&Start { scene: &raw.scene, parameters: &settings, seed: raw.seed, entries: &**standard() })?);
     while run.step(|_| Vec::new()) {
         if run.iteration.is_multiple_of(1000) && stop.load(Ordering::Relaxed) {
             return Ok(None);
@@ -118,7 +120,7 @@ impl Job for Task {
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Run>, Error> {
         let Some(tree) = grow(&self.0, stop)? else { return Ok(None) };
-        let mut session = Session::with_keyframes(self.0.clone(), 0)?;
+        let mut session = forage::Run::with_keyframes(standard(), self.0.clone(), 0)?;
         while session.step(1000) == Status::Running {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
@@ -126,7 +128,7 @@ impl Job for Task {
         }
         let outcome = session.outcome();
         let arm = self.0.scene.get::<ArmScene>()?;
-        let motion = outcome.motion.as_ref();
+        let motion = outcome.followed.get::<MotionOutcome>();
         let number = |name: &str| tree.readings.get(name).filter(|value| value.is_finite());
         Ok(Some(Run {
             scene: self.0.scene.name().to_owned(),

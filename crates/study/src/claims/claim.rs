@@ -5,11 +5,8 @@ use std::sync::Arc;
 use forage::{
     Overrides, Value,
     kernel::Error,
-    scene::{
-        Scene,
-        generate::{self, GENERATORS},
-        shipped,
-    },
+    scene::{GRID, Scene},
+    shipped, standard,
 };
 
 use super::{measure::Measure, run::Run};
@@ -170,7 +167,7 @@ impl Part {
 
     /// Over maps of all generators of grids, with these settings.
     pub fn across(settings: &'static str, arms: impl Into<Vec<Arm>>, question: Question) -> Self {
-        Self::on_maps(GENERATORS.iter().map(|generator| generator.name), MAPS, settings, arms, question)
+        Self::on_maps(standard().generators_of(GRID).map(|generator| generator.name), MAPS, settings, arms, question)
     }
 
     /// Over maps of these generators.
@@ -208,7 +205,7 @@ impl On {
     pub(super) fn scene(&self) -> Result<Arc<Scene>, Error> {
         match self {
             Self::Scene(name) => shipped(name),
-            Self::Map { generator, settings, map } => Ok(Arc::new(generate::generate(generator, &given(settings), *map)?)),
+            Self::Map { generator, settings, map } => Ok(Arc::new(standard().generate(generator, &given(settings), *map)?)),
         }
     }
 }

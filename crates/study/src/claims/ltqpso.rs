@@ -221,7 +221,7 @@ fn optima() -> Vec<Claim> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use forage::{Setup, shipped};
+    use forage::{Setup, shipped, standard};
 
     /// The sizes of L4 are those that (10) and (11) give.
     #[test]
@@ -231,7 +231,7 @@ mod tests {
         for arm in parts.iter().flat_map(|part| &part.arms) {
             let setup =
                 Setup { planner: arm.planner.to_owned(), scene: shipped("qpso-10m-empty").unwrap(), params: arm.params.clone(), seed: 1 };
-            let suggested = setup.suggest().unwrap().unwrap();
+            let suggested = setup.suggest(standard()).unwrap().unwrap();
             let given = ["population", "iterations"].map(|name| arm.params.get(name).unwrap().to_string());
             assert_eq!(given, [suggested.population, suggested.iterations].map(|number| number.to_string()), "{:?}", arm.params);
         }

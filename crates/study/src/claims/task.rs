@@ -5,12 +5,7 @@ use std::{
     sync::atomic::{AtomicBool, Ordering},
 };
 
-use forage::{
-    Overrides, Setup, Status, Trial,
-    arm::{ArmScene, MOTION},
-    kernel::Error,
-    trial::WITHIN,
-};
+use forage::{Overrides, Setup, Status, Trial, arm::ArmScene, follow::motion, kernel::Error, run::trial::WITHIN, standard};
 
 use super::{
     super::{arm_rrt, colonies, runner::Job},
@@ -72,13 +67,13 @@ impl Job for Task {
     fn run(&self, stop: &AtomicBool) -> Result<Option<Run>, Error> {
         let scene = self.on.scene()?;
         let setup = Setup { planner: self.arm.planner.to_owned(), scene: scene.clone(), params: self.arm.params.clone(), seed: self.seed };
-        let mut trial = Trial::new(setup, WITHIN)?;
+        let mut trial = Trial::new(standard(), setup, WITHIN)?;
         let (most, enough) = match self.until {
             Until::End => (u64::MAX, u64::MAX),
             Until::Iteration(k) => (k, u64::MAX),
             Until::Evaluations(n) => (u64::MAX, n),
         };
-        while trial.session().iteration() < most && trial.session().evaluations() < enough {
+        while trial.run().iteration() < most && trial.run().evaluations() < enough {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
             }
@@ -88,8 +83,7 @@ impl Job for Task {
         }
         let record = trial.record();
         let curve: Vec<u64> = trial.curve().iter().map(|improvement| improvement.iteration).collect();
-        let session = trial.session();
-        let outcome = session.outcome();
+        let outcome = trial.run().outcome();
         let mut numbers = String::new();
         let mut add = |name: &str, number: Option<f64>| {
             if let Some(number) = number.filter(|number| number.is_finite()) {
@@ -109,7 +103,8 @@ impl Job for Task {
         if let Some(path) = outcome.tip_path.as_deref() {
             add("aside", Some(arm_rrt::aside(scene.get::<ArmScene>()?, path)));
         }
-        if let Some(motion) = session.motion(&self.arm.motion)? {
+        let best = trial.run().best().map(|best| best.solution);
+        if let Some(motion) = motion::along(&scene, best.as_ref(), &self.arm.motion)? {
             let jumps = jumps(&motion.rows);
             add("largest_jump", jumps.iter().copied().reduce(f64::max));
             add("mean_jump", Some(jumps.iter().sum::<f64>() / jumps.len() as f64));
@@ -142,10 +137,10 @@ impl Job for Task {
 }
 
 /// How much the joints' velocities change from one leg of a motion to the next, in °/s: of each such moment the largest change of a
-/// joint. The rows are those of [`forage::arm::Motion`]: the time comes first, the six joints sixth to eleventh.
+/// joint. The rows are those of [`motion::Motion`]: the time comes first, the six joints sixth to eleventh.
 fn jumps(rows: &[f64]) -> Vec<f64> {
     const JOINTS: std::ops::Range<usize> = 5..11;
-    let rows: Vec<&[f64]> = rows.chunks(MOTION.columns.len()).collect();
+    let rows: Vec<&[f64]> = rows.chunks(motion::ENTRY.columns.len()).collect();
     let legs = rows.windows(2).filter(|two| two[1][0] > two[0][0]);
     let velocities: Vec<Vec<f64>> = legs.map(|two| JOINTS.map(|j| (two[1][j] - two[0][j]) / (two[1][0] - two[0][0])).collect()).collect();
     let largest = |two: &[Vec<f64>]| two[0].iter().zip(&two[1]).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -160,12 +155,12 @@ mod tests {
     #[test]
     fn a_jump_is_the_largest_change_of_a_joints_velocity() {
         let row = |time: f64, angle: f64| {
-            let mut row = vec![0.0; MOTION.columns.len()];
+            let mut row = vec![0.0; motion::ENTRY.columns.len()];
             (row[0], row[7]) = (time, angle);
             row
         };
         let rows = [row(0.0, 0.0), row(1.0, 10.0), row(2.0, 40.0), row(4.0, 40.0)].concat();
         assert_eq!(jumps(&rows), [20.0, 30.0]);
-        assert_eq!((MOTION.columns[0].name, MOTION.columns[5].name, MOTION.columns[10].name), ("time", "q1", "q6"));
+        assert_eq!((motion::ENTRY.columns[0].name, motion::ENTRY.columns[5].name, motion::ENTRY.columns[10].name), ("time", "q1", "q6"));
     }
 }

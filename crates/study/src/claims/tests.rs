@@ -12,7 +12,7 @@ use crate::{
     papers::{PAPERS, Paper},
     runner::Job,
 };
-use forage::{catalogue, params::Parameters};
+use forage::{params::Parameters, standard};
 
 /// All claims of all papers, without what a tuning finds.
 fn all() -> Vec<(&'static str, Claim)> {
@@ -208,7 +208,7 @@ fn all_claims_are_of_known_planners_parameters_and_scenes() {
             for arm in &part.arms {
                 for on in part.on.iter().take(1) {
                     let scene = on.scene().unwrap();
-                    let entry = catalogue::find(arm.planner).unwrap();
+                    let entry = standard().planner(arm.planner).unwrap();
                     entry.check_scene(&scene).unwrap();
                     let settings = Parameters::new(entry.parameters, scene.kind(), &arm.params);
                     assert!(settings.is_ok(), "[{paper}] {}: {} {:?}", claim.id, arm.planner, settings.err());

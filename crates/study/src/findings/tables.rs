@@ -2,11 +2,7 @@
 
 use std::fmt::Write;
 
-use forage::{
-    kernel::Error,
-    math,
-    scene::{GridScene, shipped},
-};
+use forage::{kernel::Error, math, scene::GridScene, shipped};
 
 use super::{
     super::{

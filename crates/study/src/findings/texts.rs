@@ -1,9 +1,10 @@
 //! Numbers of the papers' texts, and what in the papers contradicts something else in them.
 
 use forage::{
-    Overrides, Session, Setup, Value, catalogue, geometry,
+    Overrides, Setup, Value, geometry,
     kernel::{Error, SceneKindId},
-    scene::{FUNCTION, GridScene, shipped},
+    scene::{FUNCTION, GridScene},
+    shipped, standard,
 };
 
 use super::{
@@ -34,7 +35,7 @@ fn if_so(holds: bool, otherwise: Source) -> Source {
 
 /// A planner's default.
 fn default(planner: &str, name: &str, kind: SceneKindId) -> Result<f64, Error> {
-    let entry = catalogue::find(planner)?;
+    let entry = standard().planner(planner)?;
     Ok(match entry.parameter(name).map(|parameter| parameter.default_on(kind)) {
         Some(Value::Number(number)) => number,
         _ => f64::NAN,
@@ -133,7 +134,7 @@ fn wcpso() -> Result<Vec<Finding>, Error> {
 fn suggested(d: u64, initial: &str) -> Result<[u64; 2], Error> {
     let params: Overrides = [("segments", Value::from(d as f64)), ("initial", Value::from(initial))].into_iter().collect();
     let setup = Setup { planner: "ltqpso".to_owned(), scene: shipped("qpso-10m")?, params, seed: 1 };
-    Ok(setup.suggest()?.map_or([0, 0], |suggestion| [suggestion.population, suggestion.iterations]))
+    Ok(setup.suggest(standard())?.map_or([0, 0], |suggestion| [suggestion.population, suggestion.iterations]))
 }
 
 fn ltqpso() -> Result<Vec<Finding>, Error> {
@@ -312,7 +313,8 @@ fn wolf_ant() -> Result<Vec<Finding>, Error> {
     ));
     let run = |epsilon: f64| -> Result<Option<f64>, Error> {
         let params: Overrides = [("epsilon", Value::from(epsilon)), ("iterations", Value::from(20.0))].into_iter().collect();
-        let mut session = Session::with_keyframes(Setup { planner: "aco-wolf".to_owned(), scene: scene.clone(), params, seed: 1 }, 0)?;
+        let mut session =
+            forage::Run::with_keyframes(standard(), Setup { planner: "aco-wolf".to_owned(), scene: scene.clone(), params, seed: 1 }, 0)?;
         session.step(u64::MAX);
         Ok(session.readings().get("mean"))
     };

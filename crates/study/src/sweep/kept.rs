@@ -11,7 +11,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use forage::{kernel::Error, trial::Record};
+use forage::{kernel::Error, run::trial::Record};
 
 use super::{
     super::{

@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 
 use forage::{
     kernel::{Error, ReferenceOptimum},
-    trial::Record,
+    run::trial::Record,
 };
 
 use super::{

@@ -23,8 +23,7 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use forage::{
     kernel::{Error, Status},
-    session::Session,
-    trial::{Record, Trial},
+    run::trial::{Record, Trial},
 };
 
 use super::{
@@ -45,7 +44,7 @@ impl Work for Sweep {
     }
 
     fn run(&self, job: usize, stop: &AtomicBool) -> Result<Option<Record>, Error> {
-        let mut trial = Trial::new(self.setup(job), self.within)?;
+        let mut trial = Trial::new(&self.registry, self.setup(job), self.within)?;
         while trial.step(1) == Status::Running {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
@@ -96,7 +95,7 @@ fn check_start(sweep: &Sweep, left: &[usize], stop: &AtomicBool) -> Result<(), F
         if stop.load(Ordering::Relaxed) {
             return None;
         }
-        Session::with_keyframes(sweep.setup(job), 0).err().map(|error| (job, error))
+        forage::Run::with_keyframes(&sweep.registry, sweep.setup(job), 0).err().map(|error| (job, error))
     });
     match refused {
         Some((job, error)) => Err(sweep.placed(sweep.cell(job), error).into()),

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, fmt, str::FromStr, sync::Arc};
 
-use forage::{Overrides, Scene, Setup, Value, kernel::Error, params::Parameters};
+use forage::{Overrides, Registry, Scene, Setup, Value, kernel::Error, params::Parameters};
 
 use super::text::value_text;
 
@@ -76,6 +76,8 @@ impl Seeds {
 /// Planners × scenes × parameter values × seeds.
 #[derive(Debug)]
 pub struct Sweep {
+    /// What there is to run.
+    pub registry: Arc<Registry>,
     /// What it is called.
     pub name: String,
     /// What is planned in; no two have one name.
@@ -234,7 +236,7 @@ impl Sweep {
     pub(super) fn weigh(&mut self) -> Result<(), Error> {
         let mut weights = Vec::with_capacity(self.cells());
         for cell in 0..self.cells() {
-            let (_, settings) = self.setup(cell * self.seeds.len()).check().map_err(|error| self.placed(cell, error))?;
+            let (_, settings) = self.setup(cell * self.seeds.len()).check(&self.registry).map_err(|error| self.placed(cell, error))?;
             weights.push(weight(&settings));
         }
         self.weights = weights;

@@ -7,10 +7,9 @@ use toml::{Table, Value as Toml};
 
 use forage::{
     Scene, Value,
-    catalogue::find,
-    describe::Entry,
+    describe::{Entry, Registry},
     kernel::{Error, rng::check_seed},
-    trial::WITHIN,
+    run::trial::WITHIN,
 };
 
 use super::{
@@ -25,7 +24,7 @@ pub type Load<'a> = &'a dyn Fn(&str) -> Result<Arc<Scene>, Failure>;
 
 /// What a file says.
 #[derive(Debug)]
-pub struct Overrides {
+pub struct Experiment {
     /// The runs.
     pub sweep: Sweep,
     /// Where the rows are to go, if it says so.
@@ -58,7 +57,7 @@ struct Planner {
 ///
 /// # Errors
 /// The field, its value and what is allowed.
-pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Overrides, Failure> {
+pub fn read(registry: &Arc<Registry>, file: &str, default_name: &str, text: &str, load: Load) -> Result<Experiment, Failure> {
     let given: File = toml::from_str(text).map_err(|problem| Error::malformed(file, placed(text, &problem)))?;
     let name = given.name.map_or(Ok(default_name.to_owned()), |name| plain_text("name", &name))?;
     let scenes = scenes(given.scenes.as_ref(), load)?;
@@ -69,9 +68,11 @@ pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Ov
     })?;
     let out = given.out.map(|out| plain_text("out", &out).map(PathBuf::from)).transpose()?;
     out.as_deref().map(|out| Format::of("out", out)).transpose()?;
-    let (planners, parameters) = planners(&given.planner, given.iterations.as_ref(), &scenes)?;
+    let (planners, parameters) = planners(registry, &given.planner, given.iterations.as_ref(), &scenes)?;
 
-    let mut sweep = Sweep { name, scenes, within, parameters, seeds, in_front: in_front(&planners), planners, weights: Vec::new() };
+    let registry = Arc::clone(registry);
+    let mut sweep =
+        Sweep { registry, name, scenes, within, parameters, seeds, in_front: in_front(&planners), planners, weights: Vec::new() };
     let groups = sweep.planners.iter().map(|planner| planner.count).fold(0, usize::saturating_add);
     let cells = groups.saturating_mul(sweep.scenes.len());
     if cells > MOST_CELLS {
@@ -84,7 +85,7 @@ pub fn read(file: &str, default_name: &str, text: &str, load: Load) -> Result<Ov
         return Err(Error::refused("seeds", format!("a sweep of {runs} runs"), allowed).into());
     }
     sweep.weigh()?;
-    Ok(Overrides { sweep, out })
+    Ok(Experiment { sweep, out })
 }
 
 /// A TOML error in one line, with its place.
@@ -179,7 +180,12 @@ fn seeds(given: Option<&Toml>) -> Result<Seeds, Error> {
 }
 
 /// The planners, and the names of all their parameters.
-fn planners(given: &[Planner], iterations: Option<&Toml>, scenes: &[Arc<Scene>]) -> Result<(Vec<Variants>, Vec<String>), Error> {
+fn planners(
+    registry: &Registry,
+    given: &[Planner],
+    iterations: Option<&Toml>,
+    scenes: &[Arc<Scene>],
+) -> Result<(Vec<Variants>, Vec<String>), Error> {
     if given.is_empty() {
         return Err(Error::refused("planner", "nothing", "one [[planner]] with a name at least"));
     }
@@ -189,7 +195,7 @@ fn planners(given: &[Planner], iterations: Option<&Toml>, scenes: &[Arc<Scene>])
         let place = format!("planner[{i}]");
         let field = format!("{place}.name");
         let name = planner.name.as_ref().ok_or_else(|| Error::refused(&field, "nothing", "a planner’s name; `forage list` shows them"))?;
-        let entry = find(&plain_text(&field, name)?).map_err(|error| match error {
+        let entry = registry.planner(&plain_text(&field, name)?).map_err(|error| match error {
             Error::Unknown { value, known, .. } => Error::Unknown { field: field.clone(), value, known },
             other => other,
         })?;

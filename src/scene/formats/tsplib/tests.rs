@@ -9,6 +9,7 @@ use crate::{
         formats::{Format, NamedFile, export, import, wanted},
         tour,
     },
+    standard,
 };
 
 fn file(name: &str, text: impl AsRef<[u8]>) -> NamedFile {
@@ -16,7 +17,7 @@ fn file(name: &str, text: impl AsRef<[u8]>) -> NamedFile {
 }
 
 fn read(text: &str) -> Scene {
-    import(&[file("a.tsp", text)], None).unwrap().scene
+    import(standard(), &[file("a.tsp", text)], None).unwrap().scene
 }
 
 /// An instance of points given by their first and second coordinate.
@@ -72,7 +73,7 @@ fn geo_instances_have_the_optima_that_are_published_for_them() {
     assert_eq!(shortest(&read(&instance("GEO", &BURMA))), 3323.0);
     let ulysses = instance("GEO", &ULYSSES);
     let tour = "TYPE : TOUR\nTOUR_SECTION\n1 14 13 12 7 6 15 5 11 9 10 16 3 2 4 8 -1\nEOF\n";
-    let with = import(&[file("u.tsp", &ulysses), file("u.opt.tour", tour)], None).unwrap();
+    let with = import(standard(), &[file("u.tsp", &ulysses), file("u.opt.tour", tour)], None).unwrap();
     assert_eq!(shortest(&with.scene), 6859.0);
     // Latitude first in the file, longitude first in the scene, so that pictures have the north on top.
     let tour = with.scene.get::<TourScene>().unwrap();
@@ -135,7 +136,7 @@ fn what_other_programs_write_is_read() {
                 EDGE_WEIGHT_TYPE :EUC_2D\r\nNODE_COORD_TYPE : TWOD_COORDS\r\nDISPLAY_DATA_TYPE : COORD_DISPLAY\r\nBEST_KNOWN : 7\r\n\
                 NODE_COORD_SECTION\r\n  2 1.0e+02 -0\r\n\t1   1\t-1.5E1  \r\n";
     for (name, text) in [("a.TSP", text.to_owned()), ("a", text.to_owned()), ("a.tsp", format!("{text}EOF\nand so on"))] {
-        let read = import(&[file(name, text)], None).unwrap();
+        let read = import(standard(), &[file(name, text)], None).unwrap();
         assert_eq!(read.scene.get::<TourScene>().unwrap().points, [[1.0, -15.0], [100.0, 0.0]]);
         assert_eq!((read.scene.name(), read.notes.len()), ("far", 1));
         assert!(read.notes[0].starts_with("Line 10 of a") && read.notes[0].contains("`BEST_KNOWN`"), "{:?}", read.notes);
@@ -151,9 +152,9 @@ fn what_other_programs_write_is_read() {
     let shown = read(&matrix("LOWER_ROW", "3\n4 6\n5 7 8").replace("EOF\n", places));
     assert_eq!(shown.get::<TourScene>().unwrap().points, [[1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [4.0, 5.0]]);
     let twice = instance("EUC_2D", &[[0.0, 3.0], [4.0, 0.0]]).replace("EOF\n", "DISPLAY_DATA_SECTION\n1 0 0\n2 1 1\n");
-    let twice = import(&[file("b.tsp", twice)], None).unwrap();
+    let twice = import(standard(), &[file("b.tsp", twice)], None).unwrap();
     assert_eq!((twice.scene.get::<TourScene>().unwrap().points[0], twice.notes.len()), ([0.0, 3.0], 1));
-    let odd = import(&[file("c.tsp", matrix("LOWER_DIAG_ROW", "9 3 -1 4 6 0 5 7 8 0"))], None).unwrap();
+    let odd = import(standard(), &[file("c.tsp", matrix("LOWER_DIAG_ROW", "9 3 -1 4 6 0 5 7 8 0"))], None).unwrap();
     assert!(odd.notes[0].starts_with("2 distances from a stop to itself"), "{:?}", odd.notes);
 }
 
@@ -222,7 +223,7 @@ fn what_is_not_supported_is_refused_by_its_name_and_line() {
         cases.push((change("DIMENSION: 3", &format!("DIMENSION: {n}")), part));
     }
     for (text, part) in cases {
-        let error = import(&[file("folder/a.tsp", &text)], None).unwrap_err();
+        let error = import(standard(), &[file("folder/a.tsp", &text)], None).unwrap_err();
         assert_eq!(error.field(), "a.tsp");
         assert!(error.to_string().contains(&part), "{error}\nshould say\n{part}");
     }
@@ -232,19 +233,19 @@ fn what_is_not_supported_is_refused_by_its_name_and_line() {
 fn a_tour_is_measured_and_kept_only_if_it_is_said_to_be_the_shortest() {
     let tsp = file("x.tsp", instance("EUC_2D", &[[0.0, 0.0], [30.0, 40.0], [0.0, 40.0], [30.0, 0.0]]));
     let text = "NAME : x\nCOMMENT : Length 1\nTYPE : TOUR\nDIMENSION : 4\nTOUR_SECTION\n3\n2\n4\n1\n-1\nEOF\n";
-    let optimal = import(&[file("x.OPT.tour", text), tsp.clone()], None).unwrap();
+    let optimal = import(standard(), &[file("x.OPT.tour", text), tsp.clone()], None).unwrap();
     let exact = optimal.scene.header().exact.clone().unwrap();
     assert_eq!((exact["length"].as_f64(), exact["order"].to_string()), (Some(140.0), "[2,1,3,0]".to_owned()));
     assert!(optimal.notes[0].contains("the length 140. That none is shorter is what"), "{:?}", optimal.notes);
-    let other = import(&[tsp.clone(), file("x.tour", text.replace("3\n2\n4\n1\n-1", " 1 2 3 4"))], None).unwrap();
+    let other = import(standard(), &[tsp.clone(), file("x.tour", text.replace("3\n2\n4\n1\n-1", " 1 2 3 4"))], None).unwrap();
     assert_eq!((other.scene.header().exact.as_ref(), other.notes.len()), (None, 1));
     assert!(other.notes[0].contains("the length 160"), "{:?}", other.notes);
     // With a scene's own file, and by what is in it.
     let json = file("x.json", other.scene.to_json());
-    assert_eq!(import(&[json.clone(), file("x.opt.tour", text)], None).unwrap().scene.header().exact, Some(exact));
-    assert!(import(&[json, file("tour of x", text)], None).unwrap().notes[0].contains("length 140"));
+    assert_eq!(import(standard(), &[json.clone(), file("x.opt.tour", text)], None).unwrap().scene.header().exact, Some(exact));
+    assert!(import(standard(), &[json, file("tour of x", text)], None).unwrap().notes[0].contains("length 140"));
     let lists = text.replace("-1\n", "-1\n-1\n");
-    assert!(import(&[tsp.clone(), file("x.tour", lists)], None).is_ok(), "a list of one tour");
+    assert!(import(standard(), &[tsp.clone(), file("x.tour", lists)], None).is_ok(), "a list of one tour");
     for (from, to, part) in [
         ("TOUR\n", "TSP\n", "line 3: found `TSP`, expected for TYPE TOUR"),
         ("DIMENSION : 4", "DIMENSION : 5", "line 4: found `5`, expected for DIMENSION 4, as many as the scene has stops"),
@@ -257,17 +258,22 @@ fn a_tour_is_measured_and_kept_only_if_it_is_said_to_be_the_shortest() {
         ("TOUR_SECTION\n3\n2\n4\n1\n-1\n", "", "line 5: the file ends without `TOUR_SECTION`"),
     ] {
         assert!(text.contains(from));
-        let error = import(&[tsp.clone(), file("x.tour", text.replacen(from, to, 1))], None).unwrap_err();
+        let error = import(standard(), &[tsp.clone(), file("x.tour", text.replacen(from, to, 1))], None).unwrap_err();
         assert_eq!(error.field(), "x.tour");
         assert!(error.to_string().contains(part), "{error}\nshould say\n{part}");
     }
     for (name, expected) in [("some/x.opt.tour", "x.tsp"), ("x.tour", "x.tsp"), ("x.y.tour", "x.y.tsp")] {
         let alone = [file(name, text)];
         assert_eq!(wanted(&alone).unwrap().as_deref(), Some(expected));
-        assert!(import(&alone, None).unwrap_err().to_string().contains(&format!("the file `{expected}` that belongs to it is missing")));
+        assert!(
+            import(standard(), &alone, None)
+                .unwrap_err()
+                .to_string()
+                .contains(&format!("the file `{expected}` that belongs to it is missing"))
+        );
     }
     let map = file("m.map", "type octile\nheight 1\nwidth 2\nmap\n..\n");
-    assert!(import(&[map, file("x.tour", text)], None).unwrap_err().to_string().contains("one scene at a time"));
+    assert!(import(standard(), &[map, file("x.tour", text)], None).unwrap_err().to_string().contains("one scene at a time"));
     assert_eq!(wanted(&[tsp, file("x.tour", text)]).unwrap(), None);
 }
 
@@ -292,7 +298,7 @@ fn what_is_written_says_what_it_lost() {
     let open = scene(open);
     let written = export(&open, Format::Tsplib, "x").unwrap();
     assert_eq!((written.files.len(), written.notes[0].contains("that tours are open")), (1, true));
-    let refused = import(&[file("o.json", open.to_json()), file("o.tour", "TOUR_SECTION 1 2 3 -1")], None).unwrap_err();
+    let refused = import(standard(), &[file("o.json", open.to_json()), file("o.tour", "TOUR_SECTION 1 2 3 -1")], None).unwrap_err();
     assert!(refused.to_string().contains("those of the scene are open"));
     let matrix = read(&matrix("UPPER_ROW", "3 4 5 6 7.5 8"));
     let written = export(&matrix, Format::Tsplib, "m").unwrap();

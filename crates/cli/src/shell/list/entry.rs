@@ -1,23 +1,11 @@
 //! One entry of `forage list --json`, with the same fields in the same order.
 
-use forage::catalogue::catalogue;
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-/// The parts of the catalogue that have pages.
-#[derive(Deserialize)]
-struct Parts<'a> {
-    #[serde(borrow)]
-    planners: Vec<&'a RawValue>,
-    #[serde(borrow)]
-    generators: Vec<&'a RawValue>,
-    #[serde(borrow)]
-    scenes: Vec<&'a RawValue>,
-    #[serde(borrow)]
-    drive: &'a RawValue,
-    #[serde(borrow)]
-    motion: &'a RawValue,
-}
+use crate::shell::registry;
 
 #[derive(Deserialize)]
 struct Named {
@@ -26,14 +14,13 @@ struct Named {
 
 /// The entry of this name, which must be known.
 pub(super) fn json(name: &str) -> String {
-    let text = serde_json::to_string_pretty(&catalogue()).unwrap_or_default();
-    let Ok(parts) = serde_json::from_str::<Parts>(&text) else { return text };
-    match name {
-        "drive" => return outdented(parts.drive, 2),
-        "motion" => return outdented(parts.motion, 2),
-        _ => {}
+    let text = serde_json::to_string_pretty(&registry().catalogue()).unwrap_or_default();
+    let Ok(parts) = serde_json::from_str::<BTreeMap<&str, &RawValue>>(&text) else { return text };
+    if registry().follower(name).is_ok() {
+        return parts.get(name).map_or(String::new(), |follower| outdented(follower, 2));
     }
-    let mut entries = parts.planners.into_iter().chain(parts.generators).chain(parts.scenes);
+    let lists = ["planners", "generators", "scenes"].into_iter().filter_map(|list| parts.get(list));
+    let mut entries = lists.flat_map(|list| serde_json::from_str::<Vec<&RawValue>>(list.get()).unwrap_or_default());
     let entry = entries.find(|entry| serde_json::from_str::<Named>(entry.get()).is_ok_and(|entry| entry.name == name));
     entry.map_or(String::new(), |entry| outdented(entry, 4))
 }

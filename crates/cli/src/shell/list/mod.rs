@@ -6,12 +6,9 @@ mod words;
 
 use std::{fmt::Write, process::ExitCode};
 
-use forage::{
-    Scene,
-    catalogue::{self, PLANNERS},
-    scene::{ARM, GRID, KINDS},
-    shipped_names,
-};
+use crate::shell::registry;
+
+use forage::Scene;
 
 use super::{
     args::ListArgs,
@@ -26,7 +23,7 @@ use words::{family, kinds};
 
 pub(super) fn list(args: &ListArgs) -> Outcome {
     match &args.name {
-        None if args.json => print_json(&catalogue::catalogue())?,
+        None if args.json => print_json(&registry().catalogue())?,
         None => print(&overview(columns()))?,
         Some(name) => {
             let known = names::pages();
@@ -85,19 +82,19 @@ fn groups() -> Vec<(String, Vec<Line>)> {
         Some((_, lines)) => lines.push(line),
         None => groups.push((heading, vec![line])),
     };
-    for entry in PLANNERS {
+    for entry in registry().planners() {
         let line = Line { name: entry.name.to_owned(), title: entry.title.to_owned(), note: kinds(entry) };
         add(format!("Planners: {}", family(entry)), line);
     }
-    for generator in names::all_generators() {
-        let line = Line { name: generator.name.to_owned(), title: generator.title.to_owned(), note: generator.kind().name().to_owned() };
+    for generator in registry().generators() {
+        let line = Line { name: generator.name.to_owned(), title: generator.title.to_owned(), note: generator.kind.name().to_owned() };
         add("Generators of random scenes".to_owned(), line);
     }
-    for (name, title, kind) in [("drive", "How a robot drives along a path", GRID), ("motion", "How an arm follows a path", ARM)] {
-        let line = Line { name: name.to_owned(), title: title.to_owned(), note: kind.name().to_owned() };
+    for follower in registry().followers() {
+        let line = Line { name: follower.name.to_owned(), title: follower.title.to_owned(), note: follower.kind.name().to_owned() };
         add("Following a path".to_owned(), line);
     }
-    for scene in shipped_names() {
+    for scene in registry().scenes() {
         let description = describe(scene);
         let size = description.split_once(", ").map_or("", |(_, size)| size).to_owned();
         let line = Line { name: scene.name().to_owned(), title: escape(&scene.header().title).into_owned(), note: size };
@@ -107,5 +104,5 @@ fn groups() -> Vec<(String, Vec<Line>)> {
 }
 
 fn scene_heading(scene: &Scene) -> &'static str {
-    KINDS.iter().find(|kind| kind.id == scene.kind()).map_or("others", |kind| kind.title)
+    registry().kinds().iter().find(|kind| kind.id == scene.kind()).map_or("others", |kind| kind.title)
 }

@@ -4,34 +4,30 @@ use std::fmt::Write;
 
 use forage::{
     Scene,
-    catalogue::{self, PLANNERS},
-    describe::{Entry, Follower},
+    describe::{Entry, Follower, Generator},
     kernel::SceneKindId,
     params::Parameter,
-    scene::{
-        ARM, GridScene,
-        generate::{self, Generator},
-    },
-    shipped, shipped_names,
+    scene::{ARM, GridScene},
 };
 
-use super::words::{family, follower, kinds};
+use super::words::{family, kinds};
 use crate::shell::{
     convert::describe,
     exact::unit,
+    registry,
     text::{escape, point, wrap},
 };
 
 /// The page about a name, which must be known.
 pub(super) fn page(name: &str, columns: usize) -> String {
     let mut page = Page { text: String::new(), columns };
-    if let Ok(entry) = catalogue::find(name) {
+    if let Ok(entry) = registry().planner(name) {
         planner(entry, &mut page);
-    } else if let Ok(found) = generate::find(name) {
+    } else if let Ok(found) = registry().generator(name) {
         generator(found, &mut page);
-    } else if let Some((entry, kind)) = follower(name) {
-        following(name, entry, kind, &mut page);
-    } else if let Ok(found) = shipped(name) {
+    } else if let Ok(found) = registry().follower(name) {
+        following(found, &mut page);
+    } else if let Ok(found) = registry().scene(name) {
         scene(&found, &mut page);
     }
     page.text
@@ -140,22 +136,23 @@ fn planner(entry: &Entry, page: &mut Page) {
 /// A shipped scene on which a planner finds something.
 fn example_scene(entry: &Entry) -> Option<&'static Scene> {
     const FIRST: [&str; 6] = ["arm-cuboid", "wcpso-discs", "qpso-10m", "crossing", "wolf-ant-20", "ant-bat-30"];
-    let preferred = FIRST.iter().filter_map(|name| shipped_names().find(|scene| scene.name() == *name));
+    let preferred = FIRST.iter().filter_map(|name| registry().scenes().iter().find(|scene| scene.name() == *name));
     let drives = |scene: &Scene| entry.family != "dynamic" || scene.get::<GridScene>().is_ok_and(|grid| !grid.moving.is_empty());
-    preferred.chain(shipped_names()).map(|scene| &**scene).find(|scene| entry.check_scene(scene).is_ok() && drives(scene))
+    preferred.chain(registry().scenes().iter()).map(|scene| &**scene).find(|scene| entry.check_scene(scene).is_ok() && drives(scene))
 }
 
 fn generator(generator: &'static Generator, page: &mut Page) {
     page.line(&format!("{}: {}", generator.name, generator.title));
-    page.field("Makes", &format!("scenes of kind {}", generator.kind().name()));
+    page.field("Makes", &format!("scenes of kind {}", generator.kind.name()));
     page.line("");
     page.paragraph(generator.help, 2);
-    page.parameters("--set", generator.parameters, &[generator.kind()]);
+    page.parameters("--set", generator.parameters, &[generator.kind]);
     page.examples(&[format!("forage generate {0} --seed 7 --out {0}.json", generator.name)]);
 }
 
-fn following(name: &str, entry: &Follower, kind: SceneKindId, page: &mut Page) {
-    page.line(&format!("{name}: {}", if kind == ARM { "how an arm follows a path" } else { "how a robot drives along a path" }));
+fn following(entry: &Follower, page: &mut Page) {
+    let (name, kind) = (entry.name, entry.kind);
+    page.line(&format!("{name}: {}", entry.title));
     page.field("Source", entry.source);
     page.field("Scenes", kind.name());
     page.line("");
@@ -191,7 +188,7 @@ fn scene(scene: &Scene, page: &mut Page) {
         page.paragraph(&escape(note), 2);
     }
     page.heading("Planners that run on it");
-    let planners: Vec<_> = PLANNERS.iter().filter(|entry| entry.check_scene(scene).is_ok()).map(|entry| entry.name).collect();
+    let planners: Vec<_> = registry().suited(scene).map(|entry| entry.name).collect();
     page.paragraph(&planners.join(", "), 2);
     let run = planners.first().map(|planner| format!("forage run {planner} --scene {}", scene.name()));
     page.examples(&run.into_iter().chain([format!("forage exact --scene {}", scene.name())]).collect::<Vec<_>>());

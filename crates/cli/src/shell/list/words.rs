@@ -1,12 +1,6 @@
-//! What planners and the followers of a path are called on the overview and on their pages.
+//! What families and kinds are called on the overview and on the pages.
 
-use forage::{
-    arm,
-    describe::{Entry, Follower},
-    drive,
-    kernel::SceneKindId,
-    scene::{ARM, GRID},
-};
+use forage::{describe::Entry, kernel::SceneKindId, scene::GRID};
 
 /// A planner's family for people.
 pub(super) fn family(entry: &Entry) -> &'static str {
@@ -26,13 +20,4 @@ pub(super) fn family(entry: &Entry) -> &'static str {
 pub(super) fn kinds(entry: &Entry) -> String {
     let name = |kind: &SceneKindId| if entry.stops && *kind == GRID { "grid with stops" } else { kind.name() };
     entry.kinds.iter().map(name).collect::<Vec<_>>().join(", ")
-}
-
-/// The followers of a path by name, with the kind of scene that they apply to.
-pub(super) fn follower(name: &str) -> Option<(&'static Follower, SceneKindId)> {
-    match name {
-        "drive" => Some((&drive::ENTRY, GRID)),
-        "motion" => Some((&arm::MOTION, ARM)),
-        _ => None,
-    }
 }

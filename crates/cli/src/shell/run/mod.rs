@@ -11,14 +11,15 @@ use std::{
     time::Duration,
 };
 
+use crate::shell::registry;
+
 use forage::{
-    Outcome, Overrides, Session, Status, arm,
+    Outcome, Run, Status,
     describe::{Column, Shown, layers},
-    drive::COLUMNS,
     kernel::SubtaskResult,
     picture,
+    run::{csv_heading, csv_line, csv_row, run_subtasks},
     scene::formats::{stem_of, tour_file},
-    session::{csv_heading, csv_line, csv_row, run_subtasks},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
@@ -27,7 +28,8 @@ use super::{
     args::RunArgs,
     exact,
     failure::{self, Failure},
-    files, interrupt, load,
+    files, interrupt,
+    load::{self, Following},
     output::{note, print, print_json},
     text::{escape, quoted},
 };
@@ -43,24 +45,24 @@ struct Report {
 pub(super) fn run(args: &RunArgs) -> failure::Outcome {
     let task = load::task(args)?;
     check_outputs(args, &task.files)?;
-    let drive_overrides = load::drive(args, &task.setup.scene)?;
-    let motion_overrides = load::motion(args, &task.setup.scene)?;
-    let mut session = Session::with_keyframes(task.setup.clone(), 0).map_err(|error| load::in_setup(&task.setup, &error))?;
-    if args.tour.is_some() && !session.entry().stops {
-        let name = session.entry().name;
+    let following = load::following(args, &task.setup.scene)?;
+    let mut run = Run::with_keyframes(registry(), task.setup.clone(), 0).map_err(|error| load::in_setup(&task.setup, &error))?;
+    if args.tour.is_some() && !run.entry().stops {
+        let name = run.entry().name;
         return Err(Failure::Refused(format!("--tour needs a planner of tours; `{name}` looks for a path (`forage list` shows which do)")));
     }
-    let elapsed_ms = run_to_end(&mut session, task.stop_at, args.trace.as_deref())?;
-    let mut outcome = session.outcome();
-    follow_drive(args, &drive_overrides, &session, &mut outcome)?;
-    follow_motion(args, &motion_overrides, &session, &mut outcome)?;
+    let elapsed_ms = run_to_end(&mut run, task.stop_at, args.trace.as_deref())?;
+    let mut outcome = run.outcome();
+    for following in following.iter().filter(|following| following.is_asked()) {
+        follow(following, &run, &mut outcome)?;
+    }
     if let Some(path) = &args.tour {
         write_tour(path, &outcome)?;
     }
     if let Some(path) = &args.svg {
-        let shown = session.entry().layers.iter().filter(|layer| layer.shown == Shown::On);
+        let shown = run.entry().layers.iter().filter(|layer| layer.shown == Shown::On);
         let layers: Vec<_> = shown.map(|layer| layer.key).chain([layers::EXACT.key]).collect();
-        files::write(path, picture::svg(&session, false, &layers))?;
+        files::write(path, picture::svg(&run, false, &layers))?;
     }
     let expected = task.expected_hash.filter(|_| !args.ignore_hash);
     let difference = expected.and_then(|expected| hash_difference(&expected, task.stop_at, &outcome));
@@ -68,7 +70,7 @@ pub(super) fn run(args: &RunArgs) -> failure::Outcome {
     if args.json {
         print_json(&Report { outcome, elapsed_ms })?;
     } else {
-        print(&summary::summary(&outcome, exact::unit(session.scene()), elapsed_ms))?;
+        print(&summary::summary(&outcome, exact::unit(run.scene()), elapsed_ms))?;
     }
     if let Some(difference) = difference {
         note(&difference);
@@ -113,33 +115,16 @@ fn check_outputs(args: &RunArgs, read: &[PathBuf]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Lets the robot drive along the path, if that was asked for.
-fn follow_drive(args: &RunArgs, overrides: &Overrides, session: &Session, outcome: &mut Outcome) -> Result<(), Failure> {
-    if args.drive.is_none() && overrides.is_empty() {
-        return Ok(());
-    }
-    let drive = session.drive(overrides)?;
-    match (&args.drive, &drive) {
-        (Some(path), Some(drive)) => write_rows(path, COLUMNS, &drive.rows)?,
-        (Some(path), None) => not_written(path, "no path was found to drive along"),
+/// Lets the robot or the arm follow the path, and writes down how.
+fn follow(following: &Following<'_>, run: &Run, outcome: &mut Outcome) -> Result<(), Failure> {
+    let Following { follower, overrides, out } = following;
+    let followed = run.follow(follower.name, overrides)?;
+    match (out, &followed) {
+        (Some(path), Some(followed)) => write_rows(path, follower.columns, followed.rows())?,
+        (Some(path), None) => not_written(path, "no path was found to follow"),
         (None, _) => {}
     }
-    outcome.drive = drive.map(|drive| drive.outcome);
-    Ok(())
-}
-
-/// Lets the arm follow the path, if that was asked for.
-fn follow_motion(args: &RunArgs, overrides: &Overrides, session: &Session, outcome: &mut Outcome) -> Result<(), Failure> {
-    if args.motion.is_none() && overrides.is_empty() {
-        return Ok(());
-    }
-    let motion = session.motion(overrides)?;
-    match (&args.motion, &motion) {
-        (Some(path), Some(motion)) => write_rows(path, arm::MOTION.columns, &motion.rows)?,
-        (Some(path), None) => not_written(path, "no path was found for the arm to follow"),
-        (None, _) => {}
-    }
-    outcome.motion = motion.map(|motion| motion.outcome);
+    outcome.followed.set(follower.name, followed.map(|followed| followed.outcome()));
     Ok(())
 }
 
@@ -149,30 +134,30 @@ fn not_written(path: &Path, why: &str) {
 
 /// Steps to the end, to `stop_at`, or until Ctrl-C, whichever comes first. Returns how many milliseconds it took.
 #[expect(clippy::disallowed_types, reason = "the command line measures how long a run takes; no planner uses it")]
-fn run_to_end(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>) -> Result<f64, Failure> {
+fn run_to_end(run: &mut Run, stop_at: Option<u64>, trace: Option<&Path>) -> Result<f64, Failure> {
     let interrupted = interrupt::flag();
-    let end = stop_at.unwrap_or(u64::MAX).min(session.limit());
+    let end = stop_at.unwrap_or(u64::MAX).min(run.limit());
     let (bar, mut shown) = (progress(end), false);
     let mut rows = trace.map(|path| create(path).map(|file| (path, file))).transpose()?;
     let started = std::time::Instant::now();
     loop {
         if let Some((path, rows)) = &mut rows {
-            write_row(rows, session).map_err(|error| Failure::write(path, error))?;
+            write_row(rows, run).map_err(|error| Failure::write(path, error))?;
         }
-        bar.set_position(session.iteration());
+        bar.set_position(run.iteration());
         if !shown && started.elapsed() > LONG {
             shown = true;
             bar.set_draw_target(ProgressDrawTarget::stderr());
         }
-        let done = session.iteration() >= end || session.status() != Status::Running;
+        let done = run.iteration() >= end || run.status() != Status::Running;
         if done || interrupted.load(Ordering::Relaxed) {
             break;
         }
-        if let Some(found) = answer_subtasks(session, &interrupted)? {
-            session.provide(found);
+        if let Some(found) = answer_subtasks(run, &interrupted)? {
+            run.provide(found);
         }
         if !interrupted.load(Ordering::Relaxed) {
-            session.step(1);
+            run.step(1);
         }
     }
     let elapsed = started.elapsed();
@@ -181,21 +166,21 @@ fn run_to_end(session: &mut Session, stop_at: Option<u64>, trace: Option<&Path>)
         rows.flush().map_err(|error| Failure::write(path, error))?;
     }
     if interrupted.load(Ordering::Relaxed) {
-        note(&format!("interrupted at iteration {}; this is the best result so far", session.iteration()));
+        note(&format!("interrupted at iteration {}; this is the best result so far", run.iteration()));
     }
     Ok(elapsed.as_secs_f64() * 1e3)
 }
 
 /// Carries out the runs of other planners that the next step needs, a few at a time so that Ctrl-C takes effect. `None`: it
 /// needs none.
-fn answer_subtasks(session: &mut Session, interrupted: &AtomicBool) -> Result<Option<Vec<SubtaskResult>>, Failure> {
-    let subtasks = session.subtasks();
+fn answer_subtasks(run: &mut Run, interrupted: &AtomicBool) -> Result<Option<Vec<SubtaskResult>>, Failure> {
+    let subtasks = run.subtasks();
     let mut results = Vec::with_capacity(subtasks.len());
     for some in subtasks.chunks(64) {
         if interrupted.load(Ordering::Relaxed) {
             break;
         }
-        results.extend(run_subtasks(session.scene(), some)?);
+        results.extend(run_subtasks(registry(), run.scene(), some)?);
     }
     Ok((!subtasks.is_empty()).then_some(results))
 }
@@ -216,9 +201,9 @@ fn create(path: &Path) -> Result<io::BufWriter<File>, Failure> {
     File::create(path).map(io::BufWriter::new).map_err(|error| Failure::write(path, error))
 }
 
-fn write_row(rows: &mut impl Write, session: &mut Session) -> io::Result<()> {
-    let iteration = session.iteration();
-    let readings = session.readings();
+fn write_row(rows: &mut impl Write, run: &mut Run) -> io::Result<()> {
+    let iteration = run.iteration();
+    let readings = run.readings();
     if iteration == 0 {
         csv_heading(rows, readings.iter().map(|(name, _)| name))?;
     }

@@ -2,7 +2,11 @@
 
 use std::fmt::{Display, Write as _};
 
-use forage::{DriveOutcome, Outcome, Status, arm::MotionOutcome, kernel::ReferenceOptimum};
+use forage::{
+    Outcome, Status,
+    follow::{drive::DriveOutcome, motion::MotionOutcome},
+    kernel::ReferenceOptimum,
+};
 
 use crate::shell::text::{escape, measured, number, point};
 
@@ -39,10 +43,10 @@ pub(super) fn summary(outcome: &Outcome, unit: &str, elapsed_ms: f64) -> String 
     cost(outcome, &mut lines);
     optimum(outcome, &mut lines);
     feasibility(outcome, &mut lines);
-    if let Some(drive) = &outcome.drive {
+    if let Some(drive) = outcome.followed.get::<DriveOutcome>() {
         lines.add("drive", drive_line(drive, &lines));
     }
-    if let Some(motion) = &outcome.motion {
+    if let Some(motion) = outcome.followed.get::<MotionOutcome>() {
         lines.add("motion", motion_line(motion));
         if let Some(failure) = &motion.failure {
             lines.add("", escape(failure));

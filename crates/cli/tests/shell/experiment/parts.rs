@@ -78,7 +78,7 @@ fn a_million_runs_are_found_without_a_list() {
     let text = "scenes = ['sphere', 'matyas', 'ackley', 'rastrigin']\nseeds = { from = 5, count = 10000 }\n[[planner]]\nname = 'pso'\n\
                 params = { w = [0.1, 0.2, 0.3], c1 = [1, 1.5, 2, 2.5] }\n[[planner]]\nname = 'pso'\n\
                 params = { w = [0.1, 0.2, 0.3, 0.4], c2 = [1, 1.5, 2] }\n[[planner]]\nname = 'cpso'\n";
-    let sweep = read::read("sweep.toml", "sweep", text, &|name: &str| Ok(shipped(name)?)).unwrap().sweep;
+    let sweep = read::read(forage::standard(), "sweep.toml", "sweep", text, &|name: &str| Ok(shipped(name)?)).unwrap().sweep;
     assert_eq!((sweep.len(), sweep.cells(), sweep.groups()), (1_000_000, 100, 25));
     assert_eq!(sweep.parameters, ["w", "c1", "c2"]);
     for job in (0..sweep.len()).step_by(101).chain([999_999]) {

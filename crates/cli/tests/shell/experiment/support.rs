@@ -93,7 +93,7 @@ pub(crate) fn trivial(seeds: &str, more: &str) -> Sweep {
         "scenes = ['sphere', 'matyas']\nseeds = {seeds}\niterations = 1\n{more}\n[[planner]]\nname = 'pso'\nparams = {{ population = [2, 3] }}"
     );
     let load = |name: &str| Ok(shipped(name)?);
-    read::read("sweep.toml", "sweep", &text, &load).unwrap().sweep
+    read::read(forage::standard(), "sweep.toml", "sweep", &text, &load).unwrap().sweep
 }
 
 pub(crate) fn in_process(sweep: &Sweep, path: &Path) -> Result<(), Failure> {

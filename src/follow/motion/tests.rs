@@ -8,8 +8,8 @@ use crate::{
     arm::{ArmScene, Posture, radians},
     geometry::Cuboid,
     params::{Domain, Value},
-    session::{Session, Setup},
-    shipped,
+    run::{Run, Setup},
+    shipped, standard,
 };
 
 const COLUMNS: usize = 12;
@@ -31,7 +31,7 @@ fn with_cuboids(cuboids: &[Cuboid]) -> Scene {
     let text = shipped("arm-free").unwrap().to_json();
     let mut json: serde_json::Value = serde_json::from_str(&text).unwrap();
     json["cuboids"] = cuboids.iter().map(|c| serde_json::json!({ "min": c.min, "max": c.max })).collect();
-    Scene::from_json(&json.to_string()).unwrap()
+    standard().read_scene(&json.to_string()).unwrap()
 }
 
 fn rows(motion: &Motion) -> Vec<&[f64]> {
@@ -258,7 +258,7 @@ fn the_tool_keeps_its_orientation_or_turns_at_random() {
 fn every_parameter_has_both_its_ends() {
     let scene = shipped("arm-cuboid").unwrap();
     let path = [[0.9, 0.7, 0.3], [0.8, 0.5, 0.3]];
-    for parameter in MOTION.parameters.iter().copied().flatten() {
+    for parameter in ENTRY.parameters.iter().copied().flatten() {
         let values: Vec<Value> = match parameter.domain {
             Domain::Number { min, max, .. } => vec![min.into(), max.into()],
             Domain::Integer { min, max, .. } => vec![(min as f64).into(), (max as f64).into()],
@@ -305,10 +305,10 @@ fn the_arm_follows_what_guided_trees_find() {
     let mut free = 0;
     for seed in 1..=100 {
         let setup = Setup { planner: "rrt-guided".to_owned(), scene: shipped("arm-cuboid").unwrap(), params: Overrides::new(), seed };
-        let mut session = Session::with_keyframes(setup, 0).unwrap();
+        let mut session = Run::with_keyframes(standard(), setup, 0).unwrap();
         session.step(session.limit());
-        let MotionOutcome { arrived, free: is_free, touched_at, largest_step, max_error, .. } =
-            session.motion(&Overrides::new()).unwrap().unwrap().outcome;
+        let outcome = session.outcome();
+        let &MotionOutcome { arrived, free: is_free, touched_at, largest_step, max_error, .. } = outcome.followed.get().unwrap();
         // What is not free says when it touches.
         assert!(arrived && is_free == touched_at.is_none(), "seed {seed}");
         assert!(!is_free || (largest_step < 10.0 && max_error < 1e-3), "seed {seed}: {largest_step}° {max_error}");

@@ -20,7 +20,7 @@ impl Keyframes {
         Self { states: Vec::new(), stride: STRIDE, bytes: 0, budget }
     }
 
-    /// Keeps a copy if the state is due and new. Iteration 0 is never kept: the session can always start anew.
+    /// Keeps a copy if the state is due and new. Iteration 0 is never kept: the run can always start anew.
     pub(super) fn offer(&mut self, state: &Stepper) {
         let iteration = state.iteration;
         let newest = self.states.last().map_or(0, |(state, _)| state.iteration);
@@ -54,13 +54,13 @@ impl Keyframes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Session, Setup, shipped};
+    use crate::{Run, Setup, shipped, standard};
 
     fn state(iteration: u64) -> Stepper {
         let setup = Setup { planner: "pso".into(), scene: shipped("sphere").unwrap(), params: crate::Overrides::default(), seed: 1 };
-        let mut session = Session::with_keyframes(setup, 0).unwrap();
-        session.step(iteration);
-        session.at
+        let mut run = Run::with_keyframes(standard(), setup, 0).unwrap();
+        run.step(iteration);
+        run.at
     }
 
     #[test]

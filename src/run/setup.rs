@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    catalogue::find,
-    describe::{Entry, Suggestion},
+    describe::{Entry, Registry, Suggestion},
     kernel::{Error, rng::check_seed},
     params::{Overrides, Parameters},
     scene::Scene,
@@ -13,7 +12,7 @@ use crate::{
 /// What a run is made of. Two runs of the same setup give the same bits.
 #[derive(Debug, Clone)]
 pub struct Setup {
-    /// The planner's name in the catalogue.
+    /// The planner's name.
     pub planner: String,
     /// What is planned in.
     pub scene: Arc<Scene>,
@@ -28,8 +27,8 @@ impl Setup {
     ///
     /// # Errors
     /// The planner's name, a scene it does not run on, a parameter, the seed.
-    pub fn check(&self) -> Result<(&'static Entry, Parameters), Error> {
-        let entry = find(&self.planner)?;
+    pub fn check(&self, registry: &Registry) -> Result<(&'static Entry, Parameters), Error> {
+        let entry = registry.planner(&self.planner)?;
         entry.check_scene(&self.scene)?;
         check_seed(self.seed)?;
         Ok((entry, Parameters::new(entry.parameters, self.scene.kind(), &self.params)?))
@@ -38,17 +37,17 @@ impl Setup {
     /// The sizes that the planner's paper recommends for this setup, if it says anything.
     ///
     /// ```
-    /// let scene = forage::shipped("qpso-10m")?;
-    /// let setup = forage::Setup { planner: "ltqpso".into(), scene, params: Default::default(), seed: 1 };
-    /// let suggested = setup.suggest()?.unwrap();
+    /// use forage::{Setup, shipped, standard};
+    /// let setup = Setup { planner: "ltqpso".into(), scene: shipped("qpso-10m")?, params: Default::default(), seed: 1 };
+    /// let suggested = setup.suggest(standard())?.unwrap();
     /// assert_eq!((suggested.population, suggested.iterations), (16, 29));
     /// # Ok::<(), forage::Error>(())
     /// ```
     ///
     /// # Errors
     /// As [`Setup::check`].
-    pub fn suggest(&self) -> Result<Option<Suggestion>, Error> {
-        let (entry, settings) = self.check()?;
+    pub fn suggest(&self, registry: &Registry) -> Result<Option<Suggestion>, Error> {
+        let (entry, settings) = self.check(registry)?;
         Ok((entry.suggest)(&settings))
     }
 }

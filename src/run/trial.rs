@@ -3,14 +3,18 @@
 //! Sweeps natively and batches in the page are made of these, so that both have the same rows. A record says what came out
 //! and what it cost in evaluations, but no times: those are no property of the run.
 
+use std::sync::Arc;
+
 use serde::Serialize;
 
 use crate::{
+    describe::Registry,
     kernel::{Error, ReferenceOptimum, Status},
     params::Overrides,
-    session::{Session, Setup},
     settled::SETTLED,
 };
+
+use super::{setup::Setup, stepping::Run};
 
 /// How near to the exact optimum counts as reached, unless told otherwise: 1 %.
 pub const WITHIN: f64 = 0.01;
@@ -76,16 +80,16 @@ pub struct Record {
 /// A run with a record.
 ///
 /// ```
-/// use forage::{Setup, Trial, shipped, trial::WITHIN};
+/// use forage::{Setup, Trial, run::trial::WITHIN, shipped, standard};
 /// let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs")?, params: Default::default(), seed: 1 };
-/// let mut trial = Trial::new(setup, WITHIN)?;
+/// let mut trial = Trial::new(standard(), setup, WITHIN)?;
 /// trial.step(u64::MAX);
 /// let record = trial.record();
 /// assert!(record.feasible && record.reached.unwrap() <= record.evaluations);
 /// # Ok::<(), forage::Error>(())
 /// ```
 pub struct Trial {
-    session: Session,
+    run: Run,
     within: f64,
     /// The optimum, if there is one.
     exact: Option<f64>,
@@ -101,14 +105,14 @@ impl Trial {
     /// what is larger by up to `within`.
     ///
     /// # Errors
-    /// As [`Session::new`], and a `within` that is no number from 0 to 1,000,000.
-    pub fn new(setup: Setup, within: f64) -> Result<Self, Error> {
+    /// As [`Run::new`], and a `within` that is no number from 0 to 1,000,000.
+    pub fn new(registry: &Arc<Registry>, setup: Setup, within: f64) -> Result<Self, Error> {
         if !(0.0..=1e6).contains(&within) {
             return Err(Error::refused("within", within, "from 0 to 1000000, a share of the exact optimum"));
         }
-        let session = Session::with_keyframes(setup, 0)?;
-        let exact = session.exact().map(|exact| exact.length).or_else(|| session.scene().minimum());
-        let mut trial = Self { session, within, exact, seen: None, curve: Vec::new(), reached: None };
+        let run = Run::with_keyframes(registry, setup, 0)?;
+        let exact = run.exact().map(|exact| exact.length).or_else(|| run.scene().minimum());
+        let mut trial = Self { run, within, exact, seen: None, curve: Vec::new(), reached: None };
         trial.look();
         Ok(trial)
     }
@@ -116,21 +120,21 @@ impl Trial {
     /// Takes up to `steps` steps; stops where the planner does.
     pub fn step(&mut self, steps: u64) -> Status {
         for _ in 0..steps {
-            let before = self.session.iteration();
-            let status = self.session.step(1);
-            if self.session.iteration() > before {
+            let before = self.run.iteration();
+            let status = self.run.step(1);
+            if self.run.iteration() > before {
                 self.look();
             }
             if status != Status::Running {
                 break;
             }
         }
-        self.session.status()
+        self.run.status()
     }
 
     /// The run.
-    pub fn session(&mut self) -> &mut Session {
-        &mut self.session
+    pub fn run(&mut self) -> &mut Run {
+        &mut self.run
     }
 
     /// The values of the feasible best, whenever it changed.
@@ -140,17 +144,17 @@ impl Trial {
 
     /// Judges the best if it is another one than before.
     fn look(&mut self) {
-        let Some(best) = self.session.best() else { return };
+        let Some(best) = self.run.best() else { return };
         if self.seen == Some(best.cost) {
             return;
         }
         self.seen = Some(best.cost);
-        let verdict = self.session.scene().judge(&best.solution);
+        let verdict = self.run.scene().judge(&best.solution);
         if !verdict.feasible {
             return;
         }
         let value = verdict.length.unwrap_or(best.cost);
-        let (iteration, evaluations) = (self.session.iteration(), self.session.evaluations());
+        let (iteration, evaluations) = (self.run.iteration(), self.run.evaluations());
         self.curve.push(Improvement { iteration, evaluations, value });
         if self.reached.is_none() && self.exact.is_some_and(|exact| self.is_near(value, exact)) {
             self.reached = Some([iteration, evaluations]);
@@ -163,8 +167,8 @@ impl Trial {
 
     /// What the run came to so far.
     pub fn record(&mut self) -> Record {
-        let parameters = self.session.settings().changed().clone();
-        let outcome = self.session.outcome();
+        let parameters = self.run.parameters().changed().clone();
+        let outcome = self.run.outcome();
         let found = outcome.feasible && outcome.cost.is_some();
         let settled =
             outcome.readings.iter().find(|(name, _)| *name == SETTLED.name).map(|(_, value)| *value).filter(|value| value.is_finite());

@@ -19,29 +19,45 @@ mod tests;
 use nalgebra::UnitQuaternion;
 
 use crate::{
-    arm::ArmScene,
+    arm::{ArmScene, Links},
+    describe::{FollowedPath, Follower},
     kernel::{Error, Solution, rng::Stream},
     params::{Overrides, Parameters},
     scene::{ARM, Scene},
 };
 
-use super::Links;
-
 pub use outcome::{Motion, MotionOutcome};
-pub use parameters::MOTION;
 
 use course::stations;
-use follow::{Followed, Follower, Pointing, densified};
+use follow::{Followed, Pointing, Postures, densified};
 use hand::Holding;
-use parameters::{NEAREST, ORIENTATION, Orientation, RADIUS, REPLACEMENT, RESOLUTION, SEED, SPACING, SPREAD, TRIES};
+use parameters::{
+    COLUMNS, FORMULAS, NEAREST, ORIENTATION, Orientation, PARAMETERS, RADIUS, REPLACEMENT, RESOLUTION, SEED, SPACING, SPREAD, TRIES,
+};
 use trajectory::Trajectory;
+
+/// See the module.
+pub const ENTRY: Follower = Follower {
+    name: "motion",
+    title: "How an arm follows a path",
+    kind: ARM,
+    needs: "a scene with an arm",
+    applies: |scene| scene.kind() == ARM,
+    source: "[ARM-RRT] §3.2.2, §3.3",
+    summary: "The arm follows the path with its tip: postures along it by inverse kinematics, joints that turn evenly from one to \
+              the next as fast as their limits allow, and the whole arm checked against cuboids and column all the way.",
+    parameters: &[PARAMETERS],
+    columns: COLUMNS,
+    formulas: FORMULAS,
+    follow: |scene, solution, overrides| Ok(along(scene, solution, overrides)?.map(|motion| Box::new(motion) as Box<dyn FollowedPath>)),
+};
 
 /// The scene's arm following a solution. `None` unless it is an arm's scene and an arm's solution.
 ///
 /// # Errors
 /// As [`Parameters::new`].
 pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Overrides) -> Result<Option<Motion>, Error> {
-    let settings = Parameters::new(MOTION.parameters, ARM, given)?;
+    let settings = Parameters::new(ENTRY.parameters, ARM, given)?;
     let (Ok(scene), Some(Solution::Reach { path, postures })) = (scene.get::<ArmScene>(), solution) else {
         return Ok(None);
     };
@@ -52,8 +68,8 @@ pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Overrides) -> R
     let spacing = settings[SPACING];
     if postures.is_empty() {
         let stations = stations(path, spacing);
-        let mut follower = follower(scene, &settings, links.clone(), stations.len());
-        let followed = if settings[NEAREST] { follower.nearest(&stations) } else { follower.smoothest(&stations) };
+        let mut choice = choice(scene, &settings, links.clone(), stations.len());
+        let followed = if settings[NEAREST] { choice.nearest(&stations) } else { choice.smoothest(&stations) };
         let trajectory = Trajectory { scene, links: &links, settings: &settings, path: None };
         return Ok(Some(trajectory.motion(followed, stations.len())));
     }
@@ -63,22 +79,22 @@ pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Overrides) -> R
     Ok(Some(trajectory.motion(Followed { stops, ..Followed::default() }, points)))
 }
 
-fn follower<'a>(scene: &'a ArmScene, settings: &Parameters, links: Links<'a>, points: usize) -> Follower<'a> {
+fn choice<'a>(scene: &'a ArmScene, settings: &Parameters, links: Links<'a>, points: usize) -> Postures<'a> {
     let holding = Holding::new(&scene.arm);
     let mut random = Stream::new(settings[SEED], 0);
     let [.., home] = scene.arm.forward(&scene.arm.home());
     let spread = settings[SPREAD];
     let pointing = match settings[ORIENTATION] {
         Orientation::Free => Pointing::Free,
-        Orientation::Home => Pointing::Overrides(vec![home.rotation; points]),
+        Orientation::Home => Pointing::PointByPoint(vec![home.rotation; points]),
         Orientation::Random => {
             let mut angle = || random.between(-spread, spread);
             let turns = (0..points).map(|_| UnitQuaternion::from_euler_angles(angle(), angle(), angle()) * home.rotation);
-            Pointing::Overrides(turns.collect())
+            Pointing::PointByPoint(turns.collect())
         }
     };
     let hands = holding.hands();
     let replaces = settings[REPLACEMENT];
     let tries = if replaces { settings[TRIES] } else { 0 };
-    Follower { scene, links, holding, hands, pointing, resolution: settings[RESOLUTION], replaces, tries, random }
+    Postures { scene, links, holding, hands, pointing, resolution: settings[RESOLUTION], replaces, tries, random }
 }

@@ -7,7 +7,7 @@ use crate::arm::Posture;
 
 use super::{
     course::{Station, keys},
-    follow::{Followed, Follower, Pointing, Stop, evenly, mirrored},
+    follow::{Followed, Pointing, Postures, Stop, evenly, mirrored},
     hand::squared,
     search::{Layer, Move, cheapest},
 };
@@ -25,7 +25,7 @@ const GREED: f64 = 4.0;
 /// How many pairs of neighbouring postures are compared at most where all points are looked at.
 const PAIRS: f64 = 2e7;
 
-impl Follower<'_> {
+impl Postures<'_> {
     /// The postures whose joints turn most gently on the whole, among those that touch nothing on the way.
     pub(super) fn smoothest(&mut self, stations: &[Station]) -> Followed {
         if matches!(self.pointing, Pointing::Free) {

@@ -3,25 +3,22 @@
 use std::{cell::OnceCell, sync::Arc};
 
 use crate::{
-    arm::{self, Motion, MotionOutcome},
-    catalogue::PLANNERS,
-    describe::{Entry, Start},
-    drive::{self, Drive},
+    describe::{Entry, FollowOutcomes, FollowedPath, Registry},
     kernel::{
-        Candidate, Digest, Error, Event, Exact, Frame, Inspection, Item, Readings, ReferenceOptimum, Solution, Stage, State, Status,
+        Candidate, Digest, Error, Event, Exact, Frame, Inspection, Item, Readings, ReferenceOptimum, Scene, Solution, Stage, State, Status,
         Stepper, Subtask, SubtaskResult, Timeline, TourEnds,
     },
     params::{Overrides, Parameters},
-    scene::Scene,
 };
 
-use super::{answers::Answers, keyframes::Keyframes, trace::Trace};
+use super::{answers::Answers, keyframes::Keyframes, origin::Origin, trace::Trace};
 
 /// A run that can go forward and back.
-pub struct Session {
+pub struct Run {
+    pub(super) origin: Origin,
     pub(super) entry: &'static Entry,
     pub(super) scene: Arc<Scene>,
-    pub(super) settings: Parameters,
+    pub(super) parameters: Parameters,
     pub(super) seed: u64,
     /// The planner, its iteration and its status.
     pub(super) at: Stepper,
@@ -39,12 +36,12 @@ pub struct Session {
     pub(super) readings: Readings,
     /// What the setup adds to a hash; made when the first is asked for.
     pub(super) setup_digest: OnceCell<Digest>,
-    /// What the arm followed last with the usual parameters, and how that went: an outcome is asked for more often than a
-    /// path changes.
-    pub(super) followed: Option<(Solution, MotionOutcome)>,
+    /// What was followed last with the usual parameters, and how that went: an outcome is asked for more often than a path
+    /// changes.
+    pub(super) followed: Option<(Solution, FollowOutcomes)>,
 }
 
-impl Session {
+impl Run {
     /// Memory for keyframes unless told otherwise, in bytes.
     pub const KEYFRAME_BUDGET: usize = 64 << 20;
 
@@ -63,7 +60,7 @@ impl Session {
     pub(super) fn advance(&mut self) -> bool {
         let Self { at, answers, .. } = self;
         let k = at.iteration;
-        at.step(|jobs| answers.of(k, &jobs))
+        at.step(|subtasks| answers.of(k, &subtasks))
     }
 
     /// Goes to iteration `k`, forward or back, exactly; stops early where the planner does.
@@ -84,16 +81,6 @@ impl Session {
         self.iteration()
     }
 
-    /// A planner at iteration 0. Starting succeeded once with the same scene, settings and seed, so it does again;
-    /// if it did not, staying where we are is the harmless answer.
-    pub(super) fn start(&self) -> Stepper {
-        let start = Start { scene: &self.scene, parameters: &self.settings, seed: self.seed, entries: &PLANNERS };
-        match (self.entry.start)(&start) {
-            Ok(started) => started.into(),
-            Err(_) => self.at.clone(),
-        }
-    }
-
     /// The state at an iteration at or before the present one, without going there: from whatever is at hand nearest to it.
     pub(super) fn state_at(&mut self, k: u64) -> Stepper {
         let kept = self.keyframes.at_or_before(k);
@@ -104,7 +91,7 @@ impl Session {
         };
         loop {
             let now = state.iteration;
-            if now >= k || !state.step(|jobs| self.answers.of(now, &jobs)) {
+            if now >= k || !state.step(|subtasks| self.answers.of(now, &subtasks)) {
                 return state;
             }
         }
@@ -166,7 +153,15 @@ impl Session {
         self.at.planner.best()
     }
 
-    /// The planner's entry in the catalogue.
+    /// What lists the planner; `None` for one that was started elsewhere.
+    pub fn registry(&self) -> Option<&Arc<Registry>> {
+        match &self.origin {
+            Origin::Registry(registry) => Some(registry),
+            Origin::State(_) => None,
+        }
+    }
+
+    /// The planner's entry.
     pub fn entry(&self) -> &'static Entry {
         self.entry
     }
@@ -177,8 +172,8 @@ impl Session {
     }
 
     /// Every parameter's value.
-    pub fn settings(&self) -> &Parameters {
-        &self.settings
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
     }
 
     /// The seed.
@@ -256,7 +251,7 @@ impl Session {
         }
     }
 
-    /// The runs of other planners, on this scene, that the next step needs; see [`Session::provide`].
+    /// The runs of other planners, on this scene, that the next step needs; see [`Run::provide`].
     pub fn subtasks(&mut self) -> Vec<Subtask> {
         if self.status() != Status::Running || self.answers.knows(self.iteration()) {
             return Vec::new();
@@ -264,7 +259,7 @@ impl Session {
         self.at.planner.subtasks().map_or_else(Vec::new, |subtasks| subtasks.requests())
     }
 
-    /// Hands over what the runs of [`Session::subtasks`] found, in their order, so that the next step need not carry them
+    /// Hands over what the runs of [`Run::subtasks`] found, in their order, so that the next step need not carry them
     /// out itself. What it does with them does not depend on who carried them out.
     pub fn provide(&mut self, found: Vec<SubtaskResult>) {
         if !found.is_empty() && found.len() == self.subtasks().len() {
@@ -272,22 +267,14 @@ impl Session {
         }
     }
 
-    /// The scene's robot driving along the best path so far. `None` unless the scene is a grid with a robot that has
-    /// length and width, and a path was found.
+    /// Follows the best path so far as a robot or an arm does: `follower` is the name of one that the registry lists. `None` unless
+    /// it applies to the scene and a path was found.
     ///
     /// # Errors
-    /// For a parameter that is not one of [`drive::PARAMETERS`], or its value.
-    pub fn drive(&self, given: &Overrides) -> Result<Option<Drive>, Error> {
-        let best = self.best();
-        drive::along(&self.scene, best.as_ref().and_then(|best| best.solution.path()), given)
-    }
-
-    /// The scene's arm following the best path so far. `None` unless the scene is an arm's, and a path was found.
-    ///
-    /// # Errors
-    /// For a parameter that is not one of [`arm::MOTION`]'s, or its value.
-    pub fn motion(&self, given: &Overrides) -> Result<Option<Motion>, Error> {
-        arm::along(&self.scene, self.best().map(|best| best.solution).as_ref(), given)
+    /// For a follower that is not listed, for a parameter that it does not have, or its value.
+    pub fn follow(&self, follower: &str, overrides: &Overrides) -> Result<Option<Box<dyn FollowedPath>>, Error> {
+        let follower = self.registry().ok_or_else(|| Error::unknown("follower", follower, []))?.follower(follower)?;
+        (follower.follow)(&self.scene, self.best().map(|best| best.solution).as_ref(), overrides)
     }
 
     /// The hash of setup, iteration, best cost and the whole state, in hexadecimal: two different runs never share one.
@@ -306,7 +293,7 @@ impl Session {
     /// Planner, parameters, seed and what is in the scene; its name, title and notes do not matter.
     pub(super) fn digest_of_setup(&self) -> Digest {
         let mut digest = Digest::of(self.entry.name);
-        for (name, value) in self.settings.all() {
+        for (name, value) in self.parameters.all() {
             name.digest(&mut digest);
             value.to_string().digest(&mut digest);
         }
@@ -319,7 +306,7 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Overrides, Setup, describe::layers, shipped};
+    use crate::{Overrides, Setup, describe::layers, shipped, standard};
 
     /// Whatever way the state before was reached (keyframe, replay, or the one kept from the last inspection), the
     /// explanation is the same, and asking for it changes nothing.
@@ -327,7 +314,7 @@ mod tests {
     fn an_explanation_does_not_depend_on_what_was_asked_before() {
         let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Overrides::default(), seed: 2 };
         let item = Item { layer: layers::PARTICLES.key, index: 17 };
-        let mut watched = Session::with_keyframes(setup.clone(), 200_000).unwrap();
+        let mut watched = Run::with_keyframes(standard(), setup.clone(), 200_000).unwrap();
         let mut hashes = Vec::new();
         let told: Vec<_> = (0..40)
             .map(|_| {
@@ -337,7 +324,7 @@ mod tests {
                 told
             })
             .collect();
-        let mut fresh = Session::with_keyframes(setup, 0).unwrap();
+        let mut fresh = Run::with_keyframes(standard(), setup, 0).unwrap();
         for k in [40, 3, 17, 18, 16, 39_u64] {
             watched.seek(k);
             fresh.seek(k);

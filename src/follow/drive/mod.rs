@@ -16,24 +16,44 @@ mod parameters;
 mod pursuit;
 mod sweep;
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, sync::Arc};
 
-use serde::Serialize;
+use serde_json::Value;
 
 use crate::{
+    describe::{Extra, FollowOutcome, FollowedPath, Follower},
     geometry::{self, YAxis},
-    kernel::Error,
+    kernel::{Error, Solution},
     math,
-    params::{Overrides, Param, Parameters, Value},
+    params::{self, Overrides, Param, Parameters},
     scene::{GRID, GridScene, Robot, Scene},
 };
 
-pub use parameters::{COLUMNS, ENTRY, PARAMETERS, SPEED};
+pub use parameters::{COLUMNS, PARAMETERS, SPEED};
 
 use motion::{Pose, Wheels};
-use parameters::{DECODER, GEAR, LOOK_AHEAD, PERIOD, PULSES, TURN_RATE, WHEEL_DISTANCE, WHEEL_RADIUS};
+use parameters::{DECODER, FORMULAS, GEAR, LOOK_AHEAD, PERIOD, PULSES, TURN_RATE, WHEEL_DISTANCE, WHEEL_RADIUS};
 use pursuit::{Course, Limits, distance};
 use sweep::Sweep;
+
+/// See the module.
+pub const ENTRY: Follower = Follower {
+    name: "drive",
+    title: "How a robot drives along a path",
+    kind: GRID,
+    needs: "a grid whose robot has a length and a width",
+    applies: |scene| robot(scene).is_some(),
+    source: "[LTQPSO] §5",
+    summary: "A robot with two driven wheels follows the path by pure pursuit, within its limits. Its outline, turned as it \
+              stands, is checked against the obstacles all along the way.",
+    parameters: &[PARAMETERS],
+    columns: COLUMNS,
+    formulas: FORMULAS,
+    follow: |scene, solution, overrides| {
+        let drive = along(scene, solution.and_then(Solution::path), overrides)?;
+        Ok(drive.map(|drive| Box::new(drive) as Box<dyn FollowedPath>))
+    },
+};
 
 /// How near the goal the centre must be to have arrived, as a share of the robot's length: 4 mm for one of 0.4 m.
 pub const ARRIVED: f64 = 0.01;
@@ -50,7 +70,7 @@ pub const PATIENCE: f64 = 4.0;
 pub const MOST_PERIODS: u64 = 100_000;
 
 /// How a drive along a path went.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DriveOutcome {
     /// Seconds from start to stop.
     pub time: f64,
@@ -62,7 +82,6 @@ pub struct DriveOutcome {
     /// distance 0 is allowed.
     pub touched: bool,
     /// Where its centre was when it first did.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub touched_at: Option<[f64; 2]>,
     /// The smallest distance of its outline from a blocked cell on the way, to within [`RESOLUTION`] and a hundredth of
     /// itself; negative: overlap. `None` without obstacles.
@@ -88,6 +107,43 @@ pub struct Drive {
     pub settings: Parameters,
 }
 
+impl FollowedPath for Drive {
+    fn rows(&self) -> &[f64] {
+        &self.rows
+    }
+
+    fn outcome(&self) -> Arc<dyn FollowOutcome> {
+        Arc::new(self.outcome.clone())
+    }
+
+    fn parameters(&self) -> &Parameters {
+        &self.settings
+    }
+
+    fn extra(&self) -> Vec<(&'static str, Extra<'_>)> {
+        let [length, width] = self.outline;
+        vec![("outline", Extra::Named(vec![("length", length), ("width", width)]))]
+    }
+}
+
+impl FollowOutcome for DriveOutcome {
+    fn fields(&self) -> Vec<(&'static str, Value)> {
+        let list = |numbers: [f64; 2]| Value::from(numbers.to_vec());
+        let mut fields = vec![
+            ("time", Value::from(self.time)),
+            ("distance", self.distance.into()),
+            ("arrived", self.arrived.into()),
+            ("touched", self.touched.into()),
+            ("clearance", self.clearance.into()),
+            ("max_error", self.max_error.into()),
+            ("rms_error", self.rms_error.into()),
+            ("counts", list(self.counts)),
+        ];
+        fields.extend(self.touched_at.map(|place| ("touched_at", list(place))));
+        fields
+    }
+}
+
 /// The values for a scene's robot: what was given, then what the scene says of it, then the defaults. Those are the
 /// figures of a robot 0.4 m long and 0.3 m wide; for another size (and another unit) lengths keep their proportion to it.
 ///
@@ -109,7 +165,7 @@ pub fn settings(robot: Option<Robot>, given: &Overrides) -> Result<Parameters, E
     ];
     let mut given = given.clone();
     for (param, value) in own {
-        let value = Value::Number(value);
+        let value = params::Value::Number(value);
         if given.get(param.name()).is_none() && param.entry().check(&value).is_ok() {
             given.insert(param.name(), value);
         }
@@ -117,8 +173,8 @@ pub fn settings(robot: Option<Robot>, given: &Overrides) -> Result<Parameters, E
     Parameters::new(ENTRY.parameters, GRID, &given)
 }
 
-fn number(value: &Value) -> f64 {
-    if let Value::Number(number) = value { *number } else { f64::NAN }
+fn number(value: &params::Value) -> f64 {
+    if let params::Value::Number(number) = value { *number } else { f64::NAN }
 }
 
 /// The scene and the robot's length and width, if it is a grid with such a robot.

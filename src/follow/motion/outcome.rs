@@ -1,11 +1,16 @@
 //! What came of following a path.
 
-use serde::Serialize;
+use std::sync::Arc;
 
-use crate::params::Parameters;
+use serde_json::Value;
+
+use crate::{
+    describe::{Extra, FollowOutcome, FollowedPath},
+    params::Parameters,
+};
 
 /// How the arm follows a path.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MotionOutcome {
     /// Seconds from start to end.
     pub time: f64,
@@ -16,7 +21,6 @@ pub struct MotionOutcome {
     /// No link touches a cuboid or the column, all along: between the rows too.
     pub free: bool,
     /// When the first touch is.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub touched_at: Option<f64>,
     /// The smallest distance of a link from a cuboid at the rows; negative: overlap. `None` without cuboids.
     pub clearance: Option<f64>,
@@ -29,7 +33,6 @@ pub struct MotionOutcome {
     /// How many were replaced by random joints between their neighbours', [ARM-RRT] step 6.
     pub drawn: u64,
     /// Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does.
-    #[serde(rename = "trouble", skip_serializing_if = "Option::is_none")]
     pub failure: Option<String>,
 }
 
@@ -44,4 +47,41 @@ pub struct Motion {
     pub outcome: MotionOutcome,
     /// Every parameter's value.
     pub settings: Parameters,
+}
+
+impl FollowedPath for Motion {
+    fn rows(&self) -> &[f64] {
+        &self.rows
+    }
+
+    fn outcome(&self) -> Arc<dyn FollowOutcome> {
+        Arc::new(self.outcome.clone())
+    }
+
+    fn parameters(&self) -> &Parameters {
+        &self.settings
+    }
+
+    fn extra(&self) -> Vec<(&'static str, Extra<'_>)> {
+        vec![("skeletons", Extra::Rows(&self.skeletons))]
+    }
+}
+
+impl FollowOutcome for MotionOutcome {
+    fn fields(&self) -> Vec<(&'static str, Value)> {
+        let mut fields = vec![
+            ("time", Value::from(self.time)),
+            ("length", self.length.into()),
+            ("arrived", self.arrived.into()),
+            ("free", self.free.into()),
+            ("clearance", self.clearance.into()),
+            ("largest_step", self.largest_step.into()),
+            ("max_error", self.max_error.into()),
+            ("mirrored", self.mirrored.into()),
+            ("drawn", self.drawn.into()),
+        ];
+        fields.extend(self.touched_at.map(|time| ("touched_at", time.into())));
+        fields.extend(self.failure.as_deref().map(|failure| ("trouble", failure.into())));
+        fields
+    }
 }

@@ -1,21 +1,11 @@
 //! What can be set about a motion, what it tells, and the equations it carries out.
 
 use crate::{
-    describe::{Column, Follower, Formula},
+    describe::{Column, Formula},
     params::{Choice, Param, ParamValue, Parameter},
 };
 
-/// What there is to know about following a path.
-pub const MOTION: Follower = Follower {
-    source: "[ARM-RRT] §3.2.2, §3.3",
-    summary: "The arm follows the path with its tip: postures along it by inverse kinematics, joints that turn evenly from one to \
-              the next as fast as their limits allow, and the whole arm checked against cuboids and column all the way.",
-    parameters: &[PARAMETERS],
-    columns: COLUMNS,
-    formulas: FORMULAS,
-};
-
-const PARAMETERS: &[Parameter] = &[
+pub(super) const PARAMETERS: &[Parameter] = &[
     SPACING.entry(),
     ORIENTATION.entry(),
     SPREAD.entry(),
@@ -176,7 +166,7 @@ const fn column(name: &'static str, symbol: &'static str, title: &'static str, u
     Column { name, title, symbol, unit }
 }
 
-const FORMULAS: &[Formula] = &[
+pub(super) const FORMULAS: &[Formula] = &[
     Formula::new(
         "forward",
         "[ARM-RRT] (1)",

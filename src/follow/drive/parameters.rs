@@ -1,18 +1,8 @@
 //! What can be set about a drive, what it tells, and the equations it carries out.
 
 use crate::{
-    describe::{Column, Follower, Formula},
+    describe::{Column, Formula},
     params::{Param, Parameter},
-};
-
-/// What there is to know about it.
-pub const ENTRY: Follower = Follower {
-    source: "[LTQPSO] §5",
-    summary: "A robot with two driven wheels follows the path by pure pursuit, within its limits. Its outline, turned as it \
-              stands, is checked against the obstacles all along the way.",
-    parameters: &[PARAMETERS],
-    columns: COLUMNS,
-    formulas: FORMULAS,
 };
 
 /// Everything that can be set. The figures are those of the paper’s robot, in metres and seconds; look-ahead excepted.
@@ -98,7 +88,7 @@ const fn column(name: &'static str, symbol: &'static str, title: &'static str, u
     Column { name, title, symbol, unit }
 }
 
-const FORMULAS: &[Formula] = &[
+pub(super) const FORMULAS: &[Formula] = &[
     Formula::new("curvature", "Coulter, CMU-RI-TR-92-01", "Pure pursuit", "\\kappa = \\frac{2 \\sin\\eta}{L_d}", ""),
     Formula::new(
         "command",

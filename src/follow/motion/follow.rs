@@ -18,12 +18,12 @@ pub(super) enum Pointing {
     /// Any way.
     Free,
     /// So, point by point.
-    Overrides(Vec<UnitQuaternion<f64>>),
+    PointByPoint(Vec<UnitQuaternion<f64>>),
 }
 
 /// What can be asked of the arm on its way.
 #[derive(Debug)]
-pub(super) struct Follower<'a> {
+pub(super) struct Postures<'a> {
     pub(super) scene: &'a ArmScene,
     pub(super) links: Links<'a>,
     pub(super) holding: Holding<'a>,
@@ -56,13 +56,13 @@ pub(super) struct Followed {
 
 impl Followed {
     /// The arm ends before this point.
-    pub(super) fn end(mut self, follower: &Follower, stations: &[Station], point: usize) -> Self {
+    pub(super) fn end(mut self, follower: &Postures, stations: &[Station], point: usize) -> Self {
         self.failure = Some(follower.failure(stations, point));
         self
     }
 }
 
-impl Follower<'_> {
+impl Postures<'_> {
     pub(super) fn arm(&self) -> &Arm {
         &self.scene.arm
     }
@@ -79,7 +79,7 @@ impl Follower<'_> {
                     all.for_each(|some| found.extend_from_slice(&some));
                 }
             }
-            Pointing::Overrides(rotations) => {
+            Pointing::PointByPoint(rotations) => {
                 let pose = Isometry3::from_parts(at.into(), rotations[station]);
                 if let Ok(solutions) = self.arm().inverse(&pose, near) {
                     solutions.iter().for_each(|posture| self.with_turns(posture, &mut found));
@@ -106,7 +106,7 @@ impl Follower<'_> {
         }
     }
 
-    /// Those of [`Follower::postures`] that touch nothing.
+    /// Those of [`Postures::postures`] that touch nothing.
     pub(super) fn safe(&self, station: usize, at: [f64; 3], hands: &[Hand], near: &Posture) -> Vec<Posture> {
         let mut found = self.postures(station, at, hands, near);
         found.retain(|posture| self.is_safe(posture));
@@ -135,7 +135,9 @@ impl Follower<'_> {
         let home = self.arm().home();
         let why = match &self.pointing {
             Pointing::Free => self.arm().reaching_somehow([x, y, z], &home).err(),
-            Pointing::Overrides(rotations) => self.arm().inverse(&Isometry3::from_parts([x, y, z].into(), rotations[point]), &home).err(),
+            Pointing::PointByPoint(rotations) => {
+                self.arm().inverse(&Isometry3::from_parts([x, y, z].into(), rotations[point]), &home).err()
+            }
         };
         let why = why.map_or_else(|| "every posture that was tried there touches a cuboid or the column".to_owned(), |why| why.to_string());
         format!("point {} of {}, ({x:.4}, {y:.4}, {z:.4}), {along:.4} m along the path: {why}", point + 1, stations.len())

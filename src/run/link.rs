@@ -8,11 +8,12 @@ use std::{fmt, sync::Arc};
 use base64ct::{Base64UrlUnpadded, Encoding};
 
 use crate::{
-    kernel::{Error, rng::SEED_RANGE},
+    describe::Registry,
+    kernel::{Error, Scene, rng::SEED_RANGE},
     params::{Overrides, Value},
-    scene::{Scene, shipped},
-    session::{Session, Setup},
 };
+
+use super::{setup::Setup, stepping::Run};
 
 const VERSION: &str = "1";
 /// A scene file is far smaller; what inflates to more is not one.
@@ -23,6 +24,8 @@ const LARGEST_SCENE: usize = 4 << 20;
 pub struct Link {
     /// What is run.
     pub setup: Setup,
+    /// The scene ships with the registry under its name, so that the link need not carry it.
+    pub scene_ships: bool,
     /// How far.
     pub iteration: u64,
     /// The state's hash there.
@@ -32,7 +35,8 @@ pub struct Link {
 impl fmt::Display for Link {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Setup { planner, scene, params, seed } = &self.setup;
-        write!(f, "#v={VERSION}&planner={planner}&scene={}&seed={seed}", packed(scene))?;
+        let scene = if self.scene_ships { scene.name().to_owned() } else { packed(scene) };
+        write!(f, "#v={VERSION}&planner={planner}&scene={scene}&seed={seed}")?;
         for (name, value) in params.iter() {
             write!(f, "&p.{name}={value}")?;
         }
@@ -51,7 +55,7 @@ impl Link {
     ///
     /// # Errors
     /// A message that says what is wrong: no fragment, another version, an unknown key, or whatever [`Setup::check`] refuses.
-    pub fn parse(text: &str) -> Result<Self, Error> {
+    pub fn parse(registry: &Registry, text: &str) -> Result<Self, Error> {
         let wrong = |problem: String| Error::malformed("link", problem);
         let (_, fragment) = text.trim().split_once('#').ok_or_else(|| wrong("it has no #…".to_owned()))?;
         let (mut version, mut planner, mut scene, mut seed, mut iteration, mut hash) = (None, None, None, 1, 0, None);
@@ -60,7 +64,7 @@ impl Link {
             match key {
                 "v" => version = Some(value),
                 "planner" => planner = Some(value.to_owned()),
-                "scene" => scene = Some(unpacked(value)?),
+                "scene" => scene = Some((unpacked(registry, value)?, !value.starts_with(PACKED))),
                 "seed" => seed = value.parse().map_err(|_| Error::refused("seed", value, SEED_RANGE))?,
                 "at" => iteration = value.parse().map_err(|_| Error::refused("at", value, "a whole number"))?,
                 "hash" => hash = Some(value.to_owned()),
@@ -80,73 +84,82 @@ impl Link {
             None => return Err(wrong("it does not begin with #v=".to_owned())),
         }
         let planner = planner.ok_or_else(|| wrong("it names no planner".to_owned()))?;
-        let scene = scene.ok_or_else(|| wrong("it names no scene".to_owned()))?;
+        let (scene, scene_ships) = scene.ok_or_else(|| wrong("it names no scene".to_owned()))?;
         let setup = Setup { planner, scene, params, seed };
-        setup.check()?;
-        Ok(Self { setup, iteration, hash })
+        setup.check(registry)?;
+        Ok(Self { setup, scene_ships, iteration, hash })
     }
 }
 
-impl Session {
+impl Run {
     /// The run that a link describes, at its beginning.
     ///
     /// # Errors
-    /// As [`Session::new`], and for a link that cannot be read.
-    pub fn from_link(link: &str) -> Result<Self, Error> {
-        Self::new(Link::parse(link)?.setup)
+    /// As [`Run::new`], and for a link that cannot be read.
+    pub fn from_link(registry: &Arc<Registry>, link: &str) -> Result<Self, Error> {
+        Self::new(registry, Link::parse(registry, link)?.setup)
     }
 
-    /// A link that opens this very picture: planner, scene, changed parameters, seed, iteration and hash.
-    pub fn link(&self) -> String {
+    /// A link that opens this very picture: planner, scene, changed parameters, seed, iteration and hash. `None` where no
+    /// registry lists the planner: nobody else could open it.
+    pub fn link(&self) -> Option<String> {
+        let registry = self.registry()?;
         let setup = Setup {
             planner: self.entry().name.to_owned(),
             scene: Arc::clone(self.scene()),
-            params: self.settings().changed().clone(),
+            params: self.parameters().changed().clone(),
             seed: self.seed(),
         };
-        Link { setup, iteration: self.iteration(), hash: Some(self.hash()) }.to_string()
+        let scene_ships = registry.scene(setup.scene.name()).is_ok_and(|known| known == setup.scene);
+        Some(Link { setup, scene_ships, iteration: self.iteration(), hash: Some(self.hash()) }.to_string())
     }
 }
 
-/// A shipped scene's name if it is unchanged, else the file itself.
-fn packed(scene: &Arc<Scene>) -> String {
-    if shipped(scene.name()).is_ok_and(|known| known == *scene) {
-        return scene.name().to_owned();
-    }
+/// What a packed scene begins with.
+const PACKED: char = '~';
+
+/// The scene's file, deflated.
+fn packed(scene: &Scene) -> String {
     let deflated = miniz_oxide::deflate::compress_to_vec(scene.to_compact_json().as_bytes(), 9);
-    format!("~{}", Base64UrlUnpadded::encode_string(&deflated))
+    format!("{PACKED}{}", Base64UrlUnpadded::encode_string(&deflated))
 }
 
-fn unpacked(text: &str) -> Result<Arc<Scene>, Error> {
-    let Some(code) = text.strip_prefix('~') else {
-        return shipped(text);
+fn unpacked(registry: &Registry, text: &str) -> Result<Arc<Scene>, Error> {
+    let Some(code) = text.strip_prefix(PACKED) else {
+        return registry.scene(text);
     };
     let broken = |problem: &dyn fmt::Display| Error::malformed("link", format!("its scene is damaged: {problem}"));
     let deflated = Base64UrlUnpadded::decode_vec(code).map_err(|e| broken(&e))?;
     let bytes = miniz_oxide::inflate::decompress_to_vec_with_limit(&deflated, LARGEST_SCENE).map_err(|e| broken(&e))?;
     let text = String::from_utf8(bytes).map_err(|e| broken(&e))?;
-    Scene::from_json(&text).map(Arc::new)
+    registry.read_scene(&text).map(Arc::new)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{shipped, standard};
 
-    fn link(scene: Arc<Scene>) -> Link {
+    fn link(scene: Arc<Scene>, scene_ships: bool) -> Link {
         let params = Overrides::from_iter([("w_max", Value::from(0.8)), ("penalty", Value::from("waypoints"))]);
-        Link { setup: Setup { planner: "wcpso".to_owned(), scene, params, seed: 7 }, iteration: 120, hash: Some("00ff".to_owned()) }
+        Link {
+            setup: Setup { planner: "wcpso".to_owned(), scene, params, seed: 7 },
+            scene_ships,
+            iteration: 120,
+            hash: Some("00ff".to_owned()),
+        }
     }
 
     #[test]
     fn a_shipped_scene_goes_by_name_and_an_edited_one_as_a_whole() {
-        let plain = link(shipped("wcpso-discs").unwrap());
+        let plain = link(shipped("wcpso-discs").unwrap(), true);
         assert_eq!(plain.to_string(), "#v=1&planner=wcpso&scene=wcpso-discs&seed=7&p.penalty=waypoints&p.w_max=0.8&at=120&hash=00ff");
-        let edited = Scene::from_json(&plain.setup.scene.to_json().replacen("9.0", "8.5", 2)).unwrap();
+        let edited = standard().read_scene(&plain.setup.scene.to_json().replacen("9.0", "8.5", 2)).unwrap();
         assert_ne!(edited, *plain.setup.scene);
-        let edited = link(Arc::new(edited));
+        let edited = link(Arc::new(edited), false);
         assert!(edited.to_string().contains("scene=~"));
         for link in [plain, edited] {
-            let back = Link::parse(&format!("https://example.org/forage/{link}")).unwrap();
+            let back = Link::parse(standard(), &format!("https://example.org/forage/{link}")).unwrap();
             assert_eq!(back.to_string(), link.to_string());
             assert_eq!(back.setup.scene, link.setup.scene);
         }
@@ -169,7 +182,7 @@ mod tests {
             ("#v=1&scene=~AAAA", "damaged"),
             ("#v=1&seed=-1", "seed"),
         ] {
-            let message = Link::parse(text).unwrap_err().to_string();
+            let message = Link::parse(standard(), text).unwrap_err().to_string();
             assert!(message.contains(part), "{text}: {message}");
         }
     }

@@ -1,20 +1,18 @@
 //! The result, honestly: what was found, whether it is any good, and what it cost.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use crate::{
-    arm::{self, MotionOutcome},
-    drive::{self, DriveOutcome},
+    describe::FollowOutcomes,
     geometry,
     kernel::{Event, Recommend, Recommendation, ReferenceOptimum, Solution, Status, Track},
-    params::{Overrides, Value, as_object},
-    scene::TOUR,
+    params::{Object, Overrides, Value},
 };
 
-use super::run::Session;
+use super::stepping::Run;
 
 /// Where a run stands. Serialises to the object that `forage run --json` prints and `outcome()` returns.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone)]
 pub struct Outcome {
     /// The planner's name.
     pub planner: &'static str,
@@ -43,67 +41,113 @@ pub struct Outcome {
     /// (length − exact) / exact; `None` where the optimum is 0 or there is no length.
     pub gap: Option<f64>,
     /// At how many corners the path turns.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub turns: Option<usize>,
     /// How much the path turns in all, in radians.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub turning: Option<f64>,
-    /// How the scene's robot drives along the path, with the default parameters.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub drive: Option<DriveOutcome>,
+    /// How the robot or the arm of the scene follows the path, with the default parameters: `drive`, `motion`.
+    pub followed: FollowOutcomes,
     /// The path's corners.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<Vec<[f64; 2]>>,
     /// The corners of the tip's path, in metres. Arms only.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub tip_path: Option<Vec<[f64; 3]>>,
     /// The postures that were planned, in degrees, where the planner plans postures.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub joints: Vec<[f64; 6]>,
-    /// How the arm follows the path, with the default parameters.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub motion: Option<MotionOutcome>,
     /// The stops' numbers in the tour's order.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub order: Option<Vec<usize>>,
     /// The point in a function's box.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub position: Option<Vec<f64>>,
     /// The numbers of this iteration.
-    #[serde(serialize_with = "as_object")]
     pub readings: Vec<(&'static str, f64)>,
     /// What keeps the planner from a result, if something does.
-    #[serde(rename = "trouble", skip_serializing_if = "Option::is_none")]
     pub failure: Option<String>,
     /// What happened in simulated time, and what was decided and why.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub events: Vec<Event>,
     /// What a planner of planners recommends.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub tuned: Option<Recommendation>,
     /// No random number has a part in it: other seeds give the same result.
     pub deterministic: bool,
     /// The hash of setup, iteration, best and state.
     pub hash: String,
     /// Every parameter's value.
-    #[serde(serialize_with = "as_object")]
     pub parameters: Vec<(&'static str, Value)>,
 }
 
-impl Session {
+/// The object that `forage run --json` prints and `outcome()` returns. What does not apply is left out.
+impl Serialize for Outcome {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut out = serializer.serialize_struct("Outcome", 29)?;
+        out.serialize_field("planner", &self.planner)?;
+        out.serialize_field("scene", &self.scene)?;
+        out.serialize_field("seed", &self.seed)?;
+        out.serialize_field("iterations", &self.iterations)?;
+        out.serialize_field("evaluations", &self.evaluations)?;
+        out.serialize_field("status", &self.status)?;
+        out.serialize_field("cost", &self.cost)?;
+        out.serialize_field("length", &self.length)?;
+        out.serialize_field("feasible", &self.feasible)?;
+        out.serialize_field("clearance", &self.clearance)?;
+        out.serialize_field("exact", &self.exact)?;
+        out.serialize_field("exact_by", &self.exact_by)?;
+        out.serialize_field("gap", &self.gap)?;
+        if let Some(turns) = &self.turns {
+            out.serialize_field("turns", turns)?;
+        }
+        if let Some(turning) = &self.turning {
+            out.serialize_field("turning", turning)?;
+        }
+        for (follower, outcome) in self.followed.iter() {
+            out.serialize_field(follower, outcome)?;
+        }
+        if let Some(path) = &self.path {
+            out.serialize_field("path", path)?;
+        }
+        if let Some(tip_path) = &self.tip_path {
+            out.serialize_field("tip_path", tip_path)?;
+        }
+        if !self.joints.is_empty() {
+            out.serialize_field("joints", &self.joints)?;
+        }
+        if let Some(order) = &self.order {
+            out.serialize_field("order", order)?;
+        }
+        if let Some(position) = &self.position {
+            out.serialize_field("position", position)?;
+        }
+        out.serialize_field("readings", &Object(&self.readings))?;
+        if let Some(failure) = &self.failure {
+            out.serialize_field("trouble", failure)?;
+        }
+        if !self.events.is_empty() {
+            out.serialize_field("events", &self.events)?;
+        }
+        if let Some(tuned) = &self.tuned {
+            out.serialize_field("tuned", tuned)?;
+        }
+        out.serialize_field("deterministic", &self.deterministic)?;
+        out.serialize_field("hash", &self.hash)?;
+        out.serialize_field("parameters", &Object(&self.parameters))?;
+        out.end()
+    }
+}
+
+impl Run {
     /// The run's current result, judged, with all its numbers.
     pub fn outcome(&mut self) -> Outcome {
         Outcome::of(self)
     }
 
-    /// How the arm follows the best path with the usual parameters.
-    fn usual_motion(&mut self, best: &Solution) -> Option<MotionOutcome> {
+    /// How the followers fare on the best path with the usual parameters.
+    fn followed(&mut self, best: &Solution) -> FollowOutcomes {
         if self.followed.as_ref().is_none_or(|(solution, _)| solution != best) {
-            // The defaults are never refused.
-            let motion = arm::along(&self.scene, Some(best), &Overrides::new()).ok().flatten();
-            self.followed = motion.map(|motion| (best.clone(), motion.outcome));
+            let mut outcomes = FollowOutcomes::default();
+            for follower in self.registry().map_or(&[][..], |registry| registry.followers()) {
+                // The defaults are never refused.
+                let followed = (follower.follow)(&self.scene, Some(best), &Overrides::new()).ok().flatten();
+                outcomes.set(follower.name, followed.map(|followed| followed.outcome()));
+            }
+            self.followed = Some((best.clone(), outcomes));
         }
-        self.followed.as_ref().map(|(_, outcome)| outcome.clone())
+        self.followed.as_ref().map(|(_, outcomes)| outcomes.clone()).unwrap_or_default()
     }
 
     /// What keeps the run from a result, if something does.
@@ -113,23 +157,25 @@ impl Session {
 }
 
 impl Outcome {
-    pub(super) fn of(session: &mut Session) -> Self {
-        let readings = session.readings().iter().collect();
-        let digest = session.digest();
-        let best = session.best();
-        let verdict = best.as_ref().map(|best| session.scene.judge(&best.solution));
+    pub(super) fn of(run: &mut Run) -> Self {
+        let readings = run.readings().iter().collect();
+        let digest = run.digest();
+        let best = run.best();
+        let verdict = best.as_ref().map(|best| run.scene.judge(&best.solution));
         let length = verdict.and_then(|v| v.length);
-        let (exact, exact_by) = match session.exact() {
+        let (exact, exact_by) = match run.exact() {
             Some(exact) if exact.stored && length.is_some_and(|length| length < exact.length) => (None, ReferenceOptimum::Refuted),
-            Some(exact) => (Some(exact.length), if exact.stored { ReferenceOptimum::Stored } else { session.reference }),
-            None => (session.scene.minimum(), session.reference),
+            Some(exact) => (Some(exact.length), if exact.stored { ReferenceOptimum::Stored } else { run.reference }),
+            None => (run.scene.minimum(), run.reference),
         };
         let nodes = best.as_ref().map_or(0, |best| best.solution.corners());
         let gap = exact.zip(length).filter(|(exact, _)| *exact > 0.0).map(|(exact, length)| gap(length, exact, nodes));
         let cost = best.as_ref().map(|best| best.cost);
-        let motion = best.as_ref().and_then(|best| session.usual_motion(&best.solution));
+        let followed = best.as_ref().map(|best| run.followed(&best.solution)).unwrap_or_default();
         let (tip_path, joints) = match best.as_ref().map(|best| &best.solution) {
-            Some(Solution::Reach { path, postures }) => (Some(path.clone()), postures.iter().map(arm::degrees).collect()),
+            Some(Solution::Reach { path, postures }) => {
+                (Some(path.clone()), postures.iter().map(|posture| posture.map(f64::to_degrees)).collect())
+            }
             _ => (None, Vec::new()),
         };
         let (path, order, position) = match best.map(|best| best.solution) {
@@ -139,16 +185,14 @@ impl Outcome {
             Some(Solution::Reach { .. }) | None => (None, None, None),
         };
         // Between stops of a tour there are no corners to count.
-        let turned = path.as_deref().filter(|_| session.scene.kind() != TOUR);
-        // The defaults are never refused.
-        let drive = drive::along(&session.scene, path.as_deref(), &Overrides::new()).ok().flatten().map(|drive| drive.outcome);
+        let turned = path.as_deref().filter(|_| run.scene.plane().is_some());
         Self {
-            planner: session.entry.name,
-            scene: session.scene.name().to_owned(),
-            seed: session.seed,
-            iterations: session.iteration(),
-            evaluations: session.evaluations(),
-            status: session.status(),
+            planner: run.entry.name,
+            scene: run.scene.name().to_owned(),
+            seed: run.seed,
+            iterations: run.iteration(),
+            evaluations: run.evaluations(),
+            status: run.status(),
             cost,
             length,
             feasible: verdict.is_some_and(|v| v.feasible),
@@ -158,20 +202,19 @@ impl Outcome {
             gap,
             turns: turned.map(geometry::turns),
             turning: turned.map(geometry::turning),
-            drive,
+            followed,
             path,
             tip_path,
             joints,
-            motion,
             order,
             position,
             readings,
-            failure: session.failure(),
-            events: session.events().to_vec(),
-            tuned: session.at.planner.facets().recommend.and_then(Recommend::recommendation),
+            failure: run.failure(),
+            events: run.events().to_vec(),
+            tuned: run.at.planner.facets().recommend.and_then(Recommend::recommendation),
             deterministic: !digest.is_random(),
             hash: digest.hex(),
-            parameters: session.settings.all().to_vec(),
+            parameters: run.parameters.all().to_vec(),
         }
     }
 }

@@ -3,23 +3,22 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::CONVERGED,
-    kernel::{Error, Status, Subtask, SubtaskResult},
-    scene::Scene,
+    describe::{CONVERGED, Registry},
+    kernel::{Error, Scene, Status, Subtask, SubtaskResult},
 };
 
-use super::{run::Session, setup::Setup};
+use super::{setup::Setup, stepping::Run};
 
 /// Carries a run out to its end.
 ///
 /// # Errors
-/// Whatever [`Session::new`] refuses.
-pub fn run_to_end(setup: Setup) -> Result<SubtaskResult, Error> {
-    let mut session = Session::with_keyframes(setup, 0)?;
-    while session.step(u64::MAX) == Status::Running {}
-    let converged = session.readings().of(CONVERGED).unwrap_or(session.iteration() as f64);
+/// Whatever [`Run::new`] refuses.
+pub fn run_to_end(registry: &Arc<Registry>, setup: Setup) -> Result<SubtaskResult, Error> {
+    let mut run = Run::with_keyframes(registry, setup, 0)?;
+    while run.step(u64::MAX) == Status::Running {}
+    let converged = run.readings().of(CONVERGED).unwrap_or(run.iteration() as f64);
     // A swarm's best may still touch an obstacle: then nothing was found.
-    let best = session.best().filter(|best| session.scene.judge(&best.solution).feasible);
+    let best = run.best().filter(|best| run.scene.judge(&best.solution).feasible);
     let cost = best.as_ref().map(|best| best.cost);
     let path = best.and_then(|best| best.solution.path().map(<[_]>::to_vec)).unwrap_or_default();
     Ok(SubtaskResult { cost, converged, path })
@@ -29,13 +28,13 @@ pub fn run_to_end(setup: Setup) -> Result<SubtaskResult, Error> {
 ///
 /// # Errors
 /// What is refused of the first subtask that is.
-pub fn run_subtasks(scene: &Arc<Scene>, subtasks: &[Subtask]) -> Result<Vec<SubtaskResult>, Error> {
+pub fn run_subtasks(registry: &Arc<Registry>, scene: &Arc<Scene>, subtasks: &[Subtask]) -> Result<Vec<SubtaskResult>, Error> {
     let one = |subtask: &Subtask| {
         let scene = match subtask.ends {
             Some(ends) => Arc::new(scene.between(ends)?),
             None => Arc::clone(scene),
         };
-        run_to_end(Setup { planner: subtask.planner.to_owned(), scene, params: subtask.params.clone(), seed: subtask.seed })
+        run_to_end(registry, Setup { planner: subtask.planner.to_owned(), scene, params: subtask.params.clone(), seed: subtask.seed })
     };
     #[cfg(feature = "parallel")]
     {

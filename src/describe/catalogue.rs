@@ -1,75 +1,70 @@
 //! The catalogue as the page, `forage list --json` and other programs read it.
 
+use std::sync::Arc;
+
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
 use crate::{
-    ants, arm,
-    describe::{Entry, Follower, Layer, layers},
-    drive, dynamic,
-    kernel::{LayerKey, SceneKindId, Shape},
-    params::{Domain, Parameter, Value, as_object},
-    scene::{
-        ARM, FUNCTION, GRID, Scene, TOUR,
-        generate::{GENERATORS, Generator, OTHERS},
-        shipped_names,
-    },
-    search, swarm, tour, tree, tuning,
+    kernel::{Scene, SceneKindId, Shape},
+    params::{Domain, Object, Parameter, Value},
 };
 
-use super::{PLANNERS, layer_keys};
+use super::{Entry, Follower, Generator, Registry, layers};
 
-/// The whole catalogue as it crosses to the page and to `forage list --json`.
-#[derive(Debug, Serialize)]
-pub struct Catalogue {
-    version: &'static str,
-    planners: Vec<EntryView>,
-    scenes: Vec<&'static Scene>,
-    generators: Vec<GeneratorView>,
-    drive: DriveView,
-    motion: DriveView,
-    /// The keys of all layers.
-    roles: Vec<LayerKey>,
-    /// The layers of a scene itself, which no planner need draw.
-    layers: &'static [Layer],
-    shapes: [&'static str; Shape::ALL.len()],
+/// All that a registry lists, without the functions.
+#[derive(Debug)]
+pub struct Catalogue<'a>(&'a Registry);
+
+impl Registry {
+    /// All that is listed, to be serialised.
+    pub fn catalogue(&self) -> Catalogue<'_> {
+        Catalogue(self)
+    }
+
     /// Every TeX string that can appear outside a formula, so that pages can typeset them when they are built.
-    symbols: Vec<&'static str>,
+    fn symbols(&self) -> Vec<&'static str> {
+        let planners = self.planners().iter().flat_map(|entry| {
+            let parameters = entry.all_parameters().map(|p| p.symbol);
+            parameters
+                .chain(entry.readings.iter().map(|r| r.symbol))
+                .chain(entry.symbols.iter().copied())
+                .chain(entry.members.iter().map(|m| m.symbol))
+        });
+        let followers = self.followers().iter().flat_map(|follower| {
+            let parameters = follower.parameters.iter().copied().flatten().map(|p| p.symbol);
+            parameters.chain(follower.columns.iter().map(|column| column.symbol))
+        });
+        let mut symbols = Vec::new();
+        for symbol in planners.chain(followers) {
+            if !symbol.is_empty() && !symbols.contains(&symbol) {
+                symbols.push(symbol);
+            }
+        }
+        symbols
+    }
 }
 
-/// The whole catalogue.
-pub fn catalogue() -> Catalogue {
-    let all = PLANNERS
-        .iter()
-        .flat_map(|e| e.all_parameters().map(|p| p.symbol).chain(e.readings.iter().map(|r| r.symbol)))
-        .chain(swarm::SYMBOLS.iter().copied())
-        .chain(ants::SYMBOLS.iter().copied())
-        .chain(tuning::SYMBOLS.iter().copied())
-        .chain(search::SYMBOLS.iter().copied())
-        .chain(tour::SYMBOLS.iter().copied())
-        .chain(dynamic::SYMBOLS.iter().copied())
-        .chain(tree::SYMBOLS.iter().copied())
-        .chain(PLANNERS.iter().flat_map(|e| e.members.iter().map(|m| m.symbol)))
-        .chain(drive::PARAMETERS.iter().map(|p| p.symbol))
-        .chain(drive::COLUMNS.iter().map(|c| c.symbol))
-        .chain(arm::MOTION.parameters.iter().copied().flatten().map(|p| p.symbol))
-        .chain(arm::MOTION.columns.iter().map(|c| c.symbol));
-    let mut symbols = Vec::new();
-    for symbol in all {
-        if !symbol.is_empty() && !symbols.contains(&symbol) {
-            symbols.push(symbol);
+impl Serialize for Catalogue<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let registry = self.0;
+        let scenes: Vec<&Scene> = registry.scenes().iter().map(Arc::as_ref).collect();
+        let planners: Vec<_> = registry.planners().iter().copied().map(EntryView).collect();
+        let generators: Vec<_> = registry.generators().iter().copied().map(GeneratorView).collect();
+        let mut out = serializer.serialize_struct("Catalogue", 8 + registry.followers().len())?;
+        out.serialize_field("version", env!("CARGO_PKG_VERSION"))?;
+        out.serialize_field("planners", &planners)?;
+        out.serialize_field("scenes", &scenes)?;
+        out.serialize_field("generators", &generators)?;
+        for follower in registry.followers() {
+            out.serialize_field(follower.name, &FollowerView(follower))?;
         }
-    }
-    Catalogue {
-        version: env!("CARGO_PKG_VERSION"),
-        planners: PLANNERS.iter().map(EntryView).collect(),
-        scenes: shipped_names().map(|scene| &**scene).collect(),
-        generators: GENERATORS.iter().chain(OTHERS).map(GeneratorView).collect(),
-        drive: DriveView(&drive::ENTRY, GRID),
-        motion: DriveView(&arm::MOTION, ARM),
-        roles: layer_keys(),
-        layers: layers::SCENE,
-        shapes: Shape::ALL.map(Shape::name),
-        symbols,
+        // The keys of all layers.
+        out.serialize_field("roles", &registry.layer_keys())?;
+        // The layers of a scene itself, which no planner need draw.
+        out.serialize_field("layers", layers::SCENE)?;
+        out.serialize_field("shapes", &Shape::ALL.map(Shape::name))?;
+        out.serialize_field("symbols", &registry.symbols())?;
+        out.end()
     }
 }
 
@@ -115,34 +110,24 @@ impl Serialize for GeneratorView {
         out.serialize_field("name", self.0.name)?;
         out.serialize_field("title", self.0.title)?;
         out.serialize_field("help", self.0.help)?;
-        let kinds: &[SceneKindId] = if self.0.kind() == TOUR { &[TOUR] } else { &[GRID] };
-        out.serialize_field("parameters", &views(self.0.parameters, kinds))?;
+        out.serialize_field("parameters", &views(self.0.parameters, std::slice::from_ref(&self.0.kind)))?;
         out.end()
     }
 }
 
 /// How a robot, or an arm, follows a path.
 #[derive(Debug)]
-struct DriveView(&'static Follower, SceneKindId);
+struct FollowerView(&'static Follower);
 
-impl Serialize for DriveView {
+impl Serialize for FollowerView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut out = serializer.serialize_struct("DriveEntry", 5)?;
+        let mut out = serializer.serialize_struct("Follower", 5)?;
         out.serialize_field("source", self.0.source)?;
         out.serialize_field("summary", self.0.summary)?;
-        out.serialize_field("parameters", &views(self.0.parameters, if self.1 == ARM { &[ARM] } else { &[GRID] }))?;
+        out.serialize_field("parameters", &views(self.0.parameters, std::slice::from_ref(&self.0.kind)))?;
         out.serialize_field("columns", self.0.columns)?;
         out.serialize_field("formulas", self.0.formulas)?;
         out.end()
-    }
-}
-
-/// Pairs as an object.
-struct Object<'a>(&'a [(&'static str, Value)]);
-
-impl Serialize for Object<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        as_object(self.0, serializer)
     }
 }
 
@@ -160,8 +145,8 @@ impl Serialize for ParameterView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let p = self.parameter;
         let kinds: Vec<SceneKindId> = self.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
-        let defaults: Vec<_> = p.defaults.iter().map(|&(kind, value)| (kind.name(), value.into())).collect();
-        let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(FUNCTION));
+        let defaults: Vec<_> = p.defaults.iter().map(|&(kind, value)| (kind.name(), Value::from(value))).collect();
+        let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(SceneKindId("")));
         let mut out = serializer.serialize_struct("Parameter", 15)?;
         out.serialize_field("name", p.name)?;
         out.serialize_field("symbol", p.symbol)?;

@@ -1,0 +1,80 @@
+//! What ships: every planner, kind of scene, generator and follower, a line each; nothing else lists them.
+
+use std::sync::{Arc, LazyLock};
+
+use crate::{
+    ants,
+    describe::{Entry, Follower, Generator, Registry, SceneKind},
+    dynamic,
+    follow::{drive, motion},
+    kernel::{Error, Scene},
+    scene::{arm, discs, function, generate, grid, tour as tours},
+    search, swarm, tour, tree, tuning,
+};
+
+/// Kinds of scenes, in the order in which their scenes are offered.
+const KINDS: &[&SceneKind] = &[&discs::KIND, &grid::KIND, &tours::KIND, &arm::KIND, &function::KIND];
+
+/// Planners, in the order in which they are offered.
+const PLANNERS: &[&Entry] = &[
+    &swarm::wcpso::ENTRY,
+    &swarm::pso::ENTRY,
+    &swarm::wpso::ENTRY,
+    &swarm::cpso::ENTRY,
+    &swarm::ltqpso::ENTRY,
+    &swarm::qpso::ENTRY,
+    &swarm::bat_continuous::ENTRY,
+    &swarm::cuckoo_search::ENTRY,
+    &swarm::pso_rrt::ENTRY,
+    &ants::aco_wolf::ENTRY,
+    &ants::aco_direction::ENTRY,
+    &ants::aco_dijkstra::ENTRY,
+    &ants::aco::ENTRY,
+    &search::a_star::ENTRY,
+    &search::dijkstra::ENTRY,
+    &search::theta_star::ENTRY,
+    &tour::bat::ENTRY,
+    &tour::hybrid_bat::ENTRY,
+    &tour::ga::ENTRY,
+    &tour::tour_pso::ENTRY,
+    &tour::sa::ENTRY,
+    &tour::two_opt::ENTRY,
+    &tour::held_karp::ENTRY,
+    &tree::rrt_guided::ENTRY,
+    &tree::rrt::ENTRY,
+    &tree::rrt_connect::ENTRY,
+    &tree::rrt_star::ENTRY,
+    &tree::rrt_joint::ENTRY,
+    &dynamic::wolf_ant_drive::ENTRY,
+    &dynamic::a_star_drive::ENTRY,
+    &dynamic::d_star_lite_drive::ENTRY,
+    &tuning::ENTRY,
+];
+
+/// Generators of random scenes.
+const GENERATORS: &[&Generator] =
+    &[&generate::RANDOM, &generate::RUBBLE, &generate::ROOMS, &generate::MAZE, &generate::STOPS, &generate::DISCS, &generate::SHIFTED];
+
+/// Who follows a path.
+const FOLLOWERS: &[&Follower] = &[&drive::ENTRY, &motion::ENTRY];
+
+impl Registry {
+    /// All that ships, in the order in which it is offered; add to it with [`Registry::with`].
+    pub fn standard() -> Self {
+        Self::new().with_all(KINDS).with_all(PLANNERS).with_all(GENERATORS).with_all(FOLLOWERS)
+    }
+}
+
+/// All that ships, made once and shared.
+pub fn standard() -> &'static Arc<Registry> {
+    static STANDARD: LazyLock<Arc<Registry>> = LazyLock::new(|| Arc::new(Registry::standard()));
+    &STANDARD
+}
+
+/// The shipped scene of this name.
+///
+/// # Errors
+/// [`Error::Unknown`] with the names that exist.
+pub fn shipped(name: &str) -> Result<Arc<Scene>, Error> {
+    standard().scene(name)
+}

@@ -1,0 +1,26 @@
+//! One run: a scene, a planner with parameters and a seed, stepped, rewound, judged and shared.
+//!
+//! `setup` is what a run is made of, `start` begins it, `stepping` steps, rewinds, draws and reads it, `outcome` judges it, and [`link`]
+//! puts it into an address. `subtasks` carries out the runs of other planners that a run needs; `answers` remembers what they
+//! found. `keyframes` and `origin` are for the way back, `trace` has the readings of past iterations. [`trial`] is one run of
+//! many, summed up in a line.
+
+mod answers;
+mod keyframes;
+pub mod link;
+mod origin;
+mod outcome;
+mod setup;
+mod start;
+mod stepping;
+mod subtasks;
+mod trace;
+pub mod trial;
+
+pub use link::Link;
+pub use outcome::Outcome;
+pub use setup::Setup;
+pub use stepping::Run;
+pub use subtasks::{run_subtasks, run_to_end};
+pub use trace::{Trace, csv_heading, csv_line, csv_row};
+pub use trial::Trial;
