@@ -146,7 +146,7 @@ fn colony(planner: &str, scene: &str) -> Vec<f64> {
     (1..=30).map(run).collect()
 }
 
-/// [WOLF-ANT] Table 2, 30 ants and 100 iterations: at least 27 of 30 seeds find the exact optimum.
+/// [WOLF-ANT](forage#papers) Table 2, 30 ants and 100 iterations: at least 27 of 30 seeds find the exact optimum.
 #[test]
 fn wolves_shares_find_the_optimum_of_the_twenty_cells() {
     let found = colony("aco-wolf", "wolf-ant-20");
@@ -154,10 +154,10 @@ fn wolves_shares_find_the_optimum_of_the_twenty_cells() {
     assert!(hits >= 27, "{hits} of 30");
 }
 
-/// [ANTBAT] Table 2's bats, 50 of them and 100 iterations, without local search: at least 28 of 30 seeds find the exact order of
-/// the twelve stops, by exact roads and by those that the paper's ants build from cell to cell. With local search, too. Of the
-/// ants' roads one in a hundred is a little longer than the shortest, so not every tour is as long: at least 24 are, and no
-/// other is longer by half a cell.
+/// [ANTBAT](forage#papers) Table 2's bats, 50 of them and 100 iterations, without local search: at least 28 of 30 seeds find
+/// the exact order of the twelve stops, by exact roads and by those that the paper's ants build from cell to cell. With local
+/// search, too. Of the ants' roads one in a hundred is a little longer than the shortest, so not every tour is as long: at
+/// least 24 are, and no other is longer by half a cell.
 #[test]
 fn bats_find_the_exact_tour_of_the_twelve_stops() {
     let scene = shipped("ant-bat-30").unwrap();

@@ -1,4 +1,4 @@
-//! `aco`: the traditional ant colony, [ANTBAT] §3.1.
+//! `aco`: the traditional ant colony, [ANTBAT](crate#papers) §3.1.
 
 use crate::{
     describe::{Entry, Preset},

@@ -1,4 +1,5 @@
-//! `aco-dijkstra`: ants that set out on a Dijkstra path's pheromone and choose greedily more and more, the paper's [14].
+//! `aco-dijkstra`: ants that set out on a Dijkstra path's pheromone and choose greedily more and more, the paper's
+//! reference 14.
 
 use crate::{
     describe::{CONVERGED, Entry, Formula},

@@ -1,4 +1,4 @@
-//! `aco-direction`: ants that mind their direction, rewarded and punished by the median, [ANTBAT] §3.1.
+//! `aco-direction`: ants that mind their direction, rewarded and punished by the median, [ANTBAT](crate#papers) §3.1.
 
 use crate::{
     describe::{Entry, Formula},

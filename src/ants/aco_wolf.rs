@@ -1,5 +1,5 @@
 //! `aco-wolf`: ants that rank the cells around them, whose best is rewarded and whose worst is punished like wolves,
-//! [WOLF-ANT] §5.1.
+//! [WOLF-ANT](crate#papers) §5.1.
 
 use crate::{
     describe::{Entry, Formula, Preset},

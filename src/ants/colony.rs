@@ -38,7 +38,7 @@ pub(super) struct Traits {
 }
 
 impl Traits {
-    /// The traditional colony, [ANTBAT] (1); the others differ from it.
+    /// The traditional colony, [ANTBAT](crate#papers) (1); the others differ from it.
     pub(super) const TRADITIONAL: Self = Self {
         heuristic: Heuristic::Distance,
         gamma: 0.0,
@@ -199,7 +199,7 @@ impl Colony {
         if arrived > 0 { sum / f64::from(arrived) } else { f64::NAN }
     }
 
-    /// [ANTBAT] (4), [WOLF-ANT] (10).
+    /// [ANTBAT](crate#papers) (4), [WOLF-ANT](crate#papers) (10).
     pub(super) fn renew(&mut self) {
         self.pheromone.evaporate();
         if let Some(best) = self.best.as_ref().filter(|_| self.walks.leads_anywhere()) {

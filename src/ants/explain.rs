@@ -59,7 +59,7 @@ struct View<'a> {
     /// τ^α η^β ψ^γ; 0 for what is not allowed.
     weight: [f64; 8],
     sum: f64,
-    /// The direction of a step counts, [ANTBAT] (2).
+    /// The direction of a step counts, [ANTBAT](crate#papers) (2).
     directed: bool,
 }
 
@@ -105,7 +105,7 @@ impl<'a> View<'a> {
         self.colony.pheromone.tau(self.cell, d)
     }
 
-    /// θ1, θ2 and ψ, [ANTBAT] (2).
+    /// θ1, θ2 and ψ, [ANTBAT](crate#papers) (2).
     fn direction(&self, d: usize) -> [f64; 3] {
         let (turn, off) = (theta1(self.from, d), self.ground.theta2(self.cell, d));
         let law = self.ground.direction;

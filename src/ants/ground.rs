@@ -19,16 +19,16 @@ pub(super) const NOWHERE: usize = 8;
 /// How an ant sees the cells around it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Heuristic {
-    /// η = 1 / distance to the goal, [ANTBAT] §3.1.
+    /// η = 1 / distance to the goal, [ANTBAT](crate#papers) §3.1.
     Distance,
-    /// η = ε times 5, 4, 4, 3, 3, 2, 2, 1 by rank, [WOLF-ANT] (6).
+    /// η = ε times 5, 4, 4, 3, 3, 2, 2, 1 by rank, [WOLF-ANT](crate#papers) (6).
     Ranked {
         /// ε.
         epsilon: f64,
     },
 }
 
-/// How ψ of [ANTBAT] (2) falls with an angle θ.
+/// How ψ of [ANTBAT](crate#papers) (2) falls with an angle θ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Direction {
     /// exp(−(θ/π)²). In the scan the brackets of (2) are lost and the 2 stands behind π: it is an exponent.
@@ -142,14 +142,14 @@ impl Ground {
         std::array::from_fn(|axis| to[axis] as i64 - from[axis] as i64)
     }
 
-    /// θ2 of [ANTBAT] (2): the angle between a step and the line from its cell to the goal; 0 at the goal.
+    /// θ2 of [ANTBAT](crate#papers) (2): the angle between a step and the line from its cell to the goal; 0 at the goal.
     pub fn theta2(&self, cell: usize, direction: usize) -> f64 {
         let [x, y] = self.to_goal(cell).map(|c| c as f64);
         if x == 0.0 && y == 0.0 { 0.0 } else { between(angle(direction), math::atan2(y, x)) }
     }
 }
 
-/// θ1 of [ANTBAT] (2): the turn between one step and the next; 0 for an ant that has not moved yet.
+/// θ1 of [ANTBAT](crate#papers) (2): the turn between one step and the next; 0 for an ant that has not moved yet.
 pub(super) fn theta1(from: usize, to: usize) -> f64 {
     if from == NOWHERE { 0.0 } else { between(angle(from), angle(to)) }
 }
@@ -161,7 +161,8 @@ fn between(a: f64, b: f64) -> f64 {
 }
 
 /// The weights of the eight neighbours by the distance of each from the goal, which lies `dx` columns and `dy` rows away:
-/// the nearest 5, then 4, 4, 3, 3, 2, 2, the farthest 1, [WOLF-ANT] (6). Reading: those equally far share their weights.
+/// the nearest 5, then 4, 4, 3, 3, 2, 2, the farthest 1, [WOLF-ANT](crate#papers) (6). Reading: those equally far share their
+/// weights.
 pub(super) fn ranked([dx, dy]: [i64; 2]) -> [f64; 8] {
     const WEIGHTS: [f64; 8] = [5.0, 4.0, 4.0, 3.0, 3.0, 2.0, 2.0, 1.0];
     let squared = crate::geometry::DIRECTIONS.map(|[x, y]| (dx - i64::from(x)).pow(2) + (dy - i64::from(y)).pow(2));

@@ -1,4 +1,5 @@
-//! Ants that go from cell to cell of a grid and lay pheromone on their paths, [ANTBAT] §3.1 and [WOLF-ANT] §5.1.
+//! Ants that go from cell to cell of a grid and lay pheromone on their paths, [ANTBAT](crate#papers) §3.1 and
+//! [WOLF-ANT](crate#papers) §5.1.
 //!
 //! There is one `colony`; `planner` is its stepped contract, `draw` shows it, `explain` says why an ant chose a step. What the
 //! planners differ in is exchanged: how an ant sees the cells around it (`ground`), how it chooses among them (`walk`), and

@@ -17,7 +17,7 @@ pub(super) const ITERATIONS: Param<u64> =
         .slider(10.0, 1000.0, true);
 pub(super) const ANTS: Param<u64> =
     Param::integer("ants", "m", "Ants", [1, 10_000, 50], "How many ants set out in an iteration. Published: 50.").slider(1.0, 500.0, true);
-/// As [ANTBAT] prints it, and β.
+/// As [ANTBAT](crate#papers) prints it, and β.
 pub(super) const ALPHA: Param<f64> = Param::number(
     "alpha",
     "\\alpha",

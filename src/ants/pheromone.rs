@@ -109,7 +109,8 @@ impl Pheromone {
         other
     }
 
-    /// (1 − ρ) τ of [ANTBAT] (4) and [WOLF-ANT] (10). What the ants lay comes next, then [`Pheromone::settle`].
+    /// (1 − ρ) τ of [ANTBAT](crate#papers) (4) and [WOLF-ANT](crate#papers) (10). What the ants lay comes next, then
+    /// [`Pheromone::settle`].
     pub fn evaporate(&mut self) {
         let left = 1.0 - self.rho;
         self.elsewhere *= left;

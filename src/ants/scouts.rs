@@ -1,4 +1,4 @@
-//! Ants that are sent round something on pheromone that a colony has laid, [WOLF-ANT] §5.3.
+//! Ants that are sent round something on pheromone that a colony has laid, [WOLF-ANT](crate#papers) §5.3.
 
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ impl Colony {
         draw::trails(&self.ground.cells, &self.pheromone, frame);
     }
 
-    /// Whether it is [WOLF-ANT]'s.
+    /// Whether it is [WOLF-ANT](crate#papers)'s.
     pub(crate) fn is_wolf(&self) -> bool {
         self.traits.update == Update::Wolf
     }

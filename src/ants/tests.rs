@@ -52,8 +52,8 @@ fn run(scene: &Arc<Scene>, planner: &str, params: &[(&str, &str)], seed: u64) ->
     Run::new(standard(), Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
-/// [ANTBAT] (1) by hand: two cells to choose from, at distances 1 and √2 from the goal, η² = 1 and 1/2; τ = 1 and 3.
-/// Shares: 1 · 1 to 3 · 1/2, i.e. 0.4 and 0.6.
+/// [ANTBAT](crate#papers) (1) by hand: two cells to choose from, at distances 1 and √2 from the goal, η² = 1 and 1/2; τ = 1
+/// and 3. Shares: 1 · 1 to 3 · 1/2, i.e. 0.4 and 0.6.
 #[test]
 fn probabilities_follow_the_formula() {
     let scene = scene(&["...", "...", "..."], [0.5, 0.5], [2.5, 1.5]);
@@ -77,7 +77,7 @@ fn probabilities_follow_the_formula() {
     assert!((chosen as f64 / f64::from(n) - expected).abs() < 5.0 * deviation);
 }
 
-/// [ANTBAT] (2)–(3): ψ for an ant that came from the west and turns by 45°, with the goal straight ahead.
+/// [ANTBAT](crate#papers) (2)–(3): ψ for an ant that came from the west and turns by 45°, with the goal straight ahead.
 #[test]
 fn a_turn_costs_what_psi_says() {
     let scene = scene(&["....", "....", "...."], [0.5, 1.5], [3.5, 1.5]);
@@ -118,7 +118,7 @@ fn what_ants_lay_follows_the_formulas() {
     assert_eq!(lay(Update::Wolf, &[("a", 3.0)]), [4.0]);
 }
 
-/// [ANTBAT] (4) by hand on a corridor: one way, one ant.
+/// [ANTBAT](crate#papers) (4) by hand on a corridor: one way, one ant.
 #[test]
 fn pheromone_evaporates_and_is_laid_on_the_way() {
     let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
@@ -218,8 +218,8 @@ fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
     assert!(found > 100, "most of the maps have a way");
 }
 
-/// With less pheromone on each way (`q=10`) three of these colonies of [ANTBAT] never settle: the ants' mean stays at
-/// several times their best.
+/// With less pheromone on each way (`q=10`) three of these colonies of [ANTBAT](crate#papers) never settle: the ants' mean
+/// stays at several times their best.
 #[test]
 fn colonies_with_direction_settle_on_hard_maps() {
     for (generator, columns, rows, seed) in

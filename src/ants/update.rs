@@ -7,14 +7,14 @@ use super::walk::{Ant, End, Walks};
 pub(super) enum Update {
     /// Δτ = Q / L.
     Traditional,
-    /// [ANTBAT] (5): a reward for less than the median, a punishment for more.
+    /// [ANTBAT](crate#papers) (5): a reward for less than the median, a punishment for more.
     Reward {
         /// φ1.
         phi1: f64,
         /// φ2.
         phi2: f64,
     },
-    /// [WOLF-ANT] (10)–(12): the iteration's best way gets more, its worst way less.
+    /// [WOLF-ANT](crate#papers) (10)–(12): the iteration's best way gets more, its worst way less.
     Wolf,
 }
 

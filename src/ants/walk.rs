@@ -177,8 +177,8 @@ fn fold(directions: &[u8]) -> u64 {
     directions.iter().fold(0xcbf2_9ce4_8422_2325, |sum, &d| (sum ^ u64::from(d)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
-/// [ANTBAT] (3), [WOLF-ANT] (4): each allowed step with the probability of its share of the weights; with probability
-/// `greed` the heaviest (the first of them). `u` is uniform in [0, 1) and decides both.
+/// [ANTBAT](crate#papers) (3), [WOLF-ANT](crate#papers) (4): each allowed step with the probability of its share of the
+/// weights; with probability `greed` the heaviest (the first of them). `u` is uniform in [0, 1) and decides both.
 #[inline]
 pub(super) fn choose(weights: &[f64; 8], turn: &[f64; 8], allowed: u8, greed: f64, u: f64) -> usize {
     let mut sum = 0.0;

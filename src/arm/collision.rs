@@ -1,5 +1,5 @@
-//! What an arm touches, [ARM-RRT] §3.1 and §4.2 of the repaired text: the links of its skeleton, as capsules, against the
-//! cuboids and the column that it stands on.
+//! What an arm touches, [ARM-RRT](crate#papers) §3.1 and §4.2 of the repaired text: the links of its skeleton, as capsules,
+//! against the cuboids and the column that it stands on.
 //!
 //! A link is everything as near as its radius to its segment, closed: to touch is to collide, as in the paper. Every link is
 //! tested against every cuboid. Against the column (a capsule about the base's axis, from the workspace's floor up to the

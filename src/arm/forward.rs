@@ -1,4 +1,4 @@
-//! Where an arm's links are in a posture, [ARM-RRT] (1): the product of the joints' transformations.
+//! Where an arm's links are in a posture, [ARM-RRT](crate#papers) (1): the product of the joints' transformations.
 
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
@@ -67,7 +67,7 @@ impl Arm {
         })
     }
 
-    /// The frame of each joint, and at last that of the tip, in the world: [ARM-RRT] (1).
+    /// The frame of each joint, and at last that of the tip, in the world: [ARM-RRT](crate#papers) (1).
     ///
     /// ```
     /// use forage::arm::ArmScene;

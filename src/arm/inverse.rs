@@ -1,4 +1,4 @@
-//! Which postures bring the tip somewhere, [ARM-RRT] §2.1: closed form, up to eight.
+//! Which postures bring the tip somewhere, [ARM-RRT](crate#papers) §2.1: closed form, up to eight.
 
 use std::f64::consts::PI;
 

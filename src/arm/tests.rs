@@ -42,7 +42,7 @@ fn apart(a: &Posture, b: &Posture) -> f64 {
     turned.map(f64::abs).fold(0.0, f64::max)
 }
 
-/// [ARM-RRT] §4.1: [a1 + d4 + a6, 0, a2 + a3].
+/// [ARM-RRT](crate#papers) §4.1: [a1 + d4 + a6, 0, a2 + a3].
 #[test]
 fn at_home_the_tip_is_where_the_paper_says() {
     let arm = paper();
@@ -80,7 +80,7 @@ fn assert_frame(frame: &Isometry3<f64>, matrix: &Matrix) {
     }
 }
 
-/// [ARM-RRT] (1), each frame of the product.
+/// [ARM-RRT](crate#papers) (1), each frame of the product.
 #[test]
 fn frames_are_the_products_of_matrices_written_out_by_hand() {
     let (arm, mut stream) = (paper(), Stream::new(2, 0));

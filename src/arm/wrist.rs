@@ -1,4 +1,4 @@
-//! The last three joints: how they turn the tool, [ARM-RRT] §2.1 with its singular case.
+//! The last three joints: how they turn the tool, [ARM-RRT](crate#papers) §2.1 with its singular case.
 
 use std::f64::consts::PI;
 
@@ -63,8 +63,8 @@ impl Wrist {
     }
 }
 
-/// θ4 and θ6 of a singular wrist, nearest to where they are: θ6 + sign θ4 is kept, [ARM-RRT] §4.1, and both turn by as much as
-/// they can share. `None` if no turn keeps them within their ranges.
+/// θ4 and θ6 of a singular wrist, nearest to where they are: θ6 + sign θ4 is kept, [ARM-RRT](crate#papers) §4.1, and both turn
+/// by as much as they can share. `None` if no turn keeps them within their ranges.
 pub(super) fn share(sum: f64, sign: f64, near: &Posture, ranges: [[f64; 2]; 2]) -> Option<[f64; 2]> {
     let [[min4, max4], [min6, max6]] = ranges;
     let missing = sum - (near[5] + sign * near[3]);

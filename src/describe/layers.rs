@@ -41,7 +41,7 @@ const SELECTED_LOOK: Look = Look { point: 6.0, opacity: [0.9, 0.9], glyph: Glyph
 const HENS_LOOK: Look = Look { point: 5.0, opacity: [0.9, 0.9], glyph: Glyph::Ring, ..look("hen", 1.6, 30) };
 const CHICKS_LOOK: Look = Look { point: 5.0, opacity: [0.95, 0.95], dash: &[7.0, 3.0], glyph: Glyph::Diamond, ..look("chick", 1.6, 31) };
 const MEAN_BEST_LOOK: Look = Look { point: 8.0, dash: &[7.0, 4.0], glyph: Glyph::Diamond, ..look("mean", 2.25, 33) };
-/// Curves on which the planner places points: the circles of a polar path, [LTQPSO] (13).
+/// Curves on which the planner places points: the circles of a polar path, [LTQPSO](crate#papers) (13).
 pub const GUIDES: Layer = layer(
     "guides",
     "Circles",
@@ -56,19 +56,19 @@ pub const PARTICLES: Layer =
     layer("particles", "Particles", "Where the particles are: points, or the paths they stand for.", &PARTICLES_LOOK)
         .weighted(Weight::Rank)
         .pickable();
-/// Each member's local attractor, [LTQPSO] (7).
+/// Each member's local attractor, [LTQPSO](crate#papers) (7).
 pub const ATTRACTORS: Layer =
     layer("attractors", "Attractors", "Each particle’s local attractor p: between its own best and the swarm’s.", &ATTRACTORS_LOOK).off();
 /// Each member's velocity: from where it is to where it alone would take it.
 pub const VELOCITIES: Layer = layer("velocities", "Velocities", "The particles’ velocities, to scale.", &VELOCITIES_LOOK).off();
-/// Members whose position natural selection replaced in this iteration, [LTQPSO] §2.2.
+/// Members whose position natural selection replaced in this iteration, [LTQPSO](crate#papers) §2.2.
 pub const SELECTED: Layer =
     layer("selected", "Replaced", "Particles that natural selection put where a better one was.", &SELECTED_LOOK).off();
-/// Members that the hen equation moved in this iteration, [WCPSO] (9).
+/// Members that the hen equation moved in this iteration, [WCPSO](crate#papers) (9).
 pub const HENS: Layer = layer("hen", "Hens", "Particles that the hen equation moved in this iteration.", &HENS_LOOK);
-/// Members that the chick equation moved in this iteration, [WCPSO] (12).
+/// Members that the chick equation moved in this iteration, [WCPSO](crate#papers) (12).
 pub const CHICKS: Layer = layer("chick", "Chicks", "Particles that the chick equation moved in this iteration.", &CHICKS_LOOK);
-/// The mean of all personal bests, [LTQPSO] (8).
+/// The mean of all personal bests, [LTQPSO](crate#papers) (8).
 pub const MEAN_BEST: Layer = layer(
     "mean-best",
     "Mean best",
@@ -141,7 +141,7 @@ pub const GOAL_TREE: Layer =
     layer("goal-tree", "Goal’s tree", "The tree that grows from the goal.", &GOAL_TREE_LOOK).weighted(Weight::Length);
 /// A tree's nodes, in their order; of two trees, the start's and then the goal's.
 pub const NODES: Layer = layer("nodes", "Nodes", "Select one to see how it came about.", &NODES_LOOK).weighted(Weight::Length).pickable();
-/// The samples that were drawn, [ARM-RRT] §3.2.1.
+/// The samples that were drawn, [ARM-RRT](crate#papers) §3.2.1.
 pub const SAMPLES: Layer =
     layer("samples", "Samples", "The random points of the last extension. Select one to see what became of it.", &SAMPLES_LOOK).pickable();
 /// Those of the samples that were kept.

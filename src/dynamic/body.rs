@@ -17,7 +17,7 @@ pub(super) struct Body {
     /// How far it keeps them away beyond that.
     pub margin: f64,
     pub speed: f64,
-    /// What a turn takes, by however much; it stands meanwhile, [WOLF-ANT] §5.3.
+    /// What a turn takes, by however much; it stands meanwhile, [WOLF-ANT](crate#papers) §5.3.
     pub turn_time: f64,
     /// How far it sees: an obstacle whose rim is nearer than that.
     pub sensor: f64,

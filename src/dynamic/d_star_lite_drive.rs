@@ -1,5 +1,5 @@
 //! `d-star-lite-drive`: a drive on ways of D* Lite, which repairs its search at each blockage instead of searching from
-//! scratch; a baseline of [WOLF-ANT] §5.3.
+//! scratch; a baseline of [WOLF-ANT](crate#papers) §5.3.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! The drive: period by period the robot looks around, foresees, decides and goes on, [WOLF-ANT] §5.3.
+//! The drive: period by period the robot looks around, foresees, decides and goes on, [WOLF-ANT](crate#papers) §5.3.
 //!
 //! When its plan would come too near to an obstacle: round its predicted range to a local goal on the planned way; if that
 //! gives no way, a new way to the goal; if there is none, it waits; and where standing is not safe either, it gets out of

@@ -360,7 +360,8 @@ fn what_the_robot_cannot_be_is_refused_by_name() {
     assert_eq!(refused(r#"{"radius": 1}"#, &given), ("robot_radius".to_owned(), "0.6".to_owned()));
 }
 
-/// The path that [WOLF-ANT] prints, driven by a point as in the paper: its length, its turns and its time are the printed ones.
+/// The path that [WOLF-ANT](crate#papers) prints, driven by a point as in the paper: its length, its turns and its time are the
+/// printed ones.
 #[test]
 fn the_printed_path_is_driven_as_printed() {
     let setup = |scene: Arc<Scene>| {

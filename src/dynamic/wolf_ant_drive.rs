@@ -1,4 +1,4 @@
-//! `wolf-ant-drive`: ants plan, the robot drives, and pheromone leads it round moving obstacles, [WOLF-ANT] §5.3.
+//! `wolf-ant-drive`: ants plan, the robot drives, and pheromone leads it round moving obstacles, [WOLF-ANT](crate#papers) §5.3.
 
 use std::{any::Any, sync::Arc};
 

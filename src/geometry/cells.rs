@@ -83,7 +83,7 @@ pub struct Plan<'a> {
 /// Cells and the steps between them. A cell's number is row · columns + column.
 ///
 /// A cell is free if the robot's circle fits at its centre; a step is allowed if it fits all along it. Reading of
-/// [ANTBAT] §3.1: without corner cutting a diagonal step needs both cells beside it free.
+/// [ANTBAT](crate#papers) §3.1: without corner cutting a diagonal step needs both cells beside it free.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cells {
     /// The side of a cell, in the scene's unit.

@@ -1,4 +1,4 @@
-//! Boxes in space, and segments that meet them, [ARM-RRT] §3.1.
+//! Boxes in space, and segments that meet them, [ARM-RRT](crate#papers) §3.1.
 
 use crate::math::clamp;
 
@@ -19,7 +19,7 @@ impl Cuboid {
     }
 
     /// Which part of the segment `a`–`b` lies in it, as parameters 0 ≤ from ≤ to ≤ 1. The plane intersections are
-    /// [ARM-RRT] (7)–(10), two parallel faces at a time.
+    /// [ARM-RRT](crate#papers) (7)–(10), two parallel faces at a time.
     #[inline]
     pub fn clip(&self, a: [f64; 3], b: [f64; 3]) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -112,7 +112,8 @@ mod tests {
     use super::*;
     use crate::kernel::rng::Stream;
 
-    /// The five cases of [ARM-RRT] fig. 3: through a face, over an edge, in a face's plane, parallel to it, apart.
+    /// The five cases of [ARM-RRT](crate#papers) fig. 3: through a face, over an edge, in a face's plane, parallel to it,
+    /// apart.
     #[test]
     fn a_segment_meets_a_face_an_edge_and_the_inside() {
         let cuboid = Cuboid { min: [0.0; 3], max: [1.0, 2.0, 3.0] };

@@ -1,4 +1,4 @@
-//! Paths without the nodes they do not need, [ANTBAT] §3.1.
+//! Paths without the nodes they do not need, [ANTBAT](crate#papers) §3.1.
 
 /// The path without its redundant nodes: a node goes if its neighbours see each other, from the first to the last, and
 /// again until none goes. The ends stay, and so does every node that keeps a neighbour out of sight; where `free` holds

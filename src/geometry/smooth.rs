@@ -1,4 +1,4 @@
-//! Smoothing of polylines, [LTQPSO] §4 (9).
+//! Smoothing of polylines, [LTQPSO](crate#papers) §4 (9).
 
 /// Into how many pieces each segment is cut first. A filter that averages neighbours can only round a corner that has
 /// neighbours near it.

@@ -28,7 +28,7 @@ impl GridPath {
         Self { path, smooth: OnceLock::new() }
     }
 
-    /// Without the nodes whose neighbours see each other, [ANTBAT] §3.1.
+    /// Without the nodes whose neighbours see each other, [ANTBAT](crate#papers) §3.1.
     pub fn smooth(&self, grid: &GridScene) -> &[[f64; 2]] {
         self.smooth.get_or_init(|| shortcut(&self.path, |a, b| grid.field().is_free(a, b)))
     }

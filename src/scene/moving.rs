@@ -1,4 +1,4 @@
-//! Obstacles that move: discs that go straight at an even speed, or from way-point to way-point, [WOLF-ANT] §5.
+//! Obstacles that move: discs that go straight at an even speed, or from way-point to way-point, [WOLF-ANT](crate#papers) §5.
 //!
 //! Reading: walls do not stop them, and they do not stop each other.
 

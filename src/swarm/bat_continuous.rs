@@ -1,4 +1,5 @@
-//! `bat-continuous`: bats with frequency, velocity and position, [ANTBAT] (7)–(11), which the discrete bats come from.
+//! `bat-continuous`: bats with frequency, velocity and position, [ANTBAT](crate#papers) (7)–(11), which the discrete bats come
+//! from.
 //!
 //! Readings. The paper prints the equations and no more; what it leaves open is Yang's (2010): with its pulse rate as the
 //! probability not to, a bat walks about the best instead of flying, as far as the bats are loud on average; it accepts a

@@ -1,4 +1,4 @@
-//! `cpso`: the swarm whose accelerations change linearly, [WCPSO] §3.1 and its reference [18].
+//! `cpso`: the swarm whose accelerations change linearly, [WCPSO](crate#papers) §3.1 and its reference 18.
 
 use crate::{
     describe::{Entry, Formula, Preset, Start},

@@ -1,7 +1,8 @@
-//! `cuckoo-search`: cuckoo search by Yang and Deb (2009), Lévy flights and abandoned nests; [ANTBAT] fig. 8 compares with it.
+//! `cuckoo-search`: cuckoo search by Yang and Deb (2009), Lévy flights and abandoned nests; [ANTBAT](crate#papers) fig. 8
+//! compares with it.
 //!
-//! [ANTBAT] compares with a variant of it (Liu and Liu, Computer Science 2019, 46(7), 165–171: directional mutation), of which
-//! it prints no details. This is Yang and Deb's own.
+//! [ANTBAT](crate#papers) compares with a variant of it (Liu and Liu, Computer Science 2019, 46(7), 165–171: directional
+//! mutation), of which it prints no details. This is Yang and Deb's own.
 //!
 //! Readings. Where the paper's pseudo-code leaves something open, Yang and Deb's program decides: in each iteration every nest
 //! is tried twice, first by a Lévy flight, then by a random walk along the difference of two nests, and a candidate that is not

@@ -1,4 +1,4 @@
-//! The swarm of [WCPSO]: velocities, schedules, and (for some) hen and chick.
+//! The swarm of [WCPSO](crate#papers): velocities, schedules, and (for some) hen and chick.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ use super::{
     sheet::introduce_as,
 };
 
-/// What distinguishes one swarm of [WCPSO] from another.
+/// What distinguishes one swarm of [WCPSO](crate#papers) from another.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Flight {
     pub(super) schedule: Schedule,

@@ -1,5 +1,6 @@
-//! Particle swarms: `pso`, `wpso`, `cpso` and `wcpso` of [WCPSO], `qpso` and `ltqpso` of [LTQPSO], the continuous bats
-//! of [ANTBAT], and what it compares with (`cuckoo-search`, `pso-rrt`), with exchangeable parts.
+//! Particle swarms: `pso`, `wpso`, `cpso` and `wcpso` of [WCPSO](crate#papers), `qpso` and `ltqpso` of [LTQPSO](crate#papers),
+//! the continuous bats of [ANTBAT](crate#papers), and what it compares with (`cuckoo-search`, `pso-rrt`), with exchangeable
+//! parts.
 //!
 //! - [`objective`]: what a position means and costs: a function's value, or a path. Two encodings of paths,
 //!   [`waypoints`] and [`polar`], over a `terrain` of discs or of blocked cells; `encoding` chooses.

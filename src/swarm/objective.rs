@@ -113,7 +113,7 @@ impl Default for Scratch {
     }
 }
 
-/// A test function of [WCPSO] Table 1 on its box.
+/// A test function of [WCPSO](crate#papers) Table 1 on its box.
 #[derive(Debug, Clone)]
 pub struct FunctionObjective {
     scene: FunctionScene,

@@ -87,7 +87,7 @@ pub(super) const W_MAX: Param<f64> = Param::number(
 );
 pub(super) const W_MIN: Param<f64> =
     Param::number("w_min", "\\omega_{\\min}", "Inertia weight at the end", [0.0, 1.5, 0.4], "ω falls to here, so that the swarm settles.");
-/// The defaults of a swarm of [WCPSO]: coefficients as the text prints them.
+/// The defaults of a swarm of [WCPSO](crate#papers): coefficients as the text prints them.
 pub(super) const AS_IN_TEXT: Preset = Preset {
     name: "paper",
     title: "As in the text",

@@ -1,4 +1,4 @@
-//! Hen and chick: what moves a particle that stagnates, [WCPSO] §2.2.
+//! Hen and chick: what moves a particle that stagnates, [WCPSO](crate#papers) §2.2.
 //!
 //! A particle stagnates when its cost rose in `patience` consecutive iterations. The first time the hen equation (9)
 //! moves it, and after the hen, as long as nothing has improved, the chick equation (12), each after another `patience`
@@ -109,13 +109,13 @@ impl Patience {
     }
 }
 
-/// s1 = exp((f_i − f_g) / (|f_i| + ε)), [WCPSO] (10); ε is the smallest positive normal number.
+/// s1 = exp((f_i − f_g) / (|f_i| + ε)), [WCPSO](crate#papers) (10); ε is the smallest positive normal number.
 pub fn s1(f_i: f64, f_g: f64) -> f64 {
     math::exp((f_i - f_g) / (f_i.abs() + f64::MIN_POSITIVE))
 }
 
-/// s2 = exp(f_i − f_t), [WCPSO] (11), or with the sign of its source. Reading: as printed it overflows, so the exponent is
-/// capped at 1, the largest that (10) can reach.
+/// s2 = exp(f_i − f_t), [WCPSO](crate#papers) (11), or with the sign of its source. Reading: as printed it overflows, so the
+/// exponent is capped at 1, the largest that (10) can reach.
 pub fn s2(sign: Sign, f_i: f64, f_t: f64) -> f64 {
     let exponent = match sign {
         Sign::Printed => f_i - f_t,
@@ -124,13 +124,13 @@ pub fn s2(sign: Sign, f_i: f64, f_t: f64) -> f64 {
     math::exp(exponent.min(1.0))
 }
 
-/// One coordinate of the hen equation, x + s1 r (p_g − x) + s2 r' (x_t − x), [WCPSO] (9).
+/// One coordinate of the hen equation, x + s1 r (p_g − x) + s2 r' (x_t − x), [WCPSO](crate#papers) (9).
 #[inline]
 pub fn hen(x: f64, g: f64, x_t: f64, [s1, s2]: [f64; 2], [r, r_]: [f64; 2]) -> f64 {
     x + s1 * r * (g - x) + s2 * r_ * (x_t - x)
 }
 
-/// One coordinate of the chick equation, x + F_L (p_g − x), [WCPSO] (12).
+/// One coordinate of the chick equation, x + F_L (p_g − x), [WCPSO](crate#papers) (12).
 #[inline]
 pub fn chick(x: f64, g: f64, f_l: f64) -> f64 {
     x + f_l * (g - x)

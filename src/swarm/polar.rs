@@ -1,5 +1,5 @@
-//! Paths in polar coordinates about the start, [LTQPSO] §4: a position is (α₁ … α_{D−1}), one angle for each circle
-//! between start and goal.
+//! Paths in polar coordinates about the start, [LTQPSO](crate#papers) §4: a position is (α₁ … α_{D−1}), one angle for each
+//! circle between start and goal.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -1,4 +1,4 @@
-//! `pso`: the swarm with constant coefficients, [WCPSO] (1) and (2).
+//! `pso`: the swarm with constant coefficients, [WCPSO](crate#papers) (1) and (2).
 
 use crate::{
     describe::{Entry, Start},

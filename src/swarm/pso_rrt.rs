@@ -1,10 +1,10 @@
-//! `pso-rrt`: a particle swarm that begins with the paths of random trees; [ANTBAT] fig. 8 compares with one.
+//! `pso-rrt`: a particle swarm that begins with the paths of random trees; [ANTBAT](crate#papers) fig. 8 compares with one.
 //!
-//! [ANTBAT] names its source (Liu, thesis, North University of China, 2023: improved PSO and RRT for the paths of vehicles) and
-//! prints no details. Our reading: a basic tree (LaValle 1998, [`crate::tree::rrt`]) of its own gives each particle its first
-//! path, without redundant nodes. The path's corners become the particle's waypoints, and the middle of its longest piece until
-//! there are enough; a path with too many corners becomes points at equal distances along it, which may collide. From there on it
-//! is `pso`. A particle whose tree does not come to the goal within `extensions` begins as in `pso`.
+//! [ANTBAT](crate#papers) names its source (Liu, thesis, North University of China, 2023: improved PSO and RRT for the paths of
+//! vehicles) and prints no details. Our reading: a basic tree (LaValle 1998, [`crate::tree::rrt`]) of its own gives each
+//! particle its first path, without redundant nodes. The path's corners become the particle's waypoints, and the middle of its
+//! longest piece until there are enough; a path with too many corners becomes points at equal distances along it, which may
+//! collide. From there on it is `pso`. A particle whose tree does not come to the goal within `extensions` begins as in `pso`.
 //!
 //! Every straight piece that a tree tests counts as an evaluation, in extensions and where redundant nodes are removed. A path of
 //! the swarm counts as one whatever its number of pieces, so trees are counted at more than their cost.

@@ -11,14 +11,15 @@ pub enum Law {
     Constant(f64),
     /// From the first value at k = 0 straight to the second at `k_max`.
     Linear(f64, f64),
-    /// Half a cosine wave from `max` down to `min`, [WCPSO] (3).
+    /// Half a cosine wave from `max` down to `min`, [WCPSO](crate#papers) (3).
     Cosine {
         /// At k = 0.
         max: f64,
         /// At k = `k_max`.
         min: f64,
     },
-    /// `amplitude` · sin(π/2 · s) + `middle`, where s falls from 1 to −1, [WCPSO] (4), or rises for a negative amplitude, (5).
+    /// `amplitude` · sin(π/2 · s) + `middle`, where s falls from 1 to −1, [WCPSO](crate#papers) (4), or rises for a negative
+    /// amplitude, (5).
     Sine {
         /// Half of what it covers.
         amplitude: f64,

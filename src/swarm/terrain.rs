@@ -1,4 +1,5 @@
-//! What a path costs in its scene, however it is encoded: [WCPSO] (14) and (15) among discs, [LTQPSO] (16)–(18) on grids.
+//! What a path costs in its scene, however it is encoded: [WCPSO](crate#papers) (14) and (15) among discs,
+//! [LTQPSO](crate#papers) (16)–(18) on grids.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! Paths as way-points, [WCPSO] §3.2.2: a position is (x₁ … x_n, y₁ … y_n).
+//! Paths as way-points, [WCPSO](crate#papers) §3.2.2: a position is (x₁ … x_n, y₁ … y_n).
 
 use crate::{
     geometry,

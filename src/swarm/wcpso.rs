@@ -1,4 +1,4 @@
-//! `wcpso`: the swarm with trigonometric coefficients and hen/chick perturbation, [WCPSO] §2.
+//! `wcpso`: the swarm with trigonometric coefficients and hen/chick perturbation, [WCPSO](crate#papers) §2.
 
 use crate::{
     describe::{Entry, Formula, Preset, Start},

@@ -1,4 +1,4 @@
-//! `wpso`: the swarm whose inertia weight falls linearly, [WCPSO] §3.1 and its reference [16].
+//! `wpso`: the swarm whose inertia weight falls linearly, [WCPSO](crate#papers) §3.1 and its reference 16.
 
 use crate::{
     describe::{Entry, Preset, Start},

@@ -1,4 +1,4 @@
-//! `bat`: discrete bats, [ANTBAT] §3.3.
+//! `bat`: discrete bats, [ANTBAT](crate#papers) §3.3.
 //!
 //! Readings: what a bat finds by (12) becomes its tour always, as the text says (`replace`); the best tour that it crosses
 //! with is taken in the direction in which its distance was counted; a tour around the best is *better* if it is shorter than
@@ -189,7 +189,7 @@ impl Bats {
         moves::reverse(&mut self.kept.row, chosen.0, chosen.1);
     }
 
-    /// Moves bat `i`, [ANTBAT] §3.3.
+    /// Moves bat `i`, [ANTBAT](crate#papers) §3.3.
     fn fly(&mut self, i: usize) {
         let m = self.child.len();
         if m < 2 {
@@ -390,9 +390,9 @@ const POLISH: Param<bool> = Param::flag(
     "Beyond the paper: bats begin with the nearest neighbour’s tour, improve every tour by local search, and around the best tour they swap stretches and repair, as often as there are stops.",
 );
 
-/// [ANTBAT] (10).
+/// [ANTBAT](crate#papers) (10).
 const LOUDNESS: Formula = Formula::of_item("loudness", "[ANTBAT] (10)", "Loudness", "A_i \\leftarrow \\varepsilon A_i", "A = @loudness@");
-/// [ANTBAT] (11).
+/// [ANTBAT](crate#papers) (11).
 const PULSE: Formula =
     Formula::of_item("pulse", "[ANTBAT] (11)", "Pulse rate", "r_i \\leftarrow r_i \\left(1 - e^{-\\lambda t}\\right)", "r = @pulse_rate@");
 const TRIES: Formula = Formula::of_item(

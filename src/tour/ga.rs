@@ -1,4 +1,4 @@
-//! `ga`: a genetic algorithm with order crossover (Davis 1985), one of those that [ANTBAT] §4 compares with.
+//! `ga`: a genetic algorithm with order crossover (Davis 1985), one of those that [ANTBAT](crate#papers) §4 compares with.
 //!
 //! A generation follows another: the shortest tours are kept, the others are children of parents that won a tournament.
 //! The paper prints neither operators nor parameters; order crossover and inversion are the usual ones for tours.

@@ -1,6 +1,6 @@
-//! `hybrid-bat`: a bat with perturbation local search, what [ANTBAT] §4 compares with as its [25].
+//! `hybrid-bat`: a bat with perturbation local search, what [ANTBAT](crate#papers) §4 compares with as its reference 25.
 //!
-//! All that [ANTBAT] says of it is "a hybrid bat algorithm that looks for the best neighbourhood by perturbation"
+//! All that [ANTBAT](crate#papers) says of it is "a hybrid bat algorithm that looks for the best neighbourhood by perturbation"
 //! (Worasan et al. 2022, whose problem, vehicles with cross-docking, is another). So this is a reading of ours, with
 //! nothing that the paper's own bats add:
 //!

@@ -1,4 +1,4 @@
-//! Tours through many stops, [ANTBAT] §3.2 and §3.3: a road network first, then an order of the stops.
+//! Tours through many stops, [ANTBAT](crate#papers) §3.2 and §3.3: a road network first, then an order of the stops.
 //!
 //! There is one run of two stages, `Tours`. On a grid the first stage has other planners build the road between each
 //! two stops (`roads`); scenes of kind `tour` have their distances already. The second searches the order: what its

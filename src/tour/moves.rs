@@ -119,7 +119,8 @@ pub fn ox(child: &mut [Stop], other: &[Stop], (i, j): (usize, usize), kept: &mut
     }
 }
 
-/// At how many places two rows differ; of tours that are the same backwards, in the direction that is nearer, [ANTBAT] (12).
+/// At how many places two rows differ; of tours that are the same backwards, in the direction that is nearer,
+/// [ANTBAT](crate#papers) (12).
 pub fn hamming(problem: &Problem, a: &[Stop], b: &[Stop]) -> usize {
     nearer(problem, a, b).0
 }

@@ -78,7 +78,7 @@ impl Problem {
         self.head() == self.tail()
     }
 
-    /// The length of a row with its head and tail, [ANTBAT] (6).
+    /// The length of a row with its head and tail, [ANTBAT](crate#papers) (6).
     pub fn length(&self, row: &[Stop]) -> f64 {
         row.windows(2).map(|w| self.d(w[0], w[1])).sum()
     }

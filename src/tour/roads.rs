@@ -1,5 +1,5 @@
-//! The road network, [ANTBAT] §3.2: a way for each pair of stops, found by a run of another planner: by its preset
-//! [`ROAD`] where it has one, otherwise with its defaults.
+//! The road network, [ANTBAT](crate#papers) §3.2: a way for each pair of stops, found by a run of another planner: by its
+//! preset [`ROAD`] where it has one, otherwise with its defaults.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! `two-opt`: the nearest neighbour's tour, then 2-opt and Or-opt moves until neither helps, [ANTBAT] §3.3.
+//! `two-opt`: the nearest neighbour's tour, then 2-opt and Or-opt moves until neither helps, [ANTBAT](crate#papers) §3.3.
 
 use std::sync::Arc;
 

@@ -1,5 +1,5 @@
-//! What is made of a tree's path, [ARM-RRT] §3.2.2 and step 3: shortened, fitted by a polyline, smoothed. Each part can be
-//! left out, and none ever goes through an obstacle.
+//! What is made of a tree's path, [ARM-RRT](crate#papers) §3.2.2 and step 3: shortened, fitted by a polyline, smoothed. Each
+//! part can be left out, and none ever goes through an obstacle.
 
 use crate::{describe::Formula, kernel::State, params::Parameters};
 

@@ -1,4 +1,4 @@
-//! Cubic Hermite smoothing, [ARM-RRT] (12): through the corners of a polyline, with continuous velocity.
+//! Cubic Hermite smoothing, [ARM-RRT](crate#papers) (12): through the corners of a polyline, with continuous velocity.
 
 use super::{
     free::Free,

@@ -1,5 +1,5 @@
-//! Rapidly-exploring random trees that step like every other planner, [ARM-RRT] §3.2: `rrt`, `rrt-guided`, `rrt-connect`,
-//! `rrt-star`, and `rrt-joint` in an arm's six joints. One extension a step.
+//! Rapidly-exploring random trees that step like every other planner, [ARM-RRT](crate#papers) §3.2: `rrt`, `rrt-guided`,
+//! `rrt-connect`, `rrt-star`, and `rrt-joint` in an arm's six joints. One extension a step.
 //!
 //! - `space`: what a tree grows through; `joints`: an arm's joints. `sample`: where it is asked to grow to.
 //! - `forest`: nodes, parents and lengths; `nearest`: the spatial index.

@@ -1,4 +1,4 @@
-//! A path approximated by few straight pieces, by least squares, [ARM-RRT] step 3.
+//! A path approximated by few straight pieces, by least squares, [ARM-RRT](crate#papers) step 3.
 
 use super::{
     free::Free,

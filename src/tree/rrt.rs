@@ -1,4 +1,4 @@
-//! `rrt`: the basic rapidly-exploring random tree, [ARM-RRT] §3.2, LaValle 1998.
+//! `rrt`: the basic rapidly-exploring random tree, [ARM-RRT](crate#papers) §3.2, LaValle 1998.
 
 use crate::{
     describe::{Entry, Start},

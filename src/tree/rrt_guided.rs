@@ -1,4 +1,4 @@
-//! `rrt-guided`: the tree that looks where the goal is, [ARM-RRT] §3.2.1 and §3.3.
+//! `rrt-guided`: the tree that looks where the goal is, [ARM-RRT](crate#papers) §3.2.1 and §3.3.
 //!
 //! The paper describes the choice twice, and differently (`choice`): by §3.2.1 the samples with the smallest angles are kept
 //! and a roulette wheel chooses among them; by step 2 (2) of the algorithm the wheel draws those that are kept by their

@@ -69,7 +69,7 @@ impl Informed {
     }
 }
 
-/// The angle between two directions, [ARM-RRT] §3.2.1: 0 where one of them is none.
+/// The angle between two directions, [ARM-RRT](crate#papers) §3.2.1: 0 where one of them is none.
 pub(super) fn angle<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let (aa, bb) = (dot(a, a), dot(b, b));
     if aa == 0.0 || bb == 0.0 {

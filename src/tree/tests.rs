@@ -187,7 +187,7 @@ fn without_the_fallback_no_step_is_plain() {
     assert!(guided > 10 && nothing > 100, "{guided} {nothing}");
 }
 
-/// [ARM-RRT] §3.2.1, checked with what the extension itself keeps of its samples.
+/// [ARM-RRT](crate#papers) §3.2.1, checked with what the extension itself keeps of its samples.
 #[test]
 fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_double_back() {
     let scene = shipped("arm-cuboid").unwrap();
@@ -238,7 +238,7 @@ fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_doubl
     assert!(guided > 100 && fell_back > 100 && chosen.iter().all(|&n| n > 20), "{guided} {fell_back} {chosen:?}");
 }
 
-/// [ARM-RRT] §3.3 step 2 (2): the wheel draws four by their distances to the goal, and the nearest comes first.
+/// [ARM-RRT](crate#papers) §3.3 step 2 (2): the wheel draws four by their distances to the goal, and the nearest comes first.
 #[test]
 fn by_distance_the_wheel_keeps_four_and_the_nearest_that_is_free_is_taken() {
     let scene = shipped("arm-cuboid").unwrap();

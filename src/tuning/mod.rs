@@ -1,4 +1,4 @@
-//! A particle swarm over the parameters of an ant colony, [WOLF-ANT] §5.2: a planner that runs planners.
+//! A particle swarm over the parameters of an ant colony, [WOLF-ANT](crate#papers) §5.2: a planner that runs planners.
 //!
 //! It finds colonies in the list of planners that it starts with and never runs one: it asks for runs as subtasks, which may
 //! run in parallel without changing the result. `swarm` is its state, `planner` the stepped contract, `explain` what a

@@ -1,4 +1,4 @@
-//! Three colonies on the 30 × 30 grid: [ANTBAT] §3.1, its table of ways.
+//! Three colonies on the 30 × 30 grid: [ANTBAT](forage#papers) §3.1, its table of ways.
 
 use std::fs;
 

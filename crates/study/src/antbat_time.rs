@@ -1,4 +1,4 @@
-//! How long tours take, over the number of stops: [ANTBAT] fig. 8.
+//! How long tours take, over the number of stops: [ANTBAT](forage#papers) fig. 8.
 
 use std::{
     collections::BTreeMap,
@@ -59,7 +59,7 @@ const ANTS: &str = "aco-direction";
 const fn by_ants(planner: &'static str) -> Method {
     Method { name: planner, planner, roads: ANTS }
 }
-/// The paper's method, those of its [31] and [32], and other orders on the ants' paths.
+/// The paper's method, those of its references 31 and 32, and other orders on the ants' paths.
 const METHODS: [Method; 9] = [
     by_ants("bat"),
     Method { name: "bat, cuckoo-search", planner: "bat", roads: "cuckoo-search" },
@@ -77,7 +77,7 @@ const STOPS: [usize; 6] = [5, 10, 15, 20, 25, 30];
 /// Runs a planner and number of stops; how many the paper has is not said.
 const RUNS: u64 = 5;
 
-/// With fewer runs than that, the slower methods of [31] and [32] are tried with no more stops than these.
+/// With fewer runs than that, the slower methods of references 31 and 32 are tried with no more stops than these.
 const MOST_IN_SHORT: usize = 10;
 
 /// A run. What begins with `measured` is no result: it differs each time.

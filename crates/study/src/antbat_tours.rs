@@ -1,4 +1,4 @@
-//! Orders of twelve stops by all tour planners: [ANTBAT] Table 2.
+//! Orders of twelve stops by all tour planners: [ANTBAT](forage#papers) Table 2.
 
 use std::{
     collections::BTreeMap,

@@ -1,4 +1,5 @@
-//! Trees for an arm's tip with and without a cuboid in the way, and the arm that follows their paths: [ARM-RRT] §4.
+//! Trees for an arm's tip with and without a cuboid in the way, and the arm that follows their paths: [ARM-RRT](forage#papers)
+//! §4.
 
 mod run;
 

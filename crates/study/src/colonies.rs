@@ -81,7 +81,7 @@ impl Run {
     }
 }
 
-/// How long the scene's robot takes for a way, [WOLF-ANT] §5.3: at its speed, and for each turn on the spot.
+/// How long the scene's robot takes for a way, [WOLF-ANT](forage#papers) §5.3: at its speed, and for each turn on the spot.
 pub(super) fn seconds(scene: &Scene, length: f64, turns: f64) -> Option<f64> {
     let robot = scene.get::<GridScene>().ok()?.robot?;
     Some(length / robot.speed? + turns * robot.turn_time.unwrap_or(0.0))

@@ -1,4 +1,5 @@
-//! The straight line through points by least squares, with what Matlab's `regress` tells of it, as in [LTQPSO] §3.
+//! The straight line through points by least squares, with what Matlab's `regress` tells of it, as in [LTQPSO](forage#papers)
+//! §3.
 
 use nalgebra::{Matrix2, Vector2};
 use serde::Serialize;

@@ -1,4 +1,4 @@
-//! `ltqpso` against `qpso` on the 10 m grid at equal evaluations: [LTQPSO] Tables 3 and 4.
+//! `ltqpso` against `qpso` on the 10 m grid at equal evaluations: [LTQPSO](forage#papers) Tables 3 and 4.
 
 use std::{collections::BTreeMap, sync::atomic::AtomicBool};
 

@@ -1,4 +1,5 @@
-//! The figures of [WCPSO], of [LTQPSO], as far as the scan can be read, of [ANTBAT] and of [WOLF-ANT].
+//! The figures of [WCPSO](forage#papers), of [LTQPSO](forage#papers), as far as the scan can be read, of
+//! [ANTBAT](forage#papers) and of [WOLF-ANT](forage#papers).
 
 pub mod wcpso;
 
@@ -61,7 +62,7 @@ pub const TABLE_3: Results = [[16.4604, 3.2653, 4.2507], [15.7631, 1.0213, 2.528
 /// Table 4: start N(45°, 30°), D = 16, 50 runs.
 pub const TABLE_4: Results = [[16.0554, 5.6474, 2.8812], [15.8156, 1.1982, 1.6082]];
 
-/// What [ANTBAT] prints of a way.
+/// What [ANTBAT](forage#papers) prints of a way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Way {
     /// In cells.
@@ -83,10 +84,10 @@ const fn way(length: f64, turns: f64, turning: f64, converged: f64) -> Way {
     }
 }
 
-/// [ANTBAT] §3.1, (1.5, 26.5) → (28.5, 1.5): the traditional ants, those of its [14], the improved ones.
+/// [ANTBAT](forage#papers) §3.1, (1.5, 26.5) → (28.5, 1.5): the traditional ants, those of its reference 14, the improved ones.
 pub const ANTBAT: [Way; 3] = [way(45.53, 14.0, 13.38, 56.0), way(43.70, 12.0, 11.02, 52.0), way(42.06, 9.0, 7.07, 48.0)];
 
-/// What [ANTBAT] Table 2 prints of a planner's runs: the tours' lengths in cells.
+/// What [ANTBAT](forage#papers) Table 2 prints of a planner's runs: the tours' lengths in cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tours {
     /// The name in the table.
@@ -121,7 +122,7 @@ impl Tours {
     }
 }
 
-/// [ANTBAT] Table 2, 12 stops: bats, those of its [25], genetic algorithm, swarm, annealing.
+/// [ANTBAT](forage#papers) Table 2, 12 stops: bats, those of its reference 25, genetic algorithm, swarm, annealing.
 pub const ANTBAT_TOURS: [Tours; 5] = [
     Tours::new("bat", [122.02, 123.98, 122.74, 0.95]),
     Tours::new("[25]", [122.88, 125.94, 123.46, 1.83]),
@@ -130,10 +131,11 @@ pub const ANTBAT_TOURS: [Tours; 5] = [
     Tours::new("SA", [125.94, 131.02, 128.32, 5.46]),
 ];
 
-/// [WOLF-ANT] Table 2, pixels and seconds: A*, the traditional ants, the improved ones.
+/// [WOLF-ANT](forage#papers) Table 2, pixels and seconds: A*, the traditional ants, the improved ones.
 pub const WOLF_ANT: [[Figure; 2]; 3] = [drive(602.842, 40.1421), drive(579.412, 38.9706), drive(562.8427, 38.1421)];
 
-/// The improved ants' path, which [WOLF-ANT] §6 prints cell by cell: the centres of the cells that the scene stores.
+/// The improved ants' path, which [WOLF-ANT](forage#papers) §6 prints cell by cell: the centres of the cells that the scene
+/// stores.
 ///
 /// # Errors
 /// A scene that is no grid.
@@ -151,7 +153,7 @@ const fn drive(length: f64, seconds: f64) -> [Figure; 2] {
     [Figure::new(length, 4), Figure::new(seconds, 4)]
 }
 
-/// The optimum that the tuning of [WOLF-ANT] §5.2 found.
+/// The optimum that the tuning of [WOLF-ANT](forage#papers) §5.2 found.
 pub const TUNED: [(&str, f64); 5] = [("alpha", 1.0), ("beta", 7.0), ("rho", 0.367), ("q", 333.0), ("epsilon", 2.0)];
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The quantities that [LTQPSO] fits over D, and the tables that it prints of them.
+//! The quantities that [LTQPSO](forage#papers) fits over D, and the tables that it prints of them.
 
 use super::{published::Regression, search::Start};
 

@@ -1,4 +1,5 @@
-//! How many particles and iterations `ltqpso` needs for a spread under 0.05, the experiment behind [LTQPSO] (10), (11).
+//! How many particles and iterations `ltqpso` needs for a spread under 0.05, the experiment behind [LTQPSO](forage#papers)
+//! (10), (11).
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -15,7 +15,7 @@ use forage::{
     standard,
 };
 
-/// In the order of [ANTBAT] Table 2, and then two that it does not have.
+/// In the order of [ANTBAT](forage#papers) Table 2, and then two that it does not have.
 pub(super) const PLANNERS: [&str; 7] = ["bat", "hybrid-bat", "ga", "tour-pso", "sa", "two-opt", "held-karp"];
 
 /// A planner's parameters as published, where its defaults are others: its preset `paper`.

@@ -1,4 +1,4 @@
-//! Four swarms on five functions, and two of them among seven discs: [WCPSO] Table 2 and §3.2.
+//! Four swarms on five functions, and two of them among seven discs: [WCPSO](forage#papers) Table 2 and §3.2.
 
 use std::sync::atomic::AtomicBool;
 

@@ -1,4 +1,4 @@
-//! Ants that share like wolves on the 20 × 20 grid, and the swarm that tunes them: [WOLF-ANT] Table 2 and §5.2.
+//! Ants that share like wolves on the 20 × 20 grid, and the swarm that tunes them: [WOLF-ANT](forage#papers) Table 2 and §5.2.
 
 use std::sync::Arc;
 

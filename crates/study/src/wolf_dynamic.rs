@@ -1,4 +1,4 @@
-//! Drives among moving obstacles: the published case, and a thousand random scenes, [WOLF-ANT] §5.3 and §6.
+//! Drives among moving obstacles: the published case, and a thousand random scenes, [WOLF-ANT](forage#papers) §5.3 and §6.
 
 use std::sync::{Arc, atomic::AtomicBool};
 

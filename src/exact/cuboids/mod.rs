@@ -1,4 +1,5 @@
-//! The shortest path of a point among cuboids in space: the arm's tip among its obstacles, [ARM-RRT] §4.2 without the arm.
+//! The shortest path of a point among cuboids in space: the arm's tip among its obstacles, [ARM-RRT](crate#papers) §4.2 without
+//! the arm.
 //!
 //! A shortest path bends only on edges. On given edges in a given order its length is convex in where it crosses them
 //! (`taut`), and where it bends it comes from beside one of the edge's two faces and leaves beside the other (`edges`).

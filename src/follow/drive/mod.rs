@@ -1,4 +1,4 @@
-//! A robot that drives along a path: the differential drive of [LTQPSO] §5.
+//! A robot that drives along a path: the differential drive of [LTQPSO](crate#papers) §5.
 //!
 //! Once every control period it looks where it is and steers by pure pursuit ([`PARAMETERS`] has its limits); in between
 //! it keeps speed and turn rate, so that it moves on exact arcs. It begins at the path's first corner, looking along it,

@@ -121,7 +121,8 @@ impl Postures<'_> {
         self.links.motion_is_free(from, to, self.resolution)
     }
 
-    /// Random joints between two postures', [ARM-RRT] step 6, until a posture touches nothing, and nor does the move to it.
+    /// Random joints between two postures', [ARM-RRT](crate#papers) step 6, until a posture touches nothing, and nor does the
+    /// move to it.
     pub(super) fn draw(&mut self, from: &Posture, to: &Posture) -> Option<Posture> {
         (0..self.tries).find_map(|_| {
             let posture = std::array::from_fn(|i| from[i] + self.random.unit() * (to[i] - from[i]));
@@ -183,7 +184,7 @@ impl Postures<'_> {
     }
 }
 
-/// A point's mirror image about the middle of its neighbours, [ARM-RRT] step 4.
+/// A point's mirror image about the middle of its neighbours, [ARM-RRT](crate#papers) step 4.
 pub(super) fn mirrored(before: [f64; 3], at: [f64; 3], after: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|i| before[i] + after[i] - at[i])
 }

@@ -1,7 +1,8 @@
 //! Postures with the hand held: θ4, θ5 and θ6 are given, and the first three joints bring the tip to a point.
 //!
-//! The tip is then a fixed point of the forearm, and θ1, θ2 and θ3 follow as for the wrist in [ARM-RRT] §2.1, with the
-//! tip in the wrist's place. Where the tool may point anywhere this has no wrist singularity: what the hand does is chosen, and smooth.
+//! The tip is then a fixed point of the forearm, and θ1, θ2 and θ3 follow as for the wrist in [ARM-RRT](crate#papers) §2.1,
+//! with the tip in the wrist's place. Where the tool may point anywhere this has no wrist singularity: what the hand does is
+//! chosen, and smooth.
 
 use std::f64::consts::{PI, TAU};
 

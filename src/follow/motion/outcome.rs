@@ -28,9 +28,9 @@ pub struct MotionOutcome {
     pub largest_step: f64,
     /// The largest distance of the tip from the path.
     pub max_error: f64,
-    /// How many points had no posture and were replaced by their mirror image, [ARM-RRT] step 4.
+    /// How many points had no posture and were replaced by their mirror image, [ARM-RRT](crate#papers) step 4.
     pub mirrored: u64,
-    /// How many were replaced by random joints between their neighbours', [ARM-RRT] step 6.
+    /// How many were replaced by random joints between their neighbours', [ARM-RRT](crate#papers) step 6.
     pub drawn: u64,
     /// Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does.
     pub failure: Option<String>,

@@ -1,4 +1,4 @@
-//! Scenes of kind `discs`: a start, a goal and circular obstacles in the plane, [WCPSO] §3.2.
+//! Scenes of kind `discs`: a start, a goal and circular obstacles in the plane, [WCPSO](crate#papers) §3.2.
 
 use crate::{
     exact::shortest_among_discs,

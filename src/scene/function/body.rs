@@ -1,4 +1,4 @@
-//! Scenes of kind `function`: the test functions of [WCPSO] Table 1, and Rastrigin from [LTQPSO].
+//! Scenes of kind `function`: the test functions of [WCPSO](crate#papers) Table 1, and Rastrigin from [LTQPSO](crate#papers).
 
 use std::f64::consts::{E, TAU};
 

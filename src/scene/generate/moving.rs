@@ -1,5 +1,5 @@
-//! Discs that move about on a grid, [WOLF-ANT] §5.3: each begins at a point of the grid that is drawn evenly, in any
-//! direction. Walls do not stop them, so they may begin in one.
+//! Discs that move about on a grid, [WOLF-ANT](crate#papers) §5.3: each begins at a point of the grid that is drawn evenly, in
+//! any direction. Walls do not stop them, so they may begin in one.
 
 use std::f64::consts::TAU;
 

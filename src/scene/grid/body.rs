@@ -1,4 +1,4 @@
-//! Scenes of kind `grid`: free and blocked cells, a robot with a size, a start and a goal or stops, [LTQPSO] §4.
+//! Scenes of kind `grid`: free and blocked cells, a robot with a size, a start and a goal or stops, [LTQPSO](crate#papers) §4.
 
 use std::sync::{Arc, OnceLock};
 

@@ -1,4 +1,4 @@
-//! `ltqpso`: the quantum swarm with evolution speed, dispersion and natural selection, [LTQPSO] §2.2.
+//! `ltqpso`: the quantum swarm with evolution speed, dispersion and natural selection, [LTQPSO](crate#papers) §2.2.
 
 use crate::{
     describe::{Entry, Formula, layers},

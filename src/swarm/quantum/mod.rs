@@ -1,7 +1,8 @@
-//! The quantum swarm of [LTQPSO]: particles without velocity that leap about their attractors.
+//! The quantum swarm of [LTQPSO](crate#papers): particles without velocity that leap about their attractors.
 //!
 //! `qpso` leaps by (1)–(4), `ltqpso` by (5)–(9): the same leap, with the pull scaled by evolution speed, the width by
-//! dispersion, and natural selection afterwards. The flight of [WCPSO] shares the population with it and nothing else.
+//! dispersion, and natural selection afterwards. The flight of [WCPSO](crate#papers) shares the population with it and nothing
+//! else.
 
 mod explain;
 pub mod ltqpso;
@@ -155,7 +156,7 @@ impl Quantum {
         }
     }
 
-    /// (7) and (9), or with ip = gs = 1 (4) and (1). Reading: positions are kept in the box, [LTQPSO] §4 (8).
+    /// (7) and (9), or with ip = gs = 1 (4) and (1). Reading: positions are kept in the box, [LTQPSO](crate#papers) §4 (8).
     #[inline]
     fn leap(&mut self, i: usize, watch: &mut impl Watch) {
         let [c1, c2] = self.c;

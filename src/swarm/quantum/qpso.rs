@@ -1,4 +1,4 @@
-//! `qpso`: the quantum swarm, [LTQPSO] §2.1.
+//! `qpso`: the quantum swarm, [LTQPSO](crate#papers) §2.1.
 
 use crate::{
     describe::{Entry, Formula, layers},

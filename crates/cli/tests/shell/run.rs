@@ -208,7 +208,7 @@ fn an_interrupt_prints_the_best_so_far() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("interrupted"));
 }
 
-/// [LTQPSO] (10) by hand: 0.4321 · 8^1.7292 = 15.75, 0.2855 · 8^2.218 = 28.75.
+/// [LTQPSO](forage#papers) (10) by hand: 0.4321 · 8^1.7292 = 15.75, 0.2855 · 8^2.218 = 28.75.
 #[test]
 fn suggested_sizes_are_printed_and_used() {
     let suggested = json(&["suggest", "ltqpso", "--scene", "qpso-10m", "--json"]);

@@ -1,4 +1,4 @@
-//! The claims of [ANTBAT].
+//! The claims of [ANTBAT](forage#papers).
 
 use super::{
     claim::{Arm, Claim, Part, Question, Until},
@@ -17,7 +17,7 @@ const CONVERGED: Measure = Measure::new("converged", "iterations until the final
 const SETTLED: Measure = Measure::new("settled", "iterations until the colony settles", 4);
 const ITERATIONS: Measure = Measure::new("iterations", "iterations", 4).of_any_run();
 const REACHED: Measure = Measure::new("reached", "evaluations until it is within 1 % of the optimum", 4);
-/// The traditional ants and those of [14], with the printed α and β.
+/// The traditional ants and those of reference 14, with the printed α and β.
 const RIVALS: [(&str, &str); 2] = [("aco", "alpha=1.5 beta=8"), ("aco-dijkstra", "")];
 /// The colony with direction: our default, ψ in its linear form, and Q as small as our first reading.
 const READINGS: [&str; 3] = ["", "direction=linear", "q=1 q_unit=absolute"];

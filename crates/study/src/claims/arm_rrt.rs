@@ -1,4 +1,4 @@
-//! The claims of [ARM-RRT].
+//! The claims of [ARM-RRT](forage#papers).
 
 use super::{
     claim::{Arm, Claim, Event, Part, Question},

@@ -1,4 +1,4 @@
-//! The claims of [LTQPSO].
+//! The claims of [LTQPSO](forage#papers).
 
 use super::{
     claim::{Arm, Claim, Event, Part, Question, Until},

@@ -1,4 +1,4 @@
-//! The claims of [WCPSO].
+//! The claims of [WCPSO](forage#papers).
 
 use super::{
     claim::{Arm, Claim, Event, Part, Question, Until},

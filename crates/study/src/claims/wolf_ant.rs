@@ -1,4 +1,4 @@
-//! The claims of [WOLF-ANT].
+//! The claims of [WOLF-ANT](forage#papers).
 
 use super::{
     super::runner::Job,

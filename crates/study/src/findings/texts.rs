@@ -42,7 +42,7 @@ fn default(planner: &str, name: &str, kind: SceneKindId) -> Result<f64, Error> {
     })
 }
 
-/// A printed mean of Table 2 of [WCPSO]; `which`: best, mean or standard deviation.
+/// A printed mean of Table 2 of [WCPSO](forage#papers); `which`: best, mean or standard deviation.
 fn of_table_2(row: &wcpso::Row, planner: &str, which: usize) -> Result<f64, Error> {
     let k = PLANNERS.iter().position(|name| *name == planner).unwrap_or(0);
     Ok(Printed::read(row.results[k][which])?.value)

@@ -1,4 +1,4 @@
-//! The figures of [WCPSO] Table 2, as text with the digits that are printed.
+//! The figures of [WCPSO](forage#papers) Table 2, as text with the digits that are printed.
 
 /// A row: the function's number in the paper, the scene, how many variables, and best, mean and standard deviation of `pso`, `cpso`,
 /// `wpso` and `wcpso`, in the table's order.
@@ -19,7 +19,7 @@ pub const PLANNERS: [&str; 4] = ["pso", "cpso", "wpso", "wcpso"];
 /// Runs a row and planner.
 pub const RUNS: u64 = 50;
 
-/// [WCPSO] Table 2: 60 particles, 1000 iterations.
+/// [WCPSO](forage#papers) Table 2: 60 particles, 1000 iterations.
 pub const TABLE_2: [Row; 8] = [
     Row {
         name: "f1",
