@@ -8,16 +8,16 @@ use std::{borrow::Cow, fmt};
 pub enum Error {
     /// A field's value is outside what is allowed.
     Refused {
-        /// Where it stands, e.g. `population` or `discs[2].radius`.
+        /// The field's path, e.g. `population` or `discs[2].radius`.
         field: String,
         /// What was given.
         value: String,
         /// What would be accepted.
         allowed: String,
     },
-    /// A name that means nothing here: a planner, a parameter, a shipped scene, a field.
+    /// An unknown name, e.g. of a planner, a parameter or a shipped scene.
     Unknown {
-        /// What kind of name it should have been, e.g. `planner`.
+        /// What the name should be one of, e.g. `planner`.
         field: String,
         /// What was given.
         value: String,
@@ -33,7 +33,7 @@ pub enum Error {
         /// The kinds it runs on.
         kinds: String,
     },
-    /// A text that is not what it should be (JSON, a link).
+    /// A text that cannot be read, e.g. as JSON or as a link.
     Malformed {
         /// What was read, e.g. `scene` or `link`.
         field: String,
@@ -43,7 +43,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// A field's value is outside what is allowed.
+    /// The error for a field's value that is not allowed.
     pub fn refused<'a>(field: impl Into<Cow<'a, str>>, value: impl fmt::Display, allowed: impl Into<Cow<'a, str>>) -> Self {
         Self::refuse(field.into(), &value, allowed.into())
     }
@@ -55,7 +55,7 @@ impl Error {
         Self::Refused { field: field.into_owned(), value: value.to_string(), allowed: allowed.into_owned() }
     }
 
-    /// A name that is not one of `known`.
+    /// The error for a name that is not one of `known`.
     pub fn unknown<'a>(field: &str, value: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         Self::unknown_among(field, value, &known.into_iter().collect::<Vec<_>>())
     }
@@ -67,7 +67,7 @@ impl Error {
         Self::Unknown { field: field.to_owned(), value: value.to_owned(), known: known.join(", ") }
     }
 
-    /// A text that cannot be read.
+    /// The error for a text that cannot be read.
     pub fn malformed(field: &str, problem: impl fmt::Display) -> Self {
         Self::malform(field, &problem)
     }
@@ -87,7 +87,7 @@ impl Error {
         }
     }
 
-    /// The value that was given, as text.
+    /// The value that was given, as text; empty for a text that cannot be read.
     pub fn value(&self) -> &str {
         match self {
             Self::Refused { value, .. } | Self::Unknown { value, .. } => value,
@@ -96,7 +96,7 @@ impl Error {
         }
     }
 
-    /// What would be accepted.
+    /// What would be accepted; for a text that cannot be read, what is wrong with it.
     pub fn allowed(&self) -> &str {
         match self {
             Self::Refused { allowed, .. } => allowed,

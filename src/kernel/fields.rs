@@ -1,25 +1,25 @@
-//! The fields of a scene's file, read one by one, so that every refusal names the field.
+//! The fields of a scene file, read one by one, so that every error names the field.
 //!
-//! A reader takes from [`Fields`] what it knows; what nobody asked for is refused. The functions here read and write the
+//! A reader takes the fields that it knows from [`Fields`]; any others are refused. The functions here read and write the
 //! values in it.
 
 use serde_json::{Map, Value};
 
 use super::Error;
 
-/// What an object still holds while it is read field by field. What nobody asked for is refused at the end.
+/// An object that is read field by field. Fields that were not read are refused at the end.
 #[derive(Debug)]
 pub struct Fields {
-    /// Where the object stands, e.g. `discs[2]`; empty for the scene itself.
+    /// The object's path, e.g. `discs[2]`; empty for the scene itself.
     at: String,
-    /// The fields that nobody asked for yet.
+    /// The fields that were not read yet.
     left: Map<String, Value>,
-    /// The names that were asked for: what is allowed here.
+    /// The names that were read: what is allowed here.
     known: Vec<&'static str>,
 }
 
 impl Fields {
-    /// The fields of a value that must be an object; `at` says where it is, e.g. `discs[2]`, `allowed` what it should be.
+    /// The fields of a value that must be an object. `at` is its path, e.g. `discs[2]`; `allowed` describes it for the error.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -36,7 +36,7 @@ impl Fields {
         Ok(Self { at: String::new(), ..fields })
     }
 
-    /// Whether there is such a field that nobody asked for yet.
+    /// Whether there is a field of this name that was not read yet.
     pub fn has(&self, name: &str) -> bool {
         self.left.contains_key(name)
     }
@@ -51,18 +51,18 @@ impl Fields {
         if self.at.is_empty() { name.to_owned() } else { format!("{}.{name}", self.at) }
     }
 
-    /// A field's value; null where there is none.
+    /// Takes a field's value; null if there is no such field.
     pub fn take(&mut self, name: &'static str) -> Value {
         self.known.push(name);
         self.left.remove(name).unwrap_or(Value::Null)
     }
 
-    /// The refusal of a field.
+    /// The error for a field whose value is not allowed.
     pub fn refuse(&self, name: &str, found: &Value, allowed: &str) -> Error {
         Error::refused(self.path(name), shown(found), allowed)
     }
 
-    /// Refuses a field that does not fit.
+    /// Takes a field and refuses a value that does not fit.
     ///
     /// # Errors
     /// [`Error::Refused`] with `allowed`.
@@ -71,14 +71,14 @@ impl Fields {
         if fits(&found) { Ok(()) } else { Err(self.refuse(name, &found, allowed)) }
     }
 
-    /// Anything, as it is in the file.
+    /// Takes a value of any form, if there is one. −0 becomes 0.
     pub fn optional(&mut self, name: &'static str) -> Option<Value> {
         let mut found = self.take(name);
         plus_zero(&mut found);
         Some(found).filter(|found| !found.is_null())
     }
 
-    /// A text, if there is one.
+    /// Takes a text, if there is one.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -90,7 +90,7 @@ impl Fields {
         }
     }
 
-    /// A text.
+    /// Takes a text.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -98,7 +98,7 @@ impl Fields {
         self.optional_text(name)?.ok_or_else(|| self.refuse(name, &Value::Null, "a text"))
     }
 
-    /// One of some names.
+    /// Takes one of some names.
     ///
     /// # Errors
     /// [`Error::Refused`] with the names that are allowed.
@@ -108,7 +108,7 @@ impl Fields {
         known.ok_or_else(|| self.refuse(name, &found, &format!("one of {}", all.map(name_of).join(", "))))
     }
 
-    /// A number.
+    /// Takes a number.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -117,7 +117,7 @@ impl Fields {
         number(self.path(name), &found)
     }
 
-    /// A point in the plane.
+    /// Takes a point in the plane.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -126,7 +126,7 @@ impl Fields {
         point_of(&self.path(name), &found)
     }
 
-    /// A list of points in the plane.
+    /// Takes a list of points in the plane.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -134,7 +134,7 @@ impl Fields {
         each(&self.path(name), self.list(name)?, |path, value| point_of(path, &value))
     }
 
-    /// A point in the plane, if there is one.
+    /// Takes a point in the plane, if there is one.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -146,7 +146,7 @@ impl Fields {
         Ok(None)
     }
 
-    /// A list.
+    /// Takes a list.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -157,7 +157,7 @@ impl Fields {
         }
     }
 
-    /// True or false.
+    /// Takes true or false; `default` if there is no such field.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -169,7 +169,7 @@ impl Fields {
         }
     }
 
-    /// Refuses what nobody asked for.
+    /// Refuses the fields that were not read.
     ///
     /// # Errors
     /// [`Error::Refused`] with the names that are allowed.
@@ -180,7 +180,7 @@ impl Fields {
         }
     }
 
-    /// A list; an empty one where there is no such field.
+    /// Takes a list; an empty one if there is no such field.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -192,7 +192,7 @@ impl Fields {
         Ok(Vec::new())
     }
 
-    /// A point in space.
+    /// Takes a point in space.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -205,7 +205,7 @@ impl Fields {
         Ok([number(format!("{path}[0]"), x)?, number(format!("{path}[1]"), y)?, number(format!("{path}[2]"), z)?])
     }
 
-    /// A number, if there is one.
+    /// Takes a number, if there is one.
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
@@ -218,7 +218,7 @@ impl Fields {
     }
 }
 
-/// What is read of each item of a list; `path` is the field that the list is in, and `read` gets that of the item.
+/// Reads each item of a list. `path` is the list's field; `read` gets the item's.
 ///
 /// # Errors
 /// As `read`.
@@ -230,7 +230,7 @@ pub fn each<T>(path: &str, list: Vec<Value>, read: impl Fn(&str, Value) -> Resul
     Ok(out)
 }
 
-/// A point in the plane; `path` is the field that it is in.
+/// Reads a point in the plane; `path` is its field.
 fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
     let Some([x, y]) = found.as_array().map(Vec::as_slice) else {
         return Err(Error::refused(path, shown(found), "a point, [x, y]"));
@@ -238,7 +238,8 @@ fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
     Ok([number(format!("{path}[0]"), x)?, number(format!("{path}[1]"), y)?])
 }
 
-/// A number. −0 becomes 0: JavaScript's whole numbers lose the sign on their way in, and both must give the same bits.
+/// Reads a number; `path` is its field. −0 becomes 0: JavaScript's whole numbers lose the sign on their way in, and both must
+/// give the same bits.
 ///
 /// # Errors
 /// [`Error::Refused`] for anything else.
@@ -246,7 +247,7 @@ pub fn number(path: String, found: &Value) -> Result<f64, Error> {
     found.as_f64().map(|number| number + 0.0).ok_or_else(|| Error::refused(path, shown(found), "a finite number"))
 }
 
-/// The same for every number in what is kept as it stands.
+/// The same for every number in a value that is kept as it is.
 fn plus_zero(value: &mut Value) {
     match value {
         Value::Number(number) if number.as_f64() == Some(0.0) => *value = Value::from(0),
@@ -256,7 +257,7 @@ fn plus_zero(value: &mut Value) {
     }
 }
 
-/// What a refusal says of a value.
+/// A value as errors show it.
 pub fn shown(value: &Value) -> String {
     match value {
         Value::Null => "nothing".to_owned(),
@@ -268,17 +269,17 @@ pub fn shown(value: &Value) -> String {
     }
 }
 
-/// A point as it is written.
+/// A point as JSON.
 pub fn point(point: [f64; 2]) -> Value {
     Value::Array(point.map(Value::from).to_vec())
 }
 
-/// Points as they are written.
+/// A list of points as JSON.
 pub fn points(points: &[[f64; 2]]) -> Value {
     Value::Array(points.iter().copied().map(point).collect())
 }
 
-/// An object as it is written.
+/// An object as JSON, its fields in this order.
 // One by one: collecting would bring in a sort.
 pub fn object(fields: Vec<(&'static str, Value)>) -> Value {
     let mut object = Map::new();

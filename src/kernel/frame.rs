@@ -1,11 +1,11 @@
-//! What a planner looks like now: layers of vertices in one buffer, and a table that says what is what.
+//! Frames: what a planner draws in one iteration, as layers of vertices in one buffer, and a table of spans.
 
 use serde::Serialize;
 
 use crate::geometry::Bounds;
 
-/// The name of a layer: what a drawing and an explanation call it, and what pages, pictures and links know it by. A planner
-/// brings new ones by listing layers under them in its entry.
+/// The name of a layer in drawings, explanations, pages, pictures and links. A planner brings new ones by listing layers under
+/// them in its entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(transparent)]
 pub struct LayerKey(pub &'static str);
@@ -21,10 +21,10 @@ pub enum Shape {
     Polyline,
     /// Vertices in pairs, a line each.
     Segments,
-    /// A grid of values, row by row along x and then y; z of the first vertex is the row's length. A vertex is the middle of
-    /// its square, whose side is the distance of neighbours. A weight below 0 is nothing to draw.
+    /// A grid of values, row by row along x and then y; z of the first vertex is the number of vertices in a row. A vertex is
+    /// the middle of its square, whose side is the distance between neighbours. A weight below 0 is not drawn.
     Field,
-    /// The vertices form one line with round ends, whose weight is half its width, in the scene's unit. One vertex: a disc.
+    /// The vertices form one line with round ends; the weight is half its width, in the scene's unit. One vertex: a disc.
     Tube,
 }
 
@@ -32,7 +32,7 @@ impl Shape {
     /// Every shape, in the order of their numbers.
     pub const ALL: [Self; 5] = [Self::Points, Self::Polyline, Self::Segments, Self::Field, Self::Tube];
 
-    /// The name that the page uses.
+    /// The name in JavaScript.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Points => "points",
@@ -44,22 +44,22 @@ impl Shape {
     }
 }
 
-/// One row of the table: `count` vertices from `first` on.
+/// Vertices that belong together, one row of the table: `count` of them from `first` on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Span {
-    /// Which layer they belong to.
+    /// The layer that they belong to.
     pub layer: LayerKey,
-    /// That layer's place among the frame's.
+    /// That layer's index among the frame's layers.
     pub index: usize,
     /// How they belong together.
     pub shape: Shape,
     /// The first vertex.
     pub first: u32,
-    /// How many vertices.
+    /// The number of vertices.
     pub count: u32,
 }
 
-/// Layers of a moment. The buffers are re-used from frame to frame.
+/// What a planner draws in one iteration. The buffers are re-used from frame to frame.
 #[derive(Debug, Clone)]
 pub struct Frame {
     vertices: Vec<f32>,
@@ -72,7 +72,7 @@ pub struct Frame {
     unlisted: Vec<LayerKey>,
     budget: usize,
     thinning: u32,
-    /// The part of the plane that is looked at; `None`: all of it.
+    /// The visible part of the plane; `None`: all of it.
     window: Option<Bounds>,
 }
 
@@ -97,7 +97,7 @@ impl Default for Frame {
 }
 
 impl Frame {
-    /// How many vertices a layer draws unless told otherwise: what a canvas draws in a few tens of milliseconds.
+    /// The default of [`Frame::budget`]: what a canvas draws in a few tens of milliseconds.
     pub const BUDGET: usize = 100_000;
 
     /// Empties the frame and lists the layers that can be drawn next, each of them with up to `budget` vertices.
@@ -112,30 +112,30 @@ impl Frame {
         self.thinning = 1;
     }
 
-    /// Layers that are only worth drawing from near are drawn for this part of the plane.
+    /// Sets the visible part of the plane; layers with fine details draw only that.
     pub fn look_at(&mut self, window: Option<Bounds>) {
         self.window = window;
     }
 
-    /// The part of the plane that is looked at; `None`: all of it.
+    /// The visible part of the plane; `None`: all of it.
     pub fn window(&self) -> Option<Bounds> {
         self.window
     }
 
-    /// How many vertices a layer may have.
+    /// The largest number of vertices of a layer.
     pub fn budget(&self) -> usize {
         self.budget
     }
 
-    /// Which pieces to draw of `pieces` with `vertices` vertices each, so that the budget holds: every n-th.
-    /// A line's vertex counts four times: that is about what drawing it costs.
+    /// The smallest n for which every n-th of `pieces` with `vertices` vertices each fits into the budget. A line's vertex
+    /// counts four times: that is about what drawing it costs.
     pub fn thin(&mut self, pieces: usize, vertices: usize, lines: bool) -> usize {
         let step = self.thin_context(pieces, vertices, lines);
         self.thinning = self.thinning.max(step as u32);
         step
     }
 
-    /// The same for a layer that is only context (off unless asked for): it does not count as thinning of the picture.
+    /// The same for a layer that is off by default: it does not count in [`Frame::thinning`].
     pub fn thin_context(&self, pieces: usize, vertices: usize, lines: bool) -> usize {
         let cost = pieces.saturating_mul(vertices).saturating_mul(if lines { 4 } else { 1 });
         cost.div_ceil(self.budget).max(1)
@@ -176,7 +176,7 @@ impl Frame {
         }
     }
 
-    /// The layers that can be drawn, in the order that the table counts them in.
+    /// The layers that can be drawn, in the order of the table's indices.
     pub fn layers(&self) -> &[LayerKey] {
         &self.layers
     }
@@ -186,17 +186,17 @@ impl Frame {
         &self.unlisted
     }
 
-    /// x, y, z, weight of all vertices.
+    /// All vertices, each as x, y, z and weight.
     pub fn vertices(&self) -> &[f32] {
         &self.vertices
     }
 
-    /// layer, shape, first, count of all spans; the layer as its place among [`Frame::layers`].
+    /// All spans, each as layer, shape, first and count; the layer as its index in [`Frame::layers`].
     pub fn table(&self) -> &[u32] {
         &self.table
     }
 
-    /// Every how many-th piece of the main layers was drawn (1: all).
+    /// The n of which layers drew every n-th piece, the largest of all layers; 1: every piece is drawn.
     pub fn thinning(&self) -> u32 {
         self.thinning
     }

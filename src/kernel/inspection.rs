@@ -1,15 +1,15 @@
-//! Why something did what it did.
+//! Explanations of single items of a frame.
 
 use serde::Serialize;
 
 use super::{LayerKey, Shape};
 
-/// Something in a frame that can be asked about: the `index`-th piece of a layer.
+/// A piece of a layer that can be explained, e.g. one particle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Item {
-    /// The layer that it is a piece of.
+    /// The layer that it belongs to.
     pub layer: LayerKey,
-    /// Which one, counted over all pieces, drawn or not.
+    /// Its index among all pieces of the layer, drawn or not.
     pub index: usize,
 }
 
@@ -18,9 +18,9 @@ pub struct Item {
 pub struct Quantity {
     /// The name that formulas use for it.
     pub name: &'static str,
-    /// TeX.
+    /// The symbol, in TeX.
     pub symbol: &'static str,
-    /// A few words.
+    /// The title, a few words.
     pub title: &'static str,
     /// The number.
     pub value: f64,
@@ -31,21 +31,21 @@ pub struct Quantity {
 pub struct Column {
     /// An identifier.
     pub name: &'static str,
-    /// TeX.
+    /// The symbol, in TeX.
     pub symbol: &'static str,
-    /// A few words.
+    /// The title, a few words.
     pub title: &'static str,
 }
 
 /// A mark to draw over the picture.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Mark {
-    /// One of the entry's layers: what it shows, and how it looks.
+    /// One of the entry's layers, which says what it shows and how it looks.
     #[serde(rename = "role")]
     pub layer: LayerKey,
     /// How its vertices belong together.
     pub shape: Shape,
-    /// In the scene's unit; in the plane z is 0.
+    /// The vertices, in the scene's unit; in the plane z is 0.
     pub vertices: Vec<[f64; 3]>,
 }
 
@@ -56,10 +56,10 @@ impl Mark {
     }
 }
 
-/// Why something did what it did in the step that led to this iteration.
+/// An explanation: what an item did in the step that led to this iteration, and why.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inspection {
-    /// What was asked about.
+    /// The item that is explained.
     pub item: Item,
     /// Its name for people.
     pub title: String,
@@ -69,14 +69,14 @@ pub struct Inspection {
     pub summary: String,
     /// The numbers behind it.
     pub values: Vec<Quantity>,
-    /// Names of the entry's formulas that say it.
+    /// Names of the entry's formulas that were applied.
     pub formulas: Vec<&'static str>,
     /// The table's columns.
     pub columns: Vec<Column>,
-    /// A label for each row.
+    /// A label for each row of the table.
     pub labels: Vec<String>,
-    /// The table.
+    /// The table, row by row.
     pub rows: Vec<Vec<f64>>,
-    /// Arrows and marks.
+    /// Marks to draw over the picture.
     pub marks: Vec<Mark>,
 }

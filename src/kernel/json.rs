@@ -26,7 +26,7 @@ pub fn parse(text: &str) -> Result<Value, String> {
     serde_wasm_bindgen::from_value(value).map_err(|problem| problem.to_string())
 }
 
-/// The number that a text of digits, point, signs and exponent stands for.
+/// The number that a text of digits, point, signs and exponent stands for; `None` for any other text.
 pub fn number(text: &str) -> Option<f64> {
     let plain = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
     if plain { decimal(text) } else { None }

@@ -1,33 +1,32 @@
-//! The stepped contract: what a planner's author writes.
+//! The contract of planners: what the author of a planner writes.
 //!
-//! One call of [`Planner::advance`] is one drawable iteration. A planner owns its random stream and shares its scene by
-//! `Arc`; a clone of it is a keyframe. Counting iterations, the limit, the status and the way back are the run's.
+//! One call of [`Planner::advance`] is one drawable iteration. A planner owns its random stream and shares its scene by `Arc`;
+//! a clone of it is a keyframe. The run counts iterations, keeps limit and status, and rewinds.
 
 use std::any::Any;
 
 use super::{Candidate, Facets, Frame, Readings, State, Status, Subtasks};
 
-/// A planner that can be stepped, drawn, read, rewound and judged; what few planners can do besides is among its
-/// [`Facets`].
+/// A planner that can be stepped, drawn, read, rewound and judged. Abilities that few planners have are [`Facets`].
 ///
 /// It is deterministic, never panics, and allocates in `advance` only when something really grows. Its [`State`] is derived:
 /// it gives the run's hash and the size of a keyframe.
 pub trait Planner: State + CloneBox + Any + Send {
-    /// Takes one step. It is not called again after it was done.
+    /// Takes one step. Not called again after [`Progress::Done`].
     fn advance(&mut self) -> Progress;
-    /// How many candidate solutions were evaluated.
+    /// The number of candidate solutions evaluated so far.
     fn evaluations(&self) -> u64;
     /// The best solution so far.
     fn best(&self) -> Option<Candidate>;
-    /// The numbers of this iteration.
+    /// Pushes the numbers of this iteration.
     fn read(&self, out: &mut Readings);
     /// Draws itself into a cleared frame.
     fn draw(&self, frame: &mut Frame);
-    /// What it can do besides: explain itself, list its members, …
+    /// Its further abilities: explanations, members, events, …
     fn facets(&self) -> Facets<'_> {
         Facets::default()
     }
-    /// The runs of other planners that its steps rest on, if it needs any.
+    /// The runs of other planners that its steps need, if any.
     fn subtasks(&mut self) -> Option<&mut dyn Subtasks> {
         None
     }
@@ -38,7 +37,7 @@ pub trait Planner: State + CloneBox + Any + Send {
 pub enum Progress {
     /// There is more to do, unless the limit is reached.
     Continue,
-    /// It is over, and why; not [`Status::Running`].
+    /// The run is over, with this status; not [`Status::Running`].
     Done(Status),
 }
 

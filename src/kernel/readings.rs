@@ -1,6 +1,6 @@
 //! The numbers of an iteration.
 
-/// What declares a number of an iteration, so that its name is written once: a planner's `Reading`.
+/// The declaration of a reading, so that its name is written once: a planner's `Reading`.
 pub trait ReadingName {
     /// The name in traces, formulas and other programs.
     fn name(self) -> &'static str;
@@ -11,7 +11,7 @@ pub trait ReadingName {
 pub struct Readings(Vec<(&'static str, f64)>);
 
 impl Readings {
-    /// Empties it.
+    /// Removes all numbers.
     pub fn clear(&mut self) {
         self.0.clear();
     }
@@ -31,12 +31,12 @@ impl Readings {
         self.0.iter().copied()
     }
 
-    /// This number.
+    /// The number of a reading, if there is one.
     pub fn of(&self, reading: impl ReadingName) -> Option<f64> {
         self.get(reading.name())
     }
 
-    /// The number of a name that somebody gave.
+    /// The number of this name, if there is one.
     pub fn get(&self, name: &str) -> Option<f64> {
         self.0.iter().find(|(n, _)| *n == name).map(|(_, value)| *value)
     }

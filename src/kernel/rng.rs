@@ -1,6 +1,6 @@
-//! Seeded streams: the only source of randomness.
+//! Seeded streams of random numbers, the only source of randomness.
 //!
-//! A run's seed keys ChaCha8, which deals out independent streams; each stream is a xoshiro256++ generator.
+//! A run's seed keys ChaCha8, which seeds independent streams; each stream is a xoshiro256++ generator.
 //! (ChaCha itself in the inner loop would cost as much as the rest of a swarm's step; `benches/swarms.rs` shows both.)
 
 use rand::{RngExt, SeedableRng};
@@ -38,31 +38,31 @@ impl Stream {
         Self(Xoshiro256PlusPlus::from_rng(&mut dealer))
     }
 
-    /// Uniform in [0, 1), 53 bits.
+    /// A uniform number in `[0, 1)`, with 53 random bits.
     #[inline]
     pub fn unit(&mut self) -> f64 {
         self.0.random()
     }
 
-    /// Uniform in [low, high).
+    /// A uniform number in `[low, high)`.
     #[inline]
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// Uniform in (0, 1], so that its logarithm exists.
+    /// A uniform number in `(0, 1]`, so that its logarithm exists.
     #[inline]
     pub fn positive_unit(&mut self) -> f64 {
         1.0 - self.unit()
     }
 
-    /// From the standard normal distribution, by Box and Muller's transform.
+    /// A number from the standard normal distribution, by Box and Muller's transform.
     pub fn normal(&mut self) -> f64 {
         let (u, v) = (self.positive_unit(), self.unit());
         (-2.0 * math::ln(u)).sqrt() * math::cos_turns(v)
     }
 
-    /// A whole number in 0..n. `n` must not be 0.
+    /// A uniform whole number in `0..n`. `n` must not be 0.
     #[inline]
     pub fn below(&mut self, n: usize) -> usize {
         self.0.random_range(0..n)

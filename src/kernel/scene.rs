@@ -1,4 +1,4 @@
-//! A scene: what every one has in common, around a body of some kind.
+//! Scenes: a header, which all kinds share, and a body of one kind.
 
 use std::{
     any::Any,
@@ -15,8 +15,8 @@ use super::{
     scene_body::{Plane, SceneBody, SceneKindId, Verdict},
 };
 
-/// Computes what results on a scene are measured by: the shortest path by a rule, or the shortest tour with such ends.
-/// `None` where there is none, or where it would take too long.
+/// Computes an exact optimum of a scene: the shortest path by a rule, or the shortest tour with such ends. `None` if there is
+/// none, or if it would take too long.
 pub type Optimum = fn(&Scene, ReferenceOptimum, Option<TourEnds>) -> Option<Exact>;
 
 /// What every scene file carries besides its content.
@@ -26,15 +26,15 @@ pub struct Header {
     pub name: String,
     /// A line for people.
     pub title: String,
-    /// What should be known about it.
+    /// A remark, e.g. which parts are reconstructed.
     pub note: Option<String>,
-    /// Where it comes from.
+    /// The source of its data.
     pub source: Option<String>,
     /// The unit of its lengths.
     pub units: Option<String>,
-    /// The stored optimum; results are measured by the computed one, see [`Scene::exact`].
+    /// The optimum stated in the file; results are measured against the computed one, see [`Scene::exact`].
     pub exact: Option<Value>,
-    /// Figures published for it, as in the file.
+    /// Published values for it, as in the file.
     pub published: Option<Value>,
 }
 
@@ -106,12 +106,12 @@ impl Scene {
         &self.header.name
     }
 
-    /// What it is made of.
+    /// Its kind.
     pub fn kind(&self) -> SceneKindId {
         self.body.kind()
     }
 
-    /// The content as what it is.
+    /// The content as its own type.
     ///
     /// # Errors
     /// [`Error::Refused`] for `kind` if it is of another kind.
@@ -119,7 +119,7 @@ impl Scene {
         (self.body() as &dyn Any).downcast_ref().ok_or_else(|| self.other_kind(B::kind_id()))
     }
 
-    /// The content as what it is, for planners that keep it.
+    /// The content as its own type, shared, for planners that keep it.
     ///
     /// # Errors
     /// As [`Scene::get`].
@@ -139,7 +139,7 @@ impl Scene {
         self.body.plane()
     }
 
-    /// Where a path in the plane begins and where it leads; `None` where there is none to find.
+    /// Start and goal of a path in the plane; `None` if there is no path to find.
     pub fn ends(&self) -> Option<([f64; 2], [f64; 2])> {
         self.plane()?.ends().ok()
     }
@@ -149,12 +149,12 @@ impl Scene {
         self.plane().is_none_or(|plane| plane.is_free(a, b))
     }
 
-    /// Where a tour calls; empty where there are no stops.
+    /// The stops of a tour; empty if there are none.
     pub fn stops(&self) -> Vec<[f64; 2]> {
         self.body.stops().places
     }
 
-    /// The same scene with another start and goal; what follows from its obstacles is shared.
+    /// The same scene with another start and goal. What was computed from its obstacles is shared.
     ///
     /// # Errors
     /// [`Error::Refused`] for a kind that cannot change them, and for ends where the robot does not fit.
@@ -163,19 +163,19 @@ impl Scene {
         Self::new(header, self.body.between(ends)?, self.optimum)
     }
 
-    /// The exact shortest path, computed at the first call; `None` where there is no path to find.
+    /// The exact shortest path, computed at the first call; `None` if there is no path to find.
     pub fn exact(&self) -> Option<&Exact> {
         self.exact_by(ReferenceOptimum::default())
     }
 
-    /// The exact shortest way by a rule, computed at the first call.
+    /// The exact shortest path by a rule, computed at the first call.
     pub fn exact_by(&self, reference: ReferenceOptimum) -> Option<&Exact> {
         self.computed(reference, None)
     }
 
-    /// The exact shortest tour through a scene's stops, with ways between them by a rule; computed at the first call.
-    /// `None` where there are no stops, where one cannot be reached, or where there are too many: of those the file's own
-    /// optimum counts, if it has one for such tours.
+    /// The exact shortest tour through a scene's stops, with paths between them by a rule; computed at the first call. `None`
+    /// without stops or if one cannot be reached. For too many stops it is the optimum stated in the scene file, if there is
+    /// one for such tours.
     pub fn exact_tour(&self, reference: ReferenceOptimum, round: TourEnds) -> Option<&Exact> {
         self.computed(reference, Some(round))
     }
@@ -186,12 +186,12 @@ impl Scene {
         by_rule[round.map_or(0, |round| 1 + round as usize)].get_or_init(|| optimum(self, reference, round)).as_ref()
     }
 
-    /// A function's minimum; `None` where it is a path that is looked for.
+    /// The minimum of a test function; `None` for other kinds.
     pub fn minimum(&self) -> Option<f64> {
         self.body.minimum()
     }
 
-    /// The exact minimum of what is measured: the shortest length by a rule, or a function's minimum.
+    /// The exact optimum: the shortest length by a rule, or the minimum of a test function.
     pub fn optimum(&self, reference: ReferenceOptimum) -> Option<f64> {
         self.minimum().or_else(|| self.exact_by(reference).map(|exact| exact.length))
     }

@@ -1,63 +1,64 @@
-//! What planners find, and which optimum it is measured by.
+//! Solutions, and the optimum that they are measured against.
 
 use serde::Serialize;
 
 use crate::arm::Posture;
 
-/// What planners find.
+/// A solution that a planner finds.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Solution {
-    /// Corners of a path, in the scene's unit.
+    /// A path: its corners, in the scene's unit.
     Path(Vec<[f64; 2]>),
-    /// A point in a function's box.
+    /// A position in the search box of a test function.
     Position(Vec<f64>),
-    /// A tour that calls at every stop.
+    /// A tour that visits every stop.
     Tour {
-        /// The stops' numbers in the order in which it calls at them, each once.
+        /// The visiting order: the stops' indices, each once.
         order: Vec<usize>,
-        /// What its ends are.
+        /// Where it begins and ends.
         round: TourEnds,
-        /// The way through them, back to the first if it is closed, in the scene's unit.
+        /// The path through the stops, back to the first if the tour is closed, in the scene's unit.
         path: Vec<[f64; 2]>,
     },
     /// A drive among moving obstacles, from start to goal in simulated time.
     Drive(Track),
-    /// A way for the tip of an arm.
+    /// A path for the tip of an arm.
     Reach {
         /// The corners of the tip's path, in metres.
         path: Vec<[f64; 3]>,
-        /// The arm's postures, if they were planned and not only where its tip is: it goes from one to the next with all
-        /// joints evenly, and the path is where that takes the tip.
+        /// The arm's configurations, if they were planned and not only the tip's path: all joints turn evenly from one to the
+        /// next, and `path` is the path of the tip.
         postures: Vec<Posture>,
     },
 }
 
-/// Where a robot was, and when.
+/// A robot's motion over time.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Track {
-    /// The corners of its way, in the scene's unit; where it stood there is one.
+    /// The corners of its path, in the scene's unit, one of them wherever it stood still.
     pub path: Vec<[f64; 2]>,
-    /// [t, x, y] wherever its motion changed, by growing time; between them it went straight at an even speed, or stood.
+    /// `[t, x, y]` at every change of its motion, by growing time in seconds; between two of them it went straight at constant
+    /// speed, or stood still.
     pub moments: Vec<[f64; 3]>,
-    /// The radius of the robot as moving obstacles meet it.
+    /// The radius of the robot against moving obstacles, in the scene's unit.
     pub radius: f64,
-    /// What the moving obstacles do at the border.
+    /// What moving obstacles do at the border of the scene.
     pub border: Border,
 }
 
-/// What a moving obstacle does when it comes to the border of its scene.
+/// What a moving obstacle does at the border of its scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Border {
-    /// It goes on and is gone.
+    /// It leaves the scene.
     #[default]
     Leave,
-    /// It bounces off as soon as it touches.
+    /// It bounces off as soon as it touches the border.
     Bounce,
 }
 
 impl Solution {
-    /// How many corners its path has.
+    /// The number of corners of its path.
     pub fn corners(&self) -> usize {
         match self {
             Self::Reach { path, .. } => path.len(),
@@ -65,7 +66,7 @@ impl Solution {
         }
     }
 
-    /// The corners of a path in the plane or of a tour's way.
+    /// The corners of its path, if it has one in the plane.
     pub fn path(&self) -> Option<&[[f64; 2]]> {
         match self {
             Self::Path(path) | Self::Tour { path, .. } | Self::Drive(Track { path, .. }) => Some(path),
@@ -74,11 +75,11 @@ impl Solution {
     }
 }
 
-/// What the ends of a tour are.
+/// Where a tour begins and ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TourEnds {
-    /// It goes back to where it began.
+    /// It returns to its first stop.
     #[default]
     Closed,
     /// It begins at any stop and ends at any other.
@@ -90,15 +91,15 @@ pub enum TourEnds {
 }
 
 impl TourEnds {
-    /// Every one.
+    /// All variants.
     pub const ALL: [Self; 4] = [Self::Closed, Self::Open, Self::FromFirst, Self::FirstToLast];
 
-    /// Whether it goes back to where it began.
+    /// Whether it returns to its first stop.
     pub fn closes(self) -> bool {
         self == Self::Closed
     }
 
-    /// Whether an order calls at each of `n` stops once and has such ends.
+    /// Whether an order visits each of `n` stops once and has these ends.
     pub fn allows(self, order: &[usize], n: usize) -> bool {
         let mut called = vec![false; n];
         let once = |&stop: &usize| called.get_mut(stop).is_some_and(|called| !std::mem::replace(called, true));
@@ -111,28 +112,28 @@ impl TourEnds {
     }
 }
 
-/// Which optimum a result is measured by.
+/// The optimum that a result is measured against.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ReferenceOptimum {
-    /// The shortest way there is, at any angle.
+    /// The shortest path at any angle.
     #[default]
     AnyAngle,
-    /// The shortest way from cell to neighbouring cell of a grid.
+    /// The shortest path between neighbouring cells of a grid.
     Cells,
     /// The shortest tour by the distances that the scene gives.
     Matrix,
-    /// The optimum that the scene's file gives: none could be computed.
+    /// The optimum stated in the scene file; none could be computed.
     Stored,
-    /// None: the scene's file gives an optimum, and this result is better.
+    /// None: the scene file states an optimum, and this result is better.
     Refuted,
 }
 
-/// The best solution so far and what it costs the planner. Whether it is any good, [`crate::Scene::judge`] says.
+/// A solution and its cost to the planner. [`crate::Scene::judge`] tells whether it is feasible.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
-    /// What the planner minimises.
+    /// The value that the planner minimises.
     pub cost: f64,
-    /// What it found.
+    /// The solution.
     pub solution: Solution,
 }

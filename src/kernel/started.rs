@@ -1,27 +1,27 @@
-//! How a run begins, and its planner under way.
+//! A planner at the start of its run, and in the course of it.
 
 use super::{Planner, Progress, ReferenceOptimum, Stage, Status, Subtask, SubtaskResult, TourEnds};
 
 /// A planner at iteration 0, and what does not change while it runs.
 pub struct Started {
-    /// Before its first step.
+    /// The planner, before its first step.
     pub planner: Box<dyn Planner>,
-    /// After how many steps it stops at the latest.
+    /// The iteration limit.
     pub limit: u64,
-    /// It may well be over before that. Otherwise the limit is its end, and known from the beginning.
+    /// Whether the run may end before its limit. Otherwise the limit is its end.
     pub open_ended: bool,
-    /// Whether there is anything to do.
+    /// Whether there is a first step to take.
     pub progress: Progress,
-    /// Which optimum its results are measured by.
+    /// The optimum that its results are measured against.
     pub reference: ReferenceOptimum,
-    /// What the ends of its tours are, if it finds tours.
+    /// Where its tours begin and end, if it finds tours.
     pub round: Option<TourEnds>,
-    /// The parts of a run, in their order; none, for most: all steps are of one kind.
+    /// The stages of the run, in order; empty if all steps are of one kind.
     pub stages: Vec<Stage>,
 }
 
 impl Started {
-    /// A planner with something to do, measured by the shortest path at any angle.
+    /// A run with a first step to take, measured against the shortest path at any angle.
     pub fn new(planner: impl Planner, limit: u64) -> Self {
         Self {
             planner: Box::new(planner),
@@ -34,26 +34,26 @@ impl Started {
         }
     }
 
-    /// A run that may well be over before its limit.
+    /// Declares that the run may end before its limit.
     #[must_use]
     pub fn open_ended(self) -> Self {
         Self { open_ended: true, ..self }
     }
 
-    /// Measured by this optimum.
+    /// Sets the optimum that results are measured against.
     #[must_use]
     pub fn measured_by(self, reference: ReferenceOptimum) -> Self {
         Self { reference, ..self }
     }
 
-    /// A run that is over before its first step unless there is a solution.
+    /// Ends the run before its first step unless there is a solution.
     #[must_use]
     pub fn solvable(self, solvable: bool) -> Self {
         let progress = if solvable { Progress::Continue } else { Progress::Done(Status::Infeasible) };
         Self { progress, ..self }
     }
 
-    /// Of these parts.
+    /// Sets the stages of the run.
     #[must_use]
     pub fn in_stages(self, stages: Vec<Stage>) -> Self {
         Self { stages, ..self }
@@ -66,11 +66,11 @@ impl From<Started> for Stepper {
     }
 }
 
-/// A planner under way: how many steps it took, and whether it goes on. A clone is a keyframe.
+/// A planner with its iteration and its status. A clone is a keyframe.
 pub struct Stepper {
-    /// Its state.
+    /// The planner.
     pub planner: Box<dyn Planner>,
-    /// How many steps it took.
+    /// The number of steps taken.
     pub iteration: u64,
     /// Whether there is more to do, or why not.
     pub status: Status,
@@ -91,12 +91,12 @@ impl Stepper {
         stepper
     }
 
-    /// The memory that a copy takes, in bytes.
+    /// The memory of a copy, in bytes.
     pub fn size(&self) -> usize {
         size_of::<Self>() + self.planner.heap_size()
     }
 
-    /// Takes a step and says whether there was one to take. `answer` carries out the runs that it rests on.
+    /// Takes a step; `false` if the run is over. `answer` carries out the subtasks that the step needs.
     pub fn step(&mut self, answer: impl FnOnce(Vec<Subtask>) -> Vec<SubtaskResult>) -> bool {
         if self.status != Status::Running {
             return false;

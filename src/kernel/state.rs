@@ -28,11 +28,11 @@ use std::{
 /// ```
 pub use forage_derive::State;
 
-/// What a run's hash and the size of a keyframe are computed from.
+/// A state with a hash and a size: the run's hash and the size of its keyframes are computed from them.
 pub trait State {
-    /// Adds all of it to a hash.
+    /// Adds the whole state to a hash.
     fn digest(&self, out: &mut Digest);
-    /// The memory it owns besides its own `size_of`, in bytes; about, since an allocator rounds up.
+    /// The memory that it owns besides its own `size_of`, in bytes; approximate, since an allocator rounds up.
     fn heap_size(&self) -> usize;
 }
 
@@ -64,7 +64,7 @@ impl Digest {
         self.hash = mixed ^ (mixed >> 32);
     }
 
-    /// Adds what a stream of random numbers will draw.
+    /// Adds the state of a stream of random numbers.
     pub(super) fn stream(&mut self, words: [u64; 4]) {
         self.random = true;
         words.digest(self);
@@ -86,7 +86,7 @@ impl Digest {
         numbers.digest(self);
     }
 
-    /// Sixteen hexadecimal digits.
+    /// The hash as sixteen hexadecimal digits.
     pub fn hex(&self) -> String {
         format!("{:016x}", self.hash)
     }

@@ -1,27 +1,27 @@
-//! Whether a run goes on, and its parts.
+//! The status of a run, and its stages.
 
 use serde::Serialize;
 
-/// Whether there is more to do, or why not.
+/// The status of a run: whether it goes on, or why it ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
-    /// There is more to do.
+    /// There are more steps to take.
     Running,
     /// The goal is reached and nothing better can be found.
     Solved,
     /// The iteration limit is reached.
     Exhausted,
-    /// There is no solution, or no way to one was found.
+    /// There is no solution, or none was found.
     Infeasible,
 }
 
-/// A part of a run that has its own kind of step.
+/// A part of a run with its own kind of step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Stage {
     /// An identifier.
     pub name: &'static str,
-    /// A few words.
+    /// The title, a few words.
     pub title: &'static str,
     /// Its last iteration; the next stage's first step follows. `None`: when the run ends, which is not yet known.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,4 +1,4 @@
-//! Runs of other planners that a step needs, and what they found.
+//! Subtasks: runs of other planners that a step needs, and their results.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,12 +6,12 @@ use crate::params::Overrides;
 
 use super::State;
 
-/// Runs of other planners that a planner's steps rest on. It never runs them itself: the run that holds it does, one after
-/// another, in parallel or elsewhere. The result is the same.
+/// Runs of other planners that a planner's steps need. The planner does not run them; its run does, one after another, in
+/// parallel or elsewhere. The result is the same.
 pub trait Subtasks {
     /// The runs that the next step needs; none if it needs none.
     fn requests(&self) -> Vec<Subtask>;
-    /// Takes what these runs found, in their order; the next step uses it.
+    /// Takes the results of these runs, in their order; the next step uses them.
     fn provide(&mut self, found: Vec<SubtaskResult>);
 }
 
@@ -24,12 +24,12 @@ pub struct Subtask {
     pub params: Overrides,
     /// The seed.
     pub seed: u64,
-    /// Where it starts and where it leads, if not where the scene says.
+    /// Start and goal, if they are not the scene's.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ends: Option<[[f64; 2]; 2]>,
 }
 
-/// What a [`Subtask`] found.
+/// The result of a [`Subtask`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, State)]
 pub struct SubtaskResult {
     /// The best cost; `None` if nothing feasible was found.
@@ -40,11 +40,11 @@ pub struct SubtaskResult {
     pub path: Vec<[f64; 2]>,
 }
 
-/// Parameters that a planner of planners recommends.
+/// Parameters that a tuning planner recommends for another planner.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Recommendation {
-    /// For this planner.
+    /// The planner that they are for.
     pub planner: &'static str,
-    /// Those that were searched and those that were given.
+    /// The parameters that were searched and those that were given.
     pub params: Overrides,
 }
