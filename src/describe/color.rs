@@ -4,18 +4,18 @@ use std::fmt::{self, Write};
 
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
-/// The palette: each name's colour by day and by night. The page makes its style sheet of the same file.
+/// The palette: each name's colour in the light and in the dark theme. The page makes its style sheet of the same file.
 pub(crate) const PALETTE: &str = include_str!("palette.json");
 
 /// Red, green, blue and opacity, 0 to 255 each.
 pub type Rgba = [u8; 4];
 
-/// A colour by day and by night.
+/// A colour in the light and in the dark theme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Color {
-    /// By day, on a light ground.
+    /// On a light ground.
     pub light: Rgba,
-    /// By night, on a dark ground.
+    /// On a dark ground.
     pub dark: Rgba,
 }
 
@@ -38,10 +38,10 @@ impl Color {
         Self { light, dark }
     }
 
-    /// A colour of a planner's own: `#rrggbb` or `#rrggbbaa`, by day and by night.
+    /// A colour of a planner's own, in the light and in the dark theme: `#rrggbb` or `#rrggbbaa`.
     ///
     /// # Panics
-    /// For a text that is no such colour; in a constant it does not compile.
+    /// For any other text. In a constant, it does not compile.
     pub const fn new(light: &str, dark: &str) -> Self {
         Self { light: rgba(light.as_bytes(), 0), dark: rgba(dark.as_bytes(), 0) }
     }

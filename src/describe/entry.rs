@@ -11,7 +11,7 @@ use crate::{
 
 use super::{EventKind, Formula, Layer, Member, Preset, Reading, Shown};
 
-/// What there is to know about a planner. Made by [`Entry::new`]; what is not set is empty.
+/// A planner's entry. Made by [`Entry::new`]; what is not set is empty.
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub struct Entry {
@@ -19,53 +19,53 @@ pub struct Entry {
     pub name: &'static str,
     /// The name for people.
     pub title: &'static str,
-    /// What it belongs to.
+    /// The name of its family, e.g. `swarm`.
     pub family: &'static str,
-    /// Where it comes from, e.g. `[WCPSO] §2`.
+    /// The source, e.g. `[WCPSO] §2`.
     pub source: &'static str,
-    /// A sentence or two.
+    /// A summary in one or two sentences.
     pub summary: &'static str,
     /// The kinds of scene it runs on.
     pub kinds: &'static [SceneKindId],
-    /// Whether it calls at a scene's stops instead of going from start to goal.
+    /// Whether it visits a scene's stops instead of going from start to goal.
     pub stops: bool,
-    /// The most stops that it can do with.
+    /// The largest number of stops that it accepts; `None`: any number.
     pub most_stops: Option<usize>,
     /// Its parameters, in lists: its own and those that it shares; every planner has `iterations`. See [`Entry::all_parameters`].
     pub parameters: &'static [&'static [Parameter]],
-    /// The numbers it tells after each iteration.
+    /// The numbers that it reports after each iteration.
     pub readings: &'static [Reading],
-    /// The equations it carries out.
+    /// The equations that it computes.
     pub formulas: &'static [Formula],
     /// What its explanations use in TeX besides the symbols of its parameters, readings and members.
     pub symbols: &'static [&'static str],
     /// The layers it draws, in drawing order, and after them those that only its explanations mark.
     pub layers: &'static [Layer],
-    /// The numbers that it tells of each of those that search side by side.
+    /// The numbers that it reports of each member of its population.
     pub members: &'static [Member],
-    /// The kinds of events that it tells of.
+    /// The kinds of events that it reports.
     pub events: &'static [EventKind],
-    /// Parameters under a name: as published, or fitted to published figures.
+    /// Named sets of parameters: as published, or fitted to published values.
     pub presets: &'static [Preset],
-    /// What its paper recommends for these settings; `None` where it says nothing.
+    /// The sizes that its paper recommends for these parameters; `None` if it recommends none.
     pub suggest: fn(&Parameters) -> Option<Suggestion>,
-    /// How a run begins: refuses everything that can be refused.
+    /// Starts a run, and refuses all invalid input.
     pub start: fn(&Start) -> Result<Started, Error>,
 }
 
 /// Sizes that a paper recommends for a setup.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Suggestion {
-    /// How many particles.
+    /// The number of particles.
     pub population: u64,
-    /// How many iterations.
+    /// The number of iterations.
     pub iterations: u64,
-    /// Where the recommendation comes from, e.g. `[LTQPSO] (10)`.
+    /// The source, e.g. `[LTQPSO] (10)`.
     pub source: &'static str,
 }
 
 impl Entry {
-    /// A planner by its name in commands, its title, source and summary, and how a run begins.
+    /// A planner with its name in commands, its title, its source, its summary and the function that starts it.
     pub const fn new(
         name: &'static str,
         title: &'static str,
@@ -95,43 +95,43 @@ impl Entry {
         }
     }
 
-    /// What it belongs to.
+    /// Sets the family.
     #[must_use]
     pub const fn family(self, family: &'static str) -> Self {
         Self { family, ..self }
     }
 
-    /// The kinds of scene it runs on.
+    /// Sets the kinds of scene it runs on.
     #[must_use]
     pub const fn kinds(self, kinds: &'static [SceneKindId]) -> Self {
         Self { kinds, ..self }
     }
 
-    /// It calls at a scene's stops, however many there are.
+    /// Declares that it visits a scene's stops, however many there are.
     #[must_use]
     pub const fn calls_at_stops(self) -> Self {
         Self { stops: true, ..self }
     }
 
-    /// It calls at a scene's stops, at most so many.
+    /// Declares that it visits a scene's stops, at most so many.
     #[must_use]
     pub const fn calls_at_most(self, stops: usize) -> Self {
         Self { stops: true, most_stops: Some(stops), ..self }
     }
 
-    /// Its parameters, in lists: its own and those that it shares. Every planner has `iterations`.
+    /// Sets its parameters, in lists: its own and those that it shares. Every planner has `iterations`.
     #[must_use]
     pub const fn parameters(self, parameters: &'static [&'static [Parameter]]) -> Self {
         Self { parameters, ..self }
     }
 
-    /// The numbers it tells after each iteration.
+    /// Sets the numbers that it reports after each iteration.
     #[must_use]
     pub const fn readings(self, readings: &'static [Reading]) -> Self {
         Self { readings, ..self }
     }
 
-    /// The equations it carries out.
+    /// Sets the equations that it computes.
     #[must_use]
     pub const fn formulas(self, formulas: &'static [Formula]) -> Self {
         Self { formulas, ..self }
@@ -149,31 +149,31 @@ impl Entry {
         Self { layers, ..self }
     }
 
-    /// The numbers that it tells of each of those that search side by side.
+    /// Sets the numbers that it reports of each member of its population.
     #[must_use]
     pub const fn members(self, members: &'static [Member]) -> Self {
         Self { members, ..self }
     }
 
-    /// The kinds of events that it tells of.
+    /// Sets the kinds of events that it reports.
     #[must_use]
     pub const fn events(self, events: &'static [EventKind]) -> Self {
         Self { events, ..self }
     }
 
-    /// Parameters under a name.
+    /// Sets the named sets of parameters.
     #[must_use]
     pub const fn presets(self, presets: &'static [Preset]) -> Self {
         Self { presets, ..self }
     }
 
-    /// What its paper recommends for some settings.
+    /// Sets the function that gives the sizes that its paper recommends.
     #[must_use]
     pub const fn suggest(self, suggest: fn(&Parameters) -> Option<Suggestion>) -> Self {
         Self { suggest, ..self }
     }
 
-    /// The layers that frames consist of, and those that only explanations mark. A frame's table counts the former.
+    /// The layers of its frames, and those that only explanations mark. A frame's table counts the former.
     pub fn drawn_and_marked(&self) -> (&'static [Layer], &'static [Layer]) {
         let drawn = self.layers.iter().position(|layer| layer.shown == Shown::Inspection);
         self.layers.split_at(drawn.unwrap_or(self.layers.len()))
@@ -199,7 +199,8 @@ impl Entry {
     /// Refuses a scene that this planner does not run on.
     ///
     /// # Errors
-    /// As [`Entry::check_kind`]; [`Error::Refused`] for a scene without what the planner goes to, and for too many stops.
+    /// As [`Entry::check_kind`]; [`Error::Refused`] for a scene without the goal or the stops that the planner needs, and for
+    /// too many stops.
     pub fn check_scene(&self, scene: &Scene) -> Result<(), Error> {
         self.check_kind(scene.kind())?;
         if !self.stops {
@@ -215,7 +216,7 @@ impl Entry {
         }
     }
 
-    /// The values of a preset that mean something on this kind of scene.
+    /// The values of a preset that apply to this kind of scene.
     ///
     /// # Errors
     /// [`Error::Unknown`] with the names that exist; [`Error::Refused`] for a planner without presets.
@@ -248,22 +249,22 @@ impl Entry {
         self.all_parameters().find(|parameter| parameter.name == name)
     }
 
-    /// The parameters that mean something on this kind of scene.
+    /// The parameters that apply to this kind of scene.
     pub fn parameters_on(&self, kind: SceneKindId) -> impl Iterator<Item = &'static Parameter> + use<> {
         self.all_parameters().filter(move |p| p.applies_to(kind))
     }
 }
 
-/// What a run of a planner begins with.
+/// What a planner is started with.
 #[derive(Clone, Copy)]
 pub struct Start<'a> {
-    /// What is planned in: of a kind that the planner runs on.
+    /// The scene, of a kind that the planner runs on.
     pub scene: &'a Arc<Scene>,
-    /// A value for each of its parameters.
+    /// A value for each of the planner's parameters.
     pub parameters: &'a Parameters,
-    /// 0 to 2^53 − 1.
+    /// The seed, from 0 to 2^53 − 1.
     pub seed: u64,
-    /// All planners, for one that needs others.
+    /// All planners, for a planner that needs others.
     pub entries: &'a dyn Entries,
 }
 
@@ -280,7 +281,7 @@ impl Start<'_> {
     }
 }
 
-/// Planners by name.
+/// Finds planners by name.
 pub trait Entries {
     /// The entry of this name.
     ///

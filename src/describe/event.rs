@@ -1,4 +1,4 @@
-//! What can happen in a run in simulated time.
+//! Kinds of events in simulated time.
 
 use serde::Serialize;
 
@@ -7,26 +7,26 @@ use serde::Serialize;
 pub struct EventKind {
     /// An identifier.
     pub name: &'static str,
-    /// A few words.
+    /// The title, a few words.
     pub title: &'static str,
     /// What it means.
     pub help: &'static str,
-    /// How it is to be taken.
+    /// Its tone.
     pub tone: Tone,
 }
 
-/// How an event is to be taken.
+/// The tone of an event, which pictures show by colour and sign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Tone {
-    /// Something came about.
+    /// Something happened.
     Plain,
-    /// Something was seen or foreseen that calls for a decision.
+    /// Something was detected or predicted that calls for a decision.
     Warning,
     /// A decision.
     Decision,
-    /// Something went as it should.
+    /// Something went as intended.
     Good,
-    /// Something must not happen and did.
+    /// Something happened that must not happen.
     Bad,
 }

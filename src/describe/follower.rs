@@ -12,7 +12,7 @@ use crate::{
 
 use super::Formula;
 
-/// What there is to know about following a path: how a robot drives along it, or an arm moves.
+/// A follower's entry: how a robot drives along a path, or an arm moves.
 #[derive(Debug, Clone, Copy)]
 pub struct Follower {
     /// The name in commands, outcomes and the catalogue.
@@ -27,13 +27,13 @@ pub struct Follower {
     pub applies: fn(&Scene) -> bool,
     /// Where it comes from.
     pub source: &'static str,
-    /// A sentence or two.
+    /// A summary in one or two sentences.
     pub summary: &'static str,
-    /// What can be set.
+    /// Its parameters, in lists.
     pub parameters: &'static [&'static [Parameter]],
-    /// The numbers of a row.
+    /// The numbers that are recorded for each moment.
     pub columns: &'static [Column],
-    /// The equations it carries out.
+    /// The equations that it computes.
     pub formulas: &'static [Formula],
     /// Follows a solution; `None` where it does not apply, and without a path. Refuses parameters in any case.
     pub follow: Follow,
@@ -47,11 +47,11 @@ pub type Follow = fn(&Scene, Option<&Solution>, &Overrides) -> Result<Option<Box
 pub struct Column {
     /// An identifier.
     pub name: &'static str,
-    /// A few words.
+    /// The title, a few words.
     pub title: &'static str,
-    /// TeX.
+    /// The symbol, in TeX.
     pub symbol: &'static str,
-    /// `s`, `m`, `rad/s`, …; empty for a bare number. `m` stands for the scene's unit.
+    /// The unit: `s`, `m`, `rad/s`, …; empty for a bare number. `m` stands for the scene's unit.
     pub unit: &'static str,
 }
 

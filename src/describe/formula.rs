@@ -1,26 +1,26 @@
-//! The equations that a planner carries out.
+//! The equations that a planner computes.
 
 use serde::Serialize;
 
 use crate::params::{Param, When};
 
-/// An equation.
+/// An equation that a planner computes.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Formula {
     /// An identifier within the planner.
     pub name: &'static str,
-    /// Where it comes from, e.g. `[WCPSO] (3)`.
+    /// The source, e.g. `[WCPSO] (3)`.
     pub source: &'static str,
-    /// A few words.
+    /// The title, a few words.
     pub title: &'static str,
-    /// TeX, as in the paper.
+    /// The equation in TeX, as in the paper.
     pub tex: &'static str,
-    /// TeX with `@name@` where a number of the moment goes.
+    /// The equation in TeX, with `@name@` in place of each current number.
     #[serde(skip_serializing_if = "str::is_empty")]
     pub live: &'static str,
     /// Where those numbers come from.
     pub scope: Scope,
-    /// A parameter's value without which another equation stands in its place.
+    /// The parameter value with which the equation is computed; `None`: with any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub when: Option<When>,
 }
@@ -36,7 +36,7 @@ impl Formula {
         Self { scope: Scope::Item, ..Self::new(name, source, title, tex, live) }
     }
 
-    /// The same, carried out only while a parameter has this value.
+    /// The same, computed only while a parameter has this value.
     #[must_use]
     pub const fn when<T: Copy>(mut self, parameter: Param<T>, value: &'static str) -> Self {
         self.when = Some(When { parameter: parameter.name(), value });

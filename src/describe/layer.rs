@@ -21,28 +21,28 @@ use super::Look;
 /// ```
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Layer {
-    /// What the drawing calls it.
+    /// The key that drawings use.
     #[serde(rename = "role")]
     pub key: LayerKey,
-    /// For a legend.
+    /// The title in a legend.
     pub title: &'static str,
-    /// A sentence.
+    /// A help text of one sentence.
     pub help: &'static str,
-    /// Whether it is drawn without being asked for.
+    /// When it is shown.
     #[serde(rename = "on", serialize_with = "is_on")]
     pub shown: Shown,
-    /// Its pieces can be inspected.
+    /// Whether its pieces can be inspected.
     pub pickable: bool,
-    /// A parameter's value without which there is nothing to draw.
+    /// The parameter value with which there is something to draw; `None`: with any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub when: Option<When>,
     /// The kinds of scene on which there is something to draw; empty: all that the planner runs on.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     pub kinds: &'static [SceneKindId],
-    /// What its vertices' weight means.
+    /// The meaning of its vertices' weight.
     #[serde(skip_serializing_if = "Weight::is_none", serialize_with = "name_of")]
     pub weight: Weight,
-    /// How it looks.
+    /// Its look.
     pub look: &'static Look,
 }
 
@@ -52,43 +52,43 @@ impl Layer {
         Self { key, title, help, shown: Shown::On, pickable: false, when: None, kinds: &[], weight: Weight::None, look }
     }
 
-    /// With another title and help.
+    /// The same with another title and help text.
     #[must_use]
     pub const fn titled(self, title: &'static str, help: &'static str) -> Self {
         Self { title, help, ..self }
     }
 
-    /// With weights that mean something.
+    /// The same with weights of this meaning.
     #[must_use]
     pub const fn weighted(self, weight: Weight) -> Self {
         Self { weight, ..self }
     }
 
-    /// Shown only when it is asked for.
+    /// The same, hidden by default.
     #[must_use]
     pub const fn off(self) -> Self {
         Self { shown: Shown::Off, ..self }
     }
 
-    /// Never drawn in a frame, only by explanations.
+    /// The same, drawn by explanations only, never in a frame.
     #[must_use]
     pub const fn inspection(self) -> Self {
         Self { shown: Shown::Inspection, ..self }
     }
 
-    /// With pieces that can be inspected.
+    /// The same with pieces that can be inspected.
     #[must_use]
     pub const fn pickable(self) -> Self {
         Self { pickable: true, ..self }
     }
 
-    /// With something to draw only while a parameter has this value (`polar`, `true`).
+    /// The same with something to draw only while a parameter has this value (`polar`, `true`).
     #[must_use]
     pub const fn when(self, parameter: &'static str, value: &'static str) -> Self {
         Self { when: Some(When { parameter, value }), ..self }
     }
 
-    /// With something to draw only on these kinds of scene.
+    /// The same with something to draw only on these kinds of scene.
     #[must_use]
     pub const fn on_kinds(self, kinds: &'static [SceneKindId]) -> Self {
         Self { kinds, ..self }
@@ -98,34 +98,34 @@ impl Layer {
 /// When a layer is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
-    /// Unless somebody hides it.
+    /// By default.
     On,
-    /// When somebody asks for it.
+    /// On request.
     Off,
     /// In an explanation only.
     Inspection,
 }
 
-/// What the weight of a layer's vertices means.
+/// The meaning of the weight of a layer's vertices.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Weight {
     /// Nothing: it is 0.
     None,
-    /// How much worse than the best of the moment, from 0 (the best) towards 1.
+    /// How much worse than the iteration's best, from 0 (the best) toward 1.
     Rank,
     /// A share, from 0 to 1.
     Share,
     /// A length or a cost, in the scene's unit.
     Length,
-    /// An amount of pheromone; below 0: there can be none.
+    /// An amount of pheromone; below 0: there is no edge to hold any.
     Pheromone,
-    /// A place in the best tour, from 0; −1: none.
+    /// A position in the best tour, from 0; −1: none.
     Place,
     /// Half the width of a tube, in the scene's unit.
     HalfWidth,
     /// Seconds since the start.
     Time,
-    /// 1 where a walk came to its goal, 0 where it did not. A walk has a vertex for each step.
+    /// 1 for an ant that reached the goal, 0 for one that did not. Its path has a vertex for each step.
     Arrived,
 }
 

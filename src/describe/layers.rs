@@ -23,7 +23,7 @@ const fn ramp(colors: [&'static str; 3], root: bool) -> Ramp {
 const BEST_LOOK: Look = Look { point: 9.0, glyph: Glyph::Ring, result: 1, ..look("best", 3.0, 40) };
 const TOUR_LOOK: Look = Look { point: 9.0, glyph: Glyph::Arrow, result: 2, ..look("best", 2.75, 40) };
 const SMOOTHED_LOOK: Look = Look { point: 9.0, glyph: Glyph::Ring, result: 3, ..look("best", 3.25, 41) };
-/// The best that the planner has found.
+/// The best solution so far.
 pub const BEST: Layer = layer("best", "Best", "The best so far: the result.", &BEST_LOOK);
 /// The best tour, in its direction.
 pub const TOUR: Layer = layer("tour", "Shortest tour", "The shortest tour so far, in its direction: the result.", &TOUR_LOOK);
@@ -48,7 +48,7 @@ pub const GUIDES: Layer = layer(
     "The circles on which a path’s points lie, as far as their angles are searched, [LTQPSO] (13).",
     &GUIDES_LOOK,
 );
-/// The best that each member has found.
+/// Each member's personal best.
 pub const PERSONAL_BESTS: Layer =
     layer("personal-bests", "Personal bests", "The best that each particle has found.", &PERSONAL_BESTS_LOOK).off();
 /// A swarm's members: points, or the paths they stand for.
@@ -59,7 +59,7 @@ pub const PARTICLES: Layer =
 /// Each member's local attractor, [LTQPSO](crate#papers) (7).
 pub const ATTRACTORS: Layer =
     layer("attractors", "Attractors", "Each particle’s local attractor p: between its own best and the swarm’s.", &ATTRACTORS_LOOK).off();
-/// Each member's velocity: from where it is to where it alone would take it.
+/// Each member's velocity, from its position to where the velocity alone would take it.
 pub const VELOCITIES: Layer = layer("velocities", "Velocities", "The particles’ velocities, to scale.", &VELOCITIES_LOOK).off();
 /// Members whose position natural selection replaced in this iteration, [LTQPSO](crate#papers) §2.2.
 pub const SELECTED: Layer =
@@ -83,14 +83,14 @@ const PHEROMONE_RAMP: Ramp = ramp(["pheromone-low", "pheromone", "pheromone-high
 const PHEROMONE_LOOK: Look = Look { ramp: Some(&PHEROMONE_RAMP), ..look("pheromone-high", 1.0, 2) };
 const TRAILS_LOOK: Look = Look { opacity: [0.0, 1.0], swell: 4.0, near: true, ..look("trail", 0.6, 4) };
 const ANTS_LOOK: Look = Look { point: 5.0, opacity: [0.14, 0.5], ..look("ant", 0.9, 18) };
-/// How much pheromone lies on each cell's strongest step.
+/// The pheromone on each cell's strongest edge.
 pub const PHEROMONE: Layer =
     layer("pheromone", "Pheromone", "How much lies on each cell’s strongest step.", &PHEROMONE_LOOK).weighted(Weight::Pheromone).pickable();
-/// How much pheromone lies on each step from cell to cell.
+/// The pheromone on each directed edge.
 pub const TRAILS: Layer =
     layer("trails", "Trails", "How much more lies on each step than where no ant has been; seen from near.", &TRAILS_LOOK)
         .weighted(Weight::Share);
-/// The walks of an iteration's ants, one line each.
+/// The paths of the iteration's ants, one line each.
 pub const ANTS: Layer = layer("ants", "Ants", "The ways of this iteration’s ants.", &ANTS_LOOK).weighted(Weight::Arrived).pickable();
 
 // Searches on cells.
@@ -98,7 +98,7 @@ pub const ANTS: Layer = layer("ants", "Ants", "The ways of this iteration’s an
 const CLOSED_RAMP: Ramp = ramp(["closed-low", "closed", "closed-high"], false);
 const CLOSED_LOOK: Look = Look { ramp: Some(&CLOSED_RAMP), ..look("closed-high", 1.0, 1) };
 const FRONTIER_LOOK: Look = Look { point: 4.0, opacity: [0.9, 0.9], shape: Some(Shape::Points), ..look("frontier", 1.0, 16) };
-/// Cells that a search has settled, by their distance from the start.
+/// Expanded cells, the closed list, by their distance from the start.
 pub const CLOSED: Layer = layer(
     "closed",
     "Settled",
@@ -107,7 +107,7 @@ pub const CLOSED: Layer = layer(
 )
 .weighted(Weight::Length)
 .pickable();
-/// Cells that a search has reached and not settled.
+/// Cells on the open list.
 pub const FRONTIER: Layer =
     layer("frontier", "Frontier", "Cells that are reached and not settled: the next one is among them.", &FRONTIER_LOOK)
         .weighted(Weight::Length);
@@ -117,10 +117,10 @@ pub const FRONTIER: Layer =
 const ROADS_LOOK: Look = Look { opacity: [0.55, 0.55], ..look("road", 1.5, 12) };
 const TOURS_LOOK: Look = Look { opacity: [0.22, 0.22], ..look("particle", 1.0, 19) };
 const STOPS_LOOK: Look = Look { point: 9.0, glyph: Glyph::Number, shape: Some(Shape::Points), ..look("stop", 2.0, 45) };
-/// The paths between stops, one line each.
+/// The pairwise paths between stops, one line each.
 pub const ROADS: Layer =
     layer("roads", "Roads", "The paths between pairs of stops that are built so far.", &ROADS_LOOK).weighted(Weight::Length).pickable();
-/// The tours of those that search side by side, one line each.
+/// The tours of all members, one line each.
 pub const TOURS: Layer = layer("tours", "All tours", "The tours of those that search side by side.", &TOURS_LOOK).weighted(Weight::Length);
 /// The stops, in their order in the scene.
 pub const STOPS: Layer =
@@ -144,10 +144,10 @@ pub const NODES: Layer = layer("nodes", "Nodes", "Select one to see how it came 
 /// The samples that were drawn, [ARM-RRT](crate#papers) §3.2.1.
 pub const SAMPLES: Layer =
     layer("samples", "Samples", "The random points of the last extension. Select one to see what became of it.", &SAMPLES_LOOK).pickable();
-/// Those of the samples that were kept.
+/// The samples that were kept as candidates.
 pub const KEPT: Layer =
     layer("kept", "Kept", "Those of them whose directions are nearest to the goal’s.", &KEPT_LOOK).weighted(Weight::Share);
-/// The one of the samples that was taken.
+/// The sample that the extension used.
 pub const CHOSEN: Layer = layer("chosen", "Chosen", "The sample that was taken.", &CHOSEN_LOOK).inspection();
 
 // Drives.
@@ -161,7 +161,7 @@ const LOCAL_GOAL_LOOK: Look =
     Look { point: 13.0, glyph: Glyph::Diamond, shape: Some(Shape::Points), lifted: true, ..look("robot", 2.0, 46) };
 const EVENTS_LOOK: Look = Look { fill: Some(Color::named("best")), point: 13.0, glyph: Glyph::Event, ..look("ink", 1.5, 47) };
 const ROBOT_LOOK: Look = Look { fill: Some(Color::named("robot-soft")), point: 9.0, glyph: Glyph::Robot, ..look("robot", 2.25, 48) };
-/// Where a robot expects the obstacles that it sees, grown by itself and its margin: one tube each.
+/// The predicted regions of detected obstacles, inflated by the robot and its safety margin: one tube each.
 pub const PREDICTED: Layer = layer(
     "predicted",
     "Predicted",
@@ -169,19 +169,19 @@ pub const PREDICTED: Layer = layer(
     &PREDICTED_LOOK,
 )
 .weighted(Weight::HalfWidth);
-/// How far a robot sees: a tube of one vertex.
+/// The robot's sensor range: a tube of one vertex.
 pub const SENSOR: Layer =
     layer("sensor", "Sensor", "How far the robot sees the rims of obstacles.", &SENSOR_LOOK).weighted(Weight::HalfWidth);
-/// The path that a robot means to take.
+/// The path that the robot is going to take.
 pub const AHEAD: Layer = layer("ahead", "Ahead", "The way that it means to go.", &AHEAD_LOOK);
-/// The path that a robot has taken.
+/// The path that the robot has taken.
 pub const TRACK: Layer = layer("track", "Track", "The way that the robot has gone.", &TRACK_LOOK).weighted(Weight::Time);
-/// Where a detour comes back to the planned path.
+/// The local goal, where a detour returns to the planned path.
 pub const LOCAL_GOAL: Layer = layer("local-goal", "Local goal", "Where a detour comes back to the planned way.", &LOCAL_GOAL_LOOK);
-/// Where something happened or was decided, one point each.
+/// The positions of events, one point each.
 pub const EVENTS: Layer =
     layer("events", "Events", "Where something happened or was decided.", &EVENTS_LOOK).weighted(Weight::Time).pickable();
-/// Moving obstacles, where they are now: tubes of one vertex, as wide as they are.
+/// The present positions of moving obstacles: tubes of one vertex, as wide as the obstacles.
 pub const MOVING: Layer = layer("moving", "Moving obstacles", "Where they are now.", &MOVING_LOOK).weighted(Weight::HalfWidth).pickable();
 /// The robot: a tube of one vertex, and a segment from its centre to its front.
 pub const ROBOT: Layer = layer("robot", "Robot", "The robot, and where it is headed.", &ROBOT_LOOK).weighted(Weight::HalfWidth);
@@ -197,23 +197,23 @@ const SOCIAL_LOOK: Look = look("social", 2.0, 54);
 const VELOCITY_LOOK: Look = Look { dash: &[5.0, 3.0], ..look("ink", 1.5, 55) };
 const JUMP_LOOK: Look = look("hen", 2.25, 56);
 const DIFFERENT_LOOK: Look = Look { point: 27.0, glyph: Glyph::Ring, shape: Some(Shape::Points), ..look("different", 2.0, 57) };
-/// The steps to choose from.
+/// The edges to choose from.
 pub const CANDIDATES: Layer = layer("candidates", "Candidates", "The steps to choose from.", &CANDIDATES_LOOK).inspection();
-/// Where the item was.
+/// The item's position before the step.
 pub const BEFORE: Layer = layer("before", "Before", "Where it was.", &BEFORE_LOOK).inspection();
-/// Where the item is.
+/// The item's position after the step.
 pub const AFTER: Layer = layer("after", "After", "Where it is.", &AFTER_LOOK).inspection();
-/// What is left of the old velocity.
+/// The inertia term: what is left of the old velocity.
 pub const INERTIA: Layer = layer("inertia", "Inertia", "What is left of its old velocity.", &INERTIA_LOOK).inspection();
-/// The pull toward the personal best.
+/// The cognitive term: the pull toward the personal best.
 pub const COGNITIVE: Layer = layer("cognitive", "Cognitive", "The pull toward its personal best.", &COGNITIVE_LOOK).inspection();
-/// The pull toward the global best.
+/// The social term: the pull toward the global best.
 pub const SOCIAL: Layer = layer("social", "Social", "The pull toward the global best.", &SOCIAL_LOOK).inspection();
-/// The sum, as it was carried out.
+/// The new velocity, as it was applied.
 pub const VELOCITY: Layer = layer("velocity", "Velocity", "The velocity that was carried out.", &VELOCITY_LOOK).inspection();
 /// A jump that a perturbation made.
 pub const JUMP: Layer = layer("jump", "Jump", "The jump that it made.", &JUMP_LOOK).inspection();
-/// Where it differs from the best.
+/// Where a tour differs from the best one.
 pub const DIFFERENT: Layer = layer("different", "Different", "Where it differs from the best.", &DIFFERENT_LOOK).inspection();
 
 // Of the scene.
@@ -225,8 +225,8 @@ const ARM_LOOK: Look = Look { point: 9.0, ..look("robot", 4.0, 48) };
 pub const EXACT: Layer = layer("exact", "Exact optimum", "The exact optimum by the planner’s rule.", &EXACT_LOOK);
 /// The path that a paper prints.
 pub const PRINTED: Layer = layer("printed", "Printed", "The path that the paper prints.", &PRINTED_LOOK).off();
-/// An arm.
+/// The robot arm.
 pub const ARM: Layer = layer("arm", "Arm", "At home, or following the path.", &ARM_LOOK);
 
-/// What a page shows of a scene itself, whatever the planner draws.
+/// The layers that a page draws of a scene itself, whatever the planner draws.
 pub const SCENE: &[Layer] = &[EXACT, PRINTED, MOVING, ARM];

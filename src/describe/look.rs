@@ -1,4 +1,4 @@
-//! How a layer looks. Said once, as data: the page's stages, the legend and the shell's pictures all draw by this.
+//! The look of layers, as data that the page's stages, the legend and the shell's pictures share.
 
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
@@ -6,42 +6,42 @@ use crate::kernel::Shape;
 
 use super::{Color, Rgba};
 
-/// How a layer looks. Lengths are in pixels.
+/// The look of a layer. Lengths are in pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Look {
-    /// Of lines and points.
+    /// The colour of lines and points.
     pub color: Color,
-    /// Of what a disc, a band, a robot or a sign covers.
+    /// The colour of what a disc, a band, a robot or a sign covers.
     pub fill: Option<Color>,
-    /// Of lines.
+    /// The width of lines.
     pub width: f64,
     /// The diameter of a point.
     pub point: f64,
-    /// Of a weight of 0, and of a weight of 1: 0 is invisible, 1 covers what lies beneath.
+    /// The opacity of a weight of 0 and of a weight of 1: 0 is invisible, 1 covers what lies beneath.
     pub opacity: [f64; 2],
     /// Layers of a higher order are drawn later. Results have 40, the robot 48, the marks of an explanation 49 and more.
     pub order: i16,
     /// Lengths of dashes and gaps, in turn; empty: solid.
     pub dash: &'static [f64],
-    /// A form of its own, so that colour is not all that tells it apart.
+    /// The form of its points, so that colour is not the only distinction.
     pub glyph: Glyph,
-    /// Colours of a field's values.
+    /// The colours of a field's values.
     pub ramp: Option<&'static Ramp>,
-    /// Lines grow from `width` to this with their weight. 0: they do not.
+    /// The width of lines of weight 1, where those of weight 0 have `width`. 0: all lines have `width`.
     pub swell: f64,
-    /// It can only be told apart from near: drawn for the part of the plane that is looked at.
+    /// Whether it has fine details: drawn for the visible part of the plane only.
     pub near: bool,
-    /// Lifted off what lies beneath by a rim.
+    /// Whether a rim separates it from what lies beneath.
     pub lifted: bool,
-    /// How its vertices belong together, if that does not depend on the scene: for a legend.
+    /// How its vertices belong together, for a legend; `None` if that depends on the scene.
     pub shape: Option<Shape>,
-    /// It shows the planner's result. Of several layers the one with the highest rank is what is handed over, and the others are
-    /// how it came about. 0: it is no result.
+    /// The rank among the layers that show the planner's result; 0: it shows none. The one with the highest rank shows the
+    /// final path, the others how it came about.
     pub result: u8,
 }
 
 impl Look {
-    /// Thin, grey lines and small points: what other looks say only their differences from.
+    /// Thin, grey lines and small points: the default that other looks differ from.
     pub const PLAIN: Self = Self {
         color: Color::named("ink-2"),
         fill: None,
@@ -66,7 +66,7 @@ impl Look {
     }
 }
 
-/// What is as in [`Look::PLAIN`] and says nothing is left out.
+/// What is as in [`Look::PLAIN`] is left out.
 impl Serialize for Look {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut out = serializer.serialize_struct("Look", 13)?;
@@ -97,7 +97,7 @@ impl Serialize for Look {
     }
 }
 
-/// The form of a layer's points, or of what has a width.
+/// The form of a layer's points or tubes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Glyph {
     /// Round and filled.
@@ -106,24 +106,24 @@ pub enum Glyph {
     Ring,
     /// A square on its corner.
     Diamond,
-    /// A disc with the number that a tour gives it, or else its place in the scene.
+    /// A disc with its number in the tour or, without one, in the scene.
     Number,
-    /// Lines with arrow heads.
+    /// Lines with arrowheads.
     Arrow,
-    /// A disc as large as its tube is wide: an obstacle that moves.
+    /// A disc as large as its tube is wide: a moving obstacle.
     Disc,
     /// What a tube covers, shaded.
     Band,
     /// The rim of what a tube covers.
     Reach,
-    /// A robot that looks somewhere.
+    /// A robot with its heading.
     Robot,
-    /// A sign for what happened.
+    /// A sign for an event.
     Event,
 }
 
 impl Glyph {
-    /// The name that pages use; empty for what has no form of its own.
+    /// The name in JavaScript; empty for [`Glyph::Dot`], the default.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Dot => "",
@@ -143,14 +143,14 @@ impl Glyph {
 /// Colours of a field's values, from the smallest to the largest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ramp {
-    /// Of the smallest value, the middle and the largest one.
+    /// The colours of the smallest, the middle and the largest value.
     pub colors: [Color; 3],
-    /// The square root of the values is shown, so that small ones can be told apart.
+    /// Whether the square root of the values is shown, which separates small ones.
     pub root: bool,
 }
 
 impl Ramp {
-    /// The colour of a value's share of the way from the smallest to the largest.
+    /// The colour of a value, given as a share from 0 (the smallest) to 1 (the largest).
     pub fn at(&self, share: f64, dark: bool) -> Rgba {
         let share = share.clamp(0.0, 1.0);
         let along = 2.0 * if self.root { share.sqrt() } else { share };

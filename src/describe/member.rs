@@ -1,39 +1,39 @@
-//! The numbers of those that search side by side.
+//! The numbers that a planner reports of each member of its population.
 
 use serde::Serialize;
 
-/// A number of each of those that search side by side.
+/// A number that a planner reports of each member of its population: particle, bat, ant, …
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Member {
     /// An identifier.
     pub name: &'static str,
-    /// TeX.
+    /// The symbol, in TeX.
     pub symbol: &'static str,
-    /// A few words.
+    /// The title, a few words.
     pub title: &'static str,
     /// What it says.
     pub help: &'static str,
-    /// From 0 to this: drawn as a bar. `None`: only written.
+    /// The value of a full bar, which begins at 0; `None`: no bar.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub full: Option<f64>,
-    /// What the numbers 0, 1, … stand for, if they are not numbers.
+    /// What the values 0, 1, … stand for, if they are codes.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     pub words: &'static [&'static str],
 }
 
 impl Member {
-    /// A number that is only written, by its name, TeX, title and help.
+    /// A number without a bar, with its name, symbol, title and help text.
     pub const fn new(name: &'static str, symbol: &'static str, title: &'static str, help: &'static str) -> Self {
         Self { name, symbol, title, help, full: None, words: &[] }
     }
 
-    /// The same, drawn as a bar from 0 to this.
+    /// The same with a bar from 0 to this.
     #[must_use]
     pub const fn full(self, full: f64) -> Self {
         Self { full: Some(full), ..self }
     }
 
-    /// The same, of one of these words.
+    /// The same, as a code for one of these words.
     #[must_use]
     pub const fn words(self, words: &'static [&'static str]) -> Self {
         Self { words, ..self }

@@ -1,23 +1,23 @@
-//! Parameters under a name.
+//! A preset: a named set of parameters.
 
 use serde::{Serialize, Serializer};
 
 use crate::params::{Fixed, Object, Overrides, Value};
 
-/// The name of the preset with which a planner builds one of many roads between stops: sizes that make 66 runs take seconds.
+/// The name of the preset for pairwise paths between stops: sizes with which 66 runs take seconds.
 pub const ROAD: &str = "road";
 
 /// The name of the preset with the parameters of a planner's paper.
 pub const PAPER: &str = "paper";
 
-/// Parameters under a name.
+/// A preset: a named set of parameters.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Preset {
     /// The name in commands: `paper`, `fitted`.
     pub name: &'static str,
-    /// A few words: As in the text.
+    /// The title, e.g. As in the text.
     pub title: &'static str,
-    /// What it is good for, and what it rests on.
+    /// What it is for, and what it is based on.
     pub help: &'static str,
     /// A shipped scene on which to try it.
     pub scene: &'static str,

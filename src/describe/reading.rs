@@ -1,26 +1,26 @@
-//! The numbers that a planner tells after each iteration.
+//! The numbers that a planner reports after each iteration.
 
 use serde::Serialize;
 
 use crate::kernel::ReadingName;
 
-/// A number that a planner tells after each iteration.
+/// A number that a planner reports after each iteration.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Reading {
     /// Its name in readings, traces and formulas.
     pub name: &'static str,
-    /// TeX.
+    /// The symbol, in TeX.
     pub symbol: &'static str,
-    /// A few words.
+    /// The title, a few words.
     pub title: &'static str,
     /// What it says.
     pub help: &'static str,
-    /// Where it belongs.
+    /// The group that it is shown in.
     pub group: Group,
 }
 
-/// The iteration in which the best solution was found: the reading that planners use of runs of others. Each planner says
-/// in its own words what it counts, by [`Reading::told`].
+/// The iteration in which the best solution was found. Planners read it of their subtasks. Each planner says in its own words
+/// what it counts, by [`Reading::told`].
 pub const CONVERGED: Reading = Reading::new("converged", "t^*", "Converged", Group::Count, "The iteration in which the result was found.");
 
 impl ReadingName for Reading {
@@ -30,19 +30,19 @@ impl ReadingName for Reading {
 }
 
 impl Reading {
-    /// A number by its name, TeX, title, group and help.
+    /// A number with its name, symbol, title, group and help text.
     pub const fn new(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Self {
         Self { name, symbol, title, help, group }
     }
 
-    /// The same number, told otherwise: TeX, title and help.
+    /// The same number with another symbol, title and help text.
     #[must_use]
     pub const fn told(self, symbol: &'static str, title: &'static str, help: &'static str) -> Self {
         Self { symbol, title, help, ..self }
     }
 }
 
-/// What a reading belongs to.
+/// The group of a reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Group {
@@ -50,10 +50,10 @@ pub enum Group {
     Cost,
     /// A parameter that changes over the iterations.
     Schedule,
-    /// A length in the scene's unit: drawn beside the exact optimum.
+    /// A length in the scene's unit: drawn with the exact optimum.
     Length,
-    /// Something else that the result measures.
+    /// Another measure of the result.
     Measure,
-    /// How many of something.
+    /// A number of things.
     Count,
 }

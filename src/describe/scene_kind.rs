@@ -1,4 +1,4 @@
-//! A kind's entry: all that is known of it without a scene, and the function that reads one.
+//! The entry of a kind of scene: what is known of it without a scene, and the function that reads one.
 
 use std::sync::Arc;
 
@@ -6,15 +6,15 @@ use serde_json::Value;
 
 use crate::kernel::{Error, Fields, Header, Optimum, Scene, SceneBody, SceneKindId, json, scene_file};
 
-/// Reads the fields of a scene that only its kind has. What it does not ask for is refused afterwards.
+/// Reads the fields of a scene that only its kind has. Fields that it does not read are refused afterwards.
 pub type ReadScene = fn(&mut Fields) -> Result<Arc<dyn SceneBody>, Error>;
 
-/// What there is to know about a kind of scene.
+/// The entry of a kind of scene.
 #[derive(Debug, Clone, Copy)]
 pub struct SceneKind {
-    /// What files call it.
+    /// The id that scene files use.
     pub id: SceneKindId,
-    /// What its scenes are, in the plural, for a heading: `grids`.
+    /// The title, in the plural, for a heading.
     pub title: &'static str,
     /// Reads a scene's content.
     pub read: ReadScene,
@@ -25,7 +25,7 @@ pub struct SceneKind {
 }
 
 impl SceneKind {
-    /// A scene of this kind.
+    /// A valid scene of this kind.
     ///
     /// # Errors
     /// [`Error::Refused`] with the field that is wrong.

@@ -21,31 +21,31 @@ pub use parameters::Parameters;
 pub struct Choice {
     /// The value.
     pub value: &'static str,
-    /// For people.
+    /// The title.
     pub title: &'static str,
     /// What it does.
     pub help: &'static str,
 }
 
-/// What a parameter may be.
+/// The values that a parameter may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Domain {
     /// A real number from `min` to `max`.
     Number {
-        /// The least allowed.
+        /// The smallest value allowed.
         min: f64,
-        /// The greatest allowed.
+        /// The largest value allowed.
         max: f64,
-        /// The value unless another is given.
+        /// The default.
         default: f64,
     },
     /// A whole number from `min` to `max`.
     Integer {
-        /// The least allowed.
+        /// The smallest value allowed.
         min: u64,
-        /// The greatest allowed.
+        /// The largest value allowed.
         max: u64,
-        /// The value unless another is given.
+        /// The default.
         default: u64,
     },
     /// One of a few.
@@ -57,12 +57,12 @@ pub enum Domain {
     Subset {
         /// The options.
         options: &'static [Choice],
-        /// The value unless another is given.
+        /// The default.
         default: &'static str,
     },
     /// Yes or no.
     Flag {
-        /// The value unless another is given.
+        /// The default.
         default: bool,
     },
 }
@@ -88,7 +88,7 @@ impl From<Fixed> for Value {
     }
 }
 
-/// Another parameter and the value that it must have for something to mean anything.
+/// A condition: another parameter and the value that it must have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct When {
     /// The other parameter.
@@ -97,24 +97,24 @@ pub struct When {
     pub value: &'static str,
 }
 
-/// What a parameter means and what it may be.
+/// A parameter: its meaning and the values that it may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
-    /// The field's own name, as in `--set name=value`.
+    /// The name, as in `--set name=value`.
     pub name: &'static str,
-    /// TeX.
+    /// The symbol, in TeX.
     pub symbol: &'static str,
-    /// A few words.
+    /// The title, a few words.
     pub title: &'static str,
     /// What it does, and where it comes from.
     pub help: &'static str,
-    /// What it may be.
+    /// The values that it may have.
     pub domain: Domain,
-    /// The kinds of scene on which it means something; empty: all that the planner runs on.
+    /// The kinds of scene that it applies to; empty: all that the planner runs on.
     pub kinds: &'static [SceneKindId],
-    /// Defaults that differ on a kind of scene (published ones, mostly).
+    /// Defaults that differ by kind of scene, mostly published ones.
     pub defaults: &'static [(SceneKindId, Fixed)],
-    /// Another parameter's value without which it means nothing.
+    /// The condition under which it applies; `None`: always.
     pub when: Option<When>,
     /// The range that a slider offers; typing may go beyond.
     pub slider: Option<(f64, f64)>,
@@ -129,7 +129,7 @@ impl Parameter {
         if let Domain::Choice { options } = self.domain { options } else { &[] }
     }
 
-    /// Whether it means something on this kind of scene.
+    /// Whether it applies to this kind of scene.
     pub fn applies_to(&self, kind: SceneKindId) -> bool {
         self.kinds.is_empty() || self.kinds.contains(&kind)
     }

@@ -1,4 +1,4 @@
-//! Values by name, as they are given.
+//! Parameter values by name, as they are given.
 
 use std::fmt;
 
@@ -45,7 +45,7 @@ impl From<&str> for Value {
     }
 }
 
-/// Values by name, ordered by name. What is not given has its default.
+/// Parameter values by name, in the order of names. A parameter that is not given has its default.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Overrides(Vec<(String, Value)>);
 

@@ -85,8 +85,8 @@ impl<T: 'static> ParamValue for Option<T> {}
 impl<T: ParamValue> Index<Param<T>> for Parameters {
     type Output = T;
 
-    /// The value of a parameter on this kind of scene. One that means nothing there, or that the list has not, is NaN, 0,
-    /// false, the empty text or what the first option means; in debug builds reading one that the list has not fails.
+    /// The value of a parameter on this kind of scene. A parameter that does not apply there or is not listed reads as NaN, 0,
+    /// false, the empty text or the meaning of the first option. In debug builds, reading one that is not listed panics.
     #[inline(always)]
     fn index(&self, param: Param<T>) -> &T {
         T::read(self, &param)
@@ -115,7 +115,7 @@ impl<T> Param<T> {
         Self { parameter, meanings }
     }
 
-    /// One of a few, each with what it means; the first is the default.
+    /// One of a few options, each with its meaning; the first is the default.
     pub const fn choice<const N: usize>(
         name: &'static str,
         symbol: &'static str,
@@ -139,7 +139,7 @@ impl<T> Param<T> {
         self.parameter.name
     }
 
-    /// What a list of parameters holds of it.
+    /// Its description, for a list of parameters.
     pub const fn entry(self) -> Parameter {
         self.parameter
     }
@@ -158,28 +158,28 @@ impl<T> Param<T> {
         self
     }
 
-    /// The same, meaningful on these kinds only.
+    /// The same, applying to these kinds of scene only.
     #[must_use]
     pub const fn only_on(mut self, kinds: &'static [SceneKindId]) -> Self {
         self.parameter.kinds = kinds;
         self
     }
 
-    /// The same, with defaults that differ by kind.
+    /// The same with defaults that differ by kind of scene.
     #[must_use]
     pub const fn defaults_on(mut self, defaults: &'static [(SceneKindId, Fixed)]) -> Self {
         self.parameter.defaults = defaults;
         self
     }
 
-    /// The same, meaningful only while another parameter has this value.
+    /// The same, applying only while another parameter has this value.
     #[must_use]
     pub const fn when<U: Copy>(mut self, other: Param<U>, value: &'static str) -> Self {
         self.parameter.when = Some(When { parameter: other.parameter.name, value });
         self
     }
 
-    /// The same, its slider from `low` to `high`.
+    /// The same with a slider from `low` to `high`.
     #[must_use]
     pub const fn slider(mut self, low: f64, high: f64, logarithmic: bool) -> Self {
         self.parameter.slider = Some((low, high));
@@ -189,7 +189,7 @@ impl<T> Param<T> {
 }
 
 impl Param<f64> {
-    /// A real number in [`min`, `max`]. Not listed, it reads as NaN.
+    /// A real number from `min` to `max`. Not listed, it reads as NaN.
     pub const fn number(
         name: &'static str,
         symbol: &'static str,
@@ -211,7 +211,7 @@ impl Param<f64> {
 }
 
 impl Param<u64> {
-    /// A whole number in [`min`, `max`]. Not listed, it reads as 0.
+    /// A whole number from `min` to `max`. Not listed, it reads as 0.
     pub const fn integer(
         name: &'static str,
         symbol: &'static str,
@@ -253,7 +253,7 @@ impl Param<bool> {
 }
 
 impl Param<Selection> {
-    /// Any of a few, at least one: text with commas between. Not listed, it reads as none.
+    /// Any of a few options, at least one: text with commas between. Not listed, it reads as none.
     pub const fn subset(
         name: &'static str,
         title: &'static str,

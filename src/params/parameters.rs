@@ -1,10 +1,10 @@
-//! Given values checked against a planner's parameters, and the defaults filled in.
+//! Given values, checked against a planner's parameters and completed by defaults.
 
 use crate::kernel::{Error, SceneKindId};
 
 use super::{Choice, Overrides, Parameter, Value, When};
 
-/// A value for every parameter of a planner on a kind of scene; all of them allowed. Read by `settings[POPULATION]`, see
+/// A valid value for every parameter of a planner on a kind of scene. Read by `settings[POPULATION]`, see
 /// [`Param`](super::Param).
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Parameters {
@@ -43,7 +43,7 @@ impl Parameters {
         &self.values
     }
 
-    /// What differs from the defaults.
+    /// The values that differ from the defaults.
     pub fn changed(&self) -> &Overrides {
         &self.changed
     }
