@@ -49,19 +49,19 @@ impl Ord for Length {
     }
 }
 
-/// Sorts numbers that carry an index: by number, equals by index. (One instance of the sort for all who need one.)
+/// Sorts numbers with an index: by number, equal ones by index. One instance of the sort for all uses.
 pub fn sort(pairs: &mut [(f64, usize)]) {
     pairs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
 }
 
-/// The numbers in order, each with its place among those that were given; equals in that order.
+/// The numbers in order, each with its index among those given; equal ones by index.
 pub fn ordered(numbers: impl IntoIterator<Item = f64>) -> Vec<(f64, usize)> {
     let mut pairs: Vec<_> = numbers.into_iter().zip(0..).collect();
     sort(&mut pairs);
     pairs
 }
 
-/// Sorts numbers. (One instance, too.)
+/// Sorts numbers. One instance of the sort for all uses.
 pub fn sort_numbers(numbers: &mut [f64]) {
     numbers.sort_unstable_by(f64::total_cmp);
 }

@@ -1,8 +1,8 @@
-//! Two points in even motion: when they are nearest to each other, and when they first come too near. Exact, so that
+//! Two points moving at constant velocity: when they are closest to each other, and when they first come too near. Exact:
 //! nothing is missed between two moments, however fast they are.
 
-/// When two points are nearest within `seconds` from now, and how far apart they are then. `apart` is where the one is
-/// as seen from the other, `closing` how that changes in a second. Of several such moments the first.
+/// The time of the closest approach of two points within `seconds` from now, and their distance then. `apart` is the position
+/// of the one relative to the other, `closing` its change per second. Of several such moments the first.
 pub fn closest_approach(apart: [f64; 2], closing: [f64; 2], seconds: f64) -> (f64, f64) {
     let squared = closing[0] * closing[0] + closing[1] * closing[1];
     let towards = -(apart[0] * closing[0] + apart[1] * closing[1]);
@@ -11,8 +11,8 @@ pub fn closest_approach(apart: [f64; 2], closing: [f64; 2], seconds: f64) -> (f6
     (time, (x * x + y * y).sqrt())
 }
 
-/// When two points first are nearer to each other than `reach`, within `seconds` from now; `None` if they are not.
-/// Points that only touch that distance do not come nearer.
+/// The time at which two points first are nearer to each other than `reach`, within `seconds` from now; `None` if they never
+/// are. Arguments as in [`closest_approach`]. Points that only touch that distance do not come nearer.
 pub fn first_within(apart: [f64; 2], closing: [f64; 2], seconds: f64, reach: f64) -> Option<f64> {
     let beyond = apart[0] * apart[0] + apart[1] * apart[1] - reach * reach;
     if beyond < 0.0 {

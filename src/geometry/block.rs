@@ -43,7 +43,7 @@ impl Block {
         self.corners().into_iter().fold(ends, |least, corner| least.min(distance_squared(a, b, corner)))
     }
 
-    /// Which part of the segment `a`–`b` lies in the closed rectangle, as parameters 0 ≤ from ≤ to ≤ 1.
+    /// The part of the segment `a`–`b` in the closed rectangle, as parameters 0 ≤ from ≤ to ≤ 1; `None` if there is none.
     #[inline]
     pub fn clip(&self, a: [f64; 2], b: [f64; 2]) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -63,8 +63,8 @@ impl Block {
         (from <= to).then_some([from, to])
     }
 
-    /// Which part of the segment lies within `radius` of the rectangle. It is one piece, because the sum of a box and a
-    /// disc is convex: two boxes and four discs.
+    /// The part of the segment within `radius` of the rectangle, as [`Block::clip`]. It is one piece, because the sum of a box
+    /// and a disc is convex: two boxes and four discs.
     pub fn clip_grown(&self, radius: f64, a: [f64; 2], b: [f64; 2]) -> Option<[f64; 2]> {
         let ([x0, y0], [x1, y1]) = (self.min, self.max);
         let wide = Self { min: [x0 - radius, y0], max: [x1 + radius, y1] };
@@ -77,7 +77,7 @@ impl Block {
             .reduce(|whole, part| [whole[0].min(part[0]), whole[1].max(part[1])])
     }
 
-    /// How deep the segment goes into the rectangle: the greatest distance of one of its points from the nearest side.
+    /// The depth of the segment in the rectangle: the greatest distance of one of its points from the nearest side.
     pub fn depth(&self, a: [f64; 2], b: [f64; 2]) -> f64 {
         let Some([from, to]) = self.clip(a, b) else {
             return 0.0;

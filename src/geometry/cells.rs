@@ -1,11 +1,11 @@
-//! A grid as planners see it that go from cell to cell: which steps are allowed, and what a way over cells is as a path.
+//! The cells of a grid, the moves between them, and paths over cells.
 
 use std::f64::consts::{FRAC_PI_4, SQRT_2};
 
 use super::Field;
 
-/// Column and row of a step in each direction; direction `d` points to `d · 45°`, odd ones are diagonal. Rows are counted
-/// along y, whichever way y grows.
+/// The change of column and row by a move in each direction; direction `d` points to `d · 45°`, odd ones are diagonal. Rows are
+/// counted along y, whichever way y grows.
 pub const DIRECTIONS: [[i32; 2]; 8] = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
 
 /// Names of directions, for rows that grow upwards and for rows that grow downwards.
@@ -19,12 +19,13 @@ pub fn angle(direction: usize) -> f64 {
     direction as f64 * FRAC_PI_4
 }
 
-/// Straight and diagonal steps. Two ways are equally long exactly if these are equal (√2 is irrational).
+/// The numbers of straight and diagonal moves of a path. Two paths are equally long exactly if these are equal (√2 is
+/// irrational).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Steps {
-    /// Steps to a cell that shares a side.
+    /// Moves to a cell that shares a side.
     pub straight: u32,
-    /// Steps to a cell that shares a corner.
+    /// Moves to a cell that shares a corner.
     pub diagonal: u32,
 }
 
@@ -34,7 +35,7 @@ impl Steps {
         f64::from(self.straight) + SQRT_2 * f64::from(self.diagonal)
     }
 
-    /// One step more.
+    /// The same with one more move in a direction.
     #[must_use]
     pub fn and(self, direction: usize) -> Self {
         let diagonal = (direction & 1) as u32;
@@ -42,7 +43,7 @@ impl Steps {
     }
 }
 
-/// Which way y grows in a scene's coordinates. The file lists the top row first in either case.
+/// The direction in which y grows in a scene's coordinates. The file lists the top row first in either case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum YAxis {
     /// Origin at the top left, as in pictures.
@@ -53,7 +54,7 @@ pub enum YAxis {
 }
 
 impl YAxis {
-    /// Both.
+    /// Both variants.
     pub const ALL: [Self; 2] = [Self::Down, Self::Up];
 
     /// The name that scene files use.
@@ -65,34 +66,34 @@ impl YAxis {
     }
 }
 
-/// What cells are made of.
+/// The description of a grid that [`Cells`] are made from.
 #[derive(Debug, Clone, Copy)]
 pub struct Plan<'a> {
     /// The side of a cell, in the scene's unit.
     pub side: f64,
-    /// Cells a row.
+    /// Cells per row.
     pub columns: usize,
     /// Blocked cells, row by row.
     pub blocked: &'a [bool],
-    /// Whether a diagonal step may cut a blocked cell's corner.
+    /// Whether a diagonal move may cut a blocked cell's corner.
     pub corner_cutting: bool,
-    /// Which way y grows.
+    /// The direction in which y grows.
     pub y_axis: YAxis,
 }
 
-/// Cells and the steps between them. A cell's number is row · columns + column.
+/// Cells and the moves between them. A cell's index is row · columns + column.
 ///
-/// A cell is free if the robot's circle fits at its centre; a step is allowed if it fits all along it. Reading of
-/// [ANTBAT](crate#papers) §3.1: without corner cutting a diagonal step needs both cells beside it free.
+/// A cell is free if the robot's circle fits at its centre; a move is allowed if it fits all along it. Reading of
+/// [ANTBAT](crate#papers) §1.1: without corner cutting a diagonal move needs both cells next to it free.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cells {
     /// The side of a cell, in the scene's unit.
     pub side: f64,
-    /// Cells a row.
+    /// Cells per row.
     pub columns: usize,
-    /// Rows.
+    /// The number of rows.
     pub rows: usize,
-    /// Bit `d`: the step in direction `d` is allowed.
+    /// Bit `d`: the move in direction `d` is allowed.
     moves: Vec<u8>,
     free: Vec<bool>,
     offsets: [isize; 8],
@@ -101,7 +102,7 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// The cells of a plan. `field` tells where the robot's centre may be; `None` for a point.
+    /// The cells of a grid. `field` is where the robot's centre may be; `None` for a point robot.
     pub fn new(plan: &Plan, field: Option<&Field>) -> Self {
         let Plan { side, columns, blocked, corner_cutting, y_axis } = *plan;
         let rows = blocked.len() / columns.max(1);
@@ -115,7 +116,7 @@ impl Cells {
         cells
     }
 
-    /// The steps allowed from each cell.
+    /// The moves allowed from each cell.
     fn allowed(&self, cutting: bool, wide: Option<&Field>) -> Vec<u8> {
         // A border of blocked cells all round spares every question whether a neighbour exists.
         let width = self.columns + 2;
@@ -154,7 +155,7 @@ impl Cells {
         moves
     }
 
-    /// The same without the steps into some cells; who stands there may leave.
+    /// The same without the moves into some cells; moves out of them stay.
     #[must_use]
     pub fn without(&self, occupied: &[bool]) -> Self {
         let mut cells = self.clone();
@@ -167,7 +168,7 @@ impl Cells {
         cells
     }
 
-    /// How many cells there are.
+    /// The number of cells.
     pub fn len(&self) -> usize {
         self.moves.len()
     }
@@ -182,13 +183,13 @@ impl Cells {
         self.free[cell]
     }
 
-    /// Bit `d`: the step from this cell in direction `d` is allowed.
+    /// The moves from this cell; bit `d`: the move in direction `d` is allowed.
     #[inline]
     pub fn moves(&self, cell: usize) -> u8 {
         self.moves[cell]
     }
 
-    /// The cell next to this one in a direction that is allowed.
+    /// The neighbour of a cell in a direction that is allowed.
     #[inline]
     pub fn next(&self, cell: usize, direction: usize) -> usize {
         cell.wrapping_add_signed(self.offsets[direction])
@@ -206,7 +207,7 @@ impl Cells {
         [column + 1, if self.down { row + 1 } else { self.rows - row }]
     }
 
-    /// The directions' names as the grid is seen.
+    /// The directions' names in pictures, from `DIRECTIONS[0]` on.
     pub fn compass(&self) -> &'static [&'static str; 8] {
         &COMPASS[usize::from(self.down)]
     }
@@ -222,14 +223,14 @@ impl Cells {
         index(point[1], self.rows) * self.columns + index(point[0], self.columns)
     }
 
-    /// The length of a straight line between the centres of two cells, in cells.
+    /// The distance between the centres of two cells, in cells.
     pub fn apart(&self, a: usize, b: usize) -> f64 {
         let ([ax, ay], [bx, by]) = (self.place(a), self.place(b));
         let (dx, dy) = (ax.abs_diff(bx) as f64, ay.abs_diff(by) as f64);
         (dx * dx + dy * dy).sqrt()
     }
 
-    /// The steps of a way over neighbouring cells.
+    /// The moves of a path over neighbouring cells.
     pub fn steps(&self, way: &[usize]) -> Steps {
         way.windows(2).fold(Steps::default(), |steps, w| {
             let diagonal = w[0] % self.columns != w[1] % self.columns && w[0] / self.columns != w[1] / self.columns;
@@ -238,7 +239,7 @@ impl Cells {
     }
 }
 
-/// A grid's cells with a start and a goal: what every planner from cell to cell runs on.
+/// Start and goal of a path over cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Endpoints {
     /// The cell of the start.
@@ -247,17 +248,17 @@ pub struct Endpoints {
     pub goal: usize,
     /// Start and goal as points.
     pub ends: [[f64; 2]; 2],
-    /// From the start to its cell's centre and from the goal's centre to the goal, in the scene's unit: 0 for ends at centres.
+    /// The sum of the distances of start and goal from the centres of their cells, in the scene's unit.
     pub stubs: f64,
 }
 
 impl Endpoints {
-    /// The length of a way over cells from end to end, in the scene's unit.
+    /// The length of a path over cells from start to goal, in the scene's unit.
     pub fn length(&self, cells: &Cells, steps: Steps) -> f64 {
         cells.side * steps.length() + self.stubs
     }
 
-    /// A way over cells as a path from start to goal: the cells' centres, with the ends where they are not centres.
+    /// A path over cells as points from start to goal: the cells' centres, and start and goal where they are not centres.
     pub fn path(&self, cells: &Cells, way: impl IntoIterator<Item = usize>) -> Vec<[f64; 2]> {
         let mut path = vec![self.ends[0]];
         path.extend(way.into_iter().map(|cell| cells.centre(cell)));

@@ -1,13 +1,13 @@
-//! Boxes in space, and segments that meet them, [ARM-RRT](crate#papers) §3.1.
+//! Boxes in space, and their intersections with segments, [ARM-RRT](crate#papers) §3.1.
 
 use crate::math::clamp;
 
 /// An axis-parallel box, closed: what touches a face meets it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cuboid {
-    /// The corner of the smallest coordinates.
+    /// The smallest coordinates.
     pub min: [f64; 3],
-    /// The corner of the largest.
+    /// The largest coordinates.
     pub max: [f64; 3],
 }
 
@@ -18,8 +18,8 @@ impl Cuboid {
         (0..3).all(|axis| self.min[axis] <= point[axis] && point[axis] <= self.max[axis])
     }
 
-    /// Which part of the segment `a`–`b` lies in it, as parameters 0 ≤ from ≤ to ≤ 1. The plane intersections are
-    /// [ARM-RRT](crate#papers) (7)–(10), two parallel faces at a time.
+    /// The part of the segment `a`–`b` in it, as parameters 0 ≤ from ≤ to ≤ 1; `None` if there is none. The plane intersections
+    /// are [ARM-RRT](crate#papers) (7)–(10), two parallel faces at a time.
     #[inline]
     pub fn clip(&self, a: [f64; 3], b: [f64; 3]) -> Option<[f64; 2]> {
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
@@ -88,7 +88,7 @@ impl Cuboid {
         dot(e, e)
     }
 
-    /// A lower bound of [`Cuboid::distance_squared`] in a fraction of the time: from the box about the segment.
+    /// A lower bound of [`Cuboid::distance_squared`] in a fraction of the time, from the segment's bounding box.
     #[inline]
     pub fn gap_squared(&self, a: [f64; 3], b: [f64; 3]) -> f64 {
         let gap = |axis: usize| {

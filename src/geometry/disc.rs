@@ -5,24 +5,24 @@ use super::distance_squared;
 /// A disc; its rim belongs to the free space, so a path may touch it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disc {
-    /// Where its centre is.
+    /// Its centre.
     pub center: [f64; 2],
     /// Its radius, positive.
     pub radius: f64,
 }
 
 impl Disc {
-    /// How far the point is from the rim; negative inside.
+    /// The distance of a point from the rim; negative inside.
     pub fn clearance(&self, [x, y]: [f64; 2]) -> f64 {
         self.clearance_of_segment([x, y], [x, y])
     }
 
-    /// How far the segment `a`–`b` stays from the rim; negative: how deep it cuts.
+    /// The smallest distance of the segment `a`–`b` from the rim; negative inside, by the depth of the cut.
     pub fn clearance_of_segment(&self, a: [f64; 2], b: [f64; 2]) -> f64 {
         distance_squared(a, b, self.center).sqrt() - self.radius
     }
 
-    /// Which part of the segment `a`–`b` lies in the closed disc, as parameters 0 ≤ from ≤ to ≤ 1.
+    /// The part of the segment `a`–`b` in the closed disc, as parameters 0 ≤ from ≤ to ≤ 1; `None` if there is none.
     pub fn clip(&self, a: [f64; 2], b: [f64; 2]) -> Option<[f64; 2]> {
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
         let (x, y) = (a[0] - self.center[0], a[1] - self.center[1]);

@@ -1,4 +1,4 @@
-//! The blocked cells of a grid, grown by a robot's radius, and what a path meets among them.
+//! Collision tests against the blocked cells of a grid, inflated by a robot's radius.
 
 use super::{Block, Oriented};
 
@@ -13,7 +13,7 @@ const MARGIN: f64 = 5e-10;
 /// Up to this many blocks in a row are looked at one after the other.
 const FEW: usize = 8;
 
-/// A grid's blocked cells as the centre of a round robot meets them. A robot may touch an obstacle, not enter it.
+/// A grid's blocked cells, inflated by the radius of a round robot. A robot may touch an obstacle, not enter it.
 ///
 /// Row `k` covers `k · cell ≤ y ≤ (k + 1) · cell`. The cells of a row that lie side by side form one [`Block`].
 #[derive(Debug, Clone, PartialEq)]
@@ -43,8 +43,8 @@ struct Rows {
 }
 
 impl Field {
-    /// The obstacles of a grid of `columns` cells a row, `blocked` row by row, for a robot of this radius.
-    /// `squeeze`: a point robot may pass where two cells touch diagonally.
+    /// The obstacles of a grid of `columns` cells per row, `blocked` row by row, for a robot of this radius. `squeeze`: a point
+    /// robot may pass where two cells touch diagonally.
     pub fn new(cell: f64, columns: usize, blocked: &[bool], radius: f64, squeeze: bool) -> Self {
         let rows = blocked.len() / columns.max(1);
         let is = |row: usize, column: usize| blocked[row * columns + column];
@@ -85,8 +85,8 @@ impl Field {
         self.cells.near(point, point, reach)
     }
 
-    /// The distance of a turned rectangle from the nearest blocked cell; negative: how deep they overlap (at least:
-    /// what several rows form together may be deeper). `None` without obstacles. The robot's radius does not count.
+    /// The distance of a turned rectangle from the nearest blocked cell; negative: the depth of the overlap, at least (what
+    /// several rows form together may be deeper). `None` without obstacles. The robot's radius does not count.
     pub fn distance(&self, outline: &Oriented) -> Option<f64> {
         let (center, radius) = (outline.center, outline.radius());
         let mut reach = self.cells.cell;
@@ -123,17 +123,17 @@ impl Field {
         self.all_near(a, b, self.radius, &mut |block| !hits(block, self.grow, a, b))
     }
 
-    /// The same for a round robot whose radius is less by `slack`: what touches by construction must not be lost to
-    /// rounding. (Or greater, if `slack` is negative: by up to a billionth of a cell.) A point stays a point.
+    /// The same for a round robot whose radius is smaller by `slack`, so that what touches by construction is not lost to
+    /// rounding; larger if `slack` is negative, by up to a billionth of a cell. A point stays a point.
     pub fn is_nearly_free(&self, a: [f64; 2], b: [f64; 2], slack: f64) -> bool {
         let grow = (self.radius - slack).max(self.radius / 2.0);
         let apart = &mut |block: &Block| block.distance_squared(a, b) >= grow * grow;
         if self.radius > 0.0 { self.all_near(a, b, self.radius, apart) } else { self.is_free(a, b) }
     }
 
-    /// The length of the part of `a`–`b` on which the robot overlaps an obstacle, exactly: pieces of the segment, and
-    /// where they overlap counted once. The robot is larger by half a billionth of a cell here, so where this is 0 the
-    /// segment is free, and stays it when it is cut into pieces. `pieces` is scratch space.
+    /// The exact length of the part of `a`–`b` on which the robot overlaps an obstacle. The robot is larger by half a billionth
+    /// of a cell here: where the length is 0, the segment is free, and remains so when it is cut into pieces. `pieces` is
+    /// scratch space.
     pub fn length_inside(&self, a: [f64; 2], b: [f64; 2], pieces: &mut Vec<[f64; 2]>) -> f64 {
         pieces.clear();
         let (margin, grow) = (self.margin, self.grow + self.margin);
@@ -160,8 +160,8 @@ impl Field {
         (covered * (dx * dx + dy * dy).sqrt()).max(f64::MIN_POSITIVE)
     }
 
-    /// The robot's distance from the nearest obstacle along `a`–`b`; negative: how deep they overlap (at least: what
-    /// several rows form together may be deeper). `None` without obstacles.
+    /// The robot's smallest distance from an obstacle along `a`–`b`; negative: the depth of the overlap, at least (what several
+    /// rows form together may be deeper). `None` without obstacles.
     pub fn clearance(&self, a: [f64; 2], b: [f64; 2]) -> Option<f64> {
         let signed = |block: &Block| {
             let squared = block.distance_squared(a, b);
@@ -188,7 +188,7 @@ impl Field {
         }
     }
 
-    /// The size of the whole grid.
+    /// The width and height of the whole grid.
     pub fn size(&self) -> [f64; 2] {
         self.size
     }

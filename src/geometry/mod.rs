@@ -1,4 +1,4 @@
-//! Points, segments, discs and polylines in the plane. Whatever asks "does it touch?" or "how long?" asks here.
+//! Points, segments, discs, boxes and polylines: distances, lengths and collision tests.
 
 mod approach;
 mod block;
@@ -29,7 +29,7 @@ pub use smooth::{PIECES, shuman, subdivided};
 /// A point or a displacement in the plane, in the scene's unit.
 pub type Vector = nalgebra::Vector2<f64>;
 
-/// The point [x, y].
+/// The vector of a point given as `[x, y]`.
 pub fn vector([x, y]: [f64; 2]) -> Vector {
     Vector::new(x, y)
 }

@@ -1,4 +1,4 @@
-//! A rectangle that is turned: a robot's outline, and how far it is from a block.
+//! A turned rectangle, such as a robot's outline, and its distance from a block.
 
 use super::Block;
 
@@ -20,7 +20,7 @@ impl Oriented {
         [[a, b], [-a, b], [-a, -b], [a, -b]].map(|[u, v]| [x + c * u - s * v, y + s * u + c * v])
     }
 
-    /// The radius of the circle about it.
+    /// The radius of its circumscribed circle.
     pub fn radius(&self) -> f64 {
         let [a, b] = self.half;
         (a * a + b * b).sqrt()
@@ -32,8 +32,8 @@ impl Oriented {
         [c * dx + s * dy, c * dy - s * dx]
     }
 
-    /// The distance from a block, exact up to rounding: 0 where they touch; where they overlap, minus the least
-    /// distance by which one would have to be moved to part them.
+    /// The distance from a block, exact up to rounding: 0 if they touch; if they overlap, minus the smallest distance by which
+    /// one would have to be moved to separate them.
     ///
     /// Moving or turning the rectangle so that none of its points goes farther than δ changes it by at most δ: it is
     /// the greatest gap between the two that a line of any direction could pass through, and no such gap changes more.

@@ -20,13 +20,13 @@ pub fn length_in_space(path: &[[f64; 3]]) -> f64 {
         .fold(0.0, |sum, length| sum + length)
 }
 
-/// How much a polyline turns at its corners in all, in radians: 0 for a straight line. Segments of no length are skipped.
+/// The total turning angle of a polyline, in radians: 0 for a straight line. Segments of no length are skipped.
 pub fn turning(path: &[[f64; 2]]) -> f64 {
     // From 0, so that nothing is not −0.
     angles(path).fold(0.0, |sum, angle| sum + angle)
 }
 
-/// At how many of its corners a polyline turns; by less than a millionth of a radian is straight on.
+/// The number of corners at which a polyline turns; by less than a millionth of a radian is straight on.
 pub fn turns(path: &[[f64; 2]]) -> usize {
     angles(path).filter(|&angle| angle > 1e-6).count()
 }
@@ -42,9 +42,8 @@ fn angles(path: &[[f64; 2]]) -> impl Iterator<Item = f64> + '_ {
     })
 }
 
-/// Appends corners that take a polyline round the disc's rim from angle `from` over `sweep` (radians, positive
-/// counter-clockwise): first and last corner on the rim, the others just outside so that the edges touch the rim
-/// and never cut it. A corner for every two degrees.
+/// Appends corners along the disc's rim from angle `from` over `sweep` (radians, positive counter-clockwise): the first and the
+/// last on the rim, the others just outside, so that the edges touch the rim and never cut it. A corner for every two degrees.
 pub fn arc_outline(disc: &Disc, from: f64, sweep: f64, path: &mut Vec<[f64; 2]>) {
     let pieces = (sweep.abs() / TAU * 180.0).ceil().max(1.0);
     let step = sweep / pieces;

@@ -1,6 +1,6 @@
 //! A straight segment and its distance to a point.
 
-/// Where on the segment `a`–`b` the point closest to `c` lies: 0 at `a`, 1 at `b`. A segment of no length gives 0.
+/// The parameter of the point on the segment `a`–`b` closest to `c`: 0 at `a`, 1 at `b`. A segment of no length gives 0.
 #[inline]
 pub fn closest_parameter(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);

@@ -1,8 +1,7 @@
-//! Paths without the nodes they do not need, [ANTBAT](crate#papers) §3.1.
+//! Removal of redundant nodes from paths, [ANTBAT](crate#papers) §1.3.
 
-/// The path without its redundant nodes: a node goes if its neighbours see each other, from the first to the last, and
-/// again until none goes. The ends stay, and so does every node that keeps a neighbour out of sight; where `free` holds
-/// for all segments before, it holds for all afterwards, and the path is never longer.
+/// The path without its redundant nodes. A node is removed if the segment between its neighbours is `free`, from the first node
+/// to the last, and again until none is removed. The ends stay. A path that is free stays free, and never becomes longer.
 pub fn shortcut(path: &[[f64; 2]], free: impl Fn([f64; 2], [f64; 2]) -> bool) -> Vec<[f64; 2]> {
     let mut path = path.to_vec();
     while pass(&mut path, &free) {}

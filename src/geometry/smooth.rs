@@ -1,11 +1,11 @@
 //! Smoothing of polylines, [LTQPSO](crate#papers) §4 (9).
 
-/// Into how many pieces each segment is cut first. A filter that averages neighbours can only round a corner that has
-/// neighbours near it.
+/// The number of pieces into which each segment is cut first. A filter that averages neighbours can only round a corner that
+/// has neighbours near it.
 pub const PIECES: usize = 8;
 
-/// The path with each segment cut into `pieces` equal ones. A segment that is `free` stays whole if one of its pieces
-/// would not be: a line that touches an obstacle exactly may lose that to the rounding of a point on it.
+/// The path with each segment cut into `pieces` equal ones. A segment that is `free` stays whole if one of its pieces would not
+/// be free: on a line that touches an obstacle exactly, a point may be rounded into the obstacle.
 pub fn subdivided(path: &[[f64; 2]], pieces: usize, free: impl Fn([f64; 2], [f64; 2]) -> bool) -> Vec<[f64; 2]> {
     let mut cut: Vec<_> = path.first().copied().into_iter().collect();
     for w in path.windows(2) {
@@ -20,7 +20,7 @@ pub fn subdivided(path: &[[f64; 2]], pieces: usize, free: impl Fn([f64; 2], [f64
     cut
 }
 
-/// The Shuman filter, `passes` times: s_i = (1 − S) f_i + S/2 (f_{i−1} + f_{i+1}) with 0 ≤ S ≤ 1. The ends stay.
+/// Applies the Shuman filter `passes` times: s_i = (1 − S) f_i + S/2 (f_{i−1} + f_{i+1}) with 0 ≤ S ≤ 1. The ends stay.
 ///
 /// `keep` puts a smoothed point back where it may be. A point moves only if both segments that meet there are `free`
 /// afterwards. So a path that is free stays free, and one that is not is never made worse where it was free.
