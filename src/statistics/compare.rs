@@ -1,67 +1,67 @@
-//! Planners beside each other: a summary of each, a test of each two, a rank table.
+//! Comparison of planners: a summary of each, a test of each pair, a rank table.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Friedman, Summary, friedman, holm, proportion, rank_sum};
 
-/// What a failed run counts among ranks: more than any other, and, unlike infinity, equal to itself by difference.
+/// The value of a failed run among ranks: more than any other, and, unlike infinity, with a difference of 0 from itself.
 pub const LAST: f64 = f64::MAX;
 
 /// Numbers nearer to each other than this share of them are the same.
 const SAME: f64 = 1e-12;
 
-/// The runs of a planner, or whatever is compared.
+/// The runs of a planner, or another group to compare.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Group {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// What each run came to, small being good; `None` without a feasible result. In all groups the same place stands for
-    /// the same scene and seed.
+    /// The result of each run, smaller is better; `None` without a feasible result. In all groups the same index stands for the
+    /// same scene and seed.
     pub values: Vec<Option<f64>>,
 }
 
-/// What there is to say of a group.
+/// The summary of a group.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct GroupSummary {
-    /// What it is called.
+    /// Its name.
     pub name: String,
-    /// How many runs.
+    /// The number of runs.
     pub runs: usize,
-    /// How many have a feasible result.
+    /// The number of runs with a feasible result.
     pub feasible: usize,
-    /// The share that has, and its 95 % confidence interval (Wilson).
+    /// The feasibility rate, from 0 to 1.
     pub rate: f64,
-    /// See `rate`.
+    /// The 95 % confidence interval of `rate` (Wilson).
     pub rate_interval: [f64; 2],
-    /// Of the runs with a feasible result; `None` if there are none.
+    /// The summary of the feasible results; `None` if there are none.
     pub summary: Option<Summary>,
 }
 
-/// Two groups beside each other.
+/// The comparison of two groups.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Pair {
-    /// One's place among the groups.
+    /// The index of the first group.
     pub first: usize,
-    /// The other's.
+    /// The index of the second group.
     pub second: usize,
-    /// Mann and Whitney's U of the first.
+    /// Mann and Whitney's U of the first group.
     pub u: f64,
-    /// Wilcoxon's rank-sum test, two-sided. Runs without a feasible result rank last.
+    /// The p-value of Wilcoxon's rank-sum test, two-sided. Runs without a feasible result rank last.
     pub p: f64,
-    /// The same, corrected for the number of pairs (Holm).
+    /// The p-value corrected for the number of pairs (Holm).
     pub corrected: f64,
-    /// How probable it is that a run of the first is better than one of the second; ties count half.
+    /// The probability of superiority: that a run of the first group is better than one of the second; ties count half.
     pub better: f64,
 }
 
-/// All that is said of several groups.
+/// The comparison of several groups.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
-    /// A summary of each.
+    /// A summary of each group.
     pub groups: Vec<GroupSummary>,
-    /// Each two of them.
+    /// The comparison of each pair.
     pub pairs: Vec<Pair>,
-    /// Over the scenes and seeds that all groups have; `None` if the groups are not equally long, or there is only one.
+    /// Friedman's test over scenes and seeds; `None` if the groups are not equally long, or there is only one.
     pub friedman: Option<Friedman>,
 }
 
@@ -88,8 +88,8 @@ pub fn compare(groups: &[Group]) -> Comparison {
     Comparison { groups: groups.iter().map(GroupSummary::of).collect(), pairs, friedman: ranks(&ranked) }
 }
 
-/// The numbers of runs as tests by ranks take them: a failed run comes last, and numbers that differ by rounding alone are one.
-/// The same path, summed up in another order, is not a shorter one.
+/// The results of runs for rank tests: a failed run ranks last, and numbers that differ by rounding alone become equal. The
+/// same path, summed in another order, is not a shorter one.
 pub fn comparable<'a>(groups: impl IntoIterator<Item = &'a [Option<f64>]>) -> Vec<Vec<f64>> {
     let mut groups: Vec<Vec<f64>> = groups.into_iter().map(|group| group.iter().map(|value| value.unwrap_or(LAST)).collect()).collect();
     let order = crate::math::ordered(groups.iter().flatten().copied());

@@ -1,4 +1,4 @@
-//! What many results have in common, and whether planners differ: summaries, rank-sum tests with correction, rank tables.
+//! Statistics of many runs: summaries, confidence intervals, rank-sum tests with correction, rank tables.
 //!
 //! Distributions, quantiles and ranks are those of the `statrs` crate. Nothing here is part of a
 //! run: the bits of a p-value are not promised.

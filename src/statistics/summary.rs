@@ -1,4 +1,4 @@
-//! One sample: mean, spread, order statistics, and how sure that is.
+//! Summaries of one sample: mean, spread, order statistics and confidence intervals.
 
 use serde::Serialize;
 use statrs::{
@@ -11,7 +11,7 @@ use super::CONFIDENCE;
 /// Mean, spread and order statistics of a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Summary {
-    /// How many.
+    /// The number of values.
     pub count: usize,
     /// The mean.
     pub mean: f64,
@@ -19,20 +19,20 @@ pub struct Summary {
     pub std: Option<f64>,
     /// The 95 % confidence interval of the mean by Student's t; `None` for a single number.
     pub interval: Option<[f64; 2]>,
-    /// The smallest.
+    /// The smallest value.
     pub min: f64,
     /// The lower quartile, median-unbiased as Hyndman and Fan's type 8 (numpy's `median_unbiased`).
     pub lower: f64,
-    /// The middle one, or the mean of the two in the middle.
+    /// The median: the middle value, or the mean of the two in the middle.
     pub median: f64,
     /// The upper quartile, as the lower one.
     pub upper: f64,
-    /// The largest.
+    /// The largest value.
     pub max: f64,
 }
 
 impl Summary {
-    /// Of these numbers; `None` if there are none.
+    /// The summary of these numbers; `None` if there are none.
     pub fn of(numbers: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sorted: Vec<f64> = numbers.into_iter().collect();
         crate::math::sort_numbers(&mut sorted);
@@ -48,16 +48,16 @@ impl Summary {
 /// Count, mean and sum of squared deviations, one number after the other (Welford).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Moments {
-    /// How many.
+    /// The number of values.
     pub count: f64,
     /// Their mean.
     pub mean: f64,
-    /// Σ (x − mean)². A further number never makes it smaller.
+    /// Σ (x − mean)². Another number never makes it smaller.
     pub squares: f64,
 }
 
 impl Moments {
-    /// With one number more.
+    /// The same with one more number.
     #[must_use]
     pub fn with(self, x: f64) -> Self {
         let count = self.count + 1.0;
@@ -66,12 +66,13 @@ impl Moments {
         Self { count, mean, squares: self.squares + deviation * (x - mean) }
     }
 
-    /// The standard deviation with n − 1.
+    /// The standard deviation, with n − 1; `None` for fewer than two numbers.
     pub fn std(&self) -> Option<f64> {
         (self.count > 1.0).then(|| (self.squares / (self.count - 1.0)).sqrt())
     }
 
-    /// The confidence interval of the mean, by Student's t with n − 1 degrees of freedom.
+    /// The 95 % confidence interval of the mean, by Student's t with n − 1 degrees of freedom; `None` for fewer than two
+    /// numbers.
     pub fn interval(&self) -> Option<[f64; 2]> {
         let std = self.std()?;
         let t = StudentsT::new(0.0, 1.0, self.count - 1.0).ok()?.inverse_cdf(f64::midpoint(1.0, CONFIDENCE));
@@ -80,7 +81,7 @@ impl Moments {
     }
 }
 
-/// The 95 % confidence interval of a share, `successes` of `count`, by Wilson's score; `None` of none.
+/// The 95 % confidence interval of a share, `successes` of `count`, by Wilson's score; `None` if `count` is 0.
 pub fn proportion(successes: usize, count: usize) -> Option<[f64; 2]> {
     if count == 0 {
         return None;

@@ -10,16 +10,15 @@ const FEW: usize = 8;
 /// unless the other is so large that the approximation is as good.
 const MANY: usize = 1000;
 
-/// What Wilcoxon's rank-sum test says of two samples.
+/// The result of Wilcoxon's rank-sum test of two samples.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct RankSum {
     /// Mann and Whitney's U of the first sample.
     pub u: f64,
-    /// The probability of so large a difference, either way, if both came from one distribution: exact for a sample of up
-    /// to 8 without ties, otherwise by the normal approximation with corrections for ties and continuity. It is one minus a
-    /// share: below 1e-15 it says nothing but that it is small.
+    /// The p-value, two-sided: exact for a sample of up to 8 without ties, otherwise by the normal approximation with
+    /// corrections for ties and continuity. It is computed as one minus a share: values below 1e-15 have no correct digits.
     pub p: f64,
-    /// How probable it is that a number of the first is smaller than one of the second, ties counted half.
+    /// The probability that a number of the first sample is smaller than one of the second; ties count half.
     pub smaller: f64,
 }
 
@@ -91,22 +90,22 @@ pub fn holm(p: &[f64]) -> Vec<f64> {
     corrected
 }
 
-/// What Friedman's test says of treatments that were tried on the same blocks.
+/// The result of Friedman's test of treatments that were tried on the same blocks.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Friedman {
-    /// How many blocks.
+    /// The number of blocks.
     pub blocks: usize,
     /// Each treatment's mean rank over the blocks; 1 is best. Equal numbers share their ranks.
     pub ranks: Vec<f64>,
     /// χ² corrected for ties, with one degree of freedom fewer than treatments. `None` for fewer than three treatments, or
     /// if all blocks are ties.
     pub statistic: Option<f64>,
-    /// The probability of so large a statistic if the treatments were alike.
+    /// The p-value; `None` without a statistic.
     pub p: Option<f64>,
 }
 
-/// Friedman's test. `blocks` holds the treatments' numbers block by block, small ones being good; `None` without blocks, if
-/// they differ in length, or with a NaN.
+/// Friedman's test. `blocks` holds the treatments' numbers block by block, smaller is better; `None` without blocks, if they
+/// differ in length, or with a NaN.
 pub fn friedman(blocks: &[Vec<f64>]) -> Option<Friedman> {
     let (n, k) = (blocks.len() as f64, blocks.first()?.len());
     if k == 0 || blocks.iter().any(|block| block.len() != k || block.iter().any(|x| x.is_nan())) {
