@@ -1,4 +1,4 @@
-//! A grid as planners see it that go from cell to cell: its cells, and those of its ends.
+//! The cells of a grid, and those of its ends, for planners that go from cell to cell.
 
 use crate::{
     geometry::{Cells, Endpoints, Plan},
@@ -18,7 +18,8 @@ impl GridScene {
     /// The cells of start and goal.
     ///
     /// # Errors
-    /// [`Error::Refused`] if the grid has no ends, or if the robot cannot go from one to the centre of its cell.
+    /// [`Error::Refused`] if the grid has no start or goal, or if the robot cannot go from one of them to the centre of its
+    /// cell.
     pub fn endpoints(&self) -> Result<Endpoints, Error> {
         let (start, goal) = self.ends()?;
         self.endpoints_between(["start", "goal"], [start, goal])
@@ -27,7 +28,7 @@ impl GridScene {
     /// The cells of two points.
     ///
     /// # Errors
-    /// [`Error::Refused`] if the robot cannot go from one of them to the centre of its cell, by its name.
+    /// [`Error::Refused`] with the point's name if the robot cannot go from it to the centre of its cell.
     pub fn endpoints_between(&self, names: [&str; 2], [start, goal]: [[f64; 2]; 2]) -> Result<Endpoints, Error> {
         let cells = self.cells();
         let stub = |point: [f64; 2], cell: usize| {

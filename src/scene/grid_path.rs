@@ -1,5 +1,4 @@
-//! A path over cells, before and after its redundant nodes are removed, and what is told of both. Whatever goes from cell
-//! to cell tells the same of it.
+//! A path over cells, with and without its redundant nodes, and the readings of both.
 
 use std::sync::OnceLock;
 
@@ -15,7 +14,7 @@ use super::GridScene;
 /// A path from start to goal.
 #[derive(Debug, Clone, State)]
 pub struct GridPath {
-    /// Through the cells' centres, in the scene's unit.
+    /// The path through the cells' centres, in the scene's unit.
     pub path: Vec<[f64; 2]>,
     /// Made when it is first asked for.
     #[state(skip)]
@@ -23,18 +22,18 @@ pub struct GridPath {
 }
 
 impl GridPath {
-    /// Of the corners of a path.
+    /// A path with these corners.
     pub fn new(path: Vec<[f64; 2]>) -> Self {
         Self { path, smooth: OnceLock::new() }
     }
 
-    /// Without the nodes whose neighbours see each other, [ANTBAT](crate#papers) §3.1.
+    /// The path without redundant nodes, [ANTBAT](crate#papers) §1.3.
     pub fn smooth(&self, grid: &GridScene) -> &[[f64; 2]] {
         self.smooth.get_or_init(|| shortcut(&self.path, |a, b| grid.field().is_free(a, b)))
     }
 }
 
-/// Tells [`LENGTH`] to [`SMOOTH_TURNING`]; of no way, that they are no numbers.
+/// Pushes [`LENGTH`] to [`SMOOTH_TURNING`]; without a path they are NaN.
 pub fn read(way: Option<&GridPath>, grid: &GridScene, out: &mut Readings) {
     let measured = |path: &[[f64; 2]]| [geometry::length(path), geometry::turns(path) as f64, geometry::turning(path)];
     let [before, after] = way.map_or([[f64::NAN; 3]; 2], |way| [measured(&way.path), measured(way.smooth(grid))]);
@@ -42,7 +41,7 @@ pub fn read(way: Option<&GridPath>, grid: &GridScene, out: &mut Readings) {
     readings.iter().zip(before.into_iter().chain(after)).for_each(|(reading, value)| out.push(*reading, value));
 }
 
-/// Whether the path is handed over without its redundant nodes.
+/// Whether the final path is without redundant nodes.
 pub const SMOOTH: Param<bool> = Param::flag(
     "smooth",
     "Smoothing",
@@ -50,11 +49,11 @@ pub const SMOOTH: Param<bool> = Param::flag(
     "Hand over the path without its redundant nodes: a node goes if its neighbours see each other, [ANTBAT] §3.1. It is then measured by the shortest path at any angle. What is searched stays the same.",
 );
 
-/// The result's length from cell to cell.
+/// The length of the path over cells.
 pub const LENGTH: Reading = Reading::new("length", "L_{\\text{raw}}", "Raw length", Group::Length, "The path’s length before smoothing.");
-/// At how many corners it turns.
+/// The number of turns.
 pub const TURNS: Reading = Reading::new("turns", "n_t", "Turns", Group::Measure, "At how many corners the path turns before smoothing.");
-/// By how much in all.
+/// The total turning angle.
 pub const TURNING: Reading =
     Reading::new("turning", "\\theta", "Turning", Group::Measure, "How much it turns in all before smoothing, in radians.");
 /// The length without redundant nodes.
@@ -73,7 +72,7 @@ pub const SMOOTH_TURNS: Reading = Reading::new(
     Group::Measure,
     "At how many corners the path without its redundant nodes turns.",
 );
-/// The turning without them.
+/// The total turning angle without them.
 pub const SMOOTH_TURNING: Reading =
     Reading::new("smooth_turning", "\\theta'", "Turning, smoothed", Group::Measure, "How much that path turns in all, in radians.");
 

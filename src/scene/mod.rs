@@ -1,7 +1,7 @@
 //! What is planned in: a folder a kind, other programs' files ([`formats`]) and random scenes ([`generate`]).
 //!
-//! A [`Scene`] that exists is valid: its numbers are finite, start and goal are inside and free. What is in a kind's folder:
-//! `body`, the data and what a solution is worth; `read`, its fields in the scene file; `kind`, its entry.
+//! A [`Scene`] is always valid: its numbers are finite, start and goal are inside and free. A kind's folder holds `body`, the
+//! data and the checks of solutions; `read`, its fields in the scene file; `kind`, its entry.
 
 pub mod arm;
 mod check;

@@ -1,4 +1,4 @@
-//! Obstacles that move: discs that go straight at an even speed, or from way-point to way-point, [WOLF-ANT](crate#papers) §5.
+//! Moving obstacles: discs with constant velocity, or with timed waypoints, [WOLF-ANT](crate#papers) §5.
 //!
 //! Reading: walls do not stop them, and they do not stop each other.
 
@@ -9,53 +9,54 @@ use crate::{
 
 use super::check::{LARGEST, coordinate, finite, limited, positive};
 
-/// The most way-points of a moving obstacle.
+/// The largest number of waypoints of a moving obstacle.
 pub const MAX_WAYPOINTS: usize = 10_000;
 
-/// The most moving obstacles of a scene.
+/// The largest number of moving obstacles of a scene.
 pub const MAX_MOVING: usize = 1000;
 
 /// The least time from one border to the other, in seconds.
 const SHORTEST: f64 = 1e-6;
 
-/// A disc that moves.
+/// A moving obstacle: a disc.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Moving {
-    /// Where its centre begins.
+    /// The position of its centre at time 0, in the scene's unit.
     pub center: [f64; 2],
-    /// Its radius.
+    /// Its radius, in the scene's unit.
     pub radius: f64,
-    /// How it goes on.
+    /// Its motion.
     pub motion: Motion,
 }
 
-/// How a disc moves.
+/// The motion of a moving obstacle.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
-    /// How far it goes in a second, for ever.
+    /// A constant velocity, in the scene's unit per second.
     Velocity([f64; 2]),
-    /// [t, x, y] by growing t > 0: straight from one to the next, at each in its second; at the last it stays.
+    /// Waypoints `[t, x, y]` by growing t > 0, in seconds: straight from one to the next, reached at time t. It stays at the
+    /// last.
     Waypoints(Vec<[f64; 3]>),
 }
 
-/// A stretch of even motion.
+/// A leg of a motion, with constant velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// Where the centre is when it begins.
+    /// The position of the centre at its beginning.
     pub at: [f64; 2],
-    /// How far it goes in a second.
+    /// The velocity, in the scene's unit per second.
     pub velocity: [f64; 2],
-    /// When it ends; infinite for the last.
+    /// The time of its end, in seconds; infinite for the last leg.
     pub until: f64,
 }
 
 impl Moving {
-    /// A disc that goes straight on.
+    /// A moving obstacle with constant velocity.
     pub fn straight(center: [f64; 2], radius: f64, velocity: [f64; 2]) -> Self {
         Self { center, radius, motion: Motion::Velocity(velocity) }
     }
 
-    /// Where it is at a time ≥ 0, and how it goes on from there until when. `until` is always later than `time`.
+    /// The rest of the leg at a time ≥ 0, from its position then. `until` is always later than `time`.
     pub fn leg(&self, time: f64, border: Border, bounds: Bounds) -> Leg {
         match &self.motion {
             Motion::Waypoints(points) => self.between(points, time),
@@ -74,7 +75,7 @@ impl Moving {
         }
     }
 
-    /// Where it is at a time.
+    /// The position of its centre at a time.
     pub fn at(&self, time: f64, border: Border, bounds: Bounds) -> [f64; 2] {
         self.leg(time, border, bounds).at
     }
@@ -89,8 +90,8 @@ impl Moving {
         Leg { at: [x + (time - from) * velocity[0], y + (time - from) * velocity[1]], velocity, until }
     }
 
-    /// When it first comes nearer than `reach` to a point that is at `at` at time `from` and goes by `velocity` a second until
-    /// `until`; exact, bounces and way-points included.
+    /// The time at which its centre first is nearer than `reach` to a point that is at `at` at time `from` and moves with
+    /// `velocity` until `until`; exact, bounces and waypoints included.
     pub fn first_within(
         &self,
         at: [f64; 2],
@@ -104,15 +105,15 @@ impl Moving {
             .find_map(|(start, seconds, apart, closing)| Some(start + first_within(apart, closing, seconds, reach)?))
     }
 
-    /// The least distance of its centre from a point that moves as in [`Moving::first_within`].
+    /// The smallest distance of its centre from a point that moves as in [`Moving::first_within`].
     pub fn least_distance(&self, at: [f64; 2], velocity: [f64; 2], [from, until]: [f64; 2], border: Border, bounds: Bounds) -> f64 {
         self.stretches(at, velocity, [from, until], border, bounds)
             .map(|(_, seconds, apart, closing)| closest_approach(apart, closing, seconds).1)
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// The stretches of even motion between two times, beside a point that moves evenly: when each begins, how long it is,
-    /// where the disc is as seen from the point, and how that changes.
+    /// The legs between two times, relative to a point with constant velocity: the beginning and the duration of each, the
+    /// disc's position relative to the point at its beginning, and the relative velocity.
     pub fn stretches(
         &self,
         at: [f64; 2],

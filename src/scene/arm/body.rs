@@ -1,4 +1,4 @@
-//! Scenes of kind `arm`: a six-axis arm, boxes in its workspace, and where its tip starts and where it must come to.
+//! Scenes of kind `arm`: a six-axis arm, cuboids in its workspace, start and goal of its tip.
 
 use serde_json::Value;
 
@@ -10,7 +10,7 @@ use crate::{
     scene::check::limited,
 };
 
-/// What scene files call the kind.
+/// The id of the kind in scene files.
 pub const ID: SceneKindId = SceneKindId("arm");
 
 /// How far from start and goal the tip may be where postures were planned, in metres.
@@ -20,7 +20,7 @@ const BORDER: f64 = 1e-4;
 /// How far any point of a link may go between two tests of a verdict, in metres.
 const RESOLUTION: f64 = 1e-3;
 
-/// The most cuboids in a scene.
+/// The largest number of cuboids in a scene.
 pub const MAX_CUBOIDS: usize = 200;
 
 impl ArmScene {
@@ -52,8 +52,8 @@ impl ArmScene {
         }
     }
 
-    /// Whether the tip can go straight from one point to another: inside the workspace, without touching a cuboid or the
-    /// arm's own column.
+    /// Whether the tip can go straight from one point to another inside the workspace, without touching a cuboid or the arm's
+    /// own column.
     #[inline]
     pub fn is_free(&self, a: [f64; 3], b: [f64; 3]) -> bool {
         self.workspace.contains(a)

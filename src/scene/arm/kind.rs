@@ -1,4 +1,4 @@
-//! The entry of six-axis arms among cuboids.
+//! The entry of the kind `arm`.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use crate::{
 
 use super::{body::ID, read};
 
-/// Six-axis arms among cuboids.
+/// The kind `arm`: six-axis arms among cuboids.
 pub const KIND: SceneKind = SceneKind {
     id: ID,
     title: "arms",

@@ -7,22 +7,22 @@ use crate::{
     scene::check::{LARGEST, coordinate, finite},
 };
 
-/// What scene files call the kind.
+/// The id of the kind in scene files.
 pub const ID: SceneKindId = SceneKindId("discs");
 
-/// The most discs in a scene: up to here the exact optimum takes a moment, not a minute.
+/// The largest number of discs in a scene: up to here the exact optimum takes a moment, not a minute.
 pub const MAX_DISCS: usize = 200;
 
 /// A plane with circular obstacles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiscsScene {
-    /// Where way-points are searched. A path may leave it between them.
+    /// The region in which waypoints are searched. A path may leave it between them.
     pub bounds: Bounds,
-    /// Where the path begins.
+    /// The start of the path.
     pub start: [f64; 2],
-    /// Where it must lead.
+    /// The goal of the path.
     pub goal: [f64; 2],
-    /// What it must go round.
+    /// The obstacles.
     pub discs: Vec<Disc>,
 }
 

@@ -1,4 +1,4 @@
-//! The entry of planes with disc obstacles.
+//! The entry of the kind `discs`.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use super::{
     read,
 };
 
-/// Planes with disc obstacles.
+/// The kind `discs`: planes with disc obstacles.
 pub const KIND: SceneKind = SceneKind {
     id: ID,
     title: "disc obstacles",

@@ -5,12 +5,12 @@ use crate::{
     scene::MAX_SIDE,
 };
 
-/// A file as bytes.
+/// A file: its name and its bytes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NamedFile {
     /// Its name, with or without folders.
     pub name: String,
-    /// What is in it.
+    /// Its content.
     pub bytes: Vec<u8>,
 }
 

@@ -1,8 +1,8 @@
-//! Scenes in other programs' formats: MovingAI's maps with their problems (`movingai`), the occupancy grids of ROS's
-//! map_server (`ros`, with its picture in `pgm`), TSPLIB's stops and tours (`tsplib`), and tables of points (`csv`).
+//! Scenes in other programs' formats: MovingAI's maps with their problems (`movingai`), the occupancy grids of ROS's map_server
+//! (`ros`, with its picture in `pgm`), TSPLIB's instances and tours (`tsplib`), and tables of points (`csv`).
 //!
-//! [`import`] takes files as bytes and says what it read in some way that should be known; [`export`] says what the
-//! format has no place for. A file that cannot be read is refused with its name, the line, and why.
+//! [`import`] takes files as bytes and notes what it had to interpret; [`export`] notes what the format cannot hold. A file
+//! that cannot be read is refused with its name, the line and the reason.
 
 mod csv;
 mod ends;
@@ -25,14 +25,14 @@ pub use tsplib::tour_file;
 
 use file::stem;
 
-/// What can be written.
+/// A format that can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
-    /// MovingAI: a `.map`, and a `.scen` with one problem where there are a start, a goal and a way between them.
+    /// MovingAI: a `.map`, and a `.scen` with one problem if there is a path from start to goal.
     MovingAi,
     /// ROS map_server: a `.yaml` and a `.pgm`.
     Ros,
-    /// TSPLIB: a `.tsp`, and a `.opt.tour` where the shortest tour is known.
+    /// TSPLIB: a `.tsp`, and a `.opt.tour` if the shortest tour is known.
     Tsplib,
     /// The points of a tour's stops.
     Csv,

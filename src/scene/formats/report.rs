@@ -1,4 +1,4 @@
-//! What came of reading or writing other programs' files.
+//! The results of reading and writing other programs' files.
 
 use serde::Serialize;
 
@@ -15,20 +15,20 @@ use super::file::{NamedFile, base, stem};
 /// A problem of a MovingAI `.scen` file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Problem {
-    /// The centre of the cell where it starts.
+    /// The centre of the start cell, in the scene's unit.
     pub start: [f64; 2],
-    /// The centre of the cell where it ends.
+    /// The centre of the goal cell, in the scene's unit.
     pub goal: [f64; 2],
-    /// The length that the file gives, in cells.
+    /// The optimal length that the file states, in cells.
     pub length: f64,
 }
 
-/// What came of files of another format.
+/// A scene that was read from another format.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Imported {
     /// The scene.
     pub scene: Scene,
-    /// What was read in some way that should be known: unknown cells taken as blocked, ends chosen, …
+    /// Interpretations that the user should know: unknown cells taken as blocked, start and goal chosen, …
     pub notes: Vec<String>,
     /// The problems of a `.scen` file, if one was among the files.
     pub problems: Vec<Problem>,
@@ -41,12 +41,12 @@ impl Imported {
     }
 }
 
-/// What a scene is in another format.
+/// A scene that was written in another format.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exported {
-    /// The files; they name each other where they belong together.
+    /// The files; those that belong together name each other.
     pub files: Vec<NamedFile>,
-    /// What the format has no place for.
+    /// What the format cannot hold.
     pub notes: Vec<String>,
 }
 

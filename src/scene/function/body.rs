@@ -8,13 +8,13 @@ use crate::{
     math,
 };
 
-/// What scene files call the kind.
+/// The id of the kind in scene files.
 pub const ID: SceneKindId = SceneKindId("function");
 
 /// The largest dimension of a function.
 pub const MAX_DIMENSION: usize = 100;
 
-/// A function to minimise. Each has the minimum 0.
+/// A test function to minimise. Each has the minimum 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Function {
     /// f1, D = 2, minimum at 0.
@@ -32,7 +32,7 @@ pub enum Function {
 }
 
 impl Function {
-    /// Every function, in the order of the table.
+    /// All functions, in the order of the table.
     pub const ALL: [Self; 6] = [Self::Matyas, Self::EggCrate, Self::Sphere, Self::Rosenbrock, Self::Ackley, Self::Rastrigin];
 
     /// The name that scene files use.
@@ -68,7 +68,7 @@ impl Function {
         }
     }
 
-    /// Every coordinate of the minimum.
+    /// The value of every coordinate at the minimum.
     pub const fn minimiser(self) -> f64 {
         if matches!(self, Self::Rosenbrock) { 1.0 } else { 0.0 }
     }
@@ -101,14 +101,14 @@ impl Function {
     }
 }
 
-/// A scene that asks for a function's minimum.
+/// A scene with a test function to minimise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FunctionScene {
-    /// Which function.
+    /// The function.
     pub function: Function,
-    /// Of how many variables.
+    /// The number of variables.
     pub dimension: usize,
-    /// Where the function's origin is, a number for each variable; empty: at 0.
+    /// The position of the function's origin, a number for each variable; empty: at 0.
     pub shift: Vec<f64>,
 }
 
@@ -129,7 +129,7 @@ impl FunctionScene {
         }
     }
 
-    /// Where the minimum is.
+    /// The position of the minimum.
     pub fn minimiser(&self) -> Vec<f64> {
         (0..self.dimension).map(|i| self.function.minimiser() + self.shift.get(i).unwrap_or(&0.0)).collect()
     }

@@ -1,4 +1,4 @@
-//! The entry of functions to minimise.
+//! The entry of the kind `function`.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use super::{
     read,
 };
 
-/// Functions to minimise.
+/// The kind `function`: test functions to minimise.
 pub const KIND: SceneKind = SceneKind {
     id: ID,
     title: "test functions",

@@ -12,42 +12,43 @@ use crate::{
     },
 };
 
-/// What scene files call the kind.
+/// The id of the kind in scene files.
 pub const ID: SceneKindId = SceneKindId("grid");
 
-/// The most rows and columns of a grid.
+/// The largest number of rows and of columns of a grid.
 pub const MAX_SIDE: usize = 2048;
 
-/// The most cells of a grid whose exact optimum is computed: a few seconds' work. Beyond, results stand without one.
+/// The largest number of cells of a grid whose exact optimum is computed: a few seconds' work. Results on larger grids have
+/// none.
 pub const MAX_EXACT_CELLS: usize = 512 * 512;
 
-/// The most stops on a grid: there is a road for each pair of them.
+/// The largest number of stops on a grid: there is a path for each pair of them.
 pub const MAX_GRID_STOPS: usize = 200;
 
 /// The smallest side of a cell.
 const SMALLEST_CELL: f64 = 1e-6;
 
-/// By how much of a cell the robot and a moving obstacle may overlap by rounding alone.
+/// The overlap of the robot and a moving obstacle, in cells, that counts as rounding.
 pub const CONTACT: f64 = 1e-9;
 
-/// The robot that goes through a grid; what is not given is `None`.
+/// The robot of a grid; what is not given is `None`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Robot {
-    /// Its outline along its heading, in the scene's unit.
+    /// The length of its outline, along its heading, in the scene's unit.
     pub length: Option<f64>,
-    /// Its outline across.
+    /// The width of its outline, in the scene's unit.
     pub width: Option<f64>,
-    /// How fast it drives, in the scene's unit per second.
+    /// Its speed, in the scene's unit per second.
     pub speed: Option<f64>,
-    /// Seconds that a turn takes.
+    /// The turn-in-place time, in seconds.
     pub turn_time: Option<f64>,
-    /// How far it sees.
+    /// The sensor range, in the scene's unit.
     pub sensor: Option<f64>,
-    /// The radius of the disc that it is for moving obstacles.
+    /// Its radius against moving obstacles, in the scene's unit.
     pub disc: Option<f64>,
-    /// How far it keeps moving obstacles away beyond that.
+    /// The safety margin beyond that radius, in the scene's unit.
     pub margin: Option<f64>,
-    /// How many seconds it looks ahead.
+    /// The prediction horizon, in seconds.
     pub look_ahead: Option<f64>,
 }
 
@@ -79,23 +80,23 @@ impl Robot {
 pub struct GridScene {
     /// The side of a cell, in the scene's unit.
     pub cell: f64,
-    /// Cells a row.
+    /// Cells per row.
     pub columns: usize,
     /// Blocked cells, row by row. Row `k` covers `k · cell ≤ y ≤ (k + 1) · cell`, whichever way y grows.
     pub blocked: Vec<bool>,
-    /// Which way y grows.
+    /// The direction in which y grows.
     pub y_axis: YAxis,
-    /// Where a path begins.
+    /// The start of a path.
     pub start: Option<[f64; 2]>,
-    /// Where it must lead.
+    /// The goal of a path.
     pub goal: Option<[f64; 2]>,
-    /// Where a tour must call.
+    /// The stops of a tour.
     pub stops: Vec<[f64; 2]>,
-    /// Whether a step from cell to cell may cut a blocked cell's corner.
+    /// Whether a diagonal move may cut a blocked cell's corner.
     pub corner_cutting: bool,
-    /// Who goes there.
+    /// The robot.
     pub robot: Option<Robot>,
-    /// Discs that move.
+    /// The moving obstacles.
     pub moving: Vec<Moving>,
     /// What follows from the rest.
     pub(crate) derived: Derived,
@@ -124,7 +125,7 @@ impl PartialEq for GridScene {
 }
 
 impl GridScene {
-    /// A grid of these cells with nothing else in it.
+    /// A grid of these cells, without ends, stops, robot or moving obstacles.
     pub fn new(cell: f64, columns: usize, blocked: Vec<bool>) -> Self {
         Self {
             cell,
@@ -190,12 +191,12 @@ impl GridScene {
         self.robot.and_then(|robot| Some([robot.length?, robot.width?]))
     }
 
-    /// The blocked cells as the robot's centre meets them: grown by the radius of its circumscribed circle, exactly.
+    /// The blocked cells, inflated exactly by the radius of the robot's circumscribed circle.
     pub fn field(&self) -> &Arc<Field> {
         self.derived.field.get_or_init(|| Arc::new(Field::new(self.cell, self.columns, &self.blocked, self.radius(), self.corner_cutting)))
     }
 
-    /// The free cells and the steps between them, for planners that go from cell to cell.
+    /// The free cells and the moves between them.
     pub fn cells(&self) -> &Arc<Cells> {
         self.derived.cells.get_or_init(|| Arc::new(self.new_cells()))
     }
@@ -203,7 +204,7 @@ impl GridScene {
     /// Start and goal.
     ///
     /// # Errors
-    /// [`Error::Refused`] if the scene has none (but stops, perhaps).
+    /// [`Error::Refused`] if the scene has none; it may have stops.
     pub fn ends(&self) -> Result<([f64; 2], [f64; 2]), Error> {
         let one =
             |name, point: Option<_>| point.ok_or_else(|| Error::refused(name, "nothing", "a point: this planner goes from start to goal"));
@@ -359,8 +360,7 @@ impl GridScene {
         Verdict { feasible: verdict.feasible && told == track.path && gap >= -CONTACT * self.cell, clearance, ..verdict }
     }
 
-    /// The smallest distance between the robot of a track and a moving obstacle, negative where they overlap; `None`
-    /// without one.
+    /// The smallest distance between the robot of a track and a moving obstacle, negative if they overlap; `None` without one.
     pub fn gap(&self, track: &Track) -> Option<f64> {
         // A drive that ends where it begins has one moment.
         let one = track.moments.first().filter(|_| track.moments.len() == 1).map(|&moment| [moment; 2]);

@@ -1,4 +1,4 @@
-//! The entry of grids of free and blocked cells.
+//! The entry of the kind `grid`.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use super::{
     read,
 };
 
-/// Grids of free and blocked cells.
+/// The kind `grid`: free and blocked cells.
 pub const KIND: SceneKind = SceneKind {
     id: ID,
     title: "grids",

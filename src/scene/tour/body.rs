@@ -1,4 +1,4 @@
-//! Scenes of kind `tour`: stops to call at, as points in the plane or as a matrix of distances.
+//! Scenes of kind `tour`: stops to visit, as points in the plane or as a matrix of distances.
 
 use std::sync::{Arc, OnceLock};
 
@@ -12,22 +12,22 @@ use crate::{
     scene::check::coordinate,
 };
 
-/// What scene files call the kind.
+/// The id of the kind in scene files.
 pub const ID: SceneKindId = SceneKindId("tour");
 
-/// The most stops of a tour.
+/// The largest number of stops of a tour.
 pub const MAX_STOPS: usize = 2000;
 
-/// Stops to call at.
+/// A scene of stops to visit.
 #[derive(Debug, Clone)]
 pub struct TourScene {
-    /// Where the stops are; empty if only their distances are known.
+    /// The stops' positions; empty if only their distances are known.
     pub points: Vec<[f64; 2]>,
-    /// How far it is from one to another, if no matrix says it.
+    /// The metric of their distances, unless `matrix` is given.
     pub metric: Metric,
-    /// The distances, if they are given.
+    /// The distances, if they are given as a matrix.
     pub matrix: Option<Arc<Distances>>,
-    /// Whether a tour goes back to where it began.
+    /// Whether a tour returns to its first stop.
     pub closed: bool,
     derived: OnceLock<Arc<Distances>>,
 }
@@ -49,12 +49,12 @@ impl TourScene {
         Self { points, metric: Metric::default(), matrix: Some(Arc::new(matrix)), closed: true, derived: OnceLock::new() }
     }
 
-    /// How many stops.
+    /// The number of stops.
     pub fn len(&self) -> usize {
         self.matrix.as_ref().map_or(self.points.len(), |matrix| matrix.len())
     }
 
-    /// Whether there are none; a scene that exists has two at least.
+    /// Whether there are no stops; a valid scene has at least two.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -68,7 +68,7 @@ impl TourScene {
         self.matrix.as_ref().unwrap_or_else(computed)
     }
 
-    /// Where each stop is drawn; of stops without a place, evenly on a circle.
+    /// The position at which each stop is drawn; stops without positions are placed evenly on a circle.
     pub fn places(&self) -> Vec<[f64; 2]> {
         if !self.points.is_empty() {
             return self.points.clone();
@@ -78,7 +78,7 @@ impl TourScene {
         (0..n).map(|i| [turn(i, -0.25), turn(i, 0.0)]).collect()
     }
 
-    /// What a tour's ends are unless a planner is told otherwise.
+    /// Where a tour begins and ends by default.
     pub fn round(&self) -> TourEnds {
         if self.closed { TourEnds::Closed } else { TourEnds::Open }
     }

@@ -1,4 +1,4 @@
-//! The entry of stops with their distances.
+//! The entry of the kind `tour`.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use super::{
     read,
 };
 
-/// Stops with their distances.
+/// The kind `tour`: stops with their distances.
 pub const KIND: SceneKind = SceneKind {
     id: ID,
     title: "stops of a tour",

@@ -1,6 +1,5 @@
-//! TSPLIB's `.tsp` (stops and how far it is from one to another) and `.tour` (an order to call at them). Distances are by
-//! TSPLIB's own formulas, so that lengths can be compared with published ones; what is not supported is refused by its
-//! name, never measured in some other way.
+//! TSPLIB's `.tsp` (stops and their distances) and `.tour` (a visiting order). Distances follow TSPLIB's own formulas, so that
+//! lengths can be compared with published ones; what is not supported is refused by its name, never measured in another way.
 
 mod read;
 #[cfg(test)]

@@ -69,7 +69,7 @@ fn section(words: &mut Words, n: usize) -> Result<Vec<usize>, Error> {
     }
 }
 
-/// A tour as a TSPLIB file with this name: stops are counted from 0 here, from 1 there.
+/// A tour as a TSPLIB file with this name. `order` counts stops from 0, the file from 1.
 ///
 /// ```
 /// let file = forage::scene::formats::tour_file("a.tour", &[1, 0, 2]);
