@@ -1,5 +1,5 @@
-//! The shortest way over a grid's cells, by Dijkstra's search. Independent of the planners that search grids: it is what
-//! they are measured by.
+//! The shortest path over a grid's cells, by Dijkstra's algorithm. Independent of the planners that search grids, since they
+//! are measured against it.
 
 use std::{cmp::Reverse, collections::BinaryHeap};
 
@@ -9,13 +9,13 @@ use crate::{
     math::Length,
 };
 
-/// The shortest way from start to goal from cell to neighbouring cell; `None` where there is none.
+/// The shortest path from start to goal between neighbouring cells; `None` if there is none.
 pub fn shortest_over_cells(cells: &Cells, endpoints: &Endpoints) -> Option<Exact> {
     let way = shortest_way(cells, endpoints.start, endpoints.goal)?;
     Some(Exact::way(endpoints.length(cells, cells.steps(&way)), endpoints.path(cells, way)))
 }
 
-/// The cells of a shortest way from one to another; `None` where there is none.
+/// The cells of a shortest path from one cell to another; `None` if there is none.
 pub fn shortest_way(cells: &Cells, start: usize, goal: usize) -> Option<Vec<usize>> {
     let mut best = vec![Steps { straight: u32::MAX, diagonal: u32::MAX }; cells.len()];
     let mut from = vec![u8::MAX; cells.len()];
@@ -48,7 +48,7 @@ pub fn shortest_way(cells: &Cells, start: usize, goal: usize) -> Option<Vec<usiz
     Some(way)
 }
 
-/// Whether there is a way over cells from one to another.
+/// Whether there is a path over cells from one cell to another.
 pub fn is_reachable(cells: &Cells, start: usize, goal: usize) -> bool {
     let mut seen = vec![false; cells.len()];
     let mut open = vec![start];

@@ -17,8 +17,8 @@ use crate::{
 /// tangents that touch three discs are common in drawn scenes and must not be lost to rounding.
 const SLACK: f64 = 1e-11;
 
-/// The shortest path from `start` to `goal` that crosses the inside of no disc; `None` if the discs shut one of them in.
-/// Nothing else bounds it. O(n³) at worst for n discs, far less when most tangents are blocked early.
+/// The shortest path from `start` to `goal` that crosses the inside of no disc; `None` if the discs enclose one of them. The
+/// plane has no border. O(n³) at worst for n discs, far less if most tangents are blocked early.
 pub fn shortest_among_discs(start: [f64; 2], goal: [f64; 2], discs: &[Disc]) -> Option<Exact> {
     let mut graph = Graph::new(start, goal, discs);
     graph.tangents();

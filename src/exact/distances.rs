@@ -1,9 +1,9 @@
-//! Distances between stops: what a tour is measured by.
+//! Distances between stops, from which the length of a tour is computed.
 
 use crate::{kernel::Error, math};
 
-/// How far it is from one point to another. All but the first are TSPLIB's, whole numbers, by its own formulas: lengths
-/// that are compared with published optima are made of these.
+/// The metric of distances between points. All but the first are TSPLIB's, by its own formulas and in whole numbers, for
+/// comparison with published optima.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Metric {
     /// The straight line, unrounded.
@@ -20,7 +20,7 @@ pub enum Metric {
 }
 
 impl Metric {
-    /// Every metric.
+    /// All metrics.
     pub const ALL: [Self; 5] = [Self::Euclidean, Self::Euc2d, Self::Ceil2d, Self::Att, Self::Geo];
 
     /// The name that scene files use; in capitals and with `_` it is TSPLIB's.
@@ -63,7 +63,7 @@ fn on_sphere(a: [f64; 2], b: [f64; 2]) -> f64 {
     (RADIUS * math::acos(0.5 * ((1.0 + q1) * q2 - (1.0 - q1) * q3)) + 1.0).trunc()
 }
 
-/// The distances of `n` stops from each other, the same there and back.
+/// The symmetric distances of `n` stops from each other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Distances {
     n: usize,
@@ -71,7 +71,7 @@ pub struct Distances {
 }
 
 impl Distances {
-    /// From a function of two stops; it is asked once for each pair, the smaller one first.
+    /// The distances by a function of two stops, which is called once for each pair, the smaller index first.
     pub fn of(n: usize, mut between: impl FnMut(usize, usize) -> f64) -> Self {
         let mut values = vec![0.0; n * n];
         for i in 0..n {
@@ -83,7 +83,7 @@ impl Distances {
         Self { n, values }
     }
 
-    /// From a matrix, row by row.
+    /// The distances of a matrix, row by row.
     ///
     /// # Errors
     /// [`Error::Refused`] with the entry of `field` that is negative, not finite, not the same both ways, or not 0 from a
@@ -107,35 +107,35 @@ impl Distances {
         Ok(Self { n, values })
     }
 
-    /// How many stops.
+    /// The number of stops.
     pub fn len(&self) -> usize {
         self.n
     }
 
-    /// Whether there are none.
+    /// Whether there are no stops.
     pub fn is_empty(&self) -> bool {
         self.n == 0
     }
 
-    /// From stop `i` to stop `j`.
+    /// The distance from stop `i` to stop `j`.
     #[inline]
     pub fn between(&self, i: usize, j: usize) -> f64 {
         self.values[i * self.n + j]
     }
 
-    /// Row by row.
+    /// The rows of the matrix.
     pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
         self.values.chunks_exact(self.n.max(1))
     }
 
-    /// The length of a way through stops in this order; a closed one goes back to the first.
+    /// The length of a tour in this order; a closed one returns to the first stop.
     pub fn length(&self, order: &[usize], closed: bool) -> f64 {
         let back = order.first().zip(order.last()).filter(|_| closed).map_or(0.0, |(&first, &last)| self.between(last, first));
         order.windows(2).map(|w| self.between(w[0], w[1])).sum::<f64>() + back
     }
 }
 
-/// The longest distance of a matrix: sums of it keep their digits.
+/// The largest distance that a matrix may hold: sums of it keep their digits.
 pub const LONGEST: f64 = 1e12;
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The oracles: exact optima that every result is measured by.
+//! Exact algorithms for the optima that results are measured against.
 
 mod cells;
 mod cuboids;

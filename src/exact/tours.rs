@@ -1,12 +1,12 @@
-//! The shortest tour, by Held and Karp's dynamic programme over sets of stops. Independent of the planners that look for
-//! tours: it is what they are measured by.
+//! The shortest tour, by Held and Karp's dynamic programme over sets of stops. Independent of the planners that search tours,
+//! since they are measured against it.
 
 use crate::{exact::Distances, kernel::TourEnds};
 
-/// The most stops of a tour whose optimum is computed.
+/// The largest number of stops of a tour whose optimum is computed.
 pub const MAX_EXACT_STOPS: usize = 15;
 
-/// The order of a shortest tour and its length; `None` for more than [`MAX_EXACT_STOPS`] stops or fewer than two.
+/// The visiting order of a shortest tour, and its length; `None` for more than [`MAX_EXACT_STOPS`] stops or fewer than two.
 pub fn shortest_tour(distances: &Distances, round: TourEnds) -> Option<(Vec<usize>, f64)> {
     let n = distances.len();
     if !(2..=MAX_EXACT_STOPS).contains(&n) {

@@ -1,4 +1,4 @@
-//! The shortest path of a point among cuboids in space: the arm's tip among its obstacles, [ARM-RRT](crate#papers) §4.2 without
+//! The shortest path of a point among cuboids in space: the arm's tip among its obstacles, [ARM-RRT](crate#papers) §3.1 without
 //! the arm.
 //!
 //! A shortest path bends only on edges. On given edges in a given order its length is convex in where it crosses them
@@ -23,33 +23,33 @@ use crate::{
 use grow::grow;
 use search::Search;
 
-/// The most cuboids among which the shortest path is computed.
+/// The largest number of cuboids among which the shortest path is computed.
 pub const MAX_EXACT_CUBOIDS: usize = 12;
 
 /// How near to a cuboid the path comes, relative to the largest coordinate: what is closer counts as touching.
 const HAIR: f64 = 1e-12;
 
-/// How it went.
+/// The result of [`shortest_among_cuboids`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum AmongCuboids {
     /// The shortest path.
     Found(Exact),
-    /// The cuboids shut start or goal in.
+    /// There is no path: the cuboids enclose start or goal.
     NoWay,
-    /// There are more than [`MAX_EXACT_CUBOIDS`], or the work for these would have no end in sight.
+    /// There are more than [`MAX_EXACT_CUBOIDS`], or the search was given up after a set amount of work.
     NotComputed,
 }
 
-/// The shortest path of a point from `start` to `goal` that stays in the `workspace` and touches no cuboid, or rather the
-/// length that such paths come as near to as one likes: along a face is as good as free, between two faces that touch
-/// (of two cuboids, or of one and the workspace) there is no way. The path keeps away from all cuboids by at least 5e-13 of
-/// the largest coordinate (half of `HAIR`; less where an end is nearer), so it is feasible as it stands, and it is no longer
-/// than the shortest that keeps away by some 1e-12. A gap as narrow as this is closed.
+/// The shortest path of a point from `start` to `goal` that stays in the `workspace` and touches no cuboid.
 ///
-/// Within this the answer is exact for any cuboids, apart, touching or overlapping: lower bounds come from the dual problem
-/// and hold whether the minimisation has converged or not. Where a line does not come to rest, its bound may stay below the
-/// answer by up to 1e-9 of the largest coordinate; by more, and nothing is answered. Nor is it sure that the search comes to an
-/// end: it is given up after a set amount of work.
+/// More exactly, its length is the infimum over such paths: along a face is as good as free, but between two faces that touch
+/// (of two cuboids, or of one and the workspace) there is no path. The path keeps away from all cuboids by at least 5e-13 of
+/// the largest coordinate (half of `HAIR`; less where an end is nearer), so it is feasible as it is, and it is no longer than
+/// the shortest that keeps away by some 1e-12. A gap as narrow as this is closed.
+///
+/// Within this the answer is exact for any cuboids, apart, touching or overlapping: lower bounds come from the dual problem and
+/// hold whether the minimisation has converged or not. If a line does not converge, its bound may stay below the answer by up
+/// to 1e-9 of the largest coordinate; by more, and the result is [`AmongCuboids::NotComputed`].
 pub fn shortest_among_cuboids(workspace: &Cuboid, start: [f64; 3], goal: [f64; 3], cuboids: &[Cuboid]) -> AmongCuboids {
     if !cuboids.iter().any(|cuboid| cuboid.meets(start, goal)) {
         return AmongCuboids::Found(way(vec![start, goal]));

@@ -36,11 +36,10 @@ const BACK: f64 = 1e-9;
 /// How near, in cells, a point passes what it touches. [`Field`] allows it as much.
 const HAIR: f64 = 1e-9;
 
-/// The shortest path from `start` to `goal` through the grid of `columns` cells a row, `blocked` row by row, each a
-/// square of side `cell`, for the robot of the `field` made from them. It touches what it likes and stays in the grid.
-/// A point may run along blocked cells, but not between two of them or between one and the grid's border (no robot of
-/// whatever size could), and where two touch diagonally it goes through only if `squeeze` says so. `None` if there is
-/// no way.
+/// The shortest path from `start` to `goal` through a grid; `None` if there is none. The grid has `columns` cells per row,
+/// `blocked` row by row, each a square of side `cell`; `field` must be made from them and holds the robot. The path may touch
+/// obstacles and stays in the grid. A point robot may run along blocked cells, but not between two of them or between one and
+/// the grid's border, and where two touch diagonally it passes only if `squeeze` allows it.
 ///
 /// Where a gap is exactly as wide as the robot but for rounding, [`Field`] decides. If it closes the gap, the answer is
 /// that for a robot wider by 1e-10 of the grid's size. (Except where the start or the goal touches an obstacle: then the
