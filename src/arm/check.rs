@@ -1,4 +1,4 @@
-//! What is a six-axis arm with a spherical wrist, and what is refused by name.
+//! Checks that an arm has six axes and a spherical wrist.
 
 use crate::kernel::Error;
 
@@ -14,8 +14,8 @@ const MAX_SPEED: f64 = 1e6;
 const MIN_LINK: f64 = 1e-6;
 
 impl Arm {
-    /// Refuses what is no six-axis arm with a spherical wrist: α = (0, ±90, 0, ±90, ±90, ±90), the last three axes meeting in
-    /// a point. The first joint turns about the base's z.
+    /// Refuses any arm but one of six axes with a spherical wrist: α = (0, ±90, 0, ±90, ±90, ±90), the last three axes meeting
+    /// in a point. The first joint turns about the base's z.
     ///
     /// # Errors
     /// [`Error::Refused`] with the field, such as `joints[3].alpha`.

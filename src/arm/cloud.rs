@@ -1,23 +1,24 @@
-//! Where the tip can come: a cloud of points over the workspace.
+//! The reachable workspace, as a cloud of points.
 
 use crate::{arm::ArmScene, kernel::Error};
 
 use super::{Arm, DIRECTIONS, Links, Unreachable};
 
-/// The most points that a lattice may have.
+/// The largest number of points of a lattice.
 pub const MAX_LATTICE: usize = 20_000;
 
-/// Where an arm's tip can come, on a lattice over the workspace.
+/// The reachable workspace of an arm, on a lattice.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reachability {
-    /// x, y, z and the share of [`Arm::directions`] in which the tool can point there, from 0 to 1, for each point.
+    /// For each point x, y, z and the reachability index: the share of [`Arm::directions`] in which the tool can point there,
+    /// from 0 to 1.
     pub points: Vec<f32>,
-    /// The distance of neighbours.
+    /// The distance between neighbours, in metres.
     pub step: f64,
 }
 
-/// On a lattice of this step in the middle of the workspace: for how many of [`Arm::directions`], as a share, some posture
-/// within the limits touches neither a cuboid nor the column. Links are segments, as in the paper.
+/// Computes the reachable workspace on a lattice of this step, in metres, in the middle of the workspace. A direction counts if
+/// some posture within the joint limits touches neither a cuboid nor the column. Links are segments, as in the paper.
 ///
 /// ```
 /// let scene = forage::shipped("arm-cuboid")?;

@@ -1,5 +1,5 @@
-//! What an arm touches, [ARM-RRT](crate#papers) §3.1 and §4.2 of the repaired text: the links of its skeleton, as capsules,
-//! against the cuboids and the column that it stands on.
+//! Collision tests of an arm, [ARM-RRT](crate#papers) §3.1: the links of its skeleton, as capsules, against the cuboids and the
+//! column that it stands on.
 //!
 //! A link is everything as near as its radius to its segment, closed: to touch is to collide, as in the paper. Every link is
 //! tested against every cuboid. Against the column (a capsule about the base's axis, from the workspace's floor up to the
@@ -19,12 +19,12 @@ use super::{Arm, Posture, Skeleton};
 pub struct Column {
     /// From the workspace's floor up to the base: a cuboid without width.
     pub axis: Cuboid,
-    /// How thick it is.
+    /// Its radius, in metres.
     pub radius: f64,
 }
 
 impl Column {
-    /// Whether the segment `a`–`b` touches it.
+    /// Whether the segment `a`–`b` touches the column.
     #[inline]
     pub fn meets(&self, a: [f64; 3], b: [f64; 3]) -> bool {
         self.axis.is_within(self.radius, a, b)
@@ -38,7 +38,7 @@ pub fn column(scene: &ArmScene) -> Option<Column> {
     (radius > 0.0 && top > floor).then_some(Column { axis: Cuboid { min: [x, y, floor], max: [x, y, top] }, radius })
 }
 
-/// Whether a piece of the tip's path touches the column under the arm.
+/// Whether a segment of the tip's path touches the column under the arm.
 #[inline]
 pub fn segment_meets_column(scene: &ArmScene, a: [f64; 3], b: [f64; 3]) -> bool {
     column(scene).is_some_and(|column| column.meets(a, b))
@@ -49,16 +49,17 @@ pub fn touches(scene: &ArmScene, skeleton: &Skeleton, radius: f64) -> bool {
     Links::new(scene, radius).touch(skeleton)
 }
 
-/// The least distance of a link's surface from a cuboid. Negative: what the least distance of a link's segment lacks of
-/// the radius, so that a link whose segment itself meets a cuboid has −radius, however deep it is. `None` without cuboids.
+/// The smallest distance of a link's surface from a cuboid, in metres; `None` without cuboids. It is the distance of the link's
+/// segment minus the radius, so a link whose segment meets a cuboid has −radius, however deep it is.
 pub fn clearance(scene: &ArmScene, skeleton: &Skeleton, radius: f64) -> Option<f64> {
     Links::new(scene, radius).clearance(skeleton)
 }
 
-/// Whether no link touches anything on the way from one posture to another, all joints turning evenly.
+/// Whether no link touches anything between one posture and another, with all joints turning evenly.
 ///
-/// The answer "free" is exact wherever there is more room than `resolution`. Where there is less the postures that are tested
-/// are so near each other that no point of a link travels farther than `resolution` in between. "Not free" is always exact: some posture touches.
+/// The answer "free" is exact wherever there is more room than `resolution`, in metres. Where there is less, the tested
+/// postures are so near each other that no point of a link travels farther than `resolution` in between. "Not free" is always
+/// exact.
 pub fn motion_is_free(scene: &ArmScene, from: &Posture, to: &Posture, radius: f64, resolution: f64) -> bool {
     Links::new(scene, radius).motion_is_free(from, to, resolution)
 }
@@ -69,7 +70,7 @@ const HAIR: f64 = 1e-9;
 /// The finest resolution, as a share of the arm's reach, so that every test has an end.
 const FINEST: f64 = 1e-6;
 
-/// The links of a scene's arm, and what they must not touch: what tests of many postures have in common.
+/// The links of a scene's arm and their obstacles, prepared for tests of many postures.
 #[derive(Debug, Clone)]
 pub struct Links<'a> {
     arm: &'a Arm,
@@ -107,7 +108,7 @@ impl Travel {
 }
 
 impl<'a> Links<'a> {
-    /// The links of a scene's arm, with a radius.
+    /// The links of a scene's arm, with a radius in metres.
     pub fn new(scene: &'a ArmScene, radius: f64) -> Self {
         let arm = &scene.arm;
         let long = |a: f64, d: f64| (a * a + d * d).sqrt();
@@ -143,7 +144,7 @@ impl<'a> Links<'a> {
             || self.column.is_some_and(|column| self.leans_in(&column, [skeleton[1], skeleton[2]]))
     }
 
-    /// The least distance of a link's surface from a cuboid; see [`clearance`].
+    /// The smallest distance of a link's surface from a cuboid; see [`clearance`].
     pub fn clearance(&self, skeleton: &Skeleton) -> Option<f64> {
         let mut least = f64::INFINITY;
         for link in skeleton.windows(2) {
@@ -156,7 +157,7 @@ impl<'a> Links<'a> {
         least.is_finite().then(|| least.sqrt() - self.radius)
     }
 
-    /// Whether no link touches anything on the way from one posture to another; see [`motion_is_free`].
+    /// Whether no link touches anything between one posture and another; see [`motion_is_free`].
     pub fn motion_is_free(&self, from: &Posture, to: &Posture, resolution: f64) -> bool {
         if !from.iter().chain(to).all(|angle| angle.is_finite()) {
             return false;
@@ -200,8 +201,8 @@ impl<'a> Links<'a> {
         }
     }
 
-    /// How far on the way from one posture to another a link first touches something, as a share of the way, to a
-    /// ten-thousandth of it: `None` exactly if [`Links::motion_is_free`].
+    /// The share of the motion from one posture to another after which a link first touches something, from 0 to 1 and to a
+    /// ten-thousandth; `None` exactly if [`Links::motion_is_free`].
     pub fn first_touch(&self, from: &Posture, to: &Posture, resolution: f64) -> Option<f64> {
         if self.motion_is_free(from, to, resolution) {
             return None;
@@ -220,7 +221,7 @@ impl<'a> Links<'a> {
         Some(share)
     }
 
-    /// How far the tip is from the base at most.
+    /// The largest distance of the tip from the base, in metres.
     pub fn reach(&self) -> f64 {
         self.lengths.iter().sum()
     }

@@ -1,4 +1,4 @@
-//! Directions spread evenly over the sphere, for whoever tries how the tool may point.
+//! Directions spread evenly over the sphere, in which a tool may point.
 
 use std::sync::OnceLock;
 
@@ -6,12 +6,12 @@ use nalgebra::{Unit, Vector3};
 
 use super::Arm;
 
-/// How many directions [`Arm::directions`] has.
+/// The number of [`Arm::directions`].
 pub const DIRECTIONS: usize = 42;
 
 impl Arm {
-    /// Directions spread evenly over the sphere, with each its opposite: an icosahedron's 30 middles of edges, the six along
-    /// the axes first, and its 12 corners.
+    /// Directions spread evenly over the sphere, each with its opposite: the midpoints of an icosahedron's 30 edges, the six
+    /// along the axes first, and its 12 corners.
     ///
     /// ```
     /// let directions = forage::arm::Arm::directions();

@@ -1,4 +1,4 @@
-//! Where an arm's links are in a posture, [ARM-RRT](crate#papers) (1): the product of the joints' transformations.
+//! Forward kinematics, [ARM-RRT](crate#papers) (1): the product of the joints' transformations.
 
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
 
@@ -67,7 +67,7 @@ impl Arm {
         })
     }
 
-    /// The frame of each joint, and at last that of the tip, in the world: [ARM-RRT](crate#papers) (1).
+    /// The frame of each joint, and last that of the tip, in the world: [ARM-RRT](crate#papers) (1).
     ///
     /// ```
     /// use forage::arm::ArmScene;
@@ -87,14 +87,14 @@ impl Arm {
         std::array::from_fn(|i| frames.get(i).unwrap_or(&tip).isometry())
     }
 
-    /// Where base, shoulder, elbow, wrist and tip are.
+    /// The positions of base, shoulder, elbow, wrist and tip.
     pub fn skeleton(&self, posture: &Posture) -> Skeleton {
         let frames = self.frames(posture);
         let at = |i: usize| frames[i].origin.into();
         [self.base.position, at(1), at(2), at(3), frames[5].tip(&self.tool).into()]
     }
 
-    /// Where the tool points: its axis in the world.
+    /// The direction of the tool: its axis in the world.
     pub fn pointing(&self, posture: &Posture) -> Vector3<f64> {
         let [.., last] = self.frames(posture);
         match self.tool.axis {

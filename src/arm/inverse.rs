@@ -1,4 +1,4 @@
-//! Which postures bring the tip somewhere, [ARM-RRT](crate#papers) §2.1: closed form, up to eight.
+//! Inverse kinematics in closed form, [ARM-RRT](crate#papers) §2.1: up to eight postures.
 
 use std::f64::consts::PI;
 
@@ -38,12 +38,12 @@ enum Roll {
 }
 
 impl Arm {
-    /// The postures within the limits that bring the tip into a pose of the world, the nearest to `near` first by
+    /// The postures within the joint limits that bring the tip into a pose in the world, the nearest to `near` first by
     /// [`distance`].
     ///
-    /// A joint whose range is more than a turn takes the angle nearest to `near`'s. Where the wrist is singular
-    /// ([`SINGULAR`](super::SINGULAR)), θ4 and θ6 are those nearest to `near`'s that keep what is determined, their sum or
-    /// difference; where the wrist lies on joint 1's or 2's axis, that joint stays. `near` is taken into the limits first.
+    /// A joint whose range is more than a turn takes the angle nearest to `near`'s. If the wrist is singular
+    /// ([`SINGULAR`](super::SINGULAR)), only the sum or difference of θ4 and θ6 is determined, and they are the nearest to
+    /// `near`'s; if the wrist lies on joint 1's or 2's axis, that joint stays. `near` is clamped to the limits first.
     ///
     /// ```
     /// use forage::arm::ArmScene;
@@ -59,12 +59,12 @@ impl Arm {
     /// ```
     ///
     /// # Errors
-    /// [`Unreachable`]: whether position, orientation or limits are at fault.
+    /// [`Unreachable`] with the cause: position, orientation or limits.
     pub fn inverse(&self, pose: &Isometry3<f64>, near: &Posture) -> Result<Solutions, Unreachable> {
         self.solve(pose, near, Within::Limits, Roll::Overrides)
     }
 
-    /// As [`inverse`](Self::inverse), whatever the limits: angles in (−π, π].
+    /// As [`inverse`](Self::inverse), without joint limits: angles in (−π, π].
     ///
     /// # Errors
     /// [`Unreachable::Position`] or [`Unreachable::Orientation`].
@@ -72,10 +72,9 @@ impl Arm {
         self.solve(pose, near, Within::Turn, Roll::Overrides)
     }
 
-    /// The postures within the limits that bring the tip to a point with the tool pointing in a direction, the nearest to
-    /// `near` first. How the tool turns about itself is free: one along z6 leaves joint 6 where it is in `near` (and joint 4,
-    /// where the wrist is singular); of one along x6 or y6, 24 rolls 15° apart are tried and the one with the nearest
-    /// posture is taken.
+    /// The postures within the joint limits that bring the tip to a point with the tool pointing in a direction, the nearest to
+    /// `near` first. The roll of the tool is free: a tool along z6 leaves joint 6 as in `near` (and joint 4, if the wrist is
+    /// singular); for a tool along x6 or y6, 24 rolls 15° apart are tried and the one with the nearest posture is taken.
     ///
     /// ```
     /// use forage::arm::ArmScene;
@@ -90,7 +89,7 @@ impl Arm {
     /// ```
     ///
     /// # Errors
-    /// As [`inverse`](Self::inverse); for a tool along x6 or y6, as the most hopeful roll has it.
+    /// As [`inverse`](Self::inverse); for a tool along x6 or y6, the error of the roll that came closest.
     pub fn reaching(&self, point: [f64; 3], direction: &Unit<Vector3<f64>>, near: &Posture) -> Result<Solutions, Unreachable> {
         if self.tool.axis == Axis::Z {
             return self.solve(&self.pose(point, direction, 0.0), near, Within::Limits, Roll::Kept);
@@ -110,8 +109,8 @@ impl Arm {
     /// As [`reaching`](Self::reaching), with the one of [`directions`](Self::directions) whose posture is nearest to `near`.
     ///
     /// # Errors
-    /// [`Unreachable::Position`] or [`Unreachable::Limits`]; [`Unreachable::Orientation`] if a direction between those tried
-    /// would do.
+    /// [`Unreachable::Position`] or [`Unreachable::Limits`]; [`Unreachable::Orientation`] if only a direction between those
+    /// tried would be possible.
     pub fn reaching_somehow(&self, point: [f64; 3], near: &Posture) -> Result<(Unit<Vector3<f64>>, Solutions), Unreachable> {
         let mut best: Result<(_, Solutions), _> = Err(Unreachable::Position);
         for direction in Self::directions() {

@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 
 use nalgebra::Vector3;
 
-/// Six joint angles in radians.
+/// A configuration of the arm: its six joint angles, in radians.
 pub type Posture = [f64; 6];
 
-/// Where an arm's joints and its tip are: base, shoulder, elbow, wrist, tip, in the world.
+/// The positions of base, shoulder, elbow, wrist and tip in the world, in metres.
 pub type Skeleton = [[f64; 3]; 5];
 
 /// A joint and the link before it, modified Denavit–Hartenberg: T_i = Rx(α_{i−1}) Tx(a_{i−1}) Rz(θ_i) Tz(d_i).
@@ -17,20 +17,20 @@ pub struct Joint {
     pub a: f64,
     /// α_{i−1}, the twist of the link before, in degrees: a multiple of 90.
     pub alpha: f64,
-    /// θ_i in the home posture, in degrees.
+    /// θ_i in the home configuration, in degrees.
     pub home: f64,
     /// d_i, the offset along the joint's axis, in metres.
     pub d: f64,
-    /// The least θ_i, in degrees.
+    /// The smallest θ_i, in degrees.
     pub min: f64,
-    /// The greatest, in degrees.
+    /// The largest θ_i, in degrees.
     pub max: f64,
-    /// How fast it turns at most, in degrees a second. The paper gives none: [`Joint::SPEED`] unless a scene says otherwise.
+    /// The largest speed, in degrees per second. The paper gives none; the default is [`Joint::SPEED`].
     pub speed: f64,
 }
 
 impl Joint {
-    /// Degrees a second of a joint whose scene gives no limit.
+    /// The default of `speed`, in degrees per second.
     pub const SPEED: f64 = 180.0;
 }
 
@@ -46,7 +46,7 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// Every one.
+    /// All axes.
     pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
 
     /// The name that scene files use.
@@ -59,39 +59,39 @@ impl Axis {
     }
 }
 
-/// The tool: a straight piece from the wrist to the tip.
+/// The tool: a straight segment from the wrist to the tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tool {
-    /// Along which axis of the last frame.
+    /// The axis of the last frame that it lies along.
     pub axis: Axis,
-    /// How long, in metres.
+    /// Its length, in metres.
     pub length: f64,
 }
 
-/// Where the arm stands.
+/// The position of the arm in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Base {
-    /// The origin of its first joint, in the world.
+    /// The origin of the first joint in the world, in metres.
     pub position: [f64; 3],
-    /// How far it is turned about z, in degrees.
+    /// The rotation about z, in degrees.
     pub yaw: f64,
-    /// The radius of the column from the workspace's floor up to it; 0: none.
+    /// The radius of the column from the workspace's floor up to the base, in metres; 0: no column.
     pub column_radius: f64,
 }
 
 /// A six-axis arm with a spherical wrist, as data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Arm {
-    /// From the base to the wrist.
+    /// The joints, from the base to the wrist.
     pub joints: [Joint; 6],
-    /// At its end.
+    /// The tool at its end.
     pub tool: Tool,
-    /// Where it stands.
+    /// Its base.
     pub base: Base,
 }
 
 impl Arm {
-    /// The home posture.
+    /// The home configuration.
     pub fn home(&self) -> Posture {
         self.joints.map(|joint| joint.home * (PI / 180.0))
     }
@@ -105,7 +105,7 @@ impl Base {
 }
 
 impl Tool {
-    /// From the wrist to the tip, in the last joint's frame.
+    /// The vector from the wrist to the tip in the last joint's frame, in metres.
     pub fn vector(&self) -> Vector3<f64> {
         let mut vector = Vector3::zeros();
         vector[self.axis as usize] = self.length;
@@ -113,12 +113,12 @@ impl Tool {
     }
 }
 
-/// A posture in degrees.
+/// Converts a posture to degrees.
 pub fn degrees(posture: &Posture) -> [f64; 6] {
     posture.map(|angle| angle * (180.0 / PI))
 }
 
-/// A posture of degrees.
+/// Converts degrees to a posture.
 pub fn radians(degrees: &[f64; 6]) -> Posture {
     degrees.map(|angle| angle * (PI / 180.0))
 }

@@ -1,4 +1,4 @@
-//! The postures that bring the tool into a pose, at most eight, and why there may be none.
+//! Solutions of inverse kinematics, at most eight, and the reasons for having none.
 
 use std::{fmt, ops::Deref};
 
@@ -6,10 +6,10 @@ use crate::kernel::Error;
 
 use super::Posture;
 
-/// How many postures bring the tool into a pose at most: two turns of the base, two bends of the elbow, two of the wrist.
+/// The largest number of solutions for a pose: two turns of the base, two bends of the elbow, two of the wrist.
 pub const MAX_SOLUTIONS: usize = 8;
 
-/// Postures, the nearest first: a list of fixed capacity.
+/// The solutions for a pose, the nearest first: a list of fixed capacity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solutions {
     postures: [Posture; MAX_SOLUTIONS],
@@ -58,24 +58,24 @@ impl<'a> IntoIterator for &'a Solutions {
     }
 }
 
-/// How far two postures are apart: the Euclidean distance of their angles, in radians, turns counted.
+/// The Euclidean distance of two postures' angles, in radians. Whole turns count.
 pub fn distance(a: &Posture, b: &Posture) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
 }
 
-/// Why no posture brings the tool into a pose; the later, the less is missing.
+/// The reason why no posture brings the tool into a pose. A later variant is closer to a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Unreachable {
-    /// The tip cannot come there, whichever way the tool points.
+    /// The tip cannot reach the position, in any orientation.
     Position,
-    /// It can, but not with the tool pointing this way.
+    /// The tip can reach the position, but not in this orientation.
     Orientation,
-    /// It could, if joints turned further than their limits.
+    /// The joints would have to turn beyond their limits.
     Limits,
 }
 
 impl Unreachable {
-    /// What is at fault, in a word.
+    /// The cause, in a word.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Position => "position",
@@ -84,7 +84,7 @@ impl Unreachable {
         }
     }
 
-    /// As a refusal: of the field `position`, `orientation` or `limits`.
+    /// The error for the field `position`, `orientation` or `limits`.
     pub fn refusal(self) -> Error {
         let allowed = match self {
             Self::Position => "one that the tip can come to with some direction of the tool",

@@ -42,7 +42,7 @@ fn apart(a: &Posture, b: &Posture) -> f64 {
     turned.map(f64::abs).fold(0.0, f64::max)
 }
 
-/// [ARM-RRT](crate#papers) §4.1: [a1 + d4 + a6, 0, a2 + a3].
+/// [ARM-RRT](crate#papers) §2: [a1 + d4 + a6, 0, a2 + a3].
 #[test]
 fn at_home_the_tip_is_where_the_paper_says() {
     let arm = paper();

@@ -1,12 +1,12 @@
-//! Where postures take the tip.
+//! The path of the tip through postures.
 
 use super::{Arm, Posture};
 
 /// Joints turn by no more than this between two points of a tip's path, in radians.
 const TURN: f64 = 0.02;
 
-/// The tip's path through postures, all joints turning evenly from one to the next: points so close that it hardly differs
-/// from the curve.
+/// The tip's path through postures, with all joints turning evenly from one to the next, as points on the curve: joints turn by
+/// at most 0.02 rad between two of them.
 pub fn tip_path(arm: &Arm, postures: &[Posture]) -> Vec<[f64; 3]> {
     let tip = |posture: &Posture| arm.skeleton(posture)[4];
     let mut path: Vec<_> = postures.first().map(tip).into_iter().collect();

@@ -7,13 +7,13 @@ use super::Arm;
 /// An arm among cuboids.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArmScene {
-    /// Where the tip may be.
+    /// The region in which the tip may be, in metres.
     pub workspace: Cuboid,
-    /// Where the tip starts.
+    /// The start of the tip's path.
     pub start: [f64; 3],
-    /// Where it must come to.
+    /// The goal of the tip's path.
     pub goal: [f64; 3],
-    /// What it must not touch.
+    /// The obstacles.
     pub cuboids: Vec<Cuboid>,
     /// The arm.
     pub arm: Arm,

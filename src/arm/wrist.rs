@@ -6,7 +6,7 @@ use crate::math::atan2;
 
 use super::{Arm, Posture};
 
-/// The wrist is singular where |sin θ5| is no more than this: θ4 and θ6 then turn about one axis, to within 1e-10 rad.
+/// The largest |sin θ5| of a singular wrist: θ4 and θ6 then turn about one axis, to within 1e-10 rad.
 pub const SINGULAR: f64 = 1e-10;
 
 /// The signs of α4 and α5.
@@ -63,7 +63,7 @@ impl Wrist {
     }
 }
 
-/// θ4 and θ6 of a singular wrist, nearest to where they are: θ6 + sign θ4 is kept, [ARM-RRT](crate#papers) §4.1, and both turn
+/// θ4 and θ6 of a singular wrist, nearest to where they are: θ6 + sign θ4 is kept, [ARM-RRT](crate#papers) §2.1, and both turn
 /// by as much as they can share. `None` if no turn keeps them within their ranges.
 pub(super) fn share(sum: f64, sign: f64, near: &Posture, ranges: [[f64; 2]; 2]) -> Option<[f64; 2]> {
     let [[min4, max4], [min6, max6]] = ranges;
