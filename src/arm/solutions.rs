@@ -87,8 +87,8 @@ impl Unreachable {
     /// The error for the field `position`, `orientation` or `limits`.
     pub fn refusal(self) -> Error {
         let allowed = match self {
-            Self::Position => "one that the tip can come to with some direction of the tool",
-            Self::Orientation => "one in which the tip can come to this position",
+            Self::Position => "one that the tip can reach in some orientation",
+            Self::Orientation => "one in which the tip can reach this position",
             Self::Limits => "such that some posture within them reaches the pose",
         };
         Error::refused(self.name(), "out of reach", allowed)
@@ -98,9 +98,9 @@ impl Unreachable {
 impl fmt::Display for Unreachable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Position => "the tip cannot come there, whichever way the tool points",
-            Self::Orientation => "the tip cannot come there with the tool pointing this way",
-            Self::Limits => "the tip could come there only if joints turned beyond their limits",
+            Self::Position => "the tip cannot reach this position in any orientation",
+            Self::Orientation => "the tip cannot reach this position in this orientation",
+            Self::Limits => "the joints would have to turn beyond their limits",
         })
     }
 }

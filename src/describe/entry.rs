@@ -210,7 +210,7 @@ impl Entry {
         match places.len() {
             n if n < 2 => {
                 let found = if n == 0 { "nothing" } else { "a list of 1" };
-                Err(Error::refused(field, found, "two stops at least: this planner calls at stops"))
+                Err(Error::refused(field, found, "a list of at least two stops: this planner visits stops"))
             }
             n => self.check_most(field, n),
         }

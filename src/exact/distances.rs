@@ -100,7 +100,7 @@ impl Distances {
                     return Err(Error::refused(at(), there, "0, as it is the distance of a stop from itself"));
                 }
                 if there != back {
-                    return Err(Error::refused(at(), there, format!("{back}, as the way back is: distances are symmetric")));
+                    return Err(Error::refused(at(), there, format!("{back}, as in the other direction: distances are symmetric")));
                 }
             }
         }

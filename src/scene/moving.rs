@@ -148,7 +148,7 @@ impl Moving {
             Motion::Waypoints(points) => {
                 let field = format!("{name}.waypoints");
                 if points.is_empty() || points.len() > MAX_WAYPOINTS {
-                    return Err(Error::refused(field, format!("a list of {}", points.len()), format!("1 to {MAX_WAYPOINTS} way-points")));
+                    return Err(Error::refused(field, format!("a list of {}", points.len()), format!("1 to {MAX_WAYPOINTS} waypoints")));
                 }
                 let [x, y] = self.center;
                 let mut before = [0.0, x, y];
@@ -158,7 +158,7 @@ impl Moving {
                     (1..3).try_for_each(|k| limited(&format!("{field}[{k}]"), point[k]))?;
                     let (time, seconds) = (format!("{field}[0]"), point[0] - before[0]);
                     if seconds <= 0.0 || point[0] > LARGEST {
-                        let allowed = format!("after {}, at most {LARGEST}: way-points follow each other", before[0]);
+                        let allowed = format!("after {}, at most {LARGEST}: the times of waypoints grow", before[0]);
                         return Err(Error::refused(time, point[0], allowed));
                     }
                     // Nothing is faster than what has a velocity; a time too short to divide by would lead nowhere.

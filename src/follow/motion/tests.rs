@@ -175,7 +175,7 @@ fn a_path_that_nobody_can_follow_says_where_and_why() {
     let failure = far.outcome.failure.as_deref().unwrap();
     assert!(!far.outcome.arrived && !far.rows.is_empty() && far.outcome.free, "{:?}", far.outcome);
     assert!(
-        failure.starts_with(&format!("point {} of 411, (", rows(&far).len() + 1)) && failure.contains("the tip cannot come there"),
+        failure.starts_with(&format!("point {} of 411, (", rows(&far).len() + 1)) && failure.contains("the tip cannot reach this position"),
         "{failure}"
     );
     let nowhere = follow(&scene, &[[5.0; 3], [6.0; 3]], &[]);

@@ -78,7 +78,7 @@ impl<'a> Yaml<'a> {
                 return Err(file.wrong(line, &format!("more than {MOST_KEYS} keys: this describes no map")));
             }
             if let Some(other) = entries.iter().find(|entry| entry.key == key) {
-                return Err(file.wrong(line, &format!("`{key}` again, it stands in line {}", other.line)));
+                return Err(file.wrong(line, &format!("`{key}` again, first in line {}", other.line)));
             }
             let (values, listed) = if let Some(list) = value.strip_prefix('[') {
                 let list = list.strip_suffix(']').ok_or_else(|| file.unexpected(line, value, "a list with `]` at its end"))?;

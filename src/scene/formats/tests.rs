@@ -134,7 +134,7 @@ fn every_malformed_file_is_refused_with_its_name_the_line_and_the_reason() {
         (yaml("[-1.5, 2, 0.0]", "[-1.5, 2, 0.0"), "line 3: found `[-1.5, 2, 0.0`, expected a list with `]`"),
         (yaml("negate: 0", "negate: 2"), "line 4: found `2`, expected for negate 0 or 1"),
         (yaml("negate: 0", "mode: dual"), "line 4: found `dual`, expected for mode trinary, scale or raw"),
-        (yaml("negate: 0", "resolution: 1"), "line 4: `resolution` again, it stands in line 2"),
+        (yaml("negate: 0", "resolution: 1"), "line 4: `resolution` again, first in line 2"),
         (yaml("negate: 0", "negate 0"), "line 4: found `negate 0`, expected `key: value`"),
         (yaml("negate: 0", "  negate: 0"), "line 4: found `  negate: 0`, expected `key: value`, not indented"),
         (yaml("negate: 0", "- 3"), "line 4: found `- 3`, expected a list's key"),

@@ -127,7 +127,7 @@ fn moving(at: &str, value: Value) -> Result<Moving, Error> {
     Ok(Moving { center, radius, motion })
 }
 
-/// A way-point, with the field it stands in.
+/// A waypoint; `path` is its field.
 fn moment(path: &str, found: &Value) -> Result<[f64; 3], Error> {
     let Some([time, x, y]) = found.as_array().map(Vec::as_slice) else {
         return Err(Error::refused(path, shown(found), "a time and a point, [t, x, y]"));
@@ -229,7 +229,7 @@ mod tests {
         }
         for (from, to, expected) in [
             ("[[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]", "3", ["", "3", "a list"]),
-            ("[[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]", "[]", ["", "a list of 0", "1 to 10000 way-points"]),
+            ("[[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]", "[]", ["", "a list of 0", "1 to 10000 waypoints"]),
             ("[3, 2, 3]", "[2, 3]", ["[1]", "a list of 2", "a time and a point, [t, x, y]"]),
             ("[3, 2, 3]", "[3, 2, 3, 4]", ["[1]", "a list of 4", "a time and a point, [t, x, y]"]),
             ("[3, 2, 3]", "{}", ["[1]", "an object", "a time and a point, [t, x, y]"]),
@@ -237,10 +237,10 @@ mod tests {
             ("[3, 2, 3]", "[\"3\", 2, 3]", ["[1][0]", "\"3\"", "a finite number"]),
             ("[3, 2, 3]", "[3, 2e6, 3]", ["[1][1]", "2000000", far]),
             ("[3, 2, 3]", "[3, 2, -2e6]", ["[1][2]", "-2000000", far]),
-            ("[3, 2, 3]", "[1.5, 2, 3]", ["[1][0]", "1.5", "after 1.5, at most 1000000: way-points follow each other"]),
-            ("[3, 2, 3]", "[1, 2, 3]", ["[1][0]", "1", "after 1.5, at most 1000000: way-points follow each other"]),
-            ("[4.5, -2, 1e3]", "[1e7, -2, 1e3]", ["[2][0]", "10000000", "after 3, at most 1000000: way-points follow each other"]),
-            ("[1.5, 2, 3]", "[0, 2, 3]", ["[0][0]", "0", "after 0, at most 1000000: way-points follow each other"]),
+            ("[3, 2, 3]", "[1.5, 2, 3]", ["[1][0]", "1.5", "after 1.5, at most 1000000: the times of waypoints grow"]),
+            ("[3, 2, 3]", "[1, 2, 3]", ["[1][0]", "1", "after 1.5, at most 1000000: the times of waypoints grow"]),
+            ("[4.5, -2, 1e3]", "[1e7, -2, 1e3]", ["[2][0]", "10000000", "after 3, at most 1000000: the times of waypoints grow"]),
+            ("[1.5, 2, 3]", "[0, 2, 3]", ["[0][0]", "0", "after 0, at most 1000000: the times of waypoints grow"]),
             ("[1.5, 2, 3]", "[1e-9, 2, 3]", ["[0][0]", "0.000000001", "late enough to be there at no more than 1000000 a second"]),
             ("[1.5, 2, 3]", "[4e-324, 2, 3]", ["[0][0]", "0", "late enough to be there at no more than 1000000 a second"]),
         ] {

@@ -96,7 +96,7 @@ impl<'a> Instance<'a> {
             if fits { Ok(()) } else { Err(words.file.unexpected(line, value, &format!("for {keyword} {expected}"))) }
         };
         if let Some(before) = self.line_of(keyword).filter(|_| keyword != "COMMENT") {
-            return Err(words.file.wrong(line, &format!("`{keyword}` again, it stands in line {before}")));
+            return Err(words.file.wrong(line, &format!("`{keyword}` again, first in line {before}")));
         }
         self.seen.push((keyword, line));
         match keyword {
@@ -186,7 +186,7 @@ impl<'a> Instance<'a> {
                 if i == j {
                     diagonal += usize::from(d != 0.0);
                 } else if d != back && !back.is_nan() {
-                    let expected = format!("{back} from stop {} to {}, as the way back is: distances are symmetric", i + 1, j + 1);
+                    let expected = format!("{back} from stop {} to {}, as in the other direction: distances are symmetric", i + 1, j + 1);
                     return Err(words.refuse(word, &expected));
                 }
                 (self.weights[i * n + j], self.weights[j * n + i]) = (d, d);

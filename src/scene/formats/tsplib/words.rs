@@ -81,7 +81,7 @@ impl<'a> Words<'a> {
         let read = |word: &str| word.parse().ok().filter(|id| (1..=n).contains(id));
         let id = self.take(read, &|| format!("a stop from 1 to {n}"))?;
         if std::mem::replace(&mut called[id - 1], true) {
-            return Err(self.file.unexpected(self.line, &id.to_string(), "a stop that did not stand above: each once"));
+            return Err(self.file.unexpected(self.line, &id.to_string(), "a stop that is not listed above: each once"));
         }
         Ok(id - 1)
     }
