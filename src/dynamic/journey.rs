@@ -55,7 +55,7 @@ pub(super) struct Journey {
     pub view: View,
     pub tally: Tally,
     pub events: Vec<Event>,
-    /// [t, x, y] wherever its motion changed.
+    /// `[t, x, y]` at every change of its motion.
     pub moments: Vec<[f64; 3]>,
     /// Where a detour comes back to the planned way.
     pub local_goal: Option<usize>,
