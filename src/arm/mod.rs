@@ -1,5 +1,5 @@
-//! Six-axis arms with a spherical wrist, [ARM-RRT] §4.1 of the repaired text: the arm as data, where its links are, which
-//! postures bring its tip somewhere, and what they touch. How it follows a path is in [`follow`](crate::follow).
+//! Six-axis arms with a spherical wrist, [ARM-RRT](crate#papers) §4.1 of the repaired text: the arm as data, where its links
+//! are, which postures bring its tip somewhere, and what they touch. How it follows a path is in [`follow`](crate::follow).
 //!
 //! Lengths are in metres; a scene's angles are in degrees, as in its file, and a [`Posture`]'s in radians. A [`Posture`] is a
 //! configuration of the arm. World coordinates are base + Rz(yaw) (x, y, z).

@@ -1,8 +1,8 @@
 //! The arm follows a path: postures along it, the paper's replacements, joint trajectories, and what the whole arm touches.
 //!
-//! - [`course`]: the path as points; [`follow`]: which postures there are for a point, and the paper's choice among them;
-//! - [`hand`], [`search`], [`smoothest`]: ours, the choice that is best for the path as a whole;
-//! - [`trajectory`]: when the arm is where, and what it touches on the way.
+//! - `course`: the path as points; `follow`: which postures there are for a point, and the paper's choice among them;
+//! - `hand`, `search`, `smoothest`: ours, the choice that is best for the path as a whole;
+//! - `trajectory`: when the arm is where, and what it touches on the way.
 
 mod course;
 mod follow;
