@@ -173,7 +173,31 @@ impl Entry {
         Self { suggest, ..self }
     }
 
-    /// The layers of its frames, and those that only explanations mark. A frame's table counts the former.
+    /// What another entry describes (kinds, parameters, readings, formulas, layers, members, events), for a variant of its planner
+    /// under a name and with a start of its own.
+    #[must_use]
+    pub const fn like(self, other: &Self) -> Self {
+        Self {
+            name: self.name,
+            title: self.title,
+            source: self.source,
+            summary: self.summary,
+            start: self.start,
+            presets: &[],
+            suggest: |_| None,
+            ..*other
+        }
+    }
+
+    /// A value for each parameter on a kind of scene: what is given, and defaults for the rest.
+    ///
+    /// # Errors
+    /// As [`Parameters::new`].
+    pub fn configure(&self, kind: SceneKindId, given: &Overrides) -> Result<Parameters, Error> {
+        Parameters::new(self.parameters, kind, given)
+    }
+
+    /// The layers that frames consist of, and those that only explanations mark. A frame's table counts the former.
     pub fn drawn_and_marked(&self) -> (&'static [Layer], &'static [Layer]) {
         let drawn = self.layers.iter().position(|layer| layer.shown == Shown::Inspection);
         self.layers.split_at(drawn.unwrap_or(self.layers.len()))

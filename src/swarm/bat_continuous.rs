@@ -12,17 +12,16 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Preset, Reading, Start, layers},
-    kernel::{
-        Candidate, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream,
-    },
+    describe::{Entry, Formula, Group, Layer, Preset, Reading, layers},
+    kernel::{Candidate, Column, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
     math::{self, clamp},
-    params::{Choice, Fixed, Param},
+    params::{Choice, Fixed, Param, Parameters},
 };
 
 use super::{
     clock::Clock,
     encoding,
+    objective::Objective,
     parameters::{
         BEST, EVALUATIONS, FREE, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, POPULATION, POSITION, SMOOTHED, SMOOTHNESS, SPREAD, V_MAX,
         V_MAX_ABSOLUTE,
@@ -100,11 +99,11 @@ trait Watch {
 
 impl Watch for () {}
 
-fn start(start: &Start) -> Result<Started, Error> {
-    let &Start { scene, parameters: settings, seed, .. } = start;
+/// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
+pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {
     let mut rng = Stream::new(seed, 0);
-    let size = settings[POPULATION] as usize;
-    let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
+    let population = Population::new(objective, settings[POPULATION] as usize, &mut rng);
+    let size = population.size;
     let sides: Vec<_> = population.objective.search_box().sides().collect();
     let (v_max, absolute) = (settings[V_MAX], settings[V_MAX_ABSOLUTE]);
     let [low, high] = [settings[F_MIN], settings[F_MAX]];
@@ -126,7 +125,7 @@ fn start(start: &Start) -> Result<Started, Error> {
         clock: Clock::new(settings, population.bests()),
         population,
     };
-    Ok(super::started(bats, settings))
+    bats.clock.start(bats)
 }
 
 impl Bats {
@@ -432,7 +431,7 @@ pub const ENTRY: Entry = Entry::new(
     "Bat algorithm: continuous",
     "[ANTBAT] (7)–(11)",
     "Each bat has a frequency, a velocity and a position. With its pulse rate it flies, otherwise it walks about the global best; loudness decides whether it accepts what is not worse.",
-    start,
+    |start| encoding::start(start, on),
 )
 .family("swarm")
 .kinds(KINDS)

@@ -1,7 +1,7 @@
 //! How many iterations a swarm has taken and when it stops.
 
 use crate::{
-    kernel::{Progress, State, Status},
+    kernel::{Planner, Progress, Started, State, Status},
     params::Parameters,
 };
 
@@ -26,6 +26,12 @@ impl Clock {
     /// iteration.
     pub(super) fn new(settings: &Parameters, best: [f64; 2]) -> Self {
         Self { iteration: 0, limit: settings[ITERATIONS], early_stop: settings[EARLY_STOP], unchanged: 0, best }
+    }
+
+    /// A run of a planner that stops by this clock.
+    pub(super) fn start(self, planner: impl Planner) -> Started {
+        let started = Started::new(planner, self.limit);
+        if self.early_stop > 0 { started.open_ended() } else { started }
     }
 
     /// Counts an iteration that ended with these best costs.

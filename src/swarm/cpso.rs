@@ -1,13 +1,17 @@
 //! `cpso`: the swarm whose accelerations change linearly, [WCPSO](crate#papers) §3.1 and its reference 18.
 
+use std::sync::Arc;
+
 use crate::{
-    describe::{Entry, Formula, Preset, Start},
-    kernel::{Error, Started},
-    params::{Choice, Fixed, Param},
+    describe::{Entry, Formula, Preset},
+    kernel::Started,
+    params::{Choice, Fixed, Param, Parameters},
 };
 
 use super::{
-    flight::Flight,
+    encoding,
+    flight::{Flight, Swarm},
+    objective::Objective,
     parameters::{AS_IN_TEXT, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, READINGS, VELOCITY, W, W_MAX, W_MIN},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
@@ -68,7 +72,7 @@ pub const ENTRY: Entry = Entry::new(
     "CPSO: linear accelerations",
     "[WCPSO] §3.1",
     "The pull of the own best falls linearly and that of the swarm’s best rises.",
-    start,
+    |start| encoding::start(start, on),
 )
 .family("swarm")
 .kinds(KINDS)
@@ -86,12 +90,12 @@ pub const ENTRY: Entry = Entry::new(
 .layers(LAYERS)
 .presets(&[AS_IN_TEXT, FITTED]);
 
-fn start(start: &Start) -> Result<Started, Error> {
-    let settings = start.parameters;
+/// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
+pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {
     let schedule = Schedule {
         w: if settings[W_LINEAR] { Law::Linear(settings[W_MAX], settings[W_MIN]) } else { Law::Constant(settings[W]) },
         c1: Law::Linear(settings[C1_START], settings[C1_END]),
         c2: Law::Linear(settings[C2_START], settings[C2_END]),
     };
-    super::start(start, Flight { schedule, perturbation: None })
+    Swarm::new(objective, settings, seed, Flight { schedule, perturbation: None }).into()
 }

@@ -13,12 +13,12 @@
 #[cfg(test)]
 mod tests;
 
+use std::sync::Arc;
+
 use crate::{
-    describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading, Start, layers},
-    kernel::{
-        Candidate, Column, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream,
-    },
-    params::{Fixed, Param},
+    describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading, layers},
+    kernel::{Candidate, Column, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
+    params::{Fixed, Param, Parameters},
     scene::{DISCS, GRID},
 };
 
@@ -26,6 +26,7 @@ use super::{
     clock::Clock,
     encoding,
     levy::{Draw, Levy},
+    objective::Objective,
     parameters::{BEST, EVALUATIONS, FREE, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, SMOOTHED, SMOOTHNESS, SPREAD},
     paths::{CHARGED, ENCODED},
     population::Population,
@@ -79,11 +80,11 @@ trait Watch {
 
 impl Watch for () {}
 
-fn start(start: &Start) -> Result<Started, Error> {
-    let &Start { scene, parameters: settings, seed, .. } = start;
+/// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
+pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {
     let mut rng = Stream::new(seed, 0);
-    let size = settings[POPULATION] as usize;
-    let population = Population::new(encoding::objective(scene, settings)?, size, &mut rng);
+    let population = Population::new(objective, settings[POPULATION] as usize, &mut rng);
+    let size = population.size;
     let numbers: Vec<_> = (0..size).collect();
     let nests = Nests {
         levy: Levy::new(settings[LAMBDA]),
@@ -97,7 +98,7 @@ fn start(start: &Start) -> Result<Started, Error> {
         clock: Clock::new(settings, population.bests()),
         population,
     };
-    Ok(super::started(nests, settings))
+    nests.clock.start(nests)
 }
 
 impl Nests {
@@ -421,7 +422,7 @@ pub const ENTRY: Entry = Entry::new(
     "Cuckoo search: Lévy flights",
     "Yang and Deb 2009",
     "Each nest is a candidate solution. A Lévy flight makes a new one from it, mostly near and seldom far away; then some of its coordinates are rebuilt along the difference of two random nests. A nest is replaced only by what is not worse.",
-    start,
+    |start| encoding::start(start, on),
 )
 .family("swarm")
 .kinds(KINDS)

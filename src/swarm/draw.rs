@@ -33,7 +33,7 @@ impl Population {
     }
 
     /// Draws what the positions lie on, the personal bests and the particles.
-    pub(super) fn draw_members(&self, frame: &mut Frame) {
+    pub fn draw_members(&self, frame: &mut Frame) {
         self.objective.draw_guides(frame);
         self.draw(frame, layers::PERSONAL_BESTS.key, &self.p, &|_| true, &|_| 0.0, CONTEXT);
         self.draw(frame, layers::PARTICLES.key, &self.x, &|_| true, &self.weights(), 1);
@@ -46,7 +46,7 @@ impl Population {
     }
 
     /// Draws the result, and what becomes of it.
-    pub(super) fn draw_result(&self, frame: &mut Frame) {
+    pub fn draw_result(&self, frame: &mut Frame) {
         let (_, best) = self.reported();
         self.draw_one(frame, layers::BEST.key, best, 0.0);
         self.objective.draw_result(best, frame);

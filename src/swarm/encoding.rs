@@ -1,9 +1,10 @@
-//! How a position stands for a path.
+//! How a position stands for a path, and how a swarm starts on a scene.
 
 use std::sync::Arc;
 
 use crate::{
-    kernel::Error,
+    describe::Start,
+    kernel::{Error, Started},
     params::Parameters,
     scene::{DiscsScene, FunctionScene, GridScene, Scene},
 };
@@ -15,6 +16,14 @@ use super::{
     terrain::Terrain,
     waypoints::Waypoints,
 };
+
+/// Starts a swarm on whatever kind of scene it is given: `on` starts it on an objective.
+///
+/// # Errors
+/// As [`objective`].
+pub(super) fn start(start: &Start, on: fn(Arc<dyn Objective>, &Parameters, u64) -> Started) -> Result<Started, Error> {
+    Ok(on(objective(start.scene, start.parameters)?, start.parameters, start.seed))
+}
 
 /// What a swarm minimises on this scene. This is where a position's meaning is chosen; what moves the particles does
 /// not know it.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, State, rng::Stream},
+    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
     math::clamp,
     params::Parameters,
 };
@@ -20,11 +20,13 @@ use super::{
     sheet::introduce_as,
 };
 
-/// What distinguishes one swarm of [WCPSO](crate#papers) from another.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Flight {
-    pub(super) schedule: Schedule,
-    pub(super) perturbation: Option<Perturbation>,
+/// What distinguishes one swarm of [WCPSO] from another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flight {
+    /// How ω, c1 and c2 change over the iterations.
+    pub schedule: Schedule,
+    /// What moves particles that stagnate; `None`: nothing.
+    pub perturbation: Option<Perturbation>,
 }
 
 /// The random numbers of one particle's step: a pair r1, r2 for each coordinate, or one pair for all of them.
@@ -43,9 +45,11 @@ impl Draws {
     }
 }
 
-/// A swarm that flies: v ← ω v + c1 r1 (p − x) + c2 r2 (g − x), x ← x + v.
+/// A particle swarm: v ← ω v + c1 r1 (p − x) + c2 r2 (g − x), x ← x + v, [WCPSO] (1, 2) and (6, 7).
+///
+/// It is a [`Planner`] for any [`Objective`]: `Started::from(Swarm::new(…))` is a run of it.
 #[derive(Clone, State)]
-pub(super) struct Swarm {
+pub struct Swarm {
     pub(super) population: Population,
     /// Velocities v.
     pub(super) v: Vec<f64>,
@@ -76,11 +80,27 @@ pub(super) struct Swarm {
 const PATIENCE: u8 = 3;
 
 impl Swarm {
-    /// Positions uniform in the box, velocities zero.
-    pub(super) fn new(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64, flight: Flight) -> Self {
+    /// Positions as the objective draws them, velocities zero. It reads `population`, `iterations`, `early_stop` and
+    /// [`FLIGHT`](super::FLIGHT): the entry has to list them, as that of every swarm does.
+    pub fn new(objective: Arc<dyn Objective>, parameters: &Parameters, seed: u64, flight: Flight) -> Self {
         let mut rng = Stream::new(seed, 0);
-        let population = Population::new(objective, settings[POPULATION] as usize, &mut rng);
-        Self::of(population, settings, rng, flight)
+        let population = Population::new(objective, parameters[POPULATION] as usize, &mut rng);
+        Self::of(population, parameters, rng, flight)
+    }
+
+    /// Positions, costs and bests.
+    pub fn population(&self) -> &Population {
+        &self.population
+    }
+
+    /// The velocity of particle `i`.
+    pub fn velocity(&self, i: usize) -> &[f64] {
+        &self.v[self.population.row(i)]
+    }
+
+    /// ω, c1 and c2 of the step that led here.
+    pub fn coefficients(&self) -> Coefficients {
+        self.coefficients
     }
 
     /// Of particles that have their positions; velocities zero.
@@ -143,7 +163,7 @@ impl Swarm {
         let search_box = objective.search_box();
         // Slices of one known length: the loop below needs no bounds checks.
         let (x, v, p, g) = (&mut x[row.clone()], &mut self.v[row.clone()], &p[row], &g[..n]);
-        let (low, high, v_max) = (&search_box.low[..n], &search_box.high[..n], &self.v_max[..n]);
+        let (low, high, v_max) = (&search_box.low()[..n], &search_box.high()[..n], &self.v_max[..n]);
         let draws = Draws::begin(self.per_particle, &mut self.rng);
         for j in 0..n {
             let [r1, r2] = draws.next(&mut self.rng);
@@ -296,6 +316,12 @@ impl Planner for Swarm {
 
     fn facets(&self) -> Facets<'_> {
         Facets::default().explain(self)
+    }
+}
+
+impl From<Swarm> for Started {
+    fn from(swarm: Swarm) -> Self {
+        swarm.clock.start(swarm)
     }
 }
 

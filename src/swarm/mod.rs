@@ -2,6 +2,39 @@
 //! the continuous bats of [ANTBAT](crate#papers), and what it compares with (`cuckoo-search`, `pso-rrt`), with exchangeable
 //! parts.
 //!
+//! All of them minimise an [`Objective`](objective::Objective). An own one is a search box and a cost; each planner's `on` starts
+//! on it. A swarm with a schedule or perturbation of its own is a [`Flight`], and one that moves otherwise keeps its particles in
+//! a [`Population`].
+//!
+//! ```
+//! use std::sync::Arc;
+//! use forage::{Overrides, kernel::{SceneKindId, Stepper}, swarm::wcpso, swarm::objective::{Evaluation, Objective, Scratch, SearchBox}};
+//!
+//! /// (x − 1)² + (y − 2)²
+//! struct Bowl(SearchBox);
+//!
+//! impl Objective for Bowl {
+//!     fn search_box(&self) -> &SearchBox {
+//!         &self.0
+//!     }
+//!     fn evaluate(&self, x: &[f64], _: &mut Scratch) -> Evaluation {
+//!         let [dx, dy] = [x[0] - 1.0, x[1] - 2.0];
+//!         (dx * dx + dy * dy).into()
+//!     }
+//! }
+//!
+//! let parameters = wcpso::ENTRY.configure(SceneKindId("bowl"), &Overrides::default())?;
+//! let bowl = Bowl(SearchBox::cube(2, -10.0, 10.0)?);
+//! let mut run = Stepper::from(wcpso::on(Arc::new(bowl), &parameters, 1));
+//! while run.step(|_| Vec::new()) {}
+//! assert!(run.planner.best().unwrap().cost < 1e-9);
+//! # Ok::<(), forage::Error>(())
+//! ```
+//!
+//! In an entry the start is `|start| Ok(wcpso::on(objective, start.parameters, start.seed))`, and
+//! [`Entry::like`](crate::describe::Entry::like) takes over what [`wcpso::ENTRY`] describes.
+//!
+//! # The parts
 //! - [`objective`]: what a position means and costs: a function's value, or a path. Two encodings of paths,
 //!   [`waypoints`] and [`polar`], over a `terrain` of discs or of blocked cells; `encoding` chooses.
 //! - `population`: positions, costs, personal and global bests; whatever moves the particles. `clock`: when it stops.
@@ -35,26 +68,9 @@ pub mod waypoints;
 pub mod wcpso;
 pub mod wpso;
 
-use crate::{
-    describe::Start,
-    kernel::{Error, Planner, Started},
-    params::Parameters,
-};
-
+pub use flight::{Flight, Swarm};
+pub use parameters::{FLIGHT, ITERATIONS, POPULATION};
+pub use paths::EARLY_STOP;
+pub use population::Population;
 pub use quantum::{ltqpso, qpso};
-
-use flight::{Flight, Swarm};
-use parameters::ITERATIONS;
-use paths::EARLY_STOP;
-
-/// Starts a swarm that flies on whatever kind of scene it is given.
-fn start(start: &Start, flight: Flight) -> Result<Started, Error> {
-    let &Start { scene, parameters: settings, seed, .. } = start;
-    Ok(started(Swarm::new(encoding::objective(scene, settings)?, settings, seed, flight), settings))
-}
-
-/// A run of a swarm, with the settings `iterations` and `early_stop`.
-fn started(swarm: impl Planner, settings: &Parameters) -> Started {
-    let started = Started::new(swarm, settings[ITERATIONS]);
-    if settings[EARLY_STOP] > 0 { started.open_ended() } else { started }
-}
+pub use sheet::SYMBOLS;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Frame, Readings, Solution, State, rng::Stream},
+    kernel::{Error, Frame, Readings, Solution, State, rng::Stream},
     math,
     scene::FunctionScene,
 };
@@ -11,13 +11,65 @@ use crate::{
 /// The box in which positions are searched, and what it allows.
 #[derive(Debug, Clone)]
 pub struct SearchBox {
-    /// The least value of each coordinate.
-    pub low: Arc<[f64]>,
-    /// The greatest value of each coordinate.
-    pub high: Arc<[f64]>,
+    low: Arc<[f64]>,
+    high: Arc<[f64]>,
 }
 
 impl SearchBox {
+    /// From the least value of each coordinate to the greatest.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for `low` and `high` of different lengths or without any coordinate, for values that are not finite, and
+    /// where a least value is above the greatest.
+    pub fn new(low: impl Into<Arc<[f64]>>, high: impl Into<Arc<[f64]>>) -> Result<Self, Error> {
+        Self { low: low.into(), high: high.into() }.checked()
+    }
+
+    /// The same range for each of `dimension` coordinates.
+    ///
+    /// # Errors
+    /// As [`SearchBox::new`].
+    pub fn cube(dimension: usize, low: f64, high: f64) -> Result<Self, Error> {
+        Self::new(vec![low; dimension], vec![high; dimension])
+    }
+
+    fn checked(self) -> Result<Self, Error> {
+        let (low, high) = (&self.low, &self.high);
+        if low.is_empty() {
+            return Err(Error::refused("low", "an empty list", "one number at least"));
+        }
+        if low.len() != high.len() {
+            return Err(Error::refused("high", format!("a list of {}", high.len()), format!("as long as low, which has {}", low.len())));
+        }
+        for (j, (&low, &high)) in low.iter().zip(&**high).enumerate() {
+            if !low.is_finite() {
+                return Err(Error::refused(format!("low[{j}]"), low, "a finite number"));
+            }
+            if !(high.is_finite() && low <= high && (high - low).is_finite()) {
+                return Err(Error::refused(format!("high[{j}]"), high, format!("a finite number from {low} on")));
+            }
+        }
+        Ok(self)
+    }
+
+    /// A box whose sides follow from a scene, which was checked.
+    pub(super) fn of(sides: impl Iterator<Item = [f64; 2]>) -> Self {
+        let (low, high): (Vec<_>, Vec<_>) = sides.map(|[low, high]| (low, high)).unzip();
+        Self { low: low.into(), high: high.into() }
+    }
+
+    /// The least value of each coordinate.
+    #[inline]
+    pub fn low(&self) -> &[f64] {
+        &self.low
+    }
+
+    /// The greatest value of each coordinate.
+    #[inline]
+    pub fn high(&self) -> &[f64] {
+        &self.high
+    }
+
     /// How many coordinates a position has.
     pub fn dimension(&self) -> usize {
         self.low.len()
@@ -49,12 +101,21 @@ pub struct Evaluation {
     pub violation: f64,
 }
 
-/// What positions mean and cost. An encoding of paths is one of these; the planners know nothing else of the scene.
+impl From<f64> for Evaluation {
+    /// A cost that breaks no rule.
+    fn from(cost: f64) -> Self {
+        Self { cost, violation: 0.0 }
+    }
+}
+
+/// What positions mean and cost: all that a swarm knows of its scene. An own objective needs a box and a cost; then a position is
+/// a [`Solution::Position`], drawn by its first two coordinates. An encoding of paths defines the rest, too.
 pub trait Objective: Send + Sync {
-    /// Where positions may lie.
+    /// Where positions may lie: always the same box.
     fn search_box(&self) -> &SearchBox;
-    /// The cost of a position. Called once per particle and iteration; must not allocate, but for `scratch`, which is
-    /// re-used from call to call.
+    /// The cost of a position, which is minimised: the same for the same position, whatever came before. A position whose cost is
+    /// NaN or infinite never becomes a best one. Called once per particle and iteration; should not allocate, but for `scratch`,
+    /// which is re-used from call to call.
     fn evaluate(&self, x: &[f64], scratch: &mut Scratch) -> Evaluation;
     /// Draws a position before the first iteration, uniformly in the search box unless there is a better way.
     fn draw(&self, x: &mut [f64], rng: &mut Stream) {
@@ -73,18 +134,26 @@ pub trait Objective: Send + Sync {
         false
     }
     /// How many points in the plane a position places: itself, or a path's way-points.
-    fn point_count(&self) -> usize;
+    fn point_count(&self) -> usize {
+        1
+    }
     /// The `i`-th of those points.
-    fn point(&self, x: &[f64], i: usize) -> [f64; 2];
+    fn point(&self, x: &[f64], _i: usize) -> [f64; 2] {
+        [x[0], x.get(1).copied().unwrap_or(0.0)]
+    }
     /// The ends of the path that the points belong to; `None` where there is no path.
     fn ends(&self) -> Option<([f64; 2], [f64; 2])> {
         None
     }
-    /// What a position is the solution of.
-    fn solution(&self, x: &[f64]) -> Solution;
+    /// A position as it is judged.
+    fn solution(&self, x: &[f64]) -> Solution {
+        Solution::Position(x.to_vec())
+    }
     /// The name of the coordinate `j`, e.g. `x₃`.
-    fn coordinate(&self, j: usize) -> String;
-    /// Tells the numbers by which a position's meaning is measured.
+    fn coordinate(&self, j: usize) -> String {
+        subscripted('x', j + 1)
+    }
+    /// Adds the numbers by which a position's meaning is measured.
     fn read(&self, _x: &[f64], _out: &mut Readings) {}
     /// Draws what belongs to the meaning and not to a particle.
     fn draw_guides(&self, _frame: &mut Frame) {}
@@ -101,6 +170,7 @@ impl dyn Objective + '_ {
 
 /// Room for an evaluation to work in.
 #[derive(Debug, Clone, State)]
+#[non_exhaustive]
 pub struct Scratch {
     /// Pieces of a segment.
     pub pieces: Vec<[f64; 2]>,
@@ -124,7 +194,7 @@ impl FunctionObjective {
     /// The scene's function in the scene's dimension.
     pub fn new(scene: &FunctionScene) -> Self {
         let side = scene.function.half_side();
-        let search_box = SearchBox { low: vec![-side; scene.dimension].into(), high: vec![side; scene.dimension].into() };
+        let search_box = SearchBox::of(std::iter::repeat_n([-side, side], scene.dimension));
         Self { scene: scene.clone(), search_box }
     }
 }
@@ -135,23 +205,7 @@ impl Objective for FunctionObjective {
     }
 
     fn evaluate(&self, x: &[f64], _scratch: &mut Scratch) -> Evaluation {
-        Evaluation { cost: self.scene.value(x), violation: 0.0 }
-    }
-
-    fn point_count(&self) -> usize {
-        1
-    }
-
-    fn point(&self, x: &[f64], _i: usize) -> [f64; 2] {
-        [x[0], x.get(1).copied().unwrap_or(0.0)]
-    }
-
-    fn solution(&self, x: &[f64]) -> Solution {
-        Solution::Position(x.to_vec())
-    }
-
-    fn coordinate(&self, j: usize) -> String {
-        subscripted('x', j + 1)
+        self.scene.value(x).into()
     }
 }
 

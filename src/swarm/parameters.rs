@@ -13,11 +13,13 @@ pub(super) const KINDS: &[SceneKindId] = &[DISCS, GRID, FUNCTION];
 /// The kinds of scene in which a path is searched.
 pub(super) const PATHS: &[SceneKindId] = &[DISCS, GRID];
 
-pub(super) const POPULATION: Param<u64> =
+/// How many particles.
+pub const POPULATION: Param<u64> =
     Param::integer("population", "N", "Population", [1, 100_000, 60], "How many particles. Published: 60 on functions, 150 among discs.")
         .defaults_on(&[(DISCS, Fixed::Number(150.0)), (GRID, Fixed::Number(150.0))])
         .slider(2.0, 2000.0, true);
-pub(super) const ITERATIONS: Param<u64> = Param::integer(
+/// After how many iterations a swarm stops.
+pub const ITERATIONS: Param<u64> = Param::integer(
     "iterations",
     "k_{\\max}",
     "Iterations",
@@ -55,8 +57,8 @@ pub(super) const PER_PARTICLE: Param<bool> = Param::choice(
     &[false, true],
     "How often r1 and r2 of (1) are drawn. The paper does not say; its Table 2 fits one pair per particle.",
 );
-/// How a swarm flies, by whatever coefficients.
-pub(super) const FLIGHT: &[Parameter] = &[PER_PARTICLE.entry(), V_MAX.entry(), V_MAX_ABSOLUTE.entry()];
+/// Random numbers and velocity limit of a [`Swarm`](super::Swarm).
+pub const FLIGHT: &[Parameter] = &[PER_PARTICLE.entry(), V_MAX.entry(), V_MAX_ABSOLUTE.entry()];
 pub(super) const W: Param<f64> = Param::number(
     "w",
     "\\omega",

@@ -59,7 +59,8 @@ pub(super) const CHARGED: &[Parameter] = &[
     PASSES.entry(),
 ];
 
-pub(super) const EARLY_STOP: Param<u64> = Param::integer(
+/// Without a better position for so many iterations a swarm stops.
+pub const EARLY_STOP: Param<u64> = Param::integer(
     "early_stop",
     "k_s",
     "Early stop",

@@ -47,7 +47,7 @@ impl Polar {
             Angles::Uniform => Initial::Uniform,
             Angles::Normal => Initial::Normal(settings[INITIAL_MEAN] * PI / 180.0, settings[INITIAL_STD] * PI / 180.0),
         };
-        let search_box = SearchBox { low: ranges.iter().map(|r| r[0]).collect(), high: ranges.iter().map(|r| r[1]).collect() };
+        let search_box = SearchBox::of(ranges.iter().copied());
         Self { terrain, radii, search_box, initial }
     }
 
@@ -61,10 +61,10 @@ impl Polar {
 
     fn first_angle(&self, j: usize, rng: &mut Stream) -> f64 {
         match self.initial {
-            Initial::Uniform => rng.between(self.search_box.low[j], self.search_box.high[j]),
+            Initial::Uniform => rng.between(self.search_box.low()[j], self.search_box.high()[j]),
             Initial::Normal(mean, std) => {
                 // By whole turns as near the range as it gets: 200° and −160° are the same direction.
-                let middle = f64::midpoint(self.search_box.low[j], self.search_box.high[j]);
+                let middle = f64::midpoint(self.search_box.low()[j], self.search_box.high()[j]);
                 let mean = mean + TAU * ((middle - mean) / TAU).round();
                 self.search_box.clamp(j, mean + std * rng.normal())
             }
@@ -152,7 +152,7 @@ impl Objective for Polar {
     fn encode(&self, path: &[[f64; 2]], x: &mut [f64]) -> bool {
         for (j, (x, &rho)) in x.iter_mut().zip(&self.radii).enumerate() {
             let [dx, dy] = self.last_crossing(path, rho);
-            let middle = f64::midpoint(self.search_box.low[j], self.search_box.high[j]);
+            let middle = f64::midpoint(self.search_box.low()[j], self.search_box.high()[j]);
             let alpha = math::atan2(dy, dx);
             *x = self.search_box.clamp(j, alpha + TAU * ((middle - alpha) / TAU).round());
         }
@@ -195,7 +195,7 @@ impl Objective for Polar {
     fn draw_guides(&self, frame: &mut Frame) {
         const CORNERS: usize = 64;
         for (j, &rho) in self.radii.iter().enumerate() {
-            let (low, high) = (self.search_box.low[j], self.search_box.high[j]);
+            let (low, high) = (self.search_box.low()[j], self.search_box.high()[j]);
             frame.begin(layers::GUIDES.key, Shape::Polyline);
             (0..=CORNERS).for_each(|i| frame.push(self.at(rho, low + (high - low) * i as f64 / CORNERS as f64), 0.0));
         }
@@ -236,11 +236,11 @@ mod tests {
         for (j, &rho) in polar.radii.iter().enumerate() {
             close(rho, (j + 1) as f64 * 10.0 * std::f64::consts::SQRT_2 / 8.0);
             let (low, high) = if rho <= 10.0 { (0.0, FRAC_PI_2) } else { (math::acos(10.0 / rho), math::asin(10.0 / rho)) };
-            close(polar.search_box.low[j], low);
-            close(polar.search_box.high[j], high);
+            close(polar.search_box.low()[j], low);
+            close(polar.search_box.high()[j], high);
         }
         // ρ₇ = 12.374…: arccos 0.808… = 36.1°…
-        close(polar.search_box.low[6], 0.629_839_533_948_421_1);
+        close(polar.search_box.low()[6], 0.629_839_533_948_421_1);
     }
 
     #[test]

@@ -2,16 +2,23 @@
 
 use std::sync::Arc;
 
-use crate::kernel::{Candidate, Readings, State, rng::Stream};
+use crate::{
+    describe::{Layer, Reading, layers},
+    kernel::{Candidate, Readings, State, rng::Stream},
+};
 
 use super::{
     objective::{Objective, Scratch},
-    parameters::{BEST, FREE, MEAN, SPREAD},
+    parameters::{BEST, FREE, GUIDES, LENGTH, MEAN, SMOOTHED, SMOOTHNESS, SPREAD},
 };
 
-/// A population of positions. Particle `i`'s coordinates are the `i`-th row of `dimension` numbers.
+/// Particles in the box of an objective: positions, costs, personal bests and the global best, whatever moves the particles.
+///
+/// An own swarm keeps one, moves particles by [`Population::position_mut`], evaluates each, and settles once in an iteration. It
+/// reads [`Population::READINGS`] and draws [`Population::LAYERS`], as all swarms do.
+// Particle `i`'s coordinates are the `i`-th row of `dimension` numbers.
 #[derive(Clone, State)]
-pub(super) struct Population {
+pub struct Population {
     #[state(shared)]
     pub(super) objective: Arc<dyn Objective>,
     #[state(skip)]
@@ -45,8 +52,14 @@ pub(super) struct Population {
 const MOST_REDRAWS: u64 = 20_000;
 
 impl Population {
-    /// Positions as the objective draws them, evaluated.
-    pub(super) fn new(objective: Arc<dyn Objective>, size: usize, rng: &mut Stream) -> Self {
+    /// The readings that [`Population::read`] tells; on functions only the first three.
+    pub const READINGS: &'static [Reading] = &[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS];
+
+    /// The layers that [`Population::draw_members`] and [`Population::draw_result`] draw.
+    pub const LAYERS: &'static [Layer] = &[GUIDES, layers::PERSONAL_BESTS, layers::PARTICLES, layers::BEST, SMOOTHED];
+
+    /// So many positions (one at least) as the objective draws them, evaluated.
+    pub fn new(objective: Arc<dyn Objective>, size: usize, rng: &mut Stream) -> Self {
         Self::begun(objective, size, rng, |_, _, _| false)
     }
 
@@ -57,7 +70,7 @@ impl Population {
         rng: &mut Stream,
         mut first: impl FnMut(usize, &mut [f64], &mut Stream) -> bool,
     ) -> Self {
-        let dimension = objective.search_box().dimension();
+        let (size, dimension) = (size.max(1), objective.search_box().dimension());
         let mut population = Self {
             objective,
             scratch: Scratch::default(),
@@ -82,8 +95,55 @@ impl Population {
                 population.draw_particle(i, rng, &mut left);
             }
         }
+        // Where no cost is a number, bests are positions all the same.
+        for i in (0..size).filter(|&i| population.p_cost[i] == f64::INFINITY) {
+            let row = population.row(i);
+            population.p[row.clone()].copy_from_slice(&population.x[row]);
+        }
+        population.g.copy_from_slice(&population.p[..dimension]);
         population.settle();
         population
+    }
+
+    /// What the positions mean and cost.
+    pub fn objective(&self) -> &dyn Objective {
+        &*self.objective
+    }
+
+    /// How many particles.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Where particle `i` is.
+    pub fn position(&self, i: usize) -> &[f64] {
+        &self.x[self.row(i)]
+    }
+
+    /// The same, to move it; [`Population::evaluate`] comes next. It should stay in the search box.
+    pub fn position_mut(&mut self, i: usize) -> &mut [f64] {
+        let row = self.row(i);
+        &mut self.x[row]
+    }
+
+    /// What particle `i`'s position costs.
+    pub fn cost(&self, i: usize) -> f64 {
+        self.cost[i]
+    }
+
+    /// Particle `i`'s personal best and its cost.
+    pub fn personal_best(&self, i: usize) -> (&[f64], f64) {
+        (&self.p[self.row(i)], self.p_cost[i])
+    }
+
+    /// The global best, as it was when the last iteration ended, and its cost.
+    pub fn global_best(&self) -> (&[f64], f64) {
+        (&self.g, self.g_cost)
+    }
+
+    /// How many positions were evaluated.
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations
     }
 
     /// Draws particle `i` and evaluates it; while it violates a constraint, a few times anew, if any are `left`.
@@ -108,7 +168,7 @@ impl Population {
 
     /// Evaluates particle `i` where it is now, keeps its personal best and returns how much it violates.
     #[inline]
-    pub(super) fn evaluate(&mut self, i: usize) -> f64 {
+    pub fn evaluate(&mut self, i: usize) -> f64 {
         let row = self.row(i);
         let x = &self.x[row.clone()];
         let found = self.objective.evaluate(x, &mut self.scratch);
@@ -126,7 +186,7 @@ impl Population {
     }
 
     /// Ends an iteration: the best personal best becomes the global best; the first of equals wins.
-    pub(super) fn settle(&mut self) {
+    pub fn settle(&mut self) {
         let mut best = None;
         for (i, &cost) in self.p_cost.iter().enumerate() {
             if cost < self.g_cost {
@@ -145,8 +205,8 @@ impl Population {
         if self.free_cost < f64::INFINITY { (self.free_cost, &self.free) } else { (self.g_cost, &self.g) }
     }
 
-    /// The reported position as a solution.
-    pub(super) fn best(&self) -> Candidate {
+    /// The best position of all that violate nothing, or, if there is none, the global best.
+    pub fn best(&self) -> Candidate {
         let (cost, x) = self.reported();
         Candidate { cost, solution: self.objective.solution(x) }
     }
@@ -158,9 +218,9 @@ impl Population {
 
     /// How far the particles are apart: the mean over the coordinates of their standard deviation, as a share of the box.
     fn spread(&self) -> f64 {
-        let search_box = self.objective.search_box();
-        let widths = search_box.low.iter().zip(search_box.high.iter()).map(|(low, high)| high - low).enumerate();
-        widths.map(|(j, width)| deviation(column(&self.x, self.dimension, j)) / width).sum::<f64>() / self.dimension as f64
+        // A side without length has no spread.
+        let share = |(j, side): (usize, f64)| deviation(column(&self.x, self.dimension, j)) / side.max(f64::MIN_POSITIVE);
+        self.objective.search_box().sides().enumerate().map(share).sum::<f64>() / self.dimension as f64
     }
 
     /// The best costs so far: with penalty, and of what breaks no rule.
@@ -169,7 +229,7 @@ impl Population {
     }
 
     /// Tells the costs, and what the reported path measures.
-    pub(super) fn read(&self, out: &mut Readings) {
+    pub fn read(&self, out: &mut Readings) {
         out.push(BEST, self.g_cost);
         out.push(MEAN, self.mean());
         out.push(SPREAD, self.spread());
@@ -211,7 +271,7 @@ mod tests {
         let settings = Parameters::new(crate::swarm::pso::ENTRY.parameters, scene.kind(), &Overrides::new()).unwrap();
         let mut population = Population::new(encoding::objective(&scene, &settings).unwrap(), 2, &mut Stream::new(1, 0));
         let search_box = population.objective.search_box();
-        assert_eq!((search_box.low[0], search_box.high[1]), (-100.0, 100.0));
+        assert_eq!((search_box.low()[0], search_box.high()[1]), (-100.0, 100.0));
         population.x = vec![2.0, -10.0, 6.0, 30.0];
         assert!((population.spread() - f64::midpoint(2.0 / 200.0, 20.0 / 200.0)).abs() < 1e-15, "{}", population.spread());
     }

@@ -1,12 +1,13 @@
 //! `pso`: the swarm with constant coefficients, [WCPSO](crate#papers) (1) and (2).
 
-use crate::{
-    describe::{Entry, Start},
-    kernel::{Error, Started},
-};
+use std::sync::Arc;
+
+use crate::{describe::Entry, kernel::Started, params::Parameters};
 
 use super::{
-    flight::Flight,
+    encoding,
+    flight::{Flight, Swarm},
+    objective::Objective,
     parameters::{C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, READINGS, VELOCITY, W},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
@@ -19,7 +20,7 @@ pub const ENTRY: Entry = Entry::new(
     "PSO: constant coefficients",
     "[WCPSO] §1",
     "Particles keep part of their velocity and are drawn to their own best and to the swarm’s. All coefficients stay constant.",
-    start,
+    |start| encoding::start(start, on),
 )
 .family("swarm")
 .kinds(KINDS)
@@ -29,8 +30,8 @@ pub const ENTRY: Entry = Entry::new(
 .symbols(SYMBOLS)
 .layers(LAYERS);
 
-fn start(start: &Start) -> Result<Started, Error> {
-    let settings = start.parameters;
+/// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
+pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {
     let [w, c1, c2] = [settings[W], settings[C1], settings[C2]].map(Law::Constant);
-    super::start(start, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None })
+    Swarm::new(objective, settings, seed, Flight { schedule: Schedule { w, c1, c2 }, perturbation: None }).into()
 }

@@ -81,7 +81,7 @@ fn start(start: &Start) -> Result<Started, Error> {
     let flight = Flight { schedule: Schedule { w, c1, c2 }, perturbation: None };
     let mut swarm = Swarm::of(population, settings, rng, flight);
     swarm.origins = Some(origins.into());
-    Ok(super::started(swarm, settings))
+    Ok(swarm.into())
 }
 
 const ONE_ROAD: Preset = Preset {

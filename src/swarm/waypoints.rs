@@ -29,8 +29,8 @@ impl Waypoints {
     }
 
     fn with(terrain: Terrain, count: usize, ordered: bool) -> Self {
-        let side = |corner: [f64; 2]| (0..2 * count).map(|j| corner[usize::from(j >= count)]).collect();
-        let search_box = SearchBox { low: side(terrain.bounds.min), high: side(terrain.bounds.max) };
+        let (min, max) = (terrain.bounds.min, terrain.bounds.max);
+        let search_box = SearchBox::of((0..2 * count).map(|j| usize::from(j >= count)).map(|axis| [min[axis], max[axis]]));
         Self { terrain, search_box, count, ordered }
     }
 

@@ -1,13 +1,17 @@
 //! `wcpso`: the swarm with trigonometric coefficients and hen/chick perturbation, [WCPSO](crate#papers) §2.
 
+use std::sync::Arc;
+
 use crate::{
-    describe::{Entry, Formula, Preset, Start},
-    kernel::{Error, Started},
-    params::{Choice, Fixed, Param, ParamValue},
+    describe::{Entry, Formula, Preset},
+    kernel::Started,
+    params::{Choice, Fixed, Param, ParamValue, Parameters},
 };
 
 use super::{
-    flight::Flight,
+    encoding,
+    flight::{Flight, Swarm},
+    objective::Objective,
     parameters::{
         AS_IN_TEXT, FLIGHT, ITERATIONS, KINDS, LINEAR_W, PERTURBED, PERTURBED_LAYERS, POPULATION, POSITION, VELOCITY, W_MAX, W_MIN,
     },
@@ -230,7 +234,7 @@ pub const ENTRY: Entry = Entry::new(
     "WCPSO: hens and chicks",
     "[WCPSO] §2",
     "Inertia falls along a cosine, the pulls cross along sines, and particles that stagnate jump like hens, then like chicks.",
-    start,
+    |start| encoding::start(start, on),
 )
 .family("swarm")
 .kinds(KINDS)
@@ -263,8 +267,8 @@ pub const ENTRY: Entry = Entry::new(
 .layers(PERTURBED_LAYERS)
 .presets(&[AS_IN_TEXT, FITTED]);
 
-fn start(start: &Start) -> Result<Started, Error> {
-    let settings = start.parameters;
+/// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
+pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {
     let (max, min) = (settings[W_MAX], settings[W_MIN]);
     let schedule = Schedule {
         w: if settings[W_LINEAR] { Law::Linear(max, min) } else { Law::Cosine { max, min } },
@@ -279,5 +283,5 @@ fn start(start: &Start) -> Result<Started, Error> {
         keep: settings[HEN_KEEP],
         partner: settings[HEN_PARTNER],
     });
-    super::start(start, Flight { schedule, perturbation })
+    Swarm::new(objective, settings, seed, Flight { schedule, perturbation }).into()
 }

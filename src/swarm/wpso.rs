@@ -1,13 +1,17 @@
 //! `wpso`: the swarm whose inertia weight falls linearly, [WCPSO](crate#papers) §3.1 and its reference 16.
 
+use std::sync::Arc;
+
 use crate::{
-    describe::{Entry, Preset, Start},
-    kernel::{Error, Started},
-    params::Fixed,
+    describe::{Entry, Preset},
+    kernel::Started,
+    params::{Fixed, Parameters},
 };
 
 use super::{
-    flight::Flight,
+    encoding,
+    flight::{Flight, Swarm},
+    objective::Objective,
     parameters::{AS_IN_TEXT, C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, READINGS, VELOCITY, W_MAX, W_MIN},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
@@ -28,7 +32,7 @@ pub const ENTRY: Entry = Entry::new(
     "WPSO: linear inertia",
     "[WCPSO] §3.1",
     "The inertia weight falls linearly, so the swarm explores first and settles later.",
-    start,
+    |start| encoding::start(start, on),
 )
 .family("swarm")
 .kinds(KINDS)
@@ -44,9 +48,9 @@ pub const ENTRY: Entry = Entry::new(
 .layers(LAYERS)
 .presets(&[AS_IN_TEXT, FITTED]);
 
-fn start(start: &Start) -> Result<Started, Error> {
-    let settings = start.parameters;
+/// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
+pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {
     let schedule =
         Schedule { w: Law::Linear(settings[W_MAX], settings[W_MIN]), c1: Law::Constant(settings[C1]), c2: Law::Constant(settings[C2]) };
-    super::start(start, Flight { schedule, perturbation: None })
+    Swarm::new(objective, settings, seed, Flight { schedule, perturbation: None }).into()
 }

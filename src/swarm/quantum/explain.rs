@@ -9,7 +9,7 @@ use crate::{
     },
 };
 
-use super::{Leap, Quantum, Watch};
+use super::leap::{Leap, Quantum, Watch};
 
 const LEAPT: [Label; 13] = [
     ("alpha", "\\alpha", "contraction–expansion"),

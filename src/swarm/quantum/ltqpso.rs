@@ -1,9 +1,14 @@
 //! `ltqpso`: the quantum swarm with evolution speed, dispersion and natural selection, [LTQPSO](crate#papers) §2.2.
 
+use std::sync::Arc;
+
 use crate::{
     describe::{Entry, Formula, layers},
+    kernel::Started,
     params::{Choice, Param, Parameters},
     swarm::{
+        encoding,
+        objective::Objective,
         parameters::{BEST, EVALUATIONS, FREE, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, SMOOTHED, SMOOTHNESS, SPREAD},
         paths::{CHARGED, ENCODED},
     },
@@ -12,7 +17,7 @@ use crate::{
 use crate::swarm::sheet::SYMBOLS;
 
 use super::{
-    Adaptation,
+    leap::{Adaptation, Quantum},
     parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, GS, IP, ITERATIONS, MEAN, PHI, POPULATION, SELECTED, WIDTH, suggest},
 };
 
@@ -66,7 +71,7 @@ pub const ENTRY: Entry = Entry::new(
     "LTQPSO: evolving quantum swarm",
     "[LTQPSO] §2.2",
     "A quantum swarm whose pull follows each particle’s evolution speed and whose leaps follow the swarm’s dispersion; the better half then takes the worse half’s places.",
-    |start| super::start(start, Some(adaptation(start.parameters))),
+    |start| encoding::start(start, on),
 )
 .family("swarm")
 .kinds(KINDS)
@@ -93,3 +98,8 @@ pub const ENTRY: Entry = Entry::new(
     layers::AFTER,
 ])
 .suggest(suggest);
+
+/// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
+pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {
+    Quantum::new(objective, settings, seed, Some(adaptation(settings))).into()
+}

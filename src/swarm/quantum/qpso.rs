@@ -1,16 +1,23 @@
 //! `qpso`: the quantum swarm, [LTQPSO](crate#papers) §2.1.
 
+use std::sync::Arc;
+
 use crate::{
     describe::{Entry, Formula, layers},
+    kernel::Started,
+    params::Parameters,
     swarm::{
+        encoding,
+        objective::Objective,
         parameters::{BEST, EVALUATIONS, FREE, GUIDES, K, KINDS, LENGTH, MEAN as MEAN_COST, SMOOTHED, SMOOTHNESS, SPREAD},
         paths::{CHARGED, ENCODED},
     },
 };
 
-use crate::swarm::sheet::SYMBOLS;
-
-use super::parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, ITERATIONS, MEAN, PHI, POPULATION, WIDTH, suggest};
+use super::{
+    leap::Quantum,
+    parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, ITERATIONS, MEAN, PHI, POPULATION, WIDTH, suggest},
+};
 
 const ATTRACTOR: Formula = Formula::of_item(
     "attractor",
@@ -33,7 +40,7 @@ pub const ENTRY: Entry = Entry::new(
     "QPSO: quantum swarm",
     "[LTQPSO] §2.1",
     "No velocity: each particle leaps about a point between its own best and the swarm’s, the wider the farther it is from the mean of all bests.",
-    |start| super::start(start, None),
+    |start| encoding::start(start, on),
 )
 .family("swarm")
 .kinds(KINDS)
@@ -58,3 +65,8 @@ pub const ENTRY: Entry = Entry::new(
     layers::AFTER,
 ])
 .suggest(suggest);
+
+/// Starts it on any objective; `settings` are the parameters of [`ENTRY`].
+pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> Started {
+    Quantum::new(objective, settings, seed, None).into()
+}

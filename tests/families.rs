@@ -1,0 +1,5 @@
+//! The families as building blocks: each with parts from outside, checked against what is known exactly.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "families/swarms.rs"]
+mod swarms;
