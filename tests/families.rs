@@ -3,3 +3,5 @@
 
 #[path = "families/swarms.rs"]
 mod swarms;
+#[path = "families/trees.rs"]
+mod trees;

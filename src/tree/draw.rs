@@ -7,7 +7,8 @@ use crate::{
 
 use super::{
     forest::NONE,
-    grow::{SampleOutcome, Seen},
+    grow::{SampleOutcome, Source},
+    method::Seen,
 };
 
 const BEST: Layer = layers::BEST.titled("Path", "The path along the tree.");
@@ -46,7 +47,7 @@ impl<const N: usize> Seen<'_, N> {
     pub(super) fn draw_layers(&self, frame: &mut Frame) {
         let place = |point: &[f64; N]| self.task.space.place(point);
         for (tree, layer) in self.forest.trees.iter().zip([layers::TREE.key, layers::GOAL_TREE.key]) {
-            if tree.len() == 0 {
+            if tree.is_empty() {
                 continue;
             }
             let every = frame.thin(tree.len(), 2, true);
@@ -64,7 +65,7 @@ impl<const N: usize> Seen<'_, N> {
         }
         frame.begin(layers::SAMPLES.key, Shape::Points);
         self.forest.last.samples.iter().for_each(|sample| frame.push_in_space(place(&sample.point), 0.0));
-        if matches!(self.forest.last.source, super::grow::Source::Guided(_)) {
+        if matches!(self.forest.last.source, Source::Guided(_)) {
             frame.begin(layers::KEPT.key, Shape::Points);
             let kept = self.forest.last.samples.iter().filter(|sample| sample.outcome != SampleOutcome::NotKept && sample.share > 0.0);
             kept.for_each(|sample| frame.push_in_space(place(&sample.point), sample.share));

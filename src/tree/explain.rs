@@ -6,7 +6,8 @@ use crate::{
 };
 
 use super::{
-    grow::{By, Extension, Sample, SampleOutcome, Seen, Source},
+    grow::{By, Extension, Sample, SampleOutcome, Source},
+    method::Seen,
     vector::distance,
 };
 
@@ -106,7 +107,7 @@ impl<const N: usize> Seen<'_, N> {
         {
             values.push(quantity(name, symbol, "where it is", at[axis]));
         }
-        let way = tree.way(node).iter().map(place).collect();
+        let way = tree.path_to(node).iter().map(place).collect();
         let mut marks = vec![Mark { layer: layers::BEFORE.key, shape: Shape::Polyline, vertices: way }];
         marks.push(Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![at] });
         Some(Inspection {

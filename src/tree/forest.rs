@@ -7,9 +7,9 @@ use super::{nearest::Nearest, vector::distance};
 /// No node.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// A tree, or several with a root each.
+/// A tree, or several with a root each. Nodes are numbered in the order in which they were added; no other numbers mean anything.
 #[derive(Debug, Clone, State)]
-pub(super) struct Tree<const N: usize> {
+pub struct Tree<const N: usize> {
     pub(super) points: Vec<[f64; N]>,
     /// Whose child each node is; [`NONE`] for a root.
     pub(super) parents: Vec<u32>,
@@ -26,8 +26,28 @@ impl<const N: usize> Tree<N> {
     }
 
     /// How many nodes.
-    pub(super) fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         self.points.len()
+    }
+
+    /// Whether there is no node.
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+
+    /// Where a node is.
+    pub fn point(&self, node: usize) -> &[f64; N] {
+        &self.points[node]
+    }
+
+    /// Whose child a node is; `None` for a root.
+    pub fn parent(&self, node: usize) -> Option<usize> {
+        Some(self.parents[node]).filter(|&parent| parent != NONE).map(|parent| parent as usize)
+    }
+
+    /// The length of the path from the root to a node.
+    pub fn cost(&self, node: usize) -> f64 {
+        self.costs[node]
     }
 
     /// Adds a root.
@@ -49,22 +69,21 @@ impl<const N: usize> Tree<N> {
         self.points.len() - 1
     }
 
-    /// The node nearest to a point.
+    /// The node nearest to a point; of equals the first.
     #[inline]
-    pub(super) fn nearest(&self, to: &[f64; N]) -> usize {
+    pub fn nearest(&self, to: &[f64; N]) -> usize {
         self.index.nearest(&self.points, to).0
     }
 
-    /// The nodes within a radius.
-    pub(super) fn within(&self, to: &[f64; N], radius: f64, out: &mut Vec<u32>) {
+    /// Writes the nodes within a radius, in the order of their numbers.
+    pub fn within(&self, to: &[f64; N], radius: f64, out: &mut Vec<u32>) {
         self.index.within(&self.points, to, radius, out);
     }
 
-    /// From a root to a node.
-    pub(super) fn way(&self, to: usize) -> Vec<[f64; N]> {
-        let parent = |&node: &usize| Some(self.parents[node]).filter(|&parent| parent != NONE).map(|parent| parent as usize);
-        let mut way: Vec<_> = std::iter::successors(Some(to), parent).map(|node| self.points[node]).collect();
-        way.reverse();
-        way
+    /// The points from a root to a node.
+    pub fn path_to(&self, node: usize) -> Vec<[f64; N]> {
+        let mut path: Vec<_> = std::iter::successors(Some(node), |&node| self.parent(node)).map(|node| self.points[node]).collect();
+        path.reverse();
+        path
     }
 }

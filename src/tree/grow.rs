@@ -1,9 +1,8 @@
-//! What every tree planner is made of: trees, what the last extension did, and the path once there is one. A [`Method`]
-//! says how one extension is made.
+//! What every tree planner is made of: trees, what the last extension did, and the path once there is one.
 
 use std::sync::Arc;
 
-use crate::kernel::{Progress, State, Status, rng::Stream};
+use crate::kernel::State;
 
 use super::{
     forest::Tree,
@@ -15,7 +14,8 @@ use super::{
 /// What became of a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
 #[repr(u8)]
-pub(super) enum SampleOutcome {
+#[non_exhaustive]
+pub enum SampleOutcome {
     /// The tree has grown towards it.
     Taken,
     /// Its direction was not among the best.
@@ -45,7 +45,8 @@ pub(super) struct Sample<const N: usize> {
 
 /// How a sample came about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
-pub(super) enum Source {
+#[non_exhaustive]
+pub enum Source {
     /// Drawn from all of the space.
     Uniform,
     /// The goal itself.
@@ -60,7 +61,7 @@ pub(super) enum Source {
 
 /// What decides which of many samples the tree grows to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, State)]
-pub(super) enum By {
+pub enum By {
     /// Those with the smallest angles to the goal's direction are kept, a roulette wheel chooses among them.
     Angle,
     /// A roulette wheel draws those that are kept, by their distances to the goal, and the nearest comes first.
@@ -93,9 +94,10 @@ pub(super) struct Birth {
     pub(super) iteration: u32,
 }
 
-/// Two trees (the second has nodes only where one grows from the goal) and what came of growing them.
+/// Two trees and what came of growing them: what a [`Method`](super::Method) works on. Tree 0 grows from the start; tree 1 has nodes
+/// only where one grows from the goals.
 #[derive(Debug, Clone, State)]
-pub(super) struct Forest<const N: usize> {
+pub struct Forest<const N: usize> {
     pub(super) trees: [Tree<N>; 2],
     /// All nodes in the order in which they were added.
     pub(super) births: Vec<Birth>,
@@ -132,14 +134,29 @@ impl<const N: usize> Forest<N> {
         forest
     }
 
+    /// Tree 0, from the start, or 1, from the goals.
+    pub fn tree(&self, tree: usize) -> &Tree<N> {
+        &self.trees[tree]
+    }
+
+    /// The node of tree 0 that is nearest to a goal.
+    pub fn nearest_to_goal(&self) -> usize {
+        self.nearest_node
+    }
+
+    /// The path from start to goal along the trees, once there is one, and its length.
+    pub fn path(&self) -> Option<(&[[f64; N]], f64)> {
+        self.found.as_ref().map(|found| (&*found.raw, found.cost))
+    }
+
     /// Adds a root to a tree.
     pub(super) fn root(&mut self, task: &Task<N>, tree: usize, point: [f64; N]) {
         let node = self.trees[tree].root(point);
         self.note(task, tree, node);
     }
 
-    /// Adds a child.
-    pub(super) fn add(&mut self, task: &Task<N>, tree: usize, point: [f64; N], parent: usize) -> usize {
+    /// Adds a child to a node of a tree; its number. The straight piece between them must be free.
+    pub fn add(&mut self, task: &Task<N>, tree: usize, point: [f64; N], parent: usize) -> usize {
         let node = self.trees[tree].add(point, parent);
         self.note(task, tree, node);
         self.last.added = true;
@@ -157,9 +174,9 @@ impl<const N: usize> Forest<N> {
         }
     }
 
-    /// Whether the way from a node to a new one is free, and the new one inside.
+    /// Whether the straight piece from a node to a new one is free, and the new one inside: then it is `Taken`. Counts as an evaluation.
     #[inline]
-    pub(super) fn test(&mut self, task: &Task<N>, from: &[f64; N], to: &[f64; N]) -> SampleOutcome {
+    pub fn test(&mut self, task: &Task<N>, from: &[f64; N], to: &[f64; N]) -> SampleOutcome {
         if !task.contains(to) {
             return SampleOutcome::Outside;
         }
@@ -167,16 +184,21 @@ impl<const N: usize> Forest<N> {
         if task.space.is_free(from, to) { SampleOutcome::Taken } else { SampleOutcome::Blocked }
     }
 
-    /// Forgets the last extension; another begins.
-    pub(super) fn begin(&mut self, source: Source, tree: usize) {
+    /// Begins an extension of a tree: what a method does first. Explanations tell the source.
+    pub fn begin(&mut self, source: Source, tree: usize) {
         self.last.samples.clear();
         (self.last.source, self.last.tree, self.last.near) = (source, tree, 0);
         (self.last.added, self.last.fell_back, self.last.rewired) = (false, false, 0);
     }
 
-    /// One extension of a tree's nearest node towards a sample, by (11) a whole step, or, where `clip` says so, no farther
-    /// than the sample.
-    pub(super) fn extend(&mut self, task: &Task<N>, sample: [f64; N], clip: bool) -> Option<usize> {
+    /// Notes a sample, and what became of it, for drawing and explanations.
+    pub fn record(&mut self, point: [f64; N], outcome: SampleOutcome) {
+        self.last.samples.push(Sample { point, angle: f64::NAN, share: 1.0, outcome });
+    }
+
+    /// Extends the nearest node of the tree that was begun with towards a sample: by [ARM-RRT] (11) a whole step, or, where `clip`
+    /// says so, no farther than the sample. The new node's number, if that is free.
+    pub fn extend(&mut self, task: &Task<N>, sample: [f64; N], clip: bool) -> Option<usize> {
         let tree = self.last.tree;
         let near = self.trees[tree].nearest(&sample);
         let from = self.trees[tree].points[near];
@@ -184,77 +206,27 @@ impl<const N: usize> Forest<N> {
         self.last.near = near;
         let new = if clip && far <= task.step { sample } else { task.towards(&from, &sample) };
         let outcome = if far == 0.0 { SampleOutcome::TooNear } else { self.test(task, &from, &new) };
-        self.last.samples.push(Sample { point: sample, angle: f64::NAN, share: 1.0, outcome });
+        self.record(sample, outcome);
         (outcome == SampleOutcome::Taken).then(|| self.add(task, tree, new, near))
     }
 
-    /// Joins the goal if a node is no farther from it than a step and sees it.
-    pub(super) fn reach(&mut self, task: &Task<N>, node: usize) -> bool {
+    /// Keeps the path over a node of tree 0 if the goal is no farther from it than a step and the piece between them is free. Whether
+    /// that is so.
+    pub fn reach(&mut self, task: &Task<N>, node: usize) -> bool {
         let (point, goal) = (self.trees[0].points[node], task.goal());
         if distance(&point, &goal) > task.step || self.test(task, &point, &goal) != SampleOutcome::Taken {
             return false;
         }
-        let mut path = self.trees[0].way(node);
+        let mut path = self.trees[0].path_to(node);
         if point != goal {
             path.push(goal);
         }
-        self.found(path);
+        self.keep(path);
         true
     }
 
-    /// Keeps a path.
-    pub(super) fn found(&mut self, path: Vec<[f64; N]>) {
+    /// Keeps a path from start to goal whose pieces are free: the result.
+    pub fn keep(&mut self, path: Vec<[f64; N]>) {
         self.found = Some(Arc::new(Found::new(path, self.iteration)));
-    }
-}
-
-/// How one extension is made.
-pub(super) trait Method<const N: usize>: Clone + State + Send + Sync + 'static {
-    /// It goes on when there is a path, for a better one.
-    const ANYTIME: bool = false;
-    /// A second tree grows from the goal.
-    const FROM_GOAL: bool = false;
-    /// Extends the trees once; keeps a path if one is found.
-    fn grow(&mut self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream);
-}
-
-/// A tree planner.
-#[derive(Clone, State)]
-pub(super) struct Grown<const N: usize, M> {
-    #[state(shared)]
-    pub(super) task: Arc<Task<N>>,
-    pub(super) forest: Forest<N>,
-    pub(super) method: M,
-    pub(super) rng: Stream,
-}
-
-/// What there is to see of a planner, whatever its method: drawn and told of once for all methods.
-pub(super) struct Seen<'a, const N: usize> {
-    pub(super) task: &'a Task<N>,
-    pub(super) forest: &'a Forest<N>,
-}
-
-impl<const N: usize, M: Method<N>> Grown<N, M> {
-    /// What there is to see.
-    pub(super) fn seen(&self) -> Seen<'_, N> {
-        Seen { task: &self.task, forest: &self.forest }
-    }
-
-    /// A planner before its first extension.
-    pub(super) fn new(task: Task<N>, method: M, seed: u64) -> Self {
-        let mut forest = Forest::new(&task);
-        if M::FROM_GOAL {
-            task.space.goals().iter().for_each(|&goal| forest.root(&task, 1, goal));
-        }
-        Self { task: Arc::new(task), forest, method, rng: Stream::new(seed, 0) }
-    }
-
-    /// One extension.
-    pub(super) fn extend(&mut self) -> Progress {
-        let Self { task, forest, method, rng } = self;
-        forest.iteration += 1;
-        method.grow(forest, task, rng);
-        forest.rejected += u64::from(!forest.last.added && forest.found.as_ref().is_none_or(|found| found.iteration != forest.iteration));
-        if forest.found.is_some() && !M::ANYTIME { Progress::Done(Status::Solved) } else { Progress::Continue }
     }
 }

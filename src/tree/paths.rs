@@ -8,16 +8,13 @@ use crate::{
     scene::Scene,
 };
 
-use super::{
-    finish::Finish,
-    grow::{Forest, Method},
-    rrt::Rrt,
-    space,
-    task::Task,
-};
+use super::{finish::Finish, grow::Forest, method::Method, rrt::Rrt, space, task::Task};
 
 /// A plane in which trees grow from the start to the goal.
-pub struct Paths(Task<3>);
+pub struct Paths {
+    task: Task<3>,
+    method: Rrt,
+}
 
 /// What became of a tree.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,23 +34,22 @@ impl Paths {
     /// A scene without start and goal.
     pub fn new(scene: &Arc<Scene>, step_size: f64, goal_bias: f64) -> Result<Self, Error> {
         let space = space::of_scene(scene, 0.0)?;
-        let ((min, max), step) = (space.bounds(), step_size * space.unit());
-        let start = space.start();
-        let finish = Finish::raw(step);
-        Ok(Self(Task { space, start, min, max, step, goal_bias, limit: u64::MAX, finish }))
+        let step = step_size * space.unit();
+        Ok(Self { task: Task::with(space, step, u64::MAX, Finish::raw(step)), method: Rrt { goal_bias } })
     }
 
     /// Grows a tree by so many extensions at most.
     pub fn grow(&self, most: u64, rng: &mut Stream) -> Attempt {
-        let mut forest = Forest::new(&self.0);
+        let (task, mut method) = (&self.task, self.method);
+        let mut forest = Forest::new(task);
         while forest.found.is_none() && forest.iteration < most {
             forest.iteration += 1;
-            Rrt.grow(&mut forest, &self.0, rng);
+            method.grow(&mut forest, task, rng);
         }
         let tested = Cell::new(forest.tested);
         let is_free = |a: [f64; 2], b: [f64; 2]| {
             tested.set(tested.get() + 1);
-            self.0.space.is_free(&[a[0], a[1], 0.0], &[b[0], b[1], 0.0])
+            task.space.is_free(&[a[0], a[1], 0.0], &[b[0], b[1], 0.0])
         };
         let flat = |found: &super::found::Found<3>| found.raw.iter().map(|&[x, y, _]| [x, y]).collect::<Vec<_>>();
         let path = forest.found.as_deref().map(|found| shortcut(&flat(found), is_free));

@@ -6,12 +6,12 @@ use crate::{
 };
 
 use super::{
-    grow::{Grown, Method, Seen},
+    method::{Method, Seen, Trees},
     parameters::{BEST, FINAL_LENGTH, FOUND_AFTER, NODES, REJECTED, SHORT_LENGTH, TESTED, TO_GOAL},
     vector::length,
 };
 
-impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
+impl<const N: usize, M: Method<N>> Planner for Trees<N, M> {
     fn advance(&mut self) -> Progress {
         self.extend()
     }
@@ -40,7 +40,7 @@ impl<const N: usize, M: Method<N>> Planner for Grown<N, M> {
     }
 }
 
-impl<const N: usize, M: Method<N>> Explain for Grown<N, M> {
+impl<const N: usize, M: Method<N>> Explain for Trees<N, M> {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         self.seen().explain(item)
     }
@@ -57,16 +57,16 @@ impl<const N: usize, M: Method<N>> Explain for Grown<N, M> {
     }
 }
 
-impl<const N: usize, M: Method<N>> Members for Grown<N, M> {
+impl<const N: usize, M: Method<N>> Members for Trees<N, M> {
     fn members(&self, out: &mut Vec<f64>) {
         self.seen().members(out);
     }
 }
 
-impl<const N: usize, M: Method<N>> From<Grown<N, M>> for Started {
-    fn from(grown: Grown<N, M>) -> Self {
-        let limit = grown.task.limit;
-        let started = Self::new(grown, limit);
+impl<const N: usize, M: Method<N>> From<Trees<N, M>> for Started {
+    fn from(trees: Trees<N, M>) -> Self {
+        let limit = trees.task.limit;
+        let started = Self::new(trees, limit);
         if M::ANYTIME { started } else { started.open_ended() }
     }
 }

@@ -1,17 +1,21 @@
 //! `rrt`: the basic rapidly-exploring random tree, [ARM-RRT](crate#papers) §3.2, LaValle 1998.
 
+use std::sync::Arc;
+
 use crate::{
-    describe::{Entry, Start},
-    kernel::{Error, State, rng::Stream},
+    describe::Entry,
+    kernel::{Error, Started, State, rng::Stream},
+    params::Parameters,
 };
 
 use super::{
     draw::LAYERS,
     explain::SYMBOLS,
     finish::{FITTED, HERMITE},
-    grow::{Forest, Grown, Method, Source},
+    grow::{Forest, Source},
+    method::{Method, Trees},
     parameters::{BIAS, FINISH, FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP},
-    sample::uniform,
+    space::{self, Space},
     task::Task,
 };
 
@@ -21,7 +25,7 @@ pub const ENTRY: Entry = Entry::new(
     "RRT: a random tree",
     "[ARM-RRT] §3.2",
     "The node nearest to a random point grows by a step towards it, until the tree comes within a step of the goal.",
-    |start| Ok(grown(start)?.into()),
+    |start| space::start(start, on),
 )
 .family("tree")
 .kinds(KINDS)
@@ -41,18 +45,31 @@ pub const ENTRY: Entry = Entry::new(
 .symbols(SYMBOLS)
 .layers(LAYERS);
 
-/// The planner behind the entry.
-pub(super) fn grown(start: &Start) -> Result<Grown<3, Rrt>, Error> {
-    super::grown(start, start.parameters[BIAS], |_| Rrt)
+/// Starts it in any space; `settings` are the parameters of [`ENTRY`].
+///
+/// # Errors
+/// As [`Trees::new`].
+pub fn on<const N: usize>(space: Arc<dyn Space<N>>, settings: &Parameters, seed: u64) -> Result<Started, Error> {
+    Ok(Trees::new(space, settings, seed, |_| Rrt::new(settings))?.into())
 }
 
-#[derive(Clone, State)]
-pub(super) struct Rrt;
+#[derive(Clone, Copy, State)]
+pub(super) struct Rrt {
+    /// How often the sample is the goal itself.
+    #[state(shared)]
+    pub(super) goal_bias: f64,
+}
+
+impl Rrt {
+    pub(super) fn new(settings: &Parameters) -> Self {
+        Self { goal_bias: settings[BIAS] }
+    }
+}
 
 impl<const N: usize> Method<N> for Rrt {
     fn grow(&mut self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream) {
-        let to_goal = rng.unit() < task.goal_bias;
-        let sample = if to_goal { task.goal() } else { uniform(&task.min, &task.max, rng) };
+        let to_goal = rng.unit() < self.goal_bias;
+        let sample = if to_goal { task.goal() } else { task.uniform(rng) };
         forest.begin(if to_goal { Source::Goal } else { Source::Uniform }, 0);
         let Some(new) = forest.extend(task, sample, to_goal) else { return };
         forest.reach(task, new);

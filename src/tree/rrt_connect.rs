@@ -1,17 +1,21 @@
 //! `rrt-connect`: two trees that grow towards each other, Kuffner and LaValle 2000. One extension a step.
 
+use std::sync::Arc;
+
 use crate::{
-    describe::{Entry, Start},
-    kernel::{Error, State, rng::Stream},
+    describe::Entry,
+    kernel::{Error, Started, State, rng::Stream},
+    params::Parameters,
 };
 
 use super::{
     draw::CONNECT_LAYERS,
     explain::SYMBOLS,
     finish::{FITTED, HERMITE},
-    grow::{Forest, Grown, Method, Source},
+    grow::{Forest, Source},
+    method::{Method, Trees},
     parameters::{FINISH, FORMULA_STEP, ITERATIONS, KINDS, READINGS, STEP},
-    sample::uniform,
+    space::{self, Space},
     task::Task,
 };
 
@@ -21,7 +25,7 @@ pub const ENTRY: Entry = Entry::new(
     "RRT-Connect: two trees",
     "Kuffner and LaValle 2000",
     "A tree grows from the start and one from the goal. One takes a step towards a random point; the other then goes straight for the new node, step by step, as far as it can. They change places until they meet.",
-    |start| Ok(grown(start)?.into()),
+    |start| space::start(start, on),
 )
 .family("tree")
 .kinds(KINDS)
@@ -31,9 +35,12 @@ pub const ENTRY: Entry = Entry::new(
 .symbols(SYMBOLS)
 .layers(CONNECT_LAYERS);
 
-/// The planner behind the entry.
-pub(super) fn grown(start: &Start) -> Result<Grown<3, Connect>, Error> {
-    super::grown(start, 0.0, |_| Connect::default())
+/// Starts it in any space; `settings` are the parameters of [`ENTRY`].
+///
+/// # Errors
+/// As [`Trees::new`].
+pub fn on<const N: usize>(space: Arc<dyn Space<N>>, settings: &Parameters, seed: u64) -> Result<Started, Error> {
+    Ok(Trees::new(space, settings, seed, |_| Connect::default())?.into())
 }
 
 /// Which tree's turn it is, and what the other one goes for.
@@ -51,7 +58,7 @@ impl<const N: usize> Method<N> for Connect {
     fn grow(&mut self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream) {
         let Some(newest) = self.newest else {
             forest.begin(Source::Uniform, self.explorer);
-            let sample = uniform(&task.min, &task.max, rng);
+            let sample = task.uniform(rng);
             self.newest = forest.extend(task, sample, true);
             if self.newest.is_none() {
                 self.explorer = 1 - self.explorer;
@@ -63,7 +70,7 @@ impl<const N: usize> Method<N> for Connect {
         let target = forest.trees[explorer].points[newest];
         match forest.extend(task, target, true) {
             Some(node) if forest.trees[other].points[node] == target => {
-                let mut ways = [forest.trees[explorer].way(newest), forest.trees[other].way(node)];
+                let mut ways = [forest.trees[explorer].path_to(newest), forest.trees[other].path_to(node)];
                 if explorer == 1 {
                     ways.reverse();
                 }
@@ -71,7 +78,7 @@ impl<const N: usize> Method<N> for Connect {
                 rest.pop();
                 rest.reverse();
                 path.append(&mut rest);
-                forest.found(path);
+                forest.keep(path);
             }
             Some(_) => {}
             None => (self.newest, self.explorer) = (None, other),

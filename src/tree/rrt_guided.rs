@@ -8,21 +8,23 @@
 //! and 1/d, which fall with the angle and the distance. A candidate that is blocked, outside, or doubles back is dropped, and
 //! the next one is chosen.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, sync::Arc};
 
 use crate::{
-    describe::{Entry, Formula, Start},
-    kernel::{Error, State, rng::Stream},
-    params::{Choice, Param, ParamValue},
+    describe::{Entry, Formula},
+    kernel::{Error, Started, State, rng::Stream},
+    params::{Choice, Param, ParamValue, Parameters},
 };
 
 use super::{
     draw::GUIDED_LAYERS,
     explain::SYMBOLS,
     finish::{FITTED, HERMITE},
-    grow::{By, Forest, Grown, Method, Sample, SampleOutcome, Source},
+    grow::{By, Forest, Sample, SampleOutcome, Source},
+    method::{Method, Trees},
     parameters::{FINISH, FORMULA_STEP, ITERATIONS, KEEP, KINDS, READINGS, SAMPLES, STEP},
-    sample::{angle, uniform},
+    sample::angle,
+    space::{self, Space},
     task::Task,
     vector::{distance, minus},
 };
@@ -82,7 +84,7 @@ pub const ENTRY: Entry = Entry::new(
     "Guided RRT: towards the goal",
     "[ARM-RRT] §3.2.1",
     "Of twenty random points four are kept, by angle with the goal’s direction or by distance to the goal. The node nearest to the goal grows toward one of them. If all four are blocked, a random step follows.",
-    |start| Ok(grown(start)?.into()),
+    |start| space::start(start, on),
 )
 .family("tree")
 .kinds(KINDS)
@@ -92,17 +94,12 @@ pub const ENTRY: Entry = Entry::new(
 .symbols(SYMBOLS)
 .layers(GUIDED_LAYERS);
 
-/// The planner behind the entry.
-pub(super) fn grown(start: &Start) -> Result<Grown<3, Guided>, Error> {
-    let settings = start.parameters;
-    let (samples, keep) = (settings[SAMPLES] as usize, settings[KEEP] as usize);
-    super::grown(start, 0.0, |_| Guided {
-        samples,
-        keep,
-        by: settings[CHOICE],
-        falls_back: settings[FALLBACK],
-        order: Vec::with_capacity(samples),
-    })
+/// Starts it in any space; `settings` are the parameters of [`ENTRY`].
+///
+/// # Errors
+/// As [`Trees::new`].
+pub fn on<const N: usize>(space: Arc<dyn Space<N>>, settings: &Parameters, seed: u64) -> Result<Started, Error> {
+    Ok(Trees::new(space, settings, seed, |_| Guided::new(settings))?.into())
 }
 
 #[derive(Clone, State)]
@@ -134,6 +131,11 @@ impl<const N: usize> Method<N> for Guided {
 }
 
 impl Guided {
+    pub(super) fn new(settings: &Parameters) -> Self {
+        let (samples, keep) = (settings[SAMPLES] as usize, settings[KEEP] as usize);
+        Self { samples, keep, by: settings[CHOICE], falls_back: settings[FALLBACK], order: Vec::with_capacity(samples) }
+    }
+
     /// The weight on the roulette wheel.
     fn weight(&self, key: f64) -> f64 {
         match self.by {
@@ -164,7 +166,7 @@ impl Guided {
         let ahead = minus(&goal, &from);
         self.order.clear();
         for i in 0..self.samples {
-            let point = uniform(&task.min, &task.max, rng);
+            let point = task.uniform(rng);
             let angle = angle(&minus(&point, &from), &ahead);
             self.order.push((if self.by == By::Angle { angle } else { distance(&point, &goal) }, i));
             forest.last.samples.push(Sample { point, angle, share: 0.0, outcome: SampleOutcome::NotKept });
@@ -217,11 +219,11 @@ impl Guided {
 /// A plain step, but for a sample that is nearer than a step: that is skipped.
 fn plain<const N: usize>(forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream) -> Option<usize> {
     forest.last.fell_back = true;
-    let sample = uniform(&task.min, &task.max, rng);
+    let sample = task.uniform(rng);
     let near = forest.trees[0].nearest(&sample);
     if distance(&forest.trees[0].points[near], &sample) < task.step {
         forest.last.near = near;
-        forest.last.samples.push(Sample { point: sample, angle: f64::NAN, share: 1.0, outcome: SampleOutcome::TooNear });
+        forest.record(sample, SampleOutcome::TooNear);
         return None;
     }
     forest.extend(task, sample, false)

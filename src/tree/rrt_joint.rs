@@ -13,11 +13,9 @@ use super::{
     draw::CONNECT_LAYERS,
     explain::SYMBOLS,
     finish::{FITTED, HERMITE},
-    grow::Grown,
     joints::{GOALS, Joints, RADIUS, RESOLUTION},
     parameters::{BLEND, FORMULA_STEP, ITERATIONS, POLYLINE, READINGS, SHORTEN, SMOOTH, TOLERANCE},
-    rrt_connect::Connect,
-    task::Task,
+    rrt_connect,
 };
 
 /// See the module.
@@ -41,8 +39,7 @@ pub const ENTRY: Entry = Entry::new(
 .members(MEMBERS);
 
 fn start(start: &Start) -> Result<Started, Error> {
-    let joints = Joints::new(start.scene, start.parameters)?;
-    Ok(Grown::new(Task::new(Arc::new(joints), start.parameters, 0.0), Connect::default(), start.seed).into())
+    rrt_connect::on(Arc::new(Joints::new(start.scene, start.parameters)?), start.parameters, start.seed)
 }
 
 const STEP_ANGLE: Param<f64> = Param::number(

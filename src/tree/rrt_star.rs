@@ -1,12 +1,13 @@
 //! `rrt-star`: the tree that goes on getting better, Karaman and Frazzoli 2011; with informed sampling once a path is known,
 //! Gammell, Srinivasa and Barfoot 2014.
 
-use std::f64::consts::PI;
+use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Start},
-    kernel::{Error, State, rng::Stream},
+    describe::Entry,
+    kernel::{Error, Started, State, rng::Stream},
     math,
+    params::Parameters,
 };
 
 use super::{
@@ -14,9 +15,11 @@ use super::{
     explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     forest::NONE,
-    grow::{Forest, Grown, Method, SampleOutcome, Source},
+    grow::{Forest, SampleOutcome, Source},
+    method::{Method, Trees},
     parameters::{BIAS, FINISH, FORMULA_INFORMED, FORMULA_RADIUS, FORMULA_STEP, INFORMED, ITERATIONS, KINDS, READINGS, REWIRE, STEP},
-    sample::{Informed, uniform},
+    sample::{Informed, ball},
+    space::{self, Space},
     task::Task,
     vector::distance,
 };
@@ -27,7 +30,7 @@ pub const ENTRY: Entry = Entry::new(
     "RRT*: ever shorter",
     "Karaman and Frazzoli 2011",
     "A new node takes the parent with the shortest way, and its neighbours take it as theirs where that is shorter. The path approaches the shortest. Once there is one, samples come only from where a shorter one could lead.",
-    |start| Ok(grown(start)?.into()),
+    |start| space::start(start, on),
 )
 .family("tree")
 .kinds(KINDS)
@@ -46,16 +49,21 @@ pub const ENTRY: Entry = Entry::new(
 .symbols(SYMBOLS)
 .layers(LAYERS);
 
-/// The planner behind the entry.
-pub(super) fn grown(start: &Start) -> Result<Grown<3, Star>, Error> {
-    let star = |task: &Task<3>| Star::new(task, start.parameters[REWIRE], start.parameters[INFORMED]);
-    super::grown(start, start.parameters[BIAS], star)
+/// Starts it in any space; `settings` are the parameters of [`ENTRY`].
+///
+/// # Errors
+/// As [`Trees::new`].
+pub fn on<const N: usize>(space: Arc<dyn Space<N>>, settings: &Parameters, seed: u64) -> Result<Started, Error> {
+    Ok(Trees::new(space, settings, seed, |task| Star::new(task, settings))?.into())
 }
 
 #[derive(Clone, State)]
-pub(super) struct Star {
+pub(super) struct Star<const N: usize> {
+    /// How often the sample is the goal itself until there is a path.
     #[state(shared)]
-    informed: Option<Informed>,
+    goal_bias: f64,
+    #[state(shared)]
+    informed: Option<Informed<N>>,
     #[state(shared)]
     dimensions: usize,
     /// γ: with it the radius shrinks so slowly that the path still approaches the shortest.
@@ -81,18 +89,18 @@ pub(super) struct Star {
     stack: Vec<u32>,
 }
 
-impl Star {
-    fn new(task: &Task<3>, rewire: f64, informed: bool) -> Self {
-        let dimensions = task.space.dimensions();
+impl<const N: usize> Star<N> {
+    pub(super) fn new(task: &Task<N>, settings: &Parameters) -> Self {
+        let dimensions = task.space.dimensions().clamp(1, N);
         let d = dimensions as f64;
         let volume = (0..dimensions).map(|i| task.max[i] - task.min[i]).product::<f64>();
-        let ball = if dimensions == 2 { PI } else { 4.0 / 3.0 * PI };
         Self {
-            informed: informed.then(|| Informed::new(task.start, task.goal(), dimensions)),
+            goal_bias: settings[BIAS],
+            informed: settings[INFORMED].then(|| Informed::new(task.start, task.goal(), dimensions)),
             dimensions,
             // The free part is not known; all of it is an upper bound, so γ is large enough.
-            gamma: 1.1 * math::pow(2.0 * (1.0 + 1.0 / d) * volume / ball, 1.0 / d),
-            most: rewire * task.step,
+            gamma: 1.1 * math::pow(2.0 * (1.0 + 1.0 / d) * volume / ball(dimensions), 1.0 / d),
+            most: settings[REWIRE] * task.step,
             volume,
             goal: None,
             newest: vec![NONE],
@@ -109,8 +117,8 @@ impl Star {
         (self.gamma * math::pow(math::ln(n) / n, 1.0 / self.dimensions as f64)).min(self.most)
     }
 
-    fn sample(&self, forest: &mut Forest<3>, task: &Task<3>, rng: &mut Stream) -> [f64; 3] {
-        if rng.unit() < task.goal_bias && self.goal.is_none() {
+    fn sample(&self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream) -> [f64; N] {
+        if rng.unit() < self.goal_bias && self.goal.is_none() {
             forest.begin(Source::Goal, 0);
             return task.goal();
         }
@@ -128,12 +136,12 @@ impl Star {
             }
         }
         forest.begin(Source::Uniform, 0);
-        uniform(&task.min, &task.max, rng)
+        task.uniform(rng)
     }
 
     /// Adds a node as the child of the neighbour with the shortest way, then makes it the parent of those whose way over it
     /// is shorter.
-    fn insert(&mut self, forest: &mut Forest<3>, task: &Task<3>, new: [f64; 3], nearest: usize) -> usize {
+    fn insert(&mut self, forest: &mut Forest<N>, task: &Task<N>, new: [f64; N], nearest: usize) -> usize {
         let radius = self.radius(forest.trees[0].len() + 1);
         forest.trees[0].within(&new, radius, &mut self.near);
         self.order.clear();
@@ -174,7 +182,7 @@ impl Star {
     }
 
     /// Gives a node another parent, and all that comes after it the lengths that follow.
-    fn rewire(&mut self, forest: &mut Forest<3>, node: usize, parent: usize) {
+    fn rewire(&mut self, forest: &mut Forest<N>, node: usize, parent: usize) {
         let tree = &mut forest.trees[0];
         let old = tree.parents[node] as usize;
         if self.newest[old] == node as u32 {
@@ -202,10 +210,10 @@ impl Star {
     }
 }
 
-impl Method<3> for Star {
+impl<const N: usize> Method<N> for Star<N> {
     const ANYTIME: bool = true;
 
-    fn grow(&mut self, forest: &mut Forest<3>, task: &Task<3>, rng: &mut Stream) {
+    fn grow(&mut self, forest: &mut Forest<N>, task: &Task<N>, rng: &mut Stream) {
         let sample = self.sample(forest, task, rng);
         let near = forest.trees[0].nearest(&sample);
         let from = forest.trees[0].points[near];
@@ -213,7 +221,7 @@ impl Method<3> for Star {
         let new = if far <= task.step { sample } else { task.towards(&from, &sample) };
         let outcome = if far == 0.0 { SampleOutcome::TooNear } else { forest.test(task, &from, &new) };
         forest.last.near = near;
-        forest.last.samples.push(super::grow::Sample { point: sample, angle: f64::NAN, share: 1.0, outcome });
+        forest.record(sample, outcome);
         if outcome != SampleOutcome::Taken {
             return;
         }
@@ -228,8 +236,8 @@ impl Method<3> for Star {
         let Some(goal) = self.goal else { return };
         let cost = forest.trees[0].costs[goal];
         if forest.found.as_ref().is_none_or(|found| cost < found.cost) {
-            let path = forest.trees[0].way(goal);
-            forest.found(path);
+            let path = forest.trees[0].path_to(goal);
+            forest.keep(path);
         }
     }
 }

@@ -1,32 +1,45 @@
-//! What a tree grows through: a plane with discs or blocked cells, the workspace of an arm's tip, or an arm's joints.
+//! What a tree grows through: a plane with discs or blocked cells, the workspace of an arm's tip, or what somebody brings.
 
 use std::sync::Arc;
 
 use crate::{
     arm::{self, ArmScene},
+    describe::Start,
     geometry::Cuboid,
-    kernel::{Error, Plane, Scene, Solution},
+    kernel::{Error, Plane, Scene, Solution, Started},
+    params::Parameters,
     scene::{ARM, DISCS, DiscsScene, GRID, GridScene},
 };
 
-/// A box in N dimensions with obstacles. Points lie in it.
-pub(super) trait Space<const N: usize>: Send + Sync {
-    /// Smallest and largest coordinates.
+use super::parameters::MARGIN;
+
+/// A box in N dimensions with obstacles, a start and goals. All of it stays the same while a tree grows.
+pub trait Space<const N: usize>: Send + Sync {
+    /// Smallest and largest coordinates. Nodes lie between them.
     fn bounds(&self) -> ([f64; N], [f64; N]);
-    /// In how many dimensions it has an extent.
+    /// Where the tree starts.
+    fn start(&self) -> [f64; N];
+    /// Where it must come to: one at least. `rrt-connect` goes to any of them, the others to the first.
+    fn goals(&self) -> &[[f64; N]];
+    /// Whether one can go straight from `a`, which is free, to `b`. Called in the inner loop.
+    fn is_free(&self, a: &[f64; N], b: &[f64; N]) -> bool;
+    /// In how many of the first dimensions it has an extent: 1 to N. In the others all coordinates are the same.
     fn dimensions(&self) -> usize {
         N
     }
-    /// Where the tree starts.
-    fn start(&self) -> [f64; N];
-    /// Where it must come to: any of these.
-    fn goals(&self) -> &[[f64; N]];
-    /// Whether one can go straight from one point to another.
-    fn is_free(&self, a: &[f64; N], b: &[f64; N]) -> bool;
-    /// Where a point is drawn.
-    fn place(&self, point: &[f64; N]) -> [f64; 3];
-    /// A path as it is judged.
-    fn solution(&self, path: &[[f64; N]]) -> Solution;
+    /// Where a point is drawn: its first three coordinates.
+    fn place(&self, point: &[f64; N]) -> [f64; 3] {
+        std::array::from_fn(|i| if i < N { point[i] } else { 0.0 })
+    }
+    /// A path as it is judged: in the plane for up to two dimensions, otherwise the places in space.
+    fn solution(&self, path: &[[f64; N]]) -> Solution {
+        let places = path.iter().map(|point| self.place(point));
+        if N <= 2 {
+            Solution::Path(places.map(|[x, y, _]| [x, y]).collect())
+        } else {
+            Solution::Reach { path: places.collect(), postures: Vec::new() }
+        }
+    }
     /// Whether straight pieces are curves where they are drawn.
     fn curves(&self) -> bool {
         false
@@ -35,10 +48,21 @@ pub(super) trait Space<const N: usize>: Send + Sync {
     fn has_members(&self) -> bool {
         false
     }
-    /// What a length of 1 among the parameters is in the space's unit.
+    /// What a length of 1 among the parameters is in the space's unit; above 0.
     fn unit(&self) -> f64 {
         1.0
     }
+}
+
+/// What starts a planner in a space.
+type On = fn(Arc<dyn Space<3>>, &Parameters, u64) -> Result<Started, Error>;
+
+/// Starts a planner in whatever kind of scene it is given.
+///
+/// # Errors
+/// As [`of_scene`].
+pub(super) fn start(start: &Start, on: On) -> Result<Started, Error> {
+    on(of_scene(start.scene, start.parameters[MARGIN])?, start.parameters, start.seed)
 }
 
 /// The space of a scene with start and goal; an arm's tip keeps so much away from obstacles.
@@ -107,10 +131,6 @@ impl<P: Plane> Space<3> for Flat<P> {
         (0..3).all(|i| min[i] <= b[i] && b[i] <= max[i]) && self.plane.is_free([a[0], a[1]], [b[0], b[1]])
     }
 
-    fn place(&self, point: &[f64; 3]) -> [f64; 3] {
-        *point
-    }
-
     fn solution(&self, path: &[[f64; 3]]) -> Solution {
         Solution::Path(path.iter().map(|&[x, y, _]| [x, y]).collect())
     }
@@ -167,13 +187,5 @@ impl Space<3> for Workspace {
         let near = |(cuboid, grown): (&Cuboid, &Cuboid)| grown.meets(*a, *b) && cuboid.is_within(self.margin, *a, *b);
         let touches = arm.cuboids.iter().zip(&self.grown).any(near);
         !touches && arm::column(arm).is_none_or(|column| !column.axis.is_within(column.radius + self.margin, *a, *b))
-    }
-
-    fn place(&self, point: &[f64; 3]) -> [f64; 3] {
-        *point
-    }
-
-    fn solution(&self, path: &[[f64; 3]]) -> Solution {
-        Solution::Reach { path: path.to_vec(), postures: Vec::new() }
     }
 }

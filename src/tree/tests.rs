@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    Overrides, Run, Scene, Setup, Status, Value,
+    Overrides, Scene, Session, Setup, Status, Value,
     describe::layers,
     kernel::{Item, Progress, State, rng::Stream},
     params::Parameters,
@@ -13,7 +13,8 @@ use crate::{
 
 use super::{
     forest::NONE,
-    grow::{Forest, Grown, Method, SampleOutcome, Source},
+    grow::{Forest, SampleOutcome, Source},
+    method::{Method, Trees},
     parameters::MARGIN,
     space,
     task::Task,
@@ -28,8 +29,13 @@ fn session(planner: &str, scene: &str, given: &[(&str, Value)], seed: u64) -> Ru
     Run::new(standard(), Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
 
-fn start<'a>(scene: &'a Arc<Scene>, parameters: &'a Parameters, seed: u64) -> Start<'a> {
-    Start { scene, parameters, seed, entries: &**standard() }
+/// A planner with its parts open.
+fn trees<M: Method<3>>(scene: &Scene, settings: &Parameters, seed: u64, method: impl FnOnce(&Task<3>) -> M) -> Trees<3, M> {
+    Trees::new(space::of_scene(scene, settings[MARGIN]).unwrap(), settings, seed, method).unwrap()
+}
+
+fn guided(scene: &Scene, settings: &Parameters, seed: u64) -> Trees<3, rrt_guided::Guided> {
+    trees(scene, settings, seed, |_| rrt_guided::Guided::new(settings))
 }
 
 fn number(value: f64) -> Value {
@@ -46,7 +52,7 @@ fn plane() -> Arc<Scene> {
 fn task(scene: &Arc<Scene>, planner: &str) -> Task<3> {
     let entry = crate::standard().planner(planner).unwrap();
     let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
-    Task::new(space::of_scene(scene, settings[MARGIN]).unwrap(), &settings, 0.0)
+    Task::new(space::of_scene(scene, settings[MARGIN]).unwrap(), &settings).unwrap()
 }
 
 /// Grows towards fixed points, so that steps can be computed by hand.
@@ -67,7 +73,7 @@ impl Method<3> for Towards {
 #[test]
 fn a_node_grows_by_a_step_towards_the_sample() {
     let samples = vec![[4.0, 9.0, 0.0], [1.0, 5.1, 0.0], [9.0, 5.0, 0.0], [-3.0, 5.0, 0.0]];
-    let mut tree = Grown::new(task(&plane(), "rrt"), Towards(samples, false), 1);
+    let mut tree = Trees::of(task(&plane(), "rrt"), Towards(samples, false), 1);
     tree.extend();
     // From (1, 5) by ½ along (3, 4) / 5.
     let new = tree.forest.trees[0].points[1];
@@ -83,20 +89,20 @@ fn a_node_grows_by_a_step_towards_the_sample() {
     assert_eq!(tree.forest.last.samples[0].outcome, SampleOutcome::Taken);
     assert!(distance(&tree.forest.trees[0].points[4], &[0.5, 5.0, 0.0]) < 1e-15);
 
-    let mut clipped = Grown::new(task(&plane(), "rrt"), Towards(vec![[1.0, 5.1, 0.0]], true), 1);
+    let mut clipped = Trees::of(task(&plane(), "rrt"), Towards(vec![[1.0, 5.1, 0.0]], true), 1);
     clipped.extend();
     assert_eq!(clipped.forest.trees[0].points[1], [1.0, 5.1, 0.0], "no farther than the sample");
 }
 
 #[test]
 fn a_step_out_of_the_space_or_into_an_obstacle_adds_nothing() {
-    let mut out = Grown::new(task(&plane(), "rrt"), Towards(vec![[-9.0, 5.0, 0.0]; 4], false), 1);
+    let mut out = Trees::of(task(&plane(), "rrt"), Towards(vec![[-9.0, 5.0, 0.0]; 4], false), 1);
     (0..4).for_each(|_| {
         out.extend();
     });
     // (0.5, 5), (0, 5), and no farther.
     assert_eq!((out.forest.trees[0].len(), out.forest.last.samples[0].outcome, out.forest.rejected), (3, SampleOutcome::Outside, 2));
-    let mut blocked = Grown::new(task(&plane(), "rrt"), Towards(vec![[9.0, 5.0, 0.0]; 9], false), 1);
+    let mut blocked = Trees::of(task(&plane(), "rrt"), Towards(vec![[9.0, 5.0, 0.0]; 9], false), 1);
     (0..9).for_each(|_| {
         blocked.extend();
     });
@@ -109,7 +115,7 @@ fn a_step_out_of_the_space_or_into_an_obstacle_adds_nothing() {
 }
 
 /// Runs a planner and looks at the tree after every step.
-fn watch<M: Method<3>>(mut grown: Grown<3, M>, steps: usize, scene: &Scene) {
+fn watch<M: Method<3>>(mut grown: Trees<3, M>, steps: usize, scene: &Scene) {
     let task = Arc::clone(&grown.task);
     let mut best = f64::INFINITY;
     let mut progress = Progress::Continue;
@@ -156,13 +162,11 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
             for planner in TREES {
                 let entry = crate::standard().planner(planner).unwrap();
                 let settings = Parameters::new(entry.parameters, scene.kind(), &Overrides::new()).unwrap();
-                // The planner behind the entry, with its parts open.
-                let start = start(&scene, &settings, seed);
                 match planner {
-                    "rrt" => watch(rrt::grown(&start).unwrap(), 1500, &scene),
-                    "rrt-guided" => watch(rrt_guided::grown(&start).unwrap(), 1500, &scene),
-                    "rrt-connect" => watch(rrt_connect::grown(&start).unwrap(), 1500, &scene),
-                    _ => watch(rrt_star::grown(&start).unwrap(), 1500, &scene),
+                    "rrt" => watch(trees(&scene, &settings, seed, |_| rrt::Rrt::new(&settings)), 1500, &scene),
+                    "rrt-guided" => watch(guided(&scene, &settings, seed), 1500, &scene),
+                    "rrt-connect" => watch(trees(&scene, &settings, seed, |_| rrt_connect::Connect::default()), 1500, &scene),
+                    _ => watch(trees(&scene, &settings, seed, |task| rrt_star::Star::new(task, &settings)), 1500, &scene),
                 }
             }
         }
@@ -173,18 +177,18 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
 fn without_the_fallback_no_step_is_plain() {
     let scene = shipped("arm-cuboid").unwrap();
     let given = [("fallback", "false".into())].into_iter().collect();
-    let settings = Parameters::new(crate::standard().planner("rrt-guided").unwrap().parameters, ARM, &given).unwrap();
-    let (mut guided, mut nothing) = (0, 0);
+    let settings = Parameters::new(crate::catalogue::find("rrt-guided").unwrap().parameters, ARM, &given).unwrap();
+    let (mut by_angle, mut nothing) = (0, 0);
     for seed in 0..10 {
-        let mut grown = rrt_guided::grown(&start(&scene, &settings, seed)).unwrap();
-        while grown.extend() == Progress::Continue && grown.forest.trees[0].len() < 60 && guided + nothing < 4000 {
+        let mut grown = guided(&scene, &settings, seed);
+        while grown.extend() == Progress::Continue && grown.forest.trees[0].len() < 60 && by_angle + nothing < 4000 {
             let last = &grown.forest.last;
             assert!(!last.fell_back && last.samples.len() == 20);
-            guided += usize::from(last.added);
+            by_angle += usize::from(last.added);
             nothing += usize::from(!last.added);
         }
     }
-    assert!(guided > 10 && nothing > 100, "{guided} {nothing}");
+    assert!(by_angle > 10 && nothing > 100, "{by_angle} {nothing}");
 }
 
 /// [ARM-RRT](crate#papers) §3.2.1, checked with what the extension itself keeps of its samples.
@@ -193,9 +197,9 @@ fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_doubl
     let scene = shipped("arm-cuboid").unwrap();
     let entry = crate::standard().planner("rrt-guided").unwrap();
     let settings = Parameters::new(entry.parameters, ARM, &Overrides::new()).unwrap();
-    let (mut guided, mut fell_back, mut chosen) = (0, 0, [0; 4]);
+    let (mut by_angle, mut fell_back, mut chosen) = (0, 0, [0; 4]);
     for seed in 0..40 {
-        let mut grown = rrt_guided::grown(&start(&scene, &settings, seed)).unwrap();
+        let mut grown = guided(&scene, &settings, seed);
         for _ in 0..60 {
             let before = grown.forest.trees[0].clone();
             let near = grown.forest.nearest_node;
@@ -232,10 +236,10 @@ fn the_four_samples_with_the_smallest_angles_are_kept_and_new_nodes_do_not_doubl
                 assert!(last.fell_back || parent == near);
             }
             fell_back += usize::from(last.fell_back);
-            guided += usize::from(!last.fell_back);
+            by_angle += usize::from(!last.fell_back);
         }
     }
-    assert!(guided > 100 && fell_back > 100 && chosen.iter().all(|&n| n > 20), "{guided} {fell_back} {chosen:?}");
+    assert!(by_angle > 100 && fell_back > 100 && chosen.iter().all(|&n| n > 20), "{by_angle} {fell_back} {chosen:?}");
 }
 
 /// [ARM-RRT](crate#papers) §3.3 step 2 (2): the wheel draws four by their distances to the goal, and the nearest comes first.
@@ -246,7 +250,7 @@ fn by_distance_the_wheel_keeps_four_and_the_nearest_that_is_free_is_taken() {
     let settings = Parameters::new(entry.parameters, ARM, &Overrides::from_iter([("choice", Value::from("distance"))])).unwrap();
     let (mut taken, mut nearest_kept, mut extensions) = (0, 0, 0);
     for seed in 0..40 {
-        let mut grown = rrt_guided::grown(&start(&scene, &settings, seed)).unwrap();
+        let mut grown = guided(&scene, &settings, seed);
         for _ in 0..60 {
             if grown.extend() != Progress::Continue {
                 break;
