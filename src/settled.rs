@@ -32,7 +32,7 @@ impl Settled {
 }
 
 /// What a group tells of it.
-pub(crate) const SETTLED: Reading = Reading::new(
+pub const SETTLED: Reading = Reading::new(
     "settled",
     "t_s",
     "Settled",

@@ -18,8 +18,7 @@ use crate::{
 };
 
 use super::{
-    Search,
-    explain::{SYMBOLS, quantity},
+    explain::quantity,
     kicks::Kicks,
     moves,
     nearest::nearest_neighbour,
@@ -27,7 +26,9 @@ use super::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
         POPULATION, ROADS_LAYER, TOURS,
     },
+    planner,
     problem::{Problem, Stop, Tour},
+    search::Search,
 };
 
 /// How a bat looked for a better tour of its own.
@@ -291,7 +292,7 @@ impl Search for Bats {
         out.push(MEAN_PULSE_RATE, self.mean(|bat| bat.pulse_rate));
     }
 
-    fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
+    fn read_member(&self, i: usize, out: &mut Vec<f64>) {
         let Bat { tour, loudness, pulse_rate, last_move } = &self.swarm[i];
         let different = moves::hamming(&self.problem, &tour.row, &self.best.row);
         out.extend([
@@ -349,10 +350,6 @@ impl Search for Bats {
             Range::None => vec!["length"],
             _ => vec!["tries", "loudness", "pulse", "length"],
         };
-    }
-
-    fn copy(&self) -> Box<dyn Search> {
-        Box::new(self.clone())
     }
 }
 
@@ -417,8 +414,8 @@ const MEMBERS: &[Member] = &[
 const MEAN_LOUDNESS: Reading = Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness.");
 const MEAN_PULSE_RATE: Reading = Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates.");
 
-/// See [`super::start`].
-const TELLS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_LOUDNESS, MEAN_PULSE_RATE];
+/// See [`planner::start`].
+const OWN_READINGS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_LOUDNESS, MEAN_PULSE_RATE];
 
 const PAPER: Preset = Preset {
     name: "paper",
@@ -446,7 +443,7 @@ pub const ENTRY: Entry = Entry::new(
     "Discrete bats",
     "[ANTBAT] §3.3",
     "Each bat holds a tour. Far from the best tour it crosses over with it (PMX); close to it, it tries 2-opt moves; loudness decides whether it accepts a tour found near the best.",
-    |start| super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    |start| planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
 )
 .family("tour")
 .kinds(KINDS)

@@ -14,14 +14,15 @@ use crate::{
 };
 
 use super::{
-    Search,
-    explain::{SYMBOLS, quantity},
+    explain::quantity,
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
         ROADS_LAYER, TOURS,
     },
+    planner,
     problem::{Problem, Tour},
+    search::Search,
 };
 
 /// How a tour came into its generation.
@@ -211,7 +212,7 @@ impl Search for Genetic {
         out.push(SHORTER, shorter as f64 / children.len() as f64);
     }
 
-    fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
+    fn read_member(&self, i: usize, out: &mut Vec<f64>) {
         let one = &self.now[i];
         let different = moves::hamming(&self.problem, &one.tour.row, &self.best.row);
         out.extend([one.tour.length, different as f64, f64::from(one.birth.origin as u8), one.gain()]);
@@ -247,10 +248,6 @@ impl Search for Genetic {
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["gain", "length"];
-    }
-
-    fn copy(&self) -> Box<dyn Search> {
-        Box::new(self.clone())
     }
 }
 
@@ -301,8 +298,8 @@ const MEMBERS: &[Member] = &[
 const SHORTER: Reading =
     Reading::new("shorter", "", "Shorter children", Group::Measure, "How many of the children are shorter than both their parents.");
 
-/// See [`super::start`].
-const TELLS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, SHORTER];
+/// See [`planner::start`].
+const OWN_READINGS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, SHORTER];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -310,7 +307,7 @@ pub const ENTRY: Entry = Entry::new(
     "Genetic algorithm",
     "Davis 1985",
     "Generations of tours: children take a stretch of one parent and the order of the other, some have a stretch reversed, and the shortest are kept.",
-    |start| super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    |start| planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
 )
 .family("tour")
 .kinds(KINDS)

@@ -14,10 +14,10 @@ use crate::{
 };
 
 use super::{
-    Search,
-    explain::SYMBOLS,
     parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, KINDS, LENGTH, ROADS_LAYER, TOURS},
+    planner,
     problem::{Problem, Stop, Tour},
+    search::Search,
 };
 
 /// The most stops: 2¹⁵ sets, 4 MB.
@@ -174,10 +174,6 @@ impl Search for HeldKarp {
         let ways = self.ways.iter().chain(&self.tour).map(|way| way.length);
         out.push(PARTIAL, ways.reduce(f64::min).unwrap_or(f64::NAN));
     }
-
-    fn copy(&self) -> Box<dyn Search> {
-        Box::new(self.clone())
-    }
 }
 
 const ITERATIONS: Param<u64> = Param::integer(
@@ -206,8 +202,8 @@ const PARTIAL: Reading = Reading::new(
     "The shortest way through so many stops, of all sets; the tour in the end.",
 );
 
-/// See [`super::start`].
-const TELLS: &[Reading] = &[SIZE, PARTIAL];
+/// See [`planner::start`].
+const OWN_READINGS: &[Reading] = &[SIZE, PARTIAL];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -215,7 +211,7 @@ pub const ENTRY: Entry = Entry::new(
     "Held and Karp: exact",
     "Held and Karp 1962",
     "The shortest tour, guaranteed: the shortest paths through all sets of stops, from small sets to the set of all. For 15 stops at most.",
-    |start| Ok(super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))?.open_ended()),
+    |start| Ok(planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))?.open_ended()),
 )
 .family("tour")
 .kinds(KINDS)

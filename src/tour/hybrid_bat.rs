@@ -23,14 +23,15 @@ use crate::{
 };
 
 use super::{
-    Search,
-    explain::{SYMBOLS, quantity},
+    explain::quantity,
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
         ROADS_LAYER, TOURS,
     },
+    planner,
     problem::{Problem, Tour},
+    search::Search,
     swaps::{self, Swap},
 };
 
@@ -232,7 +233,7 @@ impl Search for Bats {
         out.push(MEAN_PULSE_RATE, self.mean(|bat| bat.pulse_rate));
     }
 
-    fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
+    fn read_member(&self, i: usize, out: &mut Vec<f64>) {
         let Bat { tour, loudness, pulse_rate, last_move } = &self.swarm[i];
         let different = moves::hamming(&self.problem, &tour.row, &self.best.row);
         out.extend([tour.length, *loudness, *pulse_rate, different as f64, f64::from(last_move.operator as u8), last_move.gain]);
@@ -277,10 +278,6 @@ impl Search for Bats {
             told.values.extend(flight.into_iter().flatten());
             told.formulas.insert(0, "velocity");
         }
-    }
-
-    fn copy(&self) -> Box<dyn Search> {
-        Box::new(self.clone())
     }
 }
 
@@ -352,8 +349,8 @@ const MEMBERS: &[Member] = &[
 const MEAN_LOUDNESS: Reading = Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness.");
 const MEAN_PULSE_RATE: Reading = Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates.");
 
-/// See [`super::start`].
-const TELLS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_LOUDNESS, MEAN_PULSE_RATE];
+/// See [`planner::start`].
+const OWN_READINGS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_LOUDNESS, MEAN_PULSE_RATE];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -361,7 +358,7 @@ pub const ENTRY: Entry = Entry::new(
     "Bats with perturbation",
     "[ANTBAT] §4, its [25]",
     "Bats that hold a tour each: they swap stops towards the best one, or take the best of a few perturbations of it.",
-    |start| super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    |start| planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
 )
 .family("tour")
 .kinds(KINDS)

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{
-    local::Local,
+    local::LocalSearch,
     problem::{Problem, Stop, Tour},
 };
 use crate::kernel::{State, rng::Stream};
@@ -13,11 +13,11 @@ use crate::kernel::{State, rng::Stream};
 pub struct Kicks {
     #[state(shared)]
     problem: Arc<Problem>,
-    local: Local,
+    local: LocalSearch,
     row: Vec<Stop>,
     /// As before the kick.
     #[state(skip)]
-    kept: Local,
+    kept: LocalSearch,
     #[state(skip)]
     kept_row: Vec<Stop>,
     /// Kicks so far.
@@ -27,12 +27,12 @@ pub struct Kicks {
 impl Kicks {
     /// For tours of a problem.
     pub fn new(problem: &Arc<Problem>) -> Self {
-        let local = Local::new(problem);
+        let local = LocalSearch::new(problem);
         let row = Tour::first(problem).row;
         Self { made: 0, problem: Arc::clone(problem), kept: local.clone(), local, kept_row: row.clone(), row }
     }
 
-    /// See [`Local::polish`].
+    /// See [`LocalSearch::polish`].
     pub fn polish(&mut self, tour: &mut Tour) {
         self.local.polish(tour);
     }

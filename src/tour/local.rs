@@ -39,9 +39,10 @@ pub enum Move {
     Carry(usize, usize, usize, bool),
 }
 
-/// The local search of one row at a time.
+/// The local search of one row at a time: [`LocalSearch::polish`] at once, or [`LocalSearch::load`] and step by step. Rows are those of tours
+/// of its problem.
 #[derive(Debug, Clone, State)]
-pub struct Local {
+pub struct LocalSearch {
     #[state(shared)]
     problem: Arc<Problem>,
     #[state(shared)]
@@ -60,7 +61,7 @@ pub struct Local {
     tried: Cell<u64>,
 }
 
-impl Local {
+impl LocalSearch {
     /// For tours of a problem.
     pub fn new(problem: &Arc<Problem>) -> Self {
         let n = problem.n;
@@ -105,7 +106,7 @@ impl Local {
         self.tried.set(self.tried.get() + 1);
     }
 
-    /// A stop near which something has changed.
+    /// A stop near which something has changed: it is looked at again.
     pub fn touch(&mut self, stop: Stop) {
         let i = usize::from(stop);
         if i < self.problem.n && !self.queued[i] {
@@ -368,7 +369,7 @@ mod tests {
             let problem = random(n, round, &mut rng);
             let mut tour = Tour::first(&problem);
             moves::shuffle(&mut tour.row, &mut rng);
-            let mut local = Local::new(&problem);
+            let mut local = LocalSearch::new(&problem);
             local.load(&tour.row);
             (0..n as Stop).for_each(|stop| local.touch(stop));
             let mut length = problem.length(&tour.row);
@@ -400,7 +401,7 @@ mod tests {
             let problem = random(4 + rng.below(7), TourEnds::ALL[case % 4], &mut rng);
             let mut tour = Tour::first(&problem);
             moves::shuffle(&mut tour.row, &mut rng);
-            Local::new(&problem).polish(&mut tour);
+            LocalSearch::new(&problem).polish(&mut tour);
             let m = tour.len();
             for i in 1..=m {
                 assert!((i..=m).all(|j| moves::reversal(&problem, &tour.row, i, j) > -1e-9));

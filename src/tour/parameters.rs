@@ -61,10 +61,10 @@ pub(super) fn round(scene: &Scene, settings: &Parameters) -> TourEnds {
 }
 
 /// Where a tour begins and ends, and who builds roads.
-pub(super) const TOURS: &[Parameter] = &[ROUND.entry(), ROADS.entry(), SMOOTH.entry()];
+pub const TOURS: &[Parameter] = &[ROUND.entry(), ROADS.entry(), SMOOTH.entry()];
 
 /// How many steps the search for the tour takes.
-pub(super) const ITERATIONS: Param<u64> = Param::integer(
+pub const ITERATIONS: Param<u64> = Param::integer(
     "iterations",
     "t_{\\max}",
     "Iterations",
@@ -89,21 +89,28 @@ pub(super) const LOCAL_SEARCH: Param<bool> = Param::choice(
     "What improves each tour. Swarms of the literature have a local search (Shi et al. 2007; Saji and Riffi 2016), and need it on more than about 50 stops. [ANTBAT] has none.",
 );
 
-pub(super) const BEST: Reading =
+/// The length of the shortest tour so far.
+pub const BEST: Reading =
     Reading::new("best", "D_{\\text{best}}", "Shortest", Group::Cost, "The length of the shortest tour so far: the result.");
-pub(super) const MEAN: Reading = Reading::new("mean", "\\bar D", "Mean", Group::Cost, "The mean length of this iteration’s tours.");
-pub(super) const BUILT: Reading = Reading::new("roads", "", "Roads", Group::Count, "Roads built so far.");
-pub(super) const FAILED: Reading =
+/// The mean length of the members' tours.
+pub const MEAN: Reading = Reading::new("mean", "\\bar D", "Mean", Group::Cost, "The mean length of this iteration’s tours.");
+/// How many roads are built; on grids.
+pub const BUILT: Reading = Reading::new("roads", "", "Roads", Group::Count, "Roads built so far.");
+/// How many roads were not found; on grids.
+pub const FAILED: Reading =
     Reading::new("failed", "", "Failed", Group::Count, "Roads that their runs did not find: other roads lead there instead.");
-pub(super) const BY_ROAD: Reading = Reading::new(
+/// The shortest tour by the roads that were built; on grids.
+pub const BY_ROAD: Reading = Reading::new(
     "by_road",
     "D_{\\text{road}}",
     "Shortest by road",
     Group::Length,
     "The shortest tour by these very roads, computed for up to 15 stops: what is above it is the order’s fault, what it is above the exact optimum is the roads’.",
 );
-pub(super) const FOUND: Reading = CONVERGED.told("t^*", "Converged", "The search’s iteration in which the shortest tour was found.");
-pub(super) const DIFFERENT: Reading = Reading::new(
+/// When the shortest tour was found.
+pub const FOUND: Reading = CONVERGED.told("t^*", "Converged", "The search’s iteration in which the shortest tour was found.");
+/// How much the members' tours differ from the shortest.
+pub const DIFFERENT: Reading = Reading::new(
     "different",
     "\\overline{HD}",
     "Different",

@@ -109,6 +109,11 @@ impl Tour {
         self.row.len() - 2
     }
 
+    /// Whether none may be moved.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
     /// Puts the row into the one direction that counts and adds its length up anew: sums of differences lose digits.
     pub fn settle(&mut self, problem: &Problem) {
         let m = self.len();

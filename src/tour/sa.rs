@@ -14,13 +14,14 @@ use crate::{
 };
 
 use super::{
-    Search,
-    explain::{SYMBOLS, quantity},
+    explain::quantity,
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS_LAYER, TOURS,
     },
+    planner,
     problem::{Problem, Tour},
+    search::Search,
 };
 
 /// How many moves say how hot it must be.
@@ -168,7 +169,7 @@ impl Search for Annealing {
         out.push(ACCEPTED, (shorter + longer) as f64 / tried.max(1) as f64);
     }
 
-    fn tell_member(&self, _i: usize, out: &mut Vec<f64>) {
+    fn read_member(&self, _i: usize, out: &mut Vec<f64>) {
         let different = moves::hamming(&self.problem, &self.now.row, &self.best.row);
         out.extend([self.now.length, different as f64, self.last_move.gain, self.last_move.highest]);
     }
@@ -198,10 +199,6 @@ impl Search for Annealing {
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["metropolis", "cooling", "length"];
-    }
-
-    fn copy(&self) -> Box<dyn Search> {
-        Box::new(self.clone())
     }
 }
 
@@ -255,8 +252,8 @@ const ACCEPTED: Reading =
 const SETTLED_PRESENT: Reading =
     SETTLED.told(SETTLED.symbol, SETTLED.title, "The iteration since which the present tour has stayed within 1 % of the shortest so far.");
 
-/// See [`super::start`].
-const TELLS: &[Reading] = &[PRESENT, DIFFERENT, SETTLED_PRESENT, TEMPERATURE, ACCEPTED];
+/// See [`planner::start`].
+const OWN_READINGS: &[Reading] = &[PRESENT, DIFFERENT, SETTLED_PRESENT, TEMPERATURE, ACCEPTED];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -264,7 +261,7 @@ pub const ENTRY: Entry = Entry::new(
     "Simulated annealing",
     "Kirkpatrick et al. 1983",
     "One tour, parts of which are turned round again and again: what makes it longer is accepted more and more rarely as it grows colder.",
-    |start| super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    |start| planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
 )
 .family("tour")
 .kinds(KINDS)

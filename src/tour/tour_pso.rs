@@ -17,15 +17,16 @@ use crate::{
 };
 
 use super::{
-    Search,
-    explain::{SYMBOLS, quantity},
-    local::Local,
+    explain::quantity,
+    local::LocalSearch,
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
         POPULATION, ROADS_LAYER, TOURS,
     },
+    planner,
     problem::{Problem, Stop, Tour},
+    search::Search,
     swaps::{self, Swap},
 };
 
@@ -66,7 +67,7 @@ struct Swarm {
     evaluations: u64,
     rng: Stream,
     /// What improves tours, if something does.
-    local: Option<Local>,
+    local: Option<LocalSearch>,
     /// Scratch space: a row, a list of swaps, and a place for each stop.
     #[state(skip)]
     row: Vec<Stop>,
@@ -79,7 +80,7 @@ struct Swarm {
 fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Swarm {
     let first = Tour::first(problem);
     let m = first.len();
-    let mut local = (settings[LOCAL_SEARCH]).then(|| Local::new(problem));
+    let mut local = (settings[LOCAL_SEARCH]).then(|| LocalSearch::new(problem));
     let particles: Vec<_> = (0..settings[POPULATION])
         .map(|_| {
             let mut tour = moves::random_tour(problem, &mut rng);
@@ -168,7 +169,7 @@ impl Search for Swarm {
     }
 
     fn evaluations(&self) -> u64 {
-        self.evaluations + self.local.as_ref().map_or(0, Local::tried)
+        self.evaluations + self.local.as_ref().map_or(0, LocalSearch::tried)
     }
 
     fn best(&self) -> Option<&Tour> {
@@ -188,7 +189,7 @@ impl Search for Swarm {
         out.push(MEAN_SWAPS, swaps as f64 / self.particles.len() as f64);
     }
 
-    fn tell_member(&self, i: usize, out: &mut Vec<f64>) {
+    fn read_member(&self, i: usize, out: &mut Vec<f64>) {
         let Particle { tour, best, velocity, last_move } = &self.particles[i];
         let different = moves::hamming(&self.problem, &tour.row, &self.best.row);
         out.extend([tour.length, best.length, different as f64, velocity.len() as f64, last_move.gain]);
@@ -219,10 +220,6 @@ impl Search for Swarm {
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["velocity", "position", "length"];
-    }
-
-    fn copy(&self) -> Box<dyn Search> {
-        Box::new(self.clone())
     }
 }
 
@@ -272,8 +269,8 @@ const MEMBERS: &[Member] = &[
 const MEAN_SWAPS: Reading =
     Reading::new("swaps", "\\overline{|v|}", "Velocity", Group::Measure, "How many swaps a velocity has, on average.");
 
-/// See [`super::start`].
-const TELLS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_SWAPS];
+/// See [`planner::start`].
+const OWN_READINGS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_SWAPS];
 
 const SWAPS_ALONE: Preset = Preset {
     name: "paper",
@@ -289,7 +286,7 @@ pub const ENTRY: Entry = Entry::new(
     "Particle swarm with swaps",
     "Wang et al. 2003",
     "Each particle holds a tour and swaps stops: some of the swaps of its velocity, some toward its personal best, some toward the global best. A local search improves each tour.",
-    |start| super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    |start| planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
 )
 .family("tour")
 .kinds(KINDS)

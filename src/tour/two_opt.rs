@@ -9,12 +9,12 @@ use crate::{
 };
 
 use super::{
-    Search,
-    explain::SYMBOLS,
-    local::Local,
+    local::LocalSearch,
     nearest::nearest_neighbour,
     parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, ITERATIONS, KINDS, LAYERS, LENGTH, TOURS},
+    planner,
     problem::{Problem, Stop, Tour},
+    search::Search,
 };
 
 /// A tour that gets shorter move by move.
@@ -22,7 +22,7 @@ use super::{
 struct Descent {
     #[state(shared)]
     problem: Arc<Problem>,
-    local: Local,
+    local: LocalSearch,
     /// As the moves left it, and as it is handed over.
     row: Vec<Stop>,
     best: Tour,
@@ -37,7 +37,7 @@ fn begin(problem: &Arc<Problem>, _: &Parameters, mut rng: Stream) -> Descent {
     let fresh = rng.clone();
     let best = nearest_neighbour(problem, &mut rng);
     let rng = (rng != fresh).then_some(rng);
-    let mut local = Local::new(problem);
+    let mut local = LocalSearch::new(problem);
     local.load(&best.row);
     local.touch_all();
     Descent { problem: Arc::clone(problem), local, row: best.row.clone(), best, moves: 0, gain: 0.0, done: false, rng }
@@ -76,10 +76,6 @@ impl Search for Descent {
         out.push(MOVES_MADE, self.moves as f64);
         out.push(LAST_GAIN, self.gain);
     }
-
-    fn copy(&self) -> Box<dyn Search> {
-        Box::new(self.clone())
-    }
 }
 
 const TWO_OPT: Formula = Formula::of_item("two-opt", "Croes 1958", "2-opt move", "\\Delta = d(a, c) + d(b, d) - d(a, b) - d(c, d) < 0", "");
@@ -87,8 +83,8 @@ const TWO_OPT: Formula = Formula::of_item("two-opt", "Croes 1958", "2-opt move",
 const MOVES_MADE: Reading = Reading::new("moves", "", "Moves", Group::Count, "Moves that made the tour shorter.");
 const LAST_GAIN: Reading = Reading::new("gain", "\\Delta D", "Gain", Group::Measure, "How much shorter the last move made it.");
 
-/// See [`super::start`].
-const TELLS: &[Reading] = &[MOVES_MADE, LAST_GAIN];
+/// See [`planner::start`].
+const OWN_READINGS: &[Reading] = &[MOVES_MADE, LAST_GAIN];
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -96,7 +92,7 @@ pub const ENTRY: Entry = Entry::new(
     "2-opt and Or-opt",
     "[ANTBAT] §3.3; Bentley 1992",
     "Goes on to the nearest stop, then reverses and carries stretches of the tour, a step for each move that makes it shorter, until none does.",
-    |start| Ok(super::start(start, TELLS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))?.open_ended()),
+    |start| Ok(planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))?.open_ended()),
 )
 .family("tour")
 .kinds(KINDS)

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use forage::{
     Error, Overrides, Value,
     describe::{Entry, Layer, layers},
-    kernel::{Candidate, Frame, Planner, Progress, Readings, SceneKindId, Solution, Started, State, Status, Stepper, rng::Stream},
+    kernel::{Candidate, Frame, Planner, Progress, Readings, SceneKindId, Solution, Started, State, Status, rng::Stream},
     params::Parameters,
     swarm::{
         Flight, Population, Swarm, bat_continuous, cpso, cuckoo_search, ltqpso,
@@ -15,6 +15,8 @@ use forage::{
         wcpso, wpso,
     },
 };
+
+use crate::support::run_to_end;
 
 const KIND: SceneKindId = SceneKindId("bowl");
 
@@ -38,12 +40,6 @@ fn bowl() -> Arc<Bowl> {
 
 fn parameters(entry: &Entry, given: &[(&str, f64)]) -> Parameters {
     entry.configure(KIND, &given.iter().map(|&(name, value)| (name, Value::from(value))).collect()).unwrap()
-}
-
-fn run_to_end(started: Started) -> Stepper {
-    let mut run = Stepper::from(started);
-    while run.step(|_| Vec::new()) {}
-    run
 }
 
 #[test]

@@ -5,10 +5,12 @@ use std::sync::Arc;
 use forage::{
     Status,
     describe::Entry,
-    kernel::{Error, Planner, Progress, SceneKindId, Solution, Started, State, Stepper, rng::Stream},
+    kernel::{Error, Planner, Progress, SceneKindId, Solution, Started, State, rng::Stream},
     params::Parameters,
     tree::{Forest, Method, SampleOutcome, Source, Space, Task, Trees, rrt, rrt_connect, rrt_guided, rrt_star},
 };
+
+use crate::support::run_to_end;
 
 /// A box from 0 to 1 in N dimensions, which a wall at x = 0.5 may divide up to a height of y.
 struct Room<const N: usize> {
@@ -41,12 +43,6 @@ fn empty<const N: usize>() -> Arc<Room<N>> {
 
 fn parameters(entry: &Entry, given: &[(&str, f64)]) -> Parameters {
     entry.configure(SceneKindId("room"), &given.iter().map(|&(name, value)| (name, value.into())).collect()).unwrap()
-}
-
-fn run_to_end(started: Started) -> Stepper {
-    let mut run = Stepper::from(started);
-    while run.step(|_| Vec::new()) {}
-    run
 }
 
 /// From corner to corner of an empty box the finished path is the straight line, in any number of dimensions.

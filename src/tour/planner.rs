@@ -1,0 +1,174 @@
+//! A tour by the stepped contract, and how it starts.
+
+use std::sync::Arc;
+
+use crate::{
+    describe::{Reading, Start, layers},
+    exact::MAX_EXACT_STOPS,
+    kernel::{
+        Candidate, Error, Explain, Facets, Failure, Frame, Inspection, Item, Members, Planner, Progress, Readings, ReferenceOptimum,
+        Solution, Stage, Started, Status, Subtasks,
+    },
+    scene::{GridScene, TourScene},
+    settled::{SETTLED, Settled},
+};
+
+use super::{
+    explain, moves,
+    parameters::{self, BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, MEAN, ROADS, SMOOTH},
+    problem::Problem,
+    roads::Network,
+    search::{Begin, lengths, mean},
+    tours::Tours,
+};
+
+/// Starts a tour planner whose search begins like this, on a grid with stops or a scene of kind `tour`. The entry lists the parameters of
+/// [`TOURS`](super::TOURS) and [`ITERATIONS`](super::ITERATIONS), and calls at stops.
+///
+/// `own_readings` are those that come with the search, in this order: with members [`MEAN`], [`DIFFERENT`] and [`SETTLED`], and what the
+/// search itself reads.
+///
+/// # Errors
+/// [`Error::Refused`] for another kind of scene and for stops that cannot be reached; [`Error::Unknown`] for a planner of roads that
+/// is not listed.
+pub fn start(start: &Start, own_readings: &'static [Reading], begin: Begin) -> Result<Started, Error> {
+    let &Start { scene, parameters: settings, seed, .. } = start;
+    let network = match scene.get::<GridScene>() {
+        Ok(grid) => Some(Network::new(start, grid)?),
+        Err(_) => None,
+    };
+    let mut tours = Tours {
+        settings: Arc::new(settings.clone()),
+        seed,
+        own_readings,
+        begin,
+        round: parameters::round(scene, settings),
+        places: scene.stops().into(),
+        network,
+        search: None,
+        by_road: f64::NAN,
+        torn: false,
+        iteration: 0,
+        converged: 0,
+        settled: Settled::default(),
+    };
+    if tours.network.is_none() {
+        tours.set_out(Problem::new(scene.get::<TourScene>()?.distances(), tours.round));
+    }
+    let (roads, round, progress) = (tours.road_steps(), tours.round, tours.progress());
+    let reference = match &tours.network {
+        None => ReferenceOptimum::Matrix,
+        Some(_) if settings[SMOOTH] || settings[ROADS] == "theta-star" => ReferenceOptimum::AnyAngle,
+        Some(_) => ReferenceOptimum::Cells,
+    };
+    let search = Stage { name: "tour", title: "Tour", end: None };
+    let stages = match roads {
+        0 => vec![search],
+        end => vec![Stage { name: "roads", title: "Roads", end: Some(end) }, search],
+    };
+    let started = Started::new(tours, settings[ITERATIONS] + roads).measured_by(reference).in_stages(stages);
+    Ok(Started { progress, round: Some(round), ..started })
+}
+
+impl Planner for Tours {
+    fn advance(&mut self) -> Progress {
+        self.iteration += 1;
+        let roads = self.road_steps();
+        match &mut self.search {
+            None => self.build(),
+            Some((_, search)) => {
+                let before = search.best().map(|tour| tour.length);
+                search.step();
+                if search.best().is_some_and(|now| before.is_none_or(|before| now.length < before)) {
+                    self.converged = self.iteration - roads;
+                }
+                if search.members() > 0 {
+                    // One alone always agrees with itself: it is held against the best so far.
+                    let so_far = search.best().filter(|_| search.members() == 1).map_or(f64::INFINITY, |best| best.length);
+                    let best = lengths(&**search).fold(so_far, f64::min);
+                    self.settled.note(self.iteration - roads, mean(&**search), best);
+                }
+            }
+        }
+        self.progress()
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.search.as_ref().map_or(0, |(_, search)| search.evaluations())
+    }
+
+    fn best(&self) -> Option<Candidate> {
+        let (problem, tour) = self.best_tour()?;
+        let solution = Solution::Tour { order: tour.order(problem), round: self.round, path: self.path(problem, tour) };
+        Some(Candidate { cost: tour.length, solution })
+    }
+
+    fn facets(&self) -> Facets<'_> {
+        Facets::default().explain(self).members(self).failure(self)
+    }
+
+    fn subtasks(&mut self) -> Option<&mut dyn Subtasks> {
+        self.network.as_mut().filter(|network| !network.is_built()).map(|network| network as &mut dyn Subtasks)
+    }
+
+    fn read(&self, out: &mut Readings) {
+        let best = self.best_tour();
+        out.push(BEST, best.map_or(f64::NAN, |(_, tour)| tour.length));
+        if let Some(network) = &self.network {
+            out.push(BUILT, network.roads.len() as f64);
+            out.push(FAILED, network.failed() as f64);
+            if network.stops.len() <= MAX_EXACT_STOPS {
+                out.push(BY_ROAD, self.by_road);
+            }
+        }
+        out.push(FOUND, if best.is_some() { self.converged as f64 } else { f64::NAN });
+        if let Some((problem, search)) = &self.search {
+            let members = (0..search.members()).filter_map(|i| search.member(i));
+            if let (Some((_, best)), 1..) = (best, search.members()) {
+                let different: usize = members.map(|tour| moves::hamming(problem, &tour.row, &best.row)).sum();
+                out.push(MEAN, mean(&**search));
+                out.push(DIFFERENT, different as f64 / search.members() as f64);
+                out.push(SETTLED, self.settled.iteration());
+            }
+            search.read(out);
+        } else {
+            self.own_readings.iter().for_each(|&reading| out.push(reading, f64::NAN));
+        }
+    }
+
+    fn draw(&self, frame: &mut Frame) {
+        self.draw_layers(frame);
+    }
+}
+
+impl Explain for Tours {
+    fn inspect(&self, item: Item) -> Option<Inspection> {
+        match (item.layer, &self.search) {
+            (layer, _) if layer == layers::ROADS.key => explain::road(self.network.as_ref()?, item),
+            (layer, _) if layer == layers::STOPS.key => explain::stop(self.best_tour(), &self.places, item),
+            (layer, Some((problem, search))) if layer == layers::TOURS.key => {
+                let tour = search.member(item.index)?;
+                let mut told = explain::tour(problem, tour, search.best()?, &self.places, item);
+                told.marks.insert(0, explain::way(self.path(problem, tour)));
+                search.explain(item.index, &mut told);
+                Some(told)
+            }
+            (layer, None) if layer == layers::TOURS.key => Some(explain::no_tour(item)),
+            _ => None,
+        }
+    }
+}
+
+impl Members for Tours {
+    fn members(&self, out: &mut Vec<f64>) {
+        if let Some((_, search)) = &self.search {
+            (0..search.members()).for_each(|i| search.read_member(i, out));
+        }
+    }
+}
+
+impl Failure for Tours {
+    fn failure(&self, _status: Status) -> Option<String> {
+        self.network.as_ref().filter(|_| self.torn).and_then(Network::failure)
+    }
+}
