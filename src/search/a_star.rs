@@ -5,6 +5,7 @@ use crate::{describe::Entry, scene::grid_path::SMOOTH};
 use super::{
     explain::SYMBOLS,
     parameters::{BOUND, EXPAND, FORMULA_OCTILE, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS, WEIGHT},
+    planner,
     rules::{Heuristic, Relaxation},
 };
 
@@ -14,7 +15,7 @@ pub const ENTRY: Entry = Entry::new(
     "A*: exact, towards the goal",
     "Hart, Nilsson and Raphael 1968",
     "Settles first the cells whose way from the start and least way to the goal are together shortest. Exact from cell to cell, with fewer cells than Dijkstra.",
-    |start| super::start(start, Heuristic::Octile, start.parameters[WEIGHT], Relaxation::Step),
+    |start| planner::start(start, Heuristic::Octile, start.parameters[WEIGHT], Relaxation::Step),
 )
 .family("search")
 .kinds(KINDS)

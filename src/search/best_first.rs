@@ -121,7 +121,7 @@ impl Search {
         let Self { task, ways, links, open, frontier, .. } = self;
         // What the loop needs, out of the shared memory that the compiler must expect to change.
         let (cells, guess, relaxation) = (&*task.cells, task.guess, task.rules.relaxation);
-        let (ways, links) = (&mut ways[..], &mut links[..]);
+        let (ways, links, table) = (&mut ways[..], &mut links[..], &task.table[..]);
         let g_cell = length(ways[cell]);
         let mut moves = task.moves(cell, link);
         while moves != 0 {
@@ -139,7 +139,7 @@ impl Search {
             *frontier += u64::from(ways[to] == 0);
             (ways[to], links[to]) = (way(g), Link::new(parent, d));
             let next = [column + DIRECTIONS[d][0], row + DIRECTIONS[d][1]];
-            open.push(g + guess.ahead(next), (next[1] << 16 | next[0]) as Place);
+            open.push(g + guess.look_up(next, to, table), (next[1] << 16 | next[0]) as Place);
         }
     }
 

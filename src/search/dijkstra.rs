@@ -5,6 +5,7 @@ use crate::{describe::Entry, scene::grid_path::SMOOTH};
 use super::{
     explain::SYMBOLS,
     parameters::{BOUND, EXPAND, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS},
+    planner,
     rules::{Heuristic, Relaxation},
 };
 
@@ -14,7 +15,7 @@ pub const ENTRY: Entry = Entry::new(
     "Dijkstra: exact, evenly outwards",
     "Dijkstra 1959",
     "Settles the cells in the order of their distance from the start until the goal is one of them. Exact from cell to cell.",
-    |start| super::start(start, Heuristic::Nothing, 1.0, Relaxation::Step),
+    |start| planner::start(start, Heuristic::Nothing, 1.0, Relaxation::Step),
 )
 .family("search")
 .kinds(KINDS)

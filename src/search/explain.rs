@@ -95,9 +95,9 @@ impl Search {
         self.task.length(self.task.rules.heuristic.ahead(self.goal_from(cell)))
     }
 
-    /// The heuristic's formula, where there is one.
+    /// The heuristic's formula, where it is known.
     fn heuristic(&self) -> Option<&'static str> {
-        (self.task.rules.heuristic != Heuristic::Nothing).then_some("h")
+        matches!(self.task.rules.heuristic, Heuristic::Octile | Heuristic::Straight).then_some("h")
     }
 
     /// Columns and rows between a cell and the goal.

@@ -1,8 +1,20 @@
 //! Exact searches over a grid's cells that step like every other planner: `dijkstra`, `a-star` and `theta-star`.
 //!
-//! One search (`best_first`) composed of two parts (`rules`): a heuristic, which says how far it still is, and a
-//! relaxation, which says whose child a cell becomes.
+//! One search (`best_first`) composed of two parts (`rules`): a [`Heuristic`], which says how far it still is, and a
+//! [`Relaxation`], which says whose child a cell becomes. [`start`] makes a planner of them, with an own heuristic, too:
 //!
+//! ```
+//! use forage::{describe::Entry, search::{self, Heuristic, Relaxation, dijkstra}};
+//!
+//! /// Goes wherever the goal seems nearest: what it costs to come there hardly counts.
+//! const GREEDY: Entry = Entry::new("greedy", "Greedy best-first", "Doran and Michie 1966", "Settles the cells nearest to the goal.", |start| {
+//!     search::start(start, Heuristic::Own(|[columns, rows]| columns + rows), 1e6, Relaxation::Step)
+//! })
+//! .like(&dijkstra::ENTRY);
+//! # assert_eq!(GREEDY.family, "search");
+//! ```
+//!
+//! # The parts
 //! - `open`: the cells reached and not settled, in order. `link`: how a cell was reached. `sight`: whether one cell sees another.
 //! - `found`: the path, and the path without the nodes that it does not need. `planner`: the stepped contract.
 //! - `draw` shows the cells settled and the frontier, `explain` says why a cell has the number it has.
@@ -25,18 +37,6 @@ mod task;
 mod tests;
 pub mod theta_star;
 
-use crate::{
-    describe::Start,
-    kernel::{Error, ReferenceOptimum, Started},
-};
-
-use best_first::Search;
-use rules::{Heuristic, Relaxation, Rules};
-
-/// Starts a search by its rules.
-fn start(start: &Start, heuristic: Heuristic, weight: f64, relaxation: Relaxation) -> Result<Started, Error> {
-    let search = Search::new(start, Rules { heuristic, relaxation }, weight)?;
-    let (limit, smooth) = (search.task.limit, search.task.smooth);
-    let cells = relaxation == Relaxation::Step && !smooth;
-    Ok(Started::new(search, limit).open_ended().measured_by(if cells { ReferenceOptimum::Cells } else { ReferenceOptimum::AnyAngle }))
-}
+pub use explain::SYMBOLS;
+pub use planner::start;
+pub use rules::{Heuristic, Relaxation};

@@ -1,14 +1,33 @@
-//! A search by the stepped contract.
+//! A search by the stepped contract, and how it starts.
 
 use crate::{
-    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Solution},
+    describe::Start,
+    kernel::{
+        Candidate, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, ReferenceOptimum, Solution, Started,
+    },
     scene::grid_path,
 };
 
 use super::{
     best_first::Search,
     parameters::{BEST, EXPANDED, FOUND_AFTER, FRONTIER, LOWEST},
+    rules::{Heuristic, Relaxation, Rules},
 };
+
+/// Starts a search by these rules on a grid; the entry lists the parameters of [`dijkstra`](super::dijkstra::ENTRY). A cell's place on the
+/// open list is the length of the path to it and `weight` times the heuristic: 1 is A*, more is greedier, and settles fewer cells.
+///
+/// # Errors
+/// [`Error::Refused`] for another kind of scene, a grid without start and goal, and a weight that is negative or not finite.
+pub fn start(start: &Start, heuristic: Heuristic, weight: f64, relaxation: Relaxation) -> Result<Started, Error> {
+    if !(weight >= 0.0 && weight.is_finite()) {
+        return Err(Error::refused("weight", weight, "a finite number from 0 on"));
+    }
+    let search = Search::new(start, Rules { heuristic, relaxation }, weight)?;
+    let (limit, smooth) = (search.task.limit, search.task.smooth);
+    let cells = relaxation == Relaxation::Step && !smooth;
+    Ok(Started::new(search, limit).open_ended().measured_by(if cells { ReferenceOptimum::Cells } else { ReferenceOptimum::AnyAngle }))
+}
 
 impl Planner for Search {
     fn advance(&mut self) -> Progress {

@@ -13,7 +13,7 @@ use crate::{
 use super::{
     open::{apart, place},
     parameters::{EXPAND, ITERATIONS},
-    rules::{DIAGONAL, Guess, Relaxation, Rules, STRAIGHT, line},
+    rules::{DIAGONAL, Guess, Heuristic, Relaxation, Rules, STRAIGHT, line},
 };
 
 /// Steps that a run takes at most if the number of cells a step is automatic.
@@ -27,6 +27,8 @@ pub(super) struct Task {
     pub(super) endpoints: Endpoints,
     pub(super) rules: Rules,
     pub(super) guess: Guess,
+    /// What it says of each cell, if it is an own one.
+    pub(super) table: Vec<f64>,
     /// Hand over the smoothed path.
     pub(super) smooth: bool,
     pub(super) cutting: bool,
@@ -42,6 +44,10 @@ impl Task {
         let &Start { scene, parameters: settings, .. } = start;
         let grid = scene.share::<GridScene>()?;
         let (cells, endpoints) = (Arc::clone(grid.cells()), grid.endpoints()?);
+        let at = |cell: usize| apart(place(cells.place(cell)));
+        let guess = Guess { heuristic: rules.heuristic, weight, goal: at(endpoints.goal) };
+        let own = matches!(rules.heuristic, Heuristic::Own(_));
+        let table = if own { (0..cells.len()).map(|cell| guess.ahead(at(cell))).collect() } else { Vec::new() };
         let expand = match settings[EXPAND] {
             0 => cells.len().div_ceil(STEPS) as u64,
             given => given,
@@ -49,7 +55,8 @@ impl Task {
         Ok(Self {
             wide: grid.radius() > 0.0,
             rules,
-            guess: Guess { heuristic: rules.heuristic, weight, goal: apart(place(cells.place(endpoints.goal))) },
+            guess,
+            table,
             smooth: settings[SMOOTH],
             cutting: grid.corner_cutting,
             expand,

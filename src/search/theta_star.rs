@@ -5,6 +5,7 @@ use crate::{describe::Entry, scene::grid_path::SMOOTH};
 use super::{
     explain::SYMBOLS,
     parameters::{BOUND, EXPAND, FORMULA_SIGHT, FORMULA_STRAIGHT, ITERATIONS, KINDS, LAYERS, READINGS},
+    planner,
     rules::{Heuristic, Relaxation},
 };
 
@@ -14,7 +15,7 @@ pub const ENTRY: Entry = Entry::new(
     "Theta*: at any angle",
     "Nash et al. 2007",
     "A* whose cells are joined to their neighbour’s parent wherever they see it, so that paths go straight at any angle. They need not be the shortest there are.",
-    |start| super::start(start, Heuristic::Straight, 1.0, Relaxation::Sight),
+    |start| planner::start(start, Heuristic::Straight, 1.0, Relaxation::Sight),
 )
 .family("search")
 .kinds(KINDS)
