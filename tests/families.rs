@@ -1,6 +1,8 @@
 //! The families as building blocks: each with parts from outside, checked against what is known exactly.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "families/colonies.rs"]
+mod colonies;
 #[path = "families/searches.rs"]
 mod searches;
 #[path = "families/support.rs"]

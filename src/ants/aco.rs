@@ -6,8 +6,7 @@ use crate::{
 };
 
 use super::{
-    colony::Traits,
-    explain::SYMBOLS,
+    colony::Variant,
     parameters::{
         ALPHA, ANTS, BETA, CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
     },
@@ -43,7 +42,7 @@ pub const ENTRY: Entry = Entry::new(
     "ACO: ants",
     "[ANTBAT] §3.1, (1)",
     "Ants go from cell to cell, more likely where there is more pheromone and where the goal is near; shorter paths gather more of it.",
-    |start| planner::start(start, Traits::TRADITIONAL),
+    |start| planner::start(start, Variant::TRADITIONAL),
 )
 .family("ants")
 .kinds(KINDS)

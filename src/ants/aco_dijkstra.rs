@@ -9,8 +9,7 @@ use crate::{
 };
 
 use super::{
-    colony::Traits,
-    explain::SYMBOLS,
+    colony::Variant,
     parameters::{
         ALPHA, ANT_STEPS, ANTS, ARRIVED, BEST, BETA, CHOICE, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN, Q, RHO,
         STUCK, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
@@ -49,7 +48,7 @@ pub const ENTRY: Entry = Entry::new(
     "ACO on a Dijkstra path",
     "[ANTBAT] §3.1, its [14]",
     "A Dijkstra path lies on the map as pheromone before the first ant sets out; ants choose ever more greedily.",
-    |start| planner::start(start, traits(start.parameters)),
+    |start| planner::start(start, variant(start.parameters)),
 )
 .family("ants")
 .kinds(KINDS)
@@ -80,6 +79,6 @@ pub const ENTRY: Entry = Entry::new(
 .layers(LAYERS);
 
 /// What sets this colony apart.
-fn traits(settings: &Parameters) -> Traits {
-    Traits { greed: [settings[Q0_START], settings[Q0_END]], seeded: settings[SEEDED], ..Traits::TRADITIONAL }
+fn variant(settings: &Parameters) -> Variant {
+    Variant { greed: [settings[Q0_START], settings[Q0_END]], seeded: settings[SEEDED], ..Variant::TRADITIONAL }
 }

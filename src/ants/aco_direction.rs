@@ -6,8 +6,7 @@ use crate::{
 };
 
 use super::{
-    colony::Traits,
-    explain::SYMBOLS,
+    colony::Variant,
     ground::Direction,
     parameters::{ALPHA, ANTS, BETA, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
     planner,
@@ -123,7 +122,7 @@ pub const ENTRY: Entry = Entry::new(
     "ACO with direction",
     "[ANTBAT] §3.1, (2)–(5)",
     "Ants that would rather go straight on and towards the goal; ways under the median are rewarded, those above it punished.",
-    |start| planner::start(start, traits(start.parameters)),
+    |start| planner::start(start, variant(start.parameters)),
 )
 .family("ants")
 .kinds(KINDS)
@@ -134,12 +133,12 @@ pub const ENTRY: Entry = Entry::new(
 .layers(LAYERS);
 
 /// What sets this colony apart.
-fn traits(settings: &Parameters) -> Traits {
-    Traits {
+fn variant(settings: &Parameters) -> Variant {
+    Variant {
         gamma: settings[GAMMA],
         direction: settings[DIRECTION_LAW],
         relative: settings[Q_RELATIVE],
         update: Update::Reward { phi1: settings[PHI1], phi2: settings[PHI2] },
-        ..Traits::TRADITIONAL
+        ..Variant::TRADITIONAL
     }
 }

@@ -7,8 +7,7 @@ use crate::{
 };
 
 use super::{
-    colony::Traits,
-    explain::SYMBOLS,
+    colony::Variant,
     ground::Heuristic,
     parameters::{ALPHA, ANTS, BETA, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
     planner,
@@ -113,7 +112,7 @@ pub const ENTRY: Entry = Entry::new(
     "Wolf-pack ant colony",
     "[WOLF-ANT] §5.1",
     "Ants that rank the cells around them by their distance to the goal; an iteration’s best way gets more pheromone, its worst way less.",
-    |start| planner::start(start, traits(start.parameters)),
+    |start| planner::start(start, variant(start.parameters)),
 )
 .family("ants")
 .kinds(KINDS)
@@ -125,9 +124,9 @@ pub const ENTRY: Entry = Entry::new(
 .presets(&[AS_IN_PAPER]);
 
 /// What sets this colony apart.
-fn traits(settings: &Parameters) -> Traits {
+fn variant(settings: &Parameters) -> Variant {
     let heuristic = if settings[RANKS] { Heuristic::Ranked { epsilon: settings[EPSILON] } } else { Heuristic::Distance };
-    Traits { heuristic, update: settings[UPDATE], ..Traits::TRADITIONAL }
+    Variant { heuristic, update: settings[UPDATE], ..Variant::TRADITIONAL }
 }
 
 #[cfg(test)]
@@ -139,7 +138,7 @@ mod tests {
     fn heuristic_and_update_are_switched_apart() {
         let of = |given: &[(&str, &str)]| {
             let given: Overrides = given.iter().map(|&(name, value)| (name, Value::from(value))).collect();
-            let Traits { heuristic, update, .. } = traits(&Parameters::new(ENTRY.parameters, GRID, &given).unwrap());
+            let Variant { heuristic, update, .. } = variant(&Parameters::new(ENTRY.parameters, GRID, &given).unwrap());
             (matches!(heuristic, Heuristic::Ranked { epsilon } if epsilon == 2.0), matches!(update, Update::Wolf))
         };
         assert_eq!(of(&[]), (true, true));

@@ -3,10 +3,14 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::Start,
     exact,
+    geometry::Cells,
     kernel::{Error, State, rng::Stream},
-    scene::grid_path::{GridPath, SMOOTH},
+    params::Parameters,
+    scene::{
+        GridScene,
+        grid_path::{GridPath, SMOOTH},
+    },
     settled::Settled,
 };
 
@@ -21,25 +25,28 @@ use super::{
 /// How many bytes a cell go into keeping the walks of an iteration; ants beyond go their ways again when they are needed.
 pub(super) const KEPT: usize = 16;
 
-/// What one colony has and another has not.
+/// What distinguishes one colony from another: `Variant { gamma: 2.5, ..Variant::TRADITIONAL }`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Traits {
-    pub(super) heuristic: Heuristic,
-    /// γ: how much the direction of a step counts.
-    pub(super) gamma: f64,
-    pub(super) direction: Direction,
-    pub(super) update: Update,
+pub struct Variant {
+    /// η: how an ant sees the cells around it.
+    pub heuristic: Heuristic,
+    /// γ: how much the direction of a step counts, [ANTBAT] (3); 0: not at all.
+    pub gamma: f64,
+    /// ψ: how it counts, [ANTBAT] (2).
+    pub direction: Direction,
+    /// Δτ: what an ant lays on its path.
+    pub update: Update,
     /// Q is multiplied by the distance from start to goal, so that it means the same on every map.
-    pub(super) relative: bool,
-    /// q0 at the start and at the end.
-    pub(super) greed: [f64; 2],
+    pub relative: bool,
+    /// q0 at the start and at the end, 0 to 1: how often an ant takes the best step instead of drawing one.
+    pub greed: [f64; 2],
     /// By how much a Dijkstra path's pheromone is multiplied before the first ant sets out; 1: not at all.
-    pub(super) seeded: f64,
+    pub seeded: f64,
 }
 
-impl Traits {
-    /// The traditional colony, [ANTBAT](crate#papers) (1); the others differ from it.
-    pub(super) const TRADITIONAL: Self = Self {
+impl Variant {
+    /// The traditional colony, [ANTBAT] (1); the others differ from it.
+    pub const TRADITIONAL: Self = Self {
         heuristic: Heuristic::Distance,
         gamma: 0.0,
         direction: Direction::Squared,
@@ -48,15 +55,27 @@ impl Traits {
         greed: [0.0; 2],
         seeded: 1.0,
     };
+
+    fn check(&self) -> Result<(), Error> {
+        let Self { gamma, greed: [from, to], seeded, .. } = *self;
+        for (field, value, most) in [("gamma", gamma, 100.0), ("greed[0]", from, 1.0), ("greed[1]", to, 1.0), ("seeded", seeded, 1e12)] {
+            if !(0.0..=most).contains(&value) {
+                return Err(Error::refused(field, value, format!("a number from 0 to {most}")));
+            }
+        }
+        Ok(())
+    }
 }
 
-/// A colony of ants. One iteration: all ants walk, then pheromone evaporates and what they lay is added.
+/// A colony of ants on a grid. One iteration: all ants walk, then pheromone evaporates and what they lay is added.
+///
+/// It is a [`Planner`](crate::kernel::Planner): `Started::from(Colony::new(…)?)` is a run of it.
 #[derive(Clone, State)]
-pub(crate) struct Colony {
+pub struct Colony {
     #[state(shared)]
     pub(super) ground: Arc<Ground>,
     #[state(shared)]
-    pub(super) traits: Traits,
+    pub(super) variant: Variant,
     #[state(shared)]
     pub(super) rules: Rules,
     #[state(shared)]
@@ -106,18 +125,23 @@ impl Found {
 }
 
 impl Colony {
-    pub(super) fn new(start: &Start, traits: Traits) -> Result<Self, Error> {
-        let &Start { scene, parameters: settings, seed, .. } = start;
+    /// Before the first ant sets out from the grid's start to its goal. It reads the parameters of [`aco`](super::aco::ENTRY): the entry has
+    /// to list them.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for a grid without start and goal, and for numbers of the variant beyond their range.
+    pub fn new(grid: &Arc<GridScene>, settings: &Parameters, seed: u64, variant: Variant) -> Result<Self, Error> {
+        variant.check()?;
         let bounds = [settings[TAU_MIN], settings[TAU_MAX]];
-        let ground = Ground::new(scene, traits.heuristic, settings[BETA], traits.gamma, traits.direction)?;
+        let ground = Ground::new(grid, variant.heuristic, settings[BETA], variant.gamma, variant.direction)?;
         let cells = &ground.cells;
         let mut pheromone = Pheromone::new(cells, settings[TAU_0], settings[ALPHA], settings[RHO], bounds);
-        if traits.seeded != 1.0
+        if variant.seeded != 1.0
             && let Some(way) = exact::shortest_way(cells, ground.endpoints.start, ground.endpoints.goal)
         {
             for step in way.windows(2) {
                 let direction = (0..8).find(|&d| cells.next(step[0], d) == step[1]).unwrap_or(0);
-                pheromone.favour(&ground, step[0], direction, traits.seeded);
+                pheromone.favour(&ground, step[0], direction, variant.seeded);
             }
         }
         let limit = match settings[STEP_LIMIT] {
@@ -125,10 +149,10 @@ impl Colony {
             steps => steps,
         };
         Ok(Self {
-            traits,
+            variant,
             rules: Rules { backtracks: settings[BACKTRACKS], limit },
             ants: settings[ANTS] as usize,
-            q: settings[Q] * if traits.relative { ground.apart() } else { 1.0 },
+            q: settings[Q] * if variant.relative { ground.apart() } else { 1.0 },
             smooth: settings[SMOOTH],
             walks: Walks::default(),
             kept: KEPT * cells.len(),
@@ -146,14 +170,34 @@ impl Colony {
         })
     }
 
-    /// Whether any way leads from start to goal.
-    pub(crate) fn is_reachable(&self) -> bool {
+    /// The cells that the ants go over.
+    pub fn cells(&self) -> &Cells {
+        &self.ground.cells
+    }
+
+    /// τ of the step from a cell in one of the [`DIRECTIONS`](crate::geometry::DIRECTIONS).
+    pub fn pheromone(&self, cell: usize, direction: usize) -> f64 {
+        self.pheromone.tau(cell, direction)
+    }
+
+    /// The cells of the shortest path so far.
+    pub fn path(&self) -> Option<Vec<usize>> {
+        self.best.as_ref().map(|best| self.ground.way(&best.directions).collect())
+    }
+
+    /// The length of that path, in the scene's unit.
+    pub fn length(&self) -> Option<f64> {
+        self.best.as_ref().map(|best| best.length)
+    }
+
+    /// Whether any path leads from start to goal.
+    pub fn is_reachable(&self) -> bool {
         self.ground.reachable
     }
 
     /// q0 of an iteration, counted from 0: it changes evenly over the run.
     pub(super) fn greed(&self, iteration: u64) -> f64 {
-        let [from, to] = self.traits.greed;
+        let [from, to] = self.variant.greed;
         from + (to - from) * (iteration as f64 / (self.limit.max(2) - 1) as f64).min(1.0)
     }
 
@@ -203,7 +247,7 @@ impl Colony {
     pub(super) fn renew(&mut self) {
         self.pheromone.evaporate();
         if let Some(best) = self.best.as_ref().filter(|_| self.walks.leads_anywhere()) {
-            update::lay(self.traits.update, self.q, best.length, &mut self.walks, &mut self.lengths);
+            update::lay(self.variant.update, self.q, best.length, &mut self.walks, &mut self.lengths);
         }
         for i in 0..self.walks.ants.len() {
             let ant = &self.walks.ants[i];

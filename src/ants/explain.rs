@@ -82,7 +82,7 @@ impl<'a> View<'a> {
             eta: ground.eta(cell),
             weight,
             sum: weight.iter().sum(),
-            directed: matches!(colony.traits.update, Update::Reward { .. }),
+            directed: colony.variant.gamma != 0.0 || matches!(colony.variant.update, Update::Reward { .. }),
         }
     }
 
@@ -165,13 +165,18 @@ impl<'a> View<'a> {
                 quantity("rank", "\\eta / \\varepsilon", "its rank", if epsilon > 0.0 { self.eta[d] / epsilon } else { 0.0 }),
             ]),
             Heuristic::Distance => values.push(quantity("d", "d", "from there to the goal, cells", 1.0 / self.eta[d])),
+            Heuristic::Own(_) => {}
         }
         values
     }
 
     fn formulas(&self) -> Vec<&'static str> {
-        let sight = if matches!(self.ground.heuristic, Heuristic::Distance) { "distance" } else { "ranked" };
-        let mut formulas = vec!["choice", sight];
+        let mut formulas = vec!["choice"];
+        formulas.extend(match self.ground.heuristic {
+            Heuristic::Distance => Some("distance"),
+            Heuristic::Ranked { .. } => Some("ranked"),
+            Heuristic::Own(_) => None,
+        });
         if self.directed {
             formulas.push(if self.ground.direction == Direction::Squared { "direction" } else { "direction_linear" });
         }
@@ -250,8 +255,8 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
             quantity("q", "Q", "pheromone of an ant", colony.q),
             quantity("laid", "\\Delta\\tau", "what it laid on each step", ant.laid),
         ]);
-        match colony.traits.update {
-            Update::Traditional => {}
+        match colony.variant.update {
+            Update::Traditional | Update::Own(_) => {}
             Update::Reward { phi1, phi2 } => {
                 let global = colony.best.as_ref().map_or(ant.length, |best| best.length);
                 let mut lengths: Vec<_> = colony.walks.arrived().map(|ant| ant.length).collect();
@@ -267,7 +272,9 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
                 values.push(quantity("share", "\\delta - \\omega", "shares: 2 on the best way, 0 on the worst", share));
             }
         }
-        formulas.push("laid");
+        if !matches!(colony.variant.update, Update::Own(_)) {
+            formulas.push("laid");
+        }
     }
     Some(Inspection {
         item,

@@ -10,27 +10,32 @@ use crate::{
     geometry::{self, Cells, Endpoints, angle},
     kernel::Error,
     math,
-    scene::{GridScene, Scene},
+    scene::GridScene,
 };
 
 /// Directions of a step; `NOWHERE` stands for the direction from which an ant comes that has not moved yet.
 pub(super) const NOWHERE: usize = 8;
 
-/// How an ant sees the cells around it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Heuristic {
-    /// η = 1 / distance to the goal, [ANTBAT](crate#papers) §3.1.
+/// How an ant sees the cells around it: η of the step to each of them.
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub enum Heuristic {
+    /// η = 1 / distance to the goal, [ANTBAT] §3.1.
     Distance,
     /// η = ε times 5, 4, 4, 3, 3, 2, 2, 1 by rank, [WOLF-ANT](crate#papers) (6).
     Ranked {
         /// ε.
         epsilon: f64,
     },
+    /// An own one: η of a step to a cell, by its number and the goal's. It is kept between 0 and 10⁹, and asked for once in a run for
+    /// each step that an ant can take.
+    Own(fn(&Cells, usize, usize) -> f64),
 }
 
 /// How ψ of [ANTBAT](crate#papers) (2) falls with an angle θ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Direction {
+#[non_exhaustive]
+pub enum Direction {
     /// exp(−(θ/π)²). In the scan the brackets of (2) are lost and the 2 stands behind π: it is an exponent.
     Squared,
     /// exp(−θ/(π/2)): our first reading, in which the 2 divides π.
@@ -64,8 +69,7 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    pub fn new(scene: &Arc<Scene>, heuristic: Heuristic, beta: f64, gamma: f64, direction: Direction) -> Result<Self, Error> {
-        let grid = scene.share::<GridScene>()?;
+    pub fn new(grid: &Arc<GridScene>, heuristic: Heuristic, beta: f64, gamma: f64, direction: Direction) -> Result<Self, Error> {
         let cells = Arc::clone(grid.cells());
         let endpoints = grid.endpoints()?;
         let mut ground = Self {
@@ -77,7 +81,7 @@ impl Ground {
             reachable: exact::is_reachable(&cells, endpoints.start, endpoints.goal),
             cells,
             endpoints,
-            grid,
+            grid: Arc::clone(grid),
         };
         if gamma != 0.0 {
             for from in 0..8 {
@@ -107,12 +111,19 @@ impl Ground {
     /// η of each step from a cell.
     pub fn eta(&self, cell: usize) -> [f64; 8] {
         match self.heuristic {
-            Heuristic::Distance => {
-                let allowed = self.cells.moves(cell);
-                std::array::from_fn(|d| if allowed >> d & 1 == 0 { 0.0 } else { self.nearness(self.cells.next(cell, d)) })
-            }
+            Heuristic::Distance => self.of_each(cell, &|next| self.nearness(next)),
             Heuristic::Ranked { epsilon } => ranked(self.to_goal(cell)).map(|weight| epsilon * weight),
+            Heuristic::Own(eta) => self.of_each(cell, &|next| {
+                let eta = eta(&self.cells, next, self.endpoints.goal);
+                if eta > 0.0 { eta.min(1e9) } else { 0.0 }
+            }),
         }
+    }
+
+    /// η of the cell to which each step leads; 0 where none is allowed.
+    fn of_each(&self, cell: usize, eta: &dyn Fn(usize) -> f64) -> [f64; 8] {
+        let allowed = self.cells.moves(cell);
+        std::array::from_fn(|d| if allowed >> d & 1 == 0 { 0.0 } else { eta(self.cells.next(cell, d)) })
     }
 
     /// The cells of a walk in these directions from the start on.
@@ -225,7 +236,7 @@ mod tests {
     #[test]
     fn attraction_is_eta_to_the_beta_times_psi_to_the_gamma() {
         let scene = shipped("ant-bat-30").unwrap();
-        let ground = Ground::new(&scene, Heuristic::Distance, 8.0, 2.5, Direction::Squared).unwrap();
+        let ground = Ground::new(&scene.share().unwrap(), Heuristic::Distance, 8.0, 2.5, Direction::Squared).unwrap();
         let cell = ground.endpoints.start;
         assert_eq!(ground.cells.place(cell), [1, 26]);
         // The goal is 27 columns to the right and 25 rows down; a step to the right leaves 26 and 25.
@@ -236,12 +247,12 @@ mod tests {
         assert!((ground.attraction(cell)[0] / expected - 1.0).abs() < 1e-12);
         // A right angle: (1/2)² squared, 1 linear.
         assert!((ground.turn[0][2] / math::exp(-2.5 * 0.25) - 1.0).abs() < 1e-14);
-        let linear = Ground::new(&scene, Heuristic::Distance, 8.0, 2.5, Direction::Linear).unwrap();
+        let linear = Ground::new(&scene.share().unwrap(), Heuristic::Distance, 8.0, 2.5, Direction::Linear).unwrap();
         assert!((linear.attraction(cell)[0] / (eighth * math::exp(-2.5 * theta2 / FRAC_PI_2)) - 1.0).abs() < 1e-12);
         assert!((linear.turn[0][2] / math::exp(-2.5) - 1.0).abs() < 1e-14);
         assert_eq!((ground.turn[3][3], ground.turn[NOWHERE][5]), (1.0, 1.0));
         assert_eq!(ground.nearness(ground.endpoints.goal), 2.0);
-        let plain = Ground::new(&scene, Heuristic::Distance, 8.0, 0.0, Direction::Squared).unwrap();
+        let plain = Ground::new(&scene.share().unwrap(), Heuristic::Distance, 8.0, 0.0, Direction::Squared).unwrap();
         assert!((plain.attraction(cell)[0] / eighth - 1.0).abs() < 1e-12);
         assert!(plain.turn.iter().flatten().all(|&factor| factor == 1.0));
     }

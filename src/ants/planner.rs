@@ -10,18 +10,26 @@ use crate::{
 };
 
 use super::{
-    colony::{Colony, Traits},
+    colony::{Colony, Variant},
     draw, explain,
     parameters::{ANT_STEPS, ARRIVED, BEST, GREED, LOST, MEAN, STUCK},
     walk::End,
 };
 
-/// Starts a colony with these traits.
-pub(super) fn start(start: &Start, traits: Traits) -> Result<Started, Error> {
-    let colony = Colony::new(start, traits)?;
-    let (limit, reachable) = (colony.limit, colony.ground.reachable);
-    let reference = if colony.smooth { ReferenceOptimum::AnyAngle } else { ReferenceOptimum::Cells };
-    Ok(Started::new(colony, limit).measured_by(reference).solvable(reachable))
+/// Starts a colony of this variant on a grid; the entry lists the parameters of [`aco`](super::aco::ENTRY).
+///
+/// # Errors
+/// [`Error::Refused`] for another kind of scene, and as [`Colony::new`].
+pub fn start(start: &Start, variant: Variant) -> Result<Started, Error> {
+    Ok(Colony::new(&start.scene.share()?, start.parameters, start.seed, variant)?.into())
+}
+
+impl From<Colony> for Started {
+    fn from(colony: Colony) -> Self {
+        let (limit, reachable) = (colony.limit, colony.ground.reachable);
+        let reference = if colony.smooth { ReferenceOptimum::AnyAngle } else { ReferenceOptimum::Cells };
+        Self::new(colony, limit).measured_by(reference).solvable(reachable)
+    }
 }
 
 impl Planner for Colony {
@@ -53,7 +61,7 @@ impl Planner for Colony {
         out.push(STUCK, self.count(End::Stuck) as f64);
         out.push(LOST, self.count(End::Lost) as f64);
         out.push(ANT_STEPS, self.walks.taken as f64);
-        if self.traits.greed != [0.0; 2] {
+        if self.variant.greed != [0.0; 2] {
             out.push(GREED, self.greed(self.iteration.saturating_sub(1)));
         }
     }

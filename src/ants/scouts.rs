@@ -14,16 +14,6 @@ use super::{colony::Colony, draw, ground::Ground, update::Update, walk::Walks};
 const SORTIES: u64 = 10;
 
 impl Colony {
-    /// The cells of the shortest way so far.
-    pub(crate) fn best_way(&self) -> Option<Vec<usize>> {
-        self.best.as_ref().map(|best| self.ground.way(&best.directions).collect())
-    }
-
-    /// The length of that way, in the scene's unit.
-    pub(crate) fn shortest(&self) -> Option<f64> {
-        self.best.as_ref().map(|best| best.length)
-    }
-
     /// Draws the pheromone and the trails.
     pub(crate) fn draw_pheromone(&self, frame: &mut Frame) {
         draw::pheromone(&self.ground.cells, &self.pheromone, frame);
@@ -32,7 +22,7 @@ impl Colony {
 
     /// Whether it is [WOLF-ANT](crate#papers)'s.
     pub(crate) fn is_wolf(&self) -> bool {
-        self.traits.update == Update::Wolf
+        matches!(self.variant.update, Update::Wolf)
     }
 
     /// Goes on along the pheromone from one cell to another without entering an occupied one: as many ants as in an
@@ -54,6 +44,6 @@ impl Colony {
         }
         *rng = colony.rng.clone();
         *sent += colony.evaluations();
-        colony.best_way()
+        colony.path()
     }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{colony::Traits, ground::*, pheromone::Pheromone, update::Update, walk::*, *};
+use super::{colony::Variant, ground::*, pheromone::Pheromone, update::Update, walk::*, *};
 use crate::{
     Overrides, Run, Setup, Status, Value,
     describe::layers,
@@ -20,13 +20,13 @@ fn scene(rows: &[&str], start: [f64; 2], goal: [f64; 2]) -> Arc<Scene> {
     Arc::new(grid::KIND.scene(header, grid).unwrap())
 }
 
-const PLAIN: Traits = Traits::TRADITIONAL;
+const PLAIN: Variant = Variant::TRADITIONAL;
 
 /// A colony with given lengths instead of walks of its own: ant k went right `k`'s number of steps.
-fn colony(scene: &Arc<Scene>, traits: Traits) -> Colony {
-    let ground = Ground::new(scene, traits.heuristic, 2.0, traits.gamma, traits.direction).unwrap();
+fn colony(scene: &Arc<Scene>, variant: Variant) -> Colony {
+    let ground = Ground::new(&scene.share().unwrap(), variant.heuristic, 2.0, variant.gamma, variant.direction).unwrap();
     Colony {
-        traits,
+        variant,
         rules: Rules { backtracks: false, limit: 1000 },
         ants: 1,
         q: 12.0,
@@ -84,7 +84,7 @@ fn a_turn_costs_what_psi_says() {
     // η: distances 1 and √2 to the goal, squared 1 and 1/2. θ1 = θ2 = π/4: ψ = exp(−(1/16 + 1/16)) or exp(−(1/2 + 1/2)),
     // and γ = 2 squares it.
     for (direction, psi) in [(Direction::Squared, -0.25), (Direction::Linear, -2.0)] {
-        let colony = colony(&scene, Traits { gamma: 2.0, direction, ..PLAIN });
+        let colony = colony(&scene, Variant { gamma: 2.0, direction, ..PLAIN });
         let (cell, east, south_east) = (5, 0, 1);
         let weights = colony.pheromone.look(&colony.ground, cell);
         let ratio = weights[south_east] * colony.ground.turn[east][south_east] / (weights[east] * colony.ground.turn[east][east]);
@@ -241,8 +241,8 @@ fn ants_whose_ways_are_not_kept_go_them_again() {
     let scene = crate::shipped("ant-bat-30").unwrap();
     for update in [Update::Traditional, Update::Wolf, Update::Reward { phi1: 1.0, phi2: 1.0 }] {
         let [mut keeps, mut forgets] = [100_000, 60].map(|kept| {
-            let traits = Traits { update, greed: [0.1, 0.5], ..PLAIN };
-            Colony { kept, ants: 20, ..colony(&scene, traits) }
+            let variant = Variant { update, greed: [0.1, 0.5], ..PLAIN };
+            Colony { kept, ants: 20, ..colony(&scene, variant) }
         });
         for _ in 0..30 {
             keeps.advance();

@@ -67,11 +67,11 @@ impl Route for Ants {
     }
 
     fn way(&mut self) -> Option<Vec<usize>> {
-        self.colony.best_way()
+        self.colony.path()
     }
 
     fn shortest(&self) -> Option<f64> {
-        self.colony.shortest()
+        self.colony.length()
     }
 
     fn detour(&mut self, occupied: &[bool], from: usize, to: usize) -> Option<Vec<usize>> {
