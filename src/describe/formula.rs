@@ -6,6 +6,7 @@ use crate::params::{Param, When};
 
 /// An equation that a planner computes.
 #[derive(Debug, Clone, Copy, Serialize)]
+#[non_exhaustive]
 pub struct Formula {
     /// An identifier within the planner.
     pub name: &'static str,
@@ -47,6 +48,7 @@ impl Formula {
 /// Where a formula's numbers come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum Scope {
     /// The readings of the iteration, and the parameters.
     Iteration,

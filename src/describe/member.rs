@@ -4,6 +4,7 @@ use serde::Serialize;
 
 /// A number that a planner reports of each member of its population: particle, bat, ant, …
 #[derive(Debug, Clone, Copy, Serialize)]
+#[non_exhaustive]
 pub struct Member {
     /// An identifier.
     pub name: &'static str,

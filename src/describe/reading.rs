@@ -6,6 +6,7 @@ use crate::kernel::ReadingName;
 
 /// A number that a planner reports after each iteration.
 #[derive(Debug, Clone, Copy, Serialize)]
+#[non_exhaustive]
 pub struct Reading {
     /// Its name in readings, traces and formulas.
     pub name: &'static str,
@@ -45,6 +46,7 @@ impl Reading {
 /// The group of a reading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[non_exhaustive]
 pub enum Group {
     /// A cost: drawn in the convergence chart.
     Cost,

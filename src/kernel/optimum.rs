@@ -2,6 +2,7 @@
 
 /// An exact optimum: a shortest path or tour.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Exact {
     /// Its length, in the scene's unit.
     pub length: f64,

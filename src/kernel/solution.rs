@@ -6,6 +6,7 @@ use crate::arm::Posture;
 
 /// A solution that a planner finds.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Solution {
     /// A path: its corners, in the scene's unit.
     Path(Vec<[f64; 2]>),

@@ -3,6 +3,7 @@
 use super::{Planner, Progress, ReferenceOptimum, Stage, Status, Subtask, SubtaskResult, TourEnds};
 
 /// A planner at iteration 0, and what does not change while it runs.
+#[non_exhaustive]
 pub struct Started {
     /// The planner, before its first step.
     pub planner: Box<dyn Planner>,

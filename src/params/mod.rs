@@ -29,6 +29,7 @@ pub struct Choice {
 
 /// The values that a parameter may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Domain {
     /// A real number from `min` to `max`.
     Number {
@@ -99,6 +100,7 @@ pub struct When {
 
 /// A parameter: its meaning and the values that it may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Parameter {
     /// The name, as in `--set name=value`.
     pub name: &'static str,

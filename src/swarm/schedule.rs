@@ -6,6 +6,7 @@ use crate::{kernel::State, math};
 
 /// A coefficient as a function of the iteration k, 0 ≤ k < `k_max`.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Law {
     /// The same throughout.
     Constant(f64),

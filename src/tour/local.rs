@@ -315,7 +315,7 @@ impl LocalSearch {
         }
     }
 
-    /// Swaps two neighbouring stretches of up to [`KICK`] stops: a change that 2-opt and Or-opt moves seldom undo. What it
+    /// Swaps two neighbouring stretches of up to 50 stops: a change that 2-opt and Or-opt moves seldom undo. What it
     /// adds to the length.
     pub fn kick(&mut self, row: &mut [Stop], rng: &mut Stream) -> f64 {
         let m = row.len() - 2;
