@@ -125,8 +125,8 @@ impl Found {
 }
 
 impl Colony {
-    /// Before the first ant sets out from the grid's start to its goal. It reads the parameters of [`aco`](super::aco::ENTRY): the entry has
-    /// to list them.
+    /// Before the first ant sets out from the grid's start to its goal. It reads the parameters of [`aco`](super::aco::ENTRY):
+    /// the entry has to list them.
     ///
     /// # Errors
     /// [`Error::Refused`] for a grid without start and goal, and for numbers of the variant beyond their range.

@@ -14,14 +14,16 @@
 //!     greed: [0.0, 0.5],
 //!     ..Variant::TRADITIONAL
 //! };
-//! const ENTRY: Entry = Entry::new("aco-shy", "Shy ants", "", "Ants that keep off walls.", |start| ants::start(start, SHY)).like(&aco::ENTRY);
+//! const ENTRY: Entry =
+//!     Entry::new("aco-shy", "Shy ants", "", "Ants that keep off walls.", |start| ants::start(start, SHY)).like(&aco::ENTRY);
 //! # assert_eq!(ENTRY.family, "ants");
 //! ```
 //!
 //! # The parts
 //! `colony` is the state, `planner` its stepped contract; `draw` shows it, `explain` says why an ant chose a step. An ant sees by
-//! `ground`, chooses by `walk` and lays by `update`. `pheromone` keeps τ and the choice weights, which are made once per iteration for each cell that an
-//! ant comes to; a step is then a look-up and one random number. `scouts` are ants sent around obstacles of a drive; `colonies` lists the planners for others to choose from.
+//! `ground`, chooses by `walk` and lays by `update`. `pheromone` keeps τ and the choice weights, which are made once per
+//! iteration for each cell that an ant comes to; a step is then a look-up and one random number. `scouts` are ants sent around
+//! obstacles of a drive; `colonies` lists the planners for others to choose from.
 
 pub mod aco;
 pub mod aco_dijkstra;

@@ -6,7 +6,7 @@ use crate::{
     ants::{COLONIES, Colony, aco_wolf},
     describe::{Entry, PAPER, Start, layers},
     kernel::{Error, Explain, Frame, Inspection, Item, Planner, Started, State, rng::Stream},
-    params::{Overrides, Param, Parameters, Value},
+    params::{Overrides, Param, Value},
 };
 
 use super::{
@@ -149,7 +149,7 @@ fn colony(start: &Start) -> Result<Colony, Error> {
     for size in [ITERATIONS, ANTS] {
         given.insert(size.name(), Value::from(start.parameters[size] as f64));
     }
-    let parameters = Parameters::new(entry.parameters, kind, &given)?;
+    let parameters = entry.configure(kind, &given)?;
     let planner: Box<dyn Any> = (entry.start)(&Start { parameters: &parameters, ..*start })?.planner;
     planner.downcast().map(|colony| *colony).map_err(|_| other())
 }

@@ -7,7 +7,7 @@
 //! use forage::{describe::Entry, search::{self, Heuristic, Relaxation, dijkstra}};
 //!
 //! /// Goes wherever the goal seems nearest: what it costs to come there hardly counts.
-//! const GREEDY: Entry = Entry::new("greedy", "Greedy best-first", "Doran and Michie 1966", "Settles the cells nearest to the goal.", |start| {
+//! const GREEDY: Entry = Entry::new("greedy", "Greedy best-first", "Doran and Michie 1966", "To the goal first.", |start| {
 //!     search::start(start, Heuristic::Own(|[columns, rows]| columns + rows), 1e6, Relaxation::Step)
 //! })
 //! .like(&dijkstra::ENTRY);

@@ -14,8 +14,8 @@ use super::{
 
 /// Particles in the box of an objective: positions, costs, personal bests and the global best, whatever moves the particles.
 ///
-/// An own swarm keeps one, moves particles by [`Population::position_mut`], evaluates each, and settles once in an iteration. It
-/// reads [`Population::READINGS`] and draws [`Population::LAYERS`], as all swarms do.
+/// A swarm that moves in its own way keeps one: it moves particles by [`Population::position_mut`], evaluates each, and settles once in
+/// an iteration. Its entry lists [`Population::READINGS`] and [`Population::LAYERS`].
 // Particle `i`'s coordinates are the `i`-th row of `dimension` numbers.
 #[derive(Clone, State)]
 pub struct Population {
@@ -52,7 +52,7 @@ pub struct Population {
 const MOST_REDRAWS: u64 = 20_000;
 
 impl Population {
-    /// The readings that [`Population::read`] tells; on functions only the first three.
+    /// The readings that [`Population::read`] adds; the last three only where positions are paths.
     pub const READINGS: &'static [Reading] = &[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS];
 
     /// The layers that [`Population::draw_members`] and [`Population::draw_result`] draw.
@@ -228,7 +228,7 @@ impl Population {
         [self.g_cost, self.free_cost]
     }
 
-    /// Tells the costs, and what the reported path measures.
+    /// Adds the costs, and what the reported path measures.
     pub fn read(&self, out: &mut Readings) {
         out.push(BEST, self.g_cost);
         out.push(MEAN, self.mean());

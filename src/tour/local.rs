@@ -39,8 +39,8 @@ pub enum Move {
     Carry(usize, usize, usize, bool),
 }
 
-/// The local search of one row at a time: [`LocalSearch::polish`] at once, or [`LocalSearch::load`] and step by step. Rows are those of tours
-/// of its problem.
+/// The local search of one row at a time: [`LocalSearch::polish`] at once, or [`LocalSearch::load`] and step by step. Rows are
+/// those of tours of its problem.
 #[derive(Debug, Clone, State)]
 pub struct LocalSearch {
     #[state(shared)]

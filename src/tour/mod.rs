@@ -51,7 +51,8 @@
 //! ```
 //!
 //! # The parts
-//! - `search`: what planners differ in, a file a planner: [`bat`], [`hybrid_bat`], [`ga`], [`sa`], [`tour_pso`], [`two_opt`], [`held_karp`].
+//! - `search`: what planners differ in, a file a planner: [`bat`], [`hybrid_bat`], [`ga`], [`sa`], [`tour_pso`], [`two_opt`],
+//!   [`held_karp`].
 //! - `problem`: what they search. [`moves`]: the changes that they make; `local`, `kicks`, `swaps`, `nearest`: what several of them use.
 //! - `tours`: roads, then a tour, under way; `roads`: the road network. `planner`: the stepped contract.
 //! - `draw` and `explain`: what it looks like and why; `parameters`: what the entries share.

@@ -24,7 +24,8 @@ pub(super) struct Informed<const N: usize> {
     dimensions: usize,
 }
 
-/// Along a direction and across it, in space or in its plane z = 0: the normal, or by Duff et al. 2017, which never divides by nearly nothing.
+/// Along a direction and across it, in space or in its plane z = 0: the normal, or by Duff et al. 2017, which never divides by
+/// nearly nothing.
 fn in_space([x, y, z]: [f64; 3], dimensions: usize) -> [[f64; 3]; 3] {
     if dimensions == 2 {
         return [[x, y, z], [-y, x, 0.0], [0.0; 3]];
@@ -35,7 +36,8 @@ fn in_space([x, y, z]: [f64; 3], dimensions: usize) -> [[f64; 3]; 3] {
     [[x, y, z], [1.0 + sign * x * x * a, sign * b, -sign * x], [b, sign + y * y * a, -y]]
 }
 
-/// The same in any number of dimensions: the axes, but for the first, mirrored so that the first lies along the direction (Householder 1958).
+/// The same in any number of dimensions: the axes, but for the first, mirrored so that the first lies along the direction
+/// (Householder 1958).
 fn mirrored<const N: usize>(along: [f64; N]) -> [[f64; N]; N] {
     let mut normal = along;
     normal[0] += 1.0_f64.copysign(along[0]);
