@@ -3,7 +3,7 @@
 use forage::{Error, Overrides, Run, Setup, Value, follow::motion::MotionOutcome, shipped, standard};
 
 fn main() -> Result<(), Error> {
-    let setup = Setup { planner: "rrt-guided".into(), scene: shipped("arm-cuboid")?, params: Default::default(), seed: 2 };
+    let setup = Setup { planner: "rrt-guided".into(), scene: shipped("arm-cuboid")?, params: Overrides::new(), seed: 2 };
     let mut run = Run::new(standard(), setup)?;
     run.step(run.limit());
     let outcome = run.outcome();

@@ -1,7 +1,7 @@
 //! The same setup with many seeds, and whether two planners differ: `cargo run --release --example seeds`.
 
 use forage::{
-    Error, Setup, Trial,
+    Error, Overrides, Setup, Trial,
     run::trial::WITHIN,
     shipped, standard,
     statistics::{Group, compare},
@@ -15,7 +15,7 @@ fn main() -> Result<(), Error> {
     for planner in ["pso", "wcpso"] {
         let mut values = Vec::new();
         for seed in 1..=SEEDS {
-            let setup = Setup { planner: planner.into(), scene: scene.clone(), params: Default::default(), seed };
+            let setup = Setup { planner: planner.into(), scene: scene.clone(), params: Overrides::new(), seed };
             let mut trial = Trial::new(standard(), setup, WITHIN)?;
             trial.step(u64::MAX);
             // A length where the path is feasible, nothing where it is not.

@@ -1,10 +1,10 @@
 //! Steps a run, reads it, goes back, and writes what it looks like to standard output:
 //! `cargo run --example step_and_draw > run.svg`.
 
-use forage::{Error, Run, Setup, describe::Shown, picture, shipped, standard};
+use forage::{Error, Overrides, Run, Setup, describe::Shown, picture, shipped, standard};
 
 fn main() -> Result<(), Error> {
-    let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs")?, params: Default::default(), seed: 7 };
+    let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs")?, params: Overrides::new(), seed: 7 };
     let mut run = Run::new(standard(), setup)?;
     for _ in 0..4 {
         run.step(25);

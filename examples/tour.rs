@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use forage::{
-    Error, Run, Setup,
+    Error, Overrides, Run, Setup,
     scene::formats::{NamedFile, import, tour_file},
     standard,
 };
@@ -26,7 +26,7 @@ EOF
 
 fn main() -> Result<(), Error> {
     let scene = Arc::new(import(standard(), &[NamedFile::new("eight.tsp", STOPS)], None)?.scene);
-    let mut run = Run::new(standard(), Setup { planner: "hybrid-bat".into(), scene, params: Default::default(), seed: 1 })?;
+    let mut run = Run::new(standard(), Setup { planner: "hybrid-bat".into(), scene, params: Overrides::new(), seed: 1 })?;
     run.step(run.limit());
     let outcome = run.outcome();
     eprintln!("length {:?}, shortest {:?} ({:?})", outcome.length, outcome.exact, outcome.exact_by);

@@ -7,6 +7,7 @@ use crate::{
 
 use super::{
     colony::Variant,
+    explain::SYMBOLS,
     parameters::{
         ALPHA, ANTS, BETA, CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
     },

@@ -10,6 +10,7 @@ use crate::{
 
 use super::{
     colony::Variant,
+    explain::SYMBOLS,
     parameters::{
         ALPHA, ANT_STEPS, ANTS, ARRIVED, BEST, BETA, CHOICE, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN, Q, RHO,
         STUCK, TAU_0, TAU_MIN, TRADITIONAL, WALKS,

@@ -7,6 +7,7 @@ use crate::{
 
 use super::{
     colony::Variant,
+    explain::SYMBOLS,
     ground::Direction,
     parameters::{ALPHA, ANTS, BETA, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
     planner,

@@ -8,6 +8,7 @@ use crate::{
 
 use super::{
     colony::Variant,
+    explain::SYMBOLS,
     ground::Heuristic,
     parameters::{ALPHA, ANTS, BETA, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
     planner,

@@ -30,9 +30,9 @@ pub(super) const KEPT: usize = 16;
 pub struct Variant {
     /// η: how an ant sees the cells around it.
     pub heuristic: Heuristic,
-    /// γ: how much the direction of a step counts, [ANTBAT] (3); 0: not at all.
+    /// γ: how much the direction of a step counts, [ANTBAT](crate#papers) (3); 0: not at all.
     pub gamma: f64,
-    /// ψ: how it counts, [ANTBAT] (2).
+    /// ψ: how it counts, [ANTBAT](crate#papers) (2).
     pub direction: Direction,
     /// Δτ: what an ant lays on its path.
     pub update: Update,
@@ -45,7 +45,7 @@ pub struct Variant {
 }
 
 impl Variant {
-    /// The traditional colony, [ANTBAT] (1); the others differ from it.
+    /// The traditional colony, [ANTBAT](crate#papers) (1); the others differ from it.
     pub const TRADITIONAL: Self = Self {
         heuristic: Heuristic::Distance,
         gamma: 0.0,

@@ -20,7 +20,7 @@ pub(super) const NOWHERE: usize = 8;
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
 pub enum Heuristic {
-    /// η = 1 / distance to the goal, [ANTBAT] §3.1.
+    /// η = 1 / distance to the goal, [ANTBAT](crate#papers) §3.1.
     Distance,
     /// η = ε times 5, 4, 4, 3, 3, 2, 2, 1 by rank, [WOLF-ANT](crate#papers) (6).
     Ranked {

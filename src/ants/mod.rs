@@ -45,7 +45,6 @@ mod walk;
 
 pub(crate) use colonies::COLONIES;
 pub use colony::{Colony, Variant};
-pub use explain::SYMBOLS;
 pub use ground::{Direction, Heuristic};
 pub use planner::start;
 pub use update::{Arrival, Update};

@@ -37,6 +37,5 @@ mod task;
 mod tests;
 pub mod theta_star;
 
-pub use explain::SYMBOLS;
 pub use planner::start;
 pub use rules::{Heuristic, Relaxation};

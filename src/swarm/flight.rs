@@ -20,7 +20,7 @@ use super::{
     sheet::introduce_as,
 };
 
-/// What distinguishes one swarm of [WCPSO] from another.
+/// What distinguishes one swarm of [WCPSO](crate#papers) from another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flight {
     /// How ω, c1 and c2 change over the iterations.
@@ -45,7 +45,7 @@ impl Draws {
     }
 }
 
-/// A particle swarm: v ← ω v + c1 r1 (p − x) + c2 r2 (g − x), x ← x + v, [WCPSO] (1, 2) and (6, 7).
+/// A particle swarm: v ← ω v + c1 r1 (p − x) + c2 r2 (g − x), x ← x + v, [WCPSO](crate#papers) (1, 2) and (6, 7).
 ///
 /// It is a [`Planner`] for any [`Objective`]: `Started::from(Swarm::new(…))` is a run of it.
 #[derive(Clone, State)]

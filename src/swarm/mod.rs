@@ -73,4 +73,3 @@ pub use parameters::{FLIGHT, ITERATIONS, POPULATION};
 pub use paths::EARLY_STOP;
 pub use population::Population;
 pub use quantum::{ltqpso, qpso};
-pub use sheet::SYMBOLS;

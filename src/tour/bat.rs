@@ -18,7 +18,7 @@ use crate::{
 };
 
 use super::{
-    explain::quantity,
+    explain::{SYMBOLS, quantity},
     kicks::Kicks,
     moves,
     nearest::nearest_neighbour,

@@ -14,7 +14,7 @@ use crate::{
 };
 
 use super::{
-    explain::quantity,
+    explain::{SYMBOLS, quantity},
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,

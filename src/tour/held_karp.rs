@@ -14,6 +14,7 @@ use crate::{
 };
 
 use super::{
+    explain::SYMBOLS,
     parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, KINDS, LENGTH, ROADS_LAYER, TOURS},
     planner,
     problem::{Problem, Stop, Tour},

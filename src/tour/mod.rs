@@ -81,7 +81,6 @@ mod tours;
 pub mod two_opt;
 
 pub use crate::settled::SETTLED;
-pub use explain::SYMBOLS;
 pub use local::LocalSearch;
 pub use nearest::nearest_neighbour;
 pub use parameters::{BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, MEAN, TOURS};

@@ -17,7 +17,7 @@ use crate::{
 };
 
 use super::{
-    explain::quantity,
+    explain::{SYMBOLS, quantity},
     local::LocalSearch,
     moves,
     parameters::{

@@ -9,6 +9,7 @@ use crate::{
 };
 
 use super::{
+    explain::SYMBOLS,
     local::LocalSearch,
     nearest::nearest_neighbour,
     parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, ITERATIONS, KINDS, LAYERS, LENGTH, TOURS},

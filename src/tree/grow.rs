@@ -196,8 +196,8 @@ impl<const N: usize> Forest<N> {
         self.last.samples.push(Sample { point, angle: f64::NAN, share: 1.0, outcome });
     }
 
-    /// Extends the nearest node of the tree that was begun with towards a sample: by [ARM-RRT] (11) a whole step, or, where `clip`
-    /// says so, no farther than the sample. The new node's number, if that is free.
+    /// Extends the nearest node of the tree that was begun with towards a sample: by [ARM-RRT](crate#papers) (11) a whole step,
+    /// or, where `clip` says so, no farther than the sample. The new node's number, if that is free.
     pub fn extend(&mut self, task: &Task<N>, sample: [f64; N], clip: bool) -> Option<usize> {
         let tree = self.last.tree;
         let near = self.trees[tree].nearest(&sample);

@@ -71,7 +71,6 @@ mod task;
 mod tests;
 mod vector;
 
-pub use explain::SYMBOLS;
 pub use forest::Tree;
 pub use grow::{By, Forest, SampleOutcome, Source};
 pub use method::{Method, Trees};

@@ -50,7 +50,7 @@ impl<const N: usize> Task<N> {
         &*self.space
     }
 
-    /// L of [ARM-RRT] (11): how far a node grows, in the space's unit.
+    /// L of [ARM-RRT](crate#papers) (11): how far a node grows, in the space's unit.
     pub fn step(&self) -> f64 {
         self.step
     }
@@ -72,7 +72,7 @@ impl<const N: usize> Task<N> {
         uniform(&self.min, &self.max, rng)
     }
 
-    /// The point a step from one point towards another, x_new of [ARM-RRT] (11). They must differ.
+    /// The point a step from one point towards another, x_new of [ARM-RRT](crate#papers) (11). They must differ.
     #[inline]
     pub fn towards(&self, near: &[f64; N], sample: &[f64; N]) -> [f64; N] {
         let way = minus(sample, near);

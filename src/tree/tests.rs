@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    Overrides, Scene, Session, Setup, Status, Value,
+    Overrides, Run, Scene, Setup, Status, Value,
     describe::layers,
     kernel::{Item, Progress, State, rng::Stream},
     params::Parameters,
@@ -177,7 +177,7 @@ fn a_tree_is_a_tree_its_edges_are_free_and_its_path_joins_the_ends() {
 fn without_the_fallback_no_step_is_plain() {
     let scene = shipped("arm-cuboid").unwrap();
     let given = [("fallback", "false".into())].into_iter().collect();
-    let settings = Parameters::new(crate::catalogue::find("rrt-guided").unwrap().parameters, ARM, &given).unwrap();
+    let settings = Parameters::new(standard().planner("rrt-guided").unwrap().parameters, ARM, &given).unwrap();
     let (mut by_angle, mut nothing) = (0, 0);
     for seed in 0..10 {
         let mut grown = guided(&scene, &settings, seed);

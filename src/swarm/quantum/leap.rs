@@ -139,7 +139,7 @@ impl Quantum {
         }
     }
 
-    /// (7) and (9), or with ip = gs = 1 (4) and (1). Reading: positions are kept in the box, [LTQPSO] §4 (8).
+    /// (7) and (9), or with ip = gs = 1 (4) and (1). Reading: positions are kept in the box, [LTQPSO](crate#papers) §4 (8).
     #[inline]
     fn leap(&mut self, i: usize, watch: &mut impl Watch) {
         let [c1, c2] = self.c;

@@ -14,6 +14,8 @@ use crate::{
     },
 };
 
+use crate::swarm::sheet::SYMBOLS;
+
 use super::{
     leap::Quantum,
     parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, ITERATIONS, MEAN, PHI, POPULATION, WIDTH, suggest},
