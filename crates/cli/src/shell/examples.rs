@@ -5,7 +5,7 @@ use forage_study::{
     study::Study,
 };
 
-use super::registry;
+use super::registry::registry;
 
 pub(super) const QUICK_START: &str = "Quick start:
   forage list                                   # planners, generators and scenes

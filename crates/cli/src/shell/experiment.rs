@@ -21,7 +21,8 @@ use super::{
     files::{self, LARGEST_EXPERIMENT},
     interrupt, load, names,
     output::{notes, print, print_json, print_raw},
-    progress, registry,
+    progress,
+    registry::registry,
     text::{escape, quoted},
 };
 

@@ -11,7 +11,7 @@ use super::{
     load,
     names::Subject,
     output::{notes, print_raw},
-    registry,
+    registry::registry,
 };
 
 pub(super) fn generate(args: &GenerateArgs) -> Outcome {

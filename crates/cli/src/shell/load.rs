@@ -21,7 +21,7 @@ use super::{
     files::{self, LARGEST_SCENE, LONGEST_LINK},
     names::{self, Subject},
     output::{note, notes},
-    registry,
+    registry::registry,
     text::quoted,
 };
 

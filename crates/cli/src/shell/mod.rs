@@ -16,33 +16,24 @@ mod load;
 mod names;
 mod output;
 mod progress;
+mod registry;
 mod reproduce;
 mod run;
 mod suggest;
 mod text;
 mod usage;
 
-use std::{
-    process::ExitCode,
-    sync::{Arc, OnceLock},
-};
+use std::process::ExitCode;
 
 use clap::Parser;
 use forage::Registry;
 
 use args::{Cli, Command};
 
-static REGISTRY: OnceLock<Arc<Registry>> = OnceLock::new();
-
-/// What the commands know: what was given to [`main_with`].
-fn registry() -> &'static Arc<Registry> {
-    REGISTRY.get_or_init(|| Arc::clone(forage::standard()))
-}
-
 /// Runs the command line with the planners, scenes, generators and followers of a registry, and returns its exit code. In one
 /// process the registry of the first call counts.
 pub fn main_with(known: Registry) -> ExitCode {
-    REGISTRY.get_or_init(|| Arc::new(known));
+    registry::know(known);
     let command = match Cli::try_parse() {
         Ok(cli) => cli.command,
         Err(error) => return usage::report(&error),

@@ -9,7 +9,7 @@ use super::{
     failure::Outcome,
     load,
     output::{print, print_json},
-    registry,
+    registry::registry,
     text::escape,
 };
 

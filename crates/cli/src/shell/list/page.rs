@@ -14,7 +14,7 @@ use super::words::{family, kinds};
 use crate::shell::{
     convert::describe,
     exact::unit,
-    registry,
+    registry::registry,
     text::{escape, point, wrap},
 };
 
