@@ -28,7 +28,7 @@ fn map(side: usize) -> Arc<Scene> {
     Arc::new(grid::KIND.scene(header, grid).expect("the ends are free"))
 }
 
-fn session(scene: &Arc<Scene>, planner: &str, params: &[(&str, f64)]) -> Run {
+fn start(scene: &Arc<Scene>, planner: &str, params: &[(&str, f64)]) -> Run {
     let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
     Run::with_keyframes(standard(), Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed: 1 }, 0).expect("a valid setup")
 }
@@ -39,13 +39,13 @@ fn steps(criterion: &mut Criterion) {
         let scene = map(side);
         for planner in ["aco", "aco-direction"] {
             // Ten iterations, as many steps as they take; the set-up is not counted.
-            let mut probe = session(&scene, planner, &[]);
+            let mut probe = start(&scene, planner, &[]);
             probe.step(10);
             let taken = probe.readings().get("ant_steps").unwrap_or(0.0);
             group.throughput(Throughput::Elements(taken as u64));
             group.sample_size(20);
             group.bench_function(format!("{planner}, {side} × {side}"), |bencher| {
-                bencher.iter_batched(|| session(&scene, planner, &[]), |mut run| run.step(10), criterion::BatchSize::LargeInput);
+                bencher.iter_batched(|| start(&scene, planner, &[]), |mut run| run.step(10), criterion::BatchSize::LargeInput);
             });
         }
     }
@@ -58,7 +58,7 @@ fn run(criterion: &mut Criterion) {
     for planner in ["aco", "aco-dijkstra", "aco-direction", "aco-wolf"] {
         group.bench_function(planner, |bencher| {
             bencher.iter(|| {
-                let mut run = session(&scene, planner, &[("ants", 50.0)]);
+                let mut run = start(&scene, planner, &[("ants", 50.0)]);
                 black_box(run.step(100))
             });
         });

@@ -26,14 +26,14 @@ fn pace(planner: &str, scene: &Arc<Scene>, time: Duration) -> f64 {
     let (mut simulated, mut took) = (0.0, Duration::ZERO);
     while simulated == 0.0 || took < time {
         let params: Overrides = [("border", Value::from("bounce"))].into_iter().collect();
-        let mut session =
+        let mut run =
             Run::with_keyframes(standard(), Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed: 1 }, 0).unwrap();
-        let planned = session.stages().iter().rev().nth(1).map_or(0, |plan| plan.end.unwrap_or(0));
-        session.step(planned);
+        let planned = run.stages().iter().rev().nth(1).map_or(0, |plan| plan.end.unwrap_or(0));
+        run.step(planned);
         let begun = Instant::now();
-        while session.step(u64::MAX) == Status::Running {}
+        while run.step(u64::MAX) == Status::Running {}
         took += begun.elapsed();
-        simulated += session.readings().get("time").unwrap_or(0.0).max(f64::MIN_POSITIVE);
+        simulated += run.readings().get("time").unwrap_or(0.0).max(f64::MIN_POSITIVE);
     }
     simulated / took.as_secs_f64()
 }

@@ -17,7 +17,7 @@ fn scenes() -> Vec<Arc<Scene>> {
     std::iter::once(shipped("ant-bat-30").unwrap()).chain(tours).collect()
 }
 
-fn session(planner: &str, scene: &Arc<Scene>, polish: bool, seed: u64) -> Run {
+fn start(planner: &str, scene: &Arc<Scene>, polish: bool, seed: u64) -> Run {
     let mut params: Overrides = [("iterations", Value::from(1e6))].into_iter().collect();
     if scene.name() == "ant-bat-30" {
         params.insert("roads", Value::from("dijkstra"));
@@ -26,20 +26,19 @@ fn session(planner: &str, scene: &Arc<Scene>, polish: bool, seed: u64) -> Run {
     if polish {
         params.insert("polish", Value::from("true"));
     }
-    let mut session =
-        Run::with_keyframes(standard(), Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }, 0).unwrap();
+    let mut run = Run::with_keyframes(standard(), Setup { planner: planner.into(), scene: Arc::clone(scene), params, seed }, 0).unwrap();
     // The roads are not what is measured.
-    session.step(session.stages().iter().rev().nth(1).map_or(0, |roads| roads.end.unwrap_or(0)));
-    session
+    run.step(run.stages().iter().rev().nth(1).map_or(0, |roads| roads.end.unwrap_or(0)));
+    run
 }
 
 /// Iterations a second, the gap after some time (`None` where no optimum is known), and how long it went.
-fn race(mut session: Run, time: Duration) -> (f64, Option<f64>, Duration) {
-    let from = session.iteration();
+fn race(mut run: Run, time: Duration) -> (f64, Option<f64>, Duration) {
+    let from = run.iteration();
     let begun = Instant::now();
-    while begun.elapsed() < time && session.step(1) == Status::Running {}
+    while begun.elapsed() < time && run.step(1) == Status::Running {}
     let took = begun.elapsed();
-    ((session.iteration() - from) as f64 / took.as_secs_f64(), session.outcome().gap, took)
+    ((run.iteration() - from) as f64 / took.as_secs_f64(), run.outcome().gap, took)
 }
 
 fn median(mut values: Vec<f64>) -> f64 {
@@ -56,7 +55,7 @@ fn main() {
         for entry in standard().planners().iter().copied().filter(|entry| entry.stops && entry.check_scene(&scene).is_ok()) {
             let polish = entry.parameter("polish").is_some();
             for polish in [false, true].into_iter().take(1 + usize::from(polish)) {
-                let runs: Vec<_> = (1..=seeds).map(|seed| race(session(entry.name, &scene, polish, seed), time)).collect();
+                let runs: Vec<_> = (1..=seeds).map(|seed| race(start(entry.name, &scene, polish, seed), time)).collect();
                 let name = format!("{}{}", entry.name, if polish { " polish" } else { "" });
                 let gaps: Vec<_> = runs.iter().filter_map(|(_, gap, _)| *gap).collect();
                 let gap = if gaps.is_empty() { "unknown".to_owned() } else { format!("{:.2} %", 100.0 * median(gaps)) };

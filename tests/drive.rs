@@ -181,13 +181,13 @@ fn every_drive_ends() {
 
 #[test]
 fn a_run_drives_its_best_path_and_refuses_what_is_not_allowed() {
-    let session = |scene: &Arc<Scene>, planner: &str| {
+    let stepped = |scene: &Arc<Scene>, planner: &str| {
         let setup = Setup { planner: planner.into(), scene: Arc::clone(scene), params: Overrides::new(), seed: 1 };
-        let mut session = Run::new(standard(), setup).unwrap();
-        session.step(30);
-        session
+        let mut run = Run::new(standard(), setup).unwrap();
+        run.step(30);
+        run
     };
-    let mut run = session(&shipped("qpso-10m").unwrap(), "ltqpso");
+    let mut run = stepped(&shipped("qpso-10m").unwrap(), "ltqpso");
     let drive = run.follow("drive", &Overrides::new()).unwrap().unwrap();
     let outcome = run.outcome();
     assert_eq!(
@@ -213,7 +213,7 @@ fn a_run_drives_its_best_path_and_refuses_what_is_not_allowed() {
     let with = |robot: &str| {
         let mut value: serde_json::Value = serde_json::from_str(&file).unwrap();
         value["robot"] = serde_json::from_str(robot).unwrap();
-        session(&Arc::new(standard().read_scene(&value.to_string()).unwrap()), "ltqpso")
+        stepped(&Arc::new(standard().read_scene(&value.to_string()).unwrap()), "ltqpso")
     };
     let slow = with(r#"{"length": 0.4, "width": 0.3, "speed": 0.1}"#);
     assert_eq!(slow.follow("drive", &Overrides::new()).unwrap().unwrap().parameters()[SPEED], 0.1, "the scene's own speed");
@@ -225,7 +225,7 @@ fn a_run_drives_its_best_path_and_refuses_what_is_not_allowed() {
             && point.outcome().turning.is_some()
     );
     for (scene, planner) in [("wcpso-discs", "pso"), ("sphere", "pso")] {
-        assert!(session(&shipped(scene).unwrap(), planner).follow("drive", &Overrides::new()).unwrap().is_none());
+        assert!(stepped(&shipped(scene).unwrap(), planner).follow("drive", &Overrides::new()).unwrap().is_none());
     }
 }
 

@@ -29,14 +29,14 @@ fn run(planner: &str, scene: &str, seed: u32, set: &str) -> (Golden, [String; 3]
     let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
     more.into_iter().for_each(|(name, value)| params.insert(name, Value::from(value.to_string().trim_matches('"'))));
     let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
-    let mut session = Run::new(standard(), setup).unwrap();
-    let first = shown(&mut session);
-    session.step(u64::from(ITERATIONS / 2));
-    let (half, middle) = (session.hash(), shown(&mut session));
-    session.step(u64::MAX);
-    let last = shown(&mut session);
-    let outcome = session.outcome();
-    let exact = session.exact();
+    let mut run = Run::new(standard(), setup).unwrap();
+    let first = shown(&mut run);
+    run.step(u64::from(ITERATIONS / 2));
+    let (half, middle) = (run.hash(), shown(&mut run));
+    run.step(u64::MAX);
+    let last = shown(&mut run);
+    let outcome = run.outcome();
+    let exact = run.exact();
     let paths = match (&outcome.path, &outcome.tip_path) {
         (Some(path), _) => digest([path.as_flattened(), exact.map_or(&[][..], |exact| exact.path.as_flattened())].concat().as_slice()),
         (_, Some(tip)) => digest([tip.as_flattened(), exact.map_or(&[][..], |exact| exact.tip_path.as_flattened())].concat().as_slice()),
@@ -44,7 +44,7 @@ fn run(planner: &str, scene: &str, seed: u32, set: &str) -> (Golden, [String; 3]
     };
     let cost = bits(outcome.cost);
     let (planner, scene, set) = (planner.to_owned(), scene.to_owned(), set.to_owned());
-    (Golden { planner, scene, seed, set, paths, half, end: session.hash(), cost }, [first, middle, last])
+    (Golden { planner, scene, seed, set, paths, half, end: run.hash(), cost }, [first, middle, last])
 }
 
 /// A golden run to be made: planner, scene, seed, parameters.
@@ -154,9 +154,9 @@ fn bless(file: &str, stored: &impl serde::Serialize) {
 fn drive(planner: &str, scene: &str, seed: u32, look_ahead: f64) -> Driven {
     let setup =
         Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params: Overrides::new(), seed: u64::from(seed) };
-    let mut session = Run::new(standard(), setup).unwrap();
-    session.step(u64::MAX);
-    let drive = session.follow("drive", &Overrides::from_iter([("look_ahead", Value::from(look_ahead))])).unwrap().unwrap();
+    let mut run = Run::new(standard(), setup).unwrap();
+    run.step(u64::MAX);
+    let drive = run.follow("drive", &Overrides::from_iter([("look_ahead", Value::from(look_ahead))])).unwrap().unwrap();
     Driven { planner: planner.to_owned(), scene: scene.to_owned(), seed, look_ahead, rows: digest(drive.rows()) }
 }
 
@@ -172,12 +172,12 @@ fn every_drive() -> Vec<Driven> {
 fn follow(planner: &str, scene: &str, seed: u32, set: &str) -> Followed {
     let setup =
         Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params: Overrides::new(), seed: u64::from(seed) };
-    let mut session = Run::new(standard(), setup).unwrap();
-    session.step(u64::MAX);
+    let mut run = Run::new(standard(), setup).unwrap();
+    run.step(u64::MAX);
     let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
     let mut given = Overrides::new();
     more.into_iter().for_each(|(name, value)| given.insert(name, Value::from(value.to_string().trim_matches('"'))));
-    let motion = session.follow("motion", &given).unwrap().unwrap();
+    let motion = run.follow("motion", &given).unwrap().unwrap();
     let extra = motion.extra();
     let [("skeletons", Extra::Rows(skeletons))] = extra[..] else { panic!("{extra:?}") };
     let rows = digest(&[motion.rows(), skeletons].concat());
@@ -201,9 +201,9 @@ fn log(planner: &str, scene: &str, seed: u32, set: &str) -> Log {
     let mut params = Overrides::new();
     more.into_iter().for_each(|(name, value)| params.insert(name, Value::from(value.to_string().trim_matches('"'))));
     let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
-    let mut session = Run::new(standard(), setup).unwrap();
-    session.step(u64::MAX);
-    let lines = session.events().iter().map(|e| line(e.iteration, e.time, e.place, e.kind, e.obstacle, &e.reason)).collect();
+    let mut run = Run::new(standard(), setup).unwrap();
+    run.step(u64::MAX);
+    let lines = run.events().iter().map(|e| line(e.iteration, e.time, e.place, e.kind, e.obstacle, &e.reason)).collect();
     Log { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), lines }
 }
 

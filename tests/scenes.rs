@@ -104,9 +104,9 @@ fn wcpso_finds_the_way_among_the_seven_discs() {
     let good = (1..=10)
         .filter(|&seed| {
             let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: Overrides::new(), seed };
-            let mut session = Run::with_keyframes(standard(), setup, 0).unwrap();
-            session.step(u64::MAX);
-            let outcome = session.outcome();
+            let mut run = Run::with_keyframes(standard(), setup, 0).unwrap();
+            run.step(u64::MAX);
+            let outcome = run.outcome();
             assert_eq!((outcome.iterations, outcome.evaluations), (500, 150 * 501));
             outcome.feasible && outcome.gap.unwrap() <= 0.005
         })
@@ -121,9 +121,9 @@ fn quantum_swarms_are_compared_at_equal_evaluations() {
     for seed in 1..=50 {
         let [q, lt] = ["qpso", "ltqpso"].map(|planner| {
             let setup = Setup { planner: planner.into(), scene: shipped("qpso-10m").unwrap(), params: Overrides::new(), seed };
-            let mut session = Run::with_keyframes(standard(), setup, 0).unwrap();
-            session.step(u64::MAX);
-            let outcome = session.outcome();
+            let mut run = Run::with_keyframes(standard(), setup, 0).unwrap();
+            run.step(u64::MAX);
+            let outcome = run.outcome();
             assert!(outcome.feasible, "{planner}, seed {seed}");
             outcome.evaluations
         });
@@ -137,9 +137,9 @@ fn colony(planner: &str, scene: &str) -> Vec<f64> {
         let scene = shipped(scene).unwrap();
         let entry = standard().planner(planner).unwrap();
         let params = if entry.presets.is_empty() { Overrides::new() } else { entry.preset("paper", scene.kind()).unwrap() };
-        let mut session = Run::with_keyframes(standard(), Setup { planner: planner.into(), scene, params, seed }, 0).unwrap();
-        session.step(u64::MAX);
-        let outcome = session.outcome();
+        let mut run = Run::with_keyframes(standard(), Setup { planner: planner.into(), scene, params, seed }, 0).unwrap();
+        run.step(u64::MAX);
+        let outcome = run.outcome();
         assert!(outcome.feasible && outcome.iterations == 100, "{planner}, seed {seed}");
         outcome.cost.unwrap()
     };
@@ -176,9 +176,9 @@ fn bats_find_the_exact_tour_of_the_twelve_stops() {
         let outcome = |seed| {
             let params = Overrides::from_iter([("roads", roads.into()), ("smooth", "false".into()), ("local_search", local_search.into())]);
             let setup = Setup { planner: "bat".into(), scene: std::sync::Arc::clone(&scene), params, seed };
-            let mut session = Run::with_keyframes(standard(), setup, 0).unwrap();
-            session.step(u64::MAX);
-            let outcome = session.outcome();
+            let mut run = Run::with_keyframes(standard(), setup, 0).unwrap();
+            run.step(u64::MAX);
+            let outcome = run.outcome();
             assert!(outcome.feasible && outcome.iterations == 11 + 100, "{roads}, seed {seed}");
             outcome
         };
@@ -202,9 +202,9 @@ fn the_printed_penalty_is_judged_by_the_whole_path() {
         seed,
     };
     for seed in 1..=5 {
-        let mut session = Run::with_keyframes(standard(), setup(seed), 0).unwrap();
-        session.step(u64::MAX);
-        let outcome = session.outcome();
+        let mut run = Run::with_keyframes(standard(), setup(seed), 0).unwrap();
+        run.step(u64::MAX);
+        let outcome = run.outcome();
         assert!(!outcome.feasible && outcome.clearance.unwrap() < 0.0, "a straight line through the discs has no way-point in one");
         assert!(outcome.gap.unwrap() < 0.0, "and it is shorter than any free path");
     }
@@ -274,10 +274,10 @@ fn nothing_squeezes_between_two_cells_that_touch() {
     for planner in ["wcpso", "pso", "ltqpso"] {
         for seed in 1..=5 {
             let params = Overrides::from_iter([("segments", 2.0.into())]);
-            let mut session =
+            let mut run =
                 Run::new(standard(), Setup { planner: planner.into(), scene: std::sync::Arc::clone(&scene), params, seed }).unwrap();
-            session.step(u64::MAX);
-            let outcome = session.outcome();
+            run.step(u64::MAX);
+            let outcome = run.outcome();
             assert!(!outcome.feasible || outcome.gap.unwrap() > -1e-9, "{planner} {seed}: {:?}", outcome.gap);
         }
     }
@@ -289,8 +289,8 @@ fn smoothing_keeps_to_the_border() {
     for (y, strength) in [(3.0, 0.2), (8.1, 0.2), (12.8, 0.2), (6.3, 0.45)] {
         let scene = grid(y / 3.0, &[".........."; 3], [0.0, 3.0 * (y / 3.0)], [10.0 * (y / 3.0), 3.0 * (y / 3.0)]).unwrap();
         let params = Overrides::from_iter([("smoothing", strength.into())]);
-        let mut session = Run::new(standard(), Setup { planner: "pso".into(), scene: scene.into(), params, seed: 1 }).unwrap();
-        session.step(u64::MAX);
-        assert!(session.outcome().feasible, "y = {y}, S = {strength}");
+        let mut run = Run::new(standard(), Setup { planner: "pso".into(), scene: scene.into(), params, seed: 1 }).unwrap();
+        run.step(u64::MAX);
+        assert!(run.outcome().feasible, "y = {y}, S = {strength}");
     }
 }

@@ -38,15 +38,15 @@ const MARGIN: f64 = 24.0;
 /// Of more stops none has a number.
 const NUMBERED: usize = 100;
 
-/// The session's present state: the scene, these of the planner's layers, and the exact optimum if `exact` is among them.
-pub fn svg(session: &Run, dark: bool, shown: &[LayerKey]) -> String {
-    let view = session.scene().view();
+/// The run's present state: the scene, these of the planner's layers, and the exact optimum if `exact` is among them.
+pub fn svg(run: &Run, dark: bool, shown: &[LayerKey]) -> String {
+    let view = run.scene().view();
     let (width, height) = (view.max[0] - view.min[0], view.max[1] - view.min[1]);
     let scale = (SIZE - 2.0 * MARGIN) / width.max(height);
-    let down = session.scene().plane().is_some_and(|plane| plane.y_axis() == YAxis::Down);
+    let down = run.scene().plane().is_some_and(|plane| plane.y_axis() == YAxis::Down);
     let top = if down { view.min[1] } else { view.max[1] };
     let canvas = Canvas { scale, left: view.min[0], top, up: if down { -1.0 } else { 1.0 }, dark, text: String::new() };
-    canvas.picture(session, shown, [width, height].map(|side| rounded(side * scale + 2.0 * MARGIN)))
+    canvas.picture(run, shown, [width, height].map(|side| rounded(side * scale + 2.0 * MARGIN)))
 }
 
 struct Canvas {
@@ -73,25 +73,25 @@ impl Canvas {
         Hex(opaque(color.on(self.dark)))
     }
 
-    fn picture(mut self, session: &Run, shown: &[LayerKey], [width, height]: [f64; 2]) -> String {
-        let title = format!("{} on {}, iteration {}", session.entry().title, session.scene().header().title, session.iteration());
+    fn picture(mut self, run: &Run, shown: &[LayerKey], [width, height]: [f64; 2]) -> String {
+        let title = format!("{} on {}, iteration {}", run.entry().title, run.scene().header().title, run.iteration());
         put!(
             self,
             r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" fill="none" stroke-linecap="round" stroke-linejoin="round">"#
         );
         put!(self, "<title>{}</title>", escaped(&title));
         put!(self, r#"<rect width="100%" height="100%" fill="{}"/>"#, self.tone(STAGE));
-        self.obstacles(session.scene());
+        self.obstacles(run.scene());
         let mut frame = Frame::default();
-        session.draw(&mut frame, Frame::BUDGET / 4);
-        self.layers(session.entry(), &frame, shown);
-        if let Some(exact) = session.exact().filter(|_| shown.contains(&layers::EXACT.key)) {
+        run.draw(&mut frame, Frame::BUDGET / 4);
+        self.layers(run.entry(), &frame, shown);
+        if let Some(exact) = run.exact().filter(|_| shown.contains(&layers::EXACT.key)) {
             self.line(layers::EXACT.key, layers::EXACT.look, 0.0, &exact.path);
         }
-        if session.entry().stops {
-            self.stops(&session.scene().stops(), session.entry(), &frame, shown);
+        if run.entry().stops {
+            self.stops(&run.scene().stops(), run.entry(), &frame, shown);
         } else {
-            self.ends(session.scene());
+            self.ends(run.scene());
         }
         self.text.push_str("</svg>\n");
         self.text
@@ -315,14 +315,14 @@ mod tests {
     #[test]
     fn a_tour_is_drawn_with_its_direction_and_the_stops_with_their_places() {
         let setup = Setup { planner: "bat".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Overrides::default(), seed: 1 };
-        let mut session = Run::new(standard(), setup).unwrap();
-        let before = svg(&session, false, &[layers::TOUR.key, layers::STOPS.key]);
+        let mut run = Run::new(standard(), setup).unwrap();
+        let before = svg(&run, false, &[layers::TOUR.key, layers::STOPS.key]);
         assert_eq!(before.matches("<circle").count(), 12, "neither start nor goal");
         assert!(before.contains(">12</text>") && !before.contains("<path"), "the scene's own numbers");
-        while session.outcome().length.is_none() {
-            session.step(1);
+        while run.outcome().length.is_none() {
+            run.step(1);
         }
-        let picture = svg(&session, false, &[layers::TOUR.key, layers::STOPS.key]);
+        let picture = svg(&run, false, &[layers::TOUR.key, layers::STOPS.key]);
         assert_eq!(picture.matches("<circle").count(), 12 + 1, "the first has a ring");
         assert!(picture.matches('Z').count() >= 12, "a head on each leg");
         let numbers: std::collections::BTreeSet<_> =
@@ -333,24 +333,24 @@ mod tests {
     #[test]
     fn a_picture_holds_the_scene_and_only_the_layers_asked_for() {
         let setup = Setup { planner: "wcpso".into(), scene: shipped("wcpso-discs").unwrap(), params: crate::Overrides::default(), seed: 1 };
-        let mut session = Run::new(standard(), setup).unwrap();
-        session.step(5);
-        let picture = svg(&session, false, &[layers::BEST.key, layers::EXACT.key]);
+        let mut run = Run::new(standard(), setup).unwrap();
+        run.step(5);
+        let picture = svg(&run, false, &[layers::BEST.key, layers::EXACT.key]);
         assert_eq!(picture.matches("<circle").count(), 7 + 2, "discs, start and goal");
         assert_eq!(picture.matches(r#"class="best""#).count(), 1);
         assert_eq!(picture.matches(r#"class="exact""#).count(), 1);
         assert_eq!(picture.matches(r#"class="particles""#).count(), 0);
-        assert_eq!(svg(&session, true, &[layers::PARTICLES.key]).matches(r#"class="particles""#).count(), 150);
+        assert_eq!(svg(&run, true, &[layers::PARTICLES.key]).matches(r#"class="particles""#).count(), 150);
         assert_eq!(escaped("a<b & c>d"), "a&lt;b &amp; c&gt;d");
     }
 
     #[test]
     fn a_layer_has_the_colour_of_its_look_by_day_and_by_night_and_cells_without_pheromone_are_left_out() {
         let setup = Setup { planner: "aco".into(), scene: shipped("ant-bat-30").unwrap(), params: crate::Overrides::default(), seed: 1 };
-        let mut session = Run::new(standard(), setup).unwrap();
-        session.step(3);
+        let mut run = Run::new(standard(), setup).unwrap();
+        run.step(3);
         for dark in [false, true] {
-            let picture = svg(&session, dark, &[layers::BEST.key, layers::PHEROMONE.key]);
+            let picture = svg(&run, dark, &[layers::BEST.key, layers::PHEROMONE.key]);
             let best = picture.lines().find(|line| line.contains(r#"class="best""#)).unwrap();
             assert!(best.contains(&format!(r#"stroke="{}""#, Hex(layers::BEST.look.color.on(dark)))), "{best}");
             let cells = picture.matches(r#"class="pheromone""#).count();

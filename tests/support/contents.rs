@@ -43,18 +43,18 @@ const OUTCOME: [&str; 19] = [
     "trouble",
 ];
 
-/// The digest of what a session shows now: numbers bit by bit, and whatever is drawn, by the names of layers and shapes.
-pub fn shown(session: &mut Run) -> String {
+/// The digest of what a run shows now: numbers bit by bit, and whatever is drawn, by the names of layers and shapes.
+pub fn shown(run: &mut Run) -> String {
     let mut digest = Digest::default();
-    let outcome = serde_json::to_value(session.outcome()).unwrap();
+    let outcome = serde_json::to_value(run.outcome()).unwrap();
     for field in OUTCOME {
         digest.bytes(format!("{field}: {}", outcome[field]).as_bytes());
     }
-    for event in session.events() {
+    for event in run.events() {
         digest.bytes(serde_json::to_string(event).unwrap().as_bytes());
     }
     let mut frame = Frame::default();
-    session.draw(&mut frame, BUDGET);
+    run.draw(&mut frame, BUDGET);
     let vertices = frame.vertices();
     for span in frame.spans() {
         digest.bytes(span.layer.0.as_bytes());

@@ -97,17 +97,17 @@ impl Job for Task {
     }
 
     fn run(&self, _stop: &AtomicBool) -> Result<Option<Run>, Error> {
-        let mut session = forage::Run::with_keyframes(standard(), self.0.clone(), 0)?;
+        let mut run = forage::Run::with_keyframes(standard(), self.0.clone(), 0)?;
         let (mut best, mut improved) = (f64::INFINITY, Vec::new());
-        while session.status() == Status::Running {
-            session.step(1);
-            let now = session.readings().get("best").unwrap_or(f64::INFINITY);
+        while run.status() == Status::Running {
+            run.step(1);
+            let now = run.readings().get("best").unwrap_or(f64::INFINITY);
             if now < best {
                 best = now;
-                improved.push(format!("{}:{best}", session.iteration()));
+                improved.push(format!("{}:{best}", run.iteration()));
             }
         }
-        let outcome = session.outcome();
+        let outcome = run.outcome();
         let reading = |name: &str| outcome.readings.iter().find(|(n, _)| *n == name).map(|(_, value)| *value).filter(|_| outcome.feasible);
         let length = outcome.length.filter(|_| outcome.feasible);
         let turns = outcome.turns.filter(|_| outcome.feasible).map(|turns| turns as f64);

@@ -144,11 +144,11 @@ impl Job for Task {
     #[expect(clippy::disallowed_types, reason = "the paper tells how long its runs took; no planner sees it")]
     fn run(&self, _stop: &AtomicBool) -> Result<Option<Run>, Error> {
         let begun = std::time::Instant::now();
-        let mut session = forage::Run::with_keyframes(standard(), self.setup.clone(), 0)?;
-        session.step(u64::MAX);
+        let mut run = forage::Run::with_keyframes(standard(), self.setup.clone(), 0)?;
+        run.step(u64::MAX);
         let ms = begun.elapsed().as_secs_f64() * 1e3;
-        let raw_length = session.readings().get("length").unwrap_or(f64::NAN);
-        let outcome = session.outcome();
+        let raw_length = run.readings().get("length").unwrap_or(f64::NAN);
+        let outcome = run.outcome();
         Ok(Some(Run {
             case: self.case.name.to_owned(),
             planner: self.setup.planner.clone(),

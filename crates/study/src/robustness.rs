@@ -89,9 +89,9 @@ impl Job for Task {
     }
 
     fn run(&self, _stop: &AtomicBool) -> Result<Option<Run>, Error> {
-        let mut session = forage::Run::with_keyframes(standard(), self.setup()?, 0)?;
-        session.step(u64::MAX);
-        let outcome = session.outcome();
+        let mut run = forage::Run::with_keyframes(standard(), self.setup()?, 0)?;
+        run.step(u64::MAX);
+        let outcome = run.outcome();
         let settled = outcome.readings.iter().find(|(name, _)| *name == "settled").map(|(_, value)| *value);
         Ok(Some(Run {
             planner: self.planner.to_owned(),

@@ -51,18 +51,18 @@ pub(super) struct Found {
 #[expect(clippy::disallowed_types, reason = "the paper shows how long its runs took; no planner sees it")]
 pub(super) fn carry_out(setup: &Setup, network: &Network, stop: &AtomicBool) -> Result<Option<Found>, Error> {
     let Some(laid) = network.laid(setup, stop)? else { return Ok(None) };
-    let mut session = forage::Run::with_keyframes(standard(), setup.clone(), 0)?;
+    let mut run = forage::Run::with_keyframes(standard(), setup.clone(), 0)?;
     let begun = std::time::Instant::now();
     for (jobs, found) in &laid.steps {
         // A planner that wants other roads builds them itself: then they count as time for the order.
-        if session.subtasks() == *jobs {
-            session.provide(found.clone());
+        if run.subtasks() == *jobs {
+            run.provide(found.clone());
         }
-        session.step(1);
+        run.step(1);
     }
-    session.step(u64::MAX);
+    run.step(u64::MAX);
     let order_ms = begun.elapsed().as_secs_f64() * 1e3;
-    Ok(Some(Found { outcome: session.outcome(), roads_ms: laid.ms, order_ms }))
+    Ok(Some(Found { outcome: run.outcome(), roads_ms: laid.ms, order_ms }))
 }
 
 impl Network {
@@ -79,10 +79,10 @@ impl Network {
 /// its own could come back to the network that it has locked.
 #[expect(clippy::disallowed_types, reason = "the paper shows how long its runs took; no planner sees it")]
 fn lay(setup: &Setup, stop: &AtomicBool) -> Result<Option<Laid>, Error> {
-    let mut session = forage::Run::with_keyframes(standard(), setup.clone(), 0)?;
+    let mut run = forage::Run::with_keyframes(standard(), setup.clone(), 0)?;
     let (mut steps, mut ms) = (Vec::new(), 0.0);
     loop {
-        let jobs = session.subtasks();
+        let jobs = run.subtasks();
         if jobs.is_empty() {
             return Ok(Some(Laid { steps, ms }));
         }
@@ -95,8 +95,8 @@ fn lay(setup: &Setup, stop: &AtomicBool) -> Result<Option<Laid>, Error> {
             found.extend(run::run_subtasks(standard(), &setup.scene, std::slice::from_ref(job))?);
         }
         ms += begun.elapsed().as_secs_f64() * 1e3;
-        session.provide(found.clone());
-        session.step(1);
+        run.provide(found.clone());
+        run.step(1);
         steps.push((jobs, found));
     }
 }

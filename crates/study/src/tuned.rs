@@ -79,14 +79,14 @@ impl Job for Task {
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Tuned>, Error> {
-        let mut session = forage::Run::with_keyframes(standard(), self.0.clone(), 0)?;
-        while session.status() == Status::Running {
+        let mut run = forage::Run::with_keyframes(standard(), self.0.clone(), 0)?;
+        while run.status() == Status::Running {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
             }
-            session.step(1);
+            run.step(1);
         }
-        let outcome = session.outcome();
+        let outcome = run.outcome();
         let tuned = outcome.tuned.ok_or_else(|| Error::refused("scene", self.0.scene.name(), "one on which the colony finds a way"))?;
         let number = |name: &str| match tuned.params.get(name) {
             Some(Value::Number(number)) => *number,

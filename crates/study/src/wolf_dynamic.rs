@@ -108,13 +108,13 @@ impl Job for Task {
     }
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Run>, Error> {
-        let mut session = forage::Run::with_keyframes(standard(), self.setup.clone(), 0)?;
-        while session.step(1000) == Status::Running {
+        let mut run = forage::Run::with_keyframes(standard(), self.setup.clone(), 0)?;
+        while run.step(1000) == Status::Running {
             if stop.load(std::sync::atomic::Ordering::Relaxed) {
                 return Ok(None);
             }
         }
-        let outcome = session.outcome();
+        let outcome = run.outcome();
         let number = |name: &str| outcome.readings.iter().find(|(n, _)| *n == name).map_or(f64::NAN, |(_, value)| *value);
         let count = |name: &str| number(name) as u64;
         let told = |kind: &str| outcome.events.iter().filter(|event| event.kind == kind).count() as u64;

@@ -305,9 +305,9 @@ fn the_arm_follows_what_guided_trees_find() {
     let mut free = 0;
     for seed in 1..=100 {
         let setup = Setup { planner: "rrt-guided".to_owned(), scene: shipped("arm-cuboid").unwrap(), params: Overrides::new(), seed };
-        let mut session = Run::with_keyframes(standard(), setup, 0).unwrap();
-        session.step(session.limit());
-        let outcome = session.outcome();
+        let mut run = Run::with_keyframes(standard(), setup, 0).unwrap();
+        run.step(run.limit());
+        let outcome = run.outcome();
         let &MotionOutcome { arrived, free: is_free, touched_at, largest_step, max_error, .. } = outcome.followed.get().unwrap();
         // What is not free says when it touches.
         assert!(arrived && is_free == touched_at.is_none(), "seed {seed}");

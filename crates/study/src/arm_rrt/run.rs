@@ -120,13 +120,13 @@ impl Job for Task {
 
     fn run(&self, stop: &AtomicBool) -> Result<Option<Run>, Error> {
         let Some(tree) = grow(&self.0, stop)? else { return Ok(None) };
-        let mut session = forage::Run::with_keyframes(standard(), self.0.clone(), 0)?;
-        while session.step(1000) == Status::Running {
+        let mut run = forage::Run::with_keyframes(standard(), self.0.clone(), 0)?;
+        while run.step(1000) == Status::Running {
             if stop.load(Ordering::Relaxed) {
                 return Ok(None);
             }
         }
-        let outcome = session.outcome();
+        let outcome = run.outcome();
         let arm = self.0.scene.get::<ArmScene>()?;
         let motion = outcome.followed.get::<MotionOutcome>();
         let number = |name: &str| tree.readings.get(name).filter(|value| value.is_finite());

@@ -313,10 +313,10 @@ fn wolf_ant() -> Result<Vec<Finding>, Error> {
     ));
     let run = |epsilon: f64| -> Result<Option<f64>, Error> {
         let params: Overrides = [("epsilon", Value::from(epsilon)), ("iterations", Value::from(20.0))].into_iter().collect();
-        let mut session =
+        let mut run =
             forage::Run::with_keyframes(standard(), Setup { planner: "aco-wolf".to_owned(), scene: scene.clone(), params, seed: 1 }, 0)?;
-        session.step(u64::MAX);
-        Ok(session.readings().get("mean"))
+        run.step(u64::MAX);
+        Ok(run.readings().get("mean"))
     };
     // A power of two scales without rounding.
     let [two, four] = [run(2.0)?, run(4.0)?];
