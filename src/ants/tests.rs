@@ -138,9 +138,9 @@ fn pheromone_evaporates_and_is_laid_on_the_way() {
 #[test]
 fn a_dijkstra_path_seeds_the_pheromone() {
     let scene = scene(&["....", "####"], [0.5, 0.5], [3.5, 0.5]);
-    let session = run(&scene, "aco-dijkstra", &[("seeded", "7"), ("tau_0", "2")], 1);
+    let run = run(&scene, "aco-dijkstra", &[("seeded", "7"), ("tau_0", "2")], 1);
     let mut frame = Frame::default();
-    session.draw(&mut frame, Frame::BUDGET);
+    run.draw(&mut frame, Frame::BUDGET);
     let weights: Vec<_> = frame.vertices().chunks(4).take(8).map(|v| v[3]).collect();
     assert_eq!(weights, [14.0, 14.0, 14.0, 2.0, -1.0, -1.0, -1.0, -1.0]);
 }
@@ -149,9 +149,9 @@ fn a_dijkstra_path_seeds_the_pheromone() {
 #[test]
 fn dead_ends_and_unreachable_goals_end_and_are_told() {
     let pocket = scene(&[".....#...", ".....#...", "######...", "........."], [0.5, 0.5], [8.5, 0.5]);
-    let mut session = run(&pocket, "aco", &[], 1);
-    assert_eq!(session.step(10), Status::Infeasible);
-    assert_eq!((session.iteration(), session.outcome().cost), (0, None));
+    let mut unreachable = run(&pocket, "aco", &[], 1);
+    assert_eq!(unreachable.step(10), Status::Infeasible);
+    assert_eq!((unreachable.iteration(), unreachable.outcome().cost), (0, None));
     // One cell wide: who goes in can't turn round.
     let trap = scene(&["......", ".####.", "....#.", ".####.", "......"], [0.5, 2.5], [5.5, 2.5]);
     for planner in ["aco", "aco-direction", "aco-dijkstra", "aco-wolf"] {
@@ -189,15 +189,15 @@ fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
         let scene = Arc::new(grid::KIND.scene(header, grid).unwrap());
         let exact = scene.exact_by(ReferenceOptimum::Cells).map(|exact| exact.length);
         for planner in ["aco", "aco-direction", "aco-dijkstra", "aco-wolf"] {
-            let mut session = run(&scene, planner, &[("iterations", "12"), ("tau_min", "0.01"), ("tau_max", "1000")], round);
+            let mut run = run(&scene, planner, &[("iterations", "12"), ("tau_min", "0.01"), ("tau_max", "1000")], round);
             let mut frame = Frame::default();
-            while session.step(1) == Status::Running {
-                session.draw(&mut frame, Frame::BUDGET);
+            while run.step(1) == Status::Running {
+                run.draw(&mut frame, Frame::BUDGET);
                 let field = frame.spans().find(|span| span.layer == layers::PHEROMONE.key).unwrap();
                 let tau = frame.vertices()[..4 * field.count as usize].chunks(4).map(|v| v[3]);
                 assert!(tau.clone().all(|tau| tau == -1.0 || (0.01..=1000.0).contains(&tau)));
             }
-            let outcome = session.outcome();
+            let outcome = run.outcome();
             let Some(exact) = exact else {
                 assert_eq!((outcome.status, outcome.cost), (Status::Infeasible, None));
                 continue;
@@ -211,7 +211,7 @@ fn ways_and_pheromone_keep_to_the_rules_on_random_maps() {
             assert_eq!((way[0], way[way.len() - 1]), (start, goal));
             assert_eq!(outcome.cost.unwrap(), 0.5 * cells.steps(&way).length());
             assert!(outcome.feasible && outcome.cost.unwrap() >= exact - 1e-12);
-            let readings = session.readings();
+            let readings = run.readings();
             assert!(readings.get("smooth_length").unwrap() <= readings.get("length").unwrap() + 1e-12);
         }
     }
@@ -227,9 +227,9 @@ fn colonies_with_direction_settle_on_hard_maps() {
     {
         let given = [("columns", Value::from(columns)), ("rows", Value::from(rows))].into_iter().collect();
         let scene = Arc::new(standard().generate(generator, &given, seed).unwrap());
-        let mut session = run(&scene, "aco-direction", &[], 1);
-        session.step(u64::MAX);
-        let readings = session.readings();
+        let mut run = run(&scene, "aco-direction", &[], 1);
+        run.step(u64::MAX);
+        let readings = run.readings();
         assert_eq!(readings.get("arrived"), Some(50.0), "{generator} {seed}");
         assert!(readings.get("settled").is_some_and(f64::is_finite), "{generator} {seed}");
     }
@@ -260,11 +260,11 @@ fn ants_whose_ways_are_not_kept_go_them_again() {
 fn greed_is_what_is_told() {
     let scene = crate::shipped("ant-bat-30").unwrap();
     let params = [("q0_start", "1"), ("q0_end", "0"), ("iterations", "3")];
-    let mut session = run(&scene, "aco-dijkstra", &params, 1);
+    let mut run = run(&scene, "aco-dijkstra", &params, 1);
     let mut told = Vec::new();
     for _ in 0..3 {
-        session.step(1);
-        let readings = session.readings();
+        run.step(1);
+        let readings = run.readings();
         told.push(readings.get("q0").unwrap());
         let alike = (readings.get("mean").unwrap() - readings.get("best").unwrap()).abs() < 1e-9;
         assert_eq!(alike, told.len() == 1, "all greedy: all alike");
@@ -288,10 +288,10 @@ fn a_cell_s_card_leaves_out_what_lies_behind() {
 fn start_and_goal_in_one_cell_is_a_way_of_no_length() {
     let scene = scene(&["..", ".."], [0.5, 0.5], [0.5, 0.5]);
     for planner in ["aco", "aco-direction", "aco-wolf"] {
-        let mut session = run(&scene, planner, &[("iterations", "2")], 1);
-        session.step(2);
-        let outcome = session.outcome();
+        let mut run = run(&scene, planner, &[("iterations", "2")], 1);
+        run.step(2);
+        let outcome = run.outcome();
         assert_eq!((outcome.cost, outcome.length.map(f64::to_bits), outcome.feasible), (Some(0.0), Some(0), true));
-        assert!(session.readings().iter().all(|(_, value)| value.is_finite()));
+        assert!(run.readings().iter().all(|(_, value)| value.is_finite()));
     }
 }

@@ -14,15 +14,15 @@ use super::wolf_ant_drive;
 
 const DRIVES: [&str; 3] = ["wolf-ant-drive", "a-star-drive", "d-star-lite-drive"];
 
-fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Run {
+fn start(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Run {
     let params: Overrides = params.iter().map(|(name, value)| (*name, value.clone())).collect();
     Run::new(standard(), Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed }).unwrap()
 }
 
 fn run(planner: &str, scene: &Arc<Scene>, params: &[(&str, Value)], seed: u64) -> Outcome {
-    let mut session = session(planner, scene, params, seed);
-    while session.step(u64::MAX) == Status::Running {}
-    session.outcome()
+    let mut run = start(planner, scene, params, seed);
+    while run.step(u64::MAX) == Status::Running {}
+    run.outcome()
 }
 
 /// A grid of cells of side 2 with a robot of radius 1 that goes 2 a second and turns in 1 s, margin 1.
@@ -314,9 +314,9 @@ fn every_drive_on_random_scenes_keeps_its_promises() {
         let planner = DRIVES[k % 3];
         let border = Value::from(if k % 2 == 0 { "bounce" } else { "leave" });
         let params = [("border", border), ("iterations", Value::from(if k % 3 == 0 { 20.0 } else { 1e6 }))];
-        let mut session = session(planner, &scene, &params, k as u64);
-        while session.step(u64::MAX) == Status::Running {}
-        let outcome = session.outcome();
+        let mut run = start(planner, &scene, &params, k as u64);
+        while run.step(u64::MAX) == Status::Running {}
+        let outcome = run.outcome();
         if outcome.status == Status::Infeasible {
             continue;
         }
@@ -334,10 +334,10 @@ fn every_drive_on_random_scenes_keeps_its_promises() {
             }
         }
         decided += usize::from(kinds(&outcome).contains(&"foreseen"));
-        let (end, hash) = (session.iteration(), session.hash());
-        session.seek(end / 2);
-        session.seek(end);
-        assert_eq!((session.hash(), session.end()), (hash, Some(end)));
+        let (end, hash) = (run.iteration(), run.hash());
+        run.seek(end / 2);
+        run.seek(end);
+        assert_eq!((run.hash(), run.end()), (hash, Some(end)));
     }
     assert!(arrived > 20 && decided > 10, "{arrived} {collided} {decided}");
 }
@@ -369,9 +369,9 @@ fn the_printed_path_is_driven_as_printed() {
         let params = point.map(|(name, value)| (name, Value::from(value))).into_iter().collect();
         Setup { planner: "a-star-drive".into(), scene, params, seed: 1 }
     };
-    let mut session = Run::with_keyframes(standard(), setup(crate::shipped("wolf-ant-20").unwrap()), 0).unwrap();
-    assert_eq!(session.step(u64::MAX), Status::Solved);
-    let outcome = session.outcome();
+    let mut run = Run::with_keyframes(standard(), setup(crate::shipped("wolf-ant-20").unwrap()), 0).unwrap();
+    assert_eq!(run.step(u64::MAX), Status::Solved);
+    let outcome = run.outcome();
     assert!((outcome.length.unwrap() - 562.842_712_474_619).abs() < 1e-9 && outcome.turns == Some(10), "{outcome:?}");
     let reading = |name: &str| outcome.readings.iter().find(|(n, _)| *n == name).unwrap().1;
     assert!((reading("time") - 38.142_135_623_731).abs() < 1e-9 && reading("collisions") == 0.0, "{:?}", outcome.readings);

@@ -15,7 +15,7 @@ fn scene(grid: GridScene) -> Arc<Scene> {
     Arc::new(grid::KIND.scene(shipped("ant-bat-30").unwrap().header().clone(), grid).unwrap())
 }
 
-fn session(planner: &str, scene: &Arc<Scene>, params: &[(&str, f64)]) -> Run {
+fn run(planner: &str, scene: &Arc<Scene>, params: &[(&str, f64)]) -> Run {
     let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
     Run::new(standard(), Setup { planner: planner.to_owned(), scene: Arc::clone(scene), params, seed: 1 }).unwrap()
 }
@@ -51,15 +51,15 @@ fn from_cell_to_cell_the_searches_are_exact_to_the_bit() {
     for scene in (0..700).filter_map(|_| random(&mut rng, 24)) {
         let exact = scene.exact_by(ReferenceOptimum::Cells).map(|exact| exact.length.to_bits());
         for name in ["dijkstra", "a-star"] {
-            let mut session = session(name, &scene, &[]);
-            let status = session.step(u64::MAX);
-            let outcome = session.outcome();
+            let mut run = run(name, &scene, &[]);
+            let status = run.step(u64::MAX);
+            let outcome = run.outcome();
             assert_eq!(outcome.cost.map(f64::to_bits), exact, "{name} in {:?}", scene.to_json());
             assert_eq!(status, if exact.is_some() { Status::Solved } else { Status::Infeasible });
             assert_eq!(outcome.feasible, exact.is_some());
-            assert!(session.iteration() <= 1024);
+            assert!(run.iteration() <= 1024);
             if let Some(length) = outcome.length {
-                let f = session.readings().get("f").unwrap();
+                let f = run.readings().get("f").unwrap();
                 assert!((length - outcome.cost.unwrap()).abs() < 1e-9 && (name == "dijkstra" || (f - length).abs() < 1e-9));
                 check_steps(&scene, outcome.path.as_ref().unwrap());
             }
@@ -89,9 +89,9 @@ fn at_any_angle_a_path_is_free_and_between_the_optimum_and_the_way_over_cells() 
     let mut rng = Stream::new(12, 0);
     let mut shorter = 0;
     for scene in (0..500).filter_map(|_| random(&mut rng, 20)) {
-        let mut session = session("theta-star", &scene, &[]);
-        let status = session.step(u64::MAX);
-        let outcome = session.outcome();
+        let mut run = run("theta-star", &scene, &[]);
+        let status = run.step(u64::MAX);
+        let outcome = run.outcome();
         let Some(over_cells) = scene.exact_by(ReferenceOptimum::Cells) else {
             assert_eq!((status, outcome.cost), (Status::Infeasible, None));
             continue;
@@ -111,11 +111,11 @@ fn how_many_cells_a_step_settles_does_not_change_the_result() {
     for scene in (0..60).filter_map(|_| random(&mut rng, 40)) {
         for name in ["dijkstra", "a-star", "theta-star"] {
             let run = |expand: f64| {
-                let mut session = session(name, &scene, &[("expand", expand)]);
-                session.step(u64::MAX);
-                let outcome = session.outcome();
-                assert_eq!(session.step(1), outcome.status, "a step afterwards does nothing");
-                assert_eq!((session.iteration(), outcome.hash), (outcome.iterations, session.hash()));
+                let mut run = run(name, &scene, &[("expand", expand)]);
+                run.step(u64::MAX);
+                let outcome = run.outcome();
+                assert_eq!(run.step(1), outcome.status, "a step afterwards does nothing");
+                assert_eq!((run.iteration(), outcome.hash), (outcome.iterations, run.hash()));
                 (outcome.status, outcome.cost.map(f64::to_bits), outcome.path, outcome.evaluations)
             };
             let one = run(1.0);
@@ -131,18 +131,18 @@ fn how_many_cells_a_step_settles_does_not_change_the_result() {
 fn the_lowest_f_rises_to_the_result() {
     let scene = shipped("wolf-ant-20").unwrap();
     for name in ["dijkstra", "a-star"] {
-        let mut session = session(name, &scene, &[("expand", 1.0)]);
+        let mut run = run(name, &scene, &[("expand", 1.0)]);
         let best = scene.exact_by(ReferenceOptimum::Cells).unwrap().length;
         let mut last = 0.0;
         loop {
-            let f = session.readings().get("f").unwrap();
+            let f = run.readings().get("f").unwrap();
             assert!(f >= last && f <= best + 1e-9, "{name}: {last} {f} {best}");
             last = f;
-            if session.step(1) != Status::Running {
+            if run.step(1) != Status::Running {
                 break;
             }
         }
-        assert_eq!(session.readings().get("converged"), Some(session.iteration() as f64));
+        assert_eq!(run.readings().get("converged"), Some(run.iteration() as f64));
     }
 }
 
@@ -150,30 +150,30 @@ fn the_lowest_f_rises_to_the_result() {
 #[test]
 fn g_h_and_f_are_those_computed_by_hand() {
     let scene = small(&[".#.", "...", "..."], [1.0, 1.0], [5.0, 1.0]);
-    let mut session = session("a-star", &scene, &[("expand", 1.0)]);
-    let value = |session: &mut Run, cell: usize, name: &str| {
-        let told = session.inspect(Item { layer: layers::CLOSED.key, index: cell }).unwrap();
+    let mut run = run("a-star", &scene, &[("expand", 1.0)]);
+    let value = |run: &mut Run, cell: usize, name: &str| {
+        let told = run.inspect(Item { layer: layers::CLOSED.key, index: cell }).unwrap();
         (told.event, told.values.iter().find(|v| v.name == name).map(|v| (v.value * 1e9).round() / 1e9))
     };
     let root = std::f64::consts::SQRT_2;
     let digits = |v: f64| Some((v * 1e9).round() / 1e9);
-    assert_eq!(value(&mut session, 0, "f"), ("frontier", Some(4.0)));
-    assert_eq!(value(&mut session, 4, "g"), ("unreached", None));
-    session.step(1);
-    assert_eq!(value(&mut session, 0, "g"), ("settled", Some(0.0)));
+    assert_eq!(value(&mut run, 0, "f"), ("frontier", Some(4.0)));
+    assert_eq!(value(&mut run, 4, "g"), ("unreached", None));
+    run.step(1);
+    assert_eq!(value(&mut run, 0, "g"), ("settled", Some(0.0)));
     // (0, 1) is two columns and one row from the goal: h = 2 (2 + (√2 − 1)).
-    assert_eq!(value(&mut session, 3, "g"), ("frontier", Some(2.0)));
-    assert_eq!(value(&mut session, 3, "h"), ("frontier", digits(2.0 + 2.0 * root)));
-    assert_eq!(value(&mut session, 3, "f"), ("frontier", digits(4.0 + 2.0 * root)));
-    session.step(1);
+    assert_eq!(value(&mut run, 3, "g"), ("frontier", Some(2.0)));
+    assert_eq!(value(&mut run, 3, "h"), ("frontier", digits(2.0 + 2.0 * root)));
+    assert_eq!(value(&mut run, 3, "f"), ("frontier", digits(4.0 + 2.0 * root)));
+    run.step(1);
     // (1, 1): g = 2 + 2, h = 2 √2 (the diagonal counts, though it may not be taken); (1, 2): g = 2 + 2 √2.
-    assert_eq!(value(&mut session, 4, "f"), ("frontier", digits(4.0 + 2.0 * root)));
-    assert_eq!(value(&mut session, 7, "g"), ("frontier", digits(2.0 + 2.0 * root)));
-    assert_eq!(session.step(u64::MAX), Status::Solved);
-    assert_eq!(session.outcome().cost, Some(8.0));
-    assert_eq!(session.inspect(Item { layer: layers::CLOSED.key, index: 1 }), None, "it is blocked");
-    assert_eq!(session.inspect(Item { layer: layers::CLOSED.key, index: 9 }), None);
-    let told = session.inspect(Item { layer: layers::CLOSED.key, index: 2 }).unwrap();
+    assert_eq!(value(&mut run, 4, "f"), ("frontier", digits(4.0 + 2.0 * root)));
+    assert_eq!(value(&mut run, 7, "g"), ("frontier", digits(2.0 + 2.0 * root)));
+    assert_eq!(run.step(u64::MAX), Status::Solved);
+    assert_eq!(run.outcome().cost, Some(8.0));
+    assert_eq!(run.inspect(Item { layer: layers::CLOSED.key, index: 1 }), None, "it is blocked");
+    assert_eq!(run.inspect(Item { layer: layers::CLOSED.key, index: 9 }), None);
+    let told = run.inspect(Item { layer: layers::CLOSED.key, index: 2 }).unwrap();
     let way = told.marks.iter().find(|mark| mark.layer == layers::BEFORE.key).unwrap();
     assert_eq!(way.vertices, [[1.0, 1.0, 0.0], [1.0, 3.0, 0.0], [3.0, 3.0, 0.0], [5.0, 3.0, 0.0], [5.0, 1.0, 0.0]]);
 }
@@ -185,9 +185,9 @@ fn a_weight_trades_length_for_fewer_cells() {
     for scene in (0..80).filter_map(|_| random(&mut rng, 40)) {
         let Some(exact) = scene.exact_by(ReferenceOptimum::Cells) else { continue };
         let run = |weight: f64| {
-            let mut session = session("a-star", &scene, &[("weight", weight)]);
-            session.step(u64::MAX);
-            session.outcome()
+            let mut run = run("a-star", &scene, &[("weight", weight)]);
+            run.step(u64::MAX);
+            run.outcome()
         };
         let (plain, greedy) = (run(1.0), run(3.0));
         assert!(greedy.feasible && greedy.cost.unwrap() >= exact.length && greedy.cost.unwrap() <= 3.0 * exact.length + 1e-9);
@@ -201,7 +201,7 @@ fn a_weight_trades_length_for_fewer_cells() {
 fn smoothing_hands_over_fewer_nodes_and_is_measured_at_any_angle() {
     let scene = shipped("ant-bat-30").unwrap();
     for name in ["dijkstra", "a-star", "theta-star"] {
-        let mut raw = session(name, &scene, &[]);
+        let mut raw = run(name, &scene, &[]);
         let params = [("smooth", Value::Flag(true))].into_iter().collect();
         let mut smooth = Run::new(standard(), Setup { planner: name.to_owned(), scene: Arc::clone(&scene), params, seed: 1 }).unwrap();
         raw.step(u64::MAX);
@@ -222,35 +222,35 @@ fn smoothing_hands_over_fewer_nodes_and_is_measured_at_any_angle() {
 #[test]
 fn the_picture_keeps_to_its_budget() {
     let scene = shipped("ant-bat-30").unwrap();
-    let mut session = session("dijkstra", &scene, &[("expand", 1.0)]);
-    session.step(300);
+    let mut run = run("dijkstra", &scene, &[("expand", 1.0)]);
+    run.step(300);
     let mut frame = crate::Frame::default();
     for (budget, cells) in [(usize::MAX, 900), (900, 900), (899, 225), (100, 100), (1, 1)] {
-        session.draw(&mut frame, budget);
+        run.draw(&mut frame, budget);
         let field = frame.spans().find(|span| span.layer == layers::CLOSED.key).unwrap();
         assert_eq!(field.count, cells);
         assert!(frame.spans().all(|span| span.count as usize <= budget.max(1)));
     }
-    session.draw(&mut frame, usize::MAX);
+    run.draw(&mut frame, usize::MAX);
     let field = frame.spans().find(|span| span.layer == layers::CLOSED.key).unwrap();
     let weights: Vec<_> = frame.vertices()[field.first as usize * 4..][..4 * 900].chunks_exact(4).map(|v| v[3]).collect();
     assert_eq!(weights.iter().filter(|&&w| w >= 0.0).count(), 300);
     let open = frame.spans().find(|span| span.layer == layers::FRONTIER.key).unwrap();
-    assert_eq!(f64::from(open.count), session.readings().get("frontier").unwrap());
+    assert_eq!(f64::from(open.count), run.readings().get("frontier").unwrap());
 }
 
 #[test]
 fn a_run_ends_at_its_limit_and_a_start_may_be_the_goal() {
     let scene = shipped("ant-bat-30").unwrap();
-    let mut stopped = session("a-star", &scene, &[("expand", 1.0), ("iterations", 5.0)]);
+    let mut stopped = run("a-star", &scene, &[("expand", 1.0), ("iterations", 5.0)]);
     assert_eq!((stopped.step(u64::MAX), stopped.iteration()), (Status::Exhausted, 5));
     let readings = stopped.readings();
     assert!(readings.get("best").unwrap().is_nan() && readings.get("smooth_length").unwrap().is_nan());
     let here = small(&["..", ".."], [0.5, 1.0], [1.5, 1.0]);
     for name in ["dijkstra", "a-star", "theta-star"] {
-        let mut session = session(name, &here, &[]);
-        assert_eq!(session.step(u64::MAX), Status::Solved);
-        assert_eq!(session.outcome().cost, Some(1.0));
+        let mut run = run(name, &here, &[]);
+        assert_eq!(run.step(u64::MAX), Status::Solved);
+        assert_eq!(run.outcome().cost, Some(1.0));
     }
 }
 
@@ -260,20 +260,20 @@ fn a_run_ends_at_its_limit_and_a_start_may_be_the_goal() {
 fn every_iteration_comes_back_and_every_cell_explains_itself() {
     let scene = shipped("ant-bat-30").unwrap();
     for name in ["dijkstra", "a-star", "theta-star"] {
-        let mut session = session(name, &scene, &[("expand", 3.0)]);
-        let mut hashes = vec![session.hash()];
-        while session.step(1) == Status::Running {
-            hashes.push(session.hash());
+        let mut run = run(name, &scene, &[("expand", 3.0)]);
+        let mut hashes = vec![run.hash()];
+        while run.step(1) == Status::Running {
+            hashes.push(run.hash());
         }
-        hashes.push(session.hash());
+        hashes.push(run.hash());
         for k in [hashes.len() / 2, 1, 40, 17, 0, hashes.len() - 1] {
-            session.seek(k as u64);
-            assert_eq!(session.hash(), hashes[k], "{name} {k}");
+            run.seek(k as u64);
+            assert_eq!(run.hash(), hashes[k], "{name} {k}");
         }
-        session.seek(hashes.len() as u64 / 2);
-        let entry = session.entry();
+        run.seek(hashes.len() as u64 / 2);
+        let entry = run.entry();
         for index in 0..900 {
-            let Some(told) = session.inspect(Item { layer: layers::CLOSED.key, index }) else {
+            let Some(told) = run.inspect(Item { layer: layers::CLOSED.key, index }) else {
                 assert!(!scene.get::<GridScene>().unwrap().cells().is_free(index));
                 continue;
             };

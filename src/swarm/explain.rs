@@ -289,7 +289,7 @@ mod tests {
         shipped, standard,
     };
 
-    fn session() -> Run {
+    fn run() -> Run {
         let scene = Arc::clone(&shipped("wcpso-discs").unwrap());
         Run::new(standard(), Setup { planner: "wcpso".into(), scene, params: crate::Overrides::default(), seed: 3 }).unwrap()
     }
@@ -298,13 +298,13 @@ mod tests {
     /// where the particle was to where it is. All three events must come up.
     #[test]
     fn the_explanation_adds_up_and_ends_where_the_particle_is() {
-        let mut session = session();
+        let mut run = run();
         let mut seen = std::collections::BTreeMap::new();
         for _ in 0..80 {
-            session.step(1);
-            let drawn = session_paths(&session);
+            run.step(1);
+            let drawn = drawn_paths(&run);
             for (index, path) in drawn.iter().enumerate() {
-                let told = session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
+                let told = run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
                 *seen.entry(told.event).or_insert(0) += 1;
                 let get = |row: &[f64], name| row[told.columns.iter().position(|c| c.name == name).unwrap()];
                 for row in &told.rows {
@@ -330,12 +330,12 @@ mod tests {
     fn told(set: &[(&str, &str)], check: impl Fn(&crate::kernel::Inspection)) -> std::collections::BTreeMap<&'static str, usize> {
         let params = set.iter().map(|&(name, value)| (name, crate::Value::from(value))).collect();
         let scene = crate::shipped("wcpso-discs").unwrap();
-        let mut session = Run::new(standard(), Setup { planner: "wcpso".into(), scene, params, seed: 4 }).unwrap();
+        let mut run = Run::new(standard(), Setup { planner: "wcpso".into(), scene, params, seed: 4 }).unwrap();
         let mut seen = std::collections::BTreeMap::new();
         for _ in 0..80 {
-            session.step(1);
-            for (index, path) in session_paths(&session).iter().enumerate() {
-                let told = session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
+            run.step(1);
+            for (index, path) in drawn_paths(&run).iter().enumerate() {
+                let told = run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
                 *seen.entry(told.event).or_insert(0) += 1;
                 let after = &told.marks.iter().find(|m| m.layer == layers::AFTER.key).unwrap().vertices;
                 assert!(after.iter().zip(path).all(|(a, b)| (a[0] - b[0]).abs() < 1e-5 && (a[1] - b[1]).abs() < 1e-5), "{}", told.summary);
@@ -391,18 +391,18 @@ mod tests {
         assert!(seen["move"] > 0 && seen["hen"] > 0 && seen["chick"] > 0, "{seen:?}");
     }
 
-    fn session_paths(session: &Run) -> Vec<Vec<[f64; 2]>> {
+    fn drawn_paths(run: &Run) -> Vec<Vec<[f64; 2]>> {
         let mut frame = crate::Frame::default();
-        session.draw(&mut frame, usize::MAX);
+        run.draw(&mut frame, usize::MAX);
         frame.spans().filter(|s| s.layer == layers::PARTICLES.key).map(|s| frame.points(s).collect()).collect()
     }
 
     #[test]
     fn nothing_is_said_about_a_particle_that_does_not_exist() {
-        let mut session = session();
-        assert_eq!(session.inspect(Item { layer: layers::PARTICLES.key, index: 0 }).unwrap().event, "start");
-        assert_eq!(session.inspect(Item { layer: layers::PARTICLES.key, index: 150 }), None);
-        session.step(2);
-        assert_eq!(session.inspect(Item { layer: layers::BEST.key, index: 0 }), None);
+        let mut run = run();
+        assert_eq!(run.inspect(Item { layer: layers::PARTICLES.key, index: 0 }).unwrap().event, "start");
+        assert_eq!(run.inspect(Item { layer: layers::PARTICLES.key, index: 150 }), None);
+        run.step(2);
+        assert_eq!(run.inspect(Item { layer: layers::BEST.key, index: 0 }), None);
     }
 }

@@ -132,31 +132,31 @@ pub const ENTRY: Entry = Entry::new(
 mod tests {
     use crate::{Run, Setup, Value, describe::layers, kernel::Item, shipped, standard};
 
-    fn session(scene: &str, params: &[(&str, f64)], seed: u64) -> Run {
+    fn run(scene: &str, params: &[(&str, f64)], seed: u64) -> Run {
         let params = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
         Run::new(standard(), Setup { planner: "pso-rrt".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
     }
 
-    fn reading(session: &mut Run, name: &str) -> f64 {
-        session.readings().get(name).unwrap()
+    fn reading(run: &mut Run, name: &str) -> f64 {
+        run.readings().get(name).unwrap()
     }
 
     #[test]
     fn particles_begin_on_the_free_paths_of_trees() {
         for scene in ["ant-bat-30", "wolf-ant-20", "wcpso-discs"] {
-            let mut session = session(scene, &[("population", 20.0), ("waypoints", 30.0), ("extensions", 100_000.0)], 1);
-            assert_eq!(reading(&mut session, "from_trees"), 20.0, "{scene}");
-            let outcome = session.outcome();
+            let mut run = run(scene, &[("population", 20.0), ("waypoints", 30.0), ("extensions", 100_000.0)], 1);
+            assert_eq!(reading(&mut run, "from_trees"), 20.0, "{scene}");
+            let outcome = run.outcome();
             assert!(outcome.feasible, "{scene}: with a waypoint for each corner nothing is lost");
             assert!(outcome.evaluations > 20, "{scene}: what the trees tested counts");
-            let told = session.inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
+            let told = run.inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
             assert!(told.summary.contains("on the path of a tree of"), "{}", told.summary);
         }
     }
 
     #[test]
     fn without_extensions_it_is_pso() {
-        let mut alone = session("wcpso-discs", &[("extensions", 0.0)], 4);
+        let mut alone = run("wcpso-discs", &[("extensions", 0.0)], 4);
         let params = [("population", Value::from(150.0))].into_iter().collect();
         let mut pso =
             Run::new(standard(), Setup { planner: "pso".into(), scene: shipped("wcpso-discs").unwrap(), params, seed: 4 }).unwrap();
@@ -167,7 +167,7 @@ mod tests {
             pso.step(1);
         }
         assert_eq!(reading(&mut alone, "from_trees"), 0.0);
-        let told = session("wcpso-discs", &[("extensions", 0.0)], 4).inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
+        let told = run("wcpso-discs", &[("extensions", 0.0)], 4).inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
         assert!(told.summary.contains("drawn at random"), "{}", told.summary);
     }
 }

@@ -12,7 +12,7 @@ use crate::{
     shipped, standard,
 };
 
-fn session(planner: &str, scene: &str, params: &[(&'static str, &str)], seed: u64) -> Run {
+fn start(planner: &str, scene: &str, params: &[(&'static str, &str)], seed: u64) -> Run {
     let params: Overrides = params.iter().map(|&(name, value)| (name, Value::from(value))).collect();
     Run::new(standard(), Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
@@ -30,9 +30,9 @@ fn whoever_can_build_roads_is_in_the_catalogue() {
 fn roads_of_swarms_give_a_feasible_tour() {
     for roads in ["cuckoo-search", "pso-rrt"] {
         for seed in 1..=3 {
-            let mut session = session("bat", "ant-bat-30", &[("roads", roads), ("iterations", "20")], seed);
-            session.step(u64::MAX);
-            let outcome = session.outcome();
+            let mut run = start("bat", "ant-bat-30", &[("roads", roads), ("iterations", "20")], seed);
+            run.step(u64::MAX);
+            let outcome = run.outcome();
             assert!(outcome.feasible && outcome.gap > Some(0.0), "{roads}, seed {seed}: {:?}", outcome.failure);
         }
     }
@@ -48,9 +48,9 @@ fn a_road_that_touches_an_obstacle_is_not_found() {
         [("iterations", 1.0), ("population", 1.0)].into_iter().map(|(name, value)| (name, Value::from(value))).collect();
     let setup = Setup { planner: "pso".into(), scene, params, seed: 1 };
     assert!(!{
-        let mut session = Run::new(standard(), setup.clone()).unwrap();
-        session.step(u64::MAX);
-        session.outcome().feasible
+        let mut run = Run::new(standard(), setup.clone()).unwrap();
+        run.step(u64::MAX);
+        run.outcome().feasible
     });
     let found = crate::run::run_to_end(standard(), setup).unwrap();
     assert_eq!((found.cost, found.path), (None, Vec::new()));
@@ -59,8 +59,8 @@ fn a_road_that_touches_an_obstacle_is_not_found() {
 #[test]
 fn roads_are_the_same_whoever_builds_them() {
     let params = [("roads", "aco"), ("iterations", "3")];
-    let mut alone = session("bat", "ant-bat-30", &params, 4);
-    let mut helped = session("bat", "ant-bat-30", &params, 4);
+    let mut alone = start("bat", "ant-bat-30", &params, 4);
+    let mut helped = start("bat", "ant-bat-30", &params, 4);
     while helped.status() == Status::Running {
         let jobs = helped.subtasks();
         if !jobs.is_empty() {
@@ -86,9 +86,9 @@ fn with_exact_roads_the_bats_find_the_exact_tour_for_every_round() {
     for (i, round) in ["closed", "open", "from-first", "first-to-last"].into_iter().enumerate() {
         let params = [("roads", "dijkstra"), ("smooth", "false"), ("round", round)];
         let outcomes = (1..=4).map(|seed| {
-            let mut session = session("bat", "ant-bat-30", &params, seed);
-            session.step(u64::MAX);
-            session.outcome()
+            let mut run = start("bat", "ant-bat-30", &params, seed);
+            run.step(u64::MAX);
+            run.outcome()
         });
         let outcomes: Vec<_> = outcomes.collect();
         // Bats promise nothing: some end in an open tour that is 1.6 % longer.
@@ -137,18 +137,18 @@ fn names(entry: &Entry, parameter: &str) -> bool {
 }
 
 /// The tour of every member is a permutation with the ends that it should have and as long as it says.
-fn check_members(session: &mut Run, round: TourEnds) {
-    let scene = Arc::clone(session.scene());
+fn check_members(run: &mut Run, round: TourEnds) {
+    let scene = Arc::clone(run.scene());
     let n = scene.stops().len();
     for index in 0.. {
-        let Some(told) = session.inspect(Item { layer: layers::TOURS.key, index }) else {
+        let Some(told) = run.inspect(Item { layer: layers::TOURS.key, index }) else {
             break;
         };
         let order: Vec<_> = told.rows.iter().map(|row| row[0] as usize - 1).collect();
-        assert!(round.allows(&order, n), "{} {order:?}", session.entry().name);
+        assert!(round.allows(&order, n), "{} {order:?}", run.entry().name);
         let length = told.values.iter().find(|value| value.name == "length").unwrap().value;
         assert!((distances(&scene).length(&order, round.closes()) - length).abs() < 1e-9);
-        assert!(length >= session.readings().get("best").unwrap());
+        assert!(length >= run.readings().get("best").unwrap());
     }
 }
 
@@ -166,22 +166,22 @@ fn tours_stay_permutations_and_the_best_never_rises_whatever_the_planner_and_the
                 if names(entry, "population") {
                     params.push(("population", Value::from((n % 7 + 1) as f64)));
                 }
-                let mut session = run(entry.name, &scene, &params, n as u64);
+                let mut run = run(entry.name, &scene, &params, n as u64);
                 let mut best = f64::INFINITY;
                 loop {
-                    let outcome = session.outcome();
+                    let outcome = run.outcome();
                     if let Some(order) = &outcome.order {
                         assert!(round.allows(order, n), "{} {order:?}", entry.name);
                         let cost = outcome.cost.unwrap();
                         assert!(cost <= best, "{}: the best rose from {best} to {cost}", entry.name);
                         assert_eq!(cost, distances(&scene).length(order, round.closes()), "{} adds up", entry.name);
                         best = cost;
-                        check_members(&mut session, round);
+                        check_members(&mut run, round);
                     }
-                    if session.status() != Status::Running {
+                    if run.status() != Status::Running {
                         break;
                     }
-                    session.step(1);
+                    run.step(1);
                 }
                 assert!(best.is_finite(), "{} finds a tour of {n} stops, {name}", entry.name);
             }
@@ -205,10 +205,10 @@ fn every_number_of_a_tour_planner_runs_at_both_ends_of_its_range() {
                 if names(entry, "population") && parameter.name != "population" {
                     params.push(("population", Value::from(3.0)));
                 }
-                let mut session = run(entry.name, &scene, &params, 3);
-                session.step(if value >= 1000.0 { 2 } else { 12 });
-                let found = session.outcome().cost.is_some();
-                for (name, value) in session.readings().iter() {
+                let mut run = run(entry.name, &scene, &params, 3);
+                run.step(if value >= 1000.0 { 2 } else { 12 });
+                let found = run.outcome().cost.is_some();
+                for (name, value) in run.readings().iter() {
                     let waits = !found || ["partial", "settled"].contains(&name);
                     assert!(value.is_finite() || (value.is_nan() && waits), "{} {}={value}: {name}", entry.name, parameter.name);
                 }
@@ -236,16 +236,16 @@ fn held_and_karp_find_the_shortest_of_all_orders() {
     for n in 2..=12 {
         let scene = stops(n, &mut rng);
         for (round, name) in TourEnds::ALL.into_iter().zip(ROUNDS) {
-            let mut session = run("held-karp", &scene, &[("round", Value::from(name))], 1);
-            session.step(u64::MAX);
-            let outcome = session.outcome();
+            let mut run = run("held-karp", &scene, &[("round", Value::from(name))], 1);
+            run.step(u64::MAX);
+            let outcome = run.outcome();
             assert_eq!(outcome.status, Status::Solved);
             let expected = match n {
                 2..=8 => by_trying(&mut (0..n).collect(), 0, distances(&scene), round),
                 _ => crate::exact::shortest_tour(distances(&scene), round).unwrap().1,
             };
             assert!((outcome.cost.unwrap() - expected).abs() < 1e-12, "{n} stops, {name}");
-            assert!((session.readings().get("partial").unwrap() - expected).abs() < 1e-12);
+            assert!((run.readings().get("partial").unwrap() - expected).abs() < 1e-12);
         }
     }
 }
@@ -267,19 +267,19 @@ fn held_and_karp_take_no_more_stops_than_they_say() {
 fn annealing_cools_from_where_it_would_accept_what_was_asked_for() {
     let mut rng = Stream::new(15, 0);
     let scene = stops(20, &mut rng);
-    let mut session = run("sa", &scene, &[("cooling", Value::from(1.0)), ("moves", Value::from(1000.0))], 1);
-    session.step(5);
-    let accepted = session.readings().get("accepted").unwrap();
+    let mut steady = run("sa", &scene, &[("cooling", Value::from(1.0)), ("moves", Value::from(1000.0))], 1);
+    steady.step(5);
+    let accepted = steady.readings().get("accepted").unwrap();
     // 0.8 of the moves up and all down, of moves on a random tour; while it is hot tours stay nearly random.
     assert!((0.75..0.95).contains(&accepted), "{accepted}");
-    let mut session = run("sa", &scene, &[("cooling", Value::from(0.5))], 1);
-    session.step(1);
-    let first = session.readings().get("temperature").unwrap();
-    session.step(3);
-    assert_eq!(session.readings().get("temperature"), Some(first / 8.0));
-    session.step(u64::MAX);
-    assert_eq!(session.outcome().status, Status::Exhausted);
-    assert!(session.readings().get("temperature").unwrap() >= 0.0);
+    let mut cooled = run("sa", &scene, &[("cooling", Value::from(0.5))], 1);
+    cooled.step(1);
+    let first = cooled.readings().get("temperature").unwrap();
+    cooled.step(3);
+    assert_eq!(cooled.readings().get("temperature"), Some(first / 8.0));
+    cooled.step(u64::MAX);
+    assert_eq!(cooled.outcome().status, Status::Exhausted);
+    assert!(cooled.readings().get("temperature").unwrap() >= 0.0);
 }
 
 #[test]
@@ -291,10 +291,10 @@ fn two_thousand_stops_are_not_too_many() {
         if names(entry, "population") {
             params.push(("population", Value::from(5.0)));
         }
-        let mut session = run(entry.name, &scene, &params, 1);
-        let first = session.outcome().cost.unwrap();
-        session.step(u64::MAX);
-        let outcome = session.outcome();
+        let mut run = run(entry.name, &scene, &params, 1);
+        let first = run.outcome().cost.unwrap();
+        run.step(u64::MAX);
+        let outcome = run.outcome();
         assert!(TourEnds::Closed.allows(&outcome.order.unwrap(), 2000), "{}", entry.name);
         assert!(outcome.cost.unwrap() <= first);
     }
@@ -306,9 +306,9 @@ fn an_optimum_that_is_longer_than_what_is_found_is_none() {
     let mut file: serde_json::Value = serde_json::from_str(&text).unwrap();
     file["exact"] = serde_json::json!({"length": 100_000});
     let scene = Arc::new(standard().read_scene_value(file).unwrap());
-    let mut session = Run::new(standard(), Setup { planner: "two-opt".into(), scene, params: Overrides::new(), seed: 1 }).unwrap();
-    session.step(u64::MAX);
-    let outcome = session.outcome();
+    let mut run = Run::new(standard(), Setup { planner: "two-opt".into(), scene, params: Overrides::new(), seed: 1 }).unwrap();
+    run.step(u64::MAX);
+    let outcome = run.outcome();
     assert_eq!((outcome.exact, outcome.gap, outcome.exact_by), (None, None, crate::kernel::ReferenceOptimum::Refuted));
 }
 
@@ -318,9 +318,9 @@ fn ants_that_build_no_road_are_told_of() {
     let scene = Arc::new(standard().read_scene(&text).unwrap());
     let run = |roads: &str| {
         let params: Overrides = [("roads", Value::from(roads)), ("iterations", Value::from(5.0))].into_iter().collect();
-        let mut session = Run::new(standard(), Setup { planner: "held-karp".into(), scene: Arc::clone(&scene), params, seed: 1 }).unwrap();
-        session.step(u64::MAX);
-        session.outcome()
+        let mut run = Run::new(standard(), Setup { planner: "held-karp".into(), scene: Arc::clone(&scene), params, seed: 1 }).unwrap();
+        run.step(u64::MAX);
+        run.outcome()
     };
     let (ants, exact) = (run("aco-direction"), run("a-star"));
     assert_eq!((exact.status, exact.failure), (Status::Solved, None));
@@ -333,10 +333,10 @@ fn ants_that_build_no_road_are_told_of() {
 #[test]
 fn the_shortest_tour_by_road_is_what_held_karp_finds_on_those_roads() {
     for (roads, round) in [("a-star", "closed"), ("theta-star", "open"), ("aco", "first-to-last")] {
-        let mut session = session("held-karp", "ant-bat-30", &[("roads", roads), ("round", round)], 3);
-        assert!(session.readings().get("by_road").unwrap().is_nan(), "there are no roads yet");
-        session.step(u64::MAX);
-        let (best, by_road) = (session.readings().get("best").unwrap(), session.readings().get("by_road").unwrap());
+        let mut run = start("held-karp", "ant-bat-30", &[("roads", roads), ("round", round)], 3);
+        assert!(run.readings().get("by_road").unwrap().is_nan(), "there are no roads yet");
+        run.step(u64::MAX);
+        let (best, by_road) = (run.readings().get("best").unwrap(), run.readings().get("by_road").unwrap());
         assert!((best - by_road).abs() < 1e-9, "{roads}, {round}: {best} and {by_road}");
     }
 }

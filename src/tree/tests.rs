@@ -24,7 +24,7 @@ use super::{
 
 const TREES: [&str; 4] = ["rrt", "rrt-guided", "rrt-connect", "rrt-star"];
 
-fn session(planner: &str, scene: &str, given: &[(&str, Value)], seed: u64) -> Run {
+fn run(planner: &str, scene: &str, given: &[(&str, Value)], seed: u64) -> Run {
     let params: Overrides = given.iter().map(|(name, value)| (*name, value.clone())).collect();
     Run::new(standard(), Setup { planner: planner.into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
@@ -277,7 +277,7 @@ fn by_distance_the_wheel_keeps_four_and_the_nearest_that_is_free_is_taken() {
 
 #[test]
 fn a_node_says_how_it_came_about_however_long_ago() {
-    let mut run = session("rrt-guided", "arm-cuboid", &[], 3);
+    let mut run = run("rrt-guided", "arm-cuboid", &[], 3);
     run.step(200);
     let nodes = run.readings().get("nodes").unwrap() as usize;
     let mut fallbacks = 0;
@@ -305,7 +305,7 @@ fn the_guided_tree_needs_fewer_nodes_and_without_obstacle_runs_nearly_straight()
     let runs = |planner: &str, scene: &str| -> Vec<(f64, f64)> {
         let mut runs: Vec<_> = (0..15)
             .map(|seed| {
-                let mut run = session(planner, scene, &[], seed);
+                let mut run = run(planner, scene, &[], seed);
                 assert_eq!(run.step(u64::MAX), Status::Solved, "{planner} {scene} {seed}");
                 (run.readings().get("nodes").unwrap(), run.outcome().cost.unwrap())
             })
@@ -324,15 +324,14 @@ fn the_guided_tree_needs_fewer_nodes_and_without_obstacle_runs_nearly_straight()
 
 #[test]
 fn rewiring_makes_ways_shorter_and_informed_samples_stay_where_a_shorter_path_can_lead() {
-    let mut run = session("rrt-star", "arm-cuboid", &[("iterations", number(3000.0))], 5);
+    let mut informed = run("rrt-star", "arm-cuboid", &[("iterations", number(3000.0))], 5);
     let mut first = None;
-    while run.step(50) == Status::Running {
-        first = first.or(run.outcome().cost);
+    while informed.step(50) == Status::Running {
+        first = first.or(informed.outcome().cost);
     }
-    let last = run.outcome();
+    let last = informed.outcome();
     assert!(last.cost.unwrap() < first.unwrap() && last.feasible);
-    let uninformed = session("rrt-star", "arm-cuboid", &[("iterations", number(3000.0)), ("informed", Value::Flag(false))], 5);
-    let mut uninformed = uninformed;
+    let mut uninformed = run("rrt-star", "arm-cuboid", &[("iterations", number(3000.0)), ("informed", Value::Flag(false))], 5);
     uninformed.step(u64::MAX);
     assert!(last.cost.unwrap() < uninformed.outcome().cost.unwrap());
 }

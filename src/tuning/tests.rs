@@ -13,7 +13,7 @@ use crate::{
     shipped, standard,
 };
 
-fn session(params: &[(&str, &str)]) -> Run {
+fn run(params: &[(&str, &str)]) -> Run {
     let params = [("population", "3"), ("seeds", "2"), ("colony_iterations", "4"), ("iterations", "5")]
         .iter()
         .chain(params)
@@ -53,7 +53,7 @@ fn an_axis_goes_through_its_slider_s_range_evenly_or_by_magnitudes() {
 /// Whoever carries the jobs out, in whatever order, the run is the same to the last bit.
 #[test]
 fn supplied_findings_give_the_same_run() {
-    let (mut alone, mut helped) = (session(&[]), session(&[]));
+    let (mut alone, mut helped) = (run(&[]), run(&[]));
     for _ in 0..5 {
         let jobs = helped.subtasks();
         assert_eq!(jobs.len(), 6);
@@ -77,7 +77,7 @@ fn supplied_findings_give_the_same_run() {
 
 #[test]
 fn what_it_recommends_gives_what_it_says() {
-    let mut tuning = session(&[("tune", "alpha,rho")]);
+    let mut tuning = run(&[("tune", "alpha,rho")]);
     tuning.step(5);
     let outcome = tuning.outcome();
     let tuned = outcome.tuned.unwrap();

@@ -3,7 +3,7 @@
 use super::*;
 use crate::{Run, Setup, Value, shipped, standard};
 
-fn session(scene: &str, params: &[(&str, Value)], seed: u64) -> Run {
+fn run(scene: &str, params: &[(&str, Value)], seed: u64) -> Run {
     let params = params.iter().cloned().collect();
     Run::new(standard(), Setup { planner: "bat-continuous".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
@@ -13,13 +13,13 @@ fn session(scene: &str, params: &[(&str, Value)], seed: u64) -> Run {
 fn a_bat_moves_by_the_printed_equations() {
     for (pull, sign) in [("printed", 1.0), ("toward", -1.0)] {
         let [r0, v_max] = [Value::from(0.6), Value::from(1000.0)];
-        let mut session = session("sphere-2", &[("population", 9.0.into()), ("pull", pull.into()), ("r0", r0), ("v_max", v_max)], 3);
+        let mut run = run("sphere-2", &[("population", 9.0.into()), ("pull", pull.into()), ("r0", r0), ("v_max", v_max)], 3);
         let mut seen = std::collections::BTreeMap::new();
         for t in 1..=20 {
-            let quiet: Vec<_> = (0..9).map(|i| told(&mut session, i)).collect();
-            session.step(1);
+            let quiet: Vec<_> = (0..9).map(|i| told(&mut run, i)).collect();
+            run.step(1);
             for (index, before) in quiet.iter().enumerate() {
-                let after = told(&mut session, index);
+                let after = told(&mut run, index);
                 let of = |name: &str| after.values.iter().find(|v| v.name == name).unwrap().value;
                 let walked = after.event == "walk";
                 let v = of("v_before") + sign * (of("x_before") - of("g")) * of("f");
@@ -41,20 +41,20 @@ fn a_bat_moves_by_the_printed_equations() {
     }
 }
 
-fn told(session: &mut Run, index: usize) -> Inspection {
-    session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap()
+fn told(run: &mut Run, index: usize) -> Inspection {
+    run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap()
 }
 
 #[test]
 fn what_is_found_is_kept_although_it_was_not_accepted() {
     // So quiet that nothing is ever accepted: the bats stay, and the best still gets better.
-    let mut session = session("sphere-2", &[("a0", Value::from(0.0))], 1);
-    let (first, mean) = (session.best().unwrap().cost, reading(&mut session, "mean"));
-    session.step(200);
-    assert!(session.best().unwrap().cost < first / 10.0);
-    assert_eq!((reading(&mut session, "mean"), reading(&mut session, "accepted")), (mean, 0.0));
+    let mut run = run("sphere-2", &[("a0", Value::from(0.0))], 1);
+    let (first, mean) = (run.best().unwrap().cost, reading(&mut run, "mean"));
+    run.step(200);
+    assert!(run.best().unwrap().cost < first / 10.0);
+    assert_eq!((reading(&mut run, "mean"), reading(&mut run, "accepted")), (mean, 0.0));
 }
 
-fn reading(session: &mut Run, name: &str) -> f64 {
-    session.readings().iter().find(|(known, _)| *known == name).unwrap().1
+fn reading(run: &mut Run, name: &str) -> f64 {
+    run.readings().iter().find(|(known, _)| *known == name).unwrap().1
 }

@@ -3,13 +3,13 @@
 use super::*;
 use crate::{Run, Setup, Value, shipped, standard};
 
-fn session(scene: &str, params: &[(&str, Value)], seed: u64) -> Run {
+fn run(scene: &str, params: &[(&str, Value)], seed: u64) -> Run {
     let params = params.iter().cloned().collect();
     Run::new(standard(), Setup { planner: "cuckoo-search".into(), scene: shipped(scene).unwrap(), params, seed }).unwrap()
 }
 
-fn told(session: &mut Run, index: usize) -> Inspection {
-    session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap()
+fn told(run: &mut Run, index: usize) -> Inspection {
+    run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap()
 }
 
 fn close(value: f64, expected: f64) {
@@ -19,13 +19,13 @@ fn close(value: f64, expected: f64) {
 /// Both moves of every nest of several iterations, by the numbers that its explanation names; all four outcomes come up.
 #[test]
 fn a_nest_moves_by_the_equations() {
-    let mut session = session("sphere-2", &[("population", 9.0.into()), ("alpha", 0.5.into())], 3);
+    let mut run = run("sphere-2", &[("population", 9.0.into()), ("alpha", 0.5.into())], 3);
     let mut seen = std::collections::BTreeSet::new();
     let sigma = Levy::new(1.5).sigma;
     for _ in 0..30 {
-        session.step(1);
+        run.step(1);
         for index in 0..9 {
-            let told = told(&mut session, index);
+            let told = told(&mut run, index);
             let of = |name: &str| told.values.iter().find(|v| v.name == name).unwrap().value;
             assert_eq!(of("sigma"), sigma);
             close(of("s"), of("u") / crate::math::pow(of("v").abs(), 1.0 / 1.5));
@@ -45,29 +45,29 @@ fn a_nest_moves_by_the_equations() {
 
 #[test]
 fn every_nest_is_evaluated_twice_in_an_iteration() {
-    let mut session = session("matyas", &[("population", 12.0.into())], 1);
-    assert_eq!(session.outcome().evaluations, 12);
-    session.step(5);
-    assert_eq!(session.outcome().evaluations, 12 + 5 * 24);
+    let mut run = run("matyas", &[("population", 12.0.into())], 1);
+    assert_eq!(run.outcome().evaluations, 12);
+    run.step(5);
+    assert_eq!(run.outcome().evaluations, 12 + 5 * 24);
 }
 
 #[test]
 fn nothing_is_rebuilt_where_nothing_is_abandoned() {
-    let mut session = session("matyas", &[("population", 12.0.into()), ("p_a", 0.0.into()), ("alpha", 0.0.into())], 1);
-    let before = session.best().unwrap().cost;
-    session.step(20);
-    assert_eq!(session.best().unwrap().cost, before, "neither a flight of length 0 nor a walk leads away");
-    let mut session = self::session("matyas", &[("population", 12.0.into()), ("p_a", 1.0.into())], 1);
-    session.step(1);
-    assert!(told(&mut session, 3).rows.iter().all(|row| row[4] == 1.0));
+    let mut run = run("matyas", &[("population", 12.0.into()), ("p_a", 0.0.into()), ("alpha", 0.0.into())], 1);
+    let before = run.best().unwrap().cost;
+    run.step(20);
+    assert_eq!(run.best().unwrap().cost, before, "neither a flight of length 0 nor a walk leads away");
+    let mut run = self::run("matyas", &[("population", 12.0.into()), ("p_a", 1.0.into())], 1);
+    run.step(1);
+    assert!(told(&mut run, 3).rows.iter().all(|row| row[4] == 1.0));
 }
 
 /// [Yang and Deb 2009] has no figures to compare with; 60,000 evaluations are enough for a bowl.
 #[test]
 fn it_finds_the_bottom_of_a_bowl() {
     for seed in 1..=3 {
-        let mut session = session("sphere-2", &[], seed);
-        session.step(u64::MAX);
-        assert!(session.best().unwrap().cost < 1e-9, "{}", session.best().unwrap().cost);
+        let mut run = run("sphere-2", &[], seed);
+        run.step(u64::MAX);
+        assert!(run.best().unwrap().cost < 1e-9, "{}", run.best().unwrap().cost);
     }
 }

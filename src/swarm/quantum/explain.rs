@@ -129,16 +129,16 @@ mod tests {
     fn the_explanation_ends_where_the_particle_is() {
         let scene = Arc::clone(&shipped("qpso-10m").unwrap());
         let params = Overrides::from_iter([("population", Value::from(12.0))]);
-        let mut session = Run::new(standard(), Setup { planner: "ltqpso".into(), scene, params, seed: 3 }).unwrap();
+        let mut run = Run::new(standard(), Setup { planner: "ltqpso".into(), scene, params, seed: 3 }).unwrap();
         let mut seen = std::collections::BTreeMap::new();
         for _ in 0..20 {
-            session.step(1);
+            run.step(1);
             let mut frame = Frame::default();
-            session.draw(&mut frame, usize::MAX);
+            run.draw(&mut frame, usize::MAX);
             let drawn: Vec<Vec<_>> =
                 frame.spans().filter(|s| s.layer == layers::PARTICLES.key).map(|s| frame.points(s).collect()).collect();
             for (index, path) in drawn.iter().enumerate() {
-                let told = session.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
+                let told = run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
                 *seen.entry(told.event).or_insert(0) += 1;
                 let of = |name| told.values.iter().find(|v| v.name == name).unwrap().value;
                 let to =
