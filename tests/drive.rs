@@ -6,7 +6,7 @@ use std::sync::Arc;
 use forage::{
     Overrides, Run, Scene, Setup, Value,
     describe::Extra,
-    follow::drive::{COLUMNS, Drive, DriveOutcome, RESOLUTION, SPEED, settings, simulate},
+    follow::drive::{COLUMNS, Drive, DriveOutcome, RESOLUTION, SPEED, parameters, simulate},
     geometry::{self, Oriented, YAxis},
     math,
     scene::{GridScene, Robot},
@@ -34,7 +34,7 @@ fn given(pairs: &[(&str, f64)]) -> Overrides {
 }
 
 fn drive(scene: &GridScene, path: &[[f64; 2]], pairs: &[(&str, f64)]) -> Drive {
-    simulate(scene, path, &settings(scene.robot, &given(pairs)).unwrap()).unwrap()
+    simulate(scene, path, &parameters(scene.robot, &given(pairs)).unwrap()).unwrap()
 }
 
 /// A row by the columns' names.
@@ -131,7 +131,7 @@ fn a_later_pass_is_not_taken_for_this_one() {
     }
     let nowhere = drive(&free, &[[1.0, 1.0], [1.0, 1.0]], &[]);
     assert!(nowhere.outcome.arrived && nowhere.outcome.time == 0.0 && rows(&nowhere).len() == 1);
-    assert!(simulate(&free, &[], &settings(None, &Overrides::new()).unwrap()).is_none());
+    assert!(simulate(&free, &[], &parameters(None, &Overrides::new()).unwrap()).is_none());
 }
 
 /// The path keeps 0.16 m from a wall: the robot, 0.3 m wide, passes with a centimetre. Rounding the wall's corner its

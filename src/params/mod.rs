@@ -1,7 +1,7 @@
 //! Parameter descriptions, and values checked against them.
 //!
 //! A planner declares its parameters once, each as a constant [`Param`]. Its entry lists them as [`Parameter`]s; controls,
-//! command-line help, the checks and the defaults all follow from that. Its code reads them by `settings[POPULATION]`, so a
+//! command-line help, the checks and the defaults all follow from that. Its code reads them by `parameters[POPULATION]`, so a
 //! misspelt name does not compile.
 
 mod overrides;

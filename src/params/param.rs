@@ -10,7 +10,7 @@ use crate::kernel::SceneKindId;
 
 use super::{Choice, Domain, Fixed, Parameter, Parameters, When};
 
-/// A parameter and the type of its values: declared once, listed by [`Param::entry`], read by `settings[POPULATION]`.
+/// A parameter and the type of its values: declared once, listed by [`Param::entry`], read by `parameters[POPULATION]`.
 ///
 /// It is read by name. So a planner may list a variant of a shared parameter (another default, another help text), and
 /// the code that planners share reads the shared one.
@@ -41,42 +41,42 @@ pub enum Selection {}
 pub trait ParamValue: Sized + 'static {
     /// The value of a parameter: what its chosen option means, unless it is a number, a flag or a name.
     #[inline(always)]
-    fn read<'a>(settings: &'a Parameters, param: &Param<Self>) -> &'a Self {
-        param.chosen(settings)
+    fn read<'a>(parameters: &'a Parameters, param: &Param<Self>) -> &'a Self {
+        param.chosen(parameters)
     }
 }
 
 impl ParamValue for f64 {
     #[inline(always)]
-    fn read<'a>(settings: &'a Parameters, param: &Param<Self>) -> &'a Self {
+    fn read<'a>(parameters: &'a Parameters, param: &Param<Self>) -> &'a Self {
         match param.parameter.domain {
-            Domain::Choice { .. } => param.chosen(settings),
-            _ => settings.number(param.parameter.name),
+            Domain::Choice { .. } => param.chosen(parameters),
+            _ => parameters.number(param.parameter.name),
         }
     }
 }
 
 impl ParamValue for u64 {
     #[inline(always)]
-    fn read<'a>(settings: &'a Parameters, param: &Param<Self>) -> &'a Self {
-        settings.whole(param.parameter.name)
+    fn read<'a>(parameters: &'a Parameters, param: &Param<Self>) -> &'a Self {
+        parameters.whole(param.parameter.name)
     }
 }
 
 impl ParamValue for bool {
     #[inline(always)]
-    fn read<'a>(settings: &'a Parameters, param: &Param<Self>) -> &'a Self {
+    fn read<'a>(parameters: &'a Parameters, param: &Param<Self>) -> &'a Self {
         match param.parameter.domain {
-            Domain::Choice { .. } => param.chosen(settings),
-            _ => settings.flag(param.parameter.name),
+            Domain::Choice { .. } => param.chosen(parameters),
+            _ => parameters.flag(param.parameter.name),
         }
     }
 }
 
 impl ParamValue for &'static str {
     #[inline(always)]
-    fn read<'a>(settings: &'a Parameters, param: &Param<Self>) -> &'a Self {
-        &settings.option(param.parameter.name, param.parameter.options()).1.value
+    fn read<'a>(parameters: &'a Parameters, param: &Param<Self>) -> &'a Self {
+        &parameters.option(param.parameter.name, param.parameter.options()).1.value
     }
 }
 
@@ -130,8 +130,8 @@ impl<T> Param<T> {
 
     /// What the chosen option means.
     #[inline(always)]
-    fn chosen(&self, settings: &Parameters) -> &'static T {
-        &self.meanings[settings.option(self.parameter.name, self.parameter.options()).0]
+    fn chosen(&self, parameters: &Parameters) -> &'static T {
+        &self.meanings[parameters.option(self.parameter.name, self.parameter.options()).0]
     }
 
     /// Its name, as in `--set name=value`.

@@ -4,7 +4,7 @@ use crate::kernel::{Error, SceneKindId};
 
 use super::{Choice, Overrides, Parameter, Value, When};
 
-/// A valid value for every parameter of a planner on a kind of scene. Read by `settings[POPULATION]`, see
+/// A valid value for every parameter of a planner on a kind of scene. Read by `parameters[POPULATION]`, see
 /// [`Param`](super::Param).
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Parameters {
@@ -144,8 +144,8 @@ mod tests {
         for good in ["a", "b,a"] {
             parameter.check(&Value::from(good)).unwrap();
         }
-        let settings = Parameters::new(SOME_ONLY, GRID, &given("some", "b,a")).unwrap();
-        assert_eq!(&settings[SOME], "b,a");
+        let parameters = Parameters::new(SOME_ONLY, GRID, &given("some", "b,a")).unwrap();
+        assert_eq!(&parameters[SOME], "b,a");
         for bad in ["", "c", "a,a", "a,", "a b"] {
             assert_eq!(parameter.check(&Value::from(bad)).unwrap_err().allowed(), "some of a, b, each once, with commas between");
         }

@@ -47,7 +47,7 @@ impl Setup {
     /// # Errors
     /// As [`Setup::check`].
     pub fn suggest(&self, registry: &Registry) -> Result<Option<Suggestion>, Error> {
-        let (entry, settings) = self.check(registry)?;
-        Ok((entry.suggest)(&settings))
+        let (entry, parameters) = self.check(registry)?;
+        Ok((entry.suggest)(&parameters))
     }
 }

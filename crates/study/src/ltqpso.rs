@@ -82,8 +82,8 @@ impl Case {
             sizes
         } else {
             // By ltqpso's equation for both planners: equal evaluations.
-            let (entry, settings) = Setup { planner: "ltqpso".to_owned(), ..setup.clone() }.check(standard())?;
-            (entry.suggest)(&settings)
+            let (entry, parameters) = Setup { planner: "ltqpso".to_owned(), ..setup.clone() }.check(standard())?;
+            (entry.suggest)(&parameters)
                 .map(|suggestion| [suggestion.population, suggestion.iterations])
                 .ok_or_else(|| Error::refused("segments", self.segments, "from 5 to 20"))?
         };

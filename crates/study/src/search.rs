@@ -140,8 +140,8 @@ impl Task {
     /// # Errors
     /// A D that they do not cover.
     pub fn published(&self) -> Result<[u64; 2], Error> {
-        let (entry, settings) = self.setup([SMALLEST; 2], 1)?.check(standard())?;
-        (entry.suggest)(&settings)
+        let (entry, parameters) = self.setup([SMALLEST; 2], 1)?.check(standard())?;
+        (entry.suggest)(&parameters)
             .map(|suggestion| [suggestion.population, suggestion.iterations])
             .ok_or_else(|| Error::refused("segments", self.segments, "from 5 to 20"))
     }
@@ -156,9 +156,9 @@ impl Task {
                 return Ok(None);
             }
             let setup = self.setup(sizes, seed)?;
-            let (entry, settings) = setup.check(standard())?;
+            let (entry, parameters) = setup.check(standard())?;
             // Without the run around it: nobody looks at the trace of a hundred thousand runs.
-            let start = describe::Start { scene: &setup.scene, parameters: &settings, seed, entries: &**standard() };
+            let start = describe::Start { scene: &setup.scene, parameters: &parameters, seed, entries: &**standard() };
             let mut run = Stepper::from((entry.start)(&start)?);
             while run.step(|_| Vec::new()) {}
             let length = run.planner.best().and_then(|best| setup.scene.judge(&best.solution).length);

@@ -104,7 +104,7 @@ pub struct Drive {
     /// The robot's length and width.
     pub outline: [f64; 2],
     /// Every parameter's value.
-    pub settings: Parameters,
+    pub parameters: Parameters,
 }
 
 impl FollowedPath for Drive {
@@ -117,7 +117,7 @@ impl FollowedPath for Drive {
     }
 
     fn parameters(&self) -> &Parameters {
-        &self.settings
+        &self.parameters
     }
 
     fn extra(&self) -> Vec<(&'static str, Extra<'_>)> {
@@ -149,7 +149,7 @@ impl FollowOutcome for DriveOutcome {
 ///
 /// # Errors
 /// As [`Parameters::new`]: the field, its value and what is allowed.
-pub fn settings(robot: Option<Robot>, given: &Overrides) -> Result<Parameters, Error> {
+pub fn parameters(robot: Option<Robot>, given: &Overrides) -> Result<Parameters, Error> {
     let usual = |param: Param<f64>| number(&param.entry().default_on(GRID));
     let Robot { length, width, speed, .. } = robot.unwrap_or_default();
     let (long, wide) = (length.map_or(1.0, |length| length / 0.4), width.map_or(1.0, |width| width / 0.3));
@@ -186,24 +186,24 @@ pub fn robot(scene: &Scene) -> Option<(&GridScene, [f64; 2])> {
 /// The drive along a path; `None` in a scene without a robot that has length and width, and without a path.
 ///
 /// # Errors
-/// As [`settings`], whether there is anything to drive or not.
+/// As [`parameters()`], whether there is anything to drive or not.
 pub fn along(scene: &Scene, path: Option<&[[f64; 2]]>, given: &Overrides) -> Result<Option<Drive>, Error> {
     let grid = robot(scene);
-    let settings = settings(grid.and_then(|(grid, _)| grid.robot), given)?;
-    Ok(grid.zip(path).and_then(|((grid, _), path)| simulate(grid, path, &settings)))
+    let parameters = parameters(grid.and_then(|(grid, _)| grid.robot), given)?;
+    Ok(grid.zip(path).and_then(|((grid, _), path)| simulate(grid, path, &parameters)))
 }
 
 /// Drives the scene's robot along a path. `None` for a robot without length and width, and for a path without corners.
-pub fn simulate(scene: &GridScene, path: &[[f64; 2]], settings: &Parameters) -> Option<Drive> {
+pub fn simulate(scene: &GridScene, path: &[[f64; 2]], parameters: &Parameters) -> Option<Drive> {
     let (outline, course) = (scene.outline()?, Course::new(path)?);
-    let limits = Limits { speed: settings[SPEED], turn_rate: settings[TURN_RATE], period: settings[PERIOD] };
+    let limits = Limits { speed: parameters[SPEED], turn_rate: parameters[TURN_RATE], period: parameters[PERIOD] };
     let wheels = Wheels {
-        radius: settings[WHEEL_RADIUS],
-        distance: settings[WHEEL_DISTANCE],
-        counts: settings[PULSES] * settings[DECODER] * settings[GEAR],
+        radius: parameters[WHEEL_RADIUS],
+        distance: parameters[WHEEL_DISTANCE],
+        counts: parameters[PULSES] * parameters[DECODER] * parameters[GEAR],
         left_is: if scene.y_axis == YAxis::Up { 1.0 } else { -1.0 },
     };
-    let ahead = settings[LOOK_AHEAD];
+    let ahead = parameters[LOOK_AHEAD];
     // The nearest point is looked for a little way back, and ahead as far as the robot can have come by steering for its
     // last target: enough to get round a corner that was cut, not enough to change to a later pass.
     let reach = limits.speed * limits.period;
@@ -236,7 +236,7 @@ pub fn simulate(scene: &GridScene, path: &[[f64; 2]], settings: &Parameters) -> 
         periods += 1;
     };
     let outcome = log.outcome(arrived, &sweep);
-    Some(Drive { rows: log.rows, outcome, outline, settings: settings.clone() })
+    Some(Drive { rows: log.rows, outcome, outline, parameters: parameters.clone() })
 }
 
 /// What is written down on the way.

@@ -57,34 +57,34 @@ pub const ENTRY: Follower = Follower {
 /// # Errors
 /// As [`Parameters::new`].
 pub fn along(scene: &Scene, solution: Option<&Solution>, given: &Overrides) -> Result<Option<Motion>, Error> {
-    let settings = Parameters::new(ENTRY.parameters, ARM, given)?;
+    let parameters = Parameters::new(ENTRY.parameters, ARM, given)?;
     let (Ok(scene), Some(Solution::Reach { path, postures })) = (scene.get::<ArmScene>(), solution) else {
         return Ok(None);
     };
     if path.is_empty() {
         return Ok(None);
     }
-    let links = Links::new(scene, settings[RADIUS]);
-    let spacing = settings[SPACING];
+    let links = Links::new(scene, parameters[RADIUS]);
+    let spacing = parameters[SPACING];
     if postures.is_empty() {
         let stations = stations(path, spacing);
-        let mut choice = choice(scene, &settings, links.clone(), stations.len());
-        let followed = if settings[NEAREST] { choice.nearest(&stations) } else { choice.smoothest(&stations) };
-        let trajectory = Trajectory { scene, links: &links, settings: &settings, path: None };
+        let mut choice = choice(scene, &parameters, links.clone(), stations.len());
+        let followed = if parameters[NEAREST] { choice.nearest(&stations) } else { choice.smoothest(&stations) };
+        let trajectory = Trajectory { scene, links: &links, parameters: &parameters, path: None };
         return Ok(Some(trajectory.motion(followed, stations.len())));
     }
     let stops = densified(&scene.arm, postures, spacing);
     let points = stops.len();
-    let trajectory = Trajectory { scene, links: &links, settings: &settings, path: Some(path) };
+    let trajectory = Trajectory { scene, links: &links, parameters: &parameters, path: Some(path) };
     Ok(Some(trajectory.motion(Followed { stops, ..Followed::default() }, points)))
 }
 
-fn choice<'a>(scene: &'a ArmScene, settings: &Parameters, links: Links<'a>, points: usize) -> Postures<'a> {
+fn choice<'a>(scene: &'a ArmScene, parameters: &Parameters, links: Links<'a>, points: usize) -> Postures<'a> {
     let holding = Holding::new(&scene.arm);
-    let mut random = Stream::new(settings[SEED], 0);
+    let mut random = Stream::new(parameters[SEED], 0);
     let [.., home] = scene.arm.forward(&scene.arm.home());
-    let spread = settings[SPREAD];
-    let pointing = match settings[ORIENTATION] {
+    let spread = parameters[SPREAD];
+    let pointing = match parameters[ORIENTATION] {
         Orientation::Free => Pointing::Free,
         Orientation::Home => Pointing::PointByPoint(vec![home.rotation; points]),
         Orientation::Random => {
@@ -94,7 +94,7 @@ fn choice<'a>(scene: &'a ArmScene, settings: &Parameters, links: Links<'a>, poin
         }
     };
     let hands = holding.hands();
-    let replaces = settings[REPLACEMENT];
-    let tries = if replaces { settings[TRIES] } else { 0 };
-    Postures { scene, links, holding, hands, pointing, resolution: settings[RESOLUTION], replaces, tries, random }
+    let replaces = parameters[REPLACEMENT];
+    let tries = if replaces { parameters[TRIES] } else { 0 };
+    Postures { scene, links, holding, hands, pointing, resolution: parameters[RESOLUTION], replaces, tries, random }
 }

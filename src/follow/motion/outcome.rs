@@ -46,7 +46,7 @@ pub struct Motion {
     /// How it went.
     pub outcome: MotionOutcome,
     /// Every parameter's value.
-    pub settings: Parameters,
+    pub parameters: Parameters,
 }
 
 impl FollowedPath for Motion {
@@ -59,7 +59,7 @@ impl FollowedPath for Motion {
     }
 
     fn parameters(&self) -> &Parameters {
-        &self.settings
+        &self.parameters
     }
 
     fn extra(&self) -> Vec<(&'static str, Extra<'_>)> {

@@ -83,7 +83,7 @@ fn check(scene: &Scene, path: &[[f64; 3]], motion: &Motion) {
             assert!((joint.min - 1e-9..=joint.max + 1e-9).contains(&joints[5 + i]), "joint {} is {}", i + 1, joints[5 + i]);
         }
     }
-    let (speed, tool) = (motion.settings[SPEED], motion.settings[TOOL_SPEED]);
+    let (speed, tool) = (motion.parameters[SPEED], motion.parameters[TOOL_SPEED]);
     let (mut step, mut length) = (0.0_f64, 0.0);
     for pair in rows.windows(2) {
         let seconds = pair[1][0] - pair[0][0];
@@ -271,7 +271,7 @@ fn every_parameter_has_both_its_ends() {
             let mut pairs = vec![(parameter.name, value.clone())];
             pairs.extend(parameter.when.map(|when| (when.parameter, Value::from(when.value))));
             let motion = follow(&scene, &path, &pairs);
-            let (outcome, off) = (&motion.outcome, 0.01_f64.max(motion.settings[SPACING]));
+            let (outcome, off) = (&motion.outcome, 0.01_f64.max(motion.parameters[SPACING]));
             // What does not arrive, or leaves the path, says so; nothing else does.
             let told = !outcome.arrived || outcome.max_error > off;
             assert!(outcome.time.is_finite() && told == outcome.failure.is_some(), "{} = {value}: {outcome:?}", parameter.name);

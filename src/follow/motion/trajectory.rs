@@ -24,7 +24,7 @@ const OFF: f64 = 0.01;
 pub(super) struct Trajectory<'a> {
     pub(super) scene: &'a crate::arm::ArmScene,
     pub(super) links: &'a Links<'a>,
-    pub(super) settings: &'a Parameters,
+    pub(super) parameters: &'a Parameters,
     /// The path, if postures were planned and do not stand at its points.
     pub(super) path: Option<&'a [[f64; 3]]>,
 }
@@ -32,10 +32,10 @@ pub(super) struct Trajectory<'a> {
 impl Trajectory<'_> {
     /// The time from one posture to the next: every joint keeps its limit, and the tip its own.
     fn seconds(&self, from: &Posture, to: &Posture, way: f64) -> f64 {
-        let share = self.settings[SPEED];
+        let share = self.parameters[SPEED];
         let limits = self.scene.arm.joints.map(|joint| joint.speed * (PI / 180.0) * share);
         let joints = (0..6).map(|i| (to[i] - from[i]).abs() / limits[i]);
-        joints.fold(way / self.settings[TOOL_SPEED], f64::max)
+        joints.fold(way / self.parameters[TOOL_SPEED], f64::max)
     }
 
     /// The tip's distance from the path on the way from one posture to the next.
@@ -54,8 +54,8 @@ impl Trajectory<'_> {
     /// The motion through all stops. `points`: how many the path has; with fewer stops the arm does not arrive.
     pub(super) fn motion(&self, followed: Followed, points: usize) -> Motion {
         let arm = &self.scene.arm;
-        let resolution = self.settings[RESOLUTION];
-        let mut motion = Motion { rows: Vec::new(), skeletons: Vec::new(), outcome: nothing(), settings: self.settings.clone() };
+        let resolution = self.parameters[RESOLUTION];
+        let mut motion = Motion { rows: Vec::new(), skeletons: Vec::new(), outcome: nothing(), parameters: self.parameters.clone() };
         let Motion { rows, skeletons, outcome, .. } = &mut motion;
         let mut last: Option<(&Stop, [f64; 3])> = None;
         let mut off = None;
@@ -74,7 +74,7 @@ impl Trajectory<'_> {
             let step = (0..6).map(|i| (stop.posture[i] - from.posture[i]).abs() * (180.0 / PI)).fold(0.0, f64::max);
             outcome.largest_step = outcome.largest_step.max(step);
             let error = self.error(from, stop);
-            if error > OFF.max(self.settings[SPACING]) && off.is_none() {
+            if error > OFF.max(self.parameters[SPACING]) && off.is_none() {
                 let [x, y, z] = tip;
                 off = Some(format!(
                     "before ({x:.4}, {y:.4}, {z:.4}), {:.4} m along the path, the tip is {error:.4} m off it, while a joint turns by {step:.1}°: no postures that touch nothing lead on evenly",

@@ -31,10 +31,10 @@ const DIGITS: f64 = 1000.0;
 /// Between two discs, and from a disc to start and goal, at least: a share of the side.
 const GAP: f64 = 0.005;
 
-fn draw(settings: &Parameters, seed: u64) -> Draft {
+fn draw(parameters: &Parameters, seed: u64) -> Draft {
     let stream = &mut Stream::new(seed, 0);
-    let [side, largest] = [settings[SIDE], settings[RADIUS]];
-    let count = settings[COUNT] as usize;
+    let [side, largest] = [parameters[SIDE], parameters[RADIUS]];
+    let count = parameters[COUNT] as usize;
     let (start, goal) = ([0.0; 2], [side; 2]);
     let mut discs: Vec<Disc> = Vec::new();
     for _ in 0..count {

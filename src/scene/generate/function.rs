@@ -44,10 +44,10 @@ pub const SHIFTED: Generator = Generator {
 /// How far the minimum is moved at most, as a share of the way to the rim.
 const REACH: f64 = 0.6;
 
-fn draw(settings: &Parameters, seed: u64) -> Draft {
+fn draw(parameters: &Parameters, seed: u64) -> Draft {
     let stream = &mut Stream::new(seed, 0);
-    let function = settings[FUNCTION];
-    let dimension = settings[DIMENSION] as usize;
+    let function = parameters[FUNCTION];
+    let dimension = parameters[DIMENSION] as usize;
     let reach = REACH * (function.half_side() - function.minimiser());
     let shift = (0..dimension).map(|_| stream.between(-reach, reach)).collect();
     let size = format!("{}-{dimension}", function.name());

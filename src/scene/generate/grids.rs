@@ -9,12 +9,13 @@ use super::{
 };
 
 /// Draws a grid: `draw` blocks cells, and sees to it that there is a way; then come stops and what moves.
-pub(super) fn grid(settings: &Parameters, seed: u64, draw: fn(&Parameters, &mut Plot, &mut Stream)) -> Draft {
-    let [columns, rows, stops, moving] = [settings[COLUMNS], settings[ROWS], settings[STOPS], settings[MOVING]].map(|count| count as usize);
+pub(super) fn grid(parameters: &Parameters, seed: u64, draw: fn(&Parameters, &mut Plot, &mut Stream)) -> Draft {
+    let [columns, rows, stops, moving] =
+        [parameters[COLUMNS], parameters[ROWS], parameters[STOPS], parameters[MOVING]].map(|count| count as usize);
     let count = columns * rows;
     let mut plot = Plot { columns, rows, blocked: vec![false; count], kept: vec![false; count], ends: [0, count - 1], note: None };
-    draw(settings, &mut plot, &mut Stream::new(seed, 0));
-    let cell = settings[CELL];
+    draw(parameters, &mut plot, &mut Stream::new(seed, 0));
+    let cell = parameters[CELL];
     let [start, goal] = plot.ends.map(|end| Some([end % columns, end / columns].map(|i| (i as f64 + 0.5) * cell)));
     let mut grid = GridScene { start, goal, ..GridScene::new(cell, columns, plot.blocked) };
     let mut notes: Vec<_> = plot.note.into_iter().collect();
@@ -26,7 +27,7 @@ pub(super) fn grid(settings: &Parameters, seed: u64, draw: fn(&Parameters, &mut 
         }
     }
     if moving > 0 {
-        let there = moving::place(&mut grid, settings, &mut Stream::new(seed, 2));
+        let there = moving::place(&mut grid, parameters, &mut Stream::new(seed, 2));
         if there < moving {
             notes.push(format!("There are {there} moving obstacles, not {moving}: there is no room for more clear of the start."));
         }

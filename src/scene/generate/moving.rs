@@ -52,9 +52,9 @@ const APART: f64 = 0.5 + 0.5;
 /// How often another disc is drawn for one that begins too near to the start.
 const TRIES: usize = 1000;
 
-/// Puts up to as many discs on a grid as the settings say, and a robot that meets them; returns how many there was room for.
-pub(super) fn place(grid: &mut GridScene, settings: &Parameters, stream: &mut Stream) -> usize {
-    let [fastest, largest] = [settings[MOVING_SPEED], settings[MOVING_RADIUS]].map(|most| most * grid.cell);
+/// Puts up to as many discs on a grid as the parameters say, and a robot that meets them; returns how many there was room for.
+pub(super) fn place(grid: &mut GridScene, parameters: &Parameters, stream: &mut Stream) -> usize {
+    let [fastest, largest] = [parameters[MOVING_SPEED], parameters[MOVING_RADIUS]].map(|most| most * grid.cell);
     let max = grid.bounds().max;
     let clear = |disc: &Moving| {
         let apart = disc.radius + APART * grid.cell;
@@ -65,7 +65,7 @@ pub(super) fn place(grid: &mut GridScene, settings: &Parameters, stream: &mut St
     };
     // The whole disc is drawn anew: where there is little room small ones find it. Where one finds none, nor will the others.
     let one = |stream: &mut Stream| (0..TRIES).map(|_| disc(max, fastest, largest, stream)).find(clear);
-    grid.moving = (0..settings[MOVING]).map_while(|_| one(stream)).collect();
+    grid.moving = (0..parameters[MOVING]).map_while(|_| one(stream)).collect();
     grid.robot.get_or_insert(Robot { speed: Some(grid.cell), turn_time: Some(1.0), ..Robot::default() });
     grid.moving.len()
 }

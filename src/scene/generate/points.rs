@@ -48,14 +48,14 @@ pub const STOPS: Generator = Generator {
 /// How often another place is tried for a stop whose place is taken or outside.
 const TRIES: usize = 100;
 
-fn draw(settings: &Parameters, seed: u64) -> Draft {
+fn draw(parameters: &Parameters, seed: u64) -> Draft {
     let stream = &mut Stream::new(seed, 0);
-    let side = settings[SIDE] as f64;
-    let spread = settings[SPREAD] * side;
+    let side = parameters[SIDE] as f64;
+    let spread = parameters[SPREAD] * side;
     let even = |stream: &mut Stream| stream.below(side as usize + 1) as f64;
-    let centres: Vec<_> = (0..settings[CLUSTERS]).map(|_| [even(stream), even(stream)]).collect();
+    let centres: Vec<_> = (0..parameters[CLUSTERS]).map(|_| [even(stream), even(stream)]).collect();
     let mut points: Vec<[f64; 2]> = Vec::new();
-    for _ in 0..settings[COUNT] {
+    for _ in 0..parameters[COUNT] {
         let mut place = [0.0; 2];
         for _ in 0..TRIES {
             place = if centres.is_empty() {
@@ -71,5 +71,5 @@ fn draw(settings: &Parameters, seed: u64) -> Draft {
         points.push(place.map(|c| c.clamp(0.0, side)));
     }
     let size = points.len().to_string();
-    Draft::new(TourScene::through(points, settings[METRIC]), size)
+    Draft::new(TourScene::through(points, parameters[METRIC]), size)
 }

@@ -20,11 +20,11 @@ pub const ROOMS: Generator = Generator {
     help: "Rooms behind walls one cell thick, with doors: at least as many as it takes to come from each room to each other.",
     kind: GRID,
     parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), ROOM.entry(), DOOR.entry(), LOOPS.entry()], STOPS_AND_MOVING],
-    draw: |settings, seed| {
-        grids::grid(settings, seed, |settings, plot, stream| {
-            let room = settings[ROOM] as usize;
+    draw: |parameters, seed| {
+        grids::grid(parameters, seed, |parameters, plot, stream| {
+            let room = parameters[ROOM] as usize;
             let spans = [plot.columns, plot.rows].map(|length| spans(length, room, stream));
-            plot.open(&spans, settings, settings[DOOR] as usize, stream);
+            plot.open(&spans, parameters, parameters[DOOR] as usize, stream);
         })
     },
 };
@@ -40,11 +40,11 @@ pub const MAZE: Generator = Generator {
         &[COLUMNS.default_to(41).entry(), ROWS.default_to(31).entry(), CELL.entry(), LOOPS.default_to(0.0).entry()],
         STOPS_AND_MOVING,
     ],
-    draw: |settings, seed| {
-        grids::grid(settings, seed, |settings, plot, stream| {
+    draw: |parameters, seed| {
+        grids::grid(parameters, seed, |parameters, plot, stream| {
             // What an even side has too much stays blocked.
             let spans = [plot.columns, plot.rows].map(|length| spans(length - usize::from(length % 2 == 0), 1, stream));
-            plot.open(&spans, settings, 1, stream);
+            plot.open(&spans, parameters, 1, stream);
         })
     },
 };
@@ -83,7 +83,7 @@ fn spans(length: usize, room: usize, stream: &mut Stream) -> Vec<[usize; 2]> {
 
 impl Plot {
     /// Blocks all but the rooms of these spans, and opens doors: those of a random tree, and others by chance.
-    fn open(&mut self, [across, down]: &[Vec<[usize; 2]>; 2], settings: &Parameters, door: usize, stream: &mut Stream) {
+    fn open(&mut self, [across, down]: &[Vec<[usize; 2]>; 2], parameters: &Parameters, door: usize, stream: &mut Stream) {
         self.blocked.fill(true);
         let columns = across.len();
         let place = |room: usize| (across[room % columns], down[room / columns]);
@@ -92,7 +92,7 @@ impl Plot {
             self.clear([left, right], [top, bottom]);
             self.ends[1] = (bottom - 1) * self.columns + right - 1;
         }
-        let loops = settings[LOOPS];
+        let loops = parameters[LOOPS];
         for (wall, needed) in tree(columns, down.len(), stream).into_iter().enumerate() {
             let (room, below) = (wall / 2, wall % 2 == 1);
             let ([left, right], [top, bottom]) = place(room);

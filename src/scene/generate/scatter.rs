@@ -34,9 +34,9 @@ pub const RANDOM: Generator = Generator {
            and as many other cells are blocked.",
     kind: GRID,
     parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), SHARE.entry()], STOPS_AND_MOVING],
-    draw: |settings, seed| {
-        grids::grid(settings, seed, |settings, plot, stream| {
-            plot.scatter(settings[SHARE], stream, &mut |plot, stream, count| {
+    draw: |parameters, seed| {
+        grids::grid(parameters, seed, |parameters, plot, stream| {
+            plot.scatter(parameters[SHARE], stream, &mut |plot, stream, count| {
                 let mut free = plot.free();
                 for _ in 0..count {
                     plot.blocked[free.swap_remove(stream.below(free.len()))] = true;
@@ -53,12 +53,12 @@ pub const RUBBLE: Generator = Generator {
     help: "Heaps of different sizes, each grown from a cell at random, until the share is blocked.",
     kind: GRID,
     parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), SHARE.entry(), SIZE.entry()], STOPS_AND_MOVING],
-    draw: |settings, seed| grids::grid(settings, seed, rubble),
+    draw: |parameters, seed| grids::grid(parameters, seed, rubble),
 };
 
-fn rubble(settings: &Parameters, plot: &mut Plot, stream: &mut Stream) {
-    let largest = settings[SIZE] as usize;
-    plot.scatter(settings[SHARE], stream, &mut |plot, stream, mut count| {
+fn rubble(parameters: &Parameters, plot: &mut Plot, stream: &mut Stream) {
+    let largest = parameters[SIZE] as usize;
+    plot.scatter(parameters[SHARE], stream, &mut |plot, stream, mut count| {
         let mut free = plot.free();
         while count > 0 && !free.is_empty() {
             let across = 1 + stream.below(largest);

@@ -92,10 +92,10 @@ fn grow(setup: &Setup, stop: &AtomicBool) -> Result<Option<Tree>, Error> {
     for part in ["shorten", "polyline", "smooth"] {
         raw.params.insert(part, Value::Flag(false));
     }
-    let (entry, settings) = raw.check(standard())?;
+    let (entry, parameters) = raw.check(standard())?;
     let begun = std::time::Instant::now();
     let mut run =
-        Stepper::from((entry.start)(&Start { scene: &raw.scene, parameters: &settings, seed: raw.seed, entries: &**standard() })?);
+        Stepper::from((entry.start)(&Start { scene: &raw.scene, parameters: &parameters, seed: raw.seed, entries: &**standard() })?);
     while run.step(|_| Vec::new()) {
         if run.iteration.is_multiple_of(1000) && stop.load(Ordering::Relaxed) {
             return Ok(None);

@@ -210,8 +210,8 @@ fn all_claims_are_of_known_planners_parameters_and_scenes() {
                     let scene = on.scene().unwrap();
                     let entry = standard().planner(arm.planner).unwrap();
                     entry.check_scene(&scene).unwrap();
-                    let settings = Parameters::new(entry.parameters, scene.kind(), &arm.params);
-                    assert!(settings.is_ok(), "[{paper}] {}: {} {:?}", claim.id, arm.planner, settings.err());
+                    let parameters = Parameters::new(entry.parameters, scene.kind(), &arm.params);
+                    assert!(parameters.is_ok(), "[{paper}] {}: {} {:?}", claim.id, arm.planner, parameters.err());
                 }
             }
         }

@@ -236,8 +236,8 @@ impl Sweep {
     pub(super) fn weigh(&mut self) -> Result<(), Error> {
         let mut weights = Vec::with_capacity(self.cells());
         for cell in 0..self.cells() {
-            let (_, settings) = self.setup(cell * self.seeds.len()).check(&self.registry).map_err(|error| self.placed(cell, error))?;
-            weights.push(weight(&settings));
+            let (_, parameters) = self.setup(cell * self.seeds.len()).check(&self.registry).map_err(|error| self.placed(cell, error))?;
+            weights.push(weight(&parameters));
         }
         self.weights = weights;
         Ok(())
@@ -265,9 +265,9 @@ impl Variants {
 }
 
 /// Iterations times those that take part in each, as far as the planner says.
-fn weight(settings: &Parameters) -> u64 {
+fn weight(parameters: &Parameters) -> u64 {
     let number = |name: &str| {
-        let value = settings.all().iter().find(|(known, _)| *known == name);
+        let value = parameters.all().iter().find(|(known, _)| *known == name);
         value.and_then(|(_, value)| if let Value::Number(number) = value { Some(*number as u64) } else { None })
     };
     let iterations = number("iterations").unwrap_or(1);
