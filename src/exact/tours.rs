@@ -7,7 +7,7 @@ use crate::{exact::Distances, kernel::TourEnds};
 pub const MAX_EXACT_STOPS: usize = 15;
 
 /// The visiting order of a shortest tour, and its length; `None` for more than [`MAX_EXACT_STOPS`] stops or fewer than two.
-pub fn shortest_tour(distances: &Distances, round: TourEnds) -> Option<(Vec<usize>, f64)> {
+pub fn shortest_tour(distances: &Distances, ends: TourEnds) -> Option<(Vec<usize>, f64)> {
     let n = distances.len();
     if !(2..=MAX_EXACT_STOPS).contains(&n) {
         return None;
@@ -16,7 +16,7 @@ pub fn shortest_tour(distances: &Distances, round: TourEnds) -> Option<(Vec<usiz
     // best[set · n + last]: the shortest way that begins as it must, calls at the stops of the set and ends at `last`.
     let mut best = vec![f64::INFINITY; n << n];
     for first in 0..n {
-        if first == 0 || round == TourEnds::Open {
+        if first == 0 || ends == TourEnds::Open {
             best[(1 << first) * n + first] = 0.0;
         }
     }
@@ -30,8 +30,8 @@ pub fn shortest_tour(distances: &Distances, round: TourEnds) -> Option<(Vec<usiz
         }
     }
     let all = (1 << n) - 1;
-    let back = |last: usize| if round.closes() { d(last, 0) } else { 0.0 };
-    let may_end = |last: &usize| round != TourEnds::FirstToLast || *last == n - 1;
+    let back = |last: usize| if ends.closes() { d(last, 0) } else { 0.0 };
+    let may_end = |last: &usize| ends != TourEnds::FirstToLast || *last == n - 1;
     let mut last = (0..n).filter(may_end).min_by(|&a, &b| (best[all * n + a] + back(a)).total_cmp(&(best[all * n + b] + back(b))))?;
     let (mut set, mut order) = (all, vec![last]);
     while order.len() < n {
@@ -44,7 +44,7 @@ pub fn shortest_tour(distances: &Distances, round: TourEnds) -> Option<(Vec<usiz
         });
     }
     order.reverse();
-    let length = distances.length(&order, round.closes());
+    let length = distances.length(&order, ends.closes());
     Some((order, length))
 }
 
@@ -54,22 +54,22 @@ mod tests {
     use crate::kernel::rng::Stream;
 
     /// Every order there is, one after another.
-    fn by_trying(distances: &Distances, round: TourEnds) -> f64 {
-        fn go(order: &mut Vec<usize>, k: usize, distances: &Distances, round: TourEnds, best: &mut f64) {
+    fn by_trying(distances: &Distances, ends: TourEnds) -> f64 {
+        fn go(order: &mut Vec<usize>, k: usize, distances: &Distances, ends: TourEnds, best: &mut f64) {
             if k == order.len() {
-                if round.allows(order, order.len()) {
-                    *best = best.min(distances.length(order, round.closes()));
+                if ends.allows(order, order.len()) {
+                    *best = best.min(distances.length(order, ends.closes()));
                 }
                 return;
             }
             for i in k..order.len() {
                 order.swap(k, i);
-                go(order, k + 1, distances, round, best);
+                go(order, k + 1, distances, ends, best);
                 order.swap(k, i);
             }
         }
         let mut best = f64::INFINITY;
-        go(&mut (0..distances.len()).collect(), 0, distances, round, &mut best);
+        go(&mut (0..distances.len()).collect(), 0, distances, ends, &mut best);
         best
     }
 
@@ -78,10 +78,10 @@ mod tests {
         let mut rng = Stream::new(5, 0);
         for n in 2..=8 {
             let distances = Distances::of(n, |_, _| rng.between(1.0, 9.0));
-            for round in TourEnds::ALL {
-                let (order, length) = shortest_tour(&distances, round).unwrap();
-                assert!(round.allows(&order, n));
-                assert!((length - by_trying(&distances, round)).abs() < 1e-12, "{n} stops, {round:?}");
+            for ends in TourEnds::ALL {
+                let (order, length) = shortest_tour(&distances, ends).unwrap();
+                assert!(ends.allows(&order, n));
+                assert!((length - by_trying(&distances, ends)).abs() < 1e-12, "{n} stops, {ends:?}");
             }
         }
     }

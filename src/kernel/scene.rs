@@ -176,14 +176,14 @@ impl Scene {
     /// The exact shortest tour through a scene's stops, with paths between them by a rule; computed at the first call. `None`
     /// without stops or if one cannot be reached. For too many stops it is the optimum stated in the scene file, if there is
     /// one for such tours.
-    pub fn exact_tour(&self, reference: ReferenceOptimum, round: TourEnds) -> Option<&Exact> {
-        self.computed(reference, Some(round))
+    pub fn exact_tour(&self, reference: ReferenceOptimum, ends: TourEnds) -> Option<&Exact> {
+        self.computed(reference, Some(ends))
     }
 
-    fn computed(&self, reference: ReferenceOptimum, round: Option<TourEnds>) -> Option<&Exact> {
+    fn computed(&self, reference: ReferenceOptimum, ends: Option<TourEnds>) -> Option<&Exact> {
         let optimum = self.optimum?;
         let by_rule = &self.optima[usize::from(reference == ReferenceOptimum::Cells)];
-        by_rule[round.map_or(0, |round| 1 + round as usize)].get_or_init(|| optimum(self, reference, round)).as_ref()
+        by_rule[ends.map_or(0, |ends| 1 + ends as usize)].get_or_init(|| optimum(self, reference, ends)).as_ref()
     }
 
     /// The minimum of a test function; `None` for other kinds.

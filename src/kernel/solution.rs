@@ -17,7 +17,7 @@ pub enum Solution {
         /// The visiting order: the stops' indices, each once.
         order: Vec<usize>,
         /// Where it begins and ends.
-        round: TourEnds,
+        ends: TourEnds,
         /// The path through the stops, back to the first if the tour is closed, in the scene's unit.
         path: Vec<[f64; 2]>,
     },

@@ -16,7 +16,7 @@ pub struct Started {
     /// The optimum that its results are measured against.
     pub reference: ReferenceOptimum,
     /// Where its tours begin and end, if it finds tours.
-    pub round: Option<TourEnds>,
+    pub ends: Option<TourEnds>,
     /// The stages of the run, in order; empty if all steps are of one kind.
     pub stages: Vec<Stage>,
 }
@@ -30,7 +30,7 @@ impl Started {
             open_ended: false,
             progress: Progress::Continue,
             reference: ReferenceOptimum::default(),
-            round: None,
+            ends: None,
             stages: Vec::new(),
         }
     }

@@ -109,7 +109,7 @@ impl Run {
 
     fn begin(started: Started, begun: Begun, answers: Answers, budget: usize) -> Self {
         let Begun { origin, entry, scene, parameters, seed } = begun;
-        let Started { planner, limit, open_ended, progress, reference, round, stages } = started;
+        let Started { planner, limit, open_ended, progress, reference, ends, stages } = started;
         let mut run = Self {
             entry,
             origin,
@@ -121,7 +121,7 @@ impl Run {
             limit,
             end: (!open_ended).then_some(limit),
             reference,
-            round,
+            ends,
             stages,
             keyframes: Keyframes::new(budget),
             before: None,

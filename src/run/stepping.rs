@@ -26,7 +26,7 @@ pub struct Run {
     /// The last iteration, as soon as it is known.
     pub(super) end: Option<u64>,
     pub(super) reference: ReferenceOptimum,
-    pub(super) round: Option<TourEnds>,
+    pub(super) ends: Option<TourEnds>,
     pub(super) stages: Vec<Stage>,
     pub(super) keyframes: Keyframes,
     pub(super) answers: Answers,
@@ -222,8 +222,8 @@ impl Run {
 
     /// The exact optimum by the rule that the planner keeps to, as a path.
     pub fn exact(&self) -> Option<&Exact> {
-        match self.round {
-            Some(round) => self.scene.exact_tour(self.reference, round),
+        match self.ends {
+            Some(ends) => self.scene.exact_tour(self.reference, ends),
             None => self.scene.exact_by(self.reference),
         }
     }

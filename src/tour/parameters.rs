@@ -57,7 +57,7 @@ pub(super) const ROUND: Param<Option<TourEnds>> = Param::choice(
 
 /// What the ends of the tours are.
 pub(super) fn round(scene: &Scene, settings: &Parameters) -> TourEnds {
-    settings[ROUND].unwrap_or_else(|| scene.get::<TourScene>().map_or(TourEnds::Closed, TourScene::round))
+    settings[ROUND].unwrap_or_else(|| scene.get::<TourScene>().map_or(TourEnds::Closed, TourScene::ends))
 }
 
 /// Where a tour begins and ends, and who builds roads.

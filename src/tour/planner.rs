@@ -67,7 +67,7 @@ pub fn start(start: &Start, own_readings: &'static [Reading], begin: Begin) -> R
         end => vec![Stage { name: "roads", title: "Roads", end: Some(end) }, search],
     };
     let started = Started::new(tours, settings[ITERATIONS] + roads).measured_by(reference).in_stages(stages);
-    Ok(Started { progress, round: Some(round), ..started })
+    Ok(Started { progress, ends: Some(round), ..started })
 }
 
 impl Planner for Tours {
@@ -99,7 +99,7 @@ impl Planner for Tours {
 
     fn best(&self) -> Option<Candidate> {
         let (problem, tour) = self.best_tour()?;
-        let solution = Solution::Tour { order: tour.order(problem), round: self.round, path: self.path(problem, tour) };
+        let solution = Solution::Tour { order: tour.order(problem), ends: self.round, path: self.path(problem, tour) };
         Some(Candidate { cost: tour.length, solution })
     }
 

@@ -109,7 +109,7 @@ fn a_search_from_outside_finds_the_optimum_of_eight_stops_whatever_the_ends() {
     let open = (0..8).map(|first| from(first, false)).fold(f64::INFINITY, f64::min);
     for (ends, exact) in [("closed", from(0, true)), ("open", open), ("from-first", from(0, false))] {
         let started = start(&DESCENTS, &scene(&text()), &[("round", ends)], 1).unwrap();
-        assert_eq!(started.round.map(TourEnds::closes), Some(ends == "closed"));
+        assert_eq!(started.ends.map(TourEnds::closes), Some(ends == "closed"));
         let run = run_to_end(started);
         let Candidate { cost, solution: Solution::Tour { order, path, .. } } = run.planner.best().unwrap() else { panic!("no tour") };
         assert!((cost - exact).abs() < 1e-9, "{ends}: {cost} {exact}");

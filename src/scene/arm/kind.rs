@@ -18,7 +18,7 @@ pub const KIND: SceneKind = SceneKind {
     id: ID,
     title: "arms",
     read: |fields| Ok(Arc::new(read::read(fields)?)),
-    optimum: Some(|scene, _, round| match round {
+    optimum: Some(|scene, _, ends| match ends {
         None => scene.get::<ArmScene>().ok()?.shortest(scene.header().exact.as_ref()),
         Some(_) => None,
     }),

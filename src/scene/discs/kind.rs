@@ -20,7 +20,7 @@ pub const KIND: SceneKind = SceneKind {
     id: ID,
     title: "disc obstacles",
     read: |fields| Ok(Arc::new(read::read(fields)?)),
-    optimum: Some(|scene, _, round| if round.is_none() { scene.get::<DiscsScene>().ok()?.shortest() } else { None }),
+    optimum: Some(|scene, _, ends| if ends.is_none() { scene.get::<DiscsScene>().ok()?.shortest() } else { None }),
     shipped: &[
         include_str!("../../../scenes/wcpso-discs.json"),
         include_str!("../../../scenes/discs-gate.json"),

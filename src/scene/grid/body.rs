@@ -302,7 +302,7 @@ impl GridScene {
     }
 
     /// The shortest tour through the stops, by the shortest way for each pair.
-    pub(super) fn shortest_tour(&self, reference: ReferenceOptimum, round: TourEnds) -> Option<Exact> {
+    pub(super) fn shortest_tour(&self, reference: ReferenceOptimum, ends: TourEnds) -> Option<Exact> {
         let n = self.stops.len();
         if !(2..=MAX_EXACT_STOPS).contains(&n) {
             return None;
@@ -319,9 +319,9 @@ impl GridScene {
         // The pairs of the stops before i come first: n − 1, n − 2, … of them.
         let of = |i: usize, j: usize| &ways[i * (2 * n - i - 1) / 2 + j - i - 1];
         let distances = Distances::of(n, |i, j| of(i, j).length);
-        let (order, length) = shortest_tour(&distances, round)?;
+        let (order, length) = shortest_tour(&distances, ends)?;
         let mut path = vec![self.stops[order[0]]];
-        let back = round.closes().then_some(order[0]);
+        let back = ends.closes().then_some(order[0]);
         for (i, j) in order.iter().copied().zip(order[1..].iter().copied().chain(back)) {
             let way = &of(i.min(j), i.max(j)).path;
             if i < j { path.extend(&way[1..]) } else { path.extend(way[..way.len() - 1].iter().rev()) }
@@ -334,9 +334,9 @@ impl GridScene {
     }
 
     /// A tour must call at each stop in its order.
-    pub(super) fn judge_tour(&self, order: &[usize], round: TourEnds, path: &[[f64; 2]]) -> Verdict {
-        let allowed = round.allows(order, self.stops.len());
-        let calls: Vec<_> = order.iter().chain(order.first().filter(|_| round.closes())).filter_map(|&i| self.stops.get(i)).collect();
+    pub(super) fn judge_tour(&self, order: &[usize], ends: TourEnds, path: &[[f64; 2]]) -> Verdict {
+        let allowed = ends.allows(order, self.stops.len());
+        let calls: Vec<_> = order.iter().chain(order.first().filter(|_| ends.closes())).filter_map(|&i| self.stops.get(i)).collect();
         let ends = path.first() == calls.first().copied() && path.last() == calls.last().copied();
         let mut corners = path.iter();
         // Two stops at the same place are one corner.

@@ -33,10 +33,10 @@ pub const KIND: SceneKind = SceneKind {
     ],
 };
 
-fn optimum(scene: &Scene, reference: ReferenceOptimum, round: Option<TourEnds>) -> Option<Exact> {
+fn optimum(scene: &Scene, reference: ReferenceOptimum, ends: Option<TourEnds>) -> Option<Exact> {
     let grid = scene.get::<GridScene>().ok()?;
-    match (round, reference) {
-        (Some(round), _) => grid.shortest_tour(reference, round),
+    match (ends, reference) {
+        (Some(ends), _) => grid.shortest_tour(reference, ends),
         (None, ReferenceOptimum::Cells) => grid.shortest_over_cells(),
         (None, _) => grid.shortest(),
     }
@@ -58,7 +58,7 @@ impl SceneBody for GridScene {
     fn judge(&self, solution: &Solution) -> Verdict {
         match solution {
             Solution::Path(path) => self.judge_path(path),
-            Solution::Tour { order, round, path } => self.judge_tour(order, *round, path),
+            Solution::Tour { order, ends, path } => self.judge_tour(order, *ends, path),
             Solution::Drive(track) => self.judge_drive(track),
             _ => Verdict::NO_PATH,
         }

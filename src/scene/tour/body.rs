@@ -79,7 +79,7 @@ impl TourScene {
     }
 
     /// Where a tour begins and ends by default.
-    pub fn round(&self) -> TourEnds {
+    pub fn ends(&self) -> TourEnds {
         if self.closed { TourEnds::Closed } else { TourEnds::Open }
     }
 
@@ -147,24 +147,24 @@ impl TourScene {
     }
 
     /// The shortest tour; of more stops than can be computed the one that the file gives, if it has the scene's own ends.
-    pub(super) fn shortest_tour(&self, round: TourEnds, stored: Option<&Value>) -> Option<Exact> {
+    pub(super) fn shortest_tour(&self, ends: TourEnds, stored: Option<&Value>) -> Option<Exact> {
         let places = self.places();
         let path = |order: &[usize]| {
-            let back = order.first().filter(|_| round.closes());
+            let back = order.first().filter(|_| ends.closes());
             order.iter().chain(back).map(|&stop| places[stop]).collect::<Vec<_>>()
         };
-        if let Some((order, length)) = shortest_tour(self.distances(), round) {
+        if let Some((order, length)) = shortest_tour(self.distances(), ends) {
             return Some(Exact { length, path: path(&order), order, tip_path: Vec::new(), stored: false });
         }
-        let stored = stored.filter(|_| round == self.round())?;
+        let stored = stored.filter(|_| ends == self.ends())?;
         let order: Option<Vec<usize>> = stored
             .get("order")
             .and_then(Value::as_array)
             .map(|order| order.iter().map(|stop| stop.as_f64().map_or(usize::MAX, |stop| stop as usize)).collect());
         // What the file claims counts only as far as it can be checked: an order has the length that it has.
-        match order.filter(|order| round.allows(order, self.len())) {
+        match order.filter(|order| ends.allows(order, self.len())) {
             Some(order) => Some(Exact {
-                length: self.distances().length(&order, round.closes()),
+                length: self.distances().length(&order, ends.closes()),
                 path: path(&order),
                 order,
                 tip_path: Vec::new(),
@@ -175,11 +175,11 @@ impl TourScene {
     }
 
     pub(super) fn judge_solution(&self, solution: &Solution) -> Verdict {
-        let Solution::Tour { order, round, .. } = solution else {
+        let Solution::Tour { order, ends, .. } = solution else {
             return Verdict { length: None, feasible: true, clearance: None };
         };
-        let feasible = round.allows(order, self.len());
-        let length = feasible.then(|| self.distances().length(order, round.closes()));
+        let feasible = ends.allows(order, self.len());
+        let length = feasible.then(|| self.distances().length(order, ends.closes()));
         Verdict { length, feasible, clearance: None }
     }
 }

@@ -20,7 +20,7 @@ pub const KIND: SceneKind = SceneKind {
     id: ID,
     title: "stops of a tour",
     read: |fields| Ok(Arc::new(read::read(fields)?)),
-    optimum: Some(|scene, _, round| scene.get::<TourScene>().ok()?.shortest_tour(round?, scene.header().exact.as_ref())),
+    optimum: Some(|scene, _, ends| scene.get::<TourScene>().ok()?.shortest_tour(ends?, scene.header().exact.as_ref())),
     shipped: &[
         include_str!("../../../scenes/open-12.json"),
         include_str!("../../../scenes/random-52.json"),

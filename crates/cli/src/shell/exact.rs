@@ -76,7 +76,7 @@ pub(super) fn exact(scene: &str, json: bool) -> Outcome {
 /// The shortest tours by each rule that applies to a scene.
 fn tours(scene: &Scene) -> Vec<Tour<'_>> {
     let (rules, ends): (&[_], _) = match scene.get::<TourScene>() {
-        Ok(tour) => (&[ReferenceOptimum::Matrix], tour.round()),
+        Ok(tour) => (&[ReferenceOptimum::Matrix], tour.ends()),
         Err(_) => (&[ReferenceOptimum::AnyAngle, ReferenceOptimum::Cells], TourEnds::Closed),
     };
     let tour = |&by: &ReferenceOptimum| {
