@@ -9,7 +9,7 @@ use std::{collections::BTreeSet, fmt::Write, path::Path};
 use imports::{Arrows, arrows, circles};
 
 /// The crates, by their root files.
-const CRATES: [&str; 4] = ["src/lib.rs", "crates/cli/src/lib.rs", "crates/derive/src/lib.rs", "crates/study/src/lib.rs"];
+const CRATES: [&str; 4] = ["src/lib.rs", "crates/shell/src/lib.rs", "crates/derive/src/lib.rs", "crates/study/src/lib.rs"];
 
 /// Every circle of every crate, edge by edge; empty if there is none.
 fn found() -> String {

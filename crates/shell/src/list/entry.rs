@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use crate::shell::registry::registry;
+use crate::registry::registry;
 
 #[derive(Deserialize)]
 struct Named {

@@ -6,7 +6,7 @@ mod words;
 
 use std::{fmt::Write, process::ExitCode};
 
-use crate::shell::registry::registry;
+use crate::registry::registry;
 
 use forage::Scene;
 

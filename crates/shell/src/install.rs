@@ -15,7 +15,7 @@ use super::{
 /// What the pages belong to.
 const SOURCE: &str = concat!("forage ", env!("CARGO_PKG_VERSION"));
 
-const THIRD_PARTY: &str = include_str!("../../THIRD-PARTY.md");
+const THIRD_PARTY: &str = include_str!("../THIRD-PARTY.md");
 
 /// Prints a completion script.
 pub(super) fn completions(shell: clap_complete::Shell) -> Outcome {

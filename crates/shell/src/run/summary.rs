@@ -8,7 +8,7 @@ use forage::{
     kernel::ReferenceOptimum,
 };
 
-use crate::shell::text::{escape, measured, number, point};
+use crate::text::{escape, measured, number, point};
 
 /// Lines with a label each.
 struct Lines {

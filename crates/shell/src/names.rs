@@ -7,7 +7,7 @@ use clap::{
 };
 use forage_study::registry::{REPRODUCTIONS, STUDIES};
 
-use crate::shell::registry::registry;
+use crate::registry::registry;
 
 use super::text::{cut_list, quoted};
 

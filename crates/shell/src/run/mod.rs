@@ -11,7 +11,7 @@ use std::{
     time::Duration,
 };
 
-use crate::shell::registry::registry;
+use crate::registry::registry;
 
 use forage::{
     Outcome, Run, Status,

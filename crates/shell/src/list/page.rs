@@ -11,7 +11,7 @@ use forage::{
 };
 
 use super::words::{family, kinds};
-use crate::shell::{
+use crate::{
     convert::describe,
     exact::unit,
     registry::registry,
