@@ -79,6 +79,8 @@ pub mod search;
 mod settled;
 pub mod statistics;
 pub mod swarm;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod testing;
 pub mod tour;
 pub mod tree;
 pub mod tuning;

@@ -22,7 +22,7 @@ impl Registry {
     }
 
     /// Every TeX string that can appear outside a formula, so that pages can typeset them when they are built.
-    fn symbols(&self) -> Vec<&'static str> {
+    pub(crate) fn symbols(&self) -> Vec<&'static str> {
         let planners = self.planners().iter().flat_map(|entry| {
             let parameters = entry.all_parameters().map(|p| p.symbol);
             parameters

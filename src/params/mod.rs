@@ -15,6 +15,8 @@ use crate::kernel::{Error, SceneKindId};
 pub use overrides::{Object, Overrides, Value};
 pub use param::{Param, ParamValue, Selection};
 pub use parameters::Parameters;
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) use parameters::UNLISTED;
 
 /// One of a choice's options.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

@@ -4,7 +4,10 @@ use crate::kernel::{Error, SceneKindId};
 
 use super::{Choice, Overrides, Parameter, Value, When};
 
-/// A valid value for every parameter of a planner on a kind of scene. Read by `parameters[POPULATION]`, see
+/// What is said of the name of a parameter that is read and not listed.
+pub(crate) const UNLISTED: &str = "is read, and the entry does not list it";
+
+/// A valid value for every parameter of a planner on a kind of scene. Read by `settings[POPULATION]`, see
 /// [`Param`](super::Param).
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Parameters {
@@ -85,7 +88,7 @@ impl Parameters {
     fn place(&self, name: &str) -> Option<usize> {
         let place = self.values.iter().position(|(known, _)| *known == name);
         let listed = || flat(self.declared).any(|parameter| parameter.name == name);
-        debug_assert!(place.is_some() || listed(), "`{name}` is read, and the entry does not list it");
+        debug_assert!(place.is_some() || listed(), "`{name}` {UNLISTED}");
         place
     }
 }

@@ -282,7 +282,7 @@ impl Run {
         self.digest().hex()
     }
 
-    pub(super) fn digest(&self) -> Digest {
+    pub(crate) fn digest(&self) -> Digest {
         let mut digest = self.setup_digest.get_or_init(|| self.digest_of_setup()).clone();
         self.iteration().digest(&mut digest);
         self.best().map(|best| best.cost).digest(&mut digest);

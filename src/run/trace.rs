@@ -4,6 +4,9 @@ use std::{fmt::Display, io};
 
 use crate::kernel::Readings;
 
+/// What is said of a planner whose readings change their names within a run.
+pub(crate) const OTHER_READINGS: &str = "a run tells the same names all along";
+
 /// Readings of iterations 0, s, 2s, … where the stride s doubles whenever [`Trace::CAPACITY`] rows are full.
 #[derive(Debug, Clone)]
 pub struct Trace {
@@ -45,7 +48,7 @@ impl Trace {
                 return;
             }
         }
-        debug_assert!(readings.iter().map(|(name, _)| name).eq(self.columns.iter().copied()), "a run tells the same names all along");
+        debug_assert!(readings.iter().map(|(name, _)| name).eq(self.columns.iter().copied()), "{OTHER_READINGS}");
         self.iterations.push(iteration);
         self.values.extend(readings.iter().map(|(_, value)| value));
     }
