@@ -28,7 +28,7 @@ const SYMBOLS: &str = "List the TeX strings that explanations use in the entry's
 const MARKS: &str = "Mark layers that the entry lists: `.inspection()` for those that only explanations draw.";
 
 /// So many pieces of a layer are asked about, about evenly spread.
-const PIECES: usize = 40;
+const PIECES: usize = 12;
 
 pub fn explained(subject: &Subject, findings: &mut Findings) {
     let symbols = subject.registry.symbols();

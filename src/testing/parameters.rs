@@ -11,7 +11,7 @@ use crate::{
 use super::{
     fault::{Checked, Fault, ensure, refusal},
     findings::Findings,
-    subject::{ITERATIONS, Subject, names},
+    subject::{ITERATIONS, SMALL, Subject, names},
 };
 
 const FINITE: &str = "Keep costs and readings finite for every value that the entry allows, or narrow the parameter's domain.";
@@ -36,7 +36,7 @@ fn ends(parameter: &Parameter) -> Vec<Value> {
 }
 
 fn setup(subject: &Subject, scene: &Arc<Scene>, parameter: &Parameter, value: Value) -> Setup {
-    let mut values = subject.small(scene.kind());
+    let mut values = subject.sizes(scene.kind(), SMALL);
     subject.meet_conditions(parameter, &mut values);
     let mut setup = subject.setup(scene, 1, 20, &values);
     setup.params.insert(parameter.name, value);

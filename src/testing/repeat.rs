@@ -12,7 +12,7 @@ use crate::{
 use super::{
     fault::{Checked, Fault, ensure, refusal},
     findings::Findings,
-    subject::{Subject, goes_on},
+    subject::{SMALL, Subject, goes_on},
 };
 
 const RANDOM: &str = "Take random numbers only from a `Stream` made from `start.seed` and kept in the state; read no clock and no `static`, \
@@ -63,7 +63,7 @@ fn drawing(frame: &Frame) -> Vec<u32> {
 }
 
 pub fn same_bits(subject: &Subject, findings: &mut Findings) {
-    findings.watch_random(subject, 40, |setup, _| {
+    findings.watch_random(subject, 30, |setup, _| {
         let (mut first, mut second) = (subject.start(setup)?, subject.start(setup)?);
         loop {
             let iteration = first.iteration();
@@ -130,7 +130,7 @@ fn edited(scene: &Arc<Scene>) -> Result<Arc<Scene>, Fault> {
 
 pub fn seeds(subject: &Subject, findings: &mut Findings) {
     for scene in &subject.scenes {
-        let setup = subject.setup(scene, 1, 30, &subject.small(scene.kind()));
+        let setup = subject.setup(scene, 1, 30, &subject.sizes(scene.kind(), SMALL));
         findings.watch(&setup, || {
             let end = |seed| {
                 let mut run = subject.start(&Setup { seed, ..setup.clone() })?;
@@ -150,7 +150,7 @@ pub fn seeds(subject: &Subject, findings: &mut Findings) {
 
 /// Within a run, states that differ in nothing but their random streams look the same. And a copy is no larger.
 pub fn hashes(subject: &Subject, findings: &mut Findings) {
-    findings.watch_random(subject, 40, |setup, _| {
+    findings.watch_random(subject, 30, |setup, _| {
         let parameters = Parameters::new(subject.entry.parameters, setup.scene.kind(), &setup.params);
         let parameters = parameters.map_err(|error| refusal(&error))?;
         let start = Start { scene: &setup.scene, parameters: &parameters, seed: setup.seed, entries: &**subject.registry };

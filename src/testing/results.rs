@@ -44,7 +44,7 @@ fn each_step(run: &mut Run, mut look: impl FnMut(&mut Run) -> Checked) -> Checke
 }
 
 pub fn only_better(subject: &Subject, findings: &mut Findings) {
-    findings.watch_random(subject, 60, |setup, _| {
+    findings.watch_random(subject, 40, |setup, _| {
         let mut run = subject.start(setup)?;
         let (mut least, mut most) = (None, 0);
         each_step(&mut run, |run| {
@@ -63,7 +63,7 @@ pub fn only_better(subject: &Subject, findings: &mut Findings) {
 }
 
 pub fn honest(subject: &Subject, findings: &mut Findings) {
-    findings.watch_random(subject, 60, |setup, _| {
+    findings.watch_random(subject, 40, |setup, _| {
         let mut run = subject.start(setup)?;
         let mut judged = None;
         each_step(&mut run, |run| {
@@ -144,7 +144,7 @@ fn end(run: &mut Run) -> Checked {
 }
 
 pub fn ends(subject: &Subject, findings: &mut Findings) {
-    const ITERATIONS: u64 = 60;
+    const ITERATIONS: u64 = 40;
     findings.watch_random(subject, ITERATIONS, |setup, _| {
         let mut run = subject.start(setup)?;
         let (limit, staged, known) = (run.limit(), !run.stages().is_empty(), run.end());

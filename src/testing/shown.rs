@@ -125,7 +125,7 @@ fn span_is_right(frame: &Frame, span: Span, layer: &Layer) -> Checked {
 pub fn members_and_events(subject: &Subject, findings: &mut Findings) {
     let columns = subject.entry.members.len();
     let mut reported = false;
-    each_run(subject, findings, subject.few_scenes(), &[0, 1, 20, 120], |run| {
+    each_run(subject, findings, subject.few_scenes(), &[0, 1, 20], |run| {
         let mut numbers = Vec::new();
         run.members(&mut numbers);
         reported |= !numbers.is_empty();

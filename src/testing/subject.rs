@@ -15,6 +15,9 @@ use super::fault::{Fault, refusal};
 /// The seed of all that a suite draws.
 pub const SEED: u64 = 19;
 
+/// A small population.
+pub const SMALL: f64 = 4.0;
+
 /// A parameter that every planner has.
 pub const ITERATIONS: &str = "iterations";
 
@@ -99,10 +102,10 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// Small sizes: every whole number as near to 4 as its domain and its default allow.
-    pub fn small(&self, kind: SceneKindId) -> Overrides {
+    /// Small sizes: every whole number as near to this one as its domain and its default allow.
+    pub fn sizes(&self, kind: SceneKindId, size: f64) -> Overrides {
         let small = |parameter: &Parameter| match (parameter.domain, parameter.default_on(kind)) {
-            (Domain::Integer { min, .. }, Value::Number(default)) => Some((parameter.name, Value::from(default.min(4.0).max(min as f64)))),
+            (Domain::Integer { min, .. }, Value::Number(default)) => Some((parameter.name, Value::from(default.min(size).max(min as f64)))),
             _ => None,
         };
         self.free(kind).filter_map(small).collect()
@@ -126,14 +129,17 @@ impl<'a> Subject<'a> {
         Run::with_keyframes(self.registry, setup.clone(), 0).err()
     }
 
-    /// For each option of each choice and flag but the default, the values that choose it; subsets are chosen as a whole.
+    /// For each option of each choice and flag but the default, the values that choose it, and small sizes; subsets are chosen
+    /// as a whole.
     pub fn options(&self, kind: SceneKindId) -> Vec<Overrides> {
         let whole = |parameter: &Parameter| match parameter.domain {
             Domain::Subset { options, .. } => Some((parameter.name, Value::Text(names(options).join(",")))),
             _ => None,
         };
         let wholes: Overrides = self.free(kind).filter_map(whole).collect();
-        let mut all = if wholes.is_empty() { Vec::new() } else { vec![wholes.clone()] };
+        let mut small = self.sizes(kind, SMALL);
+        wholes.iter().for_each(|(name, value)| small.insert(name, value.clone()));
+        let mut all = if wholes.is_empty() { Vec::new() } else { vec![small.clone()] };
         for parameter in self.free(kind) {
             let values: Vec<_> = match parameter.domain {
                 Domain::Choice { options } => names(options).into_iter().map(|name| Value::Text(name.to_owned())).collect(),
@@ -141,7 +147,7 @@ impl<'a> Subject<'a> {
                 Domain::Subset { .. } | Domain::Number { .. } | Domain::Integer { .. } => Vec::new(),
             };
             for value in values.into_iter().filter(|value| *value != parameter.default_on(kind)) {
-                let mut overrides = wholes.clone();
+                let mut overrides = small.clone();
                 self.meet_conditions(parameter, &mut overrides);
                 overrides.insert(parameter.name, value);
                 all.push(overrides);
