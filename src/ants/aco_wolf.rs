@@ -10,7 +10,7 @@ use super::{
     colony::Variant,
     explain::SYMBOLS,
     ground::Heuristic,
-    parameters::{ALPHA, ANTS, BETA, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
+    parameters::{ALPHA, ANTS, BETA, DISTANCE, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, TRADITIONAL, WALKS},
     planner,
     update::Update,
 };
@@ -70,7 +70,7 @@ const PHEROMONE: Formula = Formula::new(
     "\\tau \\leftarrow (1 - @rho@) \\, \\tau + \\textstyle\\sum_{a=1}^{@arrived@} \\Delta\\tau^a + \\Delta\\tau_{\\text{best}} - \\Delta\\tau_{\\text{worst}}",
 );
 pub(crate) const LAID: Formula = Formula::of_item(
-    "laid",
+    "laid_shares",
     "[WOLF-ANT] (9), (11), (12)",
     "What an ant lays",
     "\\Delta\\tau^a = \\frac{Q}{L_a}, \\quad \\Delta\\tau_{\\text{best}} = \\delta \\frac{Q}{L_{\\text{best}}}, \\quad \\Delta\\tau_{\\text{worst}} = \\omega \\frac{Q}{L_{\\text{worst}}}",
@@ -119,7 +119,14 @@ pub const ENTRY: Entry = Entry::new(
 .kinds(KINDS)
 .parameters(&[OWN, WALKS])
 .readings(READINGS)
-.formulas(&[CHOICE, RANKED, PHEROMONE, LAID])
+.formulas(&[
+    CHOICE,
+    RANKED.when(RANKS, "ranks"),
+    DISTANCE.when(RANKS, "distance"),
+    PHEROMONE,
+    LAID.when(UPDATE, "wolf"),
+    TRADITIONAL.when(UPDATE, "ant"),
+])
 .symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[AS_IN_PAPER]);

@@ -272,9 +272,11 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
                 values.push(quantity("share", "\\delta - \\omega", "shares: 2 on the best way, 0 on the worst", share));
             }
         }
-        if !matches!(colony.variant.update, Update::Own(_)) {
-            formulas.push("laid");
-        }
+        formulas.extend(match colony.variant.update {
+            Update::Wolf => Some("laid_shares"),
+            Update::Traditional | Update::Reward { .. } => Some("laid"),
+            Update::Own(_) => None,
+        });
     }
     Some(Inspection {
         item,

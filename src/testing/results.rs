@@ -110,12 +110,12 @@ fn solution(stops: bool, scene: &Scene, best: &Candidate) -> Checked {
 
 /// A tour visits each stop once; `None` for another kind of solution.
 fn tour(scene: &Scene, solution: &Solution) -> Option<Checked> {
-    let Solution::Tour { order, round, path } = solution else { return None };
+    let Solution::Tour { order, ends, path } = solution else { return None };
     let stops = scene.stops();
-    Some(ensure(round.allows(order, stops.len()), TOUR, || format!("the order of {} stops is {order:?}, {round:?}", stops.len())).and_then(
+    Some(ensure(ends.allows(order, stops.len()), TOUR, || format!("the order of {} stops is {order:?}, {ends:?}", stops.len())).and_then(
         |()| {
             let first = order.first().map(|&stop| stops[stop]);
-            let last = if round.closes() { first } else { order.last().map(|&stop| stops[stop]) };
+            let last = if ends.closes() { first } else { order.last().map(|&stop| stops[stop]) };
             ensure(path.first().copied() == first && path.last().copied() == last, TOUR, || {
                 format!("the tour's path goes from {:?} to {:?}, its stops from {first:?} to {last:?}", path.first(), path.last())
             })
