@@ -34,6 +34,7 @@ pub fn explained(subject: &Subject, findings: &mut Findings) {
     let symbols = subject.registry.symbols();
     let pickable: Vec<_> = subject.entry.layers.iter().filter(|layer| layer.pickable).collect();
     let mut picked = BTreeSet::new();
+    let before = findings.list.len();
     each_run(subject, findings, &subject.scenes, &[60], |run| {
         let (hash, kind) = (run.hash(), run.scene().kind());
         for layer in pickable.iter().filter(|layer| is_on(layer, kind)) {
@@ -43,6 +44,10 @@ pub fn explained(subject: &Subject, findings: &mut Findings) {
         }
         ensure(run.hash() == hash, UNCHANGED, || "the hash is another after an explanation".to_owned())
     });
+    // A run that was given up after a fault has shown too little.
+    if findings.list.len() > before {
+        return;
+    }
     for &kind in subject.entry.kinds {
         for layer in pickable.iter().filter(|layer| is_on(layer, kind) && subject.scenes.iter().any(|scene| scene.kind() == kind)) {
             findings.look(ensure(picked.contains(&(layer.key, kind)), PICKABLE, || {

@@ -288,11 +288,26 @@ impl Explain for CompassSearch {
             event: if cost <= self.cost { "taken" } else { "rejected" },
             summary: format!("Its cost is {cost:.6}; the search stands where the cost is {:.6}.", self.cost),
             values: vec![Quantity { name: "cost", symbol: "f(x)", title: "Cost", value: cost }],
-            formulas: vec!["contract"],
+            formulas: Vec::new(),
             columns: Vec::new(),
             labels: Vec::new(),
             rows: Vec::new(),
             marks: vec![Mark::plane(STENCIL, Shape::Segments, vec![here, probe])],
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use forage::testing;
+
+    use super::{COMPASS_SEARCH, registry};
+
+    /// What every planner must keep to, ours and yours.
+    #[test]
+    fn it_conforms() {
+        testing::assert_conforms(&Arc::new(registry()), COMPASS_SEARCH.name);
     }
 }

@@ -1,0 +1,66 @@
+// `examples/own-planner` is built and used as its author would: a crate outside, one file, whose `main` is the whole shell.
+import assert from 'node:assert/strict'
+import { spawnSync } from 'node:child_process'
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { before, test } from 'node:test'
+
+const MANIFEST = join(import.meta.dirname, '../examples/own-planner/Cargo.toml')
+const TARGET = join(process.env.CARGO_TARGET_DIR ?? join(import.meta.dirname, '../target'), 'own-planner')
+const folder = mkdtempSync(join(tmpdir(), 'own-planner-'))
+
+function cargo(...args) {
+  const env = { ...process.env, CARGO_TARGET_DIR: TARGET }
+  return spawnSync('cargo', args, { cwd: folder, env, encoding: 'utf8', maxBuffer: 1 << 28 })
+}
+
+function forage(...args) {
+  const run = cargo('run', '--quiet', '--manifest-path', MANIFEST, '--', ...args)
+  assert.equal(run.status, 0, run.stderr)
+  return run.stdout
+}
+
+before(() => {
+  const built = cargo('build', '--quiet', '--manifest-path', MANIFEST)
+  assert.equal(built.status, 0, built.stderr)
+})
+
+test('it lists our planners and its own, its scene, and its layer with its look', () => {
+  const { planners, scenes, roles } = JSON.parse(forage('list', '--json'))
+  const named = (name) => planners.find((planner) => planner.name === name)
+  assert.ok(named('wcpso') && named('compass-search') && named('wcpso-himmelblau'))
+  assert.ok(scenes.some((scene) => scene.kind === 'himmelblau') && roles.includes('stencil'))
+  const stencil = named('compass-search').layers.find((layer) => layer.role === 'stencil')
+  assert.deepEqual([stencil.look.color, stencil.look.glyph], [{ light: '#8a3ffc', dark: '#be95ff' }, 'diamond'])
+  assert.match(forage('list', 'compass-search'), /contraction +a number from 0\.1 to 0\.9/)
+})
+
+test('it runs, and draws its layer', () => {
+  const svg = join(folder, 'run.svg')
+  const outcome = JSON.parse(forage('run', 'compass-search', '--scene', 'himmelblau', '--iterations', '30', '--svg', svg, '--json'))
+  assert.ok(outcome.feasible && outcome.exact === 0 && outcome.cost < 1e-2, JSON.stringify(outcome))
+  assert.match(readFileSync(svg, 'utf8'), /class="stencil"[^>]*#8a3ffc|#8a3ffc[^>]*class="stencil"/)
+  const swarm = JSON.parse(forage('run', 'wcpso-himmelblau', '--scene', 'himmelblau', '--json'))
+  assert.ok(swarm.cost < 1e-9)
+})
+
+test('what is refused is refused as for ours', () => {
+  const run = cargo('run', '--quiet', '--manifest-path', MANIFEST, '--', 'run', 'compass-search', '--scene', 'himmelblau', '--set', 'step=2')
+  assert.equal(run.status, 2)
+  assert.match(run.stderr, /step.*2.*0\.001 to 0\.5/)
+})
+
+test('an experiment compares them', () => {
+  const file = join(folder, 'sweep.toml')
+  const planners = ['compass-search', 'wcpso-himmelblau'].map((name) => `[[planner]]\nname = "${name}"\n`).join('')
+  writeFileSync(file, `scenes = ["himmelblau"]\nseeds = { from = 1, count = 4 }\n${planners}`)
+  const { groups } = JSON.parse(forage('experiment', file, '--json')).scenes?.[0] ?? {}
+  assert.match(readFileSync(join(folder, 'sweep.csv'), 'utf8'), /compass-search.*\n(.*\n)*.*wcpso-himmelblau/)
+  if (groups) assert.equal(groups.length, 2)
+})
+
+test('it keeps to what every planner must keep to', () => {
+  const tested = cargo('test', '--quiet', '--manifest-path', MANIFEST)
+  assert.equal(tested.status, 0, tested.stdout + tested.stderr)
+})
