@@ -15,8 +15,10 @@ function cargo(...args) {
   return spawnSync('cargo', args, { cwd: folder, env, encoding: 'utf8', maxBuffer: 1 << 28 })
 }
 
+const shell = (...args) => cargo('run', '--quiet', '--manifest-path', MANIFEST, '--', ...args)
+
 function forage(...args) {
-  const run = cargo('run', '--quiet', '--manifest-path', MANIFEST, '--', ...args)
+  const run = shell(...args)
   assert.equal(run.status, 0, run.stderr)
   return run.stdout
 }
@@ -46,7 +48,7 @@ test('it runs, and draws its layer', () => {
 })
 
 test('what is refused is refused as for ours', () => {
-  const run = cargo('run', '--quiet', '--manifest-path', MANIFEST, '--', 'run', 'compass-search', '--scene', 'himmelblau', '--set', 'step=2')
+  const run = shell('run', 'compass-search', '--scene', 'himmelblau', '--set', 'step=2')
   assert.equal(run.status, 2)
   assert.match(run.stderr, /step.*2.*0\.001 to 0\.5/)
 })
