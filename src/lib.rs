@@ -37,6 +37,7 @@
 //! - [`swarm`], [`ants`], [`search`], [`tour`], [`tree`], [`tuning`]: planners, a folder a family and a file a planner.
 //! - [`follow`]: a robot or an arm on the path that was found. [`picture`]: what a run looks like.
 //! - [`standard`]: all that ships, a line each.
+//! - `testing`: the conformance suite, which checks what every planner promises; not in WebAssembly.
 //! - `wasm`: the JavaScript face, in WebAssembly only.
 //!
 //! # Papers

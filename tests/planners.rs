@@ -2,7 +2,7 @@
 //! new planner is tested by being listed: each check is a test of its own for each planner, called
 //! `family::planner::what_holds`.
 //!
-//! `PROPTEST_CASES` says how many random runs of a planner each check sees.
+//! `FORAGE_RANDOM_RUNS` says how many random runs of a planner each check sees.
 #![cfg(not(target_arch = "wasm32"))]
 
 #[path = "support/trial.rs"]
@@ -33,7 +33,7 @@ fn given(pairs: &[(&str, f64)]) -> Overrides {
 
 /// How many random runs a check sees.
 fn random_runs() -> u32 {
-    std::env::var("PROPTEST_CASES").ok().and_then(|cases| cases.parse().ok()).unwrap_or(Suite::RANDOM_RUNS)
+    std::env::var("FORAGE_RANDOM_RUNS").ok().and_then(|runs| runs.parse().ok()).unwrap_or(Suite::RANDOM_RUNS)
 }
 
 /// A check of the conformance suite. A planner of planners judges each particle by a short run, and ants would build
