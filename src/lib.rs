@@ -23,6 +23,11 @@
 //!   [`Registry::with`]. `examples/own-planner` is a crate that does; its `main` is a whole command line.
 //! - **Bring a part**: an objective for a swarm ([`swarm::objective`]), a kind of scene ([`describe::SceneKind`]), and what each
 //!   family's page says can be exchanged.
+//! - **Check it**: `testing` tries what every planner must keep to, ours and yours, and says what is wrong and what helps.
+//!
+//! Six examples that run, in `examples/`: `own_objective` (a function of one's own under a swarm), `step_and_draw` (a run
+//! stepped, read, rewound and drawn), `tour` (stops in TSPLIB's format), `arm` (a path for a six-axis arm, and the arm on it),
+//! `seeds` (many seeds, and whether two planners differ), `node.mjs` (a run in Node). The book, in `docs/`, has a glossary.
 //!
 //! # The map
 //! From the ground up: a module knows what stands above it here, and nothing below. No two files import each other at any

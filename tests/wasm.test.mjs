@@ -1,6 +1,8 @@
 // The JavaScript face of the wasm that ships, under Node: the bits that the native tests store, and errors that are values.
 import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
+import { join } from 'node:path'
 import { test } from 'node:test'
 import {
   armPose,
@@ -326,4 +328,9 @@ test('an arm tells its poses and solutions and where it can come', () => {
       field(() => armSolutions(scene, point, direction, joints)),
       name,
     )
+})
+
+test('the example for Node runs', () => {
+  const said = execFileSync(process.execPath, [join(import.meta.dirname, '../examples/node.mjs')], { encoding: 'utf8' })
+  assert.match(said, /^\d+ planners; length [\d.]+, gap [\d.e-]+, feasible true, hash [0-9a-f]{16}\n[\d.]+ Particle 12/)
 })

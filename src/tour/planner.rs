@@ -23,7 +23,7 @@ use super::{
 };
 
 /// Starts a tour planner whose search begins like this, on a grid with stops or a scene of kind `tour`. The entry lists the parameters of
-/// [`TOURS`](super::TOURS) and [`ITERATIONS`](super::ITERATIONS), and calls at stops.
+/// [`TOURS`](super::TOURS) and [`ITERATIONS`], and calls at stops.
 ///
 /// `own_readings` are those that come with the search, in this order: with members [`MEAN`], [`DIFFERENT`] and [`SETTLED`], and what the
 /// search itself reads.
