@@ -13,7 +13,8 @@ use super::{
     subject::{Subject, goes_on},
 };
 
-const KEEP_BEST: &str = "Keep the best solution in the state, and replace it only by one with a lower cost.";
+const KEEP_BEST: &str =
+    "Keep the best solution in the state, and replace it only by one with a lower cost, or an infeasible one by a feasible one.";
 const COUNT: &str = "Count every evaluation in the state, and never take one back.";
 const COST: &str = "Report a finite cost, or no solution yet: `best` returns `None`.";
 const KIND: &str =
@@ -46,13 +47,17 @@ fn each_step(run: &mut Run, mut look: impl FnMut(&mut Run) -> Checked) -> Checke
 pub fn only_better(subject: &Subject, findings: &mut Findings) {
     findings.watch_random(subject, 40, |setup, _| {
         let mut run = subject.start(setup)?;
-        let (mut least, mut most) = (None, 0);
+        let (mut least, mut most): (Option<Candidate>, _) = (None, 0);
         each_step(&mut run, |run| {
-            let now = run.best().map(|best| best.cost);
-            ensure(now.is_none_or(f64::is_finite), COST, || format!("the best cost is {}", now.unwrap_or(f64::NAN)))?;
+            let now = run.best();
+            if let Some(now) = &now {
+                ensure(now.cost.is_finite(), COST, || format!("the best cost is {}", now.cost))?;
+            }
             ensure(now.is_some() || least.is_none(), KEEP_BEST, || "the best solution is gone".to_owned())?;
-            if let (Some(now), Some(before)) = (now, least) {
-                ensure(now <= before, KEEP_BEST, || format!("the best cost rises from {before} to {now}"))?;
+            if let (Some(now), Some(before)) = (&now, &least) {
+                let feasible = |candidate: &Candidate| run.scene().judge(&candidate.solution).feasible;
+                let better = now.cost <= before.cost || (feasible(now) && !feasible(before));
+                ensure(better, KEEP_BEST, || format!("the best cost rises from {} to {}", before.cost, now.cost))?;
             }
             let evaluations = run.evaluations();
             ensure(evaluations >= most, COUNT, || format!("evaluations fall from {most} to {evaluations}"))?;
@@ -127,8 +132,10 @@ fn tour(scene: &Scene, solution: &Solution) -> Option<Checked> {
 fn end(run: &mut Run) -> Checked {
     let outcome = run.outcome();
     let found = outcome.feasible && outcome.cost.is_some();
+    // A drive is over when the robot is there, whatever it touched.
+    let drives = run.best().is_some_and(|best| matches!(best.solution, Solution::Drive(_)));
     let right = match outcome.status {
-        Status::Solved => found,
+        Status::Solved => found || drives,
         Status::Infeasible => !found,
         Status::Running | Status::Exhausted => true,
     };
