@@ -1,4 +1,4 @@
-//! `a-star-drive`: a drive on ways of A*, planned anew at each blockage; a baseline of [WOLF-ANT](crate#papers) §5.3.
+//! `a-star-drive`: a drive on ways of A*, replanned at each blockage; a baseline of [WOLF-ANT](crate#papers) §5.3.
 
 use std::sync::Arc;
 

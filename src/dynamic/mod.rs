@@ -1,5 +1,5 @@
 //! Drives among moving obstacles, [WOLF-ANT](crate#papers) §5.3: a way is planned, then a robot drives it in simulated time,
-//! sees what moves, foresees collisions and goes round, plans anew or waits.
+//! sees what moves, foresees collisions and goes round, replans or waits.
 //!
 //! A plan and then a `drive` are one planner (`planner`), on a `ground` that does not change. What its planners differ in is
 //! who plans the paths, a `Route`, a file each. The robot's `journey` decides in one way (`decide`): `body` is how it moves,

@@ -20,7 +20,7 @@ impl Keyframes {
         Self { states: Vec::new(), stride: STRIDE, bytes: 0, budget }
     }
 
-    /// Keeps a copy if the state is due and new. Iteration 0 is never kept: the run can always start anew.
+    /// Keeps a copy if the state is due and new. Iteration 0 is never kept: the run can always start again.
     pub(super) fn offer(&mut self, state: &Stepper) {
         let iteration = state.iteration;
         let newest = self.states.last().map_or(0, |(state, _)| state.iteration);

@@ -1,4 +1,4 @@
-//! How N and M grow with D: the regression of [LTQPSO](forage#papers) §3, Tables 1 and 2, run anew.
+//! How N and M grow with D: the regression of [LTQPSO](forage#papers) §3, Tables 1 and 2, repeated.
 //!
 //! The paper increases N and M "in turn" until the standard deviation of 100 results falls under 0.05, and records "the
 //! largest and the smallest". It says neither how N and M go together nor over what the extremes are taken. Our rule:

@@ -1,4 +1,4 @@
-//! How a grid comes about: blocked cells, then stops and what moves.
+//! Drawing a grid: blocked cells, then stops and what moves.
 
 use crate::{describe::Draft, kernel::rng::Stream, params::Parameters, scene::GridScene};
 
