@@ -43,7 +43,8 @@
 //! - [`follow`]: a robot or an arm on the path that was found. [`picture`]: what a run looks like.
 //! - [`standard`]: all that ships, a line each.
 //! - `testing`: the conformance suite, which checks what every planner promises; not in WebAssembly.
-//! - `wasm`: the JavaScript face, in WebAssembly only.
+//!
+//! The JavaScript face, the command line and the study of many runs are crates of their own above this one.
 //!
 //! # Papers
 //! The documentation cites them by these tags, with section, table or equation number. All five are in Chinese; what the
@@ -74,8 +75,6 @@ pub mod follow;
 pub mod geometry;
 pub mod kernel;
 pub mod math;
-#[cfg(all(target_arch = "wasm32", feature = "standard"))]
-mod module;
 pub mod params;
 pub mod picture;
 mod registry;
@@ -90,8 +89,6 @@ pub mod testing;
 pub mod tour;
 pub mod tree;
 pub mod tuning;
-#[cfg(target_arch = "wasm32")]
-pub mod wasm;
 
 pub use describe::Registry;
 pub use kernel::{Error, Frame, Scene, Status};

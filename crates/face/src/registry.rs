@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::Registry;
+use forage::Registry;
 
 static KNOWN: OnceLock<Arc<Registry>> = OnceLock::new();
 
@@ -15,6 +15,6 @@ pub fn know(registry: Registry) {
 }
 
 /// What there is.
-pub(super) fn registry() -> &'static Arc<Registry> {
+pub(crate) fn registry() -> &'static Arc<Registry> {
     KNOWN.get_or_init(Arc::default)
 }

@@ -1,12 +1,13 @@
 //! Rust values as JavaScript has them.
 
+use js_sys::Uint8Array;
 use serde::Serialize;
 use wasm_bindgen::{JsCast, JsValue};
 
-use crate::Error;
+use forage::{Error, scene::formats::NamedFile};
 
 /// An `Error` with the native message and its parts.
-pub(super) fn js_error(error: &Error) -> JsValue {
+pub(crate) fn js_error(error: &Error) -> JsValue {
     let js = js_sys::Error::new(&error.to_string());
     for (name, part) in [("field", error.field()), ("value", error.value()), ("allowed", error.allowed())] {
         // Setting a property of an ordinary object cannot fail.
@@ -16,17 +17,23 @@ pub(super) fn js_error(error: &Error) -> JsValue {
 }
 
 /// A plain object of anything serialisable.
-pub(super) fn plain<T: JsCast>(value: &impl Serialize) -> T {
+pub(crate) fn plain<T: JsCast>(value: &impl Serialize) -> T {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).unwrap_or(JsValue::NULL).unchecked_into()
 }
 
 /// An object of these properties.
-pub(super) fn object<T: JsCast>(properties: &[(&str, JsValue)]) -> T {
+pub(crate) fn object<T: JsCast>(properties: &[(&str, JsValue)]) -> T {
     let object = js_sys::Object::new();
     for (name, value) in properties {
         // Setting a property of an ordinary object cannot fail.
         let _ = js_sys::Reflect::set(&object, &(*name).into(), value);
     }
     object.unchecked_into()
+}
+
+/// A file as an object.
+pub(crate) fn named_file<T: JsCast>(file: NamedFile) -> T {
+    let bytes = Uint8Array::from(file.bytes.as_slice());
+    object(&[("name", file.name.into()), ("bytes", bytes.into())])
 }

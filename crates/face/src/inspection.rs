@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use crate::kernel::{Column, Inspection, Item, Mark, Quantity};
+use forage::kernel::{Column, Inspection, Item, Mark, Quantity};
 
 #[derive(Serialize)]
-pub(super) struct ItemView {
+pub(crate) struct ItemView {
     role: &'static str,
     index: usize,
 }
@@ -17,7 +17,7 @@ impl From<Item> for ItemView {
 }
 
 #[derive(Serialize)]
-pub(super) struct InspectionView {
+pub(crate) struct InspectionView {
     item: ItemView,
     title: String,
     event: &'static str,

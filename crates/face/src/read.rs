@@ -4,15 +4,15 @@ use std::{cell::RefCell, sync::Arc};
 
 use wasm_bindgen::{JsCast, JsValue};
 
-use crate::{
+use forage::{
     Error, Overrides, Scene, Setup, Value,
     kernel::{Item, LayerKey, SceneKindId, rng},
 };
 
-use super::{js_error, registry::registry};
+use crate::{js_error, registry::registry};
 
 /// A value that is not what it must be.
-pub(super) fn refused(field: &str, value: &JsValue, allowed: &str) -> JsValue {
+pub(crate) fn refused(field: &str, value: &JsValue, allowed: &str) -> JsValue {
     let shown = match (value.as_string(), value.as_f64(), value.as_bool()) {
         (Some(text), ..) => format!("\"{text}\""),
         (_, Some(number), _) => number.to_string(),
@@ -24,29 +24,29 @@ pub(super) fn refused(field: &str, value: &JsValue, allowed: &str) -> JsValue {
 }
 
 /// A property; undefined where there is none.
-pub(super) fn property(object: &JsValue, name: &str) -> JsValue {
+pub(crate) fn property(object: &JsValue, name: &str) -> JsValue {
     js_sys::Reflect::get(object, &name.into()).unwrap_or_default()
 }
 
-pub(super) fn read_text(field: &str, value: &JsValue) -> Result<String, JsValue> {
+pub(crate) fn read_text(field: &str, value: &JsValue) -> Result<String, JsValue> {
     value.as_string().ok_or_else(|| refused(field, value, "a text"))
 }
 
-pub(super) fn read_number(field: &str, value: &JsValue) -> Result<f64, JsValue> {
+pub(crate) fn read_number(field: &str, value: &JsValue) -> Result<f64, JsValue> {
     value.as_f64().ok_or_else(|| refused(field, value, "a number"))
 }
 
-pub(super) fn read_list(field: &str, value: &JsValue) -> Result<Vec<JsValue>, JsValue> {
+pub(crate) fn read_list(field: &str, value: &JsValue) -> Result<Vec<JsValue>, JsValue> {
     value.dyn_ref::<js_sys::Array>().map(js_sys::Array::to_vec).ok_or_else(|| refused(field, value, "a list"))
 }
 
-pub(super) fn read_parameter(name: &str, value: &JsValue) -> Result<Value, JsValue> {
+pub(crate) fn read_parameter(name: &str, value: &JsValue) -> Result<Value, JsValue> {
     let number = || value.as_f64().map(Value::Number);
     let read = value.as_bool().map(Value::Flag).or_else(number).or_else(|| value.as_string().map(Value::Text));
     read.ok_or_else(|| refused(name, value, "a number, a text, true or false"))
 }
 
-pub(super) fn read_parameters(value: &JsValue) -> Result<Overrides, JsValue> {
+pub(crate) fn read_parameters(value: &JsValue) -> Result<Overrides, JsValue> {
     let mut given = Overrides::new();
     if value.is_undefined() || value.is_null() {
         return Ok(given);
@@ -59,7 +59,7 @@ pub(super) fn read_parameters(value: &JsValue) -> Result<Overrides, JsValue> {
     Ok(given)
 }
 
-pub(super) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
+pub(crate) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
     match value.as_string() {
         Some(name) => registry().scene(&name),
         None => same_scene(value),
@@ -82,22 +82,22 @@ fn same_scene(value: &JsValue) -> Result<Arc<Scene>, Error> {
     Ok(scene)
 }
 
-pub(super) fn read_kind(value: &JsValue) -> Result<SceneKindId, JsValue> {
+pub(crate) fn read_kind(value: &JsValue) -> Result<SceneKindId, JsValue> {
     let name = read_text("kind", value)?;
     registry().kind(&name).map(|kind| kind.id).map_err(|error| js_error(&error))
 }
 
-pub(super) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
+pub(crate) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
     let layer = read_layer(&read_text("role", &property(value, "role"))?)?;
     let index = read_number("index", &property(value, "index"))?;
     Ok(Item { layer, index: if index >= 0.0 { index as usize } else { usize::MAX } })
 }
 
-pub(super) fn read_layer(name: &str) -> Result<LayerKey, JsValue> {
+pub(crate) fn read_layer(name: &str) -> Result<LayerKey, JsValue> {
     registry().layer_key(name).map_err(|error| js_error(&error))
 }
 
-pub(super) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {
+pub(crate) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {
     match read_list(field, value)?.as_slice() {
         [x, y] => Ok([read_number(field, x)?, read_number(field, y)?]),
         _ => Err(refused(field, value, "a point, [x, y]")),
@@ -105,7 +105,7 @@ pub(super) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsVal
 }
 
 /// The ends of a job, where it has its own.
-pub(super) fn read_ends(setup: &JsValue) -> Result<Option<[[f64; 2]; 2]>, JsValue> {
+pub(crate) fn read_ends(setup: &JsValue) -> Result<Option<[[f64; 2]; 2]>, JsValue> {
     let ends = if setup.is_object() { property(setup, "ends") } else { JsValue::UNDEFINED };
     if ends.is_undefined() {
         return Ok(None);
@@ -116,7 +116,7 @@ pub(super) fn read_ends(setup: &JsValue) -> Result<Option<[[f64; 2]; 2]>, JsValu
     }
 }
 
-pub(super) fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
+pub(crate) fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
     if (0.0..=rng::MAX_SEED as f64).contains(&number) && number.fract() == 0.0 {
         Ok(number as u64)
     } else {
@@ -125,7 +125,7 @@ pub(super) fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
 }
 
 /// A setup: planner, scene (or a shipped one's name), parameters and seed.
-pub(super) fn read_setup(setup: &JsValue) -> Result<Setup, JsValue> {
+pub(crate) fn read_setup(setup: &JsValue) -> Result<Setup, JsValue> {
     if !setup.is_object() {
         return Err(refused("setup", setup, "an object with planner, scene, params and seed"));
     }

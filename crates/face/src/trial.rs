@@ -1,20 +1,19 @@
-//! Many runs: one of them, and what they have in common.
+//! One run of many.
 
 use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
 
-use crate::{
+use forage::{
     Error,
     run::trial::{self, WITHIN},
-    statistics::{self, Group},
 };
 
-use super::{
+use crate::{
     js_error, object, plain,
     read::read_setup,
     registry::registry,
     status,
-    types::{JsComparison, JsGroups, JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
+    types::{JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
 };
 
 /// One run of many: stepped to its end and summed up in a record, the same as in a row of `forage experiment`.
@@ -75,22 +74,4 @@ impl Trial {
     pub fn link(&mut self) -> String {
         self.0.run().link().unwrap_or_default()
     }
-}
-
-/// Summarises groups of runs, and tests whether they differ: what `forage experiment` prints.
-///
-/// # Errors
-/// For anything that is no list of groups, each with a name and its values, and for values that are not finite.
-#[wasm_bindgen]
-pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
-    let groups: Vec<Group> =
-        serde_wasm_bindgen::from_value(groups.into()).map_err(|problem| js_error(&Error::malformed("groups", problem)))?;
-    for (i, group) in groups.iter().enumerate() {
-        if let Some((k, value)) =
-            group.values.iter().enumerate().find_map(|(k, value)| Some((k, value.filter(|value| !value.is_finite())?)))
-        {
-            return Err(js_error(&Error::refused(format!("groups[{i}].values[{k}]"), value, "a finite number, or null for a failed run")));
-        }
-    }
-    Ok(plain(&statistics::compare(&groups)))
 }

@@ -1,17 +1,31 @@
-//! The JavaScript face, the only place that knows wasm-bindgen (but for `json`, which lets the engine read JSON).
-//! `types` names what crosses the boundary, `read` checks what comes in, this file does the work, and `formats` that of
-//! other programs' files.
+//! The JavaScript face: what a WebAssembly module offers, whatever its registry lists. A module is a crate that calls `know`:
+//!
+//! ```ignore
+//! #[wasm_bindgen(start)]
+//! fn start() {
+//!     forage_face::know(Registry::new().with(&discs::KIND).with(&pso::ENTRY));
+//! }
+//! ```
 //!
 //! Plain objects in and out; typed arrays for numbers; errors as `Error` with the native message and the fields
 //! `field`, `value` and `allowed`. Nothing panics across this boundary on any input.
+//!
+//! `types` names what crosses the boundary, `read` checks what comes in, this file does the work of a run. What few modules
+//! need is behind a feature each, as the linker keeps everything that is exported: `arm`, `files` and `statistics`.
+#![cfg(target_arch = "wasm32")]
 
+#[cfg(feature = "arm")]
 mod arm;
-mod batch;
 mod convert;
-mod formats;
+#[cfg(feature = "files")]
+mod files;
 mod inspection;
 mod read;
 mod registry;
+mod scenes;
+#[cfg(feature = "statistics")]
+mod statistics;
+mod trial;
 mod types;
 
 use std::sync::Arc;
@@ -21,7 +35,7 @@ use serde::Serialize;
 use wasm_bindgen::{JsCast, prelude::*};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
-use crate::{
+use forage::{
     Error, Frame, Link, Overrides, Scene,
     describe::Extra,
     geometry::Bounds,
@@ -31,17 +45,20 @@ use crate::{
     scene::formats::tour_file,
 };
 
+#[cfg(feature = "arm")]
 pub use arm::{arm_pose, arm_solutions, reachability};
-pub use batch::{Trial, compare};
-pub use formats::{export_scene, generate_scene, import_scene};
+#[cfg(feature = "files")]
+pub use files::{export_scene, import_scene};
 pub use registry::know;
+pub use scenes::{check_scene, generate_scene};
+#[cfg(feature = "statistics")]
+pub use statistics::compare;
+pub use trial::Trial;
 pub use types::*;
 
-use convert::{js_error, object, plain};
+use convert::{js_error, named_file, object, plain};
 use inspection::{InspectionView, ItemView};
-use read::{
-    read_ends, read_item, read_kind, read_layer, read_list, read_parameter, read_parameters, read_point, read_scene, read_setup, read_text,
-};
+use read::{read_ends, read_item, read_kind, read_layer, read_list, read_parameter, read_parameters, read_point, read_setup, read_text};
 use registry::registry;
 
 fn status(status: Status) -> JsStatus {
@@ -79,15 +96,6 @@ pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
         iteration,
         hash: hash.as_deref(),
     }))
-}
-
-/// Checks a scene and returns it as it is understood.
-///
-/// # Errors
-/// An `Error` with `field`, `value` and `allowed`.
-#[wasm_bindgen(js_name = checkScene)]
-pub fn check_scene(scene: &JsScene) -> Result<JsScene, JsValue> {
-    Ok(plain(&*read_scene(scene)?))
 }
 
 /// Checks one parameter's value by itself, whatever the other parameters are.
@@ -440,7 +448,7 @@ impl Session {
         let Some(order) = self.run.outcome().order else {
             return JsValue::NULL.unchecked_into();
         };
-        formats::named_file(tour_file(&format!("{}.tour", self.run.scene().name()), &order))
+        named_file(tour_file(&format!("{}.tour", self.run.scene().name()), &order))
     }
 
     /// The readings of past iterations as CSV.

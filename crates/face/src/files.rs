@@ -1,13 +1,15 @@
-//! Scenes from and for other programs, and random ones.
+//! Scenes from and for other programs' files.
 
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, prelude::*};
 
-use crate::scene::formats::{self, Format, NamedFile};
+use forage::scene::formats::{self, Format, NamedFile};
 
-use super::{
-    JsFormat, JsGiven, JsImported, JsNamedFiles, JsScene, js_error, object, plain,
-    read::{property, read_list, read_parameters, read_scene, read_text, refused, whole},
+use crate::{
+    JsFormat, JsImported, JsNamedFiles, JsScene,
+    convert::named_file,
+    js_error, plain,
+    read::{property, read_list, read_scene, read_text, refused, whole},
     registry::registry,
 };
 
@@ -38,22 +40,6 @@ pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, 
         files.push(&named_file::<JsValue>(file));
     }
     Ok(files.unchecked_into())
-}
-
-/// A random scene: the same for the same parameters and seed.
-///
-/// # Errors
-/// An `Error` with `field`, `value` and `allowed` for whatever is refused.
-#[wasm_bindgen(js_name = generateScene)]
-pub fn generate_scene(name: &str, params: &JsGiven, seed: f64) -> Result<JsScene, JsValue> {
-    let given = read_parameters(params)?;
-    registry().generate(name, &given, whole("seed", seed)?).map(|scene| plain(&scene)).map_err(|error| js_error(&error))
-}
-
-/// A file as an object.
-pub(super) fn named_file<T: JsCast>(file: NamedFile) -> T {
-    let bytes = Uint8Array::from(file.bytes.as_slice());
-    object(&[("name", file.name.into()), ("bytes", bytes.into())])
 }
 
 fn read_file(value: &JsValue) -> Result<NamedFile, JsValue> {

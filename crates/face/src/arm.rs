@@ -7,12 +7,12 @@ use nalgebra::{Unit, Vector3};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use crate::{
+use forage::{
     Error, Scene,
     arm::{self, ArmScene, Posture, Skeleton, degrees, radians},
 };
 
-use super::{
+use crate::{
     JsArmPose, JsArmSolutions, JsJoints, JsJointsOrUndefined, JsPoint3, JsPoint3OrNull, JsReachability, JsSceneOrName, js_error, object,
     plain,
     read::{read_list, read_number, read_scene, refused},

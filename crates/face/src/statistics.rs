@@ -1,0 +1,28 @@
+//! What many runs have in common.
+
+use wasm_bindgen::prelude::*;
+
+use forage::{
+    Error,
+    statistics::{self, Group},
+};
+
+use crate::{JsComparison, JsGroups, js_error, plain};
+
+/// Summarises groups of runs, and tests whether they differ: what `forage experiment` prints.
+///
+/// # Errors
+/// For anything that is no list of groups, each with a name and its values, and for values that are not finite.
+#[wasm_bindgen]
+pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
+    let groups: Vec<Group> =
+        serde_wasm_bindgen::from_value(groups.into()).map_err(|problem| js_error(&Error::malformed("groups", problem)))?;
+    for (i, group) in groups.iter().enumerate() {
+        if let Some((k, value)) =
+            group.values.iter().enumerate().find_map(|(k, value)| Some((k, value.filter(|value| !value.is_finite())?)))
+        {
+            return Err(js_error(&Error::refused(format!("groups[{i}].values[{k}]"), value, "a finite number, or null for a failed run")));
+        }
+    }
+    Ok(plain(&statistics::compare(&groups)))
+}
