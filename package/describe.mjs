@@ -1,25 +1,61 @@
-// Writes the package's package.json and the entries for Node, for the modules that are built.
+// Completes the package: its words, its catalogue, the entries for Node, and its package.json.
+//   node package/describe.mjs FOLDER SHELL
 import { execFileSync } from 'node:child_process'
-import { existsSync, readdirSync, writeFileSync } from 'node:fs'
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { pattern } from './fluent.mjs'
 
-const folder = process.argv[2]
-const { packages } = JSON.parse(execFileSync('cargo', ['metadata', '--no-deps', '--format-version', '1'], { encoding: 'utf8' }))
-const crate = packages.find(({ name }) => name === 'forage-lab')
+const [folder, shell] = process.argv.slice(2)
+const require = createRequire(new URL('../www/package.json', import.meta.url))
+const run = (file, ...words) => execFileSync(file, words, { encoding: 'utf8', maxBuffer: 1 << 28 })
+const crate = JSON.parse(run('cargo', 'metadata', '--no-deps', '--format-version', '1')).packages.find(({ name }) => name === 'forage-lab')
 const modules = readdirSync(folder).flatMap((file) => (file.endsWith('_bg.wasm') ? [file.slice(0, -'_bg.wasm'.length)] : []))
-
-/** How a module is imported: the one with everything by the package's name. */
+/** The one with everything has its English inside. */
+const light = modules.filter((module) => module !== 'forage')
 const path = (module) => (module === 'forage' ? '.' : `./${module}`)
 const node = (module) => (module === 'forage' ? 'node' : `${module}.node`)
 
+writeFileSync(`${folder}/catalogue.json`, run(shell, 'list', '--json'))
+
+// Words: of each module those whose keys it carries.
+const messages = Object.fromEntries(JSON.parse(run(shell, 'list', '--messages')).map((message) => [message.key, pattern(message)]))
+mkdirSync(`${folder}/locales/en`, { recursive: true })
+writeFileSync(`${folder}/locales/en.json`, JSON.stringify(messages))
+for (const module of light) {
+  const carried = readFileSync(`${folder}/${module}_bg.wasm`, 'latin1')
+  const known = Object.entries(messages).filter(([key]) => carried.includes(key))
+  writeFileSync(`${folder}/locales/en/${module}.json`, JSON.stringify(Object.fromEntries(known)))
+}
+
+// What says them, with the library that reads the patterns inside.
+const { build } = await import(require.resolve('rolldown'))
+await build({
+  input: new URL('words.js', import.meta.url).pathname,
+  resolve: { modules: [new URL('../www/node_modules', import.meta.url).pathname] },
+  output: { file: `${folder}/words.js`, format: 'esm', minify: true },
+  logLevel: 'warn',
+})
+writeFileSync(
+  `${folder}/words.d.ts`,
+  `/** A function that says a message, for \`speakBy\`: undefined where it has no words. */
+export type Say = (key: string, args: Record<string, number | string>) => string | undefined
+
+/** Says messages in a language by its patterns: \`locales/en/swarm.json\`, or a translation of it. */
+export function speaker(locale: string, patterns: Record<string, string>): Say
+`,
+)
+
 for (const module of modules) {
+  const speaks = light.includes(module)
   writeFileSync(
     `${folder}/${node(module)}.js`,
     `// The entry for Node: reads the wasm from disk, so that an import is ready at once.
 import { readFileSync } from 'node:fs'
-import { initSync } from './${module}.js'
-
-initSync({ module: readFileSync(new URL('./${module}_bg.wasm', import.meta.url)) })
-
+import { initSync${speaks ? ', speakBy' : ''} } from './${module}.js'
+${speaks ? "import { speaker } from './words.js'\n" : ''}
+const read = (path) => readFileSync(new URL(path, import.meta.url))
+initSync({ module: read('./${module}_bg.wasm') })
+${speaks ? `speakBy(speaker('en', JSON.parse(read('./locales/en/${module}.json'))))\n` : ''}
 export * from './${module}.js'
 
 /** In Node everything is ready on import; this keeps code that calls \`await init()\` working. */
@@ -49,6 +85,7 @@ const files = modules.flatMap((module) => [
   `${node(module)}.js`,
   `${node(module)}.d.ts`,
 ])
+const others = ['words.js', 'words.d.ts', 'locales', 'catalogue.json', 'README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md']
 const description = {
   name: crate.name,
   type: 'module',
@@ -56,7 +93,7 @@ const description = {
   version: crate.version,
   license: crate.license,
   keywords: crate.keywords,
-  files: [...files, 'README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md'].filter((file) => existsSync(`${folder}/${file}`)),
+  files: [...files, ...others].filter((file) => existsSync(`${folder}/${file}`)),
   main: './node.js',
   module: './forage.js',
   types: './forage.d.ts',
@@ -65,6 +102,9 @@ const description = {
   exports: {
     ...Object.fromEntries(modules.map((module) => [path(module), entry(module)])),
     ...Object.fromEntries(modules.map((module) => [`./${module}_bg.wasm`, `./${module}_bg.wasm`])),
+    './words': { types: './words.d.ts', default: './words.js' },
+    './locales/*': './locales/*',
+    './catalogue.json': './catalogue.json',
     './package.json': './package.json',
   },
 }

@@ -204,7 +204,7 @@ fn a_run_drives_its_best_path_and_refuses_what_is_not_allowed() {
         ("turn_rate", "NaN", "a number from 0.001 to 10"),
     ] {
         let error = run.follow("drive", &Overrides::from_iter([(name, Value::from(value))])).unwrap_err();
-        assert_eq!((error.field(), error.value(), error.allowed()), (name, value, allowed));
+        assert_eq!((error.field(), error.value(), &*error.allowed()), (name, value, allowed));
     }
     let unknown = run.follow("drive", &given(&[("mass", 2.3)])).unwrap_err();
     assert!(unknown.field() == "parameter" && unknown.allowed().contains("wheel_radius"));

@@ -203,7 +203,7 @@ fn log(planner: &str, scene: &str, seed: u32, set: &str) -> Log {
     let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
     let mut run = Run::new(standard(), setup).unwrap();
     run.step(u64::MAX);
-    let lines = run.events().iter().map(|e| line(e.iteration, e.time, e.place, e.kind, e.obstacle, &e.reason)).collect();
+    let lines = run.events().iter().map(|e| line(e.iteration, e.time, e.place, e.kind, e.obstacle, &e.reason.text())).collect();
     Log { planner: planner.to_owned(), scene: scene.to_owned(), seed, set: set.to_owned(), lines }
 }
 

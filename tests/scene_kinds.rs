@@ -117,7 +117,7 @@ fn kinds() -> Vec<&'static SceneKind> {
 
 fn refused(kinds: &[&SceneKind], text: &str) -> [String; 3] {
     let error = Scene::read(kinds, text).unwrap_err();
-    [error.field(), error.value(), error.allowed()].map(str::to_owned)
+    [error.field(), error.value(), &error.allowed()].map(str::to_owned)
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn a_body_is_found_as_what_it_is_only() {
     assert_eq!(scene.get::<Pond>().unwrap().radius.to_bits(), 2.5_f64.to_bits());
     assert_eq!(scene.share::<Pond>().unwrap().side.to_bits(), 10.0_f64.to_bits());
     let error = scene.get::<GridScene>().unwrap_err();
-    assert_eq!((error.field(), error.value(), error.allowed()), ("kind", "pond", "grid"));
+    assert_eq!((error.field(), error.value(), &*error.allowed()), ("kind", "pond", "grid"));
     assert_eq!(scene.share::<GridScene>().unwrap_err(), error);
     assert_eq!(scene.between([[0.0; 2]; 2]).unwrap_err(), error);
 }

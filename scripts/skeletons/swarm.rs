@@ -42,7 +42,6 @@ pub const ENTRY: Entry = Entry::new(
 // `reach` is its own; the others say how paths are encoded, charged and smoothed.
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), REACH.entry()], ENCODED, CHARGED])
 .readings(Population::READINGS)
-.symbols(SYMBOLS)
 // Those that only explanations mark come last.
 .layers(&[GUIDES, layers::PERSONAL_BESTS, layers::PARTICLES, layers::BEST, SMOOTHED, layers::AFTER]);
 

@@ -7,20 +7,19 @@ use crate::{
 
 use super::{
     colony::Variant,
-    explain::SYMBOLS,
     parameters::{
         ALPHA, ANTS, BETA, CHOICE, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
     },
     planner,
 };
 
-const AS_IN_PAPER: Preset = Preset {
-    name: "paper",
-    title: "As in the paper",
-    help: "α = 1.5 and β = 8, as [ANTBAT] prints them. The defaults were chosen on random maps.",
-    scene: "ant-bat-30",
-    values: &[("alpha", Fixed::Number(1.5)), ("beta", Fixed::Number(8.0))],
-};
+const AS_IN_PAPER: Preset = Preset::new(
+    "paper",
+    "As in the paper",
+    "α = 1.5 and β = 8, as [ANTBAT] prints them. The defaults were chosen on random maps.",
+    "ant-bat-30",
+    &[("alpha", Fixed::Number(1.5)), ("beta", Fixed::Number(8.0))],
+);
 
 const OWN: &[Parameter] = &[
     ANTS.entry(),
@@ -50,6 +49,5 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[OWN, WALKS])
 .readings(READINGS)
 .formulas(&[CHOICE, DISTANCE, EVAPORATION, TRADITIONAL])
-.symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[AS_IN_PAPER]);

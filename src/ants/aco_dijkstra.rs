@@ -10,7 +10,6 @@ use crate::{
 
 use super::{
     colony::Variant,
-    explain::SYMBOLS,
     parameters::{
         ALPHA, ANT_STEPS, ANTS, ARRIVED, BEST, BETA, CHOICE, DISTANCE, EVAPORATION, GREED, ITERATIONS, KINDS, LAYERS, LOST, MEAN, Q, RHO,
         STUCK, TAU_0, TAU_MIN, TRADITIONAL, WALKS,
@@ -76,7 +75,6 @@ pub const ENTRY: Entry = Entry::new(
     GREED,
 ])
 .formulas(&[RULE, CHOICE, DISTANCE, EVAPORATION, TRADITIONAL])
-.symbols(SYMBOLS)
 .layers(LAYERS);
 
 /// What sets this colony apart.

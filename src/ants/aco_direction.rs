@@ -7,7 +7,6 @@ use crate::{
 
 use super::{
     colony::Variant,
-    explain::SYMBOLS,
     ground::Direction,
     parameters::{ALPHA, ANTS, BETA, DISTANCE, EVAPORATION, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, WALKS},
     planner,
@@ -28,8 +27,8 @@ const DIRECTION_LAW: Param<Direction> = Param::choice(
     "\\psi",
     "Angles in (2)",
     &[
-        Choice { value: "squared", title: "Squared", help: "exp(−((θ1/π)² + (θ2/π)²)): small turns cost little." },
-        Choice { value: "linear", title: "Linear", help: "exp(−(θ1 + θ2)/(π/2)): every turn costs in proportion." },
+        Choice::new("squared", "Squared", "exp(−((θ1/π)² + (θ2/π)²)): small turns cost little."),
+        Choice::new("linear", "Linear", "exp(−(θ1 + θ2)/(π/2)): every turn costs in proportion."),
     ],
     &[Direction::Squared, Direction::Linear],
     "How the angles enter the direction factor. The scan of (2) is damaged; squares are the likelier reading.",
@@ -39,12 +38,12 @@ const Q_RELATIVE: Param<bool> = Param::choice(
     "",
     "Q in",
     &[
-        Choice {
-            value: "distance",
-            title: "Distances from start to goal",
-            help: "Q is multiplied by the straight distance from start to goal: it means the same on every map.",
-        },
-        Choice { value: "absolute", title: "The scene’s unit", help: "Q is taken as it is." },
+        Choice::new(
+            "distance",
+            "Distances from start to goal",
+            "Q is multiplied by the straight distance from start to goal: it means the same on every map.",
+        ),
+        Choice::new("absolute", "The scene’s unit", "Q is taken as it is."),
     ],
     &[true, false],
     "What Q is measured in.",
@@ -130,7 +129,6 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[OWN, WALKS])
 .readings(READINGS)
 .formulas(&[CHOICE, DISTANCE, DIRECTION, DIRECTION_LINEAR, EVAPORATION, REWARD])
-.symbols(SYMBOLS)
 .layers(LAYERS);
 
 /// What sets this colony apart.

@@ -8,7 +8,6 @@ use crate::{
 
 use super::{
     colony::Variant,
-    explain::SYMBOLS,
     ground::Heuristic,
     parameters::{ALPHA, ANTS, BETA, DISTANCE, ITERATIONS, KINDS, LAYERS, Q, READINGS, RHO, TAU_0, TAU_MIN, TRADITIONAL, WALKS},
     planner,
@@ -29,10 +28,7 @@ const RANKS: Param<bool> = Param::choice(
     "heuristic",
     "",
     "Heuristic",
-    &[
-        Choice { value: "ranks", title: "Ranks", help: "[WOLF-ANT] (6)." },
-        Choice { value: "distance", title: "Distance", help: "1 / distance to the goal." },
-    ],
+    &[Choice::new("ranks", "Ranks", "[WOLF-ANT] (6)."), Choice::new("distance", "Distance", "1 / distance to the goal.")],
     &[true, false],
     "What draws ants to the goal.",
 );
@@ -40,10 +36,7 @@ const UPDATE: Param<Update> = Param::choice(
     "update",
     "",
     "Pheromone update",
-    &[
-        Choice { value: "wolf", title: "Wolf pack", help: "[WOLF-ANT] (10) to (12)." },
-        Choice { value: "ant", title: "Traditional", help: "Q / L of every ant, (9) alone." },
-    ],
+    &[Choice::new("wolf", "Wolf pack", "[WOLF-ANT] (10) to (12)."), Choice::new("ant", "Traditional", "Q / L of every ant, (9) alone.")],
     &[Update::Wolf, Update::Traditional],
     "How much pheromone ants deposit.",
 );
@@ -77,13 +70,13 @@ pub(crate) const LAID: Formula = Formula::of_item(
     "\\Delta\\tau = @share@ \\cdot \\frac{@q@}{@length@} = @laid@",
 );
 
-const AS_IN_PAPER: Preset = Preset {
-    name: "paper",
-    title: "As in the paper",
-    help: "β = 7 and ρ = 0.367, which [WOLF-ANT] found by a particle swarm on its map. Where obstacles lead away from the goal, paths become much longer than with the defaults.",
-    scene: "wolf-ant-20",
-    values: &[("beta", Fixed::Number(7.0)), ("rho", Fixed::Number(0.367))],
-};
+const AS_IN_PAPER: Preset = Preset::new(
+    "paper",
+    "As in the paper",
+    "β = 7 and ρ = 0.367, which [WOLF-ANT] found by a particle swarm on its map. Where obstacles lead away from the goal, paths become much longer than with the defaults.",
+    "wolf-ant-20",
+    &[("beta", Fixed::Number(7.0)), ("rho", Fixed::Number(0.367))],
+);
 
 const OWN: &[Parameter] = &[
     ANTS.default_to(30).help("How many ants set out in an iteration. Published: 30.").entry(),
@@ -127,7 +120,6 @@ pub const ENTRY: Entry = Entry::new(
     LAID.when(UPDATE, "wolf"),
     TRADITIONAL.when(UPDATE, "ant"),
 ])
-.symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[AS_IN_PAPER]);
 

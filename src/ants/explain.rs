@@ -2,8 +2,8 @@
 
 use crate::{
     describe::layers,
-    kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
-    math,
+    kernel::{Inspection, Item, Label, Mark, Quantity, Shape},
+    label, math,
 };
 
 use super::{
@@ -12,39 +12,6 @@ use super::{
     update::Update,
     walk::End,
 };
-
-/// The TeX strings that inspections use.
-pub(super) const SYMBOLS: &[&str] = &[
-    "\\tau",
-    "\\eta",
-    "\\psi",
-    "p",
-    "\\theta_1",
-    "\\theta_2",
-    "\\Sigma",
-    "\\alpha",
-    "\\beta",
-    "\\gamma",
-    "d",
-    "\\varepsilon",
-    "L",
-    "Q",
-    "\\Delta\\tau",
-    "\\varphi_1",
-    "\\varphi_2",
-    "L_{\\text{median}}",
-    "L_{\\text{global}}",
-    "\\delta - \\omega",
-    "\\eta / \\varepsilon",
-];
-
-const fn column(name: &'static str, symbol: &'static str, title: &'static str) -> Column {
-    Column { name, symbol, title }
-}
-
-fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value: f64) -> Quantity {
-    Quantity { name, symbol, title, value }
-}
 
 /// A cell as an ant sees it that comes there now: as the best way so far does, if that leads through the cell; otherwise
 /// it starts there.
@@ -116,16 +83,16 @@ impl<'a> View<'a> {
         (0..8).filter(|&d| self.allows(d)).max_by(|&a, &b| self.share(a).total_cmp(&self.share(b)))
     }
 
-    fn columns(&self) -> Vec<Column> {
-        let mut columns = vec![column("tau", "\\tau", "pheromone"), column("eta", "\\eta", "sight")];
+    fn columns(&self) -> Vec<Label> {
+        let mut columns = vec![label!("ants-pheromone", "tau", "\\tau", "pheromone"), label!("ants-sight", "eta", "\\eta", "sight")];
         if self.directed {
             columns.extend([
-                column("theta1", "\\theta_1", "turn, radians"),
-                column("theta2", "\\theta_2", "off the goal, radians"),
-                column("psi", "\\psi", "direction"),
+                label!("ants-turn-radians", "theta1", "\\theta_1", "turn, radians"),
+                label!("ants-off-the-goal-radians", "theta2", "\\theta_2", "off the goal, radians"),
+                label!("ants-direction", "psi", "\\psi", "direction"),
             ]);
         }
-        columns.push(column("p", "p", "probability"));
+        columns.push(label!("ants-probability", "p", "p", "probability"));
         columns
     }
 
@@ -143,28 +110,34 @@ impl<'a> View<'a> {
     fn values(&self, d: usize) -> Vec<Quantity> {
         let ground = self.ground;
         let mut values = vec![
-            quantity("p", "p", "probability of the likeliest step", self.share(d)),
-            quantity("tau", "\\tau", "its pheromone", self.tau(d)),
-            quantity("eta", "\\eta", "its sight", self.eta[d]),
-            quantity("sum", "\\Sigma", "the sum over all steps", self.sum),
-            quantity("alpha", "\\alpha", "weight of pheromone", self.colony.pheromone.exponent()),
-            quantity("beta", "\\beta", "weight of sight", ground.beta.exponent),
+            label!("ants-probability-of-the-likeliest-step", "p", "p", "probability of the likeliest step").is(self.share(d)),
+            label!("ants-its-pheromone", "tau", "\\tau", "its pheromone").is(self.tau(d)),
+            label!("ants-its-sight", "eta", "\\eta", "its sight").is(self.eta[d]),
+            label!("ants-the-sum-over-all-steps", "sum", "\\Sigma", "the sum over all steps").is(self.sum),
+            label!("ants-weight-of-pheromone", "alpha", "\\alpha", "weight of pheromone").is(self.colony.pheromone.exponent()),
+            label!("ants-weight-of-sight", "beta", "\\beta", "weight of sight").is(ground.beta.exponent),
         ];
         if self.directed {
             let [theta1, theta2, psi] = self.direction(d);
             values.extend([
-                quantity("psi", "\\psi", "its direction", psi),
-                quantity("theta1", "\\theta_1", "its turn, radians", theta1),
-                quantity("theta2", "\\theta_2", "its angle off the goal, radians", theta2),
-                quantity("gamma", "\\gamma", "weight of direction", ground.gamma),
+                label!("ants-its-direction", "psi", "\\psi", "its direction").is(psi),
+                label!("ants-its-turn-radians", "theta1", "\\theta_1", "its turn, radians").is(theta1),
+                label!("ants-its-angle-off-the-goal-radians", "theta2", "\\theta_2", "its angle off the goal, radians").is(theta2),
+                label!("ants-weight-of-direction", "gamma", "\\gamma", "weight of direction").is(ground.gamma),
             ]);
         }
         match ground.heuristic {
             Heuristic::Ranked { epsilon } => values.extend([
-                quantity("epsilon", "\\varepsilon", "unit of sight", epsilon),
-                quantity("rank", "\\eta / \\varepsilon", "its rank", if epsilon > 0.0 { self.eta[d] / epsilon } else { 0.0 }),
+                label!("ants-unit-of-sight", "epsilon", "\\varepsilon", "unit of sight").is(epsilon),
+                label!("ants-its-rank", "rank", "\\eta / \\varepsilon", "its rank").is(if epsilon > 0.0 {
+                    self.eta[d] / epsilon
+                } else {
+                    0.0
+                }),
             ]),
-            Heuristic::Distance => values.push(quantity("d", "d", "from there to the goal, cells", 1.0 / self.eta[d])),
+            Heuristic::Distance => {
+                values.push(label!("ants-from-there-to-the-goal-cells", "d", "d", "from there to the goal, cells").is(1.0 / self.eta[d]))
+            }
             Heuristic::Own(_) => {}
         }
         values
@@ -216,13 +189,13 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
     let choice = likeliest.filter(|_| event == "choice");
     Some(Inspection {
         item,
-        title: format!("Column {column}, row {row}"),
+        title: format!("Column {column}, row {row}").into(),
         event,
-        summary,
+        summary: summary.into(),
         values: choice.map_or(Vec::new(), |d| view.values(d)),
         formulas: choice.map_or(Vec::new(), |_| view.formulas()),
         columns: view.columns(),
-        labels: names.iter().map(|&name| name.to_owned()).collect(),
+        labels: names.iter().map(|&name| name.to_owned().into()).collect(),
         rows: (0..8).map(|d| view.row(d)).collect(),
         marks: choice.map_or(Vec::new(), |_| vec![view.mark()]),
     })
@@ -251,9 +224,9 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
     let mut formulas = Vec::new();
     if ant.end == End::Arrived {
         values.extend([
-            quantity("length", "L", "length of its way", ant.length),
-            quantity("q", "Q", "pheromone of an ant", colony.q),
-            quantity("laid", "\\Delta\\tau", "what it laid on each step", ant.laid),
+            label!("ants-length-of-its-way", "length", "L", "length of its way").is(ant.length),
+            label!("ants-pheromone-of-an-ant", "q", "Q", "pheromone of an ant").is(colony.q),
+            label!("ants-what-it-laid-on-each-step", "laid", "\\Delta\\tau", "what it laid on each step").is(ant.laid),
         ]);
         match colony.variant.update {
             Update::Traditional | Update::Own(_) => {}
@@ -261,15 +234,23 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
                 let global = colony.best.as_ref().map_or(ant.length, |best| best.length);
                 let mut lengths: Vec<_> = colony.walks.arrived().map(|ant| ant.length).collect();
                 values.extend([
-                    quantity("phi1", "\\varphi_1", "reward by the median", phi1),
-                    quantity("phi2", "\\varphi_2", "reward by the best", phi2),
-                    quantity("median", "L_{\\text{median}}", "median length", super::update::median(&mut lengths)),
-                    quantity("global", "L_{\\text{global}}", "shortest so far", global),
+                    label!("ants-reward-by-the-median", "phi1", "\\varphi_1", "reward by the median").is(phi1),
+                    label!("ants-reward-by-the-best", "phi2", "\\varphi_2", "reward by the best").is(phi2),
+                    label!("ants-median-length", "median", "L_{\\text{median}}", "median length").is(super::update::median(&mut lengths)),
+                    label!("ants-shortest-so-far", "global", "L_{\\text{global}}", "shortest so far").is(global),
                 ]);
             }
             Update::Wolf => {
                 let share = if colony.q > 0.0 { (ant.laid * ant.length / colony.q).round() } else { 0.0 };
-                values.push(quantity("share", "\\delta - \\omega", "shares: 2 on the best way, 0 on the worst", share));
+                values.push(
+                    label!(
+                        "ants-shares-2-on-the-best-way-0-on-the-worst",
+                        "share",
+                        "\\delta - \\omega",
+                        "shares: 2 on the best way, 0 on the worst"
+                    )
+                    .is(share),
+                );
             }
         }
         formulas.extend(match colony.variant.update {
@@ -280,9 +261,9 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
     }
     Some(Inspection {
         item,
-        title: format!("Ant {}", item.index),
+        title: format!("Ant {}", item.index).into(),
         event,
-        summary,
+        summary: summary.into(),
         values,
         formulas,
         columns: Vec::new(),

@@ -70,12 +70,12 @@ pub(super) const BACKTRACKS: Param<bool> = Param::choice(
     "",
     "In a dead end",
     &[
-        Choice {
-            value: "backtrack",
-            title: "It goes back",
-            help: "The ant takes its last step back and chooses again; with enough steps it always arrives.",
-        },
-        Choice { value: "stay", title: "It stays", help: "The ant is out: it lays nothing. In rooms and mazes whole colonies are lost." },
+        Choice::new(
+            "backtrack",
+            "It goes back",
+            "The ant takes its last step back and chooses again; with enough steps it always arrives.",
+        ),
+        Choice::new("stay", "It stays", "The ant is out: it lays nothing. In rooms and mazes whole colonies are lost."),
     ],
     &[true, false],
     "What an ant does when every cell around it is blocked or already behind it. The papers do not say.",

@@ -67,7 +67,7 @@ fn probabilities_follow_the_formula() {
     for (p, weight) in p.iter().zip([east, diagonal, south, 0.0, 0.0, 0.0, 0.0, 0.0]) {
         assert!((p - weight / sum).abs() < 1e-15, "{p} {}", weight / sum);
     }
-    assert_eq!(told.labels[1], "south-east", "y grows downwards");
+    assert_eq!(told.labels[1].text(), "south-east", "y grows downwards");
     // And that is how often it is chosen.
     let weights = *colony.pheromone.weights(&colony.ground.clone(), 0);
     let mut rng = Stream::new(3, 0);
@@ -281,7 +281,7 @@ fn a_cell_s_card_leaves_out_what_lies_behind() {
     let told = explain::cell(&colony, Item { layer: layers::PHEROMONE.key, index: 2 }).unwrap();
     let p: Vec<_> = told.rows.iter().map(|row| *row.last().unwrap()).collect();
     assert_eq!((p[0], p[4]), (1.0, 0.0));
-    assert!(told.summary.contains("coming from the west"));
+    assert!(told.summary.text().contains("coming from the west"));
 }
 
 #[test]

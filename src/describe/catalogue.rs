@@ -25,17 +25,18 @@ impl Registry {
     pub(crate) fn symbols(&self) -> Vec<&'static str> {
         let planners = self.planners().iter().flat_map(|entry| {
             let parameters = entry.all_parameters().map(|p| p.symbol);
-            parameters
-                .chain(entry.readings.iter().map(|r| r.symbol))
-                .chain(entry.symbols.iter().copied())
-                .chain(entry.members.iter().map(|m| m.symbol))
+            parameters.chain(entry.readings.iter().map(|r| r.symbol)).chain(entry.members.iter().map(|m| m.symbol))
         });
         let followers = self.followers().iter().flat_map(|follower| {
             let parameters = follower.parameters.iter().copied().flatten().map(|p| p.symbol);
             parameters.chain(follower.columns.iter().map(|column| column.symbol))
         });
+        #[cfg(not(target_arch = "wasm32"))]
+        let told = crate::kernel::message::sentences().into_iter().map(|sentence| sentence.symbol);
+        #[cfg(target_arch = "wasm32")]
+        let told = std::iter::empty();
         let mut symbols = Vec::new();
-        for symbol in planners.chain(followers) {
+        for symbol in planners.chain(followers).chain(told) {
             if !symbol.is_empty() && !symbols.contains(&symbol) {
                 symbols.push(symbol);
             }

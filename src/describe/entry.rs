@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::{
-    kernel::{Error, LayerKey, Scene, SceneKindId, Started, Stops},
+    kernel::{Error, LayerKey, Scene, SceneKindId, Started, Stops, words},
     params::{Overrides, Param, Parameter, Parameters},
 };
 
@@ -37,8 +37,6 @@ pub struct Entry {
     pub readings: &'static [Reading],
     /// The equations that it computes.
     pub formulas: &'static [Formula],
-    /// What its explanations use in TeX besides the symbols of its parameters, readings and members.
-    pub symbols: &'static [&'static str],
     /// The layers it draws, in drawing order, and after them those that only its explanations mark.
     pub layers: &'static [Layer],
     /// The numbers that it reports of each member of its population.
@@ -75,17 +73,16 @@ impl Entry {
     ) -> Self {
         Self {
             name,
-            title,
+            title: words(title),
             family: "",
-            source,
-            summary,
+            source: words(source),
+            summary: words(summary),
             kinds: &[],
             stops: false,
             most_stops: None,
             parameters: &[],
             readings: &[],
             formulas: &[],
-            symbols: &[],
             layers: &[],
             members: &[],
             events: &[],
@@ -135,12 +132,6 @@ impl Entry {
     #[must_use]
     pub const fn formulas(self, formulas: &'static [Formula]) -> Self {
         Self { formulas, ..self }
-    }
-
-    /// What its explanations use in TeX besides the symbols of its parameters, readings and members.
-    #[must_use]
-    pub const fn symbols(self, symbols: &'static [&'static str]) -> Self {
-        Self { symbols, ..self }
     }
 
     /// The layers it draws, in drawing order.

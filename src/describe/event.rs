@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::kernel::words;
+
 /// A kind of event in simulated time.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct EventKind {
@@ -13,6 +15,13 @@ pub struct EventKind {
     pub help: &'static str,
     /// Its tone.
     pub tone: Tone,
+}
+
+impl EventKind {
+    /// A kind of event with its name, title, tone and what it means.
+    pub const fn new(name: &'static str, title: &'static str, tone: Tone, help: &'static str) -> Self {
+        Self { name, title: words(title), help: words(help), tone }
+    }
 }
 
 /// The tone of an event, which pictures show by colour and sign.

@@ -6,7 +6,7 @@ use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use crate::{
-    kernel::{Error, Scene, SceneKindId, Solution},
+    kernel::{Error, Scene, SceneKindId, Solution, words},
     params::{Object, Overrides, Parameter, Parameters},
 };
 
@@ -53,6 +53,13 @@ pub struct Column {
     pub symbol: &'static str,
     /// The unit: `s`, `m`, `rad/s`, …; empty for a bare number. `m` stands for the scene's unit.
     pub unit: &'static str,
+}
+
+impl Column {
+    /// A number with its name, symbol, title and unit.
+    pub const fn new(name: &'static str, symbol: &'static str, title: &'static str, unit: &'static str) -> Self {
+        Self { name, title: words(title), symbol: words(symbol), unit }
+    }
 }
 
 /// A path that was followed, moment by moment.

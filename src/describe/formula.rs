@@ -2,7 +2,10 @@
 
 use serde::Serialize;
 
-use crate::params::{Param, When};
+use crate::{
+    kernel::words,
+    params::{Param, When},
+};
 
 /// An equation that a planner computes.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -29,7 +32,7 @@ pub struct Formula {
 impl Formula {
     /// An equation that is filled in from the readings of the iteration, and the parameters.
     pub const fn new(name: &'static str, source: &'static str, title: &'static str, tex: &'static str, live: &'static str) -> Self {
-        Self { name, source, title, tex, live, scope: Scope::Iteration, when: None }
+        Self { name, source: words(source), title: words(title), tex: words(tex), live: words(live), scope: Scope::Iteration, when: None }
     }
 
     /// An equation that is filled in from an inspection's values.

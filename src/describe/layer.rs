@@ -3,7 +3,7 @@
 use serde::{Serialize, Serializer};
 
 use crate::{
-    kernel::{LayerKey, SceneKindId},
+    kernel::{LayerKey, SceneKindId, words},
     params::When,
 };
 
@@ -49,13 +49,23 @@ pub struct Layer {
 impl Layer {
     /// A layer that is shown whatever the parameters are.
     pub const fn new(key: LayerKey, title: &'static str, help: &'static str, look: &'static Look) -> Self {
-        Self { key, title, help, shown: Shown::On, pickable: false, when: None, kinds: &[], weight: Weight::None, look }
+        Self {
+            key,
+            title: words(title),
+            help: words(help),
+            shown: Shown::On,
+            pickable: false,
+            when: None,
+            kinds: &[],
+            weight: Weight::None,
+            look,
+        }
     }
 
     /// The same with another title and help text.
     #[must_use]
     pub const fn titled(self, title: &'static str, help: &'static str) -> Self {
-        Self { title, help, ..self }
+        Self { title: words(title), help: words(help), ..self }
     }
 
     /// The same with weights of this meaning.

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::kernel::words;
+
 /// A number that a planner reports of each member of its population: particle, bat, ant, …
 #[derive(Debug, Clone, Copy, Serialize)]
 #[non_exhaustive]
@@ -25,7 +27,7 @@ pub struct Member {
 impl Member {
     /// A number without a bar, with its name, symbol, title and help text.
     pub const fn new(name: &'static str, symbol: &'static str, title: &'static str, help: &'static str) -> Self {
-        Self { name, symbol, title, help, full: None, words: &[] }
+        Self { name, symbol: words(symbol), title: words(title), help: words(help), full: None, words: &[] }
     }
 
     /// The same with a bar from 0 to this.

@@ -2,7 +2,10 @@
 
 use serde::{Serialize, Serializer};
 
-use crate::params::{Fixed, Object, Overrides, Value};
+use crate::{
+    kernel::words,
+    params::{Fixed, Object, Overrides, Value},
+};
 
 /// The name of the preset for pairwise paths between stops: sizes with which 66 runs take seconds.
 pub const ROAD: &str = "road";
@@ -31,6 +34,17 @@ fn fixed<S: Serializer>(values: &[(&'static str, Fixed)], serializer: S) -> Resu
 }
 
 impl Preset {
+    /// A preset with its name, title, help text, the scene to try it on, and its values.
+    pub const fn new(
+        name: &'static str,
+        title: &'static str,
+        help: &'static str,
+        scene: &'static str,
+        values: &'static [(&'static str, Fixed)],
+    ) -> Self {
+        Self { name, title: words(title), help: words(help), scene, values }
+    }
+
     /// The values as overrides.
     pub fn given(&self) -> Overrides {
         self.values.iter().map(|&(name, value)| (name, Value::from(value))).collect()

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::kernel::ReadingName;
+use crate::kernel::{ReadingName, words};
 
 /// A number that a planner reports after each iteration.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -33,13 +33,13 @@ impl ReadingName for Reading {
 impl Reading {
     /// A number with its name, symbol, title, group and help text.
     pub const fn new(name: &'static str, symbol: &'static str, title: &'static str, group: Group, help: &'static str) -> Self {
-        Self { name, symbol, title, help, group }
+        Self { name, symbol: words(symbol), title: words(title), help: words(help), group }
     }
 
     /// The same number with another symbol, title and help text.
     #[must_use]
     pub const fn told(self, symbol: &'static str, title: &'static str, help: &'static str) -> Self {
-        Self { symbol, title, help, ..self }
+        Self { symbol: words(symbol), title: words(title), help: words(help), ..self }
     }
 }
 

@@ -10,7 +10,6 @@ use crate::{
 
 use super::{
     a_star::AStar,
-    explain::SYMBOLS,
     ground::Ground,
     parameters::{DRIVE, EVENTS, FORMULA_APPROACH, FORMULA_TIME, ITERATIONS, KINDS, LAYERS_BARE, READINGS},
     planner,
@@ -32,10 +31,7 @@ const PRINTED: Param<bool> = Param::choice(
     "path",
     "",
     "First path",
-    &[
-        Choice { value: "search", title: "By A*", help: "The shortest one." },
-        Choice { value: "printed", title: "As printed", help: "published.path_cells of the scene." },
-    ],
+    &[Choice::new("search", "By A*", "The shortest one."), Choice::new("printed", "As printed", "published.path_cells of the scene.")],
     &[false, true],
     "Where the first path comes from.",
 );
@@ -88,7 +84,6 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[PRINTED.entry(), ITERATIONS.entry()], DRIVE])
 .readings(READINGS)
 .formulas(&[FORMULA_APPROACH, FORMULA_TIME])
-.symbols(SYMBOLS)
 .layers(LAYERS_BARE)
 .events(EVENTS);
 

@@ -3,7 +3,8 @@
 use crate::{
     describe::layers,
     geometry::closest_approach,
-    kernel::{Inspection, Item, Mark, Quantity, Readings, Shape},
+    kernel::{Inspection, Item, Mark, Readings, Shape},
+    label,
 };
 
 use super::{
@@ -14,10 +15,6 @@ use super::{
         WAITED, WAITS,
     },
 };
-
-/// The TeX strings that inspections use.
-pub(super) const SYMBOLS: &[&str] =
-    &["t^*", "d^*", "-\\Delta p \\cdot \\Delta v", "|\\Delta v|^2", "|\\Delta p + t^* \\Delta v|", "r", "d", "|v|", "t"];
 
 pub(super) fn read(dynamic: &Dynamic, out: &mut Readings) {
     let journey = dynamic.journey.as_ref();
@@ -61,13 +58,9 @@ pub(super) fn inspect(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     }
 }
 
-fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value: f64) -> Quantity {
-    Quantity { name, symbol, title, value }
-}
-
-fn told(item: Item, title: String, event: &'static str, summary: String) -> Inspection {
+fn told(item: Item, title: String, event: &'static str, summary: impl Into<crate::kernel::Message>) -> Inspection {
     let (values, formulas, columns, labels, rows, marks) = Default::default();
-    Inspection { item, title, event, summary, values, formulas, columns, labels, rows, marks }
+    Inspection { item, title: title.into(), event, summary: summary.into(), values, formulas, columns, labels, rows, marks }
 }
 
 /// When an obstacle and the robot come nearest if both go on as they go now.
@@ -94,25 +87,27 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     };
     let mut told = told(item, format!("Obstacle {}", item.index + 1), if seen { "seen" } else { "unseen" }, summary);
     told.values = vec![
-        quantity("t", "t^*", "until it is nearest, seconds", time),
-        quantity("d", "d^*", "distance of the rims then", least),
-        quantity("now", "d", "distance of the rims now", apart_now),
-        quantity("speed", "|v|", "its speed", speed),
-        quantity(
+        label!("drive-until-it-is-nearest-seconds", "t", "t^*", "until it is nearest, seconds").is(time),
+        label!("drive-distance-of-the-rims-then", "d", "d^*", "distance of the rims then").is(least),
+        label!("drive-distance-of-the-rims-now", "now", "d", "distance of the rims now").is(apart_now),
+        label!("drive-its-speed", "speed", "|v|", "its speed").is(speed),
+        label!(
+            "drive-how-fast-they-approach-times-their-distance",
             "towards",
             "-\\Delta p \\cdot \\Delta v",
-            "how fast they approach, times their distance",
-            -(apart[0] * closing[0] + apart[1] * closing[1]),
-        ),
-        quantity(
+            "how fast they approach, times their distance"
+        )
+        .is(-(apart[0] * closing[0] + apart[1] * closing[1])),
+        label!(
+            "drive-the-square-of-how-fast-they-move-against-each-other",
             "squared",
             "|\\Delta v|^2",
-            "the square of how fast they move against each other",
-            closing[0] * closing[0] + closing[1] * closing[1],
-        ),
-        quantity("centres", "|\\Delta p + t^* \\Delta v|", "distance of the centres then", centres),
-        quantity("robot", "R", "the robot’s radius", body.radius),
-        quantity("radius", "r", "its radius", disc.radius),
+            "the square of how fast they move against each other"
+        )
+        .is(closing[0] * closing[0] + closing[1] * closing[1]),
+        label!("drive-distance-of-the-centres-then", "centres", "|\\Delta p + t^* \\Delta v|", "distance of the centres then").is(centres),
+        label!("drive-the-robots-radius", "robot", "R", "the robot’s radius").is(body.radius),
+        label!("drive-its-radius", "radius", "r", "its radius").is(disc.radius),
     ];
     if closing != [0.0; 2] {
         told.formulas = vec!["approach"];
@@ -131,7 +126,7 @@ fn event(journey: &Journey, item: Item) -> Option<Inspection> {
     let event = journey.events.get(item.index)?;
     let kind = EVENTS.iter().find(|kind| kind.name == event.kind)?;
     let mut told = told(item, format!("{}, {:.1} s", kind.title, event.time), event.kind, event.reason.clone());
-    told.values = vec![quantity("t", "t", "when, seconds", event.time)];
+    told.values = vec![label!("drive-when-seconds", "t", "t", "when, seconds").is(event.time)];
     told.marks = vec![Mark::plane(layers::AFTER.key, Shape::Points, vec![event.place])];
     Some(told)
 }

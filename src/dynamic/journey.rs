@@ -254,14 +254,14 @@ impl Journey {
                     let told = number + 1;
                     let reason = format!("The robot and obstacle {told} touch while the robot {drove}.");
                     let iteration = self.iteration;
-                    self.events.push(Event { iteration, time, place, kind: "collision", obstacle: Some(number), reason });
+                    self.events.push(Event { iteration, time, place, kind: "collision", obstacle: Some(number), reason: reason.into() });
                 }
             }
         }
     }
 
     pub fn tell(&mut self, kind: &'static str, obstacle: Option<usize>, reason: String) {
-        self.events.push(Event { iteration: self.iteration, time: self.now, place: self.pose.at, kind, obstacle, reason });
+        self.events.push(Event { iteration: self.iteration, time: self.now, place: self.pose.at, kind, obstacle, reason: reason.into() });
     }
 
     /// The length of the plan that is left.

@@ -26,8 +26,8 @@ pub(super) const BORDER: Param<Border> = Param::choice(
     "",
     "At the border obstacles",
     &[
-        Choice { value: "leave", title: "Leave", help: "They go on and are gone." },
-        Choice { value: "bounce", title: "Bounce", help: "They bounce off as soon as they touch it." },
+        Choice::new("leave", "Leave", "They go on and are gone."),
+        Choice::new("bounce", "Bounce", "They bounce off as soon as they touch it."),
     ],
     &[Border::Leave, Border::Bounce],
     "What obstacles with a velocity do when they come to the border of the grid. Walls inside it do not stop them.",
@@ -37,12 +37,12 @@ pub(super) const GIVEN: Param<bool> = Param::choice(
     "",
     "Robot",
     &[
-        Choice {
-            value: "scene",
-            title: "As the scene says",
-            help: "What its robot leaves open: radius (where it has no length and width either) and margin half a cell, a cell a second, a second a turn, sensor 8 cells, 6 seconds ahead.",
-        },
-        Choice { value: "given", title: "Given here", help: "By the parameters below, lengths in cells." },
+        Choice::new(
+            "scene",
+            "As the scene says",
+            "What its robot leaves open: radius (where it has no length and width either) and margin half a cell, a cell a second, a second a turn, sensor 8 cells, 6 seconds ahead.",
+        ),
+        Choice::new("given", "Given here", "By the parameters below, lengths in cells."),
     ],
     &[false, true],
     "What the robot can do. Published: 20 px/s and 1 s a turn.",
@@ -119,7 +119,7 @@ pub(super) const DRIVE: &[Parameter] = &[
 ];
 
 const fn event(name: &'static str, title: &'static str, tone: Tone, help: &'static str) -> EventKind {
-    EventKind { name, title, help, tone }
+    EventKind::new(name, title, tone, help)
 }
 
 pub(super) const EVENTS: &[EventKind] = &[

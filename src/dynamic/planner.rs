@@ -7,9 +7,10 @@ use crate::{
     exact,
     geometry::{self},
     kernel::{
-        Candidate, Error, Event, Explain, Facets, Failure, Frame, Inspection, Item, Planner, Progress, Readings, ReferenceOptimum,
+        Candidate, Error, Event, Explain, Facets, Failure, Frame, Inspection, Item, Message, Planner, Progress, Readings, ReferenceOptimum,
         Solution, Stage, Started, Status, Timeline,
     },
+    message,
 };
 
 use super::{
@@ -41,12 +42,12 @@ pub(super) fn start(start: &Start, route: impl FnOnce(&Arc<Ground>) -> Result<Bo
     // Where there are planning steps the parameter `iterations` counts these; otherwise it counts driving periods.
     let limit = if planning > 0 { planning + driving } else { driving.min(settings[ITERATIONS]) };
     let mut dynamic = Dynamic { ground, route, journey: None, lost: false, iteration: 0, most };
-    let drive = Stage { name: "drive", title: "Drive", end: None };
+    let drive = Stage { name: "drive", title: message!("drive-stage", "Drive"), end: None };
     let mut stages = vec![drive];
     if planning == 0 {
         dynamic.set_out();
     } else {
-        stages.insert(0, Stage { name: "plan", title: "Plan", end: Some(planning) });
+        stages.insert(0, Stage { name: "plan", title: message!("drive-stage-plan", "Plan"), end: Some(planning) });
     }
     let progress = dynamic.progress();
     let started = Started::new(dynamic, limit).open_ended().measured_by(ReferenceOptimum::Cells).in_stages(stages);
@@ -103,11 +104,11 @@ impl Timeline for Dynamic {
 }
 
 impl Failure for Dynamic {
-    fn failure(&self, status: Status) -> Option<String> {
+    fn failure(&self, status: Status) -> Option<Message> {
         match &self.journey {
-            _ if self.lost => Some("No way to the goal was found to drive on".to_owned()),
+            _ if self.lost => Some(message!("drive-no-way", "No way to the goal was found to drive on")),
             Some(journey) if status == Status::Exhausted => {
-                Some(explain::why_not(journey, if journey.now >= self.most { TIME_LIMIT.name() } else { ITERATIONS.name() }))
+                Some(explain::why_not(journey, if journey.now >= self.most { TIME_LIMIT.name() } else { ITERATIONS.name() }).into())
             }
             _ => None,
         }

@@ -101,7 +101,7 @@ fn a_colony_that_the_list_lacks_or_that_is_none_is_refused() {
         (DRIVE.start)(&start).err().unwrap()
     };
     let none = refused(&Only(&[]));
-    assert_eq!((none.field(), none.value(), none.allowed()), ("colony", "aco-wolf", ""));
+    assert_eq!((none.field(), none.value(), &*none.allowed()), ("colony", "aco-wolf", ""));
     let other = refused(&Only(&[crate::search::a_star::ENTRY]));
     assert_eq!((other.field(), other.value()), ("colony", "a-star"));
     assert_eq!(other.allowed(), "an ant colony, e.g. aco-wolf, aco-direction, aco-dijkstra, aco");
@@ -139,10 +139,10 @@ fn a_collision_is_foreseen_at_the_exact_time_and_avoided() {
         check(&outcome, &scene, planner);
         assert!(outcome.feasible, "{planner}: {:?}", outcome.events);
         let foreseen = event(&outcome, "foreseen");
-        assert!(foreseen.reason.contains("obstacle 1"));
+        assert!(foreseen.reason.text().contains("obstacle 1"));
         // It is told when the sensor (12) first sees its rim, within 6 s.
         let told = foreseen.time;
-        let within: f64 = foreseen.reason.split(" s").next().unwrap().rsplit(' ').next().unwrap().parse().unwrap();
+        let within: f64 = foreseen.reason.text().split(" s").next().unwrap().rsplit(' ').next().unwrap().parse().unwrap();
         assert!((told + within - exact).abs() < 0.06, "{planner}: {told} + {within}, not {exact}");
         assert!(reading(&outcome, "smallest_distance") >= 1.0 - 1e-6, "{planner}: the margin is kept");
         let way = ["detour", "replan", "wait", "evade"].iter().any(|kind| kinds(&outcome).contains(kind));
@@ -176,7 +176,7 @@ fn a_collision_that_cannot_be_avoided_is_told() {
         assert!(!outcome.feasible && reading(&outcome, "collisions") == 1.0, "{planner}: {:?}", outcome.events);
         assert!(kinds(&outcome).contains(&"cornered") && reading(&outcome, "smallest_distance") < 0.0);
         // It goes through the robot, and the robot arrives nevertheless: after a collision.
-        assert!(event(&outcome, "arrived").reason.contains("after a collision"));
+        assert!(event(&outcome, "arrived").reason.text().contains("after a collision"));
         let collision = event(&outcome, "collision");
         let grid = scene.get::<GridScene>().unwrap();
         let [x, y] = grid.moving[0].at(collision.time, Border::Leave, grid.bounds());

@@ -11,7 +11,6 @@ use crate::{
 
 use super::{
     a_star::AStar,
-    explain::SYMBOLS,
     ground::Ground,
     parameters::{DRIVE, EVENTS, FORMULA_APPROACH, FORMULA_TIME, KINDS, LAYERS, READINGS},
     planner,
@@ -118,7 +117,6 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[COLONY.entry(), ITERATIONS.entry(), ANTS.entry()], DRIVE])
 .readings(READINGS)
 .formulas(&[FORMULA_APPROACH, FORMULA_TIME, aco_wolf::CHOICE, aco_wolf::RANKED, aco_wolf::LAID])
-.symbols(SYMBOLS)
 .layers(LAYERS)
 .events(EVENTS);
 

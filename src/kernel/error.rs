@@ -2,8 +2,12 @@
 
 use std::{borrow::Cow, fmt};
 
+use crate::message;
+
+use super::Message;
+
 /// Why an input was refused. Every variant says what to change.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
     /// A field's value is outside what is allowed.
@@ -13,7 +17,7 @@ pub enum Error {
         /// What was given.
         value: String,
         /// What would be accepted.
-        allowed: String,
+        allowed: Message,
     },
     /// An unknown name, e.g. of a planner, a parameter or a shipped scene.
     Unknown {
@@ -38,21 +42,21 @@ pub enum Error {
         /// What was read, e.g. `scene` or `link`.
         field: String,
         /// What is wrong with it, and where.
-        problem: String,
+        problem: Message,
     },
 }
 
 impl Error {
     /// The error for a field's value that is not allowed.
-    pub fn refused<'a>(field: impl Into<Cow<'a, str>>, value: impl fmt::Display, allowed: impl Into<Cow<'a, str>>) -> Self {
+    pub fn refused<'a>(field: impl Into<Cow<'a, str>>, value: impl fmt::Display, allowed: impl Into<Message>) -> Self {
         Self::refuse(field.into(), &value, allowed.into())
     }
 
     /// The same, compiled once: what is borrowed is copied here, not where it is refused.
     #[cold]
     #[inline(never)]
-    fn refuse(field: Cow<'_, str>, value: &dyn fmt::Display, allowed: Cow<'_, str>) -> Self {
-        Self::Refused { field: field.into_owned(), value: value.to_string(), allowed: allowed.into_owned() }
+    fn refuse(field: Cow<'_, str>, value: &dyn fmt::Display, allowed: Message) -> Self {
+        Self::Refused { field: field.into_owned(), value: value.to_string(), allowed }
     }
 
     /// The error for a name that is not one of `known`.
@@ -68,15 +72,9 @@ impl Error {
     }
 
     /// The error for a text that cannot be read.
-    pub fn malformed(field: &str, problem: impl fmt::Display) -> Self {
-        Self::malform(field, &problem)
-    }
-
-    /// The same, compiled once.
     #[cold]
-    #[inline(never)]
-    fn malform(field: &str, problem: &dyn fmt::Display) -> Self {
-        Self::Malformed { field: field.to_owned(), problem: problem.to_string() }
+    pub fn malformed(field: &str, problem: impl Into<Message>) -> Self {
+        Self::Malformed { field: field.to_owned(), problem: problem.into() }
     }
 
     /// The field that is wrong.
@@ -97,12 +95,48 @@ impl Error {
     }
 
     /// What would be accepted; for a text that cannot be read, what is wrong with it.
-    pub fn allowed(&self) -> &str {
+    pub fn allowed(&self) -> Cow<'_, str> {
         match self {
-            Self::Refused { allowed, .. } => allowed,
-            Self::Unknown { known, .. } => known,
-            Self::Unsupported { kinds, .. } => kinds,
-            Self::Malformed { problem, .. } => problem,
+            Self::Refused { allowed, .. } => allowed.text(),
+            Self::Unknown { known, .. } => Cow::Borrowed(known),
+            Self::Unsupported { kinds, .. } => Cow::Borrowed(kinds),
+            Self::Malformed { problem, .. } => problem.text(),
+        }
+    }
+
+    /// What kind of error it is, in a word: `refused`, `unknown`, `unsupported` or `malformed`.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Refused { .. } => "refused",
+            Self::Unknown { .. } => "unknown",
+            Self::Unsupported { .. } => "unsupported",
+            Self::Malformed { .. } => "malformed",
+        }
+    }
+
+    /// The whole of it, in a sentence without a full stop.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Refused { field, value, allowed } => message!(
+                "error-refused",
+                "{field}: {value} is not allowed; it must be {allowed}",
+                field = field,
+                value = value,
+                allowed = allowed
+            ),
+            Self::Unknown { field, value, known } => {
+                message!("error-unknown", "{field}: there is no `{value}`; known: {known}", field = field, value = value, known = known)
+            }
+            Self::Unsupported { planner, kind, kinds } => message!(
+                "error-unsupported",
+                "planner: {planner} does not run on scenes of kind {kind}, only on: {kinds}",
+                planner = planner,
+                kind = kind,
+                kinds = kinds
+            ),
+            Self::Malformed { field, problem } => {
+                message!("error-malformed", "{field}: {problem}", field = field, problem = problem)
+            }
         }
     }
 
@@ -118,15 +152,21 @@ impl Error {
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Refused { field, value, allowed } => write!(f, "{field}: {value} is not allowed; it must be {allowed}"),
-            Self::Unknown { field, value, known } => write!(f, "{field}: there is no `{value}`; known: {known}"),
-            Self::Unsupported { planner, kind, kinds } => {
-                write!(f, "planner: {planner} does not run on scenes of kind {kind}, only on: {kinds}")
-            }
-            Self::Malformed { field, problem } => write!(f, "{field}: {problem}"),
-        }
+        f.write_str(&self.message().text())
     }
 }
 
 impl std::error::Error for Error {}
+
+/// What is said of a list that is not allowed.
+pub fn list_of(n: usize) -> Message {
+    match n {
+        0 => message!("error-empty-list", "an empty list"),
+        n => message!("error-list-of", "a list of {n}", n = n),
+    }
+}
+
+/// What is said of numbers that must be finite.
+pub fn finite() -> Message {
+    message!("error-finite", "a finite number")
+}

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::State;
+use super::{Message, State};
 
 /// An event in simulated time: what happened or was decided, and why.
 #[derive(Debug, Clone, PartialEq, Serialize, State)]
@@ -18,6 +18,7 @@ pub struct Event {
     /// The index of the moving obstacle that it is about.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub obstacle: Option<usize>,
-    /// The reason, in a sentence.
-    pub reason: String,
+    /// The reason, in a sentence. It follows from the rest, so that no hash depends on its words.
+    #[state(skip)]
+    pub reason: Message,
 }

@@ -1,7 +1,7 @@
 //! Facets: abilities that some planners have. A new ability is a new facet: neither the contract nor planners without it
 //! change.
 
-use super::{Event, Inspection, Item, Recommendation, Status};
+use super::{Event, Inspection, Item, Message, Recommendation, Status};
 
 /// The abilities of a planner beyond the contract, listed by `Facets::default().explain(self).members(self)` and the like.
 #[derive(Default, Clone, Copy)]
@@ -89,5 +89,5 @@ pub trait Recommend {
 /// Explains why there is no result.
 pub trait Failure {
     /// The reason for having no result, if there is one: a sentence without a full stop.
-    fn failure(&self, status: Status) -> Option<String>;
+    fn failure(&self, status: Status) -> Option<Message>;
 }

@@ -1,8 +1,10 @@
 //! Explanations of single items of a frame.
 
-use serde::Serialize;
+use std::borrow::Cow;
 
-use super::{LayerKey, Shape};
+use serde::{Serialize, Serializer, ser::SerializeStruct};
+
+use super::{LayerKey, Message, Shape, words};
 
 /// A piece of a layer that can be explained, e.g. one particle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,28 +15,63 @@ pub struct Item {
     pub index: usize,
 }
 
-/// A number in an inspection.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Quantity {
-    /// The name that formulas use for it.
+/// What a number in an inspection is called, or a column of its table. Made by [`label!`](crate::label!).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Label {
+    /// An identifier; formulas use it.
     pub name: &'static str,
     /// The symbol, in TeX.
     pub symbol: &'static str,
+    key: &'static str,
+    english: &'static str,
+}
+
+impl Label {
+    /// For [`label!`](crate::label!).
+    #[doc(hidden)]
+    pub const fn new(key: &'static str, name: &'static str, symbol: &'static str, english: &'static str) -> Self {
+        Self { name, symbol, key, english: words(english) }
+    }
+
     /// The title, a few words.
-    pub title: &'static str,
+    pub fn title(&self) -> Message {
+        Message::new(self.key, Cow::Borrowed(self.english), Vec::new())
+    }
+
+    /// A number of this name.
+    pub const fn is(self, value: f64) -> Quantity {
+        Quantity { label: self, value }
+    }
+}
+
+impl Serialize for Label {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut out = serializer.serialize_struct("Label", 3)?;
+        out.serialize_field("name", self.name)?;
+        out.serialize_field("symbol", self.symbol)?;
+        out.serialize_field("title", &self.title())?;
+        out.end()
+    }
+}
+
+/// A number in an inspection.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quantity {
+    /// What it is called.
+    pub label: Label,
     /// The number.
     pub value: f64,
 }
 
-/// A column of an inspection's table.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Column {
-    /// An identifier.
-    pub name: &'static str,
-    /// The symbol, in TeX.
-    pub symbol: &'static str,
-    /// The title, a few words.
-    pub title: &'static str,
+impl Serialize for Quantity {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut out = serializer.serialize_struct("Quantity", 4)?;
+        out.serialize_field("name", self.label.name)?;
+        out.serialize_field("symbol", self.label.symbol)?;
+        out.serialize_field("title", &self.label.title())?;
+        out.serialize_field("value", &self.value)?;
+        out.end()
+    }
 }
 
 /// A mark to draw over the picture.
@@ -62,21 +99,46 @@ pub struct Inspection {
     /// The item that is explained.
     pub item: Item,
     /// Its name for people.
-    pub title: String,
+    pub title: Message,
     /// What happened, in a word.
     pub event: &'static str,
     /// The same in a sentence.
-    pub summary: String,
+    pub summary: Message,
     /// The numbers behind it.
     pub values: Vec<Quantity>,
     /// Names of the entry's formulas that were applied.
     pub formulas: Vec<&'static str>,
     /// The table's columns.
-    pub columns: Vec<Column>,
+    pub columns: Vec<Label>,
     /// A label for each row of the table.
-    pub labels: Vec<String>,
+    pub labels: Vec<Message>,
     /// The table, row by row.
     pub rows: Vec<Vec<f64>>,
     /// Marks to draw over the picture.
     pub marks: Vec<Mark>,
+}
+
+/// What a number in an inspection is called: the key of its title, its name, its symbol in TeX, and its title in English.
+///
+/// ```
+/// use forage::label;
+/// let cost = label!("demo-cost", "cost", "f(x)", "cost").is(2.5);
+/// assert_eq!((cost.label.name, cost.value, cost.label.title().to_string().as_str()), ("cost", 2.5, "cost"));
+/// ```
+#[cfg(not(target_arch = "wasm32"))]
+#[macro_export]
+macro_rules! label {
+    ($key:literal, $name:literal, $symbol:literal, $title:literal) => {{
+        $crate::kernel::inventory::submit! { $crate::kernel::Sentence { key: $key, english: $title, plurals: &[], symbol: $symbol } }
+        $crate::kernel::Label::new($key, $name, $symbol, $title)
+    }};
+}
+
+/// What a number in an inspection is called.
+#[cfg(target_arch = "wasm32")]
+#[macro_export]
+macro_rules! label {
+    ($key:literal, $name:literal, $symbol:literal, $title:literal) => {
+        $crate::kernel::Label::new($key, $name, $symbol, $title)
+    };
 }

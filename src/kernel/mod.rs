@@ -7,6 +7,7 @@ pub mod fields;
 mod frame;
 mod inspection;
 pub mod json;
+pub mod message;
 mod nowhere;
 mod optimum;
 mod planner;
@@ -26,7 +27,11 @@ pub use event::Event;
 pub use facets::{Explain, Facets, Failure, Members, Recommend, Timeline};
 pub use fields::Fields;
 pub use frame::{Frame, LayerKey, Shape, Span, VERTEX};
-pub use inspection::{Column, Inspection, Item, Mark, Quantity};
+pub use inspection::{Inspection, Item, Label, Mark, Quantity};
+#[cfg(not(target_arch = "wasm32"))]
+#[doc(hidden)]
+pub use message::inventory;
+pub use message::{Argument, Message, Sentence, words};
 pub use optimum::Exact;
 pub use planner::{CloneBox, Planner, Progress};
 pub use readings::{ReadingName, Readings};

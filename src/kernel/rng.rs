@@ -92,7 +92,7 @@ impl State for Stream {
 /// # Errors
 /// When the system gives no randomness.
 pub fn fresh_seed() -> Result<u64, Error> {
-    getrandom::u32().map(u64::from).map_err(|problem| Error::malformed("seed", problem))
+    getrandom::u32().map(u64::from).map_err(|problem| Error::malformed("seed", problem.to_string()))
 }
 
 #[cfg(test)]

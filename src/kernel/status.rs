@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::Message;
+
 /// The status of a run: whether it goes on, or why it ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -17,12 +19,12 @@ pub enum Status {
 }
 
 /// A part of a run with its own kind of step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stage {
     /// An identifier.
     pub name: &'static str,
     /// The title, a few words.
-    pub title: &'static str,
+    pub title: Message,
     /// Its last iteration; the next stage's first step follows. `None`: when the run ends, which is not yet known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end: Option<u64>,

@@ -10,7 +10,7 @@ mod parameters;
 
 use serde::Serialize;
 
-use crate::kernel::{Error, SceneKindId};
+use crate::kernel::{Error, SceneKindId, words};
 
 pub use overrides::{Object, Overrides, Value};
 pub use param::{Param, ParamValue, Selection};
@@ -27,6 +27,13 @@ pub struct Choice {
     pub title: &'static str,
     /// What it does.
     pub help: &'static str,
+}
+
+impl Choice {
+    /// An option with its value, its title and what it does.
+    pub const fn new(value: &'static str, title: &'static str, help: &'static str) -> Self {
+        Self { value, title: words(title), help: words(help) }
+    }
 }
 
 /// The values that a parameter may have.

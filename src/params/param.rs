@@ -6,7 +6,7 @@
 
 use std::ops::Index;
 
-use crate::kernel::SceneKindId;
+use crate::kernel::{SceneKindId, words};
 
 use super::{Choice, Domain, Fixed, Parameter, Parameters, When};
 
@@ -111,6 +111,7 @@ impl<T> Param<T> {
         help: &'static str,
     ) -> Self {
         let (kinds, defaults, when, slider) = (&[] as &[_], &[] as &[_], None, None);
+        let (symbol, title, help) = (words(symbol), words(title), words(help));
         let parameter = Parameter { name, symbol, title, help, domain, kinds, defaults, when, slider, logarithmic: false };
         Self { parameter, meanings }
     }
@@ -147,14 +148,14 @@ impl<T> Param<T> {
     /// The same with another help text.
     #[must_use]
     pub const fn help(mut self, help: &'static str) -> Self {
-        self.parameter.help = help;
+        self.parameter.help = words(help);
         self
     }
 
     /// The same with another title.
     #[must_use]
     pub const fn title(mut self, title: &'static str) -> Self {
-        self.parameter.title = title;
+        self.parameter.title = words(title);
         self
     }
 

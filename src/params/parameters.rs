@@ -74,7 +74,7 @@ impl Parameters {
     /// The option of a choice that is chosen, and its place among them; the first one where none is.
     #[inline(never)]
     pub(super) fn option(&self, name: &str, options: &'static [Choice]) -> (usize, &'static Choice) {
-        const NONE: Choice = Choice { value: "", title: "", help: "" };
+        const NONE: Choice = Choice::new("", "", "");
         let text = self.text(name);
         let found = options.iter().enumerate().find(|(_, option)| option.value == text);
         debug_assert!(found.is_some() || text.is_empty(), "`{name}` is {text}, which what reads it does not know");
@@ -119,8 +119,7 @@ mod tests {
     const POPULATION: Param<u64> =
         Param::integer("population", "N", "Population", [1, 100, 60], "").defaults_on(&[(DISCS, Fixed::Number(80.0))]);
     const W: Param<f64> = Param::number("w", "\\omega", "Inertia weight", [0.0, 1.5, 0.7], "");
-    const PENALTY: Param<&str> =
-        Param::name_of("penalty", "", "Penalty", &[Choice { value: "segments", title: "", help: "" }], "").only_on(&[DISCS]);
+    const PENALTY: Param<&str> = Param::name_of("penalty", "", "Penalty", &[Choice::new("segments", "", "")], "").only_on(&[DISCS]);
     const ALL: &[&[Parameter]] = &[&[POPULATION.entry()], &[W.entry(), PENALTY.entry()]];
 
     fn given(name: &str, value: &str) -> Overrides {
@@ -140,7 +139,7 @@ mod tests {
 
     #[test]
     fn a_subset_has_known_names_each_once() {
-        const OPTIONS: [Choice; 2] = [Choice { value: "a", title: "", help: "" }, Choice { value: "b", title: "", help: "" }];
+        const OPTIONS: [Choice; 2] = [Choice::new("a", "", ""), Choice::new("b", "", "")];
         const SOME: Param<Selection> = Param::subset("some", "", &OPTIONS, "a", "");
         const SOME_ONLY: &[&[Parameter]] = &[&[SOME.entry()]];
         let parameter = SOME.entry();
@@ -157,7 +156,7 @@ mod tests {
     /// A parameter that hangs on another's value, which hangs on a third's.
     #[test]
     fn a_parameter_means_something_only_while_what_it_depends_on_has_its_value() {
-        const OPTIONS: [Choice; 2] = [Choice { value: "a", title: "", help: "" }, Choice { value: "b", title: "", help: "" }];
+        const OPTIONS: [Choice; 2] = [Choice::new("a", "", ""), Choice::new("b", "", "")];
         const FIRST: Param<bool> = Param::choice("first", "", "", &OPTIONS, &[false, true], "").defaults_on(&[(DISCS, Fixed::Text("b"))]);
         const SECOND: Param<bool> = Param::flag("second", "", false, "").when(FIRST, "b");
         const THIRD: Param<f64> = Param::number("third", "", "", [0.0, 1.0, 0.5], "").when(SECOND, "true");
@@ -172,7 +171,7 @@ mod tests {
         assert_eq!((on_function[FIRST], on_discs[FIRST], on_discs[SECOND]), (false, true, false));
         assert!(on_discs[THIRD].is_nan(), "it means nothing there");
         let refused = names(DISCS, &given("third", "0.1")).unwrap_err();
-        assert_eq!((refused.field(), refused.allowed()), ("third", "left out unless second is true"));
+        assert_eq!((refused.field(), &*refused.allowed()), ("third", "left out unless second is true"));
         let both: Overrides =
             [("first", Value::from("a")), ("second", Value::from("true")), ("third", Value::from("0.1"))].into_iter().collect();
         assert_eq!(names(DISCS, &both).unwrap_err().allowed(), "left out unless first is b");
@@ -202,6 +201,6 @@ mod tests {
             assert!(!error.allowed().is_empty());
         }
         let unknown = Parameters::new(ALL, FUNCTION, &given("penalty", "segments")).unwrap_err();
-        assert_eq!((unknown.field(), unknown.allowed()), ("parameter", "population, w"));
+        assert_eq!((unknown.field(), &*unknown.allowed()), ("parameter", "population, w"));
     }
 }

@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer, ser::SerializeStruct};
 use crate::{
     describe::FollowOutcomes,
     geometry,
-    kernel::{Event, Recommend, Recommendation, ReferenceOptimum, Solution, Status, Track},
+    kernel::{Event, Message, Recommend, Recommendation, ReferenceOptimum, Solution, Status, Track},
     params::{Object, Overrides, Value},
 };
 
@@ -59,7 +59,7 @@ pub struct Outcome {
     /// The numbers of this iteration.
     pub readings: Vec<(&'static str, f64)>,
     /// What keeps the planner from a result, if something does.
-    pub failure: Option<String>,
+    pub failure: Option<Message>,
     /// What happened in simulated time, and what was decided and why.
     pub events: Vec<Event>,
     /// What a planner of planners recommends.
@@ -151,7 +151,7 @@ impl Run {
     }
 
     /// What keeps the run from a result, if something does.
-    fn failure(&self) -> Option<String> {
+    fn failure(&self) -> Option<Message> {
         self.at.planner.facets().failure?.failure(self.status())
     }
 }

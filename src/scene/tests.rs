@@ -13,7 +13,7 @@ const TEXT: &str = r#"{"format": "forage-scene", "version": 1, "kind": "discs", 
 fn refused(from: &str, to: &str) -> [String; 3] {
     assert!(TEXT.contains(from));
     let error = standard().read_scene(&TEXT.replacen(from, to, 1)).unwrap_err();
-    [error.field(), error.value(), error.allowed()].map(str::to_owned)
+    [error.field(), error.value(), &error.allowed()].map(str::to_owned)
 }
 
 #[test]

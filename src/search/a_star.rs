@@ -3,7 +3,6 @@
 use crate::{describe::Entry, scene::grid_path::SMOOTH};
 
 use super::{
-    explain::SYMBOLS,
     parameters::{BOUND, EXPAND, FORMULA_OCTILE, FORMULA_STEP, ITERATIONS, KINDS, LAYERS, READINGS, WEIGHT},
     planner,
     rules::{Heuristic, Relaxation},
@@ -22,5 +21,4 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry(), EXPAND.entry(), WEIGHT.entry(), SMOOTH.entry()]])
 .readings(READINGS)
 .formulas(&[BOUND, FORMULA_STEP, FORMULA_OCTILE])
-.symbols(SYMBOLS)
 .layers(LAYERS);

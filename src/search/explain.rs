@@ -2,7 +2,8 @@
 
 use crate::{
     describe::layers,
-    kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
+    kernel::{Inspection, Item, Label, Mark, Quantity, Shape},
+    label,
 };
 
 use super::{
@@ -11,18 +12,11 @@ use super::{
     rules::Heuristic,
 };
 
-/// The TeX strings that inspections use.
-pub(super) const SYMBOLS: &[&str] = &["g", "h", "f", "w", "l", "g(p)", "c", "\\Delta x", "\\Delta y"];
-
-const COLUMNS: [Column; 3] = [
-    Column { name: "g", symbol: "g", title: "way from the start" },
-    Column { name: "h", symbol: "h", title: "way to the goal, at least" },
-    Column { name: "f", symbol: "f", title: "together, as the queue is ordered" },
+const COLUMNS: [Label; 3] = [
+    label!("search-way-from-the-start", "g", "g", "way from the start"),
+    label!("search-way-to-the-goal-at-least", "h", "h", "way to the goal, at least"),
+    label!("search-together-as-the-queue-is-ordered", "f", "f", "together, as the queue is ordered"),
 ];
-
-fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value: f64) -> Quantity {
-    Quantity { name, symbol, title, value }
-}
 
 impl Search {
     /// A cell's numbers and whose child it is; nothing is said about a blocked cell.
@@ -34,9 +28,9 @@ impl Search {
         let [column, row] = cells.told(cell);
         let mut told = Inspection {
             item,
-            title: format!("Column {column}, row {row}"),
+            title: format!("Column {column}, row {row}").into(),
             event: "unreached",
-            summary: "The cell has not been reached yet.".to_owned(),
+            summary: "The cell has not been reached yet.".to_owned().into(),
             values: self.ahead_of(cell),
             formulas: self.heuristic().into_iter().collect(),
             columns: COLUMNS.to_vec(),
@@ -51,7 +45,7 @@ impl Search {
             let next = cells.next(cell, d);
             if let Some(g) = self.reached(next) {
                 let h = self.ahead(next);
-                told.labels.push(cells.compass()[d].to_owned());
+                told.labels.push(cells.compass()[d].to_owned().into());
                 told.rows.push(vec![self.task.length(g), h, self.task.length(g) + self.task.guess.weight * h]);
             }
         }
@@ -66,20 +60,21 @@ impl Search {
         let closed = self.is_closed(cell);
         told.event = if closed { "settled" } else { "frontier" };
         told.summary = match (parent, closed) {
-            (None, _) => "The way begins here.".to_owned(),
-            (Some(parent), true) => format!("The cell is settled, as the child of {}.", self.name(parent)),
-            (Some(parent), false) => format!("The cell is on the frontier, so far as the child of {}.", self.name(parent)),
+            (None, _) => "The way begins here.".to_owned().into(),
+            (Some(parent), true) => format!("The cell is settled, as the child of {}.", self.name(parent)).into(),
+            (Some(parent), false) => format!("The cell is on the frontier, so far as the child of {}.", self.name(parent)).into(),
         };
         told.values.extend([
-            quantity("g", "g", "way from the start", g),
-            quantity("f", "f", "together, as the queue is ordered", g + task.guess.weight * h),
+            label!("search-way-from-the-start", "g", "g", "way from the start").is(g),
+            label!("search-together-as-the-queue-is-ordered", "f", "f", "together, as the queue is ordered").is(g + task.guess.weight * h),
         ]);
         told.formulas.insert(0, "f");
         if let Some(parent) = parent {
             let step = task.length(task.between(parent, cell));
             told.values.extend([
-                quantity("g_parent", "g(p)", "the parent’s way from the start", self.reached(parent).map_or(0.0, |g| task.length(g))),
-                quantity("c", "c", "from the parent to the cell", step),
+                label!("search-the-parents-way-from-the-start", "g_parent", "g(p)", "the parent’s way from the start")
+                    .is(self.reached(parent).map_or(0.0, |g| task.length(g))),
+                label!("search-from-the-parent-to-the-cell", "c", "c", "from the parent to the cell").is(step),
             ]);
             told.formulas.insert(1, "g");
             let mut vertices: Vec<_> = self.way(cell).into_iter().map(|cell| task.cells.centre(cell)).collect();
@@ -109,11 +104,11 @@ impl Search {
     fn ahead_of(&self, cell: usize) -> Vec<Quantity> {
         let [dx, dy] = self.goal_from(cell).map(f64::from);
         vec![
-            quantity("h", "h", "way to the goal, at least", self.ahead(cell)),
-            quantity("w", "w", "weight of the heuristic", self.task.guess.weight),
-            quantity("side", "l", "side of a cell", self.task.cells.side),
-            quantity("dx", "\\Delta x", "columns to the goal", dx),
-            quantity("dy", "\\Delta y", "rows to the goal", dy),
+            label!("search-way-to-the-goal-at-least", "h", "h", "way to the goal, at least").is(self.ahead(cell)),
+            label!("search-weight-of-the-heuristic", "w", "w", "weight of the heuristic").is(self.task.guess.weight),
+            label!("search-side-of-a-cell", "side", "l", "side of a cell").is(self.task.cells.side),
+            label!("search-columns-to-the-goal", "dx", "\\Delta x", "columns to the goal").is(dx),
+            label!("search-rows-to-the-goal", "dy", "\\Delta y", "rows to the goal").is(dy),
         ]
     }
 

@@ -3,7 +3,6 @@
 use crate::{describe::Entry, scene::grid_path::SMOOTH};
 
 use super::{
-    explain::SYMBOLS,
     parameters::{BOUND, EXPAND, FORMULA_SIGHT, FORMULA_STRAIGHT, ITERATIONS, KINDS, LAYERS, READINGS},
     planner,
     rules::{Heuristic, Relaxation},
@@ -22,5 +21,4 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry(), EXPAND.entry(), SMOOTH.entry()]])
 .readings(READINGS)
 .formulas(&[BOUND, FORMULA_SIGHT, FORMULA_STRAIGHT])
-.symbols(SYMBOLS)
 .layers(LAYERS);

@@ -13,8 +13,10 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Preset, Reading, layers},
-    kernel::{Candidate, Column, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
+    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Label, Planner, Progress, Readings, Started, State, rng::Stream},
+    label,
     math::{self, clamp},
+    message,
     params::{Choice, Fixed, Param, Parameters},
 };
 
@@ -28,7 +30,7 @@ use super::{
     },
     paths::{CHARGED, ENCODED},
     population::Population,
-    sheet::{self, Label, SYMBOLS, arrows, column, mark, particle, quantities, sheet},
+    sheet::{self, arrows, mark, particle, quantities, sheet},
 };
 
 /// Bats: v ← v ± (x − g) f, x ← x + v, and walks about the best.
@@ -219,7 +221,11 @@ impl Planner for Bats {
 
 impl Explain for Bats {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, "; its velocity is zero")).flatten()
+        let i = item.index;
+        let origin = message!("swarm-bat-begins", "Bat {i} begins here, drawn at random; its velocity is zero.", i = i);
+        let mut told = (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, origin)).flatten()?;
+        told.title = message!("swarm-bat", "Bat {i}", i = i);
+        Some(told)
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {
@@ -228,28 +234,30 @@ impl Explain for Bats {
 }
 
 const MOVED: [Label; 6] = [
-    ("f", "f", "frequency, first coordinate"),
-    ("v_before", "v", "velocity before, first coordinate"),
-    ("x_before", "x", "position before, first coordinate"),
-    ("g", "g", "global best, first coordinate"),
-    ("v", "v", "velocity, first coordinate"),
-    ("x", "x'", "candidate, first coordinate"),
+    label!("swarm-frequency-first-coordinate", "f", "f", "frequency, first coordinate"),
+    label!("swarm-velocity-before-first-coordinate", "v_before", "v", "velocity before, first coordinate"),
+    label!("swarm-position-before-first-coordinate", "x_before", "x", "position before, first coordinate"),
+    label!("swarm-global-best-first-coordinate", "g", "g", "global best, first coordinate"),
+    label!("swarm-velocity-first-coordinate", "v", "v", "velocity, first coordinate"),
+    label!("swarm-candidate-first-coordinate", "x", "x'", "candidate, first coordinate"),
 ];
-const WALKED: [Label; 2] =
-    [("random", "\\epsilon", "random number, first coordinate"), ("mean_loudness", "\\bar A", "mean loudness before")];
+const WALKED: [Label; 2] = [
+    label!("swarm-random-number-first-coordinate", "random", "\\epsilon", "random number, first coordinate"),
+    label!("swarm-mean-loudness-before", "mean_loudness", "\\bar A", "mean loudness before"),
+];
 const AFTERWARDS: [Label; 5] = [
-    ("cost_before", "f(x)", "cost before"),
-    ("cost", "f(x)", "cost after"),
-    ("p_cost", "f(p)", "personal best"),
-    ("loudness", "A", "loudness"),
-    ("pulse_rate", "r", "pulse rate"),
+    label!("swarm-cost-before", "cost_before", "f(x)", "cost before"),
+    label!("swarm-cost-after", "cost", "f(x)", "cost after"),
+    label!("swarm-personal-best", "p_cost", "f(p)", "personal best"),
+    label!("swarm-loudness", "loudness", "A", "loudness"),
+    label!("swarm-pulse-rate", "pulse_rate", "r", "pulse rate"),
 ];
-const COLUMNS: [Column; 5] = [
-    column("x_before", "x", "position before"),
-    column("f", "f", "frequency"),
-    column("v", "v", "velocity, limited"),
-    column("random", "\\epsilon", "random number of a walk"),
-    column("x", "x'", "candidate"),
+const COLUMNS: [Label; 5] = [
+    label!("swarm-position-before", "x_before", "x", "position before"),
+    label!("swarm-frequency", "f", "f", "frequency"),
+    label!("swarm-velocity-limited", "v", "v", "velocity, limited"),
+    label!("swarm-random-number-of-a-walk", "random", "\\epsilon", "random number of a walk"),
+    label!("swarm-candidate", "x", "x'", "candidate"),
 ];
 
 struct Record {
@@ -280,11 +288,18 @@ impl Bats {
         let meaning = &*now.objective;
         let Last { walked, accepted } = after.last[i];
 
-        let moved = if walked { "walks about the global best" } else { "flies by its frequency and velocity" };
-        let outcome =
-            if accepted { "It accepts the new position and gets quieter." } else { "It does not accept the new position and stays." };
-        let mut told = sheet(meaning, item, if walked { "walk" } else { "flight" }, format!("Bat {i} {moved}. {outcome}"), now.dimension);
-        told.title = format!("Bat {i}");
+        let moved = if walked {
+            message!("swarm-bat-walks", "Bat {i} walks about the global best.", i = i)
+        } else {
+            message!("swarm-bat-flies", "Bat {i} flies by its frequency and velocity.", i = i)
+        };
+        let outcome = if accepted {
+            message!("swarm-bat-accepts", "It accepts the new position and gets quieter.")
+        } else {
+            message!("swarm-bat-stays", "It does not accept the new position and stays.")
+        };
+        let mut told = sheet(meaning, item, if walked { "walk" } else { "flight" }, moved.then(outcome), now.dimension);
+        told.title = message!("swarm-bat", "Bat {i}", i = i);
         told.columns = COLUMNS.to_vec();
         told.rows = terms.iter().zip(x).map(|(term, &x)| vec![x, term.f, term.v, term.epsilon, term.to]).collect();
         let velocity = if self.sign > 0.0 { BAT_VELOCITY } else { BAT_VELOCITY_TOWARD };
@@ -321,12 +336,8 @@ const PULL: Param<f64> = Param::choice(
     "",
     "Sign in (8)",
     &[
-        Choice { value: "toward", title: "Toward the best", help: "v ← v + (x_best − x) f: bats fly toward the best." },
-        Choice {
-            value: "printed",
-            title: "As printed",
-            help: "v ← v + (x − x_best) f, as (8) and Yang print it: bats fly away from the best.",
-        },
+        Choice::new("toward", "Toward the best", "v ← v + (x_best − x) f: bats fly toward the best."),
+        Choice::new("printed", "As printed", "v ← v + (x − x_best) f, as (8) and Yang print it: bats fly away from the best."),
     ],
     &[-1.0, 1.0],
     "In which direction the best changes a velocity.",
@@ -358,8 +369,8 @@ const PER_BAT: Param<bool> = Param::choice(
     "\\beta",
     "Random numbers",
     &[
-        Choice { value: "coordinate", title: "Each coordinate", help: "Each coordinate of a bat has a frequency of its own." },
-        Choice { value: "particle", title: "Each bat", help: "All coordinates of a bat share one frequency." },
+        Choice::new("coordinate", "Each coordinate", "Each coordinate of a bat has a frequency of its own."),
+        Choice::new("particle", "Each bat", "All coordinates of a bat share one frequency."),
     ],
     &[false, true],
     "How often β of (7) is drawn. The paper calls it a random vector; Yang’s programme draws one number for each bat.",
@@ -417,13 +428,13 @@ const ACCEPTED: Reading =
 
 const BATS_LAYER: Layer = layers::PARTICLES.titled("Bats", "Where the bats are: points, or the paths they stand for.");
 
-const PRINTED: Preset = Preset {
-    name: "paper",
-    title: "As printed",
-    help: "(8) with its printed sign: bats fly away from the best, and only the walks about it improve it.",
-    scene: "sphere-2",
-    values: &[("pull", Fixed::Text("printed"))],
-};
+const PRINTED: Preset = Preset::new(
+    "paper",
+    "As printed",
+    "(8) with its printed sign: bats fly away from the best, and only the walks about it improve it.",
+    "sphere-2",
+    &[("pull", Fixed::Text("printed"))],
+);
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -444,7 +455,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, MEAN_LOUDNESS, MEAN_PULSE_RATE, ACCEPTED, EVALUATIONS])
 .formulas(&[FREQUENCY, BAT_VELOCITY, BAT_VELOCITY_TOWARD, BAT_POSITION, WALK_ABOUT, LOUDNESS, PULSE])
-.symbols(SYMBOLS)
 .layers(&[
     GUIDES,
     layers::PERSONAL_BESTS,

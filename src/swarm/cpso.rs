@@ -15,7 +15,6 @@ use super::{
     parameters::{AS_IN_TEXT, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, READINGS, VELOCITY, W, W_MAX, W_MIN},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
-    sheet::SYMBOLS,
 };
 
 const W_LINEAR: Param<bool> = Param::choice(
@@ -23,8 +22,8 @@ const W_LINEAR: Param<bool> = Param::choice(
     "",
     "Course of the inertia weight",
     &[
-        Choice { value: "constant", title: "Constant", help: "ω stays what it is, as in the text." },
-        Choice { value: "linear", title: "Linear", help: "ω falls linearly, as in wpso." },
+        Choice::new("constant", "Constant", "ω stays what it is, as in the text."),
+        Choice::new("linear", "Linear", "ω falls linearly, as in wpso."),
     ],
     &[false, true],
     "How ω changes over the iterations.",
@@ -58,13 +57,13 @@ const SOCIAL: Formula = Formula::new(
     "c_2(@k@) = @c2_start@ + (@c2_end@ - @c2_start@) \\cdot \\frac{@k@}{@iterations@} = @c2@",
 );
 
-const FITTED: Preset = Preset {
-    name: "fitted",
-    title: "Fitted to Table 2",
-    help: "ω falls from 0.95 to 0.4, one pair r1, r2 per particle: chosen because [WCPSO] Table 2 then comes out on f1 to f3 with 2 variables.",
-    scene: "matyas",
-    values: &[("w_law", Fixed::Text("linear")), ("random", Fixed::Text("particle"))],
-};
+const FITTED: Preset = Preset::new(
+    "fitted",
+    "Fitted to Table 2",
+    "ω falls from 0.95 to 0.4, one pair r1, r2 per particle: chosen because [WCPSO] Table 2 then comes out on f1 to f3 with 2 variables.",
+    "matyas",
+    &[("w_law", Fixed::Text("linear")), ("random", Fixed::Text("particle"))],
+);
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -86,7 +85,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[LINEAR_W.when(W_LINEAR, "linear"), COGNITIVE, SOCIAL, VELOCITY, POSITION])
-.symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[AS_IN_TEXT, FITTED]);
 

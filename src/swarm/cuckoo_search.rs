@@ -17,7 +17,8 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Layer, Preset, ROAD, Reading, layers},
-    kernel::{Candidate, Column, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
+    kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Label, Planner, Progress, Readings, Started, State, rng::Stream},
+    label, message,
     params::{Fixed, Param, Parameters},
     scene::{DISCS, GRID},
 };
@@ -30,7 +31,7 @@ use super::{
     parameters::{BEST, EVALUATIONS, FREE, GUIDES, ITERATIONS, K, KINDS, LENGTH, MEAN, SMOOTHED, SMOOTHNESS, SPREAD},
     paths::{CHARGED, ENCODED},
     population::Population,
-    sheet::{self, Label, SYMBOLS, arrows, column, mark, particle, quantities, sheet},
+    sheet::{self, arrows, mark, particle, quantities, sheet},
 };
 
 /// Nests: x ← x + α s (x − g) ε by Lévy flights, then x ← x + r H(p_a − ε) (x_j − x_k).
@@ -218,9 +219,10 @@ impl Planner for Nests {
 
 impl Explain for Nests {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        let mut told = (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, "")).flatten()?;
-        told.title = format!("Nest {}", item.index);
-        told.summary = format!("Nest {} begins here, drawn at random.", item.index);
+        let i = item.index;
+        let origin = message!("swarm-nest-begins", "Nest {i} begins here, drawn at random.", i = i);
+        let mut told = (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, origin)).flatten()?;
+        told.title = message!("swarm-nest", "Nest {i}", i = i);
         Some(told)
     }
 
@@ -230,36 +232,41 @@ impl Explain for Nests {
 }
 
 const FLIGHT: [Label; 8] = [
-    ("x_before", "x", "position before, first coordinate"),
-    ("g", "g", "global best, first coordinate"),
-    ("sigma", "\\sigma", "standard deviation of u"),
-    ("u", "u", "normal random number of deviation σ, first coordinate"),
-    ("v", "v", "normal random number, first coordinate"),
-    ("s", "s", "Lévy step, first coordinate"),
-    ("epsilon", "\\epsilon", "normal random number that scales it, first coordinate"),
-    ("candidate", "x'", "candidate of the flight, first coordinate"),
+    label!("swarm-position-before-first-coordinate", "x_before", "x", "position before, first coordinate"),
+    label!("swarm-global-best-first-coordinate", "g", "g", "global best, first coordinate"),
+    label!("swarm-standard-deviation-of-u", "sigma", "\\sigma", "standard deviation of u"),
+    label!("swarm-normal-random-number-of-deviation-first-coordinate", "u", "u", "normal random number of deviation σ, first coordinate"),
+    label!("swarm-normal-random-number-first-coordinate", "v", "v", "normal random number, first coordinate"),
+    label!("swarm-l-vy-step-first-coordinate", "s", "s", "Lévy step, first coordinate"),
+    label!(
+        "swarm-normal-random-number-that-scales-it-first-coordinate",
+        "epsilon",
+        "\\epsilon",
+        "normal random number that scales it, first coordinate"
+    ),
+    label!("swarm-candidate-of-the-flight-first-coordinate", "candidate", "x'", "candidate of the flight, first coordinate"),
 ];
 const WALK: [Label; 6] = [
-    ("x_between", "x", "position after the flight, first coordinate"),
-    ("r", "r", "random number of the walks"),
-    ("changes", "H", "whether the first coordinate walks"),
-    ("x_j", "x_j", "one random nest, first coordinate"),
-    ("x_k", "x_k", "another random nest, first coordinate"),
-    ("rebuilt", "x'", "candidate of the walk, first coordinate"),
+    label!("swarm-position-after-the-flight-first-coordinate", "x_between", "x", "position after the flight, first coordinate"),
+    label!("swarm-random-number-of-the-walks", "r", "r", "random number of the walks"),
+    label!("swarm-whether-the-first-coordinate-walks", "changes", "H", "whether the first coordinate walks"),
+    label!("swarm-one-random-nest-first-coordinate", "x_j", "x_j", "one random nest, first coordinate"),
+    label!("swarm-another-random-nest-first-coordinate", "x_k", "x_k", "another random nest, first coordinate"),
+    label!("swarm-candidate-of-the-walk-first-coordinate", "rebuilt", "x'", "candidate of the walk, first coordinate"),
 ];
 const COSTS: [Label; 4] = [
-    ("cost_before", "f(x)", "cost before"),
-    ("cost_flown", "f(x)", "cost of the flight’s candidate"),
-    ("cost_walked", "f(x)", "cost of the walk’s candidate"),
-    ("cost", "f(x)", "cost after"),
+    label!("swarm-cost-before", "cost_before", "f(x)", "cost before"),
+    label!("swarm-cost-of-the-flights-candidate", "cost_flown", "f(x)", "cost of the flight’s candidate"),
+    label!("swarm-cost-of-the-walks-candidate", "cost_walked", "f(x)", "cost of the walk’s candidate"),
+    label!("swarm-cost-after", "cost", "f(x)", "cost after"),
 ];
-const COLUMNS: [Column; 6] = [
-    column("x_before", "x", "position before"),
-    column("s", "s", "Lévy step"),
-    column("epsilon", "\\epsilon", "normal random number"),
-    column("candidate", "x'", "candidate of the flight"),
-    column("changes", "H", "1 if this coordinate walks"),
-    column("rebuilt", "x'", "candidate of the walk"),
+const COLUMNS: [Label; 6] = [
+    label!("swarm-position-before", "x_before", "x", "position before"),
+    label!("swarm-l-vy-step", "s", "s", "Lévy step"),
+    label!("swarm-normal-random-number", "epsilon", "\\epsilon", "normal random number"),
+    label!("swarm-candidate-of-the-flight", "candidate", "x'", "candidate of the flight"),
+    label!("swarm-1-if-this-coordinate-walks", "changes", "H", "1 if this coordinate walks"),
+    label!("swarm-candidate-of-the-walk", "rebuilt", "x'", "candidate of the walk"),
 ];
 
 /// What was done to a nest, coordinate by coordinate.
@@ -309,19 +316,23 @@ impl Nests {
         let candidate: Vec<_> = flight.iter().map(|&(_, _, to)| to).collect();
         let between = if flown { &candidate[..] } else { x };
 
-        let taken = |taken| if taken { "replaces the nest" } else { "costs more and is dropped" };
-        let summary = format!(
-            "Nest {i} is tried twice. The egg of a Lévy flight {}; the nest that a random walk rebuilds {}.",
-            taken(flown),
-            taken(walked)
-        );
+        let flight_led = if flown {
+            message!("swarm-egg-taken", "Nest {i} is tried twice. The egg of a Lévy flight replaces the nest.", i = i)
+        } else {
+            message!("swarm-egg-dropped", "Nest {i} is tried twice. The egg of a Lévy flight costs more and is dropped.", i = i)
+        };
+        let walk_led = if walked {
+            message!("swarm-rebuilt-taken", "The nest that a random walk rebuilds replaces it.")
+        } else {
+            message!("swarm-rebuilt-dropped", "The nest that a random walk rebuilds costs more and is dropped.")
+        };
         let event = match (flown, walked) {
             (_, true) => "rebuilt",
             (true, false) => "flight",
             (false, false) => "kept",
         };
-        let mut told = sheet(meaning, item, event, summary, now.dimension);
-        told.title = format!("Nest {i}");
+        let mut told = sheet(meaning, item, event, flight_led.then(walk_led), now.dimension);
+        told.title = message!("swarm-nest", "Nest {i}", i = i);
         told.columns = COLUMNS.to_vec();
         let rows = flight.iter().zip(walk).zip(x);
         told.rows = rows.map(|((&(draw, e, to), &(h, _, end)), &x)| vec![x, draw.s, e, to, f64::from(u8::from(h)), end]).collect();
@@ -408,13 +419,13 @@ const REBUILT: Reading =
 
 const NESTS: Layer = layers::PARTICLES.titled("Nests", "Where the nests are: points, or the paths they stand for.");
 
-const ONE_ROAD: Preset = Preset {
-    name: ROAD,
-    title: "One of many roads",
-    help: "Sizes for one of many roads between stops: 25 nests and 200 iterations instead of 75 and 500. Paths are longer, and found sooner.",
-    scene: "ant-bat-30",
-    values: &[("population", Fixed::Number(25.0)), ("iterations", Fixed::Number(200.0))],
-};
+const ONE_ROAD: Preset = Preset::new(
+    ROAD,
+    "One of many roads",
+    "Sizes for one of many roads between stops: 25 nests and 200 iterations instead of 75 and 500. Paths are longer, and found sooner.",
+    "ant-bat-30",
+    &[("population", Fixed::Number(25.0)), ("iterations", Fixed::Number(200.0))],
+);
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -429,6 +440,5 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), P_A.entry(), ALPHA.entry(), LAMBDA.entry()], ENCODED, CHARGED])
 .readings(&[BEST, MEAN, SPREAD, FREE, LENGTH, SMOOTHNESS, K, FLOWN, REBUILT, EVALUATIONS])
 .formulas(&[SIGMA, STEP, FLY, ABANDON])
-.symbols(SYMBOLS)
 .layers(&[GUIDES, NESTS, layers::BEST, SMOOTHED, layers::BEFORE, layers::JUMP, layers::AFTER])
 .presets(&[ONE_ROAD]);

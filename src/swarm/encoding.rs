@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::Start,
-    kernel::{Error, Started},
+    kernel::{Error, Message, Started},
     params::Parameters,
     scene::{DiscsScene, FunctionScene, GridScene, Scene},
 };
@@ -40,7 +40,7 @@ pub(super) fn objective(scene: &Scene, settings: &Parameters) -> Result<Arc<dyn 
         Terrain::on_grid(grid, settings)?
     } else {
         // The entries say that swarms do not run there.
-        return Err(Error::refused("kind", scene.kind().name(), "function, discs or grid"));
+        return Err(Error::refused("kind", scene.kind().name(), Message::verbatim("function, discs, grid")));
     };
     Ok(match settings[ENCODING] {
         Encoding::Waypoints => Arc::new(Waypoints::new(terrain, settings)),

@@ -3,7 +3,8 @@
 
 use crate::{
     describe::layers,
-    kernel::{Column, Inspection, Item, Mark},
+    kernel::{Inspection, Item, Label, Mark, Message},
+    label, message,
 };
 
 use super::{
@@ -11,64 +12,71 @@ use super::{
     objective::Objective,
     perturbation::{Event, Partner, Sign},
     schedule::Coefficients,
-    sheet::{Label, arrows, column, mark, particle, quantities, sheet},
+    sheet::{arrows, mark, particle, quantities, sheet},
 };
 
-const COSTS: [Label; 3] = [("cost_before", "f(x)", "cost before"), ("cost", "f(x)", "cost after"), ("p_cost", "f(p)", "personal best")];
+const COSTS: [Label; 3] = [
+    label!("swarm-cost-before", "cost_before", "f(x)", "cost before"),
+    label!("swarm-cost-after", "cost", "f(x)", "cost after"),
+    label!("swarm-personal-best", "p_cost", "f(p)", "personal best"),
+];
 const MOVED: [Label; 11] = [
-    ("w", "\\omega", "inertia weight"),
-    ("c1", "c_1", "cognitive coefficient"),
-    ("c2", "c_2", "social coefficient"),
-    ("v_before", "v", "velocity before, first coordinate"),
-    ("r1", "r_1", "random number, first coordinate"),
-    ("r2", "r_2", "random number, first coordinate"),
-    ("x_before", "x", "position before, first coordinate"),
-    ("p", "p", "personal best, first coordinate"),
-    ("g", "g", "global best, first coordinate"),
-    ("v", "v", "velocity, first coordinate"),
-    ("x", "x'", "position after, first coordinate"),
+    label!("swarm-inertia-weight", "w", "\\omega", "inertia weight"),
+    label!("swarm-cognitive-coefficient", "c1", "c_1", "cognitive coefficient"),
+    label!("swarm-social-coefficient", "c2", "c_2", "social coefficient"),
+    label!("swarm-velocity-before-first-coordinate", "v_before", "v", "velocity before, first coordinate"),
+    label!("swarm-random-number-first-coordinate", "r1", "r_1", "random number, first coordinate"),
+    label!("swarm-random-number-first-coordinate", "r2", "r_2", "random number, first coordinate"),
+    label!("swarm-position-before-first-coordinate", "x_before", "x", "position before, first coordinate"),
+    label!("swarm-personal-best-first-coordinate", "p", "p", "personal best, first coordinate"),
+    label!("swarm-global-best-first-coordinate", "g", "g", "global best, first coordinate"),
+    label!("swarm-velocity-first-coordinate", "v", "v", "velocity, first coordinate"),
+    label!("swarm-position-after-first-coordinate", "x", "x'", "position after, first coordinate"),
 ];
 const HENNED: [Label; 12] = [
-    ("s1", "s_1", "learning factor"),
-    ("s2", "s_2", "learning factor"),
-    ("t", "t", "the other particle"),
-    ("f_i", "f(p)", "own personal best before"),
-    ("f_g", "f(g)", "global best before"),
-    ("f_t", "f(p)", "the other’s personal best"),
-    ("x_before", "x", "position before, first coordinate"),
-    ("r", "r", "random number, first coordinate"),
-    ("r_", "r'", "random number, first coordinate"),
-    ("g", "g", "global best, first coordinate"),
-    ("x_t", "x_t", "what is taken from the other, first coordinate"),
-    ("x", "x'", "position after, first coordinate"),
+    label!("swarm-learning-factor", "s1", "s_1", "learning factor"),
+    label!("swarm-learning-factor", "s2", "s_2", "learning factor"),
+    label!("swarm-the-other-particle", "t", "t", "the other particle"),
+    label!("swarm-own-personal-best-before", "f_i", "f(p)", "own personal best before"),
+    label!("swarm-global-best-before", "f_g", "f(g)", "global best before"),
+    label!("swarm-the-others-personal-best", "f_t", "f(p)", "the other’s personal best"),
+    label!("swarm-position-before-first-coordinate", "x_before", "x", "position before, first coordinate"),
+    label!("swarm-random-number-first-coordinate", "r", "r", "random number, first coordinate"),
+    label!("swarm-random-number-first-coordinate", "r_", "r'", "random number, first coordinate"),
+    label!("swarm-global-best-first-coordinate", "g", "g", "global best, first coordinate"),
+    label!("swarm-what-is-taken-from-the-other-first-coordinate", "x_t", "x_t", "what is taken from the other, first coordinate"),
+    label!("swarm-position-after-first-coordinate", "x", "x'", "position after, first coordinate"),
 ];
 const CHICKED: [Label; 4] = [
-    ("f_l", "F_L", "how far across"),
-    ("x_before", "x", "position before, first coordinate"),
-    ("g", "g", "global best, first coordinate"),
-    ("x", "x'", "position after, first coordinate"),
+    label!("swarm-how-far-across", "f_l", "F_L", "how far across"),
+    label!("swarm-position-before-first-coordinate", "x_before", "x", "position before, first coordinate"),
+    label!("swarm-global-best-first-coordinate", "g", "g", "global best, first coordinate"),
+    label!("swarm-position-after-first-coordinate", "x", "x'", "position after, first coordinate"),
 ];
 
-const MOVE: [Column; 9] = [
-    column("x_before", "x", "position before"),
-    column("inertia", "\\omega v", "inertia"),
-    column("r1", "r_1", "random number"),
-    column("cognitive", "c_1 r_1 (p - x)", "pull of the personal best"),
-    column("r2", "r_2", "random number"),
-    column("social", "c_2 r_2 (g - x)", "pull of the global best"),
-    column("v", "v", "velocity, limited"),
-    column("x", "x'", "position after"),
-    column("p", "p", "personal best before"),
+const MOVE: [Label; 9] = [
+    label!("swarm-position-before", "x_before", "x", "position before"),
+    label!("swarm-inertia", "inertia", "\\omega v", "inertia"),
+    label!("swarm-random-number", "r1", "r_1", "random number"),
+    label!("swarm-pull-of-the-personal-best", "cognitive", "c_1 r_1 (p - x)", "pull of the personal best"),
+    label!("swarm-random-number", "r2", "r_2", "random number"),
+    label!("swarm-pull-of-the-global-best", "social", "c_2 r_2 (g - x)", "pull of the global best"),
+    label!("swarm-velocity-limited", "v", "v", "velocity, limited"),
+    label!("swarm-position-after", "x", "x'", "position after"),
+    label!("swarm-personal-best-before", "p", "p", "personal best before"),
 ];
-const HEN: [Column; 5] = [
-    column("x_before", "x", "position before"),
-    column("r", "r", "random number"),
-    column("r_", "r'", "random number"),
-    column("x_t", "x_t", "the other particle"),
-    column("x", "x'", "position after"),
+const HEN: [Label; 5] = [
+    label!("swarm-position-before", "x_before", "x", "position before"),
+    label!("swarm-random-number", "r", "r", "random number"),
+    label!("swarm-random-number", "r_", "r'", "random number"),
+    label!("swarm-the-other-particle", "x_t", "x_t", "the other particle"),
+    label!("swarm-position-after", "x", "x'", "position after"),
 ];
-const CHICK: [Column; 3] =
-    [column("x_before", "x", "position before"), column("g", "g", "global best"), column("x", "x'", "position after")];
+const CHICK: [Label; 3] = [
+    label!("swarm-position-before", "x_before", "x", "position before"),
+    label!("swarm-global-best", "g", "g", "global best"),
+    label!("swarm-position-after", "x", "x'", "position after"),
+];
 /// What a step did to one particle.
 #[derive(Default)]
 struct Record {
@@ -186,7 +194,9 @@ impl Step<'_> {
     fn tell_move(&self) -> Inspection {
         let Self { x, p, to, .. } = self;
         let terms = &self.record.terms;
-        let summary = format!("Particle {} keeps part of its velocity and is drawn to its own best and to the swarm’s.", self.item.index);
+        let i = self.item.index;
+        let summary =
+            message!("swarm-move", "Particle {i} keeps part of its velocity and is drawn to its own best and to the swarm’s.", i = i);
         let mut told = sheet(self.meaning, self.item, "move", summary, x.len());
         told.columns = MOVE.to_vec();
         told.rows = (0..x.len())
@@ -214,13 +224,21 @@ impl Step<'_> {
     fn tell_hen(&self) -> Inspection {
         let Self { other, .. } = self;
         let (from, to, x_t) = (&*self.record.from, self.target(), &self.record.x_t);
-        let fate = if self.record.refused.is_some() { " Its cost would not fall, so it stays." } else { "" };
-        let summary = format!(
-            "Particle {} {}, so {}it jumps like a hen, towards the swarm’s best and particle {other}.{fate}",
-            self.item.index,
-            self.worse(),
-            self.flown(),
-        );
+        let stagnates = self.stagnates();
+        let jumps = if self.record.terms.is_empty() {
+            message!("swarm-hen", "It jumps like a hen, towards the swarm’s best and particle {other}.", other = other)
+        } else {
+            message!(
+                "swarm-hen-after",
+                "After its flight it jumps like a hen, towards the swarm’s best and particle {other}.",
+                other = other
+            )
+        };
+        let fate = match self.record.refused {
+            Some(_) => message!("swarm-hen-stays", "Its cost would not fall, so it stays."),
+            None => Message::default(),
+        };
+        let summary = stagnates.then(jumps).then(fate);
         let mut told = sheet(self.meaning, self.item, "hen", summary, from.len());
         let (r, [s1, s2], [f_i, f_g, f_t]) = (&self.record.r, self.record.s, self.bests);
         told.columns = HEN.to_vec();
@@ -236,11 +254,16 @@ impl Step<'_> {
     fn tell_chick(&self) -> Inspection {
         let Self { to, g, .. } = self;
         let from = &*self.record.from;
-        let summary = format!(
-            "The hen did not help particle {}, so {}it jumps like a chick, across the swarm’s best.",
-            self.item.index,
-            self.flown()
-        );
+        let i = self.item.index;
+        let summary = if self.record.terms.is_empty() {
+            message!("swarm-chick", "The hen did not help particle {i}, so it jumps like a chick, across the swarm’s best.", i = i)
+        } else {
+            message!(
+                "swarm-chick-after",
+                "The hen did not help particle {i}, so after its flight it jumps like a chick, across the swarm’s best.",
+                i = i
+            )
+        };
         let mut told = sheet(self.meaning, self.item, "chick", summary, from.len());
         told.columns = CHICK.to_vec();
         told.rows = (0..from.len()).map(|j| vec![from[j], g[j], to[j]]).collect();
@@ -256,15 +279,12 @@ impl Step<'_> {
     }
 
     /// What makes it stagnate.
-    fn worse(&self) -> String {
+    fn stagnates(&self) -> Message {
+        let i = self.item.index;
         match self.patience {
-            1 => "got worse".to_owned(),
-            times => format!("got worse {times} times in a row"),
+            1 => message!("swarm-worse", "Particle {i} got worse.", i = i),
+            times => message!("swarm-worse-often", "Particle {i} got worse {times} times in a row.", i = i, times = times),
         }
-    }
-
-    fn flown(&self) -> &'static str {
-        if self.record.terms.is_empty() { "" } else { "after its flight " }
     }
 
     fn jump(&self) -> Vec<Mark> {
@@ -363,12 +383,12 @@ mod tests {
 
     #[test]
     fn a_hen_that_must_be_better_never_raises_the_cost() {
-        let value = |told: &crate::kernel::Inspection, name: &str| told.values.iter().find(|v| v.name == name).unwrap().value;
+        let value = |told: &crate::kernel::Inspection, name: &str| told.values.iter().find(|v| v.label.name == name).unwrap().value;
         let refused = std::cell::Cell::new(0);
         let seen = told(&[("hen_keep", "better")], |told| {
             if told.event == "hen" {
                 assert!(value(told, "cost") <= value(told, "cost_before"), "{}", told.summary);
-                refused.set(refused.get() + usize::from(told.summary.ends_with("so it stays.")));
+                refused.set(refused.get() + usize::from(told.summary.text().ends_with("so it stays.")));
             }
         });
         assert!(refused.get() > 0 && refused.get() < seen["hen"], "{seen:?}, {} refused", refused.get());
@@ -382,7 +402,7 @@ mod tests {
                     told.marks.iter().any(|m| m.layer == layers::VELOCITY.key) && told.marks.iter().any(|m| m.layer == layers::JUMP.key)
                 );
                 assert_eq!(told.formulas, ["hen_best", "s1", "s2_source"]);
-                let [s1, s2, g] = ["s1", "s2", "g"].map(|name| told.values.iter().find(|v| v.name == name).unwrap().value);
+                let [s1, s2, g] = ["s1", "s2", "g"].map(|name| told.values.iter().find(|v| v.label.name == name).unwrap().value);
                 let [x, r, r_, x_t, to] = told.rows[0][..] else { panic!("five columns") };
                 let expected = (x + s1 * r * (g - x) + s2 * r_ * (x_t - x)).clamp(0.0, 9.0);
                 assert!((to - expected).abs() < 1e-12, "{to} {expected}");

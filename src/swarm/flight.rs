@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::{
     kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
     math::clamp,
+    message,
     params::Parameters,
 };
 
@@ -17,7 +18,7 @@ use super::{
     perturbation::{self, Event, Keep, Partner, Patience, Perturbation, Timing},
     population::Population,
     schedule::{Coefficients, Schedule},
-    sheet::introduce_as,
+    sheet::introduce,
 };
 
 /// What distinguishes one swarm of [WCPSO](crate#papers) from another.
@@ -330,11 +331,18 @@ impl Explain for Swarm {
         if self.clock.iteration > 0 {
             return None;
         }
-        let origin = match self.origins.as_ref().and_then(|origins| *origins.get(item.index)?) {
-            Some(extensions) => format!("on the path of a tree of {extensions} extensions; its velocity is zero"),
-            None => "drawn at random; its velocity is zero".to_owned(),
+        let i = item.index;
+        let origin = match self.origins.as_ref().and_then(|origins| *origins.get(i)?) {
+            Some(extensions) => message!(
+                "swarm-begins-on-a-path",
+                "Particle {i} begins here, on the path of a tree of {n} {extensions}; its velocity is zero.",
+                i = i,
+                n = extensions,
+                extensions = extensions => "extension" | "extensions",
+            ),
+            None => message!("swarm-begins", "Particle {i} begins here, drawn at random; its velocity is zero.", i = i),
         };
-        introduce_as(&self.population, item, &origin)
+        introduce(&self.population, item, origin)
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {

@@ -3,8 +3,12 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Error, Frame, Readings, Solution, State, rng::Stream},
-    math,
+    kernel::{
+        Error, Frame, Readings, Solution, State,
+        error::{finite, list_of},
+        rng::Stream,
+    },
+    math, message,
     scene::FunctionScene,
 };
 
@@ -36,17 +40,25 @@ impl SearchBox {
     fn checked(self) -> Result<Self, Error> {
         let (low, high) = (&self.low, &self.high);
         if low.is_empty() {
-            return Err(Error::refused("low", "an empty list", "one number at least"));
+            return Err(Error::refused("low", list_of(0), message!("error-one-number", "one number at least")));
         }
         if low.len() != high.len() {
-            return Err(Error::refused("high", format!("a list of {}", high.len()), format!("as long as low, which has {}", low.len())));
+            return Err(Error::refused(
+                "high",
+                list_of(high.len()),
+                message!("error-as-long-as", "as long as {field}, which has {n}", field = "low", n = low.len()),
+            ));
         }
         for (j, (&low, &high)) in low.iter().zip(&**high).enumerate() {
             if !low.is_finite() {
-                return Err(Error::refused(format!("low[{j}]"), low, "a finite number"));
+                return Err(Error::refused(format!("low[{j}]"), low, finite()));
             }
             if !(high.is_finite() && low <= high && (high - low).is_finite()) {
-                return Err(Error::refused(format!("high[{j}]"), high, format!("a finite number from {low} on")));
+                return Err(Error::refused(
+                    format!("high[{j}]"),
+                    high,
+                    message!("error-finite-from", "a finite number from {low} on", low = low),
+                ));
             }
         }
         Ok(self)

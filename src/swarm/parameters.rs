@@ -36,8 +36,8 @@ pub(super) const V_MAX_ABSOLUTE: Param<bool> = Param::choice(
     "",
     "Velocity limit in",
     &[
-        Choice { value: "fraction", title: "Shares of the side", help: "v_max is a share of the search box’s side." },
-        Choice { value: "absolute", title: "The scene’s unit", help: "v_max is a distance in the scene’s unit." },
+        Choice::new("fraction", "Shares of the side", "v_max is a share of the search box’s side."),
+        Choice::new("absolute", "The scene’s unit", "v_max is a distance in the scene’s unit."),
     ],
     &[false, true],
     "What the velocity limit is measured in.",
@@ -47,12 +47,12 @@ pub(super) const PER_PARTICLE: Param<bool> = Param::choice(
     "r_1, r_2",
     "Random numbers",
     &[
-        Choice { value: "coordinate", title: "Each coordinate", help: "Each coordinate of a particle has a pair r1, r2 of its own." },
-        Choice {
-            value: "particle",
-            title: "Each particle",
-            help: "All coordinates of a particle share one pair r1, r2: it moves in the plane of its two pulls.",
-        },
+        Choice::new("coordinate", "Each coordinate", "Each coordinate of a particle has a pair r1, r2 of its own."),
+        Choice::new(
+            "particle",
+            "Each particle",
+            "All coordinates of a particle share one pair r1, r2: it moves in the plane of its two pulls.",
+        ),
     ],
     &[false, true],
     "How often r1 and r2 of (1) are drawn. The paper does not say; its Table 2 fits one pair per particle.",
@@ -90,13 +90,8 @@ pub(super) const W_MAX: Param<f64> = Param::number(
 pub(super) const W_MIN: Param<f64> =
     Param::number("w_min", "\\omega_{\\min}", "Inertia weight at the end", [0.0, 1.5, 0.4], "ω falls to here, so that the swarm settles.");
 /// The defaults of a swarm of [WCPSO](crate#papers): coefficients as the text prints them.
-pub(super) const AS_IN_TEXT: Preset = Preset {
-    name: "paper",
-    title: "As in the text",
-    help: "The coefficients that [WCPSO] prints: the defaults.",
-    scene: "matyas",
-    values: &[],
-};
+pub(super) const AS_IN_TEXT: Preset =
+    Preset::new("paper", "As in the text", "The coefficients that [WCPSO] prints: the defaults.", "matyas", &[]);
 
 /// What every swarm tells; those that perturb tell [`PERTURBED`].
 pub(super) const READINGS: &[Reading] =

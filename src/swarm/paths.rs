@@ -73,8 +73,8 @@ pub(super) const ENCODING: Param<Encoding> = Param::choice(
     "",
     "A path is",
     &[
-        Choice { value: "waypoints", title: "way-points", help: "Points anywhere in the bounds, [WCPSO] §3.2.2." },
-        Choice { value: "polar", title: "angles on circles", help: "A point on each of several circles about the start, [LTQPSO] §4." },
+        Choice::new("waypoints", "way-points", "Points anywhere in the bounds, [WCPSO] §3.2.2."),
+        Choice::new("polar", "angles on circles", "A point on each of several circles about the start, [LTQPSO] §4."),
     ],
     &[Encoding::Waypoints, Encoding::Polar],
     "How a particle’s coordinates encode a path. A few coordinates describe only a path with few turns; in rooms and mazes use ants or a graph search.",
@@ -114,8 +114,8 @@ pub(super) const INITIAL: Param<Angles> = Param::choice(
     "",
     "Initial angles",
     &[
-        Choice { value: "uniform", title: "uniform", help: "Over each circle’s whole range, (15)." },
-        Choice { value: "normal", title: "normal", help: "Normally distributed, cut off at the ends of the range." },
+        Choice::new("uniform", "uniform", "Over each circle’s whole range, (15)."),
+        Choice::new("normal", "normal", "Normally distributed, cut off at the ends of the range."),
     ],
     &[Angles::Uniform, Angles::Normal],
     "How the first angles are drawn.",
@@ -168,8 +168,8 @@ pub(super) const PENALTY: Param<Penalty> = Param::choice(
     "V",
     "Penalty",
     &[
-        Choice { value: "segments", title: "whole path", help: "(15) at each segment’s point closest to the disc’s centre." },
-        Choice { value: "waypoints", title: "way-points only", help: "(15) as printed: a segment may cut through a disc unpunished." },
+        Choice::new("segments", "whole path", "(15) at each segment’s point closest to the disc’s centre."),
+        Choice::new("waypoints", "way-points only", "(15) as printed: a segment may cut through a disc unpunished."),
     ],
     &[Penalty::Segments, Penalty::Waypoints],
     "Where a path is tested for discs.",

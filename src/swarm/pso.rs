@@ -11,7 +11,6 @@ use super::{
     parameters::{C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, POPULATION, POSITION, READINGS, VELOCITY, W},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
-    sheet::SYMBOLS,
 };
 
 /// See the module.
@@ -27,7 +26,6 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[POPULATION.entry(), ITERATIONS.entry(), W.entry(), C1.entry(), C2.entry()], FLIGHT, ENCODED, CHARGED])
 .readings(READINGS)
 .formulas(&[VELOCITY, POSITION])
-.symbols(SYMBOLS)
 .layers(LAYERS);
 
 /// Starts it on any objective; `settings` are the parameters of [`ENTRY`].

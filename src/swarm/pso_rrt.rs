@@ -29,7 +29,6 @@ use super::{
     paths::{CHARGED, EARLY_STOP, ENCODING, WAYPOINTS},
     population::Population,
     schedule::{Law, Schedule},
-    sheet::SYMBOLS,
 };
 
 /// How many extensions all trees of a run have together: where no tree comes to the goal, a big swarm must begin all the same.
@@ -84,13 +83,13 @@ fn start(start: &Start) -> Result<Started, Error> {
     Ok(swarm.into())
 }
 
-const ONE_ROAD: Preset = Preset {
-    name: ROAD,
-    title: "One of many roads",
-    help: "Sizes for one of many roads between stops: 20 particles and 100 iterations instead of 150 and 500. Paths are longer, and found sooner.",
-    scene: "ant-bat-30",
-    values: &[("population", Fixed::Number(20.0)), ("iterations", Fixed::Number(100.0))],
-};
+const ONE_ROAD: Preset = Preset::new(
+    ROAD,
+    "One of many roads",
+    "Sizes for one of many roads between stops: 20 particles and 100 iterations instead of 150 and 500. Paths are longer, and found sooner.",
+    "ant-bat-30",
+    &[("population", Fixed::Number(20.0)), ("iterations", Fixed::Number(100.0))],
+);
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -124,7 +123,6 @@ pub const ENTRY: Entry = Entry::new(
     Reading { help: "How many positions were evaluated so far, and straight pieces tested by trees.", ..EVALUATIONS },
 ])
 .formulas(&[VELOCITY, POSITION])
-.symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[ONE_ROAD]);
 
@@ -150,7 +148,7 @@ mod tests {
             assert!(outcome.feasible, "{scene}: with a waypoint for each corner nothing is lost");
             assert!(outcome.evaluations > 20, "{scene}: what the trees tested counts");
             let told = run.inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
-            assert!(told.summary.contains("on the path of a tree of"), "{}", told.summary);
+            assert!(told.summary.text().contains("on the path of a tree of"), "{}", told.summary);
         }
     }
 
@@ -168,6 +166,6 @@ mod tests {
         }
         assert_eq!(reading(&mut alone, "from_trees"), 0.0);
         let told = run("wcpso-discs", &[("extensions", 0.0)], 4).inspect(Item { layer: layers::PARTICLES.key, index: 3 }).unwrap();
-        assert!(told.summary.contains("drawn at random"), "{}", told.summary);
+        assert!(told.summary.text().contains("drawn at random"), "{}", told.summary);
     }
 }

@@ -2,76 +2,17 @@
 
 use crate::{
     describe::layers,
-    kernel::{Column, Inspection, Item, LayerKey, Mark, Quantity, Shape},
+    kernel::{Inspection, Item, Label, LayerKey, Mark, Message, Quantity, Shape},
+    label, message,
 };
 
 use super::{objective::Objective, population::Population};
 
-/// The TeX strings that inspections use.
-pub(super) const SYMBOLS: &[&str] = &[
-    "f(x)",
-    "f(p)",
-    "f(g)",
-    "x",
-    "p",
-    "g",
-    "r_1",
-    "r_2",
-    "\\omega v",
-    "c_1 r_1 (p - x)",
-    "c_2 r_2 (g - x)",
-    "v",
-    "x'",
-    "r",
-    "r'",
-    "x_t",
-    "s_1",
-    "s_2",
-    "F_L",
-    "\\omega",
-    "c_1",
-    "c_2",
-    "t",
-    "\\varphi",
-    "u",
-    "\\pm",
-    "m",
-    "ip",
-    "gs",
-    "\\alpha",
-    "f(P)",
-    "f(G)",
-    "f(X)",
-    "P",
-    "G",
-    "X",
-    "X'",
-    "\\sigma(P)",
-    "\\sigma(X)",
-    "f",
-    "A",
-    "\\bar A",
-    "\\epsilon",
-    "\\beta",
-    "\\sigma",
-    "s",
-    "H",
-    "x_j",
-    "x_k",
-];
-
-/// What the numbers of an inspection are called: name, TeX, a few words.
-pub(super) type Label = (&'static str, &'static str, &'static str);
-
-const COST: [Label; 1] = [("cost", "f(x)", "cost")];
-const START: [Column; 1] = [column("x", "x", "position")];
+const COST: [Label; 1] = [label!("swarm-cost", "cost", "f(x)", "cost")];
+const START: [Label; 1] = [label!("swarm-position", "x", "x", "position")];
 
 pub(super) fn quantities(labels: &[Label], values: &[f64]) -> impl Iterator<Item = Quantity> {
-    labels.iter().zip(values).map(|(&(name, symbol, title), &value)| Quantity { name, symbol, title, value })
-}
-
-pub(super) const fn column(name: &'static str, symbol: &'static str, title: &'static str) -> Column {
-    Column { name, symbol, title }
+    labels.iter().zip(values).map(|(label, &value)| label.is(value))
 }
 
 /// The particle that an item means, if there is one.
@@ -80,17 +21,11 @@ pub(super) fn particle(population: &Population, item: Item) -> Option<usize> {
     (known && item.index < population.size).then_some(item.index)
 }
 
-/// The particle before anything has moved it.
-pub(super) fn introduce(population: &Population, item: Item, moreover: &str) -> Option<Inspection> {
-    introduce_as(population, item, &format!("drawn at random{moreover}"))
-}
-
-/// The same, and where it comes from.
-pub(super) fn introduce_as(population: &Population, item: Item, origin: &str) -> Option<Inspection> {
+/// The particle before anything has moved it, and where it comes from.
+pub(super) fn introduce(population: &Population, item: Item, origin: Message) -> Option<Inspection> {
     let i = particle(population, item)?;
     let (meaning, x) = (&*population.objective, &population.x[population.row(i)]);
-    let summary = format!("Particle {i} begins here, {origin}.");
-    let mut told = sheet(meaning, item, "start", summary, x.len());
+    let mut told = sheet(meaning, item, "start", origin, x.len());
     told.columns = START.to_vec();
     told.rows = x.iter().map(|&x| vec![x]).collect();
     told.values.extend(quantities(&COST, &[population.cost[i]]));
@@ -98,16 +33,16 @@ pub(super) fn introduce_as(population: &Population, item: Item, origin: &str) ->
     Some(told)
 }
 
-pub(super) fn sheet(meaning: &dyn Objective, item: Item, event: &'static str, summary: String, dimension: usize) -> Inspection {
+pub(super) fn sheet(meaning: &dyn Objective, item: Item, event: &'static str, summary: Message, dimension: usize) -> Inspection {
     Inspection {
         item,
-        title: format!("Particle {}", item.index),
+        title: message!("swarm-particle", "Particle {i}", i = item.index),
         event,
         summary,
         values: Vec::new(),
         formulas: Vec::new(),
         columns: Vec::new(),
-        labels: (0..dimension).map(|j| meaning.coordinate(j)).collect(),
+        labels: (0..dimension).map(|j| Message::verbatim(meaning.coordinate(j))).collect(),
         rows: Vec::new(),
         marks: Vec::new(),
     }

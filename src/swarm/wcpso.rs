@@ -18,7 +18,6 @@ use super::{
     paths::{CHARGED, ENCODED},
     perturbation::{Keep, Partner, Perturbation, Sign, Timing},
     schedule::{Law, Schedule},
-    sheet::SYMBOLS,
 };
 
 impl ParamValue for Sign {}
@@ -31,13 +30,13 @@ const C_B: Param<f64> = Param::number("c_b", "c_b", "Middle of c1", [0.0, 5.0, 1
 const C_ALPHA: Param<f64> =
     Param::number("c_alpha", "c_\\alpha", "Amplitude of c2", [0.0, 2.5, 1.0], "c2 rises from c_β − c_α to c_β + c_α, (5).");
 const C_BETA: Param<f64> = Param::number("c_beta", "c_\\beta", "Middle of c2", [0.0, 5.0, 1.5], "c2 at half time, (5).");
-const TRIGONOMETRIC: Choice = Choice { value: "sine", title: "Sine", help: "Along half a sine wave, as published." };
-const LINEAR: Choice = Choice { value: "linear", title: "Linear", help: "Linearly between the same values: tells what the wave is worth." };
+const TRIGONOMETRIC: Choice = Choice::new("sine", "Sine", "Along half a sine wave, as published.");
+const LINEAR: Choice = Choice::new("linear", "Linear", "Linearly between the same values: tells what the wave is worth.");
 const W_LINEAR: Param<bool> = Param::choice(
     "w_law",
     "",
     "Course of the inertia weight",
-    &[Choice { value: "cosine", title: "Cosine", help: "Along half a cosine wave, (3), as published." }, LINEAR],
+    &[Choice::new("cosine", "Cosine", "Along half a cosine wave, (3), as published."), LINEAR],
     &[false, true],
     "How ω falls over the iterations.",
 );
@@ -69,12 +68,8 @@ const S2_SIGN: Param<Sign> = Param::choice(
     "s_2",
     "Sign in (11)",
     &[
-        Choice { value: "printed", title: "As printed", help: "s2 = exp(f_i − f_t), as [WCPSO] (11) prints it." },
-        Choice {
-            value: "source",
-            title: "As in its source",
-            help: "s2 = exp(f_t − f_i), as in chicken swarm optimisation, where the equation comes from.",
-        },
+        Choice::new("printed", "As printed", "s2 = exp(f_i − f_t), as [WCPSO] (11) prints it."),
+        Choice::new("source", "As in its source", "s2 = exp(f_t − f_i), as in chicken swarm optimisation, where the equation comes from."),
     ],
     &[Sign::Printed, Sign::Source],
     "Which way the costs of the two particles are subtracted.",
@@ -85,12 +80,8 @@ const HEN_TIMING: Param<Timing> = Param::choice(
     "",
     "Hen and chick jump",
     &[
-        Choice {
-            value: "instead",
-            title: "Instead of flying",
-            help: "A stagnating particle jumps in the next iteration and does not fly.",
-        },
-        Choice { value: "after", title: "After flying", help: "It jumps in the same iteration, after its flight." },
+        Choice::new("instead", "Instead of flying", "A stagnating particle jumps in the next iteration and does not fly."),
+        Choice::new("after", "After flying", "It jumps in the same iteration, after its flight."),
     ],
     &[Timing::Instead, Timing::After],
     "When a stagnating particle jumps. The paper does not say.",
@@ -101,8 +92,8 @@ const HEN_KEEP: Param<Keep> = Param::choice(
     "",
     "Hen’s jump counts",
     &[
-        Choice { value: "always", title: "Always", help: "The particle goes where the jump leads." },
-        Choice { value: "better", title: "If better", help: "The particle stays where it is unless the jump lowers its cost." },
+        Choice::new("always", "Always", "The particle goes where the jump leads."),
+        Choice::new("better", "If better", "The particle stays where it is unless the jump lowers its cost."),
     ],
     &[Keep::Always, Keep::Better],
     "Which jumps of the hen count. The paper does not say.",
@@ -113,8 +104,8 @@ const HEN_PARTNER: Param<Partner> = Param::choice(
     "",
     "Hen is drawn to",
     &[
-        Choice { value: "position", title: "The other’s position", help: "x_t, where the other particle is: as printed in (9)." },
-        Choice { value: "best", title: "The other’s best", help: "p_t, the other particle’s personal best." },
+        Choice::new("position", "The other’s position", "x_t, where the other particle is: as printed in (9)."),
+        Choice::new("best", "The other’s best", "p_t, the other particle’s personal best."),
     ],
     &[Partner::Position, Partner::Best],
     "What the hen takes from the other particle t.",
@@ -212,12 +203,12 @@ fn law(linear: bool, amplitude: f64, middle: f64) -> Law {
     if linear { Law::Linear(middle + amplitude, middle - amplitude) } else { Law::Sine { amplitude, middle } }
 }
 
-const FITTED: Preset = Preset {
-    name: "fitted",
-    title: "Nearest to Table 2",
-    help: "A variant chosen because it comes nearest to [WCPSO] Table 2 on f1 to f3 with 2 variables: ω from 0.9, one pair r1, r2 per particle, the hen after the flight whenever the cost rises, towards the personal best of the other, and only if that is better; no chick.",
-    scene: "matyas",
-    values: &[
+const FITTED: Preset = Preset::new(
+    "fitted",
+    "Nearest to Table 2",
+    "A variant chosen because it comes nearest to [WCPSO] Table 2 on f1 to f3 with 2 variables: ω from 0.9, one pair r1, r2 per particle, the hen after the flight whenever the cost rises, towards the personal best of the other, and only if that is better; no chick.",
+    "matyas",
+    &[
         ("w_max", Fixed::Number(0.9)),
         ("random", Fixed::Text("particle")),
         ("patience", Fixed::Number(1.0)),
@@ -226,7 +217,7 @@ const FITTED: Preset = Preset {
         ("hen_keep", Fixed::Text("better")),
         ("hen_partner", Fixed::Text("best")),
     ],
-};
+);
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -263,7 +254,6 @@ pub const ENTRY: Entry = Entry::new(
     S2_SOURCE,
     CHICK,
 ])
-.symbols(SYMBOLS)
 .layers(PERTURBED_LAYERS)
 .presets(&[AS_IN_TEXT, FITTED]);
 

@@ -15,16 +15,15 @@ use super::{
     parameters::{AS_IN_TEXT, C1, C2, FLIGHT, ITERATIONS, KINDS, LAYERS, LINEAR_W, POPULATION, POSITION, READINGS, VELOCITY, W_MAX, W_MIN},
     paths::{CHARGED, ENCODED},
     schedule::{Law, Schedule},
-    sheet::SYMBOLS,
 };
 
-const FITTED: Preset = Preset {
-    name: "fitted",
-    title: "Fitted to Table 2",
-    help: "ω from 0.9 and c1 = c2 = 1.5, one pair r1, r2 per particle: chosen because [WCPSO] Table 2 then comes out on f1 to f3 with 2 variables.",
-    scene: "matyas",
-    values: &[("w_max", Fixed::Number(0.9)), ("c1", Fixed::Number(1.5)), ("c2", Fixed::Number(1.5)), ("random", Fixed::Text("particle"))],
-};
+const FITTED: Preset = Preset::new(
+    "fitted",
+    "Fitted to Table 2",
+    "ω from 0.9 and c1 = c2 = 1.5, one pair r1, r2 per particle: chosen because [WCPSO] Table 2 then comes out on f1 to f3 with 2 variables.",
+    "matyas",
+    &[("w_max", Fixed::Number(0.9)), ("c1", Fixed::Number(1.5)), ("c2", Fixed::Number(1.5)), ("random", Fixed::Text("particle"))],
+);
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -44,7 +43,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[LINEAR_W, VELOCITY, POSITION])
-.symbols(SYMBOLS)
 .layers(LAYERS)
 .presets(&[AS_IN_TEXT, FITTED]);
 

@@ -24,21 +24,19 @@ const AGAIN: &str = "Explain from the state alone: the same state has the same e
 const FORMULAS: &str =
     "Name formulas that the entry lists and that are computed with these parameters, and give a value for each of their `@name@`.";
 const TABLE: &str = "Give a label for each row, a number for each column, and finite numbers only.";
-const SYMBOLS: &str = "List the TeX strings that explanations use in the entry's `.symbols(…)`: pages typeset no others.";
 const MARKS: &str = "Mark layers that the entry lists: `.inspection()` for those that only explanations draw.";
 
 /// So many pieces of a layer are asked about, about evenly spread.
 const PIECES: usize = 12;
 
 pub fn explained(subject: &Subject, findings: &mut Findings) {
-    let symbols = subject.registry.symbols();
     let pickable: Vec<_> = subject.entry.layers.iter().filter(|layer| layer.pickable).collect();
     let mut picked = BTreeSet::new();
     let before = findings.list.len();
     each_run(subject, findings, &subject.scenes, &[60], |run| {
         let (hash, kind) = (run.hash(), run.scene().kind());
         for layer in pickable.iter().filter(|layer| is_on(layer, kind)) {
-            if explain_layer(subject, run, layer, &symbols)? {
+            if explain_layer(subject, run, layer)? {
                 picked.insert((layer.key, kind));
             }
         }
@@ -58,7 +56,7 @@ pub fn explained(subject: &Subject, findings: &mut Findings) {
 }
 
 /// Asks about the pieces of a layer. Whether there are any.
-fn explain_layer(subject: &Subject, run: &mut Run, layer: &Layer, symbols: &[&str]) -> Result<bool, Fault> {
+fn explain_layer(subject: &Subject, run: &mut Run, layer: &Layer) -> Result<bool, Fault> {
     let (key, name) = (layer.key, layer.key.0);
     let mut frame = Frame::default();
     run.draw(&mut frame, usize::MAX);
@@ -79,7 +77,7 @@ fn explain_layer(subject: &Subject, run: &mut Run, layer: &Layer, symbols: &[&st
             ensure(empty, EXPLAIN, || format!("the piece {index} of the layer `{name}` has no explanation"))?;
             continue;
         };
-        explanation(subject, run, &told, symbols)?;
+        explanation(subject, run, &told)?;
         if index == 0 {
             ensure(run.inspect(item) == Some(told), AGAIN, || format!("the explanation of a piece of `{name}` changes"))?;
         }
@@ -89,7 +87,7 @@ fn explain_layer(subject: &Subject, run: &mut Run, layer: &Layer, symbols: &[&st
     Ok(pieces > 0)
 }
 
-fn explanation(subject: &Subject, run: &Run, told: &Inspection, symbols: &[&str]) -> Checked {
+fn explanation(subject: &Subject, run: &Run, told: &Inspection) -> Checked {
     let layer = told.item.layer.0;
     for mark in &told.marks {
         ensure(subject.entry.layer(mark.layer).is_some(), MARKS, || format!("it marks `{}`, which the entry does not list", mark.layer.0))?;
@@ -100,16 +98,11 @@ fn explanation(subject: &Subject, run: &Run, told: &Inspection, symbols: &[&str]
         let formula: Option<&Formula> = of_name.find(|formula| is_met(formula.when, run));
         let formula = formula.ok_or_else(|| Fault::new(FORMULAS, format!("the formula `{name}` is not computed with these parameters")))?;
         for value in placeholders(formula.live) {
-            let filled = told.values.iter().any(|quantity| quantity.name == value);
+            let filled = told.values.iter().any(|quantity| quantity.label.name == value);
             ensure(filled, FORMULAS, || format!("nothing fills @{value}@ in the formula `{name}`"))?;
         }
     }
     let rows = told.rows.len() == told.labels.len() && told.rows.iter().all(|row| row.len() == told.columns.len());
     let finite = told.rows.iter().flatten().chain(told.values.iter().map(|quantity| &quantity.value)).all(|value| value.is_finite());
-    ensure(rows && finite, TABLE, || format!("the numbers of an explanation of `{layer}` are not complete"))?;
-    let used = told.values.iter().map(|quantity| quantity.symbol).chain(told.columns.iter().map(|column| column.symbol));
-    match used.filter(|symbol| !symbol.is_empty()).find(|symbol| !symbols.contains(symbol)) {
-        Some(symbol) => Err(Fault::new(SYMBOLS, format!("an explanation of `{layer}` uses the symbol `{symbol}`"))),
-        None => Ok(()),
-    }
+    ensure(rows && finite, TABLE, || format!("the numbers of an explanation of `{layer}` are not complete"))
 }

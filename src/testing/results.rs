@@ -146,7 +146,7 @@ fn end(run: &mut Run) -> Checked {
     ensure(gap > -ROUNDING, EXACT, || {
         format!("the length is {}, below the exact optimum {}", outcome.length.unwrap_or(f64::NAN), outcome.exact.unwrap_or(f64::NAN))
     })?;
-    let failure = outcome.failure.as_deref().unwrap_or("none").trim();
+    let failure = outcome.failure.as_ref().map_or("none".into(), |failure| failure.text());
     ensure(!failure.is_empty() && !failure.ends_with('.'), FAILURE, || format!("the reason is \"{failure}\""))
 }
 

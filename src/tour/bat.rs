@@ -12,13 +12,13 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Member, Preset, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
-    math,
+    label, math,
     params::{Choice, Fixed, Param, Parameter, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    explain::{SYMBOLS, quantity},
+    explain::quantity,
     kicks::Kicks,
     moves,
     nearest::nearest_neighbour,
@@ -307,7 +307,7 @@ impl Search for Bats {
 
     fn explain(&self, i: usize, told: &mut Inspection) {
         let Bat { loudness, pulse_rate, last_move, .. } = &self.swarm[i];
-        told.title = format!("Bat {}", i + 1);
+        told.title = format!("Bat {}", i + 1).into();
         let LastMove { tries, hamming, .. } = *last_move;
         let (event, range) = match last_move.range {
             Range::None => ("start", "It begins with a random tour.".to_owned()),
@@ -335,15 +335,15 @@ impl Search for Bats {
             Local::Taken => " It took the best tour with one stop inserted elsewhere: quieter now, and its pulse rate falls.",
         };
         (told.event, told.summary) =
-            (if last_move.local == Local::Taken { "insertion" } else { event }, format!("{range}{helped}{gained}{local}"));
+            (if last_move.local == Local::Taken { "insertion" } else { event }, format!("{range}{helped}{gained}{local}").into());
         let values = [
-            quantity("hamming", "HD", "places that differed before", hamming as f64),
-            quantity("tries", "v", "tries", tries as f64),
-            quantity("gain", "\\Delta D", "gained by them", last_move.gain),
-            quantity("candidate", "D'", "tour around the best", last_move.candidate),
-            quantity("local_gain", "\\Delta D'", "gained by taking it", last_move.local_gain),
-            quantity("loudness", "A", "loudness", *loudness),
-            quantity("pulse_rate", "r", "pulse rate", *pulse_rate),
+            quantity(label!("tour-places-that-differed-before", "hamming", "HD", "places that differed before"), hamming as f64),
+            quantity(label!("tour-tries", "tries", "v", "tries"), tries as f64),
+            quantity(label!("tour-gained-by-them", "gain", "\\Delta D", "gained by them"), last_move.gain),
+            quantity(label!("tour-tour-around-the-best", "candidate", "D'", "tour around the best"), last_move.candidate),
+            quantity(label!("tour-gained-by-taking-it", "local_gain", "\\Delta D'", "gained by taking it"), last_move.local_gain),
+            quantity(label!("tour-loudness", "loudness", "A", "loudness"), *loudness),
+            quantity(label!("tour-pulse-rate", "pulse_rate", "r", "pulse rate"), *pulse_rate),
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = match last_move.range {
@@ -374,8 +374,8 @@ const REPLACES_ALWAYS: Param<bool> = Param::choice(
     "",
     "Replacement",
     &[
-        Choice { value: "always", title: "Always", help: "As published: also when it is longer than the bat’s own tour." },
-        Choice { value: "better", title: "If shorter", help: "A bat’s tour never gets longer." },
+        Choice::new("always", "Always", "As published: also when it is longer than the bat’s own tour."),
+        Choice::new("better", "If shorter", "A bat’s tour never gets longer."),
     ],
     &[true, false],
     "When the best result of a bat’s crossovers or 2-opt moves becomes its tour.",
@@ -417,13 +417,13 @@ const MEAN_PULSE_RATE: Reading = Reading::new("pulse_rate", "\\bar r", "Pulse ra
 /// See [`planner::start`].
 const OWN_READINGS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_LOUDNESS, MEAN_PULSE_RATE];
 
-const PAPER: Preset = Preset {
-    name: "paper",
-    title: "As in the paper",
-    help: "[ANTBAT] has no local search: bats cross over, try 2-opt moves, and move a stop of the best tour.",
-    scene: "ant-bat-30",
-    values: &[("local_search", Fixed::Text("none"))],
-};
+const PAPER: Preset = Preset::new(
+    "paper",
+    "As in the paper",
+    "[ANTBAT] has no local search: bats cross over, try 2-opt moves, and move a stop of the best tour.",
+    "ant-bat-30",
+    &[("local_search", Fixed::Text("none"))],
+);
 
 const OWN: &[Parameter] = &[
     POPULATION.title("Bats").help("How many bats search. Published: 50.").entry(),
@@ -450,7 +450,6 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[OWN, TOURS])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
 .formulas(&[TRIES, LOUDNESS, PULSE, LENGTH])
-.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("All tours", "The tour of every bat.").off().pickable(),

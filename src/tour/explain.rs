@@ -3,7 +3,8 @@
 use crate::{
     describe::layers,
     geometry,
-    kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
+    kernel::{Inspection, Item, Label, Mark, Quantity, Shape},
+    label,
 };
 
 use super::{
@@ -13,58 +14,23 @@ use super::{
 };
 
 /// The TeX strings that inspections use beside the members' own.
-pub(super) const SYMBOLS: &[&str] = &[
-    "D",
-    "HD",
-    "s_i",
-    "s_i^*",
-    "\\ne",
-    "v",
-    "D'",
-    "\\Delta D'",
-    "A",
-    "r",
-    "\\Delta D",
-    "L",
-    "t^*",
-    "d",
-    "d_-",
-    "d_+",
-    "i",
-    "f",
-    "D_a",
-    "D_b",
-    "D_p",
-    "w v",
-    "p \\ominus x",
-    "g \\ominus x",
-    "|v|",
-    "|x^* \\ominus x|",
-    "T",
-    "T'",
-    "k",
-    "k_+",
-    "\\Delta_{\\max}",
-    "P",
+const ORDER: [Label; 3] = [
+    label!("tour-its-stop", "own", "s_i", "its stop"),
+    label!("tour-the-shortest-tours-stop", "best", "s_i^*", "the shortest tour’s stop"),
+    label!("tour-1-where-they-differ", "differs", "\\ne", "1 where they differ"),
 ];
 
-const ORDER: [Column; 3] = [
-    Column { name: "own", symbol: "s_i", title: "its stop" },
-    Column { name: "best", symbol: "s_i^*", title: "the shortest tour’s stop" },
-    Column { name: "differs", symbol: "\\ne", title: "1 where they differ" },
-];
-
-/// A number with its name.
-pub(super) fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value: f64) -> Option<Quantity> {
-    value.is_finite().then_some(Quantity { name, symbol, title, value })
+/// A number, unless there is none.
+pub(super) fn quantity(label: Label, value: f64) -> Option<Quantity> {
+    value.is_finite().then_some(label.is(value))
 }
 
 fn plain(item: Item, title: String, event: &'static str, summary: String) -> Inspection {
     Inspection {
         item,
-        title,
+        title: title.into(),
         event,
-        summary,
+        summary: summary.into(),
         values: Vec::new(),
         formulas: Vec::new(),
         columns: Vec::new(),
@@ -105,9 +71,9 @@ pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
     };
     let mut told = plain(item, format!("Road {} – {}", i + 1, j + 1), event, summary);
     let values = [
-        quantity("length", "L", "length", road.length),
-        quantity("d", "d", "straight line", straight),
-        quantity("converged", "t^*", "found in iteration", road.converged),
+        quantity(label!("tour-length", "length", "L", "length"), road.length),
+        quantity(label!("tour-straight-line", "d", "d", "straight line"), straight),
+        quantity(label!("tour-found-in-iteration", "converged", "t^*", "found in iteration"), road.converged),
     ];
     told.values = values.into_iter().flatten().collect();
     if !road.path.is_empty() {
@@ -134,9 +100,9 @@ pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: I
         plain(item, title, "called", format!("Number {} of the shortest tour, after {} and before {}.", place + 1, ends[0], ends[1]));
     let leg = |other: Option<usize>| other.map_or(f64::NAN, |other| problem.d(stop as u16, other as u16));
     let values = [
-        quantity("place", "i", "place in the tour", (place + 1) as f64),
-        quantity("from", "d_-", "from the stop before", leg(before)),
-        quantity("to", "d_+", "to the stop after", leg(after)),
+        quantity(label!("tour-place-in-the-tour", "place", "i", "place in the tour"), (place + 1) as f64),
+        quantity(label!("tour-from-the-stop-before", "from", "d_-", "from the stop before"), leg(before)),
+        quantity(label!("tour-to-the-stop-after", "to", "d_+", "to the stop after"), leg(after)),
     ];
     told.values = values.into_iter().flatten().collect();
     Some(told)
@@ -156,13 +122,16 @@ pub(super) fn tour(problem: &Problem, tour: &Tour, best: &Tour, places: &[[f64; 
     }
     let differs: Vec<bool> = own.iter().zip(&theirs).map(|(a, b)| a != b).collect();
     let mut told = plain(item, format!("Tour {}", item.index + 1), "moved", String::new());
-    told.values = [quantity("length", "D", "length", tour.length), quantity("different", "HD", "places that differ", different as f64)]
-        .into_iter()
-        .flatten()
-        .collect();
+    told.values = [
+        quantity(label!("tour-length", "length", "D", "length"), tour.length),
+        quantity(label!("tour-places-that-differ", "different", "HD", "places that differ"), different as f64),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
     told.formulas = vec!["length"];
     told.columns = ORDER.to_vec();
-    told.labels = (1..=own.len()).map(|place| place.to_string()).collect();
+    told.labels = (1..=own.len()).map(|place| place.to_string().into()).collect();
     let number = |stop: usize| (stop + 1) as f64;
     told.rows = (0..own.len()).map(|k| vec![number(own[k]), number(theirs[k]), f64::from(u8::from(differs[k]))]).collect();
     let vertices: Vec<_> = own.iter().zip(&differs).filter(|(_, differs)| **differs).map(|(&stop, _)| places[stop]).collect();

@@ -8,13 +8,13 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Member, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
-    math,
+    label, math,
     params::{Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    explain::{SYMBOLS, quantity},
+    explain::quantity,
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
@@ -223,28 +223,31 @@ impl Search for Genetic {
         let Birth { origin, parents: [a, b], lengths, cut, reversed } = one.birth;
         told.event = WORDS[origin as usize];
         told.summary = match origin {
-            Origin::Start => "It is one of the random tours of the first generation.".to_owned(),
-            Origin::Kept => format!("It was tour {} of the generation before; the shortest are kept.", a + 1),
-            Origin::Copy | Origin::Mutation => format!("A child of tour {} alone, which won a tournament.", a + 1),
+            Origin::Start => "It is one of the random tours of the first generation.".to_owned().into(),
+            Origin::Kept => format!("It was tour {} of the generation before; the shortest are kept.", a + 1).into(),
+            Origin::Copy | Origin::Mutation => format!("A child of tour {} alone, which won a tournament.", a + 1).into(),
             Origin::Crossover | Origin::Both => format!(
                 "A child of the tours {} and {}, which won a tournament each: places {} to {} from the first, the others in the order of the second.",
                 a + 1,
                 b + 1,
                 cut.0,
                 cut.1
-            ),
+            ).into(),
         };
         if reversed.1 > 0 {
             let mutation = format!(" Then a mutation reversed places {} to {}.", reversed.0, reversed.1);
-            told.summary.push_str(&mutation);
+            told.summary = std::mem::take(&mut told.summary).then(mutation.trim_start().into());
         }
         if origin == Origin::Start {
             return;
         }
         let values = [
-            quantity("first", "D_a", "length of the first parent", lengths[0]),
-            quantity("second", "D_b", "length of the second parent", lengths[1]),
-            quantity("gain", "\\Delta D", "shorter than the shorter parent by", one.gain()),
+            quantity(label!("tour-length-of-the-first-parent", "first", "D_a", "length of the first parent"), lengths[0]),
+            quantity(label!("tour-length-of-the-second-parent", "second", "D_b", "length of the second parent"), lengths[1]),
+            quantity(
+                label!("tour-shorter-than-the-shorter-parent-by", "gain", "\\Delta D", "shorter than the shorter parent by"),
+                one.gain(),
+            ),
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["gain", "length"];
@@ -323,7 +326,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, SHORTER])
 .formulas(&[GAIN, LENGTH])
-.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("All tours", "The tours of this generation.").off().pickable(),

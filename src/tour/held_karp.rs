@@ -14,7 +14,6 @@ use crate::{
 };
 
 use super::{
-    explain::SYMBOLS,
     parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, KINDS, LENGTH, ROADS_LAYER, TOURS},
     planner,
     problem::{Problem, Stop, Tour},
@@ -219,7 +218,6 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry()], TOURS])
 .readings(&[BEST, BUILT, FAILED, BY_ROAD, FOUND, SIZE, PARTIAL])
 .formulas(&[RECURSION, LENGTH])
-.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("Shortest parts", "The shortest way of the present size to each stop, until there is a tour."),

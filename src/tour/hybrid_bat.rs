@@ -17,13 +17,13 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Member, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
-    math,
+    label, math,
     params::{Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    explain::{SYMBOLS, quantity},
+    explain::quantity,
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
@@ -242,38 +242,39 @@ impl Search for Bats {
     fn explain(&self, i: usize, told: &mut Inspection) {
         let Bat { loudness, pulse_rate, last_move, .. } = &self.swarm[i];
         let LastMove { operator, frequency, distance, swaps, candidate, accepted, gain } = *last_move;
-        told.title = format!("Bat {}", i + 1);
+        told.title = format!("Bat {}", i + 1).into();
         told.event = WORDS[operator as usize];
         told.summary = match operator {
-            Operator::None => "It begins with a random tour.".to_owned(),
-            Operator::Flight => format!("It flew towards the best tour: {swaps} of the {distance} swaps that lead there."),
+            Operator::None => "It begins with a random tour.".to_owned().into(),
+            Operator::Flight => format!("It flew towards the best tour: {swaps} of the {distance} swaps that lead there.").into(),
             _ => {
                 let what = match operator {
                     Operator::Reversal => "a stretch reversed",
                     Operator::Insertion => "a stop moved",
                     _ => "two stretches exchanged",
                 };
-                format!("It looked around the best tour; the shortest of {} perturbations was one with {what}.", self.perturbations)
+                format!("It looked around the best tour; the shortest of {} perturbations was one with {what}.", self.perturbations).into()
             }
         };
-        told.summary.push_str(match (operator, accepted) {
+        let taken: &str = match (operator, accepted) {
             (Operator::None, _) => "",
             (_, true) => " It took that tour: quieter now, and it looks around the best more rarely.",
             (_, false) => " It kept its own tour.",
-        });
+        };
+        told.summary = std::mem::take(&mut told.summary).then(taken.trim_start().into());
         let values = [
-            quantity("candidate", "D'", "tour that it tried", candidate),
-            quantity("gain", "\\Delta D", "gained by taking it", gain),
-            quantity("loudness", "A", "loudness", *loudness),
-            quantity("pulse_rate", "r", "pulse rate", *pulse_rate),
+            quantity(label!("tour-tour-that-it-tried", "candidate", "D'", "tour that it tried"), candidate),
+            quantity(label!("tour-gained-by-taking-it", "gain", "\\Delta D", "gained by taking it"), gain),
+            quantity(label!("tour-loudness", "loudness", "A", "loudness"), *loudness),
+            quantity(label!("tour-pulse-rate", "pulse_rate", "r", "pulse rate"), *pulse_rate),
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["loudness", "pulse", "length"];
         if operator == Operator::Flight {
             let flight = [
-                quantity("frequency", "f", "frequency", frequency),
-                quantity("distance", "|x^* \\ominus x|", "swaps to the best", distance as f64),
-                quantity("swaps", "|v|", "swaps that it made", swaps as f64),
+                quantity(label!("tour-frequency", "frequency", "f", "frequency"), frequency),
+                quantity(label!("tour-swaps-to-the-best", "distance", "|x^* \\ominus x|", "swaps to the best"), distance as f64),
+                quantity(label!("tour-swaps-that-it-made", "swaps", "|v|", "swaps that it made"), swaps as f64),
             ];
             told.values.extend(flight.into_iter().flatten());
             told.formulas.insert(0, "velocity");
@@ -374,7 +375,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
 .formulas(&[VELOCITY, LOUDNESS, PULSE, LENGTH])
-.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("All tours", "The tour of every bat.").off().pickable(),

@@ -12,15 +12,15 @@ pub(super) const KINDS: &[SceneKindId] = &[GRID, TOUR];
 
 /// Who can build roads; a test compares the list with the catalogue.
 pub(super) const BUILDERS: &[Choice] = &[
-    Choice { value: "aco-direction", title: "Ants with direction", help: "[ANTBAT] §3.1, the improved ants." },
-    Choice { value: "aco-dijkstra", title: "Ants on a Dijkstra path", help: "[ANTBAT] §3.1, its [14]." },
-    Choice { value: "aco", title: "Traditional ants", help: "[ANTBAT] §3.1, the traditional ants." },
-    Choice { value: "aco-wolf", title: "Wolf-pack ant colony", help: "[WOLF-ANT] §5.1." },
-    Choice { value: "a-star", title: "A*", help: "The shortest paths from cell to cell." },
-    Choice { value: "dijkstra", title: "Dijkstra", help: "The same paths, more slowly." },
-    Choice { value: "theta-star", title: "Theta*", help: "Paths at any angle." },
-    Choice { value: "cuckoo-search", title: "Cuckoo search", help: "Compared in [ANTBAT] fig. 8, its [31], as published by Yang and Deb." },
-    Choice { value: "pso-rrt", title: "PSO with RRT", help: "Compared in [ANTBAT] fig. 8, its [32]. The paper gives no details." },
+    Choice::new("aco-direction", "Ants with direction", "[ANTBAT] §3.1, the improved ants."),
+    Choice::new("aco-dijkstra", "Ants on a Dijkstra path", "[ANTBAT] §3.1, its [14]."),
+    Choice::new("aco", "Traditional ants", "[ANTBAT] §3.1, the traditional ants."),
+    Choice::new("aco-wolf", "Wolf-pack ant colony", "[WOLF-ANT] §5.1."),
+    Choice::new("a-star", "A*", "The shortest paths from cell to cell."),
+    Choice::new("dijkstra", "Dijkstra", "The same paths, more slowly."),
+    Choice::new("theta-star", "Theta*", "Paths at any angle."),
+    Choice::new("cuckoo-search", "Cuckoo search", "Compared in [ANTBAT] fig. 8, its [31], as published by Yang and Deb."),
+    Choice::new("pso-rrt", "PSO with RRT", "Compared in [ANTBAT] fig. 8, its [32]. The paper gives no details."),
 ];
 
 pub(super) const ROADS: Param<&str> = Param::name_of(
@@ -40,11 +40,11 @@ pub(super) const SMOOTH: Param<bool> = Param::flag(
 .only_on(&[GRID]);
 
 const ROUNDS: &[Choice; 5] = &[
-    Choice { value: "scene", title: "As the scene says", help: "On grids: closed." },
-    Choice { value: "closed", title: "Closed", help: "Back to where it began." },
-    Choice { value: "open", title: "Open", help: "From any stop to any other." },
-    Choice { value: "from-first", title: "From the first stop", help: "From the first stop to any other." },
-    Choice { value: "first-to-last", title: "From the first to the last", help: "From the first stop to the last." },
+    Choice::new("scene", "As the scene says", "On grids: closed."),
+    Choice::new("closed", "Closed", "Back to where it began."),
+    Choice::new("open", "Open", "From any stop to any other."),
+    Choice::new("from-first", "From the first stop", "From the first stop to any other."),
+    Choice::new("first-to-last", "From the first to the last", "From the first stop to the last."),
 ];
 pub(super) const ROUND: Param<Option<TourEnds>> = Param::choice(
     "round",
@@ -82,8 +82,8 @@ pub(super) const LOCAL_SEARCH: Param<bool> = Param::choice(
     "",
     "Local search",
     &[
-        Choice { value: "2-opt", title: "2-opt and Or-opt", help: "Every tour is improved by 2-opt and Or-opt moves until none helps." },
-        Choice { value: "none", title: "None", help: "Tours stay as the equations make them." },
+        Choice::new("2-opt", "2-opt and Or-opt", "Every tour is improved by 2-opt and Or-opt moves until none helps."),
+        Choice::new("none", "None", "Tours stay as the equations make them."),
     ],
     &[true, false],
     "What improves each tour. Swarms of the literature have a local search (Shi et al. 2007; Saji and Riffi 2016), and need it on more than about 50 stops. [ANTBAT] has none.",

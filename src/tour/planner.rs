@@ -6,9 +6,10 @@ use crate::{
     describe::{Reading, Start, layers},
     exact::MAX_EXACT_STOPS,
     kernel::{
-        Candidate, Error, Explain, Facets, Failure, Frame, Inspection, Item, Members, Planner, Progress, Readings, ReferenceOptimum,
-        Solution, Stage, Started, Status, Subtasks,
+        Candidate, Error, Explain, Facets, Failure, Frame, Inspection, Item, Members, Message, Planner, Progress, Readings,
+        ReferenceOptimum, Solution, Stage, Started, Status, Subtasks,
     },
+    message,
     scene::{GridScene, TourScene},
     settled::{SETTLED, Settled},
 };
@@ -61,10 +62,10 @@ pub fn start(start: &Start, own_readings: &'static [Reading], begin: Begin) -> R
         Some(_) if settings[SMOOTH] || settings[ROADS] == "theta-star" => ReferenceOptimum::AnyAngle,
         Some(_) => ReferenceOptimum::Cells,
     };
-    let search = Stage { name: "tour", title: "Tour", end: None };
+    let search = Stage { name: "tour", title: message!("tour-stage", "Tour"), end: None };
     let stages = match roads {
         0 => vec![search],
-        end => vec![Stage { name: "roads", title: "Roads", end: Some(end) }, search],
+        end => vec![Stage { name: "roads", title: message!("tour-stage-roads", "Roads"), end: Some(end) }, search],
     };
     let started = Started::new(tours, settings[ITERATIONS] + roads).measured_by(reference).in_stages(stages);
     Ok(Started { progress, ends: Some(round), ..started })
@@ -168,7 +169,7 @@ impl Members for Tours {
 }
 
 impl Failure for Tours {
-    fn failure(&self, _status: Status) -> Option<String> {
-        self.network.as_ref().filter(|_| self.torn).and_then(Network::failure)
+    fn failure(&self, _status: Status) -> Option<Message> {
+        self.network.as_ref().filter(|_| self.torn).and_then(Network::failure).map(Into::into)
     }
 }

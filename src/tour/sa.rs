@@ -8,13 +8,13 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Member, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
-    math,
+    label, math,
     params::{Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    explain::{SYMBOLS, quantity},
+    explain::quantity,
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS_LAYER, TOURS,
@@ -176,8 +176,8 @@ impl Search for Annealing {
 
     fn explain(&self, _i: usize, told: &mut Inspection) {
         let LastMove { tried, shorter, longer, highest, gain } = self.last_move;
-        told.title = String::from("Present tour");
-        (told.event, told.summary) = match (tried, shorter + longer) {
+        told.title = String::from("Present tour").into();
+        let (event, summary) = match (tried, shorter + longer) {
             (0, _) => ("start", "It begins with a random tour.".to_owned()),
             (_, 0) => ("frozen", format!("None of {tried} moves was accepted.")),
             _ => (
@@ -187,15 +187,19 @@ impl Search for Annealing {
                 ),
             ),
         };
+        (told.event, told.summary) = (event, summary.into());
         let values = [
-            quantity("temperature", "T", "temperature", self.temperature),
-            quantity("next", "T'", "the next temperature", self.next),
-            quantity("tried", "k", "moves tried", tried as f64),
-            quantity("longer", "k_+", "accepted although longer", longer as f64),
-            quantity("highest", "\\Delta_{\\max}", "longest step up", highest),
+            quantity(label!("tour-temperature", "temperature", "T", "temperature"), self.temperature),
+            quantity(label!("tour-the-next-temperature", "next", "T'", "the next temperature"), self.next),
+            quantity(label!("tour-moves-tried", "tried", "k", "moves tried"), tried as f64),
+            quantity(label!("tour-accepted-although-longer", "longer", "k_+", "accepted although longer"), longer as f64),
+            quantity(label!("tour-longest-step-up", "highest", "\\Delta_{\\max}", "longest step up"), highest),
             // What is colder than a number can say has no quotient.
-            quantity("chance", "P", "chance of such a step", if highest > 0.0 { math::exp(-highest / self.temperature) } else { 1.0 }),
-            quantity("gain", "\\Delta D", "shorter by", gain),
+            quantity(
+                label!("tour-chance-of-such-a-step", "chance", "P", "chance of such a step"),
+                if highest > 0.0 { math::exp(-highest / self.temperature) } else { 1.0 },
+            ),
+            quantity(label!("tour-shorter-by", "gain", "\\Delta D", "shorter by"), gain),
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["metropolis", "cooling", "length"];
@@ -274,7 +278,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, PRESENT, BUILT, FAILED, BY_ROAD, FOUND, SETTLED_PRESENT, DIFFERENT, TEMPERATURE, ACCEPTED])
 .formulas(&[METROPOLIS, GEOMETRIC, LENGTH])
-.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("Present tour", "The tour that is changed.").off().pickable(),

@@ -146,7 +146,7 @@ fn check_members(run: &mut Run, round: TourEnds) {
         };
         let order: Vec<_> = told.rows.iter().map(|row| row[0] as usize - 1).collect();
         assert!(round.allows(&order, n), "{} {order:?}", run.entry().name);
-        let length = told.values.iter().find(|value| value.name == "length").unwrap().value;
+        let length = told.values.iter().find(|value| value.label.name == "length").unwrap().value;
         assert!((distances(&scene).length(&order, round.closes()) - length).abs() < 1e-9);
         assert!(length >= run.readings().get("best").unwrap());
     }
@@ -255,7 +255,7 @@ fn held_and_karp_take_no_more_stops_than_they_say() {
     let mut rng = Stream::new(14, 0);
     let refused = |n: usize, rng: &mut Stream| {
         let setup = Setup { planner: "held-karp".into(), scene: stops(n, rng), params: Overrides::new(), seed: 1 };
-        Run::new(standard(), setup).err().map(|error| (error.field().to_owned(), error.value().to_owned(), error.allowed().to_owned()))
+        Run::new(standard(), setup).err().map(|error| (error.field().to_owned(), error.value().to_owned(), error.allowed().into_owned()))
     };
     assert_eq!(refused(15, &mut rng), None);
     let (field, value, allowed) = refused(16, &mut rng).unwrap();
@@ -325,7 +325,7 @@ fn ants_that_build_no_road_are_told_of() {
     let (ants, exact) = (run("aco-direction"), run("a-star"));
     assert_eq!((exact.status, exact.failure), (Status::Solved, None));
     match ants.status {
-        Status::Infeasible => assert!(ants.failure.unwrap().starts_with("aco-direction found no road from stops[0]")),
+        Status::Infeasible => assert!(ants.failure.unwrap().text().starts_with("aco-direction found no road from stops[0]")),
         status => assert!(status == Status::Solved && ants.failure.is_none()),
     }
 }

@@ -12,12 +12,13 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Member, Preset, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
+    label,
     params::{Fixed, Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    explain::{SYMBOLS, quantity},
+    explain::quantity,
     local::LocalSearch,
     moves,
     parameters::{
@@ -197,9 +198,9 @@ impl Search for Swarm {
 
     fn explain(&self, i: usize, told: &mut Inspection) {
         let Particle { best, velocity, last_move, .. } = &self.particles[i];
-        told.title = format!("Particle {}", i + 1);
+        told.title = format!("Particle {}", i + 1).into();
         let LastMove { kept, own, swarm, gain, record } = *last_move;
-        (told.event, told.summary) = if kept + own + swarm == 0 {
+        let (event, summary) = if kept + own + swarm == 0 {
             ("rests", "It made no swap: it begins, or nothing drew it anywhere.".to_owned())
         } else {
             let better = if record { ": the shortest that it had" } else { "" };
@@ -211,12 +212,16 @@ impl Search for Swarm {
             );
             (if record { "record" } else { "swaps" }, summary)
         };
+        (told.event, told.summary) = (event, summary.into());
         let values = [
-            quantity("own_best", "D_p", "its own best", best.length),
-            quantity("kept", "w v", "swaps of its velocity", kept as f64),
-            quantity("own", "p \\ominus x", "swaps towards its own best", own as f64),
-            quantity("swarm", "g \\ominus x", "swaps towards the swarm’s", swarm as f64),
-            quantity("velocity", "|v|", "velocity: swaps that do the same", velocity.len() as f64),
+            quantity(label!("tour-its-own-best", "own_best", "D_p", "its own best"), best.length),
+            quantity(label!("tour-swaps-of-its-velocity", "kept", "w v", "swaps of its velocity"), kept as f64),
+            quantity(label!("tour-swaps-towards-its-own-best", "own", "p \\ominus x", "swaps towards its own best"), own as f64),
+            quantity(label!("tour-swaps-towards-the-swarms", "swarm", "g \\ominus x", "swaps towards the swarm’s"), swarm as f64),
+            quantity(
+                label!("tour-velocity-swaps-that-do-the-same", "velocity", "|v|", "velocity: swaps that do the same"),
+                velocity.len() as f64,
+            ),
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["velocity", "position", "length"];
@@ -272,13 +277,13 @@ const MEAN_SWAPS: Reading =
 /// See [`planner::start`].
 const OWN_READINGS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_SWAPS];
 
-const SWAPS_ALONE: Preset = Preset {
-    name: "paper",
-    title: "Swaps alone",
-    help: "Swap sequences without local search: what [ANTBAT] compares with, as read here.",
-    scene: "ant-bat-30",
-    values: &[("local_search", Fixed::Text("none"))],
-};
+const SWAPS_ALONE: Preset = Preset::new(
+    "paper",
+    "Swaps alone",
+    "Swap sequences without local search: what [ANTBAT] compares with, as read here.",
+    "ant-bat-30",
+    &[("local_search", Fixed::Text("none"))],
+);
 
 /// See the module.
 pub const ENTRY: Entry = Entry::new(
@@ -304,7 +309,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_SWAPS])
 .formulas(&[VELOCITY, POSITION, LENGTH])
-.symbols(SYMBOLS)
 .layers(&[
     ROADS_LAYER,
     layers::TOURS.titled("All tours", "The tour of every particle.").off().pickable(),

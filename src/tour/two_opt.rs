@@ -9,7 +9,6 @@ use crate::{
 };
 
 use super::{
-    explain::SYMBOLS,
     local::LocalSearch,
     nearest::nearest_neighbour,
     parameters::{BEST, BUILT, BY_ROAD, FAILED, FOUND, ITERATIONS, KINDS, LAYERS, LENGTH, TOURS},
@@ -103,6 +102,5 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, BUILT, FAILED, BY_ROAD, FOUND, MOVES_MADE, LAST_GAIN])
 .formulas(&[TWO_OPT, LENGTH])
-.symbols(SYMBOLS)
 .layers(LAYERS)
 .calls_at_stops();

@@ -2,7 +2,8 @@
 
 use crate::{
     describe::layers,
-    kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
+    kernel::{Inspection, Item, Label, Mark, Shape},
+    label,
 };
 
 use super::{
@@ -11,20 +12,18 @@ use super::{
     vector::distance,
 };
 
-/// The TeX strings that inspections use.
-pub(super) const SYMBOLS: &[&str] =
-    &["\\varphi", "p", "L", "d", "d_i", "g", "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert", "p_i", "\\varphi_i", "x", "y", "z"];
-
-const ANGLE: Column = Column { name: "angle", symbol: "\\varphi_i", title: "angle with the goal’s direction, in degrees" };
-const TO_GOAL: Column = Column { name: "to_goal", symbol: "d_i", title: "distance to the goal" };
-const COLUMNS: [Column; 2] = [
-    Column { name: "share", symbol: "p_i", title: "share of the roulette wheel" },
-    Column { name: "far", symbol: "d", title: "distance from the node" },
+const PLACE: [Label; 3] = [
+    label!("tree-where-it-is", "x", "x", "where it is"),
+    label!("tree-where-it-is", "y", "y", "where it is"),
+    label!("tree-where-it-is", "z", "z", "where it is"),
 ];
-
-fn quantity(name: &'static str, symbol: &'static str, title: &'static str, value: f64) -> Quantity {
-    Quantity { name, symbol, title, value }
-}
+const ANGLE: Label =
+    label!("tree-angle-with-the-goals-direction-in-degrees", "angle", "\\varphi_i", "angle with the goal’s direction, in degrees");
+const TO_GOAL: Label = label!("tree-distance-to-the-goal", "to_goal", "d_i", "distance to the goal");
+const COLUMNS: [Label; 2] = [
+    label!("tree-share-of-the-roulette-wheel", "share", "p_i", "share of the roulette wheel"),
+    label!("tree-distance-from-the-node", "far", "d", "distance from the node"),
+];
 
 impl SampleOutcome {
     /// In a few words.
@@ -64,7 +63,9 @@ impl<const N: usize> Seen<'_, N> {
                 let birth = self.forest.births[item.index];
                 let mut told = self.node(item)?;
                 told.event = "root";
-                told.summary.push_str(["The tree begins here, at the start.", "The goal’s tree begins here."][usize::from(birth.tree)]);
+                told.summary = crate::kernel::Message::from(
+                    ["The tree begins here, at the start.", "The goal’s tree begins here."][usize::from(birth.tree)],
+                );
                 Some(told)
             }
             _ => None,
@@ -87,7 +88,7 @@ impl<const N: usize> Seen<'_, N> {
             Source::Other => "towards the other tree",
             Source::Uniform => "random",
         };
-        told.summary = summary(last);
+        told.summary = summary(last).into();
         let near = tree.points[last.near];
         if let Some(sample) = last.samples.iter().find(|sample| sample.outcome == SampleOutcome::Taken) {
             self.tell_taken(sample, &near, &mut told);
@@ -102,19 +103,16 @@ impl<const N: usize> Seen<'_, N> {
         let (tree, node) = (&self.forest.trees[usize::from(birth.tree)], birth.node as usize);
         let place = |point: &[f64; N]| self.task.space.place(point);
         let at = place(&tree.points[node]);
-        let mut values = vec![quantity("cost", "g", "way from the root", tree.costs[node])];
-        for (axis, (name, symbol)) in [("x", "x"), ("y", "y"), ("z", "z")].into_iter().enumerate().take(self.task.space.dimensions().min(3))
-        {
-            values.push(quantity(name, symbol, "where it is", at[axis]));
-        }
+        let mut values = vec![label!("tree-way-from-the-root", "cost", "g", "way from the root").is(tree.costs[node])];
+        values.extend(PLACE.iter().zip(at).take(self.task.space.dimensions()).map(|(label, at)| label.is(at)));
         let way = tree.path_to(node).iter().map(place).collect();
         let mut marks = vec![Mark { layer: layers::BEFORE.key, shape: Shape::Polyline, vertices: way }];
         marks.push(Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![at] });
         Some(Inspection {
             item,
-            title: format!("Node {}", item.index + 1),
+            title: format!("Node {}", item.index + 1).into(),
             event: "node",
-            summary: String::new(),
+            summary: String::new().into(),
             values,
             formulas: Vec::new(),
             columns: Vec::new(),
@@ -126,22 +124,26 @@ impl<const N: usize> Seen<'_, N> {
 
     fn tell_taken(&self, sample: &Sample<N>, near: &[f64; N], told: &mut Inspection) {
         told.values.extend([
-            quantity(
+            label!(
+                "tree-from-the-node-to-the-sample",
                 "far",
                 "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert",
-                "from the node to the sample",
-                distance(near, &sample.point),
-            ),
-            quantity("step", "L", "step size", self.task.step),
+                "from the node to the sample"
+            )
+            .is(distance(near, &sample.point)),
+            label!("tree-step-size", "step", "L", "step size").is(self.task.step),
         ]);
         told.formulas.push("extend");
         if sample.angle.is_finite() {
             told.values.extend([
-                quantity("angle", "\\varphi", "angle with the goal’s direction", sample.angle),
-                quantity("share", "p", "share of the roulette wheel", sample.share),
+                label!("tree-angle-with-the-goals-direction", "angle", "\\varphi", "angle with the goal’s direction").is(sample.angle),
+                label!("tree-share-of-the-roulette-wheel", "share", "p", "share of the roulette wheel").is(sample.share),
             ]);
             if self.forest.last.source == Source::Guided(By::Distance) {
-                told.values.push(quantity("to_goal", "d", "distance to the goal", distance(&self.task.goal(), &sample.point)));
+                told.values.push(
+                    label!("tree-distance-to-the-goal", "to_goal", "d", "distance to the goal")
+                        .is(distance(&self.task.goal(), &sample.point)),
+                );
                 told.formulas.push("roulette-distance");
             } else {
                 told.formulas.extend(["angle", "roulette"]);
@@ -158,7 +160,7 @@ impl<const N: usize> Seen<'_, N> {
             told.columns.extend(COLUMNS);
             let goal = self.task.goal();
             for (i, sample) in last.samples.iter().enumerate().filter(|(_, sample)| sample.angle.is_finite()) {
-                told.labels.push(format!("{}: {}", i + 1, sample.outcome.words()));
+                told.labels.push(format!("{}: {}", i + 1, sample.outcome.words()).into());
                 let key = if by == By::Angle { sample.angle.to_degrees() } else { distance(&goal, &sample.point) };
                 told.rows.push(vec![key, sample.share, distance(near, &sample.point)]);
             }
@@ -183,9 +185,9 @@ impl<const N: usize> Seen<'_, N> {
         let place = |point: &[f64; N]| self.task.space.place(point);
         let mut told = Inspection {
             item,
-            title: format!("Sample {}", item.index + 1),
+            title: format!("Sample {}", item.index + 1).into(),
             event: sample.outcome.words(),
-            summary: sample.outcome.sentence(last.source).to_owned(),
+            summary: sample.outcome.sentence(last.source).to_owned().into(),
             values: Vec::new(),
             formulas: Vec::new(),
             columns: Vec::new(),

@@ -10,7 +10,6 @@ use crate::{
 
 use super::{
     draw::LAYERS,
-    explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     grow::{Forest, Source},
     method::{Method, Trees},
@@ -42,7 +41,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FITTED, HERMITE])
-.symbols(SYMBOLS)
 .layers(LAYERS);
 
 /// Starts it in any space; `settings` are the parameters of [`ENTRY`].

@@ -10,7 +10,6 @@ use crate::{
 
 use super::{
     draw::CONNECT_LAYERS,
-    explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     grow::{Forest, Source},
     method::{Method, Trees},
@@ -32,7 +31,6 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry(), STEP.entry()], FINISH])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FITTED, HERMITE])
-.symbols(SYMBOLS)
 .layers(CONNECT_LAYERS);
 
 /// Starts it in any space; `settings` are the parameters of [`ENTRY`].

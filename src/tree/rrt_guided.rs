@@ -18,7 +18,6 @@ use crate::{
 
 use super::{
     draw::GUIDED_LAYERS,
-    explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     grow::{By, Forest, Sample, SampleOutcome, Source},
     method::{Method, Trees},
@@ -36,12 +35,8 @@ const CHOICE: Param<By> = Param::choice(
     "",
     "Choice of the sample",
     &[
-        Choice { value: "angle", title: "By angle", help: "§3.2.1: the smallest angles are kept, a roulette wheel chooses." },
-        Choice {
-            value: "distance",
-            title: "By distance",
-            help: "Step 2 (2): a roulette wheel keeps some by their distance to the goal, nearest first.",
-        },
+        Choice::new("angle", "By angle", "§3.2.1: the smallest angles are kept, a roulette wheel chooses."),
+        Choice::new("distance", "By distance", "Step 2 (2): a roulette wheel keeps some by their distance to the goal, nearest first."),
     ],
     &[By::Angle, By::Distance],
     "How the sample is chosen that the tree grows toward. [ARM-RRT] describes both.",
@@ -91,7 +86,6 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[&[ITERATIONS.entry(), STEP.entry(), SAMPLES.entry(), KEEP.entry(), CHOICE.entry(), FALLBACK.entry()], FINISH])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FORMULA_ANGLE, FORMULA_ROULETTE, FORMULA_ROULETTE_DISTANCE, FITTED, HERMITE])
-.symbols(SYMBOLS)
 .layers(GUIDED_LAYERS);
 
 /// Starts it in any space; `settings` are the parameters of [`ENTRY`].

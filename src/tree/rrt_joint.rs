@@ -11,7 +11,6 @@ use crate::{
 
 use super::{
     draw::CONNECT_LAYERS,
-    explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     joints::{GOALS, Joints, RADIUS, RESOLUTION},
     parameters::{BLEND, FORMULA_STEP, ITERATIONS, POLYLINE, READINGS, SHORTEN, SMOOTH, TOLERANCE},
@@ -34,7 +33,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FITTED, HERMITE])
-.symbols(SYMBOLS)
 .layers(CONNECT_LAYERS)
 .members(MEMBERS);
 

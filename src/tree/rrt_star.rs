@@ -12,7 +12,6 @@ use crate::{
 
 use super::{
     draw::LAYERS,
-    explain::SYMBOLS,
     finish::{FITTED, HERMITE},
     forest::NONE,
     grow::{Forest, SampleOutcome, Source},
@@ -46,7 +45,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(READINGS)
 .formulas(&[FORMULA_STEP, FORMULA_RADIUS, FORMULA_INFORMED, FITTED, HERMITE])
-.symbols(SYMBOLS)
 .layers(LAYERS);
 
 /// Starts it in any space; `settings` are the parameters of [`ENTRY`].

@@ -283,13 +283,13 @@ fn a_node_says_how_it_came_about_however_long_ago() {
     let mut fallbacks = 0;
     for index in 0..nodes {
         let told = run.inspect(Item { layer: layers::NODES.key, index }).unwrap();
-        assert_eq!(told.title, format!("Node {}", index + 1));
+        assert_eq!(told.title.text(), format!("Node {}", index + 1));
         if index == 0 {
             assert_eq!(told.event, "root");
             continue;
         }
         assert_eq!(told.rows.len(), 20);
-        assert_eq!(told.labels.iter().filter(|label| label.ends_with(": taken")).count(), usize::from(told.event == "guided"));
+        assert_eq!(told.labels.iter().filter(|label| label.text().ends_with(": taken")).count(), usize::from(told.event == "guided"));
         assert!(["guided", "random step"].contains(&told.event));
         fallbacks += usize::from(told.event == "random step");
     }

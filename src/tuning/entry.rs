@@ -3,7 +3,7 @@
 use crate::{describe::Entry, scene::GRID};
 
 use super::{
-    parameters::{C1, C2, COLONY, ITERATIONS, LAYERS, POPULATION, READINGS, ROUNDS, SEEDS, SYMBOLS, TUNE, VELOCITY, W},
+    parameters::{C1, C2, COLONY, ITERATIONS, LAYERS, POPULATION, READINGS, ROUNDS, SEEDS, TUNE, VELOCITY, W},
     planner::start,
 };
 
@@ -30,5 +30,4 @@ pub const ENTRY: Entry = Entry::new(
 ]])
 .readings(READINGS)
 .formulas(&[VELOCITY])
-.symbols(SYMBOLS)
 .layers(LAYERS);

@@ -2,16 +2,17 @@
 
 use crate::{
     describe::layers,
-    kernel::{Column, Inspection, Item, Mark, Quantity, Shape},
+    kernel::{Inspection, Item, Label, Mark, Quantity, Shape},
+    label,
 };
 
 use super::swarm::Tuning;
 
-const COLUMNS: [Column; 4] = [
-    Column { name: "x", symbol: "x", title: "tried" },
-    Column { name: "v", symbol: "v", title: "velocity" },
-    Column { name: "p", symbol: "p", title: "its best" },
-    Column { name: "g", symbol: "g", title: "the swarm’s best" },
+const COLUMNS: [Label; 4] = [
+    label!("tuning-tried", "x", "x", "tried"),
+    label!("tuning-velocity", "v", "v", "velocity"),
+    label!("tuning-its-best", "p", "p", "its best"),
+    label!("tuning-the-swarms-best", "g", "g", "the swarm’s best"),
 ];
 
 /// A row for each parameter: the value that was tried, its velocity, its own best and the swarm's.
@@ -20,7 +21,6 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
     let row = swarm.row(i);
     let (x, v, p) = (&swarm.shown[row.clone()], &swarm.v[row.clone()], &swarm.p[row]);
     let cost = swarm.cost[i];
-    let quantity = |name, symbol, title, value: f64| value.is_finite().then_some(Quantity { name, symbol, title, value });
     let (event, summary) = if swarm.iteration == 0 {
         ("start", format!("Particle {i} begins with these parameters, drawn at random."))
     } else if cost.length.is_finite() {
@@ -39,21 +39,21 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
     let way = &swarm.ways[i];
     Inspection {
         item,
-        title: format!("Particle {i}"),
+        title: format!("Particle {i}").into(),
         event,
-        summary,
+        summary: summary.into(),
         values: [
-            quantity("cost", "\\bar L", "mean length", cost.length),
-            quantity("converged", "\\bar t^*", "mean iteration of convergence", cost.converged),
-            quantity("own", "\\bar L_p", "its best", swarm.p_cost[i].length),
-            quantity("global", "\\bar L_g", "the swarm’s best", swarm.g_cost.length),
+            label!("tuning-mean-length", "cost", "\\bar L", "mean length").is(cost.length),
+            label!("tuning-mean-iteration-of-convergence", "converged", "\\bar t^*", "mean iteration of convergence").is(cost.converged),
+            label!("tuning-its-best", "own", "\\bar L_p", "its best").is(swarm.p_cost[i].length),
+            label!("tuning-the-swarms-best", "global", "\\bar L_g", "the swarm’s best").is(swarm.g_cost.length),
         ]
         .into_iter()
-        .flatten()
+        .filter(|told: &Quantity| told.value.is_finite())
         .collect(),
         formulas: vec!["velocity"],
         columns: COLUMNS.to_vec(),
-        labels: swarm.axes.iter().map(|axis| axis.parameter.name.to_owned()).collect(),
+        labels: swarm.axes.iter().map(|axis| axis.parameter.name.into()).collect(),
         rows: rows.collect(),
         marks: if way.is_empty() { Vec::new() } else { vec![Mark::plane(layers::AFTER.key, Shape::Polyline, way.clone())] },
     }

@@ -7,7 +7,7 @@ use crate::{
 };
 
 const fn tunable(value: &'static str, title: &'static str, help: &'static str) -> Choice {
-    Choice { value, title, help }
+    Choice::new(value, title, help)
 }
 
 /// Every numeric parameter of the colonies; a test compares the list with the catalogue.
@@ -98,9 +98,6 @@ pub(super) const VELOCITY: Formula = Formula::new(
     "v \\leftarrow \\omega v + c_1 r_1 (p - x) + c_2 r_2 (g - x), \\quad x \\leftarrow x + v",
     "",
 );
-
-/// The TeX strings that inspections use.
-pub(super) const SYMBOLS: &[&str] = &["x", "v", "p", "g", "\\bar L", "\\bar t^*", "\\bar L_p", "\\bar L_g"];
 
 /// What the swarm tells: of its particles, and the best value of each parameter that is searched.
 pub(super) const READINGS: &[Reading] = &[

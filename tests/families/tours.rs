@@ -6,6 +6,7 @@ use forage::{
     Frame, Status,
     describe::{Entry, Group, Reading, layers},
     kernel::{Candidate, Inspection, Item, Progress, Readings, Solution, State, TourEnds, rng::Stream},
+    message,
     tour::{self, LocalSearch, Problem, Search, Tour, held_karp, moves, nearest_neighbour},
 };
 
@@ -66,7 +67,7 @@ impl Search for Descents {
     }
 
     fn explain(&self, i: usize, told: &mut Inspection) {
-        told.title = format!("Descent {i}");
+        told.title = message!("descent", "Descent {i}", i = i);
     }
 }
 
@@ -128,7 +129,7 @@ fn what_every_tour_has_comes_without_the_search() {
     assert_eq!((readings.get("tried"), run.planner.evaluations()), (Some(80.0), 82));
     let facets = run.planner.facets();
     let told = facets.explain.unwrap().inspect(Item { layer: layers::TOURS.key, index: 1 }).unwrap();
-    assert!(told.title == "Descent 1" && told.rows.len() == 8 && !told.marks.is_empty(), "{told:?}");
+    assert!(told.title.text() == "Descent 1" && told.rows.len() == 8 && !told.marks.is_empty(), "{told:?}");
     let mut lengths = Vec::new();
     facets.members.unwrap().members(&mut lengths);
     assert_eq!(lengths.iter().copied().reduce(f64::min), run.planner.best().map(|best| best.cost));

@@ -10,9 +10,10 @@ use forage::{
     describe::{Entry, Group, Layer, Look, Member, Reading, Start, layers},
     geometry,
     kernel::{
-        Candidate, Digest, Explain, Facets, Inspection, Item, LayerKey, Members, Planner, Progress, Quantity, Readings, Shape, Solution,
-        Started, State, rng::Stream,
+        Candidate, Digest, Explain, Facets, Inspection, Item, LayerKey, Members, Planner, Progress, Readings, Shape, Solution, Started,
+        State, rng::Stream,
     },
+    label, message,
     params::{Param, Parameter},
     scene::DISCS,
 };
@@ -61,7 +62,6 @@ wrongs! {
     NoExplanation "what_can_be_picked_is_explained" "list the facet"
     ExplainsBeyond "what_can_be_picked_is_explained" "`None` beyond"
     OtherFormula "what_can_be_picked_is_explained" "Name formulas that the entry lists"
-    OtherSymbol "what_can_be_picked_is_explained" "`.symbols(…)`"
 }
 
 /// A number of steps, which a copy may lose.
@@ -236,15 +236,10 @@ impl Explain for OneCorner {
         }
         Some(Inspection {
             item,
-            title: "Corner".to_owned(),
+            title: message!("corner", "Corner"),
             event: "tried",
-            summary: "It was drawn at random.".to_owned(),
-            values: vec![Quantity {
-                name: "x",
-                symbol: if self.wrong == OtherSymbol { "\\xi" } else { "x" },
-                title: "Coordinate",
-                value: self.memory().tried[0],
-            }],
+            summary: message!("corner-drawn", "It was drawn at random."),
+            values: vec![label!("corner-x", "x", "x", "Coordinate").is(self.memory().tried[0])],
             formulas: if self.wrong == OtherFormula { vec!["other"] } else { Vec::new() },
             columns: Vec::new(),
             labels: Vec::new(),
@@ -296,7 +291,6 @@ pub const fn named(name: &'static str, summary: &'static str, start: fn(&Start) 
         .kinds(&[DISCS])
         .parameters(PARAMETERS)
         .readings(&[BEST, TRIED])
-        .symbols(&["x"])
         .layers(&[layers::BEST, CORNER])
         .members(&[STEPS, TRIES_OF_IT])
 }

@@ -9,7 +9,7 @@ use forage::{Error, scene::formats::NamedFile};
 /// An `Error` with the native message and its parts.
 pub(crate) fn js_error(error: &Error) -> JsValue {
     let js = js_sys::Error::new(&error.to_string());
-    for (name, part) in [("field", error.field()), ("value", error.value()), ("allowed", error.allowed())] {
+    for (name, part) in [("code", error.code()), ("field", error.field()), ("value", error.value()), ("allowed", &*error.allowed())] {
         // Setting a property of an ordinary object cannot fail.
         let _ = js_sys::Reflect::set(&js, &name.into(), &part.into());
     }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use forage::kernel::{Column, Inspection, Item, Mark, Quantity};
+use forage::kernel::{Inspection, Item, Label, Mark, Message, Quantity};
 
 #[derive(Serialize)]
 pub(crate) struct ItemView {
@@ -19,9 +19,9 @@ impl From<Item> for ItemView {
 #[derive(Serialize)]
 pub(crate) struct InspectionView {
     item: ItemView,
-    title: String,
+    title: Message,
     event: &'static str,
-    summary: String,
+    summary: Message,
     values: Vec<Quantity>,
     formulas: Vec<&'static str>,
     table: Table,
@@ -30,8 +30,8 @@ pub(crate) struct InspectionView {
 
 #[derive(Serialize)]
 struct Table {
-    columns: Vec<Column>,
-    labels: Vec<String>,
+    columns: Vec<Label>,
+    labels: Vec<Message>,
     rows: Vec<Vec<f64>>,
 }
 

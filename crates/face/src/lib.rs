@@ -11,7 +11,8 @@
 //! `field`, `value` and `allowed`. Nothing panics across this boundary on any input.
 //!
 //! `types` names what crosses the boundary, `read` checks what comes in, this file does the work of a run. What few modules
-//! need is behind a feature each, as the linker keeps everything that is exported: `arm`, `files` and `statistics`.
+//! need is behind a feature each, as the linker keeps everything that is exported: `arm`, `catalogue`, `english`, `files`,
+//! `pictures` and `statistics`.
 #![cfg(target_arch = "wasm32")]
 
 #[cfg(feature = "arm")]
@@ -20,6 +21,8 @@ mod convert;
 #[cfg(feature = "files")]
 mod files;
 mod inspection;
+#[cfg(feature = "pictures")]
+mod pictures;
 mod read;
 mod registry;
 mod scenes;
@@ -27,6 +30,7 @@ mod scenes;
 mod statistics;
 mod trial;
 mod types;
+mod words;
 
 use std::sync::Arc;
 
@@ -58,7 +62,7 @@ pub use types::*;
 
 use convert::{js_error, named_file, object, plain};
 use inspection::{InspectionView, ItemView};
-use read::{read_ends, read_item, read_kind, read_layer, read_list, read_parameter, read_parameters, read_point, read_setup, read_text};
+use read::{read_ends, read_item, read_kind, read_layer, read_parameter, read_parameters, read_point, read_setup};
 use registry::registry;
 
 fn status(status: Status) -> JsStatus {
@@ -66,6 +70,7 @@ fn status(status: Status) -> JsStatus {
 }
 
 /// Every planner with its parameters, the scenes that ship, and the names of layers and shapes.
+#[cfg(feature = "catalogue")]
 #[wasm_bindgen]
 pub fn catalogue() -> JsCatalogue {
     plain(&registry().catalogue())
@@ -312,7 +317,8 @@ impl Session {
     /// # Errors
     /// For anything that is no list of findings.
     pub fn supply(&mut self, findings: &JsFindings) -> Result<(), JsValue> {
-        let found = serde_wasm_bindgen::from_value(findings.into()).map_err(|problem| js_error(&Error::malformed("findings", problem)))?;
+        let found = serde_wasm_bindgen::from_value(findings.into())
+            .map_err(|problem| js_error(&Error::malformed("findings", problem.to_string())))?;
         self.run.provide(found);
         Ok(())
     }
@@ -430,16 +436,6 @@ impl Session {
         let image = ImageData::new_with_u8_clamped_array_and_sh(wasm_bindgen::Clamped(&pixels), width, height)?;
         ctx.put_image_data(&image, 0.0, 0.0)?;
         Ok(true)
-    }
-
-    /// A picture of the present state with these layers.
-    ///
-    /// # Errors
-    /// For an unknown layer.
-    pub fn svg(&self, dark: bool, layers: &JsNames) -> Result<String, JsValue> {
-        let names = read_list("layers", layers)?;
-        let layers = names.iter().map(|name| read_layer(&read_text("layers", name)?)).collect::<Result<Vec<_>, _>>()?;
-        Ok(picture::svg(&self.run, dark, &layers))
     }
 
     /// The best tour so far as a TSPLIB `.tour` file; null where no tour was found.

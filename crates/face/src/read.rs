@@ -76,7 +76,7 @@ fn same_scene(value: &JsValue) -> Result<Arc<Scene>, Error> {
     if let Some(scene) = last {
         return Ok(scene);
     }
-    let read = serde_wasm_bindgen::from_value(value.clone()).map_err(|problem| Error::malformed("scene", problem));
+    let read = serde_wasm_bindgen::from_value(value.clone()).map_err(|problem| Error::malformed("scene", problem.to_string()));
     let scene = Arc::new(read.and_then(|value| registry().read_scene_value(value))?);
     LAST.set(text.map(|text| (text, Arc::clone(&scene))));
     Ok(scene)

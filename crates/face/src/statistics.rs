@@ -16,7 +16,7 @@ use crate::{JsComparison, JsGroups, js_error, plain};
 #[wasm_bindgen]
 pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
     let groups: Vec<Group> =
-        serde_wasm_bindgen::from_value(groups.into()).map_err(|problem| js_error(&Error::malformed("groups", problem)))?;
+        serde_wasm_bindgen::from_value(groups.into()).map_err(|problem| js_error(&Error::malformed("groups", problem.to_string())))?;
     for (i, group) in groups.iter().enumerate() {
         if let Some((k, value)) =
             group.values.iter().enumerate().find_map(|(k, value)| Some((k, value.filter(|value| !value.is_finite())?)))

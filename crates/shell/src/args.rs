@@ -82,6 +82,9 @@ pub(super) struct ListArgs {
     /// Print JSON with all fields.
     #[arg(long)]
     pub(super) json: bool,
+    /// Print as JSON all messages that runs, explanations and errors can give, for pages and translators.
+    #[arg(long, conflicts_with_all = ["name", "json"])]
+    pub(super) messages: bool,
 }
 
 #[derive(Args)]

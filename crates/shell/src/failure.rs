@@ -108,7 +108,7 @@ fn problem(error: &io::Error) -> String {
 /// What is wrong with the content of a file.
 pub(super) fn in_file(path: &Path, error: &Error) -> Failure {
     let problem = match error {
-        Error::Malformed { field, problem } if field == "scene" => problem.clone(),
+        Error::Malformed { field, problem } if field == "scene" => problem.to_string(),
         other => message(other, Subject::Unknown),
     };
     Failure::Refused(format!("{}: {}", quoted(&path.to_string_lossy()), shorten(&problem, 210)))
@@ -121,12 +121,12 @@ fn message(error: &Error, subject: Subject<'_>) -> String {
             let known: Vec<&str> = known.split(", ").collect();
             names::unknown(field, value, &known, subject)
         }
-        Error::Refused { field, value, allowed } => refused(field, value, allowed),
+        Error::Refused { field, value, allowed } => refused(field, value, &allowed.text()),
         Error::Unsupported { planner, kind, kinds } => {
             format!("`{planner}` does not run on scenes of kind {kind}; it runs on scenes of kind {kinds}")
         }
         Error::Malformed { field, problem } => {
-            let problem = unknown_field(problem).unwrap_or_else(|| shorten(problem, 190));
+            let problem = unknown_field(&problem.text()).unwrap_or_else(|| shorten(&problem.text(), 190));
             format!("{}: {problem}", shorten(field, 100))
         }
         other => other.to_string(),

@@ -121,7 +121,7 @@ impl Fingerprints {
     pub fn read(folder: &Path) -> Result<Self, Failure> {
         let path = folder.join(FILE);
         let text = fs::read_to_string(&path).map_err(at(&path))?;
-        serde_json::from_str(&text).map_err(|problem| Error::malformed(&path.display().to_string(), problem).into())
+        serde_json::from_str(&text).map_err(|problem| Error::malformed(&path.display().to_string(), problem.to_string()).into())
     }
 
     /// The text of the file.

@@ -74,7 +74,7 @@ impl<J: Job> Work for [J] {
 /// The system gives none.
 pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Failure> {
     let built = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
-    built.map_err(|problem| Error::malformed("jobs", problem).into())
+    built.map_err(|problem| Error::malformed("jobs", problem.to_string()).into())
 }
 
 /// Carries out the jobs that are `left` of `total` work, and hands each finding to `keep`, one after the other. It

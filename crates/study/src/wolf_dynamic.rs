@@ -401,8 +401,14 @@ mod tests {
     #[test]
     fn a_collision_is_late_only_after_a_moment_without_a_safe_motion() {
         let events = |kinds: &[&'static str]| {
-            let event =
-                |&kind: &&'static str| Event { iteration: 0, time: 0.0, place: [0.0; 2], kind, obstacle: None, reason: String::new() };
+            let event = |&kind: &&'static str| Event {
+                iteration: 0,
+                time: 0.0,
+                place: [0.0; 2],
+                kind,
+                obstacle: None,
+                reason: forage::kernel::Message::default(),
+            };
             kinds.iter().map(event).collect::<Vec<_>>()
         };
         assert_eq!(foreseen_late(&events(&["foreseen", "cornered", "collision", "collision"])), 2);

@@ -23,7 +23,7 @@ use serde_json::Value;
 use crate::{
     describe::{Extra, FollowOutcome, FollowedPath, Follower},
     geometry::{self, YAxis},
-    kernel::{Error, Solution},
+    kernel::{Error, Solution, words},
     math,
     params::{self, Overrides, Param, Parameters},
     scene::{GRID, GridScene, Robot, Scene},
@@ -39,13 +39,15 @@ use sweep::Sweep;
 /// See the module.
 pub const ENTRY: Follower = Follower {
     name: "drive",
-    title: "How a robot drives along a path",
+    title: words("How a robot drives along a path"),
     kind: GRID,
     needs: "a grid whose robot has a length and a width",
     applies: |scene| robot(scene).is_some(),
-    source: "[LTQPSO] §5",
-    summary: "A robot with two driven wheels follows the path by pure pursuit, within its limits. Its outline, turned as it \
+    source: words("[LTQPSO] §5"),
+    summary: words(
+        "A robot with two driven wheels follows the path by pure pursuit, within its limits. Its outline, turned as it \
               stands, is checked against the obstacles all along the way.",
+    ),
     parameters: &[PARAMETERS],
     columns: COLUMNS,
     formulas: FORMULAS,

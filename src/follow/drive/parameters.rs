@@ -70,23 +70,19 @@ pub(super) const GEAR: Param<u64> =
 /// The numbers of a row: where the robot is at the end of a period, and what it was told in it (at the start, nothing).
 /// Without obstacles the clearance is infinite.
 pub const COLUMNS: &[Column] = &[
-    column("time", "t", "Time", "s"),
-    column("x", "x", "Centre, x", "m"),
-    column("y", "y", "Centre, y", "m"),
-    column("heading", "\\theta", "Heading, from x towards y", "rad"),
-    column("speed", "v", "Speed", "m/s"),
-    column("turn_rate", "\\omega", "Turn rate, from x towards y", "rad/s"),
-    column("left", "\\omega_l", "Left wheel", "rad/s"),
-    column("right", "\\omega_r", "Right wheel", "rad/s"),
-    column("left_count", "N_l", "Left encoder", ""),
-    column("right_count", "N_r", "Right encoder", ""),
-    column("error", "e", "Off the path, to the left", "m"),
-    column("clearance", "d", "From the nearest obstacle", "m"),
+    Column::new("time", "t", "Time", "s"),
+    Column::new("x", "x", "Centre, x", "m"),
+    Column::new("y", "y", "Centre, y", "m"),
+    Column::new("heading", "\\theta", "Heading, from x towards y", "rad"),
+    Column::new("speed", "v", "Speed", "m/s"),
+    Column::new("turn_rate", "\\omega", "Turn rate, from x towards y", "rad/s"),
+    Column::new("left", "\\omega_l", "Left wheel", "rad/s"),
+    Column::new("right", "\\omega_r", "Right wheel", "rad/s"),
+    Column::new("left_count", "N_l", "Left encoder", ""),
+    Column::new("right_count", "N_r", "Right encoder", ""),
+    Column::new("error", "e", "Off the path, to the left", "m"),
+    Column::new("clearance", "d", "From the nearest obstacle", "m"),
 ];
-
-const fn column(name: &'static str, symbol: &'static str, title: &'static str, unit: &'static str) -> Column {
-    Column { name, title, symbol, unit }
-}
 
 pub(super) const FORMULAS: &[Formula] = &[
     Formula::new("curvature", "Coulter, CMU-RI-TR-92-01", "Pure pursuit", "\\kappa = \\frac{2 \\sin\\eta}{L_d}", ""),

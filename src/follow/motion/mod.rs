@@ -21,7 +21,7 @@ use nalgebra::UnitQuaternion;
 use crate::{
     arm::{ArmScene, Links},
     describe::{FollowedPath, Follower},
-    kernel::{Error, Solution, rng::Stream},
+    kernel::{Error, Solution, rng::Stream, words},
     params::{Overrides, Parameters},
     scene::{ARM, Scene},
 };
@@ -39,13 +39,15 @@ use trajectory::Trajectory;
 /// See the module.
 pub const ENTRY: Follower = Follower {
     name: "motion",
-    title: "How an arm follows a path",
+    title: words("How an arm follows a path"),
     kind: ARM,
     needs: "a scene with an arm",
     applies: |scene| scene.kind() == ARM,
-    source: "[ARM-RRT] §3.2.2, §3.3",
-    summary: "The arm follows the path with its tip: postures along it by inverse kinematics, joints that turn evenly from one to \
+    source: words("[ARM-RRT] §3.2.2, §3.3"),
+    summary: words(
+        "The arm follows the path with its tip: postures along it by inverse kinematics, joints that turn evenly from one to \
               the next as fast as their limits allow, and the whole arm checked against cuboids and column all the way.",
+    ),
     parameters: &[PARAMETERS],
     columns: COLUMNS,
     formulas: FORMULAS,

@@ -6,6 +6,7 @@ use serde_json::Value;
 
 use crate::{
     describe::{Extra, FollowOutcome, FollowedPath},
+    kernel::Message,
     params::Parameters,
 };
 
@@ -33,7 +34,7 @@ pub struct MotionOutcome {
     /// How many were replaced by random joints between their neighbours', [ARM-RRT](crate#papers) step 6.
     pub drawn: u64,
     /// Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does.
-    pub failure: Option<String>,
+    pub failure: Option<Message>,
 }
 
 /// An arm following a path.
@@ -81,7 +82,7 @@ impl FollowOutcome for MotionOutcome {
             ("drawn", self.drawn.into()),
         ];
         fields.extend(self.touched_at.map(|time| ("touched_at", time.into())));
-        fields.extend(self.failure.as_deref().map(|failure| ("trouble", failure.into())));
+        fields.extend(self.failure.as_ref().map(|failure| ("trouble", failure.text().into())));
         fields
     }
 }

@@ -46,17 +46,13 @@ pub(super) const ORIENTATION: Param<Orientation> = Param::choice(
     "",
     "Where the tool points",
     &[
-        Choice { value: "free", title: "anywhere", help: "Whatever suits the arm best. The paper does not say." },
-        Choice {
-            value: "home",
-            title: "as at home",
-            help: "The tool keeps the orientation that it has in the home posture. The paper does not say.",
-        },
-        Choice {
-            value: "random",
-            title: "at random",
-            help: "Turned by three random angles at every point, about z, then y, then x. Published: 2*(rand(1,3)-0.5), step 4.",
-        },
+        Choice::new("free", "anywhere", "Whatever suits the arm best. The paper does not say."),
+        Choice::new("home", "as at home", "The tool keeps the orientation that it has in the home posture. The paper does not say."),
+        Choice::new(
+            "random",
+            "at random",
+            "Turned by three random angles at every point, about z, then y, then x. Published: 2*(rand(1,3)-0.5), step 4.",
+        ),
     ],
     &[Orientation::Free, Orientation::Home, Orientation::Random],
     "How the tool is turned at each point of the path, which says only where its tip is.",
@@ -75,18 +71,18 @@ pub(super) const NEAREST: Param<bool> = Param::choice(
     "",
     "Which posture",
     &[
-        Choice {
-            value: "smoothest",
-            title: "smoothest on the whole",
-            help: "Of all ways through all points’ postures the one whose joints turn most gently, among those that touch \
+        Choice::new(
+            "smoothest",
+            "smoothest on the whole",
+            "Of all ways through all points’ postures the one whose joints turn most gently, among those that touch \
                        nothing. The paper does not say.",
-        },
-        Choice {
-            value: "nearest",
-            title: "nearest to the last",
-            help: "At each point the one nearest to that before (at the first: to home), one that touches nothing if there is any. \
+        ),
+        Choice::new(
+            "nearest",
+            "nearest to the last",
+            "At each point the one nearest to that before (at the first: to home), one that touches nothing if there is any. \
                        Published.",
-        },
+        ),
     ],
     &[false, true],
     "Most points can be reached in several postures.",
@@ -148,23 +144,19 @@ pub(super) const SEED: Param<u64> = Param::integer(
 
 /// The numbers of a row. Angles are degrees, lengths metres.
 pub(super) const COLUMNS: &[Column] = &[
-    column("time", "t", "Time", "s"),
-    column("along", "s", "Along the path", "m"),
-    column("x", "x", "Tip, x", "m"),
-    column("y", "y", "Tip, y", "m"),
-    column("z", "z", "Tip, z", "m"),
-    column("q1", "\\theta_1", "Joint 1", "°"),
-    column("q2", "\\theta_2", "Joint 2", "°"),
-    column("q3", "\\theta_3", "Joint 3", "°"),
-    column("q4", "\\theta_4", "Joint 4", "°"),
-    column("q5", "\\theta_5", "Joint 5", "°"),
-    column("q6", "\\theta_6", "Joint 6", "°"),
-    column("clearance", "d", "From the nearest cuboid", "m"),
+    Column::new("time", "t", "Time", "s"),
+    Column::new("along", "s", "Along the path", "m"),
+    Column::new("x", "x", "Tip, x", "m"),
+    Column::new("y", "y", "Tip, y", "m"),
+    Column::new("z", "z", "Tip, z", "m"),
+    Column::new("q1", "\\theta_1", "Joint 1", "°"),
+    Column::new("q2", "\\theta_2", "Joint 2", "°"),
+    Column::new("q3", "\\theta_3", "Joint 3", "°"),
+    Column::new("q4", "\\theta_4", "Joint 4", "°"),
+    Column::new("q5", "\\theta_5", "Joint 5", "°"),
+    Column::new("q6", "\\theta_6", "Joint 6", "°"),
+    Column::new("clearance", "d", "From the nearest cuboid", "m"),
 ];
-
-const fn column(name: &'static str, symbol: &'static str, title: &'static str, unit: &'static str) -> Column {
-    Column { name, title, symbol, unit }
-}
 
 pub(super) const FORMULAS: &[Formula] = &[
     Formula::new(

@@ -172,7 +172,7 @@ fn a_touch_between_rows_is_found_and_told() {
 fn a_path_that_nobody_can_follow_says_where_and_why() {
     let scene = shipped("arm-free").unwrap();
     let far = follow(&scene, &[[0.9, 0.7, 0.3], [5.0, 0.7, 0.3]], &[]);
-    let failure = far.outcome.failure.as_deref().unwrap();
+    let failure = far.outcome.failure.as_ref().unwrap().text();
     assert!(!far.outcome.arrived && !far.rows.is_empty() && far.outcome.free, "{:?}", far.outcome);
     assert!(
         failure.starts_with(&format!("point {} of 411, (", rows(&far).len() + 1)) && failure.contains("the tip cannot reach this position"),
@@ -180,10 +180,10 @@ fn a_path_that_nobody_can_follow_says_where_and_why() {
     );
     let nowhere = follow(&scene, &[[5.0; 3], [6.0; 3]], &[]);
     assert!(nowhere.rows.is_empty() && nowhere.skeletons.is_empty() && !nowhere.outcome.free && !nowhere.outcome.arrived);
-    assert!(nowhere.outcome.failure.unwrap().starts_with("point 1 of "));
+    assert!(nowhere.outcome.failure.unwrap().text().starts_with("point 1 of "));
     let inside = with_cuboids(&[Cuboid { min: [0.7, 0.6, 0.2], max: [0.8, 0.8, 0.4] }]);
     let blocked = follow(&inside, &[[0.9, 0.7, 0.3], [0.75, 0.7, 0.3]], &[]);
-    assert!(blocked.outcome.failure.unwrap().contains("touches a cuboid or the column") && blocked.outcome.free);
+    assert!(blocked.outcome.failure.unwrap().text().contains("touches a cuboid or the column") && blocked.outcome.free);
     assert_eq!(along(&scene, Some(&Solution::Reach { path: Vec::new(), postures: Vec::new() }), &Overrides::new()), Ok(None));
     assert_eq!(along(&scene, None, &Overrides::new()), Ok(None));
 }
@@ -214,7 +214,7 @@ fn a_point_without_a_posture_is_mirrored_and_then_drawn() {
         }
         let without = follow(&two, &path, &pairs(0.0));
         assert_eq!((rows(&without).len(), without.outcome.arrived), (1, false));
-        assert!(without.outcome.failure.unwrap().starts_with("point 2 of 3, (0.7500, 0.6500, 0.3000)"));
+        assert!(without.outcome.failure.unwrap().text().starts_with("point 2 of 3, (0.7500, 0.6500, 0.3000)"));
         // Without replacement the motion ends even where a mirror image could be reached.
         let ended = follow(&one, &path, &[pairs(1000.0)[0].clone(), pairs(0.0)[1].clone(), ("replacement", "false".into())]);
         assert_eq!((rows(&ended).len(), ended.outcome.mirrored, ended.outcome.arrived), (1, 0, false));

@@ -96,7 +96,7 @@ impl Trajectory<'_> {
         }
         outcome.free = outcome.touched_at.is_none() && !followed.stops.is_empty();
         outcome.arrived = followed.stops.len() == points;
-        (outcome.mirrored, outcome.drawn, outcome.failure) = (followed.mirrored, followed.drawn, followed.failure.or(off));
+        (outcome.mirrored, outcome.drawn, outcome.failure) = (followed.mirrored, followed.drawn, followed.failure.or(off).map(Into::into));
         motion
     }
 }

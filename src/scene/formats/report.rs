@@ -102,7 +102,7 @@ pub(super) fn scene_named(
         exact: None,
         published: None,
     };
-    Scene::new(header, body, kind.optimum).map_err(|error| Error::malformed(file.label(), error))
+    Scene::new(header, body, kind.optimum).map_err(|error| Error::malformed(file.label(), error.message()))
 }
 
 /// Notes that the file named is not the one that was given.

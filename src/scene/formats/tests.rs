@@ -181,7 +181,7 @@ fn files_are_recognised_by_what_is_in_them_and_other_names_are_noted() {
     let scene = shipped("wcpso-discs").unwrap();
     assert_eq!(import(standard(), &[file("x", scene.to_json())], None).unwrap().scene, *scene);
     assert_eq!(Format::of_file("a/b.SCEN"), Some(Format::MovingAi));
-    assert_eq!((Format::of_file("a/map"), Format::named("png").unwrap_err().allowed()), (None, "movingai, ros, tsplib, csv, json"));
+    assert_eq!((Format::of_file("a/map"), &*Format::named("png").unwrap_err().allowed()), (None, "movingai, ros, tsplib, csv, json"));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::{
     describe::{Draft, Generator},
     geometry::{Bounds, Disc},
-    kernel::rng::Stream,
+    kernel::{rng::Stream, words},
     params::{Param, Parameters},
     scene::{self, DiscsScene, MAX_DISCS},
 };
@@ -18,7 +18,7 @@ const RADIUS: Param<f64> =
 pub const DISCS: Generator = Generator {
     name: "discs",
     title: "Random discs",
-    help: "Discs in a square that do not touch, and a path from corner to corner.",
+    help: words("Discs in a square that do not touch, and a path from corner to corner."),
     kind: scene::DISCS,
     parameters: &[&[COUNT.entry(), SIDE.entry(), RADIUS.entry()]],
     draw,

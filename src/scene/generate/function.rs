@@ -2,13 +2,13 @@
 
 use crate::{
     describe::{Draft, Generator},
-    kernel::rng::Stream,
+    kernel::{rng::Stream, words},
     params::{Choice, Param, ParamValue, Parameters},
     scene::{self, Function, FunctionScene, MAX_DIMENSION},
 };
 
 const fn choice(function: Function, title: &'static str) -> Choice {
-    Choice { value: function.name(), title, help: "" }
+    Choice::new(function.name(), title, "")
 }
 
 impl ParamValue for Function {}
@@ -35,7 +35,7 @@ const DIMENSION: Param<u64> =
 pub const SHIFTED: Generator = Generator {
     name: "shifted",
     title: "Shifted function",
-    help: "A test function whose minimum is not in the middle.",
+    help: words("A test function whose minimum is not in the middle."),
     kind: scene::FUNCTION,
     parameters: &[&[FUNCTION.entry(), DIMENSION.entry()]],
     draw,

@@ -3,7 +3,7 @@
 use crate::{
     describe::{Draft, Generator},
     exact::Metric,
-    kernel::rng::Stream,
+    kernel::{rng::Stream, words},
     params::{Choice, Param, ParamValue, Parameters},
     scene::{MAX_STOPS, TOUR, TourScene},
 };
@@ -28,8 +28,8 @@ const METRIC: Param<Metric> = Param::choice(
     "",
     "Metric",
     &[
-        Choice { value: "euc-2d", title: "EUC_2D", help: "Straight lines, rounded to whole numbers, as TSPLIB measures." },
-        Choice { value: "euclidean", title: "Euclidean", help: "Straight lines, unrounded." },
+        Choice::new("euc-2d", "EUC_2D", "Straight lines, rounded to whole numbers, as TSPLIB measures."),
+        Choice::new("euclidean", "Euclidean", "Straight lines, unrounded."),
     ],
     &[Metric::Euc2d, Metric::Euclidean],
     "How far it is from one stop to another.",
@@ -39,7 +39,7 @@ const METRIC: Param<Metric> = Param::choice(
 pub const STOPS: Generator = Generator {
     name: "stops",
     title: "Random stops",
-    help: "Stops in a square, with whole coordinates, each in a place of its own where there is room; evenly, or in clusters.",
+    help: words("Stops in a square, with whole coordinates, each in a place of its own where there is room; evenly, or in clusters."),
     kind: TOUR,
     parameters: &[&[COUNT.entry(), SIDE.entry(), CLUSTERS.entry(), SPREAD.entry(), METRIC.entry()]],
     draw,

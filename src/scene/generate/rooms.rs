@@ -2,7 +2,7 @@
 
 use crate::{
     describe::Generator,
-    kernel::rng::Stream,
+    kernel::{rng::Stream, words},
     params::{Param, Parameters},
     scene::{GRID, MAX_SIDE, reach::beside},
 };
@@ -17,7 +17,7 @@ use super::{
 pub const ROOMS: Generator = Generator {
     name: "rooms",
     title: "Rooms",
-    help: "Rooms behind walls one cell thick, with doors: at least as many as it takes to come from each room to each other.",
+    help: words("Rooms behind walls one cell thick, with doors: at least as many as it takes to come from each room to each other."),
     kind: GRID,
     parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), ROOM.entry(), DOOR.entry(), LOOPS.entry()], STOPS_AND_MOVING],
     draw: |parameters, seed| {
@@ -33,8 +33,10 @@ pub const ROOMS: Generator = Generator {
 pub const MAZE: Generator = Generator {
     name: "maze",
     title: "Maze",
-    help: "Corridors and walls one cell wide; without loops there is exactly one way between any two cells. In an even number of \
+    help: words(
+        "Corridors and walls one cell wide; without loops there is exactly one way between any two cells. In an even number of \
            columns or rows the last one is wall.",
+    ),
     kind: GRID,
     parameters: &[
         &[COLUMNS.default_to(41).entry(), ROWS.default_to(31).entry(), CELL.entry(), LOOPS.default_to(0.0).entry()],

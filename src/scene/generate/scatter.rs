@@ -7,7 +7,7 @@
 
 use crate::{
     describe::Generator,
-    kernel::rng::Stream,
+    kernel::{rng::Stream, words},
     params::{Param, Parameters},
     scene::{
         GRID,
@@ -30,8 +30,10 @@ const SIZE: Param<u64> =
 pub const RANDOM: Generator = Generator {
     name: "random",
     title: "Random obstacles",
-    help: "Single cells, each as likely as the others, until the share is blocked. Where that would leave no way, one is cleared \
+    help: words(
+        "Single cells, each as likely as the others, until the share is blocked. Where that would leave no way, one is cleared \
            and as many other cells are blocked.",
+    ),
     kind: GRID,
     parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), SHARE.entry()], STOPS_AND_MOVING],
     draw: |parameters, seed| {
@@ -50,7 +52,7 @@ pub const RANDOM: Generator = Generator {
 pub const RUBBLE: Generator = Generator {
     name: "rubble",
     title: "Rubble",
-    help: "Heaps of different sizes, each grown from a cell at random, until the share is blocked.",
+    help: words("Heaps of different sizes, each grown from a cell at random, until the share is blocked."),
     kind: GRID,
     parameters: &[&[COLUMNS.entry(), ROWS.entry(), CELL.entry(), SHARE.entry(), SIZE.entry()], STOPS_AND_MOVING],
     draw: |parameters, seed| grids::grid(parameters, seed, rubble),

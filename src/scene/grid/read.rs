@@ -198,7 +198,7 @@ mod tests {
         };
         let refused = |robot: &str, moving: &str| {
             let error = standard().read_scene(&text(robot, moving)).unwrap_err();
-            [error.field(), error.value(), error.allowed()].map(str::to_owned)
+            [error.field(), error.value(), &error.allowed()].map(str::to_owned)
         };
         let far = "from -1000000 to 1000000";
         let size = "greater than 0, at most 1000000";

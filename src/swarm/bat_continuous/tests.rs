@@ -20,7 +20,7 @@ fn a_bat_moves_by_the_printed_equations() {
             run.step(1);
             for (index, before) in quiet.iter().enumerate() {
                 let after = told(&mut run, index);
-                let of = |name: &str| after.values.iter().find(|v| v.name == name).unwrap().value;
+                let of = |name: &str| after.values.iter().find(|v| v.label.name == name).unwrap().value;
                 let walked = after.event == "walk";
                 let v = of("v_before") + sign * (of("x_before") - of("g")) * of("f");
                 let x = if walked { of("g") + of("random") * of("mean_loudness") * 2.0 } else { of("x_before") + of("v") };
@@ -30,7 +30,7 @@ fn a_bat_moves_by_the_printed_equations() {
                 *seen.entry((walked, accepted)).or_insert(0) += 1;
                 assert!(if accepted { of("cost") <= of("cost_before") } else { of("cost") == of("cost_before") });
                 if t > 1 {
-                    let was = |name: &str| before.values.iter().find(|v| v.name == name).unwrap().value;
+                    let was = |name: &str| before.values.iter().find(|v| v.label.name == name).unwrap().value;
                     let [quieter, rarer] = if accepted { [0.98, 1.0 - math::exp(-0.98 * f64::from(t))] } else { [1.0; 2] };
                     assert_eq!(of("loudness"), was("loudness") * quieter, "(10)");
                     assert_eq!(of("pulse_rate"), was("pulse_rate") * rarer, "(11)");

@@ -26,7 +26,7 @@ fn a_nest_moves_by_the_equations() {
         run.step(1);
         for index in 0..9 {
             let told = told(&mut run, index);
-            let of = |name: &str| told.values.iter().find(|v| v.name == name).unwrap().value;
+            let of = |name: &str| told.values.iter().find(|v| v.label.name == name).unwrap().value;
             assert_eq!(of("sigma"), sigma);
             close(of("s"), of("u") / crate::math::pow(of("v").abs(), 1.0 / 1.5));
             let candidate = of("x_before") + 0.5 * of("s") * (of("x_before") - of("g")) * of("epsilon");

@@ -2,50 +2,56 @@
 
 use crate::{
     describe::layers,
-    kernel::{Column, Inspection, Item},
+    kernel::{Inspection, Item, Label},
+    label, message,
     swarm::{
         population::{column, deviation},
-        sheet::{Label, arrows, column as head, mark, particle, quantities, sheet},
+        sheet::{arrows, mark, particle, quantities, sheet},
     },
 };
 
 use super::leap::{Leap, Quantum, Watch};
 
 const LEAPT: [Label; 13] = [
-    ("alpha", "\\alpha", "contraction–expansion"),
-    ("c1", "c_1", "cognitive coefficient"),
-    ("c2", "c_2", "social coefficient"),
-    ("r1", "r_1", "random number, first coordinate"),
-    ("r2", "r_2", "random number, first coordinate"),
-    ("phi", "\\varphi", "share of the own best, first coordinate"),
-    ("p", "P", "personal best, first coordinate"),
-    ("g", "G", "global best, first coordinate"),
-    ("attractor", "p", "local attractor, first coordinate"),
-    ("m", "m", "mean best, first coordinate"),
-    ("u", "u", "random number, first coordinate"),
-    ("sign", "\\pm", "direction, first coordinate"),
-    ("x_before", "X", "position before, first coordinate"),
+    label!("swarm-contraction-expansion", "alpha", "\\alpha", "contraction–expansion"),
+    label!("swarm-cognitive-coefficient", "c1", "c_1", "cognitive coefficient"),
+    label!("swarm-social-coefficient", "c2", "c_2", "social coefficient"),
+    label!("swarm-random-number-first-coordinate", "r1", "r_1", "random number, first coordinate"),
+    label!("swarm-random-number-first-coordinate", "r2", "r_2", "random number, first coordinate"),
+    label!("swarm-share-of-the-own-best-first-coordinate", "phi", "\\varphi", "share of the own best, first coordinate"),
+    label!("swarm-personal-best-first-coordinate", "p", "P", "personal best, first coordinate"),
+    label!("swarm-global-best-first-coordinate", "g", "G", "global best, first coordinate"),
+    label!("swarm-local-attractor-first-coordinate", "attractor", "p", "local attractor, first coordinate"),
+    label!("swarm-mean-best-first-coordinate", "m", "m", "mean best, first coordinate"),
+    label!("swarm-random-number-first-coordinate", "u", "u", "random number, first coordinate"),
+    label!("swarm-direction-first-coordinate", "sign", "\\pm", "direction, first coordinate"),
+    label!("swarm-position-before-first-coordinate", "x_before", "X", "position before, first coordinate"),
 ];
-const LANDED: [Label; 1] = [("x", "X'", "position after the leap, first coordinate")];
+const LANDED: [Label; 1] =
+    [label!("swarm-position-after-the-leap-first-coordinate", "x", "X'", "position after the leap, first coordinate")];
 const EVOLVED: [Label; 6] = [
-    ("ip", "ip", "evolution speed"),
-    ("f_g", "f(G)", "global best before"),
-    ("f_p", "f(P)", "own personal best before"),
-    ("gs", "gs", "dispersion, first coordinate"),
-    ("sigma_p", "\\sigma(P)", "spread of personal bests, first coordinate"),
-    ("sigma_x", "\\sigma(X)", "spread of positions, first coordinate"),
+    label!("swarm-evolution-speed", "ip", "ip", "evolution speed"),
+    label!("swarm-global-best-before", "f_g", "f(G)", "global best before"),
+    label!("swarm-own-personal-best-before", "f_p", "f(P)", "own personal best before"),
+    label!("swarm-dispersion-first-coordinate", "gs", "gs", "dispersion, first coordinate"),
+    label!("swarm-spread-of-personal-bests-first-coordinate", "sigma_p", "\\sigma(P)", "spread of personal bests, first coordinate"),
+    label!("swarm-spread-of-positions-first-coordinate", "sigma_x", "\\sigma(X)", "spread of positions, first coordinate"),
 ];
-const COSTS: [Label; 3] = [("cost_before", "f(X)", "cost before"), ("cost", "f(X)", "cost after"), ("p_cost", "f(P)", "personal best")];
+const COSTS: [Label; 3] = [
+    label!("swarm-cost-before", "cost_before", "f(X)", "cost before"),
+    label!("swarm-cost-after", "cost", "f(X)", "cost after"),
+    label!("swarm-personal-best", "p_cost", "f(P)", "personal best"),
+];
 
-const COLUMNS: [Column; 8] = [
-    head("x_before", "X", "position before"),
-    head("phi", "\\varphi", "share of the own best"),
-    head("attractor", "p", "local attractor"),
-    head("m", "m", "mean best"),
-    head("gs", "gs", "dispersion"),
-    head("u", "u", "random number"),
-    head("sign", "\\pm", "direction"),
-    head("x", "X'", "position after the leap"),
+const COLUMNS: [Label; 8] = [
+    label!("swarm-position-before", "x_before", "X", "position before"),
+    label!("swarm-share-of-the-own-best", "phi", "\\varphi", "share of the own best"),
+    label!("swarm-local-attractor", "attractor", "p", "local attractor"),
+    label!("swarm-mean-best", "m", "m", "mean best"),
+    label!("swarm-dispersion", "gs", "gs", "dispersion"),
+    label!("swarm-random-number", "u", "u", "random number"),
+    label!("swarm-direction", "sign", "\\pm", "direction"),
+    label!("swarm-position-after-the-leap", "x", "X'", "position after the leap"),
 ];
 
 struct Record {
@@ -76,10 +82,20 @@ impl Quantum {
         let landed: Vec<_> = leaps.iter().map(|leap| leap.to).collect();
         let meaning = &*now.objective;
 
-        let leapt = format!("Particle {i} leaps about its attractor, a point between its own best and the swarm’s");
         let (event, summary) = match after.replaced[i] {
-            None => ("leap", format!("{leapt}.")),
-            Some(other) => ("replaced", format!("{leapt}; there it is among the worse half, so it takes the place of particle {other}.")),
+            None => (
+                "leap",
+                message!("swarm-leap", "Particle {i} leaps about its attractor, a point between its own best and the swarm’s.", i = i),
+            ),
+            Some(other) => (
+                "replaced",
+                message!(
+                    "swarm-leap-replaced",
+                    "Particle {i} leaps about its attractor, a point between its own best and the swarm’s; there it is among the worse half, so it takes the place of particle {other}.",
+                    i = i,
+                    other = other
+                ),
+            ),
         };
         let mut told = sheet(meaning, item, event, summary, n);
         told.columns = COLUMNS.to_vec();
@@ -140,7 +156,7 @@ mod tests {
             for (index, path) in drawn.iter().enumerate() {
                 let told = run.inspect(Item { layer: layers::PARTICLES.key, index }).unwrap();
                 *seen.entry(told.event).or_insert(0) += 1;
-                let of = |name| told.values.iter().find(|v| v.name == name).unwrap().value;
+                let of = |name| told.values.iter().find(|v| v.label.name == name).unwrap().value;
                 let to =
                     of("attractor") + of("sign") * of("alpha") * of("gs") * (of("m") - of("x_before")).abs() * -crate::math::ln(of("u"));
                 assert!((of("x") - to).abs() < 1e-12 || of("x") == 0.0 || of("x") > 1.57, "{} {to}", of("x"));

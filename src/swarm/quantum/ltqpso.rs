@@ -14,8 +14,6 @@ use crate::{
     },
 };
 
-use crate::swarm::sheet::SYMBOLS;
-
 use super::{
     leap::{Adaptation, Quantum},
     parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, GS, IP, ITERATIONS, MEAN, PHI, POPULATION, SELECTED, WIDTH, suggest},
@@ -51,9 +49,9 @@ const MOST_DISPERSION: Param<Option<f64>> = Param::choice(
     "",
     "Dispersion",
     &[
-        Choice { value: "capped", title: "At most 1", help: "gs of (6), at most 1, as in fig. 1." },
-        Choice { value: "uncapped", title: "As printed", help: "gs of (6); it may exceed 1." },
-        Choice { value: "off", title: "Off", help: "gs = 1." },
+        Choice::new("capped", "At most 1", "gs of (6), at most 1, as in fig. 1."),
+        Choice::new("uncapped", "As printed", "gs of (6); it may exceed 1."),
+        Choice::new("off", "Off", "gs = 1."),
     ],
     &[Some(1.0), Some(f64::INFINITY), None],
     "How gs of (6) scales the leap.",
@@ -83,7 +81,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, IP, GS, SELECTED, EVALUATIONS])
 .formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, EVOLUTION, DISPERSION, MEAN])
-.symbols(SYMBOLS)
 .layers(&[
     GUIDES,
     layers::PERSONAL_BESTS,

@@ -3,6 +3,7 @@
 use crate::{
     describe::layers,
     kernel::{Candidate, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started},
+    message,
     swarm::{
         draw::CONTEXT,
         parameters::{EVALUATIONS, K},
@@ -65,7 +66,10 @@ impl Planner for Quantum {
 
 impl Explain for Quantum {
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, "; it has no velocity, now or later")).flatten()
+        let i = item.index;
+        let origin =
+            message!("swarm-quantum-begins", "Particle {i} begins here, drawn at random; it has no velocity, now or later.", i = i);
+        (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, origin)).flatten()
     }
 
     fn explain_next(&self, item: Item) -> Option<Inspection> {

@@ -14,8 +14,6 @@ use crate::{
     },
 };
 
-use crate::swarm::sheet::SYMBOLS;
-
 use super::{
     leap::Quantum,
     parameters::{ALPHA, ALPHA_END, ALPHA_START, C1, C2, ITERATIONS, MEAN, PHI, POPULATION, WIDTH, suggest},
@@ -53,7 +51,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN_COST, SPREAD, FREE, LENGTH, SMOOTHNESS, K, ALPHA, EVALUATIONS])
 .formulas(&[WIDTH, LEAP, ATTRACTOR, PHI, MEAN])
-.symbols(SYMBOLS)
 .layers(&[
     GUIDES,
     layers::PERSONAL_BESTS,

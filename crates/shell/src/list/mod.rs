@@ -8,7 +8,7 @@ use std::{fmt::Write, process::ExitCode};
 
 use crate::registry::registry;
 
-use forage::Scene;
+use forage::{Scene, kernel::message::sentences};
 
 use super::{
     args::ListArgs,
@@ -23,6 +23,7 @@ use words::{family, kinds};
 
 pub(super) fn list(args: &ListArgs) -> Outcome {
     match &args.name {
+        None if args.messages => print_json(&sentences())?,
         None if args.json => print_json(&registry().catalogue())?,
         None => print(&overview(columns()))?,
         Some(name) => {

@@ -49,7 +49,7 @@ pub(super) fn summary(outcome: &Outcome, unit: &str, elapsed_ms: f64) -> String 
     if let Some(motion) = outcome.followed.get::<MotionOutcome>() {
         lines.add("motion", motion_line(motion));
         if let Some(failure) = &motion.failure {
-            lines.add("", escape(failure));
+            lines.add("", escape(&failure.text()));
         }
     }
     events(outcome, &mut lines);
@@ -131,7 +131,7 @@ fn optimum(outcome: &Outcome, lines: &mut Lines) {
 
 fn feasibility(outcome: &Outcome, lines: &mut Lines) {
     if let Some(failure) = &outcome.failure {
-        lines.add("failure", escape(failure));
+        lines.add("failure", escape(&failure.text()));
     }
     let clearance = outcome.clearance.map(|clearance| lines.length(clearance.abs()));
     match (outcome.clearance, clearance) {
@@ -162,7 +162,7 @@ fn events(outcome: &Outcome, lines: &mut Lines) {
     lines.add("collisions", reading(outcome, "collisions").map_or_else(|| "?".to_owned(), |count| count.to_string()));
     for (k, event) in outcome.events.iter().enumerate() {
         let (label, time) = (if k == 0 { "events" } else { "" }, number(event.time));
-        lines.add(label, format!("{time:>8} s  {:<16}  {:<9}  {}", point(event.place), event.kind, escape(&event.reason)));
+        lines.add(label, format!("{time:>8} s  {:<16}  {:<9}  {}", point(event.place), event.kind, escape(&event.reason.text())));
     }
 }
 

@@ -148,7 +148,7 @@ impl Job for Task {
             seconds: motion.map(|motion| motion.time),
             mirrored: motion.map(|motion| motion.mirrored),
             drawn: motion.map(|motion| motion.drawn),
-            failure: motion.and_then(|motion| motion.failure.clone()),
+            failure: motion.and_then(|motion| motion.failure.as_ref().map(ToString::to_string)),
             measured_ms: tree.ms,
         }))
     }

@@ -119,5 +119,5 @@ pub fn json(reports: &[Report]) -> Result<String, Failure> {
 
 fn lines(items: impl Iterator<Item = impl Serialize>) -> Result<String, Failure> {
     let lines: Result<Vec<String>, _> = items.map(|item| serde_json::to_string(&item)).collect();
-    Ok(lines.map_err(|problem| Error::malformed("claims", problem))?.join(",\n"))
+    Ok(lines.map_err(|problem| Error::malformed("claims", problem.to_string()))?.join(",\n"))
 }

@@ -223,7 +223,7 @@ impl Sweep {
             Error::Refused { field, value, allowed } => {
                 let is_parameter = self.values(planner, 0).iter().any(|(name, _)| *name == field);
                 let place = if is_parameter { format!("planner[{planner}].params.{field}") } else { format!("scenes[{scene}].{field}") };
-                Error::Refused { field: place, value, allowed: format!("{allowed} {on}") }
+                Error::Refused { field: place, value, allowed: format!("{allowed} {on}").into() }
             }
             Error::Unknown { value, known, .. } => {
                 Error::Unknown { field: format!("planner[{planner}].params"), value, known: format!("{known} {on}") }

@@ -310,7 +310,7 @@ fn what_is_written_says_what_it_lost() {
     let grid = crate::shipped("wolf-ant-20").unwrap();
     for format in [Format::Tsplib, Format::Csv] {
         let error = export(&grid, format, "m").unwrap_err();
-        assert_eq!((error.field(), error.value(), error.allowed()), ("kind", "grid", "tour"));
+        assert_eq!((error.field(), error.value(), &*error.allowed()), ("kind", "grid", "tour"));
     }
     // Twenty stops whose shortest tour nobody knows.
     let many = scene(TourScene::through((0..20).map(|i| [f64::from(i), f64::from(i * i % 7)]).collect(), Metric::Euc2d));
