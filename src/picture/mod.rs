@@ -1,6 +1,7 @@
 //! Pictures made in the core: a run as SVG, a function's heights as pixels, and what lies under a pointer.
 
 mod field;
+mod glyph;
 mod layer;
 mod svg;
 

@@ -1,16 +1,19 @@
 //! A run as an SVG picture: for the shell's `--svg` and the page's export.
 
-use std::fmt::{self, Display, Formatter, Write};
+use std::fmt::{Display, Write};
 
 use crate::{
-    describe::{Color, Entry, Glyph, Hex, Layer, Look, Rgba, layers},
+    describe::{Color, Entry, Glyph, Hex, Layer, Look, Rgba, Tone, layers},
     geometry::{self, Bounds, YAxis},
     kernel::{Backdrop, Frame, LayerKey, Shape, Span, VERTEX},
     run::Run,
     scene::Scene,
 };
 
-use super::raster;
+use super::{
+    glyph::{self, Dashes, Ink, opaque, rounded},
+    raster,
+};
 
 const STAGE: Color = Color::named("stage");
 const EDGE: Color = Color::named("axis");
@@ -27,8 +30,8 @@ const fn beneath(look: &Look) -> Look {
     Look { width: 1.5, opacity: [0.75, 0.75], dash: &[1.0, 4.0], ..*look }
 }
 
-/// The opacity of what a tube covers.
-const SHADE: f64 = 0.16;
+/// The opacity of what a tube without a glyph covers.
+const SHADE: f64 = 0.2;
 /// The least opacity of a point: it has less ink than a line.
 const FAINTEST_POINT: f64 = 0.65;
 /// The radius of a field's values.
@@ -61,12 +64,16 @@ struct Canvas {
 
 /// Writing to a `String` cannot fail, so its `Result` says nothing.
 macro_rules! put {
-    ($canvas:expr, $($argument:tt)*) => { let _ = writeln!($canvas.text, $($argument)*); };
+    ($canvas:expr, $($argument:tt)*) => {{ let _ = writeln!($canvas.text, $($argument)*); }};
 }
 
 impl Canvas {
-    fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [MARGIN + (x - self.left) * self.scale, MARGIN + self.up * (self.top - y) * self.scale].map(rounded)
+    fn at(&self, point: [f64; 2]) -> [f64; 2] {
+        self.place(point).map(rounded)
+    }
+
+    fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [MARGIN + (x - self.left) * self.scale, MARGIN + self.up * (self.top - y) * self.scale]
     }
 
     fn tone(&self, color: Color) -> Hex {
@@ -84,15 +91,7 @@ impl Canvas {
         self.obstacles(run.scene());
         let mut frame = Frame::default();
         run.draw(&mut frame, Frame::BUDGET / 4);
-        self.layers(run.entry(), &frame, shown);
-        if let Some(exact) = run.exact().filter(|_| shown.contains(&layers::EXACT.key)) {
-            self.line(layers::EXACT.key, layers::EXACT.look, 0.0, &exact.path);
-        }
-        if run.entry().stops {
-            self.stops(&run.scene().stops(), run.entry(), &frame, shown);
-        } else {
-            self.ends(run.scene());
-        }
+        self.layers(run, &frame, shown);
         self.text.push_str("</svg>\n");
         self.text
     }
@@ -128,36 +127,63 @@ impl Canvas {
         put!(self, r#"<rect x="{x0}" y="{}" width="{width}" height="{height}" {look}/>"#, y0.min(y1));
     }
 
-    fn layers(&mut self, entry: &Entry, frame: &Frame, shown: &[LayerKey]) {
-        let drawn = || frame.spans().filter_map(|span| Some((span, entry.layer(span.layer).filter(|layer| shown.contains(&layer.key))?)));
-        let result = drawn().map(|(_, layer)| layer.look.result).max();
-        for (span, layer) in drawn() {
+    /// The layers in the order of their looks; events, start and goal, and then the robot lie on top.
+    fn layers(&mut self, run: &Run, frame: &Frame, shown: &[LayerKey]) {
+        let entry = run.entry();
+        let with_layer = |span: Span| Some((span, entry.layer(span.layer).filter(|layer| shown.contains(&layer.key))?));
+        let mut drawn: Vec<_> = frame.spans().filter_map(with_layer).collect();
+        drawn.sort_by_key(|(_, layer)| layer.look.order);
+        self.hatches(&drawn);
+        let result = drawn.iter().map(|(_, layer)| layer.look.result).max();
+        for &(span, layer) in &drawn {
             let look = if layer.look.result > 0 && Some(layer.look.result) < result { &beneath(layer.look) } else { layer.look };
             self.span(frame, span, layer, look);
         }
+        if let Some(exact) = run.exact().filter(|_| shown.contains(&layers::EXACT.key)) {
+            self.line(layers::EXACT.key, layers::EXACT.look, 0.0, &exact.path);
+        }
+        if entry.stops {
+            self.stops(&run.scene().stops(), entry, frame, shown);
+        }
+        self.events(run, frame, &drawn);
+        if !entry.stops {
+            self.ends(run.scene());
+        }
+        self.robots(frame, &drawn);
     }
 
     fn span(&mut self, frame: &Frame, span: Span, layer: &Layer, look: &Look) {
         let points: Vec<_> = frame.points(span).collect();
         let weight = |vertex: usize| f64::from(frame.vertices()[(span.first as usize + vertex) * VERTEX + 3]);
-        match span.shape {
-            Shape::Polyline => {
+        match (span.shape, look.glyph) {
+            // Drawn with the scene, or on top.
+            (Shape::Points, Glyph::Number | Glyph::Event) | (_, Glyph::Robot) => {}
+            (Shape::Polyline, _) => {
                 self.line(layer.key, look, weight(0), &points);
                 if look.glyph == Glyph::Arrow {
-                    self.arrows(look, &points);
+                    let places: Vec<_> = points.iter().map(|&point| self.place(point)).collect();
+                    put!(self, "{}", self.ink(layer.key, look).arrows(&places));
                 }
             }
-            Shape::Tube => self.tube(layer.key, look, &points, weight(0)),
-            // Drawn with the scene.
-            Shape::Points if look.glyph == Glyph::Number => {}
-            Shape::Segments => points.chunks_exact(2).enumerate().for_each(|(i, pair)| self.line(layer.key, look, weight(2 * i), pair)),
-            Shape::Points => {
+            (Shape::Tube, _) => self.tube(layer.key, look, &points, weight(0)),
+            (Shape::Segments, _) => {
+                points.chunks_exact(2).enumerate().for_each(|(i, pair)| self.line(layer.key, look, weight(2 * i), pair));
+            }
+            (Shape::Points, Glyph::Ring | Glyph::Diamond) => {
+                let ink = self.ink(layer.key, look);
+                let lifted = look.lifted && look.glyph == Glyph::Diamond;
+                for &point in &points {
+                    let at = self.at(point);
+                    put!(self, "{}", if lifted { ink.lifted_diamond(at, look.point) } else { ink.outline(look.glyph, at, look.point) });
+                }
+            }
+            (Shape::Points, _) => {
                 for (i, &point) in points.iter().enumerate() {
                     let opacity = look.opacity_at(weight(i)).max(FAINTEST_POINT);
                     self.dot(layer.key, point, look.point / 2.0, look.color.on(self.dark), opacity);
                 }
             }
-            Shape::Field => {
+            (Shape::Field, _) => {
                 let pixels = raster(frame, layer, self.dark).map_or_else(Vec::new, |raster| raster.pixels);
                 for (&point, pixel) in points.iter().zip(pixels.as_chunks::<4>().0).filter(|(_, pixel)| pixel[3] > 0) {
                     self.dot(layer.key, point, FIELD_POINT, *pixel, 1.0);
@@ -166,19 +192,63 @@ impl Canvas {
         }
     }
 
-    fn line(&mut self, layer: LayerKey, look: &Look, weight: f64, points: &[[f64; 2]]) {
-        let mut list = String::new();
-        for &point in points {
-            let [x, y] = self.at(point);
-            let _ = write!(list, "{x},{y} ");
+    fn ink(&self, layer: LayerKey, look: &Look) -> Ink {
+        let [color, fill] = [look.color, look.fill.unwrap_or(STAGE)].map(|color| self.tone(color));
+        Ink { layer: layer.0, color, fill, ground: self.tone(STAGE), width: look.width }
+    }
+
+    /// Moving obstacles are hatched: walls are plain.
+    fn hatches(&mut self, drawn: &[(Span, &Layer)]) {
+        let mut hatched: Vec<_> =
+            drawn.iter().filter(|(_, layer)| matches!(layer.look.glyph, Glyph::Disc | Glyph::Band)).map(|&(_, layer)| layer).collect();
+        hatched.dedup_by_key(|layer| layer.key);
+        for layer in hatched {
+            put!(self, "{}", self.ink(layer.key, layer.look).hatch());
         }
+    }
+
+    /// Where something happened or was decided.
+    fn events(&mut self, run: &Run, frame: &Frame, drawn: &[(Span, &Layer)]) {
+        let tone = |at: usize| {
+            let kind = run.events().get(at).and_then(|event| run.entry().events.iter().find(|kind| kind.name == event.kind));
+            kind.map_or(Tone::Plain, |kind| kind.tone)
+        };
+        for (span, layer) in drawn.iter().filter(|(_, layer)| layer.look.glyph == Glyph::Event) {
+            let events: Vec<_> = frame.points(*span).enumerate().map(|(i, point)| (self.at(point), tone(i))).collect();
+            self.text.push_str(&glyph::events(layer.key.0, &events, &self.tone(STAGE), self.dark));
+        }
+    }
+
+    /// Robots are discs, and a segment from the centre is the heading.
+    fn robots(&mut self, frame: &Frame, drawn: &[(Span, &Layer)]) {
+        let robots = || drawn.iter().filter(|(_, layer)| layer.look.glyph == Glyph::Robot);
+        for (span, layer) in robots().filter(|(span, _)| span.shape == Shape::Tube) {
+            let Some(center) = frame.points(*span).next() else { continue };
+            let front = robots().find(|(other, _)| other.layer == span.layer && other.shape == Shape::Segments);
+            let front = front.and_then(|(segment, _)| frame.points(*segment).nth(1)).filter(|&front| front != center);
+            let heading = front.map(|front| {
+                let places = [center, front].map(|point| self.place(point));
+                [0, 1].map(|axis| (places[1][axis] - places[0][axis]) / geometry::length(&places))
+            });
+            let radius = f64::from(frame.vertices()[span.first as usize * VERTEX + 3]) * self.scale;
+            put!(self, "{}", self.ink(layer.key, layer.look).robot(self.at(center), radius, heading));
+        }
+    }
+
+    fn list<'p>(&self, points: impl IntoIterator<Item = &'p [f64; 2]>) -> String {
+        let places = points.into_iter().map(|&point| self.at(point));
+        places.map(|[x, y]| format!("{x},{y}")).collect::<Vec<_>>().join(" ")
+    }
+
+    fn line(&mut self, layer: LayerKey, look: &Look, weight: f64, points: &[[f64; 2]]) {
+        let list = self.list(points);
         let color = look.color.on(self.dark);
         let width = if look.swell > 0.0 { look.width + weight.clamp(0.0, 1.0) * (look.swell - look.width) } else { look.width };
         put!(
             self,
             r#"<polyline class="{}" points="{}" stroke="{}" stroke-width="{}" stroke-opacity="{}"{}/>"#,
             layer.0,
-            list.trim_end(),
+            list,
             Hex(opaque(color)),
             rounded(width),
             opacity_of(color, look.opacity_at(weight)),
@@ -186,56 +256,34 @@ impl Canvas {
         );
     }
 
-    /// A line as wide as it says, with round ends; of one point a disc. Where robots and obstacles are, they are outlined.
+    /// What a tube covers: an obstacle, a region that is expected to be taken, the rim of a range.
     fn tube(&mut self, layer: LayerKey, look: &Look, points: &[[f64; 2]], half: f64) {
         let radius = rounded(half * self.scale);
-        let [edge, inside] = [look.color, look.fill.unwrap_or(look.color)].map(|color| color.on(self.dark));
-        let &[point] = points else {
-            let color = Color { light: opaque(look.color.light), dark: opaque(look.color.dark) };
-            return self.line(layer, &Look { color, width: 2.0 * radius, opacity: [SHADE, SHADE], ..*look }, 0.0, points);
-        };
-        let [x, y] = self.at(point);
-        let covered = if look.fill.is_some() { 1.0 } else { SHADE };
-        let covered = if look.glyph == Glyph::Reach { 0.0 } else { covered };
-        put!(
-            self,
-            r#"<circle class="{}" cx="{x}" cy="{y}" r="{radius}" fill="{}" fill-opacity="{}" stroke="{}" stroke-width="{}" stroke-opacity="{}"{}/>"#,
-            layer.0,
-            Hex(opaque(inside)),
-            opacity_of(inside, covered),
-            Hex(opaque(edge)),
-            look.width,
-            opacity_of(edge, look.opacity[0]),
-            Dashes(look.dash)
-        );
+        let Some(at) = points.first().map(|&point| self.at(point)) else { return };
+        let ink = self.ink(layer, look);
+        match look.glyph {
+            Glyph::Reach => put!(self, "{}", ink.reach(at, radius, look)),
+            Glyph::Disc => put!(self, "{}", ink.disc(at, radius)),
+            Glyph::Band => {
+                let covered = look.fill.unwrap_or(look.color).on(self.dark);
+                self.band(layer, points, radius, Hex(opaque(covered)), opacity_of(covered, 1.0));
+                self.band(layer, points, radius, format_args!("url(#hatch-{})", layer.0), 0.5);
+            }
+            _ => self.band(layer, points, radius, ink.color, SHADE),
+        }
+    }
+
+    /// A wide line with round ends; of one point a disc.
+    fn band(&mut self, layer: LayerKey, points: &[[f64; 2]], radius: f64, paint: impl Display, opacity: f64) {
+        let list = self.list(points.iter().chain(points.last().filter(|_| points.len() == 1)));
+        let width = 2.0 * radius;
+        put!(self, r#"<polyline class="{}" points="{list}" stroke="{paint}" stroke-width="{width}" stroke-opacity="{opacity}"/>"#, layer.0);
     }
 
     fn dot(&mut self, layer: LayerKey, point: [f64; 2], radius: f64, color: Rgba, opacity: f64) {
         let [x, y] = self.at(point);
         let (fill, opacity) = (Hex(opaque(color)), opacity_of(color, opacity));
         put!(self, r#"<circle class="{}" cx="{x}" cy="{y}" r="{radius}" fill="{fill}" fill-opacity="{opacity}"/>"#, layer.0);
-    }
-
-    /// Heads that say in which direction a tour goes: on each stretch with room for one, and every so often.
-    fn arrows(&mut self, look: &Look, points: &[[f64; 2]]) {
-        let places: Vec<_> = points.iter().map(|&point| self.at(point)).collect();
-        let often = (geometry::length(&places) / 100.0).max(90.0);
-        let mut since = often / 2.0;
-        let mut heads = String::new();
-        for leg in places.windows(2) {
-            let ([x0, y0], [x1, y1]) = (leg[0], leg[1]);
-            let length = geometry::length(leg);
-            since += length;
-            if length < 12.0 || (length < f64::max(34.0, often / 5.0) && since < often) {
-                continue;
-            }
-            since = length / 2.0;
-            let (x, y, dx, dy) = (f64::midpoint(x0, x1), f64::midpoint(y0, y1), 5.0 * (x1 - x0) / length, 5.0 * (y1 - y0) / length);
-            let corner = |along: f64, aside: f64| (rounded(x + along * dx - aside * dy), rounded(y + along * dy + aside * dx));
-            let ((tip_x, tip_y), (left_x, left_y), (right_x, right_y)) = (corner(1.0, 0.0), corner(-1.0, 0.85), corner(-1.0, -0.85));
-            let _ = write!(heads, "M{tip_x} {tip_y} {left_x} {left_y} {right_x} {right_y}Z");
-        }
-        put!(self, r#"<path d="{heads}" fill="{}"/>"#, self.tone(look.color));
     }
 
     /// The stops with their places in the tour, as far as there is one, or else with the scene's own numbers.
@@ -277,30 +325,9 @@ impl Canvas {
     }
 }
 
-/// The attribute that says how a line is dashed, if it is.
-struct Dashes(&'static [f64]);
-
-impl Display for Dashes {
-    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        for (i, length) in self.0.iter().enumerate() {
-            write!(out, "{}{length}", if i == 0 { r#" stroke-dasharray=""# } else { " " })?;
-        }
-        out.write_str(if self.0.is_empty() { "" } else { "\"" })
-    }
-}
-
 /// The opacity of a colour that has one of its own.
 fn opacity_of(color: Rgba, opacity: f64) -> f64 {
     rounded(opacity * f64::from(color[3]) / 255.0)
-}
-
-const fn opaque([red, green, blue, _]: Rgba) -> Rgba {
-    [red, green, blue, 255]
-}
-
-/// To a hundredth of a pixel.
-fn rounded(pixels: f64) -> f64 {
-    (pixels * 100.0).round() / 100.0
 }
 
 fn escaped(text: &str) -> String {
@@ -356,5 +383,41 @@ mod tests {
             let cells = picture.matches(r#"class="pheromone""#).count();
             assert!((1..900).contains(&cells), "{cells} of 900 cells");
         }
+    }
+
+    #[test]
+    fn points_have_the_form_of_their_glyph() {
+        let setup = Setup { planner: "wcpso".into(), scene: shipped("matyas").unwrap(), params: crate::Overrides::default(), seed: 1 };
+        let mut run = Run::new(standard(), setup).unwrap();
+        run.step(5);
+        let picture = svg(&run, false, &[layers::BEST.key, layers::MEAN_BEST.key, layers::PARTICLES.key]);
+        let ring = format!(r#"r="4.5" stroke="{}" stroke-width="2"/>"#, Hex(layers::BEST.look.color.light));
+        let best = picture.lines().find(|line| line.contains(r#"class="best""#)).unwrap();
+        assert!(best.starts_with("<circle") && best.ends_with(&ring), "{best}");
+        let dots = picture.lines().filter(|line| line.contains(r#"class="particles""#));
+        assert!(dots.map(|line| assert!(line.starts_with("<circle") && line.contains(r#"r="2.5" fill="#), "{line}")).count() > 0);
+        let last = picture.lines().rev().nth(1).unwrap();
+        assert_eq!(last, best, "layers of a higher order are drawn later");
+    }
+
+    #[test]
+    fn a_drive_shows_events_by_their_tones_and_on_top_of_all_the_robot_in_its_heading() {
+        let setup =
+            Setup { planner: "a-star-drive".into(), scene: shipped("patrol").unwrap(), params: crate::Overrides::default(), seed: 1 };
+        let mut run = Run::new(standard(), setup).unwrap();
+        let keys = [layers::EVENTS.key, layers::MOVING.key, layers::PREDICTED.key, layers::ROBOT.key];
+        let robot = |picture: &str| picture[picture.find(r#"<g class="robot""#).unwrap()..].to_owned();
+        let before = robot(&svg(&run, false, &keys));
+        assert!(
+            before.contains("matrix(1 0 0 1 ") && before.contains(r#"<path d="M4.47 0A"#),
+            "without a heading there is a dot: {before}"
+        );
+        run.step(u64::MAX);
+        let picture = svg(&run, true, &keys);
+        assert_eq!(picture.matches(r#"<g class="events""#).count(), run.events().len());
+        assert!(picture.contains(r#"<pattern id="hatch-moving""#) && picture.contains(r#"fill="url(#hatch-moving)""#));
+        let after = robot(&picture);
+        assert!(after.contains("matrix(0 1 -1 0 "), "down: {after}");
+        assert!(!after.contains("events") && !after.contains("<circle cx"), "it lies on top of all");
     }
 }
