@@ -13,7 +13,7 @@ use forage::{
     describe::{Color, Entry, Formula, Glyph, Group, Layer, Look, Reading, SceneKind, Start, layers},
     geometry::Bounds,
     kernel::{
-        Candidate, Explain, Facets, Inspection, Item, LayerKey, Mark, Planner, Progress, Quantity, Readings, SceneBody, SceneKindId, Shape,
+        Backdrop, Candidate, Explain, Facets, Inspection, Item, LayerKey, Mark, Planner, Progress, Quantity, Readings, SceneBody, SceneKindId, Shape,
         Solution, Started, State, Verdict, rng::Stream,
     },
     params::Param,
@@ -85,6 +85,10 @@ impl SceneBody for HimmelblauScene {
     }
 
     fn write(&self, _out: &mut Vec<(&'static str, Value)>) {}
+
+    fn backdrop(&self, draw: &mut dyn FnMut(Backdrop)) {
+        draw(Backdrop::Border(self.view()));
+    }
 
     fn minimum(&self) -> Option<f64> {
         Some(0.0)
