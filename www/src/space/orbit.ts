@@ -1,6 +1,6 @@
 import { MathUtils, Matrix4, type PerspectiveCamera, Vector3 } from 'three'
 import type { Cuboid, Point3 } from 'forage-lab'
-import type { Size } from '../stage/view'
+import type { Margins, Size } from '../stage/view'
 
 /** From where space is seen: a point on a sphere about what is looked at. Angles are degrees. */
 export interface Orbit {
@@ -51,12 +51,7 @@ export function aim(camera: PerspectiveCamera, orbit: Orbit): void {
 export const pixel = ({ distance }: Orbit, { height }: Size): number => (2 * slope * distance) / Math.max(1, height)
 
 /** The orbit on a side from which all of a box is seen. Margins are pixels. */
-export function fit(
-  box: Cuboid,
-  { width, height }: Size,
-  [beside, above]: readonly [number, number],
-  side: Pick<Orbit, 'azimuth' | 'elevation'>,
-): Orbit {
+export function fit(box: Cuboid, { width, height }: Size, [beside, above]: Margins, side: Pick<Orbit, 'azimuth' | 'elevation'>): Orbit {
   const [right, up, back] = basis(side)
   const target = new Vector3().addVectors(new Vector3(...box.min), new Vector3(...box.max)).multiplyScalar(0.5)
   const across = (slope * Math.max(40, width - 2 * beside)) / height

@@ -33,6 +33,13 @@ for (const down of [false, true]) {
     }
   })
 
+  test(`room is left below for tools, y ${y}`, () => {
+    const lifted = fitted(BOX, { width: 390, height: 390 }, [38, 38, 140], down)
+    const edges = [BOX.min, BOX.max].map((corner) => toScreen(lifted, { width: 390, height: 390 }, corner)[1])
+    expect((edges[0] ?? 0) + (edges[1] ?? 0)).toBeCloseTo(38 + (390 - 140), 9)
+    expect(Math.max(...edges)).toBeLessThanOrEqual(390 - 140 + 1e-9)
+  })
+
   test(`zooming keeps what is under the pointer, panning moves it, y ${y}`, () => {
     const at: Point = [200, 450]
     const place = toScene(whole, SIZE, at)

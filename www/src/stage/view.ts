@@ -62,13 +62,18 @@ export const isDown = (scene: Scene): boolean => scene.kind === 'grid' && scene.
 /** What y has to be multiplied by to grow upwards on the screen. */
 export const rise = ({ down }: View): 1 | -1 => (down ? -1 : 1)
 
-/** Left free about a scene that is shown whole, in pixels: beside it, where the stage's tools are in a column, and above it. */
-export const margins = (column: boolean): Point => [column ? 64 : 38, 38]
+/** Left free about a scene that is shown whole, in pixels; below as much as above unless it says otherwise. */
+export type Margins = readonly [beside: number, above: number, below?: number]
+
+/** The stage's tools are in a column beside the scene, or in a row below it. */
+export const margins = (column: boolean): Margins => (column ? [64, 38] : [38, 38, 76])
 
 /** The view that shows the whole box. */
-export function fit({ min, max }: Box, { width, height }: Size, [beside, above]: Point, down = false): View {
-  const scale = Math.min((width - 2 * beside) / (max[0] - min[0]), (height - 2 * above) / (max[1] - min[1]))
-  return { x: (min[0] + max[0]) / 2, y: (min[1] + max[1]) / 2, scale: Math.max(scale, 1e-6), down }
+export function fit({ min, max }: Box, { width, height }: Size, [beside, above, below = above]: Margins, down = false): View {
+  const fitting = Math.min((width - 2 * beside) / (max[0] - min[0]), (height - above - below) / (max[1] - min[1]))
+  const scale = Math.max(fitting, 1e-6)
+  const lifted = ((below - above) / 2 / scale) * (down ? 1 : -1)
+  return { x: (min[0] + max[0]) / 2, y: (min[1] + max[1]) / 2 + lifted, scale, down }
 }
 
 export const toScreen = (view: View, { width, height }: Size, at: Flat): Point => [
