@@ -287,7 +287,7 @@ test('with the keyboard alone a batch is set up, run, sorted and looked into', a
   expect(await lab.settled(500)).toBe(hash)
 })
 
-test('planners with optima of their own are compared by value, and what draws no lots isn’t tested', async ({ lab, page }) => {
+test('planners with optima of their own are compared by value, and what is deterministic isn’t tested', async ({ lab, page }) => {
   const scene = 'wolf-ant-20'
   const recordOf = (planner: string) => trialOf({ planner, scene, seed: 1 }).record
   const [cells, free] = [recordOf('a-star'), recordOf('theta-star')]

@@ -2,12 +2,12 @@ import { compare } from 'forage-lab'
 import type { Friedman, Group, Pair } from 'forage-lab'
 import type { Row } from './plan'
 
-/* Tests ask whether chance alone explains a difference: planners that draw no lots take no part in them. */
+/* Tests ask whether chance alone explains a difference: deterministic planners take no part in them. */
 
 /** Without lots every seed gives the same run. */
 export const drawsLots = (rows: readonly Row[]): boolean => rows.length < 2 || rows.some(({ record }) => !record.deterministic)
 
-/** Two groups beside each other; without a test where one of them draws no lots. */
+/** Two groups beside each other; without a test where one of them is deterministic. */
 export interface TestedPair extends Omit<Pair, 'u' | 'p' | 'corrected'> {
   p: number | null
   corrected: number | null

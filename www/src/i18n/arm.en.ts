@@ -1,13 +1,13 @@
 /** Text about arms: loaded with the first one. */
 export const arm = {
-  sections: { motion: 'Motion', postures: 'Postures of a point', survey: 'Where the tip can come', joints: 'In joint space' },
+  sections: { motion: 'Motion', postures: 'Postures of a point', survey: 'Reachable workspace', joints: 'In joint space' },
   motion: {
     begin: 'Let the arm follow the path',
     notYet: 'As soon as a path has been found.',
     csv: 'Save as CSV',
     parameters: 'Parameters of the motion',
     formulas: 'Formulas of the motion',
-    leave: 'Leave',
+    leave: 'Close',
     transport: 'Time of the motion',
     play: 'Play the motion',
     pause: 'Pause the motion',

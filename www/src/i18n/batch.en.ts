@@ -1,10 +1,10 @@
 const list = (names: readonly string[]): string =>
   names.length < 2 ? names.join('') : `${names.slice(0, -1).join(', ')} and ${names.at(-1)}`
-const draw = (names: readonly string[]): string => `${list(names)} ${names.length === 1 ? 'draws' : 'draw'} no lots`
+const areDeterministic = (names: readonly string[]): string => `${list(names)} ${names.length === 1 ? 'is' : 'are'} deterministic`
 
 /** Text of the batch view. What the core says comes with the catalogue, and with its refusals. */
 export const batch = {
-  lead: 'One run is an anecdote: planners that draw lots are compared over many seeds.',
+  lead: 'One run is an anecdote: stochastic planners are compared over many seeds.',
   plan: {
     title: 'Plan',
     scene: 'Scene',
@@ -169,8 +169,8 @@ export const batch = {
     friedman: (blocks: string, statistic: string, p: string) =>
       `Mean ranks over ${blocks} seeds that all have run with (1 is best); Friedman’s test: χ² = ${statistic}, p ${p}.`,
     ranks: (blocks: string) => `Mean ranks over ${blocks} seeds that all have run with; 1 is best.`,
-    sure: 'draws no lots',
-    sureNote: (names: readonly string[]) => `${draw(names)}: all runs are the same run, and the numbers are no estimates.`,
+    sure: 'deterministic',
+    sureNote: (names: readonly string[]) => `${areDeterministic(names)}: all runs are the same run, and the numbers are no estimates.`,
     note: 'Beneath the mean and the share of feasible runs: 95 % confidence intervals, by Student’s t and by Wilson’s score. Beneath the median: the quartiles.',
   },
   pairs: {
@@ -181,7 +181,7 @@ export const batch = {
     same: (names: string) => `No significant difference at 5 % between: ${names}.`,
     allDrawnSame: 'No two of the others differ significantly at 5 %.',
     sure: (names: readonly string[]) =>
-      `${draw(names)}: every seed gives the same run. There is no luck to test for; which of two is better can be read from the table.`,
+      `${areDeterministic(names)}: every seed gives the same run. There is no luck to test for; which of two is better can be read from the table.`,
     allSame: 'No two planners differ significantly at 5 %.',
     and: ' and ',
     first: 'First',

@@ -9,5 +9,5 @@ export const sights: Readonly<Record<Exclude<keyof typeof presets.cases, `${'arm
     'With the published parameters ants follow the rank of a cell, even where walls lead away from the goal: the colony agrees on a path that is much too long. The default parameters weigh the rank less.',
   direction: 'Ants that mind where the goal lies are on a shortest way within a few iterations.',
   quantum: 'Particles leap about their attractors, less far as the run goes on; the robot can drive along the result.',
-  hens: 'Hens and chicks shake a swarm that no longer improves; the exact optimum is 12.1416.',
+  hens: 'Particles that stagnate are perturbed (the paper’s hen and chick moves); the exact optimum is 12.1416.',
 }
