@@ -13,5 +13,8 @@ test('the scale of a chart fits its values', () => {
   expect(low).toBeLessThan(11.9)
   expect(high).toBeLessThan(20)
   expect(high).toBeGreaterThan(12.02)
+  const rounded = [iterations.map((k) => 26.5 + (k % 2) * 1e-14)]
+  const [bottom, top] = range({ iterations, values: rounded }, 'linear', null)
+  expect(top - bottom, 'rounding is not magnified').toBeGreaterThan(1)
   expect(decades([1e-16, 30], 6).length).toBeLessThanOrEqual(6)
 })

@@ -7,6 +7,8 @@ const LOG_FROM = 1e3
 /** With a first curve flatter than this share of the whole, nothing could be seen of it. */
 const FLAT = 0.15
 const ENOUGH = 8
+/** Values that differ by less than this share are the same but for rounding. */
+const ROUNDING = 1e-9
 
 /**
  * Logarithmic where the values span more than three decades and none of them forbids it; near the best where the
@@ -34,7 +36,9 @@ export function range(curves: Curves, scale: Scale, level: number | null): Range
     return [low / 1.4, high * 1.4]
   }
   const [low, high] = extent(curved)
-  const margin = (high - low || Math.abs(high) || 1) * 0.06
+  const largest = Math.max(Math.abs(low), Math.abs(high))
+  const spread = high - low > ROUNDING * largest ? high - low : largest || 1
+  const margin = spread * 0.06
   return [low - margin, high + margin]
 }
 
