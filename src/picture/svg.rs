@@ -131,13 +131,19 @@ impl Canvas {
     fn layers(&mut self, run: &Run, frame: &Frame, shown: &[LayerKey]) {
         let entry = run.entry();
         let with_layer = |span: Span| Some((span, entry.layer(span.layer).filter(|layer| shown.contains(&layer.key))?));
-        let mut drawn: Vec<_> = frame.spans().filter_map(with_layer).collect();
-        drawn.sort_by_key(|(_, layer)| layer.look.order);
-        self.hatches(&drawn);
+        let drawn: Vec<_> = frame.spans().filter_map(with_layer).collect();
+        for layer in entry.layers.iter().filter(|layer| is_hatched(layer.look) && shown.contains(&layer.key)) {
+            put!(self, "{}", self.ink(layer.key, layer.look).hatch());
+        }
         let result = drawn.iter().map(|(_, layer)| layer.look.result).max();
-        for &(span, layer) in &drawn {
-            let look = if layer.look.result > 0 && Some(layer.look.result) < result { &beneath(layer.look) } else { layer.look };
-            self.span(frame, span, layer, look);
+        // A sort of its own would be larger in the wasm than all glyphs.
+        let mut last = None;
+        while let Some(order) = drawn.iter().map(|(_, layer)| layer.look.order).filter(|&order| Some(order) > last).min() {
+            for &(span, layer) in drawn.iter().filter(|(_, layer)| layer.look.order == order) {
+                let look = if layer.look.result > 0 && Some(layer.look.result) < result { &beneath(layer.look) } else { layer.look };
+                self.span(frame, span, layer, look);
+            }
+            last = Some(order);
         }
         if let Some(exact) = run.exact().filter(|_| shown.contains(&layers::EXACT.key)) {
             self.line(layers::EXACT.key, layers::EXACT.look, 0.0, &exact.path);
@@ -197,16 +203,6 @@ impl Canvas {
         Ink { layer: layer.0, color, fill, ground: self.tone(STAGE), width: look.width }
     }
 
-    /// Moving obstacles are hatched: walls are plain.
-    fn hatches(&mut self, drawn: &[(Span, &Layer)]) {
-        let mut hatched: Vec<_> =
-            drawn.iter().filter(|(_, layer)| matches!(layer.look.glyph, Glyph::Disc | Glyph::Band)).map(|&(_, layer)| layer).collect();
-        hatched.dedup_by_key(|layer| layer.key);
-        for layer in hatched {
-            put!(self, "{}", self.ink(layer.key, layer.look).hatch());
-        }
-    }
-
     /// Where something happened or was decided.
     fn events(&mut self, run: &Run, frame: &Frame, drawn: &[(Span, &Layer)]) {
         let tone = |at: usize| {
@@ -235,9 +231,13 @@ impl Canvas {
         }
     }
 
-    fn list<'p>(&self, points: impl IntoIterator<Item = &'p [f64; 2]>) -> String {
-        let places = points.into_iter().map(|&point| self.at(point));
-        places.map(|[x, y]| format!("{x},{y}")).collect::<Vec<_>>().join(" ")
+    fn list(&self, points: &[[f64; 2]]) -> String {
+        let mut list = String::new();
+        for &point in points {
+            let [x, y] = self.at(point);
+            let _ = write!(list, "{x},{y} ");
+        }
+        list
     }
 
     fn line(&mut self, layer: LayerKey, look: &Look, weight: f64, points: &[[f64; 2]]) {
@@ -248,7 +248,7 @@ impl Canvas {
             self,
             r#"<polyline class="{}" points="{}" stroke="{}" stroke-width="{}" stroke-opacity="{}"{}/>"#,
             layer.0,
-            list,
+            list.trim_end(),
             Hex(opaque(color)),
             rounded(width),
             opacity_of(color, look.opacity_at(weight)),
@@ -275,9 +275,17 @@ impl Canvas {
 
     /// A wide line with round ends; of one point a disc.
     fn band(&mut self, layer: LayerKey, points: &[[f64; 2]], radius: f64, paint: impl Display, opacity: f64) {
-        let list = self.list(points.iter().chain(points.last().filter(|_| points.len() == 1)));
+        let mut list = self.list(points);
+        if points.len() == 1 {
+            list = list.repeat(2);
+        }
         let width = 2.0 * radius;
-        put!(self, r#"<polyline class="{}" points="{list}" stroke="{paint}" stroke-width="{width}" stroke-opacity="{opacity}"/>"#, layer.0);
+        put!(
+            self,
+            r#"<polyline class="{}" points="{}" stroke="{paint}" stroke-width="{width}" stroke-opacity="{opacity}"/>"#,
+            layer.0,
+            list.trim_end()
+        );
     }
 
     fn dot(&mut self, layer: LayerKey, point: [f64; 2], radius: f64, color: Rgba, opacity: f64) {
@@ -323,6 +331,11 @@ impl Canvas {
             put!(self, r#"<circle cx="{x}" cy="{y}" r="6" fill="{fill}"/>"#);
         }
     }
+}
+
+/// Moving obstacles are hatched: walls are plain.
+const fn is_hatched(look: &Look) -> bool {
+    matches!(look.glyph, Glyph::Disc | Glyph::Band)
 }
 
 /// The opacity of a colour that has one of its own.
