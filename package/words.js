@@ -43,7 +43,7 @@ function fixed(value, digits) {
   return Object.is(value, -0) || (value < 0 && !shown.startsWith('-')) ? `-${shown.replace('-', '')}` : shown
 }
 
-const functions = { NUMBER: ([value], options) => new Fixed(value.valueOf(), options) }
+const functions = { NUMBER: ([value], { digits }) => new Fixed(value.valueOf(), { digits: Number(digits.valueOf()) }) }
 
 /** A function of a key and its arguments that says a message: undefined where there are no words for it. */
 export function speaker(locale, patterns) {
