@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { test } from 'node:test'
+import { deflateRawSync } from 'node:zlib'
 import {
   armPose,
   armSolutions,
@@ -209,6 +210,77 @@ test('refusals are errors with field, value and range, and nothing panics', () =
   checkScene(discs)
   discs.discs[0].radius = Number.NaN
   assert.equal(refusal(() => checkScene(discs)).field, 'discs[0].radius')
+})
+
+/** Lists within each other, so many deep. */
+const nested = (depth) => {
+  let value = []
+  for (let level = 1; level < depth; level++) value = [value]
+  return value
+}
+const disc = { format: 'forage-scene', version: 1, kind: 'function', name: 'a', title: 'a', function: 'sphere', dimension: 2 }
+
+test('what is nested too deep is refused as natively, and the module works afterwards', () => {
+  const linkTo = (text) => `#v=1&planner=pso&scene=~${deflateRawSync(text).toString('base64url')}`
+  const tooDeep = 'scene: nesting deeper than 64 levels is not allowed; it must be at most 64 levels deep'
+  // The scene itself is one level.
+  for (const depth of [64, 6000, 100_000]) {
+    const scene = { ...disc, exact: nested(depth) }
+    const text = `{"exact":${'['.repeat(depth)}${']'.repeat(depth)}}`
+    const calls = [
+      () => new Session({ planner: 'pso', scene }),
+      () => checkScene(scene),
+      () => parseLink(linkTo(text)),
+      () => Session.fromLink(linkTo(text)),
+    ]
+    for (const call of calls) assert.equal(refusal(call).message, tooDeep)
+  }
+  const most = { ...disc, exact: nested(63) }
+  assert.equal(checkScene(most).dimension, 2)
+  assert.equal(parseLink(linkTo(JSON.stringify(most))).scene.dimension, 2)
+
+  const circle = { ...disc }
+  circle.exact = circle
+  assert.equal(refusal(() => checkScene(circle)).message, tooDeep)
+  assert.equal(refusal(() => parseLink(linkTo(' '.repeat((4 << 20) + 1)))).value, 'a scene of more than 4194304 bytes')
+  assert.equal(refusal(() => parseLink(`#v=1&planner=${'a'.repeat(4 << 20)}`)).allowed, 'at most 4194304 bytes')
+  assert.equal(refusal(() => checkScene({ ...disc, exact: new Array(9_000_000) })).allowed, 'at most 8000000 values')
+  assert.equal(refusal(() => checkScene({ ...disc, note: 'a'.repeat((64 << 20) + 1) })).allowed, 'at most 67108864 bytes')
+  for (const [value, shown] of [
+    [() => 1, 'a function'],
+    [Symbol('a'), 'a symbol'],
+    [new Set(), 'an iterable object'],
+  ])
+    assert.equal(refusal(() => checkScene({ ...disc, exact: value })).value, shown)
+
+  const session = new Session({ planner: 'pso', scene: 'sphere' })
+  session.step(3)
+  assert.equal(session.iteration, 3)
+})
+
+test('findings that cannot be are refused, and the session goes on', () => {
+  const params = { population: 2, seeds: 1, colony_iterations: 2, iterations: 2 }
+  const session = new Session({ planner: 'pso-tuning', scene: 'wolf-ant-20', params })
+  const count = session.jobs().length
+  const good = { cost: 1, converged: 1, path: [[0.5, 0.5]] }
+  const all = (finding) => new Array(count).fill(finding)
+  for (const [findings, field] of [
+    [[], 'findings'],
+    [all(good).slice(1), 'findings'],
+    [3, 'findings'],
+    [nested(65), 'findings'],
+    [all(3), 'findings[0]'],
+    [all({ ...good, path: [[Number.NaN, 0]] }), 'findings[0].path[0][0]'],
+    [all({ ...good, path: [[0, 1e9]] }), 'findings[0].path[0][1]'],
+    [all({ ...good, path: [0] }), 'findings[0].path[0]'],
+    [all({ ...good, cost: 'x' }), 'findings[0].cost'],
+    [all({ ...good, converged: Number.NaN }), 'findings[0].converged'],
+    [all({ ...good, more: 1 }), 'findings[0].more'],
+  ])
+    assert.equal(refusal(() => session.supply(findings)).field, field)
+  session.supply(all({ cost: null, converged: Number.NaN, path: [] }))
+  session.step(1)
+  assert.equal(session.iteration, 1)
 })
 
 test('the face tells everything a page needs', () => {

@@ -38,10 +38,9 @@ impl Scene {
     /// Reads a scene file's text; it may be of one of these kinds.
     ///
     /// # Errors
-    /// [`Error::Malformed`] if it is not JSON, otherwise the field, its value and what is allowed.
+    /// [`Error::Malformed`] if it is not JSON, [`Error::Refused`] if it is too large (see [`crate::kernel::limits`]), otherwise the field, its value and what is allowed.
     pub fn read(kinds: &[&SceneKind], text: &str) -> Result<Self, Error> {
-        let value = json::parse(text).map_err(|problem| Error::malformed("scene", format!("not JSON: {problem}")))?;
-        Self::read_value(kinds, value)
+        Self::read_value(kinds, json::parse("scene", text)?)
     }
 
     /// Reads a scene from an object in memory; it may be of one of these kinds.

@@ -7,23 +7,31 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-/// Reads JSON.
+use super::{Error, limits};
+
+/// Reads JSON; `field` is what an error calls it.
 ///
 /// # Errors
-/// What is wrong with the text, and where.
-#[cfg(not(target_arch = "wasm32"))]
-pub fn parse(text: &str) -> Result<Value, String> {
-    serde_json::from_str(text).map_err(|problem| problem.to_string())
+/// [`Error::Refused`] for a text that is nested too deep or too large, see [`limits`]. [`Error::Malformed`] for what is no JSON:
+/// what is wrong, in WebAssembly in the words of the JavaScript engine.
+pub fn parse(field: &str, text: &str) -> Result<Value, Error> {
+    limits::check_json(field, text)?;
+    parsed(field, text)
 }
 
-/// Reads JSON.
-///
-/// # Errors
-/// What is wrong with the text, in the words of the JavaScript engine.
+#[cfg(not(target_arch = "wasm32"))]
+fn parsed(field: &str, text: &str) -> Result<Value, Error> {
+    serde_json::from_str(text).map_err(|problem| no_json(field, problem))
+}
+
 #[cfg(target_arch = "wasm32")]
-pub fn parse(text: &str) -> Result<Value, String> {
-    let value = js_sys::JSON::parse(text).map_err(|problem| String::from(js_sys::Error::from(problem).message()))?;
-    serde_wasm_bindgen::from_value(value).map_err(|problem| problem.to_string())
+fn parsed(field: &str, text: &str) -> Result<Value, Error> {
+    let value = js_sys::JSON::parse(text).map_err(|problem| no_json(field, String::from(js_sys::Error::from(problem).message())))?;
+    super::javascript::read(field, &value)
+}
+
+fn no_json(field: &str, problem: impl std::fmt::Display) -> Error {
+    Error::malformed(field, format!("not JSON: {problem}"))
 }
 
 /// The number that a text of digits, point, signs and exponent stands for; `None` for any other text.
@@ -113,10 +121,10 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read_back() {
-        let value = parse(r#"{"a": [1, 2.5, -3e-9, 1e300, true, null], "b": {"c\n\"\\": "ä\u0001"}}"#).unwrap();
+        let value = parse("a", r#"{"a": [1, 2.5, -3e-9, 1e300, true, null], "b": {"c\n\"\\": "ä\u0001"}}"#).unwrap();
         let text = object(value.as_object().unwrap().iter().map(|(name, value)| (name.as_str(), value)));
         assert_eq!(text, r#"{"a":[1,2.5,-3e-9,1e300,true,null],"b":{"c\u000a\"\\":"ä\u0001"}}"#);
-        assert_eq!(parse(&text).unwrap(), value);
+        assert_eq!(parse("a", &text).unwrap(), value);
     }
 
     #[test]

@@ -6,7 +6,10 @@ mod facets;
 pub mod fields;
 mod frame;
 mod inspection;
+#[cfg(target_arch = "wasm32")]
+pub mod javascript;
 pub mod json;
+pub mod limits;
 pub mod message;
 mod nowhere;
 mod optimum;

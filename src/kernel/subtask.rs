@@ -1,10 +1,11 @@
 //! Subtasks: runs of other planners that a step needs, and their results.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value;
 
-use crate::params::Overrides;
+use crate::{geometry::Bounds, params::Overrides};
 
-use super::State;
+use super::{Error, Fields, State, fields};
 
 /// Runs of other planners that a planner's steps need. The planner does not run them; its run does, one after another, in
 /// parallel or elsewhere. The result is the same.
@@ -30,7 +31,7 @@ pub struct Subtask {
 }
 
 /// The result of a [`Subtask`].
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, State)]
+#[derive(Debug, Clone, PartialEq, Serialize, State)]
 pub struct SubtaskResult {
     /// The best cost; `None` if nothing feasible was found.
     pub cost: Option<f64>,
@@ -38,6 +39,55 @@ pub struct SubtaskResult {
     pub converged: f64,
     /// The best path; empty if nothing feasible was found.
     pub path: Vec<[f64; 2]>,
+}
+
+impl SubtaskResult {
+    /// Reads a list of results; `path` is the list's field.
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for anything else.
+    pub fn read_list(path: &str, found: Value) -> Result<Vec<Self>, Error> {
+        match found {
+            Value::Array(found) => fields::each(path, found, Self::read),
+            other => Err(Error::refused(path, fields::shown(&other), "a list")),
+        }
+    }
+
+    /// The iteration may be missing where nothing was found.
+    fn read(path: &str, found: Value) -> Result<Self, Error> {
+        let mut fields = Fields::of(path, found, "an object with cost, converged and path")?;
+        let number = |fields: &mut Fields, name| match fields.take(name) {
+            Value::Null => Ok(None),
+            found => fields::number(fields.path(name), &found).map(Some),
+        };
+        let cost = number(&mut fields, "cost")?;
+        let converged = number(&mut fields, "converged")?.unwrap_or(f64::NAN);
+        let path = fields.points("path")?;
+        fields.end()?;
+        Ok(Self { cost, converged, path })
+    }
+
+    /// Refuses numbers that are not finite, and points outside the part of the plane in which the run is. `path` is its field.
+    pub(crate) fn check(&self, path: &str, view: Bounds) -> Result<(), Error> {
+        let finite = |name: &str, number: f64| {
+            if number.is_finite() { Ok(()) } else { Err(Error::refused(format!("{path}.{name}"), number, "a finite number")) }
+        };
+        if let Some(cost) = self.cost {
+            finite("cost", cost)?;
+            finite("converged", self.converged)?;
+        }
+        for (i, point) in self.path.iter().enumerate() {
+            for axis in 0..2 {
+                let (low, high) = (view.min[axis], view.max[axis]);
+                // What is computed may round beyond the border.
+                let slack = (high - low) * 1e-6;
+                if !(low - slack..=high + slack).contains(&point[axis]) {
+                    return Err(Error::refused(format!("{path}.path[{i}][{axis}]"), point[axis], format!("a number from {low} to {high}")));
+                }
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Parameters that a tuning planner recommends for another planner.

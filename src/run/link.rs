@@ -6,18 +6,17 @@
 use std::{fmt, sync::Arc};
 
 use base64ct::{Base64UrlUnpadded, Encoding};
+use miniz_oxide::inflate::TINFLStatus;
 
 use crate::{
     describe::Registry,
-    kernel::{Error, Scene, rng::SEED_RANGE},
+    kernel::{Error, Scene, limits, rng::SEED_RANGE},
     params::{Overrides, Value},
 };
 
 use super::{setup::Setup, stepping::Run};
 
 const VERSION: &str = "1";
-/// A scene file is far smaller; what inflates to more is not one.
-const LARGEST_SCENE: usize = 4 << 20;
 
 /// A run at an iteration.
 #[derive(Debug, Clone)]
@@ -54,8 +53,9 @@ impl Link {
     /// Takes a link apart: the fragment alone, or a whole address that ends in it.
     ///
     /// # Errors
-    /// A message that says what is wrong: no fragment, another version, an unknown key, or whatever [`Setup::check`] refuses.
+    /// A message that says what is wrong: no fragment, another version, an unknown key, too long, or whatever [`Setup::check`] refuses.
     pub fn parse(registry: &Registry, text: &str) -> Result<Self, Error> {
+        limits::check_bytes("link", text.len(), limits::LINK_BYTES)?;
         let wrong = |problem: String| Error::malformed("link", problem);
         let (_, fragment) = text.trim().split_once('#').ok_or_else(|| wrong("it has no #…".to_owned()))?;
         let (mut version, mut planner, mut scene, mut seed, mut iteration, mut hash) = (None, None, None, 1, 0, None);
@@ -128,9 +128,12 @@ fn unpacked(registry: &Registry, text: &str) -> Result<Arc<Scene>, Error> {
     let Some(code) = text.strip_prefix(PACKED) else {
         return registry.scene(text);
     };
+    let most = limits::LINK_BYTES;
+    let too_large = || Error::refused("link", format!("a scene of more than {most} bytes"), format!("one of at most {most} bytes"));
     let broken = |problem: &dyn fmt::Display| Error::malformed("link", format!("its scene is damaged: {problem}"));
     let deflated = Base64UrlUnpadded::decode_vec(code).map_err(|e| broken(&e))?;
-    let bytes = miniz_oxide::inflate::decompress_to_vec_with_limit(&deflated, LARGEST_SCENE).map_err(|e| broken(&e))?;
+    let inflated = miniz_oxide::inflate::decompress_to_vec_with_limit(&deflated, limits::LINK_BYTES);
+    let bytes = inflated.map_err(|e| if e.status == TINFLStatus::HasMoreOutput { too_large() } else { broken(&e) })?;
     let text = String::from_utf8(bytes).map_err(|e| broken(&e))?;
     registry.read_scene(&text).map(Arc::new)
 }
@@ -185,5 +188,19 @@ mod tests {
             let message = Link::parse(standard(), text).unwrap_err().to_string();
             assert!(message.contains(part), "{text}: {message}");
         }
+    }
+
+    #[test]
+    fn a_link_that_holds_too_much_is_refused() {
+        let with = |scene: &str| {
+            let deflated = miniz_oxide::deflate::compress_to_vec(scene.as_bytes(), 9);
+            Link::parse(standard(), &format!("#v=1&planner=pso&scene=~{}", Base64UrlUnpadded::encode_string(&deflated))).unwrap_err()
+        };
+        let nested = |depth: usize| with(&format!("{}{}", "[".repeat(depth), "]".repeat(depth)));
+        assert_eq!(nested(64).allowed(), "an object with format, version, kind, name, title, …");
+        assert_eq!([nested(65), nested(6000)].map(|error| error.value().to_owned()), ["nesting deeper than 64 levels"; 2]);
+        assert_eq!(with(&" ".repeat(limits::LINK_BYTES + 1)).value(), "a scene of more than 4194304 bytes");
+        let long = format!("#v=1&planner={}", "a".repeat(limits::LINK_BYTES));
+        assert_eq!(Link::parse(standard(), &long).unwrap_err().allowed(), "at most 4194304 bytes");
     }
 }

@@ -261,10 +261,20 @@ impl Run {
 
     /// Hands over what the runs of [`Run::subtasks`] found, in their order, so that the next step need not carry them
     /// out itself. What it does with them does not depend on who carried them out.
-    pub fn provide(&mut self, found: Vec<SubtaskResult>) {
-        if !found.is_empty() && found.len() == self.subtasks().len() {
+    ///
+    /// # Errors
+    /// [`Error::Refused`] for more or fewer than were asked for, for numbers that are not finite and for paths that leave the scene.
+    pub fn provide(&mut self, found: Vec<SubtaskResult>) -> Result<(), Error> {
+        let wanted = self.subtasks().len();
+        if found.len() != wanted {
+            return Err(Error::refused("findings", format!("a list of {}", found.len()), format!("a list of {wanted}")));
+        }
+        let view = self.scene.view();
+        found.iter().enumerate().try_for_each(|(i, found)| found.check(&format!("findings[{i}]"), view))?;
+        if wanted > 0 {
             self.answers.keep(self.iteration(), found);
         }
+        Ok(())
     }
 
     /// Follows the best path so far as a robot or an arm does: `follower` is the name of one that the registry lists. `None` unless

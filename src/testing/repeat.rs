@@ -76,7 +76,8 @@ pub fn same_bits(subject: &Subject, findings: &mut Findings) {
             let subtasks = second.subtasks();
             if !subtasks.is_empty() {
                 let found = run_subtasks(subject.registry, &setup.scene, &subtasks);
-                second.provide(found.map_err(|error| Fault::new(LINK, format!("a subtask is refused: {error}")).at(iteration))?);
+                let provided = found.and_then(|found| second.provide(found));
+                provided.map_err(|error| Fault::new(LINK, format!("a subtask is refused: {error}")).at(iteration))?;
             }
             second.step(1);
         }

@@ -72,7 +72,7 @@ fn roads_are_the_same_whoever_builds_them() {
                 .map(|job| crate::run::run_subtasks(standard(), &scene, std::slice::from_ref(job)).unwrap().remove(0))
                 .collect();
             found.reverse();
-            helped.provide(found);
+            helped.provide(found).unwrap();
         }
         helped.step(1);
         alone.step(1);

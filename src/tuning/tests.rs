@@ -65,7 +65,14 @@ fn supplied_findings_give_the_same_run() {
         };
         let mut found: Vec<_> = jobs.iter().rev().map(|job| crate::run::run_to_end(standard(), setup(job)).unwrap()).collect();
         found.reverse();
-        helped.provide(found);
+        let refused = |helped: &mut Run, found: Vec<SubtaskResult>| helped.provide(found).unwrap_err().field().to_owned();
+        assert_eq!(refused(&mut helped, found[1..].to_vec()), "findings");
+        let mut lost = found.clone();
+        (lost[1].cost, lost[1].converged) = (Some(1.0), f64::NAN);
+        assert_eq!(refused(&mut helped, lost.clone()), "findings[1].converged");
+        lost[0].path = vec![[0.5, f64::NAN]];
+        assert_eq!(refused(&mut helped, lost), "findings[0].path[0][1]");
+        helped.provide(found).unwrap();
         assert!(helped.subtasks().is_empty(), "they are done");
         alone.step(1);
         helped.step(1);

@@ -43,7 +43,7 @@ use forage::{
     Error, Frame, Link, Overrides, Scene,
     describe::Extra,
     geometry::Bounds,
-    kernel::{Status, rng},
+    kernel::{Status, SubtaskResult, javascript, rng},
     params::Object,
     picture, run,
     scene::formats::tour_file,
@@ -315,12 +315,10 @@ impl Session {
     /// Takes what the runs of `jobs` found, in their order.
     ///
     /// # Errors
-    /// For anything that is no list of findings.
+    /// For anything that is no list of as many findings, for numbers that are not finite and paths that leave the scene.
     pub fn supply(&mut self, findings: &JsFindings) -> Result<(), JsValue> {
-        let found = serde_wasm_bindgen::from_value(findings.into())
-            .map_err(|problem| js_error(&Error::malformed("findings", problem.to_string())))?;
-        self.run.provide(found);
-        Ok(())
+        let read = javascript::read("findings", findings).and_then(|found| SubtaskResult::read_list("findings", found));
+        read.and_then(|found| self.run.provide(found)).map_err(|error| js_error(&error))
     }
 
     /// The parts of the run that have their own kind of step, in their order; empty for most planners.

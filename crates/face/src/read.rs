@@ -6,7 +6,7 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use forage::{
     Error, Overrides, Scene, Setup, Value,
-    kernel::{Item, LayerKey, SceneKindId, rng},
+    kernel::{Item, LayerKey, SceneKindId, javascript, limits, rng},
 };
 
 use crate::{js_error, registry::registry};
@@ -37,7 +37,9 @@ pub(crate) fn read_number(field: &str, value: &JsValue) -> Result<f64, JsValue> 
 }
 
 pub(crate) fn read_list(field: &str, value: &JsValue) -> Result<Vec<JsValue>, JsValue> {
-    value.dyn_ref::<js_sys::Array>().map(js_sys::Array::to_vec).ok_or_else(|| refused(field, value, "a list"))
+    let list = value.dyn_ref::<js_sys::Array>().ok_or_else(|| refused(field, value, "a list"))?;
+    limits::check_values(field, list.length() as usize).map_err(|error| js_error(&error))?;
+    Ok(list.to_vec())
 }
 
 pub(crate) fn read_parameter(name: &str, value: &JsValue) -> Result<Value, JsValue> {
@@ -71,13 +73,13 @@ pub(crate) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
 /// longer than to see that it is the same.
 fn same_scene(value: &JsValue) -> Result<Arc<Scene>, Error> {
     thread_local!(static LAST: RefCell<Option<(String, Arc<Scene>)>> = const { RefCell::new(None) });
-    let text = js_sys::JSON::stringify(value).ok().and_then(|text| text.as_string());
+    let text =
+        js_sys::JSON::stringify(value).ok().filter(|text| text.length() as usize <= limits::FILE_BYTES).and_then(|text| text.as_string());
     let last = LAST.with_borrow(|last| last.as_ref().filter(|(known, _)| text.as_ref() == Some(known)).map(|(_, scene)| Arc::clone(scene)));
     if let Some(scene) = last {
         return Ok(scene);
     }
-    let read = serde_wasm_bindgen::from_value(value.clone()).map_err(|problem| Error::malformed("scene", problem.to_string()));
-    let scene = Arc::new(read.and_then(|value| registry().read_scene_value(value))?);
+    let scene = Arc::new(javascript::read("scene", value).and_then(|value| registry().read_scene_value(value))?);
     LAST.set(text.map(|text| (text, Arc::clone(&scene))));
     Ok(scene)
 }

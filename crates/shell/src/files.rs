@@ -6,17 +6,17 @@ use std::{
     path::Path,
 };
 
-use forage::Error;
+use forage::{Error, kernel::limits};
 use forage_study::files::{is_same, place};
 
 use super::{failure::Failure, text::quoted};
 
 /// The largest scene, map, image, TSPLIB or CSV file.
-pub(super) const LARGEST_SCENE: Limit = Limit { bytes: 64 << 20, what: "a scene file" };
+pub(super) const LARGEST_SCENE: Limit = Limit { bytes: limits::FILE_BYTES as u64, what: "a scene file" };
 /// The largest description of an experiment.
 pub(super) const LARGEST_EXPERIMENT: Limit = Limit { bytes: 4 << 20, what: "an experiment’s file" };
 /// The longest link.
-pub(super) const LONGEST_LINK: Limit = Limit { bytes: 4 << 20, what: "a link" };
+pub(super) const LONGEST_LINK: Limit = Limit { bytes: limits::LINK_BYTES as u64, what: "a link" };
 
 /// How large an input may be.
 #[derive(Clone, Copy)]

@@ -56,7 +56,7 @@ pub(super) fn carry_out(setup: &Setup, network: &Network, stop: &AtomicBool) -> 
     for (jobs, found) in &laid.steps {
         // A planner that wants other roads builds them itself: then they count as time for the order.
         if run.subtasks() == *jobs {
-            run.provide(found.clone());
+            run.provide(found.clone())?;
         }
         run.step(1);
     }
@@ -95,7 +95,7 @@ fn lay(setup: &Setup, stop: &AtomicBool) -> Result<Option<Laid>, Error> {
             found.extend(run::run_subtasks(standard(), &setup.scene, std::slice::from_ref(job))?);
         }
         ms += begun.elapsed().as_secs_f64() * 1e3;
-        run.provide(found.clone());
+        run.provide(found.clone())?;
         run.step(1);
         steps.push((jobs, found));
     }

@@ -15,7 +15,11 @@ mod ros;
 mod tests;
 mod tsplib;
 
-use crate::{describe::Registry, kernel::Error, scene::GridScene};
+use crate::{
+    describe::Registry,
+    kernel::{Error, limits},
+    scene::GridScene,
+};
 
 use super::Scene;
 
@@ -160,8 +164,9 @@ fn sorted(files: &[NamedFile]) -> Result<Vec<(Sort, &NamedFile)>, Error> {
 ///
 /// # Errors
 /// [`Error::Malformed`] with the file, the line and what is wrong there, or the file that is missing;
-/// [`Error::Refused`] for a problem that there is not, and whatever [`Registry::read_scene`] refuses.
+/// [`Error::Refused`] for a file that is too large, for a problem that there is not, and whatever [`Registry::read_scene`] refuses.
 pub fn import(registry: &Registry, files: &[NamedFile], problem: Option<usize>) -> Result<Imported, Error> {
+    files.iter().try_for_each(|file| limits::check_bytes(file.label(), file.bytes.len(), limits::FILE_BYTES))?;
     let sorted = sorted(files)?;
     if let Some(problem) = problem.filter(|_| sorted.iter().all(|(sort, _)| *sort != Sort::Scen)) {
         return Err(Error::refused("problem", problem, "left out: there is no .scen file"));

@@ -154,7 +154,7 @@ fn run_to_end(run: &mut Run, stop_at: Option<u64>, trace: Option<&Path>) -> Resu
             break;
         }
         if let Some(found) = answer_subtasks(run, &interrupted)? {
-            run.provide(found);
+            run.provide(found)?;
         }
         if !interrupted.load(Ordering::Relaxed) {
             run.step(1);

@@ -1,0 +1,90 @@
+//! How much an input may hold: the same limits natively and in WebAssembly, checked before anything recursive sees a value.
+
+use super::Error;
+
+/// How deep lists and objects may be nested.
+pub const DEPTH: usize = 64;
+/// How many values an input may hold: twice as many as the largest matrix of distances.
+pub const VALUES: usize = 8_000_000;
+/// The longest link, and the longest scene that one may carry, in bytes.
+pub const LINK_BYTES: usize = 4 << 20;
+/// The largest file, in bytes.
+pub const FILE_BYTES: usize = 64 << 20;
+
+/// Refuses a text or a file of more than `most` bytes.
+///
+/// # Errors
+/// [`Error::Refused`] for `field`.
+pub fn check_bytes(field: &str, bytes: usize, most: usize) -> Result<(), Error> {
+    if bytes <= most { Ok(()) } else { Err(Error::refused(field, format!("a size of {bytes} bytes"), format!("at most {most} bytes"))) }
+}
+
+/// Refuses values that are nested deeper than [`DEPTH`].
+pub(super) fn check_depth(field: &str, depth: usize) -> Result<(), Error> {
+    if depth <= DEPTH {
+        return Ok(());
+    }
+    Err(Error::refused(field, format!("nesting deeper than {DEPTH} levels"), format!("at most {DEPTH} levels deep")))
+}
+
+/// Refuses more values than [`VALUES`].
+///
+/// # Errors
+/// [`Error::Refused`] for `field`.
+pub fn check_values(field: &str, values: usize) -> Result<(), Error> {
+    if values <= VALUES {
+        return Ok(());
+    }
+    Err(Error::refused(field, format!("more than {VALUES} values"), format!("at most {VALUES} values")))
+}
+
+/// Refuses JSON text that is longer, nested deeper or of more values than allowed. What is no JSON may pass.
+pub(super) fn check_json(field: &str, text: &str) -> Result<(), Error> {
+    check_bytes(field, text.len(), FILE_BYTES)?;
+    let (mut depth, mut values, mut quoted, mut escaped) = (0_usize, 1, false, false);
+    for byte in text.bytes() {
+        match byte {
+            _ if escaped => escaped = false,
+            b'\\' => escaped = quoted,
+            b'"' => quoted = !quoted,
+            _ if quoted => {}
+            b'[' | b'{' => {
+                (depth, values) = (depth + 1, values + 1);
+                check_depth(field, depth)?;
+            }
+            b']' | b'}' => depth = depth.saturating_sub(1),
+            b',' => values += 1,
+            _ => {}
+        }
+    }
+    check_values(field, values)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn nested(depth: usize) -> String {
+        "[".repeat(depth) + &"]".repeat(depth)
+    }
+
+    #[test]
+    fn sixty_four_levels_are_read_and_one_more_is_refused() {
+        assert_eq!(check_json("scene", &nested(DEPTH)), Ok(()));
+        let error = check_json("scene", &nested(DEPTH + 1)).unwrap_err();
+        assert_eq!(error.to_string(), "scene: nesting deeper than 64 levels is not allowed; it must be at most 64 levels deep");
+    }
+
+    #[test]
+    fn brackets_in_texts_and_beside_each_other_are_not_nested() {
+        let text = format!(r#"{{"a\"{0}": "{0}\\", "b": [{1}]}}"#, "[".repeat(100), "[],".repeat(100));
+        assert_eq!(check_json("scene", &text), Ok(()));
+    }
+
+    #[test]
+    fn too_many_values_and_bytes_are_refused() {
+        assert_eq!(check_json("scene", &",".repeat(VALUES - 1)), Ok(()));
+        assert_eq!(check_json("scene", &",".repeat(VALUES)).unwrap_err().value(), "more than 8000000 values");
+        assert_eq!(check_json("scene", &" ".repeat(FILE_BYTES + 1)).unwrap_err().allowed(), "at most 67108864 bytes");
+    }
+}
