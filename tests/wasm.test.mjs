@@ -283,6 +283,23 @@ test('findings that cannot be are refused, and the session goes on', () => {
   assert.equal(session.iteration, 1)
 })
 
+test('numbers are written as natively', () => {
+  let state = 1n
+  const next = () => {
+    state = BigInt.asUintN(64, state * 6_364_136_223_846_793_005n + 1_442_695_040_888_963_407n)
+    return state
+  }
+  const number = (bits) => {
+    words[0] = bits
+    return halves[0]
+  }
+  const texts = []
+  for (let i = 0; i < 10_000; i++)
+    for (const value of [number(next()), Number(next() >> 11n) / Number(`1e${i % 23}`)])
+      texts.push(refusal(() => checkParameter('pso', 'function', 'population', value)).value)
+  assert.equal(digestOfText(texts.join('\n')), constant('../src/kernel/digits.rs', /TEXTS: &str = "(\w+)"/))
+})
+
 test('the face tells everything a page needs', () => {
   assert.ok(catalogue().planners.length >= 4)
   assert.ok(catalogue().scenes.length >= 7)

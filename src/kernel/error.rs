@@ -4,7 +4,7 @@ use std::{borrow::Cow, fmt};
 
 use crate::message;
 
-use super::Message;
+use super::{Message, digits::Digits};
 
 /// Why an input was refused. Every variant says what to change.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,15 +48,15 @@ pub enum Error {
 
 impl Error {
     /// The error for a field's value that is not allowed.
-    pub fn refused<'a>(field: impl Into<Cow<'a, str>>, value: impl fmt::Display, allowed: impl Into<Message>) -> Self {
-        Self::refuse(field.into(), &value, allowed.into())
+    pub fn refused<'a>(field: impl Into<Cow<'a, str>>, value: impl Shown, allowed: impl Into<Message>) -> Self {
+        Self::refuse(field.into(), value.shown(), allowed.into())
     }
 
     /// The same, compiled once: what is borrowed is copied here, not where it is refused.
     #[cold]
     #[inline(never)]
-    fn refuse(field: Cow<'_, str>, value: &dyn fmt::Display, allowed: Message) -> Self {
-        Self::Refused { field: field.into_owned(), value: value.to_string(), allowed }
+    fn refuse(field: Cow<'_, str>, value: String, allowed: Message) -> Self {
+        Self::Refused { field: field.into_owned(), value, allowed }
     }
 
     /// The error for a name that is not one of `known`.
@@ -169,4 +169,58 @@ pub fn list_of(n: usize) -> Message {
 /// What is said of numbers that must be finite.
 pub fn finite() -> Message {
     message!("error-finite", "a finite number")
+}
+
+/// A value as an error shows it.
+pub trait Shown {
+    /// Its text.
+    fn shown(self) -> String;
+}
+
+impl Shown for f64 {
+    fn shown(self) -> String {
+        Digits(self).to_string()
+    }
+}
+
+impl Shown for i64 {
+    fn shown(self) -> String {
+        self.to_string()
+    }
+}
+
+impl Shown for u64 {
+    fn shown(self) -> String {
+        self.to_string()
+    }
+}
+
+impl Shown for usize {
+    fn shown(self) -> String {
+        (self as u64).shown()
+    }
+}
+
+impl Shown for String {
+    fn shown(self) -> String {
+        self
+    }
+}
+
+impl Shown for &str {
+    fn shown(self) -> String {
+        self.to_owned()
+    }
+}
+
+impl Shown for &String {
+    fn shown(self) -> String {
+        self.clone()
+    }
+}
+
+impl Shown for Message {
+    fn shown(self) -> String {
+        self.to_string()
+    }
 }

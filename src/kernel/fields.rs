@@ -5,7 +5,7 @@
 
 use serde_json::{Map, Value};
 
-use super::Error;
+use super::{Error, digits::Digits};
 
 /// An object that is read field by field. Fields that were not read are refused at the end.
 #[derive(Debug)]
@@ -265,7 +265,7 @@ pub fn shown(value: &Value) -> String {
         Value::Array(items) => format!("a list of {}", items.len()),
         Value::String(text) => format!("\"{text}\""),
         Value::Bool(flag) => flag.to_string(),
-        Value::Number(number) => number.as_f64().unwrap_or_default().to_string(),
+        Value::Number(number) => Digits(number.as_f64().unwrap_or_default()).to_string(),
     }
 }
 

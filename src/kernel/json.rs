@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-use super::{Error, limits};
+use super::{Error, digits::Digits, limits};
 
 /// Reads JSON; `field` is what an error calls it.
 ///
@@ -98,7 +98,8 @@ fn separate(out: &mut String, i: usize) {
 fn write_number(out: &mut String, number: f64) {
     let size = number.abs();
     // Writing to a string cannot fail.
-    let _ = if size == 0.0 || (1e-6..1e21).contains(&size) { write!(out, "{number}") } else { write!(out, "{number:e}") };
+    let digits = Digits(number);
+    let _ = if size == 0.0 || (1e-6..1e21).contains(&size) { write!(out, "{digits}") } else { write!(out, "{digits:e}") };
 }
 
 fn write_text(out: &mut String, text: &str) {

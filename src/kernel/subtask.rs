@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use crate::{geometry::Bounds, params::Overrides};
 
-use super::{Error, Fields, State, fields};
+use super::{Error, Fields, State, digits::Digits, fields};
 
 /// Runs of other planners that a planner's steps need. The planner does not run them; its run does, one after another, in
 /// parallel or elsewhere. The result is the same.
@@ -82,7 +82,11 @@ impl SubtaskResult {
                 // What is computed may round beyond the border.
                 let slack = (high - low) * 1e-6;
                 if !(low - slack..=high + slack).contains(&point[axis]) {
-                    return Err(Error::refused(format!("{path}.path[{i}][{axis}]"), point[axis], format!("a number from {low} to {high}")));
+                    return Err(Error::refused(
+                        format!("{path}.path[{i}][{axis}]"),
+                        point[axis],
+                        format!("a number from {} to {}", Digits(low), Digits(high)),
+                    ));
                 }
             }
         }

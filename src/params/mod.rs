@@ -10,7 +10,7 @@ mod parameters;
 
 use serde::Serialize;
 
-use crate::kernel::{Error, SceneKindId, words};
+use crate::kernel::{Error, SceneKindId, digits::Digits, words};
 
 pub use overrides::{Object, Overrides, Value};
 pub use param::{Param, ParamValue, Selection};
@@ -162,7 +162,7 @@ impl Parameter {
     /// What is allowed, in words.
     pub fn allowed(&self) -> String {
         match self.domain {
-            Domain::Number { min, max, .. } => format!("a number from {min} to {max}"),
+            Domain::Number { min, max, .. } => format!("a number from {} to {}", Digits(min), Digits(max)),
             Domain::Integer { min, max, .. } => format!("a whole number from {min} to {max}"),
             Domain::Choice { options } => format!("one of {}", names(options)),
             Domain::Subset { options, .. } => format!("some of {}, each once, with commas between", names(options)),

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use crate::kernel::json;
+use crate::kernel::{digits::Digits, error::Shown, json};
 
 /// A parameter's value as it is given.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -22,9 +22,15 @@ impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Flag(flag) => flag.fmt(f),
-            Self::Number(number) => number.fmt(f),
+            Self::Number(number) => Digits(*number).fmt(f),
             Self::Text(text) => text.fmt(f),
         }
+    }
+}
+
+impl Shown for &Value {
+    fn shown(self) -> String {
+        self.to_string()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::{fmt::Display, io};
 
-use crate::kernel::Readings;
+use crate::kernel::{Readings, digits::Digits};
 
 /// What is said of a planner whose readings change their names within a run.
 pub(crate) const OTHER_READINGS: &str = "a run tells the same names all along";
@@ -101,7 +101,7 @@ pub fn csv_heading<'a>(out: &mut impl io::Write, names: impl Iterator<Item = &'a
 /// Whatever the writer reports.
 pub fn csv_row(out: &mut impl io::Write, iteration: u64, values: impl Iterator<Item = f64>) -> io::Result<()> {
     write!(out, "{iteration},")?;
-    csv_line(out, values)
+    csv_line(out, values.map(Digits))
 }
 
 /// Writes numbers or names with commas between them. Names are identifiers: nothing ever needs quotes.

@@ -1,6 +1,6 @@
 //! Which numbers a scene may hold.
 
-use crate::kernel::Error;
+use crate::kernel::{Error, digits::Digits};
 
 /// The largest coordinate or size: squares of it keep their digits.
 pub(crate) const LARGEST: f64 = 1e6;
@@ -14,7 +14,7 @@ pub(crate) fn finite(field: &str, value: f64) -> Result<(), Error> {
 pub(super) fn limited(field: &str, value: f64) -> Result<(), Error> {
     finite(field, value)?;
     if value.abs() > LARGEST {
-        return Err(Error::refused(field, value, format!("from -{LARGEST} to {LARGEST}")));
+        return Err(Error::refused(field, value, format!("from -{0} to {0}", Digits(LARGEST))));
     }
     Ok(())
 }
@@ -23,7 +23,7 @@ pub(super) fn limited(field: &str, value: f64) -> Result<(), Error> {
 pub(super) fn positive(field: &str, value: f64) -> Result<(), Error> {
     finite(field, value)?;
     if value <= 0.0 || value > LARGEST {
-        return Err(Error::refused(field, value, format!("greater than 0, at most {LARGEST}")));
+        return Err(Error::refused(field, value, format!("greater than 0, at most {}", Digits(LARGEST))));
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Error, rng::Stream},
+    kernel::{Error, digits::Digits, rng::Stream},
     params::Parameters,
 };
 
@@ -91,11 +91,11 @@ fn check(min: &[f64], max: &[f64], start: &[f64], goals: &[f64], step: f64) -> R
     }
     for (field, numbers) in [("bounds", min), ("bounds", max), ("start", start), ("goals", goals)] {
         if let Some(number) = numbers.iter().find(|number| !number.is_finite()) {
-            return Err(Error::refused(field, number, "finite numbers"));
+            return Err(Error::refused(field, *number, "finite numbers"));
         }
     }
     match min.iter().zip(max).find(|(min, max)| min > max) {
-        Some((min, max)) => Err(Error::refused("bounds", max, format!("{min} at least"))),
+        Some((min, max)) => Err(Error::refused("bounds", *max, format!("{} at least", Digits(*min)))),
         None => Ok(()),
     }
 }

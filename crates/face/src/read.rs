@@ -6,7 +6,7 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use forage::{
     Error, Overrides, Scene, Setup, Value,
-    kernel::{Item, LayerKey, SceneKindId, javascript, limits, rng},
+    kernel::{Item, LayerKey, SceneKindId, digits::Digits, javascript, limits, rng},
 };
 
 use crate::{js_error, registry::registry};
@@ -15,7 +15,7 @@ use crate::{js_error, registry::registry};
 pub(crate) fn refused(field: &str, value: &JsValue, allowed: &str) -> JsValue {
     let shown = match (value.as_string(), value.as_f64(), value.as_bool()) {
         (Some(text), ..) => format!("\"{text}\""),
-        (_, Some(number), _) => number.to_string(),
+        (_, Some(number), _) => Digits(number).to_string(),
         (.., Some(flag)) => flag.to_string(),
         _ if value.is_undefined() || value.is_null() => "nothing".to_owned(),
         _ => "an object".to_owned(),

@@ -3,8 +3,8 @@
 use crate::{
     exact::shortest_among_discs,
     geometry::{self, Bounds, Disc},
-    kernel::{Error, Exact, SceneKindId, Verdict},
-    scene::check::{LARGEST, coordinate, finite},
+    kernel::{Error, Exact, SceneKindId, Verdict, digits::Digits},
+    scene::check::{coordinate, positive},
 };
 
 /// The id of the kind in scene files.
@@ -34,7 +34,11 @@ impl DiscsScene {
             coordinate("bounds.max", bounds.max, axis)?;
             if bounds.max[axis] - bounds.min[axis] < 1e-6 {
                 let at = format!("bounds.max[{axis}]");
-                return Err(Error::refused(at, bounds.max[axis], format!("greater than bounds.min[{axis}] = {}", bounds.min[axis])));
+                return Err(Error::refused(
+                    at,
+                    bounds.max[axis],
+                    format!("greater than bounds.min[{axis}] = {}", Digits(bounds.min[axis])),
+                ));
             }
         }
         if self.discs.len() > MAX_DISCS {
@@ -42,11 +46,7 @@ impl DiscsScene {
         }
         for (i, disc) in self.discs.iter().enumerate() {
             (0..2).try_for_each(|axis| coordinate(&format!("discs[{i}].center"), disc.center, axis))?;
-            let field = format!("discs[{i}].radius");
-            finite(&field, disc.radius)?;
-            if disc.radius <= 0.0 || disc.radius > LARGEST {
-                return Err(Error::refused(field, disc.radius, format!("greater than 0, at most {LARGEST}")));
-            }
+            positive(&format!("discs[{i}].radius"), disc.radius)?;
         }
         self.check_end("start", self.start)?;
         self.check_end("goal", self.goal)
@@ -55,14 +55,14 @@ impl DiscsScene {
     /// An end of the path must lie in the bounds and in no disc; the rim is free.
     fn check_end(&self, field: &str, point: [f64; 2]) -> Result<(), Error> {
         (0..2).try_for_each(|axis| coordinate(field, point, axis))?;
-        let shown = format!("({}, {})", point[0], point[1]);
+        let text = |point: [f64; 2]| format!("({}, {})", Digits(point[0]), Digits(point[1]));
         let Bounds { min, max } = self.bounds;
         if (0..2).any(|axis| point[axis] < min[axis] || point[axis] > max[axis]) {
-            let allowed = format!("inside the bounds, ({}, {}) to ({}, {})", min[0], min[1], max[0], max[1]);
-            return Err(Error::refused(field, shown, allowed));
+            let allowed = format!("inside the bounds, {} to {}", text(min), text(max));
+            return Err(Error::refused(field, text(point), allowed));
         }
         match self.discs.iter().position(|disc| disc.clearance(point) < 0.0) {
-            Some(i) => Err(Error::refused(field, shown, format!("outside every disc, and it lies in discs[{i}]"))),
+            Some(i) => Err(Error::refused(field, text(point), format!("outside every disc, and it lies in discs[{i}]"))),
             None => Ok(()),
         }
     }

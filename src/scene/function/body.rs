@@ -124,7 +124,7 @@ impl FunctionScene {
         }
         let inside = |shift: &&f64| (self.function.minimiser() + **shift).abs() <= self.function.half_side();
         match self.shift.iter().find(|shift| !inside(shift)) {
-            Some(shift) => Err(Error::refused("shift", shift, "so small that the minimum stays in the search box")),
+            Some(shift) => Err(Error::refused("shift", *shift, "so small that the minimum stays in the search box")),
             None => Ok(()),
         }
     }

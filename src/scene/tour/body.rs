@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::{
     exact::{Distances, Metric, shortest_tour},
     geometry::Bounds,
-    kernel::{Error, Exact, SceneKindId, Solution, TourEnds, Verdict},
+    kernel::{Error, Exact, SceneKindId, Solution, TourEnds, Verdict, fields::shown},
     math,
     scene::check::coordinate,
 };
@@ -106,12 +106,13 @@ impl TourScene {
     fn check_stored(&self, stored: &Value) -> Result<(), Error> {
         let length = stored.get("length").filter(|length| !length.is_null());
         if let Some(length) = length.filter(|length| !length.as_f64().is_some_and(|length| (0.0..f64::MAX).contains(&length))) {
-            return Err(Error::refused("exact.length", length, "a length: a number, not negative"));
+            return Err(Error::refused("exact.length", shown(length), "a length: a number, not negative"));
         }
         let Some(order) = stored.get("order").filter(|order| !order.is_null()) else {
             return Ok(());
         };
-        let wrong = |field: &str, found: &Value| Error::refused(field, found, format!("each stop from 0 to {} once", self.len() - 1));
+        let wrong =
+            |field: &str, found: &Value| Error::refused(field, shown(found), format!("each stop from 0 to {} once", self.len() - 1));
         let items = order
             .as_array()
             .filter(|items| items.len() == self.len())

@@ -69,7 +69,12 @@ impl<'a> Kept<'a> {
     pub fn open(sweep: &'a Sweep, part: Part, path: &Path, fresh: bool) -> Result<Self, Failure> {
         let format = Format::of("--out", path)?;
         if part.of > sweep.len() {
-            return Err(Error::refused("--shard", part, format!("one of at most {} parts, as many as there are runs", sweep.len())).into());
+            return Err(Error::refused(
+                "--shard",
+                part.to_string(),
+                format!("one of at most {} parts, as many as there are runs", sweep.len()),
+            )
+            .into());
         }
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder).map_err(at(folder))?;
@@ -84,7 +89,7 @@ impl<'a> Kept<'a> {
             kept.end = kept.look_through(0)?;
         } else if !kept.begins_like_rows(&kept.file)? {
             let allowed = "a file of rows: it does not begin like one, and stays as it is";
-            return Err(Error::refused("--fresh", path.display(), allowed).into());
+            return Err(Error::refused("--fresh", path.display().to_string(), allowed).into());
         }
         Ok(kept)
     }
@@ -146,7 +151,7 @@ impl<'a> Kept<'a> {
         }
         if Format::of("--merge", path)? != self.format {
             let allowed = format!("a file with the ending of {}", self.path().display());
-            return Err(Error::refused("--merge", path.display(), allowed).into());
+            return Err(Error::refused("--merge", path.display().to_string(), allowed).into());
         }
         self.files.push(path.to_owned());
         self.look_through(self.files.len() - 1).map(|_| ())
