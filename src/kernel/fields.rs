@@ -13,7 +13,7 @@ pub struct Fields {
     /// The object's path, e.g. `discs[2]`; empty for the scene itself.
     at: String,
     /// The fields that were not read yet.
-    left: Map<String, Value>,
+    left: Vec<(String, Value)>,
     /// The names that were read: what is allowed here.
     known: Vec<&'static str>,
 }
@@ -25,7 +25,7 @@ impl Fields {
     /// [`Error::Refused`] for anything else.
     pub fn of(at: &str, value: Value, allowed: &str) -> Result<Self, Error> {
         match value {
-            Value::Object(left) => Ok(Self { at: at.to_owned(), left, known: Vec::new() }),
+            Value::Object(left) => Ok(Self { at: at.to_owned(), left: left.into_iter().collect(), known: Vec::new() }),
             other => Err(Error::refused(at, shown(&other), allowed)),
         }
     }
@@ -38,7 +38,7 @@ impl Fields {
 
     /// Whether there is a field of this name that was not read yet.
     pub fn has(&self, name: &str) -> bool {
-        self.left.contains_key(name)
+        self.place(name).is_some()
     }
 
     /// Lists a field among those that are allowed here, without reading it.
@@ -54,7 +54,11 @@ impl Fields {
     /// Takes a field's value; null if there is no such field.
     pub fn take(&mut self, name: &'static str) -> Value {
         self.known.push(name);
-        self.left.remove(name).unwrap_or(Value::Null)
+        self.place(name).map_or(Value::Null, |at| self.left.remove(at).1)
+    }
+
+    fn place(&self, name: &str) -> Option<usize> {
+        self.left.iter().position(|(known, _)| known == name)
     }
 
     /// The error for a field whose value is not allowed.
@@ -174,8 +178,8 @@ impl Fields {
     /// # Errors
     /// [`Error::Refused`] with the names that are allowed.
     pub fn end(self) -> Result<(), Error> {
-        match self.left.keys().next() {
-            Some(name) => Err(Error::refused(self.path(name), "this field", format!("left out, or one of {}", self.known.join(", ")))),
+        match self.left.first() {
+            Some((name, _)) => Err(Error::refused(self.path(name), "this field", format!("left out, or one of {}", self.known.join(", ")))),
             None => Ok(()),
         }
     }
