@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde_json::Value;
 
-use crate::kernel::{Error, Fields, Header, Optimum, Scene, SceneBody, SceneKindId, json, scene_file};
+use crate::kernel::{Error, Fields, Header, Optimum, Scene, SceneBody, SceneKindId, error::one_of, json, scene_file};
 
 /// Reads the fields of a scene that only its kind has. Fields that it does not read are refused afterwards.
 pub type ReadScene = fn(&mut Fields) -> Result<Arc<dyn SceneBody>, Error>;
@@ -53,7 +53,7 @@ impl Scene {
         let kind = kinds.iter().find(|kind| found == kind.id.name());
         let kind = kind.ok_or_else(|| {
             let names: Vec<_> = kinds.iter().map(|kind| kind.id.name()).collect();
-            fields.refuse("kind", &found, &format!("one of {}", names.join(", ")))
+            fields.refuse("kind", &found, one_of(&names))
         })?;
         let header = Header::read(&mut fields)?;
         let body = (kind.read)(&mut fields)?;

@@ -166,6 +166,11 @@ pub fn list_of(n: usize) -> Message {
     }
 }
 
+/// What is said of a name that must be one of some.
+pub fn one_of(names: &[&str]) -> Message {
+    message!("error-one-of", "one of {names}", names = names.join(", "))
+}
+
 /// What is said of numbers that must be finite.
 pub fn finite() -> Message {
     message!("error-finite", "a finite number")

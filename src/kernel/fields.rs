@@ -5,7 +5,13 @@
 
 use serde_json::{Map, Value};
 
-use super::{Error, digits::Digits};
+use crate::message;
+
+use super::{
+    Error, Message,
+    digits::Digits,
+    error::{finite, list_of, one_of},
+};
 
 /// An object that is read field by field. Fields that were not read are refused at the end.
 #[derive(Debug)]
@@ -23,7 +29,7 @@ impl Fields {
     ///
     /// # Errors
     /// [`Error::Refused`] for anything else.
-    pub fn of(at: &str, value: Value, allowed: &str) -> Result<Self, Error> {
+    pub fn of(at: &str, value: Value, allowed: impl Into<Message>) -> Result<Self, Error> {
         match value {
             Value::Object(left) => Ok(Self { at: at.to_owned(), left: left.into_iter().collect(), known: Vec::new() }),
             other => Err(Error::refused(at, shown(&other), allowed)),
@@ -32,7 +38,7 @@ impl Fields {
 
     /// The fields of a whole scene: their paths are their names.
     pub(super) fn of_scene(value: Value) -> Result<Self, Error> {
-        let fields = Self::of("scene", value, "an object with format, version, kind, name, title, …")?;
+        let fields = Self::of("scene", value, message!("error-scene", "an object with format, version, kind, name, title, …"))?;
         Ok(Self { at: String::new(), ..fields })
     }
 
@@ -62,7 +68,7 @@ impl Fields {
     }
 
     /// The error for a field whose value is not allowed.
-    pub fn refuse(&self, name: &str, found: &Value, allowed: &str) -> Error {
+    pub fn refuse(&self, name: &str, found: &Value, allowed: impl Into<Message>) -> Error {
         Error::refused(self.path(name), shown(found), allowed)
     }
 
@@ -70,7 +76,7 @@ impl Fields {
     ///
     /// # Errors
     /// [`Error::Refused`] with `allowed`.
-    pub fn expect(&mut self, name: &'static str, fits: impl Fn(&Value) -> bool, allowed: &str) -> Result<(), Error> {
+    pub fn expect(&mut self, name: &'static str, fits: impl Fn(&Value) -> bool, allowed: impl Into<Message>) -> Result<(), Error> {
         let found = self.take(name);
         if fits(&found) { Ok(()) } else { Err(self.refuse(name, &found, allowed)) }
     }
@@ -90,7 +96,7 @@ impl Fields {
         match self.take(name) {
             Value::Null => Ok(None),
             Value::String(text) => Ok(Some(text)),
-            other => Err(self.refuse(name, &other, "a text")),
+            other => Err(self.refuse(name, &other, message!("error-text", "a text"))),
         }
     }
 
@@ -99,7 +105,7 @@ impl Fields {
     /// # Errors
     /// [`Error::Refused`] for anything else.
     pub fn text(&mut self, name: &'static str) -> Result<String, Error> {
-        self.optional_text(name)?.ok_or_else(|| self.refuse(name, &Value::Null, "a text"))
+        self.optional_text(name)?.ok_or_else(|| self.refuse(name, &Value::Null, message!("error-text", "a text")))
     }
 
     /// Takes one of some names.
@@ -109,7 +115,7 @@ impl Fields {
     pub fn one_of<T: Copy, const N: usize>(&mut self, name: &'static str, all: [T; N], name_of: fn(T) -> &'static str) -> Result<T, Error> {
         let found = self.take(name);
         let known = all.into_iter().find(|&one| found == name_of(one));
-        known.ok_or_else(|| self.refuse(name, &found, &format!("one of {}", all.map(name_of).join(", "))))
+        known.ok_or_else(|| self.refuse(name, &found, one_of(&all.map(name_of))))
     }
 
     /// Takes a number.
@@ -157,7 +163,7 @@ impl Fields {
     pub fn list(&mut self, name: &'static str) -> Result<Vec<Value>, Error> {
         match self.take(name) {
             Value::Array(items) => Ok(items),
-            other => Err(self.refuse(name, &other, "a list")),
+            other => Err(self.refuse(name, &other, message!("error-list", "a list"))),
         }
     }
 
@@ -169,7 +175,7 @@ impl Fields {
         match self.take(name) {
             Value::Null => Ok(default),
             Value::Bool(flag) => Ok(flag),
-            other => Err(self.refuse(name, &other, "true or false")),
+            other => Err(self.refuse(name, &other, message!("error-flag", "true or false"))),
         }
     }
 
@@ -179,7 +185,11 @@ impl Fields {
     /// [`Error::Refused`] with the names that are allowed.
     pub fn end(self) -> Result<(), Error> {
         match self.left.first() {
-            Some((name, _)) => Err(Error::refused(self.path(name), "this field", format!("left out, or one of {}", self.known.join(", ")))),
+            Some((name, _)) => Err(Error::refused(
+                self.path(name),
+                message!("error-this-field", "this field"),
+                message!("error-left-out-or-one-of", "left out, or one of {known}", known = self.known.join(", ")),
+            )),
             None => Ok(()),
         }
     }
@@ -204,7 +214,7 @@ impl Fields {
         let found = self.take(name);
         let path = self.path(name);
         let Some([x, y, z]) = found.as_array().map(Vec::as_slice) else {
-            return Err(Error::refused(path, shown(&found), "a point in space, [x, y, z]"));
+            return Err(Error::refused(path, shown(&found), message!("error-point-in-space", "a point in space, [x, y, z]")));
         };
         Ok([number(format!("{path}[0]"), x)?, number(format!("{path}[1]"), y)?, number(format!("{path}[2]"), z)?])
     }
@@ -237,7 +247,7 @@ pub fn each<T>(path: &str, list: Vec<Value>, read: impl Fn(&str, Value) -> Resul
 /// Reads a point in the plane; `path` is its field.
 fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
     let Some([x, y]) = found.as_array().map(Vec::as_slice) else {
-        return Err(Error::refused(path, shown(found), "a point, [x, y]"));
+        return Err(Error::refused(path, shown(found), message!("error-point", "a point, [x, y]")));
     };
     Ok([number(format!("{path}[0]"), x)?, number(format!("{path}[1]"), y)?])
 }
@@ -248,7 +258,7 @@ fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
 /// # Errors
 /// [`Error::Refused`] for anything else.
 pub fn number(path: String, found: &Value) -> Result<f64, Error> {
-    found.as_f64().map(|number| number + 0.0).ok_or_else(|| Error::refused(path, shown(found), "a finite number"))
+    found.as_f64().map(|number| number + 0.0).ok_or_else(|| Error::refused(path, shown(found), finite()))
 }
 
 /// The same for every number in a value that is kept as it is.
@@ -265,8 +275,8 @@ fn plus_zero(value: &mut Value) {
 pub fn shown(value: &Value) -> String {
     match value {
         Value::Null => "nothing".to_owned(),
-        Value::Object(_) => "an object".to_owned(),
-        Value::Array(items) => format!("a list of {}", items.len()),
+        Value::Object(_) => message!("error-an-object", "an object").to_string(),
+        Value::Array(items) => list_of(items.len()).to_string(),
         Value::String(text) => format!("\"{text}\""),
         Value::Bool(flag) => flag.to_string(),
         Value::Number(number) => Digits(number.as_f64().unwrap_or_default()).to_string(),

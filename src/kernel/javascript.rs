@@ -4,6 +4,8 @@ use js_sys::{Array, JsString, Object, Reflect, Symbol};
 use serde_json::{Map, Value};
 use wasm_bindgen::{JsCast, JsValue};
 
+use crate::message;
+
 use super::{Error, limits};
 
 /// Reads a value of plain objects, lists, texts, numbers, true, false and null, within the [`limits`]. What is undefined or no
@@ -47,11 +49,11 @@ impl Walk<'_> {
             return self.object(value.unchecked_ref(), depth + 1);
         }
         let kind = if value.is_object() {
-            "an iterable object".to_owned()
+            message!("error-iterable", "an iterable object")
         } else {
-            format!("a {}", String::from(value.js_typeof().unchecked_into::<JsString>()))
+            message!("error-a", "a {kind}", kind = String::from(value.js_typeof().unchecked_into::<JsString>()))
         };
-        Err(Error::refused(self.field, kind, "made of plain objects, lists, texts, numbers, true, false and null"))
+        Err(Error::refused(self.field, kind, message!("error-plain", "made of plain objects, lists, texts, numbers, true, false and null")))
     }
 
     fn text(&mut self, text: &JsString) -> Result<String, Error> {

@@ -1,5 +1,7 @@
 //! How much an input may hold: the same limits natively and in WebAssembly, checked before anything recursive sees a value.
 
+use crate::message;
+
 use super::Error;
 
 /// How deep lists and objects may be nested.
@@ -16,7 +18,15 @@ pub const FILE_BYTES: usize = 64 << 20;
 /// # Errors
 /// [`Error::Refused`] for `field`.
 pub fn check_bytes(field: &str, bytes: usize, most: usize) -> Result<(), Error> {
-    if bytes <= most { Ok(()) } else { Err(Error::refused(field, format!("a size of {bytes} bytes"), format!("at most {most} bytes"))) }
+    if bytes <= most {
+        Ok(())
+    } else {
+        Err(Error::refused(
+            field,
+            message!("error-bytes", "a size of {n} bytes", n = bytes),
+            message!("error-most-bytes", "at most {most} bytes", most = most),
+        ))
+    }
 }
 
 /// Refuses values that are nested deeper than [`DEPTH`].
@@ -24,7 +34,11 @@ pub(super) fn check_depth(field: &str, depth: usize) -> Result<(), Error> {
     if depth <= DEPTH {
         return Ok(());
     }
-    Err(Error::refused(field, format!("nesting deeper than {DEPTH} levels"), format!("at most {DEPTH} levels deep")))
+    Err(Error::refused(
+        field,
+        message!("error-deep", "nesting deeper than {most} levels", most = DEPTH),
+        message!("error-most-levels", "at most {most} levels deep", most = DEPTH),
+    ))
 }
 
 /// Refuses more values than [`VALUES`].
@@ -35,7 +49,11 @@ pub fn check_values(field: &str, values: usize) -> Result<(), Error> {
     if values <= VALUES {
         return Ok(());
     }
-    Err(Error::refused(field, format!("more than {VALUES} values"), format!("at most {VALUES} values")))
+    Err(Error::refused(
+        field,
+        message!("error-many-values", "more than {most} values", most = VALUES),
+        message!("error-most-values", "at most {most} values", most = VALUES),
+    ))
 }
 
 /// Refuses JSON text that is longer, nested deeper or of more values than allowed. What is no JSON may pass.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::{Error, Fields, Header, Scene, json};
+use super::{Error, Fields, Header, Message, Scene, json};
 
 const FORMAT: &str = "forage-scene";
 const VERSION: u32 = 1;
@@ -51,8 +51,8 @@ impl Scene {
 /// The fields of a scene, after format and version.
 pub(crate) fn open(value: Value) -> Result<Fields, Error> {
     let mut fields = Fields::of_scene(value)?;
-    fields.expect("format", |found| found == FORMAT, &format!("\"{FORMAT}\""))?;
-    fields.expect("version", |found| found.as_f64() == Some(f64::from(VERSION)), &VERSION.to_string())?;
+    fields.expect("format", |found| found == FORMAT, Message::verbatim(format!("\"{FORMAT}\"")))?;
+    fields.expect("version", |found| found.as_f64() == Some(f64::from(VERSION)), Message::verbatim(VERSION.to_string()))?;
     Ok(fields)
 }
 

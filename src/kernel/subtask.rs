@@ -3,9 +3,9 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::{geometry::Bounds, params::Overrides};
+use crate::{geometry::Bounds, message, params::Overrides};
 
-use super::{Error, Fields, State, digits::Digits, fields};
+use super::{Error, Fields, State, fields};
 
 /// Runs of other planners that a planner's steps need. The planner does not run them; its run does, one after another, in
 /// parallel or elsewhere. The result is the same.
@@ -49,13 +49,13 @@ impl SubtaskResult {
     pub fn read_list(path: &str, found: Value) -> Result<Vec<Self>, Error> {
         match found {
             Value::Array(found) => fields::each(path, found, Self::read),
-            other => Err(Error::refused(path, fields::shown(&other), "a list")),
+            other => Err(Error::refused(path, fields::shown(&other), message!("error-list", "a list"))),
         }
     }
 
     /// The iteration may be missing where nothing was found.
     fn read(path: &str, found: Value) -> Result<Self, Error> {
-        let mut fields = Fields::of(path, found, "an object with cost, converged and path")?;
+        let mut fields = Fields::of(path, found, message!("error-finding", "an object with cost, converged and path"))?;
         let number = |fields: &mut Fields, name| match fields.take(name) {
             Value::Null => Ok(None),
             found => fields::number(fields.path(name), &found).map(Some),
@@ -70,7 +70,7 @@ impl SubtaskResult {
     /// Refuses numbers that are not finite, and points outside the part of the plane in which the run is. `path` is its field.
     pub(crate) fn check(&self, path: &str, view: Bounds) -> Result<(), Error> {
         let finite = |name: &str, number: f64| {
-            if number.is_finite() { Ok(()) } else { Err(Error::refused(format!("{path}.{name}"), number, "a finite number")) }
+            if number.is_finite() { Ok(()) } else { Err(Error::refused(format!("{path}.{name}"), number, super::error::finite())) }
         };
         if let Some(cost) = self.cost {
             finite("cost", cost)?;
@@ -85,7 +85,7 @@ impl SubtaskResult {
                     return Err(Error::refused(
                         format!("{path}.path[{i}][{axis}]"),
                         point[axis],
-                        format!("a number from {} to {}", Digits(low), Digits(high)),
+                        message!("error-number-from-to", "a number from {low} to {high}", low = low, high = high),
                     ));
                 }
             }

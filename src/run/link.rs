@@ -10,7 +10,8 @@ use miniz_oxide::inflate::TINFLStatus;
 
 use crate::{
     describe::Registry,
-    kernel::{Error, Scene, limits, rng::SEED_RANGE},
+    kernel::{Error, Message, Scene, limits, rng::SEED_RANGE},
+    message,
     params::{Overrides, Value},
 };
 
@@ -56,8 +57,8 @@ impl Link {
     /// A message that says what is wrong: no fragment, another version, an unknown key, too long, or whatever [`Setup::check`] refuses.
     pub fn parse(registry: &Registry, text: &str) -> Result<Self, Error> {
         limits::check_bytes("link", text.len(), limits::LINK_BYTES)?;
-        let wrong = |problem: String| Error::malformed("link", problem);
-        let (_, fragment) = text.trim().split_once('#').ok_or_else(|| wrong("it has no #…".to_owned()))?;
+        let wrong = |problem: Message| Error::malformed("link", problem);
+        let (_, fragment) = text.trim().split_once('#').ok_or_else(|| wrong(message!("link-no-fragment", "it has no #…")))?;
         let (mut version, mut planner, mut scene, mut seed, mut iteration, mut hash) = (None, None, None, 1, 0, None);
         let mut params = Overrides::new();
         for (key, value) in fragment.split('&').filter_map(|pair| pair.split_once('=')) {
@@ -66,12 +67,17 @@ impl Link {
                 "planner" => planner = Some(value.to_owned()),
                 "scene" => scene = Some((unpacked(registry, value)?, !value.starts_with(PACKED))),
                 "seed" => seed = value.parse().map_err(|_| Error::refused("seed", value, SEED_RANGE))?,
-                "at" => iteration = value.parse().map_err(|_| Error::refused("at", value, "a whole number"))?,
+                "at" => iteration = value.parse().map_err(|_| Error::refused("at", value, message!("error-whole", "a whole number")))?,
                 "hash" => hash = Some(value.to_owned()),
                 _ => match key.strip_prefix("p.") {
                     Some(name) => params.insert(name, Value::from(value)),
                     None => {
-                        return Err(wrong(format!("`{key}` means nothing in a link of version {VERSION}")));
+                        return Err(wrong(message!(
+                            "link-unknown-key",
+                            "`{key}` means nothing in a link of version {version}",
+                            key = key,
+                            version = VERSION
+                        )));
                     }
                 },
             }
@@ -79,12 +85,17 @@ impl Link {
         match version {
             Some(VERSION) => {}
             Some(other) => {
-                return Err(wrong(format!("it is of version {other}, and this program reads version {VERSION}")));
+                return Err(wrong(message!(
+                    "link-other-version",
+                    "it is of version {other}, and this program reads version {version}",
+                    other = other,
+                    version = VERSION
+                )));
             }
-            None => return Err(wrong("it does not begin with #v=".to_owned())),
+            None => return Err(wrong(message!("link-no-version", "it does not begin with #v="))),
         }
-        let planner = planner.ok_or_else(|| wrong("it names no planner".to_owned()))?;
-        let (scene, scene_ships) = scene.ok_or_else(|| wrong("it names no scene".to_owned()))?;
+        let planner = planner.ok_or_else(|| wrong(message!("link-no-planner", "it names no planner")))?;
+        let (scene, scene_ships) = scene.ok_or_else(|| wrong(message!("link-no-scene", "it names no scene")))?;
         let setup = Setup { planner, scene, params, seed };
         setup.check(registry)?;
         Ok(Self { setup, scene_ships, iteration, hash })
@@ -129,8 +140,16 @@ fn unpacked(registry: &Registry, text: &str) -> Result<Arc<Scene>, Error> {
         return registry.scene(text);
     };
     let most = limits::LINK_BYTES;
-    let too_large = || Error::refused("link", format!("a scene of more than {most} bytes"), format!("one of at most {most} bytes"));
-    let broken = |problem: &dyn fmt::Display| Error::malformed("link", format!("its scene is damaged: {problem}"));
+    let too_large = || {
+        Error::refused(
+            "link",
+            message!("link-large-scene", "a scene of more than {most} bytes", most = most),
+            message!("link-most-bytes", "one of at most {most} bytes", most = most),
+        )
+    };
+    let broken = |problem: &dyn fmt::Display| {
+        Error::malformed("link", message!("link-damaged", "its scene is damaged: {problem}", problem = problem.to_string()))
+    };
     let deflated = Base64UrlUnpadded::decode_vec(code).map_err(|e| broken(&e))?;
     let inflated = miniz_oxide::inflate::decompress_to_vec_with_limit(&deflated, limits::LINK_BYTES);
     let bytes = inflated.map_err(|e| if e.status == TINFLStatus::HasMoreOutput { too_large() } else { broken(&e) })?;

@@ -10,6 +10,8 @@ use wasm_bindgen::prelude::*;
 use forage::{
     Error, Scene,
     arm::{self, ArmScene, Posture, Skeleton, degrees, radians},
+    kernel::Message,
+    message,
 };
 
 use crate::{
@@ -30,32 +32,32 @@ fn arm_of(scene: &Scene) -> Result<&ArmScene, JsValue> {
 }
 
 /// A list of so many finite numbers.
-fn read_numbers<const N: usize>(field: &str, value: &JsValue, allowed: &str) -> Result<[f64; N], JsValue> {
+fn read_numbers<const N: usize>(field: &str, value: &JsValue, allowed: Message) -> Result<[f64; N], JsValue> {
     let list: [JsValue; N] = read_list(field, value)?.try_into().map_err(|_| refused(field, value, allowed))?;
     let mut numbers = [0.0; N];
     for (i, (number, value)) in numbers.iter_mut().zip(&list).enumerate() {
         let at = format!("{field}[{i}]");
         *number = read_number(&at, value)?;
         if !number.is_finite() {
-            return Err(js_error(&Error::refused(at, *number, "a finite number")));
+            return Err(js_error(&Error::refused(at, *number, forage::kernel::error::finite())));
         }
     }
     Ok(numbers)
 }
 
 fn read_posture(field: &str, value: &JsValue) -> Result<Posture, JsValue> {
-    Ok(radians(&read_numbers(field, value, "six joints in degrees")?))
+    Ok(radians(&read_numbers(field, value, message!("arm-six-joints", "six joints in degrees"))?))
 }
 
 fn read_in_space(field: &str, value: &JsValue) -> Result<[f64; 3], JsValue> {
-    read_numbers(field, value, "a point in space, [x, y, z]")
+    read_numbers(field, value, message!("error-point-in-space", "a point in space, [x, y, z]"))
 }
 
 fn read_direction(value: &JsValue) -> Result<Unit<Vector3<f64>>, JsValue> {
     let direction = Vector3::from(read_in_space("direction", value)?);
     // Scaled first: squares of numbers near the ends of what f64 holds would be infinite, or 0.
     let scaled = direction / direction.amax();
-    Unit::try_new(scaled, 0.5).ok_or_else(|| refused("direction", value, "a vector that is not 0"))
+    Unit::try_new(scaled, 0.5).ok_or_else(|| refused("direction", value, message!("arm-direction", "a vector that is not 0")))
 }
 
 #[derive(Serialize)]

@@ -3,6 +3,7 @@
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, prelude::*};
 
+use forage::message;
 use forage::scene::formats::{self, Format, NamedFile};
 
 use crate::{
@@ -45,7 +46,7 @@ pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, 
 fn read_file(value: &JsValue) -> Result<NamedFile, JsValue> {
     let bytes = property(value, "bytes");
     let Some(bytes) = bytes.dyn_ref::<Uint8Array>() else {
-        return Err(refused("bytes", &bytes, "a Uint8Array"));
+        return Err(refused("bytes", &bytes, message!("error-bytes-array", "a Uint8Array")));
     };
     Ok(NamedFile { name: read_text("name", &property(value, "name"))?, bytes: bytes.to_vec() })
 }
