@@ -1,6 +1,9 @@
 //! Checks that an arm has six axes and a spherical wrist.
 
-use crate::kernel::Error;
+use crate::{
+    kernel::{Error, Message},
+    message,
+};
 
 use super::{Arm, Joint};
 
@@ -23,9 +26,10 @@ impl Arm {
         let joints = self.joints.iter().enumerate();
         joints.clone().try_for_each(|(i, joint)| check_joint(joint).map_err(|error| error.within(&format!("joints[{i}]"))))?;
         for (i, joint) in joints {
-            let (quarter, allowed) = if matches!(i, 0 | 2) { (0.0, "0") } else { (90.0, "90 or -90") };
-            if joint.alpha.abs() != quarter {
-                return Err(Error::refused(format!("joints[{i}].alpha"), joint.alpha, format!("{allowed}{PATTERN}")));
+            let parallel = matches!(i, 0 | 2);
+            if joint.alpha.abs() != if parallel { 0.0 } else { 90.0 } {
+                let allowed = if parallel { zero() } else { message!("arm-right-angle", "90 or -90: {pattern}", pattern = pattern()) };
+                return Err(Error::refused(format!("joints[{i}].alpha"), joint.alpha, allowed));
             }
         }
         for (field, value) in [
@@ -35,14 +39,16 @@ impl Arm {
             ("joints[4].d", self.joints[4].d),
         ] {
             if value != 0.0 {
-                return Err(Error::refused(field, value, format!("0{PATTERN}")));
+                return Err(Error::refused(field, value, zero()));
             }
         }
         if self.joints[2].a.abs() < MIN_LINK {
-            return Err(Error::refused("joints[2].a", self.joints[2].a, format!("an upper arm's length, at least {MIN_LINK}")));
+            let allowed = message!("arm-upper-arm", "an upper arm's length, at least {least}", least = MIN_LINK);
+            return Err(Error::refused("joints[2].a", self.joints[2].a, allowed));
         }
         if self.joints[3].a.abs().max(self.joints[3].d.abs()) < MIN_LINK {
-            return Err(Error::refused("joints[3].d", self.joints[3].d, format!("a forearm's length, at least {MIN_LINK}")));
+            let allowed = message!("arm-forearm", "a forearm's length, at least {least}", least = MIN_LINK);
+            return Err(Error::refused("joints[3].d", self.joints[3].d, allowed));
         }
         within("tool.length", self.tool.length, 0.0, MAX_LENGTH)?;
         for (i, &x) in self.base.position.iter().enumerate() {
@@ -54,11 +60,23 @@ impl Arm {
 }
 
 /// What an arm must be, for refusals.
-const PATTERN: &str =
-    ": six axes with a spherical wrist, alpha = (0, ±90, 0, ±90, ±90, ±90), a = 0 for joints[0], [4] and [5], d = 0 for joints[4]";
+fn pattern() -> Message {
+    message!(
+        "arm-pattern",
+        "six axes with a spherical wrist, alpha = (0, ±90, 0, ±90, ±90, ±90), a = 0 for joints[0], [4] and [5], d = 0 for joints[4]"
+    )
+}
+
+fn zero() -> Message {
+    message!("arm-zero", "0: {pattern}", pattern = pattern())
+}
 
 fn within(field: &str, value: f64, low: f64, high: f64) -> Result<(), Error> {
-    if (low..=high).contains(&value) { Ok(()) } else { Err(Error::refused(field, value, format!("a number from {low} to {high}"))) }
+    if (low..=high).contains(&value) {
+        Ok(())
+    } else {
+        Err(Error::refused(field, value, message!("arm-number-from", "a number from {low} to {high}", low = low, high = high)))
+    }
 }
 
 fn check_joint(joint: &Joint) -> Result<(), Error> {
@@ -69,13 +87,13 @@ fn check_joint(joint: &Joint) -> Result<(), Error> {
         within(field, value, -limit, limit)?;
     }
     if min >= max {
-        return Err(Error::refused("max", max, format!("greater than min = {min}")));
+        return Err(Error::refused("max", max, message!("arm-above-min", "greater than min = {min}", min = min)));
     }
     within("home", home, min, max)?;
     if speed > 0.0 && speed <= MAX_SPEED {
         Ok(())
     } else {
-        Err(Error::refused("speed", speed, format!("greater than 0, at most {MAX_SPEED}")))
+        Err(Error::refused("speed", speed, message!("arm-speed", "greater than 0, at most {most}", most = MAX_SPEED)))
     }
 }
 

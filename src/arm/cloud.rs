@@ -1,6 +1,6 @@
 //! The reachable workspace, as a cloud of points.
 
-use crate::{arm::ArmScene, kernel::Error};
+use crate::{arm::ArmScene, kernel::Error, message};
 
 use super::{Arm, DIRECTIONS, Links, Unreachable};
 
@@ -33,13 +33,19 @@ pub struct Reachability {
 pub fn reachability(scene: &ArmScene, step: f64) -> Result<Reachability, Error> {
     let sides = [0, 1, 2].map(|axis| scene.workspace.max[axis] - scene.workspace.min[axis]);
     if !(step > 0.0 && step.is_finite()) {
-        return Err(Error::refused("step", step, "a length greater than 0"));
+        return Err(Error::refused("step", step, message!("arm-step", "a length greater than 0")));
     }
     // A hair more than the quotient: 0.75 / 0.25 must not lose its last point to rounding.
     let counts = sides.map(|side| (side / step + 1e-9).floor() + 1.0);
     let points = counts.iter().product::<f64>();
     if points > MAX_LATTICE as f64 {
-        return Err(Error::refused("step", step, format!("long enough for at most {MAX_LATTICE} points in the workspace, not {points}")));
+        let allowed = message!(
+            "arm-step-too-short",
+            "long enough for at most {most} points in the workspace, not {points}",
+            most = MAX_LATTICE,
+            points = points
+        );
+        return Err(Error::refused("step", step, allowed));
     }
     let [nx, ny, nz] = counts.map(|count| count as usize);
     let at = |axis: usize, i: usize| {

@@ -2,7 +2,10 @@
 
 use std::{fmt, ops::Deref};
 
-use crate::kernel::Error;
+use crate::{
+    kernel::{Error, Message},
+    message,
+};
 
 use super::Posture;
 
@@ -87,21 +90,26 @@ impl Unreachable {
     /// The error for the field `position`, `orientation` or `limits`.
     pub fn refusal(self) -> Error {
         let allowed = match self {
-            Self::Position => "one that the tip can reach in some orientation",
-            Self::Orientation => "one in which the tip can reach this position",
-            Self::Limits => "such that some posture within them reaches the pose",
+            Self::Position => message!("arm-reachable-position", "one that the tip can reach in some orientation"),
+            Self::Orientation => message!("arm-reachable-orientation", "one in which the tip can reach this position"),
+            Self::Limits => message!("arm-reachable-limits", "such that some posture within them reaches the pose"),
         };
-        Error::refused(self.name(), "out of reach", allowed)
+        Error::refused(self.name(), message!("arm-out-of-reach", "out of reach"), allowed)
+    }
+
+    /// The reason in a sentence, without a full stop.
+    pub fn message(self) -> Message {
+        match self {
+            Self::Position => message!("arm-no-position", "the tip cannot reach this position in any orientation"),
+            Self::Orientation => message!("arm-no-orientation", "the tip cannot reach this position in this orientation"),
+            Self::Limits => message!("arm-no-limits", "the joints would have to turn beyond their limits"),
+        }
     }
 }
 
 impl fmt::Display for Unreachable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Position => "the tip cannot reach this position in any orientation",
-            Self::Orientation => "the tip cannot reach this position in this orientation",
-            Self::Limits => "the joints would have to turn beyond their limits",
-        })
+        self.message().fmt(f)
     }
 }
 

@@ -3,8 +3,9 @@
 use nalgebra::{Isometry3, UnitQuaternion};
 
 use crate::{
-    arm::{Arm, ArmScene, Links, Posture},
-    kernel::rng::Stream,
+    arm::{Arm, ArmScene, Links, Posture, Unreachable},
+    kernel::{Message, rng::Stream},
+    message,
 };
 
 use super::{
@@ -51,7 +52,7 @@ pub(super) struct Followed {
     pub(super) mirrored: u64,
     pub(super) drawn: u64,
     /// Why it came no farther.
-    pub(super) failure: Option<String>,
+    pub(super) failure: Option<Message>,
 }
 
 impl Followed {
@@ -131,7 +132,7 @@ impl Postures<'_> {
     }
 
     /// Which point has no posture, and why.
-    fn failure(&self, stations: &[Station], point: usize) -> String {
+    fn failure(&self, stations: &[Station], point: usize) -> Message {
         let Station { at: [x, y, z], along } = stations[point];
         let home = self.arm().home();
         let why = match &self.pointing {
@@ -140,8 +141,21 @@ impl Postures<'_> {
                 self.arm().inverse(&Isometry3::from_parts([x, y, z].into(), rotations[point]), &home).err()
             }
         };
-        let why = why.map_or_else(|| "every posture that was tried there touches a cuboid or the column".to_owned(), |why| why.to_string());
-        format!("point {} of {}, ({x:.4}, {y:.4}, {z:.4}), {along:.4} m along the path: {why}", point + 1, stations.len())
+        let why = why.map_or_else(
+            || message!("motion-all-touch", "every posture that was tried there touches a cuboid or the column"),
+            Unreachable::message,
+        );
+        message!(
+            "motion-ends-before",
+            "point {point} of {points}, ({x:.4}, {y:.4}, {z:.4}), {along:.4} m along the path: {why}",
+            point = point + 1,
+            points = stations.len(),
+            x = x,
+            y = y,
+            z = z,
+            along = along,
+            why = why
+        )
     }
 
     /// The paper's way: at each point the posture nearest to the last, one that touches nothing if there is any.

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use crate::{
     arm::{Links, Posture},
+    message,
     params::Parameters,
 };
 
@@ -76,9 +77,15 @@ impl Trajectory<'_> {
             let error = self.error(from, stop);
             if error > OFF.max(self.parameters[SPACING]) && off.is_none() {
                 let [x, y, z] = tip;
-                off = Some(format!(
-                    "before ({x:.4}, {y:.4}, {z:.4}), {:.4} m along the path, the tip is {error:.4} m off it, while a joint turns by {step:.1}°: no postures that touch nothing lead on evenly",
-                    stop.station.along
+                off = Some(message!(
+                    "motion-leaves-path",
+                    "before ({x:.4}, {y:.4}, {z:.4}), {along:.4} m along the path, the tip is {error:.4} m off it, while a joint turns by {step:.1}°: no postures that touch nothing lead on evenly",
+                    x = x,
+                    y = y,
+                    z = z,
+                    along = stop.station.along,
+                    error = error,
+                    step = step
                 ));
             }
             outcome.max_error = outcome.max_error.max(error);
@@ -96,7 +103,7 @@ impl Trajectory<'_> {
         }
         outcome.free = outcome.touched_at.is_none() && !followed.stops.is_empty();
         outcome.arrived = followed.stops.len() == points;
-        (outcome.mirrored, outcome.drawn, outcome.failure) = (followed.mirrored, followed.drawn, followed.failure.or(off).map(Into::into));
+        (outcome.mirrored, outcome.drawn, outcome.failure) = (followed.mirrored, followed.drawn, followed.failure.or(off));
         motion
     }
 }
