@@ -2,8 +2,8 @@
 
 use crate::{
     describe::layers,
-    kernel::{Inspection, Item, Label, Mark, Shape},
-    label,
+    kernel::{Inspection, Item, Label, Mark, Message, Shape},
+    label, message,
 };
 
 use super::{
@@ -13,21 +13,20 @@ use super::{
 };
 
 const PLACE: [Label; 3] = [
-    label!("tree-where-it-is", "x", "x", "where it is"),
-    label!("tree-where-it-is", "y", "y", "where it is"),
-    label!("tree-where-it-is", "z", "z", "where it is"),
+    label!("tree-position", "x", "x", "where it is"),
+    label!("tree-position", "y", "y", "where it is"),
+    label!("tree-position", "z", "z", "where it is"),
 ];
-const ANGLE: Label =
-    label!("tree-angle-with-the-goals-direction-in-degrees", "angle", "\\varphi_i", "angle with the goal’s direction, in degrees");
-const TO_GOAL: Label = label!("tree-distance-to-the-goal", "to_goal", "d_i", "distance to the goal");
+const ANGLE: Label = label!("tree-goal-angle-degrees", "angle", "\\varphi_i", "angle with the goal’s direction, in degrees");
+const TO_GOAL: Label = label!("tree-goal-distance", "to_goal", "d_i", "distance to the goal");
 const COLUMNS: [Label; 2] = [
-    label!("tree-share-of-the-roulette-wheel", "share", "p_i", "share of the roulette wheel"),
-    label!("tree-distance-from-the-node", "far", "d", "distance from the node"),
+    label!("tree-share", "share", "p_i", "share of the roulette wheel"),
+    label!("tree-node-distance", "far", "d", "distance from the node"),
 ];
 
 impl SampleOutcome {
-    /// In a few words.
-    fn words(self) -> &'static str {
+    /// Its name as an event.
+    fn name(self) -> &'static str {
         match self {
             Self::Taken => "taken",
             Self::NotKept => "not kept",
@@ -39,17 +38,36 @@ impl SampleOutcome {
         }
     }
 
-    /// In a sentence.
-    fn sentence(self, source: Source) -> &'static str {
+    /// Its row in the table, by the sample's number.
+    fn row(self, i: usize) -> Message {
         match self {
-            Self::NotKept if source == Source::Guided(By::Distance) => "The roulette wheel did not draw it.",
-            Self::Taken => "The tree has grown towards it.",
-            Self::NotKept => "Its direction was not among those nearest to the goal’s.",
-            Self::NotDrawn => "It was kept; the tree could grow toward another before its turn came.",
-            Self::TooNear => "It is nearer to the node than a step, so it was skipped.",
-            Self::Outside => "The new node would have been outside.",
-            Self::Blocked => "The way to the new node is blocked.",
-            Self::DoublesBack => "The new node would have been nearer to another node than to its parent.",
+            Self::Taken => message!("tree-row-taken", "{i}: taken", i = i),
+            Self::NotKept => message!("tree-row-not-kept", "{i}: not kept", i = i),
+            Self::NotDrawn => message!("tree-row-not-drawn", "{i}: kept, not drawn", i = i),
+            Self::TooNear => message!("tree-row-too-near", "{i}: nearer than a step", i = i),
+            Self::Outside => message!("tree-row-outside", "{i}: leads outside", i = i),
+            Self::Blocked => message!("tree-row-blocked", "{i}: blocked", i = i),
+            Self::DoublesBack => message!("tree-row-doubles-back", "{i}: doubles back", i = i),
+        }
+    }
+
+    /// In a sentence.
+    fn sentence(self, source: Source) -> Message {
+        match self {
+            Self::NotKept if source == Source::Guided(By::Distance) => {
+                message!("tree-sample-not-on-wheel", "The roulette wheel did not draw it.")
+            }
+            Self::Taken => message!("tree-sample-taken", "The tree has grown towards it."),
+            Self::NotKept => message!("tree-sample-not-kept", "Its direction was not among those nearest to the goal’s."),
+            Self::NotDrawn => {
+                message!("tree-sample-not-drawn", "It was kept; the tree could grow toward another before its turn came.")
+            }
+            Self::TooNear => message!("tree-sample-too-near", "It is nearer to the node than a step, so it was skipped."),
+            Self::Outside => message!("tree-sample-outside", "The new node would have been outside."),
+            Self::Blocked => message!("tree-sample-blocked", "The way to the new node is blocked."),
+            Self::DoublesBack => {
+                message!("tree-sample-doubles-back", "The new node would have been nearer to another node than to its parent.")
+            }
         }
     }
 }
@@ -63,9 +81,11 @@ impl<const N: usize> Seen<'_, N> {
                 let birth = self.forest.births[item.index];
                 let mut told = self.node(item)?;
                 told.event = "root";
-                told.summary = crate::kernel::Message::from(
-                    ["The tree begins here, at the start.", "The goal’s tree begins here."][usize::from(birth.tree)],
-                );
+                told.summary = if birth.tree == 0 {
+                    message!("tree-root", "The tree begins here, at the start.")
+                } else {
+                    message!("tree-root-of-goal", "The goal’s tree begins here.")
+                };
                 Some(told)
             }
             _ => None,
@@ -88,7 +108,7 @@ impl<const N: usize> Seen<'_, N> {
             Source::Other => "towards the other tree",
             Source::Uniform => "random",
         };
-        told.summary = summary(last).into();
+        told.summary = summary(last);
         let near = tree.points[last.near];
         if let Some(sample) = last.samples.iter().find(|sample| sample.outcome == SampleOutcome::Taken) {
             self.tell_taken(sample, &near, &mut told);
@@ -103,16 +123,16 @@ impl<const N: usize> Seen<'_, N> {
         let (tree, node) = (&self.forest.trees[usize::from(birth.tree)], birth.node as usize);
         let place = |point: &[f64; N]| self.task.space.place(point);
         let at = place(&tree.points[node]);
-        let mut values = vec![label!("tree-way-from-the-root", "cost", "g", "way from the root").is(tree.costs[node])];
+        let mut values = vec![label!("tree-way", "cost", "g", "way from the root").is(tree.costs[node])];
         values.extend(PLACE.iter().zip(at).take(self.task.space.dimensions()).map(|(label, at)| label.is(at)));
         let way = tree.path_to(node).iter().map(place).collect();
         let mut marks = vec![Mark { layer: layers::BEFORE.key, shape: Shape::Polyline, vertices: way }];
         marks.push(Mark { layer: layers::AFTER.key, shape: Shape::Points, vertices: vec![at] });
         Some(Inspection {
             item,
-            title: format!("Node {}", item.index + 1).into(),
+            title: message!("tree-node", "Node {i}", i = item.index + 1),
             event: "node",
-            summary: String::new().into(),
+            summary: Message::default(),
             values,
             formulas: Vec::new(),
             columns: Vec::new(),
@@ -124,25 +144,19 @@ impl<const N: usize> Seen<'_, N> {
 
     fn tell_taken(&self, sample: &Sample<N>, near: &[f64; N], told: &mut Inspection) {
         told.values.extend([
-            label!(
-                "tree-from-the-node-to-the-sample",
-                "far",
-                "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert",
-                "from the node to the sample"
-            )
-            .is(distance(near, &sample.point)),
+            label!("tree-sample-distance", "far", "\\lVert x_{\\text{rand}} - x_{\\text{near}} \\rVert", "from the node to the sample")
+                .is(distance(near, &sample.point)),
             label!("tree-step-size", "step", "L", "step size").is(self.task.step),
         ]);
         told.formulas.push("extend");
         if sample.angle.is_finite() {
             told.values.extend([
-                label!("tree-angle-with-the-goals-direction", "angle", "\\varphi", "angle with the goal’s direction").is(sample.angle),
-                label!("tree-share-of-the-roulette-wheel", "share", "p", "share of the roulette wheel").is(sample.share),
+                label!("tree-goal-angle", "angle", "\\varphi", "angle with the goal’s direction").is(sample.angle),
+                label!("tree-share", "share", "p", "share of the roulette wheel").is(sample.share),
             ]);
             if self.forest.last.source == Source::Guided(By::Distance) {
                 told.values.push(
-                    label!("tree-distance-to-the-goal", "to_goal", "d", "distance to the goal")
-                        .is(distance(&self.task.goal(), &sample.point)),
+                    label!("tree-goal-distance", "to_goal", "d", "distance to the goal").is(distance(&self.task.goal(), &sample.point)),
                 );
                 told.formulas.push("roulette-distance");
             } else {
@@ -160,7 +174,7 @@ impl<const N: usize> Seen<'_, N> {
             told.columns.extend(COLUMNS);
             let goal = self.task.goal();
             for (i, sample) in last.samples.iter().enumerate().filter(|(_, sample)| sample.angle.is_finite()) {
-                told.labels.push(format!("{}: {}", i + 1, sample.outcome.words()).into());
+                told.labels.push(sample.outcome.row(i + 1));
                 let key = if by == By::Angle { sample.angle.to_degrees() } else { distance(&goal, &sample.point) };
                 told.rows.push(vec![key, sample.share, distance(near, &sample.point)]);
             }
@@ -185,9 +199,9 @@ impl<const N: usize> Seen<'_, N> {
         let place = |point: &[f64; N]| self.task.space.place(point);
         let mut told = Inspection {
             item,
-            title: format!("Sample {}", item.index + 1).into(),
-            event: sample.outcome.words(),
-            summary: sample.outcome.sentence(last.source).to_owned().into(),
+            title: message!("tree-sample", "Sample {i}", i = item.index + 1),
+            event: sample.outcome.name(),
+            summary: sample.outcome.sentence(last.source),
             values: Vec::new(),
             formulas: Vec::new(),
             columns: Vec::new(),
@@ -202,32 +216,38 @@ impl<const N: usize> Seen<'_, N> {
 }
 
 /// An extension in a sentence.
-fn summary<const N: usize>(last: &Extension<N>) -> String {
+fn summary<const N: usize>(last: &Extension<N>) -> Message {
     let rewired = match last.rewired {
-        0 => String::new(),
-        1 => " One neighbour has become its child.".to_owned(),
-        n => format!(" {n} neighbours have become its children."),
+        0 => Message::default(),
+        1 => message!("tree-rewired-one", "One neighbour has become its child."),
+        n => message!("tree-rewired", "{n} neighbours have become its children.", n = n),
     };
     let count = |outcome: SampleOutcome| last.samples.iter().filter(|sample| sample.outcome == outcome).count();
     match last.source {
         Source::Guided(_) if last.fell_back => {
             let kept = last.samples.iter().filter(|sample| sample.angle.is_finite() && sample.outcome != SampleOutcome::NotKept).count();
-            format!("None of the {kept} kept samples led on, so the tree took a plain random step.")
+            message!("tree-fell-back", "None of the {kept} kept samples led on, so the tree took a plain random step.", kept = kept)
         }
         Source::Guided(by) => {
             let (drawn, kept) = (last.samples.len(), last.samples.len() - count(SampleOutcome::NotKept));
             match by {
-                By::Angle => format!(
-                    "Of {drawn} samples the {kept} with the smallest angles were kept. The tree has grown toward the one that the roulette wheel chose."
+                By::Angle => message!(
+                    "tree-guided-by-angle",
+                    "Of {drawn} samples the {kept} with the smallest angles were kept. The tree has grown toward the one that the roulette wheel chose.",
+                    drawn = drawn,
+                    kept = kept
                 ),
-                By::Distance => format!(
-                    "Of {drawn} samples the roulette wheel kept {kept}. The tree has grown toward the one nearest to the goal that was free."
+                By::Distance => message!(
+                    "tree-guided-by-distance",
+                    "Of {drawn} samples the roulette wheel kept {kept}. The tree has grown toward the one nearest to the goal that was free.",
+                    drawn = drawn,
+                    kept = kept
                 ),
             }
         }
-        Source::Goal => format!("The goal itself was the sample.{rewired}"),
-        Source::Informed => format!("The sample came from where a shorter path can lead.{rewired}"),
-        Source::Other => "The tree went for the other tree’s newest node.".to_owned(),
-        Source::Uniform => format!("The node nearest to a random point has grown by a step towards it.{rewired}"),
+        Source::Goal => message!("tree-toward-goal", "The goal itself was the sample.").then(rewired),
+        Source::Informed => message!("tree-informed", "The sample came from where a shorter path can lead.").then(rewired),
+        Source::Other => message!("tree-toward-other", "The tree went for the other tree’s newest node."),
+        Source::Uniform => message!("tree-random", "The node nearest to a random point has grown by a step towards it.").then(rewired),
     }
 }

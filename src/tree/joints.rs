@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::{
     arm::{self, Arm, ArmScene, Posture},
     kernel::{Error, Solution},
+    message,
     params::{Param, Parameters},
     scene::{JOINED, Scene},
 };
@@ -85,8 +86,10 @@ fn free_postures(field: &str, scene: &ArmScene, point: [f64; 3], near: &Posture,
     if free.is_empty() {
         let shown = format!("({}, {}, {})", point[0], point[1], point[2]);
         let allowed = match why {
-            Some(unreachable) if reached.is_empty() => format!("where the arm can bring its tip: {unreachable}"),
-            _ => "where the arm can bring its tip without touching a cuboid or its column".to_owned(),
+            Some(unreachable) if reached.is_empty() => {
+                message!("tree-reachable", "where the arm can bring its tip: {why}", why = unreachable.message())
+            }
+            _ => message!("tree-reachable-free", "where the arm can bring its tip without touching a cuboid or its column"),
         };
         return Err(Error::refused(field, shown, allowed));
     }

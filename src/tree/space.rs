@@ -7,6 +7,7 @@ use crate::{
     describe::Start,
     geometry::Cuboid,
     kernel::{Error, Plane, Scene, Solution, Started},
+    message,
     params::Parameters,
     scene::{ARM, DISCS, DiscsScene, GRID, GridScene},
 };
@@ -80,7 +81,7 @@ pub(super) fn of_scene(scene: &Scene, margin: f64) -> Result<Arc<dyn Space<3>>, 
             Arc::new(Flat { extent: Extent::of(&*plane, plane.cell)?, plane })
         }
         ARM => Arc::new(Workspace::new(scene.share()?, margin)),
-        other => return Err(Error::refused("kind", other.name(), "discs, grid or arm")),
+        other => return Err(Error::refused("kind", other.name(), message!("tree-kinds", "discs, grid or arm"))),
     })
 }
 

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{Error, digits::Digits, rng::Stream},
+    kernel::{Error, error::list_of, rng::Stream},
+    message,
     params::Parameters,
 };
 
@@ -84,18 +85,18 @@ impl<const N: usize> Task<N> {
 /// Refuses a space in which nothing can grow.
 fn check(min: &[f64], max: &[f64], start: &[f64], goals: &[f64], step: f64) -> Result<(), Error> {
     if goals.is_empty() {
-        return Err(Error::refused("goals", "an empty list", "one point at least"));
+        return Err(Error::refused("goals", list_of(0), message!("tree-one-goal", "one point at least")));
     }
     if !(step > 0.0 && step.is_finite()) {
-        return Err(Error::refused("unit", step, "a step greater than 0"));
+        return Err(Error::refused("unit", step, message!("tree-step", "a step greater than 0")));
     }
     for (field, numbers) in [("bounds", min), ("bounds", max), ("start", start), ("goals", goals)] {
         if let Some(number) = numbers.iter().find(|number| !number.is_finite()) {
-            return Err(Error::refused(field, *number, "finite numbers"));
+            return Err(Error::refused(field, *number, message!("tree-finite", "finite numbers")));
         }
     }
     match min.iter().zip(max).find(|(min, max)| min > max) {
-        Some((min, max)) => Err(Error::refused("bounds", *max, format!("{} at least", Digits(*min)))),
+        Some((min, max)) => Err(Error::refused("bounds", *max, message!("tree-at-least", "{min} at least", min = min))),
         None => Ok(()),
     }
 }
