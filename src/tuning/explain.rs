@@ -2,8 +2,8 @@
 
 use crate::{
     describe::layers,
-    kernel::{Inspection, Item, Label, Mark, Quantity, Shape},
-    label,
+    kernel::{Inspection, Item, Label, Mark, Message, Quantity, Shape},
+    label, message,
 };
 
 use super::swarm::Tuning;
@@ -11,8 +11,8 @@ use super::swarm::Tuning;
 const COLUMNS: [Label; 4] = [
     label!("tuning-tried", "x", "x", "tried"),
     label!("tuning-velocity", "v", "v", "velocity"),
-    label!("tuning-its-best", "p", "p", "its best"),
-    label!("tuning-the-swarms-best", "g", "g", "the swarm’s best"),
+    label!("tuning-personal-best", "p", "p", "its best"),
+    label!("tuning-swarm-best", "g", "g", "the swarm’s best"),
 ];
 
 /// A row for each parameter: the value that was tried, its velocity, its own best and the swarm's.
@@ -22,15 +22,22 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
     let (x, v, p) = (&swarm.shown[row.clone()], &swarm.v[row.clone()], &swarm.p[row]);
     let cost = swarm.cost[i];
     let (event, summary) = if swarm.iteration == 0 {
-        ("start", format!("Particle {i} begins with these parameters, drawn at random."))
+        ("start", message!("tuning-start", "Particle {i} begins with these parameters, drawn at random.", i = i))
     } else if cost.length.is_finite() {
         let runs = swarm.seeds.len();
         (
             "judged",
-            format!("With particle {i}’s parameters the colony found ways of length {:.4} on average over {runs} runs.", cost.length),
+            message!(
+                "tuning-judged",
+                "With particle {i}’s parameters the colony found ways of length {length:.4} on average over {n} {runs}.",
+                i = i,
+                length = cost.length,
+                n = runs,
+                runs = runs => "run" | "runs"
+            ),
         )
     } else {
-        ("failed", format!("With particle {i}’s parameters a run of the colony found no way."))
+        ("failed", message!("tuning-failed", "With particle {i}’s parameters a run of the colony found no way.", i = i))
     };
     let rows = (0..x.len()).map(|j| {
         let axis = &swarm.axes[j];
@@ -39,21 +46,21 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
     let way = &swarm.ways[i];
     Inspection {
         item,
-        title: format!("Particle {i}").into(),
+        title: message!("tuning-particle", "Particle {i}", i = i),
         event,
-        summary: summary.into(),
+        summary,
         values: [
             label!("tuning-mean-length", "cost", "\\bar L", "mean length").is(cost.length),
-            label!("tuning-mean-iteration-of-convergence", "converged", "\\bar t^*", "mean iteration of convergence").is(cost.converged),
-            label!("tuning-its-best", "own", "\\bar L_p", "its best").is(swarm.p_cost[i].length),
-            label!("tuning-the-swarms-best", "global", "\\bar L_g", "the swarm’s best").is(swarm.g_cost.length),
+            label!("tuning-mean-converged", "converged", "\\bar t^*", "mean iteration of convergence").is(cost.converged),
+            label!("tuning-personal-best", "own", "\\bar L_p", "its best").is(swarm.p_cost[i].length),
+            label!("tuning-swarm-best", "global", "\\bar L_g", "the swarm’s best").is(swarm.g_cost.length),
         ]
         .into_iter()
         .filter(|told: &Quantity| told.value.is_finite())
         .collect(),
         formulas: vec!["velocity"],
         columns: COLUMNS.to_vec(),
-        labels: swarm.axes.iter().map(|axis| axis.parameter.name.into()).collect(),
+        labels: swarm.axes.iter().map(|axis| Message::verbatim(axis.parameter.name)).collect(),
         rows: rows.collect(),
         marks: if way.is_empty() { Vec::new() } else { vec![Mark::plane(layers::AFTER.key, Shape::Polyline, way.clone())] },
     }

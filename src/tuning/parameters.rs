@@ -88,7 +88,7 @@ pub(super) const FOUND: Reading =
 pub(super) const RUNS: Reading = Reading::new("runs", "", "Runs", Group::Count, "Runs of the colony so far.");
 
 const fn tuned(name: &'static str, symbol: &'static str, title: &'static str) -> Reading {
-    Reading { name, symbol, title, help: "Its value in the best set so far.", group: Group::Schedule }
+    Reading::new(name, symbol, title, Group::Schedule, "Its value in the best set so far.")
 }
 
 pub(super) const VELOCITY: Formula = Formula::new(

@@ -10,6 +10,7 @@ use crate::{
         Candidate, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Recommend, Recommendation,
         ReferenceOptimum, Shape, Solution, Started, Subtask, SubtaskResult, Subtasks, rng::Stream,
     },
+    message,
     scene::GridScene,
 };
 
@@ -26,7 +27,8 @@ pub(super) fn start(start: &Start) -> Result<Started, Error> {
     let axes: Vec<_> = colony.all_parameters().filter(|p| chosen.split(',').any(|name| name == p.name)).filter_map(Axis::new).collect();
     if axes.is_empty() {
         let known: Vec<_> = TUNABLE.iter().map(|option| option.value).filter(|name| colony.parameter(name).is_some()).collect();
-        return Err(Error::refused(TUNE.name(), chosen, format!("some of {}, which {} has", known.join(", "), colony.name)));
+        let allowed = message!("tuning-some-of", "some of {known}, which {colony} has", known = known.join(", "), colony = colony.name);
+        return Err(Error::refused(TUNE.name(), chosen, allowed));
     }
     let grid = scene.get::<GridScene>()?;
     let endpoints = grid.endpoints()?;
