@@ -3,8 +3,8 @@
 use crate::{
     describe::layers,
     geometry,
-    kernel::{Inspection, Item, Label, Mark, Quantity, Shape},
-    label,
+    kernel::{Inspection, Item, Label, Mark, Message, Quantity, Shape},
+    label, message,
 };
 
 use super::{
@@ -13,11 +13,10 @@ use super::{
     roads::Network,
 };
 
-/// The TeX strings that inspections use beside the members' own.
 const ORDER: [Label; 3] = [
-    label!("tour-its-stop", "own", "s_i", "its stop"),
-    label!("tour-the-shortest-tours-stop", "best", "s_i^*", "the shortest tour’s stop"),
-    label!("tour-1-where-they-differ", "differs", "\\ne", "1 where they differ"),
+    label!("tour-own-stop", "own", "s_i", "its stop"),
+    label!("tour-best-stop", "best", "s_i^*", "the shortest tour’s stop"),
+    label!("tour-differs", "differs", "\\ne", "1 where they differ"),
 ];
 
 /// A number, unless there is none.
@@ -25,12 +24,12 @@ pub(super) fn quantity(label: Label, value: f64) -> Option<Quantity> {
     value.is_finite().then_some(label.is(value))
 }
 
-fn plain(item: Item, title: String, event: &'static str, summary: String) -> Inspection {
+fn plain(item: Item, title: Message, event: &'static str, summary: Message) -> Inspection {
     Inspection {
         item,
-        title: title.into(),
+        title,
         event,
-        summary: summary.into(),
+        summary,
         values: Vec::new(),
         formulas: Vec::new(),
         columns: Vec::new(),
@@ -47,7 +46,20 @@ pub(super) fn way(vertices: Vec<[f64; 2]>) -> Mark {
 
 /// A tour that is asked about before there are any.
 pub(super) fn no_tour(item: Item) -> Inspection {
-    plain(item, format!("Tour {}", item.index + 1), "waiting", "There is no tour yet.".to_owned())
+    plain(item, title(item), "waiting", waits())
+}
+
+/// The first tour of a search that begins anywhere.
+pub(super) fn random_start() -> Message {
+    message!("tour-random-start", "It begins with a random tour.")
+}
+
+fn title(item: Item) -> Message {
+    message!("tour-one", "Tour {i}", i = item.index + 1)
+}
+
+fn waits() -> Message {
+    message!("tour-none-yet", "There is no tour yet.")
 }
 
 /// The road of a pair of stops.
@@ -56,20 +68,30 @@ pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
         return None;
     }
     let [i, j] = network.pair(item.index);
+    let (from, to) = (i + 1, j + 1);
+    let title = message!("tour-road", "Road {from} – {to}", from = from, to = to);
     let Some(road) = network.roads.get(item.index) else {
-        return Some(plain(item, format!("Road {} – {}", i + 1, j + 1), "waiting", "It is not built yet.".to_owned()));
+        return Some(plain(item, title, "waiting", message!("tour-road-waits", "It is not built yet.")));
     };
     let straight = geometry::length(&[network.stops[i], network.stops[j]]);
-    let (from, to) = (i + 1, j + 1);
     let (event, summary) = if road.is_found() {
-        ("built", format!("From stop {from} to stop {to}: {:.4}.", road.length))
+        let length = road.length;
+        ("built", message!("tour-road-built", "From stop {from} to stop {to}: {length:.4}.", from = from, to = to, length = length))
     } else if road.path.is_empty() {
-        ("failed", format!("The run from stop {from} to stop {to} found no way."))
+        ("failed", message!("tour-road-failed", "The run from stop {from} to stop {to} found no way.", from = from, to = to))
     } else {
         let over: Vec<_> = road.over.iter().map(|stop| (stop + 1).to_string()).collect();
-        ("joined", format!("The run from stop {from} to stop {to} found no way; over stop {} it is {:.4}.", over.join(", "), road.length))
+        let summary = message!(
+            "tour-road-joined",
+            "The run from stop {from} to stop {to} found no way; over stop {over} it is {length:.4}.",
+            from = from,
+            to = to,
+            over = over.join(", "),
+            length = road.length
+        );
+        ("joined", summary)
     };
-    let mut told = plain(item, format!("Road {} – {}", i + 1, j + 1), event, summary);
+    let mut told = plain(item, title, event, summary);
     let values = [
         quantity(label!("tour-length", "length", "L", "length"), road.length),
         quantity(label!("tour-straight-line", "d", "d", "straight line"), straight),
@@ -86,23 +108,34 @@ pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
 pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: Item) -> Option<Inspection> {
     let stop = item.index;
     places.get(stop)?;
-    let title = format!("Stop {}", stop + 1);
+    let title = message!("tour-stop", "Stop {i}", i = stop + 1);
     let Some((problem, tour)) = best else {
-        return Some(plain(item, title, "waiting", "There is no tour yet.".to_owned()));
+        return Some(plain(item, title, "waiting", waits()));
     };
     let order = tour.order(problem);
     let place = order.iter().position(|&other| other == stop)?;
     let closed = problem.round.closes();
     let before = place.checked_sub(1).or(closed.then_some(order.len() - 1)).map(|k| order[k]);
     let after = order.get(place + 1).or(order.first().filter(|_| closed)).copied();
-    let ends = [before, after].map(|other| other.map_or_else(|| "nothing".to_owned(), |other| format!("stop {}", other + 1)));
-    let mut told =
-        plain(item, title, "called", format!("Number {} of the shortest tour, after {} and before {}.", place + 1, ends[0], ends[1]));
+    let k = place + 1;
+    let summary = match [before, after].map(|other| other.map(|other| other + 1)) {
+        [Some(a), Some(b)] => {
+            message!("tour-called", "Number {k} of the shortest tour, after stop {a} and before stop {b}.", k = k, a = a, b = b)
+        }
+        [None, Some(b)] => {
+            message!("tour-called-first", "Number {k} of the shortest tour, after nothing and before stop {b}.", k = k, b = b)
+        }
+        [Some(a), None] => {
+            message!("tour-called-last", "Number {k} of the shortest tour, after stop {a} and before nothing.", k = k, a = a)
+        }
+        [None, None] => message!("tour-called-alone", "Number {k} of the shortest tour, after nothing and before nothing.", k = k),
+    };
+    let mut told = plain(item, title, "called", summary);
     let leg = |other: Option<usize>| other.map_or(f64::NAN, |other| problem.d(stop as u16, other as u16));
     let values = [
-        quantity(label!("tour-place-in-the-tour", "place", "i", "place in the tour"), (place + 1) as f64),
-        quantity(label!("tour-from-the-stop-before", "from", "d_-", "from the stop before"), leg(before)),
-        quantity(label!("tour-to-the-stop-after", "to", "d_+", "to the stop after"), leg(after)),
+        quantity(label!("tour-place", "place", "i", "place in the tour"), (place + 1) as f64),
+        quantity(label!("tour-from-before", "from", "d_-", "from the stop before"), leg(before)),
+        quantity(label!("tour-to-after", "to", "d_+", "to the stop after"), leg(after)),
     ];
     told.values = values.into_iter().flatten().collect();
     Some(told)
@@ -121,17 +154,17 @@ pub(super) fn tour(problem: &Problem, tour: &Tour, best: &Tour, places: &[[f64; 
         own[fixed..].reverse();
     }
     let differs: Vec<bool> = own.iter().zip(&theirs).map(|(a, b)| a != b).collect();
-    let mut told = plain(item, format!("Tour {}", item.index + 1), "moved", String::new());
+    let mut told = plain(item, title(item), "moved", Message::default());
     told.values = [
         quantity(label!("tour-length", "length", "D", "length"), tour.length),
-        quantity(label!("tour-places-that-differ", "different", "HD", "places that differ"), different as f64),
+        quantity(label!("tour-different", "different", "HD", "places that differ"), different as f64),
     ]
     .into_iter()
     .flatten()
     .collect();
     told.formulas = vec!["length"];
     told.columns = ORDER.to_vec();
-    told.labels = (1..=own.len()).map(|place| place.to_string().into()).collect();
+    told.labels = (1..=own.len()).map(|place| Message::verbatim(place.to_string())).collect();
     let number = |stop: usize| (stop + 1) as f64;
     told.rows = (0..own.len()).map(|k| vec![number(own[k]), number(theirs[k]), f64::from(u8::from(differs[k]))]).collect();
     let vertices: Vec<_> = own.iter().zip(&differs).filter(|(_, differs)| **differs).map(|(&stop, _)| places[stop]).collect();

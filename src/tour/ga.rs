@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Member, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
-    label, math,
+    label, math, message,
     params::{Param, Parameters},
     settled::SETTLED,
 };
@@ -223,31 +223,32 @@ impl Search for Genetic {
         let Birth { origin, parents: [a, b], lengths, cut, reversed } = one.birth;
         told.event = WORDS[origin as usize];
         told.summary = match origin {
-            Origin::Start => "It is one of the random tours of the first generation.".to_owned().into(),
-            Origin::Kept => format!("It was tour {} of the generation before; the shortest are kept.", a + 1).into(),
-            Origin::Copy | Origin::Mutation => format!("A child of tour {} alone, which won a tournament.", a + 1).into(),
-            Origin::Crossover | Origin::Both => format!(
-                "A child of the tours {} and {}, which won a tournament each: places {} to {} from the first, the others in the order of the second.",
-                a + 1,
-                b + 1,
-                cut.0,
-                cut.1
-            ).into(),
+            Origin::Start => message!("tour-ga-start", "It is one of the random tours of the first generation."),
+            Origin::Kept => message!("tour-ga-kept", "It was tour {a} of the generation before; the shortest are kept.", a = a + 1),
+            Origin::Copy | Origin::Mutation => {
+                message!("tour-ga-copy", "A child of tour {a} alone, which won a tournament.", a = a + 1)
+            }
+            Origin::Crossover | Origin::Both => message!(
+                "tour-ga-crossover",
+                "A child of the tours {a} and {b}, which won a tournament each: places {from} to {to} from the first, the others in the order of the second.",
+                a = a + 1,
+                b = b + 1,
+                from = cut.0,
+                to = cut.1
+            ),
         };
         if reversed.1 > 0 {
-            let mutation = format!(" Then a mutation reversed places {} to {}.", reversed.0, reversed.1);
-            told.summary = std::mem::take(&mut told.summary).then(mutation.trim_start().into());
+            let (from, to) = reversed;
+            let mutation = message!("tour-ga-mutation", "Then a mutation reversed places {from} to {to}.", from = from, to = to);
+            told.summary = std::mem::take(&mut told.summary).then(mutation);
         }
         if origin == Origin::Start {
             return;
         }
         let values = [
-            quantity(label!("tour-length-of-the-first-parent", "first", "D_a", "length of the first parent"), lengths[0]),
-            quantity(label!("tour-length-of-the-second-parent", "second", "D_b", "length of the second parent"), lengths[1]),
-            quantity(
-                label!("tour-shorter-than-the-shorter-parent-by", "gain", "\\Delta D", "shorter than the shorter parent by"),
-                one.gain(),
-            ),
+            quantity(label!("tour-first-parent-length", "first", "D_a", "length of the first parent"), lengths[0]),
+            quantity(label!("tour-second-parent-length", "second", "D_b", "length of the second parent"), lengths[1]),
+            quantity(label!("tour-child-gain", "gain", "\\Delta D", "shorter than the shorter parent by"), one.gain()),
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["gain", "length"];

@@ -16,14 +16,14 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Member, Reading, layers},
-    kernel::{Inspection, Readings, State, rng::Stream},
-    label, math,
+    kernel::{Inspection, Message, Readings, State, rng::Stream},
+    label, math, message,
     params::{Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    explain::quantity,
+    explain::{quantity, random_start},
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
@@ -242,29 +242,44 @@ impl Search for Bats {
     fn explain(&self, i: usize, told: &mut Inspection) {
         let Bat { loudness, pulse_rate, last_move, .. } = &self.swarm[i];
         let LastMove { operator, frequency, distance, swaps, candidate, accepted, gain } = *last_move;
-        told.title = format!("Bat {}", i + 1).into();
+        told.title = message!("tour-bat", "Bat {i}", i = i + 1);
         told.event = WORDS[operator as usize];
+        let n = self.perturbations;
         told.summary = match operator {
-            Operator::None => "It begins with a random tour.".to_owned().into(),
-            Operator::Flight => format!("It flew towards the best tour: {swaps} of the {distance} swaps that lead there.").into(),
-            _ => {
-                let what = match operator {
-                    Operator::Reversal => "a stretch reversed",
-                    Operator::Insertion => "a stop moved",
-                    _ => "two stretches exchanged",
-                };
-                format!("It looked around the best tour; the shortest of {} perturbations was one with {what}.", self.perturbations).into()
+            Operator::None => random_start(),
+            Operator::Flight => message!(
+                "tour-flight",
+                "It flew towards the best tour: {swaps} of the {distance} swaps that lead there.",
+                swaps = swaps,
+                distance = distance
+            ),
+            Operator::Reversal => message!(
+                "tour-reversal",
+                "It looked around the best tour; the shortest of {n} perturbations was one with a stretch reversed.",
+                n = n
+            ),
+            Operator::Insertion => message!(
+                "tour-insertion",
+                "It looked around the best tour; the shortest of {n} perturbations was one with a stop moved.",
+                n = n
+            ),
+            Operator::Bridge => message!(
+                "tour-exchange",
+                "It looked around the best tour; the shortest of {n} perturbations was one with two stretches exchanged.",
+                n = n
+            ),
+        };
+        let taken = match (operator, accepted) {
+            (Operator::None, _) => Message::default(),
+            (_, true) => {
+                message!("tour-candidate-taken", "It took that tour: quieter now, and it looks around the best more rarely.")
             }
+            (_, false) => message!("tour-candidate-dropped", "It kept its own tour."),
         };
-        let taken: &str = match (operator, accepted) {
-            (Operator::None, _) => "",
-            (_, true) => " It took that tour: quieter now, and it looks around the best more rarely.",
-            (_, false) => " It kept its own tour.",
-        };
-        told.summary = std::mem::take(&mut told.summary).then(taken.trim_start().into());
+        told.summary = std::mem::take(&mut told.summary).then(taken);
         let values = [
-            quantity(label!("tour-tour-that-it-tried", "candidate", "D'", "tour that it tried"), candidate),
-            quantity(label!("tour-gained-by-taking-it", "gain", "\\Delta D", "gained by taking it"), gain),
+            quantity(label!("tour-candidate", "candidate", "D'", "tour that it tried"), candidate),
+            quantity(label!("tour-candidate-gain", "gain", "\\Delta D", "gained by taking it"), gain),
             quantity(label!("tour-loudness", "loudness", "A", "loudness"), *loudness),
             quantity(label!("tour-pulse-rate", "pulse_rate", "r", "pulse rate"), *pulse_rate),
         ];
@@ -274,7 +289,7 @@ impl Search for Bats {
             let flight = [
                 quantity(label!("tour-frequency", "frequency", "f", "frequency"), frequency),
                 quantity(label!("tour-swaps-to-the-best", "distance", "|x^* \\ominus x|", "swaps to the best"), distance as f64),
-                quantity(label!("tour-swaps-that-it-made", "swaps", "|v|", "swaps that it made"), swaps as f64),
+                quantity(label!("tour-swaps-made", "swaps", "|v|", "swaps that it made"), swaps as f64),
             ];
             told.values.extend(flight.into_iter().flatten());
             told.formulas.insert(0, "velocity");

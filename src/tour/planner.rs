@@ -170,6 +170,6 @@ impl Members for Tours {
 
 impl Failure for Tours {
     fn failure(&self, _status: Status) -> Option<Message> {
-        self.network.as_ref().filter(|_| self.torn).and_then(Network::failure).map(Into::into)
+        self.network.as_ref().filter(|_| self.torn).and_then(Network::failure)
     }
 }

@@ -7,7 +7,8 @@ use crate::{
     describe::{ROAD, Start},
     exact::{Distances, is_reachable},
     geometry,
-    kernel::{Error, State, Subtask, SubtaskResult, Subtasks, rng::Stream},
+    kernel::{Error, Message, State, Subtask, SubtaskResult, Subtasks, rng::Stream},
+    message,
     params::{Overrides, Value},
     scene::GridScene,
 };
@@ -74,7 +75,7 @@ impl Network {
             let name = format!("stops[{i}]");
             let endpoints = grid.endpoints_between(["stops[0]", &name], [stops[0], stop])?;
             if !is_reachable(grid.cells(), endpoints.start, endpoints.goal) {
-                let allowed = "where it can be reached from stops[0]: there is no way between them";
+                let allowed = message!("tour-stop-apart", "where it can be reached from stops[0]: there is no way between them");
                 return Err(Error::refused(name, format!("({}, {})", stop[0], stop[1]), allowed));
             }
         }
@@ -205,11 +206,14 @@ impl Network {
     }
 
     /// Why there is no tour: the first pair of stops without a road, and what to do.
-    pub fn failure(&self) -> Option<String> {
+    pub fn failure(&self) -> Option<Message> {
         let [i, j] = self.pair(self.roads.iter().position(|road| road.path.is_empty())?);
-        Some(format!(
-            "{} found no road from stops[{i}] to stops[{j}], and none leads there over other stops; roads=a-star finds one wherever there is one",
-            self.planner
+        Some(message!(
+            "tour-no-road",
+            "{planner} found no road from stops[{i}] to stops[{j}], and none leads there over other stops; roads=a-star finds one wherever there is one",
+            planner = self.planner,
+            i = i,
+            j = j
         ))
     }
 
@@ -284,6 +288,6 @@ mod tests {
     fn what_no_road_leads_to_is_named() {
         let mut apart = network([Some(1.0), None, None, None, None, Some(1.0)]);
         assert!(apart.distances().is_none());
-        assert!(apart.failure().unwrap().contains("stops[0] to stops[2]"));
+        assert!(apart.failure().unwrap().text().contains("stops[0] to stops[2]"));
     }
 }

@@ -8,13 +8,13 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Member, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
-    label, math,
+    label, math, message,
     params::{Param, Parameters},
     settled::SETTLED,
 };
 
 use super::{
-    explain::quantity,
+    explain::{quantity, random_start},
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEMBER_DIFFERENT, MEMBER_LENGTH, ROADS_LAYER, TOURS,
@@ -176,27 +176,32 @@ impl Search for Annealing {
 
     fn explain(&self, _i: usize, told: &mut Inspection) {
         let LastMove { tried, shorter, longer, highest, gain } = self.last_move;
-        told.title = String::from("Present tour").into();
+        told.title = message!("tour-present", "Present tour");
         let (event, summary) = match (tried, shorter + longer) {
-            (0, _) => ("start", "It begins with a random tour.".to_owned()),
-            (_, 0) => ("frozen", format!("None of {tried} moves was accepted.")),
+            (0, _) => ("start", random_start()),
+            (_, 0) => ("frozen", message!("tour-frozen", "None of {tried} moves was accepted.", tried = tried)),
             _ => (
                 "annealed",
-                format!(
-                    "Of {tried} moves {shorter} were accepted because they made it no longer, {longer} although they made it longer, by up to {highest:.4}."
+                message!(
+                    "tour-annealed",
+                    "Of {tried} moves {shorter} were accepted because they made it no longer, {longer} although they made it longer, by up to {highest:.4}.",
+                    tried = tried,
+                    shorter = shorter,
+                    longer = longer,
+                    highest = highest
                 ),
             ),
         };
-        (told.event, told.summary) = (event, summary.into());
+        (told.event, told.summary) = (event, summary);
         let values = [
             quantity(label!("tour-temperature", "temperature", "T", "temperature"), self.temperature),
-            quantity(label!("tour-the-next-temperature", "next", "T'", "the next temperature"), self.next),
+            quantity(label!("tour-next-temperature", "next", "T'", "the next temperature"), self.next),
             quantity(label!("tour-moves-tried", "tried", "k", "moves tried"), tried as f64),
-            quantity(label!("tour-accepted-although-longer", "longer", "k_+", "accepted although longer"), longer as f64),
+            quantity(label!("tour-accepted-longer", "longer", "k_+", "accepted although longer"), longer as f64),
             quantity(label!("tour-longest-step-up", "highest", "\\Delta_{\\max}", "longest step up"), highest),
             // What is colder than a number can say has no quotient.
             quantity(
-                label!("tour-chance-of-such-a-step", "chance", "P", "chance of such a step"),
+                label!("tour-step-chance", "chance", "P", "chance of such a step"),
                 if highest > 0.0 { math::exp(-highest / self.temperature) } else { 1.0 },
             ),
             quantity(label!("tour-shorter-by", "gain", "\\Delta D", "shorter by"), gain),

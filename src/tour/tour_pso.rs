@@ -12,7 +12,7 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Formula, Group, Member, Preset, Reading, layers},
     kernel::{Inspection, Readings, State, rng::Stream},
-    label,
+    label, message,
     params::{Fixed, Param, Parameters},
     settled::SETTLED,
 };
@@ -198,30 +198,38 @@ impl Search for Swarm {
 
     fn explain(&self, i: usize, told: &mut Inspection) {
         let Particle { best, velocity, last_move, .. } = &self.particles[i];
-        told.title = format!("Particle {}", i + 1).into();
+        told.title = message!("tour-particle", "Particle {i}", i = i + 1);
         let LastMove { kept, own, swarm, gain, record } = *last_move;
         let (event, summary) = if kept + own + swarm == 0 {
-            ("rests", "It made no swap: it begins, or nothing drew it anywhere.".to_owned())
+            ("rests", message!("tour-rests", "It made no swap: it begins, or nothing drew it anywhere."))
         } else {
-            let better = if record { ": the shortest that it had" } else { "" };
-            let how = if gain > 0.0 { "shorter" } else { "longer" };
-            let summary = format!(
-                "{} swaps: {kept} of its velocity, {own} towards its own best, {swarm} towards the swarm’s. Its tour became {:.4} {how}{better}.",
-                kept + own + swarm,
-                gain.abs()
+            let n = kept + own + swarm;
+            let swaps = message!(
+                "tour-swaps",
+                "{n} {swaps}: {kept} of its velocity, {own} towards its own best, {swarm} towards the swarm’s.",
+                n = n,
+                swaps = n => "swap" | "swaps",
+                kept = kept,
+                own = own,
+                swarm = swarm
             );
-            (if record { "record" } else { "swaps" }, summary)
+            let by = gain.abs();
+            let became = if record {
+                message!("tour-became-record", "Its tour became {by:.4} shorter: the shortest that it had.", by = by)
+            } else if gain > 0.0 {
+                message!("tour-became-shorter", "Its tour became {by:.4} shorter.", by = by)
+            } else {
+                message!("tour-became-longer", "Its tour became {by:.4} longer.", by = by)
+            };
+            (if record { "record" } else { "swaps" }, swaps.then(became))
         };
-        (told.event, told.summary) = (event, summary.into());
+        (told.event, told.summary) = (event, summary);
         let values = [
-            quantity(label!("tour-its-own-best", "own_best", "D_p", "its own best"), best.length),
-            quantity(label!("tour-swaps-of-its-velocity", "kept", "w v", "swaps of its velocity"), kept as f64),
-            quantity(label!("tour-swaps-towards-its-own-best", "own", "p \\ominus x", "swaps towards its own best"), own as f64),
-            quantity(label!("tour-swaps-towards-the-swarms", "swarm", "g \\ominus x", "swaps towards the swarm’s"), swarm as f64),
-            quantity(
-                label!("tour-velocity-swaps-that-do-the-same", "velocity", "|v|", "velocity: swaps that do the same"),
-                velocity.len() as f64,
-            ),
+            quantity(label!("tour-own-best", "own_best", "D_p", "its own best"), best.length),
+            quantity(label!("tour-velocity-swaps", "kept", "w v", "swaps of its velocity"), kept as f64),
+            quantity(label!("tour-own-best-swaps", "own", "p \\ominus x", "swaps towards its own best"), own as f64),
+            quantity(label!("tour-swarm-swaps", "swarm", "g \\ominus x", "swaps towards the swarm’s"), swarm as f64),
+            quantity(label!("tour-velocity", "velocity", "|v|", "velocity: swaps that do the same"), velocity.len() as f64),
         ];
         told.values.extend(values.into_iter().flatten());
         told.formulas = vec!["velocity", "position", "length"];
