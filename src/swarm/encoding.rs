@@ -6,7 +6,7 @@ use crate::{
     describe::Start,
     kernel::{Error, Message, Started},
     params::Parameters,
-    scene::{DiscsScene, FunctionScene, GridScene, Scene},
+    scene::{DiscsScene, FunctionScene, Scene},
 };
 
 use super::{
@@ -36,8 +36,8 @@ pub(super) fn objective(scene: &Scene, settings: &Parameters) -> Result<Arc<dyn 
     }
     let terrain = if let Ok(discs) = scene.get::<DiscsScene>() {
         Terrain::among_discs(discs, settings)
-    } else if let Ok(grid) = scene.get::<GridScene>() {
-        Terrain::on_grid(grid, settings)?
+    } else if let Some((field, plane)) = scene.plane().and_then(|plane| plane.obstacle_field().zip(Some(plane))) {
+        Terrain::among(field, plane, settings)?
     } else {
         // The entries say that swarms do not run there.
         return Err(Error::refused("kind", scene.kind().name(), Message::verbatim("function, discs, grid")));

@@ -208,6 +208,8 @@ impl Objective for Polar {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
     use crate::{
         geometry::Field,
@@ -221,7 +223,7 @@ mod tests {
         let given: Overrides = [("segments", Value::from(segments))].into_iter().chain(more.iter().cloned()).collect();
         let settings = Parameters::new(super::super::pso::ENTRY.parameters, GRID, &given).unwrap();
         let grid = scene.get::<GridScene>().unwrap();
-        Polar::new(Terrain::on_grid(grid, &settings).unwrap(), &settings)
+        Polar::new(Terrain::among(Arc::<Field>::clone(grid.field()), grid, &settings).unwrap(), &settings)
     }
 
     fn close(value: f64, expected: f64) {
@@ -292,7 +294,7 @@ mod tests {
         let mut polar = polar(2.0, &[("f2", 0.0.into())]);
         let mut blocked = vec![false; 400];
         blocked[10 * 20 + 10] = true; // the cell from (5, 5) to (5.5, 5.5)
-        polar.terrain.obstacles = super::super::terrain::Obstacles::Field(Field::new(0.5, 20, &blocked, 0.25, false).into());
+        polar.terrain.obstacles = super::super::terrain::Obstacles::Field(Arc::new(Field::new(0.5, 20, &blocked, 0.25, false)));
         // Straight through the diagonal: the cell's own, and a radius before and after it.
         let found = polar.evaluate(&[PI / 4.0], &mut Scratch::default());
         // (And twice the margin that planners keep, half a billionth of a cell.)

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use crate::{
     describe::layers,
-    geometry::{Bounds, Disc, Field, PIECES, distance_squared, shuman, subdivided},
-    kernel::{Error, Frame, Readings, Shape, Solution},
+    geometry::{Bounds, Disc, PIECES, distance_squared, shuman, subdivided},
+    kernel::{Error, Frame, ObstacleField, Plane, Readings, Shape, Solution},
     math,
     params::Parameters,
-    scene::{DiscsScene, GridScene},
+    scene::DiscsScene,
 };
 
 use super::{
@@ -24,7 +24,7 @@ pub(super) enum Obstacles {
     /// Discs, and where (15) looks for a path in them.
     Discs(Arc<[Disc]>, Penalty),
     /// Blocked cells, grown by the robot's radius.
-    Field(Arc<Field>),
+    Field(Arc<dyn ObstacleField>),
 }
 
 /// How the result is smoothed.
@@ -65,12 +65,12 @@ impl Terrain {
         Self::new((scene.start, scene.goal), scene.bounds, obstacles, settings)
     }
 
-    /// A grid, with the settings `penalty_weight` and those of every path.
+    /// A plane with measured obstacles, with the settings `penalty_weight` and those of every path.
     ///
     /// # Errors
-    /// A grid without start and goal.
-    pub(super) fn on_grid(scene: &GridScene, settings: &Parameters) -> Result<Self, Error> {
-        Ok(Self::new(scene.ends()?, scene.bounds(), Obstacles::Field(Arc::clone(scene.field())), settings))
+    /// A plane without start and goal.
+    pub(super) fn among(field: Arc<dyn ObstacleField>, plane: &dyn Plane, settings: &Parameters) -> Result<Self, Error> {
+        Ok(Self::new(plane.ends()?, plane.bounds(), Obstacles::Field(field), settings))
     }
 
     fn new((start, goal): ([f64; 2], [f64; 2]), bounds: Bounds, obstacles: Obstacles, settings: &Parameters) -> Self {

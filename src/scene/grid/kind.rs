@@ -6,8 +6,10 @@ use serde_json::Value;
 
 use crate::{
     describe::SceneKind,
-    geometry::{Bounds, YAxis},
-    kernel::{Backdrop, Error, Exact, Plane, ReferenceOptimum, Scene, SceneBody, SceneKindId, Solution, Stops, TourEnds, Verdict},
+    geometry::{Bounds, Field, YAxis},
+    kernel::{
+        Backdrop, Error, Exact, ObstacleField, Plane, ReferenceOptimum, Scene, SceneBody, SceneKindId, Solution, Stops, TourEnds, Verdict,
+    },
 };
 
 use super::{
@@ -109,6 +111,10 @@ impl Plane for GridScene {
     #[inline]
     fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
         self.field().is_free(a, b)
+    }
+
+    fn obstacle_field(&self) -> Option<Arc<dyn ObstacleField>> {
+        Some(Arc::<Field>::clone(self.field()))
     }
 
     fn y_axis(&self) -> YAxis {
