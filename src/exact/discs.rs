@@ -95,6 +95,7 @@ impl<'a> Graph<'a> {
     }
 
     /// A new node on the rim of disc `i` in the direction `outward` (unit length).
+    #[inline(never)]
     fn on_rim(&mut self, i: usize, outward: Vector) -> usize {
         let disc = &self.discs[i];
         self.nodes.push(Node { at: vector(disc.center) + disc.radius * outward, rim: Some((i, math::atan2(outward.y, outward.x))) });
@@ -143,6 +144,7 @@ impl<'a> Graph<'a> {
     }
 
     /// The parts of disc `i`'s rim inside other discs: middle angle and half width of each.
+    #[inline(never)]
     fn covered(&self, i: usize) -> Vec<(f64, f64)> {
         let disc = &self.discs[i];
         let covers = |(k, other): (usize, &Disc)| {
@@ -205,6 +207,7 @@ impl<'a> Graph<'a> {
 
 /// The unit normal n of a line that passes the origin at distance 0 and the point `to` at signed distance `offset`:
 /// n · to = offset, with `to` ahead. `None` if `to` is nearer than `offset`.
+#[inline(never)]
 fn normal_of_tangent(to: Vector, offset: f64, slack: f64) -> Option<Vector> {
     let distance = to.norm();
     if distance <= 0.0 || offset.abs() > distance + slack {
@@ -217,6 +220,7 @@ fn normal_of_tangent(to: Vector, offset: f64, slack: f64) -> Option<Vector> {
 }
 
 /// Whether the arc from angle `from` over `sweep` (positive) shares more than `slack` with the arc around `middle`.
+#[inline(never)]
 fn overlaps(from: f64, sweep: f64, middle: f64, half: f64, slack: f64) -> bool {
     // Turn so that the arc begins at 0; the other then begins in [0, 2π) or reaches over from before.
     let begin = (middle - half - from).rem_euclid(TAU);

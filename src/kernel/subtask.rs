@@ -77,14 +77,14 @@ impl SubtaskResult {
             finite("converged", self.converged)?;
         }
         for (i, point) in self.path.iter().enumerate() {
-            for axis in 0..2 {
+            for (axis, &at) in point.iter().enumerate() {
                 let (low, high) = (view.min[axis], view.max[axis]);
                 // What is computed may round beyond the border.
                 let slack = (high - low) * 1e-6;
-                if !(low - slack..=high + slack).contains(&point[axis]) {
+                if !(low - slack..=high + slack).contains(&at) {
                     return Err(Error::refused(
                         format!("{path}.path[{i}][{axis}]"),
-                        point[axis],
+                        at,
                         message!("error-number-from-to", "a number from {low} to {high}", low = low, high = high),
                     ));
                 }

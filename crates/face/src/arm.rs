@@ -28,7 +28,7 @@ fn read_arm(scene: &JsValue) -> Result<Arc<Scene>, JsValue> {
 }
 
 fn arm_of(scene: &Scene) -> Result<&ArmScene, JsValue> {
-    scene.get::<ArmScene>().map_err(|error| js_error(&error))
+    scene.get::<ArmScene>().map_err(js_error)
 }
 
 /// A list of so many finite numbers.
@@ -39,7 +39,7 @@ fn read_numbers<const N: usize>(field: &str, value: &JsValue, allowed: Message) 
         let at = format!("{field}[{i}]");
         *number = read_number(&at, value)?;
         if !number.is_finite() {
-            return Err(js_error(&Error::refused(at, *number, forage::kernel::error::finite())));
+            return Err(js_error(Error::refused(at, *number, forage::kernel::error::finite())));
         }
     }
     Ok(numbers)
@@ -137,6 +137,6 @@ pub fn arm_solutions(
 #[wasm_bindgen]
 pub fn reachability(scene: &JsSceneOrName, step: f64) -> Result<JsReachability, JsValue> {
     let scene = read_arm(scene)?;
-    let cloud = arm::reachability(arm_of(&scene)?, step).map_err(|error| js_error(&error))?;
+    let cloud = arm::reachability(arm_of(&scene)?, step).map_err(js_error)?;
     Ok(object(&[("points", Float32Array::from(&cloud.points[..]).into()), ("step", cloud.step.into())]))
 }

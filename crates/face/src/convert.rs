@@ -7,7 +7,10 @@ use wasm_bindgen::{JsCast, JsValue};
 use forage::{Error, scene::formats::NamedFile};
 
 /// An `Error` with the native message and its parts.
-pub(crate) fn js_error(error: &Error) -> JsValue {
+#[cold]
+#[inline(never)]
+#[expect(clippy::needless_pass_by_value, reason = "it is dropped here, not wherever something is refused")]
+pub(crate) fn js_error(error: Error) -> JsValue {
     let js = js_sys::Error::new(&error.to_string());
     for (name, part) in [("code", error.code()), ("field", error.field()), ("value", error.value()), ("allowed", &*error.allowed())] {
         // Setting a property of an ordinary object cannot fail.

@@ -24,7 +24,7 @@ use crate::{
 pub fn import_scene(files: &JsNamedFiles, problem: Option<f64>) -> Result<JsImported, JsValue> {
     let files = read_list("files", files)?.iter().map(read_file).collect::<Result<Vec<_>, _>>()?;
     let problem = problem.map(|number| whole("problem", number)).transpose()?.map(|number| number as usize);
-    formats::import(registry(), &files, problem).map(|read| plain(&read)).map_err(|error| js_error(&error))
+    formats::import(registry(), &files, problem).map(|read| plain(&read)).map_err(js_error)
 }
 
 /// A scene's files in another format.
@@ -37,7 +37,7 @@ pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, 
     let format = read_text("format", format)?;
     let made = Format::named(&format).and_then(|format| formats::export(&scene, format, scene.name()));
     let files = Array::new();
-    for file in made.map_err(|error| js_error(&error))?.files {
+    for file in made.map_err(js_error)?.files {
         files.push(&named_file::<JsValue>(file));
     }
     Ok(files.unchecked_into())

@@ -92,7 +92,7 @@ pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
         #[serde(skip_serializing_if = "Option::is_none")]
         hash: Option<&'a str>,
     }
-    let Link { setup, iteration, hash, .. } = Link::parse(registry(), link).map_err(|error| js_error(&error))?;
+    let Link { setup, iteration, hash, .. } = Link::parse(registry(), link).map_err(js_error)?;
     Ok(plain(&LinkSetup {
         planner: &setup.planner,
         scene: &setup.scene,
@@ -109,12 +109,11 @@ pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
 /// An `Error` with `field`, `value` and `allowed`.
 #[wasm_bindgen(js_name = checkParameter)]
 pub fn check_parameter(planner: &str, kind: &JsKind, name: &str, value: &JsParameterValue) -> Result<(), JsValue> {
-    let entry = registry().planner(planner).map_err(|error| js_error(&error))?;
+    let entry = registry().planner(planner).map_err(js_error)?;
     let kind = read_kind(kind)?;
     let known = || entry.parameters_on(kind);
-    let parameter =
-        known().find(|p| p.name == name).ok_or_else(|| js_error(&Error::unknown("parameter", name, known().map(|p| p.name))))?;
-    parameter.check(&read_parameter(name, value)?).map_err(|error| js_error(&error))
+    let parameter = known().find(|p| p.name == name).ok_or_else(|| js_error(Error::unknown("parameter", name, known().map(|p| p.name))))?;
+    parameter.check(&read_parameter(name, value)?).map_err(js_error)
 }
 
 /// The sizes that the planner's paper recommends for a setup; null where it says nothing.
@@ -123,7 +122,7 @@ pub fn check_parameter(planner: &str, kind: &JsKind, name: &str, value: &JsParam
 /// As the constructor of `Session`.
 #[wasm_bindgen]
 pub fn suggest(setup: &JsSetup) -> Result<JsSuggestionOrNull, JsValue> {
-    read_setup(setup)?.suggest(registry()).map(|suggestion| plain(&suggestion)).map_err(|error| js_error(&error))
+    read_setup(setup)?.suggest(registry()).map(|suggestion| plain(&suggestion)).map_err(js_error)
 }
 
 /// Carries out a run that a planner of planners needs (`Session.jobs`), to its end: the job and the scene it belongs to.
@@ -135,9 +134,9 @@ pub fn run_to_end(setup: &JsRun) -> Result<JsFinding, JsValue> {
     let ends = read_ends(setup)?;
     let mut setup = read_setup(setup)?;
     if let Some(ends) = ends {
-        setup.scene = Arc::new(setup.scene.between(ends).map_err(|error| js_error(&error))?);
+        setup.scene = Arc::new(setup.scene.between(ends).map_err(js_error)?);
     }
-    run::run_to_end(registry(), setup).map(|found| plain(&found)).map_err(|error| js_error(&error))
+    run::run_to_end(registry(), setup).map(|found| plain(&found)).map_err(js_error)
 }
 
 /// A fresh seed from the system.
@@ -146,7 +145,7 @@ pub fn run_to_end(setup: &JsRun) -> Result<JsFinding, JsValue> {
 /// When the system gives no randomness.
 #[wasm_bindgen(js_name = newSeed)]
 pub fn new_seed() -> Result<f64, JsValue> {
-    rng::fresh_seed().map(|seed| seed as f64).map_err(|error| js_error(&error))
+    rng::fresh_seed().map(|seed| seed as f64).map_err(js_error)
 }
 
 /// One run: a scene, a planner with parameters and a seed, stepped, rewound, judged and shared.
@@ -165,7 +164,7 @@ impl Session {
     #[wasm_bindgen(constructor)]
     pub fn new(setup: &JsSetup) -> Result<Session, JsValue> {
         let setup = read_setup(setup)?;
-        run::Run::new(registry(), setup).map(Session::of).map_err(|error| js_error(&error))
+        run::Run::new(registry(), setup).map(Session::of).map_err(js_error)
     }
 
     /// The run that a link describes, at iteration 0.
@@ -174,7 +173,7 @@ impl Session {
     /// As the constructor, and for a link that cannot be read.
     #[wasm_bindgen(js_name = fromLink)]
     pub fn from_link(link: &str) -> Result<Session, JsValue> {
-        run::Run::from_link(registry(), link).map(Session::of).map_err(|error| js_error(&error))
+        run::Run::from_link(registry(), link).map(Session::of).map_err(js_error)
     }
 
     fn of(run: run::Run) -> Self {
@@ -318,7 +317,7 @@ impl Session {
     /// For anything that is no list of as many findings, for numbers that are not finite and paths that leave the scene.
     pub fn supply(&mut self, findings: &JsFindings) -> Result<(), JsValue> {
         let read = javascript::read("findings", findings).and_then(|found| SubtaskResult::read_list("findings", found));
-        read.and_then(|found| self.run.provide(found)).map_err(|error| js_error(&error))
+        read.and_then(|found| self.run.provide(found)).map_err(js_error)
     }
 
     /// The parts of the run that have their own kind of step, in their order; empty for most planners.
@@ -361,7 +360,7 @@ impl Session {
     /// # Errors
     /// An `Error` with `field`, `value` and `allowed` for a parameter that is refused.
     pub fn drive(&self, params: &JsGiven) -> Result<JsDriveOrNull, JsValue> {
-        self.follow("drive", params)
+        self.follow("drive", params).map(JsCast::unchecked_into)
     }
 
     /// The scene's arm following the best path so far; null where there is no arm or no path.
@@ -369,14 +368,14 @@ impl Session {
     /// # Errors
     /// An `Error` with `field`, `value` and `allowed` for a parameter that is refused.
     pub fn motion(&self, params: &JsGiven) -> Result<JsMotionOrNull, JsValue> {
-        self.follow("motion", params)
+        self.follow("motion", params).map(JsCast::unchecked_into)
     }
 
-    fn follow<T: JsCast>(&self, follower: &str, params: &JsGiven) -> Result<T, JsValue> {
+    fn follow(&self, follower: &str, params: &JsGiven) -> Result<JsValue, JsValue> {
         let overrides = read_parameters(params)?;
-        let known = registry().follower(follower).map_err(|error| js_error(&error))?;
-        let Some(followed) = self.run.follow(follower, &overrides).map_err(|error| js_error(&error))? else {
-            return Ok(JsValue::NULL.unchecked_into());
+        let known = registry().follower(follower).map_err(js_error)?;
+        let Some(followed) = self.run.follow(follower, &overrides).map_err(js_error)? else {
+            return Ok(JsValue::NULL);
         };
         let mut properties = vec![
             ("columns", plain(&known.columns.iter().map(|column| column.name).collect::<Vec<_>>())),

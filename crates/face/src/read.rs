@@ -21,7 +21,7 @@ pub(crate) fn refused(field: &str, value: &JsValue, allowed: Message) -> JsValue
         _ if value.is_undefined() || value.is_null() => message!("error-nothing", "nothing").to_string(),
         _ => message!("error-an-object", "an object").to_string(),
     };
-    js_error(&Error::refused(field, shown, allowed))
+    js_error(Error::refused(field, shown, allowed))
 }
 
 /// A property; undefined where there is none.
@@ -39,7 +39,7 @@ pub(crate) fn read_number(field: &str, value: &JsValue) -> Result<f64, JsValue> 
 
 pub(crate) fn read_list(field: &str, value: &JsValue) -> Result<Vec<JsValue>, JsValue> {
     let list = value.dyn_ref::<js_sys::Array>().ok_or_else(|| refused(field, value, message!("error-list", "a list")))?;
-    limits::check_values(field, list.length() as usize).map_err(|error| js_error(&error))?;
+    limits::check_values(field, list.length() as usize).map_err(js_error)?;
     Ok(list.to_vec())
 }
 
@@ -69,7 +69,7 @@ pub(crate) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
         Some(name) => registry().scene(&name),
         None => same_scene(value),
     }
-    .map_err(|error| js_error(&error))
+    .map_err(js_error)
 }
 
 /// The scene of an object. The one that was read last is kept: what follows from a scene, an exact optimum above all, takes
@@ -89,7 +89,7 @@ fn same_scene(value: &JsValue) -> Result<Arc<Scene>, Error> {
 
 pub(crate) fn read_kind(value: &JsValue) -> Result<SceneKindId, JsValue> {
     let name = read_text("kind", value)?;
-    registry().kind(&name).map(|kind| kind.id).map_err(|error| js_error(&error))
+    registry().kind(&name).map(|kind| kind.id).map_err(js_error)
 }
 
 pub(crate) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
@@ -99,7 +99,7 @@ pub(crate) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
 }
 
 pub(crate) fn read_layer(name: &str) -> Result<LayerKey, JsValue> {
-    registry().layer_key(name).map_err(|error| js_error(&error))
+    registry().layer_key(name).map_err(js_error)
 }
 
 pub(crate) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {
@@ -125,7 +125,7 @@ pub(crate) fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
     if (0.0..=rng::MAX_SEED as f64).contains(&number) && number.fract() == 0.0 {
         Ok(number as u64)
     } else {
-        Err(js_error(&Error::refused(field, number, rng::SEED_RANGE)))
+        Err(js_error(Error::refused(field, number, rng::SEED_RANGE)))
     }
 }
 

@@ -14,7 +14,8 @@ pub fn know(registry: Registry) {
     KNOWN.get_or_init(|| Arc::new(registry));
 }
 
-/// What there is.
+/// What there is. One instance for all calls.
+#[inline(never)]
 pub(crate) fn registry() -> &'static Arc<Registry> {
     KNOWN.get_or_init(Arc::default)
 }

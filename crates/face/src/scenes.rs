@@ -24,5 +24,5 @@ pub fn check_scene(scene: &JsScene) -> Result<JsScene, JsValue> {
 #[wasm_bindgen(js_name = generateScene)]
 pub fn generate_scene(name: &str, params: &JsGiven, seed: f64) -> Result<JsScene, JsValue> {
     let given = read_parameters(params)?;
-    registry().generate(name, &given, whole("seed", seed)?).map(|scene| plain(&scene)).map_err(|error| js_error(&error))
+    registry().generate(name, &given, whole("seed", seed)?).map(|scene| plain(&scene)).map_err(js_error)
 }

@@ -16,12 +16,12 @@ use crate::{JsComparison, JsGroups, js_error, plain};
 #[wasm_bindgen]
 pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
     let groups: Vec<Group> =
-        serde_wasm_bindgen::from_value(groups.into()).map_err(|problem| js_error(&Error::malformed("groups", problem.to_string())))?;
+        serde_wasm_bindgen::from_value(groups.into()).map_err(|problem| js_error(Error::malformed("groups", problem.to_string())))?;
     for (i, group) in groups.iter().enumerate() {
         if let Some((k, value)) =
             group.values.iter().enumerate().find_map(|(k, value)| Some((k, value.filter(|value| !value.is_finite())?)))
         {
-            return Err(js_error(&Error::refused(
+            return Err(js_error(Error::refused(
                 format!("groups[{i}].values[{k}]"),
                 value,
                 message!("error-group-value", "a finite number, or null for a failed run"),

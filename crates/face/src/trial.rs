@@ -28,7 +28,7 @@ impl Trial {
     /// As the constructor of `Session`, and for a `within` that is no number from 0 to 1,000,000.
     #[wasm_bindgen(constructor)]
     pub fn new(setup: &JsSetup, within: Option<f64>) -> Result<Trial, JsValue> {
-        trial::Trial::new(registry(), read_setup(setup)?, within.unwrap_or(WITHIN)).map(Trial).map_err(|error| js_error(&error))
+        trial::Trial::new(registry(), read_setup(setup)?, within.unwrap_or(WITHIN)).map(Trial).map_err(js_error)
     }
 
     /// Takes up to `n` steps, all there are unless given; stops where the planner does.
@@ -38,7 +38,7 @@ impl Trial {
     pub fn step(&mut self, n: Option<f64>) -> Result<JsStatus, JsValue> {
         match n {
             Some(n) if n.is_nan() || n < 1.0 => {
-                Err(js_error(&Error::refused("n", n, message!("error-steps", "a number of steps, 1 or more"))))
+                Err(js_error(Error::refused("n", n, message!("error-steps", "a number of steps, 1 or more"))))
             }
             n => Ok(status(self.0.step(n.map_or(u64::MAX, |n| n as u64)))),
         }
