@@ -44,7 +44,8 @@ test('it holds a wasm file for each module and nothing that users do not need', 
   const files = run('find', ['node_modules/forage-lab', '-type', 'f']).trim().split('\n')
   const modules = files.filter((file) => file.endsWith('.wasm')).length
   assert.ok(modules > 1)
-  assert.ok(files.length <= 5 + 6 * modules, files.join('\n'))
+  // Of each its glue, its types and its entry for Node; the words; the catalogue, notices and licences.
+  assert.ok(files.length <= 6 * modules + modules + 8, files.join('\n'))
   for (const file of ['README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md'])
     assert.ok(files.includes(`node_modules/forage-lab/${file}`), file)
 })
@@ -64,6 +65,25 @@ test('an empty Node project imports it, with and without init', () => {
   assert.equal(outcome.feasible, true)
   assert.ok(outcome.gap < 0.005)
   assert.ok(outcome.planners >= 4)
+})
+
+test('the module of swarms: ready in Node, with its words, catalogue and types', () => {
+  writeFileSync(
+    join(project, 'swarm.js'),
+    `import { Session } from 'forage-lab/swarm';
+     import catalogue from 'forage-lab/catalogue.json' with { type: 'json' };
+     const session = new Session({ planner: 'wcpso', scene: 'wcpso-discs', seed: 1 });
+     while (session.status === 'running') session.step(100);
+     const told = session.inspect({ role: 'particles', index: 0 });
+     let refused;
+     try { new Session({ planner: 'pso', scene: 'matyas', params: { population: 0 } }) } catch ({ message }) { refused = message }
+     console.log(JSON.stringify({ hash: session.hash(), told: told.title, refused, planners: catalogue.planners.length }));`,
+  )
+  const { hash, told, refused, planners } = JSON.parse(run('node', ['swarm.js']))
+  assert.equal(hash, inShell({ planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }).hash)
+  assert.equal(told, 'Particle 0')
+  assert.equal(refused, 'population: 0 is not allowed; it must be a whole number from 1 to 100000')
+  assert.ok(planners > 20)
 })
 
 const BATCH = {

@@ -123,6 +123,14 @@ test('numbers are written as natively: all digits, or so many, halves to even', 
   assert.equal(say('stops', { n: 3, s: 3 }), '{3} stops')
 })
 
+test('the module of swarms has nothing of other families, nor of arms', () => {
+  const wasm = readFileSync(new URL('../pkg/swarm_bg.wasm', import.meta.url), 'latin1')
+  for (const word of ['rrt-guided', 'aco-wolf', 'held-karp', 'a-star', 'hybrid-bat', 'cuboids', 'column_radius'])
+    assert.ok(!wasm.includes(word), word)
+  const { code, allowed } = refusal(() => new swarm.Session({ planner: 'rrt-guided', scene: 'matyas' }))
+  assert.deepEqual([code, allowed], ['unknown', 'wcpso, pso, wpso, cpso, ltqpso, qpso'])
+})
+
 test('a module without words says keys', () => {
   swarm.speakBy(() => undefined)
   const { message, allowed } = refusal(() => new swarm.Session({ planner: 'pso', scene: 'matyas', seed: -1 }))
