@@ -3,7 +3,8 @@
 use crate::{
     describe::layers,
     kernel::{Inspection, Item, Label, Mark, Quantity, Shape},
-    label, math,
+    label, math, message,
+    scene::grid::words,
 };
 
 use super::{
@@ -87,8 +88,8 @@ impl<'a> View<'a> {
         let mut columns = vec![label!("ants-pheromone", "tau", "\\tau", "pheromone"), label!("ants-sight", "eta", "\\eta", "sight")];
         if self.directed {
             columns.extend([
-                label!("ants-turn-radians", "theta1", "\\theta_1", "turn, radians"),
-                label!("ants-off-the-goal-radians", "theta2", "\\theta_2", "off the goal, radians"),
+                label!("ants-turn", "theta1", "\\theta_1", "turn, radians"),
+                label!("ants-off-goal", "theta2", "\\theta_2", "off the goal, radians"),
                 label!("ants-direction", "psi", "\\psi", "direction"),
             ]);
         }
@@ -110,10 +111,10 @@ impl<'a> View<'a> {
     fn values(&self, d: usize) -> Vec<Quantity> {
         let ground = self.ground;
         let mut values = vec![
-            label!("ants-probability-of-the-likeliest-step", "p", "p", "probability of the likeliest step").is(self.share(d)),
+            label!("ants-likeliest", "p", "p", "probability of the likeliest step").is(self.share(d)),
             label!("ants-its-pheromone", "tau", "\\tau", "its pheromone").is(self.tau(d)),
             label!("ants-its-sight", "eta", "\\eta", "its sight").is(self.eta[d]),
-            label!("ants-the-sum-over-all-steps", "sum", "\\Sigma", "the sum over all steps").is(self.sum),
+            label!("ants-sum", "sum", "\\Sigma", "the sum over all steps").is(self.sum),
             label!("ants-weight-of-pheromone", "alpha", "\\alpha", "weight of pheromone").is(self.colony.pheromone.exponent()),
             label!("ants-weight-of-sight", "beta", "\\beta", "weight of sight").is(ground.beta.exponent),
         ];
@@ -121,8 +122,8 @@ impl<'a> View<'a> {
             let [theta1, theta2, psi] = self.direction(d);
             values.extend([
                 label!("ants-its-direction", "psi", "\\psi", "its direction").is(psi),
-                label!("ants-its-turn-radians", "theta1", "\\theta_1", "its turn, radians").is(theta1),
-                label!("ants-its-angle-off-the-goal-radians", "theta2", "\\theta_2", "its angle off the goal, radians").is(theta2),
+                label!("ants-its-turn", "theta1", "\\theta_1", "its turn, radians").is(theta1),
+                label!("ants-its-off-goal", "theta2", "\\theta_2", "its angle off the goal, radians").is(theta2),
                 label!("ants-weight-of-direction", "gamma", "\\gamma", "weight of direction").is(ground.gamma),
             ]);
         }
@@ -135,9 +136,7 @@ impl<'a> View<'a> {
                     0.0
                 }),
             ]),
-            Heuristic::Distance => {
-                values.push(label!("ants-from-there-to-the-goal-cells", "d", "d", "from there to the goal, cells").is(1.0 / self.eta[d]))
-            }
+            Heuristic::Distance => values.push(label!("ants-to-goal", "d", "d", "from there to the goal, cells").is(1.0 / self.eta[d])),
             Heuristic::Own(_) => {}
         }
         values
@@ -171,31 +170,38 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
         return None;
     }
     let view = View::new(colony, item.index);
-    let names = cells.compass();
-    let [column, row] = cells.told(item.index);
     let likeliest = view.likeliest();
     let (event, summary) = match likeliest {
-        _ if !cells.is_free(item.index) => ("blocked", "No ant comes here: the cell is blocked.".to_owned()),
-        _ if item.index == colony.ground.endpoints.goal => ("goal", "This is the goal: an ant ends here.".to_owned()),
-        None => ("blocked", "There is no way on from here.".to_owned()),
+        _ if !cells.is_free(item.index) => ("blocked", message!("ants-cell-blocked", "No ant comes here: the cell is blocked.")),
+        _ if item.index == colony.ground.endpoints.goal => ("goal", message!("ants-cell-goal", "This is the goal: an ant ends here.")),
+        None => ("blocked", message!("ants-cell-no-way", "There is no way on from here.")),
         Some(d) => {
-            let comes = match view.from {
-                NOWHERE => "starting here".to_owned(),
-                from => format!("coming from the {}, as the best way does,", names[from ^ 4]),
+            let (to, share) = (words::compass(cells, d), 100.0 * view.share(d));
+            let summary = match view.from {
+                NOWHERE => {
+                    message!("ants-cell-start", "An ant starting here would most likely go {to}: {share:.1} %.", to = to, share = share)
+                }
+                from => message!(
+                    "ants-cell-choice",
+                    "An ant coming from the {from}, as the best way does, would most likely go {to}: {share:.1} %.",
+                    from = words::compass(cells, from ^ 4),
+                    to = to,
+                    share = share
+                ),
             };
-            ("choice", format!("An ant {comes} would most likely go {}: {:.1} %.", names[d], 100.0 * view.share(d)))
+            ("choice", summary)
         }
     };
     let choice = likeliest.filter(|_| event == "choice");
     Some(Inspection {
         item,
-        title: format!("Column {column}, row {row}").into(),
+        title: words::cell(cells, item.index),
         event,
-        summary: summary.into(),
+        summary,
         values: choice.map_or(Vec::new(), |d| view.values(d)),
         formulas: choice.map_or(Vec::new(), |_| view.formulas()),
         columns: view.columns(),
-        labels: names.iter().map(|&name| name.to_owned().into()).collect(),
+        labels: (0..8).map(|d| words::compass(cells, d)).collect(),
         rows: (0..8).map(|d| view.row(d)).collect(),
         marks: choice.map_or(Vec::new(), |_| vec![view.mark()]),
     })
@@ -213,20 +219,33 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
     let ground = &*colony.ground;
     let ant = colony.walks.ants.get(item.index)?;
     let path: Vec<_> = ground.way(colony.walks.of(ant)).map(|cell| ground.cells.centre(cell)).collect();
-    let steps = colony.walks.of(ant).len();
+    let (i, n) = (item.index, colony.walks.of(ant).len());
     let (event, summary) = match ant.end {
-        _ if ant.again.is_some() => ("forgotten", format!("Ant {}’s steps are not kept: all ants’ together are too many.", item.index)),
-        End::Arrived => ("arrived", format!("Ant {} reached the goal in {steps} steps.", item.index)),
-        End::Stuck => ("stuck", format!("Ant {} came into a dead end after {steps} steps and lays nothing.", item.index)),
-        End::Lost => ("lost", format!("Ant {} reached the step limit on its way and lays nothing.", item.index)),
+        _ if ant.again.is_some() => {
+            ("forgotten", message!("ants-forgotten", "Ant {i}’s steps are not kept: all ants’ together are too many.", i = i))
+        }
+        End::Arrived => {
+            ("arrived", message!("ants-arrived", "Ant {i} reached the goal in {n} {steps}.", i = i, n = n, steps = n => "step" | "steps"))
+        }
+        End::Stuck => (
+            "stuck",
+            message!(
+                "ants-stuck",
+                "Ant {i} came into a dead end after {n} {steps} and lays nothing.",
+                i = i,
+                n = n,
+                steps = n => "step" | "steps"
+            ),
+        ),
+        End::Lost => ("lost", message!("ants-lost", "Ant {i} reached the step limit on its way and lays nothing.", i = i)),
     };
     let mut values = Vec::new();
     let mut formulas = Vec::new();
     if ant.end == End::Arrived {
         values.extend([
-            label!("ants-length-of-its-way", "length", "L", "length of its way").is(ant.length),
+            label!("ants-length", "length", "L", "length of its way").is(ant.length),
             label!("ants-pheromone-of-an-ant", "q", "Q", "pheromone of an ant").is(colony.q),
-            label!("ants-what-it-laid-on-each-step", "laid", "\\Delta\\tau", "what it laid on each step").is(ant.laid),
+            label!("ants-laid", "laid", "\\Delta\\tau", "what it laid on each step").is(ant.laid),
         ]);
         match colony.variant.update {
             Update::Traditional | Update::Own(_) => {}
@@ -234,23 +253,15 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
                 let global = colony.best.as_ref().map_or(ant.length, |best| best.length);
                 let mut lengths: Vec<_> = colony.walks.arrived().map(|ant| ant.length).collect();
                 values.extend([
-                    label!("ants-reward-by-the-median", "phi1", "\\varphi_1", "reward by the median").is(phi1),
-                    label!("ants-reward-by-the-best", "phi2", "\\varphi_2", "reward by the best").is(phi2),
+                    label!("ants-reward-median", "phi1", "\\varphi_1", "reward by the median").is(phi1),
+                    label!("ants-reward-best", "phi2", "\\varphi_2", "reward by the best").is(phi2),
                     label!("ants-median-length", "median", "L_{\\text{median}}", "median length").is(super::update::median(&mut lengths)),
                     label!("ants-shortest-so-far", "global", "L_{\\text{global}}", "shortest so far").is(global),
                 ]);
             }
             Update::Wolf => {
                 let share = if colony.q > 0.0 { (ant.laid * ant.length / colony.q).round() } else { 0.0 };
-                values.push(
-                    label!(
-                        "ants-shares-2-on-the-best-way-0-on-the-worst",
-                        "share",
-                        "\\delta - \\omega",
-                        "shares: 2 on the best way, 0 on the worst"
-                    )
-                    .is(share),
-                );
+                values.push(label!("ants-shares", "share", "\\delta - \\omega", "shares: 2 on the best way, 0 on the worst").is(share));
             }
         }
         formulas.extend(match colony.variant.update {
@@ -261,9 +272,9 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
     }
     Some(Inspection {
         item,
-        title: format!("Ant {}", item.index).into(),
+        title: message!("ants-ant", "Ant {i}", i = i),
         event,
-        summary: summary.into(),
+        summary,
         values,
         formulas,
         columns: Vec::new(),

@@ -8,12 +8,6 @@ use super::Field;
 /// counted along y, whichever way y grows.
 pub const DIRECTIONS: [[i32; 2]; 8] = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
 
-/// Names of directions, for rows that grow upwards and for rows that grow downwards.
-const COMPASS: [[&str; 8]; 2] = [
-    ["east", "north-east", "north", "north-west", "west", "south-west", "south", "south-east"],
-    ["east", "south-east", "south", "south-west", "west", "north-west", "north", "north-east"],
-];
-
 /// The direction's angle from the x axis, in radians.
 pub fn angle(direction: usize) -> f64 {
     direction as f64 * FRAC_PI_4
@@ -207,9 +201,9 @@ impl Cells {
         [column + 1, if self.down { row + 1 } else { self.rows - row }]
     }
 
-    /// The directions' names in pictures, from `DIRECTIONS[0]` on.
-    pub fn compass(&self) -> &'static [&'static str; 8] {
-        &COMPASS[usize::from(self.down)]
+    /// A direction as it looks in pictures: how many eighths of a turn it lies from the right, counterclockwise.
+    pub fn eighths(&self, direction: usize) -> usize {
+        if self.down { (8 - direction) % 8 } else { direction }
     }
 
     /// The centre, in the scene's unit.

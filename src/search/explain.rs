@@ -3,7 +3,8 @@
 use crate::{
     describe::layers,
     kernel::{Inspection, Item, Label, Mark, Quantity, Shape},
-    label,
+    label, message,
+    scene::grid::words,
 };
 
 use super::{
@@ -13,9 +14,9 @@ use super::{
 };
 
 const COLUMNS: [Label; 3] = [
-    label!("search-way-from-the-start", "g", "g", "way from the start"),
-    label!("search-way-to-the-goal-at-least", "h", "h", "way to the goal, at least"),
-    label!("search-together-as-the-queue-is-ordered", "f", "f", "together, as the queue is ordered"),
+    label!("search-from-start", "g", "g", "way from the start"),
+    label!("search-to-goal", "h", "h", "way to the goal, at least"),
+    label!("search-together", "f", "f", "together, as the queue is ordered"),
 ];
 
 impl Search {
@@ -25,12 +26,11 @@ impl Search {
         if item.layer != layers::CLOSED.key || cell >= cells.len() || !cells.is_free(cell) {
             return None;
         }
-        let [column, row] = cells.told(cell);
         let mut told = Inspection {
             item,
-            title: format!("Column {column}, row {row}").into(),
+            title: words::cell(cells, cell),
             event: "unreached",
-            summary: "The cell has not been reached yet.".to_owned().into(),
+            summary: message!("search-unreached", "The cell has not been reached yet."),
             values: self.ahead_of(cell),
             formulas: self.heuristic().into_iter().collect(),
             columns: COLUMNS.to_vec(),
@@ -45,7 +45,7 @@ impl Search {
             let next = cells.next(cell, d);
             if let Some(g) = self.reached(next) {
                 let h = self.ahead(next);
-                told.labels.push(cells.compass()[d].to_owned().into());
+                told.labels.push(words::compass(cells, d));
                 told.rows.push(vec![self.task.length(g), h, self.task.length(g) + self.task.guess.weight * h]);
             }
         }
@@ -59,22 +59,29 @@ impl Search {
         let parent = self.parent(cell);
         let closed = self.is_closed(cell);
         told.event = if closed { "settled" } else { "frontier" };
-        told.summary = match (parent, closed) {
-            (None, _) => "The way begins here.".to_owned().into(),
-            (Some(parent), true) => format!("The cell is settled, as the child of {}.", self.name(parent)).into(),
-            (Some(parent), false) => format!("The cell is on the frontier, so far as the child of {}.", self.name(parent)).into(),
+        told.summary = match parent.map(|parent| task.cells.told(parent)) {
+            None => message!("search-start", "The way begins here."),
+            Some([column, row]) if closed => {
+                message!("search-settled", "The cell is settled, as the child of column {column}, row {row}.", column = column, row = row)
+            }
+            Some([column, row]) => message!(
+                "search-frontier",
+                "The cell is on the frontier, so far as the child of column {column}, row {row}.",
+                column = column,
+                row = row
+            ),
         };
         told.values.extend([
-            label!("search-way-from-the-start", "g", "g", "way from the start").is(g),
-            label!("search-together-as-the-queue-is-ordered", "f", "f", "together, as the queue is ordered").is(g + task.guess.weight * h),
+            label!("search-from-start", "g", "g", "way from the start").is(g),
+            label!("search-together", "f", "f", "together, as the queue is ordered").is(g + task.guess.weight * h),
         ]);
         told.formulas.insert(0, "f");
         if let Some(parent) = parent {
             let step = task.length(task.between(parent, cell));
             told.values.extend([
-                label!("search-the-parents-way-from-the-start", "g_parent", "g(p)", "the parent’s way from the start")
+                label!("search-parent-from-start", "g_parent", "g(p)", "the parent’s way from the start")
                     .is(self.reached(parent).map_or(0.0, |g| task.length(g))),
-                label!("search-from-the-parent-to-the-cell", "c", "c", "from the parent to the cell").is(step),
+                label!("search-from-parent", "c", "c", "from the parent to the cell").is(step),
             ]);
             told.formulas.insert(1, "g");
             let mut vertices: Vec<_> = self.way(cell).into_iter().map(|cell| task.cells.centre(cell)).collect();
@@ -104,16 +111,11 @@ impl Search {
     fn ahead_of(&self, cell: usize) -> Vec<Quantity> {
         let [dx, dy] = self.goal_from(cell).map(f64::from);
         vec![
-            label!("search-way-to-the-goal-at-least", "h", "h", "way to the goal, at least").is(self.ahead(cell)),
-            label!("search-weight-of-the-heuristic", "w", "w", "weight of the heuristic").is(self.task.guess.weight),
-            label!("search-side-of-a-cell", "side", "l", "side of a cell").is(self.task.cells.side),
-            label!("search-columns-to-the-goal", "dx", "\\Delta x", "columns to the goal").is(dx),
-            label!("search-rows-to-the-goal", "dy", "\\Delta y", "rows to the goal").is(dy),
+            label!("search-to-goal", "h", "h", "way to the goal, at least").is(self.ahead(cell)),
+            label!("search-weight", "w", "w", "weight of the heuristic").is(self.task.guess.weight),
+            label!("search-side", "side", "l", "side of a cell").is(self.task.cells.side),
+            label!("search-columns", "dx", "\\Delta x", "columns to the goal").is(dx),
+            label!("search-rows", "dy", "\\Delta y", "rows to the goal").is(dy),
         ]
-    }
-
-    fn name(&self, cell: usize) -> String {
-        let [column, row] = self.task.cells.told(cell);
-        format!("column {column}, row {row}")
     }
 }

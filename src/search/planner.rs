@@ -5,6 +5,7 @@ use crate::{
     kernel::{
         Candidate, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, ReferenceOptimum, Solution, Started,
     },
+    message,
     scene::grid_path,
 };
 
@@ -21,7 +22,7 @@ use super::{
 /// [`Error::Refused`] for another kind of scene, a grid without start and goal, and a weight that is negative or not finite.
 pub fn start(start: &Start, heuristic: Heuristic, weight: f64, relaxation: Relaxation) -> Result<Started, Error> {
     if !(weight >= 0.0 && weight.is_finite()) {
-        return Err(Error::refused("weight", weight, "a finite number from 0 on"));
+        return Err(Error::refused("weight", weight, message!("error-finite-from", "a finite number from {low} on", low = 0.0)));
     }
     let search = Search::new(start, Rules { heuristic, relaxation }, weight)?;
     let (limit, smooth) = (search.task.limit, search.task.smooth);
