@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Start},
     kernel::{Error, Started, State},
+    message,
     params::{Choice, Param},
 };
 
@@ -44,9 +45,11 @@ fn printed(ground: &Ground) -> Result<Vec<usize>, Error> {
     let leads =
         |two: &[usize]| two[0] < cells.len() && (0..8).any(|d| cells.moves(two[0]) >> d & 1 != 0 && cells.next(two[0], d) == two[1]);
     let ends = (way.first(), way.last()) == (Some(&ground.endpoints.start), Some(&ground.endpoints.goal));
-    let wrong =
-        || Error::refused(PRINTED.name(), "printed", "search: published.path_cells of the scene is no free path from start to goal");
-    if ends && way.windows(2).all(leads) { Ok(way) } else { Err(wrong()) }
+    if ends && way.windows(2).all(leads) {
+        return Ok(way);
+    }
+    let allowed = message!("drive-printed-path", "search: published.path_cells of the scene is no free path from start to goal");
+    Err(Error::refused(PRINTED.name(), "printed", allowed))
 }
 
 impl Route for Replanning {

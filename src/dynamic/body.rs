@@ -3,6 +3,7 @@
 
 use crate::{
     kernel::{Border, Error, State},
+    message,
     params::Parameters,
     scene::{GridScene, Robot},
 };
@@ -56,10 +57,14 @@ impl Body {
             }
         };
         if body.radius > fits * (1.0 + 1e-12) {
-            let why = "what goes from cell to cell without touching blocked ones; a larger robot needs a length and a width";
             let (field, value, most) =
                 if given { (ROBOT_RADIUS.name(), settings[ROBOT_RADIUS], fits / grid.cell) } else { ("robot.radius", body.radius, fits) };
-            return Err(Error::refused(field, value, format!("at most {most}: {why}")));
+            let allowed = message!(
+                "drive-radius",
+                "at most {most}: what goes from cell to cell without touching blocked ones; a larger robot needs a length and a width",
+                most = most
+            );
+            return Err(Error::refused(field, value, allowed));
         }
         Ok(Self { border: settings[BORDER], ..body })
     }

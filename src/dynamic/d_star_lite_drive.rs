@@ -35,16 +35,16 @@ impl Route for Repaired {
 }
 
 /// See the module.
-pub const ENTRY: Entry = Entry {
-    name: "d-star-lite-drive",
-    title: "D* Lite, driving among moving obstacles",
-    source: "Koenig and Likhachev 2002; [WOLF-ANT] §5.3",
-    summary: "The same drive on ways of D* Lite: where the robot foresees a collision, the search is repaired where the obstacle’s predicted range has changed it, or the robot waits.",
-    start: |start| {
+pub const ENTRY: Entry = Entry::new(
+    "d-star-lite-drive",
+    "D* Lite, driving among moving obstacles",
+    "Koenig and Likhachev 2002; [WOLF-ANT] §5.3",
+    "The same drive on ways of D* Lite: where the robot foresees a collision, the search is repaired where the obstacle’s predicted range has changed it, or the robot waits.",
+    |start| {
         planner::start(start, |ground| {
             let search = DStarLite::new(&ground.cells, ground.endpoints.start, ground.endpoints.goal);
             Ok(Box::new(Repaired { search, ground: Arc::clone(ground) }))
         })
     },
-    ..a_star_drive::ENTRY
-};
+)
+.like(&a_star_drive::ENTRY);

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use crate::{kernel::Message, message};
+
 use super::{
     body::{Done, Plan, Pose},
     escape::{Escape, escape},
@@ -38,7 +40,8 @@ impl Journey {
             (None, Some(hold)) => {
                 (self.hold, self.cornered, self.evading) = (None, false, false);
                 let waited = self.now - hold.since;
-                self.tell("go-on", Some(hold.obstacle), format!("The way is clear as far as it looks ahead: on after {waited:.1} s."));
+                let said = message!("drive-clear", "The way is clear as far as it looks ahead: on after {waited:.1} s.", waited = waited);
+                self.tell("go-on", Some(hold.obstacle), said);
             }
             (Some(conflict), Some(hold)) => {
                 if self.now >= hold.retry {
@@ -65,19 +68,35 @@ impl Journey {
 
     fn calm(&mut self) {
         if self.cornered {
-            self.tell("go-on", None, "What it means to do is clear again as far as it looks ahead.".to_owned());
+            let said = message!("drive-clear-again", "What it means to do is clear again as far as it looks ahead.");
+            self.tell("go-on", None, said);
         }
         (self.cornered, self.evading) = (false, false);
     }
 
     fn foresee(&mut self, conflict: Conflict) {
         let (within, [x, y]) = (conflict.time - self.now, conflict.place);
-        let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
-        let near = match self.distance {
-            Distance::Margin => format!("come nearer than the margin of {}", self.length_of(self.ground.body.margin)),
-            Distance::Contact => "touch it".to_owned(),
+        let obstacle = conflict.obstacle + 1;
+        let said = match self.distance {
+            Distance::Margin => message!(
+                "drive-foreseen",
+                "In {within:.1} s, at ({x:.1}, {y:.1}), obstacle {obstacle} would come nearer than the margin of {margin}.",
+                within = within,
+                x = x,
+                y = y,
+                obstacle = obstacle,
+                margin = self.length_of(self.ground.body.margin)
+            ),
+            Distance::Contact => message!(
+                "drive-foreseen-contact",
+                "In {within:.1} s, at ({x:.1}, {y:.1}), obstacle {obstacle} would touch it.",
+                within = within,
+                x = x,
+                y = y,
+                obstacle = obstacle
+            ),
         };
-        self.tell("foreseen", Some(number), format!("In {within:.1} s, at ({x:.1}, {y:.1}), obstacle {told} would {near}."));
+        self.tell("foreseen", Some(conflict.obstacle), said);
     }
 
     fn decide(&mut self, route: &mut dyn Route, conflict: Conflict) {
@@ -89,10 +108,14 @@ impl Journey {
             }
             if distance != first {
                 self.distance = distance;
-                let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
+                let number = conflict.obstacle;
                 match self.conflict(distance) {
                     None => {
-                        let said = format!("No way keeps the margin from obstacle {told}: on as planned, which does not touch it.");
+                        let said = message!(
+                            "drive-squeeze",
+                            "No way keeps the margin from obstacle {obstacle}: on as planned, which does not touch it.",
+                            obstacle = number + 1
+                        );
                         self.tell("squeeze", Some(number), said);
                         return;
                     }
@@ -210,23 +233,43 @@ impl Journey {
         blockers.dedup();
         self.calm();
         (self.plan, self.local_goal, self.hold) = (offer.plan, offer.local_goal, None);
-        let what = if blockers.len() == 1 { format!("obstacle {}", blockers[0] + 1) } else { "obstacles ".to_owned() + &list(&blockers) };
-        let length = self.length_of(self.left());
         if detour {
             self.tally.detours += 1;
-            let to = offer.local_goal.map_or("the planned way".to_owned(), |goal| {
-                let [x, y] = self.ground.cells.centre(goal);
-                format!("a local goal at ({x:.1}, {y:.1})")
-            });
-            self.tell(
-                "detour",
-                Some(blockers[0]),
-                format!("Round the predicted range of {what} along the pheromone to {to}; {length} to go."),
-            );
+            let said = self.detour(&blockers, offer.local_goal.map(|goal| self.ground.cells.centre(goal)));
+            self.tell("detour", Some(blockers[0]), said);
         } else {
             self.tally.replans += 1;
-            let said = format!("A new way to the goal round the predicted range of {what}; {length} to go.");
+            let said = message!(
+                "drive-replan",
+                "A new way to the goal round the predicted range of {obstacles} {numbers}; {length} to go.",
+                obstacles = blockers.len() => "obstacle" | "obstacles",
+                numbers = list(&blockers),
+                length = self.length_of(self.left())
+            );
             self.tell("replan", Some(blockers[0]), said);
+        }
+    }
+
+    /// What a detour goes round and where it leads.
+    fn detour(&self, blockers: &[usize], local_goal: Option<[f64; 2]>) -> Message {
+        let (n, numbers, length) = (blockers.len(), list(blockers), self.length_of(self.left()));
+        match local_goal {
+            Some([x, y]) => message!(
+                "drive-detour",
+                "Round the predicted range of {obstacles} {numbers} along the pheromone to a local goal at ({x:.1}, {y:.1}); {length} to go.",
+                obstacles = n => "obstacle" | "obstacles",
+                numbers = numbers,
+                x = x,
+                y = y,
+                length = length
+            ),
+            None => message!(
+                "drive-detour-way",
+                "Round the predicted range of {obstacles} {numbers} along the pheromone to the planned way; {length} to go.",
+                obstacles = n => "obstacle" | "obstacles",
+                numbers = numbers,
+                length = length
+            ),
         }
     }
 
@@ -236,8 +279,12 @@ impl Journey {
             self.hold = Some(Hold { since: self.now, obstacle: conflict.obstacle, retry: self.now + RETRY });
             self.calm();
             self.tally.waits += 1;
-            let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
-            self.tell("wait", Some(number), format!("There is no safe way round obstacle {told} now: it stands until the way is clear."));
+            let said = message!(
+                "drive-wait",
+                "There is no safe way round obstacle {obstacle} now: it stands until the way is clear.",
+                obstacle = conflict.obstacle + 1
+            );
+            self.tell("wait", Some(conflict.obstacle), said);
         }
         safe
     }
@@ -248,8 +295,12 @@ impl Journey {
             self.cornered = false;
             if !std::mem::replace(&mut self.evading, true) {
                 self.tally.escapes += 1;
-                let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
-                self.tell("evade", Some(number), format!("Standing is not safe from obstacle {told} either: it gets out of its way."));
+                let said = message!(
+                    "drive-evade",
+                    "Standing is not safe from obstacle {obstacle} either: it gets out of its way.",
+                    obstacle = conflict.obstacle + 1
+                );
+                self.tell("evade", Some(conflict.obstacle), said);
             }
         }
         taken
@@ -258,8 +309,12 @@ impl Journey {
     /// Nothing is safe: what is so for longest.
     fn put_off(&mut self, route: &mut dyn Route, found: &Escape, conflict: Conflict) {
         if !std::mem::replace(&mut self.cornered, true) {
-            let (number, told) = (conflict.obstacle, conflict.obstacle + 1);
-            self.tell("cornered", Some(number), format!("No safe motion from obstacle {told} is found: what puts it off for longest."));
+            let said = message!(
+                "drive-cornered",
+                "No safe motion from obstacle {obstacle} is found: what puts it off for longest.",
+                obstacle = conflict.obstacle + 1
+            );
+            self.tell("cornered", Some(conflict.obstacle), said);
         }
         self.follow(route, found);
     }

@@ -3,16 +3,16 @@
 use crate::{
     describe::layers,
     geometry::closest_approach,
-    kernel::{Inspection, Item, Mark, Readings, Shape},
-    label,
+    kernel::{Inspection, Item, Mark, Message, Readings, Shape},
+    label, message,
 };
 
 use super::{
     drive::Dynamic,
     journey::Journey,
     parameters::{
-        COLLISIONS, DETOURS, DRIVING, ESCAPES, EVENTS, GONE, IN_SIGHT, PLANNED, REPLANS, SMALLEST_DISTANCE, TIME, TURNING_TIME, TURNS,
-        WAITED, WAITS,
+        COLLISIONS, DETOURS, DRIVING, ESCAPES, GONE, IN_SIGHT, PLANNED, REPLANS, SMALLEST_DISTANCE, TIME, TURNING_TIME, TURNS, WAITED,
+        WAITS, title_of,
     },
 };
 
@@ -38,15 +38,27 @@ pub(super) fn read(dynamic: &Dynamic, out: &mut Readings) {
 }
 
 /// Why the goal was not reached in time, and which parameter ended the drive.
-pub(super) fn why_not(journey: &Journey, limit: &str) -> String {
-    let [x, y] = journey.pose.at;
+pub(super) fn why_not(journey: &Journey, limit: &str) -> Message {
+    let ([x, y], now) = (journey.pose.at, journey.now);
     match journey.waits_for() {
-        Some((obstacle, since)) => format!(
-            "After {:.0} s the robot still waits at ({x:.1}, {y:.1}) for obstacle {}, since {since:.1} s; {limit} gives it longer",
-            journey.now,
-            obstacle + 1
+        Some((obstacle, since)) => message!(
+            "drive-late-waits",
+            "After {now:.0} s the robot still waits at ({x:.1}, {y:.1}) for obstacle {obstacle}, since {since:.1} s; {limit} gives it longer",
+            now = now,
+            x = x,
+            y = y,
+            obstacle = obstacle + 1,
+            since = since,
+            limit = limit
         ),
-        None => format!("After {:.0} s the robot is at ({x:.1}, {y:.1}) and not at the goal; {limit} gives it longer", journey.now),
+        None => message!(
+            "drive-late",
+            "After {now:.0} s the robot is at ({x:.1}, {y:.1}) and not at the goal; {limit} gives it longer",
+            now = now,
+            x = x,
+            y = y,
+            limit = limit
+        ),
     }
 }
 
@@ -58,9 +70,9 @@ pub(super) fn inspect(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     }
 }
 
-fn told(item: Item, title: String, event: &'static str, summary: impl Into<crate::kernel::Message>) -> Inspection {
+fn told(item: Item, title: Message, event: &'static str, summary: Message) -> Inspection {
     let (values, formulas, columns, labels, rows, marks) = Default::default();
-    Inspection { item, title: title.into(), event, summary: summary.into(), values, formulas, columns, labels, rows, marks }
+    Inspection { item, title, event, summary, values, formulas, columns, labels, rows, marks }
 }
 
 /// When an obstacle and the robot come nearest if both go on as they go now.
@@ -79,35 +91,45 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     let apart_now = closest_approach(apart, [0.0; 2], 0.0).1 - rims;
     let speed = closest_approach(leg.velocity, [0.0; 2], 0.0).1;
     let seen = apart_now + body.radius <= body.sensor;
-    let (least, sight) = (centres - rims, if seen { "The robot sees it" } else { "It is beyond the sensor’s reach" });
-    let summary = if time == 0.0 {
-        format!("{sight}; it is {apart_now:.1} from the robot’s rim and comes no nearer if both go on.")
-    } else {
-        format!("{sight}; if both go on, it comes as near as {least:.1} in {time:.1} s.")
+    let least = centres - rims;
+    let summary = match (seen, time == 0.0) {
+        (true, true) => message!(
+            "drive-seen-leaves",
+            "The robot sees it; it is {now:.1} from the robot’s rim and comes no nearer if both go on.",
+            now = apart_now
+        ),
+        (false, true) => message!(
+            "drive-unseen-leaves",
+            "It is beyond the sensor’s reach; it is {now:.1} from the robot’s rim and comes no nearer if both go on.",
+            now = apart_now
+        ),
+        (true, false) => message!(
+            "drive-seen-comes",
+            "The robot sees it; if both go on, it comes as near as {least:.1} in {time:.1} s.",
+            least = least,
+            time = time
+        ),
+        (false, false) => message!(
+            "drive-unseen-comes",
+            "It is beyond the sensor’s reach; if both go on, it comes as near as {least:.1} in {time:.1} s.",
+            least = least,
+            time = time
+        ),
     };
-    let mut told = told(item, format!("Obstacle {}", item.index + 1), if seen { "seen" } else { "unseen" }, summary);
+    let title = message!("drive-obstacle", "Obstacle {i}", i = item.index + 1);
+    let mut told = told(item, title, if seen { "seen" } else { "unseen" }, summary);
     told.values = vec![
-        label!("drive-until-it-is-nearest-seconds", "t", "t^*", "until it is nearest, seconds").is(time),
-        label!("drive-distance-of-the-rims-then", "d", "d^*", "distance of the rims then").is(least),
-        label!("drive-distance-of-the-rims-now", "now", "d", "distance of the rims now").is(apart_now),
-        label!("drive-its-speed", "speed", "|v|", "its speed").is(speed),
-        label!(
-            "drive-how-fast-they-approach-times-their-distance",
-            "towards",
-            "-\\Delta p \\cdot \\Delta v",
-            "how fast they approach, times their distance"
-        )
-        .is(-(apart[0] * closing[0] + apart[1] * closing[1])),
-        label!(
-            "drive-the-square-of-how-fast-they-move-against-each-other",
-            "squared",
-            "|\\Delta v|^2",
-            "the square of how fast they move against each other"
-        )
-        .is(closing[0] * closing[0] + closing[1] * closing[1]),
-        label!("drive-distance-of-the-centres-then", "centres", "|\\Delta p + t^* \\Delta v|", "distance of the centres then").is(centres),
-        label!("drive-the-robots-radius", "robot", "R", "the robot’s radius").is(body.radius),
-        label!("drive-its-radius", "radius", "r", "its radius").is(disc.radius),
+        label!("drive-until-nearest", "t", "t^*", "until it is nearest, seconds").is(time),
+        label!("drive-rims-then", "d", "d^*", "distance of the rims then").is(least),
+        label!("drive-rims-now", "now", "d", "distance of the rims now").is(apart_now),
+        label!("drive-obstacle-speed", "speed", "|v|", "its speed").is(speed),
+        label!("drive-approach", "towards", "-\\Delta p \\cdot \\Delta v", "how fast they approach, times their distance")
+            .is(-(apart[0] * closing[0] + apart[1] * closing[1])),
+        label!("drive-speed-squared", "squared", "|\\Delta v|^2", "the square of how fast they move against each other")
+            .is(closing[0] * closing[0] + closing[1] * closing[1]),
+        label!("drive-centres-then", "centres", "|\\Delta p + t^* \\Delta v|", "distance of the centres then").is(centres),
+        label!("drive-robot-radius", "robot", "R", "the robot’s radius").is(body.radius),
+        label!("drive-obstacle-radius", "radius", "r", "its radius").is(disc.radius),
     ];
     if closing != [0.0; 2] {
         told.formulas = vec!["approach"];
@@ -124,9 +146,9 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
 /// What happened at a place, and why.
 fn event(journey: &Journey, item: Item) -> Option<Inspection> {
     let event = journey.events.get(item.index)?;
-    let kind = EVENTS.iter().find(|kind| kind.name == event.kind)?;
-    let mut told = told(item, format!("{}, {:.1} s", kind.title, event.time), event.kind, event.reason.clone());
-    told.values = vec![label!("drive-when-seconds", "t", "t", "when, seconds").is(event.time)];
+    let title = message!("drive-event", "{what}, {time:.1} s", what = title_of(event.kind)?, time = event.time);
+    let mut told = told(item, title, event.kind, event.reason.clone());
+    told.values = vec![label!("drive-when", "t", "t", "when, seconds").is(event.time)];
     told.marks = vec![Mark::plane(layers::AFTER.key, Shape::Points, vec![event.place])];
     Some(told)
 }

@@ -10,6 +10,7 @@ use crate::{
     geometry::{Cells, Endpoints},
     kernel::{Border, Error},
     math::Length,
+    message,
     params::Parameters,
     scene::{GridScene, Motion, Scene},
 };
@@ -83,7 +84,12 @@ pub(super) fn check_bounces(grid: &GridScene) -> Result<(), Error> {
         for (axis, speed) in velocity.into_iter().enumerate() {
             let room = grid.bounds().max[axis] - 2.0 * disc.radius;
             if room > 0.0 && speed.abs() > BOUNCES * room {
-                let allowed = format!("at most {} a second where obstacles bounce: {BOUNCES} times to and fro", BOUNCES * room);
+                let allowed = message!(
+                    "drive-bounces",
+                    "at most {most} a second where obstacles bounce: {times} times to and fro",
+                    most = BOUNCES * room,
+                    times = BOUNCES
+                );
                 return Err(Error::refused(format!("moving[{i}].velocity[{axis}]"), speed, allowed));
             }
         }

@@ -8,7 +8,8 @@ use std::sync::Arc;
 
 use crate::{
     geometry::{closest_approach, first_within},
-    kernel::{Event, State},
+    kernel::{Event, Message, State},
+    message,
     scene::CONTACT,
 };
 
@@ -127,11 +128,15 @@ impl Journey {
     pub fn step(&mut self, route: &mut dyn Route, iteration: u64) {
         self.iteration = iteration;
         if self.now == 0.0 {
-            self.tell(
-                "set-out",
-                None,
-                format!("It sets out on a way of {} with {} turns.", self.length_of(self.left()), self.turns_left()),
+            let (length, n) = (self.length_of(self.left()), self.turns_left());
+            let said = message!(
+                "drive-set-out",
+                "It sets out on a way of {length} with {n} {turns}.",
+                length = length,
+                n = n,
+                turns = n => "turn" | "turns"
             );
+            self.tell("set-out", None, said);
         }
         if self.now == 0.0 {
             // Where start and goal are one there is no stretch at all.
@@ -144,17 +149,44 @@ impl Journey {
         if let Some(goal) = self.local_goal.filter(|&goal| self.pose.between == [goal; 2]) {
             self.local_goal = None;
             let [x, y] = self.ground.cells.centre(goal);
-            self.tell("back", None, format!("The local goal at ({x:.1}, {y:.1}) is reached: on along the planned way."));
+            let said = message!("drive-back", "The local goal at ({x:.1}, {y:.1}) is reached: on along the planned way.", x = x, y = y);
+            self.tell("back", None, said);
         }
         if self.arrived {
-            let Tally { length, turns, collisions, .. } = self.tally;
-            let said = match collisions {
-                0 => "without touching anything that moves".to_owned(),
-                1 => "after a collision".to_owned(),
-                n => format!("after {n} collisions"),
-            };
-            let way = self.length_of(length);
-            self.tell("arrived", None, format!("It is at the goal after {:.1} s, {way} and {turns} turns, {said}.", self.now));
+            let said = self.arrival();
+            self.tell("arrived", None, said);
+        }
+    }
+
+    /// How it arrived.
+    fn arrival(&self) -> Message {
+        let (time, way, n) = (self.now, self.length_of(self.tally.length), self.tally.turns);
+        match self.tally.collisions {
+            0 => message!(
+                "drive-arrived",
+                "It is at the goal after {time:.1} s, {way} and {n} {turns}, without touching anything that moves.",
+                time = time,
+                way = way,
+                n = n,
+                turns = n => "turn" | "turns"
+            ),
+            1 => message!(
+                "drive-arrived-collision",
+                "It is at the goal after {time:.1} s, {way} and {n} {turns}, after a collision.",
+                time = time,
+                way = way,
+                n = n,
+                turns = n => "turn" | "turns"
+            ),
+            collisions => message!(
+                "drive-arrived-collisions",
+                "It is at the goal after {time:.1} s, {way} and {n} {turns}, after {collisions} collisions.",
+                time = time,
+                way = way,
+                n = n,
+                turns = n => "turn" | "turns",
+                collisions = collisions
+            ),
         }
     }
 
@@ -165,9 +197,13 @@ impl Journey {
         for i in 0..self.view.threats.len() {
             let (number, distance) = (self.view.threats[i].number, self.view.threats[i].distance);
             if !std::mem::replace(&mut self.seen[number], true) {
-                let told = number + 1;
                 let rim = distance - ground.grid.moving[number].radius;
-                let said = format!("Obstacle {told} comes into the sensor’s reach, {} away.", self.length_of(rim.max(0.0)));
+                let said = message!(
+                    "drive-seen",
+                    "Obstacle {obstacle} comes into the sensor’s reach, {distance} away.",
+                    obstacle = number + 1,
+                    distance = self.length_of(rim.max(0.0))
+                );
                 self.tell("seen", Some(number), said);
             }
         }
@@ -250,18 +286,16 @@ impl Journey {
                     self.tally.collisions += 1;
                     let time = start + after;
                     let place = [0, 1].map(|axis| stretch.at[axis] + (time - stretch.from) * stretch.velocity[axis]);
-                    let drove = if stretch.deed == Deed::Go { "drove" } else { "stood" };
-                    let told = number + 1;
-                    let reason = format!("The robot and obstacle {told} touch while the robot {drove}.");
+                    let reason = collision(number + 1, stretch.deed == Deed::Go);
                     let iteration = self.iteration;
-                    self.events.push(Event { iteration, time, place, kind: "collision", obstacle: Some(number), reason: reason.into() });
+                    self.events.push(Event { iteration, time, place, kind: "collision", obstacle: Some(number), reason });
                 }
             }
         }
     }
 
-    pub fn tell(&mut self, kind: &'static str, obstacle: Option<usize>, reason: String) {
-        self.events.push(Event { iteration: self.iteration, time: self.now, place: self.pose.at, kind, obstacle, reason: reason.into() });
+    pub fn tell(&mut self, kind: &'static str, obstacle: Option<usize>, reason: Message) {
+        self.events.push(Event { iteration: self.iteration, time: self.now, place: self.pose.at, kind, obstacle, reason });
     }
 
     /// The length of the plan that is left.
@@ -280,10 +314,10 @@ impl Journey {
     }
 
     /// A length with the scene's unit.
-    pub fn length_of(&self, length: f64) -> String {
+    pub fn length_of(&self, length: f64) -> Message {
         match &self.ground.scene.header().units {
-            Some(units) => format!("{length:.1} {units}"),
-            None => format!("{length:.1}"),
+            Some(unit) => message!("drive-length-unit", "{length:.1} {unit}", length = length, unit = unit),
+            None => message!("drive-length", "{length:.1}", length = length),
         }
     }
 
@@ -318,5 +352,14 @@ impl Journey {
         let mut path: Vec<_> = self.moments.iter().map(|&[_, x, y]| [x, y]).collect();
         path.dedup();
         path
+    }
+}
+
+/// That an obstacle, as people count them, touches the robot.
+fn collision(obstacle: usize, drove: bool) -> Message {
+    if drove {
+        message!("drive-collision", "The robot and obstacle {obstacle} touch while the robot drove.", obstacle = obstacle)
+    } else {
+        message!("drive-collision-stood", "The robot and obstacle {obstacle} touch while the robot stood.", obstacle = obstacle)
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::{
     describe::{EventKind, Formula, Group, Layer, Reading, Tone, layers},
-    kernel::{Border, SceneKindId},
+    kernel::{Border, Message, SceneKindId},
+    message,
     params::{Choice, Param, ParamValue, Parameter},
     scene::GRID,
 };
@@ -118,25 +119,38 @@ pub(super) const DRIVE: &[Parameter] = &[
     TIME_LIMIT.entry(),
 ];
 
-const fn event(name: &'static str, title: &'static str, tone: Tone, help: &'static str) -> EventKind {
-    EventKind::new(name, title, tone, help)
+/// The kinds of events and their titles, which explanations of an event say too.
+macro_rules! events {
+    ($($name:literal, $key:literal, $title:literal, $tone:expr, $help:literal;)+) => {
+        pub(super) const EVENTS: &[EventKind] = &[$(EventKind::new($name, $title, $tone, $help)),+];
+
+        /// The title of a kind of event.
+        pub(super) fn title_of(kind: &str) -> Option<Message> {
+            match kind {
+                $($name => Some(message!($key, $title)),)+
+                _ => None,
+            }
+        }
+    };
 }
 
-pub(super) const EVENTS: &[EventKind] = &[
-    event("set-out", "Sets out", Tone::Plain, "The drive begins on the planned way."),
-    event("seen", "Seen", Tone::Plain, "An obstacle comes into the sensor’s reach for the first time."),
-    event("foreseen", "Foreseen", Tone::Warning, "The plan would come too near to an obstacle."),
-    event("detour", "Detour", Tone::Decision, "Round the predicted range along the pheromone to a local goal on the planned way."),
-    event("back", "Back", Tone::Good, "The local goal is reached: on along the planned way."),
-    event("replan", "New plan", Tone::Decision, "A new way to the goal round the predicted range."),
-    event("wait", "Waits", Tone::Decision, "There is no safe way round: the robot stands, which is safe."),
-    event("go-on", "Goes on", Tone::Good, "What it waited for or could not keep from is past."),
-    event("evade", "Evades", Tone::Decision, "Standing is not safe either: the robot gets out of the way."),
-    event("squeeze", "Without margin", Tone::Warning, "Nothing keeps the margin: on as planned, which does not touch."),
-    event("cornered", "Cornered", Tone::Warning, "No safe motion is found: the robot does what puts a collision off for longest."),
-    event("collision", "Collision", Tone::Bad, "The robot and an obstacle touch."),
-    event("arrived", "Arrived", Tone::Good, "The robot is at the goal."),
-];
+events! {
+    "set-out", "drive-event-set-out", "Sets out", Tone::Plain, "The drive begins on the planned way.";
+    "seen", "drive-event-seen", "Seen", Tone::Plain, "An obstacle comes into the sensor’s reach for the first time.";
+    "foreseen", "drive-event-foreseen", "Foreseen", Tone::Warning, "The plan would come too near to an obstacle.";
+    "detour", "drive-event-detour", "Detour", Tone::Decision,
+        "Round the predicted range along the pheromone to a local goal on the planned way.";
+    "back", "drive-event-back", "Back", Tone::Good, "The local goal is reached: on along the planned way.";
+    "replan", "drive-event-replan", "New plan", Tone::Decision, "A new way to the goal round the predicted range.";
+    "wait", "drive-event-wait", "Waits", Tone::Decision, "There is no safe way round: the robot stands, which is safe.";
+    "go-on", "drive-event-go-on", "Goes on", Tone::Good, "What it waited for or could not keep from is past.";
+    "evade", "drive-event-evade", "Evades", Tone::Decision, "Standing is not safe either: the robot gets out of the way.";
+    "squeeze", "drive-event-squeeze", "Without margin", Tone::Warning, "Nothing keeps the margin: on as planned, which does not touch.";
+    "cornered", "drive-event-cornered", "Cornered", Tone::Warning,
+        "No safe motion is found: the robot does what puts a collision off for longest.";
+    "collision", "drive-event-collision", "Collision", Tone::Bad, "The robot and an obstacle touch.";
+    "arrived", "drive-event-arrived", "Arrived", Tone::Good, "The robot is at the goal.";
+}
 
 pub(super) const PLANNED: Reading = Reading::new(
     "planned",

@@ -108,7 +108,7 @@ impl Failure for Dynamic {
         match &self.journey {
             _ if self.lost => Some(message!("drive-no-way", "No way to the goal was found to drive on")),
             Some(journey) if status == Status::Exhausted => {
-                Some(explain::why_not(journey, if journey.now >= self.most { TIME_LIMIT.name() } else { ITERATIONS.name() }).into())
+                Some(explain::why_not(journey, if journey.now >= self.most { TIME_LIMIT.name() } else { ITERATIONS.name() }))
             }
             _ => None,
         }

@@ -6,6 +6,7 @@ use crate::{
     ants::{COLONIES, Colony, aco_wolf},
     describe::{Entry, PAPER, Start, layers},
     kernel::{Error, Explain, Frame, Inspection, Item, Planner, Started, State, rng::Stream},
+    message,
     params::{Overrides, Param, Value},
 };
 
@@ -138,8 +139,10 @@ fn start(start: &Start) -> Result<Started, Error> {
 /// The colony that plans: with its paper's parameters, but for those that are given.
 fn colony(start: &Start) -> Result<Colony, Error> {
     let (entry, kind) = (start.planner(COLONY)?, start.scene.kind());
-    let known = || COLONIES.iter().map(|option| option.value).collect::<Vec<_>>().join(", ");
-    let other = || Error::refused(COLONY.name(), entry.name, format!("an ant colony, e.g. {}", known()));
+    let other = || {
+        let known = COLONIES.iter().map(|option| option.value).collect::<Vec<_>>().join(", ");
+        Error::refused(COLONY.name(), entry.name, message!("drive-colony", "an ant colony, e.g. {known}", known = known))
+    };
     if [ITERATIONS, ANTS].iter().any(|size| entry.parameter(size.name()).is_none()) {
         return Err(other());
     }

@@ -41,7 +41,7 @@ pub const ENTRY: Follower = Follower {
     name: "drive",
     title: words("How a robot drives along a path"),
     kind: GRID,
-    needs: "a grid whose robot has a length and a width",
+    needs: words("a grid whose robot has a length and a width"),
     applies: |scene| robot(scene).is_some(),
     source: words("[LTQPSO] §5"),
     summary: words(
