@@ -253,8 +253,8 @@ impl Journey {
     /// What a detour goes round and where it leads.
     fn detour(&self, blockers: &[usize], local_goal: Option<[f64; 2]>) -> Message {
         let (n, numbers, length) = (blockers.len(), list(blockers), self.length_of(self.left()));
-        match local_goal {
-            Some([x, y]) => message!(
+        if let Some([x, y]) = local_goal {
+            message!(
                 "drive-detour",
                 "Round the predicted range of {obstacles} {numbers} along the pheromone to a local goal at ({x:.1}, {y:.1}); {length} to go.",
                 obstacles = n => "obstacle" | "obstacles",
@@ -262,14 +262,15 @@ impl Journey {
                 x = x,
                 y = y,
                 length = length
-            ),
-            None => message!(
+            )
+        } else {
+            message!(
                 "drive-detour-way",
                 "Round the predicted range of {obstacles} {numbers} along the pheromone to the planned way; {length} to go.",
                 obstacles = n => "obstacle" | "obstacles",
                 numbers = numbers,
                 length = length
-            ),
+            )
         }
     }
 

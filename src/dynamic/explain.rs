@@ -40,8 +40,8 @@ pub(super) fn read(dynamic: &Dynamic, out: &mut Readings) {
 /// Why the goal was not reached in time, and which parameter ended the drive.
 pub(super) fn why_not(journey: &Journey, limit: &str) -> Message {
     let ([x, y], now) = (journey.pose.at, journey.now);
-    match journey.waits_for() {
-        Some((obstacle, since)) => message!(
+    if let Some((obstacle, since)) = journey.waits_for() {
+        message!(
             "drive-late-waits",
             "After {now:.0} s the robot still waits at ({x:.1}, {y:.1}) for obstacle {obstacle}, since {since:.1} s; {limit} gives it longer",
             now = now,
@@ -50,15 +50,16 @@ pub(super) fn why_not(journey: &Journey, limit: &str) -> Message {
             obstacle = obstacle + 1,
             since = since,
             limit = limit
-        ),
-        None => message!(
+        )
+    } else {
+        message!(
             "drive-late",
             "After {now:.0} s the robot is at ({x:.1}, {y:.1}) and not at the goal; {limit} gives it longer",
             now = now,
             x = x,
             y = y,
             limit = limit
-        ),
+        )
     }
 }
 

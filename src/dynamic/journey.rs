@@ -315,9 +315,10 @@ impl Journey {
 
     /// A length with the scene's unit.
     pub fn length_of(&self, length: f64) -> Message {
-        match &self.ground.scene.header().units {
-            Some(unit) => message!("drive-length-unit", "{length:.1} {unit}", length = length, unit = unit),
-            None => message!("drive-length", "{length:.1}", length = length),
+        if let Some(unit) = &self.ground.scene.header().units {
+            message!("drive-length-unit", "{length:.1} {unit}", length = length, unit = unit)
+        } else {
+            message!("drive-length", "{length:.1}", length = length)
         }
     }
 
