@@ -61,7 +61,11 @@ impl Variant {
         let Self { gamma, greed: [from, to], seeded, .. } = *self;
         for (field, value, most) in [("gamma", gamma, 100.0), ("greed[0]", from, 1.0), ("greed[1]", to, 1.0), ("seeded", seeded, 1e12)] {
             if !(0.0..=most).contains(&value) {
-                return Err(Error::refused(field, value, message!("ants-from-zero", "a number from 0 to {most}", most = most)));
+                return Err(Error::refused(
+                    field,
+                    value,
+                    message!("error-number-from-to", "a number from {low} to {high}", low = 0.0, high = most),
+                ));
             }
         }
         Ok(())
