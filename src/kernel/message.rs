@@ -181,16 +181,22 @@ impl<T: ToArgument + ?Sized> ToArgument for &T {
 }
 
 macro_rules! numbers {
-    ($($type:ty)*) => {
+    ($($type:ty: $convert:expr,)*) => {
         $(impl ToArgument for $type {
             fn to_argument(&self) -> Argument {
-                Argument::Number(*self as f64)
+                Argument::Number($convert(*self))
             }
         })*
     };
 }
 
-numbers! { f64 u64 usize u32 u8 i64 i32 }
+numbers! {
+    f64: std::convert::identity,
+    u64: |whole| whole as f64,
+    usize: |whole| whole as f64,
+    u32: f64::from,
+    u8: f64::from,
+}
 
 impl ToArgument for Message {
     fn to_argument(&self) -> Argument {

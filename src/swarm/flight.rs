@@ -332,15 +332,17 @@ impl Explain for Swarm {
             return None;
         }
         let i = item.index;
-        let origin = match self.origins.as_ref().and_then(|origins| *origins.get(i)?) {
-            Some(extensions) => message!(
+        let extensions = self.origins.as_ref().and_then(|origins| *origins.get(i)?);
+        let origin = if let Some(extensions) = extensions {
+            message!(
                 "swarm-begins-on-a-path",
                 "Particle {i} begins here, on the path of a tree of {n} {extensions}; its velocity is zero.",
                 i = i,
                 n = extensions,
                 extensions = extensions => "extension" | "extensions",
-            ),
-            None => message!("swarm-begins", "Particle {i} begins here, drawn at random; its velocity is zero.", i = i),
+            )
+        } else {
+            message!("swarm-begins", "Particle {i} begins here, drawn at random; its velocity is zero.", i = i)
         };
         introduce(&self.population, item, origin)
     }
