@@ -5,7 +5,8 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::{
-    kernel::{Error, LayerKey, Scene, SceneKindId, Started, Stops, words},
+    kernel::{Error, LayerKey, Scene, SceneKindId, Started, Stops, error::list_of, words},
+    message,
     params::{Overrides, Param, Parameter, Parameters},
 };
 
@@ -224,8 +225,9 @@ impl Entry {
         let Stops { field, places } = scene.body().stops();
         match places.len() {
             n if n < 2 => {
-                let found = if n == 0 { "nothing" } else { "a list of 1" };
-                Err(Error::refused(field, found, "a list of at least two stops: this planner visits stops"))
+                let found = if n == 0 { message!("error-nothing", "nothing") } else { list_of(n) };
+                let allowed = message!("error-needs-stops", "a list of at least two stops: this planner visits stops");
+                Err(Error::refused(field, found, allowed))
             }
             n => self.check_most(field, n),
         }
@@ -237,7 +239,8 @@ impl Entry {
     /// [`Error::Unknown`] with the names that exist; [`Error::Refused`] for a planner without presets.
     pub fn preset(&self, name: &str, kind: SceneKindId) -> Result<Overrides, Error> {
         if self.presets.is_empty() {
-            return Err(Error::refused("preset", name, format!("left out: {} has no presets", self.name)));
+            let allowed = message!("error-no-presets", "left out: {planner} has no presets", planner = self.name);
+            return Err(Error::refused("preset", name, allowed));
         }
         let preset = self.presets.iter().find(|preset| preset.name == name);
         let preset = preset.ok_or_else(|| Error::unknown("preset", name, self.presets.iter().map(|preset| preset.name)))?;
@@ -248,7 +251,8 @@ impl Entry {
     fn check_most(&self, field: &str, n: usize) -> Result<(), Error> {
         match self.most_stops {
             Some(most) if n > most => {
-                Err(Error::refused(field, format!("a list of {n}"), format!("at most {most} stops for {}", self.name)))
+                let allowed = message!("error-most-stops", "at most {most} stops for {planner}", most = most, planner = self.name);
+                Err(Error::refused(field, list_of(n), allowed))
             }
             _ => Ok(()),
         }

@@ -1,6 +1,6 @@
 //! Distances between stops, from which the length of a tour is computed.
 
-use crate::{kernel::Error, math};
+use crate::{kernel::Error, math, message};
 
 /// The metric of distances between points. All but the first are TSPLIB's, by its own formulas and in whole numbers, for
 /// comparison with published optima.
@@ -94,13 +94,16 @@ impl Distances {
                 let (there, back) = (values[i * n + j], values[j * n + i]);
                 let at = || format!("{field}[{i}][{j}]");
                 if !(0.0..=LONGEST).contains(&there) {
-                    return Err(Error::refused(at(), there, format!("a distance from 0 to {LONGEST}")));
+                    let allowed = message!("exact-distance", "a distance from 0 to {most}", most = LONGEST);
+                    return Err(Error::refused(at(), there, allowed));
                 }
                 if i == j && there != 0.0 {
-                    return Err(Error::refused(at(), there, "0, as it is the distance of a stop from itself"));
+                    let allowed = message!("exact-distance-to-itself", "0, as it is the distance of a stop from itself");
+                    return Err(Error::refused(at(), there, allowed));
                 }
                 if there != back {
-                    return Err(Error::refused(at(), there, format!("{back}, as in the other direction: distances are symmetric")));
+                    let allowed = message!("exact-symmetric", "{back}, as in the other direction: distances are symmetric", back = back);
+                    return Err(Error::refused(at(), there, allowed));
                 }
             }
         }

@@ -196,6 +196,7 @@ numbers! {
     usize: |whole| whole as f64,
     u32: f64::from,
     u8: f64::from,
+    i32: f64::from,
 }
 
 impl ToArgument for Message {

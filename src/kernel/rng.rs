@@ -8,8 +8,8 @@ use rand_chacha::ChaCha8Rng;
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use crate::{
-    kernel::{Digest, Error, State},
-    math,
+    kernel::{Digest, Error, Message, State},
+    math, message,
 };
 
 /// The largest seed: every whole number up to here is exact in JavaScript.
@@ -20,11 +20,13 @@ pub const MAX_SEED: u64 = (1 << 53) - 1;
 /// # Errors
 /// [`Error::Refused`] for `seed` above 2^53 − 1.
 pub fn check_seed(seed: u64) -> Result<u64, Error> {
-    if seed <= MAX_SEED { Ok(seed) } else { Err(Error::refused("seed", seed, SEED_RANGE)) }
+    if seed <= MAX_SEED { Ok(seed) } else { Err(Error::refused("seed", seed, seed_range())) }
 }
 
 /// The allowed seeds, in words.
-pub const SEED_RANGE: &str = "a whole number from 0 to 9007199254740991";
+pub fn seed_range() -> Message {
+    message!("error-whole-from-to", "a whole number from {min} to {max}", min = 0, max = MAX_SEED)
+}
 
 /// A stream of random numbers that belongs to one run.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +94,7 @@ impl State for Stream {
 /// # Errors
 /// When the system gives no randomness.
 pub fn fresh_seed() -> Result<u64, Error> {
-    getrandom::u32().map(u64::from).map_err(|problem| Error::malformed("seed", problem.to_string()))
+    getrandom::u32().map(u64::from).map_err(|problem| Error::malformed("seed", Message::verbatim(problem.to_string())))
 }
 
 #[cfg(test)]

@@ -8,10 +8,10 @@ use std::{
 
 use serde_json::Value;
 
-use crate::geometry::Bounds;
+use crate::{geometry::Bounds, message};
 
 use super::{
-    Error, Exact, ReferenceOptimum, Solution, TourEnds, json,
+    Error, Exact, Message, ReferenceOptimum, Solution, TourEnds, json,
     scene_body::{Plane, SceneBody, SceneKindId, Verdict},
 };
 
@@ -73,7 +73,7 @@ impl Scene {
     /// [`Error::Refused`] with the field that is wrong.
     pub fn new(header: Header, body: Arc<dyn SceneBody>, optimum: Option<Optimum>) -> Result<Self, Error> {
         if header.name.is_empty() || header.name.len() > 100 {
-            return Err(Error::refused("name", format!("\"{}\"", header.name), "1 to 100 characters"));
+            return Err(Error::refused("name", format!("\"{}\"", header.name), message!("scene-name", "1 to 100 characters")));
         }
         body.check(header.exact.as_ref())?;
         Ok(Self::unchecked(header, body, optimum))
@@ -131,7 +131,7 @@ impl Scene {
     #[cold]
     #[inline(never)]
     fn other_kind(&self, expected: SceneKindId) -> Error {
-        Error::refused("kind", self.kind().name(), expected.name())
+        Error::refused("kind", self.kind().name(), Message::verbatim(expected.name()))
     }
 
     /// The plane with obstacles that paths lead through, if it is one.

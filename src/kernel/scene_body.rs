@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::geometry::{Bounds, Disc, Field, YAxis};
 
-use super::{Error, Solution};
+use super::{Error, Message, Solution};
 
 /// The id of a scene kind: the name that scene files use, e.g. `grid`. Entries list the kinds that they are for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -89,7 +89,7 @@ pub trait SceneBody: Any + Send + Sync {
     /// # Errors
     /// [`Error::Refused`] for a kind that cannot change them; of those that ship, grids can.
     fn between(&self, _ends: [[f64; 2]; 2]) -> Result<Arc<dyn SceneBody>, Error> {
-        Err(Error::refused("kind", self.kind().name(), "grid"))
+        Err(Error::refused("kind", self.kind().name(), Message::verbatim("grid")))
     }
 }
 

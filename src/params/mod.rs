@@ -10,7 +10,10 @@ mod parameters;
 
 use serde::Serialize;
 
-use crate::kernel::{Error, SceneKindId, digits::Digits, words};
+use crate::{
+    kernel::{Error, Message, SceneKindId, words},
+    message,
+};
 
 pub use overrides::{Object, Overrides, Value};
 pub use param::{Param, ParamValue, Selection};
@@ -160,13 +163,15 @@ impl Parameter {
     }
 
     /// What is allowed, in words.
-    pub fn allowed(&self) -> String {
+    pub fn allowed(&self) -> Message {
         match self.domain {
-            Domain::Number { min, max, .. } => format!("a number from {} to {}", Digits(min), Digits(max)),
-            Domain::Integer { min, max, .. } => format!("a whole number from {min} to {max}"),
-            Domain::Choice { options } => format!("one of {}", names(options)),
-            Domain::Subset { options, .. } => format!("some of {}, each once, with commas between", names(options)),
-            Domain::Flag { .. } => "true or false".to_owned(),
+            Domain::Number { min, max, .. } => message!("error-number-from-to", "a number from {low} to {high}", low = min, high = max),
+            Domain::Integer { min, max, .. } => message!("error-whole-from-to", "a whole number from {min} to {max}", min = min, max = max),
+            Domain::Choice { options } => message!("error-one-of", "one of {names}", names = names(options)),
+            Domain::Subset { options, .. } => {
+                message!("error-some-of", "some of {names}, each once, with commas between", names = names(options))
+            }
+            Domain::Flag { .. } => message!("error-flag", "true or false"),
         }
     }
 

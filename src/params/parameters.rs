@@ -1,6 +1,9 @@
 //! Given values, checked against a planner's parameters and completed by defaults.
 
-use crate::kernel::{Error, SceneKindId};
+use crate::{
+    kernel::{Error, SceneKindId},
+    message,
+};
 
 use super::{Choice, Overrides, Parameter, Value, When};
 
@@ -30,7 +33,8 @@ impl Parameters {
                 of_kind().find(|p| p.name == name).ok_or_else(|| Error::unknown("parameter", name, of_kind().map(|p| p.name)))?;
             parameter.check(value)?;
             if let Some(When { parameter: other, value: needed }) = unmet(parameters, kind, given, parameter) {
-                return Err(Error::refused(name, value, format!("left out unless {other} is {needed}")));
+                let allowed = message!("error-left-out-unless", "left out unless {other} is {needed}", other = other, needed = needed);
+                return Err(Error::refused(name, value, allowed));
             }
         }
         let applicable = || of_kind().filter(|p| unmet(parameters, kind, given, p).is_none());

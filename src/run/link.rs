@@ -10,7 +10,7 @@ use miniz_oxide::inflate::TINFLStatus;
 
 use crate::{
     describe::Registry,
-    kernel::{Error, Message, Scene, limits, rng::SEED_RANGE},
+    kernel::{Error, Message, Scene, limits, rng::seed_range},
     message,
     params::{Overrides, Value},
 };
@@ -66,7 +66,7 @@ impl Link {
                 "v" => version = Some(value),
                 "planner" => planner = Some(value.to_owned()),
                 "scene" => scene = Some((unpacked(registry, value)?, !value.starts_with(PACKED))),
-                "seed" => seed = value.parse().map_err(|_| Error::refused("seed", value, SEED_RANGE))?,
+                "seed" => seed = value.parse().map_err(|_| Error::refused("seed", value, seed_range()))?,
                 "at" => iteration = value.parse().map_err(|_| Error::refused("at", value, message!("error-whole", "a whole number")))?,
                 "hash" => hash = Some(value.to_owned()),
                 _ => match key.strip_prefix("p.") {

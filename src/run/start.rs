@@ -5,6 +5,7 @@ use std::{cell::OnceCell, sync::Arc};
 use crate::{
     describe::{Entry, Registry, Start},
     kernel::{Error, Readings, Scene, Started, Stepper},
+    message,
     params::Parameters,
 };
 
@@ -12,7 +13,7 @@ use super::{answers::Answers, keyframes::Keyframes, origin::Origin, setup::Setup
 
 /// What there is to know of a planner that no registry lists.
 const UNLISTED: Entry = Entry::new("unlisted", "Unlisted", "", "A planner that no registry lists.", |_| {
-    Err(Error::refused("planner", "unlisted", "a planner that a registry lists"))
+    Err(Error::refused("planner", "unlisted", message!("run-unlisted", "a planner that a registry lists")))
 });
 
 /// What a run is of.

@@ -10,6 +10,7 @@ use serde::Serialize;
 use crate::{
     describe::Registry,
     kernel::{Error, ReferenceOptimum, Status},
+    message,
     params::Overrides,
     settled::SETTLED,
 };
@@ -108,7 +109,7 @@ impl Trial {
     /// As [`Run::new`], and a `within` that is no number from 0 to 1,000,000.
     pub fn new(registry: &Arc<Registry>, setup: Setup, within: f64) -> Result<Self, Error> {
         if !(0.0..=1e6).contains(&within) {
-            return Err(Error::refused("within", within, "from 0 to 1000000, a share of the exact optimum"));
+            return Err(Error::refused("within", within, message!("run-within", "from 0 to 1000000, a share of the exact optimum")));
         }
         let run = Run::with_keyframes(registry, setup, 0)?;
         let exact = run.exact().map(|exact| exact.length).or_else(|| run.scene().minimum());

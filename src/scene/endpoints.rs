@@ -3,6 +3,7 @@
 use crate::{
     geometry::{Cells, Endpoints, Plan},
     kernel::Error,
+    message,
 };
 
 use super::GridScene;
@@ -59,7 +60,7 @@ fn entrance(grid: &GridScene, name: &str, point: [f64; 2]) -> Result<usize, Erro
         Error::refused(
             name,
             format!("({}, {})", point[0], point[1]),
-            "in a cell to whose centre the robot can go: this planner goes from cell to cell",
+            message!("scene-entrance", "in a cell to whose centre the robot can go: this planner goes from cell to cell"),
         )
     })
 }

@@ -4,7 +4,8 @@
 
 use crate::{
     geometry::{Bounds, closest_approach, first_within},
-    kernel::{Border, Error},
+    kernel::{Border, Error, error::list_of},
+    message,
 };
 
 use super::check::{LARGEST, coordinate, finite, limited, positive};
@@ -148,7 +149,8 @@ impl Moving {
             Motion::Waypoints(points) => {
                 let field = format!("{name}.waypoints");
                 if points.is_empty() || points.len() > MAX_WAYPOINTS {
-                    return Err(Error::refused(field, format!("a list of {}", points.len()), format!("1 to {MAX_WAYPOINTS} waypoints")));
+                    let allowed = message!("scene-waypoints", "1 to {most} waypoints", most = MAX_WAYPOINTS);
+                    return Err(Error::refused(field, list_of(points.len()), allowed));
                 }
                 let [x, y] = self.center;
                 let mut before = [0.0, x, y];
@@ -158,12 +160,19 @@ impl Moving {
                     (1..3).try_for_each(|k| limited(&format!("{field}[{k}]"), point[k]))?;
                     let (time, seconds) = (format!("{field}[0]"), point[0] - before[0]);
                     if seconds <= 0.0 || point[0] > LARGEST {
-                        let allowed = format!("after {}, at most {LARGEST}: the times of waypoints grow", before[0]);
+                        let allowed = message!(
+                            "scene-waypoint-time",
+                            "after {before}, at most {most}: the times of waypoints grow",
+                            before = before[0],
+                            most = LARGEST
+                        );
                         return Err(Error::refused(time, point[0], allowed));
                     }
                     // Nothing is faster than what has a velocity; a time too short to divide by would lead nowhere.
                     if (1..3).any(|k| (point[k] - before[k]).abs() > seconds * LARGEST) {
-                        return Err(Error::refused(time, point[0], format!("late enough to be there at no more than {LARGEST} a second")));
+                        let allowed =
+                            message!("scene-waypoint-speed", "late enough to be there at no more than {most} a second", most = LARGEST);
+                        return Err(Error::refused(time, point[0], allowed));
                     }
                     before = point;
                 }

@@ -125,7 +125,7 @@ pub(crate) fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
     if (0.0..=rng::MAX_SEED as f64).contains(&number) && number.fract() == 0.0 {
         Ok(number as u64)
     } else {
-        Err(js_error(Error::refused(field, number, rng::SEED_RANGE)))
+        Err(js_error(Error::refused(field, number, rng::seed_range())))
     }
 }
 

@@ -112,7 +112,7 @@ pub(super) fn read(path: &str) -> Result<NamedFile, Failure> {
 pub(super) fn seed(text: &str) -> Result<u64, Error> {
     match text {
         "random" => rng::fresh_seed(),
-        number => number.parse().map_err(|_| Error::refused("seed", number, rng::SEED_RANGE)),
+        number => number.parse().map_err(|_| Error::refused("seed", number, rng::seed_range())),
     }
 }
 

@@ -6,8 +6,9 @@ use crate::{
     arm::{self, ArmScene, Posture},
     exact::{AmongCuboids, shortest_among_cuboids},
     geometry::{Cuboid, length_in_space},
-    kernel::{Error, Exact, SceneKindId, Solution, Verdict},
-    scene::check::limited,
+    kernel::{Error, Exact, SceneKindId, Solution, Verdict, error::list_of},
+    message,
+    scene::check::{greater_than, limited},
 };
 
 /// The id of the kind in scene files.
@@ -27,7 +28,8 @@ impl ArmScene {
     pub(super) fn check_fields(&self) -> Result<(), Error> {
         check_cuboid("workspace", &self.workspace)?;
         if self.cuboids.len() > MAX_CUBOIDS {
-            return Err(Error::refused("cuboids", format!("a list of {}", self.cuboids.len()), format!("at most {MAX_CUBOIDS} cuboids")));
+            let allowed = message!("scene-most-cuboids", "at most {most} cuboids", most = MAX_CUBOIDS);
+            return Err(Error::refused("cuboids", list_of(self.cuboids.len()), allowed));
         }
         self.cuboids.iter().enumerate().try_for_each(|(i, cuboid)| check_cuboid(&format!("cuboids[{i}]"), cuboid))?;
         self.arm.check().map_err(|error| error.within("arm"))?;
@@ -41,13 +43,27 @@ impl ArmScene {
         let shown = format!("({}, {}, {})", point[0], point[1], point[2]);
         if !self.workspace.contains(point) {
             let ([x0, y0, z0], [x1, y1, z1]) = (self.workspace.min, self.workspace.max);
-            return Err(Error::refused(field, shown, format!("inside the workspace, ({x0}, {y0}, {z0}) to ({x1}, {y1}, {z1})")));
+            let allowed = message!(
+                "scene-inside-workspace",
+                "inside the workspace, ({x0}, {y0}, {z0}) to ({x1}, {y1}, {z1})",
+                x0 = x0,
+                y0 = y0,
+                z0 = z0,
+                x1 = x1,
+                y1 = y1,
+                z1 = z1
+            );
+            return Err(Error::refused(field, shown, allowed));
         }
         if arm::segment_meets_column(self, point, point) {
-            return Err(Error::refused(field, shown, "outside the column under the arm's base, and it touches that"));
+            let allowed = message!("scene-outside-column", "outside the column under the arm's base, and it touches that");
+            return Err(Error::refused(field, shown, allowed));
         }
         match self.cuboids.iter().position(|cuboid| cuboid.contains(point)) {
-            Some(i) => Err(Error::refused(field, shown, format!("outside every cuboid, and it touches cuboids[{i}]"))),
+            Some(i) => {
+                let allowed = message!("scene-outside-cuboids", "outside every cuboid, and it touches cuboids[{i}]", i = i);
+                Err(Error::refused(field, shown, allowed))
+            }
             None => Ok(()),
         }
     }
@@ -125,7 +141,7 @@ fn check_cuboid(field: &str, cuboid: &Cuboid) -> Result<(), Error> {
         let at = format!("{field}.max[{axis}]");
         limited(&at, cuboid.max[axis])?;
         if cuboid.max[axis] - cuboid.min[axis] < 1e-6 {
-            return Err(Error::refused(at, cuboid.max[axis], format!("greater than {field}.min[{axis}] = {}", cuboid.min[axis])));
+            return Err(Error::refused(at, cuboid.max[axis], greater_than(&format!("{field}.min[{axis}]"), cuboid.min[axis])));
         }
     }
     Ok(())

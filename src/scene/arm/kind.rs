@@ -8,7 +8,7 @@ use crate::{
     arm::ArmScene,
     describe::SceneKind,
     geometry::Bounds,
-    kernel::{Backdrop, Error, SceneBody, SceneKindId, Solution, Verdict},
+    kernel::{Backdrop, Error, SceneBody, SceneKindId, Solution, Verdict, words},
 };
 
 use super::{body::ID, read};
@@ -16,7 +16,7 @@ use super::{body::ID, read};
 /// The kind `arm`: six-axis arms among cuboids.
 pub const KIND: SceneKind = SceneKind {
     id: ID,
-    title: "arms",
+    title: words("arms"),
     read: |fields| Ok(Arc::new(read::read(fields)?)),
     optimum: Some(|scene, _, ends| match ends {
         None => scene.get::<ArmScene>().ok()?.shortest(scene.header().exact.as_ref()),

@@ -7,8 +7,10 @@ use crate::{
     geometry::Cuboid,
     kernel::{
         Error,
+        error::list_of,
         fields::{Fields, each, object},
     },
+    message,
 };
 
 /// Reads its fields.
@@ -24,19 +26,21 @@ pub(super) fn read(fields: &mut Fields) -> Result<ArmScene, Error> {
 }
 
 fn cuboid(at: &str, value: Value) -> Result<Cuboid, Error> {
-    let mut fields = Fields::of(at, value, "an object with min and max")?;
+    let mut fields = Fields::of(at, value, message!("scene-bounds", "an object with min and max"))?;
     let cuboid = Cuboid { min: fields.point_in_space("min")?, max: fields.point_in_space("max")? };
     fields.end()?;
     Ok(cuboid)
 }
 
 fn arm(value: Value) -> Result<Arm, Error> {
-    let mut fields = Fields::of("arm", value, "an object with joints, tool and base")?;
+    let mut fields = Fields::of("arm", value, message!("scene-arm", "an object with joints, tool and base"))?;
     let joints = each("arm.joints", fields.list("joints")?, joint)?;
     let n = joints.len();
-    let joints = joints.try_into().map_err(|_| Error::refused("arm.joints", format!("a list of {n}"), "a list of 6"))?;
-    let mut tool = Fields::of("arm.tool", fields.take("tool"), "an object with axis and length")?;
-    let mut base = Fields::of("arm.base", fields.take("base"), "an object with position, yaw and column_radius")?;
+    let joints = joints.try_into().map_err(|_| Error::refused("arm.joints", list_of(n), list_of(6)))?;
+    let tool = message!("scene-tool", "an object with axis and length");
+    let mut tool = Fields::of("arm.tool", fields.take("tool"), tool)?;
+    let base = message!("scene-base", "an object with position, yaw and column_radius");
+    let mut base = Fields::of("arm.base", fields.take("base"), base)?;
     fields.end()?;
     let arm = Arm {
         joints,
@@ -53,7 +57,7 @@ fn arm(value: Value) -> Result<Arm, Error> {
 }
 
 fn joint(at: &str, value: Value) -> Result<Joint, Error> {
-    let mut fields = Fields::of(at, value, "an object with a, alpha, home, d, min and max")?;
+    let mut fields = Fields::of(at, value, message!("scene-joint", "an object with a, alpha, home, d, min and max"))?;
     let joint = Joint {
         a: fields.number("a")?,
         alpha: fields.number("alpha")?,

@@ -3,8 +3,9 @@
 use crate::{
     exact::shortest_among_discs,
     geometry::{self, Bounds, Disc},
-    kernel::{Error, Exact, SceneKindId, Verdict, digits::Digits},
-    scene::check::{coordinate, positive},
+    kernel::{Error, Exact, SceneKindId, Verdict, digits::Digits, error::list_of},
+    message,
+    scene::check::{coordinate, greater_than, positive},
 };
 
 /// The id of the kind in scene files.
@@ -34,15 +35,12 @@ impl DiscsScene {
             coordinate("bounds.max", bounds.max, axis)?;
             if bounds.max[axis] - bounds.min[axis] < 1e-6 {
                 let at = format!("bounds.max[{axis}]");
-                return Err(Error::refused(
-                    at,
-                    bounds.max[axis],
-                    format!("greater than bounds.min[{axis}] = {}", Digits(bounds.min[axis])),
-                ));
+                return Err(Error::refused(at, bounds.max[axis], greater_than(&format!("bounds.min[{axis}]"), bounds.min[axis])));
             }
         }
         if self.discs.len() > MAX_DISCS {
-            return Err(Error::refused("discs", format!("a list of {}", self.discs.len()), format!("at most {MAX_DISCS} discs")));
+            let allowed = message!("scene-most-discs", "at most {most} discs", most = MAX_DISCS);
+            return Err(Error::refused("discs", list_of(self.discs.len()), allowed));
         }
         for (i, disc) in self.discs.iter().enumerate() {
             (0..2).try_for_each(|axis| coordinate(&format!("discs[{i}].center"), disc.center, axis))?;
@@ -58,11 +56,21 @@ impl DiscsScene {
         let text = |point: [f64; 2]| format!("({}, {})", Digits(point[0]), Digits(point[1]));
         let Bounds { min, max } = self.bounds;
         if (0..2).any(|axis| point[axis] < min[axis] || point[axis] > max[axis]) {
-            let allowed = format!("inside the bounds, {} to {}", text(min), text(max));
+            let allowed = message!(
+                "scene-inside-bounds",
+                "inside the bounds, ({left}, {bottom}) to ({right}, {top})",
+                left = min[0],
+                bottom = min[1],
+                right = max[0],
+                top = max[1]
+            );
             return Err(Error::refused(field, text(point), allowed));
         }
         match self.discs.iter().position(|disc| disc.clearance(point) < 0.0) {
-            Some(i) => Err(Error::refused(field, text(point), format!("outside every disc, and it lies in discs[{i}]"))),
+            Some(i) => {
+                let allowed = message!("scene-outside-discs", "outside every disc, and it lies in discs[{i}]", i = i);
+                Err(Error::refused(field, text(point), allowed))
+            }
             None => Ok(()),
         }
     }

@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::{
     describe::SceneKind,
     geometry::Bounds,
-    kernel::{Backdrop, Error, Plane, SceneBody, SceneKindId, Solution, Verdict},
+    kernel::{Backdrop, Error, Plane, SceneBody, SceneKindId, Solution, Verdict, words},
 };
 
 use super::{
@@ -18,7 +18,7 @@ use super::{
 /// The kind `discs`: planes with disc obstacles.
 pub const KIND: SceneKind = SceneKind {
     id: ID,
-    title: "disc obstacles",
+    title: words("disc obstacles"),
     read: |fields| Ok(Arc::new(read::read(fields)?)),
     optimum: Some(|scene, _, ends| if ends.is_none() { scene.get::<DiscsScene>().ok()?.shortest() } else { None }),
     shipped: &[

@@ -8,6 +8,7 @@ use crate::{
         Error,
         fields::{Fields, each, object, point},
     },
+    message,
 };
 
 use super::body::DiscsScene;
@@ -31,14 +32,14 @@ pub(super) fn read(fields: &mut Fields) -> Result<DiscsScene, Error> {
 }
 
 fn bounds(value: Value) -> Result<Bounds, Error> {
-    let mut fields = Fields::of("bounds", value, "an object with min and max")?;
+    let mut fields = Fields::of("bounds", value, message!("scene-bounds", "an object with min and max"))?;
     let bounds = Bounds { min: fields.point("min")?, max: fields.point("max")? };
     fields.end()?;
     Ok(bounds)
 }
 
 fn disc(at: &str, value: Value) -> Result<Disc, Error> {
-    let mut fields = Fields::of(at, value, "an object with center and radius")?;
+    let mut fields = Fields::of(at, value, message!("scene-disc", "an object with center and radius"))?;
     let disc = Disc { center: fields.point("center")?, radius: fields.number("radius")? };
     fields.end()?;
     Ok(disc)

@@ -5,7 +5,7 @@ use std::f64::consts::{E, TAU};
 use crate::{
     geometry::Bounds,
     kernel::{Error, SceneKindId},
-    math,
+    math, message,
 };
 
 /// The id of the kind in scene files.
@@ -116,15 +116,29 @@ impl FunctionScene {
     pub(super) fn check_fields(&self) -> Result<(), Error> {
         let (low, high) = self.function.dimensions();
         if !(low..=high).contains(&self.dimension) {
-            let allowed = if low == high { low.to_string() } else { format!("a whole number from {low} to {high}") };
-            return Err(Error::refused("dimension", self.dimension, format!("{allowed} for {}", self.function.name())));
+            let function = self.function.name();
+            let allowed = if low == high {
+                message!("scene-dimension", "{low} for {function}", low = low, function = function)
+            } else {
+                message!(
+                    "scene-dimensions",
+                    "a whole number from {low} to {high} for {function}",
+                    low = low,
+                    high = high,
+                    function = function
+                )
+            };
+            return Err(Error::refused("dimension", self.dimension, allowed));
         }
         if ![0, self.dimension].contains(&self.shift.len()) {
-            return Err(Error::refused("shift", self.shift.len(), "a number for each variable"));
+            return Err(Error::refused("shift", self.shift.len(), message!("scene-shift", "a number for each variable")));
         }
         let inside = |shift: &&f64| (self.function.minimiser() + **shift).abs() <= self.function.half_side();
         match self.shift.iter().find(|shift| !inside(shift)) {
-            Some(shift) => Err(Error::refused("shift", *shift, "so small that the minimum stays in the search box")),
+            Some(shift) => {
+                let allowed = message!("scene-shift-inside", "so small that the minimum stays in the search box");
+                Err(Error::refused("shift", *shift, allowed))
+            }
             None => Ok(()),
         }
     }

@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::{
     describe::SceneKind,
     geometry::Bounds,
-    kernel::{Error, SceneBody, SceneKindId, Solution, Verdict},
+    kernel::{Error, SceneBody, SceneKindId, Solution, Verdict, words},
 };
 
 use super::{
@@ -18,7 +18,7 @@ use super::{
 /// The kind `function`: test functions to minimise.
 pub const KIND: SceneKind = SceneKind {
     id: ID,
-    title: "test functions",
+    title: words("test functions"),
     read: |fields| Ok(Arc::new(read::read(fields)?)),
     optimum: None,
     shipped: &[

@@ -2,9 +2,12 @@
 
 use serde_json::Value;
 
-use crate::kernel::{
-    Error,
-    fields::{Fields, each, number},
+use crate::{
+    kernel::{
+        Error,
+        fields::{Fields, each, number},
+    },
+    message,
 };
 
 use super::body::{Function, FunctionScene};
@@ -23,7 +26,7 @@ pub(super) fn read(fields: &mut Fields) -> Result<FunctionScene, Error> {
     let function = fields.one_of("function", Function::ALL, Function::name)?;
     let dimension = fields.number("dimension")?;
     if dimension.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&dimension) {
-        return Err(Error::refused("dimension", dimension, "a positive whole number"));
+        return Err(Error::refused("dimension", dimension, message!("scene-positive-whole", "a positive whole number")));
     }
     let mut shift = Vec::new();
     if fields.has("shift") {

@@ -5,6 +5,7 @@ use crate::{
         Error,
         rng::{self, Stream},
     },
+    message,
     scene::{GridScene, Header, MAX_GRID_STOPS, Scene, grid},
 };
 
@@ -20,7 +21,13 @@ pub fn with_stops(scene: &Scene, n: usize, seed: u64) -> Result<Scene, Error> {
     let mut places = room(grid);
     let most = places.len().min(MAX_GRID_STOPS);
     if !(1..=most).contains(&n) {
-        return Err(Error::refused("stops", n, format!("from 1 to {most}: as many as the grid has room for, {MAX_GRID_STOPS} at most")));
+        let allowed = message!(
+            "generate-stops",
+            "from 1 to {room}: as many as the grid has room for, {most} at most",
+            room = most,
+            most = MAX_GRID_STOPS
+        );
+        return Err(Error::refused("stops", n, allowed));
     }
     let stops = draw(grid, &mut places, n, &mut stream);
     let header = scene.header();

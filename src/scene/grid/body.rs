@@ -5,9 +5,10 @@ use std::sync::{Arc, OnceLock};
 use crate::{
     exact::{Distances, MAX_EXACT_STOPS, shortest_on_grid, shortest_over_cells, shortest_tour},
     geometry::{self, Bounds, Cells, Field, YAxis},
-    kernel::{Error, Exact, ReferenceOptimum, SceneKindId, TourEnds, Track, Verdict},
+    kernel::{Error, Exact, ReferenceOptimum, SceneKindId, TourEnds, Track, Verdict, error::list_of},
+    message,
     scene::{
-        check::{LARGEST, coordinate, finite, positive},
+        check::{LARGEST, coordinate, finite, from_to, nothing, positive},
         moving::{MAX_MOVING, Moving},
     },
 };
@@ -206,27 +207,28 @@ impl GridScene {
     /// # Errors
     /// [`Error::Refused`] if the scene has none; it may have stops.
     pub fn ends(&self) -> Result<([f64; 2], [f64; 2]), Error> {
-        let one =
-            |name, point: Option<_>| point.ok_or_else(|| Error::refused(name, "nothing", "a point: this planner goes from start to goal"));
+        let allowed = || message!("scene-needs-ends", "a point: this planner goes from start to goal");
+        let one = |name, point: Option<_>| point.ok_or_else(|| Error::refused(name, nothing(), allowed()));
         Ok((one("start", self.start)?, one("goal", self.goal)?))
     }
 
     pub(super) fn check_fields(&self) -> Result<(), Error> {
         positive("cell", self.cell)?;
         if self.cell < SMALLEST_CELL {
-            return Err(Error::refused("cell", self.cell, format!("from {SMALLEST_CELL} to {LARGEST}")));
+            return Err(Error::refused("cell", self.cell, from_to(SMALLEST_CELL, LARGEST)));
         }
         for (name, count) in [("rows", self.rows()), ("rows[0]", self.columns)] {
             if !(1..=MAX_SIDE).contains(&count) {
-                return Err(Error::refused(name, count, format!("from 1 to {MAX_SIDE}")));
+                return Err(Error::refused(name, count, from_to(1.0, MAX_SIDE as f64)));
             }
         }
         self.check_robot()?;
+        let point = || message!("error-point", "a point, [x, y]");
         match (self.start, self.goal) {
-            (Some(_), None) if self.stops.is_empty() => return Err(Error::refused("goal", "nothing", "a point, [x, y]")),
-            (None, Some(_)) => return Err(Error::refused("start", "nothing", "a point, [x, y]")),
+            (Some(_), None) if self.stops.is_empty() => return Err(Error::refused("goal", nothing(), point())),
+            (None, Some(_)) => return Err(Error::refused("start", nothing(), point())),
             (None, None) if self.stops.is_empty() => {
-                return Err(Error::refused("start", "nothing", "a start and a goal, or stops"));
+                return Err(Error::refused("start", nothing(), message!("scene-ends-or-stops", "a start and a goal, or stops")));
             }
             _ => {}
         }
@@ -234,15 +236,13 @@ impl GridScene {
             point.iter().try_for_each(|&point| self.check_point(name, point))?;
         }
         if self.stops.len() > MAX_GRID_STOPS {
-            return Err(Error::refused("stops", format!("a list of {}", self.stops.len()), format!("at most {MAX_GRID_STOPS} stops")));
+            let allowed = message!("scene-most-stops", "at most {most} stops", most = MAX_GRID_STOPS);
+            return Err(Error::refused("stops", list_of(self.stops.len()), allowed));
         }
         self.stops.iter().enumerate().try_for_each(|(i, &stop)| self.check_point(&format!("stops[{i}]"), stop))?;
         if self.moving.len() > MAX_MOVING {
-            return Err(Error::refused(
-                "moving",
-                format!("a list of {}", self.moving.len()),
-                format!("at most {MAX_MOVING} moving obstacles"),
-            ));
+            let allowed = message!("scene-most-moving", "at most {most} moving obstacles", most = MAX_MOVING);
+            return Err(Error::refused("moving", list_of(self.moving.len()), allowed));
         }
         self.moving.iter().enumerate().try_for_each(|(i, disc)| disc.check(&format!("moving[{i}]")))?;
         Ok(())
@@ -257,15 +257,19 @@ impl GridScene {
             if matches!(name, "turn_time" | "margin") {
                 finite(&field, value)?;
                 if !(0.0..=LARGEST).contains(&value) {
-                    return Err(Error::refused(field, value, format!("from 0 to {LARGEST}")));
+                    return Err(Error::refused(field, value, from_to(0.0, LARGEST)));
                 }
             } else {
                 positive(&field, value)?;
             }
         }
         match (robot.length, robot.width) {
-            (Some(_), None) => Err(Error::refused("robot.width", "nothing", "a width, as there is a length")),
-            (None, Some(_)) => Err(Error::refused("robot.length", "nothing", "a length, as there is a width")),
+            (Some(_), None) => {
+                Err(Error::refused("robot.width", nothing(), message!("scene-robot-width", "a width, as there is a length")))
+            }
+            (None, Some(_)) => {
+                Err(Error::refused("robot.length", nothing(), message!("scene-robot-length", "a length, as there is a width")))
+            }
             _ => Ok(()),
         }
     }
@@ -276,14 +280,19 @@ impl GridScene {
         let shown = || format!("({}, {})", point[0], point[1]);
         let max = self.bounds().max;
         if (0..2).any(|axis| !(0.0..=max[axis]).contains(&point[axis])) {
-            return Err(Error::refused(field, shown(), format!("inside the grid, (0, 0) to ({}, {})", max[0], max[1])));
+            let allowed = message!("scene-inside-grid", "inside the grid, (0, 0) to ({right}, {top})", right = max[0], top = max[1]);
+            return Err(Error::refused(field, shown(), allowed));
         }
         if self.field().is_free(point, point) {
             return Ok(());
         }
         let allowed = match self.radius() {
-            0.0 => "outside every blocked cell".to_owned(),
-            radius => format!("where the robot fits: at least its radius, {radius}, from every blocked cell"),
+            0.0 => message!("scene-outside-cells", "outside every blocked cell"),
+            radius => message!(
+                "scene-robot-fits",
+                "where the robot fits: at least its radius, {radius}, from every blocked cell",
+                radius = radius
+            ),
         };
         Err(Error::refused(field, shown(), allowed))
     }

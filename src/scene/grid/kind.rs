@@ -9,6 +9,7 @@ use crate::{
     geometry::{Bounds, Field, YAxis},
     kernel::{
         Backdrop, Error, Exact, ObstacleField, Plane, ReferenceOptimum, Scene, SceneBody, SceneKindId, Solution, Stops, TourEnds, Verdict,
+        words,
     },
 };
 
@@ -20,7 +21,7 @@ use super::{
 /// The kind `grid`: free and blocked cells.
 pub const KIND: SceneKind = SceneKind {
     id: ID,
-    title: "grids",
+    title: words("grids"),
     read: |fields| Ok(Arc::new(read::read(fields)?)),
     optimum: Some(optimum),
     shipped: &[

@@ -8,7 +8,11 @@ use crate::{
         Error,
         fields::{Fields, each, number, object, point, points, shown},
     },
-    scene::moving::{Motion, Moving},
+    message,
+    scene::{
+        check::this_field,
+        moving::{Motion, Moving},
+    },
 };
 
 use super::body::{GridScene, Robot};
@@ -77,13 +81,15 @@ fn rows(fields: &mut Fields, y_axis: YAxis) -> Result<(usize, Vec<bool>), Error>
     for (i, line) in lines.iter().enumerate() {
         let name = format!("rows[{}]", if y_axis == YAxis::Up { count - 1 - i } else { i });
         let Some(line) = line.as_str() else {
-            return Err(Error::refused(name, shown(line), "a text of . and #"));
+            return Err(Error::refused(name, shown(line), message!("scene-row", "a text of . and #")));
         };
         if let Some(wrong) = line.chars().find(|c| !matches!(c, '.' | '#')) {
-            return Err(Error::refused(name, format!("the character {wrong:?}"), "only . (free) and # (blocked)"));
+            let found = message!("scene-character", "the character {character}", character = format!("{wrong:?}"));
+            return Err(Error::refused(name, found, message!("scene-row-of", "only . (free) and # (blocked)")));
         }
         if *columns.get_or_insert(line.len()) != line.len() {
-            return Err(Error::refused(name, format!("{} cells", line.len()), "as many cells as the other rows"));
+            let found = message!("scene-row-cells", "{n} cells", n = line.len());
+            return Err(Error::refused(name, found, message!("scene-row-length", "as many cells as the other rows")));
         }
         blocked.extend(line.bytes().map(|c| c == b'#'));
     }
@@ -91,7 +97,8 @@ fn rows(fields: &mut Fields, y_axis: YAxis) -> Result<(usize, Vec<bool>), Error>
 }
 
 fn robot(value: Value) -> Result<Robot, Error> {
-    let mut fields = Fields::of("robot", value, "an object with length, width, speed, turn_time, sensor, radius, margin, look_ahead")?;
+    let allowed = message!("scene-robot", "an object with length, width, speed, turn_time, sensor, radius, margin, look_ahead");
+    let mut fields = Fields::of("robot", value, allowed)?;
     let mut given = |name| fields.optional_number(name);
     let robot = Robot {
         length: given("length")?,
@@ -108,7 +115,8 @@ fn robot(value: Value) -> Result<Robot, Error> {
 }
 
 fn moving(at: &str, value: Value) -> Result<Moving, Error> {
-    let mut fields = Fields::of(at, value, "an object with center, radius, and velocity or waypoints")?;
+    let allowed = message!("scene-moving", "an object with center, radius, and velocity or waypoints");
+    let mut fields = Fields::of(at, value, allowed)?;
     let (center, radius) = (fields.point("center")?, fields.number("radius")?);
     let motion = match ["velocity", "waypoints"].map(|name| fields.has(name)) {
         [true, false] => {
@@ -120,8 +128,14 @@ fn moving(at: &str, value: Value) -> Result<Moving, Error> {
             fields.allow("velocity");
             Motion::Waypoints(each(&fields.path("waypoints"), fields.list("waypoints")?, |at, value| moment(at, &value))?)
         }
-        [false, false] => return Err(fields.refuse("velocity", &Value::Null, "a velocity, [vx, vy], or else waypoints")),
-        [true, true] => return Err(Error::refused(fields.path("velocity"), "this field", "left out where there are waypoints")),
+        [false, false] => {
+            let allowed = message!("scene-motion", "a velocity, [vx, vy], or else waypoints");
+            return Err(fields.refuse("velocity", &Value::Null, allowed));
+        }
+        [true, true] => {
+            let allowed = message!("scene-one-motion", "left out where there are waypoints");
+            return Err(Error::refused(fields.path("velocity"), this_field(), allowed));
+        }
     };
     fields.end()?;
     Ok(Moving { center, radius, motion })
@@ -130,7 +144,7 @@ fn moving(at: &str, value: Value) -> Result<Moving, Error> {
 /// A waypoint; `path` is its field.
 fn moment(path: &str, found: &Value) -> Result<[f64; 3], Error> {
     let Some([time, x, y]) = found.as_array().map(Vec::as_slice) else {
-        return Err(Error::refused(path, shown(found), "a time and a point, [t, x, y]"));
+        return Err(Error::refused(path, shown(found), message!("scene-waypoint", "a time and a point, [t, x, y]")));
     };
     Ok([number(format!("{path}[0]"), time)?, number(format!("{path}[1]"), x)?, number(format!("{path}[2]"), y)?])
 }
@@ -229,7 +243,7 @@ mod tests {
         }
         for (from, to, expected) in [
             ("[[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]", "3", ["", "3", "a list"]),
-            ("[[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]", "[]", ["", "a list of 0", "1 to 10000 waypoints"]),
+            ("[[1.5, 2, 3], [3, 2, 3], [4.5, -2, 1e3]]", "[]", ["", "an empty list", "1 to 10000 waypoints"]),
             ("[3, 2, 3]", "[2, 3]", ["[1]", "a list of 2", "a time and a point, [t, x, y]"]),
             ("[3, 2, 3]", "[3, 2, 3, 4]", ["[1]", "a list of 4", "a time and a point, [t, x, y]"]),
             ("[3, 2, 3]", "{}", ["[1]", "an object", "a time and a point, [t, x, y]"]),

@@ -7,8 +7,8 @@ use serde_json::Value;
 use crate::{
     exact::{Distances, Metric, shortest_tour},
     geometry::Bounds,
-    kernel::{Error, Exact, SceneKindId, Solution, TourEnds, Verdict, fields::shown},
-    math,
+    kernel::{Error, Exact, SceneKindId, Solution, TourEnds, Verdict, error::list_of, fields::shown},
+    math, message,
     scene::check::coordinate,
 };
 
@@ -87,14 +87,11 @@ impl TourScene {
         let field = if self.matrix.is_some() { "matrix" } else { "points" };
         let n = self.len();
         if !(2..=MAX_STOPS).contains(&n) {
-            return Err(Error::refused(field, format!("a list of {n}"), format!("2 to {MAX_STOPS} stops")));
+            return Err(Error::refused(field, list_of(n), message!("scene-tour-stops", "2 to {most} stops", most = MAX_STOPS)));
         }
         if !self.points.is_empty() && self.points.len() != n {
-            return Err(Error::refused(
-                "points",
-                format!("a list of {}", self.points.len()),
-                format!("left out, or {n}: a point for each row"),
-            ));
+            let allowed = message!("scene-tour-points", "left out, or {n}: a point for each row", n = n);
+            return Err(Error::refused("points", list_of(self.points.len()), allowed));
         }
         for (i, &point) in self.points.iter().enumerate() {
             (0..2).try_for_each(|axis| coordinate(&format!("points[{i}]"), point, axis))?;
@@ -106,17 +103,19 @@ impl TourScene {
     fn check_stored(&self, stored: &Value) -> Result<(), Error> {
         let length = stored.get("length").filter(|length| !length.is_null());
         if let Some(length) = length.filter(|length| !length.as_f64().is_some_and(|length| (0.0..f64::MAX).contains(&length))) {
-            return Err(Error::refused("exact.length", shown(length), "a length: a number, not negative"));
+            return Err(Error::refused("exact.length", shown(length), message!("scene-tour-length", "a length: a number, not negative")));
         }
         let Some(order) = stored.get("order").filter(|order| !order.is_null()) else {
             return Ok(());
         };
-        let wrong =
-            |field: &str, found: &Value| Error::refused(field, shown(found), format!("each stop from 0 to {} once", self.len() - 1));
-        let items = order
-            .as_array()
-            .filter(|items| items.len() == self.len())
-            .ok_or_else(|| Error::refused("exact.order", "no such list", format!("{} stops", self.len())))?;
+        let wrong = |field: &str, found: &Value| {
+            let allowed = message!("scene-tour-order", "each stop from 0 to {last} once", last = self.len() - 1);
+            Error::refused(field, shown(found), allowed)
+        };
+        let items = order.as_array().filter(|items| items.len() == self.len()).ok_or_else(|| {
+            let allowed = message!("scene-stops", "{n} stops", n = self.len());
+            Error::refused("exact.order", message!("scene-no-such-list", "no such list"), allowed)
+        })?;
         let mut called = vec![false; self.len()];
         let mut stops = Vec::with_capacity(items.len());
         for (i, item) in items.iter().enumerate() {
@@ -128,7 +127,10 @@ impl TourScene {
         let measured = self.distances().length(&stops, self.closed);
         // Of unrounded distances the last digits may have been added in another order.
         match length.and_then(Value::as_f64).filter(|length| (length - measured).abs() > 1e-9 * measured) {
-            Some(length) => Err(Error::refused("exact.length", length, format!("{measured}, what exact.order adds up to"))),
+            Some(length) => {
+                let allowed = message!("scene-tour-measured", "{length}, what exact.order adds up to", length = measured);
+                Err(Error::refused("exact.length", length, allowed))
+            }
             None => Ok(()),
         }
     }

@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::{
     describe::SceneKind,
     geometry::Bounds,
-    kernel::{Error, SceneBody, SceneKindId, Solution, Stops, Verdict},
+    kernel::{Error, SceneBody, SceneKindId, Solution, Stops, Verdict, words},
 };
 
 use super::{
@@ -18,7 +18,7 @@ use super::{
 /// The kind `tour`: stops with their distances.
 pub const KIND: SceneKind = SceneKind {
     id: ID,
-    title: "stops of a tour",
+    title: words("stops of a tour"),
     read: |fields| Ok(Arc::new(read::read(fields)?)),
     optimum: Some(|scene, _, ends| scene.get::<TourScene>().ok()?.shortest_tour(ends?, scene.header().exact.as_ref())),
     shipped: &[

@@ -6,8 +6,11 @@ use crate::{
     exact::{Distances, Metric},
     kernel::{
         Error,
+        error::list_of,
         fields::{Fields, number, points, shown},
     },
+    message,
+    scene::check::this_field,
 };
 
 use super::body::{MAX_STOPS, TourScene};
@@ -40,7 +43,8 @@ pub(super) fn read(fields: &mut Fields) -> Result<TourScene, Error> {
     };
     let mut scene = if fields.has("matrix") {
         if fields.has("metric") {
-            return Err(Error::refused("metric", "this field", "left out: the matrix gives the distances"));
+            let allowed = message!("scene-no-metric", "left out: the matrix gives the distances");
+            return Err(Error::refused("metric", this_field(), allowed));
         }
         TourScene::by(matrix(fields)?, points)
     } else {
@@ -58,15 +62,15 @@ fn matrix(fields: &mut Fields) -> Result<Distances, Error> {
     let rows = fields.list("matrix")?;
     let n = rows.len();
     if n > MAX_STOPS {
-        return Err(Error::refused("matrix", format!("a list of {n}"), format!("at most {MAX_STOPS} stops")));
+        return Err(Error::refused("matrix", list_of(n), message!("scene-most-stops", "at most {most} stops", most = MAX_STOPS)));
     }
     let mut values = Vec::with_capacity(n * n);
     for (i, row) in rows.iter().enumerate() {
         let name = format!("matrix[{i}]");
-        let row = row
-            .as_array()
-            .filter(|row| row.len() == n)
-            .ok_or_else(|| Error::refused(&name, shown(row), format!("a list of {n} distances")))?;
+        let row = row.as_array().filter(|row| row.len() == n).ok_or_else(|| {
+            let allowed = message!("scene-matrix-row", "a list of {n} distances", n = n);
+            Error::refused(&name, shown(row), allowed)
+        })?;
         for (j, value) in row.iter().enumerate() {
             values.push(number(format!("{name}[{j}]"), value)?);
         }

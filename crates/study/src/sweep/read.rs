@@ -8,7 +8,10 @@ use toml::{Table, Value as Toml};
 use forage::{
     Scene, Value,
     describe::{Entry, Registry},
-    kernel::{Error, rng::check_seed},
+    kernel::{
+        Error,
+        rng::{check_seed, seed_range},
+    },
     run::trial::WITHIN,
 };
 
@@ -143,8 +146,8 @@ fn seeds(given: Option<&Toml>) -> Result<Seeds, Error> {
         number.ok_or_else(|| refused(place, value, allowed))
     };
     let seed = |place: &str, value: &Toml| {
-        let number = whole(place, value, forage::kernel::rng::SEED_RANGE)?;
-        check_seed(number).map_err(|_| refused(place, value, forage::kernel::rng::SEED_RANGE))
+        let number = whole(place, value, &seed_range().text())?;
+        check_seed(number).map_err(|_| refused(place, value, &seed_range().text()))
     };
     match given {
         Some(Toml::Table(range)) => {
