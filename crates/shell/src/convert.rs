@@ -52,7 +52,8 @@ pub(super) fn write(scene: &Scene, format: Format, field: &str, path: &str, read
     // Not every scene has a tour to write next to its stops, or a problem next to its map.
     if !exported.files.iter().any(is_asked_for) {
         let tour = format!("{field}: the shortest closed tour of this scene is not known, so there is no tour to write");
-        return Err(Failure::Refused(if format == Format::Tsplib { tour } else { format!("{field}: {}", exported.notes.join(" ")) }));
+        let notes: Vec<_> = exported.notes.iter().map(ToString::to_string).collect();
+        return Err(Failure::Refused(if format == Format::Tsplib { tour } else { format!("{field}: {}", notes.join(" ")) }));
     }
     let target = |file: &NamedFile| if is_asked_for(file) { path.to_owned() } else { path.with_file_name(&file.name) };
     let targets: Vec<PathBuf> = exported.files.iter().map(target).collect();

@@ -57,8 +57,8 @@ pub(super) fn note(text: &str) {
 }
 
 /// Prints several of them.
-pub(super) fn notes(texts: &[String]) {
-    texts.iter().for_each(|text| note(text));
+pub(super) fn notes<T: ToString>(texts: &[T]) {
+    texts.iter().for_each(|text| note(&text.to_string()));
 }
 
 /// Prints why a command failed on standard error and returns the exit code.

@@ -5,11 +5,16 @@ use std::{fmt::Write, sync::Arc};
 use crate::{
     exact::Metric,
     kernel::Error,
-    scene::{MAX_STOPS, Scene, TourScene, check::LARGEST, tour},
+    message,
+    scene::{
+        MAX_STOPS, Scene, TourScene,
+        check::{LARGEST, nothing},
+        tour,
+    },
 };
 
 use super::{
-    file::{NamedFile, number_up_to},
+    file::{NamedFile, for_number, number_up_to},
     report::{Exported, Imported, not_kept, scene},
 };
 
@@ -17,7 +22,7 @@ use super::{
 pub(super) fn import(file: &NamedFile) -> Result<Imported, Error> {
     let mut lines = file.lines()?.filter(|(_, line)| !line.trim().is_empty()).peekable();
     let Some(&(line, first)) = lines.peek() else {
-        return Err(file.wrong(1, "the file is empty, expected a line for each stop, with x and y"));
+        return Err(file.wrong(1, &message!("files-empty-table", "the file is empty, expected a line for each stop, with x and y")));
     };
     let between = [';', '\t'].into_iter().find(|&c| first.contains(c)).unwrap_or(',');
     let heading = fields(first, between);
@@ -27,39 +32,43 @@ pub(super) fn import(file: &NamedFile) -> Result<Imported, Error> {
         lines.next();
         for (column, name) in columns.iter_mut().zip(["x", "y"]) {
             let mut named = (0..heading.len()).filter(|&i| heading[i].eq_ignore_ascii_case(name));
-            *column = match (named.next(), named.next()) {
-                (Some(at), None) => at,
-                _ => return Err(file.unexpected(line, first, "x and y, or names of columns, one of them x and one y")),
+            let (Some(at), None) = (named.next(), named.next()) else {
+                let expected = message!("files-x-and-y", "x and y, or names of columns, one of them x and one y");
+                return Err(file.unexpected(line, first, &expected));
             };
+            *column = at;
         }
         let others: Vec<_> = (0..heading.len()).filter(|i| !columns.contains(i)).map(|i| heading[i]).collect();
         if !others.is_empty() {
-            notes.push(format!("Columns that were not read: {}.", others.join(", ")));
+            notes.push(message!("files-columns", "Columns that were not read: {names}.", names = others.join(", ")));
         }
     } else if heading.len() != 2 {
-        return Err(file.wrong(line, &format!("found {} fields and no names of columns, expected 2: x and y", heading.len())));
+        let problem = message!("files-no-names", "found {n} fields and no names of columns, expected 2: x and y", n = heading.len());
+        return Err(file.wrong(line, &problem));
     }
     let mut points = Vec::new();
     let mut last = line;
     for (line, found) in lines {
         let fields = fields(found, between);
         if fields.len() != heading.len() {
-            return Err(file.wrong(line, &format!("found {} fields, expected {}", fields.len(), heading.len())));
+            let problem = message!("files-fields", "found {n} fields, expected {expected}", n = fields.len(), expected = heading.len());
+            return Err(file.wrong(line, &problem));
         }
         let mut point = [0.0; 2];
         for (axis, c) in point.iter_mut().enumerate() {
             let word = fields[columns[axis]];
-            let expected = || format!("for {} a number from -{LARGEST} to {LARGEST}", ["x", "y"][axis]);
+            let expected = || for_number(["x", "y"][axis], -LARGEST, LARGEST);
             *c = number_up_to(LARGEST, word).ok_or_else(|| file.unexpected(line, word, &expected()))?;
         }
         if points.len() == MAX_STOPS {
-            return Err(file.wrong(line, &format!("more than {MAX_STOPS} stops")));
+            return Err(file.wrong(line, &message!("files-most-stops", "more than {most} stops", most = MAX_STOPS)));
         }
         points.push(point);
         last = line;
     }
     if points.len() < 2 {
-        return Err(file.wrong(last, &format!("the file ends after {} stops, expected 2 at least", points.len())));
+        let problem = message!("files-few-stops", "the file ends after {n} stops, expected 2 at least", n = points.len());
+        return Err(file.wrong(last, &problem));
     }
     let body = Arc::new(TourScene::through(points, Metric::Euclidean));
     Ok(Imported::new(scene(file, "CSV of points", None, &tour::KIND, body, &notes)?, notes))
@@ -80,7 +89,8 @@ fn fields(line: &str, between: char) -> Vec<&str> {
 pub(super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Error> {
     let tour = scene.get::<TourScene>()?;
     if tour.points.is_empty() {
-        return Err(Error::refused("points", "nothing", "a point for each stop: the scene has only their distances"));
+        let allowed = message!("files-no-points", "a point for each stop: the scene has only their distances");
+        return Err(Error::refused("points", nothing(), allowed));
     }
     let mut text = String::from("x,y\n");
     for [x, y] in &tour.points {
@@ -89,13 +99,13 @@ pub(super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Error> {
     }
     let mut notes = Vec::new();
     for (there, what) in [
-        (tour.matrix.is_some(), "the distances"),
-        (tour.matrix.is_none() && tour.metric != Metric::Euclidean, "how distances are measured"),
-        (!tour.closed, "that tours are open"),
-        (scene.header().exact.is_some(), "the shortest tour"),
+        (tour.matrix.is_some(), message!("files-distances", "the distances")),
+        (tour.matrix.is_none() && tour.metric != Metric::Euclidean, message!("files-metric", "how distances are measured")),
+        (!tour.closed, message!("files-open", "that tours are open")),
+        (scene.header().exact.is_some(), message!("files-shortest", "the shortest tour")),
     ] {
         if there {
-            not_kept(what, &mut notes);
+            not_kept(&what, &mut notes);
         }
     }
     Ok(Exported { files: vec![NamedFile::new(format!("{stem}.csv"), text)], notes })

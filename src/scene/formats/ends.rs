@@ -2,12 +2,14 @@
 
 use crate::{
     geometry::YAxis,
+    kernel::Message,
+    message,
     scene::{GridScene, reach::reach},
 };
 
 /// Puts start and goal where the way is long: the first free cell, in reading order, of the largest region that hangs
 /// together, and the cell that is the farthest from it. Returns a note; `None` if no cell is free.
-pub(super) fn choose(grid: &mut GridScene) -> Option<String> {
+pub(super) fn choose(grid: &mut GridScene) -> Option<Message> {
     let (columns, rows) = (grid.columns, grid.rows());
     let mut seen = vec![false; grid.blocked.len()];
     let mut best: Option<(usize, [usize; 2])> = None;
@@ -28,5 +30,12 @@ pub(super) fn choose(grid: &mut GridScene) -> Option<String> {
     (grid.start, grid.goal) = (Some(start), Some(goal));
     let [ax, ay] = start;
     let [bx, by] = goal;
-    Some(format!("The file has no start and no goal: they were put far apart in its largest region, at ({ax}, {ay}) and ({bx}, {by})."))
+    Some(message!(
+        "files-chose-ends",
+        "The file has no start and no goal: they were put far apart in its largest region, at ({ax}, {ay}) and ({bx}, {by}).",
+        ax = ax,
+        ay = ay,
+        bx = bx,
+        by = by
+    ))
 }

@@ -1,7 +1,8 @@
 //! A file with its name, and how messages speak of it.
 
 use crate::{
-    kernel::{Error, json},
+    kernel::{Error, Message, json},
+    message,
     scene::MAX_SIDE,
 };
 
@@ -29,7 +30,7 @@ impl NamedFile {
     pub(super) fn text(&self) -> Result<&str, Error> {
         let text = str::from_utf8(&self.bytes).map_err(|error| {
             let line = self.bytes[..error.valid_up_to()].split(|&byte| byte == b'\n').count();
-            self.wrong(line, "bytes that are no text (UTF-8)")
+            self.wrong(line, &message!("files-no-text", "bytes that are no text (UTF-8)"))
         })?;
         Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
     }
@@ -40,22 +41,39 @@ impl NamedFile {
     }
 
     /// What is wrong with it, and where.
-    pub(super) fn wrong(&self, line: usize, problem: &str) -> Error {
-        Error::malformed(self.label(), format!("line {line}: {problem}"))
+    pub(super) fn wrong(&self, line: usize, problem: &Message) -> Error {
+        Error::malformed(self.label(), message!("files-line", "line {line}: {problem}", line = line, problem = problem))
+    }
+
+    /// Refuses a file that ends too early.
+    pub(super) fn ends(&self, line: usize, expected: &Message) -> Error {
+        self.wrong(line, &message!("files-ends", "the file ends, expected {expected}", expected = expected))
+    }
+
+    /// Refuses a file that ends without a word that it must have.
+    pub(super) fn ends_without(&self, line: usize, word: &str) -> Error {
+        self.wrong(line, &message!("files-ends-without", "the file ends without `{word}`", word = word))
+    }
+
+    /// Refuses a key that was in an earlier line.
+    pub(super) fn again(&self, line: usize, key: &str, earlier: usize) -> Error {
+        self.wrong(line, &message!("files-again", "`{key}` again, first in line {earlier}", key = key, earlier = earlier))
     }
 
     /// Refuses what was found at a place where something else is expected.
-    pub(super) fn unexpected(&self, line: usize, found: &str, expected: &str) -> Error {
+    pub(super) fn unexpected(&self, line: usize, found: &str, expected: &Message) -> Error {
         // The whole of a long line helps nobody.
-        let shown: String = found.chars().take(40).collect();
-        let more = if shown.len() < found.len() { "…" } else { "" };
-        self.wrong(line, &format!("found `{shown}{more}`, expected {expected}"))
+        let mut shown: String = found.chars().take(40).collect();
+        if shown.len() < found.len() {
+            shown.push('…');
+        }
+        self.wrong(line, &message!("files-unexpected", "found `{found}`, expected {expected}", found = shown, expected = expected))
     }
 
-    /// A number of rows or columns.
-    pub(super) fn side(&self, line: usize, name: &str, found: &str) -> Result<usize, Error> {
+    /// A number of rows or columns; `expected` says it with the largest.
+    pub(super) fn side(&self, line: usize, found: &str, expected: fn(usize) -> Message) -> Result<usize, Error> {
         let side = found.parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
-        side.ok_or_else(|| self.unexpected(line, found, &format!("a {name} from 1 to {MAX_SIDE}")))
+        side.ok_or_else(|| self.unexpected(line, found, &expected(MAX_SIDE)))
     }
 }
 
@@ -87,4 +105,19 @@ fn without_opt(stem: &str) -> Option<&str> {
 /// The number that a word stands for, if its size is at most `most`. −0 becomes 0, as in scene files.
 pub(super) fn number_up_to(most: f64, word: &str) -> Option<f64> {
     json::number(word).map(|number| number + 0.0).filter(|number| number.abs() <= most)
+}
+
+/// A picture's or a map's width that is expected.
+pub(super) fn a_width(most: usize) -> Message {
+    message!("files-width", "a width from 1 to {most}", most = most)
+}
+
+/// A picture's or a map's height that is expected.
+pub(super) fn a_height(most: usize) -> Message {
+    message!("files-height", "a height from 1 to {most}", most = most)
+}
+
+/// A number of a column or a key that is expected.
+pub(super) fn for_number(name: &str, least: f64, most: f64) -> Message {
+    message!("files-number", "for {name} a number from {least} to {most}", name = name, least = least, most = most)
 }

@@ -18,10 +18,11 @@ mod tsplib;
 use crate::{
     describe::Registry,
     kernel::{Error, limits},
+    message,
     scene::GridScene,
 };
 
-use super::Scene;
+use super::{Scene, check::nothing};
 
 pub use file::NamedFile;
 pub use report::{Exported, Imported, Problem};
@@ -124,8 +125,10 @@ impl Sort {
         Self::by_name(&file.name).or_else(by_content).ok_or_else(|| {
             file.wrong(
                 1,
-                "neither a MovingAI .map or .scen, nor a .yaml with its .pgm from map_server, nor TSPLIB's .tsp or .tour, nor a .csv of \
-                 points, nor a scene's .json",
+                &message!(
+                    "files-unknown",
+                    "neither a MovingAI .map or .scen, nor a .yaml with its .pgm from map_server, nor TSPLIB's .tsp or .tour, nor a .csv of points, nor a scene's .json"
+                ),
             )
         })
     }
@@ -148,7 +151,8 @@ fn sorted(files: &[NamedFile]) -> Result<Vec<(Sort, &NamedFile)>, Error> {
         let sort = Sort::of(file)?;
         let at = sorted.partition_point(|(other, _)| (*other as u8) < sort as u8);
         if let Some((_, other)) = sorted.get(at).filter(|(other, _)| *other == sort) {
-            return Err(Error::malformed(file.label(), format!("of the same sort as {}: one scene at a time", other.label())));
+            let problem = message!("files-same-sort", "of the same sort as {other}: one scene at a time", other = other.label());
+            return Err(Error::malformed(file.label(), problem));
         }
         sorted.insert(at, (sort, file));
     }
@@ -169,7 +173,7 @@ pub fn import(registry: &Registry, files: &[NamedFile], problem: Option<usize>) 
     files.iter().try_for_each(|file| limits::check_bytes(file.label(), file.bytes.len(), limits::FILE_BYTES))?;
     let sorted = sorted(files)?;
     if let Some(problem) = problem.filter(|_| sorted.iter().all(|(sort, _)| *sort != Sort::Scen)) {
-        return Err(Error::refused("problem", problem, "left out: there is no .scen file"));
+        return Err(Error::refused("problem", problem, message!("files-no-scen", "left out: there is no .scen file")));
     }
     let json = |file: &NamedFile| Ok::<_, Error>(Imported::new(registry.read_scene(file.text()?)?, Vec::new()));
     match *sorted.as_slice() {
@@ -182,14 +186,21 @@ pub fn import(registry: &Registry, files: &[NamedFile], problem: Option<usize>) 
         [(Sort::Tsp, tsp)] => tsplib::import(tsp),
         [(Sort::Tsp, tsp), (Sort::Tour, tour)] => tsplib::with_tour(tsplib::import(tsp)?, tour),
         _ => match (wanted(files)?, files) {
-            (Some(name), [file, ..]) => Err(Error::malformed(file.label(), format!("the file `{name}` that belongs to it is missing"))),
+            (Some(name), [file, ..]) => {
+                let problem = message!("files-missing", "the file `{name}` that belongs to it is missing", name = name);
+                Err(Error::malformed(file.label(), problem))
+            }
             (None, [file, ..]) => {
-                Err(Error::malformed(file.label(), "it belongs to another format than the other files: one scene at a time"))
+                let problem = message!("files-other-format", "it belongs to another format than the other files: one scene at a time");
+                Err(Error::malformed(file.label(), problem))
             }
             (_, []) => Err(Error::refused(
                 "files",
-                "nothing",
-                "a .map, a .scen and its .map, a .yaml and its .pgm, a .tsp, a .tour and its .tsp, a .csv, or a .json",
+                nothing(),
+                message!(
+                    "files-none",
+                    "a .map, a .scen and its .map, a .yaml and its .pgm, a .tsp, a .tour and its .tsp, a .csv, or a .json"
+                ),
             )),
         },
     }

@@ -6,13 +6,14 @@ use std::{fmt::Write, sync::Arc};
 use crate::{
     exact::shortest_over_cells,
     geometry::YAxis,
-    kernel::{Error, json},
+    kernel::{Error, Message, json},
+    message,
     scene::{GridScene, grid},
 };
 
 use super::{
     ends,
-    file::NamedFile,
+    file::{NamedFile, a_height, a_width},
     report::{Exported, Imported, Problem, lost, note_other_name, scene},
 };
 
@@ -28,54 +29,79 @@ pub(super) fn import(map: &NamedFile, scen: Option<&NamedFile>, problem: Option<
         let Some((line, chosen)) = lines.get(index) else {
             let (label, count) = (scen.label(), lines.len());
             let allowed = if count == 1 {
-                format!("0: {label} has 1 problem")
+                message!("files-one-problem", "0: {file} has 1 problem, counted from 0", file = label)
             } else {
-                format!("from 0 to {}: {label} has {count} problems", count - 1)
+                message!(
+                    "files-problems",
+                    "from 0 to {last}: {file} has {count} problems, counted from 0",
+                    last = count - 1,
+                    file = label,
+                    count = count
+                )
             };
-            return Err(Error::refused("problem", index, format!("{allowed}, counted from 0")));
+            return Err(Error::refused("problem", index, allowed));
         };
-        for (name, [x, y]) in [("start", chosen.start), ("goal", chosen.goal)] {
-            if grid.blocked[y as usize * grid.columns + x as usize] {
-                return Err(scen.wrong(*line, &format!("the {name} is in a blocked cell of {}", map.label())));
-            }
+        let is_blocked = |[x, y]: [f64; 2]| grid.blocked[y as usize * grid.columns + x as usize];
+        if is_blocked(chosen.start) {
+            let problem = message!("files-start-blocked", "the start is in a blocked cell of {map}", map = map.label());
+            return Err(scen.wrong(*line, &problem));
+        }
+        if is_blocked(chosen.goal) {
+            let problem = message!("files-goal-blocked", "the goal is in a blocked cell of {map}", map = map.label());
+            return Err(scen.wrong(*line, &problem));
         }
         (grid.start, grid.goal) = (Some(chosen.start), Some(chosen.goal));
-        let length = chosen.length;
-        notes.push(format!("Problem {index} of {}, counted from 0; its optimum from cell to cell is given as {length}.", lines.len()));
+        notes.push(message!(
+            "files-problem",
+            "Problem {index} of {count}, counted from 0; its optimum from cell to cell is given as {length}.",
+            index = index,
+            count = lines.len(),
+            length = chosen.length
+        ));
         problems = lines.into_iter().map(|(_, problem)| problem).collect();
     } else {
-        notes.push(ends::choose(&mut grid).ok_or_else(|| Error::malformed(map.label(), "no cell of the map is free"))?);
+        notes.push(
+            ends::choose(&mut grid)
+                .ok_or_else(|| Error::malformed(map.label(), message!("files-no-free-cell", "no cell of the map is free")))?,
+        );
     }
     Ok(Imported { scene: scene(map, "MovingAI map", None, &grid::KIND, Arc::new(grid), &notes)?, notes, problems })
 }
 
-fn read_map(file: &NamedFile, notes: &mut Vec<String>) -> Result<GridScene, Error> {
+fn read_map(file: &NamedFile, notes: &mut Vec<Message>) -> Result<GridScene, Error> {
     let mut lines = file.lines()?;
     let (mut octile, mut height, mut width) = (false, None, None);
     let mut last = 0;
     let (columns, rows) = loop {
         let Some((line, found)) = lines.next() else {
-            return Err(file.wrong(last + 1, "the file ends before the line `map`"));
+            return Err(file.wrong(last + 1, &message!("files-ends-before-map", "the file ends before the line `map`")));
         };
         last = line;
         let mut words = found.split_ascii_whitespace();
         match (words.next().unwrap_or(""), words.next(), words.next()) {
             ("", ..) => {}
             ("type", Some("octile"), None) => octile = true,
-            ("height", Some(n), None) => height = Some(file.side(line, "height", n)?),
-            ("width", Some(n), None) => width = Some(file.side(line, "width", n)?),
+            ("height", Some(n), None) => height = Some(file.side(line, n, a_height)?),
+            ("width", Some(n), None) => width = Some(file.side(line, n, a_width)?),
             ("map", None, _) => match (width, height) {
                 (Some(columns), Some(rows)) if octile => break (columns, rows),
-                _ => return Err(file.wrong(line, "`map` before all of `type octile`, `height` and `width`")),
+                _ => {
+                    let problem = message!("files-map-before", "`map` before all of `type octile`, `height` and `width`");
+                    return Err(file.wrong(line, &problem));
+                }
             },
-            _ => return Err(file.unexpected(line, found, "`type octile`, `height N`, `width N` or `map`")),
+            _ => {
+                let expected = message!("files-map-heading", "`type octile`, `height N`, `width N` or `map`");
+                return Err(file.unexpected(line, found, &expected));
+            }
         }
     };
     let mut blocked = Vec::with_capacity(columns * rows);
     let (mut swamp, mut water) = (0_usize, 0_usize);
     for row in 0..rows {
         let Some((line, cells)) = lines.next() else {
-            return Err(file.wrong(last + 1, &format!("the file ends after {row} rows, expected {rows}")));
+            let problem = message!("files-few-rows", "the file ends after {n} rows, expected {expected}", n = row, expected = rows);
+            return Err(file.wrong(last + 1, &problem));
         };
         last = line;
         for (column, cell) in cells.chars().enumerate() {
@@ -83,7 +109,7 @@ fn read_map(file: &NamedFile, notes: &mut Vec<String>) -> Result<GridScene, Erro
                 '.' | 'G' | 'S' => false,
                 '@' | 'O' | 'T' | 'W' => true,
                 _ => {
-                    let expected = format!("one of . G S @ O T W in column {}", column + 1);
+                    let expected = message!("files-cell", "one of . G S @ O T W in column {column}", column = column + 1);
                     return Err(file.unexpected(line, cell.encode_utf8(&mut [0; 4]), &expected));
                 }
             });
@@ -91,16 +117,18 @@ fn read_map(file: &NamedFile, notes: &mut Vec<String>) -> Result<GridScene, Erro
             water += usize::from(cell == 'W');
         }
         if blocked.len() != (row + 1) * columns {
-            return Err(file.wrong(line, &format!("found {} cells, expected {columns}", cells.len())));
+            let problem = message!("files-cells", "found {n} cells, expected {expected}", n = cells.len(), expected = columns);
+            return Err(file.wrong(line, &problem));
         }
     }
     if let Some((line, found)) = lines.find(|(_, line)| !line.is_empty()) {
-        return Err(file.unexpected(line, found, &format!("the end of the file after {rows} rows")));
+        return Err(file.unexpected(line, found, &message!("files-end-of-rows", "the end of the file after {n} rows", n = rows)));
     }
-    for (count, what) in [(swamp, "swamp (S), free like the others"), (water, "water (W), taken as blocked")] {
-        if count > 0 {
-            notes.push(format!("{count} cells are {what}."));
-        }
+    if swamp > 0 {
+        notes.push(message!("files-swamp", "{count} cells are swamp (S), free like the others.", count = swamp));
+    }
+    if water > 0 {
+        notes.push(message!("files-water", "{count} cells are water (W), taken as blocked.", count = water));
     }
     Ok(GridScene::new(1.0, columns, blocked))
 }
@@ -117,23 +145,30 @@ fn read_scen(file: &NamedFile, [columns, rows]: [usize; 2]) -> Result<(Vec<Numbe
     for (line, found) in lines.filter(|(_, line)| !line.is_empty()) {
         let [_, map, width, height, ax, ay, bx, by, length] = fields(file, line, found)?;
         if map != named {
-            return Err(file.unexpected(line, map, &format!("{named}, as above: one map at a time")));
+            return Err(file.unexpected(line, map, &message!("files-one-map", "{map}, as above: one map at a time", map = named)));
         }
-        for (name, text, side) in [("width", width, columns), ("height", height, rows)] {
-            if text.parse() != Ok(side) {
-                return Err(file.unexpected(line, text, &format!("{side}, the map's {name}")));
-            }
+        if width.parse() != Ok(columns) {
+            return Err(file.unexpected(line, width, &message!("files-map-width", "{width}, the map's width", width = columns)));
         }
-        let centre = |name: &str, text: &str, side: usize| {
+        if height.parse() != Ok(rows) {
+            return Err(file.unexpected(line, height, &message!("files-map-height", "{height}, the map's height", height = rows)));
+        }
+        let centre = |text: &str, side: usize, expected: fn(usize) -> Message| {
             let cell: Option<usize> = text.parse().ok().filter(|&cell| cell < side);
-            let cell = cell.ok_or_else(|| file.unexpected(line, text, &format!("a {name} from 0 to {}", side - 1)))?;
+            let cell = cell.ok_or_else(|| file.unexpected(line, text, &expected(side - 1)))?;
             Ok(cell as f64 + 0.5)
         };
-        let start = [centre("start's column", ax, columns)?, centre("start's row", ay, rows)?];
-        let goal = [centre("goal's column", bx, columns)?, centre("goal's row", by, rows)?];
+        let start = [
+            centre(ax, columns, |last| message!("files-start-column", "a start's column from 0 to {last}", last = last))?,
+            centre(ay, rows, |last| message!("files-start-row", "a start's row from 0 to {last}", last = last))?,
+        ];
+        let goal = [
+            centre(bx, columns, |last| message!("files-goal-column", "a goal's column from 0 to {last}", last = last))?,
+            centre(by, rows, |last| message!("files-goal-row", "a goal's row from 0 to {last}", last = last))?,
+        ];
         let length = json::number(length)
             .filter(|length| length.is_finite() && *length >= 0.0)
-            .ok_or_else(|| file.unexpected(line, length, "a length in cells"))?;
+            .ok_or_else(|| file.unexpected(line, length, &message!("files-length", "a length in cells")))?;
         problems.push((line, Problem { start, goal, length }));
     }
     Ok((problems, named))
@@ -146,10 +181,11 @@ pub(super) fn map_of(file: &NamedFile) -> Result<&str, Error> {
     let mut words = first.split_ascii_whitespace();
     let number = if words.next() == Some("version") { words.next().and_then(json::number) } else { None };
     if number != Some(1.0) || words.next().is_some() {
-        return Err(file.unexpected(1, first, "`version 1`"));
+        return Err(file.unexpected(1, first, &message!("files-version", "`version 1`")));
     }
-    let (line, problem) =
-        lines.find(|(_, line)| !line.is_empty()).ok_or_else(|| file.wrong(2, "the file ends before the first problem"))?;
+    let (line, problem) = lines
+        .find(|(_, line)| !line.is_empty())
+        .ok_or_else(|| file.wrong(2, &message!("files-no-problem", "the file ends before the first problem")))?;
     Ok(fields(file, line, problem)?[1])
 }
 
@@ -159,7 +195,12 @@ fn fields<'a>(file: &NamedFile, line: usize, found: &'a str) -> Result<[&'a str;
     let all: Vec<_> = if found.contains('\t') { found.split('\t').map(str::trim).collect() } else { found.split_whitespace().collect() };
     let count = all.len();
     all.try_into().map_err(|_| {
-        file.wrong(line, &format!("found {count} fields, expected 9: bucket, map, width, height, start x, start y, goal x, goal y, length"))
+        let problem = message!(
+            "files-problem-fields",
+            "found {n} fields, expected 9: bucket, map, width, height, start x, start y, goal x, goal y, length",
+            n = count
+        );
+        file.wrong(line, &problem)
     })
 }
 
@@ -175,7 +216,7 @@ pub(super) fn export(grid: &GridScene, stem: &str) -> Result<Exported, Error> {
     }
     let mut files = vec![NamedFile::new(format!("{stem}.map"), map)];
     if grid.start.is_none() || grid.goal.is_none() {
-        notes.push("There is no .scen: the scene has no start and goal.".to_owned());
+        notes.push(message!("files-scen-no-ends", "There is no .scen: the scene has no start and goal."));
     } else {
         // As the format has it: a point that goes from centre to centre and cuts no corners.
         let endpoints = GridScene { robot: None, ..grid.clone() }.endpoints()?;
@@ -183,7 +224,7 @@ pub(super) fn export(grid: &GridScene, stem: &str) -> Result<Exported, Error> {
         let centre = |cell| [cell % columns, cell / columns].map(|i| i as f64 + 0.5);
         (plain.start, plain.goal) = (Some(centre(endpoints.start)), Some(centre(endpoints.goal)));
         if endpoints.stubs > 0.0 {
-            notes.push("Start and goal were moved to the centres of their cells.".to_owned());
+            notes.push(message!("files-moved-ends", "Start and goal were moved to the centres of their cells."));
         }
         if let Some(exact) = shortest_over_cells(plain.cells(), &plain.endpoints()?) {
             let place = |cell: usize| {
@@ -197,11 +238,11 @@ pub(super) fn export(grid: &GridScene, stem: &str) -> Result<Exported, Error> {
             let _ = writeln!(scen, "{bucket}\t{stem}.map\t{columns}\t{rows}\t{ax}\t{ay}\t{bx}\t{by}\t{length}");
             files.push(NamedFile::new(format!("{stem}.scen"), scen));
         } else {
-            notes.push("There is no .scen: without cutting corners there is no way from start to goal.".to_owned());
+            notes.push(message!("files-scen-no-way", "There is no .scen: without cutting corners there is no way from start to goal."));
         }
     }
     if grid.cell != 1.0 {
-        notes.push(format!("Lengths are in cells there; a cell is {} here.", grid.cell));
+        notes.push(message!("files-cell-side", "Lengths are in cells there; a cell is {side} here.", side = grid.cell));
     }
     Ok(Exported { files, notes })
 }

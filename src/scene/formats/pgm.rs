@@ -1,8 +1,12 @@
 //! Grey pictures: PGM as text (P2) and as bytes (P5).
 
-use crate::{kernel::Error, scene::MAX_SIDE};
+use crate::{
+    kernel::{Error, Message},
+    message,
+    scene::MAX_SIDE,
+};
 
-use super::NamedFile;
+use super::file::{NamedFile, a_height, a_width};
 
 /// A grey picture, top row first.
 #[derive(Debug)]
@@ -50,15 +54,14 @@ impl<'a> Reader<'a> {
         self.advance(count)
     }
 
-    fn number(&mut self, name: &str, least: usize, most: usize) -> Result<usize, Error> {
+    fn number(&mut self, least: usize, most: usize, expected: fn(usize) -> Message) -> Result<usize, Error> {
         let word = self.word();
         let number = str::from_utf8(word).ok().and_then(|text| text.parse().ok()).filter(|number| (least..=most).contains(number));
         number.ok_or_else(|| {
-            let expected = format!("{name} from {least} to {most}");
             if word.is_empty() {
-                return self.file.wrong(self.line, &format!("the file ends, expected {expected}"));
+                return self.file.ends(self.line, &expected(most));
             }
-            self.file.unexpected(self.line, &String::from_utf8_lossy(word), &expected)
+            self.file.unexpected(self.line, &String::from_utf8_lossy(word), &expected(most))
         })
     }
 }
@@ -68,15 +71,18 @@ pub(super) fn read(file: &NamedFile) -> Result<Image, Error> {
     let mut reader = Reader { file, left: &file.bytes, line: 1 };
     let magic = reader.word();
     if !matches!(magic, b"P2" | b"P5") {
-        return Err(file.unexpected(1, &String::from_utf8_lossy(magic), "P2 or P5, a grey picture"));
+        let expected = message!("files-grey", "P2 or P5, a grey picture");
+        return Err(file.unexpected(1, &String::from_utf8_lossy(magic), &expected));
     }
-    let columns = reader.number("a width", 1, MAX_SIDE)?;
-    let rows = reader.number("a height", 1, MAX_SIDE)?;
-    let most = reader.number("the value of white", 1, usize::from(u16::MAX))?;
+    let columns = reader.number(1, MAX_SIDE, a_width)?;
+    let rows = reader.number(1, MAX_SIDE, a_height)?;
+    let white = |most| message!("files-white", "the value of white from 1 to {most}", most = most);
+    let most = reader.number(1, usize::from(u16::MAX), white)?;
     let mut values = Vec::with_capacity(columns * rows);
     if magic == b"P2" {
+        let pixel = |most| message!("files-pixel", "a pixel from 0 to {most}", most = most);
         for _ in 0..columns * rows {
-            values.push(reader.number("a pixel", 0, most)? as u16);
+            values.push(reader.number(0, most, pixel)? as u16);
         }
         reader.space();
     } else {
@@ -86,13 +92,21 @@ pub(super) fn read(file: &NamedFile) -> Result<Image, Error> {
         let ending = if reader.left.starts_with(b"\r\n") && reader.left.len() == needed + 2 { 2 } else { 1 };
         reader.advance(reader.left.len().min(ending));
         let Some((pixels, rest)) = reader.left.split_at_checked(needed) else {
-            return Err(file.wrong(reader.line, &format!("found {} bytes of pixels, expected {needed}", reader.left.len())));
+            let n = reader.left.len();
+            let problem = message!("files-pixels", "found {n} bytes of pixels, expected {expected}", n = n, expected = needed);
+            return Err(file.wrong(reader.line, &problem));
         };
         for (i, pixel) in pixels.chunks(width).enumerate() {
             let value = pixel.iter().fold(0, |value, &byte| value << 8 | u16::from(byte));
             if usize::from(value) > most {
-                let place = format!("a pixel from 0 to {most} in row {}, column {} of the picture", i / columns + 1, i % columns + 1);
-                return Err(file.unexpected(reader.line, &value.to_string(), &place));
+                let expected = message!(
+                    "files-pixel-at",
+                    "a pixel from 0 to {most} in row {row}, column {column} of the picture",
+                    most = most,
+                    row = i / columns + 1,
+                    column = i % columns + 1
+                );
+                return Err(file.unexpected(reader.line, &value.to_string(), &expected));
             }
             values.push(value);
         }

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use crate::{
     describe::SceneKind,
-    kernel::{Error, SceneBody},
+    kernel::{Error, Message, SceneBody},
+    message,
     scene::{GridScene, Header, Scene},
 };
 
@@ -29,14 +30,14 @@ pub struct Imported {
     /// The scene.
     pub scene: Scene,
     /// Interpretations that the user should know: unknown cells taken as blocked, start and goal chosen, …
-    pub notes: Vec<String>,
+    pub notes: Vec<Message>,
     /// The problems of a `.scen` file, if one was among the files.
     pub problems: Vec<Problem>,
 }
 
 impl Imported {
     /// A scene without problems to choose from.
-    pub(super) fn new(scene: Scene, notes: Vec<String>) -> Self {
+    pub(super) fn new(scene: Scene, notes: Vec<Message>) -> Self {
         Self { scene, notes, problems: Vec::new() }
     }
 }
@@ -47,26 +48,31 @@ pub struct Exported {
     /// The files; those that belong together name each other.
     pub files: Vec<NamedFile>,
     /// What the format cannot hold.
-    pub notes: Vec<String>,
+    pub notes: Vec<Message>,
 }
 
 /// What no format of grids has a place for.
-pub(super) fn lost(grid: &GridScene, notes: &mut Vec<String>) {
+pub(super) fn lost(grid: &GridScene, notes: &mut Vec<Message>) {
     for (there, what) in [
-        (grid.robot.is_some(), "the robot"),
-        (!grid.stops.is_empty(), "the stops"),
-        (!grid.moving.is_empty(), "the moving discs"),
-        (grid.corner_cutting, "that steps may cut corners"),
+        (grid.robot.is_some(), message!("files-robot", "the robot")),
+        (!grid.stops.is_empty(), message!("files-stops", "the stops")),
+        (!grid.moving.is_empty(), message!("files-moving", "the moving discs")),
+        (grid.corner_cutting, message!("files-corners", "that steps may cut corners")),
     ] {
         if there {
-            not_kept(what, notes);
+            not_kept(&what, notes);
         }
     }
 }
 
 /// Notes what a format has no place for.
-pub(super) fn not_kept(what: &str, notes: &mut Vec<String>) {
-    notes.push(format!("Not kept, as the format has no place for it: {what}."));
+pub(super) fn not_kept(what: &Message, notes: &mut Vec<Message>) {
+    notes.push(message!("files-not-kept", "Not kept, as the format has no place for it: {what}.", what = what));
+}
+
+/// Notes in a row.
+pub(super) fn joined(notes: &[Message]) -> String {
+    notes.iter().map(Message::text).collect::<Vec<_>>().join(" ")
 }
 
 /// A scene that was read; `file` gives its name.
@@ -76,7 +82,7 @@ pub(super) fn scene(
     units: Option<&str>,
     kind: &SceneKind,
     body: Arc<dyn SceneBody>,
-    notes: &[String],
+    notes: &[Message],
 ) -> Result<Scene, Error> {
     scene_named(stem(&file.name), file, source, units, kind, body, notes)
 }
@@ -89,14 +95,14 @@ pub(super) fn scene_named(
     units: Option<&str>,
     kind: &SceneKind,
     body: Arc<dyn SceneBody>,
-    notes: &[String],
+    notes: &[Message],
 ) -> Result<Scene, Error> {
     // A scene's name has 1 to 100 bytes.
     let name = if name.is_empty() { "map" } else { &name[..name.floor_char_boundary(100)] };
     let header = Header {
         name: name.to_owned(),
         title: name.to_owned(),
-        note: (!notes.is_empty()).then(|| notes.join(" ")),
+        note: (!notes.is_empty()).then(|| joined(notes)),
         source: Some(format!("{source} {}", file.label())),
         units: units.map(str::to_owned),
         exact: None,
@@ -106,9 +112,15 @@ pub(super) fn scene_named(
 }
 
 /// Notes that the file named is not the one that was given.
-pub(super) fn note_other_name(file: &NamedFile, named: &str, given: &NamedFile, notes: &mut Vec<String>) {
+pub(super) fn note_other_name(file: &NamedFile, named: &str, given: &NamedFile, notes: &mut Vec<Message>) {
     let (named, given) = (base(named), given.label());
     if named != given {
-        notes.push(format!("{} belongs to {named}; {given} was taken.", file.label()));
+        notes.push(message!(
+            "files-other-name",
+            "{file} belongs to {named}; {given} was taken.",
+            file = file.label(),
+            named = named,
+            given = given
+        ));
     }
 }

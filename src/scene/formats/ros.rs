@@ -10,13 +10,14 @@ use std::sync::Arc;
 
 use crate::{
     geometry::YAxis,
-    kernel::{Error, json},
+    kernel::{Error, Message, json},
+    message,
     scene::{GridScene, check::LARGEST, grid},
 };
 
 use super::{
     ends,
-    file::NamedFile,
+    file::{NamedFile, for_number},
     pgm,
     report::{Exported, Imported, lost, note_other_name, scene},
 };
@@ -65,23 +66,26 @@ impl<'a> Yaml<'a> {
             }
             if let Some(item) = text.trim_start().strip_prefix("- ") {
                 let Some(list) = entries.last_mut().filter(|entry| entry.listed) else {
-                    return Err(file.unexpected(line, text, "a list's key before its items"));
+                    return Err(file.unexpected(line, text, &message!("files-list-key", "a list's key before its items")));
                 };
                 list.values.push(unquoted(file, line, item)?);
                 continue;
             }
             let Some((key, value)) = text.split_once(':').filter(|(key, _)| !key.starts_with([' ', '\t']) && !key.is_empty()) else {
-                return Err(file.unexpected(line, text, "`key: value`, not indented"));
+                return Err(file.unexpected(line, text, &message!("files-key-value", "`key: value`, not indented")));
             };
             let (key, value) = (key.trim(), value.trim());
             if entries.len() == MOST_KEYS {
-                return Err(file.wrong(line, &format!("more than {MOST_KEYS} keys: this describes no map")));
+                return Err(
+                    file.wrong(line, &message!("files-most-keys", "more than {most} keys: this describes no map", most = MOST_KEYS))
+                );
             }
             if let Some(other) = entries.iter().find(|entry| entry.key == key) {
-                return Err(file.wrong(line, &format!("`{key}` again, first in line {}", other.line)));
+                return Err(file.again(line, key, other.line));
             }
             let (values, listed) = if let Some(list) = value.strip_prefix('[') {
-                let list = list.strip_suffix(']').ok_or_else(|| file.unexpected(line, value, "a list with `]` at its end"))?;
+                let open = || file.unexpected(line, value, &message!("files-list-end", "a list with `]` at its end"));
+                let list = list.strip_suffix(']').ok_or_else(open)?;
                 (list.split(',').map(|item| unquoted(file, line, item)).collect::<Result<_, _>>()?, false)
             } else if value.is_empty() {
                 (Vec::new(), true)
@@ -99,19 +103,21 @@ impl<'a> Yaml<'a> {
     }
 
     /// A key's only value, with its line.
-    fn one(&mut self, key: &str, expected: &str) -> Result<Option<(usize, &'a str)>, Error> {
+    fn one(&mut self, key: &str, expected: &Message) -> Result<Option<(usize, &'a str)>, Error> {
         let Some(Entry { line, values, .. }) = self.take(key) else {
             return Ok(None);
         };
-        match values[..] {
-            [value] => Ok(Some((line, value))),
-            _ => Err(self.file.wrong(line, &format!("`{key}` has {} values, expected {expected}", values.len()))),
-        }
+        let [value] = values[..] else {
+            let n = values.len();
+            let problem = message!("files-values", "`{key}` has {n} values, expected {expected}", key = key, n = n, expected = expected);
+            return Err(self.file.wrong(line, &problem));
+        };
+        Ok(Some((line, value)))
     }
 
     /// A key's number, if it is given.
     fn number(&mut self, key: &str, least: f64, most: f64) -> Result<Option<(usize, f64)>, Error> {
-        let expected = format!("for {key} a number from {least} to {most}");
+        let expected = for_number(key, least, most);
         let Some((line, text)) = self.one(key, &expected)? else {
             return Ok(None);
         };
@@ -121,7 +127,7 @@ impl<'a> Yaml<'a> {
 
     fn missing(&self, key: &str) -> Error {
         let line = 1 + self.entries.iter().map(|entry| entry.line).max().unwrap_or(0);
-        self.file.wrong(line, &format!("the file ends without `{key}:`"))
+        self.file.ends_without(line, &format!("{key}:"))
     }
 }
 
@@ -132,12 +138,13 @@ fn unquoted<'a>(file: &NamedFile, line: usize, text: &'a str) -> Result<&'a str,
         return Ok(text);
     };
     let inside = text[1..].strip_suffix(quote).filter(|inside| !inside.contains(quote));
-    inside.ok_or_else(|| file.unexpected(line, text, "a text between two quotes"))
+    inside.ok_or_else(|| file.unexpected(line, text, &message!("files-quotes", "a text between two quotes")))
 }
 
 fn image(yaml: &mut Yaml) -> Result<String, Error> {
-    match yaml.one("image", "the name of a .pgm file")? {
-        Some((line, "")) => Err(yaml.file.unexpected(line, "", "the name of a .pgm file")),
+    let expected = message!("files-image", "the name of a .pgm file");
+    match yaml.one("image", &expected)? {
+        Some((line, "")) => Err(yaml.file.unexpected(line, "", &expected)),
         Some((_, name)) => Ok(name.to_owned()),
         None => Err(yaml.missing("image")),
     }
@@ -168,42 +175,66 @@ impl Rule {
     }
 }
 
-fn rule(yaml: &mut Yaml) -> Result<(Rule, &'static str), Error> {
+/// What is said of cells between free and blocked: how many of all they are.
+type Unclear = fn(usize, usize) -> Message;
+
+fn rule(yaml: &mut Yaml) -> Result<(Rule, Unclear), Error> {
     let occupied = yaml.number("occupied_thresh", 0.0, 1.0)?;
     let free = yaml.number("free_thresh", 0.0, 1.0)?;
     let line = free.or(occupied).map_or(1, |(line, _)| line);
     let (occupied, free) = (occupied.map_or(0.65, |(_, value)| value), free.map_or(0.196, |(_, value)| value));
     if free > occupied {
-        return Err(yaml.file.wrong(line, &format!("free_thresh is {free}, expected at most occupied_thresh, {occupied}")));
+        let problem = message!(
+            "files-thresholds",
+            "free_thresh is {free}, expected at most occupied_thresh, {occupied}",
+            free = free,
+            occupied = occupied
+        );
+        return Err(yaml.file.wrong(line, &problem));
     }
-    let negate = match yaml.one("negate", "0 or 1")? {
+    let negate = match yaml.one("negate", &message!("files-negate", "0 or 1"))? {
         None => false,
         // Python writes its flags with capitals.
         Some((_, text)) if ["0", "false"].iter().any(|no| text.eq_ignore_ascii_case(no)) => false,
         Some((_, text)) if ["1", "true"].iter().any(|yes| text.eq_ignore_ascii_case(yes)) => true,
-        Some((line, text)) => return Err(yaml.file.unexpected(line, text, "for negate 0 or 1")),
+        Some((line, text)) => return Err(yaml.file.unexpected(line, text, &message!("files-for-negate", "for negate 0 or 1"))),
     };
-    let (raw, between) = match yaml.one("mode", "trinary, scale or raw")? {
-        None | Some((_, "trinary")) => (false, "unknown"),
-        Some((_, "scale")) => (false, "partly occupied"),
-        Some((_, "raw")) => (true, "unknown or partly occupied"),
-        Some((line, text)) => return Err(yaml.file.unexpected(line, text, "for mode trinary, scale or raw")),
+    let unknown: Unclear = |n, all| message!("files-unknown-cells", "{n} of {all} cells are unknown, taken as blocked.", n = n, all = all);
+    let partly: Unclear =
+        |n, all| message!("files-partly-cells", "{n} of {all} cells are partly occupied, taken as blocked.", n = n, all = all);
+    let either: Unclear =
+        |n, all| message!("files-unclear-cells", "{n} of {all} cells are unknown or partly occupied, taken as blocked.", n = n, all = all);
+    let (raw, unclear) = match yaml.one("mode", &message!("files-mode", "trinary, scale or raw"))? {
+        None | Some((_, "trinary")) => (false, unknown),
+        Some((_, "scale")) => (false, partly),
+        Some((_, "raw")) => (true, either),
+        Some((line, text)) => {
+            return Err(yaml.file.unexpected(line, text, &message!("files-for-mode", "for mode trinary, scale or raw")));
+        }
     };
-    Ok((Rule { free, occupied, negate, raw }, between))
+    Ok((Rule { free, occupied, negate, raw }, unclear))
 }
 
 /// Where the lower left corner is in the robot's world: a scene begins at (0, 0), so a note keeps it.
-fn note_origin(yaml: &mut Yaml, notes: &mut Vec<String>) -> Result<(), Error> {
+fn note_origin(yaml: &mut Yaml, notes: &mut Vec<Message>) -> Result<(), Error> {
     let Some(Entry { line, values, .. }) = yaml.take("origin") else {
         return Ok(());
     };
     let numbers: Option<Vec<_>> = values.iter().map(|text| json::number(text).filter(|number| number.is_finite())).collect();
-    let Some([x, y, yaw]) = numbers.as_deref() else {
-        return Err(yaml.file.unexpected(line, &values.join(", "), "for origin three numbers, [x, y, yaw]"));
+    let Some(&[x, y, yaw]) = numbers.as_deref() else {
+        let expected = message!("files-for-origin", "for origin three numbers, [x, y, yaw]");
+        return Err(yaml.file.unexpected(line, &values.join(", "), &expected));
     };
-    if [*x, *y, *yaw] != [0.0; 3] {
-        let turned = if *yaw == 0.0 { String::new() } else { format!(", turned by {yaw} rad (it is not turned here)") };
-        notes.push(format!("The lower left corner, (0, 0) here, is the file's origin ({x}, {y}){turned}."));
+    if yaw != 0.0 {
+        notes.push(message!(
+            "files-turned-origin",
+            "The lower left corner, (0, 0) here, is the file's origin ({x}, {y}), turned by {yaw} rad (it is not turned here).",
+            x = x,
+            y = y,
+            yaw = yaw
+        ));
+    } else if [x, y] != [0.0; 2] {
+        notes.push(message!("files-origin", "The lower left corner, (0, 0) here, is the file's origin ({x}, {y}).", x = x, y = y));
     }
     Ok(())
 }
@@ -215,17 +246,34 @@ pub(super) fn import(file: &NamedFile, picture: &NamedFile) -> Result<Imported, 
     note_other_name(file, &image(&mut yaml)?, picture, &mut notes);
     let (line, resolution) = yaml.number("resolution", 1e-6, LARGEST)?.ok_or_else(|| yaml.missing("resolution"))?;
     note_origin(&mut yaml, &mut notes)?;
-    let (rule, between) = rule(&mut yaml)?;
+    let (rule, are_unclear) = rule(&mut yaml)?;
     for Entry { line, key, .. } in &yaml.entries {
-        notes.push(format!("Line {line} of {}, `{key}`, was not read.", file.label()));
+        notes.push(message!(
+            "files-line-not-read",
+            "Line {line} of {file}, `{key}`, was not read.",
+            line = line,
+            file = file.label(),
+            key = key
+        ));
     }
     let image = pgm::read(picture)?;
     if image.rest > 0 {
-        notes.push(format!("The last {} bytes of {} were not read: its pixels end before.", image.rest, picture.label()));
+        notes.push(message!(
+            "files-rest",
+            "The last {n} bytes of {file} were not read: its pixels end before.",
+            n = image.rest,
+            file = picture.label()
+        ));
     }
     let longest = LARGEST / image.columns.max(image.rows) as f64;
     if resolution > longest {
-        return Err(file.wrong(line, &format!("resolution is {resolution}, expected at most {longest} for a picture of this size")));
+        let problem = message!(
+            "files-resolution",
+            "resolution is {resolution}, expected at most {most} for a picture of this size",
+            resolution = resolution,
+            most = longest
+        );
+        return Err(file.wrong(line, &problem));
     }
     let (mut blocked, mut unclear) = (Vec::with_capacity(image.values.len()), 0_usize);
     // The picture has its top row first; rows of a scene go by growing y.
@@ -237,10 +285,13 @@ pub(super) fn import(file: &NamedFile, picture: &NamedFile) -> Result<Imported, 
         }
     }
     if unclear > 0 {
-        notes.push(format!("{unclear} of {} cells are {between}, taken as blocked.", image.columns * image.rows));
+        notes.push(are_unclear(unclear, image.columns * image.rows));
     }
     let mut grid = GridScene { y_axis: YAxis::Up, ..GridScene::new(resolution, image.columns, blocked) };
-    notes.push(ends::choose(&mut grid).ok_or_else(|| Error::malformed(picture.label(), "no cell of the map is free"))?);
+    notes.push(
+        ends::choose(&mut grid)
+            .ok_or_else(|| Error::malformed(picture.label(), message!("files-no-free-cell", "no cell of the map is free")))?,
+    );
     Ok(Imported::new(scene(file, "ROS map", Some("m"), &grid::KIND, Arc::new(grid), &notes)?, notes))
 }
 
@@ -249,7 +300,7 @@ pub(super) fn export(grid: &GridScene, stem: &str) -> Exported {
     let mut notes = Vec::new();
     lost(grid, &mut notes);
     if grid.start.is_some() {
-        notes.push("Not kept, as the format has no place for them: start and goal.".to_owned());
+        notes.push(message!("files-ends-not-kept", "Not kept, as the format has no place for them: start and goal."));
     }
     let values: Vec<u8> = grid.lines().iter().flat_map(|line| line.bytes().map(|cell| if cell == b'#' { 0 } else { 254 })).collect();
     let yaml = format!(

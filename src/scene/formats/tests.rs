@@ -2,7 +2,7 @@
 
 use crate::{exact::shortest_over_cells, geometry::YAxis, kernel::ReferenceOptimum, scene::GridScene, shipped, standard};
 
-use super::*;
+use super::{report::joined, *};
 
 fn file(name: &str, bytes: impl AsRef<[u8]>) -> NamedFile {
     NamedFile::new(name, bytes.as_ref())
@@ -34,7 +34,7 @@ fn a_map_and_its_problems_are_read_and_the_exact_search_finds_their_optima() {
     assert_eq!(read.scene.ends(), Some(([0.5, 0.5], [5.5, 3.5])));
     assert_eq!((read.scene.name(), read.problems.len()), ("test", 2));
     for (text, part) in read.notes.iter().zip(["1 cells are swamp", "1 cells are water", "Problem 1 of 2"]) {
-        assert!(text.contains(part), "{text}");
+        assert!(text.text().contains(part), "{text}");
     }
     for (i, problem) in read.problems.iter().enumerate() {
         let scene = import(standard(), &files, Some(i)).unwrap().scene;
@@ -49,7 +49,7 @@ fn a_map_and_its_problems_are_read_and_the_exact_search_finds_their_optima() {
 fn a_map_without_ends_gets_them_far_apart_in_its_largest_region() {
     let read = import(standard(), &[file("a.map", "type octile\nheight 3\nwidth 6\nmap\n.@....\n@@@@@.\n.T....\n")], None).unwrap();
     assert_eq!(read.scene.ends(), Some(([2.5, 0.5], [2.5, 2.5])), "{:?}", read.notes);
-    assert!(read.notes[0].contains("(2.5, 0.5)"));
+    assert!(read.notes[0].text().contains("(2.5, 0.5)"));
     // The same picture, but y grows upwards: reading order begins at the top all the same.
     let picture = "P2 6 3 1 1 0 1 1 1 1 0 0 0 0 0 1 1 0 1 1 1 1";
     let read = import(standard(), &[file("a.yaml", "image: a.pgm\nresolution: 2"), file("a.pgm", picture)], None).unwrap();
@@ -64,22 +64,22 @@ fn an_occupancy_grid_is_read_with_its_thresholds() {
     assert_eq!(rows(&plain), ["..#.", "#.#."]);
     let grid = plain.scene.get::<GridScene>().unwrap();
     assert_eq!((grid.cell, grid.y_axis, plain.scene.header().units.as_deref()), (0.05, YAxis::Up, Some("m")));
-    assert!(plain.notes[0].contains("(-1.5, 2)") && plain.notes[1].contains("1 of 8 cells are unknown"), "{:?}", plain.notes);
+    assert!(plain.notes[0].text().contains("(-1.5, 2)") && plain.notes[1].text().contains("1 of 8 cells are unknown"), "{:?}", plain.notes);
     let negated = read(&YAML.replace("negate: 0", "negate: True"), PGM.as_bytes());
     assert_eq!(rows(&negated), ["##.#", "##.#"], "205 is blocked, not unknown");
     let scale = read(&format!("{YAML}mode: 'scale'\n"), PGM.as_bytes());
-    assert!(scale.notes[1].contains("1 of 8 cells are partly occupied"), "{:?}", scale.notes);
+    assert!(scale.notes[1].text().contains("1 of 8 cells are partly occupied"), "{:?}", scale.notes);
     // Raw: 0 is free, 60 between, 100 occupied, 255 unknown.
     let raw = read(&format!("{YAML}mode: \"raw\"\n"), b"P5 4 1 255 \x00\x3c\x64\xff");
     assert_eq!(rows(&raw), [".###"]);
-    assert!(raw.notes[1].contains("2 of 4"), "{:?}", raw.notes);
+    assert!(raw.notes[1].text().contains("2 of 4"), "{:?}", raw.notes);
     // Two bytes a pixel, the high one first; a list below its key; what is not known is noted.
     let yaml = "image: 'test.pgm'\nresolution: 1\norigin:\n  - 0\n  - 0\n  - 1.5 # turned\nfree_thresh: 0.25\nsensor: lidar\n";
     let ended = read(yaml, b"P5\r\n2 1\r\n255\r\n\xfe\x00");
     assert_eq!(rows(&ended), [".#"], "a heading whose lines end in two bytes");
     let wide = read(yaml, b"P5\n2 2\n65535\n\xff\xff\x00\x00\xc0\x00\xbf\xff\n");
     assert_eq!(rows(&wide), [".#", ".#"]);
-    let notes = wide.notes.join(" ");
+    let notes = joined(&wide.notes);
     for part in ["1.5 rad", "Line 8 of test.yaml, `sensor`", "last 1 bytes", "1 of 4 cells"] {
         assert!(notes.contains(part), "{notes}");
     }
@@ -175,7 +175,7 @@ fn every_malformed_file_is_refused_with_its_name_the_line_and_the_reason() {
 #[test]
 fn files_are_recognised_by_what_is_in_them_and_other_names_are_noted() {
     let read = import(standard(), &[file("one", SCEN), file("two", MAP)], Some(0)).unwrap();
-    assert!(read.notes.iter().any(|note| note == "one belongs to test.map; two was taken."), "{:?}", read.notes);
+    assert!(read.notes.iter().any(|note| note.text() == "one belongs to test.map; two was taken."), "{:?}", read.notes);
     let read = import(standard(), &[file("one.YML", YAML), file("two", PGM)], None).unwrap();
     assert_eq!(read.scene.name(), "one");
     let scene = shipped("wcpso-discs").unwrap();
@@ -187,17 +187,17 @@ fn files_are_recognised_by_what_is_in_them_and_other_names_are_noted() {
 #[test]
 fn what_a_format_has_no_place_for_is_said() {
     let scene = shipped("qpso-10m").unwrap();
-    let notes = export(&scene, Format::Ros, "a").unwrap().notes.join(" ");
+    let notes = joined(&export(&scene, Format::Ros, "a").unwrap().notes);
     assert!(notes.contains("the robot") && notes.contains("start and goal"), "{notes}");
     let there = export(&scene, Format::MovingAi, "b\t/c").unwrap();
     assert_eq!(there.files.iter().map(|f| f.name.as_str()).collect::<Vec<_>>(), ["b--c.map", "b--c.scen"]);
-    assert!(there.notes.join(" ").contains("a cell is"), "{:?}", there.notes);
+    assert!(joined(&there.notes).contains("a cell is"), "{:?}", there.notes);
     assert_eq!(export(&shipped("sphere").unwrap(), Format::Ros, "a").unwrap_err().field(), "kind");
     assert_eq!(export(&shipped("sphere").unwrap(), Format::Tsplib, "a").unwrap_err().allowed(), "tour");
     // Without a way there is no optimum, and so no .scen.
     let split = import(standard(), &[file("a.json", shut("...#.", "[4.5, 0.5]"))], None).unwrap().scene;
     let out = export(&split, Format::MovingAi, "a").unwrap();
-    assert_eq!((out.files.len(), out.notes[0].contains("no way")), (1, true));
+    assert_eq!((out.files.len(), out.notes[0].text().contains("no way")), (1, true));
 }
 
 fn shut(row: &str, goal: &str) -> String {

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use crate::{
     exact::{Distances, LONGEST, Metric},
-    kernel::Error,
+    kernel::{Error, Message},
+    message,
     scene::{MAX_STOPS, TourScene, check::LARGEST, tour},
 };
 
@@ -20,8 +21,8 @@ use super::{
 #[derive(Default)]
 struct Instance<'a> {
     name: &'a str,
-    comments: Vec<String>,
-    notes: Vec<String>,
+    comments: Vec<Message>,
+    notes: Vec<Message>,
     /// Keywords and sections with the lines where they stand: none may come twice.
     seen: Vec<(&'a str, usize)>,
     n: Option<usize>,
@@ -50,7 +51,13 @@ enum Shape {
     Lower(usize),
 }
 
-const FORMS: &str = "FULL_MATRIX, or UPPER or LOWER with _ROW, _COL, _DIAG_ROW or _DIAG_COL: no other form is read";
+/// The forms that are read, for a refusal.
+fn forms() -> Message {
+    message!(
+        "files-forms",
+        "for EDGE_WEIGHT_FORMAT FULL_MATRIX, or UPPER or LOWER with _ROW, _COL, _DIAG_ROW or _DIAG_COL: no other form is read"
+    )
+}
 
 impl Shape {
     fn named(name: &str) -> Option<Self> {
@@ -92,21 +99,23 @@ pub(in super::super) fn import(file: &NamedFile) -> Result<Imported, Error> {
 impl<'a> Instance<'a> {
     fn read(&mut self, words: &mut Words<'a>, keyword: &'a str, value: &'a str) -> Result<(), Error> {
         let line = words.line;
-        let expect = |fits: bool, expected: &str| {
-            if fits { Ok(()) } else { Err(words.file.unexpected(line, value, &format!("for {keyword} {expected}"))) }
-        };
+        let expect = |fits: bool, expected: Message| if fits { Ok(()) } else { Err(words.file.unexpected(line, value, &expected)) };
         if let Some(before) = self.line_of(keyword).filter(|_| keyword != "COMMENT") {
-            return Err(words.file.wrong(line, &format!("`{keyword}` again, first in line {before}")));
+            return Err(words.file.again(line, keyword, before));
         }
         self.seen.push((keyword, line));
         match keyword {
             "NAME" => self.name = value,
-            "COMMENT" => self.comments.extend((!value.is_empty()).then(|| value.to_owned())),
+            "COMMENT" => self.comments.extend((!value.is_empty()).then(|| Message::verbatim(value))),
             // Some files have a name behind it.
-            "TYPE" => expect(value.split_whitespace().next() == Some("TSP"), "TSP: no other problem is read")?,
+            "TYPE" => {
+                let expected = message!("files-type", "for TYPE TSP: no other problem is read");
+                expect(value.split_whitespace().next() == Some("TSP"), expected)?;
+            }
             "DIMENSION" => {
                 self.n = value.parse().ok().filter(|n| (2..=MAX_STOPS).contains(n));
-                expect(self.n.is_some(), &format!("a number of stops from 2 to {MAX_STOPS}"))?;
+                let expected = message!("files-dimension", "for DIMENSION a number of stops from 2 to {most}", most = MAX_STOPS);
+                expect(self.n.is_some(), expected)?;
             }
             "EDGE_WEIGHT_TYPE" => {
                 self.measure = match value {
@@ -117,28 +126,45 @@ impl<'a> Instance<'a> {
                     "EXPLICIT" => Some(Measure::Explicit),
                     _ => None,
                 };
-                expect(self.measure.is_some(), "EUC_2D, CEIL_2D, ATT, GEO or EXPLICIT: no other distances are read")?;
+                let expected = message!(
+                    "files-weight-type",
+                    "for EDGE_WEIGHT_TYPE EUC_2D, CEIL_2D, ATT, GEO or EXPLICIT: no other distances are read"
+                );
+                expect(self.measure.is_some(), expected)?;
             }
             "EDGE_WEIGHT_FORMAT" => {
                 self.shape = Shape::named(value);
                 // Files with a formula may say so; where there is none it is refused below.
-                expect(self.shape.is_some() || value == "FUNCTION", FORMS)?;
+                expect(self.shape.is_some() || value == "FUNCTION", forms())?;
             }
-            "NODE_COORD_TYPE" => expect(["TWOD_COORDS", "NO_COORDS"].contains(&value), "TWOD_COORDS or NO_COORDS")?,
+            "NODE_COORD_TYPE" => {
+                let expected = message!("files-coord-type", "for NODE_COORD_TYPE TWOD_COORDS or NO_COORDS");
+                expect(["TWOD_COORDS", "NO_COORDS"].contains(&value), expected)?;
+            }
             "DISPLAY_DATA_TYPE" => {
-                expect(["COORD_DISPLAY", "TWOD_DISPLAY", "NO_DISPLAY"].contains(&value), "COORD_DISPLAY, TWOD_DISPLAY or NO_DISPLAY")?;
+                let expected = message!("files-display", "for DISPLAY_DATA_TYPE COORD_DISPLAY, TWOD_DISPLAY or NO_DISPLAY");
+                expect(["COORD_DISPLAY", "TWOD_DISPLAY", "NO_DISPLAY"].contains(&value), expected)?;
             }
             "NODE_COORD_SECTION" => self.coordinates = self.points(words, keyword)?,
             "DISPLAY_DATA_SECTION" => self.places = self.points(words, keyword)?,
             "EDGE_WEIGHT_SECTION" => self.matrix(words)?,
             _ if keyword.ends_with("_SECTION") => {
-                let known = "NODE_COORD_SECTION, EDGE_WEIGHT_SECTION or DISPLAY_DATA_SECTION: other sections change the problem";
-                return Err(words.file.unexpected(line, keyword, known));
+                let expected = message!(
+                    "files-sections",
+                    "NODE_COORD_SECTION, EDGE_WEIGHT_SECTION or DISPLAY_DATA_SECTION: other sections change the problem"
+                );
+                return Err(words.file.unexpected(line, keyword, &expected));
             }
             _ if keyword.bytes().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit() || c == b'_') && keyword.len() > 3 => {
-                self.notes.push(format!("Line {line} of {}, `{keyword}`, is not known and was not read.", words.file.label()));
+                self.notes.push(message!(
+                    "files-keyword-not-read",
+                    "Line {line} of {file}, `{keyword}`, is not known and was not read.",
+                    line = line,
+                    file = words.file.label(),
+                    keyword = keyword
+                ));
             }
-            _ => return Err(words.file.unexpected(line, keyword, "a keyword, a section or EOF")),
+            _ => return Err(words.file.unexpected(line, keyword, &message!("files-keyword", "a keyword, a section or EOF"))),
         }
         Ok(())
     }
@@ -150,7 +176,7 @@ impl<'a> Instance<'a> {
 
     /// How many stops there are, where a section needs to know it.
     fn count(&self, words: &Words, section: &str) -> Result<usize, Error> {
-        self.n.ok_or_else(|| words.file.wrong(words.line, &format!("`{section}` before `DIMENSION`")))
+        self.n.ok_or_else(|| words.file.wrong(words.line, &too_early(section, "DIMENSION")))
     }
 
     /// A point for each stop, in the order of their numbers.
@@ -160,25 +186,42 @@ impl<'a> Instance<'a> {
         for _ in 0..n {
             let stop = words.stop(n, &mut called)?;
             for (axis, c) in points[stop].iter_mut().enumerate() {
-                let expected = || format!("for stop {} coordinate {} a number from -{LARGEST} to {LARGEST}", stop + 1, axis + 1);
+                let expected = || {
+                    message!(
+                        "files-coordinate",
+                        "for stop {stop} coordinate {axis} a number from {least} to {most}",
+                        stop = stop + 1,
+                        axis = axis + 1,
+                        least = -LARGEST,
+                        most = LARGEST
+                    )
+                };
                 *c = words.take(|word| number_up_to(LARGEST, word), &expected)?;
             }
         }
-        words.end_of_line(&|| format!("{n} stops"))?;
+        words.end_of_line(&|| message!("files-end-of-stops", "the end of the line after {n} stops", n = n))?;
         Ok(points)
     }
 
     fn matrix(&mut self, words: &mut Words) -> Result<(), Error> {
         let n = self.count(words, "EDGE_WEIGHT_SECTION")?;
         let shape = self.shape.ok_or_else(|| match self.line_of("EDGE_WEIGHT_FORMAT") {
-            Some(line) => words.file.unexpected(line, "FUNCTION", &format!("for EDGE_WEIGHT_FORMAT {FORMS}")),
-            None => words.file.wrong(words.line, "`EDGE_WEIGHT_SECTION` before `EDGE_WEIGHT_FORMAT`"),
+            Some(line) => words.file.unexpected(line, "FUNCTION", &forms()),
+            None => words.file.wrong(words.line, &too_early("EDGE_WEIGHT_SECTION", "EDGE_WEIGHT_FORMAT")),
         })?;
         self.weights = vec![f64::NAN; n * n];
         let mut diagonal = 0;
         for i in 0..n {
             for j in shape.row(i, n) {
-                let expected = || format!("a distance from 0 to {LONGEST} between stops {} and {}", i + 1, j + 1);
+                let expected = || {
+                    message!(
+                        "files-distance",
+                        "a distance from 0 to {most} between stops {i} and {j}",
+                        most = LONGEST,
+                        i = i + 1,
+                        j = j + 1
+                    )
+                };
                 let word = words.word();
                 let read = word.and_then(|word| number_up_to(LONGEST, word)).filter(|d| *d >= 0.0 || i == j);
                 let d = read.ok_or_else(|| words.refuse(word, &expected()))?;
@@ -186,21 +229,31 @@ impl<'a> Instance<'a> {
                 if i == j {
                     diagonal += usize::from(d != 0.0);
                 } else if d != back && !back.is_nan() {
-                    let expected = format!("{back} from stop {} to {}, as in the other direction: distances are symmetric", i + 1, j + 1);
+                    let expected = message!(
+                        "files-symmetric",
+                        "{back} from stop {i} to {j}, as in the other direction: distances are symmetric",
+                        back = back,
+                        i = i + 1,
+                        j = j + 1
+                    );
                     return Err(words.refuse(word, &expected));
                 }
                 (self.weights[i * n + j], self.weights[j * n + i]) = (d, d);
             }
         }
         if diagonal > 0 {
-            self.notes.push(format!("{diagonal} distances from a stop to itself are not 0; no tour goes there, and they were left out."));
+            self.notes.push(message!(
+                "files-diagonal",
+                "{n} distances from a stop to itself are not 0; no tour goes there, and they were left out.",
+                n = diagonal
+            ));
         }
-        words.end_of_line(&|| format!("the distances of {n} stops"))
+        words.end_of_line(&|| message!("files-end-of-distances", "the end of the line after the distances of {n} stops", n = n))
     }
 
     /// The stops, once all is read; the file ends in line `end`.
     fn scene(&mut self, file: &NamedFile, end: usize) -> Result<TourScene, Error> {
-        let missing = |what: &str| file.wrong(end.max(1), &format!("the file ends without `{what}`"));
+        let missing = |what: &str| file.ends_without(end.max(1), what);
         for keyword in ["TYPE", "DIMENSION", "EDGE_WEIGHT_TYPE"] {
             self.line_of(keyword).ok_or_else(|| missing(keyword))?;
         }
@@ -208,13 +261,17 @@ impl<'a> Instance<'a> {
         match self.measure {
             Some(Measure::By(metric)) => {
                 if let Some(line) = self.line_of("EDGE_WEIGHT_SECTION") {
-                    return Err(file.wrong(line, "`EDGE_WEIGHT_SECTION`, but `EDGE_WEIGHT_TYPE` is not EXPLICIT"));
+                    let problem = message!("files-not-explicit", "`EDGE_WEIGHT_SECTION`, but `EDGE_WEIGHT_TYPE` is not EXPLICIT");
+                    return Err(file.wrong(line, &problem));
                 }
                 if self.coordinates.is_empty() {
                     return Err(missing("NODE_COORD_SECTION"));
                 }
                 if !self.places.is_empty() {
-                    self.notes.push("The places in `DISPLAY_DATA_SECTION` were left out: stops are drawn where they are.".to_owned());
+                    self.notes.push(message!(
+                        "files-display-left-out",
+                        "The places in `DISPLAY_DATA_SECTION` were left out: stops are drawn where they are."
+                    ));
                 }
                 let mut points = std::mem::take(&mut self.coordinates);
                 if metric == Metric::Geo {
@@ -230,4 +287,9 @@ impl<'a> Instance<'a> {
             }
         }
     }
+}
+
+/// What is wrong with a section that needs a keyword before it.
+fn too_early(section: &str, keyword: &str) -> Message {
+    message!("files-too-early", "`{section}` before `{keyword}`", section = section, keyword = keyword)
 }

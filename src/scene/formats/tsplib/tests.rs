@@ -139,7 +139,7 @@ fn what_other_programs_write_is_read() {
         let read = import(standard(), &[file(name, text)], None).unwrap();
         assert_eq!(read.scene.get::<TourScene>().unwrap().points, [[1.0, -15.0], [100.0, 0.0]]);
         assert_eq!((read.scene.name(), read.notes.len()), ("far", 1));
-        assert!(read.notes[0].starts_with("Line 10 of a") && read.notes[0].contains("`BEST_KNOWN`"), "{:?}", read.notes);
+        assert!(read.notes[0].text().starts_with("Line 10 of a") && read.notes[0].text().contains("`BEST_KNOWN`"), "{:?}", read.notes);
         assert!(read.scene.header().note.as_ref().unwrap().starts_with("two\tstops (far apart) Line 10"));
     }
     // Files with a formula may say so, before it or behind.
@@ -155,7 +155,7 @@ fn what_other_programs_write_is_read() {
     let twice = import(standard(), &[file("b.tsp", twice)], None).unwrap();
     assert_eq!((twice.scene.get::<TourScene>().unwrap().points[0], twice.notes.len()), ([0.0, 3.0], 1));
     let odd = import(standard(), &[file("c.tsp", matrix("LOWER_DIAG_ROW", "9 3 -1 4 6 0 5 7 8 0"))], None).unwrap();
-    assert!(odd.notes[0].starts_with("2 distances from a stop to itself"), "{:?}", odd.notes);
+    assert!(odd.notes[0].text().starts_with("2 distances from a stop to itself"), "{:?}", odd.notes);
 }
 
 #[test]
@@ -236,14 +236,14 @@ fn a_tour_is_measured_and_kept_only_if_it_is_said_to_be_the_shortest() {
     let optimal = import(standard(), &[file("x.OPT.tour", text), tsp.clone()], None).unwrap();
     let exact = optimal.scene.header().exact.clone().unwrap();
     assert_eq!((exact["length"].as_f64(), exact["order"].to_string()), (Some(140.0), "[2,1,3,0]".to_owned()));
-    assert!(optimal.notes[0].contains("the length 140. That none is shorter is what"), "{:?}", optimal.notes);
+    assert!(optimal.notes[0].text().contains("the length 140. That none is shorter is what"), "{:?}", optimal.notes);
     let other = import(standard(), &[tsp.clone(), file("x.tour", text.replace("3\n2\n4\n1\n-1", " 1 2 3 4"))], None).unwrap();
     assert_eq!((other.scene.header().exact.as_ref(), other.notes.len()), (None, 1));
-    assert!(other.notes[0].contains("the length 160"), "{:?}", other.notes);
+    assert!(other.notes[0].text().contains("the length 160"), "{:?}", other.notes);
     // With a scene's own file, and by what is in it.
     let json = file("x.json", other.scene.to_json());
     assert_eq!(import(standard(), &[json.clone(), file("x.opt.tour", text)], None).unwrap().scene.header().exact, Some(exact));
-    assert!(import(standard(), &[json, file("tour of x", text)], None).unwrap().notes[0].contains("length 140"));
+    assert!(import(standard(), &[json, file("tour of x", text)], None).unwrap().notes[0].text().contains("length 140"));
     let lists = text.replace("-1\n", "-1\n-1\n");
     assert!(import(standard(), &[tsp.clone(), file("x.tour", lists)], None).is_ok(), "a list of one tour");
     for (from, to, part) in [
@@ -289,7 +289,7 @@ fn what_is_written_says_what_it_lost() {
     let plain = scene(TourScene::through(points.clone(), Metric::Euclidean));
     let written = export(&plain, Format::Tsplib, "x").unwrap();
     assert_eq!(written.files.iter().map(|f| f.name.as_str()).collect::<Vec<_>>(), ["x.tsp", "x.tour"]);
-    assert!(written.notes[0].contains("EUC_2D rounds"), "{:?}", written.notes);
+    assert!(written.notes[0].text().contains("EUC_2D rounds"), "{:?}", written.notes);
     let text =
         "NAME : x\nTYPE : TSP\nCOMMENT : a\nDIMENSION : 3\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n1 0 0\n2 1.5 0\n3 0 -2\nEOF\n";
     assert_eq!(str::from_utf8(&written.files[0].bytes), Ok(text));
@@ -297,12 +297,12 @@ fn what_is_written_says_what_it_lost() {
     open.closed = false;
     let open = scene(open);
     let written = export(&open, Format::Tsplib, "x").unwrap();
-    assert_eq!((written.files.len(), written.notes[0].contains("that tours are open")), (1, true));
+    assert_eq!((written.files.len(), written.notes[0].text().contains("that tours are open")), (1, true));
     let refused = import(standard(), &[file("o.json", open.to_json()), file("o.tour", "TOUR_SECTION 1 2 3 -1")], None).unwrap_err();
     assert!(refused.to_string().contains("those of the scene are open"));
     let matrix = read(&matrix("UPPER_ROW", "3 4 5 6 7.5 8"));
     let written = export(&matrix, Format::Tsplib, "m").unwrap();
-    assert!(written.notes[0].contains("no whole numbers"), "{:?}", written.notes);
+    assert!(written.notes[0].text().contains("no whole numbers"), "{:?}", written.notes);
     assert!(str::from_utf8(&written.files[0].bytes).unwrap().contains("EDGE_WEIGHT_SECTION\n0 3 4 5\n3 0 6 7.5\n4 6 0 8\n5 7.5 8 0\nEOF"));
     for format in [Format::MovingAi, Format::Ros] {
         assert_eq!(export(&matrix, format, "m").unwrap_err().allowed(), "grid");

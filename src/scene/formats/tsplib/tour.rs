@@ -4,7 +4,11 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value};
 
-use crate::{kernel::Error, scene::TourScene};
+use crate::{
+    kernel::{Error, Message},
+    message,
+    scene::TourScene,
+};
 
 use super::{
     super::{
@@ -20,16 +24,27 @@ pub(in super::super) fn with_tour(read: Imported, file: &NamedFile) -> Result<Im
     let Imported { scene, mut notes, problems } = read;
     let tour = scene.get::<TourScene>()?;
     if !tour.closed {
-        return Err(Error::malformed(file.label(), "its tour is closed, those of the scene are open"));
+        let problem = message!("files-tour-closed", "its tour is closed, those of the scene are open");
+        return Err(Error::malformed(file.label(), problem));
     }
     let order = order(file, tour.len())?;
     let length = tour.distances().length(&order, true);
     let label = file.label();
     if !is_optimal(label) {
-        notes.push(format!("The tour in {label} has the length {length}; the scene is as it was."));
+        notes.push(message!(
+            "files-tour",
+            "The tour in {file} has the length {length}; the scene is as it was.",
+            file = label,
+            length = length
+        ));
         return Ok(Imported { scene, notes, problems });
     }
-    notes.push(format!("The tour in {label} has the length {length}. That none is shorter is what the file’s name says."));
+    notes.push(message!(
+        "files-shortest-tour",
+        "The tour in {file} has the length {length}. That none is shorter is what the file’s name says.",
+        file = label,
+        length = length
+    ));
     let mut exact = Map::new();
     exact.insert("length".to_owned(), Value::from(length));
     exact.insert("order".to_owned(), Value::Array(order.into_iter().map(Value::from).collect()));
@@ -44,19 +59,25 @@ fn order(file: &NamedFile, n: usize) -> Result<Vec<usize>, Error> {
     let mut order: Option<Vec<usize>> = None;
     while let Some((keyword, value)) = words.keyword() {
         let line = words.line;
-        let expect = |fits: bool, expected: &str| if fits { Ok(()) } else { Err(file.unexpected(line, value, expected)) };
+        let expect = |fits: bool, expected: Message| if fits { Ok(()) } else { Err(file.unexpected(line, value, &expected)) };
         match keyword {
-            "TYPE" => expect(value.split_whitespace().next() == Some("TOUR"), "for TYPE TOUR")?,
-            "DIMENSION" => expect(value.parse() == Ok(n), &format!("for DIMENSION {n}, as many as the scene has stops"))?,
+            "TYPE" => expect(value.split_whitespace().next() == Some("TOUR"), message!("files-for-type", "for TYPE TOUR"))?,
+            "DIMENSION" => {
+                let expected = message!("files-for-dimension", "for DIMENSION {n}, as many as the scene has stops", n = n);
+                expect(value.parse() == Ok(n), expected)?;
+            }
             "TOUR_SECTION" if order.is_none() => order = Some(section(&mut words, n)?),
             // The end of a list of tours, of which there is one.
             "-1" if order.is_some() => {}
             _ if keyword.bytes().all(|c| c.is_ascii_uppercase() || c == b'_') && !keyword.ends_with("_SECTION") => {}
-            _ if order.is_some() => return Err(file.unexpected(line, keyword, "the end of the file: one tour at a time")),
-            _ => return Err(file.unexpected(line, keyword, "a keyword or TOUR_SECTION")),
+            _ if order.is_some() => {
+                let expected = message!("files-one-tour", "the end of the file: one tour at a time");
+                return Err(file.unexpected(line, keyword, &expected));
+            }
+            _ => return Err(file.unexpected(line, keyword, &message!("files-tour-section", "a keyword or TOUR_SECTION"))),
         }
     }
-    order.ok_or_else(|| file.wrong(words.line.max(1), "the file ends without `TOUR_SECTION`"))
+    order.ok_or_else(|| file.ends_without(words.line.max(1), "TOUR_SECTION"))
 }
 
 fn section(words: &mut Words, n: usize) -> Result<Vec<usize>, Error> {
@@ -65,7 +86,7 @@ fn section(words: &mut Words, n: usize) -> Result<Vec<usize>, Error> {
     // Some programs leave out the −1.
     match words.word() {
         None | Some("-1" | "EOF") => Ok(order),
-        other => Err(words.refuse(other, &format!("-1 after {n} stops"))),
+        other => Err(words.refuse(other, &message!("files-tour-end", "-1 after {n} stops", n = n))),
     }
 }
 

@@ -2,7 +2,10 @@
 
 use std::{iter::Enumerate, str::Lines};
 
-use crate::kernel::Error;
+use crate::{
+    kernel::{Error, Message},
+    message,
+};
 
 use super::super::file::NamedFile;
 
@@ -62,36 +65,33 @@ impl<'a> Words<'a> {
     }
 
     /// The next word, as `read` takes it; where it takes it for nothing it is refused, and `expected` says why.
-    pub(super) fn take<T>(&mut self, read: impl FnOnce(&str) -> Option<T>, expected: &dyn Fn() -> String) -> Result<T, Error> {
+    pub(super) fn take<T>(&mut self, read: impl FnOnce(&str) -> Option<T>, expected: &dyn Fn() -> Message) -> Result<T, Error> {
         let word = self.word();
         word.and_then(read).ok_or_else(|| self.refuse(word, &expected()))
     }
 
     /// Refuses a word, or that there is none.
     #[cold]
-    pub(super) fn refuse(&self, word: Option<&str>, expected: &str) -> Error {
+    pub(super) fn refuse(&self, word: Option<&str>, expected: &Message) -> Error {
         match word {
             Some(word) => self.file.unexpected(self.line, word, expected),
-            None => self.file.wrong(self.line, &format!("the file ends, expected {expected}")),
+            None => self.file.ends(self.line, expected),
         }
     }
 
     /// The number of a stop, from 0.
     pub(super) fn stop(&mut self, n: usize, called: &mut [bool]) -> Result<usize, Error> {
         let read = |word: &str| word.parse().ok().filter(|id| (1..=n).contains(id));
-        let id = self.take(read, &|| format!("a stop from 1 to {n}"))?;
+        let id = self.take(read, &|| message!("files-stop", "a stop from 1 to {n}", n = n))?;
         if std::mem::replace(&mut called[id - 1], true) {
-            return Err(self.file.unexpected(self.line, &id.to_string(), "a stop that is not listed above: each once"));
+            let expected = message!("files-stop-once", "a stop that is not listed above: each once");
+            return Err(self.file.unexpected(self.line, &id.to_string(), &expected));
         }
         Ok(id - 1)
     }
 
-    /// The end of a section's last line.
-    pub(super) fn end_of_line(&self, after: &dyn Fn() -> String) -> Result<(), Error> {
-        if self.left.is_empty() {
-            Ok(())
-        } else {
-            Err(self.file.unexpected(self.line, self.left, &format!("the end of the line after {}", after())))
-        }
+    /// The end of a section's last line; `expected` says after what.
+    pub(super) fn end_of_line(&self, expected: &dyn Fn() -> Message) -> Result<(), Error> {
+        if self.left.is_empty() { Ok(()) } else { Err(self.file.unexpected(self.line, self.left, &expected())) }
     }
 }

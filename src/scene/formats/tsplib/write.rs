@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::{
     exact::Metric,
     kernel::{Error, ReferenceOptimum, TourEnds},
+    message,
     scene::{Scene, TourScene},
 };
 
@@ -29,7 +30,10 @@ pub(in super::super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Er
     if tour.matrix.is_some() {
         matrix(tour, &mut text);
         if tour.distances().rows().flatten().any(|d| d.fract() != 0.0) {
-            notes.push("Some distances are no whole numbers; TSPLIB’s are, and other programs may not read them.".to_owned());
+            notes.push(message!(
+                "files-not-whole",
+                "Some distances are no whole numbers; TSPLIB’s are, and other programs may not read them."
+            ));
         }
     } else {
         let name = match tour.metric {
@@ -42,13 +46,16 @@ pub(in super::super) fn export(scene: &Scene, stem: &str) -> Result<Exported, Er
         // Latitude first.
         points(tour, tour.metric == Metric::Geo, &mut text);
         if rounded {
-            notes.push("EUC_2D rounds each distance to a whole number; the scene’s are not rounded, and lengths differ.".to_owned());
+            notes.push(message!(
+                "files-rounded",
+                "EUC_2D rounds each distance to a whole number; the scene’s are not rounded, and lengths differ."
+            ));
         }
     }
     text.push_str("EOF\n");
     let mut files = vec![NamedFile::new(format!("{stem}.tsp"), text)];
     if !tour.closed {
-        not_kept("that tours are open", &mut notes);
+        not_kept(&message!("files-open", "that tours are open"), &mut notes);
     } else if let Some(exact) = scene.exact_tour(ReferenceOptimum::default(), TourEnds::Closed).filter(|exact| !exact.order.is_empty()) {
         // What is the shortest tour before rounding need not be it afterwards.
         let ending = if rounded { "tour" } else { "opt.tour" };
