@@ -1,6 +1,6 @@
 //! Collision tests against the blocked cells of a grid, inflated by a robot's radius.
 
-use super::{Block, Oriented};
+use super::{Block, ObstacleField, Oriented};
 
 /// What a point robot's obstacles are smaller by, in cells: it may touch them, and rounding must not turn touching into
 /// crossing.
@@ -119,6 +119,7 @@ impl Field {
     }
 
     /// Whether the robot's centre may go from `a` straight to `b`.
+    #[inline]
     pub fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
         self.all_near(a, b, self.radius, &mut |block| !hits(block, self.grow, a, b))
     }
@@ -129,35 +130,6 @@ impl Field {
         let grow = (self.radius - slack).max(self.radius / 2.0);
         let apart = &mut |block: &Block| block.distance_squared(a, b) >= grow * grow;
         if self.radius > 0.0 { self.all_near(a, b, self.radius, apart) } else { self.is_free(a, b) }
-    }
-
-    /// The exact length of the part of `a`–`b` on which the robot overlaps an obstacle. The robot is larger by half a billionth
-    /// of a cell here: where the length is 0, the segment is free, and remains so when it is cut into pieces. `pieces` is
-    /// scratch space.
-    pub fn length_inside(&self, a: [f64; 2], b: [f64; 2], pieces: &mut Vec<[f64; 2]>) -> f64 {
-        pieces.clear();
-        let (margin, grow) = (self.margin, self.grow + self.margin);
-        self.all_near(a, b, self.radius + margin, &mut |block| {
-            if !hits(block, grow, a, b) {
-                return true;
-            }
-            let piece = if grow > 0.0 { block.clip_grown(grow, a, b) } else { block.grown(grow).clip(a, b) };
-            let piece = piece.unwrap_or([0.0, 0.0]);
-            // They are few: put in order one by one.
-            let at = pieces.iter().take_while(|other| other[0] <= piece[0]).count();
-            pieces.insert(at, piece);
-            true
-        });
-        if pieces.is_empty() {
-            return 0.0;
-        }
-        let (mut covered, mut end) = (0.0, 0.0);
-        for &[from, to] in pieces.iter() {
-            covered += (to - from.max(end)).max(0.0);
-            end = to.max(end);
-        }
-        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        (covered * (dx * dx + dy * dy).sqrt()).max(f64::MIN_POSITIVE)
     }
 
     /// The robot's smallest distance from an obstacle along `a`–`b`; negative: the depth of the overlap, at least (what several
@@ -191,6 +163,41 @@ impl Field {
     /// The width and height of the whole grid.
     pub fn size(&self) -> [f64; 2] {
         self.size
+    }
+}
+
+impl ObstacleField for Field {
+    /// The exact length of the part of `a`–`b` on which the robot overlaps an obstacle. The robot is larger by half a billionth
+    /// of a cell here: where the length is 0, the segment is free, and remains so when it is cut into pieces. `pieces` is
+    /// scratch space.
+    fn length_inside(&self, a: [f64; 2], b: [f64; 2], pieces: &mut Vec<[f64; 2]>) -> f64 {
+        pieces.clear();
+        let (margin, grow) = (self.margin, self.grow + self.margin);
+        self.all_near(a, b, self.radius + margin, &mut |block| {
+            if !hits(block, grow, a, b) {
+                return true;
+            }
+            let piece = if grow > 0.0 { block.clip_grown(grow, a, b) } else { block.grown(grow).clip(a, b) };
+            let piece = piece.unwrap_or([0.0, 0.0]);
+            // They are few: put in order one by one.
+            let at = pieces.iter().take_while(|other| other[0] <= piece[0]).count();
+            pieces.insert(at, piece);
+            true
+        });
+        if pieces.is_empty() {
+            return 0.0;
+        }
+        let (mut covered, mut end) = (0.0, 0.0);
+        for &[from, to] in pieces.iter() {
+            covered += (to - from.max(end)).max(0.0);
+            end = to.max(end);
+        }
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        (covered * (dx * dx + dy * dy).sqrt()).max(f64::MIN_POSITIVE)
+    }
+
+    fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        self.is_free(a, b)
     }
 }
 

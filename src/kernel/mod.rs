@@ -40,7 +40,7 @@ pub use optimum::Exact;
 pub use planner::{CloneBox, Planner, Progress};
 pub use readings::{ReadingName, Readings};
 pub use scene::{Header, Optimum, Scene};
-pub use scene_body::{Backdrop, ObstacleField, Plane, SceneBody, SceneKindId, Stops, Verdict};
+pub use scene_body::{Backdrop, Plane, SceneBody, SceneKindId, Stops, Verdict};
 pub use solution::{Border, Candidate, ReferenceOptimum, Solution, TourEnds, Track};
 pub use started::{Started, Stepper};
 pub use state::{Digest, State};

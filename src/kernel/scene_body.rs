@@ -3,12 +3,12 @@
 //! Only what every scene needs is a method here. Readers, exact optima, file formats, generators and followers name a kind by
 //! its id instead, so that a build without them does not contain them.
 
-use std::{any::Any, fmt, sync::Arc};
+use std::{any::Any, sync::Arc};
 
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::geometry::{Bounds, Disc, Field, YAxis};
+use crate::geometry::{Bounds, Disc, ObstacleField, YAxis};
 
 use super::{Error, Message, Solution};
 
@@ -115,27 +115,6 @@ pub trait Plane: Send + Sync {
     /// The direction in which y grows in pictures.
     fn y_axis(&self) -> YAxis {
         YAxis::Up
-    }
-}
-
-/// Obstacles in which the length of a path is measured.
-///
-/// It is behind a pointer, so that a build without grids contains nothing of their obstacles.
-pub trait ObstacleField: fmt::Debug + Send + Sync {
-    /// How much of the way from one point to another is inside obstacles. `pieces` is room to work in.
-    fn length_inside(&self, a: [f64; 2], b: [f64; 2], pieces: &mut Vec<[f64; 2]>) -> f64;
-
-    /// Whether the robot can go straight from one point to another; it may touch.
-    fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool;
-}
-
-impl ObstacleField for Field {
-    fn length_inside(&self, a: [f64; 2], b: [f64; 2], pieces: &mut Vec<[f64; 2]>) -> f64 {
-        self.length_inside(a, b, pieces)
-    }
-
-    fn is_free(&self, a: [f64; 2], b: [f64; 2]) -> bool {
-        self.is_free(a, b)
     }
 }
 

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use crate::{
     describe::layers,
-    geometry::{Bounds, Disc, PIECES, distance_squared, shuman, subdivided},
-    kernel::{Error, Frame, ObstacleField, Plane, Readings, Shape, Solution},
+    geometry::{Bounds, Disc, ObstacleField, PIECES, distance_squared, shuman, subdivided},
+    kernel::{Error, Frame, Plane, Readings, Shape, Solution},
     math,
     params::Parameters,
     scene::DiscsScene,

@@ -6,11 +6,8 @@ use serde_json::Value;
 
 use crate::{
     describe::SceneKind,
-    geometry::{Bounds, Field, YAxis},
-    kernel::{
-        Backdrop, Error, Exact, ObstacleField, Plane, ReferenceOptimum, Scene, SceneBody, SceneKindId, Solution, Stops, TourEnds, Verdict,
-        words,
-    },
+    geometry::{Bounds, Field, ObstacleField, YAxis},
+    kernel::{Backdrop, Error, Exact, Plane, ReferenceOptimum, Scene, SceneBody, SceneKindId, Solution, Stops, TourEnds, Verdict, words},
 };
 
 use super::{
