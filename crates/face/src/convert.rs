@@ -1,10 +1,9 @@
 //! Rust values as JavaScript has them.
 
-use js_sys::Uint8Array;
 use serde::Serialize;
 use wasm_bindgen::{JsCast, JsValue};
 
-use forage::{Error, scene::formats::NamedFile};
+use forage::Error;
 
 /// An `Error` with the native message and its parts.
 #[cold]
@@ -33,10 +32,4 @@ pub(crate) fn object<T: JsCast>(properties: &[(&str, JsValue)]) -> T {
         let _ = js_sys::Reflect::set(&object, &(*name).into(), value);
     }
     object.unchecked_into()
-}
-
-/// A file as an object.
-pub(crate) fn named_file<T: JsCast>(file: NamedFile) -> T {
-    let bytes = Uint8Array::from(file.bytes.as_slice());
-    object(&[("name", file.name.into()), ("bytes", bytes.into())])
 }

@@ -3,13 +3,13 @@
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, prelude::*};
 
-use forage::message;
-use forage::scene::formats::{self, Format, NamedFile};
+use forage::{
+    message,
+    scene::formats::{self, Format, NamedFile, tour_file},
+};
 
 use crate::{
-    JsFormat, JsImported, JsNamedFiles, JsScene,
-    convert::named_file,
-    js_error, plain,
+    JsFormat, JsImported, JsNamedFileOrNull, JsNamedFiles, JsScene, Session, js_error, object, plain,
     read::{property, read_list, read_scene, read_text, refused, whole},
     registry::registry,
 };
@@ -43,10 +43,28 @@ pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, 
     Ok(files.unchecked_into())
 }
 
+/// A file as an object.
+fn named_file<T: JsCast>(file: NamedFile) -> T {
+    let bytes = Uint8Array::from(file.bytes.as_slice());
+    object(&[("name", file.name.into()), ("bytes", bytes.into())])
+}
+
 fn read_file(value: &JsValue) -> Result<NamedFile, JsValue> {
     let bytes = property(value, "bytes");
     let Some(bytes) = bytes.dyn_ref::<Uint8Array>() else {
         return Err(refused("bytes", &bytes, message!("error-bytes-array", "a Uint8Array")));
     };
     Ok(NamedFile { name: read_text("name", &property(value, "name"))?, bytes: bytes.to_vec() })
+}
+
+#[wasm_bindgen]
+impl Session {
+    /// The best tour so far as a TSPLIB `.tour` file; null where no tour was found.
+    #[wasm_bindgen(js_name = tourFile)]
+    pub fn tour_file(&mut self) -> JsNamedFileOrNull {
+        let Some(order) = self.run.outcome().order else {
+            return JsValue::NULL.unchecked_into();
+        };
+        named_file(tour_file(&format!("{}.tour", self.run.scene().name()), &order))
+    }
 }

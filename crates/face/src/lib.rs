@@ -12,7 +12,7 @@
 //!
 //! `types` names what crosses the boundary, `read` checks what comes in, this file does the work of a run. What few modules
 //! need is behind a feature each, as the linker keeps everything that is exported: `arm`, `catalogue`, `english`, `files`,
-//! `pictures` and `statistics`.
+//! `generators`, `pictures` and `statistics`.
 #![cfg(target_arch = "wasm32")]
 
 #[cfg(feature = "arm")]
@@ -20,6 +20,8 @@ mod arm;
 mod convert;
 #[cfg(feature = "files")]
 mod files;
+#[cfg(feature = "generators")]
+mod generate;
 mod inspection;
 #[cfg(feature = "pictures")]
 mod pictures;
@@ -46,21 +48,22 @@ use forage::{
     kernel::{Status, SubtaskResult, javascript, rng},
     params::Object,
     picture, run,
-    scene::formats::tour_file,
 };
 
 #[cfg(feature = "arm")]
 pub use arm::{arm_pose, arm_solutions, reachability};
 #[cfg(feature = "files")]
 pub use files::{export_scene, import_scene};
+#[cfg(feature = "generators")]
+pub use generate::generate_scene;
 pub use registry::know;
-pub use scenes::{check_scene, generate_scene};
+pub use scenes::check_scene;
 #[cfg(feature = "statistics")]
 pub use statistics::compare;
 pub use trial::Trial;
 pub use types::*;
 
-use convert::{js_error, named_file, object, plain};
+use convert::{js_error, object, plain};
 use inspection::{InspectionView, ItemView};
 use read::{read_ends, read_item, read_kind, read_layer, read_parameter, read_parameters, read_point, read_setup};
 use registry::registry;
@@ -433,15 +436,6 @@ impl Session {
         let image = ImageData::new_with_u8_clamped_array_and_sh(wasm_bindgen::Clamped(&pixels), width, height)?;
         ctx.put_image_data(&image, 0.0, 0.0)?;
         Ok(true)
-    }
-
-    /// The best tour so far as a TSPLIB `.tour` file; null where no tour was found.
-    #[wasm_bindgen(js_name = tourFile)]
-    pub fn tour_file(&mut self) -> JsNamedFileOrNull {
-        let Some(order) = self.run.outcome().order else {
-            return JsValue::NULL.unchecked_into();
-        };
-        named_file(tour_file(&format!("{}.tour", self.run.scene().name()), &order))
     }
 
     /// The readings of past iterations as CSV.

@@ -1,12 +1,8 @@
-//! Scenes: checked, and random ones.
+//! Scenes, checked.
 
 use wasm_bindgen::prelude::*;
 
-use crate::{
-    JsGiven, JsScene, js_error, plain,
-    read::{read_parameters, read_scene, whole},
-    registry::registry,
-};
+use crate::{JsScene, plain, read::read_scene};
 
 /// Checks a scene and returns it as it is understood.
 ///
@@ -15,14 +11,4 @@ use crate::{
 #[wasm_bindgen(js_name = checkScene)]
 pub fn check_scene(scene: &JsScene) -> Result<JsScene, JsValue> {
     Ok(plain(&*read_scene(scene)?))
-}
-
-/// A random scene: the same for the same parameters and seed.
-///
-/// # Errors
-/// An `Error` with `field`, `value` and `allowed` for whatever is refused.
-#[wasm_bindgen(js_name = generateScene)]
-pub fn generate_scene(name: &str, params: &JsGiven, seed: f64) -> Result<JsScene, JsValue> {
-    let given = read_parameters(params)?;
-    registry().generate(name, &given, whole("seed", seed)?).map(|scene| plain(&scene)).map_err(js_error)
 }

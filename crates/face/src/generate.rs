@@ -1,0 +1,19 @@
+//! Random scenes.
+
+use wasm_bindgen::prelude::*;
+
+use crate::{
+    JsGiven, JsScene, js_error, plain,
+    read::{read_parameters, whole},
+    registry::registry,
+};
+
+/// A random scene: the same for the same parameters and seed.
+///
+/// # Errors
+/// An `Error` with `field`, `value` and `allowed` for whatever is refused.
+#[wasm_bindgen(js_name = generateScene)]
+pub fn generate_scene(name: &str, params: &JsGiven, seed: f64) -> Result<JsScene, JsValue> {
+    let given = read_parameters(params)?;
+    registry().generate(name, &given, whole("seed", seed)?).map(|scene| plain(&scene)).map_err(js_error)
+}
