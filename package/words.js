@@ -39,7 +39,8 @@ function fixed(value, digits) {
   const rounded = value.toFixed(digits)
   const exact = value.toFixed(Math.min(100, digits + 60))
   const tail = exact.slice(exact.indexOf('.') + 1 + digits)
-  const shown = /^50*$/.test(tail) && Number(rounded.at(-1)) % 2 === 1 ? exact.slice(0, exact.indexOf('.') + (digits && 1 + digits)) : rounded
+  const shown =
+    /^50*$/.test(tail) && Number(rounded.at(-1)) % 2 === 1 ? exact.slice(0, exact.indexOf('.') + (digits && 1 + digits)) : rounded
   return Object.is(value, -0) || (value < 0 && !shown.startsWith('-')) ? `-${shown.replace('-', '')}` : shown
 }
 

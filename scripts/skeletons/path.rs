@@ -8,9 +8,10 @@ use crate::{
     describe::{Entry, Group, Layer, Look, Reading, Start, layers},
     geometry,
     kernel::{
-        Candidate, Error, Explain, Facets, Frame, Inspection, Item, LayerKey, Planner, Progress, Quantity, Readings, Scene, Shape, Solution,
+        Candidate, Error, Explain, Facets, Frame, Inspection, Item, LayerKey, Planner, Progress, Readings, Scene, Shape, Solution,
         Started, State, rng::Stream,
     },
+    label, message,
     params::Param,
     scene::GRID,
 };
@@ -40,7 +41,6 @@ pub const ENTRY: Entry = Entry::new(
 .kinds(&[GRID])
 .parameters(&[&[ITERATIONS.entry(), TRIES.entry()]])
 .readings(&[BEST, FOUND])
-.symbols(&["x", "y"])
 .layers(&[CORNER, layers::BEST]);
 
 /// The state: all that the next step depends on. A clone of it is a keyframe, and `State` gives its hash and size.
@@ -135,13 +135,15 @@ impl Explain for @TYPE@ {
     /// TODO: what the last step did to an item and why.
     fn inspect(&self, item: Item) -> Option<Inspection> {
         let here = item.layer == CORNER.key && item.index == 0;
-        let number = |name, symbol, title, value| Quantity { name, symbol, title, value };
         here.then(|| Inspection {
             item,
-            title: "Corner".to_owned(),
+            title: message!("@NAME@-corner", "Corner"),
             event: "drawn",
-            summary: "It was drawn uniformly in the scene.".to_owned(),
-            values: vec![number("x", "x", "x coordinate", self.corner[0]), number("y", "y", "y coordinate", self.corner[1])],
+            summary: message!("@NAME@-drawn", "It was drawn uniformly in the scene."),
+            values: vec![
+                label!("@NAME@-x", "x", "x", "x coordinate").is(self.corner[0]),
+                label!("@NAME@-y", "y", "y", "y coordinate").is(self.corner[1]),
+            ],
             formulas: Vec::new(),
             columns: Vec::new(),
             labels: Vec::new(),

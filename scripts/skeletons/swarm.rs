@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::{
     describe::{Entry, Start, layers},
     kernel::{Candidate, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Started, State, rng::Stream},
+    message,
     params::{Param, Parameters},
 };
 
@@ -17,7 +18,7 @@ use super::{
     parameters::{GUIDES, ITERATIONS, KINDS, POPULATION, SMOOTHED},
     paths::{CHARGED, ENCODED},
     population::Population,
-    sheet::{self, SYMBOLS},
+    sheet,
 };
 
 /// A parameter of its own. TODO: replace it.
@@ -112,8 +113,7 @@ impl Planner for @TYPE@ {
 impl Explain for @TYPE@ {
     /// TODO: what the last step did to a particle and why; `cuckoo_search.rs` shows how to step a copy and watch it.
     fn inspect(&self, item: Item) -> Option<Inspection> {
-        let mut told = sheet::introduce(&self.population, item, "")?;
-        told.summary = format!("Particle {} is drawn near its personal best in each iteration.", item.index);
-        Some(told)
+        let drawn = message!("@NAME@-drawn", "Particle {i} is drawn near its personal best in each iteration.", i = item.index);
+        sheet::introduce(&self.population, item, drawn)
     }
 }

@@ -8,7 +8,7 @@ use serde_json::{Map, Value};
 use crate::message;
 
 use super::{
-    Error, Message,
+    Error, Message, allowed,
     digits::Digits,
     error::{finite, list_of, one_of},
 };
@@ -96,7 +96,7 @@ impl Fields {
         match self.take(name) {
             Value::Null => Ok(None),
             Value::String(text) => Ok(Some(text)),
-            other => Err(self.refuse(name, &other, message!("error-text", "a text"))),
+            other => Err(self.refuse(name, &other, allowed::text())),
         }
     }
 
@@ -105,7 +105,7 @@ impl Fields {
     /// # Errors
     /// [`Error::Refused`] for anything else.
     pub fn text(&mut self, name: &'static str) -> Result<String, Error> {
-        self.optional_text(name)?.ok_or_else(|| self.refuse(name, &Value::Null, message!("error-text", "a text")))
+        self.optional_text(name)?.ok_or_else(|| self.refuse(name, &Value::Null, allowed::text()))
     }
 
     /// Takes one of some names.
@@ -163,7 +163,7 @@ impl Fields {
     pub fn list(&mut self, name: &'static str) -> Result<Vec<Value>, Error> {
         match self.take(name) {
             Value::Array(items) => Ok(items),
-            other => Err(self.refuse(name, &other, message!("error-list", "a list"))),
+            other => Err(self.refuse(name, &other, allowed::list())),
         }
     }
 
@@ -214,7 +214,7 @@ impl Fields {
         let found = self.take(name);
         let path = self.path(name);
         let Some([x, y, z]) = found.as_array().map(Vec::as_slice) else {
-            return Err(Error::refused(path, shown(&found), message!("error-point-in-space", "a point in space, [x, y, z]")));
+            return Err(Error::refused(path, shown(&found), allowed::point_in_space()));
         };
         Ok([number(format!("{path}[0]"), x)?, number(format!("{path}[1]"), y)?, number(format!("{path}[2]"), z)?])
     }
@@ -247,7 +247,7 @@ pub fn each<T>(path: &str, list: Vec<Value>, read: impl Fn(&str, Value) -> Resul
 /// Reads a point in the plane; `path` is its field.
 fn point_of(path: &str, found: &Value) -> Result<[f64; 2], Error> {
     let Some([x, y]) = found.as_array().map(Vec::as_slice) else {
-        return Err(Error::refused(path, shown(found), message!("error-point", "a point, [x, y]")));
+        return Err(Error::refused(path, shown(found), allowed::point()));
     };
     Ok([number(format!("{path}[0]"), x)?, number(format!("{path}[1]"), y)?])
 }
@@ -275,7 +275,7 @@ fn plus_zero(value: &mut Value) {
 pub fn shown(value: &Value) -> String {
     match value {
         Value::Null => "nothing".to_owned(),
-        Value::Object(_) => message!("error-an-object", "an object").to_string(),
+        Value::Object(_) => allowed::object().to_string(),
         Value::Array(items) => list_of(items.len()).to_string(),
         Value::String(text) => format!("\"{text}\""),
         Value::Bool(flag) => flag.to_string(),

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
-use super::{LayerKey, Message, Shape, words};
+use super::{LayerKey, Message, Shape, message::ENGLISH, words};
 
 /// A piece of a layer that can be explained, e.g. one particle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,6 +30,8 @@ impl Label {
     /// For [`label!`](crate::label!).
     #[doc(hidden)]
     pub const fn new(key: &'static str, name: &'static str, symbol: &'static str, english: &'static str) -> Self {
+        // Where the English is inside, it is said without a key.
+        let key = if ENGLISH && cfg!(target_arch = "wasm32") { "" } else { key };
         Self { name, symbol, key, english: words(english) }
     }
 

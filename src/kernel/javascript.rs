@@ -4,9 +4,7 @@ use js_sys::{Array, JsString, Object, Reflect, Symbol};
 use serde_json::{Map, Value};
 use wasm_bindgen::{JsCast, JsValue};
 
-use crate::message;
-
-use super::{Error, limits};
+use super::{Error, allowed, limits};
 
 /// Reads a value of plain objects, lists, texts, numbers, true, false and null, within the [`limits`]. What is undefined or no
 /// finite number becomes null, as in `JSON.stringify`.
@@ -49,11 +47,11 @@ impl Walk<'_> {
             return self.object(value.unchecked_ref(), depth + 1);
         }
         let kind = if value.is_object() {
-            message!("error-iterable", "an iterable object")
+            allowed::iterable()
         } else {
-            message!("error-a", "a {kind}", kind = String::from(value.js_typeof().unchecked_into::<JsString>()))
+            allowed::of_kind(&String::from(value.js_typeof().unchecked_into::<JsString>()))
         };
-        Err(Error::refused(self.field, kind, message!("error-plain", "made of plain objects, lists, texts, numbers, true, false and null")))
+        Err(Error::refused(self.field, kind, allowed::plain()))
     }
 
     fn text(&mut self, text: &JsString) -> Result<String, Error> {

@@ -2,7 +2,7 @@
 //!
 //! The English of a message stands where the message is made, and is printed natively. A WebAssembly module carries keys and
 //! arguments only; whoever hosts it brings the words (see [`speak_by`]), in any language. A module with the feature `english` has
-//! the English as well, for a host without words.
+//! the English instead, for a host without words.
 
 use std::{borrow::Cow, fmt, sync::OnceLock};
 
@@ -268,7 +268,7 @@ macro_rules! message {
 }
 
 /// The value of [`message!`].
-#[cfg(any(not(target_arch = "wasm32"), feature = "english"))]
+#[cfg(not(target_arch = "wasm32"))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! said {
@@ -288,7 +288,26 @@ macro_rules! said {
     (@shown $name:ident $one:literal $other:literal) => { if *$name == 1 { $one } else { $other } };
 }
 
-#[cfg(not(any(not(target_arch = "wasm32"), feature = "english")))]
+/// Only its English: there is nobody to say it in other words.
+#[cfg(all(target_arch = "wasm32", feature = "english"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! said {
+    ($key:literal, $english:literal) => {
+        $crate::kernel::Message::new("", ::std::borrow::Cow::Borrowed($english), ::std::vec::Vec::new())
+    };
+    ($key:literal, $english:literal $(, $name:ident = $value:expr $(=> $one:literal | $other:literal)?)+ $(,)?) => {
+        match ($(&$value,)+) {
+            ($($name,)+) => $crate::kernel::Message::verbatim(
+                ::std::format!($english, $($name = $crate::said!(@shown $name $($one $other)?)),+),
+            ),
+        }
+    };
+    (@shown $name:ident) => { $name };
+    (@shown $name:ident $one:literal $other:literal) => { if *$name == 1 { $one } else { $other } };
+}
+
+#[cfg(all(target_arch = "wasm32", not(feature = "english")))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! said {

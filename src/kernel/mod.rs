@@ -1,5 +1,6 @@
 //! The contract of planners and of scenes, and the data that it speaks of. Nothing here knows a planner or a kind of scene.
 
+pub mod allowed;
 pub mod digits;
 pub mod error;
 mod event;

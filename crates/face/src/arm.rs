@@ -11,7 +11,7 @@ use forage::{
     Error, Scene,
     arm::{self, ArmScene, Posture, Skeleton, degrees, radians},
     kernel::Message,
-    message,
+    kernel::allowed,
 };
 
 use crate::{
@@ -46,18 +46,18 @@ fn read_numbers<const N: usize>(field: &str, value: &JsValue, allowed: Message) 
 }
 
 fn read_posture(field: &str, value: &JsValue) -> Result<Posture, JsValue> {
-    Ok(radians(&read_numbers(field, value, message!("arm-six-joints", "six joints in degrees"))?))
+    Ok(radians(&read_numbers(field, value, allowed::six_joints())?))
 }
 
 fn read_in_space(field: &str, value: &JsValue) -> Result<[f64; 3], JsValue> {
-    read_numbers(field, value, message!("error-point-in-space", "a point in space, [x, y, z]"))
+    read_numbers(field, value, allowed::point_in_space())
 }
 
 fn read_direction(value: &JsValue) -> Result<Unit<Vector3<f64>>, JsValue> {
     let direction = Vector3::from(read_in_space("direction", value)?);
     // Scaled first: squares of numbers near the ends of what f64 holds would be infinite, or 0.
     let scaled = direction / direction.amax();
-    Unit::try_new(scaled, 0.5).ok_or_else(|| refused("direction", value, message!("arm-direction", "a vector that is not 0")))
+    Unit::try_new(scaled, 0.5).ok_or_else(|| refused("direction", value, allowed::direction()))
 }
 
 #[derive(Serialize)]

@@ -4,7 +4,7 @@ use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, prelude::*};
 
 use forage::{
-    message,
+    kernel::allowed,
     scene::formats::{self, Format, NamedFile, tour_file},
 };
 
@@ -52,7 +52,7 @@ fn named_file<T: JsCast>(file: NamedFile) -> T {
 fn read_file(value: &JsValue) -> Result<NamedFile, JsValue> {
     let bytes = property(value, "bytes");
     let Some(bytes) = bytes.dyn_ref::<Uint8Array>() else {
-        return Err(refused("bytes", &bytes, message!("error-bytes-array", "a Uint8Array")));
+        return Err(refused("bytes", &bytes, allowed::bytes()));
     };
     Ok(NamedFile { name: read_text("name", &property(value, "name"))?, bytes: bytes.to_vec() })
 }

@@ -6,8 +6,8 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use forage::{
     Error, Overrides, Scene, Setup, Value,
+    kernel::allowed,
     kernel::{Item, LayerKey, Message, SceneKindId, digits::Digits, javascript, limits, rng},
-    message,
 };
 
 use crate::{js_error, registry::registry};
@@ -18,8 +18,8 @@ pub(crate) fn refused(field: &str, value: &JsValue, allowed: Message) -> JsValue
         (Some(text), ..) => format!("\"{text}\""),
         (_, Some(number), _) => Digits(number).to_string(),
         (.., Some(flag)) => flag.to_string(),
-        _ if value.is_undefined() || value.is_null() => message!("error-nothing", "nothing").to_string(),
-        _ => message!("error-an-object", "an object").to_string(),
+        _ if value.is_undefined() || value.is_null() => allowed::nothing().to_string(),
+        _ => allowed::object().to_string(),
     };
     js_error(Error::refused(field, shown, allowed))
 }
@@ -30,15 +30,15 @@ pub(crate) fn property(object: &JsValue, name: &str) -> JsValue {
 }
 
 pub(crate) fn read_text(field: &str, value: &JsValue) -> Result<String, JsValue> {
-    value.as_string().ok_or_else(|| refused(field, value, message!("error-text", "a text")))
+    value.as_string().ok_or_else(|| refused(field, value, allowed::text()))
 }
 
 pub(crate) fn read_number(field: &str, value: &JsValue) -> Result<f64, JsValue> {
-    value.as_f64().ok_or_else(|| refused(field, value, message!("error-number", "a number")))
+    value.as_f64().ok_or_else(|| refused(field, value, allowed::number()))
 }
 
 pub(crate) fn read_list(field: &str, value: &JsValue) -> Result<Vec<JsValue>, JsValue> {
-    let list = value.dyn_ref::<js_sys::Array>().ok_or_else(|| refused(field, value, message!("error-list", "a list")))?;
+    let list = value.dyn_ref::<js_sys::Array>().ok_or_else(|| refused(field, value, allowed::list()))?;
     limits::check_values(field, list.length() as usize).map_err(js_error)?;
     Ok(list.to_vec())
 }
@@ -46,7 +46,7 @@ pub(crate) fn read_list(field: &str, value: &JsValue) -> Result<Vec<JsValue>, Js
 pub(crate) fn read_parameter(name: &str, value: &JsValue) -> Result<Value, JsValue> {
     let number = || value.as_f64().map(Value::Number);
     let read = value.as_bool().map(Value::Flag).or_else(number).or_else(|| value.as_string().map(Value::Text));
-    read.ok_or_else(|| refused(name, value, message!("error-value", "a number, a text, true or false")))
+    read.ok_or_else(|| refused(name, value, allowed::value()))
 }
 
 pub(crate) fn read_parameters(value: &JsValue) -> Result<Overrides, JsValue> {
@@ -54,9 +54,7 @@ pub(crate) fn read_parameters(value: &JsValue) -> Result<Overrides, JsValue> {
     if value.is_undefined() || value.is_null() {
         return Ok(given);
     }
-    let object = value
-        .dyn_ref::<js_sys::Object>()
-        .ok_or_else(|| refused("params", value, message!("error-parameters", "an object of parameters by name")))?;
+    let object = value.dyn_ref::<js_sys::Object>().ok_or_else(|| refused("params", value, allowed::parameters()))?;
     for name in js_sys::Object::keys(object).iter().filter_map(|name| name.as_string()) {
         let value = read_parameter(&name, &property(object, &name))?;
         given.insert(name, value);
@@ -105,7 +103,7 @@ pub(crate) fn read_layer(name: &str) -> Result<LayerKey, JsValue> {
 pub(crate) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {
     match read_list(field, value)?.as_slice() {
         [x, y] => Ok([read_number(field, x)?, read_number(field, y)?]),
-        _ => Err(refused(field, value, message!("error-point", "a point, [x, y]"))),
+        _ => Err(refused(field, value, allowed::point())),
     }
 }
 
@@ -117,7 +115,7 @@ pub(crate) fn read_ends(setup: &JsValue) -> Result<Option<[[f64; 2]; 2]>, JsValu
     }
     match read_list("ends", &ends)?.as_slice() {
         [start, goal] => Ok(Some([read_point("ends[0]", start)?, read_point("ends[1]", goal)?])),
-        _ => Err(refused("ends", &ends, message!("error-two-points", "two points"))),
+        _ => Err(refused("ends", &ends, allowed::two_points())),
     }
 }
 
@@ -132,7 +130,7 @@ pub(crate) fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
 /// A setup: planner, scene (or a shipped one's name), parameters and seed.
 pub(crate) fn read_setup(setup: &JsValue) -> Result<Setup, JsValue> {
     if !setup.is_object() {
-        return Err(refused("setup", setup, message!("error-setup", "an object with planner, scene, params and seed")));
+        return Err(refused("setup", setup, allowed::setup()));
     }
     let part = |name| property(setup, name);
     let seed = part("seed");

@@ -3,7 +3,8 @@
 use wasm_bindgen::prelude::*;
 
 use forage::{
-    Error, message,
+    Error,
+    kernel::allowed,
     statistics::{self, Group},
 };
 
@@ -21,11 +22,7 @@ pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
         if let Some((k, value)) =
             group.values.iter().enumerate().find_map(|(k, value)| Some((k, value.filter(|value| !value.is_finite())?)))
         {
-            return Err(js_error(Error::refused(
-                format!("groups[{i}].values[{k}]"),
-                value,
-                message!("error-group-value", "a finite number, or null for a failed run"),
-            )));
+            return Err(js_error(Error::refused(format!("groups[{i}].values[{k}]"), value, allowed::group_value())));
         }
     }
     Ok(plain(&statistics::compare(&groups)))

@@ -4,7 +4,8 @@ use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
 
 use forage::{
-    Error, message,
+    Error,
+    kernel::allowed,
     run::trial::{self, WITHIN},
 };
 
@@ -37,9 +38,7 @@ impl Trial {
     /// For less than one step, which would never come to an end.
     pub fn step(&mut self, n: Option<f64>) -> Result<JsStatus, JsValue> {
         match n {
-            Some(n) if n.is_nan() || n < 1.0 => {
-                Err(js_error(Error::refused("n", n, message!("error-steps", "a number of steps, 1 or more"))))
-            }
+            Some(n) if n.is_nan() || n < 1.0 => Err(js_error(Error::refused("n", n, allowed::steps()))),
             n => Ok(status(self.0.step(n.map_or(u64::MAX, |n| n as u64)))),
         }
     }

@@ -13,9 +13,10 @@ use forage::{
     describe::{Color, Entry, Formula, Glyph, Group, Layer, Look, Reading, SceneKind, Start, layers},
     geometry::Bounds,
     kernel::{
-        Backdrop, Candidate, Explain, Facets, Inspection, Item, LayerKey, Mark, Planner, Progress, Quantity, Readings, SceneBody, SceneKindId, Shape,
+        Backdrop, Candidate, Explain, Facets, Inspection, Item, LayerKey, Mark, Planner, Progress, Readings, SceneBody, SceneKindId, Shape,
         Solution, Started, State, Verdict, rng::Stream,
     },
+    label, message,
     params::Param,
     scene::{FUNCTION, FunctionScene},
     swarm::{
@@ -288,10 +289,15 @@ impl Explain for CompassSearch {
         let probe = self.objective.point(&self.probes[item.index], 0);
         Some(Inspection {
             item,
-            title: format!("Probe {}", item.index + 1),
+            title: message!("compass-probe", "Probe {i}", i = item.index + 1),
             event: if cost <= self.cost { "taken" } else { "rejected" },
-            summary: format!("Its cost is {cost:.6}; the search stands where the cost is {:.6}.", self.cost),
-            values: vec![Quantity { name: "cost", symbol: "f(x)", title: "Cost", value: cost }],
+            summary: message!(
+                "compass-cost",
+                "Its cost is {cost:.6}; the search stands where the cost is {here:.6}.",
+                cost = cost,
+                here = self.cost
+            ),
+            values: vec![label!("compass-label-cost", "cost", "f(x)", "Cost").is(cost)],
             formulas: Vec::new(),
             columns: Vec::new(),
             labels: Vec::new(),

@@ -1,0 +1,41 @@
+//! What is said of values that JavaScript gives. It stands here, not where it is used, so that a native program can list all
+//! messages.
+
+use crate::message;
+
+use super::Message;
+
+macro_rules! said {
+    ($($name:ident $key:literal $english:literal;)*) => {
+        $(#[doc = concat!("`", $english, "`")]
+        pub fn $name() -> Message {
+            message!($key, $english)
+        })*
+    };
+}
+
+said! {
+    number "error-number" "a number";
+    value "error-value" "a number, a text, true or false";
+    text "error-text" "a text";
+    list "error-list" "a list";
+    point "error-point" "a point, [x, y]";
+    two_points "error-two-points" "two points";
+    point_in_space "error-point-in-space" "a point in space, [x, y, z]";
+    direction "arm-direction" "a vector that is not 0";
+    six_joints "arm-six-joints" "six joints in degrees";
+    setup "error-setup" "an object with planner, scene, params and seed";
+    parameters "error-parameters" "an object of parameters by name";
+    steps "error-steps" "a number of steps, 1 or more";
+    group_value "error-group-value" "a finite number, or null for a failed run";
+    bytes "error-bytes-array" "a Uint8Array";
+    plain "error-plain" "made of plain objects, lists, texts, numbers, true, false and null";
+    nothing "error-nothing" "nothing";
+    object "error-an-object" "an object";
+    iterable "error-iterable" "an iterable object";
+}
+
+/// Of a value of a kind of its own: `a function`.
+pub fn of_kind(kind: &str) -> Message {
+    message!("error-a", "a {kind}", kind = kind)
+}
