@@ -1,5 +1,5 @@
-//! What is said of values that JavaScript gives. It stands here, not where it is used, so that a native program can list all
-//! messages.
+//! Messages about values that JavaScript gives. They are here and not in the JavaScript interface, so that a native program
+//! can list all messages.
 
 use crate::message;
 

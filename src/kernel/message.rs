@@ -1,7 +1,7 @@
 //! Texts for people: a key and arguments.
 //!
-//! The English of a message stands where the message is made, and is printed natively. A WebAssembly module carries keys and
-//! arguments only; whoever hosts it brings the words (see [`speak_by`]), in any language. A module with the feature `english` has
+//! The English of a message is written where the message is made, and is printed natively. A WebAssembly module carries keys and
+//! arguments only, and its host brings the words (see [`speak_by`]), in any language. A module with the feature `english` has
 //! the English instead, for a host without words.
 
 use std::{borrow::Cow, fmt, sync::OnceLock};
