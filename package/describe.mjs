@@ -15,7 +15,10 @@ const light = modules.filter((module) => module !== 'forage')
 const path = (module) => (module === 'forage' ? '.' : `./${module}`)
 const node = (module) => (module === 'forage' ? 'node' : `${module}.node`)
 
-writeFileSync(`${folder}/catalogue.json`, run(shell, 'list', '--json'))
+const catalogue = run(shell, 'list', '--json')
+writeFileSync(`${folder}/catalogue.json`, catalogue)
+// What a module's `catalogue()` asks for: the symbols of explanations are known to the shell only.
+writeFileSync(`${folder}/symbols.js`, `export const symbols = () => ${JSON.stringify(JSON.parse(catalogue).symbols)}\n`)
 
 // Words: of each module those whose keys it carries.
 const messages = Object.fromEntries(JSON.parse(run(shell, 'list', '--messages')).map((message) => [message.key, pattern(message)]))
@@ -85,7 +88,17 @@ const files = modules.flatMap((module) => [
   `${node(module)}.js`,
   `${node(module)}.d.ts`,
 ])
-const others = ['words.js', 'words.d.ts', 'locales', 'catalogue.json', 'README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md']
+const others = [
+  'symbols.js',
+  'words.js',
+  'words.d.ts',
+  'locales',
+  'catalogue.json',
+  'README.md',
+  'LICENSE-MIT',
+  'LICENSE-APACHE',
+  'THIRD-PARTY.md',
+]
 const description = {
   name: crate.name,
   type: 'module',

@@ -100,6 +100,12 @@ test('every refusal is the same', () => {
   }
 })
 
+test('the catalogue of a module is that of the file, with the symbols of explanations', () => {
+  const { symbols } = whole.catalogue()
+  assert.deepEqual(whole.catalogue(), json('../pkg/catalogue.json'))
+  for (const symbol of ['c_1 r_1 (p - x)', '\\tau', '\\varphi_i']) assert.ok(symbols.includes(symbol), symbol)
+})
+
 test('every message can be said, with all its plurals and numbers', () => {
   const say = speaker('en', messages)
   for (const [key, text] of Object.entries(messages)) {

@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
+#[cfg(not(target_arch = "wasm32"))]
+use crate::kernel::message::sentences;
 use crate::{
     kernel::{Scene, SceneKindId, Shape},
     params::{Domain, Object, Parameter, Value},
@@ -22,6 +24,7 @@ impl Registry {
     }
 
     /// Every TeX string that can appear outside a formula, so that pages can typeset them when they are built.
+    #[cfg(not(target_arch = "wasm32"))]
     pub(crate) fn symbols(&self) -> Vec<&'static str> {
         let planners = self.planners().iter().flat_map(|entry| {
             let parameters = entry.all_parameters().map(|p| p.symbol);
@@ -31,10 +34,7 @@ impl Registry {
             let parameters = follower.parameters.iter().copied().flatten().map(|p| p.symbol);
             parameters.chain(follower.columns.iter().map(|column| column.symbol))
         });
-        #[cfg(not(target_arch = "wasm32"))]
-        let told = crate::kernel::message::sentences().into_iter().map(|sentence| sentence.symbol);
-        #[cfg(target_arch = "wasm32")]
-        let told = std::iter::empty();
+        let told = sentences().into_iter().map(|sentence| sentence.symbol);
         let mut symbols = Vec::new();
         for symbol in planners.chain(followers).chain(told) {
             if !symbol.is_empty() && !symbols.contains(&symbol) {
@@ -64,6 +64,8 @@ impl Serialize for Catalogue<'_> {
         // The layers of a scene itself, which no planner need draw.
         out.serialize_field("layers", layers::SCENE)?;
         out.serialize_field("shapes", &Shape::ALL.map(Shape::name))?;
+        // A module's host has them: they are listed natively only.
+        #[cfg(not(target_arch = "wasm32"))]
         out.serialize_field("symbols", &registry.symbols())?;
         out.end()
     }

@@ -46,7 +46,7 @@ test('a high-density screen gets its own pixels', async ({ browser }) => {
   await context.close()
 })
 
-test('a click on a particle explains its step with the numbers that were drawn', async ({ lab, page }) => {
+test('a click on a particle explains its step with the numbers that were drawn @smoke', async ({ lab, page }) => {
   const setup = { scene: 'matyas' }
   await lab.open(linkTo(setup, 6))
   await lab.settled(6)
@@ -68,6 +68,9 @@ test('a click on a particle explains its step with the numbers that were drawn',
   }
   for (const formula of told?.formulas ?? []) await expect(panel.getByTestId(`live-${formula}`)).not.toContainText('□')
   await expect(panel.locator('tbody tr')).toHaveCount(told?.table.rows.length ?? -1)
+  // Every symbol is typeset: one that the build does not know would be there as TeX, in italics.
+  expect(await panel.locator('.math math').count()).toBeGreaterThan(5)
+  await expect(panel.locator('.math > i')).toHaveCount(0)
 
   await page.getByRole('button', { name: 'Close the inspection' }).click()
   await expect(panel.getByRole('heading')).toHaveCount(0)

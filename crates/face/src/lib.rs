@@ -17,6 +17,8 @@
 
 #[cfg(feature = "arm")]
 mod arm;
+#[cfg(feature = "catalogue")]
+mod catalogue;
 mod convert;
 #[cfg(feature = "files")]
 mod files;
@@ -52,6 +54,8 @@ use forage::{
 
 #[cfg(feature = "arm")]
 pub use arm::{arm_pose, arm_solutions, reachability};
+#[cfg(feature = "catalogue")]
+pub use catalogue::catalogue;
 #[cfg(feature = "files")]
 pub use files::{export_scene, import_scene};
 #[cfg(feature = "generators")]
@@ -70,13 +74,6 @@ use registry::registry;
 
 fn status(status: Status) -> JsStatus {
     plain(&status)
-}
-
-/// Every planner with its parameters, the scenes that ship, and the names of layers and shapes.
-#[cfg(feature = "catalogue")]
-#[wasm_bindgen]
-pub fn catalogue() -> JsCatalogue {
-    plain(&registry().catalogue())
 }
 
 /// Takes a link apart without running it.
