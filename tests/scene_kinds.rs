@@ -13,7 +13,7 @@ use forage::{
     Error, Registry, Scene,
     describe::SceneKind,
     geometry::{self, Bounds, Disc},
-    kernel::{Backdrop, Exact, Fields, Plane, ReferenceOptimum, SceneBody, SceneKindId, Solution, Verdict},
+    kernel::{Backdrop, Exact, Fields, Message, Plane, ReferenceOptimum, SceneBody, SceneKindId, Solution, Verdict},
     scene::{GridScene, grid},
     standard,
 };
@@ -58,7 +58,7 @@ impl SceneBody for Pond {
         if self.radius > 0.0 && 2.0 * self.radius < self.side {
             return Ok(());
         }
-        Err(Error::refused("radius", self.radius, format!("greater than 0, less than half of {}", self.side)))
+        Err(Error::refused("radius", self.radius, Message::verbatim(format!("greater than 0, less than half of {}", self.side))))
     }
 
     fn judge(&self, solution: &Solution) -> Verdict {

@@ -7,6 +7,8 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
+use crate::message;
+
 use super::{Error, digits::Digits, limits};
 
 /// Reads JSON; `field` is what an error calls it.
@@ -31,7 +33,7 @@ fn parsed(field: &str, text: &str) -> Result<Value, Error> {
 }
 
 fn no_json(field: &str, problem: impl std::fmt::Display) -> Error {
-    Error::malformed(field, format!("not JSON: {problem}"))
+    Error::malformed(field, message!("error-not-json", "not JSON: {problem}", problem = problem.to_string()))
 }
 
 /// The number that a text of digits, point, signs and exponent stands for; `None` for any other text.

@@ -6,7 +6,7 @@ use crate::{
     describe::{Entry, FollowOutcomes, FollowedPath, Registry},
     kernel::{
         Candidate, Digest, Error, Event, Exact, Frame, Inspection, Item, Readings, ReferenceOptimum, Scene, Solution, Stage, State, Status,
-        Stepper, Subtask, SubtaskResult, Timeline, TourEnds,
+        Stepper, Subtask, SubtaskResult, Timeline, TourEnds, error::list_of,
     },
     params::{Overrides, Parameters},
 };
@@ -267,7 +267,7 @@ impl Run {
     pub fn provide(&mut self, found: Vec<SubtaskResult>) -> Result<(), Error> {
         let wanted = self.subtasks().len();
         if found.len() != wanted {
-            return Err(Error::refused("findings", format!("a list of {}", found.len()), format!("a list of {wanted}")));
+            return Err(Error::refused("findings", list_of(found.len()), list_of(wanted)));
         }
         let view = self.scene.view();
         found.iter().enumerate().try_for_each(|(i, found)| found.check(&format!("findings[{i}]"), view))?;

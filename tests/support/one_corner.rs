@@ -10,8 +10,8 @@ use forage::{
     describe::{Entry, Group, Layer, Look, Member, Reading, Start, layers},
     geometry,
     kernel::{
-        Candidate, Digest, Explain, Facets, Inspection, Item, LayerKey, Members, Planner, Progress, Readings, Shape, Solution, Started,
-        State, rng::Stream,
+        Candidate, Digest, Explain, Facets, Inspection, Item, LayerKey, Members, Message, Planner, Progress, Readings, Shape, Solution,
+        Started, State, rng::Stream,
     },
     label, message,
     params::{Param, Parameter},
@@ -255,7 +255,7 @@ pub fn start<const WRONG: u8>(start: &Start) -> Result<Started, Error> {
     let settings = start.parameters;
     let tries = settings[TRIES];
     match wrong {
-        RefusesMost if tries == 1000 => return Err(Error::refused("tries", tries, "fewer")),
+        RefusesMost if tries == 1000 => return Err(Error::refused("tries", tries, Message::verbatim("fewer"))),
         PanicsInStart => panic!("no scene today"),
         PanicsAtLeast => assert!(tries > 1, "too few tries"),
         UnlistedParameter => {

@@ -10,8 +10,7 @@ use wasm_bindgen::prelude::*;
 use forage::{
     Error, Scene,
     arm::{self, ArmScene, Posture, Skeleton, degrees, radians},
-    kernel::Message,
-    kernel::allowed,
+    kernel::{Message, allowed},
 };
 
 use crate::{

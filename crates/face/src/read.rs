@@ -6,8 +6,7 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use forage::{
     Error, Overrides, Scene, Setup, Value,
-    kernel::allowed,
-    kernel::{Item, LayerKey, Message, SceneKindId, digits::Digits, javascript, limits, rng},
+    kernel::{Item, LayerKey, Message, SceneKindId, allowed, digits::Digits, javascript, limits, rng},
 };
 
 use crate::{js_error, registry::registry};

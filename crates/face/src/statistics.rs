@@ -4,7 +4,7 @@ use wasm_bindgen::prelude::*;
 
 use forage::{
     Error,
-    kernel::allowed,
+    kernel::{Message, allowed},
     statistics::{self, Group},
 };
 
@@ -16,8 +16,8 @@ use crate::{JsComparison, JsGroups, js_error, plain};
 /// For anything that is no list of groups, each with a name and its values, and for values that are not finite.
 #[wasm_bindgen]
 pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
-    let groups: Vec<Group> =
-        serde_wasm_bindgen::from_value(groups.into()).map_err(|problem| js_error(Error::malformed("groups", problem.to_string())))?;
+    let groups: Vec<Group> = serde_wasm_bindgen::from_value(groups.into())
+        .map_err(|problem| js_error(Error::malformed("groups", Message::verbatim(problem.to_string()))))?;
     for (i, group) in groups.iter().enumerate() {
         if let Some((k, value)) =
             group.values.iter().enumerate().find_map(|(k, value)| Some((k, value.filter(|value| !value.is_finite())?)))

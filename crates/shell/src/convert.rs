@@ -8,6 +8,7 @@ use std::{
 use forage::{
     Error, Scene,
     arm::ArmScene,
+    kernel::Message,
     scene::{
         DiscsScene, FunctionScene, GridScene, TourScene,
         formats::{self, ENDINGS, Format, NamedFile},
@@ -24,7 +25,7 @@ use super::{
 
 pub(super) fn convert(args: &ConvertArgs) -> Outcome {
     let Some((to, from @ [one, ..])) = args.paths.split_last() else {
-        return Err(Error::refused("OUT", "nothing", "a file to write, after the files to read").into());
+        return Err(Error::refused("OUT", "nothing", Message::verbatim("a file to write, after the files to read")).into());
     };
     let format = format("OUT", to)?;
     // A single name may be a shipped scene or a link; only a file has problems to choose from.
@@ -39,7 +40,7 @@ pub(super) fn convert(args: &ConvertArgs) -> Outcome {
 
 /// The format of a file that is to be written.
 pub(super) fn format(field: &str, path: &str) -> Result<Format, Error> {
-    Format::of_file(path).ok_or_else(|| Error::refused(field, path, format!("a file that ends in {ENDINGS}")))
+    Format::of_file(path).ok_or_else(|| Error::refused(field, path, Message::verbatim(format!("a file that ends in {ENDINGS}"))))
 }
 
 /// Writes a scene's files in a format, named like `path`, the value of `field`, except for their endings. Files that were read are

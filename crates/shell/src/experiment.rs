@@ -7,7 +7,7 @@ use std::{
     sync::Arc,
 };
 
-use forage::{Error, Link, Scene};
+use forage::{Error, Link, Scene, kernel::Message};
 use forage_study::{
     runner::Control,
     sweep::{self, Kept, Part, Summary, Sweep, read},
@@ -123,7 +123,7 @@ fn scene(folder: &Path, text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), forage
     };
     found.map_err(|failure| match failure {
         Failure::File(path, error) => forage_study::failure::Failure::File(PathBuf::from(path), error),
-        Failure::Refused(problem) | Failure::Interrupted(problem) => Error::malformed("scene", problem).into(),
+        Failure::Refused(problem) | Failure::Interrupted(problem) => Error::malformed("scene", Message::verbatim(problem)).into(),
     })
 }
 

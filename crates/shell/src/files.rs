@@ -6,7 +6,10 @@ use std::{
     path::Path,
 };
 
-use forage::{Error, kernel::limits};
+use forage::{
+    Error,
+    kernel::{Message, limits},
+};
 use forage_study::files::{is_same, place};
 
 use super::{failure::Failure, text::quoted};
@@ -110,7 +113,7 @@ fn in_the_way(folder: &Path) -> Option<(&Path, &'static str)> {
 pub(super) fn check_folder(field: &str, folder: &Path) -> Result<(), Failure> {
     let Some((file, what)) = in_the_way(folder) else { return Ok(()) };
     let file = if file == folder { "it".to_owned() } else { quoted_path(file) };
-    Err(Error::refused(field, folder.display().to_string(), format!("a folder, but {file} is {what}")).into())
+    Err(Error::refused(field, folder.display().to_string(), Message::verbatim(format!("a folder, but {file} is {what}"))).into())
 }
 
 /// Makes the folder of a file that an option writes, if it is missing.
@@ -123,9 +126,12 @@ pub(super) fn make_folder_of(field: &str, path: &Path) -> Result<(), Failure> {
 /// Refuses to write the file of an option over another one. Of the others it is known what they are for, such as `is read`.
 pub(super) fn check_apart(field: &str, path: &Path, others: &[(&str, &Path)]) -> Result<(), Failure> {
     match others.iter().find(|(_, other)| is_same(path, other)) {
-        Some((role, other)) => {
-            Err(Error::refused(field, path.display().to_string(), format!("another file than {}, which {role}", other.display())).into())
-        }
+        Some((role, other)) => Err(Error::refused(
+            field,
+            path.display().to_string(),
+            Message::verbatim(format!("another file than {}, which {role}", other.display())),
+        )
+        .into()),
         None => Ok(()),
     }
 }

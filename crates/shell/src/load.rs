@@ -10,7 +10,7 @@ use std::{
 use forage::{
     Error, Link, Overrides, Scene, Setup, Value,
     describe::{Follower, Suggestion},
-    kernel::{SceneKindId, rng},
+    kernel::{Message, SceneKindId, rng},
     scene::formats::{self, Format, NamedFile},
 };
 
@@ -62,7 +62,8 @@ pub(super) fn scene_and_files(text: &str) -> Result<(Arc<Scene>, Vec<PathBuf>), 
         return Ok((scene, files.into_iter().map(|file| file.name.into()).collect()));
     }
     let bytes = files::read(path, LARGEST_SCENE)?;
-    let json = String::from_utf8(bytes).map_err(|problem| in_file(path, &Error::malformed("scene", format!("not JSON: {problem}"))))?;
+    let json = String::from_utf8(bytes)
+        .map_err(|problem| in_file(path, &Error::malformed("scene", Message::verbatim(format!("not JSON: {problem}")))))?;
     let scene = registry().read_scene(&json).map_err(|error| in_file(path, &error))?;
     Ok((Arc::new(scene), vec![path.to_owned()]))
 }
@@ -160,7 +161,7 @@ fn from_link(link: Link, planner: Option<&str>) -> Task {
 /// Reads name=value pairs into parameters.
 pub(super) fn read_pairs(option: &str, pairs: &[String], params: &mut Overrides) -> Result<(), Failure> {
     for pair in pairs {
-        let (name, value) = pair.split_once('=').ok_or_else(|| Error::refused(option, pair, "name=value"))?;
+        let (name, value) = pair.split_once('=').ok_or_else(|| Error::refused(option, pair, Message::verbatim("name=value")))?;
         params.insert(name.trim(), value_of(value));
     }
     Ok(())

@@ -1,6 +1,9 @@
 //! Published figures and the computed ones.
 
-use forage::{kernel::Error, statistics::Summary};
+use forage::{
+    kernel::{Error, Message},
+    statistics::Summary,
+};
 
 use super::{
     figure::Figure,
@@ -22,7 +25,7 @@ impl Printed {
     /// # Errors
     /// A text that is no number.
     pub fn read(text: &str) -> Result<Self, Error> {
-        let wrong = || Error::refused("figure", text, "a number");
+        let wrong = || Error::refused("figure", text, Message::verbatim("a number"));
         let (digits, exponent) = text.split_once('e').unwrap_or((text, "0"));
         let places = digits.split_once('.').map_or(0, |(_, places)| places.len() as i32);
         let exponent: i32 = exponent.parse().map_err(|_| wrong())?;

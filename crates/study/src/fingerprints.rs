@@ -12,6 +12,7 @@ use std::{
     time::Duration,
 };
 
+use forage::kernel::Message;
 use forage::kernel::{Digest, Error};
 use serde::{Deserialize, Serialize};
 
@@ -73,7 +74,9 @@ impl<J: Job> AnyJobs for Vec<J> {
         let rows: BTreeMap<String, J::Row> = rows.into_iter().map(|row| (row.key(), row)).collect();
         let of = |job: &J| match rows.get(&job.key()) {
             Some(row) => fingerprint(row),
-            None => Err(Error::malformed(&file.display().to_string(), format!("the row `{}` is missing", job.key())).into()),
+            None => {
+                Err(Error::malformed(&file.display().to_string(), Message::verbatim(format!("the row `{}` is missing", job.key()))).into())
+            }
         };
         self.iter().map(of).collect()
     }
@@ -121,7 +124,8 @@ impl Fingerprints {
     pub fn read(folder: &Path) -> Result<Self, Failure> {
         let path = folder.join(FILE);
         let text = fs::read_to_string(&path).map_err(at(&path))?;
-        serde_json::from_str(&text).map_err(|problem| Error::malformed(&path.display().to_string(), problem.to_string()).into())
+        serde_json::from_str(&text)
+            .map_err(|problem| Error::malformed(&path.display().to_string(), Message::verbatim(problem.to_string())).into())
     }
 
     /// The text of the file.
@@ -177,7 +181,7 @@ pub fn sample(
         if expected.len() != list.jobs.count() {
             let problem =
                 format!("{} has {} fingerprints for {} rows; `forage reproduce` writes it", list.file, expected.len(), list.jobs.count());
-            return Err(Error::malformed(FILE, problem).into());
+            return Err(Error::malformed(FILE, Message::verbatim(problem)).into());
         }
         let before: usize = sampled.compared.values().sum();
         let (compared, different) = sample_list(list, &expected, seed, share, &pool, control).map_err(|failure| match failure {

@@ -4,7 +4,12 @@ use std::{collections::BTreeMap, sync::atomic::AtomicBool};
 
 use serde::{Deserialize, Serialize};
 
-use forage::{Overrides, Setup, Value, kernel::Error, shipped, standard, statistics::Summary};
+use forage::{
+    Overrides, Setup, Value,
+    kernel::{Error, Message},
+    shipped, standard,
+    statistics::Summary,
+};
 
 use super::{
     compared::{ComparedFigure, Computed, Published},
@@ -85,7 +90,7 @@ impl Case {
             let (entry, parameters) = Setup { planner: "ltqpso".to_owned(), ..setup.clone() }.check(standard())?;
             (entry.suggest)(&parameters)
                 .map(|suggestion| [suggestion.population, suggestion.iterations])
-                .ok_or_else(|| Error::refused("segments", self.segments, "from 5 to 20"))?
+                .ok_or_else(|| Error::refused("segments", self.segments, Message::verbatim("from 5 to 20")))?
         };
         setup.params.insert("population", number(population));
         setup.params.insert("iterations", number(iterations));

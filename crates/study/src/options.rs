@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use forage::{Setup, kernel::Error};
+use forage::{
+    Setup,
+    kernel::{Error, Message},
+};
 
 /// How an experiment is carried out.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,7 +27,7 @@ impl Options {
     /// Fewer than two, which have no standard deviation, or more than there is time for.
     pub fn runs_or(&self, published: u64) -> Result<u64, Error> {
         let runs = self.runs.unwrap_or(published);
-        if (2..=1_000_000).contains(&runs) { Ok(runs) } else { Err(Error::refused("runs", runs, "from 2 to 1000000")) }
+        if (2..=1_000_000).contains(&runs) { Ok(runs) } else { Err(Error::refused("runs", runs, Message::verbatim("from 2 to 1000000"))) }
     }
 }
 

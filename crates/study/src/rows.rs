@@ -12,6 +12,7 @@ use std::{
 use serde::{Serialize, de::DeserializeOwned};
 
 use forage::kernel::Error;
+use forage::kernel::Message;
 
 use super::{
     failure::{Failure, at},
@@ -62,7 +63,7 @@ impl<R: Row> Rows<R> {
         if size > LARGEST {
             let [found, most] = [size, LARGEST].map(|bytes| bytes as f64 / f64::from(1 << 30));
             let problem = format!("it has {found:.1} GiB; a file of rows may have at most {most} GiB; --fresh starts over");
-            return Err(Error::malformed(&path.display().to_string(), problem).into());
+            return Err(Error::malformed(&path.display().to_string(), Message::verbatim(problem)).into());
         }
         let mut bytes = Vec::new();
         Read::by_ref(&mut file).take(LARGEST).read_to_end(&mut bytes).map_err(at(path))?;
@@ -70,10 +71,9 @@ impl<R: Row> Rows<R> {
         if whole < bytes.len() {
             file.set_len(whole as u64).map_err(at(path))?;
         }
-        let kept = csv::Reader::from_reader(&bytes[..whole])
-            .deserialize()
-            .collect::<Result<Vec<R>, _>>()
-            .map_err(|problem| Error::malformed(&path.display().to_string(), format!("{problem}; --fresh starts over")))?;
+        let kept = csv::Reader::from_reader(&bytes[..whole]).deserialize().collect::<Result<Vec<R>, _>>().map_err(|problem| {
+            Error::malformed(&path.display().to_string(), Message::verbatim(format!("{problem}; --fresh starts over")))
+        })?;
         Ok(Self { path: path.to_owned(), file, headed: whole > 0, kept })
     }
 

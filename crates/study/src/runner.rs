@@ -12,6 +12,7 @@ use std::{
 use rayon::iter::{ParallelBridge, ParallelIterator};
 
 use forage::kernel::Error;
+use forage::kernel::Message;
 
 use super::{
     failure::Failure,
@@ -74,7 +75,7 @@ impl<J: Job> Work for [J] {
 /// The system gives none.
 pub fn pool(threads: Option<usize>) -> Result<rayon::ThreadPool, Failure> {
     let built = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build();
-    built.map_err(|problem| Error::malformed("jobs", problem.to_string()).into())
+    built.map_err(|problem| Error::malformed("jobs", Message::verbatim(problem.to_string())).into())
 }
 
 /// Carries out the jobs that are `left` of `total` work, and hands each finding to `keep`, one after the other. It
@@ -159,7 +160,7 @@ fn check<J: Job>(jobs: &[J], done: &[Option<J::Row>], file: &Path, stop: &Atomic
     match job.run(stop)? {
         Some(again) if row.computed() != again.computed() => {
             let problem = format!("the row `{}` comes from another version of forage; --fresh starts over", job.key());
-            Err(Error::malformed(&file.display().to_string(), problem).into())
+            Err(Error::malformed(&file.display().to_string(), Message::verbatim(problem)).into())
         }
         _ => Ok(()),
     }

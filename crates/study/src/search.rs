@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Overrides, Setup, Value, describe,
-    kernel::{Error, Stepper},
+    kernel::{Error, Message, Stepper},
     shipped, standard,
     statistics::Moments,
 };
@@ -143,7 +143,7 @@ impl Task {
         let (entry, parameters) = self.setup([SMALLEST; 2], 1)?.check(standard())?;
         (entry.suggest)(&parameters)
             .map(|suggestion| [suggestion.population, suggestion.iterations])
-            .ok_or_else(|| Error::refused("segments", self.segments, "from 5 to 20"))
+            .ok_or_else(|| Error::refused("segments", self.segments, Message::verbatim("from 5 to 20")))
     }
 
     /// Mean and spread over the block. Without `patience` only until it is certain that the spread is too large: the sum

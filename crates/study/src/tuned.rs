@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use forage::{
     Overrides, Setup, Value,
-    kernel::{Error, Status},
+    kernel::{Error, Message, Status},
     scene::Scene,
     standard,
 };
@@ -87,7 +87,9 @@ impl Job for Task {
             run.step(1);
         }
         let outcome = run.outcome();
-        let tuned = outcome.tuned.ok_or_else(|| Error::refused("scene", self.0.scene.name(), "one on which the colony finds a way"))?;
+        let tuned = outcome
+            .tuned
+            .ok_or_else(|| Error::refused("scene", self.0.scene.name(), Message::verbatim("one on which the colony finds a way")))?;
         let number = |name: &str| match tuned.params.get(name) {
             Some(Value::Number(number)) => *number,
             _ => f64::NAN,

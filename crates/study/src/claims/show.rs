@@ -5,6 +5,7 @@ use std::fmt::Write;
 use serde::Serialize;
 
 use forage::kernel::Error;
+use forage::kernel::Message;
 
 use super::{
     super::{
@@ -119,5 +120,5 @@ pub fn json(reports: &[Report]) -> Result<String, Failure> {
 
 fn lines(items: impl Iterator<Item = impl Serialize>) -> Result<String, Failure> {
     let lines: Result<Vec<String>, _> = items.map(|item| serde_json::to_string(&item)).collect();
-    Ok(lines.map_err(|problem| Error::malformed("claims", problem.to_string()))?.join(",\n"))
+    Ok(lines.map_err(|problem| Error::malformed("claims", Message::verbatim(problem.to_string())))?.join(",\n"))
 }

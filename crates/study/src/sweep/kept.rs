@@ -11,7 +11,10 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use forage::{kernel::Error, run::trial::Record};
+use forage::{
+    kernel::{Error, Message},
+    run::trial::Record,
+};
 
 use super::{
     super::{
@@ -72,7 +75,7 @@ impl<'a> Kept<'a> {
             return Err(Error::refused(
                 "--shard",
                 part.to_string(),
-                format!("one of at most {} parts, as many as there are runs", sweep.len()),
+                Message::verbatim(format!("one of at most {} parts, as many as there are runs", sweep.len())),
             )
             .into());
         }
@@ -89,7 +92,7 @@ impl<'a> Kept<'a> {
             kept.end = kept.look_through(0)?;
         } else if !kept.begins_like_rows(&kept.file)? {
             let allowed = "a file of rows: it does not begin like one, and stays as it is";
-            return Err(Error::refused("--fresh", path.display().to_string(), allowed).into());
+            return Err(Error::refused("--fresh", path.display().to_string(), Message::verbatim(allowed)).into());
         }
         Ok(kept)
     }
@@ -151,7 +154,7 @@ impl<'a> Kept<'a> {
         }
         if Format::of("--merge", path)? != self.format {
             let allowed = format!("a file with the ending of {}", self.path().display());
-            return Err(Error::refused("--merge", path.display().to_string(), allowed).into());
+            return Err(Error::refused("--merge", path.display().to_string(), Message::verbatim(allowed)).into());
         }
         self.files.push(path.to_owned());
         self.look_through(self.files.len() - 1).map(|_| ())
@@ -167,7 +170,7 @@ impl<'a> Kept<'a> {
         }
         let other = |problem: String, advice: &str| {
             let advice = format!("it belongs to another experiment; --out writes elsewhere{advice}");
-            Failure::from(Error::malformed(&path.display().to_string(), format!("{problem}: {advice}")))
+            Failure::from(Error::malformed(&path.display().to_string(), Message::verbatim(format!("{problem}: {advice}"))))
         };
         let fresh_advice = ", --fresh starts over";
         let mut reader = BufReader::with_capacity(1 << 16, file);
@@ -195,7 +198,7 @@ impl<'a> Kept<'a> {
             }
             if length as u64 > LONGEST_LINE {
                 let problem = format!("line {count} has more than {} KiB, so it is no row; --fresh starts over", LONGEST_LINE >> 10);
-                return Err(Error::malformed(&path.display().to_string(), problem).into());
+                return Err(Error::malformed(&path.display().to_string(), Message::verbatim(problem)).into());
             }
             if torn {
                 break;
@@ -213,7 +216,7 @@ impl<'a> Kept<'a> {
                             reader.seek(SeekFrom::Start(end + length as u64)).map_err(at(&path))?;
                             if before != line {
                                 let problem = format!("line {count}: the run of {} came out otherwise before", self.sweep.describe(job));
-                                return Err(Error::malformed(&path.display().to_string(), problem).into());
+                                return Err(Error::malformed(&path.display().to_string(), Message::verbatim(problem)).into());
                             }
                         }
                     }
@@ -326,7 +329,7 @@ impl<'a> Kept<'a> {
             "the run of {} now gives another row: another version of forage, another scene or another `within`; --fresh starts over",
             self.sweep.describe(job)
         );
-        Err(Error::malformed(&self.path().display().to_string(), problem).into())
+        Err(Error::malformed(&self.path().display().to_string(), Message::verbatim(problem)).into())
     }
 
     /// Adds a row, in one write, so that it is there whatever happens next.
@@ -349,7 +352,7 @@ impl<'a> Kept<'a> {
         let (done, total) = self.counts();
         let found = format!("parts with {done} of {total} runs");
         let allowed = format!("all parts, complete: {} are missing, the first is that of {}", total - done, self.sweep.describe(first));
-        Err(Error::refused("--merge", found, allowed))
+        Err(Error::refused("--merge", found, Message::verbatim(allowed)))
     }
 
     /// Puts the file in the order of the runs, in one go: until then the old one stays.

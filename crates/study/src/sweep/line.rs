@@ -5,7 +5,7 @@ use std::{io, path::Path};
 use serde_json::{Map, Value};
 
 use forage::{
-    kernel::{Error, ReferenceOptimum},
+    kernel::{Error, Message, ReferenceOptimum},
     run::trial::Record,
 };
 
@@ -56,7 +56,7 @@ impl Format {
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("csv") => Ok(Self::Csv),
             Some("jsonl" | "ndjson") => Ok(Self::JsonLines),
-            _ => Err(Error::refused(field, path.display().to_string(), "a file that ends in .csv, .jsonl or .ndjson")),
+            _ => Err(Error::refused(field, path.display().to_string(), Message::verbatim("a file that ends in .csv, .jsonl or .ndjson"))),
         }
     }
 

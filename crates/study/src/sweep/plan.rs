@@ -2,7 +2,11 @@
 
 use std::{collections::BTreeMap, fmt, str::FromStr, sync::Arc};
 
-use forage::{Overrides, Registry, Scene, Setup, Value, kernel::Error, params::Parameters};
+use forage::{
+    Overrides, Registry, Scene, Setup, Value,
+    kernel::{Error, Message},
+    params::Parameters,
+};
 
 use super::text::value_text;
 
@@ -223,7 +227,7 @@ impl Sweep {
             Error::Refused { field, value, allowed } => {
                 let is_parameter = self.values(planner, 0).iter().any(|(name, _)| *name == field);
                 let place = if is_parameter { format!("planner[{planner}].params.{field}") } else { format!("scenes[{scene}].{field}") };
-                Error::Refused { field: place, value, allowed: format!("{allowed} {on}").into() }
+                Error::Refused { field: place, value, allowed: Message::verbatim(format!("{allowed} {on}")) }
             }
             Error::Unknown { value, known, .. } => {
                 Error::Unknown { field: format!("planner[{planner}].params"), value, known: format!("{known} {on}") }
@@ -317,7 +321,7 @@ impl FromStr for Part {
         let numbers = text.split_once('/').and_then(|(index, of)| Some((index.parse().ok()?, of.parse().ok()?)));
         match numbers {
             Some((index, of)) if (1..=of).contains(&index) && of <= MOST => Ok(Self { index, of }),
-            _ => Err(Error::refused("--shard", text, "I/N, the I-th of N parts, I from 1 to N")),
+            _ => Err(Error::refused("--shard", text, Message::verbatim("I/N, the I-th of N parts, I from 1 to N"))),
         }
     }
 }

@@ -9,7 +9,7 @@ use forage::{
     Scene, Value,
     describe::{Entry, Registry},
     kernel::{
-        Error,
+        Error, Message,
         rng::{check_seed, seed_range},
     },
     run::trial::WITHIN,
@@ -61,7 +61,7 @@ struct Planner {
 /// # Errors
 /// The field, its value and what is allowed.
 pub fn read(registry: &Arc<Registry>, file: &str, default_name: &str, text: &str, load: Load) -> Result<Experiment, Failure> {
-    let given: File = toml::from_str(text).map_err(|problem| Error::malformed(file, placed(text, &problem)))?;
+    let given: File = toml::from_str(text).map_err(|problem| Error::malformed(file, Message::verbatim(placed(text, &problem))))?;
     let name = given.name.map_or(Ok(default_name.to_owned()), |name| plain_text("name", &name))?;
     let scenes = scenes(given.scenes.as_ref(), load)?;
     let seeds = seeds(given.seeds.as_ref())?;
@@ -80,12 +80,12 @@ pub fn read(registry: &Arc<Registry>, file: &str, default_name: &str, text: &str
     let cells = groups.saturating_mul(sweep.scenes.len());
     if cells > MOST_CELLS {
         let allowed = format!("at most {MOST_CELLS} combinations of planners × scenes × parameter values, without the seeds");
-        return Err(Error::refused("planner", format!("a sweep of {cells}"), allowed).into());
+        return Err(Error::refused("planner", format!("a sweep of {cells}"), Message::verbatim(allowed)).into());
     }
     let runs = cells.saturating_mul(sweep.seeds.len());
     if runs > MOST {
         let allowed = format!("at most {MOST} runs, planners × scenes × parameter values × seeds");
-        return Err(Error::refused("seeds", format!("a sweep of {runs} runs"), allowed).into());
+        return Err(Error::refused("seeds", format!("a sweep of {runs} runs"), Message::verbatim(allowed)).into());
     }
     sweep.weigh()?;
     Ok(Experiment { sweep, out })
@@ -119,11 +119,11 @@ fn scenes(given: Option<&Toml>, load: Load) -> Result<Vec<Arc<Scene>>, Failure> 
         })?;
         let called = scene.name();
         if called.contains(char::is_control) {
-            return Err(Error::refused(format!("{place}.name"), format!("{called:?}"), "a name in one line").into());
+            return Err(Error::refused(format!("{place}.name"), format!("{called:?}"), Message::verbatim("a name in one line")).into());
         }
         if let Some(other) = scenes.iter().position(|known| known.name() == called) {
             let allowed = format!("a scene of another name than scenes[{other}]: rows are told apart by it");
-            return Err(Error::refused(place, format!("`{called}`"), allowed).into());
+            return Err(Error::refused(place, format!("`{called}`"), Message::verbatim(allowed)).into());
         }
         scenes.push(scene);
     }
@@ -154,7 +154,7 @@ fn seeds(given: Option<&Toml>) -> Result<Seeds, Error> {
             if let Some(name) = range.keys().find(|name| !["from", "count"].contains(&name.as_str())) {
                 return Err(Error::unknown("seeds", name, ["from", "count"]));
             }
-            let missing = |place: &str| Error::refused(place, "nothing", "a whole number");
+            let missing = |place: &str| Error::refused(place, "nothing", Message::verbatim("a whole number"));
             let from = seed("seeds.from", range.get("from").ok_or_else(|| missing("seeds.from"))?)?;
             let given = range.get("count").ok_or_else(|| missing("seeds.count"))?;
             let allowed = format!("a whole number from 1 to {MOST}");
@@ -190,14 +190,17 @@ fn planners(
     scenes: &[Arc<Scene>],
 ) -> Result<(Vec<Variants>, Vec<String>), Error> {
     if given.is_empty() {
-        return Err(Error::refused("planner", "nothing", "one [[planner]] with a name at least"));
+        return Err(Error::refused("planner", "nothing", Message::verbatim("one [[planner]] with a name at least")));
     }
     let mut parameters = Vec::new();
     let mut all: Vec<Variants> = Vec::with_capacity(given.len());
     for (i, planner) in given.iter().enumerate() {
         let place = format!("planner[{i}]");
         let field = format!("{place}.name");
-        let name = planner.name.as_ref().ok_or_else(|| Error::refused(&field, "nothing", "a planner’s name; `forage list` shows them"))?;
+        let name = planner
+            .name
+            .as_ref()
+            .ok_or_else(|| Error::refused(&field, "nothing", Message::verbatim("a planner’s name; `forage list` shows them")))?;
         let entry = registry.planner(&plain_text(&field, name)?).map_err(|error| match error {
             Error::Unknown { value, known, .. } => Error::Unknown { field: field.clone(), value, known },
             other => other,
@@ -206,7 +209,7 @@ fn planners(
         let variants = variants(entry, &place, &planner.params, iterations, &mut parameters)?;
         if let Some(other) = all.iter().position(|known| known.meets(&variants)) {
             let allowed = format!("a planner with other parameters than planner[{other}]: some of its runs would be the same");
-            return Err(Error::refused(field, entry.name, allowed));
+            return Err(Error::refused(field, entry.name, Message::verbatim(allowed)));
         }
         all.push(variants);
     }
@@ -220,10 +223,10 @@ fn check_scenes(entry: &Entry, field: &str, scenes: &[Arc<Scene>]) -> Result<(),
             Error::Unsupported { planner, kind, kinds } => {
                 let allowed =
                     format!("a planner for scenes[{j}], {}, which is of kind {kind}; {planner} runs on: {kinds}; {ELSE}", scene.name());
-                Error::refused(field, planner, allowed)
+                Error::refused(field, planner, Message::verbatim(allowed))
             }
             Error::Refused { field: part, value, allowed } => {
-                Error::refused(format!("scenes[{j}].{part}"), value, format!("{allowed}, for {}; {ELSE}", entry.name))
+                Error::refused(format!("scenes[{j}].{part}"), value, Message::verbatim(format!("{allowed}, for {}; {ELSE}", entry.name)))
             }
             other => other.within(&format!("scenes[{j}]")),
         })?;
@@ -242,7 +245,7 @@ fn variants(entry: &Entry, place: &str, params: &Table, iterations: Option<&Toml
             let values = values(&field, value, field != "iterations")?;
             for (at, value) in values.iter().enumerate() {
                 let field = if value_is_alone(params.get(name)) { field.clone() } else { format!("{field}[{at}]") };
-                parameter.check(value).map_err(|error| Error::refused(field, shown_value(value), error.allowed()))?;
+                parameter.check(value).map_err(|error| Error::refused(field, shown_value(value), Message::verbatim(error.allowed())))?;
             }
             count = count.saturating_mul(values.len());
             settings.push(Setting::new(column(names, name), values));
@@ -307,7 +310,7 @@ fn list<'a>(field: &str, given: Option<&'a Toml>, allowed: &str) -> Result<&'a [
     match given {
         Some(Toml::Array(items)) if !items.is_empty() => Ok(items),
         Some(other) => Err(refused(field, other, &format!("{allowed}, one at least"))),
-        None => Err(Error::refused(field, "nothing", allowed)),
+        None => Err(Error::refused(field, "nothing", Message::verbatim(allowed))),
     }
 }
 
@@ -323,7 +326,7 @@ fn refused(field: &str, given: &Toml, allowed: &str) -> Error {
         Toml::String(text) => format!("{text:?}"),
         other => other.to_string(),
     };
-    Error::refused(field, shown, allowed)
+    Error::refused(field, shown, Message::verbatim(allowed))
 }
 
 fn shown_value(value: &Value) -> String {
