@@ -80,11 +80,6 @@ impl Field {
         &self.cells.blocks
     }
 
-    /// The blocks that come within `reach` of a point, and perhaps some more.
-    pub fn blocks_near(&self, point: [f64; 2], reach: f64) -> impl Iterator<Item = &Block> {
-        self.cells.near(point, point, reach)
-    }
-
     /// The distance of a turned rectangle from the nearest blocked cell; negative: the depth of the overlap, at least (what
     /// several rows form together may be deeper). `None` without obstacles. The robot's radius does not count.
     pub fn distance(&self, outline: &Oriented) -> Option<f64> {
@@ -93,12 +88,13 @@ impl Field {
         // Every block that is nearer than `reach` has been looked at; the first look that finds one so near is the last.
         while !self.cells.blocks.is_empty() && reach.is_finite() {
             let mut least = f64::INFINITY;
-            for block in self.blocks_near(center, radius + reach) {
+            self.cells.all_near(center, center, radius + reach, &mut |block| {
                 let bound = (least + radius).max(0.0);
                 if block.distance_squared_to(center) <= bound * bound {
                     least = least.min(outline.distance(block));
                 }
-            }
+                true
+            });
             if least <= reach {
                 return Some(least);
             }
@@ -115,7 +111,7 @@ impl Field {
     /// Visits the blocks that a segment could come within `reach` of.
     /// Stops and says no where `visit` does. (One walk for all who need one: it is not small.)
     fn all_near(&self, a: [f64; 2], b: [f64; 2], reach: f64, visit: &mut dyn FnMut(&Block) -> bool) -> bool {
-        [&self.cells, &self.seams].into_iter().all(|rows| rows.near(a, b, reach).all(&mut *visit))
+        self.cells.all_near(a, b, reach, visit) && self.seams.all_near(a, b, reach, visit)
     }
 
     /// Whether the robot's centre may go from `a` straight to `b`.
@@ -240,10 +236,12 @@ impl Rows {
         (self.blocks, self.first) = (blocks, first);
     }
 
-    /// The blocks that a segment could come within `reach` of: whole rows are passed over, and within a row what lies
-    /// beside the segment's box or beyond its line.
-    #[inline]
-    fn near(&self, a: [f64; 2], b: [f64; 2], reach: f64) -> impl Iterator<Item = &Block> {
+    /// Visits the blocks that a segment could come within `reach` of, and stops and says no where `visit` does: whole rows are
+    /// passed over, and within a row what lies beside the segment's box or beyond its line.
+    fn all_near(&self, a: [f64; 2], b: [f64; 2], reach: f64, visit: &mut dyn FnMut(&Block) -> bool) -> bool {
+        if self.blocks.is_empty() {
+            return true;
+        }
         let (x0, x1) = if a[0] <= b[0] { (a[0] - reach, b[0] + reach) } else { (b[0] - reach, a[0] + reach) };
         let (y0, y1) = if a[1] <= b[1] { (a[1] - reach, b[1] + reach) } else { (b[1] - reach, a[1] + reach) };
         let rows = self.first.len() - 1;
@@ -253,20 +251,28 @@ impl Rows {
         // A normal of the line, and how far from it a point within reach may be, in the normal's own length.
         let normal = [a[1] - b[1], b[0] - a[0]];
         let width = reach * (normal[0] * normal[0] + normal[1] * normal[1]).sqrt();
-        let beside = move |block: &Block| {
+        let beside = |block: &Block| {
             let middle = [0, 1].map(|axis| f64::midpoint(block.min[axis], block.max[axis]) - a[axis]);
             let half = [0, 1].map(|axis| (block.max[axis] - block.min[axis]) / 2.0);
             let across = normal[0] * middle[0] + normal[1] * middle[1];
             // A hair more, so that rounding passes over nothing that is touched.
             across.abs() > (half[0] * normal[0].abs() + half[1] * normal[1].abs() + width) * (1.0 + HAIR)
         };
-        (from.min(to)..to).flat_map(move |row| {
+        for row in from.min(to)..to {
             let mut blocks = &self.blocks[self.first[row]..self.first[row + 1]];
             if blocks.len() > FEW {
                 blocks = &blocks[blocks.partition_point(|block| block.max[0] < x0)..];
             }
-            blocks.iter().take_while(move |block| block.min[0] <= x1).filter(move |block| block.max[0] >= x0 && !beside(block))
-        })
+            for block in blocks {
+                if block.min[0] > x1 {
+                    break;
+                }
+                if block.max[0] >= x0 && !beside(block) && !visit(block) {
+                    return false;
+                }
+            }
+        }
+        true
     }
 }
 

@@ -184,14 +184,16 @@ impl dyn Objective + '_ {
 #[derive(Debug, Clone, State)]
 #[non_exhaustive]
 pub struct Scratch {
+    /// Corners of a path.
+    pub path: Vec<[f64; 2]>,
     /// Pieces of a segment.
     pub pieces: Vec<[f64; 2]>,
 }
 
 impl Default for Scratch {
-    /// Room for as many pieces as a segment usually meets obstacles.
+    /// Room for the corners of a path, and for as many pieces as a segment usually meets obstacles.
     fn default() -> Self {
-        Self { pieces: Vec::with_capacity(64) }
+        Self { path: Vec::with_capacity(64), pieces: Vec::with_capacity(64) }
     }
 }
 
