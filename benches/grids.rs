@@ -111,7 +111,10 @@ fn grids(criterion: &mut Criterion) {
     });
     group.bench_function("steps known, forage", |b| b.iter(|| black_box(forage(entry("a-star"), &scene))));
     group.bench_function("steps known, pathfinding", |b| b.iter(|| black_box(pathfinding(grid, |&at| by_moves(cells, at)))));
-    group.bench_function("working out the steps", |b| b.iter(|| black_box(fresh().get::<GridScene>().expect("it is one").cells().len())));
+    group.bench_function("working out the steps", |b| {
+        let steps = |scene: Arc<Scene>| (black_box(scene.get::<GridScene>().expect("it is one").cells().len()), scene);
+        b.iter_batched(fresh, steps, BatchSize::PerIteration);
+    });
     group.finish();
 
     let mut group = criterion.benchmark_group(format!("other searches over {SIDE} x {SIDE} cells, a quarter blocked"));

@@ -3,11 +3,11 @@
 //! `forage` itself is `forage_cli::main_with(Registry::standard())`. A program with a planner of its own adds a line:
 //!
 //! ```no_run
-//! use forage::{Registry, describe::Entry, kernel::Error};
+//! use forage::{Registry, describe::Entry, kernel::Error, message};
 //!
 //! /// What there is to know of the planner.
 //! const ENTRY: Entry = Entry::new("mine", "My planner", "", "What it does.", |_| {
-//!     Err(Error::refused("planner", "mine", "a planner that is finished"))
+//!     Err(Error::refused("planner", "mine", message!("mine-unfinished", "a planner that is finished")))
 //! });
 //!
 //! fn main() -> std::process::ExitCode {
