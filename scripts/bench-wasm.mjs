@@ -42,7 +42,9 @@ function wasm(Session) {
 /** One setup for each kind of scene that a planner takes: of the scenes that ship, the one with the longest run. */
 function setups({ name: planner, kinds }, scenes) {
   return kinds.flatMap((kind) => {
-    const timed = scenes.filter((scene) => scene.kind === kind).map(({ name: scene }) => ({ planner, scene, ms: length({ planner, scene }) }))
+    const timed = scenes
+      .filter((scene) => scene.kind === kind)
+      .map(({ name: scene }) => ({ planner, scene, ms: length({ planner, scene }) }))
     const longest = Math.max(...timed.map(({ ms }) => ms))
     return timed.filter(({ ms }) => ms === longest && ms > 0).map(({ planner, scene }) => ({ planner, scene }))
   })
