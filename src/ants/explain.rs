@@ -179,14 +179,14 @@ pub(super) fn cell(colony: &Colony, item: Item) -> Option<Inspection> {
             let (to, share) = (words::compass(cells, d), 100.0 * view.share(d));
             let summary = match view.from {
                 NOWHERE => {
-                    message!("ants-cell-start", "An ant starting here would most likely go {to}: {share:.1} %.", to = to, share = share)
+                    message!("ants-cell-start", "An ant starting here would most likely go {to}: {share:.1} %.", to, share)
                 }
                 from => message!(
                     "ants-cell-choice",
                     "An ant coming from the {from}, as the best way does, would most likely go {to}: {share:.1} %.",
                     from = words::compass(cells, from ^ 4),
-                    to = to,
-                    share = share
+                    to,
+                    share
                 ),
             };
             ("choice", summary)
@@ -222,22 +222,22 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
     let (i, n) = (item.index, colony.walks.of(ant).len());
     let (event, summary) = match ant.end {
         _ if ant.again.is_some() => {
-            ("forgotten", message!("ants-forgotten", "Ant {i}’s steps are not kept: all ants’ together are too many.", i = i))
+            ("forgotten", message!("ants-forgotten", "Ant {i}’s steps are not kept: all ants’ together are too many.", i))
         }
         End::Arrived => {
-            ("arrived", message!("ants-arrived", "Ant {i} reached the goal in {n} {steps}.", i = i, n = n, steps = n => "step" | "steps"))
+            ("arrived", message!("ants-arrived", "Ant {i} reached the goal in {n} {steps}.", i, n, steps = n => "step" | "steps"))
         }
         End::Stuck => (
             "stuck",
             message!(
                 "ants-stuck",
                 "Ant {i} came into a dead end after {n} {steps} and lays nothing.",
-                i = i,
-                n = n,
+                i,
+                n,
                 steps = n => "step" | "steps"
             ),
         ),
-        End::Lost => ("lost", message!("ants-lost", "Ant {i} reached the step limit on its way and lays nothing.", i = i)),
+        End::Lost => ("lost", message!("ants-lost", "Ant {i} reached the step limit on its way and lays nothing.", i)),
     };
     let mut values = Vec::new();
     let mut formulas = Vec::new();
@@ -272,7 +272,7 @@ pub(super) fn ant(colony: &Colony, item: Item) -> Option<Inspection> {
     }
     Some(Inspection {
         item,
-        title: message!("ants-ant", "Ant {i}", i = i),
+        title: message!("ants-ant", "Ant {i}", i),
         event,
         summary,
         values,

@@ -75,7 +75,7 @@ fn within(field: &str, value: f64, low: f64, high: f64) -> Result<(), Error> {
     if (low..=high).contains(&value) {
         Ok(())
     } else {
-        Err(Error::refused(field, value, message!("arm-number-from", "a number from {low} to {high}", low = low, high = high)))
+        Err(Error::refused(field, value, message!("arm-number-from", "a number from {low} to {high}", low, high)))
     }
 }
 
@@ -87,7 +87,7 @@ fn check_joint(joint: &Joint) -> Result<(), Error> {
         within(field, value, -limit, limit)?;
     }
     if min >= max {
-        return Err(Error::refused("max", max, message!("arm-above-min", "greater than min = {min}", min = min)));
+        return Err(Error::refused("max", max, message!("arm-above-min", "greater than min = {min}", min)));
     }
     within("home", home, min, max)?;
     if speed > 0.0 && speed <= MAX_SPEED {

@@ -43,7 +43,7 @@ pub fn reachability(scene: &ArmScene, step: f64) -> Result<Reachability, Error> 
             "arm-step-too-short",
             "long enough for at most {most} points in the workspace, not {points}",
             most = MAX_LATTICE,
-            points = points
+            points
         );
         return Err(Error::refused("step", step, allowed));
     }

@@ -251,7 +251,7 @@ impl Entry {
     fn check_most(&self, field: &str, n: usize) -> Result<(), Error> {
         match self.most_stops {
             Some(most) if n > most => {
-                let allowed = message!("error-most-stops", "at most {most} stops for {planner}", most = most, planner = self.name);
+                let allowed = message!("error-most-stops", "at most {most} stops for {planner}", most, planner = self.name);
                 Err(Error::refused(field, list_of(n), allowed))
             }
             _ => Ok(()),

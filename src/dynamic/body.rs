@@ -62,7 +62,7 @@ impl Body {
             let allowed = message!(
                 "drive-radius",
                 "at most {most}: what goes from cell to cell without touching blocked ones; a larger robot needs a length and a width",
-                most = most
+                most
             );
             return Err(Error::refused(field, value, allowed));
         }

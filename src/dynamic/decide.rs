@@ -40,7 +40,7 @@ impl Journey {
             (None, Some(hold)) => {
                 (self.hold, self.cornered, self.evading) = (None, false, false);
                 let waited = self.now - hold.since;
-                let said = message!("drive-clear", "The way is clear as far as it looks ahead: on after {waited:.1} s.", waited = waited);
+                let said = message!("drive-clear", "The way is clear as far as it looks ahead: on after {waited:.1} s.", waited);
                 self.tell("go-on", Some(hold.obstacle), said);
             }
             (Some(conflict), Some(hold)) => {
@@ -81,19 +81,19 @@ impl Journey {
             Distance::Margin => message!(
                 "drive-foreseen",
                 "In {within:.1} s, at ({x:.1}, {y:.1}), obstacle {obstacle} would come nearer than the margin of {margin}.",
-                within = within,
-                x = x,
-                y = y,
-                obstacle = obstacle,
+                within,
+                x,
+                y,
+                obstacle,
                 margin = self.length_of(self.ground.body.margin)
             ),
             Distance::Contact => message!(
                 "drive-foreseen-contact",
                 "In {within:.1} s, at ({x:.1}, {y:.1}), obstacle {obstacle} would touch it.",
-                within = within,
-                x = x,
-                y = y,
-                obstacle = obstacle
+                within,
+                x,
+                y,
+                obstacle
             ),
         };
         self.tell("foreseen", Some(conflict.obstacle), said);
@@ -258,18 +258,18 @@ impl Journey {
                 "drive-detour",
                 "Round the predicted range of {obstacles} {numbers} along the pheromone to a local goal at ({x:.1}, {y:.1}); {length} to go.",
                 obstacles = n => "obstacle" | "obstacles",
-                numbers = numbers,
-                x = x,
-                y = y,
-                length = length
+                numbers,
+                x,
+                y,
+                length
             )
         } else {
             message!(
                 "drive-detour-way",
                 "Round the predicted range of {obstacles} {numbers} along the pheromone to the planned way; {length} to go.",
                 obstacles = n => "obstacle" | "obstacles",
-                numbers = numbers,
-                length = length
+                numbers,
+                length
             )
         }
     }

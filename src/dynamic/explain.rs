@@ -44,21 +44,21 @@ pub(super) fn why_not(journey: &Journey, limit: &str) -> Message {
         message!(
             "drive-late-waits",
             "After {now:.0} s the robot still waits at ({x:.1}, {y:.1}) for obstacle {obstacle}, since {since:.1} s; {limit} gives it longer",
-            now = now,
-            x = x,
-            y = y,
+            now,
+            x,
+            y,
             obstacle = obstacle + 1,
-            since = since,
-            limit = limit
+            since,
+            limit
         )
     } else {
         message!(
             "drive-late",
             "After {now:.0} s the robot is at ({x:.1}, {y:.1}) and not at the goal; {limit} gives it longer",
-            now = now,
-            x = x,
-            y = y,
-            limit = limit
+            now,
+            x,
+            y,
+            limit
         )
     }
 }
@@ -104,17 +104,14 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
             "It is beyond the sensor’s reach; it is {now:.1} from the robot’s rim and comes no nearer if both go on.",
             now = apart_now
         ),
-        (true, false) => message!(
-            "drive-seen-comes",
-            "The robot sees it; if both go on, it comes as near as {least:.1} in {time:.1} s.",
-            least = least,
-            time = time
-        ),
+        (true, false) => {
+            message!("drive-seen-comes", "The robot sees it; if both go on, it comes as near as {least:.1} in {time:.1} s.", least, time)
+        }
         (false, false) => message!(
             "drive-unseen-comes",
             "It is beyond the sensor’s reach; if both go on, it comes as near as {least:.1} in {time:.1} s.",
-            least = least,
-            time = time
+            least,
+            time
         ),
     };
     let title = message!("drive-obstacle", "Obstacle {i}", i = item.index + 1);

@@ -132,8 +132,8 @@ impl Journey {
             let said = message!(
                 "drive-set-out",
                 "It sets out on a way of {length} with {n} {turns}.",
-                length = length,
-                n = n,
+                length,
+                n,
                 turns = n => "turn" | "turns"
             );
             self.tell("set-out", None, said);
@@ -149,7 +149,7 @@ impl Journey {
         if let Some(goal) = self.local_goal.filter(|&goal| self.pose.between == [goal; 2]) {
             self.local_goal = None;
             let [x, y] = self.ground.cells.centre(goal);
-            let said = message!("drive-back", "The local goal at ({x:.1}, {y:.1}) is reached: on along the planned way.", x = x, y = y);
+            let said = message!("drive-back", "The local goal at ({x:.1}, {y:.1}) is reached: on along the planned way.", x, y);
             self.tell("back", None, said);
         }
         if self.arrived {
@@ -165,27 +165,27 @@ impl Journey {
             0 => message!(
                 "drive-arrived",
                 "It is at the goal after {time:.1} s, {way} and {n} {turns}, without touching anything that moves.",
-                time = time,
-                way = way,
-                n = n,
+                time,
+                way,
+                n,
                 turns = n => "turn" | "turns"
             ),
             1 => message!(
                 "drive-arrived-collision",
                 "It is at the goal after {time:.1} s, {way} and {n} {turns}, after a collision.",
-                time = time,
-                way = way,
-                n = n,
+                time,
+                way,
+                n,
                 turns = n => "turn" | "turns"
             ),
             collisions => message!(
                 "drive-arrived-collisions",
                 "It is at the goal after {time:.1} s, {way} and {n} {turns}, after {collisions} collisions.",
-                time = time,
-                way = way,
-                n = n,
+                time,
+                way,
+                n,
                 turns = n => "turn" | "turns",
-                collisions = collisions
+                collisions
             ),
         }
     }
@@ -316,9 +316,9 @@ impl Journey {
     /// A length with the scene's unit.
     pub fn length_of(&self, length: f64) -> Message {
         if let Some(unit) = &self.ground.scene.header().units {
-            message!("drive-length-unit", "{length:.1} {unit}", length = length, unit = unit)
+            message!("drive-length-unit", "{length:.1} {unit}", length, unit)
         } else {
-            message!("drive-length", "{length:.1}", length = length)
+            message!("drive-length", "{length:.1}", length)
         }
     }
 
@@ -359,8 +359,8 @@ impl Journey {
 /// That an obstacle, as people count them, touches the robot.
 fn collision(obstacle: usize, drove: bool) -> Message {
     if drove {
-        message!("drive-collision", "The robot and obstacle {obstacle} touch while the robot drove.", obstacle = obstacle)
+        message!("drive-collision", "The robot and obstacle {obstacle} touch while the robot drove.", obstacle)
     } else {
-        message!("drive-collision-stood", "The robot and obstacle {obstacle} touch while the robot stood.", obstacle = obstacle)
+        message!("drive-collision-stood", "The robot and obstacle {obstacle} touch while the robot stood.", obstacle)
     }
 }

@@ -141,7 +141,7 @@ fn colony(start: &Start) -> Result<Colony, Error> {
     let (entry, kind) = (start.planner(COLONY)?, start.scene.kind());
     let other = || {
         let known = COLONIES.iter().map(|option| option.value).collect::<Vec<_>>().join(", ");
-        Error::refused(COLONY.name(), entry.name, message!("drive-colony", "an ant colony, e.g. {known}", known = known))
+        Error::refused(COLONY.name(), entry.name, message!("drive-colony", "an ant colony, e.g. {known}", known))
     };
     if [ITERATIONS, ANTS].iter().any(|size| entry.parameter(size.name()).is_none()) {
         return Err(other());

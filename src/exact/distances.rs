@@ -102,7 +102,7 @@ impl Distances {
                     return Err(Error::refused(at(), there, allowed));
                 }
                 if there != back {
-                    let allowed = message!("exact-symmetric", "{back}, as in the other direction: distances are symmetric", back = back);
+                    let allowed = message!("exact-symmetric", "{back}, as in the other direction: distances are symmetric", back);
                     return Err(Error::refused(at(), there, allowed));
                 }
             }

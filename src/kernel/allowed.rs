@@ -37,5 +37,5 @@ said! {
 
 /// Of a value of a kind of its own: `a function`.
 pub fn of_kind(kind: &str) -> Message {
-    message!("error-a", "a {kind}", kind = kind)
+    message!("error-a", "a {kind}", kind)
 }

@@ -117,25 +117,21 @@ impl Error {
     /// The whole of it, in a sentence without a full stop.
     pub fn message(&self) -> Message {
         match self {
-            Self::Refused { field, value, allowed } => message!(
-                "error-refused",
-                "{field}: {value} is not allowed; it must be {allowed}",
-                field = field,
-                value = value,
-                allowed = allowed
-            ),
+            Self::Refused { field, value, allowed } => {
+                message!("error-refused", "{field}: {value} is not allowed; it must be {allowed}", field, value, allowed)
+            }
             Self::Unknown { field, value, known } => {
-                message!("error-unknown", "{field}: there is no `{value}`; known: {known}", field = field, value = value, known = known)
+                message!("error-unknown", "{field}: there is no `{value}`; known: {known}", field, value, known)
             }
             Self::Unsupported { planner, kind, kinds } => message!(
                 "error-unsupported",
                 "planner: {planner} does not run on scenes of kind {kind}, only on: {kinds}",
-                planner = planner,
-                kind = kind,
-                kinds = kinds
+                planner,
+                kind,
+                kinds
             ),
             Self::Malformed { field, problem } => {
-                message!("error-malformed", "{field}: {problem}", field = field, problem = problem)
+                message!("error-malformed", "{field}: {problem}", field, problem)
             }
         }
     }
@@ -162,7 +158,7 @@ impl std::error::Error for Error {}
 pub fn list_of(n: usize) -> Message {
     match n {
         0 => message!("error-empty-list", "an empty list"),
-        n => message!("error-list-of", "a list of {n}", n = n),
+        n => message!("error-list-of", "a list of {n}", n),
     }
 }
 

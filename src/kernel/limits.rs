@@ -24,7 +24,7 @@ pub fn check_bytes(field: &str, bytes: usize, most: usize) -> Result<(), Error> 
         Err(Error::refused(
             field,
             message!("error-bytes", "a size of {n} bytes", n = bytes),
-            message!("error-most-bytes", "at most {most} bytes", most = most),
+            message!("error-most-bytes", "at most {most} bytes", most),
         ))
     }
 }

@@ -221,24 +221,24 @@ inventory::collect!(Sentence);
 #[doc(hidden)]
 pub use inventory;
 
-/// A message: its key, its English with the placeholders of `format!`, and what goes into it. A word that depends on a number
-/// is written `name = number => "word" | "words"`.
+/// A message: its key, its English with the placeholders of `format!`, and what goes into it, as `name = value`, or only the name
+/// of a variable. A word that depends on a number is written `name = number => "word" | "words"`.
 ///
 /// ```
 /// use forage::message;
 /// let (left, near) = (2_u64, 0.25);
-/// let said = message!("demo-left", "{left} {stops} left, {near:.1} m away", left = left, stops = left => "stop" | "stops", near = near);
+/// let said = message!("demo-left", "{left} {stops} left, {near:.1} m away", left, stops = left => "stop" | "stops", near);
 /// assert_eq!(said.to_string(), "2 stops left, 0.2 m away");
 /// assert_eq!(said.key(), "demo-left");
 /// ```
 #[cfg(not(target_arch = "wasm32"))]
 #[macro_export]
 macro_rules! message {
-    ($key:literal, $english:literal $(, $name:ident = $value:expr $(=> $one:literal | $other:literal)?)* $(,)?) => {{
+    ($key:literal, $english:literal $(, $name:ident $(= $value:expr)? $(=> $one:literal | $other:literal)?)* $(,)?) => {{
         $crate::kernel::inventory::submit! {
             $crate::kernel::Sentence { key: $key, english: $english, plurals: &[$($((stringify!($name), $one, $other),)?)*], symbol: "" }
         }
-        $crate::said!($key, $english $(, $name = $value $(=> $one | $other)?)*)
+        $crate::said!($key, $english $(, $name = $crate::argument!($name $($value)?) $(=> $one | $other)?)*)
     }};
 }
 
@@ -246,7 +246,21 @@ macro_rules! message {
 #[cfg(target_arch = "wasm32")]
 #[macro_export]
 macro_rules! message {
-    ($($part:tt)*) => { $crate::said!($($part)*) };
+    ($key:literal, $english:literal $(, $name:ident $(= $value:expr)? $(=> $one:literal | $other:literal)?)* $(,)?) => {
+        $crate::said!($key, $english $(, $name = $crate::argument!($name $($value)?) $(=> $one | $other)?)*)
+    };
+}
+
+/// What goes into a message: a variable of the argument's name where no value is given.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! argument {
+    ($name:ident) => {
+        $name
+    };
+    ($name:ident $value:expr) => {
+        $value
+    };
 }
 
 /// The value of [`message!`].

@@ -85,7 +85,7 @@ impl SubtaskResult {
                     return Err(Error::refused(
                         format!("{path}.path[{i}][{axis}]"),
                         at,
-                        message!("error-number-from-to", "a number from {low} to {high}", low = low, high = high),
+                        message!("error-number-from-to", "a number from {low} to {high}", low, high),
                     ));
                 }
             }

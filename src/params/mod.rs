@@ -166,7 +166,7 @@ impl Parameter {
     pub fn allowed(&self) -> Message {
         match self.domain {
             Domain::Number { min, max, .. } => message!("error-number-from-to", "a number from {low} to {high}", low = min, high = max),
-            Domain::Integer { min, max, .. } => message!("error-whole-from-to", "a whole number from {min} to {max}", min = min, max = max),
+            Domain::Integer { min, max, .. } => message!("error-whole-from-to", "a whole number from {min} to {max}", min, max),
             Domain::Choice { options } => message!("error-one-of", "one of {names}", names = names(options)),
             Domain::Subset { options, .. } => {
                 message!("error-some-of", "some of {names}, each once, with commas between", names = names(options))

@@ -33,7 +33,7 @@ impl Parameters {
                 of_kind().find(|p| p.name == name).ok_or_else(|| Error::unknown("parameter", name, of_kind().map(|p| p.name)))?;
             parameter.check(value)?;
             if let Some(When { parameter: other, value: needed }) = unmet(parameters, kind, given, parameter) {
-                let allowed = message!("error-left-out-unless", "left out unless {other} is {needed}", other = other, needed = needed);
+                let allowed = message!("error-left-out-unless", "left out unless {other} is {needed}", other, needed);
                 return Err(Error::refused(name, value, allowed));
             }
         }

@@ -75,7 +75,7 @@ impl Link {
                         return Err(wrong(message!(
                             "link-unknown-key",
                             "`{key}` means nothing in a link of version {version}",
-                            key = key,
+                            key,
                             version = VERSION
                         )));
                     }
@@ -88,7 +88,7 @@ impl Link {
                 return Err(wrong(message!(
                     "link-other-version",
                     "it is of version {other}, and this program reads version {version}",
-                    other = other,
+                    other,
                     version = VERSION
                 )));
             }
@@ -143,8 +143,8 @@ fn unpacked(registry: &Registry, text: &str) -> Result<Arc<Scene>, Error> {
     let too_large = || {
         Error::refused(
             "link",
-            message!("link-large-scene", "a scene of more than {most} bytes", most = most),
-            message!("link-most-bytes", "one of at most {most} bytes", most = most),
+            message!("link-large-scene", "a scene of more than {most} bytes", most),
+            message!("link-most-bytes", "one of at most {most} bytes", most),
         )
     };
     let broken = |problem: &dyn fmt::Display| {

@@ -38,12 +38,12 @@ pub(super) fn coordinate(field: &str, point: [f64; 2], axis: usize) -> Result<()
 
 /// What is allowed of a number between two others.
 pub(super) fn from_to(least: f64, most: f64) -> Message {
-    message!("scene-from-to", "from {least} to {most}", least = least, most = most)
+    message!("scene-from-to", "from {least} to {most}", least, most)
 }
 
 /// What is allowed of an upper end: more than the lower one, which is named.
 pub(super) fn greater_than(name: &str, value: f64) -> Message {
-    message!("scene-greater-than", "greater than {name} = {value}", name = name, value = value)
+    message!("scene-greater-than", "greater than {name} = {value}", name, value)
 }
 
 /// What is said where something is missing.

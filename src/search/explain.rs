@@ -62,14 +62,11 @@ impl Search {
         told.summary = match parent.map(|parent| task.cells.told(parent)) {
             None => message!("search-start", "The way begins here."),
             Some([column, row]) if closed => {
-                message!("search-settled", "The cell is settled, as the child of column {column}, row {row}.", column = column, row = row)
+                message!("search-settled", "The cell is settled, as the child of column {column}, row {row}.", column, row)
             }
-            Some([column, row]) => message!(
-                "search-frontier",
-                "The cell is on the frontier, so far as the child of column {column}, row {row}.",
-                column = column,
-                row = row
-            ),
+            Some([column, row]) => {
+                message!("search-frontier", "The cell is on the frontier, so far as the child of column {column}, row {row}.", column, row)
+            }
         };
         told.values.extend([
             label!("search-from-start", "g", "g", "way from the start").is(g),

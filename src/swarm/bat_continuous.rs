@@ -222,9 +222,9 @@ impl Planner for Bats {
 impl Explain for Bats {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         let i = item.index;
-        let origin = message!("swarm-bat-begins", "Bat {i} begins here, drawn at random; its velocity is zero.", i = i);
+        let origin = message!("swarm-bat-begins", "Bat {i} begins here, drawn at random; its velocity is zero.", i);
         let mut told = (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, origin)).flatten()?;
-        told.title = message!("swarm-bat", "Bat {i}", i = i);
+        told.title = message!("swarm-bat", "Bat {i}", i);
         Some(told)
     }
 
@@ -289,9 +289,9 @@ impl Bats {
         let Last { walked, accepted } = after.last[i];
 
         let moved = if walked {
-            message!("swarm-bat-walks", "Bat {i} walks about the global best.", i = i)
+            message!("swarm-bat-walks", "Bat {i} walks about the global best.", i)
         } else {
-            message!("swarm-bat-flies", "Bat {i} flies by its frequency and velocity.", i = i)
+            message!("swarm-bat-flies", "Bat {i} flies by its frequency and velocity.", i)
         };
         let outcome = if accepted {
             message!("swarm-bat-accepts", "It accepts the new position and gets quieter.")
@@ -299,7 +299,7 @@ impl Bats {
             message!("swarm-bat-stays", "It does not accept the new position and stays.")
         };
         let mut told = sheet(meaning, item, if walked { "walk" } else { "flight" }, moved.then(outcome), now.dimension);
-        told.title = message!("swarm-bat", "Bat {i}", i = i);
+        told.title = message!("swarm-bat", "Bat {i}", i);
         told.columns = COLUMNS.to_vec();
         told.rows = terms.iter().zip(x).map(|(term, &x)| vec![x, term.f, term.v, term.epsilon, term.to]).collect();
         let velocity = if self.sign > 0.0 { BAT_VELOCITY } else { BAT_VELOCITY_TOWARD };

@@ -220,9 +220,9 @@ impl Planner for Nests {
 impl Explain for Nests {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         let i = item.index;
-        let origin = message!("swarm-nest-begins", "Nest {i} begins here, drawn at random.", i = i);
+        let origin = message!("swarm-nest-begins", "Nest {i} begins here, drawn at random.", i);
         let mut told = (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, origin)).flatten()?;
-        told.title = message!("swarm-nest", "Nest {i}", i = i);
+        told.title = message!("swarm-nest", "Nest {i}", i);
         Some(told)
     }
 
@@ -317,9 +317,9 @@ impl Nests {
         let between = if flown { &candidate[..] } else { x };
 
         let flight_led = if flown {
-            message!("swarm-egg-taken", "Nest {i} is tried twice. The egg of a Lévy flight replaces the nest.", i = i)
+            message!("swarm-egg-taken", "Nest {i} is tried twice. The egg of a Lévy flight replaces the nest.", i)
         } else {
-            message!("swarm-egg-dropped", "Nest {i} is tried twice. The egg of a Lévy flight costs more and is dropped.", i = i)
+            message!("swarm-egg-dropped", "Nest {i} is tried twice. The egg of a Lévy flight costs more and is dropped.", i)
         };
         let walk_led = if walked {
             message!("swarm-rebuilt-taken", "The nest that a random walk rebuilds replaces it.")
@@ -332,7 +332,7 @@ impl Nests {
             (false, false) => "kept",
         };
         let mut told = sheet(meaning, item, event, flight_led.then(walk_led), now.dimension);
-        told.title = message!("swarm-nest", "Nest {i}", i = i);
+        told.title = message!("swarm-nest", "Nest {i}", i);
         told.columns = COLUMNS.to_vec();
         let rows = flight.iter().zip(walk).zip(x);
         told.rows = rows.map(|((&(draw, e, to), &(h, _, end)), &x)| vec![x, draw.s, e, to, f64::from(u8::from(h)), end]).collect();

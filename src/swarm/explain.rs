@@ -195,8 +195,7 @@ impl Step<'_> {
         let Self { x, p, to, .. } = self;
         let terms = &self.record.terms;
         let i = self.item.index;
-        let summary =
-            message!("swarm-move", "Particle {i} keeps part of its velocity and is drawn to its own best and to the swarm’s.", i = i);
+        let summary = message!("swarm-move", "Particle {i} keeps part of its velocity and is drawn to its own best and to the swarm’s.", i);
         let mut told = sheet(self.meaning, self.item, "move", summary, x.len());
         told.columns = MOVE.to_vec();
         told.rows = (0..x.len())
@@ -226,13 +225,9 @@ impl Step<'_> {
         let (from, to, x_t) = (&*self.record.from, self.target(), &self.record.x_t);
         let stagnates = self.stagnates();
         let jumps = if self.record.terms.is_empty() {
-            message!("swarm-hen", "It jumps like a hen, towards the swarm’s best and particle {other}.", other = other)
+            message!("swarm-hen", "It jumps like a hen, towards the swarm’s best and particle {other}.", other)
         } else {
-            message!(
-                "swarm-hen-after",
-                "After its flight it jumps like a hen, towards the swarm’s best and particle {other}.",
-                other = other
-            )
+            message!("swarm-hen-after", "After its flight it jumps like a hen, towards the swarm’s best and particle {other}.", other)
         };
         let fate = match self.record.refused {
             Some(_) => message!("swarm-hen-stays", "Its cost would not fall, so it stays."),
@@ -256,12 +251,12 @@ impl Step<'_> {
         let from = &*self.record.from;
         let i = self.item.index;
         let summary = if self.record.terms.is_empty() {
-            message!("swarm-chick", "The hen did not help particle {i}, so it jumps like a chick, across the swarm’s best.", i = i)
+            message!("swarm-chick", "The hen did not help particle {i}, so it jumps like a chick, across the swarm’s best.", i)
         } else {
             message!(
                 "swarm-chick-after",
                 "The hen did not help particle {i}, so after its flight it jumps like a chick, across the swarm’s best.",
-                i = i
+                i
             )
         };
         let mut told = sheet(self.meaning, self.item, "chick", summary, from.len());
@@ -282,8 +277,8 @@ impl Step<'_> {
     fn stagnates(&self) -> Message {
         let i = self.item.index;
         match self.patience {
-            1 => message!("swarm-worse", "Particle {i} got worse.", i = i),
-            times => message!("swarm-worse-often", "Particle {i} got worse {times} times in a row.", i = i, times = times),
+            1 => message!("swarm-worse", "Particle {i} got worse.", i),
+            times => message!("swarm-worse-often", "Particle {i} got worse {times} times in a row.", i, times),
         }
     }
 

@@ -337,12 +337,12 @@ impl Explain for Swarm {
             message!(
                 "swarm-begins-on-a-path",
                 "Particle {i} begins here, on the path of a tree of {n} {extensions}; its velocity is zero.",
-                i = i,
+                i,
                 n = extensions,
-                extensions = extensions => "extension" | "extensions",
+                extensions => "extension" | "extensions",
             )
         } else {
-            message!("swarm-begins", "Particle {i} begins here, drawn at random; its velocity is zero.", i = i)
+            message!("swarm-begins", "Particle {i} begins here, drawn at random; its velocity is zero.", i)
         };
         introduce(&self.population, item, origin)
     }

@@ -57,7 +57,7 @@ impl SearchBox {
                 return Err(Error::refused(
                     format!("high[{j}]"),
                     high,
-                    message!("error-finite-from", "a finite number from {low} on", low = low),
+                    message!("error-finite-from", "a finite number from {low} on", low),
                 ));
             }
         }

@@ -316,8 +316,8 @@ impl Search for Bats {
                 message!(
                     "tour-bat-far",
                     "Before, it differed from the best at {hamming} places, half of all or more, and tried {tries} × crossover with it (PMX).",
-                    hamming = hamming,
-                    tries = tries
+                    hamming,
+                    tries
                 ),
             ),
             Range::Near => (
@@ -325,8 +325,8 @@ impl Search for Bats {
                 message!(
                     "tour-bat-near",
                     "Before, it differed from the best at {hamming} places, fewer than half, and tried {tries} × a random 2-opt move.",
-                    hamming = hamming,
-                    tries = tries
+                    hamming,
+                    tries
                 ),
             ),
         };

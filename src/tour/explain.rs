@@ -69,23 +69,23 @@ pub(super) fn road(network: &Network, item: Item) -> Option<Inspection> {
     }
     let [i, j] = network.pair(item.index);
     let (from, to) = (i + 1, j + 1);
-    let title = message!("tour-road", "Road {from} – {to}", from = from, to = to);
+    let title = message!("tour-road", "Road {from} – {to}", from, to);
     let Some(road) = network.roads.get(item.index) else {
         return Some(plain(item, title, "waiting", message!("tour-road-waits", "It is not built yet.")));
     };
     let straight = geometry::length(&[network.stops[i], network.stops[j]]);
     let (event, summary) = if road.is_found() {
         let length = road.length;
-        ("built", message!("tour-road-built", "From stop {from} to stop {to}: {length:.4}.", from = from, to = to, length = length))
+        ("built", message!("tour-road-built", "From stop {from} to stop {to}: {length:.4}.", from, to, length))
     } else if road.path.is_empty() {
-        ("failed", message!("tour-road-failed", "The run from stop {from} to stop {to} found no way.", from = from, to = to))
+        ("failed", message!("tour-road-failed", "The run from stop {from} to stop {to} found no way.", from, to))
     } else {
         let over: Vec<_> = road.over.iter().map(|stop| (stop + 1).to_string()).collect();
         let summary = message!(
             "tour-road-joined",
             "The run from stop {from} to stop {to} found no way; over stop {over} it is {length:.4}.",
-            from = from,
-            to = to,
+            from,
+            to,
             over = over.join(", "),
             length = road.length
         );
@@ -120,15 +120,15 @@ pub(super) fn stop(best: Option<(&Problem, &Tour)>, places: &[[f64; 2]], item: I
     let k = place + 1;
     let summary = match [before, after].map(|other| other.map(|other| other + 1)) {
         [Some(a), Some(b)] => {
-            message!("tour-called", "Number {k} of the shortest tour, after stop {a} and before stop {b}.", k = k, a = a, b = b)
+            message!("tour-called", "Number {k} of the shortest tour, after stop {a} and before stop {b}.", k, a, b)
         }
         [None, Some(b)] => {
-            message!("tour-called-first", "Number {k} of the shortest tour, after nothing and before stop {b}.", k = k, b = b)
+            message!("tour-called-first", "Number {k} of the shortest tour, after nothing and before stop {b}.", k, b)
         }
         [Some(a), None] => {
-            message!("tour-called-last", "Number {k} of the shortest tour, after stop {a} and before nothing.", k = k, a = a)
+            message!("tour-called-last", "Number {k} of the shortest tour, after stop {a} and before nothing.", k, a)
         }
-        [None, None] => message!("tour-called-alone", "Number {k} of the shortest tour, after nothing and before nothing.", k = k),
+        [None, None] => message!("tour-called-alone", "Number {k} of the shortest tour, after nothing and before nothing.", k),
     };
     let mut told = plain(item, title, "called", summary);
     let leg = |other: Option<usize>| other.map_or(f64::NAN, |other| problem.d(stop as u16, other as u16));

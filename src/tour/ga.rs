@@ -239,7 +239,7 @@ impl Search for Genetic {
         };
         if reversed.1 > 0 {
             let (from, to) = reversed;
-            let mutation = message!("tour-ga-mutation", "Then a mutation reversed places {from} to {to}.", from = from, to = to);
+            let mutation = message!("tour-ga-mutation", "Then a mutation reversed places {from} to {to}.", from, to);
             told.summary = std::mem::take(&mut told.summary).then(mutation);
         }
         if origin == Origin::Start {

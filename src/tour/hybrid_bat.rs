@@ -247,26 +247,23 @@ impl Search for Bats {
         let n = self.perturbations;
         told.summary = match operator {
             Operator::None => random_start(),
-            Operator::Flight => message!(
-                "tour-flight",
-                "It flew towards the best tour: {swaps} of the {distance} swaps that lead there.",
-                swaps = swaps,
-                distance = distance
-            ),
+            Operator::Flight => {
+                message!("tour-flight", "It flew towards the best tour: {swaps} of the {distance} swaps that lead there.", swaps, distance)
+            }
             Operator::Reversal => message!(
                 "tour-reversal",
                 "It looked around the best tour; the shortest of {n} perturbations was one with a stretch reversed.",
-                n = n
+                n
             ),
             Operator::Insertion => message!(
                 "tour-insertion",
                 "It looked around the best tour; the shortest of {n} perturbations was one with a stop moved.",
-                n = n
+                n
             ),
             Operator::Bridge => message!(
                 "tour-exchange",
                 "It looked around the best tour; the shortest of {n} perturbations was one with two stretches exchanged.",
-                n = n
+                n
             ),
         };
         let taken = match (operator, accepted) {

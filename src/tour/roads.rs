@@ -212,8 +212,8 @@ impl Network {
             "tour-no-road",
             "{planner} found no road from stops[{i}] to stops[{j}], and none leads there over other stops; roads=a-star finds one wherever there is one",
             planner = self.planner,
-            i = i,
-            j = j
+            i,
+            j
         ))
     }
 

@@ -179,16 +179,16 @@ impl Search for Annealing {
         told.title = message!("tour-present", "Present tour");
         let (event, summary) = match (tried, shorter + longer) {
             (0, _) => ("start", random_start()),
-            (_, 0) => ("frozen", message!("tour-frozen", "None of {tried} moves was accepted.", tried = tried)),
+            (_, 0) => ("frozen", message!("tour-frozen", "None of {tried} moves was accepted.", tried)),
             _ => (
                 "annealed",
                 message!(
                     "tour-annealed",
                     "Of {tried} moves {shorter} were accepted because they made it no longer, {longer} although they made it longer, by up to {highest:.4}.",
-                    tried = tried,
-                    shorter = shorter,
-                    longer = longer,
-                    highest = highest
+                    tried,
+                    shorter,
+                    longer,
+                    highest
                 ),
             ),
         };

@@ -207,19 +207,19 @@ impl Search for Swarm {
             let swaps = message!(
                 "tour-swaps",
                 "{n} {swaps}: {kept} of its velocity, {own} towards its own best, {swarm} towards the swarm’s.",
-                n = n,
+                n,
                 swaps = n => "swap" | "swaps",
-                kept = kept,
-                own = own,
-                swarm = swarm
+                kept,
+                own,
+                swarm
             );
             let by = gain.abs();
             let became = if record {
-                message!("tour-became-record", "Its tour became {by:.4} shorter: the shortest that it had.", by = by)
+                message!("tour-became-record", "Its tour became {by:.4} shorter: the shortest that it had.", by)
             } else if gain > 0.0 {
-                message!("tour-became-shorter", "Its tour became {by:.4} shorter.", by = by)
+                message!("tour-became-shorter", "Its tour became {by:.4} shorter.", by)
             } else {
-                message!("tour-became-longer", "Its tour became {by:.4} longer.", by = by)
+                message!("tour-became-longer", "Its tour became {by:.4} longer.", by)
             };
             (if record { "record" } else { "swaps" }, swaps.then(became))
         };

@@ -41,13 +41,13 @@ impl SampleOutcome {
     /// Its row in the table, by the sample's number.
     fn row(self, i: usize) -> Message {
         match self {
-            Self::Taken => message!("tree-row-taken", "{i}: taken", i = i),
-            Self::NotKept => message!("tree-row-not-kept", "{i}: not kept", i = i),
-            Self::NotDrawn => message!("tree-row-not-drawn", "{i}: kept, not drawn", i = i),
-            Self::TooNear => message!("tree-row-too-near", "{i}: nearer than a step", i = i),
-            Self::Outside => message!("tree-row-outside", "{i}: leads outside", i = i),
-            Self::Blocked => message!("tree-row-blocked", "{i}: blocked", i = i),
-            Self::DoublesBack => message!("tree-row-doubles-back", "{i}: doubles back", i = i),
+            Self::Taken => message!("tree-row-taken", "{i}: taken", i),
+            Self::NotKept => message!("tree-row-not-kept", "{i}: not kept", i),
+            Self::NotDrawn => message!("tree-row-not-drawn", "{i}: kept, not drawn", i),
+            Self::TooNear => message!("tree-row-too-near", "{i}: nearer than a step", i),
+            Self::Outside => message!("tree-row-outside", "{i}: leads outside", i),
+            Self::Blocked => message!("tree-row-blocked", "{i}: blocked", i),
+            Self::DoublesBack => message!("tree-row-doubles-back", "{i}: doubles back", i),
         }
     }
 
@@ -220,13 +220,13 @@ fn summary<const N: usize>(last: &Extension<N>) -> Message {
     let rewired = match last.rewired {
         0 => Message::default(),
         1 => message!("tree-rewired-one", "One neighbour has become its child."),
-        n => message!("tree-rewired", "{n} neighbours have become its children.", n = n),
+        n => message!("tree-rewired", "{n} neighbours have become its children.", n),
     };
     let count = |outcome: SampleOutcome| last.samples.iter().filter(|sample| sample.outcome == outcome).count();
     match last.source {
         Source::Guided(_) if last.fell_back => {
             let kept = last.samples.iter().filter(|sample| sample.angle.is_finite() && sample.outcome != SampleOutcome::NotKept).count();
-            message!("tree-fell-back", "None of the {kept} kept samples led on, so the tree took a plain random step.", kept = kept)
+            message!("tree-fell-back", "None of the {kept} kept samples led on, so the tree took a plain random step.", kept)
         }
         Source::Guided(by) => {
             let (drawn, kept) = (last.samples.len(), last.samples.len() - count(SampleOutcome::NotKept));
@@ -234,14 +234,14 @@ fn summary<const N: usize>(last: &Extension<N>) -> Message {
                 By::Angle => message!(
                     "tree-guided-by-angle",
                     "Of {drawn} samples the {kept} with the smallest angles were kept. The tree has grown toward the one that the roulette wheel chose.",
-                    drawn = drawn,
-                    kept = kept
+                    drawn,
+                    kept
                 ),
                 By::Distance => message!(
                     "tree-guided-by-distance",
                     "Of {drawn} samples the roulette wheel kept {kept}. The tree has grown toward the one nearest to the goal that was free.",
-                    drawn = drawn,
-                    kept = kept
+                    drawn,
+                    kept
                 ),
             }
         }

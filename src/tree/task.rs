@@ -96,7 +96,7 @@ fn check(min: &[f64], max: &[f64], start: &[f64], goals: &[f64], step: f64) -> R
         }
     }
     match min.iter().zip(max).find(|(min, max)| min > max) {
-        Some((min, max)) => Err(Error::refused("bounds", *max, message!("tree-at-least", "{min} at least", min = min))),
+        Some((min, max)) => Err(Error::refused("bounds", *max, message!("tree-at-least", "{min} at least", min))),
         None => Ok(()),
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
     let (x, v, p) = (&swarm.shown[row.clone()], &swarm.v[row.clone()], &swarm.p[row]);
     let cost = swarm.cost[i];
     let (event, summary) = if swarm.iteration == 0 {
-        ("start", message!("tuning-start", "Particle {i} begins with these parameters, drawn at random.", i = i))
+        ("start", message!("tuning-start", "Particle {i} begins with these parameters, drawn at random.", i))
     } else if cost.length.is_finite() {
         let runs = swarm.seeds.len();
         (
@@ -30,14 +30,14 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
             message!(
                 "tuning-judged",
                 "With particle {i}’s parameters the colony found ways of length {length:.4} on average over {n} {runs}.",
-                i = i,
+                i,
                 length = cost.length,
                 n = runs,
-                runs = runs => "run" | "runs"
+                runs => "run" | "runs"
             ),
         )
     } else {
-        ("failed", message!("tuning-failed", "With particle {i}’s parameters a run of the colony found no way.", i = i))
+        ("failed", message!("tuning-failed", "With particle {i}’s parameters a run of the colony found no way.", i))
     };
     let rows = (0..x.len()).map(|j| {
         let axis = &swarm.axes[j];
@@ -46,7 +46,7 @@ pub(super) fn particle(swarm: &Tuning, item: Item) -> Inspection {
     let way = &swarm.ways[i];
     Inspection {
         item,
-        title: message!("tuning-particle", "Particle {i}", i = i),
+        title: message!("tuning-particle", "Particle {i}", i),
         event,
         summary,
         values: [

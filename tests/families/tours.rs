@@ -67,7 +67,7 @@ impl Search for Descents {
     }
 
     fn explain(&self, i: usize, told: &mut Inspection) {
-        told.title = message!("descent", "Descent {i}", i = i);
+        told.title = message!("descent", "Descent {i}", i);
     }
 }
 

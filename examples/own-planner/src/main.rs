@@ -294,7 +294,7 @@ impl Explain for CompassSearch {
             summary: message!(
                 "compass-cost",
                 "Its cost is {cost:.6}; the search stands where the cost is {here:.6}.",
-                cost = cost,
+                cost,
                 here = self.cost
             ),
             values: vec![label!("compass-label-cost", "cost", "f(x)", "Cost").is(cost)],

@@ -150,11 +150,11 @@ impl Postures<'_> {
             "point {point} of {points}, ({x:.4}, {y:.4}, {z:.4}), {along:.4} m along the path: {why}",
             point = point + 1,
             points = stations.len(),
-            x = x,
-            y = y,
-            z = z,
-            along = along,
-            why = why
+            x,
+            y,
+            z,
+            along,
+            why
         )
     }
 

@@ -80,12 +80,12 @@ impl Trajectory<'_> {
                 off = Some(message!(
                     "motion-leaves-path",
                     "before ({x:.4}, {y:.4}, {z:.4}), {along:.4} m along the path, the tip is {error:.4} m off it, while a joint turns by {step:.1}°: no postures that touch nothing lead on evenly",
-                    x = x,
-                    y = y,
-                    z = z,
+                    x,
+                    y,
+                    z,
                     along = stop.station.along,
-                    error = error,
-                    step = step
+                    error,
+                    step
                 ));
             }
             outcome.max_error = outcome.max_error.max(error);

@@ -46,12 +46,12 @@ impl ArmScene {
             let allowed = message!(
                 "scene-inside-workspace",
                 "inside the workspace, ({x0}, {y0}, {z0}) to ({x1}, {y1}, {z1})",
-                x0 = x0,
-                y0 = y0,
-                z0 = z0,
-                x1 = x1,
-                y1 = y1,
-                z1 = z1
+                x0,
+                y0,
+                z0,
+                x1,
+                y1,
+                z1
             );
             return Err(Error::refused(field, shown, allowed));
         }
@@ -61,7 +61,7 @@ impl ArmScene {
         }
         match self.cuboids.iter().position(|cuboid| cuboid.contains(point)) {
             Some(i) => {
-                let allowed = message!("scene-outside-cuboids", "outside every cuboid, and it touches cuboids[{i}]", i = i);
+                let allowed = message!("scene-outside-cuboids", "outside every cuboid, and it touches cuboids[{i}]", i);
                 Err(Error::refused(field, shown, allowed))
             }
             None => Ok(()),

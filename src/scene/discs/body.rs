@@ -68,7 +68,7 @@ impl DiscsScene {
         }
         match self.discs.iter().position(|disc| disc.clearance(point) < 0.0) {
             Some(i) => {
-                let allowed = message!("scene-outside-discs", "outside every disc, and it lies in discs[{i}]", i = i);
+                let allowed = message!("scene-outside-discs", "outside every disc, and it lies in discs[{i}]", i);
                 Err(Error::refused(field, text(point), allowed))
             }
             None => Ok(()),

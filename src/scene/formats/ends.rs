@@ -33,9 +33,9 @@ pub(super) fn choose(grid: &mut GridScene) -> Option<Message> {
     Some(message!(
         "files-chose-ends",
         "The file has no start and no goal: they were put far apart in its largest region, at ({ax}, {ay}) and ({bx}, {by}).",
-        ax = ax,
-        ay = ay,
-        bx = bx,
-        by = by
+        ax,
+        ay,
+        bx,
+        by
     ))
 }

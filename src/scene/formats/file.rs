@@ -42,22 +42,22 @@ impl NamedFile {
 
     /// What is wrong with it, and where.
     pub(super) fn wrong(&self, line: usize, problem: &Message) -> Error {
-        Error::malformed(self.label(), message!("files-line", "line {line}: {problem}", line = line, problem = problem))
+        Error::malformed(self.label(), message!("files-line", "line {line}: {problem}", line, problem))
     }
 
     /// Refuses a file that ends too early.
     pub(super) fn ends(&self, line: usize, expected: &Message) -> Error {
-        self.wrong(line, &message!("files-ends", "the file ends, expected {expected}", expected = expected))
+        self.wrong(line, &message!("files-ends", "the file ends, expected {expected}", expected))
     }
 
     /// Refuses a file that ends without a word that it must have.
     pub(super) fn ends_without(&self, line: usize, word: &str) -> Error {
-        self.wrong(line, &message!("files-ends-without", "the file ends without `{word}`", word = word))
+        self.wrong(line, &message!("files-ends-without", "the file ends without `{word}`", word))
     }
 
     /// Refuses a key that was in an earlier line.
     pub(super) fn again(&self, line: usize, key: &str, earlier: usize) -> Error {
-        self.wrong(line, &message!("files-again", "`{key}` again, first in line {earlier}", key = key, earlier = earlier))
+        self.wrong(line, &message!("files-again", "`{key}` again, first in line {earlier}", key, earlier))
     }
 
     /// Refuses what was found at a place where something else is expected.
@@ -67,7 +67,7 @@ impl NamedFile {
         if shown.len() < found.len() {
             shown.push('…');
         }
-        self.wrong(line, &message!("files-unexpected", "found `{found}`, expected {expected}", found = shown, expected = expected))
+        self.wrong(line, &message!("files-unexpected", "found `{found}`, expected {expected}", found = shown, expected))
     }
 
     /// A number of rows or columns; `expected` says it with the largest.
@@ -109,15 +109,15 @@ pub(super) fn number_up_to(most: f64, word: &str) -> Option<f64> {
 
 /// A picture's or a map's width that is expected.
 pub(super) fn a_width(most: usize) -> Message {
-    message!("files-width", "a width from 1 to {most}", most = most)
+    message!("files-width", "a width from 1 to {most}", most)
 }
 
 /// A picture's or a map's height that is expected.
 pub(super) fn a_height(most: usize) -> Message {
-    message!("files-height", "a height from 1 to {most}", most = most)
+    message!("files-height", "a height from 1 to {most}", most)
 }
 
 /// A number of a column or a key that is expected.
 pub(super) fn for_number(name: &str, least: f64, most: f64) -> Message {
-    message!("files-number", "for {name} a number from {least} to {most}", name = name, least = least, most = most)
+    message!("files-number", "for {name} a number from {least} to {most}", name, least, most)
 }

@@ -187,7 +187,7 @@ pub fn import(registry: &Registry, files: &[NamedFile], problem: Option<usize>) 
         [(Sort::Tsp, tsp), (Sort::Tour, tour)] => tsplib::with_tour(tsplib::import(tsp)?, tour),
         _ => match (wanted(files)?, files) {
             (Some(name), [file, ..]) => {
-                let problem = message!("files-missing", "the file `{name}` that belongs to it is missing", name = name);
+                let problem = message!("files-missing", "the file `{name}` that belongs to it is missing", name);
                 Err(Error::malformed(file.label(), problem))
             }
             (None, [file, ..]) => {

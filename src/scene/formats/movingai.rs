@@ -36,7 +36,7 @@ pub(super) fn import(map: &NamedFile, scen: Option<&NamedFile>, problem: Option<
                     "from 0 to {last}: {file} has {count} problems, counted from 0",
                     last = count - 1,
                     file = label,
-                    count = count
+                    count
                 )
             };
             return Err(Error::refused("problem", index, allowed));
@@ -54,7 +54,7 @@ pub(super) fn import(map: &NamedFile, scen: Option<&NamedFile>, problem: Option<
         notes.push(message!(
             "files-problem",
             "Problem {index} of {count}, counted from 0; its optimum from cell to cell is given as {length}.",
-            index = index,
+            index,
             count = lines.len(),
             length = chosen.length
         ));
@@ -159,12 +159,12 @@ fn read_scen(file: &NamedFile, [columns, rows]: [usize; 2]) -> Result<(Vec<Numbe
             Ok(cell as f64 + 0.5)
         };
         let start = [
-            centre(ax, columns, |last| message!("files-start-column", "a start's column from 0 to {last}", last = last))?,
-            centre(ay, rows, |last| message!("files-start-row", "a start's row from 0 to {last}", last = last))?,
+            centre(ax, columns, |last| message!("files-start-column", "a start's column from 0 to {last}", last))?,
+            centre(ay, rows, |last| message!("files-start-row", "a start's row from 0 to {last}", last))?,
         ];
         let goal = [
-            centre(bx, columns, |last| message!("files-goal-column", "a goal's column from 0 to {last}", last = last))?,
-            centre(by, rows, |last| message!("files-goal-row", "a goal's row from 0 to {last}", last = last))?,
+            centre(bx, columns, |last| message!("files-goal-column", "a goal's column from 0 to {last}", last))?,
+            centre(by, rows, |last| message!("files-goal-row", "a goal's row from 0 to {last}", last))?,
         ];
         let length = json::number(length)
             .filter(|length| length.is_finite() && *length >= 0.0)

@@ -76,11 +76,11 @@ pub(super) fn read(file: &NamedFile) -> Result<Image, Error> {
     }
     let columns = reader.number(1, MAX_SIDE, a_width)?;
     let rows = reader.number(1, MAX_SIDE, a_height)?;
-    let white = |most| message!("files-white", "the value of white from 1 to {most}", most = most);
+    let white = |most| message!("files-white", "the value of white from 1 to {most}", most);
     let most = reader.number(1, usize::from(u16::MAX), white)?;
     let mut values = Vec::with_capacity(columns * rows);
     if magic == b"P2" {
-        let pixel = |most| message!("files-pixel", "a pixel from 0 to {most}", most = most);
+        let pixel = |most| message!("files-pixel", "a pixel from 0 to {most}", most);
         for _ in 0..columns * rows {
             values.push(reader.number(0, most, pixel)? as u16);
         }
@@ -93,7 +93,7 @@ pub(super) fn read(file: &NamedFile) -> Result<Image, Error> {
         reader.advance(reader.left.len().min(ending));
         let Some((pixels, rest)) = reader.left.split_at_checked(needed) else {
             let n = reader.left.len();
-            let problem = message!("files-pixels", "found {n} bytes of pixels, expected {expected}", n = n, expected = needed);
+            let problem = message!("files-pixels", "found {n} bytes of pixels, expected {expected}", n, expected = needed);
             return Err(file.wrong(reader.line, &problem));
         };
         for (i, pixel) in pixels.chunks(width).enumerate() {
@@ -102,7 +102,7 @@ pub(super) fn read(file: &NamedFile) -> Result<Image, Error> {
                 let expected = message!(
                     "files-pixel-at",
                     "a pixel from 0 to {most} in row {row}, column {column} of the picture",
-                    most = most,
+                    most,
                     row = i / columns + 1,
                     column = i % columns + 1
                 );

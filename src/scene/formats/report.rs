@@ -67,7 +67,7 @@ pub(super) fn lost(grid: &GridScene, notes: &mut Vec<Message>) {
 
 /// Notes what a format has no place for.
 pub(super) fn not_kept(what: &Message, notes: &mut Vec<Message>) {
-    notes.push(message!("files-not-kept", "Not kept, as the format has no place for it: {what}.", what = what));
+    notes.push(message!("files-not-kept", "Not kept, as the format has no place for it: {what}.", what));
 }
 
 /// Notes in a row.
@@ -115,12 +115,6 @@ pub(super) fn scene_named(
 pub(super) fn note_other_name(file: &NamedFile, named: &str, given: &NamedFile, notes: &mut Vec<Message>) {
     let (named, given) = (base(named), given.label());
     if named != given {
-        notes.push(message!(
-            "files-other-name",
-            "{file} belongs to {named}; {given} was taken.",
-            file = file.label(),
-            named = named,
-            given = given
-        ));
+        notes.push(message!("files-other-name", "{file} belongs to {named}; {given} was taken.", file = file.label(), named, given));
     }
 }

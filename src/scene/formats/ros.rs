@@ -109,7 +109,7 @@ impl<'a> Yaml<'a> {
         };
         let [value] = values[..] else {
             let n = values.len();
-            let problem = message!("files-values", "`{key}` has {n} values, expected {expected}", key = key, n = n, expected = expected);
+            let problem = message!("files-values", "`{key}` has {n} values, expected {expected}", key, n, expected);
             return Err(self.file.wrong(line, &problem));
         };
         Ok(Some((line, value)))
@@ -184,12 +184,7 @@ fn rule(yaml: &mut Yaml) -> Result<(Rule, Unclear), Error> {
     let line = free.or(occupied).map_or(1, |(line, _)| line);
     let (occupied, free) = (occupied.map_or(0.65, |(_, value)| value), free.map_or(0.196, |(_, value)| value));
     if free > occupied {
-        let problem = message!(
-            "files-thresholds",
-            "free_thresh is {free}, expected at most occupied_thresh, {occupied}",
-            free = free,
-            occupied = occupied
-        );
+        let problem = message!("files-thresholds", "free_thresh is {free}, expected at most occupied_thresh, {occupied}", free, occupied);
         return Err(yaml.file.wrong(line, &problem));
     }
     let negate = match yaml.one("negate", &message!("files-negate", "0 or 1"))? {
@@ -199,11 +194,10 @@ fn rule(yaml: &mut Yaml) -> Result<(Rule, Unclear), Error> {
         Some((_, text)) if ["1", "true"].iter().any(|yes| text.eq_ignore_ascii_case(yes)) => true,
         Some((line, text)) => return Err(yaml.file.unexpected(line, text, &message!("files-for-negate", "for negate 0 or 1"))),
     };
-    let unknown: Unclear = |n, all| message!("files-unknown-cells", "{n} of {all} cells are unknown, taken as blocked.", n = n, all = all);
-    let partly: Unclear =
-        |n, all| message!("files-partly-cells", "{n} of {all} cells are partly occupied, taken as blocked.", n = n, all = all);
+    let unknown: Unclear = |n, all| message!("files-unknown-cells", "{n} of {all} cells are unknown, taken as blocked.", n, all);
+    let partly: Unclear = |n, all| message!("files-partly-cells", "{n} of {all} cells are partly occupied, taken as blocked.", n, all);
     let either: Unclear =
-        |n, all| message!("files-unclear-cells", "{n} of {all} cells are unknown or partly occupied, taken as blocked.", n = n, all = all);
+        |n, all| message!("files-unclear-cells", "{n} of {all} cells are unknown or partly occupied, taken as blocked.", n, all);
     let (raw, unclear) = match yaml.one("mode", &message!("files-mode", "trinary, scale or raw"))? {
         None | Some((_, "trinary")) => (false, unknown),
         Some((_, "scale")) => (false, partly),
@@ -229,12 +223,12 @@ fn note_origin(yaml: &mut Yaml, notes: &mut Vec<Message>) -> Result<(), Error> {
         notes.push(message!(
             "files-turned-origin",
             "The lower left corner, (0, 0) here, is the file's origin ({x}, {y}), turned by {yaw} rad (it is not turned here).",
-            x = x,
-            y = y,
-            yaw = yaw
+            x,
+            y,
+            yaw
         ));
     } else if [x, y] != [0.0; 2] {
-        notes.push(message!("files-origin", "The lower left corner, (0, 0) here, is the file's origin ({x}, {y}).", x = x, y = y));
+        notes.push(message!("files-origin", "The lower left corner, (0, 0) here, is the file's origin ({x}, {y}).", x, y));
     }
     Ok(())
 }
@@ -248,13 +242,7 @@ pub(super) fn import(file: &NamedFile, picture: &NamedFile) -> Result<Imported, 
     note_origin(&mut yaml, &mut notes)?;
     let (rule, are_unclear) = rule(&mut yaml)?;
     for Entry { line, key, .. } in &yaml.entries {
-        notes.push(message!(
-            "files-line-not-read",
-            "Line {line} of {file}, `{key}`, was not read.",
-            line = line,
-            file = file.label(),
-            key = key
-        ));
+        notes.push(message!("files-line-not-read", "Line {line} of {file}, `{key}`, was not read.", line, file = file.label(), key));
     }
     let image = pgm::read(picture)?;
     if image.rest > 0 {
@@ -270,7 +258,7 @@ pub(super) fn import(file: &NamedFile, picture: &NamedFile) -> Result<Imported, 
         let problem = message!(
             "files-resolution",
             "resolution is {resolution}, expected at most {most} for a picture of this size",
-            resolution = resolution,
+            resolution,
             most = longest
         );
         return Err(file.wrong(line, &problem));

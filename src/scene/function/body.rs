@@ -118,15 +118,9 @@ impl FunctionScene {
         if !(low..=high).contains(&self.dimension) {
             let function = self.function.name();
             let allowed = if low == high {
-                message!("scene-dimension", "{low} for {function}", low = low, function = function)
+                message!("scene-dimension", "{low} for {function}", low, function)
             } else {
-                message!(
-                    "scene-dimensions",
-                    "a whole number from {low} to {high} for {function}",
-                    low = low,
-                    high = high,
-                    function = function
-                )
+                message!("scene-dimensions", "a whole number from {low} to {high} for {function}", low, high, function)
             };
             return Err(Error::refused("dimension", self.dimension, allowed));
         }

@@ -288,11 +288,7 @@ impl GridScene {
         }
         let allowed = match self.radius() {
             0.0 => message!("scene-outside-cells", "outside every blocked cell"),
-            radius => message!(
-                "scene-robot-fits",
-                "where the robot fits: at least its radius, {radius}, from every blocked cell",
-                radius = radius
-            ),
+            radius => message!("scene-robot-fits", "where the robot fits: at least its radius, {radius}, from every blocked cell", radius),
         };
         Err(Error::refused(field, shown(), allowed))
     }

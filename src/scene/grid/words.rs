@@ -5,7 +5,7 @@ use crate::{geometry::Cells, kernel::Message, message};
 /// A cell by its column and row.
 pub(crate) fn cell(cells: &Cells, cell: usize) -> Message {
     let [column, row] = cells.told(cell);
-    message!("scene-cell", "Column {column}, row {row}", column = column, row = row)
+    message!("scene-cell", "Column {column}, row {row}", column, row)
 }
 
 /// A direction as it looks in pictures.

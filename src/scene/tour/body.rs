@@ -90,7 +90,7 @@ impl TourScene {
             return Err(Error::refused(field, list_of(n), message!("scene-tour-stops", "2 to {most} stops", most = MAX_STOPS)));
         }
         if !self.points.is_empty() && self.points.len() != n {
-            let allowed = message!("scene-tour-points", "left out, or {n}: a point for each row", n = n);
+            let allowed = message!("scene-tour-points", "left out, or {n}: a point for each row", n);
             return Err(Error::refused("points", list_of(self.points.len()), allowed));
         }
         for (i, &point) in self.points.iter().enumerate() {

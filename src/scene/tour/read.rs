@@ -68,7 +68,7 @@ fn matrix(fields: &mut Fields) -> Result<Distances, Error> {
     for (i, row) in rows.iter().enumerate() {
         let name = format!("matrix[{i}]");
         let row = row.as_array().filter(|row| row.len() == n).ok_or_else(|| {
-            let allowed = message!("scene-matrix-row", "a list of {n} distances", n = n);
+            let allowed = message!("scene-matrix-row", "a list of {n} distances", n);
             Error::refused(&name, shown(row), allowed)
         })?;
         for (j, value) in row.iter().enumerate() {

@@ -83,17 +83,16 @@ impl Quantum {
         let meaning = &*now.objective;
 
         let (event, summary) = match after.replaced[i] {
-            None => (
-                "leap",
-                message!("swarm-leap", "Particle {i} leaps about its attractor, a point between its own best and the swarm’s.", i = i),
-            ),
+            None => {
+                ("leap", message!("swarm-leap", "Particle {i} leaps about its attractor, a point between its own best and the swarm’s.", i))
+            }
             Some(other) => (
                 "replaced",
                 message!(
                     "swarm-leap-replaced",
                     "Particle {i} leaps about its attractor, a point between its own best and the swarm’s; there it is among the worse half, so it takes the place of particle {other}.",
-                    i = i,
-                    other = other
+                    i,
+                    other
                 ),
             ),
         };

@@ -67,8 +67,7 @@ impl Planner for Quantum {
 impl Explain for Quantum {
     fn inspect(&self, item: Item) -> Option<Inspection> {
         let i = item.index;
-        let origin =
-            message!("swarm-quantum-begins", "Particle {i} begins here, drawn at random; it has no velocity, now or later.", i = i);
+        let origin = message!("swarm-quantum-begins", "Particle {i} begins here, drawn at random; it has no velocity, now or later.", i);
         (self.clock.iteration == 0).then(|| sheet::introduce(&self.population, item, origin)).flatten()
     }
 

@@ -159,9 +159,9 @@ impl<'a> Instance<'a> {
                 self.notes.push(message!(
                     "files-keyword-not-read",
                     "Line {line} of {file}, `{keyword}`, is not known and was not read.",
-                    line = line,
+                    line,
                     file = words.file.label(),
-                    keyword = keyword
+                    keyword
                 ));
             }
             _ => return Err(words.file.unexpected(line, keyword, &message!("files-keyword", "a keyword, a section or EOF"))),
@@ -199,7 +199,7 @@ impl<'a> Instance<'a> {
                 *c = words.take(|word| number_up_to(LARGEST, word), &expected)?;
             }
         }
-        words.end_of_line(&|| message!("files-end-of-stops", "the end of the line after {n} stops", n = n))?;
+        words.end_of_line(&|| message!("files-end-of-stops", "the end of the line after {n} stops", n))?;
         Ok(points)
     }
 
@@ -232,7 +232,7 @@ impl<'a> Instance<'a> {
                     let expected = message!(
                         "files-symmetric",
                         "{back} from stop {i} to {j}, as in the other direction: distances are symmetric",
-                        back = back,
+                        back,
                         i = i + 1,
                         j = j + 1
                     );
@@ -248,7 +248,7 @@ impl<'a> Instance<'a> {
                 n = diagonal
             ));
         }
-        words.end_of_line(&|| message!("files-end-of-distances", "the end of the line after the distances of {n} stops", n = n))
+        words.end_of_line(&|| message!("files-end-of-distances", "the end of the line after the distances of {n} stops", n))
     }
 
     /// The stops, once all is read; the file ends in line `end`.
@@ -291,5 +291,5 @@ impl<'a> Instance<'a> {
 
 /// What is wrong with a section that needs a keyword before it.
 fn too_early(section: &str, keyword: &str) -> Message {
-    message!("files-too-early", "`{section}` before `{keyword}`", section = section, keyword = keyword)
+    message!("files-too-early", "`{section}` before `{keyword}`", section, keyword)
 }

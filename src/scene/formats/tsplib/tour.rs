@@ -31,19 +31,14 @@ pub(in super::super) fn with_tour(read: Imported, file: &NamedFile) -> Result<Im
     let length = tour.distances().length(&order, true);
     let label = file.label();
     if !is_optimal(label) {
-        notes.push(message!(
-            "files-tour",
-            "The tour in {file} has the length {length}; the scene is as it was.",
-            file = label,
-            length = length
-        ));
+        notes.push(message!("files-tour", "The tour in {file} has the length {length}; the scene is as it was.", file = label, length));
         return Ok(Imported { scene, notes, problems });
     }
     notes.push(message!(
         "files-shortest-tour",
         "The tour in {file} has the length {length}. That none is shorter is what the file’s name says.",
         file = label,
-        length = length
+        length
     ));
     let mut exact = Map::new();
     exact.insert("length".to_owned(), Value::from(length));
@@ -63,7 +58,7 @@ fn order(file: &NamedFile, n: usize) -> Result<Vec<usize>, Error> {
         match keyword {
             "TYPE" => expect(value.split_whitespace().next() == Some("TOUR"), message!("files-for-type", "for TYPE TOUR"))?,
             "DIMENSION" => {
-                let expected = message!("files-for-dimension", "for DIMENSION {n}, as many as the scene has stops", n = n);
+                let expected = message!("files-for-dimension", "for DIMENSION {n}, as many as the scene has stops", n);
                 expect(value.parse() == Ok(n), expected)?;
             }
             "TOUR_SECTION" if order.is_none() => order = Some(section(&mut words, n)?),
@@ -86,7 +81,7 @@ fn section(words: &mut Words, n: usize) -> Result<Vec<usize>, Error> {
     // Some programs leave out the −1.
     match words.word() {
         None | Some("-1" | "EOF") => Ok(order),
-        other => Err(words.refuse(other, &message!("files-tour-end", "-1 after {n} stops", n = n))),
+        other => Err(words.refuse(other, &message!("files-tour-end", "-1 after {n} stops", n))),
     }
 }
 

@@ -82,7 +82,7 @@ impl<'a> Words<'a> {
     /// The number of a stop, from 0.
     pub(super) fn stop(&mut self, n: usize, called: &mut [bool]) -> Result<usize, Error> {
         let read = |word: &str| word.parse().ok().filter(|id| (1..=n).contains(id));
-        let id = self.take(read, &|| message!("files-stop", "a stop from 1 to {n}", n = n))?;
+        let id = self.take(read, &|| message!("files-stop", "a stop from 1 to {n}", n))?;
         if std::mem::replace(&mut called[id - 1], true) {
             let expected = message!("files-stop-once", "a stop that is not listed above: each once");
             return Err(self.file.unexpected(self.line, &id.to_string(), &expected));
