@@ -63,7 +63,7 @@ struct @TYPE@ {
 
 fn start(start: &Start) -> Result<Started, Error> {
     let Some((from, to)) = start.scene.ends() else {
-        return Err(Error::refused("kind", start.scene.kind().name(), "grid, with start and goal"));
+        return Err(Error::refused("kind", start.scene.kind().name(), message!("@NAME@-kind", "grid, with start and goal")));
     };
     let planner = @TYPE@ {
         scene: Arc::clone(start.scene),
