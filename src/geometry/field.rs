@@ -88,7 +88,7 @@ impl Field {
         // Every block that is nearer than `reach` has been looked at; the first look that finds one so near is the last.
         while !self.cells.blocks.is_empty() && reach.is_finite() {
             let mut least = f64::INFINITY;
-            self.cells.all_near(center, center, radius + reach, &mut |block| {
+            walk([&self.cells], center, center, radius + reach, &mut |block| {
                 let bound = (least + radius).max(0.0);
                 if block.distance_squared_to(center) <= bound * bound {
                     least = least.min(outline.distance(block));
@@ -109,9 +109,8 @@ impl Field {
     }
 
     /// Visits the blocks that a segment could come within `reach` of.
-    /// Stops and says no where `visit` does. (One walk for all who need one: it is not small.)
     fn all_near(&self, a: [f64; 2], b: [f64; 2], reach: f64, visit: &mut dyn FnMut(&Block) -> bool) -> bool {
-        self.cells.all_near(a, b, reach, visit) && self.seams.all_near(a, b, reach, visit)
+        walk([&self.cells, &self.seams], a, b, reach, visit)
     }
 
     /// Whether the robot's centre may go from `a` straight to `b`.
@@ -170,11 +169,14 @@ impl ObstacleField for Field {
         pieces.clear();
         let (margin, grow) = (self.margin, self.grow + self.margin);
         self.all_near(a, b, self.radius + margin, &mut |block| {
-            if !hits(block, grow, a, b) {
-                return true;
-            }
-            let piece = if grow > 0.0 { block.clip_grown(grow, a, b) } else { block.grown(grow).clip(a, b) };
-            let piece = piece.unwrap_or([0.0, 0.0]);
+            let piece = if grow <= 0.0 {
+                block.grown(grow).clip(a, b)
+            } else if block.distance_squared(a, b) < grow * grow {
+                Some(block.clip_grown(grow, a, b).unwrap_or([0.0, 0.0]))
+            } else {
+                None
+            };
+            let Some(piece) = piece else { return true };
             // They are few: put in order one by one.
             let at = pieces.iter().take_while(|other| other[0] <= piece[0]).count();
             pieces.insert(at, piece);
@@ -235,31 +237,34 @@ impl Rows {
         }
         (self.blocks, self.first) = (blocks, first);
     }
+}
 
-    /// Visits the blocks that a segment could come within `reach` of, and stops and says no where `visit` does: whole rows are
-    /// passed over, and within a row what lies beside the segment's box or beyond its line.
-    fn all_near(&self, a: [f64; 2], b: [f64; 2], reach: f64, visit: &mut dyn FnMut(&Block) -> bool) -> bool {
-        if self.blocks.is_empty() {
-            return true;
+/// Visits the blocks that a segment could come within `reach` of, and stops and says no where `visit` does: whole rows are
+/// passed over, and within a row what lies beside the segment's box or beyond its line. (One walk for all who need one: it is
+/// not small.)
+fn walk<const N: usize>(sets: [&Rows; N], a: [f64; 2], b: [f64; 2], reach: f64, visit: &mut dyn FnMut(&Block) -> bool) -> bool {
+    let (x0, x1) = if a[0] <= b[0] { (a[0] - reach, b[0] + reach) } else { (b[0] - reach, a[0] + reach) };
+    let (y0, y1) = if a[1] <= b[1] { (a[1] - reach, b[1] + reach) } else { (b[1] - reach, a[1] + reach) };
+    // A normal of the line, and how far from it a point within reach may be, in the normal's own length.
+    let normal = [a[1] - b[1], b[0] - a[0]];
+    let width = reach * (normal[0] * normal[0] + normal[1] * normal[1]).sqrt();
+    // Twice the distance of a block's middle from the line, against the most that it may be within reach.
+    let beside = |block: &Block| {
+        let middle = [0, 1].map(|axis| block.min[axis] + block.max[axis] - 2.0 * a[axis]);
+        let size = [0, 1].map(|axis| block.max[axis] - block.min[axis]);
+        let across = normal[0] * middle[0] + normal[1] * middle[1];
+        // A hair more, so that rounding passes over nothing that is touched.
+        across.abs() > (size[0] * normal[0].abs() + size[1] * normal[1].abs() + 2.0 * width) * (1.0 + HAIR)
+    };
+    for Rows { cell, height, blocks, first } in sets {
+        if blocks.is_empty() {
+            continue;
         }
-        let (x0, x1) = if a[0] <= b[0] { (a[0] - reach, b[0] + reach) } else { (b[0] - reach, a[0] + reach) };
-        let (y0, y1) = if a[1] <= b[1] { (a[1] - reach, b[1] + reach) } else { (b[1] - reach, a[1] + reach) };
-        let rows = self.first.len() - 1;
         // A negative number becomes 0: a row more than needed.
-        let from = (y0 / self.cell - self.height as f64) as usize;
-        let to = ((y1 / self.cell) as usize).saturating_add(1).min(rows);
-        // A normal of the line, and how far from it a point within reach may be, in the normal's own length.
-        let normal = [a[1] - b[1], b[0] - a[0]];
-        let width = reach * (normal[0] * normal[0] + normal[1] * normal[1]).sqrt();
-        let beside = |block: &Block| {
-            let middle = [0, 1].map(|axis| f64::midpoint(block.min[axis], block.max[axis]) - a[axis]);
-            let half = [0, 1].map(|axis| (block.max[axis] - block.min[axis]) / 2.0);
-            let across = normal[0] * middle[0] + normal[1] * middle[1];
-            // A hair more, so that rounding passes over nothing that is touched.
-            across.abs() > (half[0] * normal[0].abs() + half[1] * normal[1].abs() + width) * (1.0 + HAIR)
-        };
+        let from = (y0 / cell - *height as f64) as usize;
+        let to = ((y1 / cell) as usize).saturating_add(1).min(first.len() - 1);
         for row in from.min(to)..to {
-            let mut blocks = &self.blocks[self.first[row]..self.first[row + 1]];
+            let mut blocks = &blocks[first[row]..first[row + 1]];
             if blocks.len() > FEW {
                 blocks = &blocks[blocks.partition_point(|block| block.max[0] < x0)..];
             }
@@ -272,8 +277,8 @@ impl Rows {
                 }
             }
         }
-        true
     }
+    true
 }
 
 /// Whether a segment enters a block grown by `grow`.
