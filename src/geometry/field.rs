@@ -263,7 +263,15 @@ fn walk<const N: usize>(sets: [&Rows; N], a: [f64; 2], b: [f64; 2], reach: f64, 
         // A negative number becomes 0: a row more than needed.
         let from = (y0 / cell - *height as f64) as usize;
         let to = ((y1 / cell) as usize).saturating_add(1).min(first.len() - 1);
-        for row in from.min(to)..to {
+        let from = from.min(to);
+        let few = &blocks[first[from]..first[to]];
+        if few.len() <= FEW {
+            if !few.iter().all(|block| block.min[0] > x1 || block.max[0] < x0 || beside(block) || visit(block)) {
+                return false;
+            }
+            continue;
+        }
+        for row in from..to {
             let mut blocks = &blocks[first[row]..first[row + 1]];
             if blocks.len() > FEW {
                 blocks = &blocks[blocks.partition_point(|block| block.max[0] < x0)..];
