@@ -17,13 +17,15 @@ if (values.against) {
   ways['wasm before'] = wasm((await import(`${values.against}/tree/pkg/node.js`)).Session)
 }
 
+/** A program's run, on one thread. */
 function native(program) {
+  const env = { ...process.env, RAYON_NUM_THREADS: '1' }
   return ({ planner, scene }) => {
     // A run that finds nothing has exit code 1 and its outcome all the same.
-    const { status, stdout, stderr } = spawnSync(program, ['run', planner, '--scene', scene, '--json'], { maxBuffer: 1e9 })
-    if (status > 1) throw new Error(String(stderr))
-    const { elapsed_ms, hash } = JSON.parse(stdout)
-    return { ms: elapsed_ms, hash }
+    const { status, stdout, stderr } = spawnSync(program, ['run', planner, '--scene', scene, '--json'], { env, maxBuffer: 1e9 })
+    if (status > 1) throw new Error(`${planner} on ${scene}: ${stderr}`)
+    const { elapsed_ms, hash, cost } = JSON.parse(stdout)
+    return { ms: elapsed_ms, hash, cost }
   }
 }
 
@@ -39,64 +41,75 @@ function wasm(Session) {
   }
 }
 
-/** One setup for each kind of scene that a planner takes: of the scenes that ship, the one with the longest run. */
-function setups({ name: planner, kinds }, scenes) {
-  return kinds.flatMap((kind) => {
-    const timed = scenes
-      .filter((scene) => scene.kind === kind)
-      .map(({ name: scene }) => ({ planner, scene, ms: length({ planner, scene }) }))
-    const longest = Math.max(...timed.map(({ ms }) => ms))
-    return timed.filter(({ ms }) => ms === longest && ms > 0).map(({ planner, scene }) => ({ planner, scene }))
-  })
-}
-
-/** Milliseconds of a run; 0 if the planner refuses the scene, or waits for runs of others: that is not one thread's speed. */
-function length(setup) {
-  try {
-    const session = new Session(setup)
-    const alone = session.jobs().length === 0
-    session.free()
-    return alone ? ways.wasm(setup).ms : 0
-  } catch {
-    return 0
+/** Every planner that was asked for, on every scene that ships and that it takes; and what it refuses. */
+function setups({ planners, scenes }) {
+  const setups = []
+  const refused = []
+  for (const { name: planner, kinds } of planners) {
+    if (positionals.length > 0 && !positionals.includes(planner)) continue
+    for (const { name: scene } of scenes.filter(({ kind }) => kinds.includes(kind))) {
+      try {
+        const session = new Session({ planner, scene })
+        // Runs that wait for runs of others are the page's workers' in wasm: measured natively only.
+        setups.push({ planner, scene, alone: session.jobs().length === 0 })
+        session.free()
+      } catch (error) {
+        if (error.code !== 'refused') throw error
+        refused.push({ planner, scene, field: error.field })
+      }
+    }
   }
+  return { setups, refused }
 }
 
-/** Each way's fastest run of a setup. */
+/** Each way's fastest run of a setup; of runs that take seconds, three are enough. */
 function measure(setup) {
   const fastest = {}
-  for (let round = 0; round < rounds; round++) {
-    const turns = Object.entries(ways)
+  for (let round = 0; round < (fastest.native?.ms > 1000 ? Math.min(rounds, 3) : rounds); round++) {
+    const turns = Object.entries(ways).filter(([name]) => setup.alone || name.startsWith('native'))
     // The other way round each time: who goes first has a cold cache.
     for (const [name, run] of round % 2 ? turns.reverse() : turns) {
-      const { ms, hash } = run(setup)
-      fastest[name] ??= { ms, hash }
-      if (hash !== fastest[name].hash) throw new Error(`${setup.planner} on ${setup.scene}: ${name} ended differently`)
-      fastest[name].ms = Math.min(fastest[name].ms, ms)
+      const result = run(setup)
+      fastest[name] ??= result
+      if (result.hash !== fastest[name].hash) throw new Error(`${setup.planner} on ${setup.scene}: ${name} ended differently`)
+      fastest[name].ms = Math.min(fastest[name].ms, result.ms)
     }
   }
   const { native, wasm } = fastest
-  if (native.hash !== wasm.hash) throw new Error(`${setup.planner} on ${setup.scene}: native ${native.hash}, wasm ${wasm.hash}`)
+  if (wasm && native.hash !== wasm.hash) throw new Error(`${setup.planner} on ${setup.scene}: native ${native.hash}, wasm ${wasm.hash}`)
   return fastest
 }
 
 const median = (numbers) => numbers.toSorted((a, b) => a - b)[Math.floor(numbers.length / 2)]
 const pairs = [['wasm', 'native'], ...(values.against ? ['native', 'wasm'].map((way) => [way, `${way} before`]) : [])]
 const heads = ['planner', 'scene', 'native ms', 'wasm ms', ...pairs.map(([a, b]) => `${a} / ${b}`)]
-const widths = [18, 14, ...heads.slice(2).map((head) => head.length)]
+const widths = [18, 18, ...heads.slice(2).map((head) => head.length)]
 const line = (cells) => console.log(cells.map((cell, i) => (i < 2 ? cell.padEnd(widths[i]) : cell.padStart(widths[i]))).join('  '))
 
-const { planners, scenes } = catalogue()
-for (const name of positionals) if (!planners.some((planner) => planner.name === name)) throw new Error(`there is no planner '${name}'`)
+const lists = catalogue()
+for (const name of positionals)
+  if (!lists.planners.some((planner) => planner.name === name)) throw new Error(`there is no planner '${name}'`)
 console.log(`Whole runs, the fastest of ${rounds}`)
 line(heads)
 const all = pairs.map(() => [])
-for (const planner of planners.filter(({ name }) => positionals.length === 0 || positionals.includes(name)))
-  for (const setup of setups(planner, scenes)) {
-    const fastest = measure(setup)
-    const ratios = pairs.map(([a, b]) => fastest[a].ms / fastest[b].ms)
-    for (const [i, ratio] of ratios.entries()) all[i].push(ratio)
-    const times = [fastest.native.ms, fastest.wasm.ms].map((ms) => ms.toFixed(2))
-    line([setup.planner, setup.scene, ...times, ...ratios.map((ratio) => ratio.toFixed(3))])
-  }
-line(['median', '', '', '', ...all.map((ratios) => median(ratios).toFixed(3))])
+const { setups: runs, refused } = setups(lists)
+const differ = []
+for (const setup of runs) {
+  const fastest = measure(setup)
+  const before = fastest['native before']
+  // What comes to another end is another run, not a faster or slower one.
+  const other = before && before.cost !== fastest.native.cost
+  const ratios = pairs.map(([a, b]) =>
+    fastest[a] && fastest[b] && !(other && b.endsWith('before')) ? fastest[a].ms / fastest[b].ms : undefined,
+  )
+  for (const [i, ratio] of ratios.entries()) if (ratio !== undefined) all[i].push(ratio)
+  if (other) differ.push(`${setup.planner} on ${setup.scene}`)
+  const times = [fastest.native, fastest.wasm].map((run) => run?.ms.toFixed(2) ?? '–')
+  line([setup.planner, setup.scene, ...times, ...ratios.map((ratio) => ratio?.toFixed(3) ?? '–')])
+}
+line(['median', '', '', '', ...all.map((ratios) => (ratios.length > 0 ? median(ratios).toFixed(3) : '–'))])
+if (differ.length > 0) console.log(`\nAnother cost than before, so not compared: ${differ.join(', ')}`)
+for (const field of new Set(refused.map(({ field }) => field))) {
+  const those = refused.filter((refusal) => refusal.field === field)
+  console.log(`\nRefused because of \`${field}\`: ${those.map(({ planner, scene }) => `${planner} on ${scene}`).join(', ')}`)
+}
