@@ -46,7 +46,7 @@ test('a high-density screen gets its own pixels', async ({ browser }) => {
   await context.close()
 })
 
-test('a click on a particle explains its step with the numbers that were drawn @smoke', async ({ lab, page }) => {
+test('a click on a particle explains its step with the numbers that were drawn', { tag: '@smoke' }, async ({ lab, page }) => {
   const setup = { scene: 'matyas' }
   await lab.open(linkTo(setup, 6))
   await lab.settled(6)
