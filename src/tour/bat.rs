@@ -10,7 +10,7 @@ mod tests;
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Member, Preset, Reading, layers},
+    describe::{Entry, Formula, Member, Preset, Reading},
     kernel::{Inspection, Message, Readings, State, rng::Stream},
     label, math, message,
     params::{Choice, Fixed, Param, Parameter, Parameters},
@@ -23,8 +23,8 @@ use super::{
     moves,
     nearest::nearest_neighbour,
     parameters::{
-        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
-        POPULATION, ROADS_LAYER, TOURS,
+        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEAN_LOUDNESS, MEAN_PULSE_RATE,
+        MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION, TOURS, layers_with,
     },
     planner,
     problem::{Problem, Stop, Tour},
@@ -431,9 +431,6 @@ const MEMBERS: &[Member] = &[
     Member::new("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration; below zero: longer."),
 ];
 
-const MEAN_LOUDNESS: Reading = Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness.");
-const MEAN_PULSE_RATE: Reading = Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates.");
-
 /// See [`planner::start`].
 const OWN_READINGS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_LOUDNESS, MEAN_PULSE_RATE];
 
@@ -470,14 +467,7 @@ pub const ENTRY: Entry = Entry::new(
 .parameters(&[OWN, TOURS])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
 .formulas(&[TRIES, LOUDNESS, PULSE, LENGTH])
-.layers(&[
-    ROADS_LAYER,
-    layers::TOURS.titled("All tours", "The tour of every bat.").off().pickable(),
-    layers::TOUR,
-    layers::STOPS,
-    layers::DIFFERENT,
-    layers::AFTER,
-])
+.layers(&layers_with("The tour of every bat."))
 .calls_at_stops()
 .members(MEMBERS)
 .presets(&[PAPER]);

@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Member, Reading, layers},
+    describe::{Entry, Formula, Group, Member, Reading},
     kernel::{Inspection, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
@@ -18,7 +18,7 @@ use super::{
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
-        ROADS_LAYER, TOURS,
+        TOURS, layers_with,
     },
     planner,
     problem::{Problem, Tour},
@@ -327,13 +327,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, SHORTER])
 .formulas(&[GAIN, LENGTH])
-.layers(&[
-    ROADS_LAYER,
-    layers::TOURS.titled("All tours", "The tours of this generation.").off().pickable(),
-    layers::TOUR,
-    layers::STOPS,
-    layers::DIFFERENT,
-    layers::AFTER,
-])
+.layers(&layers_with("The tours of this generation."))
 .calls_at_stops()
 .members(MEMBERS);

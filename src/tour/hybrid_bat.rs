@@ -15,7 +15,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Member, Reading, layers},
+    describe::{Entry, Formula, Member, Reading},
     kernel::{Inspection, Message, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
@@ -26,8 +26,8 @@ use super::{
     explain::{quantity, random_start},
     moves,
     parameters::{
-        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH, POPULATION,
-        ROADS_LAYER, TOURS,
+        BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, MEAN, MEAN_LOUDNESS, MEAN_PULSE_RATE, MEMBER_DIFFERENT,
+        MEMBER_LENGTH, POPULATION, TOURS, layers_with,
     },
     planner,
     problem::{Problem, Tour},
@@ -359,9 +359,6 @@ const MEMBERS: &[Member] = &[
     Member::new("gain", "\\Delta D", "Gain", "How much shorter its tour became in the last iteration."),
 ];
 
-const MEAN_LOUDNESS: Reading = Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness.");
-const MEAN_PULSE_RATE: Reading = Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates.");
-
 /// See [`planner::start`].
 const OWN_READINGS: &[Reading] = &[MEAN, DIFFERENT, SETTLED, MEAN_LOUDNESS, MEAN_PULSE_RATE];
 
@@ -387,13 +384,6 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_LOUDNESS, MEAN_PULSE_RATE])
 .formulas(&[VELOCITY, LOUDNESS, PULSE, LENGTH])
-.layers(&[
-    ROADS_LAYER,
-    layers::TOURS.titled("All tours", "The tour of every bat.").off().pickable(),
-    layers::TOUR,
-    layers::STOPS,
-    layers::DIFFERENT,
-    layers::AFTER,
-])
+.layers(&layers_with("The tour of every bat."))
 .calls_at_stops()
 .members(MEMBERS);

@@ -118,6 +118,11 @@ pub const DIFFERENT: Reading = Reading::new(
     "At how many places a tour differs from the shortest one, on average: Hamming’s distance.",
 );
 
+pub(super) const MEAN_LOUDNESS: Reading =
+    Reading::new("loudness", "\\bar A", "Loudness", Group::Schedule, "The mean of the bats’ loudness.");
+pub(super) const MEAN_PULSE_RATE: Reading =
+    Reading::new("pulse_rate", "\\bar r", "Pulse rate", Group::Schedule, "The mean of the bats’ pulse rates.");
+
 pub(super) const LENGTH: Formula =
     Formula::new("length", "[ANTBAT] (6)", "Length of a tour", "D(s) = \\sum_{i=1}^{n-1} d(s_i, s_{i+1}) + d(s_n, s_1)", "");
 
@@ -126,6 +131,12 @@ pub(super) const MEMBER_DIFFERENT: Member =
     Member::new("different", "HD", "Different", "At how many places its tour differs from the shortest one.");
 
 pub(super) const ROADS_LAYER: Layer = layers::ROADS.on_kinds(&[GRID]);
+
+/// What a planner draws whose members hold a tour each.
+pub(super) const fn layers_with(tours: &'static str) -> [Layer; 6] {
+    let all = layers::TOURS.titled("All tours", tours).off().pickable();
+    [ROADS_LAYER, all, layers::TOUR, layers::STOPS, layers::DIFFERENT, layers::AFTER]
+}
 
 /// What a planner with one tour draws.
 pub(super) const LAYERS: &[Layer] = &[ROADS_LAYER, layers::TOUR, layers::STOPS, layers::AFTER];

@@ -10,7 +10,7 @@
 use std::sync::Arc;
 
 use crate::{
-    describe::{Entry, Formula, Group, Member, Preset, Reading, layers},
+    describe::{Entry, Formula, Group, Member, Preset, Reading},
     kernel::{Inspection, Readings, State, rng::Stream},
     label, message,
     params::{Fixed, Param, Parameters},
@@ -23,7 +23,7 @@ use super::{
     moves,
     parameters::{
         BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, KINDS, LENGTH, LOCAL_SEARCH, MEAN, MEMBER_DIFFERENT, MEMBER_LENGTH,
-        POPULATION, ROADS_LAYER, TOURS,
+        POPULATION, TOURS, layers_with,
     },
     planner,
     problem::{Problem, Stop, Tour},
@@ -317,14 +317,7 @@ pub const ENTRY: Entry = Entry::new(
 ])
 .readings(&[BEST, MEAN, BUILT, FAILED, BY_ROAD, FOUND, SETTLED, DIFFERENT, MEAN_SWAPS])
 .formulas(&[VELOCITY, POSITION, LENGTH])
-.layers(&[
-    ROADS_LAYER,
-    layers::TOURS.titled("All tours", "The tour of every particle.").off().pickable(),
-    layers::TOUR,
-    layers::STOPS,
-    layers::DIFFERENT,
-    layers::AFTER,
-])
+.layers(&layers_with("The tour of every particle."))
 .calls_at_stops()
 .members(MEMBERS)
 .presets(&[SWAPS_ALONE]);
