@@ -18,6 +18,7 @@ import {
   parseLink,
   reachability,
   Session,
+  Trial,
 } from '../pkg/node.js'
 
 const read = (name) => readFileSync(new URL(name, import.meta.url), 'utf8')
@@ -281,6 +282,47 @@ test('findings that cannot be are refused, and the session goes on', () => {
   session.supply(all({ cost: null, converged: Number.NaN, path: [] }))
   session.step(1)
   assert.equal(session.iteration, 1)
+})
+
+test('what is no count is refused by name and value, and the session goes on', () => {
+  const session = new Session({ planner: 'pso', scene: 'sphere' })
+  const item = (index) => ({ role: 'particles', index })
+  const calls = {
+    n: [(n) => session.step(n), (n) => session.stepTo(10, n), (n) => new Trial({ planner: 'pso', scene: 'sphere' }).step(n)],
+    k: [(k) => session.seek(k), (k) => session.rewind(k)],
+    evaluations: [(evaluations) => session.stepTo(evaluations)],
+    after: [(after) => session.trace(after)],
+    from: [(from) => session.events(from)],
+    budget: [(budget) => session.frame(budget)],
+    index: [(index) => session.inspect(item(index))],
+  }
+  for (const [field, those] of Object.entries(calls))
+    for (const call of those)
+      for (const [value, shown] of [
+        [Number.NaN, 'NaN'],
+        [-2, '-2'],
+        [1.5, '1.5'],
+        [2 ** 53, '9007199254740992'],
+        ['x', '"x"'],
+        [{}, 'an object'],
+      ]) {
+        const { message, ...told } = refusal(() => call(value))
+        assert.deepEqual(told, { code: 'refused', field, value: shown, allowed: 'a whole number from 0 to 9007199254740991' }, message)
+      }
+  assert.equal(session.step(), 'running')
+  assert.equal(session.iteration, 1)
+  assert.equal(session.seek(Number.POSITIVE_INFINITY), 'exhausted')
+  assert.equal(session.iteration, session.limit)
+})
+
+test('a freed object says so by name, and may be freed twice', () => {
+  for (const Class of [Session, Trial]) {
+    const one = new Class({ planner: 'pso', scene: 'sphere' })
+    one.free()
+    one.free()
+    for (const use of [() => one.step(), () => one.iteration, () => one.link()])
+      assert.equal(refusal(use).message, `${Class.name}: one that was freed is not allowed; it must be one that was not freed`)
+  }
 })
 
 test('numbers are written as natively', () => {

@@ -3,7 +3,7 @@
 use std::{fmt::Write, sync::Arc};
 
 use crate::{
-    kernel::{Error, Header, Scene, SceneBody, SceneKindId, rng},
+    kernel::{Error, Header, Scene, SceneBody, SceneKindId, limits},
     params::{Overrides, Parameter, Parameters},
 };
 
@@ -55,7 +55,7 @@ impl Generator {
     pub fn generate(&self, kind: &SceneKind, overrides: &Overrides, seed: u64) -> Result<Scene, Error> {
         let Self { name, title, .. } = self;
         let parameters = Parameters::new(self.parameters, self.kind, overrides)?;
-        let Draft { body, size, size_in_title, note, unused } = (self.draw)(&parameters, rng::check_seed(seed)?);
+        let Draft { body, size, size_in_title, note, unused } = (self.draw)(&parameters, limits::check_whole("seed", seed)?);
         let mut source = format!("forage generate {name}");
         for (name, value) in parameters.all().iter().filter(|(name, _)| unused.is_empty() || !name.starts_with(unused)) {
             // Writing to a string cannot fail.

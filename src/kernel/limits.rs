@@ -2,7 +2,7 @@
 
 use crate::message;
 
-use super::Error;
+use super::{Error, Message};
 
 /// How deep lists and objects may be nested.
 pub const DEPTH: usize = 64;
@@ -12,6 +12,31 @@ pub const VALUES: usize = 8_000_000;
 pub const LINK_BYTES: usize = 4 << 20;
 /// The largest file, in bytes.
 pub const FILE_BYTES: usize = 64 << 20;
+
+/// The largest whole number that a seed, a count or an iteration can be: JavaScript holds all up to here exactly.
+pub const WHOLE: u64 = (1 << 53) - 1;
+
+/// The whole numbers up to [`WHOLE`], in words.
+pub fn whole_range() -> Message {
+    message!("error-whole-from-to", "a whole number from {min} to {max}", min = 0, max = WHOLE)
+}
+
+/// Refuses a number above [`WHOLE`].
+///
+/// # Errors
+/// [`Error::Refused`] for `field`.
+pub fn check_whole(field: &str, number: u64) -> Result<u64, Error> {
+    if number <= WHOLE { Ok(number) } else { Err(Error::refused(field, number, whole_range())) }
+}
+
+/// The whole number up to [`WHOLE`] that a text is.
+///
+/// # Errors
+/// [`Error::Refused`] for `field`.
+pub fn read_whole(field: &str, text: &str) -> Result<u64, Error> {
+    let number = text.parse().ok().filter(|&number| number <= WHOLE);
+    number.ok_or_else(|| Error::refused(field, text, whole_range()))
+}
 
 /// Refuses a text or a file of more than `most` bytes.
 ///
@@ -97,6 +122,16 @@ mod tests {
     fn brackets_in_texts_and_beside_each_other_are_not_nested() {
         let text = format!(r#"{{"a\"{0}": "{0}\\", "b": [{1}]}}"#, "[".repeat(100), "[],".repeat(100));
         assert_eq!(check_json("scene", &text), Ok(()));
+    }
+
+    #[test]
+    fn whole_numbers_are_those_that_javascript_holds() {
+        assert_eq!(read_whole("at", "9007199254740991"), check_whole("at", WHOLE));
+        for text in ["9007199254740992", "99999999999999999999", "-1", "1.5", "1e3", ""] {
+            let error = read_whole("at", text).unwrap_err();
+            assert_eq!((error.field(), error.value(), &*error.allowed()), ("at", text, "a whole number from 0 to 9007199254740991"));
+        }
+        assert_eq!(check_whole("seed", WHOLE + 1).unwrap_err().value(), "9007199254740992");
     }
 
     #[test]

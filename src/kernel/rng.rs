@@ -9,24 +9,8 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 
 use crate::{
     kernel::{Digest, Error, Message, State},
-    math, message,
+    math,
 };
-
-/// The largest seed: every whole number up to here is exact in JavaScript.
-pub const MAX_SEED: u64 = (1 << 53) - 1;
-
-/// Refuses a seed that JavaScript could not hold exactly.
-///
-/// # Errors
-/// [`Error::Refused`] for `seed` above 2^53 − 1.
-pub fn check_seed(seed: u64) -> Result<u64, Error> {
-    if seed <= MAX_SEED { Ok(seed) } else { Err(Error::refused("seed", seed, seed_range())) }
-}
-
-/// The allowed seeds, in words.
-pub fn seed_range() -> Message {
-    message!("error-whole-from-to", "a whole number from {min} to {max}", min = 0, max = MAX_SEED)
-}
 
 /// A stream of random numbers that belongs to one run.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,6 +94,5 @@ mod tests {
         assert_eq!(draw(7, 0), draw(7, 0));
         assert_ne!(draw(7, 0), draw(8, 0));
         assert_ne!(draw(7, 0), draw(7, 1));
-        assert!(check_seed(MAX_SEED).is_ok() && check_seed(MAX_SEED + 1).is_err());
     }
 }

@@ -10,7 +10,7 @@ use miniz_oxide::inflate::TINFLStatus;
 
 use crate::{
     describe::Registry,
-    kernel::{Error, Message, Scene, limits, rng::seed_range},
+    kernel::{Error, Message, Scene, limits},
     message,
     params::{Overrides, Value},
 };
@@ -66,8 +66,8 @@ impl Link {
                 "v" => version = Some(value),
                 "planner" => planner = Some(value.to_owned()),
                 "scene" => scene = Some((unpacked(registry, value)?, !value.starts_with(PACKED))),
-                "seed" => seed = value.parse().map_err(|_| Error::refused("seed", value, seed_range()))?,
-                "at" => iteration = value.parse().map_err(|_| Error::refused("at", value, message!("error-whole", "a whole number")))?,
+                "seed" => seed = limits::read_whole(key, value)?,
+                "at" => iteration = limits::read_whole(key, value)?,
                 "hash" => hash = Some(value.to_owned()),
                 _ => match key.strip_prefix("p.") {
                     Some(name) => params.insert(name, Value::from(value)),
@@ -203,6 +203,9 @@ mod tests {
             ("#v=1&scene=~!!", "damaged"),
             ("#v=1&scene=~AAAA", "damaged"),
             ("#v=1&seed=-1", "seed"),
+            ("#v=1&planner=pso&scene=sphere&at=9007199254740992", "at: 9007199254740992"),
+            ("#v=1&planner=pso&scene=sphere&at=-1", "at: -1"),
+            ("#v=1&planner=pso&scene=sphere&at=NaN", "at: NaN"),
         ] {
             let message = Link::parse(standard(), text).unwrap_err().to_string();
             assert!(message.contains(part), "{text}: {message}");

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Registry, Suggestion},
-    kernel::{Error, rng::check_seed},
+    kernel::{Error, limits},
     params::{Overrides, Parameters},
     scene::Scene,
 };
@@ -30,7 +30,7 @@ impl Setup {
     pub fn check(&self, registry: &Registry) -> Result<(&'static Entry, Parameters), Error> {
         let entry = registry.planner(&self.planner)?;
         entry.check_scene(&self.scene)?;
-        check_seed(self.seed)?;
+        limits::check_whole("seed", self.seed)?;
         Ok((entry, Parameters::new(entry.parameters, self.scene.kind(), &self.params)?))
     }
 

@@ -42,6 +42,12 @@ test('a link that can’t be opened says why, and the page works on', { tag: '@s
   await expect.poll(() => lab.iteration()).toBeGreaterThan(2)
 })
 
+test('a link to an iteration beyond what a number can be says why, and the page works on', async ({ lab, page }) => {
+  await lab.open('#v=1&planner=pso&scene=wcpso-discs&seed=1&at=9007199254740993')
+  await expect(page.getByTestId('notice')).toContainText('at: 9007199254740993')
+  await expect.poll(() => lab.iteration()).toBeGreaterThan(2)
+})
+
 test('a link whose hash isn’t what is computed says so', async ({ lab, page }) => {
   const link = linkTo({}, 12)
   await lab.open(link.replace(/hash=.{4}/, 'hash=0000'))

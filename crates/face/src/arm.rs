@@ -91,7 +91,7 @@ pub fn arm_pose(scene: &JsSceneOrName, joints: &JsJoints) -> Result<JsArmPose, J
     let scene = arm_of(&scene)?;
     let posture = read_posture("joints", joints)?;
     let skeleton = scene.arm.skeleton(&posture);
-    Ok(plain(&Pose { skeleton, direction: scene.arm.pointing(&posture).into(), free: !arm::touches(scene, &skeleton, 0.0) }))
+    plain(&Pose { skeleton, direction: scene.arm.pointing(&posture).into(), free: !arm::touches(scene, &skeleton, 0.0) })
 }
 
 /// The postures within the limits that bring the tip of a scene's arm to a point with the tool pointing in a direction,
@@ -121,12 +121,12 @@ pub fn arm_solutions(
         let skeleton = scene.arm.skeleton(posture);
         Found { joints: degrees(posture), skeleton, free: !arm::touches(scene, &skeleton, 0.0) }
     };
-    Ok(plain(&match found {
+    plain(&match found {
         Ok((direction, found)) => {
             Answer { direction: Some(direction.into_inner().into()), solutions: found.iter().map(shown).collect(), unreachable: None }
         }
         Err(why) => Answer { direction: direction.map(|d| d.into_inner().into()), solutions: Vec::new(), unreachable: Some(why.name()) },
-    }))
+    })
 }
 
 /// Where the tip of a scene's arm can come, on a lattice of this step over the workspace, of at most 20000 points.

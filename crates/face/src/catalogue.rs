@@ -12,10 +12,13 @@ extern "C" {
 }
 
 /// Every planner with its parameters, the scenes that ship, and the names of layers and shapes.
+///
+/// # Errors
+/// Where a number of it is more than JavaScript can hold.
 #[wasm_bindgen]
-pub fn catalogue() -> JsCatalogue {
-    let catalogue: JsCatalogue = plain(&registry().catalogue());
+pub fn catalogue() -> Result<JsCatalogue, JsValue> {
+    let catalogue: JsCatalogue = plain(&registry().catalogue())?;
     // Setting a property of an ordinary object cannot fail.
     let _ = Reflect::set(&catalogue, &"symbols".into(), &symbols());
-    catalogue
+    Ok(catalogue)
 }

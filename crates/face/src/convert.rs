@@ -19,9 +19,11 @@ pub(crate) fn js_error(error: Error) -> JsValue {
 }
 
 /// A plain object of anything serialisable.
-pub(crate) fn plain<T: JsCast>(value: &impl Serialize) -> T {
-    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
-    value.serialize(&serializer).unwrap_or(JsValue::NULL).unchecked_into()
+///
+/// # Errors
+/// An `Error` for what JavaScript has no value for: a whole number beyond 2^53 − 1.
+pub(crate) fn plain<T: JsCast>(value: &impl Serialize) -> Result<T, JsValue> {
+    Ok(value.serialize(&serde_wasm_bindgen::Serializer::json_compatible())?.unchecked_into())
 }
 
 /// An object of these properties.

@@ -9,7 +9,7 @@ use forage::{
 };
 
 use crate::{
-    JsFormat, JsImported, JsNamedFileOrNull, JsNamedFiles, JsScene, Session, js_error, object, plain,
+    JsFormat, JsImported, JsNamedFileOrNull, JsNamedFiles, JsNumber, JsScene, Session, js_error, object, plain,
     read::{property, read_list, read_scene, read_text, refused, whole},
     registry::registry,
 };
@@ -21,10 +21,10 @@ use crate::{
 /// # Errors
 /// An `Error` whose `field` is the file and whose message says in which line what is wrong, or which file is missing.
 #[wasm_bindgen(js_name = importScene)]
-pub fn import_scene(files: &JsNamedFiles, problem: Option<f64>) -> Result<JsImported, JsValue> {
+pub fn import_scene(files: &JsNamedFiles, problem: Option<JsNumber>) -> Result<JsImported, JsValue> {
     let files = read_list("files", files)?.iter().map(read_file).collect::<Result<Vec<_>, _>>()?;
-    let problem = problem.map(|number| whole("problem", number)).transpose()?.map(|number| number as usize);
-    formats::import(registry(), &files, problem).map(|read| plain(&read)).map_err(js_error)
+    let problem = problem.map(|number| whole("problem", &number)).transpose()?.map(|number| number as usize);
+    plain(&formats::import(registry(), &files, problem).map_err(js_error)?)
 }
 
 /// A scene's files in another format.

@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use crate::{
-    JsGiven, JsScene, js_error, plain,
+    JsGiven, JsNumber, JsScene, js_error, plain,
     read::{read_parameters, whole},
     registry::registry,
 };
@@ -13,7 +13,7 @@ use crate::{
 /// # Errors
 /// An `Error` with `field`, `value` and `allowed` for whatever is refused.
 #[wasm_bindgen(js_name = generateScene)]
-pub fn generate_scene(name: &str, params: &JsGiven, seed: f64) -> Result<JsScene, JsValue> {
+pub fn generate_scene(name: &str, params: &JsGiven, seed: &JsNumber) -> Result<JsScene, JsValue> {
     let given = read_parameters(params)?;
-    registry().generate(name, &given, whole("seed", seed)?).map(|scene| plain(&scene)).map_err(js_error)
+    plain(&registry().generate(name, &given, whole("seed", seed)?).map_err(js_error)?)
 }

@@ -12,7 +12,7 @@
 //!
 //! `types` names what crosses the boundary, `read` checks what comes in, this file does the work of a run. What few modules
 //! need is behind a feature each, as the linker keeps everything that is exported: `arm`, `catalogue`, `english`, `files`,
-//! `generators`, `pictures` and `statistics`.
+//! `followers`, `generators`, `pictures` and `statistics`.
 #![cfg(target_arch = "wasm32")]
 
 #[cfg(feature = "arm")]
@@ -22,6 +22,8 @@ mod catalogue;
 mod convert;
 #[cfg(feature = "files")]
 mod files;
+#[cfg(feature = "followers")]
+mod follow;
 #[cfg(feature = "generators")]
 mod generate;
 mod inspection;
@@ -45,9 +47,9 @@ use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
 use forage::{
     Error, Frame, Link, Overrides, Scene,
-    describe::Extra,
     geometry::Bounds,
     kernel::{Status, SubtaskResult, javascript, rng},
+    message,
     params::Object,
     picture, run,
 };
@@ -69,10 +71,10 @@ pub use types::*;
 
 use convert::{js_error, object, plain};
 use inspection::{InspectionView, ItemView};
-use read::{read_ends, read_item, read_kind, read_layer, read_parameter, read_parameters, read_point, read_setup};
+use read::{count, count_or, read_ends, read_item, read_kind, read_layer, read_parameter, read_point, read_setup};
 use registry::registry;
 
-fn status(status: Status) -> JsStatus {
+fn status(status: Status) -> Result<JsStatus, JsValue> {
     plain(&status)
 }
 
@@ -93,14 +95,14 @@ pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
         hash: Option<&'a str>,
     }
     let Link { setup, iteration, hash, .. } = Link::parse(registry(), link).map_err(js_error)?;
-    Ok(plain(&LinkSetup {
+    plain(&LinkSetup {
         planner: &setup.planner,
         scene: &setup.scene,
         params: &setup.params,
         seed: setup.seed,
         iteration,
         hash: hash.as_deref(),
-    }))
+    })
 }
 
 /// Checks one parameter's value by itself, whatever the other parameters are.
@@ -122,7 +124,7 @@ pub fn check_parameter(planner: &str, kind: &JsKind, name: &str, value: &JsParam
 /// As the constructor of `Session`.
 #[wasm_bindgen]
 pub fn suggest(setup: &JsSetup) -> Result<JsSuggestionOrNull, JsValue> {
-    read_setup(setup)?.suggest(registry()).map(|suggestion| plain(&suggestion)).map_err(js_error)
+    plain(&read_setup(setup)?.suggest(registry()).map_err(js_error)?)
 }
 
 /// Carries out a run that a planner of planners needs (`Session.jobs`), to its end: the job and the scene it belongs to.
@@ -136,7 +138,13 @@ pub fn run_to_end(setup: &JsRun) -> Result<JsFinding, JsValue> {
     if let Some(ends) = ends {
         setup.scene = Arc::new(setup.scene.between(ends).map_err(js_error)?);
     }
-    run::run_to_end(registry(), setup).map(|found| plain(&found)).map_err(js_error)
+    plain(&run::run_to_end(registry(), setup).map_err(js_error)?)
+}
+
+/// What a method of a freed object throws; the package's glue calls it.
+#[wasm_bindgen(skip_typescript)]
+pub fn freed(name: &str) -> JsValue {
+    js_error(Error::refused(name, message!("error-freed", "one that was freed"), message!("error-not-freed", "one that was not freed")))
 }
 
 /// A fresh seed from the system.
@@ -180,25 +188,38 @@ impl Session {
         Self { run, frame: Frame::default() }
     }
 
-    /// Takes up to `n` steps; stops where the planner does.
-    pub fn step(&mut self, n: Option<f64>) -> JsStatus {
-        status(self.run.step(n.unwrap_or(1.0) as u64))
+    /// Takes up to `n` steps, one unless given; stops where the planner does. Infinity: to the end.
+    ///
+    /// # Errors
+    /// For an `n` that is no whole number.
+    pub fn step(&mut self, n: Option<JsNumber>) -> Result<JsStatus, JsValue> {
+        status(self.run.step(count_or("n", n, 1)?))
     }
 
     /// Takes steps until so many candidates are evaluated, or up to `n` of them; stops where the planner does.
+    ///
+    /// # Errors
+    /// For numbers that are not whole.
     #[wasm_bindgen(js_name = stepTo)]
-    pub fn step_to(&mut self, evaluations: f64, n: Option<f64>) -> JsStatus {
-        status(self.run.step_to(evaluations as u64, n.map_or(u64::MAX, |n| n as u64)))
+    pub fn step_to(&mut self, evaluations: &JsNumber, n: Option<JsNumber>) -> Result<JsStatus, JsValue> {
+        let evaluations = count("evaluations", evaluations)?;
+        status(self.run.step_to(evaluations, count_or("n", n, u64::MAX)?))
     }
 
-    /// Goes to iteration `k`, forward or back, exactly.
-    pub fn seek(&mut self, k: f64) -> JsStatus {
-        status(self.run.seek(k as u64))
+    /// Goes to iteration `k`, forward or back, exactly. Infinity: to the end.
+    ///
+    /// # Errors
+    /// For a `k` that is no whole number.
+    pub fn seek(&mut self, k: &JsNumber) -> Result<JsStatus, JsValue> {
+        status(self.run.seek(count("k", k)?))
     }
 
     /// Jumps to the latest state at or before `k` that is at hand; returns its iteration. `step` goes the rest of the way.
-    pub fn rewind(&mut self, k: f64) -> f64 {
-        self.run.rewind(k as u64) as f64
+    ///
+    /// # Errors
+    /// For a `k` that is no whole number.
+    pub fn rewind(&mut self, k: &JsNumber) -> Result<f64, JsValue> {
+        Ok(self.run.rewind(count("k", k)?) as f64)
     }
 
     /// How many iterations were taken to come here.
@@ -226,8 +247,11 @@ impl Session {
     }
 
     /// Whether there is more to do, or why not.
+    ///
+    /// # Errors
+    /// As [`plain`].
     #[wasm_bindgen(getter)]
-    pub fn status(&self) -> JsStatus {
+    pub fn status(&self) -> Result<JsStatus, JsValue> {
         status(self.run.status())
     }
 
@@ -244,32 +268,45 @@ impl Session {
     }
 
     /// The scene, as it is understood.
+    ///
+    /// # Errors
+    /// As [`plain`].
     #[wasm_bindgen(getter)]
-    pub fn scene(&self) -> JsScene {
+    pub fn scene(&self) -> Result<JsScene, JsValue> {
         plain(&**self.run.scene())
     }
 
     /// Every parameter's value.
+    ///
+    /// # Errors
+    /// As [`plain`].
     #[wasm_bindgen(getter)]
-    pub fn parameters(&self) -> JsParameters {
+    pub fn parameters(&self) -> Result<JsParameters, JsValue> {
         plain(&Object(self.run.parameters().all()))
     }
 
     /// The numbers of this iteration, by name.
-    pub fn readings(&mut self) -> JsReadings {
+    ///
+    /// # Errors
+    /// As [`plain`].
+    pub fn readings(&mut self) -> Result<JsReadings, JsValue> {
         plain(&Object(&self.run.readings().iter().filter(|(_, value)| value.is_finite()).collect::<Vec<_>>()))
     }
 
     /// The kept readings of iterations after `after` (all of them for −1).
-    pub fn trace(&self, after: f64) -> JsTrace {
+    ///
+    /// # Errors
+    /// For an `after` that is no whole number.
+    pub fn trace(&self, after: &JsNumber) -> Result<JsTrace, JsValue> {
         let trace = self.run.trace();
-        let (iterations, rows) = trace.since((after >= 0.0).then_some(after as u64));
+        let after = if after.as_f64() == Some(-1.0) { None } else { Some(count("after", after)?) };
+        let (iterations, rows) = trace.since(after);
         let iterations: Vec<f64> = iterations.iter().map(|&k| k as f64).collect();
-        object(&[
-            ("columns", plain(&trace.columns())),
+        Ok(object(&[
+            ("columns", plain(&trace.columns())?),
             ("iterations", Float64Array::from(iterations.as_slice()).into()),
             ("rows", Float64Array::from(rows).into()),
-        ])
+        ]))
     }
 
     /// Which part of the plane is looked at: layers that are only worth drawing from near are drawn for it. Undefined: all.
@@ -299,15 +336,18 @@ impl Session {
         let image = ImageData::new_with_js_u8_clamped_array_and_sh(&pixels, width, height)?;
         Ok(object(&[
             ("image", image.into()),
-            ("min", plain(&raster.bounds.min)),
-            ("max", plain(&raster.bounds.max)),
-            ("range", plain(&raster.range)),
+            ("min", plain(&raster.bounds.min)?),
+            ("max", plain(&raster.bounds.max)?),
+            ("range", plain(&raster.range)?),
         ]))
     }
 
     /// The runs of other planners, on this scene, that the next step needs; none for most planners. Carry them out with
     /// `carryOut`, in workers if you like, and `supply` what they found; a step without that carries them out itself.
-    pub fn jobs(&mut self) -> JsJobs {
+    ///
+    /// # Errors
+    /// As [`plain`].
+    pub fn jobs(&mut self) -> Result<JsJobs, JsValue> {
         plain(&self.run.subtasks())
     }
 
@@ -321,16 +361,22 @@ impl Session {
     }
 
     /// The parts of the run that have their own kind of step, in their order; empty for most planners.
+    ///
+    /// # Errors
+    /// As [`plain`].
     #[wasm_bindgen(getter)]
-    pub fn stages(&self) -> JsStages {
+    pub fn stages(&self) -> Result<JsStages, JsValue> {
         plain(&self.run.stages())
     }
 
     /// What happened so far in simulated time, and what was decided and why, in the order of time; empty for most planners.
     /// `from`: without so many of the first.
-    pub fn events(&self, from: Option<f64>) -> JsEvents {
+    ///
+    /// # Errors
+    /// For a `from` that is no whole number.
+    pub fn events(&self, from: Option<JsNumber>) -> Result<JsEvents, JsValue> {
         let events = self.run.events();
-        plain(&&events[events.len().min(from.unwrap_or(0.0) as usize)..])
+        plain(&&events[events.len().min(count_or("from", from, 0)? as usize)..])
     }
 
     /// The numbers of those that search side by side, row by row; the columns are the planner's `members`.
@@ -342,55 +388,23 @@ impl Session {
 
     /// Draws the present state; the arrays are views into the wasm memory, valid until the next call of anything here.
     #[expect(unsafe_code, reason = "a view must not outlive the next call; the types say so, and the worker copies at once")]
-    pub fn frame(&mut self, budget: Option<f64>) -> JsFrame {
-        self.run.draw(&mut self.frame, budget.map_or(Frame::BUDGET, |budget| budget as usize));
+    ///
+    /// # Errors
+    /// For a budget that is no whole number.
+    pub fn frame(&mut self, budget: Option<JsNumber>) -> Result<JsFrame, JsValue> {
+        self.run.draw(&mut self.frame, count_or("budget", budget, Frame::BUDGET as u64)? as usize);
         // Everything that allocates comes first: growing memory would empty the views.
         let thinning = JsValue::from(self.frame.thinning());
         let (vertices, spans) = unsafe { (Float32Array::view(self.frame.vertices()), Uint32Array::view(self.frame.table())) };
-        object(&[("vertices", vertices.into()), ("spans", spans.into()), ("thinning", thinning)])
+        Ok(object(&[("vertices", vertices.into()), ("spans", spans.into()), ("thinning", thinning)]))
     }
 
     /// Everything there is to say about where the run stands.
-    pub fn outcome(&mut self) -> JsOutcome {
+    ///
+    /// # Errors
+    /// As [`plain`].
+    pub fn outcome(&mut self) -> Result<JsOutcome, JsValue> {
         plain(&self.run.outcome())
-    }
-
-    /// The scene's robot driving along the best path so far; null where it has no outline or there is no path.
-    ///
-    /// # Errors
-    /// An `Error` with `field`, `value` and `allowed` for a parameter that is refused.
-    pub fn drive(&self, params: &JsGiven) -> Result<JsDriveOrNull, JsValue> {
-        self.follow("drive", params).map(JsCast::unchecked_into)
-    }
-
-    /// The scene's arm following the best path so far; null where there is no arm or no path.
-    ///
-    /// # Errors
-    /// An `Error` with `field`, `value` and `allowed` for a parameter that is refused.
-    pub fn motion(&self, params: &JsGiven) -> Result<JsMotionOrNull, JsValue> {
-        self.follow("motion", params).map(JsCast::unchecked_into)
-    }
-
-    fn follow(&self, follower: &str, params: &JsGiven) -> Result<JsValue, JsValue> {
-        let overrides = read_parameters(params)?;
-        let known = registry().follower(follower).map_err(js_error)?;
-        let Some(followed) = self.run.follow(follower, &overrides).map_err(js_error)? else {
-            return Ok(JsValue::NULL);
-        };
-        let mut properties = vec![
-            ("columns", plain(&known.columns.iter().map(|column| column.name).collect::<Vec<_>>())),
-            ("rows", Float64Array::from(followed.rows()).into()),
-            ("outcome", plain(&&*followed.outcome())),
-            ("parameters", plain(&Object(followed.parameters().all()))),
-        ];
-        for (name, extra) in followed.extra() {
-            let value = match extra {
-                Extra::Rows(rows) => Float64Array::from(rows).into(),
-                Extra::Named(numbers) => plain(&Object(&numbers)),
-            };
-            properties.push((name, value));
-        }
-        Ok(object(&properties))
     }
 
     /// Why an item did what it did in the step that led here.
@@ -398,16 +412,22 @@ impl Session {
     /// # Errors
     /// For an unknown layer.
     pub fn inspect(&mut self, item: &JsItem) -> Result<JsInspectionOrNull, JsValue> {
-        Ok(plain(&self.run.inspect(read_item(item)?).map(InspectionView::from)))
+        plain(&self.run.inspect(read_item(item)?).map(InspectionView::from))
     }
 
     /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.
-    pub fn pick(&self, x: f64, y: f64, reach: f64) -> JsItemOrNull {
+    ///
+    /// # Errors
+    /// As [`plain`].
+    pub fn pick(&self, x: f64, y: f64, reach: f64) -> Result<JsItemOrNull, JsValue> {
         plain(&self.run.pick([x, y], reach).map(ItemView::from))
     }
 
     /// The exact optimum as a path, by the rule that the planner keeps to; null where there is none.
-    pub fn exact(&self) -> JsExactOrNull {
+    ///
+    /// # Errors
+    /// As [`plain`].
+    pub fn exact(&self) -> Result<JsExactOrNull, JsValue> {
         #[derive(Serialize)]
         struct Exact<'a> {
             length: f64,

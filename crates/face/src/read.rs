@@ -6,10 +6,10 @@ use wasm_bindgen::{JsCast, JsValue};
 
 use forage::{
     Error, Overrides, Scene, Setup, Value,
-    kernel::{Item, LayerKey, Message, SceneKindId, allowed, digits::Digits, javascript, limits, rng},
+    kernel::{Item, LayerKey, Message, SceneKindId, allowed, digits::Digits, javascript, limits},
 };
 
-use crate::{js_error, registry::registry};
+use crate::{JsNumber, js_error, registry::registry};
 
 /// A value that is not what it must be.
 pub(crate) fn refused(field: &str, value: &JsValue, allowed: Message) -> JsValue {
@@ -91,8 +91,7 @@ pub(crate) fn read_kind(value: &JsValue) -> Result<SceneKindId, JsValue> {
 
 pub(crate) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
     let layer = read_layer(&read_text("role", &property(value, "role"))?)?;
-    let index = read_number("index", &property(value, "index"))?;
-    Ok(Item { layer, index: if index >= 0.0 { index as usize } else { usize::MAX } })
+    Ok(Item { layer, index: whole("index", &property(value, "index"))? as usize })
 }
 
 pub(crate) fn read_layer(name: &str) -> Result<LayerKey, JsValue> {
@@ -118,12 +117,20 @@ pub(crate) fn read_ends(setup: &JsValue) -> Result<Option<[[f64; 2]; 2]>, JsValu
     }
 }
 
-pub(crate) fn whole(field: &str, number: f64) -> Result<u64, JsValue> {
-    if (0.0..=rng::MAX_SEED as f64).contains(&number) && number.fract() == 0.0 {
-        Ok(number as u64)
-    } else {
-        Err(js_error(Error::refused(field, number, rng::seed_range())))
-    }
+/// A whole number that JavaScript holds exactly.
+pub(crate) fn whole(field: &str, value: &JsValue) -> Result<u64, JsValue> {
+    let number = value.as_f64().filter(|number| (0.0..=limits::WHOLE as f64).contains(number) && number.fract() == 0.0);
+    number.map(|number| number as u64).ok_or_else(|| refused(field, value, limits::whole_range()))
+}
+
+/// How many of something, or up to which: a whole number, or Infinity for all there are.
+pub(crate) fn count(field: &str, value: &JsValue) -> Result<u64, JsValue> {
+    if value.as_f64() == Some(f64::INFINITY) { Ok(u64::MAX) } else { whole(field, value) }
+}
+
+/// The same where it may be left out.
+pub(crate) fn count_or(field: &str, value: Option<JsNumber>, unless_given: u64) -> Result<u64, JsValue> {
+    value.map_or(Ok(unless_given), |value| count(field, &value))
 }
 
 /// A setup: planner, scene (or a shipped one's name), parameters and seed.
@@ -133,7 +140,7 @@ pub(crate) fn read_setup(setup: &JsValue) -> Result<Setup, JsValue> {
     }
     let part = |name| property(setup, name);
     let seed = part("seed");
-    let seed = if seed.is_undefined() || seed.is_null() { 1 } else { whole("seed", read_number("seed", &seed)?)? };
+    let seed = if seed.is_undefined() || seed.is_null() { 1 } else { whole("seed", &seed)? };
     let planner = read_text("planner", &part("planner"))?;
     let params = read_parameters(&part("params"))?;
     Ok(Setup { planner, scene: read_scene(&part("scene"))?, params, seed })

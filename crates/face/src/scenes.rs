@@ -10,5 +10,5 @@ use crate::{JsScene, plain, read::read_scene};
 /// An `Error` with `field`, `value` and `allowed`.
 #[wasm_bindgen(js_name = checkScene)]
 pub fn check_scene(scene: &JsScene) -> Result<JsScene, JsValue> {
-    Ok(plain(&*read_scene(scene)?))
+    plain(&*read_scene(scene)?)
 }

@@ -25,5 +25,5 @@ pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
             return Err(js_error(Error::refused(format!("groups[{i}].values[{k}]"), value, allowed::group_value())));
         }
     }
-    Ok(plain(&statistics::compare(&groups)))
+    plain(&statistics::compare(&groups))
 }

@@ -11,10 +11,10 @@ use forage::{
 
 use crate::{
     js_error, object, plain,
-    read::read_setup,
+    read::{count_or, read_setup},
     registry::registry,
     status,
-    types::{JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
+    types::{JsNumber, JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
 };
 
 /// One run of many: stepped to its end and summed up in a record, the same as in a row of `forage experiment`.
@@ -35,11 +35,11 @@ impl Trial {
     /// Takes up to `n` steps, all there are unless given; stops where the planner does.
     ///
     /// # Errors
-    /// For less than one step, which would never come to an end.
-    pub fn step(&mut self, n: Option<f64>) -> Result<JsStatus, JsValue> {
-        match n {
-            Some(n) if n.is_nan() || n < 1.0 => Err(js_error(Error::refused("n", n, allowed::steps()))),
-            n => Ok(status(self.0.step(n.map_or(u64::MAX, |n| n as u64)))),
+    /// For an `n` that is no whole number, and for 0, which would never come to an end.
+    pub fn step(&mut self, n: Option<JsNumber>) -> Result<JsStatus, JsValue> {
+        match count_or("n", n, u64::MAX)? {
+            0 => Err(js_error(Error::refused("n", 0_u64, allowed::steps()))),
+            n => status(self.0.step(n)),
         }
     }
 
@@ -56,7 +56,10 @@ impl Trial {
     }
 
     /// What the run came to so far.
-    pub fn record(&mut self) -> JsTrialRecord {
+    ///
+    /// # Errors
+    /// Where a number of it is more than JavaScript can hold.
+    pub fn record(&mut self) -> Result<JsTrialRecord, JsValue> {
         plain(&self.0.record())
     }
 

@@ -77,6 +77,9 @@ extern "C" {
     /// `Status`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Status")]
     pub type JsStatus;
+    /// `number`, checked before it is read.
+    #[wasm_bindgen(typescript_type = "number")]
+    pub type JsNumber;
     /// `Point`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Point")]
     pub type JsPoint;

@@ -10,7 +10,7 @@ use std::{
 use forage::{
     Error, Link, Overrides, Scene, Setup, Value,
     describe::{Follower, Suggestion},
-    kernel::{Message, SceneKindId, rng},
+    kernel::{Message, SceneKindId, limits, rng},
     scene::formats::{self, Format, NamedFile},
 };
 
@@ -113,7 +113,7 @@ pub(super) fn read(path: &str) -> Result<NamedFile, Failure> {
 pub(super) fn seed(text: &str) -> Result<u64, Error> {
     match text {
         "random" => rng::fresh_seed(),
-        number => number.parse().map_err(|_| Error::refused("seed", number, rng::seed_range())),
+        number => limits::read_whole("seed", number),
     }
 }
 

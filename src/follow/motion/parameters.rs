@@ -138,7 +138,7 @@ pub(super) const SEED: Param<u64> = Param::integer(
     "seed",
     "",
     "Seed",
-    [0, crate::kernel::rng::MAX_SEED, 1],
+    [0, crate::kernel::limits::WHOLE, 1],
     "Of what is random: the tool’s angles, and joints drawn for points without a posture.",
 );
 

@@ -1,10 +1,7 @@
 //! Stops on a grid, so that tours can be looked for where there was one way.
 
 use crate::{
-    kernel::{
-        Error,
-        rng::{self, Stream},
-    },
+    kernel::{Error, limits, rng::Stream},
     message,
     scene::{GridScene, Header, MAX_GRID_STOPS, Scene, grid},
 };
@@ -17,7 +14,7 @@ use crate::{
 /// room, and for a seed that is too large.
 pub fn with_stops(scene: &Scene, n: usize, seed: u64) -> Result<Scene, Error> {
     let grid = scene.get::<GridScene>()?;
-    let mut stream = Stream::new(rng::check_seed(seed)?, 1);
+    let mut stream = Stream::new(limits::check_whole("seed", seed)?, 1);
     let mut places = room(grid);
     let most = places.len().min(MAX_GRID_STOPS);
     if !(1..=most).contains(&n) {

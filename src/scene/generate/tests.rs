@@ -2,10 +2,7 @@
 
 use crate::{
     Scene, Value,
-    kernel::{
-        Digest, ReferenceOptimum,
-        rng::{self, Stream},
-    },
+    kernel::{Digest, ReferenceOptimum, limits, rng::Stream},
     params::{Domain, Overrides},
     scene::{
         DiscsScene, Function, FunctionScene, GRID, GridScene, Motion, Robot,
@@ -123,7 +120,7 @@ fn every_room_can_be_reached_and_none_is_much_smaller_than_asked_for() {
 #[test]
 fn a_seed_gives_the_same_grid_again_and_another_seed_another() {
     for generator in standard().generators_of(GRID) {
-        for seed in [1, 2, rng::MAX_SEED] {
+        for seed in [1, 2, limits::WHOLE] {
             let scene = make(generator.name, &[], seed);
             assert_eq!(scene, make(generator.name, &[], seed));
             assert_ne!(scene.get::<GridScene>(), make(generator.name, &[], seed - 1).get::<GridScene>());
@@ -150,7 +147,7 @@ fn what_is_not_allowed_is_refused_by_name() {
         ("maze", &[("columns", 2049.0)], 1, "columns"),
         ("maze", &[("rows", 0.0)], 1, "rows"),
         ("maze", &[("cell", 0.0)], 1, "cell"),
-        ("maze", &[], rng::MAX_SEED + 1, "seed"),
+        ("maze", &[], limits::WHOLE + 1, "seed"),
     ] {
         assert_eq!(standard().generate(name, &given(pairs), seed).unwrap_err().field(), field);
     }

@@ -109,7 +109,7 @@ export class Racer {
     let until = performance.now() + SLICE
     while (session.status === 'running' && session.evaluations < clock) {
       const before = session.evaluations
-      session.stepTo(clock, 1)
+      session.stepTo(Math.ceil(clock), 1)
       const { iteration, evaluations } = session
       this.furthest = iteration
       this.judge.look(session)

@@ -103,6 +103,7 @@ fn what_is_refused_exits_with_2_and_prints_nothing_on_standard_output() {
         ),
         (&["exact", "--scene", "Cargo.toml"], "not JSON"),
         (&["fly"], "fly"),
+        (&["run", "#v=1&planner=pso&scene=sphere&at=9007199254740993"], "`at` is 9007199254740993"),
     ] {
         let output = forage(args);
         assert_eq!(output.status.code(), Some(2), "{args:?}");

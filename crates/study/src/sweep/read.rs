@@ -10,7 +10,7 @@ use forage::{
     describe::{Entry, Registry},
     kernel::{
         Error, Message,
-        rng::{check_seed, seed_range},
+        limits::{check_whole, whole_range},
     },
     run::trial::WITHIN,
 };
@@ -146,8 +146,8 @@ fn seeds(given: Option<&Toml>) -> Result<Seeds, Error> {
         number.ok_or_else(|| refused(place, value, allowed))
     };
     let seed = |place: &str, value: &Toml| {
-        let number = whole(place, value, &seed_range().text())?;
-        check_seed(number).map_err(|_| refused(place, value, &seed_range().text()))
+        let number = whole(place, value, &whole_range().text())?;
+        check_whole(place, number)
     };
     match given {
         Some(Toml::Table(range)) => {
@@ -162,7 +162,7 @@ fn seeds(given: Option<&Toml>) -> Result<Seeds, Error> {
             if !(1..=MOST as u64).contains(&count) {
                 return Err(refused("seeds.count", given, &allowed));
             }
-            check_seed(from + (count - 1))
+            check_whole("seeds", from + (count - 1))
                 .map_err(|_| refused("seeds.count", given, "small enough that the last seed is at most 9007199254740991"))?;
             Ok(Seeds::From(from, count as usize))
         }
