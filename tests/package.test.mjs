@@ -173,7 +173,7 @@ test('what is refused is an error with field, value and what is allowed', () => 
       [true, 'population'],
       [true, 'scene'],
       [true, 'within'],
-      [true, 'groups'],
+      [true, 'groups[0].values'],
     ],
   )
   for (const { message } of refused) assert.ok(message.length > 10, message)

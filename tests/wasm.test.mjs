@@ -11,6 +11,7 @@ import {
   catalogue,
   checkParameter,
   checkScene,
+  compare,
   exportScene,
   generateScene,
   importScene,
@@ -313,6 +314,40 @@ test('what is no count is refused by name and value, and the session goes on', (
   assert.equal(session.iteration, 1)
   assert.equal(session.seek(Number.POSITIVE_INFINITY), 'exhausted')
   assert.equal(session.iteration, session.limit)
+})
+
+test('an object that throws while it is read is refused, and the session goes on', () => {
+  const session = new Session({ planner: 'pso', scene: 'wolf-ant-20' })
+  const fails = () => assert.fail('it is read')
+  const hostile = [
+    new Proxy({}, { ownKeys: fails, has: fails }),
+    new Proxy([], { get: fails }),
+    {
+      get role() {
+        return fails()
+      },
+    },
+  ]
+  for (const value of hostile)
+    for (const call of [
+      () => session.supply(value),
+      () => session.supply([value]),
+      () => session.inspect(value),
+      () => session.lookAt(value, [1, 1]),
+      () => session.drive(value),
+      () => session.svg(true, value),
+      () => session.pick(value, 0, 1),
+      () => session.paintField(value, [0, 0], [1, 1], true),
+      () => compare(value),
+      () => parseLink(value),
+    ])
+      try {
+        call()
+      } catch (error) {
+        assert.equal(error.code, 'refused', `${call}: ${error.stack}`)
+      }
+  assert.equal(session.step(2), 'running')
+  assert.equal(session.iteration, 2)
 })
 
 test('a freed object says so by name, and may be freed twice', () => {

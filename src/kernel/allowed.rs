@@ -18,6 +18,8 @@ said! {
     number "error-number" "a number";
     value "error-value" "a number, a text, true or false";
     text "error-text" "a text";
+    flag "error-flag" "true or false";
+    canvas "error-canvas" "the 2D context of an OffscreenCanvas";
     list "error-list" "a list";
     point "error-point" "a point, [x, y]";
     two_points "error-two-points" "two points";
@@ -33,6 +35,7 @@ said! {
     nothing "error-nothing" "nothing";
     object "error-an-object" "an object";
     iterable "error-iterable" "an iterable object";
+    unreadable "error-unreadable" "an object that cannot be read";
 }
 
 /// Of a value of a kind of its own: `a function`.

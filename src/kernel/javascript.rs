@@ -1,10 +1,47 @@
 //! JavaScript's values as JSON has them.
 
-use js_sys::{Array, JsString, Object, Reflect, Symbol};
+use js_sys::{Array, JsString, Reflect, Symbol};
 use serde_json::{Map, Value};
-use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen::prelude::*;
 
 use super::{Error, allowed, limits};
+
+// Those of js-sys let through what a proxy throws: the stack would be gone, and what is borrowed would remain so.
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(catch, js_namespace = Object, js_name = keys)]
+    fn keys_of(object: &JsValue) -> Result<Array, JsValue>;
+    #[wasm_bindgen(catch, js_namespace = Array, js_name = isArray)]
+    fn is_array(value: &JsValue) -> Result<bool, JsValue>;
+    #[wasm_bindgen(catch, js_namespace = Array, js_name = from)]
+    fn copy_of(list: &JsValue) -> Result<Array, JsValue>;
+}
+
+/// What cannot be read: a proxy that throws.
+fn unreadable(field: &str) -> Error {
+    Error::refused(field, allowed::unreadable(), allowed::plain())
+}
+
+/// The names of an object's own properties.
+///
+/// # Errors
+/// [`Error::Refused`] for `field`, where they cannot be read.
+pub fn keys(field: &str, object: &JsValue) -> Result<Array, Error> {
+    keys_of(object).map_err(|_| unreadable(field))
+}
+
+/// The items of a list within [`limits::VALUES`]; `None` of another value.
+///
+/// # Errors
+/// [`Error::Refused`] for `field`, where they cannot be read, and for too many.
+pub fn items(field: &str, value: &JsValue) -> Result<Option<Array>, Error> {
+    if !is_array(value).map_err(|_| unreadable(field))? {
+        return Ok(None);
+    }
+    let length = Reflect::get(value, &"length".into()).ok().and_then(|length| length.as_f64());
+    limits::check_values(field, length.ok_or_else(|| unreadable(field))? as usize)?;
+    copy_of(value).map(Some).map_err(|_| unreadable(field))
+}
 
 /// Reads a value of plain objects, lists, texts, numbers, true, false and null, within the [`limits`]. What is undefined or no
 /// finite number becomes null, as in `JSON.stringify`.
@@ -40,11 +77,11 @@ impl Walk<'_> {
         if let Some(text) = value.dyn_ref() {
             return self.text(text).map(Value::String);
         }
-        if Array::is_array(value) {
-            return self.list(value.unchecked_ref(), depth + 1);
+        if let Some(list) = items(self.field, value)? {
+            return self.list(&list, depth + 1);
         }
-        if value.is_object() && !Symbol::iterator().js_in(value) {
-            return self.object(value.unchecked_ref(), depth + 1);
+        if value.is_object() && !Reflect::has(value, &Symbol::iterator()).map_err(|_| unreadable(self.field))? {
+            return self.object(value, depth + 1);
         }
         let kind = if value.is_object() {
             allowed::iterable()
@@ -72,8 +109,8 @@ impl Walk<'_> {
         items.collect::<Result<_, _>>().map(Value::Array)
     }
 
-    fn object(&mut self, object: &Object, depth: usize) -> Result<Value, Error> {
-        let names = Object::keys(object);
+    fn object(&mut self, object: &JsValue, depth: usize) -> Result<Value, Error> {
+        let names = keys(self.field, object)?;
         self.enter(depth, names.length())?;
         let mut fields = Map::new();
         for i in 0..names.length() {

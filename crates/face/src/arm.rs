@@ -14,8 +14,8 @@ use forage::{
 };
 
 use crate::{
-    JsArmPose, JsArmSolutions, JsJoints, JsJointsOrUndefined, JsPoint3, JsPoint3OrNull, JsReachability, JsSceneOrName, js_error, object,
-    plain,
+    JsArmPose, JsArmSolutions, JsJoints, JsJointsOrUndefined, JsNumber, JsPoint3, JsPoint3OrNull, JsReachability, JsSceneOrName, js_error,
+    object, plain,
     read::{read_list, read_number, read_scene, refused},
 };
 
@@ -134,8 +134,9 @@ pub fn arm_solutions(
 /// # Errors
 /// An `Error` with `field`, `value` and `allowed`.
 #[wasm_bindgen]
-pub fn reachability(scene: &JsSceneOrName, step: f64) -> Result<JsReachability, JsValue> {
+pub fn reachability(scene: &JsSceneOrName, step: &JsNumber) -> Result<JsReachability, JsValue> {
     let scene = read_arm(scene)?;
+    let step = read_number("step", step)?;
     let cloud = arm::reachability(arm_of(&scene)?, step).map_err(js_error)?;
     Ok(object(&[("points", Float32Array::from(&cloud.points[..]).into()), ("step", cloud.step.into())]))
 }

@@ -48,7 +48,7 @@ use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 use forage::{
     Error, Frame, Link, Overrides, Scene,
     geometry::Bounds,
-    kernel::{Status, SubtaskResult, javascript, rng},
+    kernel::{Status, SubtaskResult, allowed, javascript, rng},
     message,
     params::Object,
     picture, run,
@@ -71,7 +71,10 @@ pub use types::*;
 
 use convert::{js_error, object, plain};
 use inspection::{InspectionView, ItemView};
-use read::{count, count_or, read_ends, read_item, read_kind, read_layer, read_parameter, read_point, read_setup};
+use read::{
+    count, count_or, read_ends, read_flag, read_item, read_kind, read_layer, read_number, read_parameter, read_point, read_setup,
+    read_text, refused,
+};
 use registry::registry;
 
 fn status(status: Status) -> Result<JsStatus, JsValue> {
@@ -83,7 +86,7 @@ fn status(status: Status) -> Result<JsStatus, JsValue> {
 /// # Errors
 /// An `Error` that says what is wrong with it.
 #[wasm_bindgen(js_name = parseLink)]
-pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
+pub fn parse_link(link: &JsText) -> Result<JsLinkSetup, JsValue> {
     #[derive(Serialize)]
     struct LinkSetup<'a> {
         planner: &'a str,
@@ -94,7 +97,7 @@ pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
         #[serde(skip_serializing_if = "Option::is_none")]
         hash: Option<&'a str>,
     }
-    let Link { setup, iteration, hash, .. } = Link::parse(registry(), link).map_err(js_error)?;
+    let Link { setup, iteration, hash, .. } = Link::parse(registry(), &read_text("link", link)?).map_err(js_error)?;
     plain(&LinkSetup {
         planner: &setup.planner,
         scene: &setup.scene,
@@ -110,9 +113,9 @@ pub fn parse_link(link: &str) -> Result<JsLinkSetup, JsValue> {
 /// # Errors
 /// An `Error` with `field`, `value` and `allowed`.
 #[wasm_bindgen(js_name = checkParameter)]
-pub fn check_parameter(planner: &str, kind: &JsKind, name: &str, value: &JsParameterValue) -> Result<(), JsValue> {
-    let entry = registry().planner(planner).map_err(js_error)?;
-    let kind = read_kind(kind)?;
+pub fn check_parameter(planner: &JsText, kind: &JsKind, name: &JsText, value: &JsParameterValue) -> Result<(), JsValue> {
+    let entry = registry().planner(&read_text("planner", planner)?).map_err(js_error)?;
+    let (kind, name) = (read_kind(kind)?, &*read_text("name", name)?);
     let known = || entry.parameters_on(kind);
     let parameter = known().find(|p| p.name == name).ok_or_else(|| js_error(Error::unknown("parameter", name, known().map(|p| p.name))))?;
     parameter.check(&read_parameter(name, value)?).map_err(js_error)
@@ -180,8 +183,8 @@ impl Session {
     /// # Errors
     /// As the constructor, and for a link that cannot be read.
     #[wasm_bindgen(js_name = fromLink)]
-    pub fn from_link(link: &str) -> Result<Session, JsValue> {
-        run::Run::from_link(registry(), link).map(Session::of).map_err(js_error)
+    pub fn from_link(link: &JsText) -> Result<Session, JsValue> {
+        run::Run::from_link(registry(), &read_text("link", link)?).map(Session::of).map_err(js_error)
     }
 
     fn of(run: run::Run) -> Self {
@@ -249,7 +252,7 @@ impl Session {
     /// Whether there is more to do, or why not.
     ///
     /// # Errors
-    /// As [`plain`].
+    /// Where a number of it is more than JavaScript can hold.
     #[wasm_bindgen(getter)]
     pub fn status(&self) -> Result<JsStatus, JsValue> {
         status(self.run.status())
@@ -270,7 +273,7 @@ impl Session {
     /// The scene, as it is understood.
     ///
     /// # Errors
-    /// As [`plain`].
+    /// Where a number of it is more than JavaScript can hold.
     #[wasm_bindgen(getter)]
     pub fn scene(&self) -> Result<JsScene, JsValue> {
         plain(&**self.run.scene())
@@ -279,7 +282,7 @@ impl Session {
     /// Every parameter's value.
     ///
     /// # Errors
-    /// As [`plain`].
+    /// Where a number of it is more than JavaScript can hold.
     #[wasm_bindgen(getter)]
     pub fn parameters(&self) -> Result<JsParameters, JsValue> {
         plain(&Object(self.run.parameters().all()))
@@ -288,7 +291,7 @@ impl Session {
     /// The numbers of this iteration, by name.
     ///
     /// # Errors
-    /// As [`plain`].
+    /// Where a number of it is more than JavaScript can hold.
     pub fn readings(&mut self) -> Result<JsReadings, JsValue> {
         plain(&Object(&self.run.readings().iter().filter(|(_, value)| value.is_finite()).collect::<Vec<_>>()))
     }
@@ -325,7 +328,8 @@ impl Session {
     /// # Errors
     /// For an unknown layer, or when there is no `ImageData` here.
     #[wasm_bindgen(js_name = layerImage)]
-    pub fn layer_image(&self, role: &str, dark: bool) -> Result<JsLayerImageOrNull, JsValue> {
+    pub fn layer_image(&self, role: &JsText, dark: &JsFlag) -> Result<JsLayerImageOrNull, JsValue> {
+        let dark = read_flag("dark", dark)?;
         let layer = self.run.entry().layer(read_layer(role)?);
         let Some(raster) = layer.and_then(|layer| picture::raster(&self.frame, layer, dark)) else {
             return Ok(JsValue::NULL.unchecked_into());
@@ -346,7 +350,7 @@ impl Session {
     /// `carryOut`, in workers if you like, and `supply` what they found; a step without that carries them out itself.
     ///
     /// # Errors
-    /// As [`plain`].
+    /// Where a number of it is more than JavaScript can hold.
     pub fn jobs(&mut self) -> Result<JsJobs, JsValue> {
         plain(&self.run.subtasks())
     }
@@ -363,7 +367,7 @@ impl Session {
     /// The parts of the run that have their own kind of step, in their order; empty for most planners.
     ///
     /// # Errors
-    /// As [`plain`].
+    /// Where a number of it is more than JavaScript can hold.
     #[wasm_bindgen(getter)]
     pub fn stages(&self) -> Result<JsStages, JsValue> {
         plain(&self.run.stages())
@@ -402,7 +406,7 @@ impl Session {
     /// Everything there is to say about where the run stands.
     ///
     /// # Errors
-    /// As [`plain`].
+    /// Where a number of it is more than JavaScript can hold.
     pub fn outcome(&mut self) -> Result<JsOutcome, JsValue> {
         plain(&self.run.outcome())
     }
@@ -418,15 +422,16 @@ impl Session {
     /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.
     ///
     /// # Errors
-    /// As [`plain`].
-    pub fn pick(&self, x: f64, y: f64, reach: f64) -> Result<JsItemOrNull, JsValue> {
-        plain(&self.run.pick([x, y], reach).map(ItemView::from))
+    /// Where a number of it is more than JavaScript can hold.
+    pub fn pick(&self, x: &JsNumber, y: &JsNumber, reach: &JsNumber) -> Result<JsItemOrNull, JsValue> {
+        let (point, reach) = ([read_number("x", x)?, read_number("y", y)?], read_number("reach", reach)?);
+        plain(&self.run.pick(point, reach).map(ItemView::from))
     }
 
     /// The exact optimum as a path, by the rule that the planner keeps to; null where there is none.
     ///
     /// # Errors
-    /// As [`plain`].
+    /// Where a number of it is more than JavaScript can hold.
     pub fn exact(&self) -> Result<JsExactOrNull, JsValue> {
         #[derive(Serialize)]
         struct Exact<'a> {
@@ -441,10 +446,12 @@ impl Session {
     /// Fills a canvas with the scene's heights over a part of the plane; false if the scene has none.
     ///
     /// # Errors
-    /// When the canvas refuses the pixels.
+    /// For what is no such context, and when the canvas refuses the pixels.
     #[wasm_bindgen(js_name = paintField)]
-    pub fn paint_field(&self, ctx: &OffscreenCanvasRenderingContext2d, min: &JsPoint, max: &JsPoint, dark: bool) -> Result<bool, JsValue> {
+    pub fn paint_field(&self, ctx: &JsContext, min: &JsPoint, max: &JsPoint, dark: &JsFlag) -> Result<bool, JsValue> {
         let view = Bounds { min: read_point("min", min)?, max: read_point("max", max)? };
+        let dark = read_flag("dark", dark)?;
+        let ctx: &OffscreenCanvasRenderingContext2d = ctx.dyn_ref().ok_or_else(|| refused("ctx", ctx, allowed::canvas()))?;
         let canvas = ctx.canvas();
         let (width, height) = (canvas.width(), canvas.height());
         let Some(pixels) = picture::heat_map(self.run.scene(), view, width as usize, height as usize, dark) else {

@@ -5,8 +5,8 @@ use wasm_bindgen::prelude::*;
 use forage::picture;
 
 use crate::{
-    JsNames, Session,
-    read::{read_layer, read_list, read_text},
+    JsFlag, JsNames, Session,
+    read::{read_flag, read_layer, read_list},
 };
 
 #[wasm_bindgen]
@@ -15,9 +15,10 @@ impl Session {
     ///
     /// # Errors
     /// For an unknown layer.
-    pub fn svg(&self, dark: bool, layers: &JsNames) -> Result<String, JsValue> {
+    pub fn svg(&self, dark: &JsFlag, layers: &JsNames) -> Result<String, JsValue> {
+        let dark = read_flag("dark", dark)?;
         let names = read_list("layers", layers)?;
-        let layers = names.iter().map(|name| read_layer(&read_text("layers", name)?)).collect::<Result<Vec<_>, _>>()?;
+        let layers = names.iter().map(read_layer).collect::<Result<Vec<_>, _>>()?;
         Ok(picture::svg(&self.run, dark, &layers))
     }
 }

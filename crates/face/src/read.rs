@@ -2,7 +2,7 @@
 
 use std::{cell::RefCell, sync::Arc};
 
-use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen::JsValue;
 
 use forage::{
     Error, Overrides, Scene, Setup, Value,
@@ -36,10 +36,13 @@ pub(crate) fn read_number(field: &str, value: &JsValue) -> Result<f64, JsValue> 
     value.as_f64().ok_or_else(|| refused(field, value, allowed::number()))
 }
 
+pub(crate) fn read_flag(field: &str, value: &JsValue) -> Result<bool, JsValue> {
+    value.as_bool().ok_or_else(|| refused(field, value, allowed::flag()))
+}
+
 pub(crate) fn read_list(field: &str, value: &JsValue) -> Result<Vec<JsValue>, JsValue> {
-    let list = value.dyn_ref::<js_sys::Array>().ok_or_else(|| refused(field, value, allowed::list()))?;
-    limits::check_values(field, list.length() as usize).map_err(js_error)?;
-    Ok(list.to_vec())
+    let list = javascript::items(field, value).map_err(js_error)?;
+    list.map(|list| list.to_vec()).ok_or_else(|| refused(field, value, allowed::list()))
 }
 
 pub(crate) fn read_parameter(name: &str, value: &JsValue) -> Result<Value, JsValue> {
@@ -53,9 +56,11 @@ pub(crate) fn read_parameters(value: &JsValue) -> Result<Overrides, JsValue> {
     if value.is_undefined() || value.is_null() {
         return Ok(given);
     }
-    let object = value.dyn_ref::<js_sys::Object>().ok_or_else(|| refused("params", value, allowed::parameters()))?;
-    for name in js_sys::Object::keys(object).iter().filter_map(|name| name.as_string()) {
-        let value = read_parameter(&name, &property(object, &name))?;
+    if !value.is_object() {
+        return Err(refused("params", value, allowed::parameters()));
+    }
+    for name in javascript::keys("params", value).map_err(js_error)?.iter().filter_map(|name| name.as_string()) {
+        let value = read_parameter(&name, &property(value, &name))?;
         given.insert(name, value);
     }
     Ok(given)
@@ -73,8 +78,9 @@ pub(crate) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
 /// longer than to see that it is the same.
 fn same_scene(value: &JsValue) -> Result<Arc<Scene>, Error> {
     thread_local!(static LAST: RefCell<Option<(String, Arc<Scene>)>> = const { RefCell::new(None) });
-    let text =
-        js_sys::JSON::stringify(value).ok().filter(|text| text.length() as usize <= limits::FILE_BYTES).and_then(|text| text.as_string());
+    // What is nothing has no text.
+    let text = js_sys::JSON::stringify(value).ok().filter(|text| text.is_string() && text.length() as usize <= limits::FILE_BYTES);
+    let text = text.and_then(|text| text.as_string());
     let last = LAST.with_borrow(|last| last.as_ref().filter(|(known, _)| text.as_ref() == Some(known)).map(|(_, scene)| Arc::clone(scene)));
     if let Some(scene) = last {
         return Ok(scene);
@@ -90,12 +96,12 @@ pub(crate) fn read_kind(value: &JsValue) -> Result<SceneKindId, JsValue> {
 }
 
 pub(crate) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
-    let layer = read_layer(&read_text("role", &property(value, "role"))?)?;
+    let layer = read_layer(&property(value, "role"))?;
     Ok(Item { layer, index: whole("index", &property(value, "index"))? as usize })
 }
 
-pub(crate) fn read_layer(name: &str) -> Result<LayerKey, JsValue> {
-    registry().layer_key(name).map_err(js_error)
+pub(crate) fn read_layer(name: &JsValue) -> Result<LayerKey, JsValue> {
+    registry().layer_key(&read_text("role", name)?).map_err(js_error)
 }
 
 pub(crate) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {

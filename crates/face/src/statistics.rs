@@ -3,12 +3,14 @@
 use wasm_bindgen::prelude::*;
 
 use forage::{
-    Error,
-    kernel::{Message, allowed},
+    kernel::allowed,
     statistics::{self, Group},
 };
 
-use crate::{JsComparison, JsGroups, js_error, plain};
+use crate::{
+    JsComparison, JsGroups, plain,
+    read::{property, read_list, read_text, refused},
+};
 
 /// Summarises groups of runs, and tests whether they differ: what `forage experiment` prints.
 ///
@@ -16,14 +18,18 @@ use crate::{JsComparison, JsGroups, js_error, plain};
 /// For anything that is no list of groups, each with a name and its values, and for values that are not finite.
 #[wasm_bindgen]
 pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
-    let groups: Vec<Group> = serde_wasm_bindgen::from_value(groups.into())
-        .map_err(|problem| js_error(Error::malformed("groups", Message::verbatim(problem.to_string()))))?;
-    for (i, group) in groups.iter().enumerate() {
-        if let Some((k, value)) =
-            group.values.iter().enumerate().find_map(|(k, value)| Some((k, value.filter(|value| !value.is_finite())?)))
-        {
-            return Err(js_error(Error::refused(format!("groups[{i}].values[{k}]"), value, allowed::group_value())));
-        }
-    }
+    let groups = read_list("groups", groups)?;
+    let groups = groups.iter().enumerate().map(|(i, group)| read_group(&format!("groups[{i}]"), group)).collect::<Result<Vec<_>, _>>()?;
     plain(&statistics::compare(&groups))
+}
+
+fn read_group(place: &str, group: &JsValue) -> Result<Group, JsValue> {
+    let name = read_text(&format!("{place}.name"), &property(group, "name"))?;
+    let values = read_list(&format!("{place}.values"), &property(group, "values"))?;
+    let values = values.iter().enumerate().map(|(k, value)| match value.as_f64() {
+        Some(number) if number.is_finite() => Ok(Some(number)),
+        None if value.is_null() || value.is_undefined() => Ok(None),
+        _ => Err(refused(&format!("{place}.values[{k}]"), value, allowed::group_value())),
+    });
+    Ok(Group { name, values: values.collect::<Result<_, _>>()? })
 }

@@ -11,7 +11,7 @@ use forage::{
 
 use crate::{
     js_error, object, plain,
-    read::{count_or, read_setup},
+    read::{count_or, read_number, read_setup},
     registry::registry,
     status,
     types::{JsNumber, JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
@@ -28,8 +28,9 @@ impl Trial {
     /// # Errors
     /// As the constructor of `Session`, and for a `within` that is no number from 0 to 1,000,000.
     #[wasm_bindgen(constructor)]
-    pub fn new(setup: &JsSetup, within: Option<f64>) -> Result<Trial, JsValue> {
-        trial::Trial::new(registry(), read_setup(setup)?, within.unwrap_or(WITHIN)).map(Trial).map_err(js_error)
+    pub fn new(setup: &JsSetup, within: Option<JsNumber>) -> Result<Trial, JsValue> {
+        let within = within.map_or(Ok(WITHIN), |within| read_number("within", &within))?;
+        trial::Trial::new(registry(), read_setup(setup)?, within).map(Trial).map_err(js_error)
     }
 
     /// Takes up to `n` steps, all there are unless given; stops where the planner does.

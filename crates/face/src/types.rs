@@ -77,6 +77,15 @@ extern "C" {
     /// `Status`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Status")]
     pub type JsStatus;
+    /// `string`, checked before it is read.
+    #[wasm_bindgen(typescript_type = "string")]
+    pub type JsText;
+    /// `boolean`, checked before it is read.
+    #[wasm_bindgen(typescript_type = "boolean")]
+    pub type JsFlag;
+    /// `OffscreenCanvasRenderingContext2D`, checked before it is used.
+    #[wasm_bindgen(typescript_type = "OffscreenCanvasRenderingContext2D")]
+    pub type JsContext;
     /// `number`, checked before it is read.
     #[wasm_bindgen(typescript_type = "number")]
     pub type JsNumber;
