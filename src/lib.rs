@@ -69,7 +69,7 @@ extern crate self as forage;
 pub mod ants;
 pub mod arm;
 pub mod describe;
-mod dynamic;
+pub mod dynamic;
 pub mod exact;
 pub mod follow;
 pub mod geometry;
