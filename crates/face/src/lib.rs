@@ -391,10 +391,10 @@ impl Session {
     }
 
     /// Draws the present state; the arrays are views into the wasm memory, valid until the next call of anything here.
-    #[expect(unsafe_code, reason = "a view must not outlive the next call; the types say so, and the worker copies at once")]
     ///
     /// # Errors
     /// For a budget that is no whole number.
+    #[expect(unsafe_code, reason = "a view must not outlive the next call; the types say so, and the worker copies at once")]
     pub fn frame(&mut self, budget: Option<JsNumber>) -> Result<JsFrame, JsValue> {
         self.run.draw(&mut self.frame, count_or("budget", budget, Frame::BUDGET as u64)? as usize);
         // Everything that allocates comes first: growing memory would empty the views.
@@ -422,7 +422,7 @@ impl Session {
     /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.
     ///
     /// # Errors
-    /// Where a number of it is more than JavaScript can hold.
+    /// For what is no number.
     pub fn pick(&self, x: &JsNumber, y: &JsNumber, reach: &JsNumber) -> Result<JsItemOrNull, JsValue> {
         let (point, reach) = ([read_number("x", x)?, read_number("y", y)?], read_number("reach", reach)?);
         plain(&self.run.pick(point, reach).map(ItemView::from))
