@@ -39,7 +39,7 @@
 //! - [`arm`], [`exact`]: six-axis arms, their kinematics and collisions; exact optima.
 //! - [`scene`]: the kinds of scenes, a folder each, other programs' files, random scenes.
 //! - [`run`]: a run, its subtasks, its way back, its outcome and its link; a trial, one run of many.
-//! - [`swarm`], [`ants`], [`search`], [`tour`], [`tree`], [`tuning`]: planners, a folder a family and a file a planner.
+//! - [`swarm`], [`ants`], [`search`], [`tour`], [`tree`], [`dynamic`], [`tuning`]: planners, a folder a family and a file a planner.
 //! - [`follow`]: a robot or an arm on the path that was found. [`picture`]: what a run looks like.
 //! - [`standard`]: all that ships, a line each.
 //! - `testing`: the conformance suite, which checks what every planner promises; not in WebAssembly.
