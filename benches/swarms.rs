@@ -83,7 +83,7 @@ fn swarms(criterion: &mut Criterion) {
         let scene = scene(function);
         let mut group = criterion.benchmark_group(format!("{} D{DIMENSION}, {PARTICLES} x {ITERATIONS}", function.name()));
         group.sample_size(20);
-        for entry in standard().planners().iter().copied().filter(|entry| entry.family == "swarm") {
+        for entry in standard().suited(&scene).filter(|entry| entry.family == "swarm") {
             group
                 .bench_with_input(BenchmarkId::new("forage", entry.name), entry, |b, entry| b.iter(|| black_box(whole_run(entry, &scene))));
         }
@@ -96,7 +96,7 @@ fn grid(criterion: &mut Criterion) {
     let scene = forage::shipped("qpso-10m").expect("it ships");
     let mut group = criterion.benchmark_group(format!("10 m grid D8, {PARTICLES} x {ITERATIONS}"));
     group.sample_size(20);
-    for entry in standard().planners().iter().copied().filter(|entry| entry.family == "swarm") {
+    for entry in standard().suited(&scene).filter(|entry| entry.family == "swarm") {
         group.bench_with_input(BenchmarkId::new("forage", entry.name), entry, |b, entry| b.iter(|| black_box(whole_run(entry, &scene))));
     }
     group.finish();

@@ -24,8 +24,8 @@ function native(program) {
     // A run that finds nothing has exit code 1 and its outcome all the same.
     const { status, stdout, stderr } = spawnSync(program, ['run', planner, '--scene', scene, '--json'], { env, maxBuffer: 1e9 })
     if (status > 1) throw new Error(`${planner} on ${scene}: ${stderr}`)
-    const { elapsed_ms, hash, cost } = JSON.parse(stdout)
-    return { ms: elapsed_ms, hash, cost }
+    const { elapsed_ms, hash, parameters, cost, evaluations, iterations } = JSON.parse(stdout)
+    return { ms: elapsed_ms, hash, same: JSON.stringify([parameters, cost, evaluations, iterations]) }
   }
 }
 
@@ -97,8 +97,8 @@ const differ = []
 for (const setup of runs) {
   const fastest = measure(setup)
   const before = fastest['native before']
-  // What comes to another end is another run, not a faster or slower one.
-  const other = before && before.cost !== fastest.native.cost
+  // With other defaults, or to another end, it is another run, not a faster or slower one.
+  const other = before && before.same !== fastest.native.same
   const ratios = pairs.map(([a, b]) =>
     fastest[a] && fastest[b] && !(other && b.endsWith('before')) ? fastest[a].ms / fastest[b].ms : undefined,
   )
@@ -108,7 +108,12 @@ for (const setup of runs) {
   line([setup.planner, setup.scene, ...times, ...ratios.map((ratio) => ratio?.toFixed(3) ?? '–')])
 }
 line(['median', '', '', '', ...all.map((ratios) => (ratios.length > 0 ? median(ratios).toFixed(3) : '–'))])
-if (differ.length > 0) console.log(`\nAnother cost than before, so not compared: ${differ.join(', ')}`)
+const waiting = runs.filter(({ alone }) => !alone).map(({ planner, scene }) => `${planner} on ${scene}`)
+if (waiting.length > 0) console.log(`\nMeasured natively only, as they wait for runs of others: ${waiting.join(', ')}`)
+if (differ.length > 0)
+  console.log(
+    `\nOther parameters, or another cost or number of evaluations or iterations than before, so not compared: ${differ.join(', ')}`,
+  )
 for (const field of new Set(refused.map(({ field }) => field))) {
   const those = refused.filter((refusal) => refusal.field === field)
   console.log(`\nRefused because of \`${field}\`: ${those.map(({ planner, scene }) => `${planner} on ${scene}`).join(', ')}`)

@@ -108,7 +108,7 @@ impl Field {
         self.cells.blocks.iter().chain(&self.seams.blocks)
     }
 
-    /// Visits the blocks that a segment could come within `reach` of.
+    /// Visits the blocks that a segment could come within `reach` of, and says no where `visit` did.
     fn all_near(&self, a: [f64; 2], b: [f64; 2], reach: f64, visit: &mut dyn FnMut(&Block) -> bool) -> bool {
         walk([&self.cells, &self.seams], a, b, reach, visit)
     }
