@@ -1,9 +1,9 @@
 /**
- * Says messages: what a module without words is given by `speakBy`. Patterns are Fluent's, a file a language.
+ * Says messages: what the module, which has no words, is given by `speakBy`. Patterns are Fluent's, a file a language.
  *
- *     import init, { speakBy } from 'forage-lab/swarm'
+ *     import { speakBy } from 'forage-lab'
  *     import { speaker } from 'forage-lab/words'
- *     speakBy(speaker('en', await (await fetch('…/locales/en/swarm.json')).json()))
+ *     speakBy(speaker('zh', await (await fetch('…/locales/zh.json')).json()))
  */
 import { FluentBundle, FluentNumber, FluentResource } from '@fluent/bundle'
 
@@ -46,15 +46,19 @@ function fixed(value, digits) {
 
 const functions = { NUMBER: ([value], { digits }) => new Fixed(value.valueOf(), { digits: Number(digits.valueOf()) }) }
 
-/** A function of a key and its arguments that says a message: undefined where there are no words for it. */
+/** A function of a key and its arguments that says a message: undefined where there are no words for it. `add` gives it more. */
 export function speaker(locale, patterns) {
   const bundle = new FluentBundle(locale, { functions, useIsolating: false })
-  const text = Object.entries(patterns).map(([key, pattern]) => `${key} = ${pattern.replaceAll('\n', '\n    ')}\n`)
-  bundle.addResource(new FluentResource(text.join('')))
-  return (key, given) => {
+  const say = (key, given) => {
     const pattern = bundle.getMessage(key)?.value
     if (pattern == null) return undefined
     const named = Object.entries(given).map(([name, value]) => [name, typeof value === 'number' ? new Plain(value) : value])
     return bundle.formatPattern(pattern, Object.fromEntries(named), [])
   }
+  say.add = (more) => {
+    const text = Object.entries(more).map(([key, pattern]) => `${key} = ${pattern.replaceAll('\n', '\n    ')}\n`)
+    bundle.addResource(new FluentResource(text.join('')), { allowOverrides: true })
+  }
+  say.add(patterns)
+  return say
 }

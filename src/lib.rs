@@ -77,7 +77,7 @@ pub mod kernel;
 pub mod math;
 pub mod params;
 pub mod picture;
-mod registry;
+pub mod registry;
 pub mod run;
 pub mod scene;
 pub mod search;

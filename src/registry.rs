@@ -1,4 +1,5 @@
-//! What ships: every planner, kind of scene, generator and follower, a line each; nothing else lists them.
+//! What ships: every planner, kind of scene, generator and follower, a line each; nothing else lists them. Planners stand in
+//! groups, in the order in which they are offered: what a WebAssembly module loads at a time.
 
 use std::sync::{Arc, LazyLock};
 
@@ -15,14 +16,12 @@ use crate::{
 /// Kinds of scenes, in the order in which their scenes are offered.
 const KINDS: &[&SceneKind] = &[&discs::KIND, &grid::KIND, &tours::KIND, &arm::KIND, &function::KIND];
 
-/// Planners, in the order in which they are offered.
-const PLANNERS: &[&Entry] = &[
-    &swarm::wcpso::ENTRY,
-    &swarm::pso::ENTRY,
-    &swarm::wpso::ENTRY,
-    &swarm::cpso::ENTRY,
-    &swarm::ltqpso::ENTRY,
-    &swarm::qpso::ENTRY,
+/// Particle swarms and quantum swarms.
+pub const SWARMS: &[&Entry] =
+    &[&swarm::wcpso::ENTRY, &swarm::pso::ENTRY, &swarm::wpso::ENTRY, &swarm::cpso::ENTRY, &swarm::ltqpso::ENTRY, &swarm::qpso::ENTRY];
+
+/// What searches on maps: other swarms, ants, and searches of cells.
+pub const SEARCHES: &[&Entry] = &[
     &swarm::bat_continuous::ENTRY,
     &swarm::cuckoo_search::ENTRY,
     &swarm::pso_rrt::ENTRY,
@@ -33,6 +32,10 @@ const PLANNERS: &[&Entry] = &[
     &search::a_star::ENTRY,
     &search::dijkstra::ENTRY,
     &search::theta_star::ENTRY,
+];
+
+/// Tours of many stops.
+pub const TOURS: &[&Entry] = &[
     &tour::bat::ENTRY,
     &tour::hybrid_bat::ENTRY,
     &tour::ga::ENTRY,
@@ -40,19 +43,18 @@ const PLANNERS: &[&Entry] = &[
     &tour::sa::ENTRY,
     &tour::two_opt::ENTRY,
     &tour::held_karp::ENTRY,
-    &tree::rrt_guided::ENTRY,
-    &tree::rrt::ENTRY,
-    &tree::rrt_connect::ENTRY,
-    &tree::rrt_star::ENTRY,
-    &tree::rrt_joint::ENTRY,
-    &dynamic::wolf_ant_drive::ENTRY,
-    &dynamic::a_star_drive::ENTRY,
-    &dynamic::d_star_lite_drive::ENTRY,
-    &tuning::ENTRY,
 ];
 
+/// Random trees.
+pub const TREES: &[&Entry] =
+    &[&tree::rrt_guided::ENTRY, &tree::rrt::ENTRY, &tree::rrt_connect::ENTRY, &tree::rrt_star::ENTRY, &tree::rrt_joint::ENTRY];
+
+/// Drives among what moves, and the tuning of other planners.
+pub const DRIVES: &[&Entry] =
+    &[&dynamic::wolf_ant_drive::ENTRY, &dynamic::a_star_drive::ENTRY, &dynamic::d_star_lite_drive::ENTRY, &tuning::ENTRY];
+
 /// Generators of random scenes.
-const GENERATORS: &[&Generator] =
+pub const GENERATORS: &[&Generator] =
     &[&generate::RANDOM, &generate::RUBBLE, &generate::ROOMS, &generate::MAZE, &generate::STOPS, &generate::DISCS, &generate::SHIFTED];
 
 /// Who follows a path.
@@ -61,7 +63,11 @@ const FOLLOWERS: &[&Follower] = &[&drive::ENTRY, &motion::ENTRY];
 impl Registry {
     /// All that ships, in the order in which it is offered; add to it with [`Registry::with`].
     pub fn standard() -> Self {
-        Self::new().with_all(KINDS).with_all(PLANNERS).with_all(GENERATORS).with_all(FOLLOWERS)
+        [SWARMS, SEARCHES, TOURS, TREES, DRIVES]
+            .into_iter()
+            .fold(Self::new().with_all(KINDS), Self::with_all)
+            .with_all(GENERATORS)
+            .with_all(FOLLOWERS)
     }
 }
 

@@ -1,108 +1,18 @@
-// A module whose words its host brings, beside the one that has its English inside: under Node both say the same.
+// The module's parts, and the words that its host brings.
 import assert from 'node:assert/strict'
-import { readFileSync } from 'node:fs'
+import { execFileSync } from 'node:child_process'
+import { readdirSync, readFileSync } from 'node:fs'
 import { test } from 'node:test'
 import { pattern } from '../package/fluent.mjs'
-import * as whole from '../pkg/node.js'
-import * as swarm from '../pkg/swarm.node.js'
+import { catalogue, partsOf } from '../pkg/node.js'
 import { speaker } from '../pkg/words.js'
 
-const PLANNERS = ['pso', 'wpso', 'cpso', 'wcpso', 'qpso', 'ltqpso']
-const SCENES = ['wcpso-discs', 'discs-gate', 'matyas', 'rastrigin']
 const json = (path) => JSON.parse(readFileSync(new URL(path, import.meta.url), 'utf8'))
 const messages = json('../pkg/locales/en.json')
 
-/** What is thrown, by its parts. */
-const refusal = (call) => {
-  try {
-    call()
-  } catch (error) {
-    const { code, message, field, value, allowed } = error
-    return { code, message, field, value, allowed }
-  }
-  return undefined
-}
-
-test('every run has the same hash, explanations and outcome', () => {
-  let told = 0
-  for (const planner of PLANNERS)
-    for (const scene of SCENES) {
-      const setup = { planner, scene, seed: 5, params: { population: 12, iterations: 40 } }
-      const [one, other] = [whole, swarm].map(({ Session }) => new Session(setup))
-      while (one.status === 'running') {
-        for (const index of [0, 5, 11, 12]) {
-          const item = { role: 'particles', index }
-          const expected = one.inspect(item)
-          assert.deepEqual(other.inspect(item), expected, `${planner} on ${scene}, ${one.iteration}`)
-          told += expected ? 1 : 0
-        }
-        one.step(3)
-        other.step(3)
-      }
-      assert.equal(other.hash(), one.hash())
-      assert.deepEqual(other.outcome(), one.outcome())
-      assert.equal(other.link(), one.link())
-    }
-  assert.ok(told > 500, `${told} explanations`)
-})
-
-test('every refusal is the same', () => {
-  const discs = (change) => ({
-    format: 'forage-scene',
-    version: 1,
-    kind: 'discs',
-    name: 'a',
-    title: 'A',
-    bounds: { min: [0, 0], max: [9, 8] },
-    start: [0, 0],
-    goal: [9, 8],
-    discs: [{ center: [4, 4], radius: 1 }],
-    ...change,
-  })
-  const run = (change) => ({ planner: 'pso', scene: 'matyas', ...change })
-  const refused = [
-    ({ Session }) => new Session(),
-    ({ Session }) => new Session(run({ planner: 3 })),
-    ({ Session }) => new Session(run({ seed: -1 })),
-    ({ Session }) => new Session(run({ seed: 'x' })),
-    ({ Session }) => new Session(run({ params: { population: 0 } })),
-    ({ Session }) => new Session(run({ params: { population: 1e9 } })),
-    ({ Session }) => new Session(run({ params: { w_max: 'a' } })),
-    ({ Session }) => new Session(run({ params: { wings: 2 } })),
-    ({ Session }) => new Session(run({ params: 7 })),
-    ({ Session }) => new Session(run({ scene: discs({ start: [4, 4] }) })),
-    ({ Session }) => new Session(run({ scene: discs({ goal: [40, 4] }) })),
-    ({ Session }) => new Session(run({ scene: discs({ wall: 1 }) })),
-    ({ Session }) => new Session(run({ scene: discs({ discs: [{ center: [1, 2], radius: -1 }] }) })),
-    ({ Session }) => new Session(run({ scene: discs({ discs: [{ center: [1], radius: 1 }] }) })),
-    ({ Session }) => new Session(run({ scene: discs({ bounds: 3 }) })),
-    ({ Session }) => new Session(run({ scene: discs({ name: 5 }) })),
-    ({ Session }) => new Session(run({ scene: discs({ format: 'x' }) })),
-    ({ Session }) => new Session(run({ scene: { ...discs({}), kind: 'function', function: 'sphere' } })),
-    ({ Session }) => Session.fromLink('#1/nonsense'),
-    ({ Session }) => Session.fromLink('#9/pso/matyas'),
-    ({ parseLink }) => parseLink(''),
-    ({ checkScene }) => checkScene('a'),
-    ({ checkParameter }) => checkParameter('pso', 'discs', 'population', 0.5),
-    ({ Trial }) => new Trial(run({}), -1),
-    ({ Trial }) => new Trial(run({})).step(0),
-  ]
-  for (const call of refused) {
-    const [expected, found] = [whole, swarm].map((module) => refusal(() => call(module)))
-    assert.ok(expected, `accepted: ${call}`)
-    // A module knows fewer planners, kinds and scenes.
-    if (expected.code === 'unknown')
-      for (const one of [expected, found]) {
-        delete one.message
-        delete one.allowed
-      }
-    assert.deepEqual(found, expected, String(call))
-  }
-})
-
-test('the catalogue of a module is that of the file, with the symbols of explanations', () => {
-  const { symbols } = whole.catalogue()
-  assert.deepEqual(whole.catalogue(), json('../pkg/catalogue.json'))
+test('the catalogue is that of the file, with the symbols of explanations', () => {
+  const { symbols } = catalogue()
+  assert.deepEqual(catalogue(), json('../pkg/catalogue.json'))
   for (const symbol of ['c_1 r_1 (p - x)', '\\tau', '\\varphi_i']) assert.ok(symbols.includes(symbol), symbol)
 })
 
@@ -155,18 +65,81 @@ test('numbers are written as natively: all digits, or so many, halves to even', 
   assert.equal(say('stops', { n: 3, s: 3 }), '{3} stops')
 })
 
-test('the module of swarms has nothing of other families, nor of arms', () => {
-  const wasm = readFileSync(new URL('../pkg/swarm_bg.wasm', import.meta.url), 'latin1')
+/** What a script prints in a process of its own: nothing is loaded there. */
+const alone = (script) =>
+  JSON.parse(
+    execFileSync(process.execPath, ['--input-type=module', '--eval', script], { cwd: new URL('..', import.meta.url), encoding: 'utf8' }),
+  )
+
+test('the first part has nothing of other families, nor of arms', () => {
+  const wasm = readFileSync(new URL('../pkg/forage_bg.wasm', import.meta.url), 'latin1')
   for (const word of ['rrt-guided', 'aco-wolf', 'held-karp', 'a-star', 'hybrid-bat', 'cuboids', 'column_radius'])
     assert.ok(!wasm.includes(word), word)
-  const { code, allowed } = refusal(() => new swarm.Session({ planner: 'rrt-guided', scene: 'matyas' }))
-  assert.deepEqual([code, allowed], ['unknown', 'wcpso, pso, wpso, cpso, ltqpso, qpso'])
 })
 
-test('a module without words says keys', () => {
-  swarm.speakBy(() => undefined)
-  const { message, allowed } = refusal(() => new swarm.Session({ planner: 'pso', scene: 'matyas', seed: -1 }))
+test('no part has English inside', () => {
+  for (const file of readdirSync(new URL('../pkg', import.meta.url)).filter((name) => name.endsWith('.wasm'))) {
+    const wasm = readFileSync(new URL(`../pkg/${file}`, import.meta.url), 'latin1')
+    for (const word of ['is not allowed', 'there is no `', 'a whole number from', 'keeps part of its velocity'])
+      assert.ok(!wasm.includes(word), `${file}: ${word}`)
+  }
+})
+
+test('parts come when a call needs them, in any order, and are offered in the order of the catalogue', () => {
+  const { planners, scenes } = json('../pkg/catalogue.json')
+  const told = alone(`
+    import { checkParameter, checkScene, Session } from './pkg/node.js'
+    const [rrt, ant, sa] = [['rrt-guided', 'arm-bench'], ['aco', 'ant-bat-30'], ['sa', 'random-52']].map(([planner, scene]) => {
+      const session = new Session({ planner, scene })
+      session.step(2)
+      return session.hash()
+    })
+    const known = (call) => { try { call() } catch ({ code, allowed }) { return [code, allowed] } }
+    console.log(JSON.stringify({ rrt, ant, sa, planners: known(() => checkParameter('x')), scenes: known(() => checkScene('x')) }))`)
+  assert.deepEqual(told.planners, ['unknown', planners.map(({ name }) => name).join(', ')])
+  assert.deepEqual(told.scenes, ['unknown', scenes.map(({ name }) => name).join(', ')])
+  for (const name of ['rrt', 'ant', 'sa']) assert.match(told[name], /^[0-9a-f]{16}$/)
+})
+
+test('what a run needs is known by name before it is loaded', () => {
+  const grid = { format: 'forage-scene', version: 1, kind: 'grid' }
+  const cases = [
+    [{ planner: 'wcpso', scene: 'wcpso-discs' }, []],
+    [{ planner: 'pso', scene: grid }, ['grid']],
+    [{ planner: 'a-star', scene: 'ant-bat-30' }, ['grid']],
+    [{ planner: 'rrt', scene: 'arm-bench' }, ['arm']],
+    [{ planner: 'held-karp', scene: 'random-52', params: { roads: 'rrt' } }, ['tour', 'grid', 'arm']],
+    [{ planner: 'x', scene: 'y' }, []],
+    [{ planner: 'toString', scene: { kind: 'constructor' } }, []],
+  ]
+  for (const [setup, parts] of cases) assert.deepEqual(partsOf(setup), parts, JSON.stringify(setup))
+})
+
+test('a host that brings no part is told which one it takes', () => {
+  const told = alone(`
+    import { checkScene, initSync, parseLink, Session, speakBy } from './pkg/glue.js'
+    import { askBy, share } from './pkg/loader.js'
+    import { readFileSync } from 'node:fs'
+    share(initSync({ module: readFileSync('pkg/forage_bg.wasm') }))
+    speakBy((key, args) => key + ' ' + Object.values(args).join(' '))
+    askBy((parts, known) => known ? parts.join() : undefined)
+    const grid = { format: 'forage-scene', version: 1, kind: 'grid' }
+    const calls = [() => new Session({ planner: 'dijkstra', scene: 'matyas' }), () => checkScene('ant-bat-30'), () => checkScene(grid), () => parseLink('#'), () => checkScene('x')]
+    console.log(JSON.stringify(calls.map((call) => { try { call() } catch ({ code, field, value, allowed }) { return [code, field, value, allowed] } })))`)
+  assert.deepEqual(told.slice(0, 4), [
+    ['not-loaded', 'planner', 'dijkstra', 'error-part-loaded grid'],
+    ['not-loaded', 'scene', 'ant-bat-30', 'error-part-loaded grid'],
+    ['not-loaded', 'kind', 'grid', 'error-part-loaded grid'],
+    ['not-loaded', 'tool', 'links', 'error-part-loaded links'],
+  ])
+  assert.deepEqual(told[4].slice(0, 3), ['unknown', 'scene', 'x'])
+})
+
+test('without words keys are said', () => {
+  const { message, allowed } = alone(`
+    import { Session, speakBy } from './pkg/node.js'
+    speakBy(() => undefined)
+    try { new Session({ planner: 'pso', scene: 'matyas', seed: -1 }) } catch ({ message, allowed }) { console.log(JSON.stringify({ message, allowed })) }`)
   assert.equal(message, 'error-refused')
   assert.match(allowed, /^[a-z]+-[a-z-]+$/)
-  swarm.speakBy(speaker('en', json('../pkg/locales/en/swarm.json')))
 })

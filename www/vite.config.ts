@@ -15,7 +15,12 @@ const styles = (_: string, files: string[], { hostType }: { hostType: 'html' | '
 export default defineConfig({
   base: './',
   plugins: [svelte(), formulas(core), palette(`${root}/src/describe/palette.json`), reproduction(root)],
-  resolve: { alias: { 'forage-lab': `${core}/forage.js`, './symbols.js': `${root}/www/plugins/no-symbols.ts` } },
+  resolve: {
+    alias: [
+      { find: /^forage-lab$/, replacement: `${core}/page.js` },
+      { find: /^forage-lab\//, replacement: `${core}/` },
+    ],
+  },
   worker: { format: 'es' },
   server: { fs: { allow: ['..'] } },
   // What draws in space is one library, and comes with the first scene that needs it.

@@ -19,6 +19,8 @@ said! {
     value "error-value" "a number, a text, true or false";
     text "error-text" "a text";
     flag "error-flag" "true or false";
+    freed "error-freed" "one that was freed";
+    not_freed "error-not-freed" "one that was not freed";
     canvas "error-canvas" "the 2D context of an OffscreenCanvas";
     list "error-list" "a list";
     point "error-point" "a point, [x, y]";
@@ -36,6 +38,11 @@ said! {
     object "error-an-object" "an object";
     iterable "error-iterable" "an iterable object";
     unreadable "error-unreadable" "an object that cannot be read";
+}
+
+/// Of what is in a part of a module that is not loaded.
+pub fn loaded(part: &str) -> Message {
+    message!("error-part-loaded", "one whose part of the module is loaded: call `await load('{part}')` before", part)
 }
 
 /// Of a value of a kind of its own: `a function`.

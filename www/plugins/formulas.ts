@@ -1,6 +1,5 @@
-import { readFile, stat } from 'node:fs/promises'
+import { readFile } from 'node:fs/promises'
 import { resolve } from 'node:path'
-import { pathToFileURL } from 'node:url'
 import temml from 'temml'
 import type { Plugin } from 'vite'
 
@@ -34,27 +33,21 @@ interface Symbols {
   symbols?: string[]
 }
 
-interface Core {
-  initSync(options: { module: Uint8Array }): void
-  catalogue(): Symbols
-}
-
 /**
  * Provides `virtual:formulas`: the catalogue's TeX as MathML, made while building, so that the page ships no TeX engine.
  * Symbols come at once, a planner's formulas (`virtual:formulas/wcpso`) when they are asked for.
  * @param core the folder that the wasm package was built into
  */
 export function formulas(core: string): Plugin {
-  const script = resolve(core, 'forage.js')
-  const wasm = resolve(core, 'forage_bg.wasm')
+  const file = resolve(core, 'catalogue.json')
 
   return {
     name: 'forage-formulas',
     resolveId: (id) => (id === ID || id.startsWith(`${ID}/`) ? `\0${id}` : undefined),
     async load(id) {
       if (!id.startsWith(RESOLVED)) return undefined
-      this.addWatchFile(wasm)
-      const catalogue = await readCatalogue(script, wasm)
+      this.addWatchFile(file)
+      const catalogue = await readCatalogue(file)
       const displayed = formulasOf(catalogue)
       if (id !== RESOLVED) return `export default ${JSON.stringify(typeset(displayed[id.slice(RESOLVED.length + 1)] ?? new Set(), true))}`
       const loaders = Object.keys(displayed).map((name) => `${JSON.stringify(name)}: () => import(${JSON.stringify(`${ID}/${name}`)})`)
@@ -66,14 +59,11 @@ export function formulas(core: string): Plugin {
   }
 }
 
-async function readCatalogue(script: string, wasm: string): Promise<Symbols> {
-  const built = await stat(wasm).catch(() => {
-    throw new Error(`${wasm} is missing: build the core first (scripts/build-wasm)`)
+async function readCatalogue(file: string): Promise<Symbols> {
+  const text = await readFile(file, 'utf8').catch(() => {
+    throw new Error(`${file} is missing: build the core first (scripts/build-wasm)`)
   })
-  // The time makes Node load a rebuilt core anew instead of the one it remembers.
-  const core = (await import(/* @vite-ignore */ `${pathToFileURL(script).href}?built=${built.mtimeMs}`)) as Core
-  core.initSync({ module: await readFile(wasm) })
-  return core.catalogue()
+  return JSON.parse(text) as Symbols
 }
 
 function symbolsOf({ planners, symbols = [], ...others }: Symbols): Set<string> {

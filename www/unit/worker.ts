@@ -117,6 +117,7 @@ export class FakeWorker {
     newSeed: (): Promise<number> => this.answer(() => (this.seeds += 1)),
     pick: (x: number): Promise<unknown> => this.answer(() => ({ role: this.setup?.planner, index: x })),
     watch: (): Promise<void> => this.answer(() => undefined),
+    drawn: (): Promise<void> => Promise.resolve(),
     speed: (): Promise<void> => Promise.resolve(),
   }
 

@@ -17,7 +17,21 @@ use crate::{
     JsArmPose, JsArmSolutions, JsJoints, JsJointsOrUndefined, JsNumber, JsPoint3, JsPoint3OrNull, JsReachability, JsSceneOrName, js_error,
     object, plain,
     read::{read_list, read_number, read_scene, refused},
+    tool::Tool,
 };
+
+struct Arms {
+    pose: fn(&JsValue, &JsValue) -> Result<JsArmPose, JsValue>,
+    solutions: fn(&JsValue, &JsValue, &JsValue, &JsValue) -> Result<JsArmSolutions, JsValue>,
+    reachability: fn(&JsValue, &JsValue) -> Result<JsReachability, JsValue>,
+}
+
+static ARMS: Tool<Arms> = Tool::new("arm");
+
+/// Offers what an arm can do by itself.
+pub fn offer_arm() {
+    ARMS.offer(&Arms { pose, solutions, reachability: cloud });
+}
 
 /// An arm's scene, or a refusal of its `kind`.
 fn read_arm(scene: &JsValue) -> Result<Arc<Scene>, JsValue> {
@@ -87,6 +101,10 @@ struct Answer {
 /// An `Error` with `field`, `value` and `allowed`.
 #[wasm_bindgen(js_name = armPose)]
 pub fn arm_pose(scene: &JsSceneOrName, joints: &JsJoints) -> Result<JsArmPose, JsValue> {
+    (ARMS.get()?.pose)(scene, joints)
+}
+
+fn pose(scene: &JsValue, joints: &JsValue) -> Result<JsArmPose, JsValue> {
     let scene = read_arm(scene)?;
     let scene = arm_of(&scene)?;
     let posture = read_posture("joints", joints)?;
@@ -107,6 +125,10 @@ pub fn arm_solutions(
     direction: &JsPoint3OrNull,
     near: &JsJointsOrUndefined,
 ) -> Result<JsArmSolutions, JsValue> {
+    (ARMS.get()?.solutions)(scene, point, direction, near)
+}
+
+fn solutions(scene: &JsValue, point: &JsValue, direction: &JsValue, near: &JsValue) -> Result<JsArmSolutions, JsValue> {
     let scene = read_arm(scene)?;
     let scene = arm_of(&scene)?;
     let point = read_in_space("point", point)?;
@@ -135,6 +157,10 @@ pub fn arm_solutions(
 /// An `Error` with `field`, `value` and `allowed`.
 #[wasm_bindgen]
 pub fn reachability(scene: &JsSceneOrName, step: &JsNumber) -> Result<JsReachability, JsValue> {
+    (ARMS.get()?.reachability)(scene, step)
+}
+
+fn cloud(scene: &JsValue, step: &JsValue) -> Result<JsReachability, JsValue> {
     let scene = read_arm(scene)?;
     let step = read_number("step", step)?;
     let cloud = arm::reachability(arm_of(&scene)?, step).map_err(js_error)?;

@@ -8,10 +8,17 @@ use forage::Error;
 /// An `Error` with the native message and its parts.
 #[cold]
 #[inline(never)]
-#[expect(clippy::needless_pass_by_value, reason = "it is dropped here, not wherever something is refused")]
 pub(crate) fn js_error(error: Error) -> JsValue {
+    js_error_as(error.code(), error)
+}
+
+/// The same with a code of its own.
+#[cold]
+#[inline(never)]
+#[expect(clippy::needless_pass_by_value, reason = "it is dropped here, not wherever something is refused")]
+pub(crate) fn js_error_as(code: &str, error: Error) -> JsValue {
     let js = js_sys::Error::new(&error.to_string());
-    for (name, part) in [("code", error.code()), ("field", error.field()), ("value", error.value()), ("allowed", &*error.allowed())] {
+    for (name, part) in [("code", code), ("field", error.field()), ("value", error.value()), ("allowed", &*error.allowed())] {
         // Setting a property of an ordinary object cannot fail.
         let _ = js_sys::Reflect::set(&js, &name.into(), &part.into());
     }

@@ -4,6 +4,7 @@ use js_sys::{Array, Uint8Array};
 use wasm_bindgen::{JsCast, prelude::*};
 
 use forage::{
+    Error, Scene,
     kernel::allowed,
     scene::formats::{self, Format, NamedFile, tour_file},
 };
@@ -11,8 +12,29 @@ use forage::{
 use crate::{
     JsFormat, JsImported, JsNamedFileOrNull, JsNamedFiles, JsNumber, JsScene, Session, js_error, object, plain,
     read::{property, read_list, read_scene, read_text, refused, whole},
-    registry::registry,
+    registry::ask,
+    tool::Tool,
 };
+
+struct Files {
+    import: fn(&[NamedFile], Option<usize>) -> Result<JsImported, JsValue>,
+    export: fn(&Scene, &str) -> Result<Vec<NamedFile>, Error>,
+    tour: fn(&str, &[usize]) -> NamedFile,
+}
+
+static FILES: Tool<Files> = Tool::new("files");
+
+/// Offers other programs' files.
+pub fn offer_files() {
+    FILES.offer(&Files {
+        import: |files, problem| plain(&ask(|registry| formats::import(registry, files, problem))?),
+        export: |scene, format| {
+            let made = formats::export(scene, Format::named(format)?, scene.name())?;
+            Ok(made.files)
+        },
+        tour: tour_file,
+    });
+}
 
 /// The scene in some files: a `.map`, alone or with a `.scen`; a `.yaml` with its `.pgm`; a `.tsp` or a scene's `.json`,
 /// alone or with a `.tour`; or a `.csv` of points. Of a `.scen` file's problems the scene takes the one with this number,
@@ -24,7 +46,7 @@ use crate::{
 pub fn import_scene(files: &JsNamedFiles, problem: Option<JsNumber>) -> Result<JsImported, JsValue> {
     let files = read_list("files", files)?.iter().map(read_file).collect::<Result<Vec<_>, _>>()?;
     let problem = problem.map(|number| whole("problem", &number)).transpose()?.map(|number| number as usize);
-    plain(&formats::import(registry(), &files, problem).map_err(js_error)?)
+    (FILES.get()?.import)(&files, problem)
 }
 
 /// A scene's files in another format.
@@ -35,9 +57,9 @@ pub fn import_scene(files: &JsNamedFiles, problem: Option<JsNumber>) -> Result<J
 pub fn export_scene(scene: &JsScene, format: &JsFormat) -> Result<JsNamedFiles, JsValue> {
     let scene = read_scene(scene)?;
     let format = read_text("format", format)?;
-    let made = Format::named(&format).and_then(|format| formats::export(&scene, format, scene.name()));
+    let made = (FILES.get()?.export)(&scene, &format).map_err(js_error)?;
     let files = Array::new();
-    for file in made.map_err(js_error)?.files {
+    for file in made {
         files.push(&named_file::<JsValue>(file));
     }
     Ok(files.unchecked_into())
@@ -61,10 +83,12 @@ fn read_file(value: &JsValue) -> Result<NamedFile, JsValue> {
 impl Session {
     /// The best tour so far as a TSPLIB `.tour` file; null where no tour was found.
     #[wasm_bindgen(js_name = tourFile)]
-    pub fn tour_file(&mut self) -> JsNamedFileOrNull {
+    /// # Errors
+    /// Where files are not offered.
+    pub fn tour_file(&mut self) -> Result<JsNamedFileOrNull, JsValue> {
         let Some(order) = self.run.outcome().order else {
-            return JsValue::NULL.unchecked_into();
+            return Ok(JsValue::NULL.unchecked_into());
         };
-        named_file(tour_file(&format!("{}.tour", self.run.scene().name()), &order))
+        Ok(named_file((FILES.get()?.tour)(&format!("{}.tour", self.run.scene().name()), &order)))
     }
 }

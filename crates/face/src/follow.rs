@@ -5,7 +5,7 @@ use wasm_bindgen::{JsCast, prelude::*};
 
 use forage::{describe::Extra, params::Object};
 
-use crate::{JsDriveOrNull, JsGiven, JsMotionOrNull, Session, js_error, object, plain, read::read_parameters, registry::registry};
+use crate::{JsDriveOrNull, JsGiven, JsMotionOrNull, Session, js_error, object, plain, read::read_parameters, registry::ask};
 
 #[wasm_bindgen]
 impl Session {
@@ -27,8 +27,9 @@ impl Session {
 
     fn follow(&self, follower: &str, params: &JsGiven) -> Result<JsValue, JsValue> {
         let overrides = read_parameters(params)?;
-        let known = registry().follower(follower).map_err(js_error)?;
-        let Some(followed) = self.run.follow(follower, &overrides).map_err(js_error)? else {
+        let known = ask(|registry| registry.follower(follower))?;
+        let found = self.run.best().map(|best| best.solution);
+        let Some(followed) = (known.follow)(self.run.scene(), found.as_ref(), &overrides).map_err(js_error)? else {
             return Ok(JsValue::NULL);
         };
         let mut properties = vec![

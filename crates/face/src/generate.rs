@@ -3,9 +3,9 @@
 use wasm_bindgen::prelude::*;
 
 use crate::{
-    JsGiven, JsNumber, JsScene, JsText, js_error, plain,
+    JsGiven, JsNumber, JsScene, JsText, plain,
     read::{read_parameters, read_text, whole},
-    registry::registry,
+    registry::ask,
 };
 
 /// A random scene: the same for the same parameters and seed.
@@ -15,5 +15,6 @@ use crate::{
 #[wasm_bindgen(js_name = generateScene)]
 pub fn generate_scene(name: &JsText, params: &JsGiven, seed: &JsNumber) -> Result<JsScene, JsValue> {
     let given = read_parameters(params)?;
-    plain(&registry().generate(&read_text("name", name)?, &given, whole("seed", seed)?).map_err(js_error)?)
+    let (name, seed) = (read_text("name", name)?, whole("seed", seed)?);
+    plain(&ask(|registry| registry.generate(&name, &given, seed))?)
 }

@@ -3,37 +3,31 @@
 //! ```ignore
 //! #[wasm_bindgen(start)]
 //! fn start() {
-//!     forage_face::know(Registry::new().with(&discs::KIND).with(&pso::ENTRY));
+//!     forage_face::know(0, |registry| registry.with(&discs::KIND).with(&pso::ENTRY));
 //! }
 //! ```
 //!
 //! Plain objects in and out; typed arrays for numbers; errors as `Error` with the native message and the fields
 //! `field`, `value` and `allowed`. Nothing panics across this boundary on any input.
 //!
-//! `types` names what crosses the boundary, `read` checks what comes in, this file does the work of a run. What few modules
-//! need is behind a feature each, as the linker keeps everything that is exported: `arm`, `catalogue`, `english`, `files`,
-//! `followers`, `generators`, `pictures` and `statistics`.
+//! `types` names what crosses the boundary, `read` checks what comes in, this file does the work of a run. What few runs need is
+//! a tool: the linker keeps everything that is exported, so an export only passes on to what a module has offered
+//! (`offer_arm`, `offer_files`, `offer_links`, `offer_pictures`, `offer_statistics`).
 #![cfg(target_arch = "wasm32")]
 
-#[cfg(feature = "arm")]
 mod arm;
-#[cfg(feature = "catalogue")]
-mod catalogue;
 mod convert;
-#[cfg(feature = "files")]
 mod files;
-#[cfg(feature = "followers")]
 mod follow;
-#[cfg(feature = "generators")]
 mod generate;
 mod inspection;
-#[cfg(feature = "pictures")]
+mod links;
 mod pictures;
 mod read;
 mod registry;
 mod scenes;
-#[cfg(feature = "statistics")]
 mod statistics;
+mod tool;
 mod trial;
 mod types;
 mod words;
@@ -46,26 +40,21 @@ use wasm_bindgen::{JsCast, prelude::*};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
 use forage::{
-    Error, Frame, Link, Overrides, Scene,
+    Error, Frame,
     geometry::Bounds,
     kernel::{Status, SubtaskResult, allowed, javascript, rng},
-    message,
     params::Object,
     picture, run,
 };
 
-#[cfg(feature = "arm")]
-pub use arm::{arm_pose, arm_solutions, reachability};
-#[cfg(feature = "catalogue")]
-pub use catalogue::catalogue;
-#[cfg(feature = "files")]
-pub use files::{export_scene, import_scene};
-#[cfg(feature = "generators")]
+pub use arm::{arm_pose, arm_solutions, offer_arm, reachability};
+pub use files::{export_scene, import_scene, offer_files};
 pub use generate::generate_scene;
-pub use registry::know;
+pub use links::{offer_links, parse_link};
+pub use pictures::offer_pictures;
+pub use registry::{Entries, know};
 pub use scenes::check_scene;
-#[cfg(feature = "statistics")]
-pub use statistics::compare;
+pub use statistics::{compare, offer_statistics};
 pub use trial::Trial;
 pub use types::*;
 
@@ -75,37 +64,10 @@ use read::{
     count, count_or, read_ends, read_flag, read_item, read_kind, read_layer, read_number, read_parameter, read_point, read_setup,
     read_text, refused,
 };
-use registry::registry;
+use registry::ask;
 
 fn status(status: Status) -> Result<JsStatus, JsValue> {
     plain(&status)
-}
-
-/// Takes a link apart without running it.
-///
-/// # Errors
-/// An `Error` that says what is wrong with it.
-#[wasm_bindgen(js_name = parseLink)]
-pub fn parse_link(link: &JsText) -> Result<JsLinkSetup, JsValue> {
-    #[derive(Serialize)]
-    struct LinkSetup<'a> {
-        planner: &'a str,
-        scene: &'a Scene,
-        params: &'a Overrides,
-        seed: u64,
-        iteration: u64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        hash: Option<&'a str>,
-    }
-    let Link { setup, iteration, hash, .. } = Link::parse(registry(), &read_text("link", link)?).map_err(js_error)?;
-    plain(&LinkSetup {
-        planner: &setup.planner,
-        scene: &setup.scene,
-        params: &setup.params,
-        seed: setup.seed,
-        iteration,
-        hash: hash.as_deref(),
-    })
 }
 
 /// Checks one parameter's value by itself, whatever the other parameters are.
@@ -114,7 +76,8 @@ pub fn parse_link(link: &JsText) -> Result<JsLinkSetup, JsValue> {
 /// An `Error` with `field`, `value` and `allowed`.
 #[wasm_bindgen(js_name = checkParameter)]
 pub fn check_parameter(planner: &JsText, kind: &JsKind, name: &JsText, value: &JsParameterValue) -> Result<(), JsValue> {
-    let entry = registry().planner(&read_text("planner", planner)?).map_err(js_error)?;
+    let planner = read_text("planner", planner)?;
+    let entry = ask(|registry| registry.planner(&planner))?;
     let (kind, name) = (read_kind(kind)?, &*read_text("name", name)?);
     let known = || entry.parameters_on(kind);
     let parameter = known().find(|p| p.name == name).ok_or_else(|| js_error(Error::unknown("parameter", name, known().map(|p| p.name))))?;
@@ -127,7 +90,8 @@ pub fn check_parameter(planner: &JsText, kind: &JsKind, name: &JsText, value: &J
 /// As the constructor of `Session`.
 #[wasm_bindgen]
 pub fn suggest(setup: &JsSetup) -> Result<JsSuggestionOrNull, JsValue> {
-    plain(&read_setup(setup)?.suggest(registry()).map_err(js_error)?)
+    let setup = read_setup(setup)?;
+    plain(&ask(|registry| setup.suggest(registry))?)
 }
 
 /// Carries out a run that a planner of planners needs (`Session.jobs`), to its end: the job and the scene it belongs to.
@@ -141,13 +105,13 @@ pub fn run_to_end(setup: &JsRun) -> Result<JsFinding, JsValue> {
     if let Some(ends) = ends {
         setup.scene = Arc::new(setup.scene.between(ends).map_err(js_error)?);
     }
-    plain(&run::run_to_end(registry(), setup).map_err(js_error)?)
+    plain(&ask(|registry| run::run_to_end(registry, setup.clone()))?)
 }
 
 /// What a method of a freed object throws; the package's glue calls it.
 #[wasm_bindgen(skip_typescript)]
 pub fn freed(name: &str) -> JsValue {
-    js_error(Error::refused(name, message!("error-freed", "one that was freed"), message!("error-not-freed", "one that was not freed")))
+    js_error(Error::refused(name, allowed::freed(), allowed::not_freed()))
 }
 
 /// A fresh seed from the system.
@@ -175,16 +139,7 @@ impl Session {
     #[wasm_bindgen(constructor)]
     pub fn new(setup: &JsSetup) -> Result<Session, JsValue> {
         let setup = read_setup(setup)?;
-        run::Run::new(registry(), setup).map(Session::of).map_err(js_error)
-    }
-
-    /// The run that a link describes, at iteration 0.
-    ///
-    /// # Errors
-    /// As the constructor, and for a link that cannot be read.
-    #[wasm_bindgen(js_name = fromLink)]
-    pub fn from_link(link: &JsText) -> Result<Session, JsValue> {
-        run::Run::from_link(registry(), &read_text("link", link)?).map(Session::of).map_err(js_error)
+        ask(|registry| run::Run::new(registry, setup.clone())).map(Session::of)
     }
 
     fn of(run: run::Run) -> Self {
@@ -473,10 +428,5 @@ impl Session {
     /// The hash of iteration, best and the whole state, in hexadecimal.
     pub fn hash(&self) -> String {
         self.run.hash()
-    }
-
-    /// A link that opens this very picture; begins with `#`.
-    pub fn link(&self) -> String {
-        self.run.link().unwrap_or_default()
     }
 }

@@ -2,12 +2,23 @@
 
 use wasm_bindgen::prelude::*;
 
-use forage::picture;
+use forage::{kernel::LayerKey, picture, run};
 
 use crate::{
     JsFlag, JsNames, Session,
     read::{read_flag, read_layer, read_list},
+    tool::Tool,
 };
+
+type Draw = fn(&mut run::Run, bool, &[LayerKey]) -> String;
+
+static PICTURES: Tool<Draw> = Tool::new("pictures");
+
+/// Offers pictures as SVG.
+pub fn offer_pictures() {
+    const DRAW: Draw = |run, dark, layers| picture::svg(run, dark, layers);
+    PICTURES.offer(&DRAW);
+}
 
 #[wasm_bindgen]
 impl Session {
@@ -15,10 +26,10 @@ impl Session {
     ///
     /// # Errors
     /// For an unknown layer.
-    pub fn svg(&self, dark: &JsFlag, layers: &JsNames) -> Result<String, JsValue> {
+    pub fn svg(&mut self, dark: &JsFlag, layers: &JsNames) -> Result<String, JsValue> {
         let dark = read_flag("dark", dark)?;
         let names = read_list("layers", layers)?;
         let layers = names.iter().map(read_layer).collect::<Result<Vec<_>, _>>()?;
-        Ok(picture::svg(&self.run, dark, &layers))
+        Ok(PICTURES.get()?(&mut self.run, dark, &layers))
     }
 }

@@ -9,7 +9,10 @@ use forage::{
     kernel::{Item, LayerKey, Message, SceneKindId, allowed, digits::Digits, javascript, limits},
 };
 
-use crate::{JsNumber, js_error, registry::registry};
+use crate::{
+    JsNumber, js_error,
+    registry::{ask, bring, registry},
+};
 
 /// A value that is not what it must be.
 pub(crate) fn refused(field: &str, value: &JsValue, allowed: Message) -> JsValue {
@@ -68,15 +71,14 @@ pub(crate) fn read_parameters(value: &JsValue) -> Result<Overrides, JsValue> {
 
 pub(crate) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
     match value.as_string() {
-        Some(name) => registry().scene(&name),
+        Some(name) => ask(|registry| registry.scene(&name)),
         None => same_scene(value),
     }
-    .map_err(js_error)
 }
 
 /// The scene of an object. The one that was read last is kept: what follows from a scene, an exact optimum above all, takes
 /// longer than to see that it is the same.
-fn same_scene(value: &JsValue) -> Result<Arc<Scene>, Error> {
+fn same_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
     thread_local!(static LAST: RefCell<Option<(String, Arc<Scene>)>> = const { RefCell::new(None) });
     // What is nothing has no text.
     let text = js_sys::JSON::stringify(value).ok().filter(|text| text.is_string() && text.length() as usize <= limits::FILE_BYTES);
@@ -85,14 +87,18 @@ fn same_scene(value: &JsValue) -> Result<Arc<Scene>, Error> {
     if let Some(scene) = last {
         return Ok(scene);
     }
-    let scene = Arc::new(javascript::read("scene", value).and_then(|value| registry().read_scene_value(value))?);
+    let read = javascript::read("scene", value).map_err(js_error)?;
+    if let Some(kind) = read.get("kind").and_then(|kind| kind.as_str()) {
+        while registry().kind(kind).is_err() && bring("kind", kind)? {}
+    }
+    let scene = Arc::new(registry().read_scene_value(read).map_err(js_error)?);
     LAST.set(text.map(|text| (text, Arc::clone(&scene))));
     Ok(scene)
 }
 
 pub(crate) fn read_kind(value: &JsValue) -> Result<SceneKindId, JsValue> {
     let name = read_text("kind", value)?;
-    registry().kind(&name).map(|kind| kind.id).map_err(js_error)
+    ask(|registry| registry.kind(&name).map(|kind| kind.id))
 }
 
 pub(crate) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
@@ -101,7 +107,8 @@ pub(crate) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
 }
 
 pub(crate) fn read_layer(name: &JsValue) -> Result<LayerKey, JsValue> {
-    registry().layer_key(&read_text("role", name)?).map_err(js_error)
+    let name = read_text("role", name)?;
+    ask(|registry| registry.layer_key(&name))
 }
 
 pub(crate) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsValue> {

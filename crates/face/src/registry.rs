@@ -1,21 +1,80 @@
-//! What the module knows: it says so at its start.
+//! What the module knows: its parts say so, and a call that needs one that is not here yet asks the host for it.
 
-use std::sync::{Arc, OnceLock};
+use std::{cell::RefCell, sync::Arc};
 
-use forage::Registry;
+use js_sys::Function;
+use wasm_bindgen::prelude::*;
 
-static KNOWN: OnceLock<Arc<Registry>> = OnceLock::new();
+use forage::{Error, Registry, kernel::allowed};
 
-/// Says, at the start of a module, what there is to run in it. Only the first call counts.
-///
-/// The face itself names no planner: a module holds what its registry lists, and the linker drops the rest.
-pub fn know(registry: Registry) {
-    console_error_panic_hook::set_once();
-    KNOWN.get_or_init(|| Arc::new(registry));
+use crate::convert::{js_error, js_error_as};
+
+/// Entries that a part of a module adds to a registry.
+pub type Entries = fn(Registry) -> Registry;
+
+#[derive(Default)]
+struct Known {
+    parts: Vec<(u8, Entries)>,
+    /// Kept for ever: runs hold on to it, and there are as many as a module has parts.
+    registry: Option<&'static Arc<Registry>>,
+    bring: Option<Function>,
 }
 
-/// What there is. One instance for all calls.
+thread_local!(static KNOWN: RefCell<Known> = RefCell::default());
+
+/// Says what there is to run in a module: at its start, and once more for each part that is loaded later. Entries are offered
+/// in the order of `rank`, whenever they came.
+///
+/// The face itself names no planner: a module holds what is listed here, and the linker drops the rest.
+pub fn know(rank: u8, entries: Entries) {
+    console_error_panic_hook::set_once();
+    KNOWN.with_borrow_mut(|known| {
+        known.parts.push((rank, entries));
+        known.parts.sort_by_key(|(rank, _)| *rank);
+        let registry = known.parts.iter().fold(Registry::new(), |registry, (_, entries)| entries(registry));
+        known.registry = Some(Box::leak(Box::new(Arc::new(registry))));
+    });
+}
+
+/// Sets who brings what is not here: a function of `planner`, `kind`, `scene`, `generator`, `follower`, `role` or `tool` and the
+/// name of one. It returns true if it has loaded a part that may hold it, a text to say which part has to be loaded first, or
+/// undefined where there is none.
+#[wasm_bindgen(js_name = bringBy, skip_typescript)]
+pub fn bring_by(bring: &Function) {
+    KNOWN.with_borrow_mut(|known| known.bring = Some(bring.clone()));
+}
+
+/// What there is. One instance for all calls, until a part is added.
 #[inline(never)]
 pub(crate) fn registry() -> &'static Arc<Registry> {
-    KNOWN.get_or_init(Arc::default)
+    KNOWN.with_borrow_mut(|known| *known.registry.get_or_insert_with(|| Box::leak(Box::default())))
+}
+
+/// What is asked of the registry. A name that it does not know may be in a part that the host can bring: then it is asked again.
+pub(crate) fn ask<T>(question: impl Fn(&'static Arc<Registry>) -> Result<T, Error>) -> Result<T, JsValue> {
+    loop {
+        match question(registry()) {
+            Ok(answer) => return Ok(answer),
+            Err(error) if error.code() == "unknown" => {
+                if !bring(error.field(), error.value())? {
+                    return Err(js_error(error));
+                }
+            }
+            Err(error) => return Err(js_error(error)),
+        }
+    }
+}
+
+/// Whether the host has loaded a part that may hold this.
+///
+/// # Errors
+/// An `Error` with the code `not-loaded`, where the part has to be loaded first.
+#[inline(never)]
+pub(crate) fn bring(field: &str, value: &str) -> Result<bool, JsValue> {
+    let Some(bring) = KNOWN.with_borrow(|known| known.bring.clone()) else { return Ok(false) };
+    let brought = bring.call2(&JsValue::UNDEFINED, &field.into(), &value.into())?;
+    match brought.as_string() {
+        Some(part) => Err(js_error_as("not-loaded", Error::refused(field, value, allowed::loaded(&part)))),
+        None => Ok(brought.is_truthy()),
+    }
 }

@@ -10,7 +10,18 @@ use forage::{
 use crate::{
     JsComparison, JsGroups, plain,
     read::{property, read_list, read_text, refused},
+    tool::Tool,
 };
+
+type Compare = fn(&[Group]) -> Result<JsComparison, JsValue>;
+
+static STATISTICS: Tool<Compare> = Tool::new("statistics");
+
+/// Offers the statistics of many runs.
+pub fn offer_statistics() {
+    const COMPARE: Compare = |groups| plain(&statistics::compare(groups));
+    STATISTICS.offer(&COMPARE);
+}
 
 /// Summarises groups of runs, and tests whether they differ: what `forage experiment` prints.
 ///
@@ -20,7 +31,7 @@ use crate::{
 pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
     let groups = read_list("groups", groups)?;
     let groups = groups.iter().enumerate().map(|(i, group)| read_group(&format!("groups[{i}]"), group)).collect::<Result<Vec<_>, _>>()?;
-    plain(&statistics::compare(&groups))
+    STATISTICS.get()?(&groups)
 }
 
 fn read_group(place: &str, group: &JsValue) -> Result<Group, JsValue> {

@@ -12,14 +12,14 @@ use forage::{
 use crate::{
     js_error, object, plain,
     read::{count_or, read_number, read_setup},
-    registry::registry,
+    registry::ask,
     status,
     types::{JsNumber, JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
 };
 
 /// One run of many: stepped to its end and summed up in a record, the same as in a row of `forage experiment`.
 #[wasm_bindgen]
-pub struct Trial(trial::Trial);
+pub struct Trial(pub(crate) trial::Trial);
 
 #[wasm_bindgen]
 impl Trial {
@@ -30,7 +30,8 @@ impl Trial {
     #[wasm_bindgen(constructor)]
     pub fn new(setup: &JsSetup, within: Option<JsNumber>) -> Result<Trial, JsValue> {
         let within = within.map_or(Ok(WITHIN), |within| read_number("within", &within))?;
-        trial::Trial::new(registry(), read_setup(setup)?, within).map(Trial).map_err(js_error)
+        let setup = read_setup(setup)?;
+        ask(|registry| trial::Trial::new(registry, setup.clone(), within)).map(Trial)
     }
 
     /// Takes up to `n` steps, all there are unless given; stops where the planner does.
@@ -73,10 +74,5 @@ impl Trial {
             ("evaluations", column(|point| point.evaluations as f64)),
             ("values", column(|point| point.value)),
         ])
-    }
-
-    /// A link that opens the run where it stands, in the page and in the shell; begins with `#`.
-    pub fn link(&mut self) -> String {
-        self.0.run().link().unwrap_or_default()
     }
 }

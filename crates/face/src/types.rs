@@ -17,9 +17,6 @@ const BATCHES: &str = include_str!("batches.d.ts");
 
 #[wasm_bindgen]
 extern "C" {
-    /// `Catalogue`, as `catalogue.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "Catalogue")]
-    pub type JsCatalogue;
     /// `Setup`, as `types.d.ts` describes it.
     #[wasm_bindgen(typescript_type = "Setup")]
     pub type JsSetup;

@@ -1,5 +1,6 @@
 import * as Comlink from 'comlink'
 import type { Catalogue } from 'forage-lab'
+import address from 'forage-lab/catalogue.json?url'
 import type { Api } from '../worker/sim.worker'
 import type { FrameMessage, FromWorker, ProgressMessage, ReturnedBuffer } from '../worker/protocol'
 
@@ -11,6 +12,13 @@ interface Listeners {
 
 /** More threads than these cost more memory than they save time. */
 const MOST_HANDS = 8
+
+/** What there is to choose from: known before any of the core is loaded. */
+async function readCatalogue(): Promise<Catalogue> {
+  const found = await fetch(address)
+  if (!found.ok) throw new Error(`${found.status} ${found.statusText}: ${address}`)
+  return found.json()
+}
 
 /** One thread is left for what is seen. */
 const hands = (): number => Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), MOST_HANDS)
@@ -49,7 +57,9 @@ export class Client {
         reject(new Error(message))
       }
     })
-    return Promise.race([this.remote.open(Comlink.transfer(port2, [port2]), hands()), failed])
+    const opened = Promise.race([this.remote.open(Comlink.transfer(port2, [port2]), hands()), failed])
+    const [catalogue] = await Promise.all([readCatalogue(), opened])
+    return catalogue
   }
 
   giveBack(buffer: ArrayBuffer): void {

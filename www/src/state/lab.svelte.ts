@@ -291,6 +291,7 @@ export class Lab extends Parameters {
     for (const { bitmap } of previous?.fields ?? []) bitmap.close()
     const anew = frame.generation !== previous?.generation
     this.frame = frame
+    if (!previous) requestAnimationFrame(this.seen)
     this.course.receive(frame, anew)
     this.iteration = frame.iteration
     this.computed = frame.computed
@@ -305,20 +306,26 @@ export class Lab extends Parameters {
     else this.hash = ''
   }
 
+  /** The first picture of a thread is on the screen. */
+  private readonly seen = (): void => {
+    performance.mark('first-picture')
+    void this.client.api.drawn()
+  }
+
   private hear(frame: FrameMessage, report: NonNullable<FrameMessage['report']>): void {
     this.outcome = report.outcome
     const newest = this.isNewest(frame)
     this.hash = (newest ? report.settledHash : null) ?? ''
     if (!newest) return
     if (report.settledHash === null) {
-      address.soon(report.link)
+      if (report.link !== null) address.soon(report.link)
       return
     }
     this.playing = frame.playing
     this.target = null
     this.progress = null
     this.followers.heed(frame)
-    address.now(report.link)
+    if (report.link !== null) address.now(report.link)
     this.compare(frame)
   }
 

@@ -1,4 +1,4 @@
-import type { Session } from 'forage-lab'
+import type { LayerImage, Session } from 'forage-lab'
 import type { FieldPicture } from './protocol'
 
 let canvas: OffscreenCanvas | undefined
@@ -6,7 +6,7 @@ let canvas: OffscreenCanvas | undefined
 /** The fields of these roles in the frame that was drawn last, as pictures. */
 export function fieldsOf(session: Session, roles: readonly string[], dark: boolean): FieldPicture[] {
   return roles.flatMap((role) => {
-    const layer = session.layerImage(role, dark)
+    const layer = layerOf(session, role, dark)
     if (!layer) return []
     const { image, min, max, range } = layer
     canvas ??= new OffscreenCanvas(image.width, image.height)
@@ -14,4 +14,14 @@ export function fieldsOf(session: Session, roles: readonly string[], dark: boole
     canvas.getContext('2d')?.putImageData(image, 0, 0)
     return [{ role, bitmap: canvas.transferToImageBitmap(), min, max, range }]
   })
+}
+
+/** A layer of a planner whose part of the core is not here is not in this frame either. */
+function layerOf(session: Session, role: string, dark: boolean): LayerImage | null {
+  try {
+    return session.layerImage(role, dark)
+  } catch (error) {
+    if (error instanceof Error && 'code' in error && error.code === 'unknown') return null
+    throw error
+  }
 }

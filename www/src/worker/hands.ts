@@ -1,7 +1,8 @@
 import { type Remote, wrap } from 'comlink'
-import { carryOut } from 'forage-lab'
+import { carryOut } from 'forage-lab/core'
 import type { Hand } from './crew'
 import { breathe } from './pace'
+import { rest } from './rest'
 import type { Api } from './sim.worker'
 
 interface Other {
@@ -32,7 +33,7 @@ export function thread(): Hand {
 export const oneself: Hand = {
   async carryOut(errand) {
     await breathe()
-    return carryOut(errand)
+    return (await rest()).ready(() => carryOut(errand))
   },
   dismiss() {},
 }

@@ -31,7 +31,8 @@ export interface Opening {
 /** What is told of a run's state beside the picture: often while it plays, completely when it has settled. */
 export interface Report {
   outcome: Outcome
-  link: string
+  /** Null before the core has what makes it: that comes after the first picture. */
+  link: string | null
   /** Only when the run stands still. */
   settledHash: string | null
 }

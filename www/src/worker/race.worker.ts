@@ -1,17 +1,15 @@
 import * as Comlink from 'comlink'
-import init, { catalogue } from 'forage-lab'
+import { load, ready } from 'forage-lab'
 import type { Setup } from 'forage-lab'
 import type { Answer, FieldRequest, Look } from './protocol'
 import type { Picture, Settled, Start } from './race.protocol'
 import { Racer } from './racer'
 
 let racer: Racer | undefined
-let ready: Promise<unknown> | undefined
 
 async function own(): Promise<Racer> {
-  ready ??= init()
-  await ready
-  racer ??= new Racer(catalogue().shapes.indexOf('field'))
+  await load()
+  racer ??= new Racer()
   return racer
 }
 
@@ -23,7 +21,7 @@ const api = {
   async start(setup: Setup): Promise<Answer<Start>> {
     const found = await own()
     try {
-      return { ok: true, value: found.start(setup) }
+      return { ok: true, value: await ready(() => found.start(setup)) }
     } catch (error) {
       // The engine itself broke down: its memory is in an unknown state.
       if (error instanceof WebAssembly.RuntimeError || !(error instanceof Error)) throw error
@@ -33,7 +31,10 @@ const api = {
   go: async (clock: number): Promise<Picture | null> => sent(await (await own()).go(clock)),
   halt: (): void => racer?.halt(),
   look: async (look: Look): Promise<Picture | null> => sent((await own()).look(look)),
-  settle: async (): Promise<Settled | null> => (await own()).settle(),
+  async settle(): Promise<Settled | null> {
+    const found = await own()
+    return ready(() => found.settle())
+  },
   giveBack: (buffer: ArrayBuffer): void => racer?.giveBack(buffer),
   async field({ min, max, width, height, dark }: FieldRequest): Promise<ImageBitmap | null> {
     const canvas = new OffscreenCanvas(width, height)

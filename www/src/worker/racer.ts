@@ -1,4 +1,4 @@
-import { armPose, Session } from 'forage-lab'
+import { armPose, Session, shapes } from 'forage-lab'
 import type { Setup } from 'forage-lab'
 import { extent } from './extent'
 import { fieldsOf } from './fields'
@@ -13,6 +13,8 @@ import type { Picture, Settled, Start } from './race.protocol'
 const BUDGET = 40_000
 /** So many first steps say how much a step evaluates. */
 const PROBES = 3
+/** The number of the shape that is a field. */
+const FIELD = shapes.indexOf('field')
 const REPORT_INTERVAL = 150
 /** At most this share of the time goes into outcomes. */
 const REPORT_SHARE = 10
@@ -36,9 +38,6 @@ export class Racer {
   private toldCurve = -1
   private lastReport = 0
   private reportCost = 0
-
-  /** `field`: the number of the shape that is a field. */
-  constructor(private readonly field: number) {}
 
   start(setup: Setup): Start {
     const session = new Session(setup)
@@ -165,7 +164,7 @@ export class Racer {
     }
     // The views last until the next call: nothing of the core may come between here and the copy.
     const { vertices, spans, thinning } = session.frame(BUDGET)
-    const packed = pack(vertices, spans, this.field, (bytes) => this.pool.take(bytes))
+    const packed = pack(vertices, spans, FIELD, (bytes) => this.pool.take(bytes))
     const fields = fieldsOf(session, this.looked.fields, this.looked.dark)
     return { iteration, evaluations, status, furthest, ...packed, fields, thinning, curve, outcome }
   }

@@ -1,8 +1,8 @@
 import * as Comlink from 'comlink'
-import init, {
+import {
   armSolutions,
+  begin,
   carryOut,
-  catalogue,
   exportScene,
   generateScene,
   importScene,
@@ -11,10 +11,9 @@ import init, {
   reachability,
   Session,
   suggest,
-} from 'forage-lab'
+} from 'forage-lab/core'
 import type {
   ArmSolutions,
-  Catalogue,
   Drive,
   Finding,
   Format,
@@ -35,6 +34,7 @@ import type {
 import type { Errand } from './crew'
 import { oneself, thread } from './hands'
 import { breathe } from './pace'
+import { rest } from './rest'
 import { Simulation } from './simulation'
 import type { Surveyor } from './surveyor'
 import type { Answer, FieldRequest, Followed, Look, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
@@ -48,12 +48,22 @@ function crash(error: unknown): void {
   port?.postMessage({ type: 'crash', message: error instanceof Error ? error.message : String(error) })
 }
 
-function answer<T>(ask: () => T): Answer<T> {
+/** What the core says; a part of it that is needed for that is loaded first, and the words for it. */
+async function answer<T>(ask: () => T): Promise<Answer<T>> {
   try {
-    return { ok: true, value: ask() }
+    return { ok: true, value: await (await rest()).ready(ask) }
   } catch (error) {
     if (error instanceof WebAssembly.RuntimeError) crash(error)
     return { ok: false, refusal: refusal(error) }
+  }
+}
+
+/** The same of what has words only when it is refused: they are loaded then. */
+async function silently<T>(ask: () => T): Promise<Answer<T>> {
+  try {
+    return { ok: true, value: ask() }
+  } catch {
+    return answer(ask)
   }
 }
 
@@ -70,40 +80,45 @@ function running(): Simulation {
 
 const api = {
   /** `hands`: how many threads may work side by side. */
-  async open(frames: MessagePort, hands: number): Promise<Catalogue> {
+  async open(frames: MessagePort, hands: number): Promise<void> {
     port = frames
-    await init()
-    const known = catalogue()
-    const tellers = new Set(known.planners.filter(({ events }) => events.length > 0).map(({ name }) => name))
-    simulation = new Simulation(frames, crash, known.shapes.indexOf('field'), tellers, async () => {
+    await begin()
+    simulation = new Simulation(frames, crash, async () => {
       const { Crew } = await import('./crew')
       return new Crew(hands, thread, oneself)
     })
     frames.onmessage = ({ data }: MessageEvent<ReturnedBuffer>) => simulation?.giveBack(data.buffer)
-    return known
   },
   /** Of a thread that carries out runs for another one. */
   async carryOut(errand: Errand): Promise<Finding> {
-    await init()
-    return carryOut(errand)
+    return (await rest()).ready(() => carryOut(errand))
   },
   /** `request`: the page's number of this request, which pictures carry back. */
-  start: (setup: Setup, opening: Opening, request: number): Answer<Run> => answer(() => running().start(setup, opening, request)),
+  start: (setup: Setup, opening: Opening, request: number): Promise<Answer<Run>> =>
+    silently(() => running().start(setup, opening, request)),
+  /** The first picture is seen: what it did not need may come. */
+  async drawn(): Promise<void> {
+    await (await rest()).load('links')
+    running().tellLinks()
+  },
   play: (request: number): void => running().play(request),
   pause: (request: number): void => running().pause(request),
   speed: (speed: Speed): void => running().setSpeed(speed),
   seek: (iteration: number, play: boolean, request: number): void => running().seek(iteration, play, request),
-  watch: (item: Item | null): void => running().watch(item),
+  async watch(item: Item | null): Promise<void> {
+    await (await rest()).load()
+    running().watch(item)
+  },
   look: (look: Look): void => running().look(look),
   /** Tells the members' numbers with the pictures, at most so often (in milliseconds); null: not at all. */
   tellMembers: (interval: number | null): void => running().tellMembers(interval),
-  inspect: (item: Item): Answer<Inspection | null> => answer(() => current().inspect(item)),
-  drive: (params: Record<string, ParameterValue>): Answer<Followed<Drive>> =>
+  inspect: (item: Item): Promise<Answer<Inspection | null>> => answer(() => current().inspect(item)),
+  drive: (params: Record<string, ParameterValue>): Promise<Answer<Followed<Drive>>> =>
     answer(() => running().follow((session) => session.drive(params))),
-  motion: (params: Record<string, ParameterValue>): Answer<Followed<Motion>> =>
+  motion: (params: Record<string, ParameterValue>): Promise<Answer<Followed<Motion>>> =>
     answer(() => running().follow((session) => session.motion(params))),
   /** The postures that bring the tip to a point. */
-  armSolutions: (scene: Scene, point: Point3, direction: Point3 | null, near?: number[]): Answer<ArmSolutions> =>
+  armSolutions: (scene: Scene, point: Point3, direction: Point3 | null, near?: number[]): Promise<Answer<ArmSolutions>> =>
     answer(() => armSolutions(scene, point, direction, near)),
   /** Where the tip can come: computed by another thread, so that this one goes on. Nothing if it was called off. */
   async reach(scene: Scene, step: number): Promise<Answer<Reachability> | null> {
@@ -113,25 +128,24 @@ const api = {
   callOff: (): void => surveyor?.callOff(),
   /** Of that other thread. */
   async survey(scene: Scene, step: number): Promise<Answer<Reachability>> {
-    await init()
     return answer(() => reachability(scene, step))
   },
-  pick: (x: number, y: number, reach: number): Item | null => {
-    const picked = answer(() => running().session?.pick(x, y, reach) ?? null)
+  async pick(x: number, y: number, reach: number): Promise<Item | null> {
+    const picked = await silently(() => running().session?.pick(x, y, reach) ?? null)
     return picked.ok ? picked.value : null
   },
-  importScene: (files: NamedFile[], problem?: number): Answer<Imported> => answer(() => importScene(files, problem)),
-  exportScene: (scene: Scene, format: Format): Answer<NamedFile[]> => answer(() => exportScene(scene, format)),
-  generateScene: (name: string, params: Record<string, ParameterValue>, seed: number): Answer<Scene> =>
+  importScene: (files: NamedFile[], problem?: number): Promise<Answer<Imported>> => answer(() => importScene(files, problem)),
+  exportScene: (scene: Scene, format: Format): Promise<Answer<NamedFile[]>> => answer(() => exportScene(scene, format)),
+  generateScene: (name: string, params: Record<string, ParameterValue>, seed: number): Promise<Answer<Scene>> =>
     answer(() => generateScene(name, params, seed)),
-  suggest: (setup: Setup): Answer<Suggestion | null> => answer(() => suggest(setup)),
-  parseLink: (link: string): Answer<LinkSetup> => answer(() => parseLink(link)),
+  suggest: (setup: Setup): Promise<Answer<Suggestion | null>> => silently(() => suggest(setup)),
+  parseLink: (link: string): Promise<Answer<LinkSetup>> => answer(() => parseLink(link)),
   newSeed: (): number => newSeed(),
-  outcome: (): Answer<Outcome> => answer(() => current().outcome()),
-  svg: (dark: boolean, layers: string[]): Answer<string> => answer(() => current().svg(dark, layers)),
-  link: (): Answer<string> => answer(() => current().link()),
-  csv: (): Answer<string> => answer(() => current().csv()),
-  tourFile: (): Answer<NamedFile | null> => answer(() => current().tourFile()),
+  outcome: (): Promise<Answer<Outcome>> => answer(() => current().outcome()),
+  svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => answer(() => current().svg(dark, layers)),
+  link: (): Promise<Answer<string>> => silently(() => current().link()),
+  csv: (): Promise<Answer<string>> => silently(() => current().csv()),
+  tourFile: (): Promise<Answer<NamedFile | null>> => answer(() => current().tourFile()),
   async field(request: FieldRequest): Promise<ImageBitmap | null> {
     await breathe()
     return painted(request, current)
@@ -140,16 +154,16 @@ const api = {
   async preview(request: FieldRequest, planner: string): Promise<ImageBitmap | null> {
     await breathe()
     let session: Session | undefined
-    const picture = painted(request, () => (session = new Session({ planner, scene: request.scene, seed: 0 })))
+    const picture = await painted(request, () => (session = new Session({ planner, scene: request.scene, seed: 0 })))
     session?.free()
     return picture
   },
 }
 
-function painted({ min, max, width, height, dark }: FieldRequest, session: () => Session): ImageBitmap | null {
+async function painted({ min, max, width, height, dark }: FieldRequest, session: () => Session): Promise<ImageBitmap | null> {
   const canvas = new OffscreenCanvas(width, height)
   const context = canvas.getContext('2d')
-  const done = answer(() => context !== null && session().paintField(context, min, max, dark))
+  const done = await silently(() => context !== null && session().paintField(context, min, max, dark))
   if (!done.ok || !done.value) return null
   const picture = canvas.transferToImageBitmap()
   return Comlink.transfer(picture, [picture])

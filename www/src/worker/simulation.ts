@@ -1,4 +1,4 @@
-import { Session } from 'forage-lab'
+import { Session, shapes } from 'forage-lab/core'
 import type { Item, RunEvent, Setup } from 'forage-lab'
 import type { Crew, Task } from './crew'
 import { spanOf } from './extent'
@@ -6,10 +6,13 @@ import { fieldsOf } from './fields'
 import { breathe, SLICE, wait } from './pace'
 import { pack } from './pack'
 import { Pool } from './pool'
+import { rest } from './rest'
 import type { Followed, FrameMessage, Look, Opening, ProgressMessage, Report, Run, Span, Speed } from './protocol'
 
 /** Vertices a layer may have: what a canvas draws in a few tens of milliseconds. */
 const BUDGET = 100_000
+/** The number of the shape that is a field. */
+const FIELD = shapes.indexOf('field')
 const FRAME_INTERVAL = 1000 / 60
 /** The whole state's summary costs more than a picture: while playing it is told a few times a second. */
 const REPORT_INTERVAL = 250
@@ -54,16 +57,14 @@ export class Simulation {
   private membersInterval: number | null = null
   private lastMembers = 0
   private settled = false
+  /** The core can make links. */
+  private linked = false
   /** What was told of the state in which it stands still. */
   private told: Report | null = null
 
   constructor(
     private readonly port: MessagePort,
     private readonly crash: (error: unknown) => void,
-    /** The number of the shape that is a field. */
-    private readonly field: number,
-    /** The planners that tell of events. */
-    private readonly tellers: ReadonlySet<string>,
     private readonly hire: () => Promise<Crew>,
   ) {}
 
@@ -138,6 +139,15 @@ export class Simulation {
   look(look: Look): void {
     this.looked = look
     this.lookAt()
+    this.stale = true
+    this.picture()
+  }
+
+  /** From now on links are told. */
+  tellLinks(): void {
+    if (this.linked) return
+    this.linked = true
+    this.told = null
     this.stale = true
     this.picture()
   }
@@ -275,6 +285,8 @@ export class Simulation {
   /** Shows the state in which it stands still, whatever the pace. */
   private async settle(token: number): Promise<void> {
     await breathe()
+    // A run that has ended may say why: for that there must be words.
+    if (this.session?.status !== 'running') await (await rest()).load()
     if (token !== this.token) return
     this.settled = !this.playing
     this.stale = true
@@ -302,7 +314,7 @@ export class Simulation {
     const { iteration, status } = session
     // The views last until the next call: nothing of the core may come between here and the copy.
     const { vertices, spans, thinning } = session.frame(BUDGET)
-    const packed = pack(vertices, spans, this.field, (bytes) => this.pool.take(bytes))
+    const packed = pack(vertices, spans, FIELD, (bytes) => this.pool.take(bytes))
     const fields = fieldsOf(session, this.looked.fields, this.looked.dark)
     const message: FrameMessage = {
       type: 'frame',
@@ -331,7 +343,7 @@ export class Simulation {
   /** A run always happens in the same way: what was told once still holds after a step back. */
   private events(): RunEvent[] {
     const { session, heard } = this
-    if (!session || session.iteration <= heard.until || !this.tellers.has(session.planner)) return []
+    if (!session || session.iteration <= heard.until) return []
     const fresh = session.events(heard.events)
     this.heard = { events: heard.events + fresh.length, until: session.iteration }
     return fresh
@@ -361,7 +373,11 @@ export class Simulation {
     if (settled && this.told) return this.told
     const now = performance.now()
     if (!session || (!settled && now - this.lastReport < Math.max(REPORT_INTERVAL, this.reportCost * REPORT_SHARE))) return null
-    const report: Report = { outcome: session.outcome(), link: session.link(), settledHash: settled ? session.hash() : null }
+    const report: Report = {
+      outcome: session.outcome(),
+      link: this.linked ? session.link() : null,
+      settledHash: settled ? session.hash() : null,
+    }
     this.lastReport = performance.now()
     this.reportCost = this.lastReport - now
     if (settled) this.told = report

@@ -1,5 +1,5 @@
 import * as Comlink from 'comlink'
-import init, { compare, generateScene, suggest, Trial } from 'forage-lab'
+import { compare, generateScene, load, ready, suggest, Trial } from 'forage-lab'
 import type { Comparison, Scene, Setup } from 'forage-lab'
 import type { Errand, Maps, Row } from '../batch/plan'
 import { type TestedPair, testedPairs, type TestedRanks, testedRanks } from '../batch/tested'
@@ -80,17 +80,18 @@ const api = {
   /** Carries out a run to its end, or until `stop`. */
   async run({ setup, maps, seed }: Errand): Promise<Ending> {
     stopped = false
-    await init()
-    if (stopped) return { is: 'stopped' }
+    await load('links')
     let trial: Trial
     try {
-      const scene = maps ? generateScene(maps.generator, { ...maps.params }, seed) : setup.scene
-      trial = new Trial({ ...setup, scene }, undefined)
+      trial = await ready(() => {
+        const scene = maps ? generateScene(maps.generator, { ...maps.params }, seed) : setup.scene
+        return new Trial({ ...setup, scene }, undefined)
+      })
     } catch (error) {
       return error instanceof WebAssembly.RuntimeError ? broken(error) : { is: 'refused', refusal: refusal(error) }
     }
     try {
-      if (!(await carryOut(trial))) return { is: 'stopped' }
+      if (stopped || !(await carryOut(trial))) return { is: 'stopped' }
       const { evaluations, values } = trial.curve()
       const row: Row = { record: trial.record(), link: trial.link(), curve: { evaluations, values } }
       return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])
@@ -108,9 +109,8 @@ const api = {
 
   /** A generator's map for a seed. */
   async map({ generator, params }: Maps, seed: number): Promise<Made> {
-    await init()
     try {
-      return { scene: generateScene(generator, { ...params }, seed) }
+      return { scene: await ready(() => generateScene(generator, { ...params }, seed)) }
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) throw error
       return { refused: refusal(error) }
@@ -119,9 +119,8 @@ const api = {
 
   /** What is wrong with a setup. */
   async check(setup: Setup): Promise<Refusal | null> {
-    await init()
     try {
-      suggest(setup)
+      await ready(() => suggest(setup))
       return null
     } catch (error) {
       // That is no refusal: whoever asked starts another thread.
@@ -132,7 +131,7 @@ const api = {
 
   /** Summaries and tests. Curves that were told before need not be told again. */
   async summarise({ relative, curves: told, groups, common }: Question): Promise<Answered> {
-    await init()
+    await load('statistics')
     for (const { key, seed, curve } of told) {
       const of = curves.get(key) ?? new Map<number, Measured>()
       curves.set(key, of.set(seed, curve))

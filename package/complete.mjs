@@ -1,0 +1,292 @@
+// Completes the package: what is in which part, words, catalogue, entries, types and package.json.
+//   node package/complete.mjs FOLDER PARTS SHELL   PARTS: the files of each part, as merge.mjs has written it
+import { execFileSync } from 'node:child_process'
+import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { resolve } from 'node:path'
+import { pathToFileURL } from 'node:url'
+import { gzipSync } from 'node:zlib'
+import { pattern } from './fluent.mjs'
+
+const [folder, list, shell] = process.argv.slice(2)
+const require = createRequire(new URL('../www/package.json', import.meta.url))
+const run = (file, ...words) => execFileSync(file, words, { encoding: 'utf8', maxBuffer: 1 << 28 })
+const read = (file) => readFileSync(`${folder}/${file}`)
+const write = (file, text) => writeFileSync(`${folder}/${file}`, text)
+const crate = JSON.parse(run('cargo', 'metadata', '--no-deps', '--format-version', '1')).packages.find(({ name }) => name === 'forage-lab')
+const files = JSON.parse(readFileSync(list, 'utf8'))
+const parts = Object.keys(files)
+
+const text = run(shell, 'list', '--json')
+const catalogue = JSON.parse(text)
+write('catalogue.json', text)
+write(
+  'catalogue.js',
+  `/** All that ships: planners with their parameters, scenes, generators. */
+export const catalogue = () => JSON.parse(text)
+const text = ${JSON.stringify(JSON.stringify(catalogue))}
+`,
+)
+
+// Words: of each part those whose keys it carries, in its own files or in what it shares.
+const messages = Object.fromEntries(JSON.parse(run(shell, 'list', '--messages')).map((message) => [message.key, pattern(message)]))
+const carried = (names) => names.map((name) => read(`${name}.wasm`).toString('latin1'))
+const wordsOf = (texts) => Object.entries(messages).filter(([key]) => texts.some((text) => text.includes(key)))
+const first = wordsOf(carried(['forage_bg']))
+mkdirSync(`${folder}/locales/en`, { recursive: true })
+write('locales/en.json', JSON.stringify(messages))
+write('locales/en/swarm.json', JSON.stringify(Object.fromEntries(first)))
+const known = new Set(first.map(([key]) => key))
+for (const part of parts) {
+  const own = wordsOf(carried(files[part])).filter(([key]) => !known.has(key))
+  write(`locales/en/${part}.json`, JSON.stringify(Object.fromEntries(own)))
+}
+
+// What says them, with the library that reads the patterns inside.
+const { build } = await import(require.resolve('rolldown'))
+await build({
+  input: new URL('words.js', import.meta.url).pathname,
+  resolve: { modules: [new URL('../www/node_modules', import.meta.url).pathname] },
+  output: { file: `${folder}/words.js`, format: 'esm', minify: true },
+  logLevel: 'warn',
+})
+
+// The glue of wasm-bindgen calls a freed object's methods with no address. Here they say so by name, and to free twice does nothing.
+const glue = read('glue.js').toString()
+const told = glue
+  .replaceAll(/this\.__wbg_ptr = 0;(?=\s+(\w+)Finalization)/g, "leave(this, '$1');")
+  .replaceAll('    free() {\n', '    free() {\n        if (freedOnes.has(this)) return;\n')
+const classes = glue.match(/^export class /gm)?.length
+if (told.split('leave(this').length !== classes + 1 || told.split('freedOnes').length !== classes + 1)
+  throw new Error('glue.js: its classes are not as expected')
+write(
+  'glue.js',
+  `${told}
+const freedOnes = new WeakSet();
+function leave(object, name) {
+    freedOnes.add(object);
+    Object.defineProperty(object, '__wbg_ptr', { get() { throw freed(name); } });
+}
+`,
+)
+
+// Where the files are: addresses that bundlers find.
+const wasm = ['forage_bg', ...new Set(Object.values(files).flat())]
+const address = (file) => `() => new URL('./${file}', import.meta.url)`
+const tableOf = (names, file) => `{\n${names.map((name) => `  ${name}: ${address(file(name))},\n`).join('')}}`
+const partsFile = (holds) => `// What is in which part of the module, and where. Written by package/complete.mjs.
+export const urls = ${tableOf(wasm, (name) => `${name}.wasm`)}
+export const files = ${JSON.stringify(files)}
+export const holds = ${JSON.stringify(holds)}
+`
+
+write(
+  'english.js',
+  `// What is said in English, and where the words of each part are. Written by package/complete.mjs.
+export { speaker } from './words.js'
+export const words = ${tableOf(['swarm', ...parts], (part) => `locales/en/${part}.json`)}
+`,
+)
+
+// What each part holds, as it says itself: a name that nothing has is refused with those that there are.
+write('parts.js', partsFile({}))
+const at = (file) => pathToFileURL(resolve(folder, file)).href
+const core = await import(at('glue.js'))
+const loader = await import(at('loader.js'))
+loader.share(core.initSync({ module: read('forage_bg.wasm') }))
+const refused = (call) => {
+  try {
+    call()
+  } catch ({ code, allowed }) {
+    return code === 'unknown' ? allowed.split(', ').filter(Boolean) : []
+  }
+  return []
+}
+const session = new core.Session({ planner: catalogue.planners[0].name, scene: catalogue.scenes[0].name })
+/** A follower is known where it is not refused as unknown: it has nothing to follow here. */
+const follows = (name) => {
+  try {
+    return session[name]({}) === null
+  } catch {
+    return false
+  }
+}
+const asked = {
+  planner: () => refused(() => core.checkParameter('', '', '', 0)),
+  kind: () => refused(() => core.checkParameter(catalogue.planners[0].name, '', '', 0)),
+  scene: () => refused(() => core.checkScene('')),
+  generator: () => refused(() => core.generateScene('', {}, 1)),
+  follower: () => ['drive', 'motion'].filter(follows),
+}
+const holds = Object.fromEntries(
+  Object.entries(asked).map(([field, names]) => [field, Object.fromEntries(names().map((name) => [name, []]))]),
+)
+for (const part of parts) {
+  for (const file of loader.filesOf([part])) loader.linkFile(file, new WebAssembly.Module(read(`${file}.wasm`)))
+  loader.addParts([part])
+  for (const [field, names] of Object.entries(asked)) for (const name of names()) holds[field][name] ??= [part]
+}
+for (const { name, parameters } of catalogue.planners) {
+  const needed = parameters.flatMap((parameter) => (typeof parameter.default === 'string' ? (holds.planner[parameter.default] ?? []) : []))
+  holds.planner[name] = [...new Set([...holds.planner[name], ...needed])]
+}
+const shipped = { planner: catalogue.planners, scene: catalogue.scenes, generator: catalogue.generators }
+for (const [field, entries] of Object.entries(shipped))
+  for (const { name } of entries) if (!holds[field][name]) throw new Error(`no part holds the ${field} ${name}`)
+for (const { name, kind } of catalogue.scenes) holds.scene[name] = holds.kind[kind]
+holds.role = {}
+holds.tool = Object.fromEntries(parts.map((part) => [part, [part]]))
+write('parts.js', partsFile(holds))
+
+// The entries. What only the loader calls is not for users.
+const inner = new Set(['add', 'bringBy', 'freed', 'parts', 'speakBy', 'start', 'initSync'])
+const names = [...told.matchAll(/^export (?:class|function) (\w+)/gm)].map(([, name]) => name).filter((name) => !inner.has(name))
+const passed = `\nexport { ${names.join(', ')} } from './glue.js'\n`
+write('core.js', `${read('core.js')}\nexport const shapes = ${JSON.stringify(catalogue.shapes)}\n`)
+for (const entry of ['core.js', 'page.js', 'node.js']) write(entry, read(entry) + passed)
+write('forage.js', `export { default } from './page.js'\nexport * from './page.js'\nexport { catalogue } from './catalogue.js'\n`)
+for (const part of ['swarm', ...parts]) {
+  const needed = part === 'swarm' ? '' : `'${part}'`
+  write(
+    `${part}.js`,
+    `import { load } from './page.js'\n\nexport * from './page.js'\n\n/** Loads this part of the module, with what every run needs. */\nexport default function init() {\n  return load(${needed})\n}\n`,
+  )
+  write(
+    `${part}.node.js`,
+    `import { loadNow } from './node.js'\n\nloadNow(${needed})\nexport { default } from './node.js'\nexport * from './node.js'\n`,
+  )
+}
+
+// Types.
+const types = read('glue.d.ts').toString()
+const until = types.indexOf('export type InitInput')
+if (until < 0) throw new Error('glue.d.ts is not as expected')
+write(
+  'forage.d.ts',
+  `${types.slice(0, until).trimEnd()}
+
+/** A part of the module beside the first one, which has the swarms, on functions and among discs. */
+export type Part = ${parts.map((part) => `'${part}'`).join(' | ')};
+
+/** Loads parts of the module; those that are there are not loaded again. In Node calls load what they need by themselves. */
+export function load(...parts: Part[]): Promise<void>;
+
+/** The parts that a run needs, as far as its names are known. */
+export function partsOf(setup: { planner: string; scene: Scene | string; params?: Record<string, ParameterValue> }): Part[];
+
+/**
+ * Calls \`make\`, loads what it turns out to need, and calls it again: \`const session = await ready(() => new Session(setup))\`.
+ */
+export function ready<T>(make: () => T): Promise<T>;
+
+/** The shapes in a frame's table of spans, by number. */
+export const shapes: readonly string[];
+
+/** All that ships: planners with their parameters, scenes, generators. */
+export function catalogue(): Catalogue;
+
+/** A function that says a message: undefined where it has no words. */
+export type Say = (key: string, args: Record<string, number | string>) => string | undefined;
+
+/** Sets how messages are said. Without it they are English. */
+export function speakBy(say: Say): void;
+
+/**
+ * In a page, before anything else: loads the swarms and links. In Node everything is ready on import.
+ * @param source where the first part is, if it is not beside the package's files
+ */
+export default function init(source?: string | URL): Promise<void>;
+`,
+)
+write(
+  'part.d.ts',
+  `export * from './forage.js';
+
+/** In a page, before anything else: loads this part of the module, with what every run needs. In Node it is ready on import. */
+export default function init(): Promise<void>;
+`,
+)
+write(
+  'node.d.ts',
+  `export { default } from './forage.js';
+export * from './forage.js';
+`,
+)
+write(
+  'core.d.ts',
+  `export * from './forage.js';
+
+/**
+ * The first part by itself, for who draws before anything is said: until the main entry's \`load()\`, messages are keys.
+ * @param source where it is, if it is not beside the package's files
+ */
+export function begin(source?: string | URL): Promise<unknown>;
+`,
+)
+write(
+  'words.d.ts',
+  `import type { Say } from './forage.js';
+
+/** Says messages in a language by its patterns: \`locales/en.json\`, or a translation of it. \`add\` gives it more. */
+export function speaker(locale: string, patterns: Record<string, string>): Say & { add(patterns: Record<string, string>): void };
+`,
+)
+
+// The table of sizes.
+const contents = {
+  forage_bg: 'always: particle and quantum swarms, among discs and on functions',
+  shared: 'with `grid`, `tour`, `arm`, `files`, `generators`, `pictures`',
+  common: 'with every other part',
+  grid: 'ants, searches of cells, other swarms, drives, tuning',
+  tour: 'tours of many stops',
+  arm: 'arms and random trees',
+  links: 'links',
+  files: 'files of other programs',
+  generators: 'random scenes',
+  pictures: 'pictures as SVG',
+  statistics: 'statistics of many runs',
+}
+const rows = wasm.map((name) => {
+  if (!contents[name]) throw new Error(`README.md: what is in ${name}?`)
+  return { name, size: gzipSync(read(`${name}.wasm`), { level: 9 }).length }
+})
+const size = (bytes) => `${Math.round(bytes / 1000)} kB`
+const table = Object.keys(contents).map(
+  (name) => `| \`${name}\` | ${size(rows.find((row) => row.name === name).size)} | ${contents[name]} |`,
+)
+const total = `| | ${size(rows.reduce((sum, { size }) => sum + size, 0))} | all |`
+write(
+  'README.md',
+  read('README.md')
+    .toString()
+    .replace('@SIZES@', ['| part | size | what for |', '| --- | --- | --- |', ...table, total].join('\n')),
+)
+
+const entry = (types, name, node) => ({ types: `./${types}.d.ts`, node: `./${node}.js`, default: `./${name}.js` })
+const description = {
+  name: crate.name,
+  type: 'module',
+  description: crate.description,
+  version: crate.version,
+  license: crate.license,
+  keywords: crate.keywords,
+  files: readdirSync(folder).filter((file) => !['package.json', 'glue.d.ts'].includes(file)),
+  main: './node.js',
+  module: './forage.js',
+  types: './forage.d.ts',
+  // They set up what is loaded; the catalogue is left out where nobody asks for it.
+  sideEffects: ['./page.js', './node.js', './*.node.js'],
+  exports: {
+    '.': entry('forage', 'forage', 'node'),
+    ...Object.fromEntries(['swarm', ...parts].map((part) => [`./${part}`, entry('part', part, `${part}.node`)])),
+    './core': { types: './core.d.ts', default: './core.js' },
+    './words': { types: './words.d.ts', default: './words.js' },
+    './*.wasm': './*.wasm',
+    './locales/*': './locales/*',
+    './catalogue.json': './catalogue.json',
+    './package.json': './package.json',
+  },
+}
+for (const file of ['README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md'])
+  if (!existsSync(`${folder}/${file}`)) throw new Error(`${file} is missing`)
+write('package.json', `${JSON.stringify(description, null, 2)}\n`)

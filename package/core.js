@@ -1,0 +1,16 @@
+/*
+ * The first part of the module by itself, for who draws before anything is said: the rest, and words, come with the package's
+ * main entry, which may be imported later.
+ */
+import start from './glue.js'
+
+let first
+
+/** Loads the first part. What it returns is for the loader. `source`: where it is, if it is not beside this file. */
+export function begin(source) {
+  first ??= start(source).catch((error) => {
+    first = undefined
+    throw error
+  })
+  return first
+}

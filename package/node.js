@@ -1,0 +1,47 @@
+/*
+ * For Node. The first part is there on import; another one is read from disk when a call needs it.
+ */
+import { readFileSync } from 'node:fs'
+import { speaker, words } from './english.js'
+import { initSync } from './glue.js'
+import { addParts, askBy, filesOf, linkFile, missing, partsOf, share, speakBy, speakEnglish, speaksEnglish } from './loader.js'
+import { urls } from './parts.js'
+
+export { catalogue } from './catalogue.js'
+export { shapes } from './core.js'
+export { partsOf, speakBy }
+
+const say = speaker('en', {})
+
+function speak(part) {
+  if (speaksEnglish()) say.add(JSON.parse(readFileSync(words[part]())))
+}
+
+share(initSync({ module: readFileSync(urls.forage_bg()) }))
+speak('swarm')
+speakEnglish(say)
+
+/** Reads parts of the module that are not there yet: for a call that must not be the first one to do it. */
+export function loadNow(...parts) {
+  for (const file of filesOf(missing(parts))) linkFile(file, new WebAssembly.Module(readFileSync(urls[file]())))
+  for (const part of missing(parts)) speak(part)
+  addParts(parts)
+}
+
+askBy((parts) => {
+  loadNow(...parts)
+  return true
+})
+
+/** As in a page; here a call that needs a part reads it by itself. */
+export async function load(...parts) {
+  loadNow(...parts)
+}
+
+/** As in a page; here what `make` needs is there. */
+export async function ready(make) {
+  return make()
+}
+
+/** In Node everything is ready on import; this keeps code that calls `await init()` working. */
+export default async function init() {}

@@ -1,0 +1,124 @@
+/*
+ * For pages and bundlers. What is loaded comes over the network: `await init()` for the swarms and links, `await load('grid')` for
+ * more, and `await ready(() => new Session(setup))` for whatever a call turns out to need.
+ */
+import { begin } from './core.js'
+import {
+  addParts,
+  askBy,
+  filesOf,
+  isAdded,
+  linkFile,
+  missing,
+  PARTS,
+  partsOf,
+  share,
+  speakBy,
+  speakEnglish,
+  speaksEnglish,
+} from './loader.js'
+import { urls } from './parts.js'
+
+export { shapes } from './core.js'
+export { partsOf, speakBy }
+
+let say
+/** What the last call lacked. */
+let wanted = []
+const coming = new Map()
+
+/** A promise that is made once, and once more after it failed. */
+function once(key, make) {
+  const known = coming.get(key)
+  if (known) return known
+  const made = make()
+  coming.set(key, made)
+  made.catch(() => coming.delete(key))
+  return made
+}
+
+async function response(url) {
+  const found = await fetch(url)
+  if (!found.ok) throw new Error(`${found.status} ${found.statusText}: ${url}`)
+  return found
+}
+
+async function compiled(file) {
+  const found = await response(urls[file]())
+  const bytes = found.clone()
+  return WebAssembly.compileStreaming(found).catch(async (error) => {
+    if (found.headers.get('content-type') === 'application/wasm') throw error
+    console.warn(`${urls[file]()} is not served as application/wasm: it is compiled after it has come, not meanwhile.`)
+    return WebAssembly.compile(await bytes.arrayBuffer())
+  })
+}
+
+let ours
+
+/** The first part, ready for others. */
+function core(source) {
+  ours ??= begin(source).then(
+    (exports) => {
+      share(exports)
+      askBy((parts, known) => {
+        wanted = parts
+        return known ? parts.join("', '") : undefined
+      })
+    },
+    (error) => {
+      ours = undefined
+      throw error
+    },
+  )
+  return ours
+}
+
+async function link(parts) {
+  const files = filesOf(missing(parts))
+  const modules = await Promise.all([...files.map((file) => once(file, () => compiled(file))), core()])
+  for (const [k, file] of files.entries()) linkFile(file, modules[k])
+  addParts(parts)
+}
+
+/** The words of a part, while its code comes. */
+const spoken = (part) =>
+  once(`words ${part}`, async () => {
+    if (!speaksEnglish()) return
+    const { speaker, words } = await import('./english.js')
+    const patterns = await (await response(words[part]())).json()
+    say ??= speaker('en', {})
+    say.add(patterns)
+    await core()
+    speakEnglish(say)
+  })
+
+/**
+ * Loads parts of the module, beside the first one: `grid`, `tour`, `arm`, `links`, `files`, `generators`, `pictures`, `statistics`.
+ * What is there already is not loaded again.
+ */
+export async function load(...parts) {
+  await Promise.all([link(parts), ...['swarm', ...parts].map(spoken), ...PARTS.filter(isAdded).map(spoken)])
+}
+
+/** Loads what a page needs to begin with: the swarms, and links. `source`: where the first part is, if it is not beside this file. */
+export default async function init(source) {
+  void core(source)
+  await load('links')
+}
+
+/**
+ * Calls `make`, loads what it turns out to need (a part with a planner, a kind of scene or a tool) and calls it again:
+ * `const session = await ready(() => new Session(setup))`.
+ */
+export async function ready(make) {
+  await load()
+  for (;;) {
+    wanted = []
+    try {
+      return make()
+    } catch (error) {
+      if (wanted.length === 0) throw error
+      await load(...wanted)
+    }
+  }
+}
