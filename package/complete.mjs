@@ -165,6 +165,13 @@ write(
   'forage.d.ts',
   `${types.slice(0, until).trimEnd()}
 
+declare global {
+  interface SymbolConstructor {
+    /** Here for libraries of types that do not know it yet: \`using session = new Session(…)\` frees it at the end of its block. */
+    readonly dispose: unique symbol;
+  }
+}
+
 /** A part of the module beside the first one, which has the swarms, on functions and among discs. */
 export type Part = ${parts.map((part) => `'${part}'`).join(' | ')};
 
@@ -193,9 +200,9 @@ export function speakBy(say: Say): void;
 
 /**
  * In a page, before anything else: loads the swarms and links. In Node everything is ready on import.
- * @param source where the first part is, if it is not beside the package's files
+ * @param source where the first part is, if it is not beside the package's files, or what it was compiled to
  */
-export default function init(source?: string | URL): Promise<void>;
+export default function init(source?: string | { readonly href: string } | object): Promise<void>;
 `,
 )
 write(
@@ -218,9 +225,9 @@ write(
 
 /**
  * The first part by itself, for who draws before anything is said: until the main entry's \`load()\`, messages are keys.
- * @param source where it is, if it is not beside the package's files
+ * @param source where it is, if it is not beside the package's files, or what it was compiled to
  */
-export function begin(source?: string | URL): Promise<unknown>;
+export function begin(source?: string | { readonly href: string } | object): Promise<unknown>;
 `,
 )
 write(

@@ -6,9 +6,12 @@ import start from './glue.js'
 
 let first
 
-/** Loads the first part. What it returns is for the loader. `source`: where it is, if it is not beside this file. */
+/**
+ * Loads the first part. What it returns is for the loader. `source`: where it is, if it is not beside this file,
+ * or what it was compiled to.
+ */
 export function begin(source) {
-  first ??= start(source).catch((error) => {
+  first ??= start(source && { module_or_path: source }).catch((error) => {
     first = undefined
     throw error
   })

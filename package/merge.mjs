@@ -22,13 +22,15 @@ const enabled = features.map((feature) => `--enable-${feature}`)
 const run = (tool, ...args) => execFileSync(tool, [...enabled, ...args], { encoding: 'utf8', maxBuffer: 1 << 28 })
 
 // All import the same memory and table, which in one module must be one import: they are given those of a module that passes on its own.
-const text = chunks.map(({ file }) => run('wasm-dis', `${folder}/${file}.wasm`)).join('\n')
-const found = (kind) => {
-  const [, name, type] = text.match(new RegExp(`\\(import "__wasm_split" "(\\w+)" \\(${kind} \\S+ ([^\\n]*)\\)\\)\\n`)) ?? []
-  if (!name) throw new Error(`no part imports a ${kind}`)
-  return `(import "base" "${name}" (${kind} $${kind} ${type})) (export "${name}" (${kind} $${kind}))`
+const imports = new Map()
+for (const { file } of chunks) {
+  if (imports.size === 3) break
+  const text = run('wasm-dis', `${folder}/${file}.wasm`)
+  for (const [, name, kind, type] of text.matchAll(/\(import "__wasm_split" "(\w+)" \((memory|table|global) \S+ ([^\n]*)\)\)\n/g))
+    imports.set(kind, `(import "base" "${name}" (${kind} $${kind} ${type})) (export "${name}" (${kind} $${kind}))`)
 }
-writeFileSync(`${folder}/base.wat`, `(module ${['memory', 'table', 'global'].map(found).join(' ')})`)
+if (imports.size < 3) throw new Error(`the parts share only ${[...imports.keys()]}`)
+writeFileSync(`${folder}/base.wat`, `(module ${['memory', 'table', 'global'].map((kind) => imports.get(kind)).join(' ')})`)
 run('wasm-as', `${folder}/base.wat`, '-o', `${folder}/base.wasm`)
 
 for (const name of ['common', 'shared']) {

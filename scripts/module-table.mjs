@@ -63,9 +63,28 @@ while (at < bytes.length) {
 }
 if (names.size === 0) throw new Error(`${file} has no names of functions`)
 
+/** A name as the linker has it (`_ZN6forage4math…E`), as a path. */
+function readable(name) {
+  if (!name.startsWith('_ZN')) return name
+  const path = []
+  for (let rest = name.slice(3); ; ) {
+    const [length] = /^\d+/.exec(rest) ?? []
+    if (!length) break
+    path.push(rest.slice(length.length, length.length + Number(length)))
+    rest = rest.slice(length.length + Number(length))
+  }
+  return path
+    .join('::')
+    .replace(/^_(?=\$)/, '')
+    .replaceAll('$LT$', '<')
+    .replaceAll('$GT$', '>')
+    .replaceAll('$u20$', ' ')
+    .replaceAll('..', '::')
+}
+
 /** The crate of a function, and within the library its folders. */
-function place(name) {
-  const path = name
+function place(mangled) {
+  const path = readable(mangled)
     .replace(/^_?<+(?:impl )?(?:&mut |&|\[|\*const |\*mut )*/, '')
     .split(/[<>( ]/)[0]
     .replaceAll(/\[[0-9a-f]+\]/g, '')

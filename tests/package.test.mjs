@@ -202,7 +202,7 @@ test('the book’s batch runs as it stands, and says what the shell’s runs say
 test('its types are exact', () => {
   writeFileSync(
     join(project, 'types.ts'),
-    `import { compare, Session, Trial, type Comparison, type Group, type Outcome, type Status, type TrialCurve, type TrialRecord } from 'forage-lab';
+    `import init, { compare, load, ready, Session, Trial, type Comparison, type Group, type Outcome, type Status, type TrialCurve, type TrialRecord } from 'forage-lab';
      const session = new Session({ planner: 'pso', scene: 'sphere', params: { w: 0.7 }, seed: 2 });
      const status: Status = session.step(3);
      const outcome: Outcome = session.outcome();
@@ -217,6 +217,12 @@ test('its types are exact', () => {
      const comparison: Comparison = compare([group, group]);
      const mean: number | undefined = comparison.groups[0]?.summary?.mean;
      const p: number | null | undefined = comparison.friedman?.p;
+     const image: { readonly width: number } | undefined = session.layerImage('best', true)?.image;
+     await init();
+     const other: Session = await ready(() => new Session({ planner: 'rrt', scene: 'arm-bench' }));
+     other[Symbol.dispose]();
+     // @ts-expect-error there is no such part
+     await load('birds');
      // @ts-expect-error a seed is a number
      new Session({ planner: 'pso', scene: 'sphere', seed: 'one' });
      // @ts-expect-error there is no such member
@@ -225,23 +231,12 @@ test('its types are exact', () => {
      compare([{ name: 'pso', values: ['1'] }]);
      // @ts-expect-error a record has no times
      record.elapsed_ms;
-     export { status, cost, evaluations, mean, p };`,
+     export { status, cost, evaluations, image, mean, p };`,
   )
   const compiler = join(root, 'www/node_modules/typescript/bin/tsc')
-  run('node', [
-    compiler,
-    '--noEmit',
-    '--strict',
-    '--target',
-    'es2022',
-    '--module',
-    'nodenext',
-    '--moduleResolution',
-    'nodenext',
-    '--lib',
-    'esnext,dom',
-    'types.ts',
-  ])
+  const options = ['--noEmit', '--strict', '--target', 'es2022', '--module', 'nodenext', '--moduleResolution', 'nodenext']
+  // Its own types are checked as well, with the language's library alone and with all that there is.
+  for (const lib of ['es2022', 'esnext,dom']) run('node', [compiler, ...options, '--lib', lib, 'types.ts'])
 })
 
 test('a page and Node have an entry each', () => {

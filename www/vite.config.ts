@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vite'
+import { early } from './plugins/early.ts'
 import { formulas } from './plugins/formulas.ts'
 import { palette } from './plugins/palette.ts'
 import { reproduction } from './plugins/reproduction.ts'
@@ -14,7 +15,7 @@ const styles = (_: string, files: string[], { hostType }: { hostType: 'html' | '
 
 export default defineConfig({
   base: './',
-  plugins: [svelte(), formulas(core), palette(`${root}/src/describe/palette.json`), reproduction(root)],
+  plugins: [svelte(), early(['forage_bg', 'catalogue']), formulas(core), palette(`${root}/src/describe/palette.json`), reproduction(root)],
   resolve: {
     alias: [
       { find: /^forage-lab$/, replacement: `${core}/page.js` },

@@ -189,9 +189,19 @@ export interface FrameViews {
   thinning: number;
 }
 
+/** An `ImageData`, where the program's libraries know what that is. */
+export type Pixels = typeof globalThis extends { ImageData: { prototype: infer T } }
+  ? T
+  : { readonly width: number; readonly height: number; readonly data: Uint8ClampedArray };
+
+/** The 2D context of an `OffscreenCanvas`. */
+export interface CanvasContext {
+  readonly canvas: { readonly width: number; readonly height: number };
+}
+
 /** A field of a frame, coloured: a pixel for each value, the row of the smallest y first. */
 export interface LayerImage {
-  image: ImageData;
+  image: Pixels;
   /** The part of the plane that it covers. */
   min: Point;
   max: Point;

@@ -80,8 +80,8 @@ extern "C" {
     /// `boolean`, checked before it is read.
     #[wasm_bindgen(typescript_type = "boolean")]
     pub type JsFlag;
-    /// `OffscreenCanvasRenderingContext2D`, checked before it is used.
-    #[wasm_bindgen(typescript_type = "OffscreenCanvasRenderingContext2D")]
+    /// `CanvasContext`, as `types.d.ts` describes it, checked before it is used.
+    #[wasm_bindgen(typescript_type = "CanvasContext")]
     pub type JsContext;
     /// `number`, checked before it is read.
     #[wasm_bindgen(typescript_type = "number")]

@@ -1,6 +1,7 @@
 import * as Comlink from 'comlink'
 import type { Catalogue } from 'forage-lab'
 import address from 'forage-lab/catalogue.json?url'
+import core from 'forage-lab/forage_bg.wasm?url'
 import type { Api } from '../worker/sim.worker'
 import type { FrameMessage, FromWorker, ProgressMessage, ReturnedBuffer } from '../worker/protocol'
 
@@ -19,6 +20,11 @@ async function readCatalogue(): Promise<Catalogue> {
   if (!found.ok) throw new Error(`${found.status} ${found.statusText}: ${address}`)
   return found.json()
 }
+
+let compiled: Promise<WebAssembly.Module | undefined> | undefined
+
+/** The core's first part, compiled while the worker starts. The worker loads it by itself where that fails: it says what is wrong. */
+const compile = (): typeof compiled => (compiled ??= WebAssembly.compileStreaming(fetch(core)).catch(() => (compiled = undefined)))
 
 /** One thread is left for what is seen. */
 const hands = (): number => Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), MOST_HANDS)
@@ -57,8 +63,9 @@ export class Client {
         reject(new Error(message))
       }
     })
-    const opened = Promise.race([this.remote.open(Comlink.transfer(port2, [port2]), hands()), failed])
-    const [catalogue] = await Promise.all([readCatalogue(), opened])
+    const { remote } = this
+    const open = async (): Promise<void> => remote.open(Comlink.transfer(port2, [port2]), hands(), await compile())
+    const [catalogue] = await Promise.all([readCatalogue(), Promise.race([open(), failed])])
     return catalogue
   }
 

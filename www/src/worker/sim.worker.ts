@@ -79,10 +79,10 @@ function running(): Simulation {
 }
 
 const api = {
-  /** `hands`: how many threads may work side by side. */
-  async open(frames: MessagePort, hands: number): Promise<void> {
+  /** `hands`: how many threads may work side by side; `core`: its first part, if it is compiled already. */
+  async open(frames: MessagePort, hands: number, core?: WebAssembly.Module): Promise<void> {
     port = frames
-    await begin()
+    await begin(core)
     simulation = new Simulation(frames, crash, async () => {
       const { Crew } = await import('./crew')
       return new Crew(hands, thread, oneself)
