@@ -49,7 +49,7 @@ pub const TOURS: &[&Entry] = &[
 pub const TREES: &[&Entry] =
     &[&tree::rrt_guided::ENTRY, &tree::rrt::ENTRY, &tree::rrt_connect::ENTRY, &tree::rrt_star::ENTRY, &tree::rrt_joint::ENTRY];
 
-/// Drives among what moves, and the tuning of other planners.
+/// Drives among moving obstacles, and the tuning of other planners.
 pub const DRIVES: &[&Entry] =
     &[&dynamic::wolf_ant_drive::ENTRY, &dynamic::a_star_drive::ENTRY, &dynamic::d_star_lite_drive::ENTRY, &tuning::ENTRY];
 
