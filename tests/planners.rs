@@ -203,7 +203,7 @@ fn every_encoding_runs(entry: &'static Entry) {
         for (encoding, corners) in [("waypoints", 3), ("polar", 7)] {
             let points = corners + 2;
             let run = |smooth: bool| {
-                let mut params = given(&[("iterations", 400.0)]);
+                let mut params = given(&[("iterations", 100.0)]);
                 params.insert("encoding", Value::from(encoding));
                 params.insert("smooth", Value::Flag(smooth));
                 if encoding == "waypoints" {
