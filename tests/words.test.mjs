@@ -1,9 +1,13 @@
 // The module's parts, and the words that its host brings.
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { readdirSync, readFileSync } from 'node:fs'
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
 import { test } from 'node:test'
+import { fileURLToPath } from 'node:url'
 import { pattern } from '../package/fluent.mjs'
+import { compare, described, languages, made, untold } from '../package/languages.mjs'
 import { catalogue, partsOf } from '../pkg/node.js'
 import { speaker } from '../pkg/words.js'
 
@@ -14,6 +18,36 @@ test('the catalogue is that of the file, with the symbols of explanations', () =
   const { symbols } = catalogue()
   assert.deepEqual(catalogue(), json('../pkg/catalogue.json'))
   for (const symbol of ['c_1 r_1 (p - x)', '\\tau', '\\varphi_i']) assert.ok(symbols.includes(symbol), symbol)
+})
+
+const root = fileURLToPath(new URL('..', import.meta.url))
+const english = { ...messages, ...described(json('../pkg/catalogue.json')) }
+
+test('every message that the sources make has English, and no text of the catalogue is empty', () => {
+  const sources = ['src', 'crates/face/src', 'crates/module/src'].flatMap((folder) =>
+    readdirSync(join(root, folder), { recursive: true })
+      .filter((file) => file.endsWith('.rs'))
+      .map((file) => readFileSync(join(root, folder, file), 'utf8')),
+  )
+  // The examples of the documentation.
+  const keys = sources.flatMap(made).filter((key) => !key.startsWith('demo-'))
+  assert.ok(keys.length > 400, `${keys.length} messages`)
+  assert.deepEqual(untold(keys, english), [])
+  assert.deepEqual(untold(made('message!(\n  "no-such", "", n)'), { 'is-empty': ' ', told: 'Told.' }), ['is-empty', 'no-such'])
+})
+
+test('every language has every text, translated from the English of today', () => {
+  for (const [name, texts] of Object.entries(languages(join(root, 'locales'))))
+    assert.deepEqual(compare(english, texts), { missing: [], stale: [], unused: [] }, name)
+})
+
+test('what a language lacks is listed', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'locales-'))
+  mkdirSync(join(folder, 'xx'))
+  writeFileSync(join(folder, 'xx/a.json'), JSON.stringify({ a: { english: 'One', says: 'Ein' }, b: { english: 'Two', says: '' } }))
+  writeFileSync(join(folder, 'xx/b.json'), JSON.stringify({ d: { english: 'Four', says: 'Vier' }, gone: { english: 'Gone', says: 'Weg' } }))
+  const { xx } = languages(folder)
+  assert.deepEqual(compare({ a: 'One', b: 'Two', c: 'Three', d: 'Five' }, xx), { missing: ['b', 'c'], stale: ['d'], unused: ['gone'] })
 })
 
 test('every message can be said, with all its plurals and numbers', () => {

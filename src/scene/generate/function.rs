@@ -7,8 +7,8 @@ use crate::{
     scene::{self, Function, FunctionScene, MAX_DIMENSION},
 };
 
-const fn choice(function: Function, title: &'static str) -> Choice {
-    Choice::new(function.name(), title, "")
+const fn choice(function: Function, title: &'static str, help: &'static str) -> Choice {
+    Choice::new(function.name(), title, help)
 }
 
 impl ParamValue for Function {}
@@ -18,12 +18,12 @@ const FUNCTION: Param<Function> = Param::choice(
     "",
     "Function",
     &[
-        choice(Function::Sphere, "Sphere"),
-        choice(Function::Rosenbrock, "Rosenbrock"),
-        choice(Function::Ackley, "Ackley"),
-        choice(Function::Rastrigin, "Rastrigin"),
-        choice(Function::Matyas, "Matyas"),
-        choice(Function::EggCrate, "Egg crate"),
+        choice(Function::Sphere, "Sphere", "A bowl without other minima, f3."),
+        choice(Function::Rosenbrock, "Rosenbrock", "A narrow, curved valley with a flat floor, f4."),
+        choice(Function::Ackley, "Ackley", "A deep hole in a rippled, nearly flat plain, f5."),
+        choice(Function::Rastrigin, "Rastrigin", "A bowl full of regular dents, f6."),
+        choice(Function::Matyas, "Matyas", "A flat valley along a diagonal, in two variables, f1."),
+        choice(Function::EggCrate, "Egg crate", "A bowl with waves in both of its variables, f2."),
     ],
     &[Function::Sphere, Function::Rosenbrock, Function::Ackley, Function::Rastrigin, Function::Matyas, Function::EggCrate],
     "Which function.",
