@@ -4,16 +4,30 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
 
 const SAID = ['title', 'help', 'summary', 'note', 'units']
+// Lists of texts, each of which is a value that a person reads.
+const LISTED = ['words']
+
+/** What leads to an item of a list; alternatives have one name, and are shown with different values of a parameter. */
+function named(item, list) {
+  const name = ({ name, role, value }) => name ?? role ?? value
+  const alone = list.filter((other) => name(other) === name(item)).length === 1
+  return alone || !item.when ? [name(item)] : [name(item), item.when.value]
+}
 
 /** The English texts of the catalogue, by the names that lead to them: `planners.pso.parameters.w.help`. */
 export function described(catalogue) {
   const texts = {}
+  const add = (key, text) => {
+    if (Object.hasOwn(texts, key)) throw new Error(`${key} is said twice: ${texts[key]} and ${text}`)
+    texts[key] = text
+  }
   const walk = (value, path) => {
     for (const [field, inner] of Object.entries(value)) {
-      if (SAID.includes(field)) texts[[...path, field].join('.')] = inner
+      if (SAID.includes(field)) add([...path, field].join('.'), inner)
+      else if (LISTED.includes(field)) for (const text of inner) add([...path, field, text].join('.'), text)
       else if (Array.isArray(inner))
         for (const item of inner) {
-          if (item !== null && typeof item === 'object') walk(item, [...path, field, item.name ?? item.role ?? item.value])
+          if (item !== null && typeof item === 'object') walk(item, [...path, field, ...named(item, inner)])
         }
       else if (inner !== null && typeof inner === 'object') walk(inner, [...path, field])
     }
@@ -43,7 +57,8 @@ export function languages(folder) {
         .sort()
         .map((file) => json(`${folder}/${name}/${file}`)),
     )
-  return Object.fromEntries(readdirSync(folder).map((name) => [name, read(name)]))
+  const folders = readdirSync(folder, { withFileTypes: true }).filter((entry) => entry.isDirectory())
+  return Object.fromEntries(folders.map(({ name }) => [name, read(name)]))
 }
 
 /** What a language has not, what is translated from another English, and what nothing says any more: lists of keys. */
