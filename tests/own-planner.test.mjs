@@ -10,7 +10,13 @@ const ROOT = join(import.meta.dirname, '..')
 const MANIFEST = join(ROOT, 'examples/own-planner/Cargo.toml')
 const TARGET = process.env.CARGO_TARGET_DIR ?? join(ROOT, 'target')
 // With the tree's profiles, and in its folder of builds: what neither of them wrote is compiled once. Ours runs only shortly here.
-const PROFILES = [join(ROOT, 'Cargo.toml'), ...['forage-lab', 'forage-lab-shell'].map((name) => `profile.dev.package.${name}.opt-level=0`)]
+// (An argument outweighs the environment: what this says of the profile is said again.)
+const DEBUG = process.env.CARGO_PROFILE_DEV_DEBUG
+const PROFILES = [
+  join(ROOT, 'Cargo.toml'),
+  ...['forage-lab', 'forage-lab-shell'].map((name) => `profile.dev.package.${name}.opt-level=0`),
+  ...(DEBUG ? [`profile.dev.debug=${DEBUG}`] : []),
+]
 const folder = mkdtempSync(join(tmpdir(), 'own-planner-'))
 
 function cargo(command, ...args) {

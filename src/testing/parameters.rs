@@ -60,7 +60,7 @@ pub fn both_ends_run(subject: &Subject, findings: &mut Findings) {
                         None => {}
                     }
                     let mut run = subject.start(&setup)?;
-                    run.step(if large { 2 } else { 10 });
+                    run.step(if large { 2 } else { 20 });
                     finite(&mut run).and_then(|()| keeps_to_its_budget(&run)).map_err(|fault| fault.at(run.iteration()))
                 });
             }
