@@ -157,8 +157,25 @@ for (const part of ['swarm', ...parts]) {
   )
 }
 
-// Types.
-const types = read('glue.d.ts').toString()
+// Types. Names are those that there are.
+const oneOf = (names) => [...new Set(names)].map((name) => `'${name}'`).join(' | ')
+const typeOf = ({ type, options }) =>
+  ({ integer: 'number', flag: 'boolean', subset: 'string', choice: options && oneOf(options.map(({ value }) => value)) })[type] ?? type
+const taken = (parameters) => parameters.map((parameter) => `${parameter.name}?: ${typeOf(parameter)}`).join('; ')
+const named = {
+  Kind: oneOf(Object.keys(holds.kind)),
+  PlannerName: oneOf(catalogue.planners.map(({ name }) => name)),
+  SceneName: oneOf(catalogue.scenes.map(({ name }) => name)),
+  GeneratorName: oneOf(catalogue.generators.map(({ name }) => name)),
+  LayerName: oneOf([...catalogue.roles, ...catalogue.layers.map(({ role }) => role)]),
+  ParametersOf: `{\n${catalogue.planners.map(({ name, parameters }) => `    '${name}': { ${taken(parameters)} }\n`).join('')}}`,
+}
+let types = read('glue.d.ts').toString()
+for (const [name, names] of Object.entries(named)) {
+  const open = new RegExp(`^export type ${name} = (?:string|Record<.*>)$`, 'm')
+  if (!open.test(types)) throw new Error(`glue.d.ts has no ${name}`)
+  types = types.replace(open, () => `export type ${name} = ${names}`)
+}
 const until = types.indexOf('export type InitInput')
 if (until < 0) throw new Error('glue.d.ts is not as expected')
 write(
@@ -179,7 +196,7 @@ export type Part = ${parts.map((part) => `'${part}'`).join(' | ')};
 export function load(...parts: Part[]): Promise<void>;
 
 /** The parts that a run needs, as far as its names are known. */
-export function partsOf(setup: { planner: string; scene: Scene | string; params?: Record<string, ParameterValue> }): Part[];
+export function partsOf(setup: Setup): Part[];
 
 /**
  * Calls \`make\`, loads what it turns out to need, and calls it again: \`const session = await ready(() => new Session(setup))\`.
@@ -187,7 +204,7 @@ export function partsOf(setup: { planner: string; scene: Scene | string; params?
 export function ready<T>(make: () => T): Promise<T>;
 
 /** The shapes in a frame's table of spans, by number. */
-export const shapes: readonly string[];
+export const shapes: readonly Shape[];
 
 /** All that ships: planners with their parameters, scenes, generators. */
 export function catalogue(): Catalogue;
@@ -277,6 +294,7 @@ const description = {
   version: crate.version,
   license: crate.license,
   keywords: crate.keywords,
+  engines: { node: '>=20' },
   files: readdirSync(folder).filter((file) => !['package.json', 'glue.d.ts'].includes(file)),
   main: './node.js',
   module: './forage.js',

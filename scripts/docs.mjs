@@ -1,8 +1,9 @@
 #!/usr/bin/env node
-// Fills the generated blocks of README.md and docs/*.md from the catalogue and from the reproduction, and checks both.
+// Fills the generated blocks of README.md and docs/*.md from the catalogue and from the reproduction, writes the TypeScript types
+// of the Rust types, and checks all of it.
 //
-//   node scripts/docs.mjs           writes the blocks
-//   node scripts/docs.mjs --check   exits 1 and names each stale block, broken link and command that does not exist
+//   node scripts/docs.mjs           writes blocks and types
+//   node scripts/docs.mjs --check   exits 1 and names each stale block or type, broken link and command that does not exist
 //
 // A block stands between `<!-- generated: NAME ARGUMENT -->` and `<!-- /generated -->`; BLOCKS below lists the names.
 // The program is $FORAGE, or target/debug/forage.
@@ -513,6 +514,22 @@ function* wrongCommands(path, text) {
   }
 }
 
+// ---------------------------------------------------------------- Types
+
+const TYPES = 'crates/face/src/types.d.ts'
+
+/** The declarations of the Rust types, laid out; what their documentation says in Rust's words is said in TypeScript's. */
+function types() {
+  const told = forage('list', '--types')
+    .replace(/\[`(?:Self::)?([^`\]]+)`\](?:\([^)]*\))?/g, '`$1`')
+    .replace(/\[([A-Z-]+)\]\(crate#papers\)/g, '[$1]')
+    .replaceAll('`None`', '`null`')
+    .replace(/\/\*\*\n \* ([^\n]*)\n \*\//g, '/** $1 */')
+  const biome = join(root, 'www/node_modules/.bin/biome')
+  const input = `// Written by scripts/docs.mjs from the Rust types.\n\n${told}`
+  return execFileSync(biome, ['format', `--stdin-file-path=${TYPES}`], { cwd: root, input, encoding: 'utf8' })
+}
+
 // ---------------------------------------------------------------- Main
 
 function main() {
@@ -548,6 +565,14 @@ function main() {
     problems.push(...brokenLinks(path, text, chapters), ...missingFiles(path, text), ...new Set(wrongCommands(path, text)))
     const lines = text.split('\n').length - 1
     if (path === 'README.md' && lines > README_LINES) problems.push(`README.md has ${lines} lines; at most ${README_LINES} are allowed`)
+  }
+  const declared = types()
+  if (!existsSync(join(root, TYPES)) || read(TYPES) !== declared) {
+    if (check) problems.push(`${TYPES} is stale; run node scripts/docs.mjs`)
+    else {
+      writeFileSync(join(root, TYPES), declared)
+      console.log(TYPES)
+    }
   }
   for (const problem of problems) console.error(problem)
   return problems.length ? 1 : 0

@@ -89,6 +89,8 @@ pub mod testing;
 pub mod tour;
 pub mod tree;
 pub mod tuning;
+#[cfg(feature = "types")]
+pub mod types;
 
 pub use describe::Registry;
 pub use kernel::{Error, Frame, Scene, Status};

@@ -1,6 +1,6 @@
 // The npm package as users get it: packed, installed into an empty project, imported in Node, type-checked, and opened in a page.
 import assert from 'node:assert/strict'
-import { execFileSync } from 'node:child_process'
+import { execFileSync, spawnSync } from 'node:child_process'
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -202,7 +202,7 @@ test('the book’s batch runs as it stands, and says what the shell’s runs say
 test('its types are exact', () => {
   writeFileSync(
     join(project, 'types.ts'),
-    `import init, { compare, load, ready, Session, Trial, type Comparison, type Group, type Outcome, type Status, type TrialCurve, type TrialRecord } from 'forage-lab';
+    `import init, { catalogue, compare, load, parseLink, ready, Session, Trial, type Comparison, type Group, type Outcome, type Setup, type Status, type TrialCurve, type TrialRecord, type UncheckedSetup } from 'forage-lab';
      const session = new Session({ planner: 'pso', scene: 'sphere', params: { w: 0.7 }, seed: 2 });
      const status: Status = session.step(3);
      const outcome: Outcome = session.outcome();
@@ -221,8 +221,24 @@ test('its types are exact', () => {
      await init();
      const other: Session = await ready(() => new Session({ planner: 'rrt', scene: 'arm-bench' }));
      other[Symbol.dispose]();
+     // What the package gives it takes, names that are known only at run time too.
+     new Session(parseLink(session.link())).free();
+     for (const job of other.jobs()) new Session({ ...job, scene: other.scene }).free();
+     for (const { name } of catalogue().planners) new Session({ planner: name, scene: 'sphere', seed: 1 });
+     const typed: UncheckedSetup = { planner: 'pso', scene: 'sphere', params: { [String(status)]: 1 } };
+     new Session(typed as Setup);
      // @ts-expect-error there is no such part
      await load('birds');
+     // @ts-expect-error there is no such planner
+     new Session({ planner: 'psso', scene: 'sphere' });
+     // @ts-expect-error there is no such scene
+     new Session({ planner: 'pso', scene: 'cube' });
+     // @ts-expect-error it is a parameter of another planner
+     new Session({ planner: 'pso', scene: 'sphere', params: { alpha_start: 1 } });
+     // @ts-expect-error an encoding is one of two
+     new Session({ planner: 'pso', scene: 'wcpso-discs', params: { encoding: 'spherical' } });
+     // @ts-expect-error there is no such layer
+     session.layerImage('beest', true);
      // @ts-expect-error a seed is a number
      new Session({ planner: 'pso', scene: 'sphere', seed: 'one' });
      // @ts-expect-error there is no such member
@@ -233,10 +249,80 @@ test('its types are exact', () => {
      record.elapsed_ms;
      export { status, cost, evaluations, image, mean, p };`,
   )
-  const compiler = join(root, 'www/node_modules/typescript/bin/tsc')
-  const options = ['--noEmit', '--strict', '--target', 'es2022', '--module', 'nodenext', '--moduleResolution', 'nodenext']
   // Its own types are checked as well, with the language's library alone and with all that there is.
-  for (const lib of ['es2022', 'esnext,dom']) run('node', [compiler, ...options, '--lib', lib, 'types.ts'])
+  for (const lib of ['es2022', 'esnext,dom']) typed('types.ts', lib)
+})
+
+const typed = (file, lib = 'es2022') => {
+  const options = ['--noEmit', '--strict', '--target', 'es2022', '--module', 'nodenext', '--moduleResolution', 'nodenext', '--lib', lib]
+  const told = spawnSync('node', [join(root, 'www/node_modules/typescript/bin/tsc'), ...options, file], { cwd: project, encoding: 'utf8' })
+  assert.equal(told.status, 0, told.stdout)
+}
+
+test('its types are those of what it gives: nothing is missing, nothing is left out', () => {
+  const made = {
+    Catalogue: () => [catalogue()],
+    Outcome: () => Object.values(runs).map((session) => session.outcome()),
+    Stage: () => Object.values(runs).flatMap((session) => session.stages),
+    Inspection: () => Object.values(runs).flatMap(told),
+    Exact: () => Object.values(runs).map((session) => session.exact()).filter(Boolean),
+    LinkSetup: () => Object.values(runs).map((session) => parseLink(session.link())),
+    Suggestion: () => [suggest({ planner: 'ltqpso', scene: 'qpso-10m' })].filter(Boolean),
+    Job: () => jobs.jobs(),
+    TrialRecord: () => Object.values(setups).map((setup) => new Trial(setup)).map((trial) => (trial.step(9), trial.record())),
+    Comparison: () => [compare(['a', 'b', 'c'].map((name, k) => ({ name, values: [1 + k, 2, null, 4 - k] })))],
+    Imported: () => [importScene(exportScene(runs.grid.scene, 'movingai')), importScene(exportScene(runs.tour.scene, 'csv'))],
+    ArmPose: () => [armPose('arm-bench', [0, 0, 0, 0, 0, 0])],
+    ArmSolutions: () => [armSolutions('arm-bench', [0.5, 0.2, 0.5], null), armSolutions('arm-bench', [9, 9, 9], null)],
+  }
+  const setups = {
+    function: { planner: 'cuckoo-search', scene: 'sphere' },
+    discs: { planner: 'wcpso', scene: 'wcpso-discs' },
+    grid: { planner: 'aco-wolf', scene: 'ant-bat-30', params: { iterations: 5 } },
+    drive: { planner: 'ltqpso', scene: 'qpso-10m', params: { iterations: 200 } },
+    tour: { planner: 'sa', scene: 'random-52', params: { iterations: 20 } },
+    trees: { planner: 'rrt-guided', scene: 'arm-bench' },
+    postures: { planner: 'rrt-joint', scene: 'arm-bench' },
+    moving: { planner: 'wolf-ant-drive', scene: 'crossing', params: { iterations: 150 } },
+    tuning: { planner: 'pso-tuning', scene: 'wolf-ant-20', params: { population: 2, iterations: 1, seeds: 1, colony_iterations: 1 } },
+  }
+  writeFileSync(
+    join(project, 'values.js'),
+    `import { armPose, armSolutions, catalogue, compare, exportScene, importScene, parseLink, Session, suggest, Trial } from 'forage-lab';
+     const setups = ${JSON.stringify(setups)};
+     const runs = Object.fromEntries(Object.entries(setups).map(([name, setup]) => {
+       const session = new Session(setup);
+       session.step(Infinity);
+       return [name, session];
+     }));
+     const jobs = new Session(setups.tuning);
+     const told = (session) => {
+       const { planners } = catalogue();
+       const { layers } = planners.find(({ name }) => name === session.planner);
+       return layers.filter(({ pickable }) => pickable).map(({ role }) => session.inspect({ role, index: 0 })).filter(Boolean);
+     };
+     const made = { ${Object.entries(made)
+       .map(([name, make]) => `${name}: ${make}`)
+       .join(', ')} };
+     const values = Object.entries(made).map(([name, make]) => [name, make()]);
+     for (const [name, list] of values) if (!list.length) throw new Error('nothing is made of ' + name);
+     // As source code: JSON has no NaN, which readings may be.
+     const code = (value) => JSON.stringify(value, (_, inner) => (Number.isNaN(inner) ? '@NaN' : inner)).replaceAll('"@NaN"', 'NaN');
+     console.log("import type { " + Object.keys(made).join(', ') + " } from 'forage-lab';");
+     for (const [name, list] of values)
+       for (const [k, value] of list.entries()) console.log('export const ' + name + k + ' = ' + code(value) + ' satisfies ' + name + ';');`,
+  )
+  writeFileSync(join(project, 'values.ts'), run('node', ['values.js']))
+  typed('values.ts')
+})
+
+test('it can be published, and those who check packages find nothing', () => {
+  const tool = (name) => join(root, 'www/node_modules/.bin', name)
+  assert.match(run(tool('publint'), ['--strict', tarball]), /All good!/)
+  // It has no entry for `require`: of that there is something to find.
+  run(tool('attw'), [tarball, '--profile', 'esm-only'])
+  assert.throws(() => run(tool('attw'), [tarball]))
+  run('npm', ['publish', '--dry-run', '--offline', tarball])
 })
 
 test('a page and Node have an entry each', () => {

@@ -4,6 +4,7 @@
 //! Lengths are in metres; a scene's angles are in degrees, as in its file, and a [`Posture`]'s in radians. A [`Posture`] is a
 //! configuration of the arm. World coordinates are base + Rz(yaw) (x, y, z).
 
+mod answer;
 mod check;
 mod cloud;
 mod collision;
@@ -17,6 +18,7 @@ mod tips;
 mod workcell;
 mod wrist;
 
+pub use answer::{Answer, Pose, Reaching};
 pub use cloud::{MAX_LATTICE, Reachability, reachability};
 pub use collision::{Column, Links, clearance, column, motion_is_free, segment_meets_column, touches};
 pub use directions::DIRECTIONS;

@@ -12,6 +12,7 @@ pub type Skeleton = [[f64; 3]; 5];
 
 /// A joint and the link before it, modified Denavit–Hartenberg: T_i = Rx(α_{i−1}) Tx(a_{i−1}) Rz(θ_i) Tz(d_i).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Joint {
     /// a_{i−1}, the length of the link before, in metres.
     pub a: f64,
@@ -26,6 +27,7 @@ pub struct Joint {
     /// The largest θ_i, in degrees.
     pub max: f64,
     /// The largest speed, in degrees per second. The paper gives none; the default is [`Joint::SPEED`].
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<f64>"))]
     pub speed: f64,
 }
 
@@ -36,6 +38,7 @@ impl Joint {
 
 /// An axis of the last joint's frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum Axis {
     /// x6.
     X,
@@ -61,6 +64,7 @@ impl Axis {
 
 /// The tool: a straight segment from the wrist to the tip.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Tool {
     /// The axis of the last frame that it lies along.
     pub axis: Axis,
@@ -70,17 +74,21 @@ pub struct Tool {
 
 /// The position of the arm in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Base {
     /// The origin of the first joint in the world, in metres.
     pub position: [f64; 3],
     /// The rotation about z, in degrees.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<f64>"))]
     pub yaw: f64,
     /// The radius of the column from the workspace's floor up to the base, in metres; 0: no column.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<f64>"))]
     pub column_radius: f64,
 }
 
 /// A six-axis arm with a spherical wrist, as data.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Arm {
     /// The joints, from the base to the wrist.
     pub joints: [Joint; 6],

@@ -2,6 +2,8 @@
 
 use std::{fmt, ops::Deref};
 
+use serde::Serialize;
+
 use crate::{
     kernel::{Error, Message},
     message,
@@ -67,7 +69,9 @@ pub fn distance(a: &Posture, b: &Posture) -> f64 {
 }
 
 /// The reason why no posture brings the tool into a pose. A later variant is closer to a solution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Unreachable {
     /// The tip cannot reach the position, in any orientation.
     Position,

@@ -6,6 +6,7 @@ use super::Arm;
 
 /// An arm among cuboids.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct ArmScene {
     /// The region in which the tip may be, in metres.
     pub workspace: Cuboid,

@@ -1,31 +1,61 @@
 //! The catalogue as the page, `forage list --json` and other programs read it.
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
 
-use serde::{Serialize, Serializer, ser::SerializeStruct};
+use serde::{Serialize, Serializer};
+use serde_json::Number;
 
-#[cfg(not(target_arch = "wasm32"))]
-use crate::kernel::message::sentences;
 use crate::{
-    kernel::{Scene, SceneKindId, Shape},
-    params::{Domain, Object, Parameter, Value},
+    kernel::{LayerKey, Scene, SceneKindId, Shape, message::sentences},
+    params::{Choice, Domain, Object, Parameter, Value, When},
 };
 
-use super::{Entry, Follower, Generator, Registry, layers};
+use super::{Column, Entry, EventKind, Follower, Formula, Generator, Layer, Member, Preset, Reading, Registry, layers};
 
 /// All that a registry lists, without the functions.
-#[derive(Debug)]
-pub struct Catalogue<'a>(&'a Registry);
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct Catalogue<'a> {
+    /// The crate's version.
+    version: &'static str,
+    planners: Vec<PlannerView>,
+    /// The scenes that ship.
+    #[cfg_attr(feature = "types", ts(type = "Scene[]"))]
+    scenes: Vec<&'a Scene>,
+    /// What makes random scenes.
+    generators: Vec<GeneratorView>,
+    /// How a robot drives along what a planner found, and how an arm follows it.
+    #[serde(flatten)]
+    #[cfg_attr(feature = "types", ts(skip))]
+    followers: BTreeMap<&'static str, FollowerView>,
+    /// The keys of all layers. A frame's table of spans counts its planner's `layers`, not these.
+    roles: Vec<LayerKey>,
+    /// The layers of a scene itself, whatever the planner draws.
+    layers: &'static [Layer],
+    /// The shapes in a frame's table of spans, by number.
+    shapes: [Shape; 5],
+    /// Every TeX string that stands outside a formula, so that a page can typeset them when it is built.
+    symbols: Vec<&'static str>,
+}
 
 impl Registry {
     /// All that is listed, to be serialised.
     pub fn catalogue(&self) -> Catalogue<'_> {
-        Catalogue(self)
+        Catalogue {
+            version: env!("CARGO_PKG_VERSION"),
+            planners: self.planners().iter().copied().map(PlannerView::of).collect(),
+            scenes: self.scenes().iter().map(|scene| &**scene).collect(),
+            generators: self.generators().iter().copied().map(GeneratorView::of).collect(),
+            followers: self.followers().iter().map(|follower| (follower.name, FollowerView::of(follower))).collect(),
+            roles: self.layer_keys(),
+            layers: layers::SCENE,
+            shapes: Shape::ALL,
+            symbols: self.symbols(),
+        }
     }
 
     /// Every TeX string that can appear outside a formula, so that pages can typeset them when they are built.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub(crate) fn symbols(&self) -> Vec<&'static str> {
+    fn symbols(&self) -> Vec<&'static str> {
         let planners = self.planners().iter().flat_map(|entry| {
             let parameters = entry.all_parameters().map(|p| p.symbol);
             parameters.chain(entry.readings.iter().map(|r| r.symbol)).chain(entry.members.iter().map(|m| m.symbol))
@@ -45,149 +75,189 @@ impl Registry {
     }
 }
 
-impl Serialize for Catalogue<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let registry = self.0;
-        let scenes: Vec<&Scene> = registry.scenes().iter().map(Arc::as_ref).collect();
-        let planners: Vec<_> = registry.planners().iter().copied().map(EntryView).collect();
-        let generators: Vec<_> = registry.generators().iter().copied().map(GeneratorView).collect();
-        let mut out = serializer.serialize_struct("Catalogue", 8 + registry.followers().len())?;
-        out.serialize_field("version", env!("CARGO_PKG_VERSION"))?;
-        out.serialize_field("planners", &planners)?;
-        out.serialize_field("scenes", &scenes)?;
-        out.serialize_field("generators", &generators)?;
-        for follower in registry.followers() {
-            out.serialize_field(follower.name, &FollowerView(follower))?;
-        }
-        // The keys of all layers.
-        out.serialize_field("roles", &registry.layer_keys())?;
-        // The layers of a scene itself, which no planner need draw.
-        out.serialize_field("layers", layers::SCENE)?;
-        out.serialize_field("shapes", &Shape::ALL.map(Shape::name))?;
-        // A module's host has them: they are listed natively only.
-        #[cfg(not(target_arch = "wasm32"))]
-        out.serialize_field("symbols", &registry.symbols())?;
-        out.end()
-    }
+/// A planner.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Planner"))]
+struct PlannerView {
+    #[cfg_attr(feature = "types", ts(type = "PlannerName"))]
+    name: &'static str,
+    title: &'static str,
+    family: &'static str,
+    /// E.g. `[WCPSO] (1–7)`.
+    source: &'static str,
+    summary: &'static str,
+    /// The kinds of scene that it runs on.
+    kinds: &'static [SceneKindId],
+    /// It calls at a scene's stops instead of going from start to goal: grids need two stops at least.
+    stops: bool,
+    /// The most stops that it can do with. Absent: as many as a scene may have.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional))]
+    most_stops: Option<usize>,
+    parameters: Vec<ParameterView>,
+    presets: &'static [Preset],
+    readings: &'static [Reading],
+    formulas: &'static [Formula],
+    /// The layers that it draws, in drawing order. A frame's table of spans counts them from 0.
+    layers: &'static [Layer],
+    /// The layers that only its explanations mark.
+    marks: &'static [Layer],
+    /// The numbers that it reports of each member of its population; empty: none.
+    members: &'static [Member],
+    /// The kinds of events that it reports.
+    events: &'static [EventKind],
 }
 
-/// An entry without its function.
-#[derive(Debug)]
-struct EntryView(&'static Entry);
-
-impl Serialize for EntryView {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let entry = self.0;
-        let parameters = views(entry.parameters, entry.kinds);
-        let mut out = serializer.serialize_struct("Planner", 16)?;
-        out.serialize_field("name", entry.name)?;
-        out.serialize_field("title", entry.title)?;
-        out.serialize_field("family", entry.family)?;
-        out.serialize_field("source", entry.source)?;
-        out.serialize_field("summary", entry.summary)?;
-        out.serialize_field("kinds", entry.kinds)?;
-        out.serialize_field("stops", &entry.stops)?;
-        if let Some(most) = entry.most_stops {
-            out.serialize_field("most_stops", &most)?;
-        }
-        out.serialize_field("parameters", &parameters)?;
-        out.serialize_field("presets", entry.presets)?;
-        out.serialize_field("readings", entry.readings)?;
-        out.serialize_field("formulas", entry.formulas)?;
+impl PlannerView {
+    fn of(entry: &'static Entry) -> Self {
         let (layers, marks) = entry.drawn_and_marked();
-        out.serialize_field("layers", layers)?;
-        out.serialize_field("marks", marks)?;
-        out.serialize_field("members", entry.members)?;
-        out.serialize_field("events", entry.events)?;
-        out.end()
+        let &Entry { name, title, family, source, summary, kinds, stops, most_stops, presets, readings, formulas, members, events, .. } = entry;
+        let parameters = ParameterView::all(entry.parameters, kinds);
+        Self {
+            name,
+            title,
+            family,
+            source,
+            summary,
+            kinds,
+            stops,
+            most_stops,
+            parameters,
+            presets,
+            readings,
+            formulas,
+            layers,
+            marks,
+            members,
+            events,
+        }
     }
 }
 
-/// A generator without its function.
-#[derive(Debug)]
-struct GeneratorView(&'static Generator);
+/// What makes random scenes.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Generator"))]
+struct GeneratorView {
+    #[cfg_attr(feature = "types", ts(type = "GeneratorName"))]
+    name: &'static str,
+    title: &'static str,
+    help: &'static str,
+    parameters: Vec<ParameterView>,
+}
 
-impl Serialize for GeneratorView {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut out = serializer.serialize_struct("Generator", 4)?;
-        out.serialize_field("name", self.0.name)?;
-        out.serialize_field("title", self.0.title)?;
-        out.serialize_field("help", self.0.help)?;
-        out.serialize_field("parameters", &views(self.0.parameters, std::slice::from_ref(&self.0.kind)))?;
-        out.end()
+impl GeneratorView {
+    fn of(generator: &'static Generator) -> Self {
+        let &Generator { name, title, help, ref kind, parameters, .. } = generator;
+        Self { name, title, help, parameters: ParameterView::all(parameters, std::slice::from_ref(kind)) }
     }
 }
 
 /// How a robot, or an arm, follows a path.
-#[derive(Debug)]
-struct FollowerView(&'static Follower);
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "DriveEntry"))]
+pub(crate) struct FollowerView {
+    /// E.g. `[LTQPSO] §5`.
+    source: &'static str,
+    summary: &'static str,
+    parameters: Vec<ParameterView>,
+    /// The numbers of each row.
+    columns: &'static [Column],
+    formulas: &'static [Formula],
+}
 
-impl Serialize for FollowerView {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut out = serializer.serialize_struct("Follower", 5)?;
-        out.serialize_field("source", self.0.source)?;
-        out.serialize_field("summary", self.0.summary)?;
-        out.serialize_field("parameters", &views(self.0.parameters, std::slice::from_ref(&self.0.kind)))?;
-        out.serialize_field("columns", self.0.columns)?;
-        out.serialize_field("formulas", self.0.formulas)?;
-        out.end()
+impl FollowerView {
+    fn of(follower: &'static Follower) -> Self {
+        let &Follower { source, summary, parameters, ref kind, columns, formulas, .. } = follower;
+        Self { source, summary, parameters: ParameterView::all(parameters, std::slice::from_ref(kind)), columns, formulas }
     }
 }
 
+/// What a parameter means and what it may be: enough to make a control of it.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Parameter", optional_fields))]
 struct ParameterView {
-    parameter: &'static Parameter,
-    /// The kinds of scene that it could mean something on.
-    kinds: &'static [SceneKindId],
+    name: &'static str,
+    /// TeX.
+    symbol: &'static str,
+    title: &'static str,
+    help: &'static str,
+    default: Value,
+    /// Defaults that differ on a kind of scene (the published values).
+    #[serde(serialize_with = "as_object")]
+    #[cfg_attr(feature = "types", ts(type = "Partial<Record<Kind, ParameterValue>>"))]
+    defaults: Vec<(&'static str, Value)>,
+    /// The kinds of scene on which it means something.
+    kinds: Vec<SceneKindId>,
+    /// `subset`: any of the options, as text, with commas between: `alpha,beta`.
+    #[cfg_attr(feature = "types", ts(type = "'number' | 'integer' | 'choice' | 'flag' | 'subset'"))]
+    r#type: &'static str,
+    /// Numbers and integers only: the smallest value allowed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<f64>"))]
+    min: Option<Number>,
+    /// Numbers and integers only: the largest value allowed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<f64>"))]
+    max: Option<Number>,
+    /// The step of a slider; absent: continuous.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    step: Option<u8>,
+    /// Choices and subsets only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    options: Option<&'static [Choice]>,
+    /// The value of another parameter without which it means nothing.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    when: Option<When>,
+    /// The smallest value that a slider offers; typing may go beyond it, down to `min`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    soft_min: Option<f64>,
+    /// The largest value that a slider offers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    soft_max: Option<f64>,
+    /// Whether a slider is logarithmic.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    logarithmic: Option<bool>,
 }
 
-fn views(parameters: &'static [&'static [Parameter]], kinds: &'static [SceneKindId]) -> Vec<ParameterView> {
-    parameters.iter().copied().flatten().map(|parameter| ParameterView { parameter, kinds }).collect()
+fn as_object<S: Serializer>(values: &[(&'static str, Value)], serializer: S) -> Result<S::Ok, S::Error> {
+    Object(values).serialize(serializer)
 }
 
-impl Serialize for ParameterView {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let p = self.parameter;
-        let kinds: Vec<SceneKindId> = self.kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
-        let defaults: Vec<_> = p.defaults.iter().map(|&(kind, value)| (kind.name(), Value::from(value))).collect();
+impl ParameterView {
+    fn all(parameters: &[&'static [Parameter]], kinds: &[SceneKindId]) -> Vec<Self> {
+        parameters.iter().copied().flatten().map(|parameter| Self::of(parameter, kinds)).collect()
+    }
+
+    /// `kinds`: those of the scenes that it could mean something on.
+    fn of(p: &'static Parameter, kinds: &[SceneKindId]) -> Self {
+        let kinds: Vec<SceneKindId> = kinds.iter().copied().filter(|&kind| p.applies_to(kind)).collect();
         let general = Parameter { defaults: &[], ..*p }.default_on(kinds.first().copied().unwrap_or(SceneKindId("")));
-        let mut out = serializer.serialize_struct("Parameter", 15)?;
-        out.serialize_field("name", p.name)?;
-        out.serialize_field("symbol", p.symbol)?;
-        out.serialize_field("title", p.title)?;
-        out.serialize_field("help", p.help)?;
-        out.serialize_field("default", &general)?;
-        out.serialize_field("defaults", &Object(&defaults))?;
-        out.serialize_field("kinds", &kinds)?;
-        match p.domain {
-            Domain::Number { min, max, .. } => {
-                out.serialize_field("type", "number")?;
-                out.serialize_field("min", &min)?;
-                out.serialize_field("max", &max)?;
-            }
-            Domain::Integer { min, max, .. } => {
-                out.serialize_field("type", "integer")?;
-                out.serialize_field("min", &min)?;
-                out.serialize_field("max", &max)?;
-                out.serialize_field("step", &1)?;
-            }
-            Domain::Choice { options } => {
-                out.serialize_field("type", "choice")?;
-                out.serialize_field("options", options)?;
-            }
-            Domain::Subset { options, .. } => {
-                out.serialize_field("type", "subset")?;
-                out.serialize_field("options", options)?;
-            }
-            Domain::Flag { .. } => out.serialize_field("type", "flag")?,
+        let (r#type, range, step, options) = match p.domain {
+            Domain::Number { min, max, .. } => ("number", Number::from_f64(min).zip(Number::from_f64(max)), None, None),
+            Domain::Integer { min, max, .. } => ("integer", Some((min.into(), max.into())), Some(1), None),
+            Domain::Choice { options } => ("choice", None, None, Some(options)),
+            Domain::Subset { options, .. } => ("subset", None, None, Some(options)),
+            Domain::Flag { .. } => ("flag", None, None, None),
+        };
+        let (min, max) = range.unzip();
+        let (soft_min, soft_max) = p.slider.unzip();
+        Self {
+            name: p.name,
+            symbol: p.symbol,
+            title: p.title,
+            help: p.help,
+            default: general,
+            defaults: p.defaults.iter().map(|&(kind, value)| (kind.name(), Value::from(value))).collect(),
+            kinds,
+            r#type,
+            min,
+            max,
+            step,
+            options,
+            when: p.when,
+            soft_min,
+            soft_max,
+            logarithmic: p.slider.map(|_| p.logarithmic),
         }
-        if let Some(when) = &p.when {
-            out.serialize_field("when", when)?;
-        }
-        if let Some((low, high)) = p.slider {
-            out.serialize_field("soft_min", &low)?;
-            out.serialize_field("soft_max", &high)?;
-            out.serialize_field("logarithmic", &p.logarithmic)?;
-        }
-        out.end()
     }
 }

@@ -12,10 +12,13 @@ pub type Rgba = [u8; 4];
 
 /// A colour in the light and in the dark theme.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Color {
     /// On a light ground.
+    #[cfg_attr(feature = "types", ts(type = "string"))]
     pub light: Rgba,
     /// On a dark ground.
+    #[cfg_attr(feature = "types", ts(type = "string"))]
     pub dark: Rgba,
 }
 

@@ -54,6 +54,7 @@ pub struct Entry {
 
 /// Sizes that a paper recommends for a setup.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Suggestion {
     /// The number of particles.
     pub population: u64,

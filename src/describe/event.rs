@@ -6,6 +6,7 @@ use crate::kernel::words;
 
 /// A kind of event in simulated time.
 #[derive(Debug, Clone, Copy, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct EventKind {
     /// An identifier.
     pub name: &'static str,
@@ -14,6 +15,7 @@ pub struct EventKind {
     /// What it means.
     pub help: &'static str,
     /// Its tone.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub tone: Tone,
 }
 
@@ -27,6 +29,7 @@ impl EventKind {
 /// The tone of an event, which pictures show by colour and sign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Tone {
     /// Something happened.
     Plain,

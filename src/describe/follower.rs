@@ -44,6 +44,7 @@ pub type Follow = fn(&Scene, Option<&Solution>, &Overrides) -> Result<Option<Box
 
 /// A number that is recorded for each moment of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "DriveColumn"))]
 pub struct Column {
     /// An identifier.
     pub name: &'static str,

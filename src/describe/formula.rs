@@ -10,6 +10,7 @@ use crate::{
 /// An equation that a planner computes.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Formula {
     /// An identifier within the planner.
     pub name: &'static str,
@@ -21,11 +22,14 @@ pub struct Formula {
     pub tex: &'static str,
     /// The equation in TeX, with `@name@` in place of each current number.
     #[serde(skip_serializing_if = "str::is_empty")]
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<String>"))]
     pub live: &'static str,
     /// Where those numbers come from.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub scope: Scope,
     /// The parameter value with which the equation is computed; `None`: with any.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional))]
     pub when: Option<When>,
 }
 
@@ -52,6 +56,7 @@ impl Formula {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Scope {
     /// The readings of the iteration, and the parameters.
     Iteration,

@@ -20,6 +20,7 @@ use super::Look;
 /// # assert!(LAYERS[1].pickable && LAYERS[0].look.result > 0);
 /// ```
 #[derive(Debug, Clone, Copy, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Layer {
     /// The key that drawings use.
     #[serde(rename = "role")]
@@ -30,17 +31,21 @@ pub struct Layer {
     pub help: &'static str,
     /// When it is shown.
     #[serde(rename = "on", serialize_with = "is_on")]
+    #[cfg_attr(feature = "types", ts(type = "boolean"))]
     pub shown: Shown,
     /// Whether its pieces can be inspected.
     pub pickable: bool,
     /// The parameter value with which there is something to draw; `None`: with any.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional))]
     pub when: Option<When>,
     /// The kinds of scene on which there is something to draw; empty: all that the planner runs on.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<SceneKindId>>"))]
     pub kinds: &'static [SceneKindId],
     /// The meaning of its vertices' weight.
-    #[serde(skip_serializing_if = "Weight::is_none", serialize_with = "name_of")]
+    #[serde(skip_serializing_if = "Weight::is_none")]
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Weight>"))]
     pub weight: Weight,
     /// Its look.
     pub look: &'static Look,
@@ -117,9 +122,12 @@ pub enum Shown {
 }
 
 /// The meaning of the weight of a layer's vertices.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Weight {
     /// Nothing: it is 0.
+    #[cfg_attr(feature = "types", ts(skip))]
     None,
     /// How much worse than the iteration's best, from 0 (the best) toward 1.
     Rank,
@@ -144,21 +152,6 @@ impl Weight {
     fn is_none(&self) -> bool {
         *self == Self::None
     }
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
-fn name_of<S: Serializer>(weight: &Weight, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(match weight {
-        Weight::None => "",
-        Weight::Rank => "rank",
-        Weight::Share => "share",
-        Weight::Length => "length",
-        Weight::Pheromone => "pheromone",
-        Weight::Place => "place",
-        Weight::HalfWidth => "half-width",
-        Weight::Time => "time",
-        Weight::Arrived => "arrived",
-    })
 }
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]

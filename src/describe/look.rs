@@ -1,6 +1,6 @@
 //! The look of layers, as data that the page's stages, the legend and the shell's pictures share.
 
-use serde::{Serialize, Serializer, ser::SerializeStruct};
+use serde::{Serialize, Serializer};
 
 use crate::kernel::Shape;
 
@@ -8,6 +8,7 @@ use super::{Color, Rgba};
 
 /// The look of a layer. Lengths are in pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(as = "LookView"))]
 pub struct Look {
     /// The colour of lines and points.
     pub color: Color,
@@ -66,41 +67,84 @@ impl Look {
     }
 }
 
-/// What is as in [`Look::PLAIN`] is left out.
+/// What is as in [`Look::PLAIN`] is left out, but for colour, width, point and opacity.
+#[derive(Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Look", optional_fields))]
+struct LookView {
+    /// Of lines and points.
+    color: Color,
+    /// Of what a disc, a band, a robot or a sign covers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fill: Option<Color>,
+    /// Of lines.
+    width: f64,
+    /// The diameter of a point.
+    point: f64,
+    /// Layers of a higher order are drawn later.
+    order: i16,
+    /// The width of lines of weight 1, where those of weight 0 have `width`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    swell: Option<f64>,
+    /// The rank among the layers that show the planner's result. The highest is what is handed over.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    result: Option<u8>,
+    /// Of a weight of 0, and of a weight of 1: from 0 (invisible) to 1.
+    opacity: [f64; 2],
+    /// Lengths of dashes and gaps, in turn. Absent: solid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dash: Option<&'static [f64]>,
+    /// A form of its own, so that colour is not the only distinction. Absent: plain.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    glyph: Option<Glyph>,
+    /// How its vertices belong together, if that does not depend on the scene.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shape: Option<Shape>,
+    /// Whether it has fine details: drawn only for the part of the plane that `lookAt` gives.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    near: Option<bool>,
+    /// Whether a rim separates it from what lies beneath.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lifted: Option<bool>,
+    /// Whether the ramp is that of the values' square root.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    root: Option<bool>,
+    /// A field's colours: of its smallest value, the middle and the largest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ramp: Option<[Color; 3]>,
+}
+
 impl Serialize for Look {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut out = serializer.serialize_struct("Look", 13)?;
-        let colors = [("color", Some(self.color)), ("fill", self.fill)];
-        for (name, color) in colors.into_iter().filter_map(|(name, color)| Some((name, color?))) {
-            out.serialize_field(name, &color)?;
-        }
-        let (order, result) = (f64::from(self.order), f64::from(self.result));
-        let numbers = [("width", self.width), ("point", self.point), ("order", order), ("swell", self.swell), ("result", result)];
-        for (name, number) in numbers.into_iter().filter(|&(_, number)| number != 0.0) {
-            out.serialize_field(name, &number)?;
-        }
-        for (name, list) in [("opacity", &self.opacity[..]), ("dash", self.dash)].into_iter().filter(|(_, list)| !list.is_empty()) {
-            out.serialize_field(name, list)?;
-        }
-        let words = [("glyph", self.glyph.name()), ("shape", self.shape.map_or("", Shape::name))];
-        for (name, word) in words.into_iter().filter(|(_, word)| !word.is_empty()) {
-            out.serialize_field(name, word)?;
-        }
-        let root = self.ramp.is_some_and(|ramp| ramp.root);
-        for (name, flag) in [("near", self.near), ("lifted", self.lifted), ("root", root)].into_iter().filter(|&(_, flag)| flag) {
-            out.serialize_field(name, &flag)?;
-        }
-        if let Some(ramp) = self.ramp {
-            out.serialize_field("ramp", &ramp.colors[..])?;
-        }
-        out.end()
+        let &Self { color, fill, width, point, opacity, order, dash, glyph, ramp, swell, near, lifted, shape, result } = self;
+        let set = |flag: bool| flag.then_some(true);
+        let view = LookView {
+            color,
+            fill,
+            width,
+            point,
+            order,
+            swell: (swell != 0.0).then_some(swell),
+            result: (result != 0).then_some(result),
+            opacity,
+            dash: (!dash.is_empty()).then_some(dash),
+            glyph: (glyph != Glyph::Dot).then_some(glyph),
+            shape,
+            near: set(near),
+            lifted: set(lifted),
+            root: set(ramp.is_some_and(|ramp| ramp.root)),
+            ramp: ramp.map(|ramp| ramp.colors),
+        };
+        view.serialize(serializer)
     }
 }
 
 /// The form of a layer's points or tubes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Glyph {
     /// Round and filled.
+    #[cfg_attr(feature = "types", ts(skip))]
     Dot,
     /// A circle.
     Ring,
@@ -120,24 +164,6 @@ pub enum Glyph {
     Robot,
     /// A sign for an event.
     Event,
-}
-
-impl Glyph {
-    /// The name in JavaScript; empty for [`Glyph::Dot`], the default.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Dot => "",
-            Self::Ring => "ring",
-            Self::Diamond => "diamond",
-            Self::Number => "number",
-            Self::Arrow => "arrow",
-            Self::Disc => "disc",
-            Self::Band => "band",
-            Self::Reach => "reach",
-            Self::Robot => "robot",
-            Self::Event => "event",
-        }
-    }
 }
 
 /// Colours of a field's values, from the smallest to the largest.

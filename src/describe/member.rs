@@ -7,6 +7,7 @@ use crate::kernel::words;
 /// A number that a planner reports of each member of its population: particle, bat, ant, …
 #[derive(Debug, Clone, Copy, Serialize)]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Member {
     /// An identifier.
     pub name: &'static str,
@@ -18,9 +19,11 @@ pub struct Member {
     pub help: &'static str,
     /// The value of a full bar, which begins at 0; `None`: no bar.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional))]
     pub full: Option<f64>,
     /// What the values 0, 1, … stand for, if they are codes.
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<String>>"))]
     pub words: &'static [&'static str],
 }
 

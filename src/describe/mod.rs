@@ -3,7 +3,8 @@
 //!
 //! Vocabulary only: planners and followers import from here, and nothing here depends on one of them.
 
-mod catalogue;
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) mod catalogue;
 mod color;
 mod entry;
 mod event;
@@ -19,6 +20,7 @@ mod reading;
 mod registry;
 mod scene_kind;
 
+#[cfg(not(target_arch = "wasm32"))]
 pub use catalogue::Catalogue;
 pub(crate) use color::Hex;
 pub use color::{Color, Rgba};

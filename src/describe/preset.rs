@@ -15,6 +15,7 @@ pub const PAPER: &str = "paper";
 
 /// A preset: a named set of parameters.
 #[derive(Debug, Clone, Copy, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Preset {
     /// The name in commands: `paper`, `fitted`.
     pub name: &'static str,
@@ -23,9 +24,11 @@ pub struct Preset {
     /// What it is for, and what it is based on.
     pub help: &'static str,
     /// A shipped scene on which to try it.
+    #[cfg_attr(feature = "types", ts(type = "SceneName"))]
     pub scene: &'static str,
     /// The values that differ from the defaults.
     #[serde(rename = "params", serialize_with = "fixed")]
+    #[cfg_attr(feature = "types", ts(type = "Record<string, ParameterValue>"))]
     pub values: &'static [(&'static str, Fixed)],
 }
 

@@ -7,6 +7,7 @@ use crate::kernel::{ReadingName, words};
 /// A number that a planner reports after each iteration.
 #[derive(Debug, Clone, Copy, Serialize)]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Reading {
     /// Its name in readings, traces and formulas.
     pub name: &'static str,
@@ -17,6 +18,7 @@ pub struct Reading {
     /// What it says.
     pub help: &'static str,
     /// The group that it is shown in.
+    #[cfg_attr(feature = "types", ts(inline))]
     pub group: Group,
 }
 
@@ -47,6 +49,7 @@ impl Reading {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Group {
     /// A cost: drawn in the convergence chart.
     Cost,

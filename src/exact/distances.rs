@@ -5,13 +5,16 @@ use crate::{kernel::Error, math, message};
 /// The metric of distances between points. All but the first are TSPLIB's, by its own formulas and in whole numbers, for
 /// comparison with published optima.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "kebab-case"))]
 pub enum Metric {
     /// The straight line, unrounded.
     #[default]
     Euclidean,
     /// The straight line, rounded to the nearest whole number.
+    #[cfg_attr(feature = "types", ts(rename = "euc-2d"))]
     Euc2d,
     /// The straight line, rounded up.
+    #[cfg_attr(feature = "types", ts(rename = "ceil-2d"))]
     Ceil2d,
     /// Pseudo-Euclidean: the straight line over √10, rounded up.
     Att,

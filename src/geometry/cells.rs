@@ -39,6 +39,7 @@ impl Steps {
 
 /// The direction in which y grows in a scene's coordinates. The file lists the top row first in either case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "lowercase"))]
 pub enum YAxis {
     /// Origin at the top left, as in pictures.
     #[default]

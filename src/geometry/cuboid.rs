@@ -4,6 +4,7 @@ use crate::math::clamp;
 
 /// An axis-parallel box, closed: what touches a face meets it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Cuboid {
     /// The smallest coordinates.
     pub min: [f64; 3],

@@ -4,6 +4,7 @@ use super::distance_squared;
 
 /// A disc; its rim belongs to the free space, so a path may touch it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Disc {
     /// Its centre.
     pub center: [f64; 2],

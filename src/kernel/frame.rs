@@ -8,12 +8,14 @@ use crate::geometry::Bounds;
 /// them in its entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(transparent)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "LayerName"))]
 pub struct LayerKey(pub &'static str);
 
 /// How a span's vertices belong together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[repr(u32)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Shape {
     /// Each vertex is a point of its own.
     Points,

@@ -7,9 +7,11 @@ use serde::{Serialize, Serializer, ser::SerializeStruct};
 use super::{LayerKey, Message, Shape, message::ENGLISH, words};
 
 /// A piece of a layer that can be explained, e.g. one particle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Item {
     /// The layer that it belongs to.
+    #[serde(rename = "role")]
     pub layer: LayerKey,
     /// Its index among all pieces of the layer, drawn or not.
     pub index: usize,
@@ -17,12 +19,15 @@ pub struct Item {
 
 /// What a number in an inspection is called, or a column of its table. Made by [`label!`](crate::label!).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Label {
     /// An identifier; formulas use it.
     pub name: &'static str,
     /// The symbol, in TeX.
     pub symbol: &'static str,
+    #[cfg_attr(feature = "types", ts(rename = "title", type = "string"))]
     key: &'static str,
+    #[cfg_attr(feature = "types", ts(skip))]
     english: &'static str,
 }
 
@@ -58,8 +63,10 @@ impl Serialize for Label {
 
 /// A number in an inspection.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Quantity {
     /// What it is called.
+    #[cfg_attr(feature = "types", ts(flatten))]
     pub label: Label,
     /// The number.
     pub value: f64,
@@ -78,6 +85,7 @@ impl Serialize for Quantity {
 
 /// A mark to draw over the picture.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Mark {
     /// One of the entry's layers, which says what it shows and how it looks.
     #[serde(rename = "role")]
@@ -97,6 +105,7 @@ impl Mark {
 
 /// An explanation: what an item did in the step that led to this iteration, and why.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Inspection {
     /// The item that is explained.
     pub item: Item,
@@ -111,13 +120,43 @@ pub struct Inspection {
     /// Names of the entry's formulas that were applied.
     pub formulas: Vec<&'static str>,
     /// The table's columns.
+    #[cfg_attr(feature = "types", ts(rename = "table", type = "InspectionTable"))]
     pub columns: Vec<Label>,
     /// A label for each row of the table.
+    #[cfg_attr(feature = "types", ts(skip))]
     pub labels: Vec<Message>,
     /// The table, row by row.
+    #[cfg_attr(feature = "types", ts(skip))]
     pub rows: Vec<Vec<f64>>,
     /// Marks to draw over the picture.
+    #[cfg_attr(feature = "types", ts(rename = "layers"))]
     pub marks: Vec<Mark>,
+}
+
+/// An inspection's table: a row for each dimension, way-point, sample, …
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "InspectionTable"))]
+pub(crate) struct Table<'a> {
+    columns: &'a [Label],
+    /// A label for each row.
+    labels: &'a [Message],
+    /// The numbers, row by row.
+    rows: &'a [Vec<f64>],
+}
+
+impl Serialize for Inspection {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut out = serializer.serialize_struct("Inspection", 8)?;
+        out.serialize_field("item", &self.item)?;
+        out.serialize_field("title", &self.title)?;
+        out.serialize_field("event", self.event)?;
+        out.serialize_field("summary", &self.summary)?;
+        out.serialize_field("values", &self.values)?;
+        out.serialize_field("formulas", &self.formulas)?;
+        out.serialize_field("table", &Table { columns: &self.columns, labels: &self.labels, rows: &self.rows })?;
+        out.serialize_field("layers", &self.marks)?;
+        out.end()
+    }
 }
 
 /// What a number in an inspection is called: the key of its title, its name, its symbol in TeX, and its title in English.

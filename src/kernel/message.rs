@@ -22,6 +22,7 @@ pub const fn words(text: &'static str) -> &'static str {
 
 /// A text for people: a key and arguments, and how it sounds in English. Made by [`message!`](crate::message!).
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(as = "String"))]
 pub struct Message {
     key: &'static str,
     english: Cow<'static, str>,

@@ -7,7 +7,7 @@ mod event;
 mod facets;
 pub mod fields;
 mod frame;
-mod inspection;
+pub(crate) mod inspection;
 #[cfg(target_arch = "wasm32")]
 pub mod javascript;
 pub mod json;

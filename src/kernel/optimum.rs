@@ -1,8 +1,11 @@
 //! The optimum that results are measured against.
 
+use serde::Serialize;
+
 /// An exact optimum: a shortest path or tour.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Exact {
     /// Its length, in the scene's unit.
     pub length: f64,
@@ -10,8 +13,12 @@ pub struct Exact {
     /// longer.
     pub path: Vec<[f64; 2]>,
     /// The path of an arm's tip in space, in metres; `path` is empty then. Otherwise empty.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<[f64; 3]>>"))]
     pub tip_path: Vec<[f64; 3]>,
     /// The visiting order of a tour's stops; otherwise empty.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<usize>>"))]
     pub order: Vec<usize>,
     /// Whether it is stated in the scene file and was not computed.
     pub stored: bool,

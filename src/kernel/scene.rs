@@ -21,6 +21,7 @@ pub type Optimum = fn(&Scene, ReferenceOptimum, Option<TourEnds>) -> Option<Exac
 
 /// What every scene file carries besides its content.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(optional_fields))]
 pub struct Header {
     /// Short identifier, used in links and on the command line.
     pub name: String,
@@ -33,8 +34,10 @@ pub struct Header {
     /// The unit of its lengths.
     pub units: Option<String>,
     /// The optimum stated in the file; results are measured against the computed one, see [`Scene::exact`].
+    #[cfg_attr(feature = "types", ts(optional, type = "{ length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }"))]
     pub exact: Option<Value>,
     /// Published values for it, as in the file.
+    #[cfg_attr(feature = "types", ts(optional, type = "Record<string, unknown>"))]
     pub published: Option<Value>,
 }
 

@@ -14,6 +14,7 @@ use super::{Error, Message, Solution};
 
 /// The id of a scene kind: the name that scene files use, e.g. `grid`. Entries list the kinds that they are for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Kind"))]
 pub struct SceneKindId(pub &'static str);
 
 impl SceneKindId {

@@ -116,6 +116,7 @@ impl TourEnds {
 /// The optimum that a result is measured against.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum ReferenceOptimum {
     /// The shortest path at any angle.
     #[default]

@@ -7,6 +7,7 @@ use super::Message;
 /// The status of a run: whether it goes on, or why it ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub enum Status {
     /// There are more steps to take.
     Running,
@@ -20,6 +21,7 @@ pub enum Status {
 
 /// A part of a run with its own kind of step.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Stage {
     /// An identifier.
     pub name: &'static str,
@@ -27,5 +29,6 @@ pub struct Stage {
     pub title: Message,
     /// Its last iteration; the next stage's first step follows. `None`: when the run ends, which is not yet known.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "types", ts(optional))]
     pub end: Option<u64>,
 }

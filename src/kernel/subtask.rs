@@ -18,6 +18,7 @@ pub trait Subtasks {
 
 /// A run of another planner on the same scene that the next step needs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Job", type = "Configured & { seed: number; /** Start and goal, if they are not the scene's. */ ends?: [Point, Point] }"))]
 pub struct Subtask {
     /// The planner's name.
     pub planner: &'static str,
@@ -32,6 +33,7 @@ pub struct Subtask {
 
 /// The result of a [`Subtask`].
 #[derive(Debug, Clone, PartialEq, Serialize, State)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Finding"))]
 pub struct SubtaskResult {
     /// The best cost; `None` if nothing feasible was found.
     pub cost: Option<f64>,
@@ -96,6 +98,7 @@ impl SubtaskResult {
 
 /// Parameters that a tuning planner recommends for another planner.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(type = "Configured"))]
 pub struct Recommendation {
     /// The planner that they are for.
     pub planner: &'static str,

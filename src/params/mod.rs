@@ -23,6 +23,7 @@ pub(crate) use parameters::UNLISTED;
 
 /// One of a choice's options.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Choice {
     /// The value.
     pub value: &'static str,
@@ -103,6 +104,7 @@ impl From<Fixed> for Value {
 
 /// A condition: another parameter and the value that it must have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct When {
     /// The other parameter.
     pub parameter: &'static str,

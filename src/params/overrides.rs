@@ -9,6 +9,7 @@ use crate::kernel::{digits::Digits, error::Shown, json};
 /// A parameter's value as it is given.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "ParameterValue"))]
 pub enum Value {
     /// A flag.
     Flag(bool),

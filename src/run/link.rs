@@ -7,6 +7,7 @@ use std::{fmt, sync::Arc};
 
 use base64ct::{Base64UrlUnpadded, Encoding};
 use miniz_oxide::inflate::TINFLStatus;
+use serde::Serialize;
 
 use crate::{
     describe::Registry,
@@ -30,6 +31,28 @@ pub struct Link {
     pub iteration: u64,
     /// The state's hash there.
     pub hash: Option<String>,
+}
+
+/// What a link says, without its scene's body in letters.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "LinkSetup", type = "Configured & { scene: Scene; seed: number; iteration: number; /** The state's hash that the link promises. */ hash?: string }"))]
+pub struct Contents<'a> {
+    planner: &'a str,
+    scene: &'a Scene,
+    params: &'a Overrides,
+    seed: u64,
+    iteration: u64,
+    /// The state's hash that the link promises.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hash: Option<&'a str>,
+}
+
+impl Link {
+    /// What it says, to be serialised.
+    pub fn contents(&self) -> Contents<'_> {
+        let Setup { planner, scene, params, seed } = &self.setup;
+        Contents { planner, scene, params, seed: *seed, iteration: self.iteration, hash: self.hash.as_deref() }
+    }
 }
 
 impl fmt::Display for Link {

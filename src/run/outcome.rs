@@ -13,8 +13,10 @@ use super::stepping::Run;
 
 /// Where a run stands. Serialises to the object that `forage run --json` prints and `outcome()` returns.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Outcome {
     /// The planner's name.
+    #[cfg_attr(feature = "types", ts(type = "PlannerName"))]
     pub planner: &'static str,
     /// The scene's name.
     pub scene: String,
@@ -41,34 +43,47 @@ pub struct Outcome {
     /// (length − exact) / exact; `None` where the optimum is 0 or there is no length.
     pub gap: Option<f64>,
     /// At how many corners the path turns.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub turns: Option<usize>,
     /// How much the path turns in all, in radians.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub turning: Option<f64>,
     /// How the robot or the arm of the scene follows the path, with the default parameters: `drive`, `motion`.
+    #[cfg_attr(feature = "types", ts(skip))]
     pub followed: FollowOutcomes,
     /// The path's corners.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub path: Option<Vec<[f64; 2]>>,
     /// The corners of the tip's path, in metres. Arms only.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub tip_path: Option<Vec<[f64; 3]>>,
     /// The postures that were planned, in degrees, where the planner plans postures.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<[f64; 6]>>"))]
     pub joints: Vec<[f64; 6]>,
     /// The stops' numbers in the tour's order.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub order: Option<Vec<usize>>,
     /// The point in a function's box.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub position: Option<Vec<f64>>,
     /// The numbers of this iteration.
+    #[cfg_attr(feature = "types", ts(type = "Record<string, number>"))]
     pub readings: Vec<(&'static str, f64)>,
     /// What keeps the planner from a result, if something does.
+    #[cfg_attr(feature = "types", ts(optional, rename = "trouble", as = "Option<String>"))]
     pub failure: Option<Message>,
     /// What happened in simulated time, and what was decided and why.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<Event>>"))]
     pub events: Vec<Event>,
     /// What a planner of planners recommends.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub tuned: Option<Recommendation>,
     /// No random number has a part in it: other seeds give the same result.
     pub deterministic: bool,
     /// The hash of setup, iteration, best and state.
     pub hash: String,
     /// Every parameter's value.
+    #[cfg_attr(feature = "types", ts(type = "Record<string, ParameterValue>"))]
     pub parameters: Vec<(&'static str, Value)>,
 }
 

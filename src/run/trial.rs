@@ -33,14 +33,17 @@ pub struct Improvement {
 
 /// What a run came to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "TrialRecord"))]
 pub struct Record {
     /// The planner's name.
+    #[cfg_attr(feature = "types", ts(type = "PlannerName"))]
     pub planner: &'static str,
     /// The scene's name.
     pub scene: String,
     /// The seed.
     pub seed: u64,
     /// The parameters that differ from the defaults.
+    #[cfg_attr(feature = "types", ts(type = "Record<string, ParameterValue>"))]
     pub parameters: Overrides,
     /// Running, or why it stopped.
     pub status: Status,

@@ -21,6 +21,20 @@ const SHORTEST: f64 = 1e-6;
 
 /// A moving obstacle: a disc.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(
+    feature = "types",
+    derive(ts_rs::TS),
+    ts(type = "{
+        /** The position of its centre at time 0, in the scene's unit. */
+        center: [number, number];
+        /** Its radius, in the scene's unit. */
+        radius: number;
+        /** Its velocity, in the scene's unit per second. */
+        velocity?: [number, number];
+        /** Instead of a velocity: [t, x, y] by growing t > 0, in seconds. At the last it stays. */
+        waypoints?: Array<[number, number, number]>;
+    }")
+)]
 pub struct Moving {
     /// The position of its centre at time 0, in the scene's unit.
     pub center: [f64; 2],

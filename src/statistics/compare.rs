@@ -12,6 +12,7 @@ const SAME: f64 = 1e-12;
 
 /// The runs of a planner, or another group to compare.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Group {
     /// Its name.
     pub name: String,
@@ -22,6 +23,7 @@ pub struct Group {
 
 /// The summary of a group.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct GroupSummary {
     /// Its name.
     pub name: String,
@@ -39,6 +41,7 @@ pub struct GroupSummary {
 
 /// The comparison of two groups.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Pair {
     /// The index of the first group.
     pub first: usize,
@@ -56,6 +59,7 @@ pub struct Pair {
 
 /// The comparison of several groups.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Comparison {
     /// A summary of each group.
     pub groups: Vec<GroupSummary>,

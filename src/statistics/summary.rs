@@ -10,6 +10,7 @@ use super::CONFIDENCE;
 
 /// Mean, spread and order statistics of a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Summary {
     /// The number of values.
     pub count: usize,

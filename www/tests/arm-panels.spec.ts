@@ -8,7 +8,7 @@ import {
   reachability,
   type Scene,
   type Session,
-  type Setup,
+  type UncheckedSetup,
 } from '../../pkg/node.js'
 import { arm as words } from '../src/i18n/arm.en'
 import { closer } from '../src/i18n/closer.en'
@@ -23,7 +23,7 @@ const GUIDED = { planner: 'rrt-guided', scene: 'arm-cuboid', seed: 1 }
 const JOINTS = { planner: 'rrt-joint', scene: 'arm-cuboid', seed: 1 }
 const text = words.motion
 
-const endOf = (setup: Partial<Setup>): number => sessionAt(setup, 1e6, (session) => session.iteration)
+const endOf = (setup: Partial<UncheckedSetup>): number => sessionAt(setup, 1e6, (session) => session.iteration)
 
 function armOf(scene: Scene): ArmScene {
   if (scene.kind !== 'arm') throw new Error(scene.kind)
@@ -33,19 +33,19 @@ function armOf(scene: Scene): ArmScene {
 const shipped = armOf(sceneOf(GUIDED))
 
 /** What the core says of the motion along a run's result. */
-function moved(setup: Partial<Setup> = GUIDED, params = {}): Motion {
+function moved(setup: Partial<UncheckedSetup> = GUIDED, params = {}): Motion {
   const motion = sessionAt(setup, 1e6, (session: Session) => session.motion(params))
   if (!motion) throw new Error('no motion')
   return motion
 }
 
-async function opened(lab: Lab, setup: Partial<Setup> = GUIDED): Promise<string> {
+async function opened(lab: Lab, setup: Partial<UncheckedSetup> = GUIDED): Promise<string> {
   const end = endOf(setup)
   await lab.open(linkTo(setup, end))
   return lab.settled(end)
 }
 
-async function begin(lab: Lab, setup: Partial<Setup> = GUIDED): Promise<string> {
+async function begin(lab: Lab, setup: Partial<UncheckedSetup> = GUIDED): Promise<string> {
   const hash = await opened(lab, setup)
   await lab.section('motion')
   await lab.page.getByTestId('motion-begin').click()

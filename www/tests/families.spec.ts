@@ -1,9 +1,9 @@
-import type { Setup } from '../../pkg/node.js'
+import type { UncheckedSetup } from '../../pkg/node.js'
 import { hashOf, linkTo } from './support/core'
 import { expect, test } from './support/lab'
 
 /* One planner of each family, or of each kind of scene. */
-const SETUPS: Setup[] = [
+const SETUPS: UncheckedSetup[] = [
   { planner: 'wcpso', scene: 'wcpso-discs', seed: 3 },
   { planner: 'pso', scene: 'rastrigin', seed: 3 },
   { planner: 'ltqpso', scene: 'qpso-10m', seed: 3 },

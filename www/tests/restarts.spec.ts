@@ -1,4 +1,4 @@
-import type { Setup } from '../../pkg/node.js'
+import type { UncheckedSetup } from '../../pkg/node.js'
 import { hashOf, linkTo } from './support/core'
 import { en, expect, test } from './support/lab'
 
@@ -31,7 +31,7 @@ test.beforeEach(async ({ lab, page }) => {
   }, DELAY)
 })
 
-const CHANGES: Record<string, { by: string; setup: Partial<Setup> }> = {
+const CHANGES: Record<string, { by: string; setup: Partial<UncheckedSetup> }> = {
   'a parameter': { by: 'parameter', setup: { params: { population: 12 } } },
   'the planner': { by: 'planner', setup: { planner: 'pso' } },
   'the seed': { by: 'seed', setup: { seed: 7 } },

@@ -1,4 +1,4 @@
-import type { Catalogue, Planner, Scene, Setup } from 'forage-lab'
+import type { Catalogue, Planner, Scene, UncheckedSetup } from 'forage-lab'
 import type { Answer, FrameMessage, Opening, Run } from '../src/worker/protocol'
 
 /** The run that the worker has, as a line of text: what it was started with, and where it is. */
@@ -49,7 +49,7 @@ const catalogue = {
 } as unknown as Catalogue
 
 /** How long a run is. */
-const limitOf = ({ params }: Setup): number => Number(params?.iterations ?? 100)
+const limitOf = ({ params }: UncheckedSetup): number => Number(params?.iterations ?? 100)
 
 /**
  * The thread that computes, by hand: it takes in what it is asked, in order, only when the test says so. Parameter values below zero are refused, and scenes with a
@@ -58,7 +58,7 @@ const limitOf = ({ params }: Setup): number => Number(params?.iterations ?? 100)
 export class FakeWorker {
   private readonly inbox: (() => void)[] = []
   private frames: FrameMessage[] = []
-  private setup: Setup | undefined
+  private setup: UncheckedSetup | undefined
   private generation = 0
   private iteration = 0
   private playing = false
@@ -72,7 +72,7 @@ export class FakeWorker {
   close = (): void => undefined
 
   readonly api = {
-    start: (setup: Setup, { at, play }: Opening, request: number): Promise<Answer<Run>> =>
+    start: (setup: UncheckedSetup, { at, play }: Opening, request: number): Promise<Answer<Run>> =>
       this.answer(() => {
         this.request = request
         const refused = this.refused(setup)
@@ -107,7 +107,7 @@ export class FakeWorker {
         this.request = request
         this.go(this.iteration, false)
       }),
-    suggest: (setup: Setup): Promise<unknown> => this.answer(() => this.refused(setup) ?? { ok: true, value: null }),
+    suggest: (setup: UncheckedSetup): Promise<unknown> => this.answer(() => this.refused(setup) ?? { ok: true, value: null }),
     parseLink: (link: string): Promise<unknown> =>
       this.answer(() => {
         const [planner, on, seed, iteration, hash] = link.split(',')
@@ -125,7 +125,7 @@ export class FakeWorker {
     return new Promise((resolve) => this.inbox.push(() => resolve(act())))
   }
 
-  private refused({ params = {}, scene: on }: Setup): Answer<never> | null {
+  private refused({ params = {}, scene: on }: UncheckedSetup): Answer<never> | null {
     const field = Object.keys(params).find((name) => Number(params[name]) < 0)
     if (field !== undefined) return { ok: false, refusal: { field, message: 'below zero' } }
     const covered = typeof on === 'object' && on.kind === 'discs' && on.discs.some(({ center: [x, y] }) => x === 1 && y === 1)

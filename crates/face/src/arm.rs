@@ -4,12 +4,11 @@ use std::sync::Arc;
 
 use js_sys::Float32Array;
 use nalgebra::{Unit, Vector3};
-use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use forage::{
     Error, Scene,
-    arm::{self, ArmScene, Posture, Skeleton, degrees, radians},
+    arm::{self, ArmScene, Posture, radians},
     kernel::{Message, allowed},
 };
 
@@ -73,28 +72,6 @@ fn read_direction(value: &JsValue) -> Result<Unit<Vector3<f64>>, JsValue> {
     Unit::try_new(scaled, 0.5).ok_or_else(|| refused("direction", value, allowed::direction()))
 }
 
-#[derive(Serialize)]
-struct Pose {
-    skeleton: Skeleton,
-    direction: [f64; 3],
-    free: bool,
-}
-
-#[derive(Serialize)]
-struct Found {
-    joints: [f64; 6],
-    skeleton: Skeleton,
-    free: bool,
-}
-
-#[derive(Serialize)]
-struct Answer {
-    direction: Option<[f64; 3]>,
-    solutions: Vec<Found>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    unreachable: Option<&'static str>,
-}
-
 /// Where the links of a scene's arm are in a posture of six joints in degrees, within its limits or not.
 ///
 /// # Errors
@@ -108,8 +85,7 @@ fn pose(scene: &JsValue, joints: &JsValue) -> Result<JsArmPose, JsValue> {
     let scene = read_arm(scene)?;
     let scene = arm_of(&scene)?;
     let posture = read_posture("joints", joints)?;
-    let skeleton = scene.arm.skeleton(&posture);
-    plain(&Pose { skeleton, direction: scene.arm.pointing(&posture).into(), free: !arm::touches(scene, &skeleton, 0.0) })
+    plain(&scene.pose(&posture))
 }
 
 /// The postures within the limits that bring the tip of a scene's arm to a point with the tool pointing in a direction,
@@ -135,20 +111,7 @@ fn solutions(scene: &JsValue, point: &JsValue, direction: &JsValue, near: &JsVal
     let given = |value: &JsValue| !value.is_undefined() && !value.is_null();
     let near = if given(near) { read_posture("near", near)? } else { scene.arm.home() };
     let direction = if given(direction) { Some(read_direction(direction)?) } else { None };
-    let found = match direction {
-        Some(direction) => scene.arm.reaching(point, &direction, &near).map(|found| (direction, found)),
-        None => scene.arm.reaching_somehow(point, &near),
-    };
-    let shown = |posture: &Posture| {
-        let skeleton = scene.arm.skeleton(posture);
-        Found { joints: degrees(posture), skeleton, free: !arm::touches(scene, &skeleton, 0.0) }
-    };
-    plain(&match found {
-        Ok((direction, found)) => {
-            Answer { direction: Some(direction.into_inner().into()), solutions: found.iter().map(shown).collect(), unreachable: None }
-        }
-        Err(why) => Answer { direction: direction.map(|d| d.into_inner().into()), solutions: Vec::new(), unreachable: Some(why.name()) },
-    })
+    plain(&scene.answer(point, direction, &near))
 }
 
 /// Where the tip of a scene's arm can come, on a lattice of this step over the workspace, of at most 20000 points.

@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use crate::{
-    JsGiven, JsNumber, JsScene, JsText, plain,
+    JsGiven, JsNumber, JsScene, JsGeneratorName, plain,
     read::{read_parameters, read_text, whole},
     registry::ask,
 };
@@ -13,7 +13,7 @@ use crate::{
 /// # Errors
 /// An `Error` with `field`, `value` and `allowed` for whatever is refused.
 #[wasm_bindgen(js_name = generateScene)]
-pub fn generate_scene(name: &JsText, params: &JsGiven, seed: &JsNumber) -> Result<JsScene, JsValue> {
+pub fn generate_scene(name: &JsGeneratorName, params: &JsGiven, seed: &JsNumber) -> Result<JsScene, JsValue> {
     let given = read_parameters(params)?;
     let (name, seed) = (read_text("name", name)?, whole("seed", seed)?);
     plain(&ask(|registry| registry.generate(&name, &given, seed))?)

@@ -20,7 +20,6 @@ mod convert;
 mod files;
 mod follow;
 mod generate;
-mod inspection;
 mod links;
 mod pictures;
 mod read;
@@ -35,7 +34,6 @@ mod words;
 use std::sync::Arc;
 
 use js_sys::{Float32Array, Float64Array, Uint8ClampedArray, Uint32Array};
-use serde::Serialize;
 use wasm_bindgen::{JsCast, prelude::*};
 use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
@@ -59,7 +57,6 @@ pub use trial::Trial;
 pub use types::*;
 
 use convert::{js_error, object, plain};
-use inspection::{InspectionView, ItemView};
 use read::{
     count, count_or, read_ends, read_flag, read_item, read_kind, read_layer, read_number, read_parameter, read_point, read_setup,
     read_text, refused,
@@ -75,7 +72,7 @@ fn status(status: Status) -> Result<JsStatus, JsValue> {
 /// # Errors
 /// An `Error` with `field`, `value` and `allowed`.
 #[wasm_bindgen(js_name = checkParameter)]
-pub fn check_parameter(planner: &JsText, kind: &JsKind, name: &JsText, value: &JsParameterValue) -> Result<(), JsValue> {
+pub fn check_parameter(planner: &JsPlannerName, kind: &JsKind, name: &JsText, value: &JsParameterValue) -> Result<(), JsValue> {
     let planner = read_text("planner", planner)?;
     let entry = ask(|registry| registry.planner(&planner))?;
     let (kind, name) = (read_kind(kind)?, &*read_text("name", name)?);
@@ -214,7 +211,7 @@ impl Session {
     }
 
     /// The planner's name.
-    #[wasm_bindgen(getter)]
+    #[wasm_bindgen(getter, unchecked_return_type = "PlannerName")]
     pub fn planner(&self) -> String {
         self.run.entry().name.to_owned()
     }
@@ -283,7 +280,7 @@ impl Session {
     /// # Errors
     /// For an unknown layer, or when there is no `ImageData` here.
     #[wasm_bindgen(js_name = layerImage)]
-    pub fn layer_image(&self, role: &JsText, dark: &JsFlag) -> Result<JsLayerImageOrNull, JsValue> {
+    pub fn layer_image(&self, role: &JsLayerName, dark: &JsFlag) -> Result<JsLayerImageOrNull, JsValue> {
         let dark = read_flag("dark", dark)?;
         let layer = self.run.entry().layer(read_layer(role)?);
         let Some(raster) = layer.and_then(|layer| picture::raster(&self.frame, layer, dark)) else {
@@ -371,7 +368,7 @@ impl Session {
     /// # Errors
     /// For an unknown layer.
     pub fn inspect(&mut self, item: &JsItem) -> Result<JsInspectionOrNull, JsValue> {
-        plain(&self.run.inspect(read_item(item)?).map(InspectionView::from))
+        plain(&self.run.inspect(read_item(item)?))
     }
 
     /// The nearest thing that can be inspected within `reach` of a point, in the scene's unit.
@@ -380,7 +377,7 @@ impl Session {
     /// For what is no number.
     pub fn pick(&self, x: &JsNumber, y: &JsNumber, reach: &JsNumber) -> Result<JsItemOrNull, JsValue> {
         let (point, reach) = ([read_number("x", x)?, read_number("y", y)?], read_number("reach", reach)?);
-        plain(&self.run.pick(point, reach).map(ItemView::from))
+        plain(&self.run.pick(point, reach))
     }
 
     /// The exact optimum as a path, by the rule that the planner keeps to; null where there is none.
@@ -388,14 +385,7 @@ impl Session {
     /// # Errors
     /// Where a number of it is more than JavaScript can hold.
     pub fn exact(&self) -> Result<JsExactOrNull, JsValue> {
-        #[derive(Serialize)]
-        struct Exact<'a> {
-            length: f64,
-            path: &'a [[f64; 2]],
-            #[serde(skip_serializing_if = "<[_]>::is_empty")]
-            tip_path: &'a [[f64; 3]],
-        }
-        plain(&self.run.exact().map(|exact| Exact { length: exact.length, path: &exact.path, tip_path: &exact.tip_path }))
+        plain(&self.run.exact())
     }
 
     /// Fills a canvas with the scene's heights over a part of the plane; false if the scene has none.

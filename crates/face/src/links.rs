@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use forage::{Error, Link, Overrides, Registry, Scene, run::Run};
@@ -33,27 +32,9 @@ fn link_of(run: &Run) -> Result<String, JsValue> {
 /// An `Error` that says what is wrong with it.
 #[wasm_bindgen(js_name = parseLink)]
 pub fn parse_link(link: &JsText) -> Result<JsLinkSetup, JsValue> {
-    #[derive(Serialize)]
-    struct LinkSetup<'a> {
-        planner: &'a str,
-        scene: &'a Scene,
-        params: &'a Overrides,
-        seed: u64,
-        iteration: u64,
-        #[serde(skip_serializing_if = "Option::is_none")]
-        hash: Option<&'a str>,
-    }
     let text = read_text("link", link)?;
     let links = LINKS.get()?;
-    let Link { setup, iteration, hash, .. } = ask(|registry| (links.parse)(registry, &text))?;
-    plain(&LinkSetup {
-        planner: &setup.planner,
-        scene: &setup.scene,
-        params: &setup.params,
-        seed: setup.seed,
-        iteration,
-        hash: hash.as_deref(),
-    })
+    plain(&ask(|registry| (links.parse)(registry, &text))?.contents())
 }
 
 #[wasm_bindgen]

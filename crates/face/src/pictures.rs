@@ -5,7 +5,7 @@ use wasm_bindgen::prelude::*;
 use forage::{kernel::LayerKey, picture, run};
 
 use crate::{
-    JsFlag, JsNames, Session,
+    JsFlag, JsLayerNames, Session,
     read::{read_flag, read_layer, read_list},
     tool::Tool,
 };
@@ -26,7 +26,7 @@ impl Session {
     ///
     /// # Errors
     /// For an unknown layer.
-    pub fn svg(&mut self, dark: &JsFlag, layers: &JsNames) -> Result<String, JsValue> {
+    pub fn svg(&mut self, dark: &JsFlag, layers: &JsLayerNames) -> Result<String, JsValue> {
         let dark = read_flag("dark", dark)?;
         let names = read_list("layers", layers)?;
         let layers = names.iter().map(read_layer).collect::<Result<Vec<_>, _>>()?;

@@ -1,357 +1,1038 @@
-/** Something that happened in simulated time, or was decided. */
-export interface RunEvent {
-  /** The iteration after which it is known. */
-  iteration: number;
-  /** In seconds of simulated time. */
-  time: number;
-  /** Where the robot was. */
-  place: Point;
-  /** One of the planner's `events`. */
-  kind: string;
-  /** The number of the moving obstacle that it is about. */
-  obstacle?: number;
-  /** Why, in a sentence. */
-  reason: string;
-}
+// Written by scripts/docs.mjs from the Rust types.
 
-/** A part of a run that has its own kind of step. */
-export interface Stage {
-  name: string;
-  title: string;
-  /** Its last iteration, as soon as it is known. */
-  end?: number;
-}
+/** The content of a scene file. */
+export type Scene = FunctionScene | DiscsScene | GridScene | TourScene | ArmScene
 
-/** Sizes that a planner's paper recommends for a setup. */
-export interface Suggestion {
-  population: number;
-  iterations: number;
-  /** E.g. `[LTQPSO] (10), uniform start`. */
-  source: string;
-}
-
-/** A number that a drive tells for each moment. */
-export interface DriveColumn {
-  name: string;
-  title: string;
-  symbol: string;
-  /** `s`, `m`, `rad/s`, …; empty for a bare number. Lengths are in the scene's unit. */
-  unit: string;
-}
-
-/** How a drive along a path went. */
-export interface DriveOutcome {
-  /** Seconds from start to stop. */
-  time: number;
-  /** How far the robot's centre went. */
-  distance: number;
-  /** It stopped at the goal. */
-  arrived: boolean;
-  /** Its outline overlapped an obstacle somewhere on its way; to touch with distance 0 is allowed. */
-  touched: boolean;
-  /** Where its centre was when it first did. */
-  touched_at?: Point;
-  /** The smallest distance of its outline from an obstacle; negative: overlap. `null` without obstacles. */
-  clearance: number | null;
-  /** The largest distance of its centre from the path. */
-  max_error: number;
-  /** The root of the mean squared distance. */
-  rms_error: number;
-  /** What the wheel encoders counted in all: left, right. */
-  counts: [number, number];
-}
-
-/** The robot driving along a path, one row for each control period. */
-export interface Drive {
-  /** Names of the row's numbers, as in `catalogue().drive.columns`; `time`, `x`, `y` and `heading` (radians) among them. */
-  columns: string[];
-  rows: Float64Array;
-  outcome: DriveOutcome;
-  /** The robot's outline: along and across its heading. */
-  outline: { length: number; width: number };
-  parameters: Record<string, ParameterValue>;
-}
-
-/** What there is to know about driving along a path. */
-export interface DriveEntry {
-  /** E.g. `[LTQPSO] §5`. */
-  source: string;
-  summary: string;
-  parameters: Parameter[];
-  columns: DriveColumn[];
-  formulas: Formula[];
-}
-
-/** How an arm follows the path. */
-export interface MotionOutcome {
-  /** Seconds from start to end. */
-  time: number;
-  /** How far the tip goes. */
-  length: number;
-  /** Every point of the path has a posture: the tip comes to the goal. */
-  arrived: boolean;
-  /** No link touches a cuboid or the column, all along. */
-  free: boolean;
-  /** When the first touch is. */
-  touched_at?: number;
-  /** The smallest distance of a link from a cuboid; negative: overlap. `null` without cuboids. */
-  clearance: number | null;
-  /** The largest turn of a joint from one row to the next, in degrees. */
-  largest_step: number;
-  /** The largest distance of the tip from the path. */
-  max_error: number;
-  /** Points without a posture, replaced by their mirror image and by random joints. */
-  mirrored: number;
-  drawn: number;
-  /** Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does. */
-  trouble?: string;
-}
-
-/** An arm following a path, one row for each moment; between rows the joints turn evenly. */
-export interface Motion {
-  /** Names of the row's numbers, as in `catalogue().motion.columns`: `time`, `along`, `x`, `y`, `z`, `q1` … `q6` (degrees), `clearance`. */
-  columns: string[];
-  rows: Float64Array;
-  /** Base, shoulder, elbow, wrist and tip, x, y, z each: 15 numbers a row. */
-  skeletons: Float64Array;
-  outcome: MotionOutcome;
-  parameters: Record<string, ParameterValue>;
-}
-
-/** Where an arm's links are in a posture. */
-export interface ArmPose {
-  /** Base, shoulder, elbow, wrist and tip. */
-  skeleton: Point3[];
-  /** Where the tool points: a unit vector in the world. */
-  direction: Point3;
-  /** No link touches a cuboid or the column. */
-  free: boolean;
-}
-
-/** A posture that brings the tip to a point. */
-export interface ArmSolution {
-  /** Degrees. */
-  joints: number[];
-  /** Base, shoulder, elbow, wrist and tip. */
-  skeleton: Point3[];
-  /** No link touches a cuboid or the column. */
-  free: boolean;
-}
-
-/** The postures that bring the tip to a point with the tool pointing one way: up to 8 within the limits, nearest to the given one first. */
-export interface ArmSolutions {
-  /** Where the tool points: a unit vector in the world. Null if none was given and none of those tried has a solution. */
-  direction: Point3 | null;
-  solutions: ArmSolution[];
-  /** Why there are none. Without a direction `orientation` means: none of those tried, but others could. */
-  unreachable?: 'position' | 'orientation' | 'limits';
-}
-
-/** Where an arm's tip can come, on a lattice over the workspace: x, y, z, and the share of 42 directions spread over the sphere in
- * which the tool can point there (a posture within the limits that touches nothing), from 0 to 1, for each point. */
-export interface Reachability {
-  points: Float32Array;
-  /** The distance of neighbours. */
-  step: number;
-}
-
-export interface Setup {
-  planner: string;
-  /** A scene, or the name of one that ships. */
-  scene: Scene | string;
-  /** Only what differs from the defaults is needed. */
-  params?: Record<string, ParameterValue>;
-  /** 0 … 2^53 − 1. Default 1. */
-  seed?: number;
-}
-
-/** A link, taken apart. */
-export interface LinkSetup {
-  planner: string;
-  scene: Scene;
-  params: Record<string, ParameterValue>;
-  seed: number;
-  iteration: number;
-  /** The state's hash that the link promises. */
-  hash?: string;
-}
-
-/** `running`, or why it stopped: `solved`, `exhausted` (the iteration limit or an early stop), `infeasible`. */
-export type Status = 'running' | 'solved' | 'exhausted' | 'infeasible';
-
-/** Views into the wasm memory: valid until the next call of anything in this module. Copy what you keep. */
-export interface FrameViews {
-  /** x, y, z, weight for each vertex. */
-  vertices: Float32Array;
-  /** layer, shape, first vertex, count for each span; the layer as its place among the planner's `layers` in the catalogue. */
-  spans: Uint32Array;
-  /** How many of the planner's pieces were left out to keep to the budget: every `thinning`-th is drawn. */
-  thinning: number;
-}
-
-/** An `ImageData`, where the program's libraries know what that is. */
-export type Pixels = typeof globalThis extends { ImageData: { prototype: infer T } }
-  ? T
-  : { readonly width: number; readonly height: number; readonly data: Uint8ClampedArray };
-
-/** The 2D context of an `OffscreenCanvas`. */
-export interface CanvasContext {
-  readonly canvas: { readonly width: number; readonly height: number };
-}
-
-/** A field of a frame, coloured: a pixel for each value, the row of the smallest y first. */
-export interface LayerImage {
-  image: Pixels;
-  /** The part of the plane that it covers. */
-  min: Point;
-  max: Point;
-  /** The smallest and the largest value. */
-  range: [number, number];
-}
-
-/** A run of another planner on the same scene that a planner of planners needs. */
-export interface Job {
-  planner: string;
-  params: Record<string, ParameterValue>;
-  seed: number;
-  /** Where it starts and where it leads, if not where the scene says. */
-  ends?: [Point, Point];
-}
-
-/** What such a run found. */
-export interface Finding {
-  cost: number | null;
-  /** The iteration in which the best was found. */
-  converged: number;
-  path: Point[];
-}
-
-export interface Item {
-  role: string;
-  index: number;
-}
-
-/** Why something did what it did in the step that led to this iteration. */
-export interface Inspection {
-  item: Item;
-  title: string;
-  /** What happened: `start`, `move`, `hen`, `chick`, … */
-  event: string;
-  /** The same in a sentence. */
-  summary: string;
-  /** Numbers by name, as the formulas' placeholders use them. */
-  values: { name: string; symbol: string; title: string; value: number }[];
-  /** Which of the planner's formulas (by name) say it. */
-  formulas: string[];
-  /** One row a dimension, waypoint, …; columns are symbols (TeX). */
-  table: { columns: { name: string; symbol: string; title: string }[]; labels: string[]; rows: number[][] };
-  /** Arrows and marks to draw over the stage. */
-  /** In the plane z is 0. */
-  layers: { role: string; shape: string; vertices: Point3[] }[];
-}
-
-export interface Outcome {
-  planner: string;
-  scene: string;
-  seed: number;
-  iterations: number;
-  evaluations: number;
-  status: Status;
-  /** What was minimised. `null` before anything was found. */
-  cost: number | null;
-  /** The path's length, in the scene's unit. */
-  length: number | null;
-  /** True only if the result was checked and breaks nothing, whatever the penalty was. */
-  feasible: boolean;
-  /** Smallest distance to an obstacle; negative: how deep the path cuts. */
-  clearance: number | null;
-  /** The exact optimum by the rule that the planner keeps to. */
-  exact: number | null;
-  /** Which optimum that is: over the cells of a grid, at any angle, by the scene's distances, or as its file says; `refuted`: this result is
-   * shorter than what the file gives, so there is none. */
-  exact_by: 'any-angle' | 'cells' | 'matrix' | 'stored' | 'refuted';
-  /** (length − exact) / exact. */
-  gap: number | null;
-  /** At how many corners the path turns. Paths only. */
-  turns?: number;
-  /** How much the path turns in all, in radians. Paths only. */
-  turning?: number;
-  /** How the scene's robot drives along the path, with the usual parameters. Scenes with a robot that has an outline only. */
-  drive?: DriveOutcome;
-  path?: Point[];
-  /** Arms only: the corners of the tip's path. */
-  tip_path?: Point3[];
-  /** Arms only: the postures that were planned, in degrees, where the planner plans postures. */
-  joints?: number[][];
-  /** Arms only: how the arm follows the path, with the usual parameters. */
-  motion?: MotionOutcome;
-  /** Tours only: the stops' numbers, from 0, in the order in which it calls at them. */
-  order?: number[];
-  position?: number[];
-  readings: Record<string, number>;
-  /** What keeps the planner from a result, if something does. */
-  trouble?: string;
-  /** What happened in simulated time, and what was decided and why. */
-  events?: RunEvent[];
-  /** What a planner of planners recommends: a planner and its parameters. */
-  tuned?: { planner: string; params: Record<string, ParameterValue> };
-  /** No random number has a part in the run: other seeds give the same result. */
-  deterministic: boolean;
-  /** 16 hexadecimal digits over setup, iteration, best and state. */
-  hash: string;
-  parameters: Record<string, ParameterValue>;
-}
-
-/** Readings of past iterations: `rows` holds `columns.length` numbers for each kept iteration. */
-export interface Trace {
-  columns: string[];
-  /** The iterations that the rows belong to. */
-  iterations: Float64Array;
-  rows: Float64Array;
-}
-
-/** A file as bytes. */
-export interface NamedFile {
-  name: string;
-  bytes: Uint8Array;
+export type TourScene = {
+  format: 'forage-scene'
+  version: 1
+  kind: 'tour'
+  /** Short identifier, used in links and on the command line. */
+  name: string
+  /** A line for people. */
+  title: string
+  /** A remark, e.g. which parts are reconstructed. */
+  note?: string
+  /** The source of its data. */
+  source?: string
+  /** The unit of its lengths. */
+  units?: string
+  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
+  /** Published values for it, as in the file. */
+  published?: Record<string, unknown>
+  /** The stops' positions; empty if only their distances are known. */
+  points?: Array<[number, number]>
+  /** The metric of their distances, unless `matrix` is given. */
+  metric?: Metric
+  /** The distances, if they are given as a matrix. */
+  matrix?: Array<Array<number>>
+  /** Whether a tour returns to its first stop. */
+  closed?: boolean
 }
 
 /**
- * What a scene can be written as: MovingAI's `.map` and `.scen`, map_server's `.yaml` and `.pgm` (grids only), TSPLIB's `.tsp` with an
- * `.opt.tour` where the shortest tour is known, a CSV of points (stops of a tour only), or its JSON.
+ * The metric of distances between points. All but the first are TSPLIB's, by its own formulas and in whole numbers, for
+ * comparison with published optima.
  */
-export type Format = 'movingai' | 'ros' | 'tsplib' | 'csv' | 'json';
+export type Metric = 'euclidean' | 'euc-2d' | 'ceil-2d' | 'att' | 'geo'
+
+export type DiscsScene = {
+  format: 'forage-scene'
+  version: 1
+  kind: 'discs'
+  /** Short identifier, used in links and on the command line. */
+  name: string
+  /** A line for people. */
+  title: string
+  /** A remark, e.g. which parts are reconstructed. */
+  note?: string
+  /** The source of its data. */
+  source?: string
+  /** The unit of its lengths. */
+  units?: string
+  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
+  /** Published values for it, as in the file. */
+  published?: Record<string, unknown>
+  /** The region in which waypoints are searched. A path may leave it between them. */
+  bounds: Bounds
+  /** The start of the path. */
+  start: [number, number]
+  /** The goal of the path. */
+  goal: [number, number]
+  /** The obstacles. */
+  discs: Array<Disc>
+}
+
+/** An axis-parallel box. */
+export type Bounds = {
+  /** Lower left corner. */
+  min: [number, number]
+  /** Upper right corner. */
+  max: [number, number]
+}
+
+/** A disc; its rim belongs to the free space, so a path may touch it. */
+export type Disc = {
+  /** Its centre. */
+  center: [number, number]
+  /** Its radius, positive. */
+  radius: number
+}
+
+export type FunctionScene = {
+  format: 'forage-scene'
+  version: 1
+  kind: 'function'
+  /** Short identifier, used in links and on the command line. */
+  name: string
+  /** A line for people. */
+  title: string
+  /** A remark, e.g. which parts are reconstructed. */
+  note?: string
+  /** The source of its data. */
+  source?: string
+  /** The unit of its lengths. */
+  units?: string
+  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
+  /** Published values for it, as in the file. */
+  published?: Record<string, unknown>
+  /** The function. */
+  function: TestFunction
+  /** The number of variables. */
+  dimension: number
+  /** The position of the function's origin, a number for each variable; empty: at 0. */
+  shift?: Array<number>
+}
+
+/** A test function to minimise. Each has the minimum 0. */
+export type TestFunction = 'matyas' | 'egg-crate' | 'sphere' | 'rosenbrock' | 'ackley' | 'rastrigin'
+
+export type GridScene = {
+  format: 'forage-scene'
+  version: 1
+  kind: 'grid'
+  /** Short identifier, used in links and on the command line. */
+  name: string
+  /** A line for people. */
+  title: string
+  /** A remark, e.g. which parts are reconstructed. */
+  note?: string
+  /** The source of its data. */
+  source?: string
+  /** The unit of its lengths. */
+  units?: string
+  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
+  /** Published values for it, as in the file. */
+  published?: Record<string, unknown>
+  /** The side of a cell, in the scene's unit. */
+  cell: number
+  /** Blocked cells, row by row. Row `k` covers `k · cell ≤ y ≤ (k + 1) · cell`, whichever way y grows. */
+  rows: Array<string>
+  /** The direction in which y grows. */
+  y_axis?: YAxis
+  /** The start of a path. */
+  start?: [number, number]
+  /** The goal of a path. */
+  goal?: [number, number]
+  /** The stops of a tour. */
+  stops?: Array<[number, number]>
+  /** Whether a diagonal move may cut a blocked cell's corner. */
+  corner_cutting?: boolean
+  /** The robot. */
+  robot?: Robot
+  /** The moving obstacles. */
+  moving?: Array<Moving>
+}
+
+/** The direction in which y grows in a scene's coordinates. The file lists the top row first in either case. */
+export type YAxis = 'down' | 'up'
+
+/** The robot of a grid; what is not given is `null`. */
+export type Robot = {
+  /** The length of its outline, along its heading, in the scene's unit. */
+  length?: number
+  /** The width of its outline, in the scene's unit. */
+  width?: number
+  /** Its speed, in the scene's unit per second. */
+  speed?: number
+  /** The turn-in-place time, in seconds. */
+  turn_time?: number
+  /** The sensor range, in the scene's unit. */
+  sensor?: number
+  /** Its radius against moving obstacles, in the scene's unit. */
+  radius?: number
+  /** The safety margin beyond that radius, in the scene's unit. */
+  margin?: number
+  /** The prediction horizon, in seconds. */
+  look_ahead?: number
+}
+
+/** A moving obstacle: a disc. */
+export type Moving = {
+  /** The position of its centre at time 0, in the scene's unit. */
+  center: [number, number]
+  /** Its radius, in the scene's unit. */
+  radius: number
+  /** Its velocity, in the scene's unit per second. */
+  velocity?: [number, number]
+  /** Instead of a velocity: [t, x, y] by growing t > 0, in seconds. At the last it stays. */
+  waypoints?: Array<[number, number, number]>
+}
+
+export type ArmScene = {
+  format: 'forage-scene'
+  version: 1
+  kind: 'arm'
+  /** Short identifier, used in links and on the command line. */
+  name: string
+  /** A line for people. */
+  title: string
+  /** A remark, e.g. which parts are reconstructed. */
+  note?: string
+  /** The source of its data. */
+  source?: string
+  /** The unit of its lengths. */
+  units?: string
+  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
+  /** Published values for it, as in the file. */
+  published?: Record<string, unknown>
+  /** The region in which the tip may be, in metres. */
+  workspace: Cuboid
+  /** The start of the tip's path. */
+  start: [number, number, number]
+  /** The goal of the tip's path. */
+  goal: [number, number, number]
+  /** The obstacles. */
+  cuboids: Array<Cuboid>
+  /** The arm. */
+  arm: Arm
+}
+
+/** An axis-parallel box, closed: what touches a face meets it. */
+export type Cuboid = {
+  /** The smallest coordinates. */
+  min: [number, number, number]
+  /** The largest coordinates. */
+  max: [number, number, number]
+}
+
+/** A six-axis arm with a spherical wrist, as data. */
+export type Arm = {
+  /** The joints, from the base to the wrist. */
+  joints: [Joint, Joint, Joint, Joint, Joint, Joint]
+  /** The tool at its end. */
+  tool: Tool
+  /** Its base. */
+  base: Base
+}
+
+/** A joint and the link before it, modified Denavit–Hartenberg: T_i = Rx(α_{i−1}) Tx(a_{i−1}) Rz(θ_i) Tz(d_i). */
+export type Joint = {
+  /** a_{i−1}, the length of the link before, in metres. */
+  a: number
+  /** α_{i−1}, the twist of the link before, in degrees: a multiple of 90. */
+  alpha: number
+  /** θ_i in the home configuration, in degrees. */
+  home: number
+  /** d_i, the offset along the joint's axis, in metres. */
+  d: number
+  /** The smallest θ_i, in degrees. */
+  min: number
+  /** The largest θ_i, in degrees. */
+  max: number
+  /** The largest speed, in degrees per second. The paper gives none; the default is `Joint::SPEED`. */
+  speed?: number
+}
+
+/** The position of the arm in the world. */
+export type Base = {
+  /** The origin of the first joint in the world, in metres. */
+  position: [number, number, number]
+  /** The rotation about z, in degrees. */
+  yaw?: number
+  /** The radius of the column from the workspace's floor up to the base, in metres; 0: no column. */
+  column_radius?: number
+}
+
+/** The tool: a straight segment from the wrist to the tip. */
+export type Tool = {
+  /** The axis of the last frame that it lies along. */
+  axis: Axis
+  /** Its length, in metres. */
+  length: number
+}
+
+/** An axis of the last joint's frame. */
+export type Axis = 'x' | 'y' | 'z'
+
+/** All that ships: planners, scenes, generators. */
+export type Catalogue = {
+  /** The crate's version. */
+  version: string
+  planners: Array<Planner>
+  /** The scenes that ship. */
+  scenes: Scene[]
+  /** What makes random scenes. */
+  generators: Array<Generator>
+  /** The keys of all layers. A frame's table of spans counts its planner's `layers`, not these. */
+  roles: Array<LayerName>
+  /** The layers of a scene itself, whatever the planner draws. */
+  layers: Array<Layer>
+  /** The shapes in a frame's table of spans, by number. */
+  shapes: [Shape, Shape, Shape, Shape, Shape]
+  /** Every TeX string that stands outside a formula, so that a page can typeset them when it is built. */
+  symbols: Array<string>
+  /** How a robot drives along what a planner found. */
+  drive: DriveEntry
+  /** How an arm follows what a planner found. */
+  motion: DriveEntry
+}
+
+/**
+ * A layer that a planner draws, or that its explanations mark.
+ *
+ * ```
+ * use forage::{describe::{Color, Layer, Look, layers}, kernel::LayerKey};
+ * const BEST: Layer = layers::BEST.titled("Shortest", "The shortest path so far: the result.");
+ * const SCOUTS: LayerKey = LayerKey("scouts");
+ * const LOOK: Look = Look { color: Color::new("#7a5c00", "#e8c95a"), width: 1.5, ..Look::PLAIN };
+ * const LAYERS: &[Layer] = &[BEST, Layer::new(SCOUTS, "Scouts", "Ants that explore.", &LOOK).pickable()];
+ * # assert!(LAYERS[1].pickable && LAYERS[0].look.result > 0);
+ * ```
+ */
+export type Layer = {
+  /** The key that drawings use. */
+  role: LayerName
+  /** The title in a legend. */
+  title: string
+  /** A help text of one sentence. */
+  help: string
+  /** When it is shown. */
+  on: boolean
+  /** Whether its pieces can be inspected. */
+  pickable: boolean
+  /** The parameter value with which there is something to draw; `null`: with any. */
+  when?: When
+  /** The kinds of scene on which there is something to draw; empty: all that the planner runs on. */
+  kinds?: Array<Kind>
+  /** The meaning of its vertices' weight. */
+  weight?: Weight
+  /** Its look. */
+  look: Look
+}
+
+/**
+ * The name of a layer in drawings, explanations, pages, pictures and links. A planner brings new ones by listing layers under
+ * them in its entry.
+ */
+export type LayerName = string
+
+/** The look of a layer. Lengths are in pixels. */
+export type Look = {
+  /** Of lines and points. */
+  color: Color
+  /** Of what a disc, a band, a robot or a sign covers. */
+  fill?: Color
+  /** Of lines. */
+  width: number
+  /** The diameter of a point. */
+  point: number
+  /** Layers of a higher order are drawn later. */
+  order: number
+  /** The width of lines of weight 1, where those of weight 0 have `width`. */
+  swell?: number
+  /** The rank among the layers that show the planner's result. The highest is what is handed over. */
+  result?: number
+  /** Of a weight of 0, and of a weight of 1: from 0 (invisible) to 1. */
+  opacity: [number, number]
+  /** Lengths of dashes and gaps, in turn. Absent: solid. */
+  dash?: Array<number>
+  /** A form of its own, so that colour is not the only distinction. Absent: plain. */
+  glyph?: Glyph
+  /** How its vertices belong together, if that does not depend on the scene. */
+  shape?: Shape
+  /** Whether it has fine details: drawn only for the part of the plane that `lookAt` gives. */
+  near?: boolean
+  /** Whether a rim separates it from what lies beneath. */
+  lifted?: boolean
+  /** Whether the ramp is that of the values' square root. */
+  root?: boolean
+  /** A field's colours: of its smallest value, the middle and the largest. */
+  ramp?: [Color, Color, Color]
+}
+
+/** A colour in the light and in the dark theme. */
+export type Color = {
+  /** On a light ground. */
+  light: string
+  /** On a dark ground. */
+  dark: string
+}
+
+/** The form of a layer's points or tubes. */
+export type Glyph = 'ring' | 'diamond' | 'number' | 'arrow' | 'disc' | 'band' | 'reach' | 'robot' | 'event'
+
+/** How a span's vertices belong together. */
+export type Shape = 'points' | 'polyline' | 'segments' | 'field' | 'tube'
+
+/** The meaning of the weight of a layer's vertices. */
+export type Weight = 'rank' | 'share' | 'length' | 'pheromone' | 'place' | 'half-width' | 'time' | 'arrived'
+
+/** A condition: another parameter and the value that it must have. */
+export type When = {
+  /** The other parameter. */
+  parameter: string
+  /** Its value as it is typed: `polar`, `true`. */
+  value: string
+}
+
+/** The id of a scene kind: the name that scene files use, e.g. `grid`. Entries list the kinds that they are for. */
+export type Kind = string
+
+/** A preset: a named set of parameters. */
+export type Preset = {
+  /** The name in commands: `paper`, `fitted`. */
+  name: string
+  /** The title, e.g. As in the text. */
+  title: string
+  /** What it is for, and what it is based on. */
+  help: string
+  /** A shipped scene on which to try it. */
+  scene: SceneName
+  /** The values that differ from the defaults. */
+  params: Record<string, ParameterValue>
+}
+
+/** One of a choice's options. */
+export type Choice = {
+  /** The value. */
+  value: string
+  /** The title. */
+  title: string
+  /** What it does. */
+  help: string
+}
+
+/** A parameter's value as it is given. */
+export type ParameterValue = boolean | number | string
+
+/** A number that a planner reports after each iteration. */
+export type Reading = {
+  /** Its name in readings, traces and formulas. */
+  name: string
+  /** The symbol, in TeX. */
+  symbol: string
+  /** The title, a few words. */
+  title: string
+  /** What it says. */
+  help: string
+  /** The group that it is shown in. */
+  group: 'cost' | 'schedule' | 'length' | 'measure' | 'count'
+}
+
+/** A number that a planner reports of each member of its population: particle, bat, ant, … */
+export type Member = {
+  /** An identifier. */
+  name: string
+  /** The symbol, in TeX. */
+  symbol: string
+  /** The title, a few words. */
+  title: string
+  /** What it says. */
+  help: string
+  /** The value of a full bar, which begins at 0; `null`: no bar. */
+  full?: number
+  /** What the values 0, 1, … stand for, if they are codes. */
+  words?: Array<string>
+}
+
+/** What a parameter means and what it may be: enough to make a control of it. */
+export type Parameter = {
+  name: string
+  /** TeX. */
+  symbol: string
+  title: string
+  help: string
+  default: ParameterValue
+  /** Defaults that differ on a kind of scene (the published values). */
+  defaults: Partial<Record<Kind, ParameterValue>>
+  /** The kinds of scene on which it means something. */
+  kinds: Array<Kind>
+  /** `subset`: any of the options, as text, with commas between: `alpha,beta`. */
+  type: 'number' | 'integer' | 'choice' | 'flag' | 'subset'
+  /** Numbers and integers only: the smallest value allowed. */
+  min?: number
+  /** Numbers and integers only: the largest value allowed. */
+  max?: number
+  /** The step of a slider; absent: continuous. */
+  step?: number
+  /** Choices and subsets only. */
+  options?: Array<Choice>
+  /** The value of another parameter without which it means nothing. */
+  when?: When
+  /** The smallest value that a slider offers; typing may go beyond it, down to `min`. */
+  soft_min?: number
+  /** The largest value that a slider offers. */
+  soft_max?: number
+  /** Whether a slider is logarithmic. */
+  logarithmic?: boolean
+}
+
+/** An equation that a planner computes. */
+export type Formula = {
+  /** An identifier within the planner. */
+  name: string
+  /** The source, e.g. `[WCPSO] (3)`. */
+  source: string
+  /** The title, a few words. */
+  title: string
+  /** The equation in TeX, as in the paper. */
+  tex: string
+  /** The equation in TeX, with `@name@` in place of each current number. */
+  live?: string
+  /** Where those numbers come from. */
+  scope: 'iteration' | 'item'
+  /** The parameter value with which the equation is computed; `null`: with any. */
+  when?: When
+}
+
+/** A kind of event in simulated time. */
+export type EventKind = {
+  /** An identifier. */
+  name: string
+  /** The title, a few words. */
+  title: string
+  /** What it means. */
+  help: string
+  /** Its tone. */
+  tone: 'plain' | 'warning' | 'decision' | 'good' | 'bad'
+}
+
+/** What makes random scenes. */
+export type Generator = { name: GeneratorName; title: string; help: string; parameters: Array<Parameter> }
+
+/** A planner. */
+export type Planner = {
+  name: PlannerName
+  title: string
+  family: string
+  /** E.g. `[WCPSO] (1–7)`. */
+  source: string
+  summary: string
+  /** The kinds of scene that it runs on. */
+  kinds: Array<Kind>
+  /** It calls at a scene's stops instead of going from start to goal: grids need two stops at least. */
+  stops: boolean
+  /** The most stops that it can do with. Absent: as many as a scene may have. */
+  most_stops?: number
+  parameters: Array<Parameter>
+  presets: Array<Preset>
+  readings: Array<Reading>
+  formulas: Array<Formula>
+  /** The layers that it draws, in drawing order. A frame's table of spans counts them from 0. */
+  layers: Array<Layer>
+  /** The layers that only its explanations mark. */
+  marks: Array<Layer>
+  /** The numbers that it reports of each member of its population; empty: none. */
+  members: Array<Member>
+  /** The kinds of events that it reports. */
+  events: Array<EventKind>
+}
+
+/** How a robot, or an arm, follows a path. */
+export type DriveEntry = {
+  /** E.g. `[LTQPSO] §5`. */
+  source: string
+  summary: string
+  parameters: Array<Parameter>
+  /** The numbers of each row. */
+  columns: Array<DriveColumn>
+  formulas: Array<Formula>
+}
+
+/** A number that is recorded for each moment of a motion. */
+export type DriveColumn = {
+  /** An identifier. */
+  name: string
+  /** The title, a few words. */
+  title: string
+  /** The symbol, in TeX. */
+  symbol: string
+  /** The unit: `s`, `m`, `rad/s`, …; empty for a bare number. `m` stands for the scene's unit. */
+  unit: string
+}
+
+/** Where a run stands: what was found, whether it is any good, and what it cost. What does not apply is left out. */
+export type Outcome = {
+  /** The planner's name. */
+  planner: PlannerName
+  /** The scene's name. */
+  scene: string
+  /** The seed. */
+  seed: number
+  /** Iterations taken. */
+  iterations: number
+  /** Candidate solutions evaluated. */
+  evaluations: number
+  /** Running, or why it stopped. */
+  status: Status
+  /** What the planner minimised; `null` before anything was found. */
+  cost: number | null
+  /** The path's length, in the scene's unit. */
+  length: number | null
+  /** True only if the result itself was checked and breaks nothing, whatever the penalty was. */
+  feasible: boolean
+  /** The smallest distance to an obstacle; negative: how deep the path cuts. */
+  clearance: number | null
+  /** The exact optimum by the rule that the planner keeps to. */
+  exact: number | null
+  /** Which optimum that is: over the cells of a grid, at any angle, by the scene's distances, or as its file says. */
+  exact_by: ReferenceOptimum
+  /** (length − exact) / exact; `null` where the optimum is 0 or there is no length. */
+  gap: number | null
+  /** At how many corners the path turns. */
+  turns?: number
+  /** How much the path turns in all, in radians. */
+  turning?: number
+  /** The path's corners. */
+  path?: Array<[number, number]>
+  /** The corners of the tip's path, in metres. Arms only. */
+  tip_path?: Array<[number, number, number]>
+  /** The postures that were planned, in degrees, where the planner plans postures. */
+  joints?: Array<[number, number, number, number, number, number]>
+  /** The stops' numbers in the tour's order. */
+  order?: Array<number>
+  /** The point in a function's box. */
+  position?: Array<number>
+  /** The numbers of this iteration. */
+  readings: Record<string, number>
+  /** What keeps the planner from a result, if something does. */
+  trouble?: string
+  /** What happened in simulated time, and what was decided and why. */
+  events?: Array<RunEvent>
+  /** What a planner of planners recommends. */
+  tuned?: Recommendation
+  /** No random number has a part in it: other seeds give the same result. */
+  deterministic: boolean
+  /** The hash of setup, iteration, best and state. */
+  hash: string
+  /** Every parameter's value. */
+  parameters: Record<string, ParameterValue>
+  /** How the scene's robot drives along it. Scenes with a robot that has an outline only. */
+  drive?: DriveOutcome
+  /** How the arm follows it. Arms only. */
+  motion?: MotionOutcome
+}
+
+/** A text for people: a key and arguments, and how it sounds in English. Made by `message!`. */
+export type Message = string
+
+/** An event in simulated time: what happened or was decided, and why. */
+export type RunEvent = {
+  /** The iteration after which it is known. */
+  iteration: number
+  /** The simulated time, in seconds. */
+  time: number
+  /** The robot's position, in the scene's unit. */
+  place: [number, number]
+  /** The name of its kind, one of the entry's `events`. */
+  kind: string
+  /** The index of the moving obstacle that it is about. */
+  obstacle?: number
+  /** The reason, in a sentence. It follows from the rest, so that no hash depends on its words. */
+  reason: Message
+}
+
+/** Parameters that a tuning planner recommends for another planner. */
+export type Recommendation = Configured
+
+/** The status of a run: whether it goes on, or why it ended. */
+export type Status = 'running' | 'solved' | 'exhausted' | 'infeasible'
+
+/** The optimum that a result is measured against. */
+export type ReferenceOptimum = 'any-angle' | 'cells' | 'matrix' | 'stored' | 'refuted'
+
+/** How a drive along a path went. */
+export type DriveOutcome = {
+  /** Seconds from start to stop. */
+  time: number
+  /** How far the robot's centre went. */
+  distance: number
+  /** It stopped at the goal, within `ARRIVED`. */
+  arrived: boolean
+  /**
+   * Its outline overlapped a blocked cell somewhere on the way, not only where a period ended. To touch with
+   * distance 0 is allowed.
+   */
+  touched: boolean
+  /** Where its centre was when it first did. */
+  touched_at?: [number, number]
+  /**
+   * The smallest distance of its outline from a blocked cell on the way, to within `RESOLUTION` and a hundredth of
+   * itself; negative: overlap. `null` without obstacles.
+   */
+  clearance: number | null
+  /** The largest distance of its centre from the path where a period ended. */
+  max_error: number
+  /** The root of the mean of their squares. */
+  rms_error: number
+  /** What the wheel encoders counted in all: left, right. */
+  counts: [number, number]
+}
+
+/** How the arm follows a path. */
+export type MotionOutcome = {
+  /** Seconds from start to end. */
+  time: number
+  /** How far the tip goes. */
+  length: number
+  /** Every point of the path has a posture: the tip comes to the goal. */
+  arrived: boolean
+  /** No link touches a cuboid or the column, all along: between the rows too. */
+  free: boolean
+  /** When the first touch is. */
+  touched_at?: number
+  /** The smallest distance of a link from a cuboid at the rows; negative: overlap. `null` without cuboids. */
+  clearance: number | null
+  /** The largest turn of a joint from one row to the next, in degrees. */
+  largest_step: number
+  /** The largest distance of the tip from the path. */
+  max_error: number
+  /** How many points had no posture and were replaced by their mirror image, [ARM-RRT] step 4. */
+  mirrored: number
+  /** How many were replaced by random joints between their neighbours', [ARM-RRT] step 6. */
+  drawn: number
+  /** Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does. */
+  trouble?: string
+}
+
+/** A part of a run with its own kind of step. */
+export type Stage = {
+  /** An identifier. */
+  name: string
+  /** The title, a few words. */
+  title: Message
+  /** Its last iteration; the next stage's first step follows. `null`: when the run ends, which is not yet known. */
+  end?: number
+}
+
+/** Sizes that a paper recommends for a setup. */
+export type Suggestion = {
+  /** The number of particles. */
+  population: number
+  /** The number of iterations. */
+  iterations: number
+  /** The source, e.g. `[LTQPSO] (10)`. */
+  source: string
+}
+
+/** An exact optimum: a shortest path or tour. */
+export type Exact = {
+  /** Its length, in the scene's unit. */
+  length: number
+  /**
+   * The corners of the path. Arcs become corners just outside their discs, so that this line is collision-free and hardly
+   * longer.
+   */
+  path: Array<[number, number]>
+  /** The path of an arm's tip in space, in metres; `path` is empty then. Otherwise empty. */
+  tip_path?: Array<[number, number, number]>
+  /** The visiting order of a tour's stops; otherwise empty. */
+  order?: Array<number>
+  /** Whether it is stated in the scene file and was not computed. */
+  stored: boolean
+}
+
+/** What a link says, without its scene's body in letters. */
+export type LinkSetup = Configured & {
+  scene: Scene
+  seed: number
+  iteration: number /** The state's hash that the link promises. */
+  hash?: string
+}
+
+/** A piece of a layer that can be explained, e.g. one particle. */
+export type Item = {
+  /** The layer that it belongs to. */
+  role: LayerName
+  /** Its index among all pieces of the layer, drawn or not. */
+  index: number
+}
+
+/** An explanation: what an item did in the step that led to this iteration, and why. */
+export type Inspection = {
+  /** The item that is explained. */
+  item: Item
+  /** Its name for people. */
+  title: Message
+  /** What happened, in a word. */
+  event: string
+  /** The same in a sentence. */
+  summary: Message
+  /** The numbers behind it. */
+  values: Array<Quantity>
+  /** Names of the entry's formulas that were applied. */
+  formulas: Array<string>
+  /** The table's columns. */
+  table: InspectionTable
+  /** Marks to draw over the picture. */
+  layers: Array<Mark>
+}
+
+/** A number in an inspection. */
+export type Quantity = {
+  /** The number. */
+  value: number
+  /** An identifier; formulas use it. */
+  name: string
+  /** The symbol, in TeX. */
+  symbol: string
+  title: string
+}
+
+/** A mark to draw over the picture. */
+export type Mark = {
+  /** One of the entry's layers, which says what it shows and how it looks. */
+  role: LayerName
+  /** How its vertices belong together. */
+  shape: Shape
+  /** The vertices, in the scene's unit; in the plane z is 0. */
+  vertices: Array<[number, number, number]>
+}
+
+/** An inspection's table: a row for each dimension, way-point, sample, … */
+export type InspectionTable = {
+  columns: Array<Label>
+  /** A label for each row. */
+  labels: Array<Message>
+  /** The numbers, row by row. */
+  rows: Array<Array<number>>
+}
+
+/** What a number in an inspection is called, or a column of its table. Made by `label!`. */
+export type Label = {
+  /** An identifier; formulas use it. */
+  name: string
+  /** The symbol, in TeX. */
+  symbol: string
+  title: string
+}
+
+/** A run of another planner on the same scene that the next step needs. */
+export type Job = Configured & { seed: number /** Start and goal, if they are not the scene's. */; ends?: [Point, Point] }
+
+/** The result of a `Subtask`. */
+export type Finding = {
+  /** The best cost; `null` if nothing feasible was found. */
+  cost: number | null
+  /** The iteration in which the best was found. */
+  converged: number
+  /** The best path; empty if nothing feasible was found. */
+  path: Array<[number, number]>
+}
+
+/** What a run came to. */
+export type TrialRecord = {
+  /** The planner's name. */
+  planner: PlannerName
+  /** The scene's name. */
+  scene: string
+  /** The seed. */
+  seed: number
+  /** The parameters that differ from the defaults. */
+  parameters: Record<string, ParameterValue>
+  /** Running, or why it stopped. */
+  status: Status
+  /** Iterations taken. */
+  iterations: number
+  /** Candidate solutions evaluated. */
+  evaluations: number
+  /** What the planner minimised; `null` before anything was found. */
+  cost: number | null
+  /** The path's length, in the scene's unit. */
+  length: number | null
+  /** What runs are compared by: a feasible result's length, or where there is no path its cost. `null` if there is none. */
+  value: number | null
+  /** True only if the result itself was checked and breaks nothing. */
+  feasible: boolean
+  /** The smallest distance to an obstacle. */
+  clearance: number | null
+  /** The exact optimum by the rule that the planner keeps to. */
+  exact: number | null
+  /** Which optimum that is. */
+  exact_by: ReferenceOptimum
+  /** (length − exact) / exact. */
+  gap: number | null
+  /** Evaluations when the best was first feasible and near enough to the optimum; `null` if it never was, or there is none. */
+  reached: number | null
+  /** The same in iterations. */
+  reached_iteration: number | null
+  /** The iteration from which the population's mean stayed within 1 % of its best; `null` without such a reading, or if it never did. */
+  settled: number | null
+  /** At how many corners the path turns. */
+  turns: number | null
+  /** No random number has a part in it: other seeds give the same result. */
+  deterministic: boolean
+  /** The state's hash. */
+  hash: string
+}
+
+/** The runs of a planner, or another group to compare. */
+export type Group = {
+  /** Its name. */
+  name: string
+  /**
+   * The result of each run, smaller is better; `null` without a feasible result. In all groups the same index stands for the
+   * same scene and seed.
+   */
+  values: Array<number | null>
+}
+
+/** The comparison of several groups. */
+export type Comparison = {
+  /** A summary of each group. */
+  groups: Array<GroupSummary>
+  /** The comparison of each pair. */
+  pairs: Array<Pair>
+  /** Friedman's test over scenes and seeds; `null` if the groups are not equally long, or there is only one. */
+  friedman: Friedman | null
+}
+
+/** The summary of a group. */
+export type GroupSummary = {
+  /** Its name. */
+  name: string
+  /** The number of runs. */
+  runs: number
+  /** The number of runs with a feasible result. */
+  feasible: number
+  /** The feasibility rate, from 0 to 1. */
+  rate: number
+  /** The 95 % confidence interval of `rate` (Wilson). */
+  rate_interval: [number, number]
+  /** The summary of the feasible results; `null` if there are none. */
+  summary: Summary | null
+}
+
+/** Mean, spread and order statistics of a sample. */
+export type Summary = {
+  /** The number of values. */
+  count: number
+  /** The mean. */
+  mean: number
+  /** The sample's standard deviation, with n − 1 as in Matlab's `std`; `null` for a single number. */
+  std: number | null
+  /** The 95 % confidence interval of the mean by Student's t; `null` for a single number. */
+  interval: [number, number] | null
+  /** The smallest value. */
+  min: number
+  /** The lower quartile, median-unbiased as Hyndman and Fan's type 8 (numpy's `median_unbiased`). */
+  lower: number
+  /** The median: the middle value, or the mean of the two in the middle. */
+  median: number
+  /** The upper quartile, as the lower one. */
+  upper: number
+  /** The largest value. */
+  max: number
+}
+
+/** The comparison of two groups. */
+export type Pair = {
+  /** The index of the first group. */
+  first: number
+  /** The index of the second group. */
+  second: number
+  /** Mann and Whitney's U of the first group. */
+  u: number
+  /** The p-value of Wilcoxon's rank-sum test, two-sided. Runs without a feasible result rank last. */
+  p: number
+  /** The p-value corrected for the number of pairs (Holm). */
+  corrected: number
+  /** The probability of superiority: that a run of the first group is better than one of the second; ties count half. */
+  better: number
+}
+
+/** The result of Friedman's test of treatments that were tried on the same blocks. */
+export type Friedman = {
+  /** The number of blocks. */
+  blocks: number
+  /** Each treatment's mean rank over the blocks; 1 is best. Equal numbers share their ranks. */
+  ranks: Array<number>
+  /**
+   * χ² corrected for ties, with one degree of freedom fewer than treatments. `null` for fewer than three treatments, or
+   * if all blocks are ties.
+   */
+  statistic: number | null
+  /** The p-value; `null` without a statistic. */
+  p: number | null
+}
+
+/** A scene that was read from another format. */
+export type Imported = {
+  /** The scene. */
+  scene: Scene
+  /** Interpretations that the user should know: unknown cells taken as blocked, start and goal chosen, … */
+  notes: Array<string>
+  /** The problems of a `.scen` file, if one was among the files. */
+  problems: Array<Problem>
+}
 
 /** A problem of a MovingAI `.scen` file. */
-export interface Problem {
-  start: Point;
-  goal: Point;
-  /** The length that the file gives, in cells. */
-  length: number;
+export type Problem = {
+  /** The centre of the start cell, in the scene's unit. */
+  start: [number, number]
+  /** The centre of the goal cell, in the scene's unit. */
+  goal: [number, number]
+  /** The optimal length that the file states, in cells. */
+  length: number
 }
 
-/** What came of files of another format. */
-export interface Imported {
-  /** A grid, a tour's stops (of a `.tsp` or `.csv`), or what a scene's own JSON is. */
-  scene: Scene;
-  /** What was read in some way that should be known: unknown cells taken as blocked, ends chosen, how long a `.tour` is, … */
-  notes: string[];
-  /** The problems of a `.scen` file, if one was among the files. The scene has the last one's ends unless another is asked for. */
-  problems: Problem[];
+/** Where an arm's links are in a posture. */
+export type ArmPose = {
+  /** Base, shoulder, elbow, wrist and tip. */
+  skeleton: [
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+  ]
+  /** Where the tool points: a unit vector in the world. */
+  direction: [number, number, number]
+  /** No link touches a cuboid or the column. */
+  free: boolean
 }
 
-/** What a random scene is made of. */
-export interface Generator {
-  name: string;
-  title: string;
-  help: string;
-  parameters: Parameter[];
+/** The postures that bring the tip to a point with the tool pointing one way. */
+export type ArmSolutions = {
+  /** Where the tool points: a unit vector in the world. `null` if none was given and none of those tried has a solution. */
+  direction: [number, number, number] | null
+  /** Up to 8 within the limits, nearest to the given one first. */
+  solutions: Array<ArmSolution>
+  /** Why there are none. Without a direction `orientation` means: none of those tried, but others could. */
+  unreachable?: Unreachable
 }
 
-/** An `Error` that says which field is wrong. */
-export interface ForageError extends Error {
-  /** E.g. `population`, `discs[2].radius`. */
-  field: string;
-  value: string;
-  allowed: string;
+/** A posture that brings the tip to a point. */
+export type ArmSolution = {
+  /** In degrees. */
+  joints: [number, number, number, number, number, number]
+  /** Base, shoulder, elbow, wrist and tip. */
+  skeleton: [
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+  ]
+  /** No link touches a cuboid or the column. */
+  free: boolean
 }
+
+/** The reason why no posture brings the tool into a pose. A later variant is closer to a solution. */
+export type Unreachable = 'position' | 'orientation' | 'limits'

@@ -1,77 +1,71 @@
-//! The exact TypeScript types of the face: `scenes.d.ts`, `catalogue.d.ts`, `types.d.ts` and `batches.d.ts`, and a name for each that
-//! crosses the boundary.
+//! The TypeScript types of the face: `types.d.ts` of the Rust types (`forage list --types`), `objects.d.ts` of what has none, and
+//! a name for each that crosses the boundary.
 
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
-const SCENES: &str = include_str!("scenes.d.ts");
-
-#[wasm_bindgen(typescript_custom_section)]
-const CATALOGUE: &str = include_str!("catalogue.d.ts");
+const OBJECTS: &str = include_str!("objects.d.ts");
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.d.ts");
 
-#[wasm_bindgen(typescript_custom_section)]
-const BATCHES: &str = include_str!("batches.d.ts");
-
 #[wasm_bindgen]
 extern "C" {
-    /// `Setup`, as `types.d.ts` describes it.
+    /// `Setup`.
     #[wasm_bindgen(typescript_type = "Setup")]
     pub type JsSetup;
-    /// `LinkSetup`, as `types.d.ts` describes it.
+    /// `LinkSetup`.
     #[wasm_bindgen(typescript_type = "LinkSetup")]
     pub type JsLinkSetup;
-    /// `Scene`, as `types.d.ts` describes it.
+    /// `Scene`.
     #[wasm_bindgen(typescript_type = "Scene")]
     pub type JsScene;
-    /// `Kind`, as `types.d.ts` describes it.
+    /// `Kind`.
     #[wasm_bindgen(typescript_type = "Kind")]
     pub type JsKind;
-    /// `ParameterValue`, as `catalogue.d.ts` describes it.
+    /// `ParameterValue`.
     #[wasm_bindgen(typescript_type = "ParameterValue")]
     pub type JsParameterValue;
-    /// `Record<string, ParameterValue>`, as `types.d.ts` describes it.
+    /// `Record<string, ParameterValue>`.
     #[wasm_bindgen(typescript_type = "Record<string, ParameterValue>")]
     pub type JsParameters;
-    /// `Record<string, number>`, as `types.d.ts` describes it.
+    /// `Record<string, number>`.
     #[wasm_bindgen(typescript_type = "Record<string, number>")]
     pub type JsReadings;
-    /// `Trace`, as `types.d.ts` describes it.
+    /// `Trace`.
     #[wasm_bindgen(typescript_type = "Trace")]
     pub type JsTrace;
-    /// `FrameViews`, as `types.d.ts` describes it.
+    /// `FrameViews`.
     #[wasm_bindgen(typescript_type = "FrameViews")]
     pub type JsFrame;
-    /// `Drive | null`, as `types.d.ts` describes it.
+    /// `Drive | null`.
     #[wasm_bindgen(typescript_type = "Drive | null")]
     pub type JsDriveOrNull;
-    /// `Motion | null`, as `types.d.ts` describes it.
+    /// `Motion | null`.
     #[wasm_bindgen(typescript_type = "Motion | null")]
     pub type JsMotionOrNull;
-    /// `Record<string, ParameterValue> | undefined`, as `types.d.ts` describes it.
+    /// `Record<string, ParameterValue> | undefined`.
     #[wasm_bindgen(typescript_type = "Record<string, ParameterValue> | undefined")]
     pub type JsGiven;
-    /// `Outcome`, as `types.d.ts` describes it.
+    /// `Outcome`.
     #[wasm_bindgen(typescript_type = "Outcome")]
     pub type JsOutcome;
-    /// `Suggestion | null`, as `types.d.ts` describes it.
+    /// `Suggestion | null`.
     #[wasm_bindgen(typescript_type = "Suggestion | null")]
     pub type JsSuggestionOrNull;
-    /// `Item`, as `types.d.ts` describes it.
+    /// `Item`.
     #[wasm_bindgen(typescript_type = "Item")]
     pub type JsItem;
-    /// `Item | null`, as `types.d.ts` describes it.
+    /// `Item | null`.
     #[wasm_bindgen(typescript_type = "Item | null")]
     pub type JsItemOrNull;
-    /// `Inspection | null`, as `types.d.ts` describes it.
+    /// `Inspection | null`.
     #[wasm_bindgen(typescript_type = "Inspection | null")]
     pub type JsInspectionOrNull;
-    /// `{ length: number; path: Point[] } | null`, as `types.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "{ length: number; path: Point[]; tip_path?: Point3[] } | null")]
+    /// `Exact | null`.
+    #[wasm_bindgen(typescript_type = "Exact | null")]
     pub type JsExactOrNull;
-    /// `Status`, as `types.d.ts` describes it.
+    /// `Status`.
     #[wasm_bindgen(typescript_type = "Status")]
     pub type JsStatus;
     /// `string`, checked before it is read.
@@ -80,70 +74,79 @@ extern "C" {
     /// `boolean`, checked before it is read.
     #[wasm_bindgen(typescript_type = "boolean")]
     pub type JsFlag;
-    /// `CanvasContext`, as `types.d.ts` describes it, checked before it is used.
+    /// `CanvasContext`, checked before it is used.
     #[wasm_bindgen(typescript_type = "CanvasContext")]
     pub type JsContext;
     /// `number`, checked before it is read.
     #[wasm_bindgen(typescript_type = "number")]
     pub type JsNumber;
-    /// `Point`, as `types.d.ts` describes it.
+    /// `Point`.
     #[wasm_bindgen(typescript_type = "Point")]
     pub type JsPoint;
-    /// `string[]`, as `types.d.ts` describes it.
-    #[wasm_bindgen(typescript_type = "string[]")]
-    pub type JsNames;
-    /// `Point | undefined`, as `types.d.ts` describes it.
+    /// `LayerName[]`.
+    #[wasm_bindgen(typescript_type = "LayerName[]")]
+    pub type JsLayerNames;
+    /// `LayerName`, checked before it is read.
+    #[wasm_bindgen(typescript_type = "LayerName", extends = JsText)]
+    pub type JsLayerName;
+    /// `PlannerName`, checked before it is read.
+    #[wasm_bindgen(typescript_type = "PlannerName", extends = JsText)]
+    pub type JsPlannerName;
+    /// `GeneratorName`, checked before it is read.
+    #[wasm_bindgen(typescript_type = "GeneratorName", extends = JsText)]
+    pub type JsGeneratorName;
+    /// `Point | undefined`.
     #[wasm_bindgen(typescript_type = "Point | undefined")]
     pub type JsPointOrUndefined;
-    /// `LayerImage | null`, as `types.d.ts` describes it.
+    /// `LayerImage | null`.
     #[wasm_bindgen(typescript_type = "LayerImage | null")]
     pub type JsLayerImageOrNull;
-    /// `Subtask[]`, as `types.d.ts` describes it.
+    /// `Subtask[]`.
     #[wasm_bindgen(typescript_type = "Job[]")]
     pub type JsJobs;
     /// A job and its scene.
-    #[wasm_bindgen(typescript_type = "Setup & Pick<Job, 'ends'>", extends = JsSetup)]
+    #[wasm_bindgen(typescript_type = "Setup & { ends?: [Point, Point] }", extends = JsSetup)]
     pub type JsRun;
-    /// `Stage[]`, as `types.d.ts` describes it.
+    /// `Stage[]`.
     #[wasm_bindgen(typescript_type = "Stage[]")]
     pub type JsStages;
-    /// `RunEvent[]`, as `types.d.ts` describes it.
+    /// `RunEvent[]`.
     #[wasm_bindgen(typescript_type = "RunEvent[]")]
     pub type JsEvents;
-    /// `SubtaskResult[]`, as `types.d.ts` describes it.
+    /// `SubtaskResult[]`.
     #[wasm_bindgen(typescript_type = "Finding[]")]
     pub type JsFindings;
-    /// `SubtaskResult`, as `types.d.ts` describes it.
+    /// `SubtaskResult`.
     #[wasm_bindgen(typescript_type = "Finding")]
     pub type JsFinding;
-    /// `NamedFile` or null, as `types.d.ts` describes it.
+    /// `NamedFile` or null.
     #[wasm_bindgen(typescript_type = "NamedFile | null")]
     pub type JsNamedFileOrNull;
-    /// `NamedFile[]`, as `types.d.ts` describes it.
+    /// `NamedFile[]`.
     #[wasm_bindgen(typescript_type = "NamedFile[]")]
     pub type JsNamedFiles;
-    /// `Imported`, as `types.d.ts` describes it.
+    /// `Imported`.
     #[wasm_bindgen(typescript_type = "Imported")]
     pub type JsImported;
-    /// `'movingai' | 'ros' | 'tsplib' | 'csv' | 'json'`, as `types.d.ts` describes it.
+    /// `'movingai' | 'ros' | 'tsplib' | 'csv' | 'json'`.
     #[wasm_bindgen(typescript_type = "Format")]
     pub type JsFormat;
-    /// `ArmPose`, as `types.d.ts` describes it.
+    /// `ArmPose`.
     #[wasm_bindgen(typescript_type = "ArmPose")]
     pub type JsArmPose;
-    /// `ArmSolutions`, as `types.d.ts` describes it.
+    /// `ArmSolutions`.
     #[wasm_bindgen(typescript_type = "ArmSolutions")]
     pub type JsArmSolutions;
-    /// `Reachability`, as `types.d.ts` describes it.
+    /// `Reachability`.
     #[wasm_bindgen(typescript_type = "Reachability")]
     pub type JsReachability;
-    /// `Scene | string`, a scene or the name of one that ships.
-    #[wasm_bindgen(typescript_type = "Scene | string")]
+    /// `Scene | SceneName`, a scene or the name of one that ships.
+    #[wasm_bindgen(typescript_type = "Scene | SceneName")]
     pub type JsSceneOrName;
-    /// `Point3`, as `scenes.d.ts` describes it.
+    /// `Point3`.
     #[wasm_bindgen(typescript_type = "Point3")]
     pub type JsPoint3;
-    /// `Point3 | null`, as `scenes.d.ts` describes it.
+    /// `Point3 | null`.
     #[wasm_bindgen(typescript_type = "Point3 | null")]
     pub type JsPoint3OrNull;
     /// `number[]`, six joints in degrees.
@@ -152,16 +155,16 @@ extern "C" {
     /// `number[] | undefined`, six joints in degrees.
     #[wasm_bindgen(typescript_type = "number[] | undefined")]
     pub type JsJointsOrUndefined;
-    /// `TrialRecord`, as `batches.d.ts` describes it.
+    /// `TrialRecord`.
     #[wasm_bindgen(typescript_type = "TrialRecord")]
     pub type JsTrialRecord;
-    /// `TrialCurve`, as `batches.d.ts` describes it.
+    /// `TrialCurve`.
     #[wasm_bindgen(typescript_type = "TrialCurve")]
     pub type JsTrialCurve;
-    /// `Group[]`, as `batches.d.ts` describes it.
+    /// `Group[]`.
     #[wasm_bindgen(typescript_type = "Group[]")]
     pub type JsGroups;
-    /// `Comparison`, as `batches.d.ts` describes it.
+    /// `Comparison`.
     #[wasm_bindgen(typescript_type = "Comparison")]
     pub type JsComparison;
 }

@@ -85,6 +85,9 @@ pub(super) struct ListArgs {
     /// Print as JSON all messages that runs, explanations and errors can give, for pages and translators.
     #[arg(long, conflicts_with_all = ["name", "json"])]
     pub(super) messages: bool,
+    /// Print the TypeScript types of all that crosses to JavaScript, for packages.
+    #[arg(long, conflicts_with_all = ["name", "json", "messages"])]
+    pub(super) types: bool,
 }
 
 #[derive(Args)]

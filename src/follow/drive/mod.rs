@@ -73,6 +73,7 @@ pub const MOST_PERIODS: u64 = 100_000;
 
 /// How a drive along a path went.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DriveOutcome {
     /// Seconds from start to stop.
     pub time: f64,
@@ -84,6 +85,7 @@ pub struct DriveOutcome {
     /// distance 0 is allowed.
     pub touched: bool,
     /// Where its centre was when it first did.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub touched_at: Option<[f64; 2]>,
     /// The smallest distance of its outline from a blocked cell on the way, to within [`RESOLUTION`] and a hundredth of
     /// itself; negative: overlap. `None` without obstacles.

@@ -12,6 +12,7 @@ use crate::{
 
 /// How the arm follows a path.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct MotionOutcome {
     /// Seconds from start to end.
     pub time: f64,
@@ -22,6 +23,7 @@ pub struct MotionOutcome {
     /// No link touches a cuboid or the column, all along: between the rows too.
     pub free: bool,
     /// When the first touch is.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub touched_at: Option<f64>,
     /// The smallest distance of a link from a cuboid at the rows; negative: overlap. `None` without cuboids.
     pub clearance: Option<f64>,
@@ -34,6 +36,7 @@ pub struct MotionOutcome {
     /// How many were replaced by random joints between their neighbours', [ARM-RRT](crate#papers) step 6.
     pub drawn: u64,
     /// Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does.
+    #[cfg_attr(feature = "types", ts(optional, rename = "trouble", as = "Option<String>"))]
     pub failure: Option<Message>,
 }
 

@@ -16,6 +16,7 @@ pub const MAX_DISCS: usize = 200;
 
 /// A plane with circular obstacles.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct DiscsScene {
     /// The region in which waypoints are searched. A path may leave it between them.
     pub bounds: Bounds,

@@ -15,6 +15,7 @@ use super::file::{NamedFile, base, stem};
 
 /// A problem of a MovingAI `.scen` file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Problem {
     /// The centre of the start cell, in the scene's unit.
     pub start: [f64; 2],
@@ -26,10 +27,13 @@ pub struct Problem {
 
 /// A scene that was read from another format.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Imported {
     /// The scene.
+    #[cfg_attr(feature = "types", ts(type = "Scene"))]
     pub scene: Scene,
     /// Interpretations that the user should know: unknown cells taken as blocked, start and goal chosen, …
+    #[cfg_attr(feature = "types", ts(as = "Vec<String>"))]
     pub notes: Vec<Message>,
     /// The problems of a `.scen` file, if one was among the files.
     pub problems: Vec<Problem>,

@@ -16,6 +16,7 @@ pub const MAX_DIMENSION: usize = 100;
 
 /// A test function to minimise. Each has the minimum 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "TestFunction", rename_all = "kebab-case"))]
 pub enum Function {
     /// f1, D = 2, minimum at 0.
     Matyas,
@@ -103,12 +104,14 @@ impl Function {
 
 /// A scene with a test function to minimise.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct FunctionScene {
     /// The function.
     pub function: Function,
     /// The number of variables.
     pub dimension: usize,
     /// The position of the function's origin, a number for each variable; empty: at 0.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<f64>>"))]
     pub shift: Vec<f64>,
 }
 

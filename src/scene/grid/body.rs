@@ -34,6 +34,7 @@ pub const CONTACT: f64 = 1e-9;
 
 /// The robot of a grid; what is not given is `None`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(optional_fields))]
 pub struct Robot {
     /// The length of its outline, along its heading, in the scene's unit.
     pub length: Option<f64>,
@@ -46,6 +47,7 @@ pub struct Robot {
     /// The sensor range, in the scene's unit.
     pub sensor: Option<f64>,
     /// Its radius against moving obstacles, in the scene's unit.
+    #[cfg_attr(feature = "types", ts(rename = "radius"))]
     pub disc: Option<f64>,
     /// The safety margin beyond that radius, in the scene's unit.
     pub margin: Option<f64>,
@@ -78,28 +80,39 @@ impl Robot {
 
 /// A grid of free and blocked cells.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct GridScene {
     /// The side of a cell, in the scene's unit.
     pub cell: f64,
     /// Cells per row.
+    #[cfg_attr(feature = "types", ts(skip))]
     pub columns: usize,
     /// Blocked cells, row by row. Row `k` covers `k · cell ≤ y ≤ (k + 1) · cell`, whichever way y grows.
+    #[cfg_attr(feature = "types", ts(rename = "rows", as = "Vec<String>"))]
     pub blocked: Vec<bool>,
     /// The direction in which y grows.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<YAxis>"))]
     pub y_axis: YAxis,
     /// The start of a path.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub start: Option<[f64; 2]>,
     /// The goal of a path.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub goal: Option<[f64; 2]>,
     /// The stops of a tour.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<[f64; 2]>>"))]
     pub stops: Vec<[f64; 2]>,
     /// Whether a diagonal move may cut a blocked cell's corner.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<bool>"))]
     pub corner_cutting: bool,
     /// The robot.
+    #[cfg_attr(feature = "types", ts(optional))]
     pub robot: Option<Robot>,
     /// The moving obstacles.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<Moving>>"))]
     pub moving: Vec<Moving>,
     /// What follows from the rest.
+    #[cfg_attr(feature = "types", ts(skip))]
     pub(crate) derived: Derived,
 }
 

@@ -20,15 +20,21 @@ pub const MAX_STOPS: usize = 2000;
 
 /// A scene of stops to visit.
 #[derive(Debug, Clone)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct TourScene {
     /// The stops' positions; empty if only their distances are known.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<[f64; 2]>>"))]
     pub points: Vec<[f64; 2]>,
     /// The metric of their distances, unless `matrix` is given.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Metric>"))]
     pub metric: Metric,
     /// The distances, if they are given as a matrix.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<Vec<Vec<f64>>>"))]
     pub matrix: Option<Arc<Distances>>,
     /// Whether a tour returns to its first stop.
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<bool>"))]
     pub closed: bool,
+    #[cfg_attr(feature = "types", ts(skip))]
     derived: OnceLock<Arc<Distances>>,
 }
 

@@ -1,4 +1,4 @@
-import type { Setup } from 'forage-lab'
+import type { UncheckedSetup } from 'forage-lab'
 import type { Refusal } from '../worker/protocol'
 import type { Answered, Made, Question } from '../worker/trial.worker'
 import { Thread } from '../worker/trials'
@@ -22,7 +22,7 @@ export class Clerk {
   private thread: Thread | undefined
   private told = new WeakSet<Row>()
 
-  check(setup: Setup): Promise<Refusal | null> {
+  check(setup: UncheckedSetup): Promise<Refusal | null> {
     return this.ask(({ api }) => api.check(setup))
   }
 

@@ -1,4 +1,4 @@
-import type { Generator, ParameterValue, Planner, Scene, Setup, TrialCurve, TrialRecord } from 'forage-lab'
+import type { Generator, ParameterValue, Planner, Scene, UncheckedSetup, TrialCurve, TrialRecord } from 'forage-lab'
 import { applies, standardOn } from '../state/applicable'
 import { canRun } from '../state/able'
 
@@ -47,7 +47,7 @@ export interface Errand {
   /** Which runs it is compared with: see `keyOf`. */
   key: string
   seed: number
-  setup: Setup
+  setup: UncheckedSetup
   /** Where the seed's scene comes from, instead of the setup's. */
   maps: Maps | null
 }

@@ -1,5 +1,5 @@
 import * as Comlink from 'comlink'
-import type { Outcome, ParameterValue, Scene, Setup, TrialCurve } from 'forage-lab'
+import type { Outcome, ParameterValue, Scene, UncheckedSetup, TrialCurve } from 'forage-lab'
 import { sameScene } from '../state/same'
 import type { Answer, Look } from '../worker/protocol'
 import type { Picture, Settled, Start } from '../worker/race.protocol'
@@ -105,7 +105,7 @@ export class Lane {
   async start(scene: Scene, params: Record<string, ParameterValue>, seed: number): Promise<Started> {
     this.starts += 1
     const turn = this.starts
-    const setup: Setup = { planner: this.planner, scene, params, seed }
+    const setup: UncheckedSetup = { planner: this.planner, scene, params, seed }
     this.crash = ''
     const answer = await this.ask<Answer<Start>>(this.hire().start(setup) as Promise<Answer<Start>>)
     if (turn !== this.starts) return 'overtaken'

@@ -9,7 +9,7 @@ import type {
   ParameterValue,
   Planner,
   Scene,
-  Setup,
+  UncheckedSetup,
   Status,
   When,
 } from 'forage-lab'
@@ -34,7 +34,12 @@ import { Visible } from './visible.svelte'
 
 const FIRST = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
-export type Tuned = NonNullable<Outcome['tuned']>
+/** What a tuning came to: a planner and its parameters. */
+export interface Tuned {
+  planner: string
+  params: Record<string, ParameterValue>
+}
+
 export type Phase = 'loading' | 'ready' | 'crashed'
 /** Which optimum results are measured by. Only in a grid and of tours there is more than one. */
 export type Yardstick = 'plain' | Outcome['exact_by']
@@ -218,7 +223,7 @@ export class Lab extends Parameters {
     }
   }
 
-  protected setup(scene: Scene, values: Record<string, ParameterValue>): Setup {
+  protected setup(scene: Scene, values: Record<string, ParameterValue>): UncheckedSetup {
     const params = this.planner ? meaningful(this.planner, scene, values) : {}
     return { planner: this.plannerName, scene, params, seed: this.seed }
   }

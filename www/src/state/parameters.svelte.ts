@@ -1,4 +1,4 @@
-import type { ParameterValue, Scene, Setup, Suggestion } from 'forage-lab'
+import type { ParameterValue, Scene, UncheckedSetup, Suggestion } from 'forage-lab'
 import type { Again } from './scenes.svelte'
 import { Transport } from './transport.svelte'
 
@@ -13,7 +13,7 @@ export abstract class Parameters extends Transport {
 
   abstract plannerName: string
   /** The whole setup with these values. */
-  protected abstract setup(scene: Scene, values: Values): Setup
+  protected abstract setup(scene: Scene, values: Values): UncheckedSetup
   /** The run begins again; `since`: the number of the request that this follows from. */
   protected abstract override again(where?: Again, since?: number): void
 

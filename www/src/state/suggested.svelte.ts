@@ -1,4 +1,4 @@
-import type { Setup, Suggestion } from 'forage-lab'
+import type { UncheckedSetup, Suggestion } from 'forage-lab'
 import type { Client } from './client'
 
 /** The sizes that the planner's paper recommends for a setup. */
@@ -7,7 +7,7 @@ export class Suggested {
   private asked = ''
 
   /** It hangs on the planner, the kind of scene and the parameters; cells that are painted don't change it. */
-  async ask({ api }: Client, setup: Setup, kind: string | undefined): Promise<void> {
+  async ask({ api }: Client, setup: UncheckedSetup, kind: string | undefined): Promise<void> {
     const key = JSON.stringify([setup.planner, kind, setup.params])
     if (key === this.asked) return
     this.asked = key

@@ -1,4 +1,4 @@
-import type { LayerImage, Session } from 'forage-lab'
+import type { LayerImage, LayerName, Session } from 'forage-lab'
 import type { FieldPicture } from './protocol'
 
 let canvas: OffscreenCanvas | undefined
@@ -19,7 +19,7 @@ export function fieldsOf(session: Session, roles: readonly string[], dark: boole
 /** A layer of a planner whose part of the core is not here is not in this frame either. */
 function layerOf(session: Session, role: string, dark: boolean): LayerImage | null {
   try {
-    return session.layerImage(role, dark)
+    return session.layerImage(role as LayerName, dark)
   } catch (error) {
     if (error instanceof Error && 'code' in error && error.code === 'unknown') return null
     throw error

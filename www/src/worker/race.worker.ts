@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink'
 import { load, ready } from 'forage-lab'
-import type { Setup } from 'forage-lab'
+import type { UncheckedSetup } from 'forage-lab'
 import type { Answer, FieldRequest, Look } from './protocol'
 import type { Picture, Settled, Start } from './race.protocol'
 import { Racer } from './racer'
@@ -18,7 +18,7 @@ const sent = (picture: Picture | null): Picture | null =>
   picture && Comlink.transfer(picture, [picture.buffer, ...picture.fields.map(({ bitmap }) => bitmap)])
 
 const api = {
-  async start(setup: Setup): Promise<Answer<Start>> {
+  async start(setup: UncheckedSetup): Promise<Answer<Start>> {
     const found = await own()
     try {
       return { ok: true, value: await ready(() => found.start(setup)) }

@@ -1,5 +1,5 @@
 import { armPose, Session, shapes } from 'forage-lab'
-import type { Setup } from 'forage-lab'
+import type { Setup, UncheckedSetup } from 'forage-lab'
 import { extent } from './extent'
 import { fieldsOf } from './fields'
 import { Judge } from './judge'
@@ -39,8 +39,8 @@ export class Racer {
   private lastReport = 0
   private reportCost = 0
 
-  start(setup: Setup): Start {
-    const session = new Session(setup)
+  start(setup: UncheckedSetup): Start {
+    const session = new Session(setup as Setup)
     this.token += 1
     this.session?.free()
     Object.assign(this, { session, judge: new Judge(), furthest: 0, ended: false, underway: false, toldCurve: -1, lastReport: 0 })

@@ -17,19 +17,23 @@ import type {
   Drive,
   Finding,
   Format,
+  GeneratorName,
   Imported,
   Inspection,
   Item,
+  LayerName,
   LinkSetup,
   Motion,
   NamedFile,
   Outcome,
   ParameterValue,
+  PlannerName,
   Point3,
   Reachability,
   Scene,
   Setup,
   Suggestion,
+  UncheckedSetup,
 } from 'forage-lab'
 import type { Errand } from './crew'
 import { oneself, thread } from './hands'
@@ -94,7 +98,7 @@ const api = {
     return (await rest()).ready(() => carryOut(errand))
   },
   /** `request`: the page's number of this request, which pictures carry back. */
-  start: (setup: Setup, opening: Opening, request: number): Promise<Answer<Run>> =>
+  start: (setup: UncheckedSetup, opening: Opening, request: number): Promise<Answer<Run>> =>
     silently(() => running().start(setup, opening, request)),
   /** The first picture is seen: what it did not need may come. */
   async drawn(): Promise<void> {
@@ -137,12 +141,12 @@ const api = {
   importScene: (files: NamedFile[], problem?: number): Promise<Answer<Imported>> => answer(() => importScene(files, problem)),
   exportScene: (scene: Scene, format: Format): Promise<Answer<NamedFile[]>> => answer(() => exportScene(scene, format)),
   generateScene: (name: string, params: Record<string, ParameterValue>, seed: number): Promise<Answer<Scene>> =>
-    answer(() => generateScene(name, params, seed)),
-  suggest: (setup: Setup): Promise<Answer<Suggestion | null>> => silently(() => suggest(setup)),
+    answer(() => generateScene(name as GeneratorName, params, seed)),
+  suggest: (setup: UncheckedSetup): Promise<Answer<Suggestion | null>> => silently(() => suggest(setup as Setup)),
   parseLink: (link: string): Promise<Answer<LinkSetup>> => answer(() => parseLink(link)),
   newSeed: (): number => newSeed(),
   outcome: (): Promise<Answer<Outcome>> => answer(() => current().outcome()),
-  svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => answer(() => current().svg(dark, layers)),
+  svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => answer(() => current().svg(dark, layers as LayerName[])),
   link: (): Promise<Answer<string>> => silently(() => current().link()),
   csv: (): Promise<Answer<string>> => silently(() => current().csv()),
   tourFile: (): Promise<Answer<NamedFile | null>> => answer(() => current().tourFile()),
@@ -154,7 +158,10 @@ const api = {
   async preview(request: FieldRequest, planner: string): Promise<ImageBitmap | null> {
     await breathe()
     let session: Session | undefined
-    const picture = await painted(request, () => (session = new Session({ planner, scene: request.scene, seed: 0 })))
+    const picture = await painted(
+      request,
+      () => (session = new Session({ planner: planner as PlannerName, scene: request.scene, seed: 0 })),
+    )
     session?.free()
     return picture
   },

@@ -1,5 +1,5 @@
 import { Session, shapes } from 'forage-lab/core'
-import type { Item, RunEvent, Setup } from 'forage-lab'
+import type { Item, RunEvent, Setup, UncheckedSetup } from 'forage-lab'
 import type { Crew, Task } from './crew'
 import { spanOf } from './extent'
 import { fieldsOf } from './fields'
@@ -68,9 +68,9 @@ export class Simulation {
     private readonly hire: () => Promise<Crew>,
   ) {}
 
-  start(setup: Setup, { at, play }: Opening, request: number): Run {
+  start(setup: UncheckedSetup, { at, play }: Opening, request: number): Run {
     this.request = request
-    const session = new Session(setup)
+    const session = new Session(setup as Setup)
     this.token += 1
     this.session?.free()
     this.session = session

@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink'
 import { compare, generateScene, load, ready, suggest, Trial } from 'forage-lab'
-import type { Comparison, Scene, Setup } from 'forage-lab'
+import type { Comparison, GeneratorName, Scene, Setup, UncheckedSetup } from 'forage-lab'
 import type { Errand, Maps, Row } from '../batch/plan'
 import { type TestedPair, testedPairs, type TestedRanks, testedRanks } from '../batch/tested'
 import { type Bands, bands, type Reached, reached } from '../batch/summaries'
@@ -84,8 +84,8 @@ const api = {
     let trial: Trial
     try {
       trial = await ready(() => {
-        const scene = maps ? generateScene(maps.generator, { ...maps.params }, seed) : setup.scene
-        return new Trial({ ...setup, scene }, undefined)
+        const scene = maps ? generateScene(maps.generator as GeneratorName, { ...maps.params }, seed) : setup.scene
+        return new Trial({ ...setup, scene } as Setup, undefined)
       })
     } catch (error) {
       return error instanceof WebAssembly.RuntimeError ? broken(error) : { is: 'refused', refusal: refusal(error) }
@@ -110,7 +110,7 @@ const api = {
   /** A generator's map for a seed. */
   async map({ generator, params }: Maps, seed: number): Promise<Made> {
     try {
-      return { scene: await ready(() => generateScene(generator, { ...params }, seed)) }
+      return { scene: await ready(() => generateScene(generator as GeneratorName, { ...params }, seed)) }
     } catch (error) {
       if (error instanceof WebAssembly.RuntimeError) throw error
       return { refused: refusal(error) }
@@ -118,9 +118,9 @@ const api = {
   },
 
   /** What is wrong with a setup. */
-  async check(setup: Setup): Promise<Refusal | null> {
+  async check(setup: UncheckedSetup): Promise<Refusal | null> {
     try {
-      await ready(() => suggest(setup))
+      await ready(() => suggest(setup as Setup))
       return null
     } catch (error) {
       // That is no refusal: whoever asked starts another thread.

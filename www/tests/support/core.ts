@@ -1,27 +1,29 @@
-import { catalogue, parseLink, type Scene, Session, type Setup, Trial, type TrialRecord } from '../../../pkg/node.js'
+import { catalogue, parseLink, type Scene, Session, type Setup, Trial, type TrialRecord, type UncheckedSetup } from '../../../pkg/node.js'
 
 /* The same core under Node: what the page must agree with to the bit. */
 
-const DISCS: Setup = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
+const DISCS: UncheckedSetup = { planner: 'wcpso', scene: 'wcpso-discs', seed: 1 }
 
 /** What `ask` learns of the run at an iteration. */
-export function sessionAt<T>(setup: Partial<Setup>, iteration: number, ask: (session: Session) => T): T {
-  const session = new Session({ ...DISCS, ...setup })
+export function sessionAt<T>(setup: Partial<UncheckedSetup>, iteration: number, ask: (session: Session) => T): T {
+  const session = new Session({ ...DISCS, ...setup } as Setup)
   session.seek(iteration)
   const answer = ask(session)
   session.free()
   return answer
 }
 
-export const hashOf = (setup: Partial<Setup>, iteration: number): string => sessionAt(setup, iteration, (session) => session.hash())
+export const hashOf = (setup: Partial<UncheckedSetup>, iteration: number): string =>
+  sessionAt(setup, iteration, (session) => session.hash())
 
-export const linkTo = (setup: Partial<Setup>, iteration: number): string => sessionAt(setup, iteration, (session) => session.link())
+export const linkTo = (setup: Partial<UncheckedSetup>, iteration: number): string =>
+  sessionAt(setup, iteration, (session) => session.link())
 
-export const sceneOf = (setup: Partial<Setup>): Scene => sessionAt(setup, 0, (session) => session.scene)
+export const sceneOf = (setup: Partial<UncheckedSetup>): Scene => sessionAt(setup, 0, (session) => session.scene)
 
 /** What a run comes to in the end, and the best values on its way. */
-export function trialOf(setup: Setup): { record: TrialRecord; curve: { evaluations: number[]; values: number[] }; link: string } {
-  const trial = new Trial(setup, undefined)
+export function trialOf(setup: UncheckedSetup): { record: TrialRecord; curve: { evaluations: number[]; values: number[] }; link: string } {
+  const trial = new Trial(setup as Setup, undefined)
   trial.step()
   const { evaluations, values } = trial.curve()
   const told = { record: trial.record(), curve: { evaluations: [...evaluations], values: [...values] }, link: trial.link() }
@@ -36,7 +38,7 @@ export const layerOf = ({ planner }: Session, key: string): number =>
     ?.layers.findIndex(({ role }) => role === key) ?? -1
 
 /** Where the particles are on a function's map. */
-export const particles = (setup: Partial<Setup>, iteration: number): [number, number][] =>
+export const particles = (setup: Partial<UncheckedSetup>, iteration: number): [number, number][] =>
   sessionAt(setup, iteration, (session) => {
     const role = layerOf(session, 'particles')
     const { vertices, spans } = session.frame(1e6)
@@ -50,7 +52,7 @@ export const particles = (setup: Partial<Setup>, iteration: number): [number, nu
   })
 
 /** Bends of the particles' paths, ends left out. */
-export const bends = (setup: Partial<Setup>, iteration: number): [number, number][] =>
+export const bends = (setup: Partial<UncheckedSetup>, iteration: number): [number, number][] =>
   sessionAt(setup, iteration, (session) => {
     const role = layerOf(session, 'particles')
     const { vertices, spans } = session.frame(1e6)

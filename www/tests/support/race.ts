@@ -1,5 +1,5 @@
 import { expect, type Locator, type Page } from '@playwright/test'
-import type { Setup, Status } from '../../../pkg/node.js'
+import type { UncheckedSetup, Status } from '../../../pkg/node.js'
 import { sessionAt } from './core'
 import { HASH, type Lab } from './lab'
 
@@ -82,7 +82,7 @@ export class Race {
 }
 
 /** The first iteration at or beyond so many evaluations, or the end, as the core comes to it. */
-export const coreAt = (setup: Partial<Setup>, clock: number): Standing =>
+export const coreAt = (setup: Partial<UncheckedSetup>, clock: number): Standing =>
   sessionAt(setup, 0, (session) => {
     let status: Status = session.status
     while (status === 'running' && session.evaluations < clock) status = session.stepTo(clock, 1)

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { catalogue, Session } from '../../../pkg/node.js'
+import { catalogue, Session, type Setup } from '../../../pkg/node.js'
 import { presets } from '../../src/i18n/presets.en'
 import { chosen, offered, PRESETS } from '../../src/state/presets'
 import { suits } from '../../src/state/stops'
@@ -16,7 +16,7 @@ test('each published case and each preset of a planner runs as it is', () => {
     const scene = known.scenes.find((candidate) => candidate.name === place)
     expect(planner && scene && suits(planner, scene)).toBe(true)
     expect(chosen(cases, known, { planner: name, scene: scene ?? null, params })).toBe(of)
-    const session = new Session({ planner: name, scene: place, params, seed: rest.seed ?? 1 })
+    const session = new Session({ planner: name, scene: place, params, seed: rest.seed ?? 1 } as Setup)
     expect(session.limit).toBeGreaterThan(0)
     session.free()
   }

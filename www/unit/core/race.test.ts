@@ -1,12 +1,16 @@
 import { expect, test } from 'vitest'
-import { catalogue, Session, Trial } from '../../../pkg/node.js'
+import { catalogue, Session, type Setup, Trial } from '../../../pkg/node.js'
 import { READY } from '../../src/race/ready'
 import { Judge } from '../../src/worker/judge'
 
 test('the feasible best of a racer equals that of a trial', () => {
   for (const { scene, planners, seed } of READY) {
     for (const planner of planners) {
-      const [session, trial, judge] = [new Session({ planner, scene, seed }), new Trial({ planner, scene, seed }, undefined), new Judge()]
+      const [session, trial, judge] = [
+        new Session({ planner, scene, seed } as Setup),
+        new Trial({ planner, scene, seed } as Setup, undefined),
+        new Judge(),
+      ]
       judge.look(session)
       for (let step = 0; step < 800 && session.status === 'running'; step += 1) {
         session.step(1)

@@ -23,6 +23,7 @@ use words::{family, kinds};
 
 pub(super) fn list(args: &ListArgs) -> Outcome {
     match &args.name {
+        None if args.types => print(&forage::types::declarations())?,
         None if args.messages => print_json(&sentences())?,
         None if args.json => print_json(&registry().catalogue())?,
         None => print(&overview(columns()))?,

@@ -1,0 +1,141 @@
+//! The TypeScript types of all that crosses to JavaScript as data. Those that derive `TS` tell theirs; here is where they begin,
+//! and what scene files hold.
+
+#![expect(dead_code, reason = "some are only described: what they hold is written field by field")]
+
+use std::any::TypeId;
+
+use ts_rs::{Config, TS, TypeVisitor};
+
+use crate::{
+    arm::{self, ArmScene},
+    describe::{Catalogue, Suggestion, catalogue::FollowerView},
+    follow::{drive::DriveOutcome, motion::MotionOutcome},
+    kernel::{Event, Exact, Header, Inspection, Item, Stage, Status, Subtask, SubtaskResult, inspection::Table},
+    run::{Outcome, link::Contents, trial::Record},
+    scene::{discs::DiscsScene, formats::Imported, function::FunctionScene, grid::GridScene, tour::TourScene},
+    statistics::{Comparison, Group},
+};
+
+/// Those who follow a path, as the catalogue lists them.
+#[derive(TS)]
+struct Followers {
+    /// How a robot drives along what a planner found.
+    drive: FollowerView,
+    /// How an arm follows what a planner found.
+    motion: FollowerView,
+}
+
+/// All that ships: planners, scenes, generators.
+#[derive(TS)]
+#[ts(rename = "Catalogue")]
+struct WholeCatalogue {
+    #[ts(flatten)]
+    catalogue: Catalogue<'static>,
+    #[ts(flatten)]
+    followers: Followers,
+}
+
+/// How they fared on the best path, with the default parameters.
+#[derive(TS)]
+#[ts(optional_fields)]
+struct Followed {
+    /// How the scene's robot drives along it. Scenes with a robot that has an outline only.
+    drive: Option<DriveOutcome>,
+    /// How the arm follows it. Arms only.
+    motion: Option<MotionOutcome>,
+}
+
+/// Where a run stands: what was found, whether it is any good, and what it cost. What does not apply is left out.
+#[derive(TS)]
+#[ts(rename = "Outcome")]
+struct WholeOutcome {
+    #[ts(flatten)]
+    outcome: Outcome,
+    #[ts(flatten)]
+    followed: Followed,
+}
+
+/// A scene file of this kind.
+macro_rules! file {
+    ($name:ident, $renamed:literal, $kind:literal, $body:ty) => {
+        #[derive(TS)]
+        #[ts(rename = $renamed)]
+        struct $name {
+            #[ts(type = "'forage-scene'")]
+            format: (),
+            #[ts(type = "1")]
+            version: (),
+            #[ts(type = $kind)]
+            kind: (),
+            #[ts(flatten)]
+            header: Header,
+            #[ts(flatten)]
+            body: $body,
+        }
+    };
+}
+
+file!(FunctionFile, "FunctionScene", "'function'", FunctionScene);
+file!(DiscsFile, "DiscsScene", "'discs'", DiscsScene);
+file!(GridFile, "GridScene", "'grid'", GridScene);
+file!(TourFile, "TourScene", "'tour'", TourScene);
+file!(ArmFile, "ArmScene", "'arm'", ArmScene);
+
+/// The content of a scene file.
+#[derive(TS)]
+#[ts(rename = "Scene", untagged)]
+enum SceneFile {
+    Function(FunctionFile),
+    Discs(DiscsFile),
+    Grid(GridFile),
+    Tour(TourFile),
+    Arm(ArmFile),
+}
+
+/// All declarations, each type before those that it is made of, with their documentation.
+pub fn declarations() -> String {
+    let mut found = Declarations { config: Config::new().with_large_int("number"), seen: Vec::new(), text: String::new() };
+    found.visit::<SceneFile>();
+    found.visit::<WholeCatalogue>();
+    found.visit::<WholeOutcome>();
+    found.visit::<Status>();
+    found.visit::<Stage>();
+    found.visit::<Event>();
+    found.visit::<Suggestion>();
+    found.visit::<Exact>();
+    found.visit::<Contents>();
+    found.visit::<Item>();
+    found.visit::<Inspection>();
+    found.visit::<Table>();
+    found.visit::<Subtask>();
+    found.visit::<SubtaskResult>();
+    found.visit::<Record>();
+    found.visit::<Group>();
+    found.visit::<Comparison>();
+    found.visit::<Imported>();
+    found.visit::<arm::Pose>();
+    found.visit::<arm::Answer>();
+    found.text
+}
+
+struct Declarations {
+    config: Config,
+    seen: Vec<TypeId>,
+    text: String,
+}
+
+impl TypeVisitor for Declarations {
+    fn visit<T: TS + 'static + ?Sized>(&mut self) {
+        if self.seen.contains(&TypeId::of::<T>()) {
+            return;
+        }
+        self.seen.push(TypeId::of::<T>());
+        // What has no place for a file of its own is a type of TypeScript itself.
+        if T::output_path().is_some() {
+            self.text += &T::docs().unwrap_or_default();
+            self.text += &format!("export {}\n\n", T::decl(&self.config));
+        }
+        T::visit_dependencies(self);
+    }
+}
