@@ -3,7 +3,7 @@
 
 #![expect(dead_code, reason = "some are only described: what they hold is written field by field")]
 
-use std::any::TypeId;
+use std::{any::TypeId, collections::BTreeMap};
 
 use ts_rs::{Config, TS, TypeVisitor};
 
@@ -85,6 +85,7 @@ file!(ArmFile, "ArmScene", "'arm'", ArmScene);
 /// The content of a scene file.
 #[derive(TS)]
 #[ts(rename = "Scene", untagged)]
+#[expect(clippy::large_enum_variant, reason = "none is ever made")]
 enum SceneFile {
     Function(FunctionFile),
     Discs(DiscsFile),
@@ -93,9 +94,9 @@ enum SceneFile {
     Arm(ArmFile),
 }
 
-/// All declarations, each type before those that it is made of, with their documentation.
+/// All declarations with their documentation, by name.
 pub fn declarations() -> String {
-    let mut found = Declarations { config: Config::new().with_large_int("number"), seen: Vec::new(), text: String::new() };
+    let mut found = Declarations { config: Config::new().with_large_int("number"), seen: Vec::new(), text: BTreeMap::new() };
     found.visit::<SceneFile>();
     found.visit::<WholeCatalogue>();
     found.visit::<WholeOutcome>();
@@ -116,13 +117,14 @@ pub fn declarations() -> String {
     found.visit::<Imported>();
     found.visit::<arm::Pose>();
     found.visit::<arm::Answer>();
-    found.text
+    found.text.into_values().collect()
 }
 
 struct Declarations {
     config: Config,
     seen: Vec<TypeId>,
-    text: String,
+    /// By name: in which order a type tells what it is made of is chance.
+    text: BTreeMap<String, String>,
 }
 
 impl TypeVisitor for Declarations {
@@ -133,8 +135,8 @@ impl TypeVisitor for Declarations {
         self.seen.push(TypeId::of::<T>());
         // What has no place for a file of its own is a type of TypeScript itself.
         if T::output_path().is_some() {
-            self.text += &T::docs().unwrap_or_default();
-            self.text += &format!("export {}\n\n", T::decl(&self.config));
+            let text = format!("{}export {}\n\n", T::docs().unwrap_or_default(), T::decl(&self.config));
+            self.text.insert(T::name(&self.config), text);
         }
         T::visit_dependencies(self);
     }

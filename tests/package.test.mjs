@@ -260,16 +260,26 @@ const typed = (file, lib = 'es2022') => {
 }
 
 test('its types are those of what it gives: nothing is missing, nothing is left out', () => {
+  // Their source goes into the script below, which has what they call.
   const made = {
     Catalogue: () => [catalogue()],
     Outcome: () => Object.values(runs).map((session) => session.outcome()),
     Stage: () => Object.values(runs).flatMap((session) => session.stages),
     Inspection: () => Object.values(runs).flatMap(told),
-    Exact: () => Object.values(runs).map((session) => session.exact()).filter(Boolean),
+    Exact: () =>
+      Object.values(runs)
+        .map((session) => session.exact())
+        .filter(Boolean),
     LinkSetup: () => Object.values(runs).map((session) => parseLink(session.link())),
     Suggestion: () => [suggest({ planner: 'ltqpso', scene: 'qpso-10m' })].filter(Boolean),
     Job: () => jobs.jobs(),
-    TrialRecord: () => Object.values(setups).map((setup) => new Trial(setup)).map((trial) => (trial.step(9), trial.record())),
+    TrialRecord: () =>
+      Object.values(setups)
+        .map((setup) => new Trial(setup))
+        .map((trial) => {
+          trial.step(9)
+          return trial.record()
+        }),
     Comparison: () => [compare(['a', 'b', 'c'].map((name, k) => ({ name, values: [1 + k, 2, null, 4 - k] })))],
     Imported: () => [importScene(exportScene(runs.grid.scene, 'movingai')), importScene(exportScene(runs.tour.scene, 'csv'))],
     ArmPose: () => [armPose('arm-bench', [0, 0, 0, 0, 0, 0])],

@@ -111,7 +111,8 @@ struct PlannerView {
 impl PlannerView {
     fn of(entry: &'static Entry) -> Self {
         let (layers, marks) = entry.drawn_and_marked();
-        let &Entry { name, title, family, source, summary, kinds, stops, most_stops, presets, readings, formulas, members, events, .. } = entry;
+        let &Entry { name, title, family, source, summary, kinds, stops, most_stops, presets, readings, formulas, members, events, .. } =
+            entry;
         let parameters = ParameterView::all(entry.parameters, kinds);
         Self {
             name,

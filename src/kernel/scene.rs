@@ -34,7 +34,10 @@ pub struct Header {
     /// The unit of its lengths.
     pub units: Option<String>,
     /// The optimum stated in the file; results are measured against the computed one, see [`Scene::exact`].
-    #[cfg_attr(feature = "types", ts(optional, type = "{ length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }"))]
+    #[cfg_attr(
+        feature = "types",
+        ts(optional, type = "{ length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }")
+    )]
     pub exact: Option<Value>,
     /// Published values for it, as in the file.
     #[cfg_attr(feature = "types", ts(optional, type = "Record<string, unknown>"))]

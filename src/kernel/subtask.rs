@@ -18,7 +18,11 @@ pub trait Subtasks {
 
 /// A run of another planner on the same scene that the next step needs.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Job", type = "Configured & { seed: number; /** Start and goal, if they are not the scene's. */ ends?: [Point, Point] }"))]
+#[cfg_attr(
+    feature = "types",
+    derive(ts_rs::TS),
+    ts(rename = "Job", type = "Configured & { seed: number; /** Start and goal, if they are not the scene's. */ ends?: [Point, Point] }")
+)]
 pub struct Subtask {
     /// The planner's name.
     pub planner: &'static str,

@@ -35,7 +35,14 @@ pub struct Link {
 
 /// What a link says, without its scene's body in letters.
 #[derive(Debug, Serialize)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "LinkSetup", type = "Configured & { scene: Scene; seed: number; iteration: number; /** The state's hash that the link promises. */ hash?: string }"))]
+#[cfg_attr(
+    feature = "types",
+    derive(ts_rs::TS),
+    ts(
+        rename = "LinkSetup",
+        type = "Configured & { scene: Scene; seed: number; iteration: number; /** The state's hash that the link promises. */ hash?: string }"
+    )
+)]
 pub struct Contents<'a> {
     planner: &'a str,
     scene: &'a Scene,

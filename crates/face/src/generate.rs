@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use crate::{
-    JsGiven, JsNumber, JsScene, JsGeneratorName, plain,
+    JsGeneratorName, JsGiven, JsNumber, JsScene, plain,
     read::{read_parameters, read_text, whole},
     registry::ask,
 };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use wasm_bindgen::prelude::*;
 
-use forage::{Error, Link, Overrides, Registry, Scene, run::Run};
+use forage::{Error, Link, Registry, run::Run};
 
 use crate::{JsLinkSetup, JsText, Session, Trial, plain, read::read_text, registry::ask, tool::Tool};
 

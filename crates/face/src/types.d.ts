@@ -1,12 +1,35 @@
 // Written by scripts/docs.mjs from the Rust types.
 
-/** The content of a scene file. */
-export type Scene = FunctionScene | DiscsScene | GridScene | TourScene | ArmScene
+/** A six-axis arm with a spherical wrist, as data. */
+export type Arm = {
+  /** The joints, from the base to the wrist. */
+  joints: [Joint, Joint, Joint, Joint, Joint, Joint]
+  /** The tool at its end. */
+  tool: Tool
+  /** Its base. */
+  base: Base
+}
 
-export type TourScene = {
+/** Where an arm's links are in a posture. */
+export type ArmPose = {
+  /** Base, shoulder, elbow, wrist and tip. */
+  skeleton: [
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+  ]
+  /** Where the tool points: a unit vector in the world. */
+  direction: [number, number, number]
+  /** No link touches a cuboid or the column. */
+  free: boolean
+}
+
+export type ArmScene = {
   format: 'forage-scene'
   version: 1
-  kind: 'tour'
+  kind: 'arm'
   /** Short identifier, used in links and on the command line. */
   name: string
   /** A line for people. */
@@ -21,21 +44,131 @@ export type TourScene = {
   exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
   /** Published values for it, as in the file. */
   published?: Record<string, unknown>
-  /** The stops' positions; empty if only their distances are known. */
-  points?: Array<[number, number]>
-  /** The metric of their distances, unless `matrix` is given. */
-  metric?: Metric
-  /** The distances, if they are given as a matrix. */
-  matrix?: Array<Array<number>>
-  /** Whether a tour returns to its first stop. */
-  closed?: boolean
+  /** The region in which the tip may be, in metres. */
+  workspace: Cuboid
+  /** The start of the tip's path. */
+  start: [number, number, number]
+  /** The goal of the tip's path. */
+  goal: [number, number, number]
+  /** The obstacles. */
+  cuboids: Array<Cuboid>
+  /** The arm. */
+  arm: Arm
 }
 
-/**
- * The metric of distances between points. All but the first are TSPLIB's, by its own formulas and in whole numbers, for
- * comparison with published optima.
- */
-export type Metric = 'euclidean' | 'euc-2d' | 'ceil-2d' | 'att' | 'geo'
+/** A posture that brings the tip to a point. */
+export type ArmSolution = {
+  /** In degrees. */
+  joints: [number, number, number, number, number, number]
+  /** Base, shoulder, elbow, wrist and tip. */
+  skeleton: [
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+    [number, number, number],
+  ]
+  /** No link touches a cuboid or the column. */
+  free: boolean
+}
+
+/** The postures that bring the tip to a point with the tool pointing one way. */
+export type ArmSolutions = {
+  /** Where the tool points: a unit vector in the world. `null` if none was given and none of those tried has a solution. */
+  direction: [number, number, number] | null
+  /** Up to 8 within the limits, nearest to the given one first. */
+  solutions: Array<ArmSolution>
+  /** Why there are none. Without a direction `orientation` means: none of those tried, but others could. */
+  unreachable?: Unreachable
+}
+
+/** An axis of the last joint's frame. */
+export type Axis = 'x' | 'y' | 'z'
+
+/** The position of the arm in the world. */
+export type Base = {
+  /** The origin of the first joint in the world, in metres. */
+  position: [number, number, number]
+  /** The rotation about z, in degrees. */
+  yaw?: number
+  /** The radius of the column from the workspace's floor up to the base, in metres; 0: no column. */
+  column_radius?: number
+}
+
+/** An axis-parallel box. */
+export type Bounds = {
+  /** Lower left corner. */
+  min: [number, number]
+  /** Upper right corner. */
+  max: [number, number]
+}
+
+/** All that ships: planners, scenes, generators. */
+export type Catalogue = {
+  /** The crate's version. */
+  version: string
+  planners: Array<Planner>
+  /** The scenes that ship. */
+  scenes: Scene[]
+  /** What makes random scenes. */
+  generators: Array<Generator>
+  /** The keys of all layers. A frame's table of spans counts its planner's `layers`, not these. */
+  roles: Array<LayerName>
+  /** The layers of a scene itself, whatever the planner draws. */
+  layers: Array<Layer>
+  /** The shapes in a frame's table of spans, by number. */
+  shapes: [Shape, Shape, Shape, Shape, Shape]
+  /** Every TeX string that stands outside a formula, so that a page can typeset them when it is built. */
+  symbols: Array<string>
+  /** How a robot drives along what a planner found. */
+  drive: DriveEntry
+  /** How an arm follows what a planner found. */
+  motion: DriveEntry
+}
+
+/** One of a choice's options. */
+export type Choice = {
+  /** The value. */
+  value: string
+  /** The title. */
+  title: string
+  /** What it does. */
+  help: string
+}
+
+/** A colour in the light and in the dark theme. */
+export type Color = {
+  /** On a light ground. */
+  light: string
+  /** On a dark ground. */
+  dark: string
+}
+
+/** The comparison of several groups. */
+export type Comparison = {
+  /** A summary of each group. */
+  groups: Array<GroupSummary>
+  /** The comparison of each pair. */
+  pairs: Array<Pair>
+  /** Friedman's test over scenes and seeds; `null` if the groups are not equally long, or there is only one. */
+  friedman: Friedman | null
+}
+
+/** An axis-parallel box, closed: what touches a face meets it. */
+export type Cuboid = {
+  /** The smallest coordinates. */
+  min: [number, number, number]
+  /** The largest coordinates. */
+  max: [number, number, number]
+}
+
+/** A disc; its rim belongs to the free space, so a path may touch it. */
+export type Disc = {
+  /** Its centre. */
+  center: [number, number]
+  /** Its radius, positive. */
+  radius: number
+}
 
 export type DiscsScene = {
   format: 'forage-scene'
@@ -65,20 +198,127 @@ export type DiscsScene = {
   discs: Array<Disc>
 }
 
-/** An axis-parallel box. */
-export type Bounds = {
-  /** Lower left corner. */
-  min: [number, number]
-  /** Upper right corner. */
-  max: [number, number]
+/** A number that is recorded for each moment of a motion. */
+export type DriveColumn = {
+  /** An identifier. */
+  name: string
+  /** The title, a few words. */
+  title: string
+  /** The symbol, in TeX. */
+  symbol: string
+  /** The unit: `s`, `m`, `rad/s`, …; empty for a bare number. `m` stands for the scene's unit. */
+  unit: string
 }
 
-/** A disc; its rim belongs to the free space, so a path may touch it. */
-export type Disc = {
-  /** Its centre. */
-  center: [number, number]
-  /** Its radius, positive. */
-  radius: number
+/** How a robot, or an arm, follows a path. */
+export type DriveEntry = {
+  /** E.g. `[LTQPSO] §5`. */
+  source: string
+  summary: string
+  parameters: Array<Parameter>
+  /** The numbers of each row. */
+  columns: Array<DriveColumn>
+  formulas: Array<Formula>
+}
+
+/** How a drive along a path went. */
+export type DriveOutcome = {
+  /** Seconds from start to stop. */
+  time: number
+  /** How far the robot's centre went. */
+  distance: number
+  /** It stopped at the goal, within `ARRIVED`. */
+  arrived: boolean
+  /**
+   * Its outline overlapped a blocked cell somewhere on the way, not only where a period ended. To touch with
+   * distance 0 is allowed.
+   */
+  touched: boolean
+  /** Where its centre was when it first did. */
+  touched_at?: [number, number]
+  /**
+   * The smallest distance of its outline from a blocked cell on the way, to within `RESOLUTION` and a hundredth of
+   * itself; negative: overlap. `null` without obstacles.
+   */
+  clearance: number | null
+  /** The largest distance of its centre from the path where a period ended. */
+  max_error: number
+  /** The root of the mean of their squares. */
+  rms_error: number
+  /** What the wheel encoders counted in all: left, right. */
+  counts: [number, number]
+}
+
+/** A kind of event in simulated time. */
+export type EventKind = {
+  /** An identifier. */
+  name: string
+  /** The title, a few words. */
+  title: string
+  /** What it means. */
+  help: string
+  /** Its tone. */
+  tone: 'plain' | 'warning' | 'decision' | 'good' | 'bad'
+}
+
+/** An exact optimum: a shortest path or tour. */
+export type Exact = {
+  /** Its length, in the scene's unit. */
+  length: number
+  /**
+   * The corners of the path. Arcs become corners just outside their discs, so that this line is collision-free and hardly
+   * longer.
+   */
+  path: Array<[number, number]>
+  /** The path of an arm's tip in space, in metres; `path` is empty then. Otherwise empty. */
+  tip_path?: Array<[number, number, number]>
+  /** The visiting order of a tour's stops; otherwise empty. */
+  order?: Array<number>
+  /** Whether it is stated in the scene file and was not computed. */
+  stored: boolean
+}
+
+/** The result of a `Subtask`. */
+export type Finding = {
+  /** The best cost; `null` if nothing feasible was found. */
+  cost: number | null
+  /** The iteration in which the best was found. */
+  converged: number
+  /** The best path; empty if nothing feasible was found. */
+  path: Array<[number, number]>
+}
+
+/** An equation that a planner computes. */
+export type Formula = {
+  /** An identifier within the planner. */
+  name: string
+  /** The source, e.g. `[WCPSO] (3)`. */
+  source: string
+  /** The title, a few words. */
+  title: string
+  /** The equation in TeX, as in the paper. */
+  tex: string
+  /** The equation in TeX, with `@name@` in place of each current number. */
+  live?: string
+  /** Where those numbers come from. */
+  scope: 'iteration' | 'item'
+  /** The parameter value with which the equation is computed; `null`: with any. */
+  when?: When
+}
+
+/** The result of Friedman's test of treatments that were tried on the same blocks. */
+export type Friedman = {
+  /** The number of blocks. */
+  blocks: number
+  /** Each treatment's mean rank over the blocks; 1 is best. Equal numbers share their ranks. */
+  ranks: Array<number>
+  /**
+   * χ² corrected for ties, with one degree of freedom fewer than treatments. `null` for fewer than three treatments, or
+   * if all blocks are ties.
+   */
+  statistic: number | null
+  /** The p-value; `null` without a statistic. */
+  p: number | null
 }
 
 export type FunctionScene = {
@@ -107,8 +347,11 @@ export type FunctionScene = {
   shift?: Array<number>
 }
 
-/** A test function to minimise. Each has the minimum 0. */
-export type TestFunction = 'matyas' | 'egg-crate' | 'sphere' | 'rosenbrock' | 'ackley' | 'rastrigin'
+/** What makes random scenes. */
+export type Generator = { name: GeneratorName; title: string; help: string; parameters: Array<Parameter> }
+
+/** The form of a layer's points or tubes. */
+export type Glyph = 'ring' | 'diamond' | 'number' | 'arrow' | 'disc' | 'band' | 'reach' | 'robot' | 'event'
 
 export type GridScene = {
   format: 'forage-scene'
@@ -148,88 +391,82 @@ export type GridScene = {
   moving?: Array<Moving>
 }
 
-/** The direction in which y grows in a scene's coordinates. The file lists the top row first in either case. */
-export type YAxis = 'down' | 'up'
-
-/** The robot of a grid; what is not given is `null`. */
-export type Robot = {
-  /** The length of its outline, along its heading, in the scene's unit. */
-  length?: number
-  /** The width of its outline, in the scene's unit. */
-  width?: number
-  /** Its speed, in the scene's unit per second. */
-  speed?: number
-  /** The turn-in-place time, in seconds. */
-  turn_time?: number
-  /** The sensor range, in the scene's unit. */
-  sensor?: number
-  /** Its radius against moving obstacles, in the scene's unit. */
-  radius?: number
-  /** The safety margin beyond that radius, in the scene's unit. */
-  margin?: number
-  /** The prediction horizon, in seconds. */
-  look_ahead?: number
-}
-
-/** A moving obstacle: a disc. */
-export type Moving = {
-  /** The position of its centre at time 0, in the scene's unit. */
-  center: [number, number]
-  /** Its radius, in the scene's unit. */
-  radius: number
-  /** Its velocity, in the scene's unit per second. */
-  velocity?: [number, number]
-  /** Instead of a velocity: [t, x, y] by growing t > 0, in seconds. At the last it stays. */
-  waypoints?: Array<[number, number, number]>
-}
-
-export type ArmScene = {
-  format: 'forage-scene'
-  version: 1
-  kind: 'arm'
-  /** Short identifier, used in links and on the command line. */
+/** The runs of a planner, or another group to compare. */
+export type Group = {
+  /** Its name. */
   name: string
-  /** A line for people. */
-  title: string
-  /** A remark, e.g. which parts are reconstructed. */
-  note?: string
-  /** The source of its data. */
-  source?: string
-  /** The unit of its lengths. */
-  units?: string
-  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
-  exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
-  /** Published values for it, as in the file. */
-  published?: Record<string, unknown>
-  /** The region in which the tip may be, in metres. */
-  workspace: Cuboid
-  /** The start of the tip's path. */
-  start: [number, number, number]
-  /** The goal of the tip's path. */
-  goal: [number, number, number]
-  /** The obstacles. */
-  cuboids: Array<Cuboid>
-  /** The arm. */
-  arm: Arm
+  /**
+   * The result of each run, smaller is better; `null` without a feasible result. In all groups the same index stands for the
+   * same scene and seed.
+   */
+  values: Array<number | null>
 }
 
-/** An axis-parallel box, closed: what touches a face meets it. */
-export type Cuboid = {
-  /** The smallest coordinates. */
-  min: [number, number, number]
-  /** The largest coordinates. */
-  max: [number, number, number]
+/** The summary of a group. */
+export type GroupSummary = {
+  /** Its name. */
+  name: string
+  /** The number of runs. */
+  runs: number
+  /** The number of runs with a feasible result. */
+  feasible: number
+  /** The feasibility rate, from 0 to 1. */
+  rate: number
+  /** The 95 % confidence interval of `rate` (Wilson). */
+  rate_interval: [number, number]
+  /** The summary of the feasible results; `null` if there are none. */
+  summary: Summary | null
 }
 
-/** A six-axis arm with a spherical wrist, as data. */
-export type Arm = {
-  /** The joints, from the base to the wrist. */
-  joints: [Joint, Joint, Joint, Joint, Joint, Joint]
-  /** The tool at its end. */
-  tool: Tool
-  /** Its base. */
-  base: Base
+/** A scene that was read from another format. */
+export type Imported = {
+  /** The scene. */
+  scene: Scene
+  /** Interpretations that the user should know: unknown cells taken as blocked, start and goal chosen, … */
+  notes: Array<string>
+  /** The problems of a `.scen` file, if one was among the files. */
+  problems: Array<Problem>
 }
+
+/** An explanation: what an item did in the step that led to this iteration, and why. */
+export type Inspection = {
+  /** The item that is explained. */
+  item: Item
+  /** Its name for people. */
+  title: Message
+  /** What happened, in a word. */
+  event: string
+  /** The same in a sentence. */
+  summary: Message
+  /** The numbers behind it. */
+  values: Array<Quantity>
+  /** Names of the entry's formulas that were applied. */
+  formulas: Array<string>
+  /** The table's columns. */
+  table: InspectionTable
+  /** Marks to draw over the picture. */
+  layers: Array<Mark>
+}
+
+/** An inspection's table: a row for each dimension, way-point, sample, … */
+export type InspectionTable = {
+  columns: Array<Label>
+  /** A label for each row. */
+  labels: Array<Message>
+  /** The numbers, row by row. */
+  rows: Array<Array<number>>
+}
+
+/** A piece of a layer that can be explained, e.g. one particle. */
+export type Item = {
+  /** The layer that it belongs to. */
+  role: LayerName
+  /** Its index among all pieces of the layer, drawn or not. */
+  index: number
+}
+
+/** A run of another planner on the same scene that the next step needs. */
+export type Job = Configured & { seed: number /** Start and goal, if they are not the scene's. */; ends?: [Point, Point] }
 
 /** A joint and the link before it, modified Denavit–Hartenberg: T_i = Rx(α_{i−1}) Tx(a_{i−1}) Rz(θ_i) Tz(d_i). */
 export type Joint = {
@@ -249,48 +486,16 @@ export type Joint = {
   speed?: number
 }
 
-/** The position of the arm in the world. */
-export type Base = {
-  /** The origin of the first joint in the world, in metres. */
-  position: [number, number, number]
-  /** The rotation about z, in degrees. */
-  yaw?: number
-  /** The radius of the column from the workspace's floor up to the base, in metres; 0: no column. */
-  column_radius?: number
-}
+/** The id of a scene kind: the name that scene files use, e.g. `grid`. Entries list the kinds that they are for. */
+export type Kind = string
 
-/** The tool: a straight segment from the wrist to the tip. */
-export type Tool = {
-  /** The axis of the last frame that it lies along. */
-  axis: Axis
-  /** Its length, in metres. */
-  length: number
-}
-
-/** An axis of the last joint's frame. */
-export type Axis = 'x' | 'y' | 'z'
-
-/** All that ships: planners, scenes, generators. */
-export type Catalogue = {
-  /** The crate's version. */
-  version: string
-  planners: Array<Planner>
-  /** The scenes that ship. */
-  scenes: Scene[]
-  /** What makes random scenes. */
-  generators: Array<Generator>
-  /** The keys of all layers. A frame's table of spans counts its planner's `layers`, not these. */
-  roles: Array<LayerName>
-  /** The layers of a scene itself, whatever the planner draws. */
-  layers: Array<Layer>
-  /** The shapes in a frame's table of spans, by number. */
-  shapes: [Shape, Shape, Shape, Shape, Shape]
-  /** Every TeX string that stands outside a formula, so that a page can typeset them when it is built. */
-  symbols: Array<string>
-  /** How a robot drives along what a planner found. */
-  drive: DriveEntry
-  /** How an arm follows what a planner found. */
-  motion: DriveEntry
+/** What a number in an inspection is called, or a column of its table. Made by `label!`. */
+export type Label = {
+  /** An identifier; formulas use it. */
+  name: string
+  /** The symbol, in TeX. */
+  symbol: string
+  title: string
 }
 
 /**
@@ -332,6 +537,14 @@ export type Layer = {
  */
 export type LayerName = string
 
+/** What a link says, without its scene's body in letters. */
+export type LinkSetup = Configured & {
+  scene: Scene
+  seed: number
+  iteration: number /** The state's hash that the link promises. */
+  hash?: string
+}
+
 /** The look of a layer. Lengths are in pixels. */
 export type Look = {
   /** Of lines and points. */
@@ -366,73 +579,14 @@ export type Look = {
   ramp?: [Color, Color, Color]
 }
 
-/** A colour in the light and in the dark theme. */
-export type Color = {
-  /** On a light ground. */
-  light: string
-  /** On a dark ground. */
-  dark: string
-}
-
-/** The form of a layer's points or tubes. */
-export type Glyph = 'ring' | 'diamond' | 'number' | 'arrow' | 'disc' | 'band' | 'reach' | 'robot' | 'event'
-
-/** How a span's vertices belong together. */
-export type Shape = 'points' | 'polyline' | 'segments' | 'field' | 'tube'
-
-/** The meaning of the weight of a layer's vertices. */
-export type Weight = 'rank' | 'share' | 'length' | 'pheromone' | 'place' | 'half-width' | 'time' | 'arrived'
-
-/** A condition: another parameter and the value that it must have. */
-export type When = {
-  /** The other parameter. */
-  parameter: string
-  /** Its value as it is typed: `polar`, `true`. */
-  value: string
-}
-
-/** The id of a scene kind: the name that scene files use, e.g. `grid`. Entries list the kinds that they are for. */
-export type Kind = string
-
-/** A preset: a named set of parameters. */
-export type Preset = {
-  /** The name in commands: `paper`, `fitted`. */
-  name: string
-  /** The title, e.g. As in the text. */
-  title: string
-  /** What it is for, and what it is based on. */
-  help: string
-  /** A shipped scene on which to try it. */
-  scene: SceneName
-  /** The values that differ from the defaults. */
-  params: Record<string, ParameterValue>
-}
-
-/** One of a choice's options. */
-export type Choice = {
-  /** The value. */
-  value: string
-  /** The title. */
-  title: string
-  /** What it does. */
-  help: string
-}
-
-/** A parameter's value as it is given. */
-export type ParameterValue = boolean | number | string
-
-/** A number that a planner reports after each iteration. */
-export type Reading = {
-  /** Its name in readings, traces and formulas. */
-  name: string
-  /** The symbol, in TeX. */
-  symbol: string
-  /** The title, a few words. */
-  title: string
-  /** What it says. */
-  help: string
-  /** The group that it is shown in. */
-  group: 'cost' | 'schedule' | 'length' | 'measure' | 'count'
+/** A mark to draw over the picture. */
+export type Mark = {
+  /** One of the entry's layers, which says what it shows and how it looks. */
+  role: LayerName
+  /** How its vertices belong together. */
+  shape: Shape
+  /** The vertices, in the scene's unit; in the plane z is 0. */
+  vertices: Array<[number, number, number]>
 }
 
 /** A number that a planner reports of each member of its population: particle, bat, ant, … */
@@ -451,120 +605,51 @@ export type Member = {
   words?: Array<string>
 }
 
-/** What a parameter means and what it may be: enough to make a control of it. */
-export type Parameter = {
-  name: string
-  /** TeX. */
-  symbol: string
-  title: string
-  help: string
-  default: ParameterValue
-  /** Defaults that differ on a kind of scene (the published values). */
-  defaults: Partial<Record<Kind, ParameterValue>>
-  /** The kinds of scene on which it means something. */
-  kinds: Array<Kind>
-  /** `subset`: any of the options, as text, with commas between: `alpha,beta`. */
-  type: 'number' | 'integer' | 'choice' | 'flag' | 'subset'
-  /** Numbers and integers only: the smallest value allowed. */
-  min?: number
-  /** Numbers and integers only: the largest value allowed. */
-  max?: number
-  /** The step of a slider; absent: continuous. */
-  step?: number
-  /** Choices and subsets only. */
-  options?: Array<Choice>
-  /** The value of another parameter without which it means nothing. */
-  when?: When
-  /** The smallest value that a slider offers; typing may go beyond it, down to `min`. */
-  soft_min?: number
-  /** The largest value that a slider offers. */
-  soft_max?: number
-  /** Whether a slider is logarithmic. */
-  logarithmic?: boolean
+/** A text for people: a key and arguments, and how it sounds in English. Made by `message!`. */
+export type Message = string
+
+/**
+ * The metric of distances between points. All but the first are TSPLIB's, by its own formulas and in whole numbers, for
+ * comparison with published optima.
+ */
+export type Metric = 'euclidean' | 'euc-2d' | 'ceil-2d' | 'att' | 'geo'
+
+/** How the arm follows a path. */
+export type MotionOutcome = {
+  /** Seconds from start to end. */
+  time: number
+  /** How far the tip goes. */
+  length: number
+  /** Every point of the path has a posture: the tip comes to the goal. */
+  arrived: boolean
+  /** No link touches a cuboid or the column, all along: between the rows too. */
+  free: boolean
+  /** When the first touch is. */
+  touched_at?: number
+  /** The smallest distance of a link from a cuboid at the rows; negative: overlap. `null` without cuboids. */
+  clearance: number | null
+  /** The largest turn of a joint from one row to the next, in degrees. */
+  largest_step: number
+  /** The largest distance of the tip from the path. */
+  max_error: number
+  /** How many points had no posture and were replaced by their mirror image, [ARM-RRT] step 4. */
+  mirrored: number
+  /** How many were replaced by random joints between their neighbours', [ARM-RRT] step 6. */
+  drawn: number
+  /** Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does. */
+  trouble?: string
 }
 
-/** An equation that a planner computes. */
-export type Formula = {
-  /** An identifier within the planner. */
-  name: string
-  /** The source, e.g. `[WCPSO] (3)`. */
-  source: string
-  /** The title, a few words. */
-  title: string
-  /** The equation in TeX, as in the paper. */
-  tex: string
-  /** The equation in TeX, with `@name@` in place of each current number. */
-  live?: string
-  /** Where those numbers come from. */
-  scope: 'iteration' | 'item'
-  /** The parameter value with which the equation is computed; `null`: with any. */
-  when?: When
-}
-
-/** A kind of event in simulated time. */
-export type EventKind = {
-  /** An identifier. */
-  name: string
-  /** The title, a few words. */
-  title: string
-  /** What it means. */
-  help: string
-  /** Its tone. */
-  tone: 'plain' | 'warning' | 'decision' | 'good' | 'bad'
-}
-
-/** What makes random scenes. */
-export type Generator = { name: GeneratorName; title: string; help: string; parameters: Array<Parameter> }
-
-/** A planner. */
-export type Planner = {
-  name: PlannerName
-  title: string
-  family: string
-  /** E.g. `[WCPSO] (1–7)`. */
-  source: string
-  summary: string
-  /** The kinds of scene that it runs on. */
-  kinds: Array<Kind>
-  /** It calls at a scene's stops instead of going from start to goal: grids need two stops at least. */
-  stops: boolean
-  /** The most stops that it can do with. Absent: as many as a scene may have. */
-  most_stops?: number
-  parameters: Array<Parameter>
-  presets: Array<Preset>
-  readings: Array<Reading>
-  formulas: Array<Formula>
-  /** The layers that it draws, in drawing order. A frame's table of spans counts them from 0. */
-  layers: Array<Layer>
-  /** The layers that only its explanations mark. */
-  marks: Array<Layer>
-  /** The numbers that it reports of each member of its population; empty: none. */
-  members: Array<Member>
-  /** The kinds of events that it reports. */
-  events: Array<EventKind>
-}
-
-/** How a robot, or an arm, follows a path. */
-export type DriveEntry = {
-  /** E.g. `[LTQPSO] §5`. */
-  source: string
-  summary: string
-  parameters: Array<Parameter>
-  /** The numbers of each row. */
-  columns: Array<DriveColumn>
-  formulas: Array<Formula>
-}
-
-/** A number that is recorded for each moment of a motion. */
-export type DriveColumn = {
-  /** An identifier. */
-  name: string
-  /** The title, a few words. */
-  title: string
-  /** The symbol, in TeX. */
-  symbol: string
-  /** The unit: `s`, `m`, `rad/s`, …; empty for a bare number. `m` stands for the scene's unit. */
-  unit: string
+/** A moving obstacle: a disc. */
+export type Moving = {
+  /** The position of its centre at time 0, in the scene's unit. */
+  center: [number, number]
+  /** Its radius, in the scene's unit. */
+  radius: number
+  /** Its velocity, in the scene's unit per second. */
+  velocity?: [number, number]
+  /** Instead of a velocity: [t, x, y] by growing t > 0, in seconds. At the last it stays. */
+  waypoints?: Array<[number, number, number]>
 }
 
 /** Where a run stands: what was found, whether it is any good, and what it cost. What does not apply is left out. */
@@ -629,8 +714,159 @@ export type Outcome = {
   motion?: MotionOutcome
 }
 
-/** A text for people: a key and arguments, and how it sounds in English. Made by `message!`. */
-export type Message = string
+/** The comparison of two groups. */
+export type Pair = {
+  /** The index of the first group. */
+  first: number
+  /** The index of the second group. */
+  second: number
+  /** Mann and Whitney's U of the first group. */
+  u: number
+  /** The p-value of Wilcoxon's rank-sum test, two-sided. Runs without a feasible result rank last. */
+  p: number
+  /** The p-value corrected for the number of pairs (Holm). */
+  corrected: number
+  /** The probability of superiority: that a run of the first group is better than one of the second; ties count half. */
+  better: number
+}
+
+/** What a parameter means and what it may be: enough to make a control of it. */
+export type Parameter = {
+  name: string
+  /** TeX. */
+  symbol: string
+  title: string
+  help: string
+  default: ParameterValue
+  /** Defaults that differ on a kind of scene (the published values). */
+  defaults: Partial<Record<Kind, ParameterValue>>
+  /** The kinds of scene on which it means something. */
+  kinds: Array<Kind>
+  /** `subset`: any of the options, as text, with commas between: `alpha,beta`. */
+  type: 'number' | 'integer' | 'choice' | 'flag' | 'subset'
+  /** Numbers and integers only: the smallest value allowed. */
+  min?: number
+  /** Numbers and integers only: the largest value allowed. */
+  max?: number
+  /** The step of a slider; absent: continuous. */
+  step?: number
+  /** Choices and subsets only. */
+  options?: Array<Choice>
+  /** The value of another parameter without which it means nothing. */
+  when?: When
+  /** The smallest value that a slider offers; typing may go beyond it, down to `min`. */
+  soft_min?: number
+  /** The largest value that a slider offers. */
+  soft_max?: number
+  /** Whether a slider is logarithmic. */
+  logarithmic?: boolean
+}
+
+/** A parameter's value as it is given. */
+export type ParameterValue = boolean | number | string
+
+/** A planner. */
+export type Planner = {
+  name: PlannerName
+  title: string
+  family: string
+  /** E.g. `[WCPSO] (1–7)`. */
+  source: string
+  summary: string
+  /** The kinds of scene that it runs on. */
+  kinds: Array<Kind>
+  /** It calls at a scene's stops instead of going from start to goal: grids need two stops at least. */
+  stops: boolean
+  /** The most stops that it can do with. Absent: as many as a scene may have. */
+  most_stops?: number
+  parameters: Array<Parameter>
+  presets: Array<Preset>
+  readings: Array<Reading>
+  formulas: Array<Formula>
+  /** The layers that it draws, in drawing order. A frame's table of spans counts them from 0. */
+  layers: Array<Layer>
+  /** The layers that only its explanations mark. */
+  marks: Array<Layer>
+  /** The numbers that it reports of each member of its population; empty: none. */
+  members: Array<Member>
+  /** The kinds of events that it reports. */
+  events: Array<EventKind>
+}
+
+/** A preset: a named set of parameters. */
+export type Preset = {
+  /** The name in commands: `paper`, `fitted`. */
+  name: string
+  /** The title, e.g. As in the text. */
+  title: string
+  /** What it is for, and what it is based on. */
+  help: string
+  /** A shipped scene on which to try it. */
+  scene: SceneName
+  /** The values that differ from the defaults. */
+  params: Record<string, ParameterValue>
+}
+
+/** A problem of a MovingAI `.scen` file. */
+export type Problem = {
+  /** The centre of the start cell, in the scene's unit. */
+  start: [number, number]
+  /** The centre of the goal cell, in the scene's unit. */
+  goal: [number, number]
+  /** The optimal length that the file states, in cells. */
+  length: number
+}
+
+/** A number in an inspection. */
+export type Quantity = {
+  /** The number. */
+  value: number
+  /** An identifier; formulas use it. */
+  name: string
+  /** The symbol, in TeX. */
+  symbol: string
+  title: string
+}
+
+/** A number that a planner reports after each iteration. */
+export type Reading = {
+  /** Its name in readings, traces and formulas. */
+  name: string
+  /** The symbol, in TeX. */
+  symbol: string
+  /** The title, a few words. */
+  title: string
+  /** What it says. */
+  help: string
+  /** The group that it is shown in. */
+  group: 'cost' | 'schedule' | 'length' | 'measure' | 'count'
+}
+
+/** Parameters that a tuning planner recommends for another planner. */
+export type Recommendation = Configured
+
+/** The optimum that a result is measured against. */
+export type ReferenceOptimum = 'any-angle' | 'cells' | 'matrix' | 'stored' | 'refuted'
+
+/** The robot of a grid; what is not given is `null`. */
+export type Robot = {
+  /** The length of its outline, along its heading, in the scene's unit. */
+  length?: number
+  /** The width of its outline, in the scene's unit. */
+  width?: number
+  /** Its speed, in the scene's unit per second. */
+  speed?: number
+  /** The turn-in-place time, in seconds. */
+  turn_time?: number
+  /** The sensor range, in the scene's unit. */
+  sensor?: number
+  /** Its radius against moving obstacles, in the scene's unit. */
+  radius?: number
+  /** The safety margin beyond that radius, in the scene's unit. */
+  margin?: number
+  /** The prediction horizon, in seconds. */
+  look_ahead?: number
+}
 
 /** An event in simulated time: what happened or was decided, and why. */
 export type RunEvent = {
@@ -648,68 +884,11 @@ export type RunEvent = {
   reason: Message
 }
 
-/** Parameters that a tuning planner recommends for another planner. */
-export type Recommendation = Configured
+/** The content of a scene file. */
+export type Scene = FunctionScene | DiscsScene | GridScene | TourScene | ArmScene
 
-/** The status of a run: whether it goes on, or why it ended. */
-export type Status = 'running' | 'solved' | 'exhausted' | 'infeasible'
-
-/** The optimum that a result is measured against. */
-export type ReferenceOptimum = 'any-angle' | 'cells' | 'matrix' | 'stored' | 'refuted'
-
-/** How a drive along a path went. */
-export type DriveOutcome = {
-  /** Seconds from start to stop. */
-  time: number
-  /** How far the robot's centre went. */
-  distance: number
-  /** It stopped at the goal, within `ARRIVED`. */
-  arrived: boolean
-  /**
-   * Its outline overlapped a blocked cell somewhere on the way, not only where a period ended. To touch with
-   * distance 0 is allowed.
-   */
-  touched: boolean
-  /** Where its centre was when it first did. */
-  touched_at?: [number, number]
-  /**
-   * The smallest distance of its outline from a blocked cell on the way, to within `RESOLUTION` and a hundredth of
-   * itself; negative: overlap. `null` without obstacles.
-   */
-  clearance: number | null
-  /** The largest distance of its centre from the path where a period ended. */
-  max_error: number
-  /** The root of the mean of their squares. */
-  rms_error: number
-  /** What the wheel encoders counted in all: left, right. */
-  counts: [number, number]
-}
-
-/** How the arm follows a path. */
-export type MotionOutcome = {
-  /** Seconds from start to end. */
-  time: number
-  /** How far the tip goes. */
-  length: number
-  /** Every point of the path has a posture: the tip comes to the goal. */
-  arrived: boolean
-  /** No link touches a cuboid or the column, all along: between the rows too. */
-  free: boolean
-  /** When the first touch is. */
-  touched_at?: number
-  /** The smallest distance of a link from a cuboid at the rows; negative: overlap. `null` without cuboids. */
-  clearance: number | null
-  /** The largest turn of a joint from one row to the next, in degrees. */
-  largest_step: number
-  /** The largest distance of the tip from the path. */
-  max_error: number
-  /** How many points had no posture and were replaced by their mirror image, [ARM-RRT] step 4. */
-  mirrored: number
-  /** How many were replaced by random joints between their neighbours', [ARM-RRT] step 6. */
-  drawn: number
-  /** Where it ends, and why, if it does not arrive; where the tip first leaves the path by more than a centimetre, if it does. */
-  trouble?: string
-}
+/** How a span's vertices belong together. */
+export type Shape = 'points' | 'polyline' | 'segments' | 'field' | 'tube'
 
 /** A part of a run with its own kind of step. */
 export type Stage = {
@@ -721,6 +900,9 @@ export type Stage = {
   end?: number
 }
 
+/** The status of a run: whether it goes on, or why it ended. */
+export type Status = 'running' | 'solved' | 'exhausted' | 'infeasible'
+
 /** Sizes that a paper recommends for a setup. */
 export type Suggestion = {
   /** The number of particles. */
@@ -731,109 +913,65 @@ export type Suggestion = {
   source: string
 }
 
-/** An exact optimum: a shortest path or tour. */
-export type Exact = {
-  /** Its length, in the scene's unit. */
+/** Mean, spread and order statistics of a sample. */
+export type Summary = {
+  /** The number of values. */
+  count: number
+  /** The mean. */
+  mean: number
+  /** The sample's standard deviation, with n − 1 as in Matlab's `std`; `null` for a single number. */
+  std: number | null
+  /** The 95 % confidence interval of the mean by Student's t; `null` for a single number. */
+  interval: [number, number] | null
+  /** The smallest value. */
+  min: number
+  /** The lower quartile, median-unbiased as Hyndman and Fan's type 8 (numpy's `median_unbiased`). */
+  lower: number
+  /** The median: the middle value, or the mean of the two in the middle. */
+  median: number
+  /** The upper quartile, as the lower one. */
+  upper: number
+  /** The largest value. */
+  max: number
+}
+
+/** A test function to minimise. Each has the minimum 0. */
+export type TestFunction = 'matyas' | 'egg-crate' | 'sphere' | 'rosenbrock' | 'ackley' | 'rastrigin'
+
+/** The tool: a straight segment from the wrist to the tip. */
+export type Tool = {
+  /** The axis of the last frame that it lies along. */
+  axis: Axis
+  /** Its length, in metres. */
   length: number
-  /**
-   * The corners of the path. Arcs become corners just outside their discs, so that this line is collision-free and hardly
-   * longer.
-   */
-  path: Array<[number, number]>
-  /** The path of an arm's tip in space, in metres; `path` is empty then. Otherwise empty. */
-  tip_path?: Array<[number, number, number]>
-  /** The visiting order of a tour's stops; otherwise empty. */
-  order?: Array<number>
-  /** Whether it is stated in the scene file and was not computed. */
-  stored: boolean
 }
 
-/** What a link says, without its scene's body in letters. */
-export type LinkSetup = Configured & {
-  scene: Scene
-  seed: number
-  iteration: number /** The state's hash that the link promises. */
-  hash?: string
-}
-
-/** A piece of a layer that can be explained, e.g. one particle. */
-export type Item = {
-  /** The layer that it belongs to. */
-  role: LayerName
-  /** Its index among all pieces of the layer, drawn or not. */
-  index: number
-}
-
-/** An explanation: what an item did in the step that led to this iteration, and why. */
-export type Inspection = {
-  /** The item that is explained. */
-  item: Item
-  /** Its name for people. */
-  title: Message
-  /** What happened, in a word. */
-  event: string
-  /** The same in a sentence. */
-  summary: Message
-  /** The numbers behind it. */
-  values: Array<Quantity>
-  /** Names of the entry's formulas that were applied. */
-  formulas: Array<string>
-  /** The table's columns. */
-  table: InspectionTable
-  /** Marks to draw over the picture. */
-  layers: Array<Mark>
-}
-
-/** A number in an inspection. */
-export type Quantity = {
-  /** The number. */
-  value: number
-  /** An identifier; formulas use it. */
+export type TourScene = {
+  format: 'forage-scene'
+  version: 1
+  kind: 'tour'
+  /** Short identifier, used in links and on the command line. */
   name: string
-  /** The symbol, in TeX. */
-  symbol: string
+  /** A line for people. */
   title: string
-}
-
-/** A mark to draw over the picture. */
-export type Mark = {
-  /** One of the entry's layers, which says what it shows and how it looks. */
-  role: LayerName
-  /** How its vertices belong together. */
-  shape: Shape
-  /** The vertices, in the scene's unit; in the plane z is 0. */
-  vertices: Array<[number, number, number]>
-}
-
-/** An inspection's table: a row for each dimension, way-point, sample, … */
-export type InspectionTable = {
-  columns: Array<Label>
-  /** A label for each row. */
-  labels: Array<Message>
-  /** The numbers, row by row. */
-  rows: Array<Array<number>>
-}
-
-/** What a number in an inspection is called, or a column of its table. Made by `label!`. */
-export type Label = {
-  /** An identifier; formulas use it. */
-  name: string
-  /** The symbol, in TeX. */
-  symbol: string
-  title: string
-}
-
-/** A run of another planner on the same scene that the next step needs. */
-export type Job = Configured & { seed: number /** Start and goal, if they are not the scene's. */; ends?: [Point, Point] }
-
-/** The result of a `Subtask`. */
-export type Finding = {
-  /** The best cost; `null` if nothing feasible was found. */
-  cost: number | null
-  /** The iteration in which the best was found. */
-  converged: number
-  /** The best path; empty if nothing feasible was found. */
-  path: Array<[number, number]>
+  /** A remark, e.g. which parts are reconstructed. */
+  note?: string
+  /** The source of its data. */
+  source?: string
+  /** The unit of its lengths. */
+  units?: string
+  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
+  /** Published values for it, as in the file. */
+  published?: Record<string, unknown>
+  /** The stops' positions; empty if only their distances are known. */
+  points?: Array<[number, number]>
+  /** The metric of their distances, unless `matrix` is given. */
+  metric?: Metric
+  /** The distances, if they are given as a matrix. */
+  matrix?: Array<Array<number>>
+  /** Whether a tour returns to its first stop. */
+  closed?: boolean
 }
 
 /** What a run came to. */
@@ -882,157 +1020,19 @@ export type TrialRecord = {
   hash: string
 }
 
-/** The runs of a planner, or another group to compare. */
-export type Group = {
-  /** Its name. */
-  name: string
-  /**
-   * The result of each run, smaller is better; `null` without a feasible result. In all groups the same index stands for the
-   * same scene and seed.
-   */
-  values: Array<number | null>
-}
-
-/** The comparison of several groups. */
-export type Comparison = {
-  /** A summary of each group. */
-  groups: Array<GroupSummary>
-  /** The comparison of each pair. */
-  pairs: Array<Pair>
-  /** Friedman's test over scenes and seeds; `null` if the groups are not equally long, or there is only one. */
-  friedman: Friedman | null
-}
-
-/** The summary of a group. */
-export type GroupSummary = {
-  /** Its name. */
-  name: string
-  /** The number of runs. */
-  runs: number
-  /** The number of runs with a feasible result. */
-  feasible: number
-  /** The feasibility rate, from 0 to 1. */
-  rate: number
-  /** The 95 % confidence interval of `rate` (Wilson). */
-  rate_interval: [number, number]
-  /** The summary of the feasible results; `null` if there are none. */
-  summary: Summary | null
-}
-
-/** Mean, spread and order statistics of a sample. */
-export type Summary = {
-  /** The number of values. */
-  count: number
-  /** The mean. */
-  mean: number
-  /** The sample's standard deviation, with n − 1 as in Matlab's `std`; `null` for a single number. */
-  std: number | null
-  /** The 95 % confidence interval of the mean by Student's t; `null` for a single number. */
-  interval: [number, number] | null
-  /** The smallest value. */
-  min: number
-  /** The lower quartile, median-unbiased as Hyndman and Fan's type 8 (numpy's `median_unbiased`). */
-  lower: number
-  /** The median: the middle value, or the mean of the two in the middle. */
-  median: number
-  /** The upper quartile, as the lower one. */
-  upper: number
-  /** The largest value. */
-  max: number
-}
-
-/** The comparison of two groups. */
-export type Pair = {
-  /** The index of the first group. */
-  first: number
-  /** The index of the second group. */
-  second: number
-  /** Mann and Whitney's U of the first group. */
-  u: number
-  /** The p-value of Wilcoxon's rank-sum test, two-sided. Runs without a feasible result rank last. */
-  p: number
-  /** The p-value corrected for the number of pairs (Holm). */
-  corrected: number
-  /** The probability of superiority: that a run of the first group is better than one of the second; ties count half. */
-  better: number
-}
-
-/** The result of Friedman's test of treatments that were tried on the same blocks. */
-export type Friedman = {
-  /** The number of blocks. */
-  blocks: number
-  /** Each treatment's mean rank over the blocks; 1 is best. Equal numbers share their ranks. */
-  ranks: Array<number>
-  /**
-   * χ² corrected for ties, with one degree of freedom fewer than treatments. `null` for fewer than three treatments, or
-   * if all blocks are ties.
-   */
-  statistic: number | null
-  /** The p-value; `null` without a statistic. */
-  p: number | null
-}
-
-/** A scene that was read from another format. */
-export type Imported = {
-  /** The scene. */
-  scene: Scene
-  /** Interpretations that the user should know: unknown cells taken as blocked, start and goal chosen, … */
-  notes: Array<string>
-  /** The problems of a `.scen` file, if one was among the files. */
-  problems: Array<Problem>
-}
-
-/** A problem of a MovingAI `.scen` file. */
-export type Problem = {
-  /** The centre of the start cell, in the scene's unit. */
-  start: [number, number]
-  /** The centre of the goal cell, in the scene's unit. */
-  goal: [number, number]
-  /** The optimal length that the file states, in cells. */
-  length: number
-}
-
-/** Where an arm's links are in a posture. */
-export type ArmPose = {
-  /** Base, shoulder, elbow, wrist and tip. */
-  skeleton: [
-    [number, number, number],
-    [number, number, number],
-    [number, number, number],
-    [number, number, number],
-    [number, number, number],
-  ]
-  /** Where the tool points: a unit vector in the world. */
-  direction: [number, number, number]
-  /** No link touches a cuboid or the column. */
-  free: boolean
-}
-
-/** The postures that bring the tip to a point with the tool pointing one way. */
-export type ArmSolutions = {
-  /** Where the tool points: a unit vector in the world. `null` if none was given and none of those tried has a solution. */
-  direction: [number, number, number] | null
-  /** Up to 8 within the limits, nearest to the given one first. */
-  solutions: Array<ArmSolution>
-  /** Why there are none. Without a direction `orientation` means: none of those tried, but others could. */
-  unreachable?: Unreachable
-}
-
-/** A posture that brings the tip to a point. */
-export type ArmSolution = {
-  /** In degrees. */
-  joints: [number, number, number, number, number, number]
-  /** Base, shoulder, elbow, wrist and tip. */
-  skeleton: [
-    [number, number, number],
-    [number, number, number],
-    [number, number, number],
-    [number, number, number],
-    [number, number, number],
-  ]
-  /** No link touches a cuboid or the column. */
-  free: boolean
-}
-
 /** The reason why no posture brings the tool into a pose. A later variant is closer to a solution. */
 export type Unreachable = 'position' | 'orientation' | 'limits'
+
+/** The meaning of the weight of a layer's vertices. */
+export type Weight = 'rank' | 'share' | 'length' | 'pheromone' | 'place' | 'half-width' | 'time' | 'arrived'
+
+/** A condition: another parameter and the value that it must have. */
+export type When = {
+  /** The other parameter. */
+  parameter: string
+  /** Its value as it is typed: `polar`, `true`. */
+  value: string
+}
+
+/** The direction in which y grows in a scene's coordinates. The file lists the top row first in either case. */
+export type YAxis = 'down' | 'up'
