@@ -526,6 +526,7 @@ function types() {
     .replaceAll('`None`', '`null`')
     .replace(/\/\*\*\n \* ([^\n]*)\n \*\//g, '/** $1 */')
   const biome = join(root, 'www/node_modules/.bin/biome')
+  if (!existsSync(biome)) throw new Error('www/node_modules is missing: run scripts/setup')
   const input = `// Written by scripts/docs.mjs from the Rust types.\n\n${told}`
   return execFileSync(biome, ['format', `--stdin-file-path=${TYPES}`], { cwd: root, input, encoding: 'utf8' })
 }
