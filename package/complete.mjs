@@ -196,7 +196,7 @@ export type Part = ${parts.map((part) => `'${part}'`).join(' | ')};
 export function load(...parts: Part[]): Promise<void>;
 
 /** The parts that a run needs, as far as its names are known. */
-export function partsOf(setup: Setup): Part[];
+export function partsOf(setup: UncheckedSetup): Part[];
 
 /**
  * Calls \`make\`, loads what it turns out to need, and calls it again: \`const session = await ready(() => new Session(setup))\`.

@@ -521,6 +521,8 @@ const TYPES = 'crates/face/src/types.d.ts'
 /** The declarations of the Rust types, laid out; what their documentation says in Rust's words is said in TypeScript's. */
 function types() {
   const told = forage('list', '--types')
+    .replace(/^( *\*)\n *\* ```[\s\S]*?^ *\* ```\n/gm, '')
+    .replace(/, see \[`[^`]+`\]| \(\[`[A-Za-z:]*[A-Z_]+`\]\)/g, '')
     .replace(/\[`(?:Self::)?([^`\]]+)`\](?:\([^)]*\))?/g, '`$1`')
     .replace(/\[([A-Z-]+)\]\(crate#papers\)/g, '[$1]')
     .replaceAll('`None`', '`null`')

@@ -1,4 +1,5 @@
-//! What is said of postures: where the links are in one, and which of them reach a point.
+//! What is said of postures: where the links are in one, and which of them reach a point, [ARM-RRT](crate#papers) §4.1. Points
+//! are in metres, in the world.
 
 use nalgebra::{Unit, Vector3};
 use serde::Serialize;
@@ -9,7 +10,7 @@ use super::{ArmScene, Posture, Skeleton, Unreachable, degrees, touches};
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "ArmPose"))]
 pub struct Pose {
-    /// Base, shoulder, elbow, wrist and tip.
+    /// Base, shoulder, elbow, wrist and tip, in metres.
     pub skeleton: Skeleton,
     /// Where the tool points: a unit vector in the world.
     pub direction: [f64; 3],
@@ -23,7 +24,7 @@ pub struct Pose {
 pub struct Reaching {
     /// In degrees.
     pub joints: [f64; 6],
-    /// Base, shoulder, elbow, wrist and tip.
+    /// Base, shoulder, elbow, wrist and tip, in metres.
     pub skeleton: Skeleton,
     /// No link touches a cuboid or the column.
     pub free: bool,
@@ -44,14 +45,14 @@ pub struct Answer {
 }
 
 impl ArmScene {
-    /// Where the arm's links are in a posture, within its limits or not.
+    /// Where the arm's links are in a posture (radians), within its limits or not.
     pub fn pose(&self, posture: &Posture) -> Pose {
         let skeleton = self.arm.skeleton(posture);
         Pose { skeleton, direction: self.arm.pointing(posture).into(), free: !touches(self, &skeleton, 0.0) }
     }
 
-    /// The postures within the limits that bring the tip to a point with the tool pointing in a direction, nearest to `near`
-    /// first. Without a direction: of 42 spread over the sphere the one whose posture is nearest.
+    /// The postures within the limits that bring the tip to a point (metres) with the tool pointing in a direction, nearest to
+    /// `near` (radians) first. Without a direction: of 42 spread over the sphere the one whose posture is nearest.
     pub fn answer(&self, point: [f64; 3], direction: Option<Unit<Vector3<f64>>>, near: &Posture) -> Answer {
         let found = match direction {
             Some(direction) => self.arm.reaching(point, &direction, near).map(|found| (direction, found)),

@@ -26,7 +26,7 @@ pub struct Joint {
     pub min: f64,
     /// The largest θ_i, in degrees.
     pub max: f64,
-    /// The largest speed, in degrees per second. The paper gives none; the default is [`Joint::SPEED`].
+    /// The largest speed, in degrees per second. The paper gives none; the default is 180 ([`Joint::SPEED`]).
     #[cfg_attr(feature = "types", ts(optional, as = "Option<f64>"))]
     pub speed: f64,
 }

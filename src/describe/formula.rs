@@ -12,7 +12,7 @@ use crate::{
 #[non_exhaustive]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Formula {
-    /// An identifier within the planner.
+    /// An identifier within the planner. Equations of which one is computed, depending on `when`, share it.
     pub name: &'static str,
     /// The source, e.g. `[WCPSO] (3)`.
     pub source: &'static str,

@@ -12,7 +12,7 @@ export type Arm = {
 
 /** Where an arm's links are in a posture. */
 export type ArmPose = {
-  /** Base, shoulder, elbow, wrist and tip. */
+  /** Base, shoulder, elbow, wrist and tip, in metres. */
   skeleton: [
     [number, number, number],
     [number, number, number],
@@ -40,7 +40,7 @@ export type ArmScene = {
   source?: string
   /** The unit of its lengths. */
   units?: string
-  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  /** The optimum stated in the file; results are measured against the computed one. */
   exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
   /** Published values for it, as in the file. */
   published?: Record<string, unknown>
@@ -60,7 +60,7 @@ export type ArmScene = {
 export type ArmSolution = {
   /** In degrees. */
   joints: [number, number, number, number, number, number]
-  /** Base, shoulder, elbow, wrist and tip. */
+  /** Base, shoulder, elbow, wrist and tip, in metres. */
   skeleton: [
     [number, number, number],
     [number, number, number],
@@ -184,7 +184,7 @@ export type DiscsScene = {
   source?: string
   /** The unit of its lengths. */
   units?: string
-  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  /** The optimum stated in the file; results are measured against the computed one. */
   exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
   /** Published values for it, as in the file. */
   published?: Record<string, unknown>
@@ -227,7 +227,7 @@ export type DriveOutcome = {
   time: number
   /** How far the robot's centre went. */
   distance: number
-  /** It stopped at the goal, within `ARRIVED`. */
+  /** It stopped at the goal, within a hundredth of the robot's length. */
   arrived: boolean
   /**
    * Its outline overlapped a blocked cell somewhere on the way, not only where a period ended. To touch with
@@ -237,8 +237,8 @@ export type DriveOutcome = {
   /** Where its centre was when it first did. */
   touched_at?: [number, number]
   /**
-   * The smallest distance of its outline from a blocked cell on the way, to within `RESOLUTION` and a hundredth of
-   * itself; negative: overlap. `null` without obstacles.
+   * The smallest distance of its outline from a blocked cell on the way, to within a share of the robot's length
+   * and a hundredth of itself; negative: overlap. `null` without obstacles.
    */
   clearance: number | null
   /** The largest distance of its centre from the path where a period ended. */
@@ -290,7 +290,7 @@ export type Finding = {
 
 /** An equation that a planner computes. */
 export type Formula = {
-  /** An identifier within the planner. */
+  /** An identifier within the planner. Equations of which one is computed, depending on `when`, share it. */
   name: string
   /** The source, e.g. `[WCPSO] (3)`. */
   source: string
@@ -335,7 +335,7 @@ export type FunctionScene = {
   source?: string
   /** The unit of its lengths. */
   units?: string
-  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  /** The optimum stated in the file; results are measured against the computed one. */
   exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
   /** Published values for it, as in the file. */
   published?: Record<string, unknown>
@@ -367,7 +367,7 @@ export type GridScene = {
   source?: string
   /** The unit of its lengths. */
   units?: string
-  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  /** The optimum stated in the file; results are measured against the computed one. */
   exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
   /** Published values for it, as in the file. */
   published?: Record<string, unknown>
@@ -482,7 +482,7 @@ export type Joint = {
   min: number
   /** The largest θ_i, in degrees. */
   max: number
-  /** The largest speed, in degrees per second. The paper gives none; the default is `Joint::SPEED`. */
+  /** The largest speed, in degrees per second. The paper gives none; the default is 180. */
   speed?: number
 }
 
@@ -498,18 +498,7 @@ export type Label = {
   title: string
 }
 
-/**
- * A layer that a planner draws, or that its explanations mark.
- *
- * ```
- * use forage::{describe::{Color, Layer, Look, layers}, kernel::LayerKey};
- * const BEST: Layer = layers::BEST.titled("Shortest", "The shortest path so far: the result.");
- * const SCOUTS: LayerKey = LayerKey("scouts");
- * const LOOK: Look = Look { color: Color::new("#7a5c00", "#e8c95a"), width: 1.5, ..Look::PLAIN };
- * const LAYERS: &[Layer] = &[BEST, Layer::new(SCOUTS, "Scouts", "Ants that explore.", &LOOK).pickable()];
- * # assert!(LAYERS[1].pickable && LAYERS[0].look.result > 0);
- * ```
- */
+/** A layer that a planner draws, or that its explanations mark. */
 export type Layer = {
   /** The key that drawings use. */
   role: LayerName
@@ -960,7 +949,7 @@ export type TourScene = {
   source?: string
   /** The unit of its lengths. */
   units?: string
-  /** The optimum stated in the file; results are measured against the computed one, see `Scene::exact`. */
+  /** The optimum stated in the file; results are measured against the computed one. */
   exact?: { length?: number; order?: number[]; tip_length?: number; straight?: number; [also: string]: unknown }
   /** Published values for it, as in the file. */
   published?: Record<string, unknown>

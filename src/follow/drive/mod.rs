@@ -79,7 +79,7 @@ pub struct DriveOutcome {
     pub time: f64,
     /// How far the robot's centre went.
     pub distance: f64,
-    /// It stopped at the goal, within [`ARRIVED`].
+    /// It stopped at the goal, within a hundredth of the robot's length ([`ARRIVED`]).
     pub arrived: bool,
     /// Its outline overlapped a blocked cell somewhere on the way, not only where a period ended. To touch with
     /// distance 0 is allowed.
@@ -87,8 +87,8 @@ pub struct DriveOutcome {
     /// Where its centre was when it first did.
     #[cfg_attr(feature = "types", ts(optional))]
     pub touched_at: Option<[f64; 2]>,
-    /// The smallest distance of its outline from a blocked cell on the way, to within [`RESOLUTION`] and a hundredth of
-    /// itself; negative: overlap. `None` without obstacles.
+    /// The smallest distance of its outline from a blocked cell on the way, to within a share of the robot's length
+    /// ([`RESOLUTION`]) and a hundredth of itself; negative: overlap. `None` without obstacles.
     pub clearance: Option<f64>,
     /// The largest distance of its centre from the path where a period ended.
     pub max_error: f64,
