@@ -32,7 +32,8 @@ const text = ${JSON.stringify(JSON.stringify(catalogue))}
 const messages = Object.fromEntries(JSON.parse(run(shell, 'list', '--messages')).map((message) => [message.key, pattern(message)]))
 const carried = (names) => names.map((name) => read(`${name}.wasm`).toString('latin1'))
 const wordsOf = (texts) => Object.entries(messages).filter(([key]) => texts.some((text) => text.includes(key)))
-const first = wordsOf(carried(['forage_bg']))
+// That the module is dead is said without it.
+const first = wordsOf([...carried(['forage_bg']), read('guard.js').toString()])
 mkdirSync(`${folder}/locales/en`, { recursive: true })
 write('locales/en.json', JSON.stringify(messages))
 write('locales/en/swarm.json', JSON.stringify(Object.fromEntries(first)))
@@ -51,24 +52,24 @@ await build({
   logLevel: 'warn',
 })
 
-// The glue of wasm-bindgen calls a freed object's methods with no address. Here they say so by name, and to free twice does nothing.
-const glue = read('glue.js').toString()
-const told = glue
-  .replaceAll(/this\.__wbg_ptr = 0;(?=\s+(\w+)Finalization)/g, "leave(this, '$1');")
-  .replaceAll('    free() {\n', '    free() {\n        if (freedOnes.has(this)) return;\n')
-const classes = glue.match(/^export class /gm)?.length
-if (told.split('leave(this').length !== classes + 1 || told.split('freedOnes').length !== classes + 1)
-  throw new Error('glue.js: its classes are not as expected')
-write(
-  'glue.js',
-  `${told}
-const freedOnes = new WeakSet();
-function leave(object, name) {
-    freedOnes.add(object);
-    Object.defineProperty(object, '__wbg_ptr', { get() { throw freed(name); } });
+// The glue of wasm-bindgen calls a freed object's methods with no address. Here they say so by name, to free twice does nothing,
+// and no call reaches a module that broke down.
+let glue = read('glue.js').toString()
+/** Replaces what must be there so many times. */
+const replace = (found, by, times) => {
+  if (glue.match(found)?.length !== times) throw new Error(`glue.js has not ${times} times ${found}`)
+  glue = glue.replace(found, by)
 }
-`,
+const classes = glue.match(/^export class /gm)?.length
+const methods = glue.match(/this\.__wbg_inst !== undefined/g)?.length
+replace(/this\.__wbg_ptr = 0;(?=\s+(\w+)Finalization)/g, "leave(this, (reset) => freed('$1', reset));", classes)
+replace(/ {4}free\(\) \{\n/g, '$&        if (isGone(this, __wbg_instance_id)) return;\n', classes)
+replace(/\bwasm = (\w+)\.exports;/g, 'wasm = guarded($1.exports);', 2)
+glue = glue.replace(/^export class (\w+) \{\n[\s\S]*?^\}/gm, (text, name) =>
+  text.replace(/if \(this\.__wbg_inst !== undefined [\s\S]*?\}/g, `mustBeOf(this, __wbg_instance_id, (reset) => freed('${name}', reset));`),
 )
+replace(/mustBeOf\(/g, '$&', methods)
+write('glue.js', `import { guarded, isGone, leave, mustBeOf } from './guard.js';\n${glue}`)
 
 // Where the files are: addresses that bundlers find.
 const wasm = ['forage_bg', ...new Set(Object.values(files).flat())]
@@ -139,9 +140,9 @@ holds.tool = Object.fromEntries(parts.map((part) => [part, [part]]))
 write('parts.js', partsFile(holds))
 
 // The entries. What only the loader calls is not for users.
-const inner = new Set(['add', 'bringBy', 'freed', 'parts', 'speakBy', 'start', 'initSync'])
-const names = [...told.matchAll(/^export (?:class|function) (\w+)/gm)].map(([, name]) => name).filter((name) => !inner.has(name))
-const passed = `\nexport { ${names.join(', ')} } from './glue.js'\n`
+const inner = new Set(['add', 'bringBy', 'freed', 'parts', 'speakBy', 'start', 'initSync', '__wbg_reset_state'])
+const names = [...glue.matchAll(/^export (?:class|function) (\w+)/gm)].map(([, name]) => name).filter((name) => !inner.has(name))
+const passed = `\nexport { ${names.join(', ')} } from './glue.js'\nexport { ModuleDead } from './guard.js'\n`
 write('core.js', `${read('core.js')}\nexport const shapes = ${JSON.stringify(catalogue.shapes)}\n`)
 for (const entry of ['core.js', 'page.js', 'node.js']) write(entry, read(entry) + passed)
 write('forage.js', `export { default } from './page.js'\nexport * from './page.js'\nexport { catalogue } from './catalogue.js'\n`)
@@ -202,6 +203,19 @@ export function partsOf(setup: UncheckedSetup): Part[];
  * Calls \`make\`, loads what it turns out to need, and calls it again: \`const session = await ready(() => new Session(setup))\`.
  */
 export function ready<T>(make: () => T): Promise<T>;
+
+/**
+ * What every call throws after one broke down (out of memory or out of stack) until reset(): the module's memory is in a state that
+ * nobody knows.
+ */
+export class ModuleDead extends Error {
+  readonly code: 'module-dead';
+  /** How it broke down. */
+  readonly cause: unknown;
+}
+
+/** Starts the module anew, with the parts that were there. Sessions and trials of before are gone: their methods say so. */
+export function reset(): void;
 
 /** The shapes in a frame's table of spans, by number. */
 export const shapes: readonly Shape[];

@@ -2,7 +2,8 @@
  * What is loaded of the module, and how the rest of it comes. The first part holds what every run needs, and the swarms; other parts
  * share its memory and its functions. `host` says where files are read from: at once (Node), or by and by (a page).
  */
-import { add, bringBy, speakBy as speakByHost } from './glue.js'
+import { __wbg_reset_state as startAnew, add, bringBy, initSync, speakBy as speakByHost } from './glue.js'
+import { sayDeadBy } from './guard.js'
 import { files, holds } from './parts.js'
 
 /** The parts that hold what a field asks for by name; undefined where none does. */
@@ -25,16 +26,43 @@ export function partsOf({ planner, scene, params = {} }) {
 export const PARTS = Object.keys(files)
 
 const added = new Set()
-const instantiated = new Set()
+/** The compiled code of the files that are linked. */
+const linked = new Map()
 let shared
-/** How the user has messages said. */
-let own
+/** How messages are said, and whether that is the user's way. */
+let said
+let own = false
+/** What the module asks for what is in other parts. */
+let asked
 
 /** What the other parts of the module are linked with: of the first one's exports. */
 export function share({ memory, __indirect_function_table, __wasm_split_shared0 }) {
   const base = { memory, __indirect_function_table, __wasm_split_shared0 }
   shared = { base, __wasm_split: base }
-  if (own) speakByHost(own)
+  if (said) tell(said)
+  if (asked) bringBy(asked)
+}
+
+/** Has messages said: by the module, once it is there, and of it, when it is dead. */
+function tell(say) {
+  said = say
+  sayDeadBy(say)
+  if (shared) speakByHost(say)
+}
+
+/**
+ * Starts the module anew, with the parts that were there: after a `ModuleDead`. All sessions and trials that there were are gone.
+ */
+export function reset() {
+  if (!shared) return
+  const files = [...linked]
+  const parts = [...added]
+  linked.clear()
+  added.clear()
+  startAnew()
+  share(initSync())
+  for (const [file, module] of files) linkFile(file, module)
+  addParts(parts)
 }
 
 /** The parts among these that are not there yet. */
@@ -47,13 +75,13 @@ export function missing(parts) {
 export const isAdded = (part) => added.has(part)
 
 /** The files of these parts that are not there yet. */
-export const filesOf = (parts) => [...new Set(parts.flatMap((part) => files[part]))].filter((file) => !instantiated.has(file))
+export const filesOf = (parts) => [...new Set(parts.flatMap((part) => files[part]))].filter((file) => !linked.has(file))
 
 /** Links a file's code with what is there. A file may have come twice. */
 export function linkFile(file, module) {
-  if (instantiated.has(file)) return
+  if (linked.has(file)) return
   new WebAssembly.Instance(module, shared)
-  instantiated.add(file)
+  linked.set(file, module)
 }
 
 /** Adds parts whose files are linked. */
@@ -66,12 +94,13 @@ export function addParts(parts) {
 
 /** What a call asks for may be in another part. */
 export function askBy(bring) {
-  bringBy((field, value) => {
+  asked = (field, value) => {
     const holders = holdersOf(field, value)
     // A name that nothing has: what there is to choose from is known only when all is here.
     const parts = missing(holders ?? (Object.hasOwn(holds, field) ? PARTS : []))
     return parts.length > 0 ? bring(parts, holders !== undefined) : undefined
-  })
+  }
+  bringBy(asked)
 }
 
 /**
@@ -79,13 +108,13 @@ export function askBy(bring) {
  * words. Without it they are English.
  */
 export function speakBy(say) {
-  own = say
-  if (shared) speakByHost(say)
+  own = true
+  tell(say)
 }
 
 /** Says messages by words of our own, unless the user has brought some. */
 export function speakEnglish(say) {
-  if (!own) speakByHost(say)
+  if (!own) tell(say)
 }
 
 export const speaksEnglish = () => !own

@@ -4,12 +4,12 @@
 import { readFileSync } from 'node:fs'
 import { speaker, words } from './english.js'
 import { initSync } from './glue.js'
-import { addParts, askBy, filesOf, linkFile, missing, partsOf, share, speakBy, speakEnglish, speaksEnglish } from './loader.js'
+import { addParts, askBy, filesOf, linkFile, missing, partsOf, reset, share, speakBy, speakEnglish, speaksEnglish } from './loader.js'
 import { urls } from './parts.js'
 
 export { catalogue } from './catalogue.js'
 export { shapes } from './core.js'
-export { partsOf, speakBy }
+export { partsOf, reset, speakBy }
 
 const say = speaker('en', {})
 

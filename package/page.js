@@ -12,6 +12,7 @@ import {
   missing,
   PARTS,
   partsOf,
+  reset,
   share,
   speakBy,
   speakEnglish,
@@ -20,7 +21,7 @@ import {
 import { urls } from './parts.js'
 
 export { shapes } from './core.js'
-export { partsOf, speakBy }
+export { partsOf, reset, speakBy }
 
 let say
 /** What the last call lacked. */

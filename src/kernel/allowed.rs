@@ -21,6 +21,8 @@ said! {
     flag "error-flag" "true or false";
     freed "error-freed" "one that was freed";
     not_freed "error-not-freed" "one that was not freed";
+    before_reset "error-before-reset" "one made before `reset()`";
+    after_reset "error-after-reset" "one made after it";
     canvas "error-canvas" "the 2D context of an OffscreenCanvas";
     list "error-list" "a list";
     point "error-point" "a point, [x, y]";
@@ -43,6 +45,11 @@ said! {
 /// Of what is in a part of a module that is not loaded.
 pub fn loaded(part: &str) -> Message {
     message!("error-part-loaded", "one whose part of the module is loaded: call `await load('{part}')` before", part)
+}
+
+/// Of a module that broke down. It cannot say so itself: the package does.
+pub fn module_dead(cause: &str) -> Message {
+    message!("error-module-dead", "the module broke down ({cause}): no call works until `reset()` starts it anew, without the sessions that it had", cause)
 }
 
 /// Of a value of a kind of its own: `a function`.

@@ -105,10 +105,12 @@ pub fn run_to_end(setup: &JsRun) -> Result<JsFinding, JsValue> {
     plain(&ask(|registry| run::run_to_end(registry, setup.clone()))?)
 }
 
-/// What a method of a freed object throws; the package's glue calls it.
+/// What a method throws of an object that is freed, or that was `reset` away; the package's glue calls it.
 #[wasm_bindgen(skip_typescript)]
-pub fn freed(name: &str) -> JsValue {
-    js_error(Error::refused(name, allowed::freed(), allowed::not_freed()))
+pub fn freed(name: &str, reset: bool) -> JsValue {
+    let (value, allowed) =
+        if reset { (allowed::before_reset(), allowed::after_reset()) } else { (allowed::freed(), allowed::not_freed()) };
+    js_error(Error::refused(name, value, allowed))
 }
 
 /// A fresh seed from the system.

@@ -34,6 +34,7 @@ fn bind(module: &str, folder: &str, name: &str) -> Result<()> {
         .input_path(module)
         .omit_default_module_path(false)
         .keep_lld_exports(true)
+        .reset_state_function(true)
         .typescript(true)
         .out_name(name)
         .generate(folder)

@@ -1,6 +1,7 @@
 import * as Comlink from 'comlink'
-import { load, ready } from 'forage-lab'
+import { load, ModuleDead, ready } from 'forage-lab'
 import type { UncheckedSetup } from 'forage-lab'
+import { causeOf } from './broken'
 import type { Answer, FieldRequest, Look } from './protocol'
 import type { Picture, Settled, Start } from './race.protocol'
 import { Racer } from './racer'
@@ -24,7 +25,7 @@ const api = {
       return { ok: true, value: await ready(() => found.start(setup)) }
     } catch (error) {
       // The engine itself broke down: its memory is in an unknown state.
-      if (error instanceof WebAssembly.RuntimeError || !(error instanceof Error)) throw error
+      if (error instanceof ModuleDead || !(error instanceof Error)) throw new Error(causeOf(error), { cause: error })
       return { ok: false, refusal: { message: error.message, field: 'field' in error ? String(error.field) : '' } }
     }
   },

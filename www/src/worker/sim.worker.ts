@@ -6,6 +6,7 @@ import {
   exportScene,
   generateScene,
   importScene,
+  ModuleDead,
   newSeed,
   parseLink,
   reachability,
@@ -37,6 +38,7 @@ import type {
 } from 'forage-lab'
 import type { Errand } from './crew'
 import { oneself, thread } from './hands'
+import { causeOf } from './broken'
 import { breathe } from './pace'
 import { rest } from './rest'
 import { Simulation } from './simulation'
@@ -49,7 +51,7 @@ let surveyor: Surveyor | undefined
 
 /** A trap leaves the module's memory in an unknown state: say so, and let the page start a new worker. */
 function crash(error: unknown): void {
-  port?.postMessage({ type: 'crash', message: error instanceof Error ? error.message : String(error) })
+  port?.postMessage({ type: 'crash', message: causeOf(error) })
 }
 
 /** What the core says; a part of it that is needed for that is loaded first, and the words for it. */
@@ -57,7 +59,7 @@ async function answer<T>(ask: () => T): Promise<Answer<T>> {
   try {
     return { ok: true, value: await (await rest()).ready(ask) }
   } catch (error) {
-    if (error instanceof WebAssembly.RuntimeError) crash(error)
+    if (error instanceof ModuleDead) crash(error)
     return { ok: false, refusal: refusal(error) }
   }
 }

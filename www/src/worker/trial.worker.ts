@@ -1,9 +1,10 @@
 import * as Comlink from 'comlink'
-import { compare, generateScene, load, ready, suggest, Trial } from 'forage-lab'
+import { compare, generateScene, load, ModuleDead, ready, suggest, Trial } from 'forage-lab'
 import type { Comparison, GeneratorName, Scene, Setup, UncheckedSetup } from 'forage-lab'
 import type { Errand, Maps, Row } from '../batch/plan'
 import { type TestedPair, testedPairs, type TestedRanks, testedRanks } from '../batch/tested'
 import { type Bands, bands, type Reached, reached } from '../batch/summaries'
+import { causeOf } from './broken'
 import { breathe, SLICE } from './pace'
 import type { Refusal } from './protocol'
 
@@ -62,7 +63,7 @@ function inGap({ evaluations, values, exact }: Measured): Curve {
   return { evaluations, values: exact ? values.map((value) => (value - exact) / exact) : values }
 }
 
-const broken = (error: unknown): Ending => ({ is: 'broken', message: error instanceof Error ? error.message : String(error) })
+const broken = (error: unknown): Ending => ({ is: 'broken', message: causeOf(error) })
 
 /** Steps in slices, so that it can be called off; false if it was. */
 async function carryOut(trial: Trial): Promise<boolean> {
@@ -88,7 +89,7 @@ const api = {
         return new Trial({ ...setup, scene } as Setup, undefined)
       })
     } catch (error) {
-      return error instanceof WebAssembly.RuntimeError ? broken(error) : { is: 'refused', refusal: refusal(error) }
+      return error instanceof ModuleDead ? broken(error) : { is: 'refused', refusal: refusal(error) }
     }
     try {
       if (stopped || !(await carryOut(trial))) return { is: 'stopped' }
@@ -112,7 +113,7 @@ const api = {
     try {
       return { scene: await ready(() => generateScene(generator as GeneratorName, { ...params }, seed)) }
     } catch (error) {
-      if (error instanceof WebAssembly.RuntimeError) throw error
+      if (error instanceof ModuleDead) throw error
       return { refused: refusal(error) }
     }
   },
@@ -124,7 +125,7 @@ const api = {
       return null
     } catch (error) {
       // That is no refusal: whoever asked starts another thread.
-      if (error instanceof WebAssembly.RuntimeError) throw error
+      if (error instanceof ModuleDead) throw error
       return refusal(error)
     }
   },
