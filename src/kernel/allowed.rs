@@ -49,7 +49,11 @@ pub fn loaded(part: &str) -> Message {
 
 /// Of a module that broke down. It cannot say so itself: the package does.
 pub fn module_dead(cause: &str) -> Message {
-    message!("error-module-dead", "the module broke down ({cause}): no call works until `reset()` starts it anew, without the sessions that it had", cause)
+    message!(
+        "error-module-dead",
+        "the module broke down ({cause}): no call works until `reset()` starts it anew, without the sessions that it had",
+        cause
+    )
 }
 
 /// Of a value of a kind of its own: `a function`.

@@ -108,8 +108,7 @@ pub fn run_to_end(setup: &JsRun) -> Result<JsFinding, JsValue> {
 /// What a method throws of an object that is freed, or that was `reset` away; the package's glue calls it.
 #[wasm_bindgen(skip_typescript)]
 pub fn freed(name: &str, reset: bool) -> JsValue {
-    let (value, allowed) =
-        if reset { (allowed::before_reset(), allowed::after_reset()) } else { (allowed::freed(), allowed::not_freed()) };
+    let (value, allowed) = if reset { (allowed::before_reset(), allowed::after_reset()) } else { (allowed::freed(), allowed::not_freed()) };
     js_error(Error::refused(name, value, allowed))
 }
 
