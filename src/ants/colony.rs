@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     exact,
     geometry::Cells,
-    kernel::{Error, State, rng::Stream},
+    kernel::{Error, Part, Progress, State, rng::Stream},
     message,
     params::Parameters,
     scene::{
@@ -22,6 +22,9 @@ use super::{
     update::{self, Update},
     walk::{End, Rules, Seen, Walks, walk},
 };
+
+/// So many steps of ants are a part of an iteration.
+const PORTION: usize = 500_000;
 
 /// How many bytes a cell go into keeping the walks of an iteration; ants beyond go their ways again when they are needed.
 pub(super) const KEPT: usize = 16;
@@ -109,6 +112,8 @@ pub struct Colony {
     #[state(shared)]
     pub(super) limit: u64,
     pub(super) rng: Stream,
+    #[state(skip)]
+    pub(super) part: Part,
 }
 
 /// The best way so far.
@@ -170,6 +175,7 @@ impl Colony {
             iteration: 0,
             limit: settings[ITERATIONS],
             rng: Stream::new(seed, 0),
+            part: Part::default(),
             pheromone,
             ground: Arc::new(ground),
         })
@@ -206,15 +212,39 @@ impl Colony {
         from + (to - from) * (iteration as f64 / (self.limit.max(2) - 1) as f64).min(1.0)
     }
 
-    /// All ants walk, one after another; the iteration is counted already.
-    pub(super) fn send(&mut self) {
-        let greed = self.greed(self.iteration - 1);
-        self.walks.clear();
-        for _ in 0..self.ants {
-            let begun = self.rng.clone();
-            walk(&self.ground, &mut self.pheromone, self.rules, greed, &mut self.seen, &mut self.rng, &mut self.walks);
-            self.walks.forget(self.kept, begun);
+    /// An iteration, or a part of it: all ants walk, one after another, then each lays pheromone. The iteration counts from its
+    /// first ant on.
+    pub(super) fn iterate(&mut self) -> Progress {
+        if !self.part.is_under_way() {
+            self.iteration += 1;
+            self.walks.clear();
         }
+        let mut left = Part::at_most(PORTION) as u64;
+        while let Some(turn) = self.part.take(1, 2 * self.ants).next() {
+            let steps = if turn < self.ants { self.send() } else { self.lay(turn - self.ants) };
+            if turn + 1 == self.ants {
+                self.judge();
+                self.evaporate();
+            }
+            if !self.part.is_under_way() {
+                break;
+            }
+            left = left.saturating_sub(steps);
+            if left == 0 {
+                return Progress::Partly;
+            }
+        }
+        self.pheromone.settle();
+        Progress::Continue
+    }
+
+    /// An ant walks: how many steps it takes.
+    fn send(&mut self) -> u64 {
+        let (before, begun) = (self.walks.taken, self.rng.clone());
+        let greed = self.greed(self.iteration - 1);
+        walk(&self.ground, &mut self.pheromone, self.rules, greed, &mut self.seen, &mut self.rng, &mut self.walks);
+        self.walks.forget(self.kept, begun);
+        self.walks.taken - before
     }
 
     /// An ant's directions; one whose way was not kept goes it again. (The weights are those of its iteration until
@@ -248,26 +278,30 @@ impl Colony {
         if arrived > 0 { sum / f64::from(arrived) } else { f64::NAN }
     }
 
-    /// [ANTBAT](crate#papers) (4), [WOLF-ANT](crate#papers) (10).
-    pub(super) fn renew(&mut self) {
+    /// [ANTBAT](crate#papers) (4), [WOLF-ANT](crate#papers) (10): what lies there evaporates, and each ant learns what it lays.
+    fn evaporate(&mut self) {
         self.pheromone.evaporate();
         if let Some(best) = self.best.as_ref().filter(|_| self.walks.leads_anywhere()) {
             update::lay(self.variant.update, self.q, best.length, &mut self.walks, &mut self.lengths);
         }
-        for i in 0..self.walks.ants.len() {
-            let ant = &self.walks.ants[i];
-            let (laid, kept) = (ant.laid, ant.again.is_none());
-            if ant.end != End::Arrived {
-                continue;
-            }
-            if kept {
-                lay(&self.ground, &mut self.pheromone, self.walks.of(ant), laid);
-            } else {
-                let way = self.way(i);
-                lay(&self.ground, &mut self.pheromone, &way, laid);
-            }
+    }
+
+    /// An ant that arrived lays it: over how many steps.
+    fn lay(&mut self, i: usize) -> u64 {
+        let ant = &self.walks.ants[i];
+        let (laid, kept) = (ant.laid, ant.again.is_none());
+        if ant.end != End::Arrived {
+            return 0;
         }
-        self.pheromone.settle();
+        if kept {
+            let way = self.walks.of(ant);
+            lay(&self.ground, &mut self.pheromone, way, laid);
+            way.len() as u64
+        } else {
+            let way = self.way(i);
+            lay(&self.ground, &mut self.pheromone, &way, laid);
+            way.len() as u64
+        }
     }
 
     pub(super) fn count(&self, end: End) -> usize {

@@ -34,11 +34,7 @@ impl From<Colony> for Started {
 
 impl Planner for Colony {
     fn advance(&mut self) -> Progress {
-        self.iteration += 1;
-        self.send();
-        self.judge();
-        self.renew();
-        Progress::Continue
+        self.iterate()
     }
 
     fn evaluations(&self) -> u64 {

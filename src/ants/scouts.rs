@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     exact,
     geometry::Endpoints,
-    kernel::{Frame, Planner, rng::Stream},
+    kernel::{Frame, Planner, Progress, rng::Stream},
 };
 
 use super::{colony::Colony, draw, ground::Ground, update::Update, walk::Walks};
@@ -40,7 +40,7 @@ impl Colony {
         let mut colony =
             Self { ground: Arc::new(ground), pheromone, walks, best, iteration: 0, limit: SORTIES, rng: rng.clone(), ..self.clone() };
         for _ in 0..SORTIES {
-            colony.advance();
+            while colony.iterate() == Progress::Partly {}
         }
         *rng = colony.rng.clone();
         *sent += colony.evaluations();

@@ -7,7 +7,7 @@ use crate::{
     Overrides, Run, Setup, Status, Value,
     describe::layers,
     kernel::rng::Stream,
-    kernel::{Digest, Frame, Item, Planner, ReferenceOptimum},
+    kernel::{Digest, Frame, Item, Part, Planner, ReferenceOptimum},
     scene::{GridScene, Header, Scene, grid},
     settled::Settled,
     standard,
@@ -43,6 +43,7 @@ fn colony(scene: &Arc<Scene>, variant: Variant) -> Colony {
         iteration: 0,
         limit: 100,
         rng: Stream::new(1, 0),
+        part: Part::default(),
         ground: Arc::new(ground),
     }
 }

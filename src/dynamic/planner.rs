@@ -56,11 +56,13 @@ pub(super) fn start(start: &Start, route: impl FnOnce(&Arc<Ground>) -> Result<Bo
 
 impl Planner for Dynamic {
     fn advance(&mut self) -> Progress {
+        if self.journey.is_none() && self.route.step() == Progress::Partly {
+            return Progress::Partly;
+        }
         self.iteration += 1;
         if let Some(journey) = &mut self.journey {
             journey.step(&mut *self.route, self.iteration);
         } else {
-            self.route.step();
             if self.iteration >= self.route.steps() {
                 self.set_out();
             }

@@ -2,7 +2,7 @@
 
 use crate::{
     geometry::{Cells, Endpoints},
-    kernel::{Frame, Inspection, Item, State},
+    kernel::{Frame, Inspection, Item, Progress, State},
 };
 
 use super::body::{Plan, Step};
@@ -13,8 +13,10 @@ pub(super) trait Route: State + Send {
     fn steps(&self) -> u64 {
         0
     }
-    /// Takes one of them.
-    fn step(&mut self) {}
+    /// Takes one of them, or a part of one.
+    fn step(&mut self) -> Progress {
+        Progress::Continue
+    }
     /// What it has cost so far: ants sent, and cells settled.
     fn evaluations(&self) -> u64;
     /// The cells of the way to drive, once it has taken its steps.

@@ -5,7 +5,7 @@ use std::{any::Any, sync::Arc};
 use crate::{
     ants::{COLONIES, Colony, aco_wolf},
     describe::{Entry, PAPER, Start, layers},
-    kernel::{Error, Explain, Frame, Inspection, Item, Planner, Started, State, rng::Stream},
+    kernel::{Error, Explain, Frame, Inspection, Item, Planner, Progress, Started, State, rng::Stream},
     message,
     params::{Overrides, Param, Value},
 };
@@ -58,8 +58,8 @@ impl Route for Ants {
         self.steps
     }
 
-    fn step(&mut self) {
-        Arc::make_mut(&mut self.colony).advance();
+    fn step(&mut self) -> Progress {
+        Arc::make_mut(&mut self.colony).advance()
     }
 
     fn evaluations(&self) -> u64 {

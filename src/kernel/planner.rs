@@ -1,6 +1,6 @@
 //! The contract of planners: what the author of a planner writes.
 //!
-//! One call of [`Planner::advance`] is one drawable iteration. A planner owns its random stream and shares its scene by `Arc`;
+//! One step, mostly one call of [`Planner::advance`], is one drawable iteration. A planner owns its random stream and shares its scene by `Arc`;
 //! a clone of it is a keyframe. The run counts iterations, keeps limit and status, and rewinds.
 
 use std::any::Any;
@@ -12,7 +12,7 @@ use super::{Candidate, Facets, Frame, Readings, State, Status, Subtasks};
 /// It is deterministic, never panics, and allocates in `advance` only when something really grows. Its [`State`] is derived:
 /// it gives the run's hash and the size of a keyframe.
 pub trait Planner: State + CloneBox + Any + Send {
-    /// Takes one step. Not called again after [`Progress::Done`].
+    /// Takes one step, or a part of one that is long: see [`Part`](super::Part). Not called again after [`Progress::Done`].
     fn advance(&mut self) -> Progress;
     /// The number of candidate solutions evaluated so far.
     fn evaluations(&self) -> u64;
@@ -37,6 +37,9 @@ pub trait Planner: State + CloneBox + Any + Send {
 pub enum Progress {
     /// There is more to do, unless the limit is reached.
     Continue,
+    /// The step is not over: the next call goes on with it. Only a whole step is an iteration and a keyframe; but what a planner has
+    /// come to can be drawn and read in between as well.
+    Partly,
     /// The run is over, with this status; not [`Status::Running`].
     Done(Status),
 }

@@ -67,7 +67,7 @@ impl From<Started> for Stepper {
     }
 }
 
-/// A planner with its iteration and its status. A clone is a keyframe.
+/// A planner with its iteration and its status. A clone between two steps is a keyframe.
 pub struct Stepper {
     /// The planner.
     pub planner: Box<dyn Planner>,
@@ -76,6 +76,19 @@ pub struct Stepper {
     /// Whether there is more to do, or why not.
     pub status: Status,
     limit: u64,
+    /// A step has begun and is not over.
+    partly: bool,
+}
+
+/// What a part of a step has led to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stepped {
+    /// A step was completed.
+    Whole,
+    /// There is more to do of this step.
+    Partly,
+    /// Nothing was done: the run is over.
+    Not,
 }
 
 impl Clone for Stepper {
@@ -87,7 +100,7 @@ impl Clone for Stepper {
 impl Stepper {
     /// A planner before its first step.
     pub fn new(planner: Box<dyn Planner>, limit: u64, progress: Progress) -> Self {
-        let mut stepper = Self { planner, iteration: 0, status: Status::Running, limit };
+        let mut stepper = Self { planner, iteration: 0, status: Status::Running, limit, partly: false };
         stepper.note(progress);
         stepper
     }
@@ -97,28 +110,55 @@ impl Stepper {
         size_of::<Self>() + self.planner.heap_size()
     }
 
-    /// Takes a step; `false` if the run is over. `answer` carries out the subtasks that the step needs.
+    /// Whether a step has begun and is not over.
+    pub fn is_partly(&self) -> bool {
+        self.partly
+    }
+
+    /// Takes a step, or completes the one that has begun; `false` if the run is over. `answer` carries out the subtasks that the step
+    /// needs.
     pub fn step(&mut self, answer: impl FnOnce(Vec<Subtask>) -> Vec<SubtaskResult>) -> bool {
-        if self.status != Status::Running {
-            return false;
+        let mut answer = Some(answer);
+        loop {
+            match self.part(|subtasks| answer.take().map(|answer| answer(subtasks))) {
+                Stepped::Whole => return true,
+                Stepped::Partly => {}
+                Stepped::Not => return false,
+            }
         }
-        if let Some(subtasks) = self.planner.subtasks() {
+    }
+
+    /// Does a part of a step. `answer` carries out the subtasks that it needs, or a part of them: `None` if there is more to do.
+    pub fn part(&mut self, answer: impl FnOnce(Vec<Subtask>) -> Option<Vec<SubtaskResult>>) -> Stepped {
+        if self.status != Status::Running {
+            return Stepped::Not;
+        }
+        if !self.partly
+            && let Some(subtasks) = self.planner.subtasks()
+        {
             let requests = subtasks.requests();
             if !requests.is_empty() {
-                subtasks.provide(answer(requests));
+                let Some(found) = answer(requests) else {
+                    return Stepped::Partly;
+                };
+                subtasks.provide(found);
             }
         }
         let progress = self.planner.advance();
+        self.partly = progress == Progress::Partly;
+        if self.partly {
+            return Stepped::Partly;
+        }
         self.iteration += 1;
         self.note(progress);
-        true
+        Stepped::Whole
     }
 
     fn note(&mut self, progress: Progress) {
         self.status = match progress {
             Progress::Done(status) => status,
-            Progress::Continue if self.iteration >= self.limit => Status::Exhausted,
-            Progress::Continue => Status::Running,
+            _ if self.iteration >= self.limit => Status::Exhausted,
+            _ => Status::Running,
         };
     }
 }

@@ -21,7 +21,7 @@ pub use link::Link;
 pub use outcome::Outcome;
 pub use setup::Setup;
 pub use stepping::Run;
-pub use subtasks::{run_subtasks, run_to_end};
+pub use subtasks::{run_subtasks, run_subtasks_until, run_to_end};
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use trace::OTHER_READINGS;
 pub use trace::{Trace, csv_heading, csv_line, csv_row};

@@ -9,7 +9,7 @@ use crate::{
     params::Parameters,
 };
 
-use super::{answers::Answers, keyframes::Keyframes, origin::Origin, setup::Setup, stepping::Run, subtasks::run_subtasks, trace::Trace};
+use super::{answers::Answers, keyframes::Keyframes, origin::Origin, setup::Setup, stepping::Run, subtasks::Here, trace::Trace};
 
 /// What there is to know of a planner that no registry lists.
 const UNLISTED: Entry = Entry::new("unlisted", "Unlisted", "", "A planner that no registry lists.", |_| {
@@ -54,7 +54,7 @@ impl Run {
         let (entry, parameters) = setup.check(registry)?;
         let Setup { scene, seed, .. } = setup;
         let started = (entry.start)(&Start { scene: &scene, parameters: &parameters, seed, entries: &**registry })?;
-        let answers = Answers::new(budget > 0, Some((Arc::clone(registry), Arc::clone(&scene), run_subtasks)));
+        let answers = Answers::new(budget > 0, Some(Box::new(Here::new(registry, &scene))));
         let setup = Begun { origin: Origin::Registry(Arc::clone(registry)), entry, scene, parameters, seed };
         Ok(Self::begin(started, setup, answers, budget))
     }

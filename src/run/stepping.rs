@@ -6,7 +6,7 @@ use crate::{
     describe::{Entry, FollowOutcomes, FollowedPath, Registry},
     kernel::{
         Candidate, Digest, Error, Event, Exact, Frame, Inspection, Item, Readings, ReferenceOptimum, Scene, Solution, Stage, State, Status,
-        Stepper, Subtask, SubtaskResult, Timeline, TourEnds, error::list_of,
+        Stepped, Stepper, Subtask, SubtaskResult, Timeline, TourEnds, error::list_of,
     },
     params::{Overrides, Parameters},
 };
@@ -45,7 +45,7 @@ impl Run {
     /// Memory for keyframes unless told otherwise, in bytes.
     pub const KEYFRAME_BUDGET: usize = 64 << 20;
 
-    /// Takes up to `steps` steps; stops where the planner does.
+    /// Takes up to `steps` steps, the first of which completes one that has begun; stops where the planner does.
     pub fn step(&mut self, steps: u64) -> Status {
         for _ in 0..steps {
             if !self.advance() {
@@ -63,6 +63,25 @@ impl Run {
         at.step(|subtasks| answers.of(k, &subtasks))
     }
 
+    /// Does a part of a step: as much as can be waited for, mostly all of it. Whoever asks this again and again can be interrupted, by
+    /// a key or by another command; the run is the same. Subtasks are carried out one after another.
+    ///
+    /// Between the parts iteration and status are those before the step; what is drawn and read is what the planner has come to.
+    pub fn part(&mut self) -> Stepped {
+        let Self { at, answers, .. } = self;
+        let k = at.iteration;
+        let stepped = at.part(|subtasks| answers.part_of(k, &subtasks));
+        if stepped == Stepped::Whole {
+            self.remember();
+        }
+        stepped
+    }
+
+    /// Whether a step has begun and is not over.
+    pub fn is_partly(&self) -> bool {
+        self.at.is_partly()
+    }
+
     /// Goes to iteration `k`, forward or back, exactly; stops early where the planner does.
     pub fn seek(&mut self, k: u64) -> Status {
         self.rewind(k);
@@ -70,12 +89,13 @@ impl Run {
     }
 
     /// Jumps to the latest state at or before iteration `k` that is at hand, and says which iteration that is.
-    /// The rest of the way to `k` is `step`.
+    /// The rest of the way to `k` is `step`. A step that has begun is given up, unless `k` is ahead.
     pub fn rewind(&mut self, k: u64) -> u64 {
         let now = self.iteration();
+        let back = k < now || k == now && self.is_partly();
         match self.keyframes.at_or_before(k) {
-            Some(state) if k < now || state.iteration > now => self.at = state.clone(),
-            _ if k < now => self.at = self.start(),
+            Some(state) if back || state.iteration > now => self.at = state.clone(),
+            _ if back => self.at = self.start(),
             _ => {}
         }
         self.iteration()
@@ -253,7 +273,7 @@ impl Run {
 
     /// The runs of other planners, on this scene, that the next step needs; see [`Run::provide`].
     pub fn subtasks(&mut self) -> Vec<Subtask> {
-        if self.status() != Status::Running || self.answers.knows(self.iteration()) {
+        if self.status() != Status::Running || self.is_partly() || self.answers.knows(self.iteration()) {
             return Vec::new();
         }
         self.at.planner.subtasks().map_or_else(Vec::new, |subtasks| subtasks.requests())
@@ -316,7 +336,52 @@ impl Run {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Overrides, Setup, describe::layers, shipped, standard};
+    use crate::{Overrides, Setup, Value, describe::layers, kernel::part::tests::MOST, shipped, standard};
+
+    /// With parts as small as can be, every planner comes to the same; whatever is asked of it in between is answered, and going back
+    /// gives up the step that has begun.
+    #[test]
+    fn a_step_in_parts_comes_to_the_same() {
+        const STEPS: u64 = 2;
+        let mut in_parts = std::collections::BTreeSet::new();
+        for entry in standard().planners() {
+            for kind in entry.kinds {
+                let scene = standard().scenes().iter().find(|scene| scene.kind() == *kind && entry.check_scene(scene).is_ok()).unwrap();
+                let small = ["population", "ants", "moves", "seeds", "expand"].map(|name| (name, Value::from(3.0)));
+                let wanted = small.into_iter().chain([("roads", Value::from("a-star"))]);
+                let params = wanted.filter(|one| entry.configure(*kind, &[one.clone()].into_iter().collect()).is_ok()).collect();
+                let setup = Setup { planner: entry.name.into(), scene: Arc::clone(scene), params, seed: 4 };
+                let run = |most| {
+                    MOST.set(most);
+                    Run::new(standard(), setup.clone()).unwrap()
+                };
+                let mut whole = run(usize::MAX);
+                whole.step(STEPS);
+                let mut run = run(1);
+                let (mut frame, mut looks, start) = (Frame::default(), 0, run.hash());
+                if run.part() == Stepped::Partly && run.is_partly() {
+                    assert!(run.subtasks().is_empty());
+                    run.rewind(0);
+                    assert_eq!((run.is_partly(), run.hash()), (false, start), "{} on {}", entry.name, scene.name());
+                }
+                while run.iteration() < STEPS && run.status() == Status::Running {
+                    if run.part() == Stepped::Partly && looks < 20 {
+                        looks += 1;
+                        in_parts.insert(entry.name);
+                        run.draw(&mut frame, 1000);
+                        run.readings();
+                        run.hash();
+                        run.outcome();
+                        run.pick([0.0; 2], 1e9).map(|item| run.inspect(item));
+                    }
+                }
+                assert_eq!((run.iteration(), run.hash()), (whole.iteration(), whole.hash()), "{} on {}", entry.name, scene.name());
+            }
+        }
+        MOST.set(usize::MAX);
+        let long = ["aco-wolf", "cuckoo-search", "dijkstra", "ga", "hybrid-bat", "ltqpso", "pso-tuning", "sa", "wolf-ant-drive"];
+        assert!(long.iter().all(|name| in_parts.contains(name)), "{in_parts:?}");
+    }
 
     /// Whatever way the state before was reached (keyframe, replay, or the one kept from the last inspection), the
     /// explanation is the same, and asking for it changes nothing.

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::{
     describe::Registry,
-    kernel::{Error, ReferenceOptimum, Status},
+    kernel::{Error, ReferenceOptimum, Status, Stepped},
     message,
     params::Overrides,
     settled::SETTLED,
@@ -134,6 +134,15 @@ impl Trial {
             }
         }
         self.run.status()
+    }
+
+    /// Does a part of a step: see [`Run::part`].
+    pub fn part(&mut self) -> Stepped {
+        let stepped = self.run.part();
+        if stepped == Stepped::Whole {
+            self.look();
+        }
+        stepped
     }
 
     /// The run.

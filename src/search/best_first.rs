@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     describe::Start,
     geometry::DIRECTIONS,
-    kernel::{Error, Progress, State, Status},
+    kernel::{Error, Part, Progress, State, Status},
 };
 
 use super::{
@@ -16,6 +16,9 @@ use super::{
     sight::walk,
     task::Task,
 };
+
+/// So many cells are settled in a part of a step.
+const PORTION: usize = 50_000;
 
 /// A best-first search over a grid's cells. Lengths are in units of a straight step by [`STRAIGHT`].
 #[derive(Clone, State)]
@@ -36,6 +39,8 @@ pub(super) struct Search {
     /// The lowest f on the frontier; once the goal is settled, the goal's.
     pub(super) lowest: Option<f64>,
     pub(super) found: Option<Arc<Found>>,
+    #[state(skip)]
+    part: Part,
 }
 
 fn way(g: f64) -> u64 {
@@ -62,6 +67,7 @@ impl Search {
             frontier: 1,
             lowest: Some(h),
             found: None,
+            part: Part::default(),
         };
         (search.ways[start], search.links[start]) = (way(0.0), Link::new(start, 0));
         search.open.push(h, first);
@@ -70,12 +76,16 @@ impl Search {
 
     /// Settles some cells.
     pub(super) fn settle_some(&mut self) -> Progress {
-        self.iteration += 1;
-        for _ in 0..self.task.expand {
+        self.iteration += u64::from(!self.part.is_under_way());
+        for _ in self.part.take(PORTION, self.task.expand) {
             let progress = self.settle();
             if progress != Progress::Continue {
+                self.part = Part::default();
                 return progress;
             }
+        }
+        if self.part.is_under_way() {
+            return Progress::Partly;
         }
         self.drop_settled();
         self.lowest = self.open.first().map(|(f, _)| f);

@@ -35,7 +35,7 @@ pub(super) struct Task {
     /// The robot has a size.
     pub(super) wide: bool,
     /// Cells settled a step.
-    pub(super) expand: u64,
+    pub(super) expand: usize,
     pub(super) limit: u64,
 }
 
@@ -49,8 +49,8 @@ impl Task {
         let own = matches!(rules.heuristic, Heuristic::Own(_));
         let table = if own { (0..cells.len()).map(|cell| guess.ahead(at(cell))).collect() } else { Vec::new() };
         let expand = match settings[EXPAND] {
-            0 => cells.len().div_ceil(STEPS) as u64,
-            given => given,
+            0 => cells.len().div_ceil(STEPS),
+            given => given as usize,
         };
         Ok(Self {
             wide: grid.radius() > 0.0,
@@ -61,7 +61,7 @@ impl Task {
             cutting: grid.corner_cutting,
             expand,
             // No cell is settled twice: what is left of a higher limit would only be room on a timeline.
-            limit: settings[ITERATIONS].min((cells.len() as u64).div_ceil(expand)),
+            limit: settings[ITERATIONS].min(cells.len().div_ceil(expand) as u64),
             cells,
             endpoints,
             grid,

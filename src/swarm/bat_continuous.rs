@@ -132,11 +132,13 @@ pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> St
 
 impl Bats {
     /// One iteration. `watch` sees the move of a bat that somebody asked about.
-    fn iterate(&mut self, watch: &mut impl Watch) {
-        self.mean_loudness = mean(&self.loudness);
+    fn iterate(&mut self, watch: &mut impl Watch) -> Progress {
+        if !self.population.is_under_way() {
+            self.mean_loudness = mean(&self.loudness);
+        }
         let t = (self.clock.iteration + 1) as f64;
         let fading = 1.0 - math::exp(-self.lambda * t);
-        for i in 0..self.population.size {
+        for i in self.population.next_part(1) {
             let (row, before) = (self.population.row(i), self.population.cost[i]);
             self.held.copy_from_slice(&self.population.x[row.clone()]);
             let walked = self.rng.unit() > self.pulse_rate[i];
@@ -156,8 +158,11 @@ impl Bats {
             }
             self.last[i] = Last { walked, accepted };
         }
+        if self.population.is_under_way() {
+            return Progress::Partly;
+        }
         self.population.settle();
-        self.clock.tick(self.population.bests());
+        self.clock.tick(self.population.bests())
     }
 
     /// (7) to (9), or a walk about the best. Reading: velocities are limited, positions are kept in the box, and a coordinate
@@ -187,8 +192,7 @@ fn mean(of: &[f64]) -> f64 {
 
 impl Planner for Bats {
     fn advance(&mut self) -> Progress {
-        self.iterate(&mut ());
-        self.clock.progress()
+        self.iterate(&mut ())
     }
 
     fn evaluations(&self) -> u64 {
@@ -281,7 +285,7 @@ impl Bats {
         let i = particle(&self.population, item)?;
         let mut record = Record { particle: i, terms: Vec::new() };
         let mut after = self.clone();
-        after.iterate(&mut record);
+        while after.iterate(&mut record) == Progress::Partly {}
         let (now, next, terms) = (&self.population, &after.population, &record.terms);
         let row = now.row(i);
         let (x, to): (_, Vec<_>) = (&now.x[row.clone()], terms.iter().map(|term| term.to).collect());

@@ -34,15 +34,11 @@ impl Clock {
         if self.early_stop > 0 { started.open_ended() } else { started }
     }
 
-    /// Counts an iteration that ended with these best costs.
-    pub(super) fn tick(&mut self, best: [f64; 2]) {
+    /// Counts an iteration that ended with these best costs, and says whether the best has stood still for too long.
+    pub(super) fn tick(&mut self, best: [f64; 2]) -> Progress {
         self.iteration += 1;
         self.unchanged = if best[0] < self.best[0] || best[1] < self.best[1] { 0 } else { self.unchanged + 1 };
         self.best = best;
-    }
-
-    /// Whether the best has stood still for too long.
-    pub(super) fn progress(&self) -> Progress {
         let stops = self.early_stop > 0 && self.unchanged >= self.early_stop;
         if stops { Progress::Done(Status::Exhausted) } else { Progress::Continue }
     }
@@ -55,9 +51,9 @@ mod tests {
     #[test]
     fn a_run_stops_when_the_best_has_stood_still() {
         let clock = |early_stop| Clock { iteration: 0, limit: 99, early_stop, unchanged: 0, best: [9.0, f64::INFINITY] };
-        let runs = |clock: &Clock| clock.progress() == Progress::Continue;
         let run = |mut clock: Clock, costs: &[f64]| {
-            costs.iter().take_while(|&&cost| runs(&clock).then(|| clock.tick([cost, f64::INFINITY])).is_some()).count()
+            let stops = costs.iter().position(|&cost| clock.tick([cost, f64::INFINITY]) != Progress::Continue);
+            stops.map_or(costs.len(), |last| last + 1)
         };
         let costs = [9.0, 8.0, 8.0, 8.0, 7.0, 7.0, 7.0, 7.0];
         assert_eq!(run(clock(0), &costs), 8);
@@ -65,7 +61,6 @@ mod tests {
         assert_eq!(run(clock(2), &costs), 4);
         assert_eq!(run(clock(3), &costs), 8);
         let mut clock = clock(1);
-        clock.tick([9.0, 12.0]);
-        assert!(runs(&clock), "what is reported got better");
+        assert_eq!(clock.tick([9.0, 12.0]), Progress::Continue, "what is reported got better");
     }
 }

@@ -46,6 +46,9 @@ struct Nests {
     p_a: f64,
     /// Which two nests x_j and x_k each nest walks by, drawn as two permutations in each iteration.
     pairs: [Vec<usize>; 2],
+    /// r of the walks that are under way.
+    #[state(skip)]
+    r: f64,
     /// All nests before the walks, which the differences are taken of.
     #[state(skip)]
     before: Vec<f64>,
@@ -92,6 +95,7 @@ pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> St
         alpha: settings[ALPHA],
         p_a: settings[P_A],
         pairs: [numbers.clone(), numbers],
+        r: 0.0,
         before: population.x.clone(),
         held: vec![0.0; population.dimension],
         last: vec![Last { flown: false, walked: false }; size],
@@ -103,39 +107,44 @@ pub fn on(objective: Arc<dyn Objective>, settings: &Parameters, seed: u64) -> St
 }
 
 impl Nests {
-    /// One iteration. `watch` sees what happens to a nest that somebody asked about.
-    fn iterate(&mut self, watch: &mut impl Watch) {
-        for i in 0..self.population.size {
-            let cost = self.population.cost[i];
-            if watch.wants(i) {
-                self.fly(i, watch);
-            } else {
-                self.fly(i, &mut ());
+    /// An iteration, or a part of it. `watch` sees what happens to a nest that somebody asked about.
+    fn iterate(&mut self, watch: &mut impl Watch) -> Progress {
+        let size = self.population.size;
+        for at in self.population.next_part(2) {
+            if at == size {
+                self.before.copy_from_slice(&self.population.x);
+                self.pairs.iter_mut().for_each(|numbers| self.rng.shuffle(numbers));
+                self.r = self.rng.unit();
             }
-            self.population.evaluate(i);
-            if watch.wants(i) {
-                watch.flown(self.population.cost[i]);
+            let i = at % size;
+            match (at < size, watch.wants(i)) {
+                (true, true) => self.try_flight(i, watch),
+                (true, false) => self.try_flight(i, &mut ()),
+                (false, true) => self.try_walk(i, watch),
+                (false, false) => self.try_walk(i, &mut ()),
             }
-            self.last[i].flown = self.keep_better(i, cost);
         }
-        self.before.copy_from_slice(&self.population.x);
-        self.pairs.iter_mut().for_each(|numbers| self.rng.shuffle(numbers));
-        let r = self.rng.unit();
-        for i in 0..self.population.size {
-            let cost = self.population.cost[i];
-            if watch.wants(i) {
-                self.walk(i, r, watch);
-            } else {
-                self.walk(i, r, &mut ());
-            }
-            self.population.evaluate(i);
-            if watch.wants(i) {
-                watch.walked(r, self.population.cost[i]);
-            }
-            self.last[i].walked = self.keep_better(i, cost);
+        if self.population.is_under_way() {
+            return Progress::Partly;
         }
         self.population.settle();
-        self.clock.tick(self.population.bests());
+        self.clock.tick(self.population.bests())
+    }
+
+    fn try_flight(&mut self, i: usize, watch: &mut impl Watch) {
+        let cost = self.population.cost[i];
+        self.fly(i, watch);
+        self.population.evaluate(i);
+        watch.flown(self.population.cost[i]);
+        self.last[i].flown = self.keep_better(i, cost);
+    }
+
+    fn try_walk(&mut self, i: usize, watch: &mut impl Watch) {
+        let cost = self.population.cost[i];
+        self.walk(i, self.r, watch);
+        self.population.evaluate(i);
+        watch.walked(self.r, self.population.cost[i]);
+        self.last[i].walked = self.keep_better(i, cost);
     }
 
     /// A Lévy flight to a candidate, which is kept in the box.
@@ -187,8 +196,7 @@ impl Nests {
 
 impl Planner for Nests {
     fn advance(&mut self) -> Progress {
-        self.iterate(&mut ());
-        self.clock.progress()
+        self.iterate(&mut ())
     }
 
     fn evaluations(&self) -> u64 {
@@ -307,7 +315,7 @@ impl Nests {
         let i = particle(&self.population, item)?;
         let mut record = Record { nest: i, ..Record::default() };
         let mut after = self.clone();
-        after.iterate(&mut record);
+        while after.iterate(&mut record) == Progress::Partly {}
         let Record { flight, walk, r, costs, .. } = &record;
         let (now, next) = (&self.population, &after.population);
         let (meaning, row) = (&*now.objective, now.row(i));

@@ -3,7 +3,7 @@
 
 use crate::{
     describe::layers,
-    kernel::{Inspection, Item, Label, Mark, Message},
+    kernel::{Inspection, Item, Label, Mark, Message, Progress},
     label, message,
 };
 
@@ -126,7 +126,7 @@ impl Swarm {
         let i = particle(&self.population, item)?;
         let mut record = Record { particle: i, ..Record::default() };
         let mut after = self.clone();
-        after.iterate(&mut record);
+        while after.iterate(&mut record) == Progress::Partly {}
         let (now, next) = (&self.population, &after.population);
         let row = now.row(i);
         let other = record.other.unwrap_or(i);

@@ -127,12 +127,12 @@ impl Swarm {
         }
     }
 
-    /// One iteration. `watch` sees what happens to a particle that somebody asked about.
-    pub(super) fn iterate(&mut self, watch: &mut dyn Watch) {
+    /// An iteration, or a part of it. `watch` sees what happens to a particle that somebody asked about.
+    pub(super) fn iterate(&mut self, watch: &mut dyn Watch) -> Progress {
         self.coefficients = self.flight.schedule.at(self.clock.iteration, self.clock.limit);
         let perturbation = self.flight.perturbation;
         let watched = watch.particle();
-        for i in 0..self.population.size {
+        for i in self.population.next_part(1) {
             let before = self.population.cost[i];
             self.events[i] =
                 perturbation.filter(|p| p.timing == Timing::Instead).map_or(Event::Move, |p| self.patience[i].next(p.patience));
@@ -150,8 +150,11 @@ impl Swarm {
                 }
             }
         }
+        if self.population.is_under_way() {
+            return Progress::Partly;
+        }
         self.population.settle();
-        self.clock.tick(self.population.bests());
+        self.clock.tick(self.population.bests())
     }
 
     /// (6) and (7), and the evaluation. Reading: velocities are limited, positions are kept in the box, and a coordinate that hits a wall stops.
@@ -281,8 +284,7 @@ impl Watch for () {}
 
 impl Planner for Swarm {
     fn advance(&mut self) -> Progress {
-        self.iterate(&mut ());
-        self.clock.progress()
+        self.iterate(&mut ())
     }
 
     fn evaluations(&self) -> u64 {

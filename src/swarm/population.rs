@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Layer, Reading, layers},
-    kernel::{Candidate, Readings, State, rng::Stream},
+    kernel::{Candidate, Part, Readings, State, rng::Stream},
 };
 
 use super::{
@@ -14,8 +14,8 @@ use super::{
 
 /// Particles in the box of an objective: positions, costs, personal bests and the global best, whatever moves the particles.
 ///
-/// A swarm that moves in its own way keeps one: it moves particles by [`Population::position_mut`], evaluates each, and settles once in
-/// an iteration. Its entry lists [`Population::READINGS`] and [`Population::LAYERS`].
+/// A swarm that moves in its own way keeps one: it moves the particles of [`Population::next_part`] by [`Population::position_mut`],
+/// evaluates each, and settles once in an iteration. Its entry lists [`Population::READINGS`] and [`Population::LAYERS`].
 // Particle `i`'s coordinates are the `i`-th row of `dimension` numbers.
 #[derive(Clone, State)]
 pub struct Population {
@@ -46,8 +46,12 @@ pub struct Population {
     pub(super) free: Vec<f64>,
     pub(super) free_cost: f64,
     pub(super) evaluations: u64,
+    #[state(skip)]
+    part: Part,
 }
 
+/// So many coordinates are moved and evaluated in a part of a step.
+const PORTION: usize = 20_000;
 /// How often particles are drawn anew in all: where no path is free, a big swarm must begin all the same.
 const MOST_REDRAWS: u64 = 20_000;
 
@@ -85,6 +89,7 @@ impl Population {
             free: vec![0.0; dimension],
             free_cost: f64::INFINITY,
             evaluations: 0,
+            part: Part::default(),
         };
         let mut left = MOST_REDRAWS;
         for i in 0..size {
@@ -183,6 +188,16 @@ impl Population {
             self.free.copy_from_slice(x);
         }
         found.violation
+    }
+
+    /// Which particles are moved next, in passes over all of them: all, or as many as can be waited for. See [`Part`].
+    pub fn next_part(&mut self, passes: usize) -> std::ops::Range<usize> {
+        self.part.take(PORTION / self.dimension.max(1), passes * self.size)
+    }
+
+    /// Whether some particles of an iteration are moved and others are not yet.
+    pub fn is_under_way(&self) -> bool {
+        self.part.is_under_way()
     }
 
     /// Ends an iteration: the best personal best becomes the global best; the first of equals wins.

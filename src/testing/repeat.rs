@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use crate::{
     describe::Start,
-    kernel::{Digest, Frame, Header, Readings, Scene, State, Stepper},
+    kernel::{Digest, Frame, Header, Readings, Scene, State, Stepped, Stepper},
     params::Parameters,
     run::{Link, Run, Setup, run_subtasks},
 };
@@ -79,7 +79,10 @@ pub fn same_bits(subject: &Subject, findings: &mut Findings) {
                 let provided = found.and_then(|found| second.provide(found));
                 provided.map_err(|error| Fault::new(LINK, format!("a subtask is refused: {error}")).at(iteration))?;
             }
-            second.step(1);
+            // A step in parts can be looked at in between.
+            while second.part() == Stepped::Partly {
+                Snapshot::of(&mut second);
+            }
         }
     });
 }

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Member, Preset, Reading},
-    kernel::{Inspection, Message, Readings, State, rng::Stream},
+    kernel::{Inspection, Message, Part, Progress, Readings, State, rng::Stream},
     label, math, message,
     params::{Choice, Fixed, Param, Parameter, Parameters},
     settled::SETTLED,
@@ -28,7 +28,7 @@ use super::{
     },
     planner,
     problem::{Problem, Stop, Tour},
-    search::Search,
+    search::{Search, portion},
 };
 
 /// How a bat looked for a better tour of its own.
@@ -92,6 +92,8 @@ struct Bats {
     t: u64,
     evaluations: u64,
     rng: Stream,
+    #[state(skip)]
+    part: Part,
     /// Scratch space: a child and the best child, a place for each stop.
     #[state(skip)]
     child: Tour,
@@ -144,6 +146,7 @@ fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Bats
         lambda: settings[LAMBDA],
         t: 0,
         rng,
+        part: Part::default(),
         child: first.clone(),
         mate: first.row.clone(),
         kept: first,
@@ -267,8 +270,16 @@ impl Bats {
 
 impl Search for Bats {
     fn step(&mut self) {
-        self.t += 1;
-        (0..self.swarm.len()).for_each(|i| self.fly(i));
+        self.t += u64::from(!self.part.is_under_way());
+        // Crossovers at half of the places, and what improves a tour.
+        let (n, improves) = (self.problem.n, if self.local.is_some() { 100 } else { 0 });
+        for i in self.part.take(portion(n * (n / 4 + improves)), self.swarm.len()) {
+            self.fly(i);
+        }
+    }
+
+    fn progress(&self) -> Progress {
+        self.part.progress()
     }
 
     fn evaluations(&self) -> u64 {

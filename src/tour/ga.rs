@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Member, Reading},
-    kernel::{Inspection, Readings, State, rng::Stream},
+    kernel::{Inspection, Part, Progress, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
     settled::SETTLED,
@@ -22,7 +22,7 @@ use super::{
     },
     planner,
     problem::{Problem, Tour},
-    search::Search,
+    search::{Search, portion},
 };
 
 /// How a tour came into its generation.
@@ -91,6 +91,8 @@ struct Genetic {
     mutation: f64,
     evaluations: u64,
     rng: Stream,
+    #[state(skip)]
+    part: Part,
     /// Scratch space: the generation by length, and a place for each stop.
     #[state(skip)]
     ranks: Vec<(f64, usize)>,
@@ -114,6 +116,7 @@ fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Gene
         mutation: settings[MUTATION],
         evaluations: size as u64,
         rng,
+        part: Part::default(),
         ranks: vec![(0.0, 0); size],
         places: vec![0; problem.n + 1],
         now,
@@ -185,9 +188,19 @@ impl Genetic {
 
 impl Search for Genetic {
     fn step(&mut self) {
-        self.keep();
-        (self.elite..self.now.len()).for_each(|i| self.breed(i));
-        std::mem::swap(&mut self.now, &mut self.next);
+        if !self.part.is_under_way() {
+            self.keep();
+        }
+        for i in self.part.take(portion(5 * self.problem.n + 2 * self.tournament), self.now.len() - self.elite) {
+            self.breed(self.elite + i);
+        }
+        if !self.part.is_under_way() {
+            std::mem::swap(&mut self.now, &mut self.next);
+        }
+    }
+
+    fn progress(&self) -> Progress {
+        self.part.progress()
     }
 
     fn evaluations(&self) -> u64 {

@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Member, Reading},
-    kernel::{Inspection, Message, Readings, State, rng::Stream},
+    kernel::{Inspection, Message, Part, Progress, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
     settled::SETTLED,
@@ -31,7 +31,7 @@ use super::{
     },
     planner,
     problem::{Problem, Tour},
-    search::Search,
+    search::{Search, portion},
     swaps::{self, Swap},
 };
 
@@ -92,6 +92,8 @@ struct Bats {
     t: u64,
     evaluations: u64,
     rng: Stream,
+    #[state(skip)]
+    part: Part,
     /// Scratch space: a candidate, swaps, and a place for each stop.
     #[state(skip)]
     candidate: Tour,
@@ -122,6 +124,7 @@ fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Bats
         evaluations: swarm.len() as u64,
         swarm,
         rng,
+        part: Part::default(),
         list: Vec::with_capacity(first.len()),
         candidate: first,
         places: vec![0; problem.n + 1],
@@ -208,8 +211,14 @@ impl Bats {
 
 impl Search for Bats {
     fn step(&mut self) {
-        self.t += 1;
-        (0..self.swarm.len()).for_each(|i| self.call(i));
+        self.t += u64::from(!self.part.is_under_way());
+        for i in self.part.take(portion(5 * (self.problem.n + self.perturbations as usize)), self.swarm.len()) {
+            self.call(i);
+        }
+    }
+
+    fn progress(&self) -> Progress {
+        self.part.progress()
     }
 
     fn evaluations(&self) -> u64 {

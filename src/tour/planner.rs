@@ -50,6 +50,7 @@ pub fn start(start: &Start, own_readings: &'static [Reading], begin: Begin) -> R
         by_road: f64::NAN,
         torn: false,
         iteration: 0,
+        before: None,
         converged: 0,
         settled: Settled::default(),
     };
@@ -73,14 +74,22 @@ pub fn start(start: &Start, own_readings: &'static [Reading], begin: Begin) -> R
 
 impl Planner for Tours {
     fn advance(&mut self) -> Progress {
-        self.iteration += 1;
         let roads = self.road_steps();
         match &mut self.search {
-            None => self.build(),
+            None => {
+                self.iteration += 1;
+                self.build();
+            }
             Some((_, search)) => {
-                let before = search.best().map(|tour| tour.length);
+                if search.progress() != Progress::Partly {
+                    self.before = search.best().map(|tour| tour.length);
+                }
                 search.step();
-                if search.best().is_some_and(|now| before.is_none_or(|before| now.length < before)) {
+                if search.progress() == Progress::Partly {
+                    return Progress::Partly;
+                }
+                self.iteration += 1;
+                if search.best().is_some_and(|now| self.before.is_none_or(|before| now.length < before)) {
                     self.converged = self.iteration - roads;
                 }
                 if search.members() > 0 {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Member, Reading, layers},
-    kernel::{Inspection, Readings, State, rng::Stream},
+    kernel::{Inspection, Part, Progress, Readings, State, rng::Stream},
     label, math, message,
     params::{Param, Parameters},
     settled::SETTLED,
@@ -24,6 +24,8 @@ use super::{
     search::Search,
 };
 
+/// How many moves are a part of a step.
+const PORTION: usize = 200_000;
 /// How many moves say how hot it must be.
 const MEASURED: u64 = 100;
 
@@ -55,9 +57,14 @@ struct Annealing {
     #[state(shared)]
     cooling: f64,
     #[state(shared)]
-    moves: u64,
+    moves: usize,
     evaluations: u64,
     last_move: LastMove,
+    /// The length before the step that is under way.
+    #[state(skip)]
+    before: f64,
+    #[state(skip)]
+    part: Part,
     rng: Stream,
 }
 
@@ -71,9 +78,11 @@ fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Anne
         temperature,
         next: temperature,
         cooling: settings[COOLING],
-        moves: settings[MOVES] * problem.n as u64,
+        moves: settings[MOVES] as usize * problem.n,
         evaluations: 1 + if now.len() > 1 { MEASURED } else { 0 },
         last_move: LastMove::default(),
+        before: now.length,
+        part: Part::default(),
         now,
         rng,
     }
@@ -133,18 +142,28 @@ impl Annealing {
 
 impl Search for Annealing {
     fn step(&mut self) {
-        self.temperature = self.next;
-        self.last_move = LastMove::default();
-        let before = self.now.length;
-        if self.now.len() > 1 {
-            (0..self.moves).for_each(|_| self.attempt());
-            self.last_move.tried = self.moves;
-            self.evaluations += self.moves;
+        if !self.part.is_under_way() {
+            self.temperature = self.next;
+            self.last_move = LastMove::default();
+            self.before = self.now.length;
         }
+        let moves = if self.now.len() > 1 { self.moves } else { 0 };
+        for _ in self.part.take(PORTION, moves) {
+            self.attempt();
+            self.last_move.tried += 1;
+        }
+        if self.part.is_under_way() {
+            return;
+        }
+        self.evaluations += self.last_move.tried;
         self.now.settle(&self.problem);
         self.remember();
-        self.last_move.gain = before - self.now.length;
+        self.last_move.gain = self.before - self.now.length;
         self.next *= self.cooling;
+    }
+
+    fn progress(&self) -> Progress {
+        self.part.progress()
     }
 
     fn evaluations(&self) -> u64 {

@@ -13,7 +13,8 @@ use super::problem::{Problem, Tour};
 /// it begins, and may have members: tours that it improves side by side. Roads, drawing, readings and explanations that hold for
 /// every tour come without it.
 pub trait Search: State + CopySearch + Send {
-    /// Takes one step.
+    /// Takes one step, or a part of one that is long: then [`Search::progress`] is [`Progress::Partly`] until it is over, see
+    /// [`Part`](crate::kernel::Part).
     fn step(&mut self);
     /// Whether it has something left to do.
     fn progress(&self) -> Progress {
@@ -63,6 +64,11 @@ pub type Begin = fn(&Arc<Problem>, &Parameters, Stream) -> Box<dyn Search>;
 /// The mean length of the tours of those that search side by side.
 pub(super) fn mean(search: &dyn Search) -> f64 {
     lengths(search).sum::<f64>() / search.members() as f64
+}
+
+/// How many members are a part of a step, if one takes so many steps of a loop.
+pub(super) fn portion(work: usize) -> usize {
+    200_000 / work.max(1)
 }
 
 pub(super) fn lengths(search: &dyn Search) -> impl Iterator<Item = f64> {

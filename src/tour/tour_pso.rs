@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use crate::{
     describe::{Entry, Formula, Group, Member, Preset, Reading},
-    kernel::{Inspection, Readings, State, rng::Stream},
+    kernel::{Inspection, Part, Progress, Readings, State, rng::Stream},
     label, message,
     params::{Fixed, Param, Parameters},
     settled::SETTLED,
@@ -27,7 +27,7 @@ use super::{
     },
     planner,
     problem::{Problem, Stop, Tour},
-    search::Search,
+    search::{Search, portion},
     swaps::{self, Swap},
 };
 
@@ -67,6 +67,8 @@ struct Swarm {
     c2: f64,
     evaluations: u64,
     rng: Stream,
+    #[state(skip)]
+    part: Part,
     /// What improves tours, if something does.
     local: Option<LocalSearch>,
     /// Scratch space: a row, a list of swaps, and a place for each stop.
@@ -100,6 +102,7 @@ fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Swar
         evaluations: particles.len() as u64,
         particles,
         rng,
+        part: Part::default(),
         row: first.row,
         list: Vec::with_capacity(3 * m),
         places: vec![0; problem.n + 1],
@@ -166,7 +169,14 @@ impl Swarm {
 
 impl Search for Swarm {
     fn step(&mut self) {
-        (0..self.particles.len()).for_each(|i| self.fly(i));
+        let improves = if self.local.is_some() { 50 } else { 0 };
+        for i in self.part.take(portion(self.problem.n * (10 + improves)), self.particles.len()) {
+            self.fly(i);
+        }
+    }
+
+    fn progress(&self) -> Progress {
+        self.part.progress()
     }
 
     fn evaluations(&self) -> u64 {

@@ -40,6 +40,9 @@ pub(super) struct Tours {
     /// No tour is possible: a road is missing, whatever stops it would lead over.
     pub(super) torn: bool,
     pub(super) iteration: u64,
+    /// The length of the search's best before the step that is under way.
+    #[state(skip)]
+    pub(super) before: Option<f64>,
     /// The search's iteration in which its best was found.
     pub(super) converged: u64,
     pub(super) settled: Settled,

@@ -2,7 +2,7 @@
 
 use crate::{
     describe::layers,
-    kernel::{Inspection, Item, Label},
+    kernel::{Inspection, Item, Label, Progress},
     label, message,
     swarm::{
         population::{column, deviation},
@@ -75,7 +75,7 @@ impl Quantum {
         let i = particle(&self.population, item)?;
         let mut record = Record { particle: i, leaps: Vec::new() };
         let mut after = self.clone();
-        after.iterate(&mut record);
+        while after.iterate(&mut record) == Progress::Partly {}
         let (now, next, leaps) = (&self.population, &after.population, &record.leaps);
         let (row, n) = (now.row(i), now.dimension);
         let (x, p, attractor) = (&now.x[row.clone()], &now.p[row.clone()], &after.attractors[row.clone()]);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::{
-    kernel::{State, rng::Stream},
+    kernel::{Progress, State, rng::Stream},
     math,
     params::Parameters,
     swarm::{
@@ -106,10 +106,12 @@ impl Quantum {
     }
 
     /// One iteration. `watch` sees what happens to a particle that somebody asked about.
-    pub(super) fn iterate(&mut self, watch: &mut impl Watch) {
-        self.width = self.alpha.at(self.clock.iteration, self.clock.limit);
-        self.prepare();
-        for i in 0..self.population.size {
+    pub(super) fn iterate(&mut self, watch: &mut impl Watch) -> Progress {
+        if !self.population.is_under_way() {
+            self.width = self.alpha.at(self.clock.iteration, self.clock.limit);
+            self.prepare();
+        }
+        for i in self.population.next_part(1) {
             if watch.wants(i) {
                 self.leap(i, watch);
             } else {
@@ -117,11 +119,14 @@ impl Quantum {
             }
             self.population.evaluate(i);
         }
+        if self.population.is_under_way() {
+            return Progress::Partly;
+        }
         self.population.settle();
         if self.adaptive.is_some_and(|parts| parts.selection) {
             self.select();
         }
-        self.clock.tick(self.population.bests());
+        self.clock.tick(self.population.bests())
     }
 
     /// What is the same for all particles of an iteration: mean best, evolution speed, dispersion.

@@ -7,7 +7,7 @@ use std::{
     io::{self, Write},
     path::{Path, PathBuf},
     process::ExitCode,
-    sync::atomic::{AtomicBool, Ordering},
+    sync::atomic::Ordering,
     time::Duration,
 };
 
@@ -16,9 +16,9 @@ use crate::registry::registry;
 use forage::{
     Outcome, Run, Status,
     describe::{Column, Shown, layers},
-    kernel::SubtaskResult,
+    kernel::Stepped,
     picture,
-    run::{csv_heading, csv_line, csv_row, run_subtasks},
+    run::{csv_heading, csv_line, csv_row, run_subtasks_until},
     scene::formats::{stem_of, tour_file},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -153,12 +153,14 @@ fn run_to_end(run: &mut Run, stop_at: Option<u64>, trace: Option<&Path>) -> Resu
         if done || interrupted.load(Ordering::Relaxed) {
             break;
         }
-        if let Some(found) = answer_subtasks(run, &interrupted)? {
-            run.provide(found)?;
+        let subtasks = run.subtasks();
+        if !subtasks.is_empty() {
+            let stop = || interrupted.load(Ordering::Relaxed);
+            if let Some(found) = run_subtasks_until(registry(), run.scene(), &subtasks, &stop)? {
+                run.provide(found)?;
+            }
         }
-        if !interrupted.load(Ordering::Relaxed) {
-            run.step(1);
-        }
+        while !interrupted.load(Ordering::Relaxed) && run.part() == Stepped::Partly {}
     }
     let elapsed = started.elapsed();
     bar.finish_and_clear();
@@ -169,20 +171,6 @@ fn run_to_end(run: &mut Run, stop_at: Option<u64>, trace: Option<&Path>) -> Resu
         note(&format!("interrupted at iteration {}; this is the best result so far", run.iteration()));
     }
     Ok(elapsed.as_secs_f64() * 1e3)
-}
-
-/// Carries out the runs of other planners that the next step needs, a few at a time so that Ctrl-C takes effect. `None`: it
-/// needs none.
-fn answer_subtasks(run: &mut Run, interrupted: &AtomicBool) -> Result<Option<Vec<SubtaskResult>>, Failure> {
-    let subtasks = run.subtasks();
-    let mut results = Vec::with_capacity(subtasks.len());
-    for some in subtasks.chunks(64) {
-        if interrupted.load(Ordering::Relaxed) {
-            break;
-        }
-        results.extend(run_subtasks(registry(), run.scene(), some)?);
-    }
-    Ok((!subtasks.is_empty()).then_some(results))
 }
 
 /// A run that takes longer than this gets a progress bar.
