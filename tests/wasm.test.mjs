@@ -290,7 +290,12 @@ test('what is no count is refused by name and value, and the session goes on', (
   const session = new Session({ planner: 'pso', scene: 'sphere' })
   const item = (index) => ({ role: 'particles', index })
   const calls = {
-    n: [(n) => session.step(n), (n) => session.stepTo(10, n), (n) => new Trial({ planner: 'pso', scene: 'sphere' }).step(n)],
+    n: [
+      (n) => session.step(n),
+      (n) => session.advance(n),
+      (n) => session.stepTo(10, n),
+      (n) => new Trial({ planner: 'pso', scene: 'sphere' }).step(n),
+    ],
     k: [(k) => session.seek(k), (k) => session.rewind(k)],
     evaluations: [(evaluations) => session.stepTo(evaluations)],
     after: [(after) => session.trace(after)],
@@ -315,6 +320,43 @@ test('what is no count is refused by name and value, and the session goes on', (
   assert.equal(session.iteration, 1)
   assert.equal(session.seek(Number.POSITIVE_INFINITY), 'exhausted')
   assert.equal(session.iteration, session.limit)
+})
+
+test('a long step is taken in parts, and comes to the same', () => {
+  const setup = { planner: 'sa', scene: 'random-280', params: { moves: 3000, iterations: 3 } }
+  const [whole, session, trial] = [new Session(setup), new Session(setup), new Trial(setup)]
+  whole.step()
+  const start = session.hash()
+  const advance = () => {
+    const stepped = session.advance()
+    assert.equal(session.partly, stepped === 'partly')
+    return stepped
+  }
+  assert.deepEqual([advance(), session.iteration, session.link(), session.jobs()], ['partly', 0, '', []])
+  assert.equal(session.rewind(0), 0)
+  assert.deepEqual([session.partly, session.hash()], [false, start])
+  let parts = 0
+  while (advance() === 'partly') parts += 1
+  assert.ok(parts > 2, `${parts} parts`)
+  assert.deepEqual([session.iteration, session.hash()], [1, whole.hash()])
+  assert.equal(advance(), 'partly')
+  assert.equal(session.step(2), 'exhausted')
+  assert.equal(whole.step(2), 'exhausted')
+  assert.equal(session.hash(), whole.hash())
+  let stepped
+  do stepped = trial.advance(10)
+  while (stepped === 'partly' || stepped === 'running')
+  assert.deepEqual([stepped, trial.record().hash], ['exhausted', whole.hash()])
+  assert.equal(refusal(() => session.advance(0)).field, 'n')
+})
+
+test('runs that a step needs are carried out in parts as well', () => {
+  const setup = { planner: 'pso-tuning', scene: 'qpso-10m', params: { population: 2, seeds: 2, iterations: 1 } }
+  const [whole, session] = [new Session(setup), new Session(setup)]
+  whole.step()
+  assert.deepEqual([session.advance(), session.partly, session.jobs().length], ['partly', false, 4])
+  while (session.advance() === 'partly');
+  assert.equal(session.hash(), whole.hash())
 })
 
 test('an object that throws while it is read is refused, and the session goes on', () => {

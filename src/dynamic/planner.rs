@@ -62,10 +62,8 @@ impl Planner for Dynamic {
         self.iteration += 1;
         if let Some(journey) = &mut self.journey {
             journey.step(&mut *self.route, self.iteration);
-        } else {
-            if self.iteration >= self.route.steps() {
-                self.set_out();
-            }
+        } else if self.iteration >= self.route.steps() {
+            self.set_out();
         }
         self.progress()
     }

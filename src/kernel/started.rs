@@ -91,6 +91,19 @@ pub enum Stepped {
     Not,
 }
 
+impl Stepped {
+    /// Up to `steps` steps by `part`, which does a part of one; it leaves off within one that is long.
+    pub fn repeat(steps: u64, mut part: impl FnMut() -> Self) -> Self {
+        for _ in 1..steps {
+            match part() {
+                Self::Whole => {}
+                other => return other,
+            }
+        }
+        part()
+    }
+}
+
 impl Clone for Stepper {
     fn clone(&self) -> Self {
         Self { planner: self.planner.clone_box(), ..*self }

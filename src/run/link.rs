@@ -141,10 +141,10 @@ impl Run {
         Self::new(registry, Link::parse(registry, link)?.setup)
     }
 
-    /// A link that opens this very picture: planner, scene, changed parameters, seed, iteration and hash. `None` where no
-    /// registry lists the planner: nobody else could open it.
+    /// A link that opens this very picture: planner, scene, changed parameters, seed, iteration and hash. `None` where nobody else could
+    /// open it: if no registry lists the planner, and within a step.
     pub fn link(&self) -> Option<String> {
-        let registry = self.registry()?;
+        let registry = self.registry().filter(|_| !self.is_partly())?;
         let setup = Setup {
             planner: self.entry().name.to_owned(),
             scene: Arc::clone(self.scene()),

@@ -48,7 +48,7 @@ impl Run {
     /// Takes up to `steps` steps, the first of which completes one that has begun; stops where the planner does.
     pub fn step(&mut self, steps: u64) -> Status {
         for _ in 0..steps {
-            if !self.advance() {
+            if !self.step_whole() {
                 break;
             }
             self.remember();
@@ -57,7 +57,7 @@ impl Run {
     }
 
     /// Takes a step, if there is one to take.
-    pub(super) fn advance(&mut self) -> bool {
+    fn step_whole(&mut self) -> bool {
         let Self { at, answers, .. } = self;
         let k = at.iteration;
         at.step(|subtasks| answers.of(k, &subtasks))
@@ -361,6 +361,7 @@ mod tests {
                 let (mut frame, mut looks, start) = (Frame::default(), 0, run.hash());
                 if run.part() == Stepped::Partly && run.is_partly() {
                     assert!(run.subtasks().is_empty());
+                    assert_eq!(run.link(), None);
                     run.rewind(0);
                     assert_eq!((run.is_partly(), run.hash()), (false, start), "{} on {}", entry.name, scene.name());
                 }

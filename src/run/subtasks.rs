@@ -55,6 +55,26 @@ pub fn run_subtasks_until(
     subtasks.iter().map(one).collect()
 }
 
+impl Run {
+    /// Takes a step as [`Run::step`] does, unless `stop` becomes true: it is asked again and again. `Partly`: it was stopped.
+    pub fn step_until(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> Stepped {
+        let subtasks = self.subtasks();
+        if let Some(registry) = self.registry().filter(|_| !subtasks.is_empty()) {
+            match run_subtasks_until(registry, self.scene(), &subtasks, stop) {
+                Ok(None) => return Stepped::Partly,
+                found => self.answers.keep(self.at.iteration, found.ok().flatten().unwrap_or_default()),
+            }
+        }
+        while !stop() {
+            let stepped = self.part();
+            if stepped != Stepped::Partly {
+                return stepped;
+            }
+        }
+        Stepped::Partly
+    }
+}
+
 fn begin(registry: &Arc<Registry>, scene: &Arc<Scene>, subtask: &Subtask) -> Result<Run, Error> {
     let scene = match subtask.ends {
         Some(ends) => Arc::new(scene.between(ends)?),
@@ -73,6 +93,9 @@ fn result(run: &mut Run) -> SubtaskResult {
     let path = best.and_then(|best| best.solution.path().map(<[_]>::to_vec)).unwrap_or_default();
     SubtaskResult { cost, converged, path }
 }
+
+/// So many steps of a subtask, or a part of one, are a part of the step that needs it.
+const AT_ONCE: usize = 8;
 
 /// Carries out the subtasks of a run where the run is.
 pub(super) struct Here {
@@ -112,9 +135,16 @@ impl Carrier for Here {
                 Err(_) => Some(Vec::new()),
             };
         };
-        if run.part() == Stepped::Not {
-            self.found.push(result(run));
-            self.run = None;
+        for _ in 0..AT_ONCE {
+            match run.part() {
+                Stepped::Whole => {}
+                Stepped::Partly => break,
+                Stepped::Not => {
+                    self.found.push(result(run));
+                    self.run = None;
+                    break;
+                }
+            }
         }
         None
     }

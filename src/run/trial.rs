@@ -139,6 +139,16 @@ impl Trial {
     /// Does a part of a step: see [`Run::part`].
     pub fn part(&mut self) -> Stepped {
         let stepped = self.run.part();
+        self.looked(stepped)
+    }
+
+    /// Takes a step unless `stop` becomes true: see [`Run::step_until`].
+    pub fn step_until(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> Stepped {
+        let stepped = self.run.step_until(stop);
+        self.looked(stepped)
+    }
+
+    fn looked(&mut self, stepped: Stepped) -> Stepped {
         if stepped == Stepped::Whole {
             self.look();
         }

@@ -40,7 +40,7 @@ use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 use forage::{
     Error, Frame,
     geometry::Bounds,
-    kernel::{Status, SubtaskResult, allowed, javascript, rng},
+    kernel::{Status, Stepped, SubtaskResult, allowed, javascript, rng},
     params::Object,
     picture, run,
 };
@@ -65,6 +65,22 @@ use registry::ask;
 
 fn status(status: Status) -> Result<JsStatus, JsValue> {
     plain(&status)
+}
+
+/// Up to `n` steps by `part`; it leaves off within one that is long.
+fn advance(n: Option<JsNumber>, part: impl FnMut() -> Stepped) -> Result<Stepped, JsValue> {
+    match count_or("n", n, 1)? {
+        0 => Err(js_error(Error::refused("n", 0_u64, allowed::steps()))),
+        n => Ok(Stepped::repeat(n, part)),
+    }
+}
+
+/// What such steps have led to.
+fn advanced(stepped: Stepped, now: Status) -> Result<JsAdvanced, JsValue> {
+    match stepped {
+        Stepped::Partly => Ok(JsValue::from("partly").unchecked_into()),
+        Stepped::Whole | Stepped::Not => plain(&now),
+    }
 }
 
 /// Checks one parameter's value by itself, whatever the other parameters are.
@@ -150,6 +166,23 @@ impl Session {
     /// For an `n` that is no whole number.
     pub fn step(&mut self, n: Option<JsNumber>) -> Result<JsStatus, JsValue> {
         status(self.run.step(count_or("n", n, 1)?))
+    }
+
+    /// Takes up to `n` steps, one unless given, but leaves off within one that is long: `partly` means that it is to be called again
+    /// for the rest of that step. In between other things can be done, and iteration and status are those before the step. Whole steps
+    /// come to the same.
+    ///
+    /// # Errors
+    /// For an `n` that is no whole number from 1 on.
+    pub fn advance(&mut self, n: Option<JsNumber>) -> Result<JsAdvanced, JsValue> {
+        let stepped = advance(n, || self.run.part())?;
+        advanced(stepped, self.run.status())
+    }
+
+    /// Whether a step has begun and is not over. What is drawn and read then is what the planner has come to within it.
+    #[wasm_bindgen(getter)]
+    pub fn partly(&self) -> bool {
+        self.run.is_partly()
     }
 
     /// Takes steps until so many candidates are evaluated, or up to `n` of them; stops where the planner does.

@@ -50,7 +50,7 @@ impl Session {
         ask(|registry| (links.open)(registry, &text)).map(Session::of)
     }
 
-    /// A link that opens this very picture; begins with `#`.
+    /// A link that opens this very picture; begins with `#`. Empty within a step that is not over.
     ///
     /// # Errors
     /// Where the part with links is not loaded.

@@ -10,11 +10,11 @@ use forage::{
 };
 
 use crate::{
-    js_error, object, plain,
+    advance, advanced, js_error, object, plain,
     read::{count_or, read_number, read_setup},
     registry::ask,
     status,
-    types::{JsNumber, JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
+    types::{JsAdvanced, JsNumber, JsSetup, JsStatus, JsTrialCurve, JsTrialRecord},
 };
 
 /// One run of many: stepped to its end and summed up in a record, the same as in a row of `forage experiment`.
@@ -43,6 +43,15 @@ impl Trial {
             0 => Err(js_error(Error::refused("n", 0_u64, allowed::steps()))),
             n => status(self.0.step(n)),
         }
+    }
+
+    /// Takes up to `n` steps, one unless given, but leaves off within one that is long, as `advance` of a session does.
+    ///
+    /// # Errors
+    /// For an `n` that is no whole number from 1 on.
+    pub fn advance(&mut self, n: Option<JsNumber>) -> Result<JsAdvanced, JsValue> {
+        let stepped = advance(n, || self.0.part())?;
+        advanced(stepped, self.0.run().status())
     }
 
     /// How many iterations were taken to come here.

@@ -68,6 +68,9 @@ extern "C" {
     /// `Status`.
     #[wasm_bindgen(typescript_type = "Status")]
     pub type JsStatus;
+    /// `Status | 'partly'`.
+    #[wasm_bindgen(typescript_type = "Status | 'partly'")]
+    pub type JsAdvanced;
     /// `string`, checked before it is read.
     #[wasm_bindgen(typescript_type = "string")]
     pub type JsText;

@@ -1,5 +1,6 @@
 import * as Comlink from 'comlink'
 import type { Outcome, ParameterValue, Scene, UncheckedSetup, TrialCurve } from 'forage-lab'
+import { Hearing } from '../state/hearing'
 import { sameScene } from '../state/same'
 import type { Answer, Look } from '../worker/protocol'
 import type { Picture, Settled, Start } from '../worker/race.protocol'
@@ -56,6 +57,12 @@ export class Lane {
   /** What the thread was asked will never be answered. */
   private forsake: (reason: Error) => void = () => undefined
   private starts = 0
+  /** Starts that the thread has not answered. */
+  private pending = 0
+  private readonly hearing = new Hearing(
+    async () => this.api?.hear(),
+    () => this.replace(),
+  )
   private begun: Begun | null = null
   private looked: Look | null = null
 
@@ -98,7 +105,21 @@ export class Lane {
 
   private fail(error: unknown): void {
     this.crash = error instanceof Error ? error.message : String(error)
-    this.dismiss()
+    this.clear()
+  }
+
+  /** A start that keeps the thread from a newer one is given up. */
+  private replace(): void {
+    if (this.pending > 1) this.leave()
+  }
+
+  /** What the thread was asked is not answered any more. */
+  private leave(): void {
+    this.hearing.forget()
+    this.worker?.terminate()
+    this.worker = undefined
+    this.api = undefined
+    this.forsake(new Error('dismissed'))
   }
 
   /** The run begins anew, unless it is refused: then what runs is the run of before. */
@@ -107,7 +128,15 @@ export class Lane {
     const turn = this.starts
     const setup: UncheckedSetup = { planner: this.planner, scene, params, seed }
     this.crash = ''
-    const answer = await this.ask<Answer<Start>>(this.hire().start(setup) as Promise<Answer<Start>>)
+    let answer: Answer<Start> | null
+    do {
+      const api = this.hire()
+      this.pending += 1
+      this.hearing.expect()
+      answer = await this.ask<Answer<Start>>(api.start(setup) as Promise<Answer<Start>>)
+      this.pending -= 1
+      // Its thread was replaced.
+    } while (!answer && turn === this.starts && this.crash === '')
     if (turn !== this.starts) return 'overtaken'
     if (!answer) return 'refused'
     if (!answer.ok) {
@@ -218,10 +247,12 @@ export class Lane {
 
   /** It takes part no more. */
   dismiss(): void {
-    this.worker?.terminate()
-    this.worker = undefined
-    this.forsake(new Error('dismissed'))
-    this.api = undefined
+    this.starts += 1
+    this.clear()
+  }
+
+  private clear(): void {
+    this.leave()
     this.run = null
     this.underway = false
     for (const { bitmap } of this.picture?.fields ?? []) bitmap.close()

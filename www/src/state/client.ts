@@ -3,12 +3,15 @@ import type { Catalogue } from 'forage-lab'
 import address from 'forage-lab/catalogue.json?url'
 import core from 'forage-lab/forage_bg.wasm?url'
 import type { Api } from '../worker/sim.worker'
+import { Hearing } from './hearing'
 import type { FrameMessage, FromWorker, ProgressMessage, ReturnedBuffer } from '../worker/protocol'
 
 interface Listeners {
   onframe(frame: FrameMessage): void
   onprogress(progress: ProgressMessage): void
   oncrash(message: string): void
+  /** It has not seen for three seconds what it was told. */
+  ondeaf(): void
 }
 
 /** More threads than these cost more memory than they save time. */
@@ -35,10 +38,16 @@ export class Client {
   private frames: MessagePort | undefined
   private remote: Comlink.Remote<Api> | undefined
 
+  private readonly hearing = new Hearing(
+    async () => this.remote?.hear(),
+    () => this.listeners.ondeaf(),
+  )
+
   constructor(private readonly listeners: Listeners) {}
 
   get api(): Comlink.Remote<Api> {
     if (!this.remote) throw new Error('the worker is not started')
+    this.hearing.expect()
     return this.remote
   }
 
@@ -75,6 +84,7 @@ export class Client {
   }
 
   close(): void {
+    this.hearing.forget()
     this.worker?.terminate()
     this.frames?.close()
     this.worker = undefined

@@ -106,6 +106,7 @@ export class Lab extends Parameters {
     onframe: (frame) => this.receive(frame),
     onprogress: (progress) => (this.progress = progress.total > 0 ? progress : null),
     oncrash: (message) => this.breakDown(message),
+    ondeaf: () => this.replace(),
   })
   readonly followers = new Followers()
   /** An iteration is shown step by step. */
@@ -127,7 +128,8 @@ export class Lab extends Parameters {
   /** The run was going on when the robot set off. */
   private resumes = false
 
-  async open(): Promise<void> {
+  /** What runs when there was a thread before begins at `opening`. */
+  async open(opening: Opening = { at: this.iteration, play: false }): Promise<void> {
     try {
       this.catalogue = await this.client.open()
     } catch (error) {
@@ -140,8 +142,11 @@ export class Lab extends Parameters {
     this.frame = null
     this.course.clear()
     await this.client.api.speed(this.speed)
+    this.askAgain()
+    while (this.awaited.length > 0) await Promise.allSettled(this.awaited)
     if (this.scene) {
-      await this.restart({ at: this.iteration, play: false })
+      // What was asked may have led to another start.
+      if (!this.starting) await this.restart(opening)
       return
     }
     this.put(this.shipped(FIRST.scene), false)
@@ -150,7 +155,7 @@ export class Lab extends Parameters {
   }
 
   /** Starts a new thread after a crash, with what the user had made. */
-  recover = (): Promise<void> => this.open()
+  recover = async (): Promise<void> => this.open()
 
   private shipped(name: string): Scene {
     const scenes = this.catalogue?.scenes ?? []
@@ -167,7 +172,7 @@ export class Lab extends Parameters {
   /** What the worker answers to a request for a scene; null if there is another one meanwhile. */
   askForScene = async <T>(ask: () => Promise<T>): Promise<T | null> => {
     const request = this.requests.note('scene')
-    const answer = await ask()
+    const answer = await this.answered(ask)
     return this.requests.replaced(request, 'scene') ? null : answer
   }
 
@@ -277,16 +282,29 @@ export class Lab extends Parameters {
   }
 
   private breakDown(message: string): void {
-    this.phase = 'crashed'
-    this.stopPlayback()
     this.crash = message
+    this.leaveThread('crashed')
+    // What that thread was asked will never be answered.
+    this.forget()
+  }
+
+  /** What the thread computes keeps it from what is wanted of it: a new one begins with that. */
+  private replace(): void {
+    // A start may take its time, unless a change waits for it.
+    if (this.phase !== 'ready' || (this.starting && !this.restartsAgain && this.awaited.length === 0)) return
+    const opening = this.restarting ? this.requested : { at: this.target ?? this.iteration, play: this.playing }
+    this.leaveThread('loading')
+    void this.open(opening)
+  }
+
+  private leaveThread(phase: 'crashed' | 'loading'): void {
+    this.phase = phase
+    this.stopPlayback()
     this.playing = false
     this.target = null
     this.progress = null
-    // What that thread was asked will never be answered.
     this.starting = false
     this.restartsAgain = false
-    this.forget()
     this.client.close()
   }
 

@@ -29,6 +29,8 @@ export abstract class Transport extends Scenes {
   private steps: { n: number; since: number } | null = null
   /** Answers that changes wait for. Each is listed until it was acted on. */
   protected awaited = $state.raw<readonly Promise<void>[]>([])
+  private reask: () => void = () => undefined
+  private replaced = new Promise<void>((resolve) => (this.reask = resolve))
   /** True from a change until its first picture: the old one must not pass for the new. */
   readonly stale = $derived(this.outdated || this.awaited.length > 0)
 
@@ -40,9 +42,23 @@ export abstract class Transport extends Scenes {
   /** Nothing but the run itself is shown. */
   protected abstract stopPlayback(): void
 
+  /** What the worker answers; if another one has taken its place, what that one does. */
+  protected async answered<T>(ask: () => Promise<T>): Promise<T> {
+    for (;;) {
+      const answer = await Promise.race([ask().then((value) => ({ value })), this.replaced.then(() => null)])
+      if (answer) return answer.value
+    }
+  }
+
+  /** A new thread is asked what the one before has not answered. */
+  protected askAgain(): void {
+    this.reask()
+    this.replaced = new Promise((resolve) => (this.reask = resolve))
+  }
+
   /** Asks the worker something that a change depends on, and makes the change. */
   protected await<T>(ask: () => Promise<T>, change: (answer: T) => void): Promise<void> {
-    const changed = ask().then(change)
+    const changed = this.answered(ask).then(change)
     this.awaited = [...this.awaited, changed]
     return changed.finally(() => (this.awaited = this.awaited.filter((other) => other !== changed)))
   }

@@ -1,3 +1,5 @@
+import type { Status } from 'forage-lab'
+
 /** How long the worker computes before it listens again, in milliseconds. */
 export const SLICE = 12
 
@@ -11,6 +13,23 @@ export function breathe(): Promise<void> {
     waiting.push(resolve)
     channel.port2.postMessage(0)
   })
+}
+
+/** A run or a trial whose long steps are taken in parts. */
+interface Stepped {
+  advance(): Status | 'partly'
+}
+
+/** Takes a step, listening between the parts of a long one; false if it is not `wanted` any more: then it has only begun. */
+export async function step(run: Stepped, wanted: () => boolean): Promise<boolean> {
+  let until = performance.now() + SLICE
+  while (run.advance() === 'partly') {
+    if (performance.now() < until) continue
+    await breathe()
+    if (!wanted()) return false
+    until = performance.now() + SLICE
+  }
+  return true
 }
 
 export function wait(milliseconds: number): Promise<void> {

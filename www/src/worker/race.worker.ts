@@ -30,6 +30,8 @@ const api = {
     }
   },
   go: async (clock: number): Promise<Picture | null> => sent(await (await own()).go(clock)),
+  /** It has seen what it was told before. */
+  hear: (): void => undefined,
   halt: (): void => racer?.halt(),
   look: async (look: Look): Promise<Picture | null> => sent((await own()).look(look)),
   async settle(): Promise<Settled | null> {

@@ -3,7 +3,7 @@ import type { Setup, UncheckedSetup } from 'forage-lab'
 import { extent } from './extent'
 import { fieldsOf } from './fields'
 import { Judge } from './judge'
-import { breathe, SLICE } from './pace'
+import { breathe, SLICE, step } from './pace'
 import { pack } from './pack'
 import { Pool } from './pool'
 import type { Look } from './protocol'
@@ -66,7 +66,8 @@ export class Racer {
     if (!session) return null
     this.underway = true
     const known = this.iterationAt(clock)
-    const reached = await this.reach(session, known ?? this.furthest, token)
+    // Where it never was it goes on from within the step that it has begun.
+    const reached = (known === null && session.iteration === this.furthest) || (await this.reach(session, known ?? this.furthest, token))
     if (!reached || (known === null && !(await this.discover(session, clock, token)))) return null
     this.underway = false
     return this.picture()
@@ -90,11 +91,11 @@ export class Racer {
 
   /** Goes where it was before; true if it came there. */
   private async reach(session: Session, iteration: number, token: number): Promise<boolean> {
-    if (session.iteration === iteration) return true
+    if (session.iteration === iteration && !session.partly) return true
     session.rewind(iteration)
     let until = performance.now() + SLICE
     while (session.iteration < iteration && session.status === 'running') {
-      session.step(1)
+      if (!(await step(session, () => token === this.token))) return false
       if (performance.now() < until) continue
       await breathe()
       if (token !== this.token) return false
@@ -106,9 +107,9 @@ export class Racer {
   /** Goes where it never was, and keeps what each step evaluated. */
   private async discover(session: Session, clock: number, token: number): Promise<boolean> {
     let until = performance.now() + SLICE
-    while (session.status === 'running' && session.evaluations < clock) {
-      const before = session.evaluations
-      session.stepTo(Math.ceil(clock), 1)
+    while (session.partly || (session.status === 'running' && session.evaluations < clock)) {
+      const before = this.marks.at(-1)?.evaluations ?? 0
+      if (!(await step(session, () => token === this.token))) return false
       const { iteration, evaluations } = session
       this.furthest = iteration
       this.judge.look(session)
@@ -179,13 +180,14 @@ export class Racer {
   }
 }
 
-/** The most evaluations of one of the first steps. A step that needs runs of other planners is not taken for that. */
+/** The most evaluations of one of the first steps. A step that is long or needs runs of other planners is not taken for that. */
 function probe(session: Session): number {
   let most = 0
   for (let step = 0; step < PROBES && session.jobs().length === 0; step += 1) {
     const before = session.evaluations
-    session.step(1)
+    const partly = session.advance() === 'partly'
     most = Math.max(most, session.evaluations - before)
+    if (partly) break
   }
   session.rewind(0)
   return most

@@ -37,7 +37,7 @@ import type {
   UncheckedSetup,
 } from 'forage-lab'
 import type { Errand } from './crew'
-import { oneself, thread } from './hands'
+import { thread } from './hands'
 import { causeOf } from './broken'
 import { breathe } from './pace'
 import { rest } from './rest'
@@ -73,6 +73,13 @@ async function silently<T>(ask: () => T): Promise<Answer<T>> {
   }
 }
 
+/** What the run has to say, once no step is half taken. */
+async function told<T>(ask: (session: Session) => T, how = answer): Promise<Answer<T>> {
+  await rest()
+  await running().whole()
+  return how(() => ask(current()))
+}
+
 function refusal(error: unknown): Refusal {
   if (!(error instanceof Error)) return { message: String(error), field: '' }
   const field = 'field' in error && typeof error.field === 'string' ? error.field : ''
@@ -91,10 +98,12 @@ const api = {
     await begin(core)
     simulation = new Simulation(frames, crash, async () => {
       const { Crew } = await import('./crew')
-      return new Crew(hands, thread, oneself)
+      return new Crew(hands, thread)
     })
     frames.onmessage = ({ data }: MessageEvent<ReturnedBuffer>) => simulation?.giveBack(data.buffer)
   },
+  /** It has seen what it was told before. */
+  hear: (): void => undefined,
   /** Of a thread that carries out runs for another one. */
   async carryOut(errand: Errand): Promise<Finding> {
     return (await rest()).ready(() => carryOut(errand))
@@ -118,11 +127,11 @@ const api = {
   look: (look: Look): void => running().look(look),
   /** Tells the members' numbers with the pictures, at most so often (in milliseconds); null: not at all. */
   tellMembers: (interval: number | null): void => running().tellMembers(interval),
-  inspect: (item: Item): Promise<Answer<Inspection | null>> => answer(() => current().inspect(item)),
+  inspect: (item: Item): Promise<Answer<Inspection | null>> => told((session) => session.inspect(item)),
   drive: (params: Record<string, ParameterValue>): Promise<Answer<Followed<Drive>>> =>
-    answer(() => running().follow((session) => session.drive(params))),
+    told(() => running().follow((session) => session.drive(params))),
   motion: (params: Record<string, ParameterValue>): Promise<Answer<Followed<Motion>>> =>
-    answer(() => running().follow((session) => session.motion(params))),
+    told(() => running().follow((session) => session.motion(params))),
   /** The postures that bring the tip to a point. */
   armSolutions: (scene: Scene, point: Point3, direction: Point3 | null, near?: number[]): Promise<Answer<ArmSolutions>> =>
     answer(() => armSolutions(scene, point, direction, near)),
@@ -137,7 +146,7 @@ const api = {
     return answer(() => reachability(scene, step))
   },
   async pick(x: number, y: number, reach: number): Promise<Item | null> {
-    const picked = await silently(() => running().session?.pick(x, y, reach) ?? null)
+    const picked = await told((session) => session.pick(x, y, reach), silently)
     return picked.ok ? picked.value : null
   },
   importScene: (files: NamedFile[], problem?: number): Promise<Answer<Imported>> => answer(() => importScene(files, problem)),
@@ -147,11 +156,11 @@ const api = {
   suggest: (setup: UncheckedSetup): Promise<Answer<Suggestion | null>> => silently(() => suggest(setup as Setup)),
   parseLink: (link: string): Promise<Answer<LinkSetup>> => answer(() => parseLink(link)),
   newSeed: (): number => newSeed(),
-  outcome: (): Promise<Answer<Outcome>> => answer(() => current().outcome()),
-  svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => answer(() => current().svg(dark, layers as LayerName[])),
-  link: (): Promise<Answer<string>> => silently(() => current().link()),
-  csv: (): Promise<Answer<string>> => silently(() => current().csv()),
-  tourFile: (): Promise<Answer<NamedFile | null>> => answer(() => current().tourFile()),
+  outcome: (): Promise<Answer<Outcome>> => told((session) => session.outcome()),
+  svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => told((session) => session.svg(dark, layers as LayerName[])),
+  link: (): Promise<Answer<string>> => told((session) => session.link(), silently),
+  csv: (): Promise<Answer<string>> => told((session) => session.csv(), silently),
+  tourFile: (): Promise<Answer<NamedFile | null>> => told((session) => session.tourFile()),
   async field(request: FieldRequest): Promise<ImageBitmap | null> {
     await breathe()
     return painted(request, current)

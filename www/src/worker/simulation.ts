@@ -3,7 +3,7 @@ import type { Item, RunEvent, Setup, UncheckedSetup } from 'forage-lab'
 import type { Crew, Task } from './crew'
 import { spanOf } from './extent'
 import { fieldsOf } from './fields'
-import { breathe, SLICE, wait } from './pace'
+import { breathe, SLICE, step, wait } from './pace'
 import { pack } from './pack'
 import { Pool } from './pool'
 import { rest } from './rest'
@@ -123,6 +123,11 @@ export class Simulation {
     })
   }
 
+  /** Waits until no step is half taken: only then there is something to say of the run. */
+  async whole(): Promise<void> {
+    while (this.session?.partly) await breathe()
+  }
+
   /** What has been found is followed, by the robot or the arm; the run stands still for it. */
   follow<T>(by: (session: Session) => T | null): Followed<T> {
     if (this.playing) this.pause()
@@ -201,7 +206,7 @@ export class Simulation {
     } else if (this.waits) {
       this.tellProgress(0, 0)
     }
-    session.step(1)
+    if (!(await step(session, () => token === this.token))) return false
     this.computed = Math.max(this.computed, session.iteration)
     this.stale = true
     return true
@@ -285,6 +290,8 @@ export class Simulation {
   /** Shows the state in which it stands still, whatever the pace. */
   private async settle(token: number): Promise<void> {
     await breathe()
+    if (token !== this.token) return
+    if (this.session?.partly && !(await this.step(token))) return
     // A run that has ended may say why: for that there must be words.
     if (this.session?.status !== 'running') await (await rest()).load()
     if (token !== this.token) return
@@ -300,7 +307,8 @@ export class Simulation {
 
   private picture(): void {
     const { session } = this
-    if (!session || !this.pool.ready) return
+    // A step that has begun is shown when it is over.
+    if (!session || session.partly || !this.pool.ready) return
     this.stale = false
     this.lastFrame = performance.now()
     const report = this.report()

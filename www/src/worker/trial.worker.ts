@@ -65,12 +65,13 @@ function inGap({ evaluations, values, exact }: Measured): Curve {
 
 const broken = (error: unknown): Ending => ({ is: 'broken', message: causeOf(error) })
 
-/** Steps in slices, so that it can be called off; false if it was. */
+/** Steps in slices, and long steps in parts, so that it can be called off; false if it was. */
 async function carryOut(trial: Trial): Promise<boolean> {
   let pace = 1
   for (;;) {
     const began = performance.now()
-    if (trial.step(pace) !== 'running') return true
+    const status = trial.advance(pace)
+    if (status !== 'running' && status !== 'partly') return true
     pace = Math.max(1, Math.floor(pace * Math.min(2, SLICE / Math.max(performance.now() - began, 0.1))))
     await breathe()
     if (stopped) return false

@@ -16,9 +16,8 @@ use crate::registry::registry;
 use forage::{
     Outcome, Run, Status,
     describe::{Column, Shown, layers},
-    kernel::Stepped,
     picture,
-    run::{csv_heading, csv_line, csv_row, run_subtasks_until},
+    run::{csv_heading, csv_line, csv_row},
     scene::formats::{stem_of, tour_file},
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -153,14 +152,7 @@ fn run_to_end(run: &mut Run, stop_at: Option<u64>, trace: Option<&Path>) -> Resu
         if done || interrupted.load(Ordering::Relaxed) {
             break;
         }
-        let subtasks = run.subtasks();
-        if !subtasks.is_empty() {
-            let stop = || interrupted.load(Ordering::Relaxed);
-            if let Some(found) = run_subtasks_until(registry(), run.scene(), &subtasks, &stop)? {
-                run.provide(found)?;
-            }
-        }
-        while !interrupted.load(Ordering::Relaxed) && run.part() == Stepped::Partly {}
+        run.step_until(&|| interrupted.load(Ordering::Relaxed));
     }
     let elapsed = started.elapsed();
     bar.finish_and_clear();

@@ -5,7 +5,14 @@ use std::{
     sync::atomic::{AtomicBool, Ordering},
 };
 
-use forage::{Overrides, Setup, Status, Trial, arm::ArmScene, follow::motion, kernel::Error, run::trial::WITHIN, standard};
+use forage::{
+    Overrides, Setup, Status, Trial,
+    arm::ArmScene,
+    follow::motion,
+    kernel::{Error, Stepped},
+    run::trial::WITHIN,
+    standard,
+};
 
 use super::{
     super::{arm_rrt, colonies, runner::Job},
@@ -74,11 +81,10 @@ impl Job for Task {
             Until::Evaluations(n) => (u64::MAX, n),
         };
         while trial.run().iteration() < most && trial.run().evaluations() < enough {
-            if stop.load(Ordering::Relaxed) {
-                return Ok(None);
-            }
-            if trial.step(1) != Status::Running {
-                break;
+            match trial.step_until(&|| stop.load(Ordering::Relaxed)) {
+                Stepped::Whole => {}
+                Stepped::Partly => return Ok(None),
+                Stepped::Not => break,
             }
         }
         let record = trial.record();

@@ -22,7 +22,7 @@ use std::{
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use forage::{
-    kernel::{Error, Status},
+    kernel::{Error, Stepped},
     run::trial::{Record, Trial},
 };
 
@@ -45,12 +45,13 @@ impl Work for Sweep {
 
     fn run(&self, job: usize, stop: &AtomicBool) -> Result<Option<Record>, Error> {
         let mut trial = Trial::new(&self.registry, self.setup(job), self.within)?;
-        while trial.step(1) == Status::Running {
-            if stop.load(Ordering::Relaxed) {
-                return Ok(None);
+        loop {
+            match trial.step_until(&|| stop.load(Ordering::Relaxed)) {
+                Stepped::Whole => {}
+                Stepped::Partly => return Ok(None),
+                Stepped::Not => return Ok(Some(trial.record())),
             }
         }
-        Ok(Some(trial.record()))
     }
 }
 
