@@ -322,6 +322,14 @@ test('what is no count is refused by name and value, and the session goes on', (
   assert.equal(session.iteration, session.limit)
 })
 
+test('more members than there is memory for are refused as natively', () => {
+  const points = Array.from({ length: 2000 }, (_, k) => [k % 50, Math.floor(k / 50)])
+  const scene = { format: 'forage-scene', version: 1, kind: 'tour', name: 't', title: 'T', points }
+  const { message: _, ...told } = refusal(() => new Session({ planner: 'tour-pso', scene, params: { population: 100_000 } }))
+  const allowed = 'at most 32736 where each takes 16400 bytes of memory'
+  assert.deepEqual(told, { code: 'refused', field: 'population', value: '100000', allowed })
+})
+
 test('a long step is taken in parts, and comes to the same', () => {
   const setup = { planner: 'sa', scene: 'random-280', params: { moves: 3000, iterations: 3 } }
   const [whole, session, trial] = [new Session(setup), new Session(setup), new Trial(setup)]

@@ -13,6 +13,10 @@ pub const LINK_BYTES: usize = 4 << 20;
 /// The largest file, in bytes.
 pub const FILE_BYTES: usize = 64 << 20;
 
+/// The most memory that the members of a search may take together, in bytes. WebAssembly has eight times as much for them, their
+/// copies and everything else.
+pub const MEMBERS_BYTES: usize = 512 << 20;
+
 /// The largest whole number that a seed, a count or an iteration can be: JavaScript holds all up to here exactly.
 pub const WHOLE: u64 = (1 << 53) - 1;
 
@@ -52,6 +56,19 @@ pub fn check_bytes(field: &str, bytes: usize, most: usize) -> Result<(), Error> 
             message!("error-most-bytes", "at most {most} bytes", most),
         ))
     }
+}
+
+/// Refuses more members than there is memory for; one of them takes `each` bytes.
+///
+/// # Errors
+/// [`Error::Refused`] for `field`.
+pub fn check_members(field: &str, members: u64, each: usize) -> Result<(), Error> {
+    let most = (MEMBERS_BYTES / each.max(1)) as u64;
+    if members <= most {
+        return Ok(());
+    }
+    let allowed = message!("error-most-members", "at most {most} where each takes {each} bytes of memory", most, each);
+    Err(Error::refused(field, members, allowed))
 }
 
 /// Refuses values that are nested deeper than [`DEPTH`].
@@ -132,6 +149,16 @@ mod tests {
             assert_eq!((error.field(), error.value(), &*error.allowed()), ("at", text, "a whole number from 0 to 9007199254740991"));
         }
         assert_eq!(check_whole("seed", WHOLE + 1).unwrap_err().value(), "9007199254740992");
+    }
+
+    #[test]
+    fn members_have_so_much_memory() {
+        assert_eq!(check_members("population", 4, MEMBERS_BYTES / 4), Ok(()));
+        let error = check_members("population", 5, MEMBERS_BYTES / 4).unwrap_err();
+        assert_eq!(
+            (error.field(), error.value(), &*error.allowed()),
+            ("population", "5", "at most 4 where each takes 134217728 bytes of memory")
+        );
     }
 
     #[test]

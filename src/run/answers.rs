@@ -1,6 +1,6 @@
 //! What the subtasks of a run found, kept for the way back.
 
-use crate::kernel::{Subtask, SubtaskResult};
+use crate::kernel::{State, Subtask, SubtaskResult};
 
 /// Carries out subtasks.
 pub(super) trait Carrier: Send {
@@ -13,15 +13,17 @@ pub(super) trait Carrier: Send {
 /// What the subtasks of a run found, in the order of the iterations whose steps they were for.
 pub(super) struct Answers {
     found: Vec<(u64, Vec<SubtaskResult>)>,
-    /// They are kept for the way back; otherwise until they are used.
-    kept: bool,
+    /// The memory that they take, in bytes, and how much they may: the earliest are dropped first, and carried out again on the way
+    /// back. With 0 they are kept until they are used.
+    bytes: usize,
+    budget: usize,
     /// Who carries them out, if anybody does.
     carrier: Option<Box<dyn Carrier>>,
 }
 
 impl Answers {
-    pub(super) fn new(kept: bool, carrier: Option<Box<dyn Carrier>>) -> Self {
-        Self { found: Vec::new(), kept, carrier }
+    pub(super) fn new(budget: usize, carrier: Option<Box<dyn Carrier>>) -> Self {
+        Self { found: Vec::new(), bytes: 0, budget, carrier }
     }
 
     /// Whether the subtasks of an iteration were carried out.
@@ -31,10 +33,23 @@ impl Answers {
 
     /// Takes what was found elsewhere.
     pub(super) fn keep(&mut self, iteration: u64, found: Vec<SubtaskResult>) {
-        match self.place(iteration) {
-            Ok(at) => self.found[at].1 = found,
-            Err(at) => self.found.insert(at, (iteration, found)),
+        if let Ok(at) = self.place(iteration) {
+            self.drop(at);
         }
+        self.bytes += found.heap_size();
+        let at = self.place(iteration).unwrap_or_else(|at| at);
+        self.found.insert(at, (iteration, found));
+        while self.bytes > self.budget
+            && let Some(other) = (0..self.found.len()).find(|&other| self.found[other].0 != iteration)
+        {
+            self.drop(other);
+        }
+    }
+
+    fn drop(&mut self, at: usize) -> Vec<SubtaskResult> {
+        let (_, found) = self.found.remove(at);
+        self.bytes -= found.heap_size();
+        found
     }
 
     /// Where an iteration is, or belongs.
@@ -45,7 +60,7 @@ impl Answers {
     /// What is known to have been found for an iteration.
     fn known(&mut self, iteration: u64) -> Option<Vec<SubtaskResult>> {
         let at = self.place(iteration).ok()?;
-        Some(if self.kept { self.found[at].1.clone() } else { self.found.remove(at).1 })
+        Some(if self.budget > 0 { self.found[at].1.clone() } else { self.drop(at) })
     }
 
     /// What these subtasks of an iteration find.
@@ -70,9 +85,42 @@ impl Answers {
     }
 
     fn found_now(&mut self, iteration: u64, found: Vec<SubtaskResult>) -> Vec<SubtaskResult> {
-        if self.kept {
+        if self.budget > 0 {
             self.keep(iteration, found.clone());
         }
         found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(points: usize) -> Vec<SubtaskResult> {
+        vec![SubtaskResult { cost: Some(1.0), converged: 1.0, path: vec![[0.0; 2]; points] }]
+    }
+
+    #[test]
+    fn the_earliest_are_dropped_first_and_never_what_was_just_found() {
+        let each = found(100).heap_size();
+        let mut answers = Answers::new(3 * each, None);
+        for iteration in [0, 1, 2, 3, 4] {
+            answers.keep(iteration, found(100));
+        }
+        let known = |answers: &Answers| (0..6).filter(|&iteration| answers.knows(iteration)).collect::<Vec<_>>();
+        assert_eq!((known(&answers), answers.bytes), (vec![2, 3, 4], 3 * each));
+        answers.keep(0, found(100));
+        assert_eq!(known(&answers), [0, 3, 4]);
+        answers.keep(5, found(1000));
+        assert_eq!(known(&answers), [5]);
+        assert_eq!(answers.of(5, &[]), found(1000));
+        assert!(answers.knows(5));
+    }
+
+    #[test]
+    fn without_memory_they_are_kept_until_they_are_used() {
+        let mut answers = Answers::new(0, None);
+        answers.keep(3, found(10));
+        assert_eq!((answers.part_of(3, &[]), answers.knows(3), answers.bytes), (Some(found(10)), false, 0));
     }
 }

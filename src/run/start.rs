@@ -46,7 +46,8 @@ impl Run {
         Self::with_keyframes(registry, setup, Self::KEYFRAME_BUDGET)
     }
 
-    /// Starts a run that keeps keyframes up to `budget` bytes; with 0 every way back is a replay from the start.
+    /// Starts a run that keeps keyframes up to `budget` bytes, and what its subtasks found up to as many; with 0 every way back is a
+    /// replay from the start.
     ///
     /// # Errors
     /// As [`Run::new`].
@@ -54,7 +55,7 @@ impl Run {
         let (entry, parameters) = setup.check(registry)?;
         let Setup { scene, seed, .. } = setup;
         let started = (entry.start)(&Start { scene: &scene, parameters: &parameters, seed, entries: &**registry })?;
-        let answers = Answers::new(budget > 0, Some(Box::new(Here::new(registry, &scene))));
+        let answers = Answers::new(budget, Some(Box::new(Here::new(registry, &scene))));
         let setup = Begun { origin: Origin::Registry(Arc::clone(registry)), entry, scene, parameters, seed };
         Ok(Self::begin(started, setup, answers, budget))
     }
@@ -93,7 +94,7 @@ impl Run {
             parameters: Parameters::default(),
             seed: 0,
         };
-        Self::begin(started, setup, Answers::new(true, None), Self::KEYFRAME_BUDGET)
+        Self::begin(started, setup, Answers::new(Self::KEYFRAME_BUDGET, None), Self::KEYFRAME_BUDGET)
     }
 
     /// Described by an entry: its name, its layers, its readings.

@@ -471,7 +471,10 @@ pub const ENTRY: Entry = Entry::new(
     "Discrete bats",
     "[ANTBAT] §3.3",
     "Each bat holds a tour. Far from the best tour it crosses over with it (PMX); close to it, it tries 2-opt moves; loudness decides whether it accepts a tour found near the best.",
-    |start| planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    |start| {
+        planner::check_members(start, 1)?;
+        planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+    },
 )
 .family("tour")
 .kinds(KINDS)

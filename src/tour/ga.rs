@@ -324,7 +324,11 @@ pub const ENTRY: Entry = Entry::new(
     "Genetic algorithm",
     "Davis 1985",
     "Generations of tours: children take a stretch of one parent and the order of the other, some have a stretch reversed, and the shortest are kept.",
-    |start| planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    |start| {
+        // Two generations.
+        planner::check_members(start, 2)?;
+        planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+    },
 )
 .family("tour")
 .kinds(KINDS)

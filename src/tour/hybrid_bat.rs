@@ -377,7 +377,10 @@ pub const ENTRY: Entry = Entry::new(
     "Bats with perturbation",
     "[ANTBAT] §4, its [25]",
     "Bats that hold a tour each: they swap stops towards the best one, or take the best of a few perturbations of it.",
-    |start| planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    |start| {
+        planner::check_members(start, 1)?;
+        planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+    },
 )
 .family("tour")
 .kinds(KINDS)

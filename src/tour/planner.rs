@@ -7,7 +7,7 @@ use crate::{
     exact::MAX_EXACT_STOPS,
     kernel::{
         Candidate, Error, Explain, Facets, Failure, Frame, Inspection, Item, Members, Message, Planner, Progress, Readings,
-        ReferenceOptimum, Solution, Stage, Started, Status, Subtasks,
+        ReferenceOptimum, Solution, Stage, Started, Status, Subtasks, limits,
     },
     message,
     scene::{GridScene, TourScene},
@@ -16,8 +16,8 @@ use crate::{
 
 use super::{
     explain, moves,
-    parameters::{self, BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, MEAN, ROADS, SMOOTH},
-    problem::Problem,
+    parameters::{self, BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, MEAN, POPULATION, ROADS, SMOOTH},
+    problem::{Problem, Tour},
     roads::Network,
     search::{Begin, lengths, mean},
     tours::Tours,
@@ -70,6 +70,18 @@ pub fn start(start: &Start, own_readings: &'static [Reading], begin: Begin) -> R
     };
     let started = Started::new(tours, settings[ITERATIONS] + roads).measured_by(reference).in_stages(stages);
     Ok(Started { progress, ends: Some(round), ..started })
+}
+
+/// The bytes of a member's numbers, at the most: the same wherever it runs.
+const NUMBERS: usize = 256;
+
+/// Refuses more members than there is memory for. Each has so many tours through all stops, and some numbers.
+pub(super) fn check_members(start: &Start, tours: usize) -> Result<(), Error> {
+    let stops = match start.scene.get::<TourScene>() {
+        Ok(scene) => scene.distances().len(),
+        Err(_) => start.scene.stops().len(),
+    };
+    limits::check_members(POPULATION.name(), start.parameters[POPULATION], NUMBERS + tours * Tour::bytes(stops))
 }
 
 impl Planner for Tours {

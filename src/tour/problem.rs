@@ -104,6 +104,11 @@ impl Tour {
         tour
     }
 
+    /// How many bytes one through so many stops takes at the most: the same number wherever it runs.
+    pub(super) fn bytes(stops: usize) -> usize {
+        32 + (stops + 2) * size_of::<Stop>()
+    }
+
     /// How many stops may be moved.
     pub fn len(&self) -> usize {
         self.row.len() - 2

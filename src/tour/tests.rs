@@ -340,3 +340,18 @@ fn the_shortest_tour_by_road_is_what_held_karp_finds_on_those_roads() {
         assert!((best - by_road).abs() < 1e-9, "{roads}, {round}: {best} and {by_road}");
     }
 }
+
+#[test]
+fn more_members_than_there_is_memory_for_are_refused() {
+    let points: Vec<_> = (0..2000).map(|i| [i % 50, i / 50]).collect();
+    let text = serde_json::json!({ "format": "forage-scene", "version": 1, "kind": "tour", "name": "t", "title": "T", "points": points });
+    let scene = Arc::new(standard().read_scene(&text.to_string()).unwrap());
+    for (planner, allowed) in [
+        ("ga", "at most 64465 where each takes 8328 bytes of memory"),
+        ("tour-pso", "at most 32736 where each takes 16400 bytes of memory"),
+    ] {
+        let params = [("population", Value::from(100_000.0))].into_iter().collect();
+        let error = Run::new(standard(), Setup { planner: planner.into(), scene: Arc::clone(&scene), params, seed: 1 }).err().unwrap();
+        assert_eq!((error.field(), error.value(), &*error.allowed()), ("population", "100000", allowed), "{planner}");
+    }
+}

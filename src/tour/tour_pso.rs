@@ -309,7 +309,11 @@ pub const ENTRY: Entry = Entry::new(
     "Particle swarm with swaps",
     "Wang et al. 2003",
     "Each particle holds a tour and swaps stops: some of the swaps of its velocity, some toward its personal best, some toward the global best. A local search improves each tour.",
-    |start| planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng))),
+    |start| {
+        // A list of swaps, of two numbers each, is as large as two tours.
+        planner::check_members(start, 4)?;
+        planner::start(start, OWN_READINGS, |problem, settings, rng| Box::new(begin(problem, settings, rng)))
+    },
 )
 .family("tour")
 .kinds(KINDS)
