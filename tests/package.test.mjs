@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { after, before, test } from 'node:test'
 import { fileURLToPath } from 'node:url'
+import { catalogue, Session } from '../pkg/node.js'
 import { look, serve } from './support/static.mjs'
 
 const root = fileURLToPath(new URL('..', import.meta.url))
@@ -341,9 +342,18 @@ test('a page and Node have an entry each', () => {
 })
 
 const SETUP = { planner: 'wcpso', scene: 'wcpso-discs', seed: 7, params: { iterations: 40 } }
+/** A link that carries an arm of its own. */
+function armLink() {
+  const arm = catalogue().scenes.find(({ kind }) => kind === 'arm')
+  const session = new Session({ planner: 'rrt', scene: { ...arm, name: 'own', title: 'Own' } })
+  const link = session.link()
+  session.free()
+  return link
+}
+
 /** A page that runs a session, and says what came of it; before that, one that needs another part. */
 const script = (from) => `
-  import init, { ready, Session } from '${from}';
+  import init, { parseLink, ready, Session } from '${from}';
   await init();
   let refused;
   try { new Session({ planner: 'a-star', scene: 'ant-bat-30' }) } catch ({ code, message }) { refused = code + message }
@@ -352,6 +362,8 @@ const script = (from) => `
   other.step(Infinity);
   if (!other.outcome().feasible) throw new Error('no path');
   other.free();
+  const opened = await ready(() => parseLink('${armLink()}'));
+  if (opened.scene.kind !== 'arm') throw new Error(opened.scene.kind);
   const session = new Session(${JSON.stringify(SETUP)});
   while (session.status === 'running') session.step(10);
   document.body.textContent = session.outcome().hash;

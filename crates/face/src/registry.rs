@@ -55,13 +55,20 @@ pub(crate) fn ask<T>(question: impl Fn(&'static Arc<Registry>) -> Result<T, Erro
     loop {
         match question(registry()) {
             Ok(answer) => return Ok(answer),
-            Err(error) if error.code() == "unknown" => {
-                if !bring(error.field(), error.value())? {
-                    return Err(js_error(error));
-                }
-            }
-            Err(error) => return Err(js_error(error)),
+            Err(error) => match lacking(&error) {
+                Some(name) if bring(error.field(), &name)? => {}
+                _ => return Err(js_error(error)),
+            },
         }
+    }
+}
+
+/// The name that the registry does not know: what was asked for, or the kind of a scene that a text carries.
+fn lacking(error: &Error) -> Option<String> {
+    match error.code() {
+        "unknown" => Some(error.value().to_owned()),
+        "refused" if error.field() == "kind" => Some(error.value().strip_prefix('"')?.strip_suffix('"')?.to_owned()),
+        _ => None,
     }
 }
 

@@ -53,6 +53,8 @@ export class Crew {
     private size: number,
     /** Somebody from another thread; throws where there can be none. */
     private readonly hire: () => Hand,
+    /** Takes the place of all others when they fail. */
+    private readonly oneself: Hand,
   ) {}
 
   /** Another run. On the same scene what was found still counts: other planners may ask for the same roads. */
@@ -112,9 +114,9 @@ export class Crew {
     try {
       while (this.idle.length < work && this.idle.length + this.busy.size < this.size) this.idle.push(this.hire())
     } catch {
-      // A thread that can't start threads: the run carries them out itself.
+      // Threads that can't start threads: whoever is there does it.
     }
-    if (work > 0 && this.idle.length + this.busy.size === 0) this.end(null)
+    if (this.idle.length + this.busy.size === 0) this.idle.push(this.oneself)
   }
 
   /** Hands out what waits, and ends the round when all of it has been found. */
@@ -151,8 +153,12 @@ export class Crew {
   /** Another hand takes up what one has failed at; when nobody is left, whoever asked has to do it. */
   private fail(hand: Hand, { key }: Turn): void {
     hand.dismiss()
+    if (hand === this.oneself) {
+      this.end(null)
+      return
+    }
     this.size -= 1
     if (this.round?.missing.has(key)) this.round.waiting.unshift(key)
-    if (this.idle.length + this.busy.size === 0) this.end(null)
+    if (this.idle.length + this.busy.size === 0) this.idle.push(this.oneself)
   }
 }

@@ -1,5 +1,8 @@
 import { type Remote, wrap } from 'comlink'
+import { carryOut } from 'forage-lab/core'
 import type { Hand } from './crew'
+import { breathe } from './pace'
+import { rest } from './rest'
 import type { Api } from './sim.worker'
 
 interface Other {
@@ -24,4 +27,13 @@ export function other(): Other {
 export function thread(): Hand {
   const { api, failed, end } = other()
   return { carryOut: (errand) => Promise.race([api.carryOut(errand), failed]), dismiss: end }
+}
+
+/** This thread, which listens between two runs. */
+export const oneself: Hand = {
+  async carryOut(errand) {
+    await breathe()
+    return (await rest()).ready(() => carryOut(errand))
+  },
+  dismiss() {},
 }

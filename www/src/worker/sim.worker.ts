@@ -37,7 +37,7 @@ import type {
   UncheckedSetup,
 } from 'forage-lab'
 import type { Errand } from './crew'
-import { thread } from './hands'
+import { oneself, thread } from './hands'
 import { causeOf } from './broken'
 import { breathe } from './pace'
 import { rest } from './rest'
@@ -98,7 +98,7 @@ const api = {
     await begin(core)
     simulation = new Simulation(frames, crash, async () => {
       const { Crew } = await import('./crew')
-      return new Crew(hands, thread)
+      return new Crew(hands, thread, oneself)
     })
     frames.onmessage = ({ data }: MessageEvent<ReturnedBuffer>) => simulation?.giveBack(data.buffer)
   },
