@@ -14,7 +14,7 @@ use crate::{
     kernel::{Event, Exact, Header, Inspection, Item, Stage, Status, Subtask, SubtaskResult, inspection::Table},
     run::{Outcome, link::Contents, trial::Record},
     scene::{discs::DiscsScene, formats::Imported, function::FunctionScene, grid::GridScene, tour::TourScene},
-    statistics::{Comparison, Group},
+    statistics::{Bands, Comparison, Group, Reached},
 };
 
 /// Those who follow a path, as the catalogue lists them.
@@ -113,7 +113,9 @@ pub fn declarations() -> String {
     found.visit::<SubtaskResult>();
     found.visit::<Record>();
     found.visit::<Group>();
+    found.visit::<Bands>();
     found.visit::<Comparison>();
+    found.visit::<Reached>();
     found.visit::<Imported>();
     found.visit::<arm::Pose>();
     found.visit::<arm::Answer>();

@@ -98,7 +98,7 @@ fn shares_have_wilsons_interval() {
 
 #[test]
 fn a_comparison_ranks_failed_runs_last_and_leaves_them_out_of_the_mean() {
-    let group = |name: &str, values: &[Option<f64>]| Group { name: name.to_owned(), values: values.to_vec() };
+    let group = |name: &str, values: &[Option<f64>]| Group::new(name, values.to_vec());
     let groups = [
         group("good", &[Some(1.0), Some(2.0), Some(3.0)]),
         group("often", &[Some(1.5), None, Some(2.5)]),
@@ -113,7 +113,7 @@ fn a_comparison_ranks_failed_runs_last_and_leaves_them_out_of_the_mean() {
     assert_eq!((found.pairs[0].better, found.pairs[1].better), (6.0 / 9.0, 1.0));
     let ranks = found.friedman.unwrap();
     // Seed by seed: 1 2 3, then 1 and two failed, then 2 1 3.
-    assert_eq!(ranks.ranks, [4.0 / 3.0, 5.5 / 3.0, 8.5 / 3.0]);
+    assert_eq!(ranks.ranks, [4.0 / 3.0, 5.5 / 3.0, 8.5 / 3.0].map(Some));
     assert!(compare(&groups[..1]).friedman.is_none() && compare(&[]).groups.is_empty());
 }
 
@@ -121,11 +121,25 @@ fn a_comparison_ranks_failed_runs_last_and_leaves_them_out_of_the_mean() {
 #[test]
 fn numbers_that_differ_by_rounding_alone_are_ties() {
     let length = 42.041_630_560_342_62;
-    let group = |name: &str, value: f64| Group { name: name.to_owned(), values: vec![Some(value); 10] };
+    let group = |name: &str, value: f64| Group::new(name, vec![Some(value); 10]);
     let found = compare(&[group("a", length), group("b", length + 2.0 * f64::EPSILON * 32.0)]);
     assert!(length < length + 2.0 * f64::EPSILON * 32.0);
-    assert_eq!((found.pairs[0].p, found.pairs[0].better, found.friedman.unwrap().ranks), (1.0, 0.5, vec![1.5, 1.5]));
+    assert_eq!((found.pairs[0].p, found.pairs[0].better, found.friedman.unwrap().ranks), (Some(1.0), 0.5, vec![Some(1.5); 2]));
     // What differs by more is none, however small it is.
     let errors = compare(&[group("a", 1e-150), group("b", 1.1e-150)]);
-    assert!(errors.pairs[0].better == 1.0 && errors.pairs[0].p < 1e-3);
+    assert!(errors.pairs[0].better == 1.0 && errors.pairs[0].p.unwrap() < 1e-3);
+}
+
+#[test]
+fn what_is_deterministic_takes_no_part_in_tests() {
+    let values = [3.0, 1.0, 2.0, 5.0, 4.0];
+    let group = |name: &str, values: [f64; 5]| Group::new(name, values.map(Some).to_vec());
+    let (first, last) = (group("a", values), group("c", values.map(|value| value + 10.0)));
+    let sure = Group { deterministic: true, ..group("b", [1.0; 5]) };
+    let alone = compare(&[first.clone(), last.clone()]);
+    let found = compare(&[first, sure, last]);
+    let tested: Vec<_> = found.pairs.iter().map(|pair| (pair.first, pair.second, pair.p.is_some(), pair.corrected)).collect();
+    assert_eq!(tested, [(0, 1, false, None), (0, 2, true, alone.pairs[0].p), (1, 2, false, None)]);
+    assert_eq!((found.pairs[0].better, found.pairs[1].better, found.pairs[2].better), (0.1, 1.0, 1.0));
+    assert_eq!(found.friedman.unwrap().ranks, [Some(1.0), None, Some(2.0)]);
 }

@@ -128,6 +128,7 @@ impl Run {
             keyframes: Keyframes::new(budget),
             before: None,
             trace: Trace::default(),
+            curve: None,
             readings: Readings::default(),
             setup_digest: OnceCell::new(),
             followed: None,

@@ -11,7 +11,13 @@ use crate::{
     params::{Overrides, Parameters},
 };
 
-use super::{answers::Answers, keyframes::Keyframes, origin::Origin, trace::Trace};
+use super::{
+    answers::Answers,
+    curve::{Curve, Improvement},
+    keyframes::Keyframes,
+    origin::Origin,
+    trace::Trace,
+};
 
 /// A run that can go forward and back.
 pub struct Run {
@@ -33,6 +39,8 @@ pub struct Run {
     /// The state before the one that was inspected last: while an item is watched, each step costs one more, not a replay.
     pub(super) before: Option<Stepper>,
     pub(super) trace: Trace,
+    /// The best so far, once it is asked for: to judge it takes time.
+    pub(super) curve: Option<Curve>,
     pub(super) readings: Readings,
     /// What the setup adds to a hash; made when the first is asked for.
     pub(super) setup_digest: OnceCell<Digest>,
@@ -119,6 +127,9 @@ impl Run {
 
     pub(super) fn remember(&mut self) {
         self.keyframes.offer(&self.at);
+        if let Some(curve) = &mut self.curve {
+            curve.look(&self.scene, &self.at);
+        }
         if self.status() != Status::Running {
             self.end = Some(self.at.iteration);
         }
@@ -205,6 +216,23 @@ impl Run {
     pub fn readings(&mut self) -> &Readings {
         self.read();
         &self.readings
+    }
+
+    /// The values of the feasible best whenever it changed, up to the furthest iteration. From the first call on it grows with each
+    /// step; what was before takes a replay. Within a step it ends with the one before.
+    pub fn curve(&mut self) -> &[Improvement] {
+        let mut curve = self.curve.take().unwrap_or_default();
+        if curve.seen <= self.iteration() {
+            let mut state = if curve.seen == 0 { self.start() } else { self.state_at(curve.seen - 1) };
+            loop {
+                curve.look(&self.scene, &state);
+                let now = state.iteration;
+                if now >= self.iteration() || !state.step(|subtasks| self.answers.of(now, &subtasks)) {
+                    break;
+                }
+            }
+        }
+        &self.curve.insert(curve).improvements
     }
 
     /// The readings of past iterations.

@@ -15,21 +15,10 @@ use crate::{
     settled::SETTLED,
 };
 
-use super::{setup::Setup, stepping::Run};
+use super::{curve::Improvement, setup::Setup, stepping::Run};
 
 /// How near to the exact optimum counts as reached, unless told otherwise: 1 %.
 pub const WITHIN: f64 = 0.01;
-
-/// The best value changed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Improvement {
-    /// In which iteration.
-    pub iteration: u64,
-    /// After how many evaluations.
-    pub evaluations: u64,
-    /// What the feasible best so far comes to: see [`Record::value`]. It may rise where the planner's cost is not the length.
-    pub value: f64,
-}
 
 /// What a run came to.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -97,11 +86,6 @@ pub struct Trial {
     within: f64,
     /// The optimum, if there is one.
     exact: Option<f64>,
-    /// The planner's cost when its best was looked at last.
-    seen: Option<f64>,
-    curve: Vec<Improvement>,
-    /// Iterations and evaluations when the best was near enough.
-    reached: Option<[u64; 2]>,
 }
 
 impl Trial {
@@ -114,45 +98,25 @@ impl Trial {
         if !(0.0..=1e6).contains(&within) {
             return Err(Error::refused("within", within, message!("run-within", "from 0 to 1000000, a share of the exact optimum")));
         }
-        let run = Run::with_keyframes(registry, setup, 0)?;
+        let mut run = Run::with_keyframes(registry, setup, 0)?;
         let exact = run.exact().map(|exact| exact.length).or_else(|| run.scene().minimum());
-        let mut trial = Self { run, within, exact, seen: None, curve: Vec::new(), reached: None };
-        trial.look();
-        Ok(trial)
+        run.curve();
+        Ok(Self { run, within, exact })
     }
 
     /// Takes up to `steps` steps; stops where the planner does.
     pub fn step(&mut self, steps: u64) -> Status {
-        for _ in 0..steps {
-            let before = self.run.iteration();
-            let status = self.run.step(1);
-            if self.run.iteration() > before {
-                self.look();
-            }
-            if status != Status::Running {
-                break;
-            }
-        }
-        self.run.status()
+        self.run.step(steps)
     }
 
     /// Does a part of a step: see [`Run::part`].
     pub fn part(&mut self) -> Stepped {
-        let stepped = self.run.part();
-        self.looked(stepped)
+        self.run.part()
     }
 
     /// Takes a step unless `stop` becomes true: see [`Run::step_until`].
     pub fn step_until(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> Stepped {
-        let stepped = self.run.step_until(stop);
-        self.looked(stepped)
-    }
-
-    fn looked(&mut self, stepped: Stepped) -> Stepped {
-        if stepped == Stepped::Whole {
-            self.look();
-        }
-        stepped
+        self.run.step_until(stop)
     }
 
     /// The run.
@@ -161,31 +125,19 @@ impl Trial {
     }
 
     /// The values of the feasible best, whenever it changed.
-    pub fn curve(&self) -> &[Improvement] {
-        &self.curve
-    }
-
-    /// Judges the best if it is another one than before.
-    fn look(&mut self) {
-        let Some(best) = self.run.best() else { return };
-        if self.seen == Some(best.cost) {
-            return;
-        }
-        self.seen = Some(best.cost);
-        let verdict = self.run.scene().judge(&best.solution);
-        if !verdict.feasible {
-            return;
-        }
-        let value = verdict.length.unwrap_or(best.cost);
-        let (iteration, evaluations) = (self.run.iteration(), self.run.evaluations());
-        self.curve.push(Improvement { iteration, evaluations, value });
-        if self.reached.is_none() && self.exact.is_some_and(|exact| self.is_near(value, exact)) {
-            self.reached = Some([iteration, evaluations]);
-        }
+    pub fn curve(&mut self) -> &[Improvement] {
+        self.run.curve()
     }
 
     fn is_near(&self, value: f64, exact: f64) -> bool {
         value <= if exact > 0.0 { exact * (1.0 + self.within) } else { exact + self.within }
+    }
+
+    /// Iterations and evaluations when the best was near enough.
+    fn reached(&mut self) -> Option<[u64; 2]> {
+        let exact = self.exact?;
+        let curve = self.run.curve().to_vec();
+        curve.into_iter().find(|best| self.is_near(best.value, exact)).map(|best| [best.iteration, best.evaluations])
     }
 
     /// What the run came to so far.
@@ -196,7 +148,7 @@ impl Trial {
         let settled =
             outcome.readings.iter().find(|(name, _)| *name == SETTLED.name).map(|(_, value)| *value).filter(|value| value.is_finite());
         // A stored optimum that a result refutes was none.
-        let reached = self.reached.filter(|_| outcome.exact.is_some());
+        let reached = self.reached().filter(|_| outcome.exact.is_some());
         Record {
             planner: outcome.planner,
             scene: outcome.scene,

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Friedman, Summary, friedman, holm, proportion, rank_sum};
+use super::{Summary, friedman, holm, proportion, rank_sum};
 
 /// The value of a failed run among ranks: more than any other, and, unlike infinity, with a difference of 0 from itself.
 pub const LAST: f64 = f64::MAX;
@@ -19,6 +19,17 @@ pub struct Group {
     /// The result of each run, smaller is better; `None` without a feasible result. In all groups the same index stands for the
     /// same scene and seed.
     pub values: Vec<Option<f64>>,
+    /// Every seed gives the same run: then tests, which ask whether chance alone explains a difference, say nothing of it.
+    #[serde(default)]
+    #[cfg_attr(feature = "types", ts(optional, as = "Option<bool>"))]
+    pub deterministic: bool,
+}
+
+impl Group {
+    /// Runs that differ from seed to seed.
+    pub fn new(name: impl Into<String>, values: Vec<Option<f64>>) -> Self {
+        Self { name: name.into(), values, deterministic: false }
+    }
 }
 
 /// The summary of a group.
@@ -47,12 +58,12 @@ pub struct Pair {
     pub first: usize,
     /// The index of the second group.
     pub second: usize,
-    /// Mann and Whitney's U of the first group.
-    pub u: f64,
+    /// Mann and Whitney's U of the first group; this and what follows is `None` if one of the two is deterministic.
+    pub u: Option<f64>,
     /// The p-value of Wilcoxon's rank-sum test, two-sided. Runs without a feasible result rank last.
-    pub p: f64,
-    /// The p-value corrected for the number of pairs (Holm).
-    pub corrected: f64,
+    pub p: Option<f64>,
+    /// The p-value corrected for the number of tested pairs (Holm).
+    pub corrected: Option<f64>,
     /// The probability of superiority: that a run of the first group is better than one of the second; ties count half.
     pub better: f64,
 }
@@ -65,17 +76,32 @@ pub struct Comparison {
     pub groups: Vec<GroupSummary>,
     /// The comparison of each pair.
     pub pairs: Vec<Pair>,
-    /// Friedman's test over scenes and seeds; `None` if the groups are not equally long, or there is only one.
-    pub friedman: Option<Friedman>,
+    /// Friedman's test over scenes and seeds, of the groups that are not deterministic; `None` if they are not equally long, or
+    /// fewer than two.
+    pub friedman: Option<Ranks>,
+}
+
+/// Mean ranks of groups over common scenes and seeds, and Friedman's test of whether they differ.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Friedman"))]
+pub struct Ranks {
+    /// The number of scenes and seeds.
+    pub blocks: usize,
+    /// The mean rank of each group, 1 is the best; ties share their mean rank. `None` of a deterministic one.
+    pub ranks: Vec<Option<f64>>,
+    /// Friedman's statistic, corrected for ties; `None` for two groups, or if all are tied everywhere.
+    pub statistic: Option<f64>,
+    /// Its p-value by the chi-squared distribution.
+    pub p: Option<f64>,
 }
 
 /// Summarises groups and tests whether they differ.
 ///
 /// ```
 /// use forage::statistics::{Group, compare};
-/// let group = |name: &str, values: [f64; 5]| Group { name: name.into(), values: values.map(Some).to_vec() };
+/// let group = |name, values: [f64; 5]| Group::new(name, values.map(Some).to_vec());
 /// let found = compare(&[group("a", [1.0, 2.0, 3.0, 4.0, 5.0]), group("b", [6.0, 7.0, 8.0, 9.0, 10.0])]);
-/// assert!(found.pairs[0].p < 0.01 && found.pairs[0].better == 1.0);
+/// assert!(found.pairs[0].p.unwrap() < 0.01 && found.pairs[0].better == 1.0);
 /// ```
 pub fn compare(groups: &[Group]) -> Comparison {
     let ranked = comparable(groups.iter().map(|group| &group.values[..]));
@@ -83,13 +109,15 @@ pub fn compare(groups: &[Group]) -> Comparison {
     for first in 0..groups.len() {
         for second in first + 1..groups.len() {
             if let Some(test) = rank_sum(&ranked[first], &ranked[second]) {
-                pairs.push(Pair { first, second, u: test.u, p: test.p, corrected: test.p, better: test.smaller });
+                let drawn = !(groups[first].deterministic || groups[second].deterministic);
+                let (u, p) = (drawn.then_some(test.u), drawn.then_some(test.p));
+                pairs.push(Pair { first, second, u, p, corrected: None, better: test.smaller });
             }
         }
     }
-    let corrected = holm(&pairs.iter().map(|pair| pair.p).collect::<Vec<_>>());
-    pairs.iter_mut().zip(corrected).for_each(|(pair, p)| pair.corrected = p);
-    Comparison { groups: groups.iter().map(GroupSummary::of).collect(), pairs, friedman: ranks(&ranked) }
+    let corrected = holm(&pairs.iter().filter_map(|pair| pair.p).collect::<Vec<_>>());
+    pairs.iter_mut().filter(|pair| pair.p.is_some()).zip(corrected).for_each(|(pair, p)| pair.corrected = Some(p));
+    Comparison { groups: groups.iter().map(GroupSummary::of).collect(), pairs, friedman: ranks(groups, &ranked) }
 }
 
 /// The results of runs for rank tests: a failed run ranks last, and numbers that differ by rounding alone become equal. The
@@ -109,12 +137,16 @@ pub fn comparable<'a>(groups: impl IntoIterator<Item = &'a [Option<f64>]>) -> Ve
     groups
 }
 
-fn ranks(groups: &[Vec<f64>]) -> Option<Friedman> {
-    let blocks = groups.first()?.len();
-    if groups.len() < 2 || groups.iter().any(|group| group.len() != blocks) {
+fn ranks(groups: &[Group], ranked: &[Vec<f64>]) -> Option<Ranks> {
+    let drawn: Vec<&Vec<f64>> = groups.iter().zip(ranked).filter(|(group, _)| !group.deterministic).map(|(_, values)| values).collect();
+    let blocks = drawn.first()?.len();
+    if drawn.len() < 2 || drawn.iter().any(|values| values.len() != blocks) {
         return None;
     }
-    friedman(&(0..blocks).map(|block| groups.iter().map(|group| group[block]).collect()).collect::<Vec<_>>())
+    let found = friedman(&(0..blocks).map(|block| drawn.iter().map(|values| values[block]).collect()).collect::<Vec<_>>())?;
+    let mut ranks = found.ranks.into_iter();
+    let ranks = groups.iter().map(|group| if group.deterministic { None } else { ranks.next() }).collect();
+    Some(Ranks { blocks: found.blocks, ranks, statistic: found.statistic, p: found.p })
 }
 
 impl GroupSummary {

@@ -4,10 +4,12 @@
 //! run: the bits of a p-value are not promised.
 
 mod compare;
+mod curves;
 mod summary;
 mod tests_between;
 
-pub use compare::{Comparison, Group, GroupSummary, LAST, Pair, comparable, compare};
+pub use compare::{Comparison, Group, GroupSummary, LAST, Pair, Ranks, comparable, compare};
+pub use curves::{Band, Bands, Curve, Reached, bands, reached};
 pub use summary::{Moments, Summary, proportion};
 pub use tests_between::{Friedman, RankSum, friedman, holm, rank_sum};
 

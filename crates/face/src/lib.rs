@@ -52,7 +52,7 @@ pub use links::{offer_links, parse_link};
 pub use pictures::offer_pictures;
 pub use registry::{Entries, know};
 pub use scenes::check_scene;
-pub use statistics::{compare, offer_statistics};
+pub use statistics::{bands, compare, offer_statistics, reached};
 pub use trial::Trial;
 pub use types::*;
 
@@ -272,6 +272,12 @@ impl Session {
     #[wasm_bindgen(getter)]
     pub fn parameters(&self) -> Result<JsParameters, JsValue> {
         plain(&Object(self.run.parameters().all()))
+    }
+
+    /// The values of the feasible best whenever it changed, up to the furthest iteration. From the first call on it grows with each step;
+    /// what was before takes a replay.
+    pub fn curve(&mut self) -> JsTrialCurve {
+        trial::curve_of(&mut self.run)
     }
 
     /// The numbers of this iteration, by name.

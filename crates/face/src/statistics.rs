@@ -1,46 +1,103 @@
 //! What many runs have in common.
 
-use wasm_bindgen::prelude::*;
+use js_sys::Float64Array;
+use wasm_bindgen::{JsCast, prelude::*};
 
 use forage::{
     kernel::allowed,
-    statistics::{self, Group},
+    statistics::{self, Curve, Group},
 };
 
 use crate::{
-    JsComparison, JsGroups, plain,
-    read::{property, read_list, read_text, refused},
+    JsBands, JsComparison, JsCurves, JsGroups, JsNumbers, JsReached, JsReachedRuns, plain,
+    read::{property, read_flag, read_list, read_text, refused},
     tool::Tool,
 };
 
-type Compare = fn(&[Group]) -> Result<JsComparison, JsValue>;
+struct Statistics {
+    compare: fn(&JsValue) -> Result<JsComparison, JsValue>,
+    bands: fn(&JsValue, &JsValue) -> Result<JsBands, JsValue>,
+    reached: fn(&JsValue) -> Result<JsReached, JsValue>,
+}
 
-static STATISTICS: Tool<Compare> = Tool::new("statistics");
+static STATISTICS: Tool<Statistics> = Tool::new("statistics");
 
 /// Offers the statistics of many runs.
 pub fn offer_statistics() {
-    const COMPARE: Compare = |groups| plain(&statistics::compare(groups));
-    STATISTICS.offer(&COMPARE);
+    STATISTICS.offer(&Statistics {
+        compare: |groups| plain(&statistics::compare(&each("groups", groups, read_group)?)),
+        bands: |groups, ends| {
+            let groups = each("groups", groups, |place, group| each(place, group, read_curve))?;
+            plain(&statistics::bands(&groups, &numbers("ends", ends)?))
+        },
+        reached: |runs| plain(&statistics::reached(&results("runs", runs)?)),
+    });
 }
 
-/// Summarises groups of runs, and tests whether they differ: what `forage experiment` prints.
+/// Summarises groups of runs, and tests whether they differ: what `forage experiment` prints. Groups that are `deterministic` take no part
+/// in tests.
 ///
 /// # Errors
 /// For anything that is no list of groups, each with a name and its values, and for values that are not finite.
 #[wasm_bindgen]
 pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
-    let groups = read_list("groups", groups)?;
-    let groups = groups.iter().enumerate().map(|(i, group)| read_group(&format!("groups[{i}]"), group)).collect::<Result<Vec<_>, _>>()?;
-    STATISTICS.get()?(&groups)
+    (STATISTICS.get()?.compare)(groups)
+}
+
+/// Quartiles of the best values of groups of runs over evaluations: of each group the curves of its runs, as `curve()` gives them, and
+/// after how many evaluations its longest run ended.
+///
+/// # Errors
+/// For anything that is no list of lists of curves, and for numbers that are not finite.
+#[wasm_bindgen]
+pub fn bands(groups: &JsCurves, ends: &JsNumbers) -> Result<JsBands, JsValue> {
+    (STATISTICS.get()?.bands)(groups, ends)
+}
+
+/// Which share of runs had come near enough to the optimum after so many evaluations: of each run the `reached` of its record.
+///
+/// # Errors
+/// For anything that is no list of finite numbers and null.
+#[wasm_bindgen]
+pub fn reached(runs: &JsReachedRuns) -> Result<JsReached, JsValue> {
+    (STATISTICS.get()?.reached)(runs)
+}
+
+/// What `read` makes of each item of a list; it is told where the item stands.
+fn each<T>(field: &str, list: &JsValue, read: impl Fn(&str, &JsValue) -> Result<T, JsValue>) -> Result<Vec<T>, JsValue> {
+    read_list(field, list)?.iter().enumerate().map(|(k, item)| read(&format!("{field}[{k}]"), item)).collect()
+}
+
+/// Finite numbers, and null for runs that failed.
+fn results(field: &str, list: &JsValue) -> Result<Vec<Option<f64>>, JsValue> {
+    each(field, list, |place, value| match value.as_f64() {
+        Some(number) if number.is_finite() => Ok(Some(number)),
+        None if value.is_null() || value.is_undefined() => Ok(None),
+        _ => Err(refused(place, value, allowed::group_value())),
+    })
+}
+
+/// Finite numbers.
+fn numbers(field: &str, list: &JsValue) -> Result<Vec<f64>, JsValue> {
+    if let Some(list) = list.dyn_ref::<Float64Array>().map(Float64Array::to_vec).filter(|list| list.iter().all(|x| x.is_finite())) {
+        return Ok(list);
+    }
+    let found = results(field, list)?;
+    match found.iter().position(Option::is_none) {
+        Some(at) => Err(refused(&format!("{field}[{at}]"), &JsValue::NULL, allowed::number())),
+        None => Ok(found.into_iter().flatten().collect()),
+    }
 }
 
 fn read_group(place: &str, group: &JsValue) -> Result<Group, JsValue> {
     let name = read_text(&format!("{place}.name"), &property(group, "name"))?;
-    let values = read_list(&format!("{place}.values"), &property(group, "values"))?;
-    let values = values.iter().enumerate().map(|(k, value)| match value.as_f64() {
-        Some(number) if number.is_finite() => Ok(Some(number)),
-        None if value.is_null() || value.is_undefined() => Ok(None),
-        _ => Err(refused(&format!("{place}.values[{k}]"), value, allowed::group_value())),
-    });
-    Ok(Group { name, values: values.collect::<Result<_, _>>()? })
+    let values = results(&format!("{place}.values"), &property(group, "values"))?;
+    let deterministic = property(group, "deterministic");
+    let deterministic = !deterministic.is_undefined() && read_flag(&format!("{place}.deterministic"), &deterministic)?;
+    Ok(Group { name, values, deterministic })
+}
+
+fn read_curve(place: &str, curve: &JsValue) -> Result<Curve, JsValue> {
+    let column = |name| numbers(&format!("{place}.{name}"), &property(curve, name));
+    Ok(Curve { evaluations: column("evaluations")?, values: column("values")? })
 }

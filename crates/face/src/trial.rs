@@ -6,7 +6,10 @@ use wasm_bindgen::prelude::*;
 use forage::{
     Error,
     kernel::allowed,
-    run::trial::{self, WITHIN},
+    run::{
+        self,
+        trial::{self, WITHIN},
+    },
 };
 
 use crate::{
@@ -75,13 +78,18 @@ impl Trial {
     }
 
     /// The values of the feasible best, whenever it changed.
-    pub fn curve(&self) -> JsTrialCurve {
-        let curve = self.0.curve();
-        let column = |of: fn(&trial::Improvement) -> f64| Float64Array::from(curve.iter().map(of).collect::<Vec<_>>().as_slice()).into();
-        object(&[
-            ("iterations", column(|point| point.iteration as f64)),
-            ("evaluations", column(|point| point.evaluations as f64)),
-            ("values", column(|point| point.value)),
-        ])
+    pub fn curve(&mut self) -> JsTrialCurve {
+        curve_of(self.0.run())
     }
+}
+
+/// The columns of a run's curve.
+pub(crate) fn curve_of(run: &mut run::Run) -> JsTrialCurve {
+    let curve = run.curve();
+    let column = |of: fn(&run::Improvement) -> f64| Float64Array::from(curve.iter().map(of).collect::<Vec<_>>().as_slice()).into();
+    object(&[
+        ("iterations", column(|point| point.iteration as f64)),
+        ("evaluations", column(|point| point.evaluations as f64)),
+        ("values", column(|point| point.value)),
+    ])
 }

@@ -85,6 +85,24 @@ export type ArmSolutions = {
 /** An axis of the last joint's frame. */
 export type Axis = 'x' | 'y' | 'z'
 
+/** The quartiles of a group of runs at each place; `null` where one falls on runs without a result, and after the last end. */
+export type Band = {
+  /** The lower quartile. */
+  lower: Array<number | null>
+  /** The median. */
+  median: Array<number | null>
+  /** The upper quartile. */
+  upper: Array<number | null>
+}
+
+/** Quartiles of the best values of several groups of runs, over evaluations: step functions. */
+export type Bands = {
+  /** Where the quartiles are told: wherever a value changed, or at 400 places, denser at the beginning. */
+  evaluations: Array<number>
+  /** The quartiles of each group. */
+  groups: Array<Band>
+}
+
 /** The position of the arm in the world. */
 export type Base = {
   /** The origin of the first joint in the world, in metres. */
@@ -150,7 +168,10 @@ export type Comparison = {
   groups: Array<GroupSummary>
   /** The comparison of each pair. */
   pairs: Array<Pair>
-  /** Friedman's test over scenes and seeds; `null` if the groups are not equally long, or there is only one. */
+  /**
+   * Friedman's test over scenes and seeds, of the groups that are not deterministic; `null` if they are not equally long, or
+   * fewer than two.
+   */
   friedman: Friedman | null
 }
 
@@ -306,18 +327,15 @@ export type Formula = {
   when?: When
 }
 
-/** The result of Friedman's test of treatments that were tried on the same blocks. */
+/** Mean ranks of groups over common scenes and seeds, and Friedman's test of whether they differ. */
 export type Friedman = {
-  /** The number of blocks. */
+  /** The number of scenes and seeds. */
   blocks: number
-  /** Each treatment's mean rank over the blocks; 1 is best. Equal numbers share their ranks. */
-  ranks: Array<number>
-  /**
-   * χ² corrected for ties, with one degree of freedom fewer than treatments. `null` for fewer than three treatments, or
-   * if all blocks are ties.
-   */
+  /** The mean rank of each group, 1 is the best; ties share their mean rank. `null` of a deterministic one. */
+  ranks: Array<number | null>
+  /** Friedman's statistic, corrected for ties; `null` for two groups, or if all are tied everywhere. */
   statistic: number | null
-  /** The p-value; `null` without a statistic. */
+  /** Its p-value by the chi-squared distribution. */
   p: number | null
 }
 
@@ -400,6 +418,8 @@ export type Group = {
    * same scene and seed.
    */
   values: Array<number | null>
+  /** Every seed gives the same run: then tests, which ask whether chance alone explains a difference, say nothing of it. */
+  deterministic?: boolean
 }
 
 /** The summary of a group. */
@@ -709,12 +729,12 @@ export type Pair = {
   first: number
   /** The index of the second group. */
   second: number
-  /** Mann and Whitney's U of the first group. */
-  u: number
+  /** Mann and Whitney's U of the first group; this and what follows is `null` if one of the two is deterministic. */
+  u: number | null
   /** The p-value of Wilcoxon's rank-sum test, two-sided. Runs without a feasible result rank last. */
-  p: number
-  /** The p-value corrected for the number of pairs (Holm). */
-  corrected: number
+  p: number | null
+  /** The p-value corrected for the number of tested pairs (Holm). */
+  corrected: number | null
   /** The probability of superiority: that a run of the first group is better than one of the second; ties count half. */
   better: number
 }
@@ -815,6 +835,14 @@ export type Quantity = {
   /** The symbol, in TeX. */
   symbol: string
   title: string
+}
+
+/** Which share of a group's runs had come near enough to the optimum after so many evaluations: the share jumps there. */
+export type Reached = {
+  /** Evaluations. */
+  evaluations: Array<number>
+  /** Shares, 0 to 1. */
+  shares: Array<number>
 }
 
 /** A number that a planner reports after each iteration. */

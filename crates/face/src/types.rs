@@ -167,6 +167,21 @@ extern "C" {
     /// `Group[]`.
     #[wasm_bindgen(typescript_type = "Group[]")]
     pub type JsGroups;
+    /// `Pick<TrialCurve, 'evaluations' | 'values'>[][]`.
+    #[wasm_bindgen(typescript_type = "Pick<TrialCurve, 'evaluations' | 'values'>[][]")]
+    pub type JsCurves;
+    /// `number[]`.
+    #[wasm_bindgen(typescript_type = "number[]")]
+    pub type JsNumbers;
+    /// `(number | null)[]`.
+    #[wasm_bindgen(typescript_type = "(number | null)[]")]
+    pub type JsReachedRuns;
+    /// `Bands`.
+    #[wasm_bindgen(typescript_type = "Bands")]
+    pub type JsBands;
+    /// `Reached`.
+    #[wasm_bindgen(typescript_type = "Reached")]
+    pub type JsReached;
     /// `Comparison`.
     #[wasm_bindgen(typescript_type = "Comparison")]
     pub type JsComparison;

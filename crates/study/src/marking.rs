@@ -85,13 +85,12 @@ pub fn rankings(figures: &[ComparedFigure]) -> Vec<Option<Marked<RankingMark>>> 
 fn ranking(figures: &[&ComparedFigure]) -> Option<Marked<RankingMark>> {
     let rows: Vec<(&Printed, &[f64])> =
         figures.iter().filter_map(|figure| Some((figure.published.mean.as_ref()?, figure.computed.values()?))).collect();
-    let groups: Vec<Group> =
-        rows.iter().map(|(_, values)| Group { name: String::new(), values: values.iter().map(|&v| Some(v)).collect() }).collect();
+    let groups: Vec<Group> = rows.iter().map(|(_, values)| Group::new("", values.iter().map(|&v| Some(v)).collect())).collect();
     let pairs: Vec<_> = compare(&groups).pairs.into_iter().filter(|pair| rows[pair.first].0.value != rows[pair.second].0.value).collect();
     if pairs.is_empty() {
         return None;
     }
-    let significant = || pairs.iter().filter(|pair| pair.corrected < LEVEL && pair.better != 0.5);
+    let significant = || pairs.iter().filter(|pair| pair.corrected.is_some_and(|p| p < LEVEL) && pair.better != 0.5);
     let as_printed = significant().filter(|pair| (pair.better > 0.5) == (rows[pair.first].0.value < rows[pair.second].0.value)).count();
     let [different, all] = [significant().count(), pairs.len()];
     let mark = match as_printed {

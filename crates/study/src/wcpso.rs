@@ -303,11 +303,11 @@ fn differences(found: &[&[Run]]) -> Table {
     let title = "Ranks over the seeds, and which planners differ (Wilcoxon’s rank-sum test at 5 %, Holm’s correction)";
     let mut out = Table::new("ranks", title, &columns);
     for (row, cells) in TABLE_2.iter().zip(found.chunks(PLANNERS.len())) {
-        let groups = PLANNERS.into_iter().zip(cells).map(|(name, runs)| Group { name: name.to_owned(), values: values(row.name, runs) });
+        let groups = PLANNERS.into_iter().zip(cells).map(|(name, runs)| Group::new(name, values(row.name, runs)));
         let compared = compare(&groups.collect::<Vec<_>>());
         for (k, planner) in PLANNERS.into_iter().enumerate() {
             let than = |smaller: bool| {
-                let names = compared.pairs.iter().filter(|pair| pair.corrected < 0.05).filter_map(|pair| {
+                let names = compared.pairs.iter().filter(|pair| pair.corrected.is_some_and(|p| p < 0.05)).filter_map(|pair| {
                     let first_is_better = pair.better > 0.5;
                     match k {
                         _ if k == pair.first && first_is_better == smaller => Some(PLANNERS[pair.second]),
@@ -322,7 +322,7 @@ fn differences(found: &[&[Run]]) -> Table {
                 Cell::whole(row.dimension as u64),
                 planner.into(),
                 Cell::significant(compared.groups[k].summary.map(|s| s.median), 4),
-                Cell::maybe(compared.friedman.as_ref().map(|friedman| friedman.ranks[k]), 2),
+                Cell::maybe(compared.friedman.as_ref().and_then(|friedman| friedman.ranks[k]), 2),
                 than(true),
                 than(false),
             ]);

@@ -51,15 +51,16 @@ export class Clerk {
       groups: groups.map(({ label, key, rows, lots }) => ({
         name: label,
         key,
-        lots,
+        deterministic: !lots,
         seeds: rows.map(({ record }) => record.seed),
         values: valuesOf(rows),
         reached: rows.map(({ record }) => record.reached),
+        settled: rows.flatMap(({ record: { feasible, settled } }) => (feasible ? (settled ?? []) : [])),
         end: rows.reduce((end, { record }) => Math.max(end, record.evaluations), 0),
       })),
       common: groups.map(({ label, rows, lots }) => ({
         name: label,
-        lots,
+        deterministic: !lots,
         values: valuesOf(rows.filter(({ record }) => shared.has(record.seed))),
       })),
     })

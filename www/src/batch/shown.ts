@@ -2,7 +2,9 @@ import type { GroupSummary, Summary, TrialRecord } from 'forage-lab'
 import type { Answered } from '../worker/trial.worker'
 import type { Group } from './clerk'
 import type { Plan, Row } from './plan'
-import { SAME } from './summaries'
+
+/** Values nearer to each other than this share of them are the same. */
+const SAME = 1e-12
 
 /** A run as it is drawn and tabled. */
 export interface Run {

@@ -2,7 +2,6 @@ import { armPose, Session, shapes } from 'forage-lab'
 import type { Setup, UncheckedSetup } from 'forage-lab'
 import { extent } from './extent'
 import { fieldsOf } from './fields'
-import { Judge } from './judge'
 import { breathe, SLICE, step } from './pace'
 import { pack } from './pack'
 import { Pool } from './pool'
@@ -22,8 +21,6 @@ const REPORT_SHARE = 10
 /** A run whose clock is its evaluations: it is taken to the first iteration at or beyond so many of them. */
 export class Racer {
   session: Session | undefined
-  /** Keeps the feasible best over the evaluations. */
-  private judge = new Judge()
   /** How many iterations it has come at its furthest. */
   private furthest = 0
   private readonly pool = new Pool(3)
@@ -43,10 +40,11 @@ export class Racer {
     const session = new Session(setup as Setup)
     this.token += 1
     this.session?.free()
-    Object.assign(this, { session, judge: new Judge(), furthest: 0, ended: false, underway: false, toldCurve: -1, lastReport: 0 })
+    Object.assign(this, { session, furthest: 0, ended: false, underway: false, toldCurve: -1, lastReport: 0 })
     this.marks = [{ iteration: 0, evaluations: session.evaluations }]
-    this.judge.look(session)
     this.most = probe(session)
+    // From here on the feasible best is kept.
+    session.curve()
     this.lookAt()
     const { planner, scene, seed, parameters, evaluations: first } = session
     const skeleton =
@@ -112,7 +110,6 @@ export class Racer {
       if (!(await step(session, () => token === this.token))) return false
       const { iteration, evaluations } = session
       this.furthest = iteration
-      this.judge.look(session)
       if (evaluations > before) this.marks.push({ iteration, evaluations })
       this.most = Math.max(this.most, evaluations - before)
       if (performance.now() < until) continue
@@ -148,11 +145,12 @@ export class Racer {
   }
 
   private picture(): Picture | null {
-    const { session, judge, most, ended } = this
+    const { session, most, ended } = this
     if (!session) return null
     const outcome = this.outcome(session)
-    const curve = judge.changes === this.toldCurve ? null : judge.curve()
-    this.toldCurve = judge.changes
+    const known = session.curve()
+    const curve = known.values.length === this.toldCurve ? null : known
+    this.toldCurve = known.values.length
     const { iteration, evaluations, status } = session
     const last = this.marks.at(-1) ?? { iteration: 0, evaluations: 0 }
     const furthest = {

@@ -1,9 +1,7 @@
 import * as Comlink from 'comlink'
-import { compare, generateScene, load, ModuleDead, ready, suggest, Trial } from 'forage-lab'
-import type { Comparison, GeneratorName, Scene, Setup, UncheckedSetup } from 'forage-lab'
+import { bands, compare, generateScene, load, ModuleDead, reached, ready, suggest, Trial } from 'forage-lab'
+import type { Bands, Comparison, Friedman, GeneratorName, Reached, Scene, Setup, UncheckedSetup } from 'forage-lab'
 import type { Errand, Maps, Row } from '../batch/plan'
-import { type TestedPair, testedPairs, type TestedRanks, testedRanks } from '../batch/tested'
-import { type Bands, bands, type Reached, reached } from '../batch/summaries'
 import { causeOf } from './broken'
 import { breathe, SLICE } from './pace'
 import type { Refusal } from './protocol'
@@ -21,13 +19,14 @@ export interface Question {
   groups: {
     name: string
     key: string
-    lots: boolean
+    deterministic: boolean
     seeds: number[]
     values: (number | null)[]
     reached: (number | null)[]
+    settled: number[]
     end: number
   }[]
-  common: { name: string; lots: boolean; values: (number | null)[] }[]
+  common: { name: string; deterministic: boolean; values: (number | null)[] }[]
 }
 
 /** A curve with the optimum that its run is measured by. */
@@ -43,9 +42,10 @@ export interface Made {
 
 export interface Answered {
   comparison: Comparison
-  pairs: TestedPair[]
   /** Mean ranks over the seeds that all groups have run with. */
-  friedman: TestedRanks | null
+  friedman: Friedman | null
+  /** Since which iteration the runs of each group agreed, those that did: the median. */
+  settled: (number | null)[]
   bands: Bands
   reached: Reached[]
 }
@@ -141,11 +141,11 @@ const api = {
     const runs = groups
       .map(({ key, seeds }) => seeds.flatMap((seed) => curves.get(key)?.get(seed) ?? []))
       .map((some) => (relative ? some.map(inGap) : some))
-    const comparison = compare(groups)
+    const settled = compare(groups.map((group) => ({ name: group.name, values: group.settled })))
     return {
-      comparison,
-      pairs: testedPairs(comparison.pairs, groups),
-      friedman: testedRanks(common),
+      comparison: compare(groups),
+      friedman: compare(common).friedman,
+      settled: settled.groups.map(({ summary }) => summary?.median ?? null),
       bands: bands(
         runs,
         groups.map(({ end }) => end),

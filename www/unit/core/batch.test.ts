@@ -1,23 +1,7 @@
 import { expect, test } from 'vitest'
-import { catalogue, compare, Trial } from '../../../pkg/node.js'
-import { bands, quantile } from '../../src/batch/summaries'
+import { bands, catalogue, compare, Trial } from '../../../pkg/node.js'
 import { canRun } from '../../src/state/able'
 import { trialOf } from '../../tests/support/core'
-
-test('quartiles equal those of the core for any number of runs', () => {
-  for (let count = 1; count <= 23; count += 1) {
-    const values = Array.from({ length: count }, (_, k) => Math.sin(7 * k) + k / 9)
-    const summary = compare([{ name: 'a', values }]).groups[0]?.summary
-    const sorted = Float64Array.from(values).sort()
-    for (const [share, told] of [
-      [0.25, summary?.lower],
-      [0.5, summary?.median],
-      [0.75, summary?.upper],
-    ] as const) {
-      expect(quantile(sorted, share), `${share} of ${count}`).toBeCloseTo(told ?? NaN, 12)
-    }
-  }
-})
 
 test('bands end in the quartiles of the table', () => {
   const runs = Array.from({ length: 9 }, (_, k) => trialOf({ planner: 'cpso', scene: 'wcpso-discs', seed: k + 1 }))
@@ -32,6 +16,25 @@ test('bands end in the quartiles of the table', () => {
   expect(groups[0]?.lower.at(-1)).toBeCloseTo(summary?.lower ?? NaN, 10)
   expect(groups[0]?.median.at(-1)).toBeCloseTo(summary?.median ?? NaN, 10)
   expect(groups[0]?.upper.at(-1)).toBeCloseTo(summary?.upper ?? NaN, 10)
+})
+
+test('what is deterministic is compared, and takes no part in tests', () => {
+  const values = [3, 1, 2, 5, 4]
+  const groups = [
+    { name: 'a', values },
+    { name: 'b', values: [1, 1, 1, 1, 1], deterministic: true },
+    { name: 'c', values: values.map((value) => value + 10) },
+  ]
+  const { pairs, friedman } = compare(groups)
+  const [alone] = compare([groups[0], groups[2]].flatMap((group) => group ?? [])).pairs
+  expect(pairs.map(({ first, second, p }) => [first, second, p === null])).toEqual([
+    [0, 1, true],
+    [0, 2, false],
+    [1, 2, true],
+  ])
+  expect(pairs[1]).toEqual({ ...alone, first: 0, second: 2 })
+  expect(pairs[0]?.better).toBe(0.1)
+  expect(friedman?.ranks).toEqual([1, null, 2])
 })
 
 test('rounding errors of equal paths do not decide a test', () => {

@@ -197,14 +197,11 @@ impl OnScene {
             optimum = measured.filter(|_| optimum == Optimum::None).map_or(optimum, |told| told.exact);
             let draws_lots = runs.len() < 2 || runs.iter().any(|told| !told.deterministic);
             reached.push((planner.to_owned(), parameters, draws_lots, measured.map(|told| (told.by, near))));
-            groups.push(Group { name, values: runs.iter().map(|told| told.value).collect() });
+            groups.push(Group { name, values: runs.iter().map(|told| told.value).collect(), deterministic: !draws_lots });
         }
         let (summaries, pairs) = if groups.len() <= MOST_PAIRED {
-            let lots: Vec<usize> = (0..groups.len()).filter(|&k| reached[k].2).collect();
-            let drawn: Vec<Group> = lots.iter().map(|&k| groups[k].clone()).collect();
-            let Comparison { pairs, .. } = compare(&drawn);
-            let pairs = pairs.into_iter().map(|pair| Pair { first: lots[pair.first], second: lots[pair.second], ..pair });
-            (compare(&groups).groups, Some(pairs.collect()))
+            let Comparison { groups, pairs, .. } = compare(&groups);
+            (groups, Some(pairs.into_iter().filter(|pair| pair.p.is_some()).collect()))
         } else {
             (groups.chunks(1).flat_map(|group| compare(group).groups).collect(), None)
         };
@@ -291,9 +288,9 @@ impl OnScene {
             table.rows.push(vec![
                 Cell::Text(self.groups[*first].summary.name.clone()),
                 Cell::Text(self.groups[*second].summary.name.clone()),
-                Cell::Number(*u, 1),
-                Cell::Text(probability(*p)),
-                Cell::Text(probability(*corrected)),
+                Cell::maybe(*u, 1),
+                p.map_or(Cell::Empty, |p| Cell::Text(probability(p))),
+                corrected.map_or(Cell::Empty, |p| Cell::Text(probability(p))),
                 Cell::Number(100.0 * better, 1),
             ]);
         }

@@ -170,10 +170,7 @@ fn statistics_are_those_of_the_rows() {
     let mut blocks = vec![vec![f64::MAX; 3]; 6];
     for (s, scene) in ["sphere", "wcpso-discs"].into_iter().enumerate() {
         let groups: Vec<Group> = (0..3)
-            .map(|g| Group {
-                name: names[g].to_owned(),
-                values: rows[3 * places[s][g]..][..3].iter().map(|row| row[value].parse().ok()).collect(),
-            })
+            .map(|g| Group::new(names[g], rows[3 * places[s][g]..][..3].iter().map(|row| row[value].parse().ok()).collect()))
             .collect();
         for (g, group) in groups.iter().enumerate() {
             group.values.iter().enumerate().for_each(|(k, value)| blocks[3 * s + k][g] = value.unwrap_or(f64::MAX));

@@ -1,0 +1,200 @@
+//! What many runs come to on their way: bands of their best values, and which share of them has reached the optimum.
+
+use serde::{Deserialize, Serialize};
+
+use crate::math;
+
+/// A run's best values, each with the number of evaluations after which it was found; in this order.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
+pub struct Curve {
+    /// Evaluations.
+    pub evaluations: Vec<f64>,
+    /// Values.
+    pub values: Vec<f64>,
+}
+
+/// Quartiles of the best values of several groups of runs, over evaluations: step functions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct Bands {
+    /// Where the quartiles are told: wherever a value changed, or at 400 places, denser at the beginning.
+    pub evaluations: Vec<f64>,
+    /// The quartiles of each group.
+    pub groups: Vec<Band>,
+}
+
+/// The quartiles of a group of runs at each place; `None` where one falls on runs without a result, and after the last end.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct Band {
+    /// The lower quartile.
+    pub lower: Vec<Option<f64>>,
+    /// The median.
+    pub median: Vec<Option<f64>>,
+    /// The upper quartile.
+    pub upper: Vec<Option<f64>>,
+}
+
+/// Which share of a group's runs had come near enough to the optimum after so many evaluations: the share jumps there.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+pub struct Reached {
+    /// Evaluations.
+    pub evaluations: Vec<f64>,
+    /// Shares, 0 to 1.
+    pub shares: Vec<f64>,
+}
+
+/// More places than these cannot be seen.
+const MOST_PLACES: usize = 400;
+const ROUNDING: f64 = 1e-12;
+
+/// A quantile of numbers in order, some of which may be infinite: Hyndman and Fan's type 8, as in a [`Summary`](super::Summary). NaN
+/// of none.
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let at = (sorted.len() as f64 + 1.0 / 3.0) * share + 1.0 / 3.0;
+    let place = ((at + ROUNDING).floor() as usize).clamp(1, sorted.len().max(1));
+    let Some(&low) = sorted.get(place - 1) else { return f64::NAN };
+    let high = sorted.get(place).copied().unwrap_or(low);
+    let part = at - place as f64;
+    // Nothing is added to what may be infinite already.
+    if part <= ROUNDING || low == high { low } else { low + part * (high - low) }
+}
+
+/// The bands of groups of runs; `ends` says after how many evaluations the longest run of each group ended. A run without a feasible
+/// result yet counts as worse than all others; one that is over keeps its result.
+///
+/// ```
+/// use forage::statistics::{Curve, bands};
+/// let run = |values: [f64; 2]| Curve { evaluations: vec![10.0, 20.0], values: values.to_vec() };
+/// let found = bands(&[vec![run([9.0, 5.0]), run([8.0, 7.0]), run([6.0, 6.0])]], &[20.0]);
+/// assert_eq!((found.evaluations, &found.groups[0].median), (vec![10.0, 20.0], &vec![Some(8.0), Some(6.0)]));
+/// ```
+pub fn bands(groups: &[Vec<Curve>], ends: &[f64]) -> Bands {
+    let evaluations = places(groups, ends);
+    let groups = groups.iter().enumerate().map(|(at, group)| Band::of(group, &evaluations, ends.get(at).copied().unwrap_or(0.0))).collect();
+    Bands { evaluations, groups }
+}
+
+fn places(groups: &[Vec<Curve>], ends: &[f64]) -> Vec<f64> {
+    let changes = groups.iter().flatten().flat_map(|curve| curve.evaluations.iter().copied());
+    let all = in_order(ends.iter().copied().chain(changes).collect());
+    let (&[first, ..], &[.., last]) = (&all[..], &all[..]) else { return all };
+    if all.len() <= MOST_PLACES {
+        return all;
+    }
+    let (half, least) = (MOST_PLACES / 2, first.max(1.0));
+    let spread = (0..half).flat_map(|k| {
+        let share = k as f64 / (half - 1) as f64;
+        [first + (last - first) * share, least * math::exp(share * math::ln(last / least))]
+    });
+    let places = ends.iter().copied().chain([first]).chain(spread.map(f64::round));
+    in_order(places.filter(|at| (first..=last).contains(at)).collect())
+}
+
+/// Each number once, in order.
+fn in_order(mut numbers: Vec<f64>) -> Vec<f64> {
+    math::sort_numbers(&mut numbers);
+    numbers.dedup();
+    numbers
+}
+
+impl Band {
+    fn of(group: &[Curve], evaluations: &[f64], end: f64) -> Self {
+        let mut next = vec![0; group.len()];
+        let mut present = vec![f64::INFINITY; group.len()];
+        let mut sorted = present.clone();
+        let mut band = Self::default();
+        for &at in evaluations {
+            for (curve, (next, present)) in group.iter().zip(next.iter_mut().zip(&mut present)) {
+                while let Some((_, &value)) = curve.evaluations.get(*next).filter(|&&found| found <= at).zip(curve.values.get(*next)) {
+                    *present = value;
+                    *next += 1;
+                }
+            }
+            sorted.copy_from_slice(&present);
+            math::sort_numbers(&mut sorted);
+            for (line, share) in [(&mut band.lower, 0.25), (&mut band.median, 0.5), (&mut band.upper, 0.75)] {
+                let value = quantile(&sorted, share);
+                line.push((at <= end && value.is_finite()).then_some(value));
+            }
+        }
+        band
+    }
+}
+
+/// The shares of runs that had reached the optimum; `None` for a run that never did.
+pub fn reached(runs: &[Option<f64>]) -> Reached {
+    let mut evaluations: Vec<f64> = runs.iter().flatten().copied().collect();
+    math::sort_numbers(&mut evaluations);
+    let mut found = Reached { evaluations: Vec::new(), shares: Vec::new() };
+    for (k, &at) in evaluations.iter().enumerate() {
+        if evaluations.get(k + 1) != Some(&at) {
+            found.evaluations.push(at);
+            found.shares.push((k + 1) as f64 / runs.len() as f64);
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn curve(evaluations: &[f64], values: &[f64]) -> Curve {
+        Curve { evaluations: evaluations.to_vec(), values: values.to_vec() }
+    }
+
+    #[test]
+    fn runs_without_a_result_count_as_worst_and_no_quartile_is_told_there() {
+        let runs = vec![curve(&[1.0, 4.0], &[10.0, 5.0]), curve(&[2.0], &[8.0]), curve(&[3.0], &[6.0]), curve(&[], &[])];
+        let Bands { evaluations, groups } = bands(&[runs], &[6.0]);
+        assert_eq!(evaluations, [1.0, 2.0, 3.0, 4.0, 6.0]);
+        assert_eq!(groups[0].median, [None, None, Some(9.0), Some(7.0), Some(7.0)], "two results of four are not enough for the middle");
+        assert!(groups[0].upper.iter().all(Option::is_none), "the fourth run never finds anything");
+        assert_eq!(groups[0].lower[0], None);
+        assert!((groups[0].lower[4].unwrap() - quantile(&[5.0, 6.0, 8.0, f64::INFINITY], 0.25)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn after_its_end_a_group_has_no_band() {
+        let found = bands(&[vec![curve(&[1.0], &[2.0])], vec![curve(&[3.0], &[1.0])], Vec::new()], &[2.0, 5.0, 4.0]);
+        assert_eq!(found.evaluations, [1.0, 2.0, 3.0, 4.0, 5.0]);
+        assert_eq!(found.groups[0].median, [Some(2.0), Some(2.0), None, None, None]);
+        assert_eq!(found.groups[1].median, [None, None, Some(1.0), Some(1.0), Some(1.0)]);
+        assert_eq!(found.groups[2].median, [None; 5]);
+    }
+
+    #[test]
+    fn a_long_curve_is_thinned_in_order_with_both_ends() {
+        let evaluations: Vec<f64> = (5..3005).map(f64::from).collect();
+        let many = places(&[vec![curve(&evaluations, &[1.0; 3000])]], &[3700.0]);
+        assert!(many.len() <= MOST_PLACES + 1 && many.is_sorted(), "{}", many.len());
+        assert_eq!((many[0], many[many.len() - 1]), (5.0, 3700.0));
+    }
+
+    #[test]
+    fn runs_that_miss_the_target_keep_the_share_below_one() {
+        assert_eq!(
+            reached(&[Some(30.0), None, Some(10.0), Some(30.0)]),
+            Reached { evaluations: vec![10.0, 30.0], shares: vec![0.25, 0.75] }
+        );
+        assert_eq!(reached(&[None, None]), Reached { evaluations: vec![], shares: vec![] });
+    }
+
+    /// python3 -c 'import numpy as n; x=[1,2,4,8,16]; print([n.quantile(x, q, method="median_unbiased") for q in (.25,.5,.75)])'
+    #[test]
+    fn quantiles_agree_with_numpy() {
+        let of = |share| quantile(&[1.0, 2.0, 4.0, 8.0, 16.0], share);
+        assert!((of(0.25) - 1.666_666_666_666_666_7).abs() < 1e-12 && of(0.5) == 4.0 && (of(0.75) - 10.666_666_666_666_668).abs() < 1e-12);
+        assert!(quantile(&[], 0.5).is_nan());
+        for count in 1..=23 {
+            let mut numbers: Vec<f64> = (0..count).map(|k| f64::from(7 * k % 23) + f64::from(k) / 9.0).collect();
+            math::sort_numbers(&mut numbers);
+            let summary = crate::statistics::Summary::of(numbers.iter().copied()).unwrap();
+            for (share, told) in [(0.25, summary.lower), (0.5, summary.median), (0.75, summary.upper)] {
+                assert!((quantile(&numbers, share) - told).abs() < 1e-12, "{share} of {count}");
+            }
+        }
+    }
+}
