@@ -2,8 +2,8 @@
 //!
 //! `setup` is what a run is made of, `start` begins it, `stepping` steps, rewinds, draws and reads it, `outcome` judges it, and [`link`]
 //! puts it into an address. `subtasks` carries out the runs of other planners that a run needs; `answers` remembers what they
-//! found. `keyframes` and `origin` are for the way back, `trace` has the readings of past iterations, `curve` the best results. [`trial`] is one run of
-//! many, summed up in a line.
+//! found. `keyframes` and `origin` are for the way back, `trace` has the readings of past iterations, `curve` the best results.
+//! [`trial`] is one run of many, summed up in a line.
 
 mod answers;
 mod curve;
