@@ -71,9 +71,9 @@ pub fn on(objective: Arc<dyn Objective>, parameters: &Parameters, seed: u64) -> 
 }
 
 impl Planner for @TYPE@ {
-    /// One iteration. TODO: the algorithm's steps, each a function with the number of its equation.
+    /// One iteration, or a part of a long one. TODO: the algorithm's steps, each a function with the number of its equation.
     fn advance(&mut self) -> Progress {
-        for i in 0..self.population.size {
+        for i in self.population.next_part(1) {
             let row = self.population.row(i);
             let Population { x, p, objective, .. } = &mut self.population;
             let search_box = objective.search_box();
@@ -83,9 +83,11 @@ impl Planner for @TYPE@ {
             }
             self.population.evaluate(i);
         }
+        if self.population.is_under_way() {
+            return Progress::Partly;
+        }
         self.population.settle();
-        self.clock.tick(self.population.bests());
-        self.clock.progress()
+        self.clock.tick(self.population.bests())
     }
 
     fn evaluations(&self) -> u64 {
