@@ -55,6 +55,8 @@ export class Lab extends Parameters {
 
   run = $state.raw<Run | null>(null)
   frame = $state.raw<FrameMessage | null>(null)
+  /** The first picture is on the screen: what it did not need may come. */
+  drawn = $state(false)
   computed = $state(0)
   status = $state<Status>('running')
   readings = $state.raw<Record<string, number>>({})
@@ -332,6 +334,7 @@ export class Lab extends Parameters {
   /** The first picture of a thread is on the screen. */
   private readonly seen = (): void => {
     performance.mark('first-picture')
+    this.drawn = true
     void this.client.api.drawn()
   }
 
