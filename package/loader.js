@@ -51,7 +51,7 @@ function tell(say) {
 }
 
 /**
- * Starts the module anew, with the parts that were there: after a `ModuleDead`. All sessions and trials that there were are gone.
+ * Restarts the module with the parts that were loaded: after a `ModuleDead`. All sessions and trials that there were are gone.
  */
 export function reset() {
   if (!shared) return

@@ -22,7 +22,7 @@ const dead = (error) => {
   assert.equal(error.code, 'module-dead')
   assert.equal(
     error.message,
-    `the module broke down (${error.cause}): no call works until \`reset()\` starts it anew, without the sessions that it had`,
+    `the module broke down (${error.cause}): no call works until \`reset()\` restarts it, without the sessions that it had`,
   )
   assert.ok(error.cause instanceof WebAssembly.RuntimeError)
   return true

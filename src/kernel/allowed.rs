@@ -51,7 +51,7 @@ pub fn loaded(part: &str) -> Message {
 pub fn module_dead(cause: &str) -> Message {
     message!(
         "error-module-dead",
-        "the module broke down ({cause}): no call works until `reset()` starts it anew, without the sessions that it had",
+        "the module broke down ({cause}): no call works until `reset()` restarts it, without the sessions that it had",
         cause
     )
 }

@@ -71,8 +71,8 @@ impl Run {
         at.step(|subtasks| answers.of(k, &subtasks))
     }
 
-    /// Does a part of a step: as much as can be waited for, mostly all of it. Whoever asks this again and again can be interrupted, by
-    /// a key or by another command; the run is the same. Subtasks are carried out one after another.
+    /// Does a part of a step: at most about a tenth of a second of work, mostly all of it. A caller that repeats it can stop between two parts; the run
+    /// is the same. Subtasks are carried out one after another.
     ///
     /// Between the parts iteration and status are those before the step; what is drawn and read is what the planner has come to.
     pub fn part(&mut self) -> Stepped {

@@ -63,7 +63,7 @@ pub fn reached(runs: &JsReachedRuns) -> Result<JsReached, JsValue> {
     (STATISTICS.get()?.reached)(runs)
 }
 
-/// What `read` makes of each item of a list; it is told where the item stands.
+/// Reads each item of a list; `read` gets the item's path, e.g. `groups[2]`.
 fn each<T>(field: &str, list: &JsValue, read: impl Fn(&str, &JsValue) -> Result<T, JsValue>) -> Result<Vec<T>, JsValue> {
     read_list(field, list)?.iter().enumerate().map(|(k, item)| read(&format!("{field}[{k}]"), item)).collect()
 }

@@ -2,7 +2,7 @@
 const LOOKS = 6
 const INTERVAL = 500
 
-/** Notices when a thread does not see what it is told: what it computes cannot be interrupted. */
+/** Notices when a thread does not receive messages, because it computes something that cannot be interrupted. */
 export class Hearing {
   private timer: ReturnType<typeof setInterval> | undefined
   /** Something was said after what an answer is awaited to. */

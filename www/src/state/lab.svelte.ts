@@ -130,7 +130,7 @@ export class Lab extends Parameters {
   /** The run was going on when the robot set off. */
   private resumes = false
 
-  /** What runs when there was a thread before begins at `opening`. */
+  /** Starts a thread. After a crash, or in place of another one, what the user had made begins at `opening`. */
   async open(opening: Opening = { at: this.iteration, play: false }): Promise<void> {
     try {
       this.catalogue = await this.client.open()
@@ -156,9 +156,6 @@ export class Lab extends Parameters {
     if (!opened) await this.restart({ at: 0, play: views.current === 'stage' && !stillness.matches })
   }
 
-  /** Starts a new thread after a crash, with what the user had made. */
-  recover = async (): Promise<void> => this.open()
-
   private shipped(name: string): Scene {
     const scenes = this.catalogue?.scenes ?? []
     const scene = scenes.find((candidate) => candidate.name === name) ?? scenes[0]
@@ -169,13 +166,6 @@ export class Lab extends Parameters {
   protected override put(scene: Scene, step: boolean): void {
     this.requests.note('scene')
     super.put(scene, step)
-  }
-
-  /** What the worker answers to a request for a scene; null if there is another one meanwhile. */
-  askForScene = async <T>(ask: () => Promise<T>): Promise<T | null> => {
-    const request = this.requests.note('scene')
-    const answer = await this.answered(ask)
-    return this.requests.replaced(request, 'scene') ? null : answer
   }
 
   openLink = async (link: string): Promise<boolean> => {
@@ -286,7 +276,6 @@ export class Lab extends Parameters {
   private breakDown(message: string): void {
     this.crash = message
     this.leaveThread('crashed')
-    // What that thread was asked will never be answered.
     this.forget()
   }
 
@@ -294,17 +283,15 @@ export class Lab extends Parameters {
   private replace(): void {
     // A start may take its time, unless a change waits for it.
     if (this.phase !== 'ready' || (this.starting && !this.restartsAgain && this.awaited.length === 0)) return
-    const opening = this.restarting ? this.requested : { at: this.target ?? this.iteration, play: this.playing }
+    const { resumption } = this
     this.leaveThread('loading')
-    void this.open(opening)
+    void this.open(resumption)
   }
 
   private leaveThread(phase: 'crashed' | 'loading'): void {
     this.phase = phase
     this.stopPlayback()
-    this.playing = false
-    this.target = null
-    this.progress = null
+    this.standStill()
     this.starting = false
     this.restartsAgain = false
     this.client.close()
@@ -507,10 +494,6 @@ export class Lab extends Parameters {
   /** What is looked at closer, also before there is an answer. */
   get wanted(): Item | null {
     return this.item
-  }
-
-  get api(): Client['api'] {
-    return this.client.api
   }
 }
 

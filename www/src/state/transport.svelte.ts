@@ -50,6 +50,13 @@ export abstract class Transport extends Scenes {
     }
   }
 
+  /** What the worker answers to a request for a scene; null if there is another one meanwhile. */
+  askForScene = async <T>(ask: () => Promise<T>): Promise<T | null> => {
+    const request = this.requests.note('scene')
+    const answer = await this.answered(ask)
+    return this.requests.replaced(request, 'scene') ? null : answer
+  }
+
   /** A new thread is asked what the one before has not answered. */
   protected askAgain(): void {
     this.reask()
@@ -127,6 +134,21 @@ export abstract class Transport extends Scenes {
     const { steps } = this
     this.steps = null
     if (steps && !this.overruled(steps.since)) this.seek(this.place + steps.n)
+  }
+
+  get api(): Client['api'] {
+    return this.client.api
+  }
+
+  /** Where a new thread goes on. */
+  protected get resumption(): Opening {
+    return this.restarting ? this.requested : { at: this.target ?? this.iteration, play: this.playing }
+  }
+
+  protected standStill(): void {
+    this.playing = false
+    this.target = null
+    this.progress = null
   }
 
   /** The thread that was asked is gone: nothing of it will be answered. */
