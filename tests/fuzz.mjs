@@ -151,7 +151,7 @@ const methods = {
   members: [2, () => []],
   frame: [6, ({ one }) => [one([undefined, 0, 1, 50, 100_000])]],
   lookAt: [2, (random) => [point(random), point(random)]],
-  layerImage: [2, ({ one, chance }) => [one(layers), chance(0.5)]],
+  layerImage: [2, ({ one }) => [one(layers), one(ramps)]],
   jobs: [2, () => []],
   supply: [
     2,
@@ -172,7 +172,7 @@ const methods = {
   inspect: [6, ({ one, below }) => [{ role: one(layers), index: below(9) }]],
   pick: [3, (random) => [...point(random), random.unit() * 3]],
   exact: [1, () => []],
-  paintField: [1, (random) => [random.one(nonsense), point(random), point(random), random.chance(0.5)]],
+  paintField: [1, (random) => [random.one(nonsense), point(random), point(random), random.one(ramps)]],
   csv: [1, () => []],
   hash: [3, () => []],
   link: [3, () => []],
@@ -183,6 +183,7 @@ const methods = {
   free: [3, () => []],
 }
 const layers = [...new Set(planners.flatMap((planner) => planner.layers.map(({ role }) => role)))]
+const ramps = [undefined, ['#ffffff', '#000000'], ['#f0f0f000', '#3c6058', '#3c605880'], ['red'], nonsense]
 const getters = ['iteration', 'evaluations', 'limit', 'end', 'status', 'planner', 'seed', 'scene', 'parameters', 'stages']
 const drawn = Object.entries(methods).flatMap(([name, [weight]]) => new Array(weight).fill(name))
 

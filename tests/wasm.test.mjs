@@ -20,6 +20,7 @@ import {
   parseLink,
   reachability,
   Session,
+  shapes,
   Trial,
 } from '../pkg/node.js'
 
@@ -76,6 +77,48 @@ const drawn = (session) => {
   const { vertices, spans } = session.frame()
   return { vertices: vertices.slice(), spans: spans.slice() }
 }
+
+test('a frame names its layers, and a field has the colours that are given', (context) => {
+  globalThis.ImageData = class {
+    constructor(data, width, height) {
+      Object.assign(this, { data, width, height })
+    }
+  }
+  context.after(() => delete globalThis.ImageData)
+  const session = new Session({ planner: 'aco', scene: 'rooms-20', seed: 1, params: { iterations: 5 } })
+  session.step(3)
+  const { spans, layers } = session.frame()
+  const listed = catalogue().planners.find(({ name }) => name === 'aco').layers
+  assert.deepEqual(
+    layers,
+    listed.map(({ role }) => role),
+  )
+  const fields = [...spans].filter((_, i) => i % 4 === 0 && shapes[spans[i + 1]] === 'field').map((layer) => layers[layer])
+  assert.deepEqual(fields, ['pheromone'])
+  assert.equal(session.frame().layers, layers, 'made once')
+
+  const of = (ramp) => [...session.layerImage('pheromone', ramp).image.data]
+  const [own, listedToo] = [of(), of(listed.find(({ role }) => role === 'pheromone').look.ramp.map(({ light }) => light))]
+  assert.ok(own.some((byte) => byte > 0))
+  assert.deepEqual(own, listedToo)
+  const [one] = [of(['#12345678', '#12345678'])]
+  for (let at = 0; at < one.length; at += 4) assert.deepEqual(one.slice(at, at + 4), one[at + 3] === 0 ? [0, 0, 0, 0] : [18, 52, 86, 120])
+  assert.equal(session.layerImage('best'), null)
+
+  const refusals = [
+    [true, 'ramp', 'a list'],
+    [['#000000'], 'ramp', '2 to 16 colours'],
+    [new Array(17).fill('#000000'), 'ramp', '2 to 16 colours'],
+    [['#000000', 'red'], 'ramp[1]', 'a colour, #rrggbb or #rrggbbaa'],
+    [['#000', '#ffffff'], 'ramp[0]', 'a colour, #rrggbb or #rrggbbaa'],
+    [['#000000', 7], 'ramp[1]', 'a colour, #rrggbb or #rrggbbaa'],
+  ]
+  for (const [ramp, field, allowed] of refusals) {
+    const error = refusal(() => session.layerImage('pheromone', ramp))
+    assert.deepEqual({ field: error.field, allowed: error.allowed }, { field, allowed })
+  }
+  session.free()
+})
 
 test('every golden run gives the bits that it gives natively', () => {
   const iterations = Number(constant('support/mod.rs', /ITERATIONS: u32 = (\d+)/))
@@ -388,7 +431,9 @@ test('an object that throws while it is read is refused, and the session goes on
       () => session.drive(value),
       () => session.svg(true, value),
       () => session.pick(value, 0, 1),
-      () => session.paintField(value, [0, 0], [1, 1], true),
+      () => session.paintField(value, [0, 0], [1, 1]),
+      () => session.layerImage('best', value),
+      () => session.layerImage('best', [value, value]),
       () => compare(value),
       () => parseLink(value),
     ])

@@ -10,7 +10,7 @@ use crate::{
     params::{Choice, Domain, Object, Parameter, Value, When},
 };
 
-use super::{Column, Entry, EventKind, Follower, Formula, Generator, Layer, Member, Preset, Reading, Registry, layers};
+use super::{Color, Column, Entry, EventKind, Follower, Formula, Generator, Layer, Member, Preset, Reading, Registry, layers};
 
 /// All that a registry lists, without the functions.
 #[derive(Debug, Serialize)]
@@ -34,6 +34,8 @@ pub struct Catalogue<'a> {
     layers: &'static [Layer],
     /// The shapes in a frame's table of spans, by number.
     shapes: [Shape; 5],
+    /// The colours of a function's heights, from the lowest value to the highest.
+    heights: [Color; 5],
     /// Every TeX string that stands outside a formula, so that a page can typeset them when it is built.
     symbols: Vec<&'static str>,
 }
@@ -50,6 +52,7 @@ impl Registry {
             roles: self.layer_keys(),
             layers: layers::SCENE,
             shapes: Shape::ALL,
+            heights: layers::HEIGHTS,
             symbols: self.symbols(),
         }
     }

@@ -55,6 +55,26 @@ impl Color {
     }
 }
 
+/// Reads `#rrggbb` or `#rrggbbaa`; `None` for any other text.
+pub fn read_color(text: &str) -> Option<Rgba> {
+    let digits: Option<Vec<u8>> = text.strip_prefix('#')?.bytes().map(|letter| digit(letter.to_ascii_lowercase())).collect();
+    match *digits?.as_chunks().0 {
+        [[r, s], [g, h], [b, c]] if text.len() == 7 => Some([16 * r + s, 16 * g + h, 16 * b + c, 255]),
+        [[r, s], [g, h], [b, c], [a, d]] if text.len() == 9 => Some([16 * r + s, 16 * g + h, 16 * b + c, 16 * a + d]),
+        _ => None,
+    }
+}
+
+/// The colour of a share from 0 to 1 in a row of colours at equal distances; channels from 0 to 255. Of no colour: nothing.
+pub fn color_at(colors: &[Rgba], share: f64) -> [f64; 4] {
+    let last = colors.len().saturating_sub(1);
+    let along = share.clamp(0.0, 1.0) * last as f64;
+    let i = (along as usize).min(last.saturating_sub(1));
+    let channels = |k: usize| colors.get(k).map_or([0.0; 4], |color| color.map(f64::from));
+    let (from, to) = (channels(i), channels((i + 1).min(last)));
+    std::array::from_fn(|c| from[c] + (along - i as f64) * (to[c] - from[c]))
+}
+
 /// A colour as `#rrggbb`, or `#rrggbbaa` where it does not cover what lies beneath.
 pub(crate) struct Hex(pub Rgba);
 
@@ -136,6 +156,19 @@ mod tests {
         for (name, [light, dark]) in palette {
             assert_eq!(Color::named(&name), Color::new(&light, &dark), "{name}");
         }
+    }
+
+    #[test]
+    fn colours_are_read_and_mixed() {
+        assert_eq!(read_color("#0A10ff"), Some([10, 16, 255, 255]));
+        assert_eq!(read_color("#9678c880"), Some([150, 120, 200, 128]));
+        for wrong in ["", "#", "0a10ff", "#0a10f", "#0a10ff8", "#0a10ff800", "#0a10fg", "red", "#0é10f"] {
+            assert_eq!(read_color(wrong), None, "{wrong}");
+        }
+        let three = [[0, 0, 0, 0], [10, 20, 30, 40], [20, 40, 60, 80]];
+        let shares = [-1.0, 0.0, 0.25, 0.5, 0.75, 1.0, 2.0];
+        assert_eq!(shares.map(|share| color_at(&three, share)[0]), [0.0, 0.0, 5.0, 10.0, 15.0, 20.0, 20.0]);
+        assert_eq!((color_at(&three[2..], 0.3), color_at(&[], 0.3)), ([20.0, 40.0, 60.0, 80.0], [0.0; 4]));
     }
 
     #[test]

@@ -176,12 +176,8 @@ pub struct Ramp {
 }
 
 impl Ramp {
-    /// The colour of a value, given as a share from 0 (the smallest) to 1 (the largest).
-    pub fn at(&self, share: f64, dark: bool) -> Rgba {
-        let share = share.clamp(0.0, 1.0);
-        let along = 2.0 * if self.root { share.sqrt() } else { share };
-        let i = (along as usize).min(1);
-        let [from, to] = [i, i + 1].map(|k| self.colors[k].on(dark).map(f64::from));
-        std::array::from_fn(|c| (from[c] + (along - i as f64) * (to[c] - from[c])) as u8)
+    /// The colours on a light or a dark ground.
+    pub fn on(&self, dark: bool) -> [Rgba; 3] {
+        self.colors.map(|color| color.on(dark))
     }
 }

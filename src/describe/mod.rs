@@ -23,7 +23,7 @@ mod scene_kind;
 #[cfg(not(target_arch = "wasm32"))]
 pub use catalogue::Catalogue;
 pub(crate) use color::Hex;
-pub use color::{Color, Rgba};
+pub use color::{Color, Rgba, color_at, read_color};
 pub use entry::{Entries, Entry, Start, Suggestion};
 pub use event::{EventKind, Tone};
 pub use follower::{Column, Extra, Follow, FollowOutcome, FollowOutcomes, FollowedPath, Follower};

@@ -35,6 +35,8 @@ said! {
     steps "error-steps" "a number of steps, 1 or more";
     group_value "error-group-value" "a finite number, or null for a failed run";
     bytes "error-bytes-array" "a Uint8Array";
+    color "error-color" "a colour, #rrggbb or #rrggbbaa";
+    colors "error-colors" "2 to 16 colours";
     plain "error-plain" "made of plain objects, lists, texts, numbers, true, false and null";
     nothing "error-nothing" "nothing";
     object "error-an-object" "an object";

@@ -190,7 +190,9 @@ impl Canvas {
                 }
             }
             (Shape::Field, _) => {
-                let pixels = raster(frame, layer, self.dark).map_or_else(Vec::new, |raster| raster.pixels);
+                let colors = look.ramp.map(|ramp| ramp.on(self.dark));
+                let drawn = colors.and_then(|colors| raster(frame, layer, &colors));
+                let pixels = drawn.map_or_else(Vec::new, |raster| raster.pixels);
                 for (&point, pixel) in points.iter().zip(pixels.as_chunks::<4>().0).filter(|(_, pixel)| pixel[3] > 0) {
                     self.dot(layer.key, point, FIELD_POINT, *pixel, 1.0);
                 }

@@ -39,6 +39,7 @@ use web_sys::{ImageData, OffscreenCanvasRenderingContext2d};
 
 use forage::{
     Error, Frame,
+    describe::layers::HEIGHTS,
     geometry::Bounds,
     kernel::{Status, Stepped, SubtaskResult, allowed, javascript, rng},
     params::Object,
@@ -58,7 +59,7 @@ pub use types::*;
 
 use convert::{js_error, object, plain};
 use read::{
-    count, count_or, read_ends, read_flag, read_item, read_kind, read_layer, read_number, read_parameter, read_point, read_setup,
+    count, count_or, read_ends, read_item, read_kind, read_layer, read_number, read_parameter, read_point, read_ramp, read_setup,
     read_text, refused,
 };
 use registry::ask;
@@ -142,6 +143,8 @@ pub fn new_seed() -> Result<f64, JsValue> {
 pub struct Session {
     run: run::Run,
     frame: Frame,
+    /// The names of the frame's layers.
+    layers: JsValue,
 }
 
 #[wasm_bindgen]
@@ -157,7 +160,8 @@ impl Session {
     }
 
     fn of(run: run::Run) -> Self {
-        Self { run, frame: Frame::default() }
+        let layers: js_sys::Array = run.entry().drawn_and_marked().0.iter().map(|layer| JsValue::from(layer.key.0)).collect();
+        Self { run, frame: Frame::default(), layers: layers.into() }
     }
 
     /// Takes up to `n` steps, one unless given; stops where the planner does. Infinity: to the end.
@@ -315,15 +319,20 @@ impl Session {
         Ok(())
     }
 
-    /// A field of the frame that was drawn last, coloured: pheromone, settled cells; null if this layer has none.
+    /// A field of the frame that was drawn last, coloured: pheromone, settled cells; null if this layer has none. Without a ramp it has
+    /// the layer's colours on a light ground.
     ///
     /// # Errors
-    /// For an unknown layer, or when there is no `ImageData` here.
+    /// For an unknown layer, for what is no ramp, or when there is no `ImageData` here.
     #[wasm_bindgen(js_name = layerImage)]
-    pub fn layer_image(&self, role: &JsLayerName, dark: &JsFlag) -> Result<JsLayerImageOrNull, JsValue> {
-        let dark = read_flag("dark", dark)?;
+    pub fn layer_image(&self, role: &JsLayerName, ramp: Option<JsRamp>) -> Result<JsLayerImageOrNull, JsValue> {
+        let colors = read_ramp(ramp)?;
         let layer = self.run.entry().layer(read_layer(role)?);
-        let Some(raster) = layer.and_then(|layer| picture::raster(&self.frame, layer, dark)) else {
+        let drawn = layer.and_then(|layer| {
+            let colors = colors.or_else(|| layer.look.ramp.map(|ramp| ramp.on(false).to_vec()))?;
+            picture::raster(&self.frame, layer, &colors)
+        });
+        let Some(raster) = drawn else {
             return Ok(JsValue::NULL.unchecked_into());
         };
         let (width, height) = (raster.width as u32, raster.height as u32);
@@ -392,7 +401,8 @@ impl Session {
         // Everything that allocates comes first: growing memory would empty the views.
         let thinning = JsValue::from(self.frame.thinning());
         let (vertices, spans) = unsafe { (Float32Array::view(self.frame.vertices()), Uint32Array::view(self.frame.table())) };
-        Ok(object(&[("vertices", vertices.into()), ("spans", spans.into()), ("thinning", thinning)]))
+        let layers = self.layers.clone();
+        Ok(object(&[("vertices", vertices.into()), ("spans", spans.into()), ("layers", layers), ("thinning", thinning)]))
     }
 
     /// Everything there is to say about where the run stands.
@@ -428,18 +438,19 @@ impl Session {
         plain(&self.run.exact())
     }
 
-    /// Fills a canvas with the scene's heights over a part of the plane; false if the scene has none.
+    /// Fills a canvas with the scene's heights over a part of the plane; false if the scene has none. Without a ramp it has the
+    /// catalogue's colours on a light ground.
     ///
     /// # Errors
-    /// For what is no such context, and when the canvas refuses the pixels.
+    /// For what is no such context or no ramp, and when the canvas refuses the pixels.
     #[wasm_bindgen(js_name = paintField)]
-    pub fn paint_field(&self, ctx: &JsContext, min: &JsPoint, max: &JsPoint, dark: &JsFlag) -> Result<bool, JsValue> {
+    pub fn paint_field(&self, ctx: &JsContext, min: &JsPoint, max: &JsPoint, ramp: Option<JsRamp>) -> Result<bool, JsValue> {
         let view = Bounds { min: read_point("min", min)?, max: read_point("max", max)? };
-        let dark = read_flag("dark", dark)?;
+        let colors = read_ramp(ramp)?.unwrap_or_else(|| HEIGHTS.map(|color| color.on(false)).to_vec());
         let ctx: &OffscreenCanvasRenderingContext2d = ctx.dyn_ref().ok_or_else(|| refused("ctx", ctx, allowed::canvas()))?;
         let canvas = ctx.canvas();
         let (width, height) = (canvas.width(), canvas.height());
-        let Some(pixels) = picture::heat_map(self.run.scene(), view, width as usize, height as usize, dark) else {
+        let Some(pixels) = picture::heat_map(self.run.scene(), view, width as usize, height as usize, &colors) else {
             return Ok(false);
         };
         let image = ImageData::new_with_u8_clamped_array_and_sh(wasm_bindgen::Clamped(&pixels), width, height)?;

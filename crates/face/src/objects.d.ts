@@ -65,12 +65,20 @@ export interface Reachability {
   step: number
 }
 
+/**
+ * 2 to 16 colours at equal distances, `#rrggbb` or `#rrggbbaa`, from the smallest value to the largest. Those of a layer and of a
+ * function's heights are in the catalogue: `look.ramp`, `heights`.
+ */
+export type Ramp = readonly string[]
+
 /** Views into the wasm memory: valid until the next call of anything in this module. Copy what you keep. */
 export interface FrameViews {
   /** x, y, z, weight for each vertex. */
   vertices: Float32Array
-  /** layer, shape, first vertex, count for each span; the layer as its place among the planner's `layers` in the catalogue. */
+  /** layer, shape, first vertex, count for each span; the layer as its place in `layers`, the shape as its place in `shapes`. */
   spans: Uint32Array
+  /** The planner's layers, in drawing order: those of the catalogue. The list is the same one for each frame of a session. */
+  layers: readonly LayerName[]
   /** How many of the planner's pieces were left out to keep to the budget: every `thinning`-th is drawn. */
   thinning: number
 }

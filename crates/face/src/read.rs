@@ -6,11 +6,12 @@ use wasm_bindgen::JsValue;
 
 use forage::{
     Error, Overrides, Scene, Setup, Value,
+    describe::{Rgba, read_color},
     kernel::{Item, LayerKey, Message, SceneKindId, allowed, digits::Digits, javascript, limits},
 };
 
 use crate::{
-    JsNumber, js_error,
+    JsNumber, JsRamp, js_error,
     registry::{ask, bring, registry},
 };
 
@@ -116,6 +117,20 @@ pub(crate) fn read_point(field: &str, value: &JsValue) -> Result<[f64; 2], JsVal
         [x, y] => Ok([read_number(field, x)?, read_number(field, y)?]),
         _ => Err(refused(field, value, allowed::point())),
     }
+}
+
+/// Colours from the smallest value to the largest; `None` where they are left out.
+pub(crate) fn read_ramp(value: Option<JsRamp>) -> Result<Option<Vec<Rgba>>, JsValue> {
+    let Some(value) = value else { return Ok(None) };
+    let list = read_list("ramp", &value)?;
+    if !(2..=16).contains(&list.len()) {
+        return Err(js_error(Error::refused("ramp", list.len(), allowed::colors())));
+    }
+    let read = |(i, color): (usize, &JsValue)| {
+        let known = color.as_string().and_then(|text| read_color(&text));
+        known.ok_or_else(|| refused(&format!("ramp[{i}]"), color, allowed::color()))
+    };
+    list.iter().enumerate().map(read).collect::<Result<_, _>>().map(Some)
 }
 
 /// The ends of a job, where it has its own.

@@ -136,6 +136,8 @@ export type Catalogue = {
   layers: Array<Layer>
   /** The shapes in a frame's table of spans, by number. */
   shapes: [Shape, Shape, Shape, Shape, Shape]
+  /** The colours of a function's heights, from the lowest value to the highest. */
+  heights: [Color, Color, Color, Color, Color]
   /** Every TeX string that stands outside a formula, so that a page can typeset them when it is built. */
   symbols: Array<string>
   /** How a robot drives along what a planner found. */

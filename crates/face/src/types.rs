@@ -80,6 +80,9 @@ extern "C" {
     /// `CanvasContext`, checked before it is used.
     #[wasm_bindgen(typescript_type = "CanvasContext")]
     pub type JsContext;
+    /// `Ramp`, checked before it is read.
+    #[wasm_bindgen(typescript_type = "Ramp")]
+    pub type JsRamp;
     /// `number`, checked before it is read.
     #[wasm_bindgen(typescript_type = "number")]
     pub type JsNumber;

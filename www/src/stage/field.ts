@@ -1,4 +1,4 @@
-import type { Scene } from 'forage-lab'
+import type { Ramp, Scene } from 'forage-lab'
 import type { FieldRequest } from '../worker/protocol'
 import type { Pen } from './pen'
 import { type Box, type Size, toScene, toScreen, type View } from './view'
@@ -29,17 +29,17 @@ export class Field {
   }
 
   /** Asks for a picture of this view, unless there is one. */
-  want(scene: Scene, view: View, size: Size, generation: number, dark: boolean): void {
+  want(scene: Scene, view: View, size: Size, generation: number, ramp: Ramp): void {
     if (scene.kind !== 'function') {
       this.drop()
       return
     }
-    const key = [generation, scene.function, scene.dimension, view.x, view.y, view.scale, size.width, size.height, dark].join()
+    const key = [generation, scene.function, scene.dimension, view.x, view.y, view.scale, size.width, size.height, ramp].join()
     if (key === this.asked || this.busy) return
-    void this.ask(key, scene, view, size, dark)
+    void this.ask(key, scene, view, size, ramp)
   }
 
-  private async ask(key: string, scene: Scene, view: View, size: Size, dark: boolean): Promise<void> {
+  private async ask(key: string, scene: Scene, view: View, size: Size, ramp: Ramp): Promise<void> {
     this.asked = key
     this.busy = true
     const [left, top] = toScene(view, size, [0, 0])
@@ -51,7 +51,7 @@ export class Field {
       ...box,
       width: Math.max(1, Math.round(size.width * fine)),
       height: Math.max(1, Math.round(size.height * fine)),
-      dark,
+      ramp,
     })
     this.busy = false
     this.picture?.bitmap.close()

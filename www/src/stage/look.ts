@@ -1,5 +1,6 @@
 import type { Layer } from 'forage-lab'
 import type { Look } from '../worker/protocol'
+import { rampOf } from '../state/looks'
 import { type Size, toScene, type View } from './view'
 
 /** What the worker has to know of how these layers are seen. */
@@ -8,8 +9,7 @@ export function lookOf(shown: readonly Layer[], view: View, size: Size, dark: bo
   const [left, top] = toScene(view, size, [0, 0])
   const [right, bottom] = toScene(view, size, [size.width, size.height])
   return {
-    dark,
-    fields: shown.filter((layer) => layer.look.ramp).map(({ role }) => role),
+    fields: shown.flatMap(({ role, look: { ramp } }) => (ramp ? { role, ramp: rampOf(ramp, dark) } : [])),
     window: near ? { min: [left, Math.min(top, bottom)], max: [right, Math.max(top, bottom)] } : null,
   }
 }

@@ -1,4 +1,4 @@
-import type { Catalogue, Color, Layer, Look, Planner } from 'forage-lab'
+import type { Catalogue, Color, Layer, Look, Planner, Ramp } from 'forage-lab'
 
 /** How something is drawn: a layer's look, or one in a colour of the page, by its token. */
 export type Style = Omit<Look, 'color'> & { color: Color | string }
@@ -44,3 +44,5 @@ export const closer = (look: Look): Look => ({
 
 /** A look's colour for a style sheet. */
 export const cssOf = ({ light, dark }: Color, isDark: boolean): string => (isDark ? dark : light)
+
+export const rampOf = (colours: readonly Color[], isDark: boolean): Ramp => colours.map((colour) => cssOf(colour, isDark))

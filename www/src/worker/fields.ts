@@ -1,12 +1,12 @@
-import type { LayerImage, LayerName, Session } from 'forage-lab'
-import type { FieldPicture } from './protocol'
+import type { LayerImage, LayerName, Ramp, Session } from 'forage-lab'
+import type { FieldPicture, Look } from './protocol'
 
 let canvas: OffscreenCanvas | undefined
 
-/** The fields of these roles in the frame that was drawn last, as pictures. */
-export function fieldsOf(session: Session, roles: readonly string[], dark: boolean): FieldPicture[] {
-  return roles.flatMap((role) => {
-    const layer = layerOf(session, role, dark)
+/** These fields of the frame that was drawn last, as pictures. */
+export function fieldsOf(session: Session, fields: Look['fields']): FieldPicture[] {
+  return fields.flatMap(({ role, ramp }) => {
+    const layer = layerOf(session, role, ramp)
     if (!layer) return []
     const { image, min, max, range } = layer
     canvas ??= new OffscreenCanvas(image.width, image.height)
@@ -17,9 +17,9 @@ export function fieldsOf(session: Session, roles: readonly string[], dark: boole
 }
 
 /** A layer of a planner whose part of the core is not here is not in this frame either. */
-function layerOf(session: Session, role: string, dark: boolean): LayerImage | null {
+function layerOf(session: Session, role: string, ramp: Ramp): LayerImage | null {
   try {
-    return session.layerImage(role as LayerName, dark)
+    return session.layerImage(role as LayerName, ramp)
   } catch (error) {
     if (error instanceof Error && 'code' in error && error.code === 'unknown') return null
     throw error

@@ -1,4 +1,4 @@
-import type { Inspection, Item, Outcome, ParameterValue, Point, Point3, RunEvent, Scene, Stage, Status } from 'forage-lab'
+import type { Inspection, Item, Outcome, ParameterValue, Point, Point3, Ramp, RunEvent, Scene, Stage, Status } from 'forage-lab'
 
 /** A refusal of the core as plain data: errors lose their fields on the way between threads. */
 export interface Refusal {
@@ -52,9 +52,8 @@ export interface TraceRows {
 
 /** What of a run is looked at. What is drawn hangs on it. */
 export interface Look {
-  dark: boolean
-  /** Roles of the fields that are shown. */
-  fields: string[]
+  /** The fields that are shown, with their colours. */
+  fields: { role: string; ramp: Ramp }[]
   /** The part of the plane that is seen, where a layer is only worth drawing from near; null: all of it. */
   window: { min: Point; max: Point } | null
 }
@@ -139,7 +138,7 @@ export interface FieldRequest {
   max: Point
   width: number
   height: number
-  dark: boolean
+  ramp: Ramp
 }
 
 export type { Inspection, Item }

@@ -39,10 +39,10 @@ const api = {
     return ready(() => found.settle())
   },
   giveBack: (buffer: ArrayBuffer): void => racer?.giveBack(buffer),
-  async field({ min, max, width, height, dark }: FieldRequest): Promise<ImageBitmap | null> {
+  async field({ min, max, width, height, ramp }: FieldRequest): Promise<ImageBitmap | null> {
     const canvas = new OffscreenCanvas(width, height)
     const context = canvas.getContext('2d')
-    if (!context || !(await own()).session?.paintField(context, min, max, dark)) return null
+    if (!context || !(await own()).session?.paintField(context, min, max, ramp)) return null
     const picture = canvas.transferToImageBitmap()
     return Comlink.transfer(picture, [picture])
   },

@@ -28,7 +28,7 @@ export class Racer {
   private marks: { iteration: number; evaluations: number }[] = []
   private most = 0
   private ended = false
-  private looked: Look = { dark: false, fields: [], window: null }
+  private looked: Look = { fields: [], window: null }
   /** Grows with each command that makes the one before pointless. */
   private token = 0
   private underway = false
@@ -164,7 +164,7 @@ export class Racer {
     // The views last until the next call: nothing of the core may come between here and the copy.
     const { vertices, spans, thinning } = session.frame(BUDGET)
     const packed = pack(vertices, spans, FIELD, (bytes) => this.pool.take(bytes))
-    const fields = fieldsOf(session, this.looked.fields, this.looked.dark)
+    const fields = fieldsOf(session, this.looked.fields)
     return { iteration, evaluations, status, furthest, ...packed, fields, thinning, curve, outcome }
   }
 

@@ -178,10 +178,10 @@ const api = {
   },
 }
 
-async function painted({ min, max, width, height, dark }: FieldRequest, session: () => Session): Promise<ImageBitmap | null> {
+async function painted({ min, max, width, height, ramp }: FieldRequest, session: () => Session): Promise<ImageBitmap | null> {
   const canvas = new OffscreenCanvas(width, height)
   const context = canvas.getContext('2d')
-  const done = await silently(() => context !== null && session().paintField(context, min, max, dark))
+  const done = await silently(() => context !== null && session().paintField(context, min, max, ramp))
   if (!done.ok || !done.value) return null
   const picture = canvas.transferToImageBitmap()
   return Comlink.transfer(picture, [picture])

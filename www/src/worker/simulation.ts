@@ -43,7 +43,7 @@ export class Simulation {
   private request = 0
   private pace: Speed = 30
   private watched: Item | null = null
-  private looked: Look = { dark: false, fields: [], window: null }
+  private looked: Look = { fields: [], window: null }
   /** Grows with each command that makes a running loop pointless. */
   private token = 0
   private stale = false
@@ -323,7 +323,7 @@ export class Simulation {
     // The views last until the next call: nothing of the core may come between here and the copy.
     const { vertices, spans, thinning } = session.frame(BUDGET)
     const packed = pack(vertices, spans, FIELD, (bytes) => this.pool.take(bytes))
-    const fields = fieldsOf(session, this.looked.fields, this.looked.dark)
+    const fields = fieldsOf(session, this.looked.fields)
     const message: FrameMessage = {
       type: 'frame',
       generation: this.generation,
