@@ -43,14 +43,20 @@ for (const part of parts) {
   write(`locales/en/${part}.json`, JSON.stringify(Object.fromEntries(own)))
 }
 
-// What says them, with the library that reads the patterns inside.
+// What comes with its library inside: what says messages, and sessions in threads.
 const { build } = await import(require.resolve('rolldown'))
-await build({
-  input: new URL('words.js', import.meta.url).pathname,
-  resolve: { modules: [new URL('../www/node_modules', import.meta.url).pathname] },
-  output: { file: `${folder}/words.js`, format: 'esm', minify: true },
-  logLevel: 'warn',
-})
+const bundle = (file, replaced = {}) =>
+  build({
+    input: new URL(file, import.meta.url).pathname,
+    // The package's own files and Node's are not repeated.
+    external: (name) => name.startsWith('node:') || own.includes(name),
+    resolve: { modules: [new URL('../www/node_modules', import.meta.url).pathname] },
+    transform: { define: replaced },
+    output: { file: `${folder}/${file}`, format: 'esm', minify: true },
+    logLevel: 'warn',
+  })
+const own = ['core', 'glue', 'guard', 'node', 'page', 'words'].map((name) => `./${name}.js`)
+await bundle('words.js')
 
 // The glue of wasm-bindgen calls a freed object's methods with no address. Here they say so by name, to free twice does nothing,
 // and no call reaches a module that broke down.
@@ -112,6 +118,15 @@ const follows = (name) => {
     return false
   }
 }
+
+// A session in a thread has the same members.
+const members = Object.entries(Object.getOwnPropertyDescriptors(core.Session.prototype)).filter(
+  ([name]) => !name.startsWith('__') && !['constructor', 'free', 'paintField'].includes(name),
+)
+const namesOf = (kind) => JSON.stringify(members.filter(([, member]) => member[kind]).map(([name]) => name))
+for (const file of ['worker', 'worker.node', 'session-worker', 'session-worker.node'])
+  await bundle(`${file}.js`, { METHODS: namesOf('value'), GETTERS: namesOf('get') })
+
 const asked = {
   planner: () => refused(() => core.checkParameter('', '', '', 0)),
   kind: () => refused(() => core.checkParameter(catalogue.planners[0].name, '', '', 0)),
@@ -138,6 +153,16 @@ for (const { name, kind } of catalogue.scenes) holds.scene[name] = holds.kind[ki
 holds.role = {}
 holds.tool = Object.fromEntries(parts.map((part) => [part, [part]]))
 write('parts.js', partsFile(holds))
+
+// What the bundled libraries ask for.
+const notice = (name) => {
+  const at = new URL(`../www/node_modules/${name}/`, import.meta.url)
+  const { version, license } = JSON.parse(readFileSync(new URL('package.json', at), 'utf8'))
+  const text = new URL('LICENSE', at)
+  if (license !== 'Apache-2.0') throw new Error(`${name} has another licence: ${license}`)
+  return `\n## Apache License 2.0\n\n- ${name} ${version}\n\n\`\`\`\n${readFileSync(existsSync(text) ? text : `${folder}/LICENSE-APACHE`, 'utf8').trim()}\n\`\`\`\n`
+}
+write('THIRD-PARTY.md', `${read('THIRD-PARTY.md')}${['@fluent/bundle', 'comlink'].map(notice).join('')}`)
 
 // The entries. What only the loader calls is not for users.
 const inner = new Set(['add', 'bringBy', 'freed', 'parts', 'speakBy', 'start', 'initSync', '__wbg_reset_state'])
@@ -314,10 +339,12 @@ const description = {
   module: './forage.js',
   types: './forage.d.ts',
   // They set up what is loaded; the catalogue is left out where nobody asks for it.
-  sideEffects: ['./page.js', './node.js', './*.node.js'],
+  sideEffects: ['./page.js', './node.js', './*.node.js', './session-worker.js'],
   exports: {
     '.': entry('forage', 'forage', 'node'),
     ...Object.fromEntries(['swarm', ...parts].map((part) => [`./${part}`, entry('part', part, `${part}.node`)])),
+    './worker': entry('worker', 'worker', 'worker.node'),
+    './session-worker': entry('session-worker', 'session-worker', 'session-worker.node'),
     './core': { types: './core.d.ts', default: './core.js' },
     './words': { types: './words.d.ts', default: './words.js' },
     './*.wasm': './*.wasm',

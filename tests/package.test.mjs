@@ -45,8 +45,8 @@ test('it holds the parts of the module and nothing that users do not need', () =
   const files = run('find', ['node_modules/forage-lab', '-type', 'f']).trim().split('\n')
   const parts = files.filter((file) => file.endsWith('.wasm')).length
   assert.ok(parts > 5)
-  // Of each part its code, its words and two entries; then the loader, types, words, the catalogue, notices and licences.
-  assert.ok(files.length <= 4 * parts + 22, files.join('\n'))
+  // Of each part its code, its words and two entries; then the loader, sessions in threads, types, words, the catalogue, notices and licences.
+  assert.ok(files.length <= 4 * parts + 28, files.join('\n'))
   for (const file of ['README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'THIRD-PARTY.md'])
     assert.ok(files.includes(`node_modules/forage-lab/${file}`), file)
 })
@@ -203,7 +203,8 @@ test('the book’s batch runs as it stands, and says what the shell’s runs say
 test('its types are exact', () => {
   writeFileSync(
     join(project, 'types.ts'),
-    `import init, { catalogue, compare, load, parseLink, ready, Session, Trial, type Comparison, type Group, type Outcome, type Setup, type Status, type TrialCurve, type TrialRecord, type UncheckedSetup } from 'forage-lab';
+    `import init, { catalogue, compare, load, parseLink, ready, Session, Trial, type Comparison, type Group, type LayerName, type Outcome, type Setup, type Status, type TrialCurve, type TrialRecord, type UncheckedSetup } from 'forage-lab';
+     import { WorkerSession } from 'forage-lab/worker';
      const session = new Session({ planner: 'pso', scene: 'sphere', params: { w: 0.7 }, seed: 2 });
      const status: Status = session.step(3);
      const outcome: Outcome = session.outcome();
@@ -218,7 +219,8 @@ test('its types are exact', () => {
      const comparison: Comparison = compare([group, group]);
      const mean: number | undefined = comparison.groups[0]?.summary?.mean;
      const p: number | null | undefined = comparison.friedman?.p;
-     const image: { readonly width: number } | undefined = session.layerImage('best', true)?.image;
+     const image: { readonly width: number } | undefined = session.layerImage('best', ['#000000', '#ffffff80'])?.image;
+     const drawn: LayerName | undefined = session.frame().layers[0];
      await init();
      const other: Session = await ready(() => new Session({ planner: 'rrt', scene: 'arm-bench' }));
      other[Symbol.dispose]();
@@ -239,7 +241,7 @@ test('its types are exact', () => {
      // @ts-expect-error an encoding is one of two
      new Session({ planner: 'pso', scene: 'wcpso-discs', params: { encoding: 'spherical' } });
      // @ts-expect-error there is no such layer
-     session.layerImage('beest', true);
+     session.layerImage('beest');
      // @ts-expect-error a seed is a number
      new Session({ planner: 'pso', scene: 'sphere', seed: 'one' });
      // @ts-expect-error there is no such member
@@ -248,7 +250,15 @@ test('its types are exact', () => {
      compare([{ name: 'pso', values: ['1'] }]);
      // @ts-expect-error a record has no times
      record.elapsed_ms;
-     export { status, cost, evaluations, image, mean, p };`,
+     const remote: WorkerSession = await WorkerSession.start({ planner: 'pso', scene: 'sphere' });
+     const later: number = await remote.iteration;
+     const whole: Outcome = await remote.outcome();
+     remote[Symbol.dispose]();
+     // @ts-expect-error what it returns is a promise
+     const now: number = remote.iteration;
+     // @ts-expect-error there is no such planner
+     await WorkerSession.start({ planner: 'psso', scene: 'sphere' });
+     export { status, cost, drawn, later, now, whole, evaluations, image, mean, p };`,
   )
   // Its own types are checked as well, with the language's library alone and with all that there is.
   for (const lib of ['es2022', 'esnext,dom']) typed('types.ts', lib)
@@ -352,8 +362,9 @@ function armLink() {
 }
 
 /** A page that runs a session, and says what came of it; before that, one that needs another part. */
-const script = (from) => `
+const script = (from, worker) => `
   import init, { parseLink, ready, Session } from '${from}';
+  import { WorkerSession } from '${worker}';
   await init();
   let refused;
   try { new Session({ planner: 'a-star', scene: 'ant-bat-30' }) } catch ({ code, message }) { refused = code + message }
@@ -364,6 +375,19 @@ const script = (from) => `
   other.free();
   const opened = await ready(() => parseLink('${armLink()}'));
   if (opened.scene.kind !== 'arm') throw new Error(opened.scene.kind);
+  const there = await WorkerSession.start({ planner: 'a-star', scene: 'ant-bat-30' });
+  await there.step(Infinity);
+  const { vertices, layers } = await there.frame();
+  if (vertices.buffer.byteLength !== vertices.byteLength || !layers.includes('best')) throw new Error('a frame that is no copy');
+  const image = await there.layerImage('closed', ['#000000', '#ffffff']);
+  if (!(image.image instanceof ImageData)) throw new Error('no picture of the field');
+  there.free();
+  const plane = await WorkerSession.start({ planner: 'pso', scene: 'sphere' });
+  const context = document.createElement('canvas').getContext('2d');
+  const painted = await plane.paintField(context, [-5, -5], [5, 5], ['#102030', '#102030']);
+  const [red, green, blue, opacity] = context.getImageData(20, 20, 1, 1).data;
+  if (!painted || red > 0x10 * 1.26 || red < 0x10 || opacity !== 255) throw new Error('painted ' + [painted, red, green, blue, opacity]);
+  plane.free();
   const session = new Session(${JSON.stringify(SETUP)});
   while (session.status === 'running') session.step(10);
   document.body.textContent = session.outcome().hash;
@@ -377,7 +401,7 @@ test('a static page without a bundler runs it from the unpacked tarball, with th
   mkdirSync(site)
   run('tar', ['-xzf', tarball, '-C', site])
   cpSync(join(site, 'package'), join(site, 'forage'), { recursive: true })
-  writeFileSync(join(site, 'index.html'), html(`>${script('./forage/forage.js')}`))
+  writeFileSync(join(site, 'index.html'), html(`>${script('./forage/forage.js', './forage/worker.js')}`))
   const { hash } = inShell(SETUP)
 
   await t.test('from a server that knows what wasm is', async () => {
@@ -408,7 +432,7 @@ test('a Vite project bundles it, wasm and all', async () => {
   const app = join(project, 'app')
   mkdirSync(app)
   writeFileSync(join(app, 'index.html'), html(' src="./main.js">'))
-  writeFileSync(join(app, 'main.js'), script('forage-lab'))
+  writeFileSync(join(app, 'main.js'), script('forage-lab', 'forage-lab/worker'))
   run('node', [join(root, 'www/node_modules/vite/bin/vite.js'), 'build', '--base', './', '--target', 'es2023', '--logLevel', 'error'], app)
   const built = run('find', ['dist', '-name', '*.wasm'], app).trim().split('\n')
   assert.ok(built.length > 5, built.join('\n'))

@@ -1,0 +1,2 @@
+// What the script of a worker imports that is given to `WorkerSession.start`.
+export {}

@@ -1,0 +1,12 @@
+/* For Node: WorkerSession in one of its threads. */
+import nodeEndpoint from 'comlink/dist/esm/node-adapter.mjs'
+import { Worker } from 'node:worker_threads'
+import { sessionIn } from './worker-session.js'
+
+export { ModuleDead } from './guard.js'
+
+// How the program was called (an evaluated text, a loader) means nothing to it.
+export const WorkerSession = sessionIn((given) => {
+  const worker = given ?? new Worker(new URL('./session-worker.node.js', import.meta.url), { execArgv: [] })
+  return { worker, endpoint: nodeEndpoint(worker), failed: (tell) => worker.on('error', tell) }
+})
