@@ -35,6 +35,12 @@ test('within a step that takes minutes a change is heard, by the same thread @sm
   // Back where it was: the step that has begun is given up.
   await lab.timeline.fill('0')
   expect(await lab.settled(0)).toBe(start)
+  // It says what it is at, and how to stop that.
+  await page.getByTestId('step-forward').click()
+  await expect(page.getByTestId('step-progress')).toContainText(en.transport.long('1'))
+  await page.getByTestId('step-cancel').click()
+  await expect(page.getByTestId('step-progress')).toBeHidden()
+  expect(await lab.settled(0)).toBe(start)
   await lab.press(en.transport.play)
   const parameters = await lab.section('parameters')
   await parameters.locator('[data-parameter="perturbations"] input.typed').fill('3')

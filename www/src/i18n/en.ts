@@ -77,6 +77,7 @@ export const en = {
     seconds: (time: string) => `${time} s`,
     runs: (done: string, total: string) => `${done} of ${total} runs`,
     progress: 'Runs of this step',
+    long: (k: string) => `Iteration ${k} takes long`,
     cancel: 'Stop',
     newSeed: 'New seed',
     unfold: 'Unfold this iteration: the ants’ walk, step by step',
@@ -114,6 +115,7 @@ export const en = {
     evaluations: 'evaluations',
     none: 'nothing found yet',
     paused: 'paused',
+    starting: 'starting …',
     status: { running: 'running', solved: 'solved', exhausted: 'completed', infeasible: 'no solution' },
   },
   live: {

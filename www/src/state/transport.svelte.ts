@@ -96,6 +96,13 @@ export abstract class Transport extends Scenes {
     this.setPlaying(false)
   }
 
+  /** Stops during a step that takes long; one that has begun is given up, what other planners found for it is kept. */
+  stopStep = (): void => {
+    const begun = this.progress?.done === null
+    this.pause()
+    if (begun) this.seek(this.iteration)
+  }
+
   private setPlaying(play: boolean): void {
     this.playing = play
     this.requested = { ...this.requested, play }

@@ -108,13 +108,16 @@ export interface FrameMessage {
   report: Report | null
 }
 
-/** How far the runs of other planners are that a step needs; `total` 0: the steps need none any more. */
+/**
+ * A step takes long. How far the runs of other planners are that it needs; `done` null: it needs none, nothing is counted; `total` 0:
+ * no step takes long any more.
+ */
 export interface ProgressMessage {
   type: 'progress'
   generation: number
   /** The iteration that the step leads to. */
   step: number
-  done: number
+  done: number | null
   total: number
 }
 

@@ -16,6 +16,8 @@ const FIELD = shapes.indexOf('field')
 const FRAME_INTERVAL = 1000 / 60
 /** The whole state's summary costs more than a picture: while playing it is told a few times a second. */
 const REPORT_INTERVAL = 250
+/** After so long it is told that a step takes long, in milliseconds. */
+const LONG = 400
 /** How often the progress of a step is told. */
 const PROGRESS_INTERVAL = 100
 /** At most this share of the time goes into reports. */
@@ -50,7 +52,7 @@ export class Simulation {
   private lastFrame = 0
   private lastReport = 0
   private lastProgress = 0
-  /** The page has been told of runs that a step waits for. */
+  /** The page has been told that a step takes long. */
   private waits = false
   private reportCost = 0
   /** How often the members' numbers are told. */
@@ -203,10 +205,15 @@ export class Simulation {
       if (token !== this.token) return false
       // Without it the step carries them out itself.
       if (found) session.supply(found)
-    } else if (this.waits) {
-      this.tellProgress(0, 0)
     }
-    if (!(await step(session, () => token === this.token))) return false
+    const long = performance.now() + LONG
+    const over = await step(session, () => {
+      if (token !== this.token) return false
+      if (!this.waits && performance.now() > long) this.tellProgress(null, 1)
+      return true
+    })
+    if (this.waits) this.tellProgress(0, 0)
+    if (!over) return false
     this.computed = Math.max(this.computed, session.iteration)
     this.stale = true
     return true
@@ -221,7 +228,7 @@ export class Simulation {
     this.tellProgress(done, total)
   }
 
-  private tellProgress(done: number, total: number): void {
+  private tellProgress(done: number | null, total: number): void {
     this.waits = total > 0
     const message: ProgressMessage = {
       type: 'progress',
