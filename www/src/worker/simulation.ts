@@ -16,7 +16,7 @@ const FIELD = shapes.indexOf('field')
 const FRAME_INTERVAL = 1000 / 60
 /** The whole state's summary costs more than a picture: while playing it is told a few times a second. */
 const REPORT_INTERVAL = 250
-/** After so long it is told that a step takes long, in milliseconds. */
+/** A step that takes longer than this is reported as long, in milliseconds. */
 const LONG = 400
 /** How often the progress of a step is told. */
 const PROGRESS_INTERVAL = 100
