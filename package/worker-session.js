@@ -21,7 +21,9 @@ export function sessionIn(open) {
       const { worker: opened, endpoint, failed } = open(worker)
       this.#worker = opened
       this.#api = wrap(endpoint)
-      failed((cause) => this.#end(new Error(`WorkerSession: the worker broke down: ${cause?.message ?? cause}`, { cause })))
+      failed((cause) =>
+        this.#end(new Error(`WorkerSession: the worker broke down: ${cause?.message ?? 'its script cannot be loaded'}`, { cause })),
+      )
     }
 
     static start(setup, options) {

@@ -205,6 +205,8 @@ export class Simulation {
       if (token !== this.token) return false
       // Without it the step carries them out itself.
       if (found) session.supply(found)
+    } else if (this.waits) {
+      this.tellProgress(0, 0)
     }
     const long = performance.now() + LONG
     const over = await step(session, () => {
