@@ -1,5 +1,5 @@
 // Completes the package: what is in which part, words, catalogue, entries, types and package.json.
-//   node package/complete.mjs FOLDER PARTS SHELL   PARTS: the files of each part, as merge.mjs has written it
+//   node package/complete.mjs FOLDER PARTS SHELL   PARTS: the files of each part, as optimise.mjs has written it
 import { execFileSync } from 'node:child_process'
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
