@@ -27,11 +27,12 @@ use trial::trial;
 fn run(planner: &str, scene: &str, seed: u32, set: &str) -> (Golden, [String; 3]) {
     let mut params = Overrides::from_iter([("iterations", Value::from(f64::from(ITERATIONS)))]);
     let more: std::collections::BTreeMap<String, serde_json::Value> = serde_json::from_str(&format!("{{{set}}}")).unwrap();
+    let iterations = more.get("iterations").map_or(u64::from(ITERATIONS), |given| given.as_u64().unwrap());
     more.into_iter().for_each(|(name, value)| params.insert(name, Value::from(value.to_string().trim_matches('"'))));
     let setup = Setup { planner: planner.to_owned(), scene: forage::shipped(scene).unwrap(), params, seed: u64::from(seed) };
     let mut run = Run::new(standard(), setup).unwrap();
     let first = shown(&mut run);
-    run.step(u64::from(ITERATIONS / 2));
+    run.step(iterations / 2);
     let (half, middle) = (run.hash(), shown(&mut run));
     run.step(u64::MAX);
     let last = shown(&mut run);
@@ -56,7 +57,7 @@ fn specs() -> Vec<Spec> {
     for entry in standard().planners() {
         for scene in standard().scenes().iter().filter(|scene| entry.check_scene(scene).is_ok()) {
             // A planner of planners carries out hundreds of runs a step: short ones will do.
-            let mut set = if entry.name == "pso-tuning" { r#""population": 4, "seeds": 2, "colony_iterations": 3"# } else { "" };
+            let mut set = if entry.name == "pso-tuning" { r#""iterations": 30, "population": 4, "seeds": 2, "colony_iterations": 3"# } else { "" };
             // Ants would build sixty-six roads a run; one run below has them do so.
             if entry.stops && scene.kind() == forage::scene::GRID {
                 set = r#""roads": "a-star""#;

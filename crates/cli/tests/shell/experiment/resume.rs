@@ -63,7 +63,10 @@ fn every_cut_of_the_file_goes_on() {
         let path = folder.join(name);
         in_process(&sweep, &path).unwrap();
         let whole = fs::read(&path).unwrap();
-        for end in 0..whole.len() {
+        // Everywhere in the heading, the first row and the last, and about the ends of the others.
+        let ends: Vec<_> = (0..whole.len()).filter(|&at| whole[at] == b'\n').collect();
+        let [first, last] = [ends[1], ends[ends.len() - 2]];
+        for end in (0..whole.len()).filter(|&at| at <= first || at > last || ends.iter().any(|end| end.abs_diff(at) <= 1)) {
             fs::write(&path, &whole[..end]).unwrap();
             in_process(&sweep, &path).unwrap();
             assert!(fs::read(&path).unwrap() == whole, "{name} cut off after {end} bytes");
