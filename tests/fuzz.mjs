@@ -92,6 +92,8 @@ function setupOf(random) {
   const suited = scenes.filter(({ kind }) => planner.kinds.includes(kind))
   const scene = random.one(random.chance(0.95) ? suited : scenes)
   const params = parametersOf(random, planner)
+  // Colonies and swarms take so long for roads between stops that few of the calls would be others.
+  if (scene.kind === 'grid' && planner.parameters.some(({ name }) => name === 'roads') && random.chance(0.9)) params.roads ??= 'a-star'
   const setup = {
     planner: planner.name,
     scene: random.chance(0.7) ? scene.name : sceneOf(random, scene.name),
