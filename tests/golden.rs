@@ -57,7 +57,8 @@ fn specs() -> Vec<Spec> {
     for entry in standard().planners() {
         for scene in standard().scenes().iter().filter(|scene| entry.check_scene(scene).is_ok()) {
             // A planner of planners carries out hundreds of runs a step: short ones will do.
-            let mut set = if entry.name == "pso-tuning" { r#""iterations": 30, "population": 4, "seeds": 2, "colony_iterations": 3"# } else { "" };
+            let mut set =
+                if entry.name == "pso-tuning" { r#""iterations": 30, "population": 4, "seeds": 2, "colony_iterations": 3"# } else { "" };
             // Ants would build sixty-six roads a run; one run below has them do so.
             if entry.stops && scene.kind() == forage::scene::GRID {
                 set = r#""roads": "a-star""#;
