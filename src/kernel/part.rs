@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::{Progress, State};
 
 /// How far a long step has come. A planner whose step may take longer than a tenth of a second does a part of it at a time and
-/// returns [`Progress::Partly`](super::Progress::Partly) until it is over: so it can be interrupted. What comes out is the same
+/// returns [`Progress::Partly`] until it is over: so it can be interrupted. What comes out is the same
 /// whatever the parts; a planner keeps this as `#[state(skip)]`.
 ///
 /// ```
