@@ -194,16 +194,20 @@ fn any_population_runs(entry: &'static Entry) {
 
 /// Encoding and planner vary independently: a swarm runs on every kind of path, way-points or polar, smoothed or not.
 fn every_encoding_runs(entry: &'static Entry) {
-    let mut all: Vec<_> = scenes(entry).into_iter().filter(|scene| scene.ends().is_some()).map(|scene| (scene, 10.0, 100.0)).collect();
-    // A point among the same walls: its best paths touch corners exactly, where rounding decides. Many find them, and late.
+    let mut all: Vec<_> =
+        scenes(entry).into_iter().filter(|scene| scene.ends().is_some()).map(|scene| (scene, Some(10.0), 100.0)).collect();
+    // A point among the same walls: its best paths touch corners exactly, where rounding decides. A whole population finds them, and late.
     let mut point: serde_json::Value = serde_json::from_str(&forage::shipped("qpso-10m").unwrap().to_json()).unwrap();
     point.as_object_mut().unwrap().remove("robot");
-    all.push((Arc::new(standard().read_scene_value(point).unwrap()), 50.0, 400.0));
+    all.push((Arc::new(standard().read_scene_value(point).unwrap()), None, 400.0));
     for (scene, population, iterations) in all {
         for (encoding, corners) in [("waypoints", 3), ("polar", 7)] {
             let points = corners + 2;
             let run = |smooth: bool| {
-                let mut params = given(&[("iterations", iterations), ("population", population)]);
+                let mut params = given(&[("iterations", iterations)]);
+                if let Some(population) = population {
+                    params.insert("population", Value::from(population));
+                }
                 params.insert("encoding", Value::from(encoding));
                 params.insert("smooth", Value::Flag(smooth));
                 if encoding == "waypoints" {
