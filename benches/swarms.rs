@@ -109,7 +109,7 @@ fn generators(criterion: &mut Criterion) {
     group.sample_size(20);
     let mut stream = forage::kernel::rng::Stream::new(1, 0);
     group.bench_function("xoshiro256++", |b| b.iter(|| (0..1_200_000).map(|_| stream.unit()).sum::<f64>()));
-    let mut chacha = rand_chacha::ChaCha8Rng::seed_from_u64(1);
+    let mut chacha = chacha20::ChaCha8Rng::seed_from_u64(1);
     group.bench_function("ChaCha8", |b| b.iter(|| (0..1_200_000).map(|_| chacha.random::<f64>()).sum::<f64>()));
     group.finish();
 }

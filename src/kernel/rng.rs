@@ -4,7 +4,7 @@
 //! (ChaCha itself in the inner loop would cost as much as the rest of a swarm's step; `benches/swarms.rs` shows both.)
 
 use rand::{RngExt, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use chacha20::ChaCha8Rng;
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use crate::{
