@@ -3,8 +3,8 @@
 //! A run's seed keys ChaCha8, which seeds independent streams; each stream is a xoshiro256++ generator.
 //! (ChaCha itself in the inner loop would cost as much as the rest of a swarm's step; `benches/swarms.rs` shows both.)
 
-use rand::{RngExt, SeedableRng};
 use chacha20::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use crate::{
