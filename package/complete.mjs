@@ -165,7 +165,7 @@ const notice = (name) => {
 write('THIRD-PARTY.md', `${read('THIRD-PARTY.md')}${['@fluent/bundle', 'comlink'].map(notice).join('')}`)
 
 // The entries. What only the loader calls is not for users.
-const inner = new Set(['add', 'bringBy', 'freed', 'parts', 'speakBy', 'start', 'initSync', '__wbg_reset_state'])
+const inner = new Set(['add', 'bringBy', 'freed', 'speakBy', 'start', 'initSync', '__wbg_reset_state'])
 const names = [...glue.matchAll(/^export (?:class|function) (\w+)/gm)].map(([, name]) => name).filter((name) => !inner.has(name))
 const passed = `\nexport { ${names.join(', ')} } from './glue.js'\nexport { ModuleDead } from './guard.js'\n`
 write('core.js', `${read('core.js')}\nexport const shapes = ${JSON.stringify(catalogue.shapes)}\n`)
@@ -215,7 +215,7 @@ declare global {
   }
 }
 
-/** A part of the module beside the first one, which has the swarms, on functions and among discs. */
+/** A part of the module other than the first one, which has the swarms, on functions and among discs. */
 export type Part = ${parts.map((part) => `'${part}'`).join(' | ')};
 
 /** Loads parts of the module; those that are there are not loaded again. In Node calls load what they need by themselves. */
@@ -239,7 +239,7 @@ export class ModuleDead extends Error {
   readonly cause: unknown;
 }
 
-/** Starts the module anew, with the parts that were there. Sessions and trials of before are gone: their methods say so. */
+/** Restarts the module, with the parts that were there. Sessions and trials of before are gone: their methods say so. */
 export function reset(): void;
 
 /** The shapes in a frame's table of spans, by number. */
@@ -256,7 +256,7 @@ export function speakBy(say: Say): void;
 
 /**
  * In a page, before anything else: loads the swarms and links. In Node everything is ready on import.
- * @param source where the first part is, if it is not beside the package's files, or what it was compiled to
+ * @param source where the first part is, if it is not with the package's files, or what it was compiled to
  */
 export default function init(source?: string | { readonly href: string } | object): Promise<void>;
 `,
@@ -280,8 +280,8 @@ write(
   `export * from './forage.js';
 
 /**
- * The first part by itself, for who draws before anything is said: until the main entry's \`load()\`, messages are keys.
- * @param source where it is, if it is not beside the package's files, or what it was compiled to
+ * The first part by itself, for a picture before any text: until the main entry's \`load()\`, messages are keys.
+ * @param source where it is, if it is not with the package's files, or what it was compiled to
  */
 export function begin(source?: string | { readonly href: string } | object): Promise<unknown>;
 `,

@@ -1,5 +1,5 @@
 /*
- * The first part of the module by itself, for who draws before anything is said: the rest, and words, come with the package's
+ * The first part of the module by itself, for a picture before any text: the rest, and words, come with the package's
  * main entry, which may be imported later.
  */
 import start from './glue.js'
@@ -7,7 +7,7 @@ import start from './glue.js'
 let first
 
 /**
- * Loads the first part. What it returns is for the loader. `source`: where it is, if it is not beside this file,
+ * Loads the first part. What it returns is for the loader. `source`: where it is, if it is not where this file is,
  * or what it was compiled to.
  */
 export function begin(source) {

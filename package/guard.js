@@ -23,6 +23,9 @@ export function sayDeadBy(say) {
   sayDead = say
 }
 
+/** What the glue throws before it has done anything, where a getter or a function of the caller's uses the object that is being used. */
+const refusesReuse = (cause) => cause instanceof Error && /recursive use of an object|while it was borrowed/.test(cause.message)
+
 /** The exports of an instance, until a call of one of them does not return. */
 export function guarded(exports) {
   dead = undefined
@@ -36,6 +39,7 @@ function guard(call, frees) {
       try {
         return call(...given)
       } catch (cause) {
+        if (refusesReuse(cause)) throw cause
         dead ??= new ModuleDead(cause)
       }
     } else if (frees) return

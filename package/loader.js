@@ -1,8 +1,8 @@
 /*
  * What is loaded of the module, and how the rest of it comes. The first part holds what every run needs, and the swarms; other parts
- * share its memory and its functions. `host` says where files are read from: at once (Node), or by and by (a page).
+ * share its memory and its functions. `host` says where files are read from: at once (Node), or over the network (a page).
  */
-import { __wbg_reset_state as startAnew, add, bringBy, initSync, speakBy as speakByHost } from './glue.js'
+import { __wbg_reset_state as startAgain, add, bringBy, initSync, speakBy as speakByHost } from './glue.js'
 import { sayDeadBy } from './guard.js'
 import { files, holds } from './parts.js'
 
@@ -55,12 +55,13 @@ function tell(say) {
  */
 export function reset() {
   if (!shared) return
+  startAgain()
+  share(initSync())
   const files = [...linked]
   const parts = [...added]
+  // Not before: where memory is short it throws, and the next attempt needs them.
   linked.clear()
   added.clear()
-  startAnew()
-  share(initSync())
   for (const [file, module] of files) linkFile(file, module)
   addParts(parts)
 }
@@ -87,7 +88,7 @@ export function linkFile(file, module) {
 /** Adds parts whose files are linked. */
 export function addParts(parts) {
   for (const part of missing(parts)) {
-    add(part)
+    if (!add(part)) throw new Error(`the module has no part \`${part}\``)
     added.add(part)
   }
 }

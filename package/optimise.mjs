@@ -84,7 +84,7 @@ function merge() {
 function optimise(name) {
   const module = read(`${folder}/${name}`)
   module.optimize()
-  // Functions in the order of their names: like stands next to like, which gzip makes 11 kB smaller.
+  // Functions in the order of their names: similar ones are neighbours, which gzip makes 11 kB smaller.
   module.runPasses(['reorder-functions-by-name', 'strip-debug', 'strip-producers'])
   write(module, `${out}/${name}`)
 }

@@ -94,14 +94,14 @@ const spoken = (part) =>
   })
 
 /**
- * Loads parts of the module, beside the first one: `grid`, `tour`, `arm`, `links`, `files`, `generators`, `pictures`, `statistics`.
+ * Loads parts of the module besides the first one: `grid`, `tour`, `arm`, `links`, `files`, `generators`, `pictures`, `statistics`.
  * What is there already is not loaded again.
  */
 export async function load(...parts) {
   await Promise.all([link(parts), ...['swarm', ...parts].map(spoken), ...PARTS.filter(isAdded).map(spoken)])
 }
 
-/** Loads what a page needs to begin with: the swarms, and links. `source`: where the first part is, if it is not beside this file. */
+/** Loads what a page needs to begin with: the swarms, and links. `source`: where the first part is, if it is not where this file is. */
 export default async function init(source) {
   void core(source)
   await load('links')

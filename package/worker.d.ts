@@ -29,7 +29,7 @@ export interface WorkerOptions {
 export interface WorkerSession extends Omit<Asynchronous<Session>, 'free' | 'paintField' | typeof Symbol.dispose> {
   /** As of a session: `ctx` is the context of any canvas of the page, which remains there. */
   paintField(ctx: CanvasContext, min: Point, max: Point, ramp?: Ramp): Promise<boolean>
-  /** Ends the thread at once, whatever it is at. Calls that wait for an answer, and later ones, are refused. */
+  /** Ends the thread at once, even within a call. Calls that wait for an answer, and later ones, are refused. */
   free(): void
   [Symbol.dispose](): void
 }

@@ -5,5 +5,8 @@ export { ModuleDead } from './guard.js'
 
 export const WorkerSession = sessionIn((given) => {
   const worker = given ?? new Worker(new URL('./session-worker.js', import.meta.url), { type: 'module' })
-  return { worker, endpoint: worker, failed: (tell) => worker.addEventListener('error', tell) }
+  const failed = (tell) => {
+    for (const event of ['error', 'messageerror']) worker.addEventListener(event, tell)
+  }
+  return { worker, endpoint: worker, failed }
 })

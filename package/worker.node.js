@@ -8,5 +8,9 @@ export { ModuleDead } from './guard.js'
 // How the program was called (an evaluated text, a loader) means nothing to it.
 export const WorkerSession = sessionIn((given) => {
   const worker = given ?? new Worker(new URL('./session-worker.node.js', import.meta.url), { execArgv: [] })
-  return { worker, endpoint: nodeEndpoint(worker), failed: (tell) => worker.on('error', tell) }
+  const failed = (tell) => {
+    for (const event of ['error', 'messageerror']) worker.on(event, tell)
+    worker.on('exit', (code) => tell(new Error(`it ended with code ${code}`)))
+  }
+  return { worker, endpoint: nodeEndpoint(worker), failed }
 })

@@ -41,6 +41,9 @@ const nonsense = [
     { length: 3 },
     new Map([[1, 2]]),
     new Uint8Array(3),
+    Object.create(Uint8Array.prototype),
+    Object.create(Float64Array.prototype),
+    new Proxy(new Uint8Array(3), {}),
   ],
   new Proxy([], {
     get() {
@@ -87,7 +90,8 @@ function parametersOf(random, planner) {
   return given
 }
 
-function setupOf(random) {
+/** A planner on a scene, nearly always one that it takes; `plain`: shipped scenes and no spoiled part, as a command line can say it. */
+function setupOf(random, plain = false) {
   const planner = random.one(planners)
   const suited = scenes.filter(({ kind }) => planner.kinds.includes(kind))
   const scene = random.one(random.chance(0.95) ? suited : scenes)
@@ -96,11 +100,11 @@ function setupOf(random) {
   if (scene.kind === 'grid' && planner.parameters.some(({ name }) => name === 'roads') && random.chance(0.9)) params.roads ??= 'a-star'
   const setup = {
     planner: planner.name,
-    scene: random.chance(0.7) ? scene.name : sceneOf(random, scene.name),
+    scene: plain || random.chance(0.7) ? scene.name : sceneOf(random, scene.name),
     params,
     seed: random.below(1000),
   }
-  if (random.chance(0.05)) setup[random.one(['planner', 'scene', 'params', 'seed'])] = random.one(nonsense)
+  if (!plain && random.chance(0.05)) setup[random.one(['planner', 'scene', 'params', 'seed'])] = random.one(nonsense)
   return setup
 }
 
@@ -255,13 +259,27 @@ const shown = (value) => {
   }
 }
 
-/** So many random calls, or for so many seconds. Returns how many were made and how many refused. */
+/** So many random calls, or for so many seconds. Returns how many were made and refused, and how many runs were repeated. */
 export function callFace({ seed, calls = Number.POSITIVE_INFINITY, seconds = Number.POSITIVE_INFINITY }) {
   const random = stream(seed)
   const until = performance.now() + 1000 * seconds
   const links = ['#v=1&planner=pso&scene=sphere&seed=1&at=3', '#v=1', '#', 'x']
   const alive = []
   let [made, refused] = [0, 0]
+  let again = 0
+  /** Frees an object. What was called of it has changed nothing: a new run of the same setup is at the same state. */
+  const end = ({ object, setup, freed, supplied }) => {
+    if (!freed && !supplied && object instanceof Session) {
+      const reached = object.iteration
+      object.seek(reached)
+      const other = new Session(setup)
+      other.seek(reached)
+      assert.equal(other.hash(), object.hash(), `seed ${seed}, before call ${made}: ${shown(setup)} at ${reached}`)
+      other.free()
+      again += 1
+    }
+    object.free()
+  }
   const attempt = (what, make) => {
     made += 1
     const { value, error } = call(() => `seed ${seed}, call ${made}: ${what()}`, make)
@@ -278,7 +296,11 @@ export function callFace({ seed, calls = Number.POSITIVE_INFINITY, seconds = Num
         () => new Class(setup),
       )
       if (!object) continue
-      if (alive.length >= 6) alive.splice(random.below(6), 1)[0].object.free()
+      if (alive.length >= 6) {
+        const [one] = alive.splice(random.below(6), 1)
+        if (random.chance(0.5)) end(one)
+        else one.object.free()
+      }
       alive.push({ object, setup })
     } else if (which < 0.06) {
       const name = random.one(named)
@@ -301,6 +323,7 @@ export function callFace({ seed, calls = Number.POSITIVE_INFINITY, seconds = Num
       if (!(name in object)) continue
       // A freed one is called a few times more.
       if (name === 'free') alive[place].freed = true
+      else if (name === 'supply') alive[place].supplied = true
       else if (freed && random.chance(0.3)) alive.splice(place, 1)
       const jobs = name === 'supply' && !freed && random.chance(0.9) ? object.jobs().length : random.below(3)
       const args = sometimes(random, methods[name][1](random, jobs), 0.05)
@@ -312,8 +335,8 @@ export function callFace({ seed, calls = Number.POSITIVE_INFINITY, seconds = Num
         links[random.below(40)] = value.slice(0, random.chance(0.9) ? undefined : random.below(value.length))
     }
   }
-  for (const { object } of alive) object.free()
-  return { made, refused }
+  for (const one of alive) end(one)
+  return { made, refused, again }
 }
 
 /** So many random runs, natively and here: the same end or the same refusal. Returns how many ran and how many were refused. */
@@ -321,12 +344,7 @@ export function compareRuns({ seed, runs, program }) {
   const random = stream(seed)
   let refused = 0
   for (let k = 0; k < runs; k++) {
-    const {
-      planner,
-      scene,
-      params,
-      seed: number,
-    } = setupOf({ ...random, chance: (share) => share !== 0.05 && (share === 0.7 || random.chance(share)) })
+    const { planner, scene, params, seed: number } = setupOf(random, true)
     const plain = Object.entries(params).filter(([, value]) => ['number', 'string', 'boolean'].includes(typeof value))
     const setup = { planner, scene, params: Object.fromEntries(plain), seed: number }
     const args = [

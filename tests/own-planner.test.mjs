@@ -51,7 +51,7 @@ test('an experiment compares them', () => {
   const file = join(folder, 'sweep.toml')
   const planners = ['compass-search', 'wcpso-himmelblau'].map((name) => `[[planner]]\nname = "${name}"\n`).join('')
   writeFileSync(file, `scenes = ["himmelblau"]\nseeds = { from = 1, count = 4 }\n${planners}`)
-  const { groups } = JSON.parse(forage('experiment', file, '--json')).scenes?.[0] ?? {}
+  const { groups } = JSON.parse(forage('experiment', file, '--json')).scenes[0]
   assert.match(readFileSync(join(folder, 'sweep.csv'), 'utf8'), /compass-search.*\n(.*\n)*.*wcpso-himmelblau/)
-  if (groups) assert.equal(groups.length, 2)
+  assert.equal(groups.length, 2)
 })

@@ -383,7 +383,7 @@ test('more members than there is memory for are refused as natively', () => {
   assert.deepEqual(told, { code: 'refused', field: 'population', value: '100000', allowed })
 })
 
-test('a long step is taken in parts, and comes to the same', () => {
+test('a long step is taken in parts, with the same result', () => {
   const setup = { planner: 'sa', scene: 'random-280', params: { moves: 3000, iterations: 3 } }
   const [whole, session, trial] = [new Session(setup), new Session(setup), new Trial(setup)]
   whole.step()

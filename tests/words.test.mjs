@@ -149,7 +149,7 @@ test('what a run needs is known by name before it is loaded', () => {
   for (const [setup, parts] of cases) assert.deepEqual(partsOf(setup), parts, JSON.stringify(setup))
 })
 
-test('a host that brings no part is told which one it takes', () => {
+test('a host that brings no part learns which one is needed', () => {
   const told = alone(`
     import { checkScene, initSync, parseLink, Session, speakBy } from './pkg/glue.js'
     import { askBy, share } from './pkg/loader.js'

@@ -124,6 +124,11 @@ test('a module that breaks down, and a thread that does, end one session only', 
   })
   const broken = new Worker('throw new Error("no such luck")', { eval: true })
   await assert.rejects(WorkerSession.start(setup, { worker: broken }), /^Error: WorkerSession: the worker broke down: no such luck$/)
+  const silent = new Worker('', { eval: true })
+  await assert.rejects(
+    WorkerSession.start(setup, { worker: silent }),
+    /^Error: WorkerSession: the worker broke down: it ended with code 0$/,
+  )
   const session = await WorkerSession.start(setup)
   assert.equal(await session.step(1), 'running')
   session.free()

@@ -5,13 +5,13 @@ use wasm_bindgen::{JsCast, prelude::*};
 
 use forage::{
     Error, Scene,
-    kernel::allowed,
+    kernel::{allowed, limits},
     scene::formats::{self, Format, NamedFile, tour_file},
 };
 
 use crate::{
     JsFormat, JsImported, JsNamedFileOrNull, JsNamedFiles, JsNumber, JsScene, Session, js_error, object, plain,
-    read::{property, read_list, read_scene, read_text, refused, whole},
+    read::{in_memory, property, read_list, read_scene, read_text, refused, typed_array, whole},
     registry::ask,
     tool::Tool,
 };
@@ -44,8 +44,9 @@ pub fn offer_files() {
 /// An `Error` whose `field` is the file and whose message says in which line what is wrong, or which file is missing.
 #[wasm_bindgen(js_name = importScene)]
 pub fn import_scene(files: &JsNamedFiles, problem: Option<JsNumber>) -> Result<JsImported, JsValue> {
-    let files = read_list("files", files)?.iter().map(read_file).collect::<Result<Vec<_>, _>>()?;
-    let problem = problem.map(|number| whole("problem", &number)).transpose()?.map(|number| number as usize);
+    let mut size = 0;
+    let files = read_list("files", files)?.iter().map(|file| read_file(file, &mut size)).collect::<Result<Vec<_>, _>>()?;
+    let problem = problem.map(|number| whole("problem", &number)).transpose()?.map(in_memory);
     (FILES.get()?.import)(&files, problem)
 }
 
@@ -71,12 +72,16 @@ fn named_file<T: JsCast>(file: NamedFile) -> T {
     object(&[("name", file.name.into()), ("bytes", bytes.into())])
 }
 
-fn read_file(value: &JsValue) -> Result<NamedFile, JsValue> {
+/// A file, refused before it is copied where it and those before it, of `size` bytes together, are too large.
+fn read_file(value: &JsValue, size: &mut usize) -> Result<NamedFile, JsValue> {
     let bytes = property(value, "bytes");
-    let Some(bytes) = bytes.dyn_ref::<Uint8Array>() else {
+    let Some(bytes) = typed_array::<Uint8Array>(&bytes) else {
         return Err(refused("bytes", &bytes, allowed::bytes()));
     };
-    Ok(NamedFile { name: read_text("name", &property(value, "name"))?, bytes: bytes.to_vec() })
+    let name = read_text("name", &property(value, "name"))?;
+    *size = size.saturating_add(bytes.length() as usize);
+    limits::check_bytes(&name, *size, limits::FILE_BYTES).map_err(js_error)?;
+    Ok(NamedFile { name, bytes: bytes.to_vec() })
 }
 
 #[wasm_bindgen]

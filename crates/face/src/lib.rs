@@ -59,10 +59,13 @@ pub use types::*;
 
 use convert::{js_error, object, plain};
 use read::{
-    count, count_or, read_ends, read_item, read_kind, read_layer, read_number, read_parameter, read_point, read_ramp, read_setup,
-    read_text, refused,
+    count, count_or, in_memory, property, read_ends, read_item, read_kind, read_layer, read_number, read_parameter, read_point, read_ramp,
+    read_setup, read_text, refused,
 };
 use registry::ask;
+
+/// The largest canvas that a field is painted on: its heights take 8 bytes a pixel.
+const MOST_PIXELS: u64 = 1 << 24;
 
 fn status(status: Status) -> Result<JsStatus, JsValue> {
     plain(&status)
@@ -174,7 +177,7 @@ impl Session {
 
     /// Takes up to `n` steps, one unless given, but leaves off within one that is long: `partly` means that it is to be called again
     /// for the rest of that step. In between other things can be done, and iteration and status are those before the step. Whole steps
-    /// come to the same.
+    /// have the same result.
     ///
     /// # Errors
     /// For an `n` that is no whole number from 1 on.
@@ -183,7 +186,7 @@ impl Session {
         advanced(stepped, self.run.status())
     }
 
-    /// Whether a step has begun and is not over. What is drawn and read then is what the planner has come to within it.
+    /// Whether a step has begun and is not over. What is drawn and read then is what the planner has so far within it.
     #[wasm_bindgen(getter)]
     pub fn partly(&self) -> bool {
         self.run.is_partly()
@@ -381,7 +384,7 @@ impl Session {
     /// For a `from` that is no whole number.
     pub fn events(&self, from: Option<JsNumber>) -> Result<JsEvents, JsValue> {
         let events = self.run.events();
-        plain(&&events[events.len().min(count_or("from", from, 0)? as usize)..])
+        plain(&&events[events.len().min(in_memory(count_or("from", from, 0)?))..])
     }
 
     /// The numbers of those that search side by side, row by row; the columns are the planner's `members`.
@@ -397,12 +400,19 @@ impl Session {
     /// For a budget that is no whole number.
     #[expect(unsafe_code, reason = "a view must not outlive the next call; the types say so, and the worker copies at once")]
     pub fn frame(&mut self, budget: Option<JsNumber>) -> Result<JsFrame, JsValue> {
-        self.run.draw(&mut self.frame, count_or("budget", budget, Frame::BUDGET as u64)? as usize);
-        // Everything that allocates comes first: growing memory would empty the views.
-        let thinning = JsValue::from(self.frame.thinning());
-        let (vertices, spans) = unsafe { (Float32Array::view(self.frame.vertices()), Uint32Array::view(self.frame.table())) };
-        let layers = self.layers.clone();
-        Ok(object(&[("vertices", vertices.into()), ("spans", spans.into()), ("layers", layers), ("thinning", thinning)]))
+        self.run.draw(&mut self.frame, in_memory(count_or("budget", budget, Frame::BUDGET as u64)?));
+        let frame: JsFrame = object(&[("layers", self.layers.clone()), ("thinning", self.frame.thinning().into())]);
+        let keys = [JsValue::from("vertices"), JsValue::from("spans")];
+        let views = || unsafe { (Float32Array::view(self.frame.vertices()), Uint32Array::view(self.frame.table())) };
+        // Each value of JavaScript takes a place. Where a view's place made memory grow, that emptied the view before it.
+        let mut shown = views();
+        if shown.0.length() as usize != self.frame.vertices().len() {
+            shown = views();
+        }
+        for (key, view) in keys.iter().zip([shown.0.as_ref(), shown.1.as_ref()]) {
+            js_sys::Reflect::set(&frame, key, view)?;
+        }
+        Ok(frame)
     }
 
     /// Everything there is to say about where the run stands.
@@ -447,9 +457,14 @@ impl Session {
     pub fn paint_field(&self, ctx: &JsContext, min: &JsPoint, max: &JsPoint, ramp: Option<JsRamp>) -> Result<bool, JsValue> {
         let view = Bounds { min: read_point("min", min)?, max: read_point("max", max)? };
         let colors = read_ramp(ramp)?.unwrap_or_else(|| HEIGHTS.map(|color| color.on(false)).to_vec());
-        let ctx: &OffscreenCanvasRenderingContext2d = ctx.dyn_ref().ok_or_else(|| refused("ctx", ctx, allowed::canvas()))?;
-        let canvas = ctx.canvas();
-        let (width, height) = (canvas.width(), canvas.height());
+        let no_context = || refused("ctx", ctx, allowed::canvas());
+        let canvas = property(ctx, "canvas");
+        let side = |name: &str| property(&canvas, name).as_f64().map(|side| side as u32).ok_or_else(no_context);
+        let (width, height) = (side("width")?, side("height")?);
+        let ctx: &OffscreenCanvasRenderingContext2d = ctx.dyn_ref().ok_or_else(no_context)?;
+        if u64::from(width) * u64::from(height) > MOST_PIXELS {
+            return Err(js_error(Error::refused("ctx", format!("{width} × {height}"), allowed::pixels())));
+        }
         let Some(pixels) = picture::heat_map(self.run.scene(), view, width as usize, height as usize, &colors) else {
             return Ok(false);
         };

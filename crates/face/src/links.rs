@@ -61,7 +61,7 @@ impl Session {
 
 #[wasm_bindgen]
 impl Trial {
-    /// A link that opens the run where it stands, in the page and in the shell; begins with `#`.
+    /// A link that opens the run at this iteration, in the page and in the shell; begins with `#`.
     ///
     /// # Errors
     /// Where the part with links is not loaded.

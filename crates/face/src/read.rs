@@ -2,7 +2,7 @@
 
 use std::{cell::RefCell, sync::Arc};
 
-use wasm_bindgen::JsValue;
+use wasm_bindgen::{JsCast, JsValue};
 
 use forage::{
     Error, Overrides, Scene, Setup, Value,
@@ -80,20 +80,17 @@ pub(crate) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
 /// The scene of an object. The one that was read last is kept: what follows from a scene, an exact optimum above all, takes
 /// longer than to see that it is the same.
 fn same_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
-    thread_local!(static LAST: RefCell<Option<(String, Arc<Scene>)>> = const { RefCell::new(None) });
-    // What is nothing has no text.
-    let text = js_sys::JSON::stringify(value).ok().filter(|text| text.is_string() && text.length() as usize <= limits::FILE_BYTES);
-    let text = text.and_then(|text| text.as_string());
-    let last = LAST.with_borrow(|last| last.as_ref().filter(|(known, _)| text.as_ref() == Some(known)).map(|(_, scene)| Arc::clone(scene)));
+    thread_local!(static LAST: RefCell<Option<(javascript::Json, Arc<Scene>)>> = const { RefCell::new(None) });
+    let read = javascript::read("scene", value).map_err(js_error)?;
+    let last = LAST.with_borrow(|last| last.as_ref().filter(|(known, _)| read == *known).map(|(_, scene)| Arc::clone(scene)));
     if let Some(scene) = last {
         return Ok(scene);
     }
-    let read = javascript::read("scene", value).map_err(js_error)?;
     if let Some(kind) = read.get("kind").and_then(|kind| kind.as_str()) {
         while registry().kind(kind).is_err() && bring("kind", kind)? {}
     }
-    let scene = Arc::new(registry().read_scene_value(read).map_err(js_error)?);
-    LAST.set(text.map(|text| (text, Arc::clone(&scene))));
+    let scene = Arc::new(registry().read_scene_value(read.clone()).map_err(js_error)?);
+    LAST.set(Some((read, Arc::clone(&scene))));
     Ok(scene)
 }
 
@@ -104,7 +101,7 @@ pub(crate) fn read_kind(value: &JsValue) -> Result<SceneKindId, JsValue> {
 
 pub(crate) fn read_item(value: &JsValue) -> Result<Item, JsValue> {
     let layer = read_layer(&property(value, "role"))?;
-    Ok(Item { layer, index: whole("index", &property(value, "index"))? as usize })
+    Ok(Item { layer, index: in_memory(whole("index", &property(value, "index"))?) })
 }
 
 pub(crate) fn read_layer(name: &JsValue) -> Result<LayerKey, JsValue> {
@@ -154,6 +151,16 @@ pub(crate) fn whole(field: &str, value: &JsValue) -> Result<u64, JsValue> {
 /// How many of something, or up to which: a whole number, or Infinity for all there are.
 pub(crate) fn count(field: &str, value: &JsValue) -> Result<u64, JsValue> {
     if value.as_f64() == Some(f64::INFINITY) { Ok(u64::MAX) } else { whole(field, value) }
+}
+
+/// A number of things in memory: where it is more than there can be, the largest there can be.
+pub(crate) fn in_memory(number: u64) -> usize {
+    usize::try_from(number).unwrap_or(usize::MAX)
+}
+
+/// A typed array; `None` for what only calls itself one, whose size cannot be asked for.
+pub(crate) fn typed_array<T: JsCast>(value: &JsValue) -> Option<&T> {
+    value.dyn_ref().filter(|_| js_sys::ArrayBuffer::is_view(value))
 }
 
 /// The same where it may be left out.

@@ -1,4 +1,4 @@
-//! What a module may offer beside runs. An export passes on to it, so that it is linked only where it is offered.
+//! What a module may offer besides runs. An export passes on to it, so that it is linked only where it is offered.
 
 use std::sync::OnceLock;
 

@@ -8,7 +8,7 @@ use forage::{follow, registry, scene};
 use forage_face::{know, offer_arm, offer_files, offer_links, offer_pictures, offer_statistics};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Where the entries of a part stand among all: in the order of the library's own list.
+/// Where the entries of a part are among all: in the order of the library's own list.
 enum Rank {
     Discs,
     Grid,
@@ -41,12 +41,6 @@ macro_rules! parts {
                 _ => return false,
             }
             true
-        }
-
-        /// The parts that there are beside the first one.
-        #[wasm_bindgen(skip_typescript)]
-        pub fn parts() -> Vec<String> {
-            [$(stringify!($name)),*].map(str::to_owned).to_vec()
         }
 
         $(
