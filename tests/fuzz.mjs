@@ -66,8 +66,8 @@ const nonsense = [
 ]
 
 /** A value that a parameter may have, or nearly. */
-function drawnValue({ one, unit, chance }, parameter) {
-  if (chance(0.05)) return one(nonsense)
+function drawnValue({ one, unit, chance }, parameter, plain = false) {
+  if (!plain && chance(0.05)) return one(nonsense)
   const { type, min = 0, max = 10, soft_min: low = min, soft_max: high = max, options, default: usual } = parameter
   if (options) return one(options).value
   if (type === 'flag' || typeof usual === 'boolean') return chance(0.5)
@@ -79,13 +79,13 @@ function drawnValue({ one, unit, chance }, parameter) {
 /** Parameters that keep a run short: small populations and few iterations. */
 const SMALL = { iterations: 12, population: 6, ants: 5, colony_iterations: 2, seeds: 1, moves: 20 }
 
-function parametersOf(random, planner) {
+function parametersOf(random, planner, plain) {
   const known = planner.parameters
   const given = {}
   for (const { name } of known) if (name in SMALL) given[name] = 1 + random.below(SMALL[name])
   for (let i = random.below(4); i > 0; i--) {
     const parameter = random.one(known)
-    if (!(parameter.name in SMALL)) given[parameter.name] = drawnValue(random, parameter)
+    if (!(parameter.name in SMALL)) given[parameter.name] = drawnValue(random, parameter, plain)
   }
   return given
 }
@@ -95,7 +95,7 @@ function setupOf(random, plain = false) {
   const planner = random.one(planners)
   const suited = scenes.filter(({ kind }) => planner.kinds.includes(kind))
   const scene = random.one(random.chance(0.95) ? suited : scenes)
-  const params = parametersOf(random, planner)
+  const params = parametersOf(random, planner, plain)
   // Colonies and swarms take so long for roads between stops that few of the calls would be others.
   if (scene.kind === 'grid' && planner.parameters.some(({ name }) => name === 'roads') && random.chance(0.9)) params.roads ??= 'a-star'
   const setup = {
