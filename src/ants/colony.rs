@@ -278,7 +278,7 @@ impl Colony {
         if arrived > 0 { sum / f64::from(arrived) } else { f64::NAN }
     }
 
-    /// [ANTBAT](crate#papers) (4), [WOLF-ANT](crate#papers) (10): what lies there evaporates, and each ant learns what it lays.
+    /// [ANTBAT](crate#papers) (4), [WOLF-ANT](crate#papers) (10): pheromone evaporates, and Δτ of each ant is computed.
     fn evaporate(&mut self) {
         self.pheromone.evaporate();
         if let Some(best) = self.best.as_ref().filter(|_| self.walks.leads_anywhere()) {
@@ -286,8 +286,9 @@ impl Colony {
         }
     }
 
-    /// An ant that arrived lays it: over how many steps.
-    fn lay(&mut self, i: usize) -> u64 {
+    /// An ant that arrived lays pheromone. Returns how many steps that took: for an ant that goes its way again all of its walk, steps
+    /// taken back included.
+    pub(super) fn lay(&mut self, i: usize) -> u64 {
         let ant = &self.walks.ants[i];
         let (laid, kept) = (ant.laid, ant.again.is_none());
         if ant.end != End::Arrived {
@@ -298,9 +299,10 @@ impl Colony {
             lay(&self.ground, &mut self.pheromone, way, laid);
             way.len() as u64
         } else {
+            let before = self.again.taken;
             let way = self.way(i);
             lay(&self.ground, &mut self.pheromone, &way, laid);
-            way.len() as u64
+            self.again.taken - before
         }
     }
 

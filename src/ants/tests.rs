@@ -256,6 +256,28 @@ fn ants_whose_ways_are_not_kept_go_them_again() {
     }
 }
 
+/// What decides how many ants are a part of an iteration.
+#[test]
+fn an_ant_that_goes_its_way_again_counts_all_its_steps() {
+    let scene = crate::shipped("ant-bat-30").unwrap();
+    let rules = Rules { backtracks: true, limit: 10_000 };
+    let mut colony = Colony { kept: 0, ants: 20, rules, ..colony(&scene, PLAIN) };
+    colony.advance();
+    let arrived: Vec<usize> = (0..20).filter(|&i| colony.walks.ants[i].end == End::Arrived).collect();
+    assert!(arrived.iter().all(|&i| colony.walks.ants[i].again.is_some()));
+    let mut taken_back = 0;
+    for &i in &arrived {
+        let before = colony.again.taken;
+        let steps = colony.lay(i);
+        let way = colony.way(i).len() as u64;
+        // Laying goes the way once, asking for it here once more.
+        assert_eq!(colony.again.taken - before, 2 * steps);
+        assert!(steps >= way);
+        taken_back += steps - way;
+    }
+    assert!(taken_back > 0, "some ants met a dead end");
+}
+
 /// q0 goes evenly from its start in the first iteration to its end in the last.
 #[test]
 fn greed_is_what_is_told() {
