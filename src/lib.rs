@@ -32,9 +32,10 @@
 //! # The map
 //! From the ground up: a module knows what stands above it here, and nothing below. No two files import each other at any
 //! distance; a test sees to it.
-//! - [`math`], [`statistics`], [`geometry`]: deterministic functions, tests between samples, shapes.
+//! - [`math`], [`geometry`]: deterministic functions, shapes.
 //! - [`kernel`]: the contracts of planners and scenes, and the data that they speak of: candidates, readings, frames, random
 //!   streams, states and their hashes, errors.
+//! - [`statistics`]: tests between samples, and what many runs have in common.
 //! - [`params`], [`describe`]: parameters; what entries are made of, and the [`Registry`] that lists them.
 //! - [`arm`], [`exact`]: six-axis arms, their kinematics and collisions; exact optima.
 //! - [`scene`]: the kinds of scenes, a folder each, other programs' files, random scenes.

@@ -1,8 +1,14 @@
-//! What many runs come to on their way: bands of their best values, and which share of them has reached the optimum.
+//! Convergence of many runs: bands of their best values, and the share of them that has reached the optimum.
 
 use serde::{Deserialize, Serialize};
 
-use crate::math;
+use crate::{
+    kernel::{
+        Error,
+        error::{finite, list_of},
+    },
+    math, message,
+};
 
 /// A run's best values, each with the number of evaluations after which it was found; in this order.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
@@ -17,7 +23,8 @@ pub struct Curve {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Bands {
-    /// Where the quartiles are told: wherever a value changed, or at 400 places, denser at the beginning.
+    /// The places of the quartiles: wherever a value changed, or, if that is at more than 400, about 400 of them, denser at the beginning,
+    /// with the first and each group's end.
     pub evaluations: Vec<f64>,
     /// The quartiles of each group.
     pub groups: Vec<Band>,
@@ -45,7 +52,7 @@ pub struct Reached {
     pub shares: Vec<f64>,
 }
 
-/// More places than these cannot be seen.
+/// More places than these cannot be seen. The first one and the groups' ends may be added to them.
 const MOST_PLACES: usize = 400;
 const ROUNDING: f64 = 1e-12;
 
@@ -64,16 +71,55 @@ fn quantile(sorted: &[f64], share: f64) -> f64 {
 /// The bands of groups of runs; `ends` says after how many evaluations the longest run of each group ended. A run without a feasible
 /// result yet counts as worse than all others; one that is over keeps its result.
 ///
+/// # Errors
+/// [`Error::Refused`] for another number of `ends` than of groups, another number of values than of evaluations, evaluations that are
+/// not in order, and numbers that are not finite.
+///
 /// ```
 /// use forage::statistics::{Curve, bands};
 /// let run = |values: [f64; 2]| Curve { evaluations: vec![10.0, 20.0], values: values.to_vec() };
-/// let found = bands(&[vec![run([9.0, 5.0]), run([8.0, 7.0]), run([6.0, 6.0])]], &[20.0]);
+/// let found = bands(&[vec![run([9.0, 5.0]), run([8.0, 7.0]), run([6.0, 6.0])]], &[20.0])?;
 /// assert_eq!((found.evaluations, &found.groups[0].median), (vec![10.0, 20.0], &vec![Some(8.0), Some(6.0)]));
+/// # Ok::<(), forage::Error>(())
 /// ```
-pub fn bands(groups: &[Vec<Curve>], ends: &[f64]) -> Bands {
+pub fn bands(groups: &[Vec<Curve>], ends: &[f64]) -> Result<Bands, Error> {
+    if ends.len() != groups.len() {
+        return Err(Error::refused("ends", list_of(ends.len()), list_of(groups.len())));
+    }
+    check_finite("ends", ends)?;
+    for (i, group) in groups.iter().enumerate() {
+        group.iter().enumerate().try_for_each(|(j, curve)| curve.check(&format!("groups[{i}][{j}]")))?;
+    }
     let evaluations = places(groups, ends);
-    let groups = groups.iter().enumerate().map(|(at, group)| Band::of(group, &evaluations, ends.get(at).copied().unwrap_or(0.0))).collect();
-    Bands { evaluations, groups }
+    let groups = groups.iter().zip(ends).map(|(group, &end)| Band::of(group, &evaluations, end)).collect();
+    Ok(Bands { evaluations, groups })
+}
+
+fn check_finite(field: &str, numbers: &[f64]) -> Result<(), Error> {
+    match numbers.iter().position(|number| !number.is_finite()) {
+        Some(k) => Err(Error::refused(format!("{field}[{k}]"), numbers[k], finite())),
+        None => Ok(()),
+    }
+}
+
+impl Curve {
+    /// `path` is its field.
+    fn check(&self, path: &str) -> Result<(), Error> {
+        let Self { evaluations, values } = self;
+        if values.len() != evaluations.len() {
+            return Err(Error::refused(format!("{path}.values"), list_of(values.len()), list_of(evaluations.len())));
+        }
+        check_finite(&format!("{path}.evaluations"), evaluations)?;
+        check_finite(&format!("{path}.values"), values)?;
+        match evaluations.windows(2).position(|two| two[1] < two[0]) {
+            Some(k) => Err(Error::refused(
+                format!("{path}.evaluations[{}]", k + 1),
+                evaluations[k + 1],
+                message!("statistics-in-order", "at least {before}, the number before it", before = evaluations[k]),
+            )),
+            None => Ok(()),
+        }
+    }
 }
 
 fn places(groups: &[Vec<Curve>], ends: &[f64]) -> Vec<f64> {
@@ -146,9 +192,9 @@ mod tests {
     }
 
     #[test]
-    fn runs_without_a_result_count_as_worst_and_no_quartile_is_told_there() {
+    fn runs_without_a_result_count_as_worst_and_have_no_quartile() {
         let runs = vec![curve(&[1.0, 4.0], &[10.0, 5.0]), curve(&[2.0], &[8.0]), curve(&[3.0], &[6.0]), curve(&[], &[])];
-        let Bands { evaluations, groups } = bands(&[runs], &[6.0]);
+        let Bands { evaluations, groups } = bands(&[runs], &[6.0]).unwrap();
         assert_eq!(evaluations, [1.0, 2.0, 3.0, 4.0, 6.0]);
         assert_eq!(groups[0].median, [None, None, Some(9.0), Some(7.0), Some(7.0)], "two results of four are not enough for the middle");
         assert!(groups[0].upper.iter().all(Option::is_none), "the fourth run never finds anything");
@@ -158,11 +204,29 @@ mod tests {
 
     #[test]
     fn after_its_end_a_group_has_no_band() {
-        let found = bands(&[vec![curve(&[1.0], &[2.0])], vec![curve(&[3.0], &[1.0])], Vec::new()], &[2.0, 5.0, 4.0]);
+        let found = bands(&[vec![curve(&[1.0], &[2.0])], vec![curve(&[3.0], &[1.0])], Vec::new()], &[2.0, 5.0, 4.0]).unwrap();
         assert_eq!(found.evaluations, [1.0, 2.0, 3.0, 4.0, 5.0]);
         assert_eq!(found.groups[0].median, [Some(2.0), Some(2.0), None, None, None]);
         assert_eq!(found.groups[1].median, [None, None, Some(1.0), Some(1.0), Some(1.0)]);
         assert_eq!(found.groups[2].median, [None; 5]);
+    }
+
+    #[test]
+    fn inconsistent_curves_are_refused_by_their_field() {
+        let good = || curve(&[1.0, 4.0], &[10.0, 5.0]);
+        let refused = |groups: &[Vec<Curve>], ends: &[f64]| {
+            let error = bands(groups, ends).unwrap_err();
+            (error.field().to_owned(), error.value().to_owned(), error.allowed().into_owned())
+        };
+        let told = |field: &str, value: &str, allowed: &str| (field.to_owned(), value.to_owned(), allowed.to_owned());
+        assert_eq!(refused(&[vec![good()], vec![good()]], &[6.0]), told("ends", "a list of 1", "a list of 2"));
+        assert_eq!(refused(&[vec![good()]], &[f64::NAN]), told("ends[0]", "NaN", "a finite number"));
+        let short = curve(&[1.0, 4.0], &[10.0]);
+        assert_eq!(refused(&[vec![], vec![good(), short]], &[6.0, 6.0]), told("groups[1][1].values", "a list of 1", "a list of 2"));
+        let back = curve(&[1.0, 4.0, 4.0, 3.0], &[10.0, 5.0, 4.0, 3.0]);
+        let before = "at least 4, the number before it";
+        assert_eq!(refused(&[vec![good(), back]], &[6.0]), told("groups[0][1].evaluations[3]", "3", before));
+        assert_eq!(refused(&[vec![curve(&[1.0], &[f64::INFINITY])]], &[6.0]).0, "groups[0][0].values[0]");
     }
 
     #[test]
@@ -192,8 +256,8 @@ mod tests {
             let mut numbers: Vec<f64> = (0..count).map(|k| f64::from(7 * k % 23) + f64::from(k) / 9.0).collect();
             math::sort_numbers(&mut numbers);
             let summary = crate::statistics::Summary::of(numbers.iter().copied()).unwrap();
-            for (share, told) in [(0.25, summary.lower), (0.5, summary.median), (0.75, summary.upper)] {
-                assert!((quantile(&numbers, share) - told).abs() < 1e-12, "{share} of {count}");
+            for (share, expected) in [(0.25, summary.lower), (0.5, summary.median), (0.75, summary.upper)] {
+                assert!((quantile(&numbers, share) - expected).abs() < 1e-12, "{share} of {count}");
             }
         }
     }

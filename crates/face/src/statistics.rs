@@ -9,7 +9,7 @@ use forage::{
 };
 
 use crate::{
-    JsBands, JsComparison, JsCurves, JsGroups, JsNumbers, JsReached, JsReachedRuns, plain,
+    JsBands, JsComparison, JsCurves, JsGroups, JsNumbers, JsReached, JsReachedRuns, js_error, plain,
     read::{property, read_flag, read_list, read_text, refused},
     tool::Tool,
 };
@@ -28,7 +28,7 @@ pub fn offer_statistics() {
         compare: |groups| plain(&statistics::compare(&each("groups", groups, read_group)?)),
         bands: |groups, ends| {
             let groups = each("groups", groups, |place, group| each(place, group, read_curve))?;
-            plain(&statistics::bands(&groups, &numbers("ends", ends)?))
+            plain(&statistics::bands(&groups, &numbers("ends", ends)?).map_err(js_error)?)
         },
         reached: |runs| plain(&statistics::reached(&results("runs", runs)?)),
     });
@@ -48,7 +48,8 @@ pub fn compare(groups: &JsGroups) -> Result<JsComparison, JsValue> {
 /// after how many evaluations its longest run ended.
 ///
 /// # Errors
-/// For anything that is no list of lists of curves, and for numbers that are not finite.
+/// For anything that is no list of lists of curves, for numbers that are not finite, for evaluations that are not in order, and for lists
+/// of different lengths where each number belongs to one of the other list.
 #[wasm_bindgen]
 pub fn bands(groups: &JsCurves, ends: &JsNumbers) -> Result<JsBands, JsValue> {
     (STATISTICS.get()?.bands)(groups, ends)
