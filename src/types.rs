@@ -36,7 +36,7 @@ struct WholeCatalogue {
     followers: Followers,
 }
 
-/// How they fared on the best path, with the default parameters.
+/// How the scene's robot or arm follows the best path, with the default parameters.
 #[derive(TS)]
 #[ts(optional_fields)]
 struct Followed {
@@ -46,7 +46,7 @@ struct Followed {
     motion: Option<MotionOutcome>,
 }
 
-/// Where a run stands: what was found, whether it is any good, and what it cost. What does not apply is left out.
+/// The result of a run so far: what was found, whether it is feasible, and what it cost. What does not apply is left out.
 #[derive(TS)]
 #[ts(rename = "Outcome")]
 struct WholeOutcome {
@@ -95,6 +95,9 @@ enum SceneFile {
 }
 
 /// All declarations with their documentation, by name.
+///
+/// # Panics
+/// If two types have one name: one of them would be missing.
 pub fn declarations() -> String {
     let mut found = Declarations { config: Config::new().with_large_int("number"), seen: Vec::new(), text: BTreeMap::new() };
     found.visit::<SceneFile>();
@@ -125,8 +128,16 @@ pub fn declarations() -> String {
 struct Declarations {
     config: Config,
     seen: Vec<TypeId>,
-    /// By name: in which order a type tells what it is made of is chance.
+    /// By name: the order in which types are visited is arbitrary.
     text: BTreeMap<String, String>,
+}
+
+impl Declarations {
+    fn add(&mut self, name: String, text: String) {
+        let known = self.text.get(&name);
+        assert!(known.is_none_or(|known| *known == text), "two types are called {name}");
+        self.text.insert(name, text);
+    }
 }
 
 impl TypeVisitor for Declarations {
@@ -138,8 +149,26 @@ impl TypeVisitor for Declarations {
         // What has no place for a file of its own is a type of TypeScript itself.
         if T::output_path().is_some() {
             let text = format!("{}export {}\n\n", T::docs().unwrap_or_default(), T::decl(&self.config));
-            self.text.insert(T::name(&self.config), text);
+            self.add(T::name(&self.config), text);
         }
         T::visit_dependencies(self);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[should_panic(expected = "two types are called Pair")]
+    fn a_second_type_of_one_name_is_refused() {
+        let mut found = Declarations { config: Config::new(), seen: Vec::new(), text: BTreeMap::new() };
+        found.add("Pair".to_owned(), "export type Pair = [number, number]".to_owned());
+        found.add("Pair".to_owned(), "export type Pair = [string, string]".to_owned());
+    }
+
+    #[test]
+    fn all_types_are_declared_once() {
+        assert_eq!(declarations().matches("export type Friedman").count(), 1);
     }
 }

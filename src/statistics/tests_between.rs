@@ -92,7 +92,6 @@ pub fn holm(p: &[f64]) -> Vec<f64> {
 
 /// The result of Friedman's test of treatments that were tried on the same blocks.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Friedman {
     /// The number of blocks.
     pub blocks: usize,
