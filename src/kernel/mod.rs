@@ -45,7 +45,7 @@ pub use readings::{ReadingName, Readings};
 pub use scene::{Header, Optimum, Scene};
 pub use scene_body::{Backdrop, Plane, SceneBody, SceneKindId, Stops, Verdict};
 pub use solution::{Border, Candidate, ReferenceOptimum, Solution, TourEnds, Track};
-pub use started::{Started, Stepped, Stepper};
+pub use started::{Answer, Started, Stepped, Stepper};
 pub use state::{Digest, State};
 pub use status::{Stage, Status};
 pub use subtask::{Recommendation, Subtask, SubtaskResult, Subtasks};

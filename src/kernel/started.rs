@@ -1,6 +1,6 @@
 //! A planner at the start of its run, and in the course of it.
 
-use super::{Planner, Progress, ReferenceOptimum, Stage, Status, Subtask, SubtaskResult, TourEnds};
+use super::{Planner, Progress, ReferenceOptimum, Stage, Status, Subtask, SubtaskResult, Subtasks, TourEnds};
 
 /// A planner at iteration 0, and what does not change while it runs.
 #[non_exhaustive]
@@ -80,6 +80,17 @@ pub struct Stepper {
     partly: bool,
 }
 
+/// What is known of the subtasks that a step needs.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Answer {
+    /// The step needs none.
+    Unneeded,
+    /// Not all of them are carried out yet.
+    Partly,
+    /// What they found, in the order of the requests.
+    Found(Vec<SubtaskResult>),
+}
+
 /// What a part of a step has led to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stepped {
@@ -92,7 +103,7 @@ pub enum Stepped {
 }
 
 impl Stepped {
-    /// Up to `steps` steps by `part`, which does a part of one; it leaves off within one that is long.
+    /// Takes up to `steps` steps by `part`, which does a part of one; returns after the first part of a step that is long.
     pub fn repeat(steps: u64, mut part: impl FnMut() -> Self) -> Self {
         for _ in 1..steps {
             match part() {
@@ -123,7 +134,8 @@ impl Stepper {
         size_of::<Self>() + self.planner.heap_size()
     }
 
-    /// Whether a step has begun and is not over.
+    /// Whether the planner is within a step: that step has begun and is not over. While its subtasks are carried out the planner has not
+    /// begun the step.
     pub fn is_partly(&self) -> bool {
         self.partly
     }
@@ -133,7 +145,11 @@ impl Stepper {
     pub fn step(&mut self, answer: impl FnOnce(Vec<Subtask>) -> Vec<SubtaskResult>) -> bool {
         let mut answer = Some(answer);
         loop {
-            match self.part(|subtasks| answer.take().map(|answer| answer(subtasks))) {
+            let answered = self.part(|subtasks| match subtasks.requests() {
+                requests if requests.is_empty() => Answer::Unneeded,
+                requests => answer.take().map_or(Answer::Unneeded, |answer| Answer::Found(answer(requests))),
+            });
+            match answered {
                 Stepped::Whole => return true,
                 Stepped::Partly => {}
                 Stepped::Not => return false,
@@ -141,20 +157,19 @@ impl Stepper {
         }
     }
 
-    /// Does a part of a step. `answer` carries out the subtasks that it needs, or a part of them: `None` if there is more to do.
-    pub fn part(&mut self, answer: impl FnOnce(Vec<Subtask>) -> Option<Vec<SubtaskResult>>) -> Stepped {
+    /// Does a part of a step. `answer` carries out the subtasks that it needs, or a part of them. It asks for the requests itself, so
+    /// that they are not made for each part.
+    pub fn part(&mut self, answer: impl FnOnce(&dyn Subtasks) -> Answer) -> Stepped {
         if self.status != Status::Running {
             return Stepped::Not;
         }
         if !self.partly
             && let Some(subtasks) = self.planner.subtasks()
         {
-            let requests = subtasks.requests();
-            if !requests.is_empty() {
-                let Some(found) = answer(requests) else {
-                    return Stepped::Partly;
-                };
-                subtasks.provide(found);
+            match answer(&*subtasks) {
+                Answer::Unneeded => {}
+                Answer::Partly => return Stepped::Partly,
+                Answer::Found(found) => subtasks.provide(found),
             }
         }
         let progress = self.planner.advance();

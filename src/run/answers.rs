@@ -1,13 +1,17 @@
 //! What the subtasks of a run found, kept for the way back.
 
-use crate::kernel::{State, Subtask, SubtaskResult};
+use crate::kernel::{Answer, State, Subtask, SubtaskResult, Subtasks};
 
-/// Carries out subtasks.
-pub(super) trait Carrier: Send {
-    /// All of them. What starting could refuse was refused for the run itself; a failure now finds nothing.
-    fn whole(&self, subtasks: &[Subtask]) -> Vec<SubtaskResult>;
-    /// A part of those of an iteration; what they found when all are carried out.
-    fn part(&mut self, iteration: u64, subtasks: &[Subtask]) -> Option<Vec<SubtaskResult>>;
+/// Carries out subtasks. What starting could refuse was refused for the run itself; a failure now finds nothing.
+pub(super) trait SubtaskRunner: Send {
+    /// Carries out those of an iteration, or what is left of them.
+    fn complete(&mut self, iteration: u64, subtasks: &[Subtask]) -> Vec<SubtaskResult>;
+    /// Whether those of an iteration have begun and are not over.
+    fn is_under_way(&self, iteration: u64) -> bool;
+    /// Begins those of an iteration; others that have begun are given up.
+    fn begin(&mut self, iteration: u64, subtasks: Vec<Subtask>);
+    /// Carries out a part of those that have begun; what they found when all are carried out.
+    fn part(&mut self) -> Option<Vec<SubtaskResult>>;
 }
 
 /// What the subtasks of a run found, in the order of the iterations whose steps they were for.
@@ -18,12 +22,12 @@ pub(super) struct Answers {
     bytes: usize,
     budget: usize,
     /// Who carries them out, if anybody does.
-    carrier: Option<Box<dyn Carrier>>,
+    runner: Option<Box<dyn SubtaskRunner>>,
 }
 
 impl Answers {
-    pub(super) fn new(budget: usize, carrier: Option<Box<dyn Carrier>>) -> Self {
-        Self { found: Vec::new(), bytes: 0, budget, carrier }
+    pub(super) fn new(budget: usize, runner: Option<Box<dyn SubtaskRunner>>) -> Self {
+        Self { found: Vec::new(), bytes: 0, budget, runner }
     }
 
     /// Whether the subtasks of an iteration were carried out.
@@ -66,22 +70,30 @@ impl Answers {
     /// What these subtasks of an iteration find.
     pub(super) fn of(&mut self, iteration: u64, subtasks: &[Subtask]) -> Vec<SubtaskResult> {
         self.known(iteration).unwrap_or_else(|| {
-            let found = self.carrier.as_ref().map_or_else(Vec::new, |carrier| carrier.whole(subtasks));
+            let found = self.runner.as_mut().map_or_else(Vec::new, |runner| runner.complete(iteration, subtasks));
             self.found_now(iteration, found)
         })
     }
 
-    /// The same, a part at a time: `None` if there is more to do.
-    pub(super) fn part_of(&mut self, iteration: u64, subtasks: &[Subtask]) -> Option<Vec<SubtaskResult>> {
-        let known = self.known(iteration);
-        if known.is_some() {
-            return known;
+    /// The same, a part at a time. The requests are made once, when the first of them begins.
+    pub(super) fn part_of(&mut self, iteration: u64, subtasks: &dyn Subtasks) -> Answer {
+        if let Some(known) = self.known(iteration) {
+            return Answer::Found(known);
         }
-        let found = match &mut self.carrier {
-            Some(carrier) => carrier.part(iteration, subtasks)?,
-            None => Vec::new(),
-        };
-        Some(self.found_now(iteration, found))
+        let is_under_way = self.runner.as_ref().is_some_and(|runner| runner.is_under_way(iteration));
+        if !is_under_way {
+            let requests = subtasks.requests();
+            if requests.is_empty() {
+                return Answer::Unneeded;
+            }
+            if let Some(runner) = &mut self.runner {
+                runner.begin(iteration, requests);
+            }
+        }
+        match self.runner.as_mut().map_or_else(|| Some(Vec::new()), |runner| runner.part()) {
+            Some(found) => Answer::Found(self.found_now(iteration, found)),
+            None => Answer::Partly,
+        }
     }
 
     fn found_now(&mut self, iteration: u64, found: Vec<SubtaskResult>) -> Vec<SubtaskResult> {
@@ -98,6 +110,17 @@ mod tests {
 
     fn found(points: usize) -> Vec<SubtaskResult> {
         vec![SubtaskResult { cost: Some(1.0), converged: 1.0, path: vec![[0.0; 2]; points] }]
+    }
+
+    /// A step that needs no subtasks.
+    struct NoRequests;
+
+    impl Subtasks for NoRequests {
+        fn requests(&self) -> Vec<Subtask> {
+            Vec::new()
+        }
+
+        fn provide(&mut self, _: Vec<SubtaskResult>) {}
     }
 
     #[test]
@@ -121,6 +144,6 @@ mod tests {
     fn without_memory_they_are_kept_until_they_are_used() {
         let mut answers = Answers::new(0, None);
         answers.keep(3, found(10));
-        assert_eq!((answers.part_of(3, &[]), answers.knows(3), answers.bytes), (Some(found(10)), false, 0));
+        assert_eq!((answers.part_of(3, &NoRequests), answers.knows(3), answers.bytes), (Answer::Found(found(10)), false, 0));
     }
 }

@@ -9,7 +9,7 @@ use crate::{
     params::Parameters,
 };
 
-use super::{answers::Answers, keyframes::Keyframes, origin::Origin, setup::Setup, stepping::Run, subtasks::Here, trace::Trace};
+use super::{answers::Answers, keyframes::Keyframes, origin::Origin, setup::Setup, stepping::Run, subtasks::LocalSubtasks, trace::Trace};
 
 /// What there is to know of a planner that no registry lists.
 const UNLISTED: Entry = Entry::new("unlisted", "Unlisted", "", "A planner that no registry lists.", |_| {
@@ -55,7 +55,7 @@ impl Run {
         let (entry, parameters) = setup.check(registry)?;
         let Setup { scene, seed, .. } = setup;
         let started = (entry.start)(&Start { scene: &scene, parameters: &parameters, seed, entries: &**registry })?;
-        let answers = Answers::new(budget, Some(Box::new(Here::new(registry, &scene))));
+        let answers = Answers::new(budget, Some(Box::new(LocalSubtasks::new(registry, &scene))));
         let setup = Begun { origin: Origin::Registry(Arc::clone(registry)), entry, scene, parameters, seed };
         Ok(Self::begin(started, setup, answers, budget))
     }

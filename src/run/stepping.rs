@@ -53,7 +53,7 @@ impl Run {
     /// Memory for keyframes unless told otherwise, in bytes.
     pub const KEYFRAME_BUDGET: usize = 64 << 20;
 
-    /// Takes up to `steps` steps, the first of which completes one that has begun; stops where the planner does.
+    /// Takes up to `steps` steps, the first of which completes one that has begun, its subtasks included; stops where the planner does.
     pub fn step(&mut self, steps: u64) -> Status {
         for _ in 0..steps {
             if !self.step_whole() {
@@ -71,21 +71,25 @@ impl Run {
         at.step(|subtasks| answers.of(k, &subtasks))
     }
 
-    /// Does a part of a step: at most about a tenth of a second of work, mostly all of it. A caller that repeats it can stop between two parts; the run
-    /// is the same. Subtasks are carried out one after another.
+    /// Does a part of a step. A caller that repeats it can stop between two parts; the run is the same. Subtasks are carried out one
+    /// after another; a part of a subtask's step, or up to eight short ones, are a part of the step.
     ///
-    /// Between the parts iteration and status are those before the step; what is drawn and read is what the planner has come to.
+    /// A part is mostly a whole step or about a tenth of a second of work. What a planner does not divide takes longer, e.g. the start of a
+    /// search for tours after its last road, which may improve all initial tours, and a driving period in which a route is planned.
+    ///
+    /// Between the parts iteration and status are those before the step; what is drawn and read is the planner's state within it.
     pub fn part(&mut self) -> Stepped {
         let Self { at, answers, .. } = self;
         let k = at.iteration;
-        let stepped = at.part(|subtasks| answers.part_of(k, &subtasks));
+        let stepped = at.part(|subtasks| answers.part_of(k, subtasks));
         if stepped == Stepped::Whole {
             self.remember();
         }
         stepped
     }
 
-    /// Whether a step has begun and is not over.
+    /// Whether the planner is within a step: that step has begun and is not over. False while the step's subtasks are carried out: until
+    /// they are, the planner's state is that of [`Run::iteration`].
     pub fn is_partly(&self) -> bool {
         self.at.is_partly()
     }

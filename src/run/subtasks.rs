@@ -7,7 +7,7 @@ use crate::{
     kernel::{Error, Scene, Status, Stepped, Subtask, SubtaskResult},
 };
 
-use super::{answers::Carrier, setup::Setup, stepping::Run};
+use super::{answers::SubtaskRunner, setup::Setup, stepping::Run};
 
 /// Carries a run out to its end.
 ///
@@ -56,22 +56,26 @@ pub fn run_subtasks_until(
 }
 
 impl Run {
-    /// Takes a step as [`Run::step`] does, unless `stop` becomes true: it is asked again and again. `Partly`: it was stopped.
-    pub fn step_until(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> Stepped {
+    /// Takes a step as [`Run::step`] does, unless `stop` becomes true: it is asked again and again. `Partly`: it was stopped, and
+    /// [`Run::is_partly`] says whether within the planner's step.
+    ///
+    /// # Errors
+    /// What is refused of the step's subtasks.
+    pub fn step_until(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> Result<Stepped, Error> {
         let subtasks = self.subtasks();
         if let Some(registry) = self.registry().filter(|_| !subtasks.is_empty()) {
-            match run_subtasks_until(registry, self.scene(), &subtasks, stop) {
-                Ok(None) => return Stepped::Partly,
-                found => self.answers.keep(self.at.iteration, found.ok().flatten().unwrap_or_default()),
+            match run_subtasks_until(registry, self.scene(), &subtasks, stop)? {
+                None => return Ok(Stepped::Partly),
+                Some(found) => self.answers.keep(self.at.iteration, found),
             }
         }
         while !stop() {
             let stepped = self.part();
             if stepped != Stepped::Partly {
-                return stepped;
+                return Ok(stepped);
             }
         }
-        Stepped::Partly
+        Ok(Stepped::Partly)
     }
 }
 
@@ -94,58 +98,199 @@ fn result(run: &mut Run) -> SubtaskResult {
     SubtaskResult { cost, converged, path }
 }
 
-/// So many steps of a subtask, or a part of one, are a part of the step that needs it.
-const AT_ONCE: usize = 8;
+/// A part of a step carries out so many steps of a subtask, or fewer once they have evaluated as many candidates: the only measure of their
+/// work. One step of a colony is enough, one of a search that settles a cell is not.
+const AT_ONCE: u64 = 8;
 
-/// Carries out the subtasks of a run where the run is.
-pub(super) struct Here {
+/// Carries out the subtasks of a run in the same process.
+pub(super) struct LocalSubtasks {
     registry: Arc<Registry>,
     scene: Arc<Scene>,
-    /// Of which iteration some are carried out already, what they found, and the one that is under way.
+    begun: Option<Begun>,
+}
+
+/// The subtasks of a step, some of which are carried out.
+struct Begun {
     iteration: u64,
+    requests: Vec<Subtask>,
+    /// What the first of them found.
     found: Vec<SubtaskResult>,
+    /// The one that is under way.
     run: Option<Box<Run>>,
 }
 
-impl Here {
+impl LocalSubtasks {
     pub(super) fn new(registry: &Arc<Registry>, scene: &Arc<Scene>) -> Self {
-        Self { registry: Arc::clone(registry), scene: Arc::clone(scene), iteration: 0, found: Vec::new(), run: None }
+        Self { registry: Arc::clone(registry), scene: Arc::clone(scene), begun: None }
     }
 }
 
-impl Carrier for Here {
-    fn whole(&self, subtasks: &[Subtask]) -> Vec<SubtaskResult> {
-        run_subtasks(&self.registry, &self.scene, subtasks).unwrap_or_default()
+impl SubtaskRunner for LocalSubtasks {
+    fn complete(&mut self, iteration: u64, subtasks: &[Subtask]) -> Vec<SubtaskResult> {
+        // A replay asks for those of earlier iterations: what has begun is not theirs and stays.
+        let Some(Begun { requests, mut found, run, .. }) = self.begun.take_if(|begun| begun.iteration == iteration) else {
+            return run_subtasks(&self.registry, &self.scene, subtasks).unwrap_or_default();
+        };
+        if let Some(mut run) = run {
+            while run.step(u64::MAX) == Status::Running {}
+            found.push(result(&mut run));
+        }
+        let rest = run_subtasks(&self.registry, &self.scene, &requests[found.len()..]);
+        rest.map_or_else(|_| Vec::new(), |rest| found.into_iter().chain(rest).collect())
     }
 
-    fn part(&mut self, iteration: u64, subtasks: &[Subtask]) -> Option<Vec<SubtaskResult>> {
-        if self.iteration != iteration {
-            (self.iteration, self.run) = (iteration, None);
-            self.found.clear();
-        }
-        let Some(run) = &mut self.run else {
-            let Some(next) = subtasks.get(self.found.len()) else {
-                return Some(std::mem::take(&mut self.found));
-            };
-            return match begin(&self.registry, &self.scene, next) {
-                Ok(run) => {
-                    self.run = Some(Box::new(run));
-                    None
+    fn is_under_way(&self, iteration: u64) -> bool {
+        self.begun.as_ref().is_some_and(|begun| begun.iteration == iteration)
+    }
+
+    fn begin(&mut self, iteration: u64, subtasks: Vec<Subtask>) {
+        self.begun = Some(Begun { iteration, requests: subtasks, found: Vec::new(), run: None });
+    }
+
+    fn part(&mut self) -> Option<Vec<SubtaskResult>> {
+        let Self { registry, scene, begun } = self;
+        let Some(Begun { requests, found, run, .. }) = begun else { return Some(Vec::new()) };
+        let Some(under_way) = run else {
+            match requests.get(found.len()).map(|next| begin(registry, scene, next)) {
+                Some(Ok(next)) => {
+                    *run = Some(Box::new(next));
+                    return None;
                 }
-                Err(_) => Some(Vec::new()),
-            };
+                Some(Err(_)) => found.clear(),
+                None => {}
+            }
+            return begun.take().map(|begun| begun.found);
         };
+        let enough = under_way.evaluations() + AT_ONCE;
         for _ in 0..AT_ONCE {
-            match run.part() {
-                Stepped::Whole => {}
-                Stepped::Partly => break,
+            match under_way.part() {
+                Stepped::Whole if under_way.evaluations() < enough => {}
+                Stepped::Whole | Stepped::Partly => break,
                 Stepped::Not => {
-                    self.found.push(result(run));
-                    self.run = None;
+                    found.push(result(under_way));
+                    *run = None;
                     break;
                 }
             }
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    use super::*;
+    use crate::{
+        describe::{Entry, Start},
+        kernel::{Candidate, Digest, Frame, Planner, Progress, Readings, Started, State, Subtasks},
+        shipped,
+        swarm::pso,
+    };
+
+    /// How often the planner of the subtasks was started, and how often the requests were made.
+    static STARTS: AtomicUsize = AtomicUsize::new(0);
+    static REQUESTS: AtomicUsize = AtomicUsize::new(0);
+    const COUNT: usize = 3;
+
+    static COUNTED: Entry = Entry { name: "counted", start: start_counted, ..pso::ENTRY };
+    static ASKING: Entry = Entry { name: "asking", start: |_| Ok(start_asking("counted")), ..pso::ENTRY };
+    static UNCOUNTED: Entry = Entry { name: "asking-pso", start: |_| Ok(start_asking("pso")), ..pso::ENTRY };
+    static REFUSED: Entry = Entry { name: "refused", start: |_| Ok(start_asking("nobody")), ..pso::ENTRY };
+
+    fn start_counted(start: &Start) -> Result<Started, Error> {
+        STARTS.fetch_add(1, Relaxed);
+        (pso::ENTRY.start)(start)
+    }
+
+    fn start_asking(planner: &'static str) -> Started {
+        Started::new(Asking { planner, steps: 0, found: Vec::new() }, 5)
+    }
+
+    /// Each step needs a few runs of another planner.
+    #[derive(Clone, State)]
+    struct Asking {
+        #[state(shared)]
+        planner: &'static str,
+        steps: u64,
+        found: Vec<SubtaskResult>,
+    }
+
+    impl Planner for Asking {
+        fn advance(&mut self) -> Progress {
+            self.steps += 1;
+            Progress::Continue
+        }
+        fn evaluations(&self) -> u64 {
+            self.steps
+        }
+        fn best(&self) -> Option<Candidate> {
+            None
+        }
+        fn read(&self, _: &mut Readings) {}
+        fn draw(&self, _: &mut Frame) {}
+        fn subtasks(&mut self) -> Option<&mut dyn Subtasks> {
+            Some(self)
+        }
+    }
+
+    impl Subtasks for Asking {
+        fn requests(&self) -> Vec<Subtask> {
+            REQUESTS.fetch_add(usize::from(self.planner == "counted"), Relaxed);
+            let params = || [("iterations", 20.0), ("population", 3.0)].map(|(name, value)| (name, value.into())).into_iter().collect();
+            let seed = |k| self.steps * COUNT as u64 + k;
+            (0..COUNT as u64).map(|k| Subtask { planner: self.planner, params: params(), seed: seed(k), ends: None }).collect()
+        }
+        fn provide(&mut self, found: Vec<SubtaskResult>) {
+            self.found = found;
+        }
+    }
+
+    fn run(planner: &str) -> Run {
+        let registry = crate::Registry::standard().with_all(&[&COUNTED, &ASKING, &UNCOUNTED, &REFUSED]);
+        let setup = Setup { planner: planner.into(), scene: shipped("sphere").unwrap(), params: crate::Overrides::default(), seed: 1 };
+        Run::new(&Arc::new(registry), setup).unwrap()
+    }
+
+    /// Requests are made once for each step, and no subtask is carried out twice: not where a step follows some parts, nor after a replay
+    /// between them.
+    #[test]
+    fn a_step_completes_the_subtasks_that_parts_have_begun() {
+        let counts = || (STARTS.load(Relaxed), REQUESTS.load(Relaxed));
+        let mut whole = run("asking-pso");
+        let mut run = run("asking");
+        let mut parts = 1;
+        while run.part() == Stepped::Partly {
+            assert!(!run.is_partly() && run.iteration() == 0);
+            parts += 1;
+        }
+        assert!(parts > 2 * COUNT, "{parts} parts");
+        assert_eq!((run.iteration(), counts()), (1, (COUNT, 1)));
+        while counts().0 < COUNT + 2 {
+            assert_eq!(run.part(), Stepped::Partly);
+        }
+        assert_eq!(run.state_at(0).iteration, 0);
+        run.step(1);
+        assert_eq!(counts().0, 2 * COUNT);
+        whole.step(2);
+        assert_eq!((run.iteration(), digest(&run)), (2, digest(&whole)));
+    }
+
+    /// That of the planner's state: the two runs have different planners' names.
+    fn digest(run: &Run) -> String {
+        let mut digest = Digest::default();
+        run.at.planner.digest(&mut digest);
+        digest.hex()
+    }
+
+    #[test]
+    fn what_is_refused_of_a_subtask_is_an_error_of_the_step() {
+        let mut run = run("refused");
+        let error = run.step_until(&|| false).unwrap_err();
+        assert_eq!((error.field(), error.value(), run.iteration()), ("planner", "nobody", 0));
+        assert_eq!(run.step_until(&|| true), Err(error));
+        run.step(1);
+        assert_eq!(run.iteration(), 1, "a step finds nothing instead");
     }
 }

@@ -115,7 +115,10 @@ impl Trial {
     }
 
     /// Takes a step unless `stop` becomes true: see [`Run::step_until`].
-    pub fn step_until(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> Stepped {
+    ///
+    /// # Errors
+    /// As [`Run::step_until`].
+    pub fn step_until(&mut self, stop: &(dyn Fn() -> bool + Sync)) -> Result<Stepped, Error> {
         self.run.step_until(stop)
     }
 

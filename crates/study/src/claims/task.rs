@@ -81,7 +81,7 @@ impl Job for Task {
             Until::Evaluations(n) => (u64::MAX, n),
         };
         while trial.run().iteration() < most && trial.run().evaluations() < enough {
-            match trial.step_until(&|| stop.load(Ordering::Relaxed)) {
+            match trial.step_until(&|| stop.load(Ordering::Relaxed))? {
                 Stepped::Whole => {}
                 Stepped::Partly => return Ok(None),
                 Stepped::Not => break,

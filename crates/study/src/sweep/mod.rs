@@ -46,7 +46,7 @@ impl Work for Sweep {
     fn run(&self, job: usize, stop: &AtomicBool) -> Result<Option<Record>, Error> {
         let mut trial = Trial::new(&self.registry, self.setup(job), self.within)?;
         loop {
-            match trial.step_until(&|| stop.load(Ordering::Relaxed)) {
+            match trial.step_until(&|| stop.load(Ordering::Relaxed))? {
                 Stepped::Whole => {}
                 Stepped::Partly => return Ok(None),
                 Stepped::Not => return Ok(Some(trial.record())),
