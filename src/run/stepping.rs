@@ -101,7 +101,7 @@ impl Run {
     }
 
     /// Jumps to the latest state at or before iteration `k` that is at hand, and says which iteration that is.
-    /// The rest of the way to `k` is `step`. A step that has begun is given up, unless `k` is ahead.
+    /// The rest of the way to `k` is `step`. A step that has begun is given up, unless `k` is ahead and no later state is at hand.
     pub fn rewind(&mut self, k: u64) -> u64 {
         let now = self.iteration();
         let back = k < now || k == now && self.is_partly();
@@ -173,10 +173,12 @@ impl Run {
         self.at.planner.evaluations()
     }
 
-    /// Takes steps until so many candidates are evaluated, or up to `steps` of them; stops where the planner does.
+    /// Takes steps until so many candidates are evaluated, or up to `steps` of them; stops where the planner does. A step that the
+    /// planner is within is completed first.
     pub fn step_to(&mut self, evaluations: u64, steps: u64) -> Status {
         for _ in 0..steps {
-            if self.evaluations() >= evaluations || self.step(1) != Status::Running {
+            // Within a step a planner may count what it has not evaluated yet.
+            if !self.is_partly() && self.evaluations() >= evaluations || self.step(1) != Status::Running {
                 break;
             }
         }
