@@ -11,7 +11,7 @@ pub struct Improvement {
     pub iteration: u64,
     /// After how many evaluations.
     pub evaluations: u64,
-    /// What the feasible best so far comes to: see [`Record::value`](super::trial::Record::value). It may rise where the planner's cost
+    /// The value of the feasible best so far: see [`Record::value`](super::trial::Record::value). It may rise where the planner's cost
     /// is not the length.
     pub value: f64,
 }

@@ -228,6 +228,10 @@ impl Run {
     /// step; what was before takes a replay. Within a step it ends with the one before.
     pub fn curve(&mut self) -> &[Improvement] {
         let mut curve = self.curve.take().unwrap_or_default();
+        // Mostly it is asked for before the first step: then no planner has to start for it.
+        if !self.is_partly() {
+            curve.look(&self.scene, &self.at);
+        }
         if curve.seen <= self.iteration() {
             let mut state = if curve.seen == 0 { self.start() } else { self.state_at(curve.seen - 1) };
             loop {

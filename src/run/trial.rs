@@ -132,15 +132,11 @@ impl Trial {
         self.run.curve()
     }
 
-    fn is_near(&self, value: f64, exact: f64) -> bool {
-        value <= if exact > 0.0 { exact * (1.0 + self.within) } else { exact + self.within }
-    }
-
     /// Iterations and evaluations when the best was near enough.
     fn reached(&mut self) -> Option<[u64; 2]> {
         let exact = self.exact?;
-        let curve = self.run.curve().to_vec();
-        curve.into_iter().find(|best| self.is_near(best.value, exact)).map(|best| [best.iteration, best.evaluations])
+        let most = if exact > 0.0 { exact * (1.0 + self.within) } else { exact + self.within };
+        self.run.curve().iter().find(|best| best.value <= most).map(|best| [best.iteration, best.evaluations])
     }
 
     /// What the run came to so far.
@@ -175,5 +171,39 @@ impl Trial {
             deterministic: outcome.deterministic,
             hash: outcome.hash,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+    use super::*;
+    use crate::{describe::Entry, shipped, swarm::pso};
+
+    static STARTS: AtomicUsize = AtomicUsize::new(0);
+    static COUNTED: Entry = Entry {
+        name: "counted",
+        start: |start| {
+            STARTS.fetch_add(1, Relaxed);
+            (pso::ENTRY.start)(start)
+        },
+        ..pso::ENTRY
+    };
+
+    /// The curve begins with the state that the run has: a start may evaluate as much as many steps.
+    #[test]
+    fn a_trial_starts_its_planner_once() {
+        let registry = Arc::new(Registry::standard().with(&COUNTED));
+        let setup =
+            |planner: &str| Setup { planner: planner.into(), scene: shipped("wcpso-discs").unwrap(), params: Overrides::new(), seed: 3 };
+        let mut trial = Trial::new(&registry, setup("counted"), WITHIN).unwrap();
+        trial.step(u64::MAX);
+        let (record, curve) = (trial.record(), trial.curve().to_vec());
+        assert_eq!(STARTS.load(Relaxed), 1);
+        let mut late = Run::with_keyframes(&registry, setup("pso"), 0).unwrap();
+        late.step(u64::MAX);
+        assert_eq!(late.curve(), curve, "a replay gives the same curve");
+        assert_eq!(record.iterations, late.iteration());
     }
 }
