@@ -11,7 +11,7 @@ use crate::{
 
 use super::stepping::Run;
 
-/// Where a run stands. Serialises to the object that `forage run --json` prints and `outcome()` returns.
+/// The result of a run so far, judged. Serialises to the object that `forage run --json` prints and `outcome()` returns.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 pub struct Outcome {
@@ -80,7 +80,7 @@ pub struct Outcome {
     pub tuned: Option<Recommendation>,
     /// No random number has a part in it: other seeds give the same result.
     pub deterministic: bool,
-    /// The hash of setup, iteration, best and state.
+    /// The hash of setup, iteration, best and state. It may be made empty where it is of no iteration; then it is not serialised.
     pub hash: String,
     /// Every parameter's value.
     #[cfg_attr(feature = "types", ts(type = "Record<string, ParameterValue>"))]
@@ -139,7 +139,9 @@ impl Serialize for Outcome {
             out.serialize_field("tuned", tuned)?;
         }
         out.serialize_field("deterministic", &self.deterministic)?;
-        out.serialize_field("hash", &self.hash)?;
+        if !self.hash.is_empty() {
+            out.serialize_field("hash", &self.hash)?;
+        }
         out.serialize_field("parameters", &Object(&self.parameters))?;
         out.end()
     }

@@ -209,6 +209,27 @@ fn an_interrupt_prints_the_best_so_far() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("interrupted"));
 }
 
+/// A step that takes hours is not waited for: no row, no hash, and what it has found so far.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_within_a_step_writes_no_row_and_no_hash() {
+    let csv = temporary("interrupted.csv");
+    let args = ["run", "sa", "--scene", "random-280", "--set", "moves=100000", "--iterations", "1000", "--json", "--trace"];
+    let child = command(&args).arg(&csv).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    let output = child.wait_with_output().unwrap();
+    let message = String::from_utf8_lossy(&output.stderr);
+    let result: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let iterations = result["iterations"].as_u64().unwrap();
+    assert!(result["status"] == "running" && result["cost"].is_number(), "{result}");
+    assert!(message.contains(&format!("interrupted within the step after iteration {iterations}")), "{message}");
+    assert!(result.get("hash").is_none(), "{result}");
+    let rows: Vec<_> = std::fs::read_to_string(csv).unwrap().lines().map(|row| row.split(',').next().unwrap().to_owned()).collect();
+    let expected: Vec<_> = std::iter::once("iteration".to_owned()).chain((0..=iterations).map(|k| k.to_string())).collect();
+    assert_eq!(rows, expected);
+}
+
 /// [LTQPSO](forage#papers) (10) by hand: 0.4321 · 8^1.7292 = 15.75, 0.2855 · 8^2.218 = 28.75.
 #[test]
 fn suggested_sizes_are_printed_and_used() {

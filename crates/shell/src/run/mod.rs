@@ -16,6 +16,7 @@ use crate::registry::registry;
 use forage::{
     Outcome, Run, Status,
     describe::{Column, Shown, layers},
+    kernel::Stepped,
     picture,
     run::{csv_heading, csv_line, csv_row},
     scene::formats::{stem_of, tour_file},
@@ -52,6 +53,10 @@ pub(super) fn run(args: &RunArgs) -> failure::Outcome {
     }
     let elapsed_ms = run_to_end(&mut run, task.stop_at, args.trace.as_deref())?;
     let mut outcome = run.outcome();
+    if run.is_partly() {
+        // It would be the hash of no iteration: nobody could compare it.
+        outcome.hash.clear();
+    }
     for following in following.iter().filter(|following| following.is_asked()) {
         follow(following, &run, &mut outcome)?;
     }
@@ -81,6 +86,9 @@ pub(super) fn run(args: &RunArgs) -> failure::Outcome {
 fn hash_difference(expected: &str, iteration: Option<u64>, outcome: &Outcome) -> Option<String> {
     if outcome.hash == *expected {
         return None;
+    }
+    if outcome.hash.is_empty() {
+        return Some("the link's hash cannot be compared: the run was interrupted within a step".to_owned());
     }
     let here = outcome.iterations;
     let (hash, expected) = (&outcome.hash, quoted(expected));
@@ -152,7 +160,10 @@ fn run_to_end(run: &mut Run, stop_at: Option<u64>, trace: Option<&Path>) -> Resu
         if done || interrupted.load(Ordering::Relaxed) {
             break;
         }
-        run.step_until(&|| interrupted.load(Ordering::Relaxed));
+        // An interrupted step is no iteration: it has no row.
+        if run.step_until(&|| interrupted.load(Ordering::Relaxed))? != Stepped::Whole {
+            break;
+        }
     }
     let elapsed = started.elapsed();
     bar.finish_and_clear();
@@ -160,7 +171,15 @@ fn run_to_end(run: &mut Run, stop_at: Option<u64>, trace: Option<&Path>) -> Resu
         rows.flush().map_err(|error| Failure::write(path, error))?;
     }
     if interrupted.load(Ordering::Relaxed) {
-        note(&format!("interrupted at iteration {}; this is the best result so far", run.iteration()));
+        let at = run.iteration();
+        note(&if run.is_partly() {
+            format!(
+                "interrupted within the step after iteration {at}; this is the best result so far. Costs, evaluations and readings are those \
+                 of the unfinished step, which has no hash"
+            )
+        } else {
+            format!("interrupted at iteration {at}; this is the best result so far")
+        });
     }
     Ok(elapsed.as_secs_f64() * 1e3)
 }

@@ -54,7 +54,9 @@ pub(super) fn summary(outcome: &Outcome, unit: &str, elapsed_ms: f64) -> String 
     }
     events(outcome, &mut lines);
     solution(outcome, &mut lines);
-    lines.add("hash", &outcome.hash);
+    if !outcome.hash.is_empty() {
+        lines.add("hash", &outcome.hash);
+    }
     lines.text
 }
 
