@@ -21,9 +21,9 @@ pub(super) fn particle(population: &Population, item: Item) -> Option<usize> {
     (known && item.index < population.size).then_some(item.index)
 }
 
-/// The particle before anything has moved it, and where it comes from.
+/// The particle before anything has moved it, and where it comes from; `None` within the first step, which may have moved it.
 pub(super) fn introduce(population: &Population, item: Item, origin: Message) -> Option<Inspection> {
-    let i = particle(population, item)?;
+    let i = particle(population, item).filter(|_| !population.is_under_way())?;
     let (meaning, x) = (&*population.objective, &population.x[population.row(i)]);
     let mut told = sheet(meaning, item, "start", origin, x.len());
     told.columns = START.to_vec();
