@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use super::{Progress, State};
 
-/// How far a long step has come. A planner whose step may take longer than a tenth of a second does a part of it at a time and
-/// returns [`Progress::Partly`] until it is over: so it can be interrupted. What comes out is the same
+/// How much of a long step is done. A planner whose step may take longer than a tenth of a second does a part of it at a time, where its
+/// work can be divided, and returns [`Progress::Partly`] until the step is over: so it can be interrupted. The result is the same
 /// whatever the parts; a planner keeps this as `#[state(skip)]`.
 ///
 /// ```
@@ -42,8 +42,8 @@ impl Part {
     /// How many pieces of work are a part, if so many may be; tests make them smaller.
     #[inline]
     pub(crate) fn at_most(most: usize) -> usize {
-        #[cfg(test)]
-        let most = most.min(tests::MOST.get());
+        #[cfg(not(target_arch = "wasm32"))]
+        let most = most.min(MOST.get());
         most.max(1)
     }
 
@@ -59,12 +59,29 @@ impl Part {
     }
 }
 
-#[cfg(test)]
-pub(crate) mod tests {
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) use limit::{MOST, with_parts_of};
+
+/// How large parts are in tests: only small ones show that a result does not depend on them.
+#[cfg(not(target_arch = "wasm32"))]
+mod limit {
     use std::cell::Cell;
 
     thread_local! {
         /// The largest part that this thread's planners take.
         pub(crate) static MOST: Cell<usize> = const { Cell::new(usize::MAX) };
+    }
+
+    /// Does something with parts of at most `most` pieces of work, on this thread.
+    pub(crate) fn with_parts_of<T>(most: usize, work: impl FnOnce() -> T) -> T {
+        /// Ends the limit after a panic as well, which the conformance suite survives.
+        struct Before(usize);
+        impl Drop for Before {
+            fn drop(&mut self) {
+                MOST.set(self.0);
+            }
+        }
+        let _before = Before(MOST.replace(most));
+        work()
     }
 }

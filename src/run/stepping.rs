@@ -374,13 +374,24 @@ impl Run {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Overrides, Setup, Value, describe::layers, kernel::part::tests::MOST, shipped, standard};
+    use crate::{Overrides, Setup, Value, describe::layers, kernel::part::MOST, shipped, standard};
 
-    /// With parts as small as can be, every planner comes to the same; whatever is asked of it in between is answered, and going back
-    /// gives up the step that has begun.
+    /// With parts as small as can be, every planner's result is the same; whatever is asked of it in between is answered, going back gives
+    /// up the step that has begun, and every way of stepping completes it.
     #[test]
-    fn a_step_in_parts_comes_to_the_same() {
+    fn a_step_in_parts_gives_the_same_state() {
         const STEPS: u64 = 2;
+        const WAYS: [(&str, fn(&mut Run)); 3] = [
+            ("step", |run| {
+                run.step(1);
+            }),
+            ("step_to", |run| {
+                run.step_to(0, 1);
+            }),
+            ("step_until", |run| {
+                run.step_until(&|| false).unwrap();
+            }),
+        ];
         let mut in_parts = std::collections::BTreeSet::new();
         for entry in standard().planners() {
             for kind in entry.kinds {
@@ -394,27 +405,38 @@ mod tests {
                     Run::new(standard(), setup.clone()).unwrap()
                 };
                 let mut whole = run(usize::MAX);
-                whole.step(STEPS);
+                whole.step(1);
+                let first = whole.hash();
+                whole.step(STEPS - 1);
                 let mut run = run(1);
-                let (mut frame, mut looks, start) = (Frame::default(), 0, run.hash());
+                let (mut frame, mut members, mut looks, start) = (Frame::default(), Vec::new(), 0, run.hash());
                 if run.part() == Stepped::Partly && run.is_partly() {
                     assert!(run.subtasks().is_empty());
                     assert_eq!(run.link(), None);
                     run.rewind(0);
                     assert_eq!((run.is_partly(), run.hash()), (false, start), "{} on {}", entry.name, scene.name());
+                    for (way, complete) in WAYS {
+                        assert_eq!(run.part(), Stepped::Partly);
+                        complete(&mut run);
+                        assert_eq!((run.iteration(), run.hash()), (1, first.clone()), "{way} of {} on {}", entry.name, scene.name());
+                        run.rewind(0);
+                    }
                 }
                 while run.iteration() < STEPS && run.status() == Status::Running {
                     if run.part() == Stepped::Partly && looks < 20 {
                         looks += 1;
                         in_parts.insert(entry.name);
                         run.draw(&mut frame, 1000);
+                        run.members(&mut members);
                         run.readings();
+                        run.curve();
                         run.hash();
                         run.outcome();
                         run.pick([0.0; 2], 1e9).map(|item| run.inspect(item));
                     }
                 }
                 assert_eq!((run.iteration(), run.hash()), (whole.iteration(), whole.hash()), "{} on {}", entry.name, scene.name());
+                assert_eq!(run.curve(), whole.curve(), "{} on {}", entry.name, scene.name());
             }
         }
         MOST.set(usize::MAX);

@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use crate::{
     describe::Start,
-    kernel::{Digest, Frame, Header, Readings, Scene, State, Stepped, Stepper},
+    kernel::{Digest, Frame, Header, Readings, Scene, State, Stepped, Stepper, part::with_parts_of},
     params::Parameters,
     run::{Link, Run, Setup, run_subtasks},
 };
@@ -17,12 +17,17 @@ use super::{
 
 const RANDOM: &str = "Take random numbers only from a `Stream` made from `start.seed` and kept in the state; read no clock and no `static`, \
                       and keep nothing whose order varies.";
+const PARTS: &str = "Let a step in parts do what the whole step does: draw no random number between two parts, and let nothing depend on \
+                     how many pieces of work `Part::take` gives.";
 const REWIND: &str = "Keep all that a step reads in the state, so that a clone of it goes on alike; share only what never changes.";
 const LINK: &str = "Let `start` depend on scene, parameters and seed alone.";
 const SEED: &str = "Keep the `Stream` in the state, neither skipped nor shared: only so is the run known to be random.";
 const SKIPPED: &str = "Let `State` hash every field that results depend on: `#[state(skip)]` is for scratch memory and caches, \
                        `#[state(shared)]` for what follows from the setup.";
 const SIZE: &str = "Derive `State`, so that the size counts every field.";
+
+/// So many parts of a step are looked at.
+const LOOKS: u32 = 20;
 
 /// What can be seen of a run at an iteration, bit by bit.
 #[derive(PartialEq)]
@@ -64,10 +69,12 @@ fn drawing(frame: &Frame) -> Vec<u32> {
 
 pub fn same_bits(subject: &Subject, findings: &mut Findings) {
     findings.watch_random(subject, 30, |setup, _| {
-        let (mut first, mut second) = (subject.start(setup)?, subject.start(setup)?);
+        let (mut first, mut second, mut in_parts) = (subject.start(setup)?, subject.start(setup)?, subject.start(setup)?);
         loop {
             let iteration = first.iteration();
-            Snapshot::of(&mut first).compare(&Snapshot::of(&mut second), RANDOM, "between two runs of the same setup", iteration)?;
+            let snapshot = Snapshot::of(&mut first);
+            snapshot.compare(&Snapshot::of(&mut second), RANDOM, "between two runs of the same setup", iteration)?;
+            snapshot.compare(&Snapshot::of(&mut in_parts), PARTS, "between whole steps and steps in parts", iteration)?;
             if !goes_on(&first) {
                 return Ok(());
             }
@@ -76,12 +83,17 @@ pub fn same_bits(subject: &Subject, findings: &mut Findings) {
             let subtasks = second.subtasks();
             if !subtasks.is_empty() {
                 let found = run_subtasks(subject.registry, &setup.scene, &subtasks);
-                let provided = found.and_then(|found| second.provide(found));
+                let provided = found.and_then(|found| in_parts.provide(found.clone()).and_then(|()| second.provide(found)));
                 provided.map_err(|error| Fault::new(LINK, format!("a subtask is refused: {error}")).at(iteration))?;
             }
-            // A step in parts can be looked at in between.
-            while second.part() == Stepped::Partly {
-                Snapshot::of(&mut second);
+            second.step(1);
+            // A step in parts can be looked at in between. The smallest parts are many: looking at the first of them is enough.
+            let mut looks = 0;
+            while with_parts_of(1, || in_parts.part()) == Stepped::Partly {
+                if looks < LOOKS {
+                    looks += 1;
+                    Snapshot::of(&mut in_parts);
+                }
             }
         }
     });

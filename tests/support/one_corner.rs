@@ -10,8 +10,8 @@ use forage::{
     describe::{Entry, Group, Layer, Look, Member, Reading, Start, layers},
     geometry,
     kernel::{
-        Candidate, Digest, Explain, Facets, Inspection, Item, LayerKey, Members, Message, Planner, Progress, Readings, Shape, Solution,
-        Started, State, rng::Stream,
+        Candidate, Digest, Explain, Facets, Inspection, Item, LayerKey, Members, Message, Part, Planner, Progress, Readings, Shape,
+        Solution, Started, State, rng::Stream,
     },
     label, message,
     params::{Param, Parameter},
@@ -34,6 +34,7 @@ macro_rules! wrongs {
 
 wrongs! {
     Counts "the_same_setup_gives_the_same_bits" "`Stream` made from `start.seed`"
+    DependsOnParts "the_same_setup_gives_the_same_bits" "Let a step in parts do what the whole step does"
     HidesStream "only_random_runs_depend_on_their_seed" "Keep the `Stream` in the state"
     HidesState "the_hash_sees_the_state" "`#[state(skip)]` is for scratch memory"
     LosesField "rewinding_is_exact" "a clone of it goes on alike"
@@ -116,6 +117,8 @@ struct OneCorner {
     hidden_rng: Option<Stream>,
     steps: Steps,
     weightless: Weightless,
+    #[state(skip)]
+    part: Part,
 }
 
 pub const ITERATIONS: Param<u64> = Param::integer("iterations", "", "Iterations", [1, 100_000, 50], "After how many steps it stops.");
@@ -159,7 +162,13 @@ impl OneCorner {
 
 impl Planner for OneCorner {
     fn advance(&mut self) -> Progress {
-        (0..self.tries).for_each(|_| self.try_corner());
+        self.part.take(1000, self.tries as usize).for_each(|_| self.try_corner());
+        if self.part.is_under_way() {
+            if self.wrong == DependsOnParts {
+                self.rng.as_mut().unwrap().unit();
+            }
+            return Progress::Partly;
+        }
         // Else the hash would see it.
         self.steps.taken += u64::from(self.wrong != HidesState);
         match self.wrong {
@@ -274,6 +283,7 @@ pub fn start<const WRONG: u8>(start: &Start) -> Result<Started, Error> {
         rng,
         hidden_rng,
         steps: Steps { taken: 0, lost: wrong == LosesField },
+        part: Part::default(),
         weightless: Weightless(vec![0.5; if wrong == LosesSize { 1000 } else { 0 }]),
     };
     Ok(Started::new(planner, if wrong == IgnoresLimit { 500 } else { settings[ITERATIONS] }))
