@@ -9,7 +9,7 @@ const fn layer(key: &'static str, title: &'static str, help: &'static str, look:
     Layer::new(LayerKey(key), title, help, look)
 }
 
-/// The colours of a function's heights, from the lowest value to the highest: calm, and even in lightness so that they also read in
+/// The colours of a function's heights, from the lowest value to the highest: calm, and monotone in lightness so that they also read in
 /// grey.
 pub const HEIGHTS: [Color; 5] =
     [Color::named("height-1"), Color::named("height-2"), Color::named("height-3"), Color::named("height-4"), Color::named("height-5")];

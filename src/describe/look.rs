@@ -67,7 +67,7 @@ impl Look {
     }
 }
 
-/// What is as in [`Look::PLAIN`] is left out, but for colour, width, point and opacity.
+/// What is as in [`Look::PLAIN`] is left out, except colour, width, point, order and opacity.
 #[derive(Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename = "Look", optional_fields))]
 struct LookView {

@@ -1,7 +1,7 @@
 //! The contract of planners: what the author of a planner writes.
 //!
-//! One step, mostly one call of [`Planner::advance`], is one drawable iteration. A planner owns its random stream and shares its scene by `Arc`;
-//! a clone of it is a keyframe. The run counts iterations, keeps limit and status, and rewinds.
+//! One step, mostly one call of [`Planner::advance`], is one drawable iteration. A planner owns its random stream and shares its scene
+//! by `Arc`; a clone of it is a keyframe. The run counts iterations, keeps limit and status, and rewinds.
 
 use std::any::Any;
 
@@ -37,8 +37,8 @@ pub trait Planner: State + CloneBox + Any + Send {
 pub enum Progress {
     /// There is more to do, unless the limit is reached.
     Continue,
-    /// The step is not over: the next call goes on with it. Only a whole step is an iteration and a keyframe; but what a planner has
-    /// come to can be drawn and read in between as well.
+    /// The step is not over: the next call goes on with it. Only a whole step is an iteration and a keyframe; but a planner can be drawn
+    /// and read within a step as well.
     Partly,
     /// The run is over, with this status; not [`Status::Running`].
     Done(Status),
