@@ -1,8 +1,8 @@
 import * as Comlink from 'comlink'
-import { bands, compare, generateScene, load, ModuleDead, reached, ready, suggest, Trial } from 'forage-lab'
+import { bands, compare, generateScene, load, reached, ready, suggest, Trial } from 'forage-lab'
 import type { Bands, Comparison, Friedman, GeneratorName, Reached, Scene, Setup, UncheckedSetup } from 'forage-lab'
 import type { Errand, Maps, Row } from '../batch/plan'
-import { causeOf } from './broken'
+import { causeOf, refusalOf } from './broken'
 import { breathe, SLICE } from './pace'
 import type { Refusal } from './protocol'
 
@@ -53,17 +53,19 @@ export interface Answered {
 const curves = new Map<string, Map<number, Measured>>()
 let stopped = false
 
-function refusal(error: unknown): Refusal {
-  if (!(error instanceof Error)) return { message: String(error), field: '' }
-  return { message: error.message, field: 'field' in error && typeof error.field === 'string' ? error.field : '' }
-}
-
 /** How far above the optimum, as a share of it. */
 function inGap({ evaluations, values, exact }: Measured): Curve {
   return { evaluations, values: exact ? values.map((value) => (value - exact) / exact) : values }
 }
 
 const broken = (error: unknown): Ending => ({ is: 'broken', message: causeOf(error) })
+
+/** What the core refuses; what else goes wrong is thrown, in short: whoever asked starts another thread. */
+function refusedBy(error: unknown): Refusal {
+  const refusal = refusalOf(error)
+  if (!refusal) throw new Error(causeOf(error), { cause: error })
+  return refusal
+}
 
 /** Steps in slices, and long steps in parts, so that it can be called off; false if it was. */
 async function carryOut(trial: Trial): Promise<boolean> {
@@ -82,15 +84,16 @@ const api = {
   /** Carries out a run to its end, or until `stop`. */
   async run({ setup, maps, seed }: Errand): Promise<Ending> {
     stopped = false
-    await load('links')
     let trial: Trial
     try {
+      await load('links')
       trial = await ready(() => {
         const scene = maps ? generateScene(maps.generator as GeneratorName, { ...maps.params }, seed) : setup.scene
         return new Trial({ ...setup, scene } as Setup, undefined)
       })
     } catch (error) {
-      return error instanceof ModuleDead ? broken(error) : { is: 'refused', refusal: refusal(error) }
+      const refusal = refusalOf(error)
+      return refusal ? { is: 'refused', refusal } : broken(error)
     }
     try {
       if (stopped || !(await carryOut(trial))) return { is: 'stopped' }
@@ -114,8 +117,7 @@ const api = {
     try {
       return { scene: await ready(() => generateScene(generator as GeneratorName, { ...params }, seed)) }
     } catch (error) {
-      if (error instanceof ModuleDead) throw error
-      return { refused: refusal(error) }
+      return { refused: refusedBy(error) }
     }
   },
 
@@ -125,9 +127,7 @@ const api = {
       await ready(() => suggest(setup as Setup))
       return null
     } catch (error) {
-      // That is no refusal: whoever asked starts another thread.
-      if (error instanceof ModuleDead) throw error
-      return refusal(error)
+      return refusedBy(error)
     }
   },
 
