@@ -1,8 +1,9 @@
 import type { Page } from '@playwright/test'
+import { panels } from '../src/i18n/panels.en'
 import { hashOf, linkTo } from './support/core'
 import { en, expect, test } from './support/lab'
 
-/* What takes long can be interrupted: a step between its parts, and a thread that does not hear is replaced. */
+/* What takes long can be interrupted: a step between its parts, and a thread that does not answer is replaced. */
 
 /** How many threads the page has started for its run. */
 declare global {
@@ -26,7 +27,7 @@ test.beforeEach(async ({ page }) => {
   })
 })
 
-test('within a step that takes minutes a change is heard, by the same thread @smoke', async ({ lab, page }) => {
+test('within a step that takes minutes a change takes effect, in the same thread @smoke', async ({ lab, page }) => {
   const endless = { planner: 'hybrid-bat', scene: 'random-280', seed: 1, params: { population: 4000, perturbations: 100_000 } }
   const short = { ...endless, params: { ...endless.params, perturbations: 3 } }
   await lab.open(linkTo(endless, 0))
@@ -39,6 +40,7 @@ test('within a step that takes minutes a change is heard, by the same thread @sm
   await page.getByTestId('step-forward').click()
   await expect(page.getByTestId('step-progress')).toContainText(en.transport.long('1'))
   await page.getByTestId('step-cancel').click()
+  await expect(lab.button(en.transport.play)).toBeFocused()
   await expect(page.getByTestId('step-progress')).toBeHidden()
   expect(await lab.settled(0)).toBe(start)
   await lab.press(en.transport.play)
@@ -50,14 +52,15 @@ test('within a step that takes minutes a change is heard, by the same thread @sm
   expect(await threads(page)).toBe(1)
 })
 
-test('a pause within a long step stands at its end', async ({ lab }) => {
+test('a pause within a long step stands at its end', async ({ lab, page }) => {
   const long = { planner: 'sa', scene: 'random-280', seed: 1, params: { moves: 20_000 } }
   await lab.open(linkTo(long, 0))
   await lab.settled(0)
   await lab.press(en.transport.play)
+  // It is within the step.
+  await expect(page.getByTestId('step-progress')).toContainText(en.transport.long('1'))
   await lab.press(en.transport.pause)
-  const hash = await lab.settled()
-  expect(hash).toBe(hashOf(long, await lab.iteration()))
+  expect(await lab.settled(1)).toBe(hashOf(long, 1))
 })
 
 test('a thread that begins something too large is replaced when something else is wanted', async ({ lab, page }) => {
@@ -79,3 +82,26 @@ test('a thread that begins something too large is replaced when something else i
   expect(await lab.seek(2)).toBe(hashOf({ ...small, params: { population: 7 } }, 2))
   expect(await threads(page)).toBe(2)
 })
+
+for (const [what, change, expected] of [
+  ['a parameter that is reset', 'reset', {}],
+  ['another planner', 'planner', { planner: 'sa' }],
+] as const) {
+  test(`a thread that begins something too large is replaced for ${what}`, async ({ lab, page }) => {
+    const small = { planner: 'bat', scene: 'random-280', seed: 1 }
+    await lab.open(linkTo(small, 0))
+    await lab.settled(0)
+    const parameters = await lab.section('parameters')
+    const population = parameters.locator('[data-parameter="population"]')
+    await population.locator('input.typed').fill('50000')
+    await page.keyboard.press('Enter')
+    await expect(lab.root).toHaveAttribute('data-stale', 'true')
+    // The start has been sent, and keeps the thread.
+    await expect(parameters.getByTestId('parameters')).toContainText(panels.parameters.changed(1))
+    if (change === 'planner') await page.getByTestId('planner').selectOption('sa')
+    else await parameters.getByRole('button', { name: panels.parameters.resetAll }).click()
+    await lab.restarted()
+    expect(await lab.seek(0)).toBe(hashOf({ ...small, ...expected, ...(change === 'planner' ? { params: {} } : {}) }, 0))
+    expect(await threads(page)).toBe(2)
+  })
+}

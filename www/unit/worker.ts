@@ -13,6 +13,8 @@ export interface State {
 
 interface Listeners {
   onframe(frame: FrameMessage): void
+  oncrash(message: string): void
+  onunresponsive(): void
 }
 
 const planner = (name: string): Planner =>
@@ -48,6 +50,8 @@ const catalogue = {
   shapes: [],
 } as unknown as Catalogue
 
+const UNLOADED: Answer<never> = { ok: false, refusal: { message: 'Failed to fetch', field: '', unloaded: true } }
+
 /** How long a run is. */
 const limitOf = ({ params }: UncheckedSetup): number => Number(params?.iterations ?? 100)
 
@@ -64,19 +68,34 @@ export class FakeWorker {
   private playing = false
   private request = 0
   private seeds = 1000
+  /** A part that starts need cannot be loaded. */
+  unloaded = false
 
-  constructor(private readonly listeners: Listeners) {}
+  constructor(readonly listeners: Listeners) {}
 
-  open = (): Promise<Catalogue> => Promise.resolve(catalogue)
+  /** Settles when the thread is there. */
+  opens: Promise<Catalogue> = Promise.resolve(catalogue)
+  open = (): Promise<Catalogue> => this.opens
   giveBack = (): void => undefined
-  close = (): void => undefined
+  /** How often it was looked whether the thread answers. */
+  expected = 0
+  expect = (): void => {
+    this.expected += 1
+  }
+  /** The thread is thrown away with all that it was asked. */
+  close = (): void => {
+    this.inbox.length = 0
+    this.frames = []
+    this.setup = undefined
+    this.generation = 0
+  }
 
   readonly api = {
     start: (setup: UncheckedSetup, { at, play }: Opening, request: number): Promise<Answer<Run>> =>
       this.answer(() => {
-        this.request = request
-        const refused = this.refused(setup)
+        const refused = this.unloaded ? UNLOADED : this.refused(setup)
         if (refused) return refused
+        this.request = request
         this.setup = setup
         this.generation += 1
         this.go(at, play)
@@ -119,6 +138,11 @@ export class FakeWorker {
     watch: (): Promise<void> => this.answer(() => undefined),
     drawn: (): Promise<void> => Promise.resolve(),
     speed: (): Promise<void> => Promise.resolve(),
+  }
+
+  /** How many messages wait to be taken in. */
+  get waiting(): number {
+    return this.inbox.length
   }
 
   private answer<T>(act: () => T): Promise<T> {

@@ -77,7 +77,7 @@ export const en = {
     seconds: (time: string) => `${time} s`,
     runs: (done: string, total: string) => `${done} of ${total} runs`,
     progress: 'Runs of this step',
-    long: (k: string) => `Iteration ${k} takes long`,
+    long: (k: string) => `Iteration ${k} is taking a long time`,
     cancel: 'Stop',
     newSeed: 'New seed',
     unfold: 'Unfold this iteration: the ants’ walk, step by step',
@@ -156,6 +156,8 @@ export const en = {
     hash: 'This link’s fingerprint differs from what was computed here: it was made by another version.',
     kind: (planner: string, scene: string, other: string) => `${planner} does not run on “${scene}”: ${other} takes its place.`,
     nothing: 'There is no path to follow.',
+    unloaded: (message: string) => `A part of the planners could not be loaded (${message}).`,
+    retry: 'Try again',
     dismiss: 'Dismiss',
   },
 } as const

@@ -63,7 +63,7 @@ export const race = {
     cuts: 'cuts through an obstacle',
     nothing: 'nothing found yet',
     refused: 'It does not run here:',
-    crash: (message: string) => `Its engine stopped (${message}). The other racers are not affected.`,
+    crash: (message: string) => `It stopped (${message}). The other racers are not affected.`,
     restart: 'Restart it',
     starting: 'starting …',
     computing: 'computing …',

@@ -1,6 +1,6 @@
 import * as Comlink from 'comlink'
 import type { Outcome, ParameterValue, Scene, UncheckedSetup, TrialCurve } from 'forage-lab'
-import { Hearing } from '../state/hearing'
+import { Watchdog } from '../state/watchdog'
 import { sameScene } from '../state/same'
 import type { Answer, Look } from '../worker/protocol'
 import type { Picture, Settled, Start } from '../worker/race.protocol'
@@ -26,6 +26,8 @@ export class Lane {
   planner = $state('')
   /** What differs from the defaults. */
   params = $state.raw<Record<string, ParameterValue>>({})
+  /** Those with what is wanted and not answered yet. */
+  wanted: Record<string, ParameterValue>
   /** Messages by parameter name. */
   errors = $state.raw<Record<string, string>>({})
   /** Why it doesn't run here at all. */
@@ -55,12 +57,12 @@ export class Lane {
   private api: Comlink.Remote<RaceApi> | undefined
   private failed: Promise<never> | undefined
   /** What the thread was asked will never be answered. */
-  private forsake: (reason: Error) => void = () => undefined
+  private rejectPending: (reason: Error) => void = () => undefined
   private starts = 0
   /** Starts that the thread has not answered. */
   private pending = 0
-  private readonly hearing = new Hearing(
-    async () => this.api?.hear(),
+  private readonly watchdog = new Watchdog(
+    async () => this.api?.ping(),
     () => this.replace(),
   )
   private begun: Begun | null = null
@@ -71,6 +73,7 @@ export class Lane {
     this.id = lanes
     this.planner = planner
     this.params = params
+    this.wanted = params
   }
 
   /** After a crash it is a new thread. */
@@ -79,7 +82,7 @@ export class Lane {
     const worker = new Worker(new URL('../worker/race.worker.ts', import.meta.url), { type: 'module' })
     this.worker = worker
     this.failed = new Promise<never>((_, reject) => {
-      this.forsake = reject
+      this.rejectPending = reject
       worker.onerror = (event) => {
         event.preventDefault()
         reject(new Error(event.message || 'worker'))
@@ -115,11 +118,11 @@ export class Lane {
 
   /** What the thread was asked is not answered any more. */
   private leave(): void {
-    this.hearing.forget()
+    this.watchdog.stop()
     this.worker?.terminate()
     this.worker = undefined
     this.api = undefined
-    this.forsake(new Error('dismissed'))
+    this.rejectPending(new Error('dismissed'))
   }
 
   /** The run begins anew, unless it is refused: then what runs is the run of before. */
@@ -132,7 +135,7 @@ export class Lane {
     do {
       const api = this.hire()
       this.pending += 1
-      this.hearing.expect()
+      this.watchdog.expect()
       answer = await this.ask<Answer<Start>>(api.start(setup) as Promise<Answer<Start>>)
       this.pending -= 1
       // Its thread was replaced.

@@ -95,11 +95,12 @@ class Arm implements ArmView {
     if (!scene) return
     this.surveying = true
     this.unsurveyed = ''
-    const answer = await lab.api.reach(scene, step)
+    const answer = await lab.api.reach(scene, step).catch((error: Error) => error)
     // Called off, or asked again.
     if (!answer) return
     this.surveying = false
-    if (answer.ok) this.survey = { scene, reach: answer.value }
+    if (answer instanceof Error) this.unsurveyed = answer.message
+    else if (answer.ok) this.survey = { scene, reach: answer.value }
     else this.unsurveyed = answer.refusal.message
   }
 

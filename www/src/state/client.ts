@@ -3,15 +3,15 @@ import type { Catalogue } from 'forage-lab'
 import address from 'forage-lab/catalogue.json?url'
 import core from 'forage-lab/forage_bg.wasm?url'
 import type { Api } from '../worker/sim.worker'
-import { Hearing } from './hearing'
+import { Watchdog } from './watchdog'
 import type { FrameMessage, FromWorker, ProgressMessage, ReturnedBuffer } from '../worker/protocol'
 
 interface Listeners {
   onframe(frame: FrameMessage): void
   onprogress(progress: ProgressMessage): void
   oncrash(message: string): void
-  /** It has not seen for three seconds what it was told. */
-  ondeaf(): void
+  /** It has not received for three seconds what it was sent. */
+  onunresponsive(): void
 }
 
 /** More threads than these cost more memory than they save time. */
@@ -38,17 +38,22 @@ export class Client {
   private frames: MessagePort | undefined
   private remote: Comlink.Remote<Api> | undefined
 
-  private readonly hearing = new Hearing(
-    async () => this.remote?.hear(),
-    () => this.listeners.ondeaf(),
+  private readonly watchdog = new Watchdog(
+    async () => this.remote?.ping(),
+    () => this.listeners.onunresponsive(),
   )
 
   constructor(private readonly listeners: Listeners) {}
 
   get api(): Comlink.Remote<Api> {
     if (!this.remote) throw new Error('the worker is not started')
-    this.hearing.expect()
+    this.expect()
     return this.remote
+  }
+
+  /** Something waits for the worker: it is looked whether it answers. */
+  expect(): void {
+    this.watchdog.expect()
   }
 
   async open(): Promise<Catalogue> {
@@ -84,7 +89,7 @@ export class Client {
   }
 
   close(): void {
-    this.hearing.forget()
+    this.watchdog.stop()
     this.worker?.terminate()
     this.frames?.close()
     this.worker = undefined

@@ -18,11 +18,11 @@ export class Followers {
   }
 
   /** The robot, for which the core is asked. */
-  async robot(client: Client): Promise<Follower> {
+  async robot(api: Client['api']): Promise<Follower> {
     const [{ Following }, { Track }] = await Promise.all([import('./following.svelte'), import('./track')])
     this.driving ??= new Following<Drive, Track>(
       PACE,
-      (params) => client.api.drive(params),
+      (params) => api.drive(params),
       (drive) => new Track(drive),
     )
     return this.driving

@@ -45,8 +45,6 @@ class Generating {
   private readonly latest = new Latest<Wish>((wish) => this.make(wish))
 
   begin(generators: readonly Generator[]): void {
-    // After a crash nobody answers what was asked before.
-    this.latest.forget()
     const [first] = generators
     if (first) this.choose(generators.find(({ name }) => name === this.generator?.name) ?? first)
   }

@@ -72,6 +72,10 @@ export class Lab extends Parameters {
   readonly visible = new Visible()
   readonly suggested = new Suggested()
   sceneError = $state.raw<Refusal | null>(null)
+  /** Why a part of the core that the newest run needs could not be loaded. */
+  unloaded = $state('')
+  /** The newest run did not start: what runs is the run of before. */
+  readonly failed = $derived(this.sceneError !== null || this.unloaded !== '')
   notice = $state('')
   /** A random map is being made. */
   making = $state(false)
@@ -108,7 +112,7 @@ export class Lab extends Parameters {
     onframe: (frame) => this.receive(frame),
     onprogress: (progress) => (this.progress = progress.total > 0 ? progress : null),
     oncrash: (message) => this.breakDown(message),
-    ondeaf: () => this.replace(),
+    onunresponsive: () => this.replace(),
   })
   readonly followers = new Followers()
   /** An iteration is shown step by step. */
@@ -116,22 +120,25 @@ export class Lab extends Parameters {
   /** A time beside that of the run that the stage's keys are for, and the way back. */
   beside = $state.raw<{ clock: Clock; leave(): void } | null>(null)
   /** There is a path of this very scene to follow. */
-  readonly followable = $derived(this.outcome?.length != null && !this.stale && !this.sceneError && this.target === null)
+  readonly followable = $derived(this.outcome?.length != null && !this.stale && !this.failed && this.target === null)
   readonly drivable = $derived(this.hasRobot && this.followable)
   /** The fingerprint that an opened link promises, and where. */
   private promised: { hash: string; at: number } | undefined
   /** A start is on its way. */
   private starting = false
   protected get restarting(): boolean {
-    return this.outdated && (this.starting || !this.sceneError)
+    return this.outdated && (this.starting || !this.failed)
   }
   /** The next restart waits for the answer to that start. */
   private restartsAgain = false
   /** The run was going on when the robot set off. */
   private resumes = false
 
-  /** Starts a thread. After a crash, or in place of another one, what the user had made begins at `opening`. */
-  async open(opening: Opening = { at: this.iteration, play: false }): Promise<void> {
+  /** Once more, after a part could not be loaded. */
+  retry = (): Promise<void> => this.restart(this.requested)
+
+  /** Starts a thread. After a crash, or in place of another one, it begins with what the user had made, where it was wanted last. */
+  async open(): Promise<void> {
     try {
       this.catalogue = await this.client.open()
     } catch (error) {
@@ -147,8 +154,8 @@ export class Lab extends Parameters {
     this.askAgain()
     while (this.awaited.length > 0) await Promise.allSettled(this.awaited)
     if (this.scene) {
-      // What was asked may have led to another start.
-      if (!this.starting) await this.restart(opening)
+      // What was asked, or wanted meanwhile, may have led to another start.
+      if (!this.starting && !this.frame) await this.restart(this.requested)
       return
     }
     this.put(this.shipped(FIRST.scene), false)
@@ -172,7 +179,7 @@ export class Lab extends Parameters {
     const request = this.requests.note('setup', 'seed', 'parameters')
     let opened = true
     await this.await(
-      async () => this.client.api.parseLink(link),
+      async () => this.api.parseLink(link),
       (answer) => {
         opened = answer.ok
         if (!answer.ok) this.notice = en.notices.link(answer.refusal.message)
@@ -203,7 +210,11 @@ export class Lab extends Parameters {
     this.putAt(opening, since)
     this.restartsAgain = true
     this.outdated = true
-    if (this.starting) return
+    if (this.starting) {
+      // That start may be what keeps the worker from this one.
+      this.client.expect()
+      return
+    }
     this.starting = true
     try {
       while (this.restartsAgain) {
@@ -213,7 +224,7 @@ export class Lab extends Parameters {
     } finally {
       this.starting = false
       // The first picture may have come before the answer.
-      if (!this.sceneError && this.frame && this.frame.generation === this.run?.generation) {
+      if (!this.failed && this.frame && this.frame.generation === this.run?.generation) {
         this.outdated = false
         this.compare(this.frame)
       }
@@ -235,9 +246,10 @@ export class Lab extends Parameters {
       this.refuse(answer.refusal)
       return
     }
-    void this.suggested.ask(this.client, setup, this.scene?.kind)
+    void this.suggested.ask(this.api, setup, this.scene?.kind)
     this.run = answer.value
     this.sceneError = null
+    this.unloaded = ''
     // Pictures and requests may have overtaken the answer.
     const { limit, generation } = answer.value
     const settled = this.frame?.generation === generation && this.frame.report?.settledHash != null
@@ -264,7 +276,9 @@ export class Lab extends Parameters {
   )
 
   private refuse(refusal: Refusal): void {
-    if (this.planner?.parameters.some(({ name }) => name === refusal.field)) {
+    this.unloaded = refusal.unloaded ? refusal.message : ''
+    if (refusal.unloaded) this.sceneError = null
+    else if (this.planner?.parameters.some(({ name }) => name === refusal.field)) {
       this.paramErrors = { ...this.paramErrors, [refusal.field]: refusal.message }
       // What runs is still the run of before.
       this.outdated = false
@@ -275,7 +289,7 @@ export class Lab extends Parameters {
 
   private breakDown(message: string): void {
     this.crash = message
-    this.leaveThread('crashed')
+    this.leaveThread('crashed', { at: this.iteration, play: false })
     this.forget()
   }
 
@@ -283,15 +297,17 @@ export class Lab extends Parameters {
   private replace(): void {
     // A start may take its time, unless a change waits for it.
     if (this.phase !== 'ready' || (this.starting && !this.restartsAgain && this.awaited.length === 0)) return
-    const { resumption } = this
-    this.leaveThread('loading')
-    void this.open(resumption)
+    this.leaveThread('loading', this.resumption)
+    void this.open()
   }
 
-  private leaveThread(phase: 'crashed' | 'loading'): void {
+  /** A new thread begins at `resumption`, or where the user wants it until then. */
+  private leaveThread(phase: 'crashed' | 'loading', resumption: Opening): void {
     this.phase = phase
     this.stopPlayback()
-    this.standStill()
+    this.requested = resumption
+    this.outdated = true
+    this.progress = null
     this.starting = false
     this.restartsAgain = false
     this.client.close()
@@ -311,10 +327,10 @@ export class Lab extends Parameters {
     this.readings = frame.readings
     this.inspection = frame.inspection
     if (frame.members || anew) this.members = frame.members
-    if (this.run?.generation === frame.generation && !this.starting && !this.sceneError) this.outdated = false
+    if (this.run?.generation === frame.generation && !this.starting && !this.failed) this.outdated = false
     // It goes on playing where it was sent.
     if (frame.playing && this.target !== null && frame.iteration >= this.target && this.isNewest(frame)) this.target = null
-    if (frame.report) this.hear(frame, frame.report)
+    if (frame.report) this.receiveReport(frame, frame.report)
     else this.hash = ''
   }
 
@@ -325,7 +341,7 @@ export class Lab extends Parameters {
     void this.client.api.drawn()
   }
 
-  private hear(frame: FrameMessage, report: NonNullable<FrameMessage['report']>): void {
+  private receiveReport(frame: FrameMessage, report: NonNullable<FrameMessage['report']>): void {
     this.outcome = report.outcome
     const newest = this.isNewest(frame)
     this.hash = (newest ? report.settledHash : null) ?? ''
@@ -429,7 +445,7 @@ export class Lab extends Parameters {
   newSeed = (): Promise<void> => {
     const request = this.requests.note('seed')
     return this.await(
-      () => this.client.api.newSeed(),
+      () => this.api.newSeed(),
       (seed) => {
         if (this.requests.replaced(request, 'seed')) return
         this.seed = seed
@@ -440,7 +456,7 @@ export class Lab extends Parameters {
 
   // The robot's drive, or the arm's motion, along the result
 
-  beginDrive = async (): Promise<void> => this.follow(await this.followers.robot(this.client))
+  beginDrive = async (): Promise<void> => this.follow(await this.followers.robot(this.api))
 
   follow = async (follower: Follower): Promise<void> => {
     this.resumes = this.playing
@@ -479,16 +495,16 @@ export class Lab extends Parameters {
 
   pick = async (x: number, y: number, reach: number): Promise<void> => {
     const request = this.requests.note('inspection')
-    const item = await this.client.api.pick(x, y, reach)
+    const item = await this.api.pick(x, y, reach)
     // What was there in another run is not what is there now.
     if (!this.requests.replaced(request, 'inspection', 'run')) this.inspect(item)
   }
 
   inspect = (item: Item | null): void => {
-    this.requests.note('inspection')
+    const request = this.requests.note('inspection')
     this.item = item
     if (!item) this.inspection = null
-    void this.client.api.watch(item)
+    void this.client.api.watch(item, request)
   }
 
   /** What is looked at closer, also before there is an answer. */

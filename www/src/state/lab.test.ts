@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 import { FakeWorker, passed, scene } from '../../unit/worker'
 import { Lab } from './lab.svelte'
+import { gone } from './transport.svelte'
 
 const made = vi.hoisted((): { worker?: FakeWorker } => ({}))
 vi.mock('./client', () => ({
@@ -305,4 +306,100 @@ test('a scene from a file that comes after another was opened does not replace i
   expect(await asked).toBeNull()
   await worker.receiveAll()
   expect(await lab.askForScene(() => Promise.resolve('a map'))).toBe('a map')
+})
+
+/** A thread that never answers takes the place of the present one until it `opens`. */
+function replace(): { opens: () => void } {
+  let opens = (): void => undefined
+  const catalogue = worker.opens
+  worker.opens = new Promise((resolve) => (opens = () => resolve(catalogue)))
+  worker.listeners.onunresponsive()
+  worker.opens = catalogue
+  return { opens }
+}
+
+describe('a thread that does not answer', () => {
+  test('is replaced by one that goes on as the run did', async () => {
+    lab.seek(20)
+    lab.play()
+    await worker.receiveAll()
+    void lab.setParameter('w', 2)
+    replace().opens()
+    await worker.receiveAll()
+    expect(worker.state).toMatchObject({ params: { w: 2 }, playing: true })
+    expect([lab.playing, lab.stale]).toEqual([true, false])
+  })
+
+  test('is replaced by one that plays on from where it was', async () => {
+    lab.seek(20)
+    lab.play()
+    await worker.receiveAll()
+    replace().opens()
+    await worker.receiveAll()
+    expect(worker.state).toMatchObject({ iteration: 20, playing: true })
+  })
+
+  test('leaves seeks to the one that is loading', async () => {
+    lab.play()
+    await worker.receiveAll()
+    const { opens } = replace()
+    lab.seek(30)
+    opens()
+    await atRest(30)
+  })
+
+  test('leaves changes to the one that is loading', async () => {
+    const { opens } = replace()
+    lab.setSeed(7)
+    lab.stepBy(1)
+    opens()
+    await atRest(1)
+    expect(worker.state.seed).toBe(7)
+  })
+
+  test('is not replaced within a start that nothing waits for', async () => {
+    lab.setSeed(7)
+    worker.listeners.onunresponsive()
+    await atRest(0)
+    expect(worker.state.seed).toBe(7)
+  })
+
+  test.each(['a reset parameter', 'the planner', 'the seed', 'an edit'])('is looked for when %s changes within a start', async (change) => {
+    lab.setSeed(8)
+    const { expected } = worker
+    void CHANGES[change]?.()
+    expect(worker.expected).toBe(expected + 1)
+    await worker.receiveAll()
+  })
+
+  test('leaves its questions to the next one', async () => {
+    const link = lab.api.newSeed()
+    replace().opens()
+    await worker.receiveAll()
+    expect(await link).toBeGreaterThan(1000)
+  })
+})
+
+test('what a thread was asked that broke down is not asked again', async () => {
+  const asked = lab.setParameter('w', 2)
+  const question = lab.api.newSeed()
+  expect(worker.waiting).toBe(2)
+  worker.listeners.oncrash('unreachable')
+  await asked
+  await expect(question).rejects.toBe(gone)
+  expect(lab.stale).toBe(true)
+  void lab.open()
+  await atRest(0)
+  expect([worker.state.params, lab.params]).toEqual([{}, {}])
+})
+
+test('a part that cannot be loaded is no fault of the scene, and is tried again', async () => {
+  worker.unloaded = true
+  lab.setPlanner('pso')
+  await worker.receiveAll()
+  expect([lab.unloaded, lab.sceneError, lab.stale]).toEqual(['Failed to fetch', null, true])
+  worker.unloaded = false
+  void lab.retry()
+  await atRest(0)
+  expect([lab.unloaded, worker.state.planner]).toEqual(['', 'pso'])
 })

@@ -21,11 +21,20 @@ test('of requests that come while one is answered only the newest is sent', asyn
   expect(sent).toEqual([1, 3, 4])
 })
 
-test('after a request whose answer never comes, the next one is sent', () => {
+test('after a request that fails, the next one is sent', async () => {
   const sent: number[] = []
-  const latest = new Latest<number>((wanted) => new Promise(() => sent.push(wanted)))
+  const failed = new Error('failed')
+  const seen: unknown[] = []
+  const note = (reason: unknown): number => seen.push(reason)
+  process.on('unhandledRejection', note)
+  const latest = new Latest<number>((wanted) => {
+    sent.push(wanted)
+    return Promise.reject(failed)
+  })
   latest.want(1)
-  latest.forget()
+  await passed()
   latest.want(2)
+  await passed()
+  process.off('unhandledRejection', note)
   expect(sent).toEqual([1, 2])
 })

@@ -12,17 +12,14 @@ export class Latest<T> {
 
   private async go(): Promise<void> {
     this.busy = true
-    while (this.next) {
-      const { wanted } = this.next
-      this.next = null
-      await this.ask(wanted)
+    try {
+      while (this.next) {
+        const { wanted } = this.next
+        this.next = null
+        await this.ask(wanted)
+      }
+    } finally {
+      this.busy = false
     }
-    this.busy = false
-  }
-
-  /** What was asked will never be answered. */
-  forget(): void {
-    this.busy = false
-    this.next = null
   }
 }

@@ -29,7 +29,7 @@ export abstract class Parameters extends Transport {
     const setup = this.setup(scene, { ...this.params, [name]: value as ParameterValue })
     await this.await(
       // A request for sizes checks the whole setup.
-      async () => this.client.api.suggest(setup),
+      async () => this.api.suggest(setup),
       (answer) => {
         if (this.requests.replaced(request, `parameter ${name}`, 'parameters')) return
         if (!answer.ok && answer.refusal.field === name) {

@@ -1,8 +1,30 @@
+import { en } from '../i18n/en'
 import type { FrameMessage, Opening, ProgressMessage } from '../worker/protocol'
 import type { Client } from './client'
 import type { Followers } from './followers.svelte'
 import { Requests } from './requests'
 import { Scenes } from './scenes.svelte'
+
+/** Of what was asked of a thread that broke down: the page says so, and offers a new thread. */
+export const gone = new Error(en.crash.title)
+
+const unlessGone = (error: unknown): null => {
+  if (error !== gone) throw error
+  return null
+}
+
+/** What a thread has not answered is settled once it is left: asked again, or given up. */
+function leaving(): { left: Promise<null>; again(): void; giveUp(): void } {
+  let [again, giveUp] = [(): void => undefined, (): void => undefined]
+  const left = new Promise<null>((resolve, reject) => {
+    again = () => resolve(null)
+    giveUp = () => reject(gone)
+  })
+  left.catch(() => undefined)
+  return { left, again, giveUp }
+}
+
+type Api = Client['api']
 
 /** What requests are about. */
 type Subject = 'iteration' | 'playing' | 'scene' | 'setup' | 'seed' | 'parameters' | `parameter ${string}` | 'inspection' | 'run'
@@ -29,8 +51,7 @@ export abstract class Transport extends Scenes {
   private steps: { n: number; since: number } | null = null
   /** Answers that changes wait for. Each is listed until it was acted on. */
   protected awaited = $state.raw<readonly Promise<void>[]>([])
-  private reask: () => void = () => undefined
-  private replaced = new Promise<void>((resolve) => (this.reask = resolve))
+  private leaving = leaving()
   /** True from a change until its first picture: the old one must not pass for the new. */
   readonly stale = $derived(this.outdated || this.awaited.length > 0)
 
@@ -42,30 +63,41 @@ export abstract class Transport extends Scenes {
   /** Nothing but the run itself is shown. */
   protected abstract stopPlayback(): void
 
-  /** What the worker answers; if another one has taken its place, what that one does. */
-  protected async answered<T>(ask: () => Promise<T>): Promise<T> {
+  /** What the worker answers; if another one has taken its place, what that one does. Fails with `gone` if it broke down. */
+  private async answered<T>(ask: () => Promise<T>): Promise<T> {
     for (;;) {
-      const answer = await Promise.race([ask().then((value) => ({ value })), this.replaced.then(() => null)])
+      const answer = await Promise.race([ask().then((value) => ({ value })), this.leaving.left])
       if (answer) return answer.value
     }
   }
 
+  /** For questions to the worker: a thread that takes its place answers what it has not. */
+  readonly api = new Proxy({} as Api, {
+    get:
+      (_, name: string) =>
+      (...given: unknown[]) =>
+        this.answered(async () => (this.client.api as unknown as Record<string, (...given: unknown[]) => unknown>)[name]?.(...given)),
+  })
+
   /** What the worker answers to a request for a scene; null if there is another one meanwhile. */
   askForScene = async <T>(ask: () => Promise<T>): Promise<T | null> => {
     const request = this.requests.note('scene')
-    const answer = await this.answered(ask)
+    const answer = await ask().catch(unlessGone)
     return this.requests.replaced(request, 'scene') ? null : answer
   }
 
   /** A new thread is asked what the one before has not answered. */
   protected askAgain(): void {
-    this.reask()
-    this.replaced = new Promise((resolve) => (this.reask = resolve))
+    const { again } = this.leaving
+    this.leaving = leaving()
+    again()
   }
 
   /** Asks the worker something that a change depends on, and makes the change. */
   protected await<T>(ask: () => Promise<T>, change: (answer: T) => void): Promise<void> {
-    const changed = this.answered(ask).then(change)
+    const changed = ask()
+      .then(change)
+      .catch((error: unknown) => void unlessGone(error))
     this.awaited = [...this.awaited, changed]
     return changed.finally(() => (this.awaited = this.awaited.filter((other) => other !== changed)))
   }
@@ -143,7 +175,8 @@ export abstract class Transport extends Scenes {
     if (steps && !this.overruled(steps.since)) this.seek(this.place + steps.n)
   }
 
-  get api(): Client['api'] {
+  /** For commands to this very worker. */
+  get commands(): Api {
     return this.client.api
   }
 
@@ -152,16 +185,15 @@ export abstract class Transport extends Scenes {
     return this.restarting ? this.requested : { at: this.target ?? this.iteration, play: this.playing }
   }
 
-  protected standStill(): void {
+  /** The thread broke down: what it was asked may be why, and is not asked again. */
+  protected forget(): void {
     this.playing = false
     this.target = null
-    this.progress = null
-  }
-
-  /** The thread that was asked is gone: nothing of it will be answered. */
-  protected forget(): void {
     this.awaited = []
     this.steps = null
+    const { giveUp } = this.leaving
+    this.leaving = leaving()
+    giveUp()
   }
 
   /** Whether there was a seek, play or pause after request number `since`. */

@@ -5,6 +5,8 @@ export interface Refusal {
   message: string
   /** E.g. `population`, `discs[2].radius`; empty where no field is to blame. */
   field: string
+  /** The core refused nothing: a part of it could not be loaded. */
+  unloaded?: boolean
 }
 
 export type Answer<T> = { ok: true; value: T } | { ok: false; refusal: Refusal }

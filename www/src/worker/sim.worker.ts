@@ -38,16 +38,21 @@ import type {
 } from 'forage-lab'
 import type { Errand } from './crew'
 import { oneself, thread } from './hands'
-import { causeOf } from './broken'
+import { causeOf, refusalOf } from './broken'
 import { breathe } from './pace'
-import { rest } from './rest'
+import { rest, words } from './rest'
 import { Simulation } from './simulation'
 import type { Surveyor } from './surveyor'
-import type { Answer, FieldRequest, Followed, Look, Opening, Refusal, ReturnedBuffer, Run, Speed } from './protocol'
+import type { Answer, FieldRequest, Followed, Look, Opening, ReturnedBuffer, Run, Speed } from './protocol'
 
 let simulation: Simulation | undefined
 let port: MessagePort | undefined
 let surveyor: Surveyor | undefined
+let first: (start: Promise<unknown>) => void
+/** The newest start; what is asked of a run before there was one waits for it. */
+let started: Promise<unknown> = new Promise((resolve) => (first = resolve))
+/** After so many milliseconds a part that could not be loaded is asked for again. */
+const RETRY = 5000
 
 /** A trap leaves the module's memory in an unknown state: say so, and let the page start a new worker. */
 function crash(error: unknown): void {
@@ -60,7 +65,7 @@ async function answer<T>(ask: () => T): Promise<Answer<T>> {
     return { ok: true, value: await (await rest()).ready(ask) }
   } catch (error) {
     if (error instanceof ModuleDead) crash(error)
-    return { ok: false, refusal: refusal(error) }
+    return { ok: false, refusal: refusalOf(error) ?? { message: causeOf(error), field: '', unloaded: true } }
   }
 }
 
@@ -73,17 +78,16 @@ async function silently<T>(ask: () => T): Promise<Answer<T>> {
   }
 }
 
-/** What the run has to say, once no step is half taken. */
-async function told<T>(ask: (session: Session) => T, how = answer): Promise<Answer<T>> {
-  await rest()
-  await running().whole()
-  return how(() => ask(current()))
-}
-
-function refusal(error: unknown): Refusal {
-  if (!(error instanceof Error)) return { message: String(error), field: '' }
-  const field = 'field' in error && typeof error.field === 'string' ? error.field : ''
-  return { message: error.message, field }
+/** What the run says while no step is half taken. A start that is on its way comes first. */
+async function told<T>(ask: (session: Session) => T): Promise<Answer<T>> {
+  await started
+  for (;;) {
+    // Between the look at the step and the question nothing else may happen: what they need is loaded before, by `ready`.
+    const found = await answer(() => (current().partly ? null : { value: ask(current()) }))
+    if (!found.ok) return found
+    if (found.value) return { ok: true, value: found.value.value }
+    await running().untilStepEnds()
+  }
 }
 
 function running(): Simulation {
@@ -102,31 +106,43 @@ const api = {
     })
     frames.onmessage = ({ data }: MessageEvent<ReturnedBuffer>) => simulation?.giveBack(data.buffer)
   },
-  /** It has seen what it was told before. */
-  hear: (): void => undefined,
+  /** It has received what was sent before. */
+  ping: (): void => undefined,
   /** Of a thread that carries out runs for another one. */
   async carryOut(errand: Errand): Promise<Finding> {
     return (await rest()).ready(() => carryOut(errand))
   },
   /** `request`: the page's number of this request, which pictures carry back. */
-  start: (setup: UncheckedSetup, opening: Opening, request: number): Promise<Answer<Run>> =>
-    silently(() => running().start(setup, opening, request)),
+  start(setup: UncheckedSetup, opening: Opening, request: number): Promise<Answer<Run>> {
+    const answered = silently(() => running().start(setup, opening, request))
+    first(answered)
+    started = answered
+    return answered
+  },
   /** The first picture is seen: what it did not need may come. */
   async drawn(): Promise<void> {
-    await (await rest()).load('links')
+    try {
+      await (await rest()).load('links')
+    } catch {
+      setTimeout(() => void api.drawn(), RETRY)
+      return
+    }
     running().tellLinks()
   },
-  play: (request: number): void => running().play(request),
-  pause: (request: number): void => running().pause(request),
-  speed: (speed: Speed): void => running().setSpeed(speed),
-  seek: (iteration: number, play: boolean, request: number): void => running().seek(iteration, play, request),
-  async watch(item: Item | null): Promise<void> {
-    await (await rest()).load()
-    running().watch(item)
+  // Before it is open there is no run that these could hold for: the page starts one where it wants it.
+  play: (request: number): void => simulation?.play(request),
+  pause: (request: number): void => simulation?.pause(request),
+  speed: (speed: Speed): void => simulation?.setSpeed(speed),
+  seek: (iteration: number, play: boolean, request: number): void => simulation?.seek(iteration, play, request),
+  /** `request`: the page's number of this request. */
+  async watch(item: Item | null, request: number): Promise<void> {
+    await words()
+    await started
+    simulation?.watch(item, request)
   },
-  look: (look: Look): void => running().look(look),
+  look: (look: Look): void => simulation?.look(look),
   /** Tells the members' numbers with the pictures, at most so often (in milliseconds); null: not at all. */
-  tellMembers: (interval: number | null): void => running().tellMembers(interval),
+  tellMembers: (interval: number | null): void => simulation?.tellMembers(interval),
   inspect: (item: Item): Promise<Answer<Inspection | null>> => told((session) => session.inspect(item)),
   drive: (params: Record<string, ParameterValue>): Promise<Answer<Followed<Drive>>> =>
     told(() => running().follow((session) => session.drive(params))),
@@ -146,7 +162,7 @@ const api = {
     return answer(() => reachability(scene, step))
   },
   async pick(x: number, y: number, reach: number): Promise<Item | null> {
-    const picked = await told((session) => session.pick(x, y, reach), silently)
+    const picked = await told((session) => session.pick(x, y, reach))
     return picked.ok ? picked.value : null
   },
   importScene: (files: NamedFile[], problem?: number): Promise<Answer<Imported>> => answer(() => importScene(files, problem)),
@@ -158,8 +174,8 @@ const api = {
   newSeed: (): number => newSeed(),
   outcome: (): Promise<Answer<Outcome>> => told((session) => session.outcome()),
   svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => told((session) => session.svg(dark, layers as LayerName[])),
-  link: (): Promise<Answer<string>> => told((session) => session.link(), silently),
-  csv: (): Promise<Answer<string>> => told((session) => session.csv(), silently),
+  link: (): Promise<Answer<string>> => told((session) => session.link()),
+  csv: (): Promise<Answer<string>> => told((session) => session.csv()),
   tourFile: (): Promise<Answer<NamedFile | null>> => told((session) => session.tourFile()),
   async field(request: FieldRequest): Promise<ImageBitmap | null> {
     await breathe()

@@ -6,7 +6,7 @@ import { fieldsOf } from './fields'
 import { breathe, SLICE, step, wait } from './pace'
 import { pack } from './pack'
 import { Pool } from './pool'
-import { rest } from './rest'
+import { words } from './rest'
 import type { Followed, FrameMessage, Look, Opening, ProgressMessage, Report, Run, Span, Speed } from './protocol'
 
 /** Vertices a layer may have: what a canvas draws in a few tens of milliseconds. */
@@ -43,6 +43,10 @@ export class Simulation {
   private reaching = false
   /** The page's number of the newest start, seek, play or pause. */
   private request = 0
+  /** Where the newest of these wanted the run, and the number of the newest seek. */
+  private wanted = { at: 0, play: false, sought: 0 }
+  /** The number of the request that started the run. */
+  private startedBy = 0
   private pace: Speed = 30
   private watched: Item | null = null
   private looked: Look = { fields: [], window: null }
@@ -70,9 +74,16 @@ export class Simulation {
     private readonly hire: () => Promise<Crew>,
   ) {}
 
-  start(setup: UncheckedSetup, { at, play }: Opening, request: number): Run {
-    this.request = request
+  /**
+   * Starts a run, or throws before anything has changed. A seek, play or pause that was requested after the start counts more than
+   * `opening`: it may have come first, while a part was loaded.
+   */
+  start(setup: UncheckedSetup, opening: Opening, request: number): Run {
     const session = new Session(setup as Setup)
+    const { wanted } = this
+    const at = wanted.sought > request ? wanted.at : opening.at
+    const play = this.request > request ? wanted.play : opening.play
+    this.startedBy = request
     this.token += 1
     this.session?.free()
     this.session = session
@@ -90,12 +101,13 @@ export class Simulation {
     this.task = { planner, scene }
     this.crew?.begin(this.task)
     this.stale = true
-    this.seek(at, play, request)
+    this.go(at, play)
+    this.request = Math.max(this.request, request)
     return { generation: this.generation, planner, scene, seed, limit, span, parameters, exact }
   }
 
   play(request: number): void {
-    this.request = request
+    this.note(request, true)
     if (this.playing || !this.session) return
     this.playing = true
     this.loop(async (token) => {
@@ -105,7 +117,7 @@ export class Simulation {
   }
 
   pause(request = this.request): void {
-    this.request = request
+    this.note(request, false)
     this.playing = false
     this.loop((token) => this.settle(token))
   }
@@ -117,7 +129,17 @@ export class Simulation {
 
   /** Goes to an iteration and stands still there or plays on; a newer command overtakes it. */
   seek(iteration: number, play: boolean, request: number): void {
+    this.note(request, play)
+    this.wanted = { at: iteration, play, sought: request }
+    this.go(iteration, play)
+  }
+
+  private note(request: number, play: boolean): void {
     this.request = request
+    this.wanted.play = play
+  }
+
+  private go(iteration: number, play: boolean): void {
     this.playing = play
     this.loop(async (token) => {
       await this.reach(iteration, token)
@@ -126,7 +148,7 @@ export class Simulation {
   }
 
   /** Waits until no step is half taken: only then there is something to say of the run. */
-  async whole(): Promise<void> {
+  async untilStepEnds(): Promise<void> {
     while (this.session?.partly) await breathe()
   }
 
@@ -137,7 +159,9 @@ export class Simulation {
     return { told: session ? by(session) : null, generation, iteration: session?.iteration ?? 0 }
   }
 
-  watch(item: Item | null): void {
+  /** What was requested before the run was is of another one. */
+  watch(item: Item | null, request: number): void {
+    if (request < this.startedBy) return
     this.watched = item
     this.stale = true
     this.picture()
@@ -205,9 +229,9 @@ export class Simulation {
       if (token !== this.token) return false
       // Without it the step carries them out itself.
       if (found) session.supply(found)
-    } else if (this.waits) {
-      this.tellProgress(0, 0)
     }
+    // The step itself may take long, too: then that is told.
+    if (this.waits) this.tellProgress(0, 0)
     const long = performance.now() + LONG
     const over = await step(session, () => {
       if (token !== this.token) return false
@@ -302,7 +326,7 @@ export class Simulation {
     if (token !== this.token) return
     if (this.session?.partly && !(await this.step(token))) return
     // A run that has ended may say why: for that there must be words.
-    if (this.session?.status !== 'running') await (await rest()).load()
+    if (this.session?.status !== 'running') await words()
     if (token !== this.token) return
     this.settled = !this.playing
     this.stale = true

@@ -3,18 +3,18 @@ const LOOKS = 6
 const INTERVAL = 500
 
 /** Notices when a thread does not receive messages, because it computes something that cannot be interrupted. */
-export class Hearing {
+export class Watchdog {
   private timer: ReturnType<typeof setInterval> | undefined
-  /** Something was said after what an answer is awaited to. */
+  /** Something was sent after what an answer is awaited to. */
   private more = false
 
   constructor(
-    /** Asks whether it hears; it answers in the order in which it is told. */
-    private readonly ask: () => Promise<unknown>,
-    private readonly deaf: () => void,
+    /** Asks for an answer; the thread answers in the order in which it is sent messages. */
+    private readonly ping: () => Promise<unknown>,
+    private readonly onUnresponsive: () => void,
   ) {}
 
-  /** It is about to be told something. */
+  /** The thread should answer: it is about to be sent something, or something waits for it. */
   expect(): void {
     if (this.timer) {
       this.more = true
@@ -25,20 +25,20 @@ export class Hearing {
     const timer = setInterval(() => {
       looks += 1
       if (looks < LOOKS) return
-      this.forget()
-      this.deaf()
+      this.stop()
+      this.onUnresponsive()
     }, INTERVAL)
     this.timer = timer
-    const heard = (): void => {
+    const answered = (): void => {
       if (this.timer !== timer) return
-      this.forget()
+      this.stop()
       if (this.more) this.expect()
     }
-    this.ask().then(heard, heard)
+    this.ping().then(answered, answered)
   }
 
-  /** Nothing is awaited of it any more. */
-  forget(): void {
+  /** Nothing is awaited of the thread any more. */
+  stop(): void {
     clearInterval(this.timer)
     this.timer = undefined
   }

@@ -1,0 +1,65 @@
+import type { Page } from '@playwright/test'
+import { hashOf, linkTo } from './support/core'
+import { en, expect, test } from './support/lab'
+
+/* Parts of the core that come late, or not at all. */
+
+const GRID = /grid[^/]*\.wasm$/
+
+/** The part for grids waits until it is let through. */
+async function hold(page: Page): Promise<() => void> {
+  let pass = (): void => undefined
+  const passed = new Promise<void>((resolve) => (pass = resolve))
+  await page.route(GRID, async (route) => {
+    await passed
+    await route.continue()
+  })
+  return pass
+}
+
+test('a pause while a part is loaded holds for the run that needs it', async ({ lab, page }) => {
+  const pass = await hold(page)
+  await lab.open(linkTo({}, 0))
+  await lab.settled(0)
+  await lab.press(en.transport.play)
+  await page.getByTestId('planner').selectOption('a-star')
+  await expect(lab.root).toHaveAttribute('data-stale', 'true')
+  await lab.press(en.transport.pause)
+  pass()
+  await lab.restarted()
+  const scene = await page.getByTestId('scene').inputValue()
+  expect(await lab.settled(0)).toBe(hashOf({ planner: 'a-star', scene }, 0))
+  await expect(lab.root).toHaveAttribute('data-playing', 'false')
+})
+
+test('a seek while a part is loaded holds for the run that needs it', async ({ lab, page }) => {
+  const pass = await hold(page)
+  await lab.open(linkTo({}, 0))
+  await lab.settled(0)
+  await page.getByTestId('planner').selectOption('a-star')
+  await expect(lab.root).toHaveAttribute('data-stale', 'true')
+  await lab.timeline.fill('7')
+  pass()
+  await lab.restarted()
+  const scene = await page.getByTestId('scene').inputValue()
+  expect(await lab.settled(7)).toBe(hashOf({ planner: 'a-star', scene }, 7))
+})
+
+/** The browser reports each request that fails: that is what is tested here. */
+const offline = test.extend({ watched: async ({ page: _ }, use) => use(undefined) })
+
+offline('a part that cannot be loaded is said, and loaded when it is tried again', async ({ lab, page }) => {
+  await page.route(GRID, (route) => route.abort())
+  await lab.open(linkTo({}, 0))
+  await lab.settled(0)
+  await page.getByTestId('planner').selectOption('a-star')
+  await expect(page.getByTestId('unloaded')).toBeVisible()
+  await expect(page.getByTestId('crash')).toHaveCount(0)
+  await expect(page.locator('.note.wrong')).toHaveCount(0)
+  await page.unroute(GRID)
+  await page.getByTestId('retry').click()
+  await expect(page.getByTestId('unloaded')).toHaveCount(0)
+  await lab.restarted()
+  const scene = await page.getByTestId('scene').inputValue()
+  expect(await lab.seek(7)).toBe(hashOf({ planner: 'a-star', scene }, 7))
+})
