@@ -365,3 +365,27 @@ test('a racer whose engine stops says so, and begins again where the others are'
   await expect(page.getByTestId('lane-crash')).toHaveCount(0)
   expect(await race.at(clock)).toEqual(['qpso', 'ltqpso'].map((planner) => coreAt({ planner, scene: 'qpso-10m' }, clock)))
 })
+
+test.describe('a start that takes long', () => {
+  test.use({ contextOptions: { reducedMotion: 'reduce' } })
+
+  test('gives way to a newer parameter of the same racer', async ({ lab, page }) => {
+    const race = new Race(page)
+    await race.open(lab, 'tours')
+    await page.getByTestId('race-scene').selectOption('random-280')
+    await race.still()
+    await page.getByTestId('lane-planner').nth(0).selectOption('bat')
+    await race.still()
+    await race.lanes.nth(0).getByTestId('lane-parameters').click()
+    const population = page.locator('[data-parameter="population"]').getByRole('textbox')
+    // To begin takes half a minute.
+    await population.fill('50000')
+    await population.press('Enter')
+    await population.fill('7')
+    await population.press('Enter')
+    await expect(race.lanes.nth(0).getByTestId('lane-parameters')).toContainText(text.lane.changed(1))
+    await page.keyboard.press('Escape')
+    const [first] = await race.seek(3000)
+    expect(first).toEqual(coreAt({ planner: 'bat', scene: 'random-280', params: { population: 7 } }, 3000))
+  })
+})

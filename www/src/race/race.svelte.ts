@@ -14,6 +14,9 @@ import { Times } from './times.svelte'
 import type { Side } from './space'
 import { ranks } from './standings'
 
+const without = <T>(values: Record<string, T>, name: string): Record<string, T> =>
+  Object.fromEntries(Object.entries(values).filter(([key]) => key !== name))
+
 export const [FEWEST, MOST] = [2, 4]
 /** Planners beside each other on the same scene and seed. There is one clock, in evaluations. */
 class Race extends Times {
@@ -28,8 +31,6 @@ class Race extends Times {
   view = $state.raw<View | null>(null)
   size = $state.raw<Size>({ width: 1, height: 1 })
   side = $state<Side>('corner')
-
-  private changes = Promise.resolve()
 
   readonly ranks = $derived(ranks(this.lanes.map(({ racing, mark }) => (racing ? mark : null))))
   readonly planners = $derived<readonly Planner[]>(this.scene ? fitting(lab.catalogue, this.scene, this.task) : [])
@@ -152,31 +153,43 @@ class Race extends Times {
     this.lanes = this.lanes.filter((other) => other !== lane)
   }
 
-  /** One change of a racer after the other: each counts on what the one before came to. One that takes part no more stays as it is. */
-  private change(lane: Lane, change: () => Promise<unknown>): Promise<void> {
-    const changed = this.changes.then(async () => {
-      if (this.lanes.includes(lane)) await change()
-    })
-    this.changes = changed.catch(() => undefined)
-    return changed
+  setPlanner = async (lane: Lane, planner: string): Promise<void> => {
+    const params = planner === lab.plannerName ? lab.params : {}
+    Object.assign(lane, { planner, params, wanted: params, errors: {} })
+    await this.enter(lane)
   }
 
-  setPlanner = (lane: Lane, planner: string): Promise<void> =>
-    this.change(lane, () => {
-      Object.assign(lane, { planner, params: planner === lab.plannerName ? lab.params : {}, errors: {} })
-      return this.enter(lane)
-    })
+  setParameter = (lane: Lane, name: string, value: ParameterValue | string): Promise<void> => {
+    lane.errors = without(lane.errors, name)
+    lane.wanted = { ...lane.wanted, [name]: value as ParameterValue }
+    return this.tryWanted(lane)
+  }
 
-  setParameter = (lane: Lane, name: string, value: ParameterValue | string): Promise<void> =>
-    this.change(lane, async () => {
-      const params = { ...lane.params, [name]: value as ParameterValue }
-      const { [name]: _gone, ...errors } = lane.errors
-      lane.errors = errors
-      let started = await this.enter(lane, params)
-      // A race that began again meanwhile knew nothing of this change.
-      while (started === 'overtaken' && this.lanes.includes(lane)) started = await this.enter(lane, params)
-      if (started === 'begun') lane.params = this.changed(lane, params)
-    })
+  /** Begins with what is wanted at once: a start that takes long gives way to it. What is refused takes no other change with it. */
+  private async tryWanted(lane: Lane): Promise<void> {
+    const { wanted } = lane
+    const isNewest = (): boolean => lane.wanted === wanted && this.lanes.includes(lane)
+    let started = await this.enter(lane, wanted)
+    // A race that began again meanwhile knew nothing of this change.
+    while (started === 'overtaken' && isNewest()) started = await this.enter(lane, wanted)
+    if (!isNewest()) return
+    if (started === 'begun') {
+      lane.params = this.changed(lane, wanted)
+      lane.wanted = lane.params
+      return
+    }
+    const [kept, before] = [wanted, lane.params].map((values) => Object.entries(values))
+    const refused = ([name]: [string, ParameterValue]): boolean => name in lane.errors
+    lane.wanted = Object.fromEntries([...(kept ?? []).filter((entry) => !refused(entry)), ...(before ?? []).filter(refused)])
+    const again = Object.keys(lane.errors).some((name) => lane.wanted[name] !== wanted[name]) && this.differs(lane)
+    if (again) await this.tryWanted(lane)
+    else lane.wanted = lane.params
+  }
+
+  /** More is wanted than what was taken over. */
+  private differs({ wanted, params }: Lane): boolean {
+    return Object.keys({ ...wanted, ...params }).some((name) => wanted[name] !== params[name])
+  }
 
   /** What differs from the defaults. */
   private changed(lane: Lane, values: Record<string, ParameterValue>): Record<string, ParameterValue> {
@@ -187,14 +200,14 @@ class Race extends Times {
     return Object.fromEntries(Object.entries(values).filter(([name, value]) => value !== standard(name)))
   }
 
-  resetParameter = (lane: Lane, name?: string): Promise<void> =>
-    this.change(lane, () => {
-      const drop = <T>(values: Record<string, T>): Record<string, T> =>
-        Object.fromEntries(Object.entries(values).filter(([key]) => name !== undefined && key !== name))
-      lane.errors = drop(lane.errors)
-      lane.params = drop(lane.params)
-      return this.enter(lane)
-    })
+  resetParameter = async (lane: Lane, name?: string): Promise<void> => {
+    const rest = <T>(values: Record<string, T>): Record<string, T> => (name === undefined ? {} : without(values, name))
+    lane.errors = rest(lane.errors)
+    lane.params = rest(lane.params)
+    lane.wanted = rest(lane.wanted)
+    if (this.differs(lane)) await this.tryWanted(lane)
+    else await this.enter(lane)
+  }
 
   /** What of these parameters means something here. */
   private applicable(lane: Lane, values: Record<string, ParameterValue>): Record<string, ParameterValue> {
