@@ -48,9 +48,9 @@ import type { Answer, FieldRequest, Followed, Look, Opening, ReturnedBuffer, Run
 let simulation: Simulation | undefined
 let port: MessagePort | undefined
 let surveyor: Surveyor | undefined
-let first: (start: Promise<unknown>) => void
+let onFirstStart: (start: Promise<unknown>) => void
 /** The newest start; what is asked of a run before there was one waits for it. */
-let started: Promise<unknown> = new Promise((resolve) => (first = resolve))
+let started: Promise<unknown> = new Promise((resolve) => (onFirstStart = resolve))
 /** After so many milliseconds a part that could not be loaded is asked for again. */
 const RETRY = 5000
 
@@ -64,8 +64,9 @@ async function answer<T>(ask: () => T): Promise<Answer<T>> {
   try {
     return { ok: true, value: await (await rest()).ready(ask) }
   } catch (error) {
-    if (error instanceof ModuleDead) crash(error)
-    return { ok: false, refusal: refusalOf(error) ?? { message: causeOf(error), field: '', unloaded: true } }
+    const dead = error instanceof ModuleDead
+    if (dead) crash(error)
+    return { ok: false, refusal: refusalOf(error) ?? { message: causeOf(error), field: '', unloaded: !dead } }
   }
 }
 
@@ -115,7 +116,7 @@ const api = {
   /** `request`: the page's number of this request, which pictures carry back. */
   start(setup: UncheckedSetup, opening: Opening, request: number): Promise<Answer<Run>> {
     const answered = silently(() => running().start(setup, opening, request))
-    first(answered)
+    onFirstStart(answered)
     started = answered
     return answered
   },
