@@ -36,7 +36,7 @@ pub struct Catalogue<'a> {
     shapes: [Shape; 5],
     /// The colours of a function's heights, from the lowest value to the highest.
     heights: [Color; 5],
-    /// Every TeX string that stands outside a formula, so that a page can typeset them when it is built.
+    /// Every TeX string outside a formula, so that a page can typeset them when it is built.
     symbols: Vec<&'static str>,
 }
 

@@ -52,7 +52,7 @@ pub struct Column {
     pub title: &'static str,
     /// The symbol, in TeX.
     pub symbol: &'static str,
-    /// The unit: `s`, `m`, `rad/s`, …; empty for a bare number. `m` stands for the scene's unit.
+    /// The unit: `s`, `m`, `rad/s`, …; empty for a bare number. `m` means the scene's unit.
     pub unit: &'static str,
 }
 

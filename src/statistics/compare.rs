@@ -16,7 +16,7 @@ const SAME: f64 = 1e-12;
 pub struct Group {
     /// Its name.
     pub name: String,
-    /// The result of each run, smaller is better; `None` without a feasible result. In all groups the same index stands for the
+    /// The result of each run, smaller is better; `None` without a feasible result. In all groups the same index means the
     /// same scene and seed.
     pub values: Vec<Option<f64>>,
     /// Every seed gives the same run: then tests, which ask whether chance alone explains a difference, say nothing of it.

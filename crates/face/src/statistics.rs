@@ -10,7 +10,7 @@ use forage::{
 
 use crate::{
     JsBands, JsComparison, JsCurves, JsGroups, JsNumbers, JsReached, JsReachedRuns, js_error, plain,
-    read::{property, read_flag, read_list, read_text, refused},
+    read::{property, read_flag, read_list, read_text, refused, typed_array},
     tool::Tool,
 };
 
@@ -80,7 +80,7 @@ fn results(field: &str, list: &JsValue) -> Result<Vec<Option<f64>>, JsValue> {
 
 /// Finite numbers.
 fn numbers(field: &str, list: &JsValue) -> Result<Vec<f64>, JsValue> {
-    if let Some(list) = list.dyn_ref::<Float64Array>().map(Float64Array::to_vec).filter(|list| list.iter().all(|x| x.is_finite())) {
+    if let Some(list) = typed_array::<Float64Array>(list).map(Float64Array::to_vec).filter(|list| list.iter().all(|x| x.is_finite())) {
         return Ok(list);
     }
     let found = results(field, list)?;

@@ -97,7 +97,10 @@ export type Band = {
 
 /** Quartiles of the best values of several groups of runs, over evaluations: step functions. */
 export type Bands = {
-  /** Where the quartiles are told: wherever a value changed, or at 400 places, denser at the beginning. */
+  /**
+   * The places of the quartiles: wherever a value changed, or, if that is at more than 400, about 400 of them, denser at the beginning,
+   * with the first and each group's end.
+   */
   evaluations: Array<number>
   /** The quartiles of each group. */
   groups: Array<Band>
@@ -138,7 +141,7 @@ export type Catalogue = {
   shapes: [Shape, Shape, Shape, Shape, Shape]
   /** The colours of a function's heights, from the lowest value to the highest. */
   heights: [Color, Color, Color, Color, Color]
-  /** Every TeX string that stands outside a formula, so that a page can typeset them when it is built. */
+  /** Every TeX string outside a formula, so that a page can typeset them when it is built. */
   symbols: Array<string>
   /** How a robot drives along what a planner found. */
   drive: DriveEntry
@@ -229,7 +232,7 @@ export type DriveColumn = {
   title: string
   /** The symbol, in TeX. */
   symbol: string
-  /** The unit: `s`, `m`, `rad/s`, …; empty for a bare number. `m` stands for the scene's unit. */
+  /** The unit: `s`, `m`, `rad/s`, …; empty for a bare number. `m` means the scene's unit. */
   unit: string
 }
 
@@ -416,7 +419,7 @@ export type Group = {
   /** Its name. */
   name: string
   /**
-   * The result of each run, smaller is better; `null` without a feasible result. In all groups the same index stands for the
+   * The result of each run, smaller is better; `null` without a feasible result. In all groups the same index means the
    * same scene and seed.
    */
   values: Array<number | null>
@@ -663,7 +666,7 @@ export type Moving = {
   waypoints?: Array<[number, number, number]>
 }
 
-/** Where a run stands: what was found, whether it is any good, and what it cost. What does not apply is left out. */
+/** The result of a run so far: what was found, whether it is feasible, and what it cost. What does not apply is left out. */
 export type Outcome = {
   /** The planner's name. */
   planner: PlannerName
@@ -715,7 +718,7 @@ export type Outcome = {
   tuned?: Recommendation
   /** No random number has a part in it: other seeds give the same result. */
   deterministic: boolean
-  /** The hash of setup, iteration, best and state. */
+  /** The hash of setup, iteration, best and state. It may be made empty where it is of no iteration; then it is not serialised. */
   hash: string
   /** Every parameter's value. */
   parameters: Record<string, ParameterValue>
