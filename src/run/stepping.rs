@@ -380,8 +380,9 @@ mod tests {
     /// up the step that has begun, and every way of stepping completes it.
     #[test]
     fn a_step_in_parts_gives_the_same_state() {
+        type Way = (&'static str, fn(&mut Run));
         const STEPS: u64 = 2;
-        const WAYS: [(&str, fn(&mut Run)); 3] = [
+        const WAYS: [Way; 3] = [
             ("step", |run| {
                 run.step(1);
             }),

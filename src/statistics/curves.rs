@@ -88,7 +88,7 @@ pub fn bands(groups: &[Vec<Curve>], ends: &[f64]) -> Result<Bands, Error> {
     }
     check_finite("ends", ends)?;
     for (i, group) in groups.iter().enumerate() {
-        group.iter().enumerate().try_for_each(|(j, curve)| curve.check(&format!("groups[{i}][{j}]")))?;
+        group.iter().enumerate().try_for_each(|(j, curve)| check(curve, &format!("groups[{i}][{j}]")))?;
     }
     let evaluations = places(groups, ends);
     let groups = groups.iter().zip(ends).map(|(group, &end)| Band::of(group, &evaluations, end)).collect();
@@ -102,23 +102,20 @@ fn check_finite(field: &str, numbers: &[f64]) -> Result<(), Error> {
     }
 }
 
-impl Curve {
-    /// `path` is its field.
-    fn check(&self, path: &str) -> Result<(), Error> {
-        let Self { evaluations, values } = self;
-        if values.len() != evaluations.len() {
-            return Err(Error::refused(format!("{path}.values"), list_of(values.len()), list_of(evaluations.len())));
-        }
-        check_finite(&format!("{path}.evaluations"), evaluations)?;
-        check_finite(&format!("{path}.values"), values)?;
-        match evaluations.windows(2).position(|two| two[1] < two[0]) {
-            Some(k) => Err(Error::refused(
-                format!("{path}.evaluations[{}]", k + 1),
-                evaluations[k + 1],
-                message!("statistics-in-order", "at least {before}, the number before it", before = evaluations[k]),
-            )),
-            None => Ok(()),
-        }
+/// `path` is the curve's field.
+fn check(Curve { evaluations, values }: &Curve, path: &str) -> Result<(), Error> {
+    if values.len() != evaluations.len() {
+        return Err(Error::refused(format!("{path}.values"), list_of(values.len()), list_of(evaluations.len())));
+    }
+    check_finite(&format!("{path}.evaluations"), evaluations)?;
+    check_finite(&format!("{path}.values"), values)?;
+    match evaluations.windows(2).position(|two| two[1] < two[0]) {
+        Some(k) => Err(Error::refused(
+            format!("{path}.evaluations[{}]", k + 1),
+            evaluations[k + 1],
+            message!("statistics-in-order", "at least {before}, the number before it", before = evaluations[k]),
+        )),
+        None => Ok(()),
     }
 }
 

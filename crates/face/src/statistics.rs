@@ -1,7 +1,7 @@
 //! What many runs have in common.
 
 use js_sys::Float64Array;
-use wasm_bindgen::{JsCast, prelude::*};
+use wasm_bindgen::prelude::*;
 
 use forage::{
     kernel::allowed,
