@@ -1,7 +1,6 @@
 //! JavaScript's values as JSON has them.
 
 use js_sys::{Array, JsString, Reflect, Symbol};
-pub use serde_json::Value as Json;
 use serde_json::{Map, Value};
 use wasm_bindgen::prelude::*;
 

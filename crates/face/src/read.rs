@@ -80,17 +80,19 @@ pub(crate) fn read_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
 /// The scene of an object. The one that was read last is kept: what follows from a scene, an exact optimum above all, takes
 /// longer than to see that it is the same.
 fn same_scene(value: &JsValue) -> Result<Arc<Scene>, JsValue> {
-    thread_local!(static LAST: RefCell<Option<(javascript::Json, Arc<Scene>)>> = const { RefCell::new(None) });
+    thread_local!(static LAST: RefCell<Option<(String, Arc<Scene>)>> = const { RefCell::new(None) });
+    // First: what cannot be read may have the text of what can.
     let read = javascript::read("scene", value).map_err(js_error)?;
-    let last = LAST.with_borrow(|last| last.as_ref().filter(|(known, _)| read == *known).map(|(_, scene)| Arc::clone(scene)));
+    let text = js_sys::JSON::stringify(value).ok().filter(|text| text.is_string()).and_then(|text| text.as_string());
+    let last = LAST.with_borrow(|last| last.as_ref().filter(|(known, _)| text.as_ref() == Some(known)).map(|(_, scene)| Arc::clone(scene)));
     if let Some(scene) = last {
         return Ok(scene);
     }
     if let Some(kind) = read.get("kind").and_then(|kind| kind.as_str()) {
         while registry().kind(kind).is_err() && bring("kind", kind)? {}
     }
-    let scene = Arc::new(registry().read_scene_value(read.clone()).map_err(js_error)?);
-    LAST.set(Some((read, Arc::clone(&scene))));
+    let scene = Arc::new(registry().read_scene_value(read).map_err(js_error)?);
+    LAST.set(text.map(|text| (text, Arc::clone(&scene))));
     Ok(scene)
 }
 
