@@ -23,8 +23,7 @@ said! {
     not_freed "error-not-freed" "one that was not freed";
     before_reset "error-before-reset" "one made before `reset()`";
     after_reset "error-after-reset" "one made after it";
-    canvas "error-canvas" "the 2D context of an OffscreenCanvas";
-    pixels "error-pixels" "at most 16,777,216 pixels";
+    canvas "error-canvas" "the 2D context of an OffscreenCanvas of at most 16,777,216 pixels";
     list "error-list" "a list";
     point "error-point" "a point, [x, y]";
     two_points "error-two-points" "two points";

@@ -145,7 +145,7 @@ impl Stepper {
     pub fn step(&mut self, answer: impl FnOnce(Vec<Subtask>) -> Vec<SubtaskResult>) -> bool {
         let mut answer = Some(answer);
         loop {
-            let answered = self.part(|subtasks| match subtasks.requests() {
+            let answered = self.part(&mut |subtasks| match subtasks.requests() {
                 requests if requests.is_empty() => Answer::Unneeded,
                 requests => answer.take().map_or(Answer::Unneeded, |answer| Answer::Found(answer(requests))),
             });
@@ -159,7 +159,7 @@ impl Stepper {
 
     /// Does a part of a step. `answer` carries out the subtasks that it needs, or a part of them. It asks for the requests itself, so
     /// that they are not made for each part.
-    pub fn part(&mut self, answer: impl FnOnce(&dyn Subtasks) -> Answer) -> Stepped {
+    pub fn part(&mut self, answer: &mut dyn FnMut(&dyn Subtasks) -> Answer) -> Stepped {
         if self.status != Status::Running {
             return Stepped::Not;
         }

@@ -81,7 +81,7 @@ impl Run {
     pub fn part(&mut self) -> Stepped {
         let Self { at, answers, .. } = self;
         let k = at.iteration;
-        let stepped = at.part(|subtasks| answers.part_of(k, subtasks));
+        let stepped = at.part(&mut |subtasks| answers.part_of(k, subtasks));
         if stepped == Stepped::Whole {
             self.remember();
         }

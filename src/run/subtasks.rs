@@ -123,20 +123,40 @@ impl LocalSubtasks {
     pub(super) fn new(registry: &Arc<Registry>, scene: &Arc<Scene>) -> Self {
         Self { registry: Arc::clone(registry), scene: Arc::clone(scene), begun: None }
     }
+
+    /// Carries out all of an iteration, on all cores.
+    #[cfg(feature = "parallel")]
+    fn all(&mut self, _: u64, subtasks: &[Subtask]) -> Vec<SubtaskResult> {
+        run_subtasks(&self.registry, &self.scene, subtasks).unwrap_or_default()
+    }
+
+    /// Carries out all of an iteration, one after another.
+    #[cfg(not(feature = "parallel"))]
+    fn all(&mut self, iteration: u64, subtasks: &[Subtask]) -> Vec<SubtaskResult> {
+        let others = self.begun.take();
+        self.begin(iteration, subtasks.to_vec());
+        let found = self.to_end();
+        self.begun = others;
+        found
+    }
+
+    /// Carries out what is left of those that have begun.
+    fn to_end(&mut self) -> Vec<SubtaskResult> {
+        loop {
+            if let Some(found) = self.part() {
+                return found;
+            }
+        }
+    }
 }
 
 impl SubtaskRunner for LocalSubtasks {
     fn complete(&mut self, iteration: u64, subtasks: &[Subtask]) -> Vec<SubtaskResult> {
         // A replay asks for those of earlier iterations: what has begun is not theirs and stays.
-        let Some(Begun { requests, mut found, run, .. }) = self.begun.take_if(|begun| begun.iteration == iteration) else {
-            return run_subtasks(&self.registry, &self.scene, subtasks).unwrap_or_default();
-        };
-        if let Some(mut run) = run {
-            while run.step(u64::MAX) == Status::Running {}
-            found.push(result(&mut run));
+        if self.is_under_way(iteration) {
+            return self.to_end();
         }
-        let rest = run_subtasks(&self.registry, &self.scene, &requests[found.len()..]);
-        rest.map_or_else(|_| Vec::new(), |rest| found.into_iter().chain(rest).collect())
+        self.all(iteration, subtasks)
     }
 
     fn is_under_way(&self, iteration: u64) -> bool {

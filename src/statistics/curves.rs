@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{
     kernel::{
-        Error,
+        Error, Message,
         error::{finite, list_of},
     },
     math, message,
@@ -97,9 +97,14 @@ pub fn bands(groups: &[Vec<Curve>], ends: &[f64]) -> Result<Bands, Error> {
 
 fn check_finite(field: &str, numbers: &[f64]) -> Result<(), Error> {
     match numbers.iter().position(|number| !number.is_finite()) {
-        Some(k) => Err(Error::refused(format!("{field}[{k}]"), numbers[k], finite())),
+        Some(k) => Err(refused(field, numbers, k, finite())),
         None => Ok(()),
     }
+}
+
+/// Refuses a number of a list.
+fn refused(field: &str, numbers: &[f64], at: usize, allowed: Message) -> Error {
+    Error::refused(format!("{field}[{at}]"), numbers[at], allowed)
 }
 
 /// `path` is the curve's field.
@@ -107,14 +112,11 @@ fn check(Curve { evaluations, values }: &Curve, path: &str) -> Result<(), Error>
     if values.len() != evaluations.len() {
         return Err(Error::refused(format!("{path}.values"), list_of(values.len()), list_of(evaluations.len())));
     }
-    check_finite(&format!("{path}.evaluations"), evaluations)?;
+    let field = format!("{path}.evaluations");
+    check_finite(&field, evaluations)?;
     check_finite(&format!("{path}.values"), values)?;
     match evaluations.windows(2).position(|two| two[1] < two[0]) {
-        Some(k) => Err(Error::refused(
-            format!("{path}.evaluations[{}]", k + 1),
-            evaluations[k + 1],
-            message!("statistics-in-order", "at least {before}, the number before it", before = evaluations[k]),
-        )),
+        Some(k) => Err(refused(&field, evaluations, k + 1, message!("statistics-in-order", "no smaller than the number before it"))),
         None => Ok(()),
     }
 }
@@ -221,7 +223,7 @@ mod tests {
         let short = curve(&[1.0, 4.0], &[10.0]);
         assert_eq!(refused(&[vec![], vec![good(), short]], &[6.0, 6.0]), told("groups[1][1].values", "a list of 1", "a list of 2"));
         let back = curve(&[1.0, 4.0, 4.0, 3.0], &[10.0, 5.0, 4.0, 3.0]);
-        let before = "at least 4, the number before it";
+        let before = "no smaller than the number before it";
         assert_eq!(refused(&[vec![good(), back]], &[6.0]), told("groups[0][1].evaluations[3]", "3", before));
         assert_eq!(refused(&[vec![curve(&[1.0], &[f64::INFINITY])]], &[6.0]).0, "groups[0][0].values[0]");
     }

@@ -65,7 +65,7 @@ use read::{
 use registry::ask;
 
 /// The largest canvas that a field is painted on: its heights take 8 bytes a pixel.
-const MOST_PIXELS: u64 = 1 << 24;
+const MOST_PIXELS: f64 = 16_777_216.0;
 
 fn status(status: Status) -> Result<JsStatus, JsValue> {
     plain(&status)
@@ -457,14 +457,12 @@ impl Session {
     pub fn paint_field(&self, ctx: &JsContext, min: &JsPoint, max: &JsPoint, ramp: Option<JsRamp>) -> Result<bool, JsValue> {
         let view = Bounds { min: read_point("min", min)?, max: read_point("max", max)? };
         let colors = read_ramp(ramp)?.unwrap_or_else(|| HEIGHTS.map(|color| color.on(false)).to_vec());
-        let no_context = || refused("ctx", ctx, allowed::canvas());
-        let canvas = property(ctx, "canvas");
-        let side = |name: &str| property(&canvas, name).as_f64().map(|side| side as u32).ok_or_else(no_context);
-        let (width, height) = (side("width")?, side("height")?);
-        let ctx: &OffscreenCanvasRenderingContext2d = ctx.dyn_ref().ok_or_else(no_context)?;
-        if u64::from(width) * u64::from(height) > MOST_PIXELS {
-            return Err(js_error(Error::refused("ctx", format!("{width} × {height}"), allowed::pixels())));
-        }
+        // Not the canvas's own getters: what only calls itself a context throws there.
+        let side = |name| property(&property(ctx, "canvas"), name).as_f64().unwrap_or(f64::NAN);
+        let (width, height) = (side("width"), side("height"));
+        let known = ctx.dyn_ref().filter(|_| width * height <= MOST_PIXELS);
+        let ctx: &OffscreenCanvasRenderingContext2d = known.ok_or_else(|| refused("ctx", ctx, allowed::canvas()))?;
+        let (width, height) = (width as u32, height as u32);
         let Some(pixels) = picture::heat_map(self.run.scene(), view, width as usize, height as usize, &colors) else {
             return Ok(false);
         };
