@@ -1,18 +1,4 @@
-import type {
-  Catalogue,
-  Inspection,
-  Item,
-  Layer,
-  LinkSetup,
-  Look,
-  Outcome,
-  ParameterValue,
-  Planner,
-  Scene,
-  UncheckedSetup,
-  Status,
-  When,
-} from 'forage-lab'
+import type { Catalogue, Layer, LinkSetup, Look, Outcome, ParameterValue, Planner, Scene, UncheckedSetup, Status, When } from 'forage-lab'
 import { en } from '../i18n/en'
 import type { FrameMessage, Opening, Refusal, Run } from '../worker/protocol'
 import { address } from './address'
@@ -23,7 +9,7 @@ import { Course } from './course.svelte'
 import { Followers } from './followers.svelte'
 import type { Follower } from './following.svelte'
 import type { Again } from './scenes.svelte'
-import { Parameters } from './parameters.svelte'
+import { Inspecting } from './inspecting.svelte'
 import { layerOf, type Names, namesOf, PLAIN } from './looks'
 import { missing, stageAt } from './stages'
 import { suits } from './stops'
@@ -45,7 +31,7 @@ export type Phase = 'loading' | 'ready' | 'crashed'
 export type Yardstick = 'plain' | Outcome['exact_by']
 
 /** Everything the page knows. Components read it and call its methods; nothing else holds state of the run. */
-export class Lab extends Parameters {
+export class Lab extends Inspecting {
   phase = $state<Phase>('loading')
   crash = $state('')
   catalogue = $state.raw<Catalogue | null>(null)
@@ -64,10 +50,8 @@ export class Lab extends Parameters {
   hash = $state('')
   readonly course = new Course()
 
-  inspection = $state.raw<Inspection | null>(null)
   /** The members' numbers, row by row, while somebody asks for them. */
   members = $state.raw<Float64Array | null>(null)
-  private item: Item | null = null
   private tuner: Tuned | null = null
   readonly visible = new Visible()
   readonly suggested = new Suggested()
@@ -489,27 +473,6 @@ export class Lab extends Parameters {
 
   fold = (): void => {
     this.unfolded = false
-  }
-
-  // Looking closer
-
-  pick = async (x: number, y: number, reach: number): Promise<void> => {
-    const request = this.requests.note('inspection')
-    const item = await this.api.pick(x, y, reach)
-    // What was there in another run is not what is there now.
-    if (!this.requests.replaced(request, 'inspection', 'run')) this.inspect(item)
-  }
-
-  inspect = (item: Item | null): void => {
-    const request = this.requests.note('inspection')
-    this.item = item
-    if (!item) this.inspection = null
-    void this.client.api.watch(item, request)
-  }
-
-  /** What is looked at closer, also before there is an answer. */
-  get wanted(): Item | null {
-    return this.item
   }
 }
 

@@ -18,10 +18,10 @@ async function own(): Promise<Racer> {
 const sent = (picture: Picture | null): Picture | null =>
   picture && Comlink.transfer(picture, [picture.buffer, ...picture.fields.map(({ bitmap }) => bitmap)])
 
-/** What the racer does. Whatever keeps it from that is told in short: the lane shows it. */
-async function told<T>(act: (found: Racer) => T | Promise<T>): Promise<T> {
+/** Has the racer do something. An error has a short message: the lane shows it. */
+async function act<T>(action: (found: Racer) => T | Promise<T>): Promise<T> {
   try {
-    return await act(await own())
+    return await action(await own())
   } catch (error) {
     throw new Error(causeOf(error), { cause: error })
   }
@@ -29,7 +29,7 @@ async function told<T>(act: (found: Racer) => T | Promise<T>): Promise<T> {
 
 const api = {
   start: (setup: UncheckedSetup): Promise<Answer<Start>> =>
-    told(async (found): Promise<Answer<Start>> => {
+    act(async (found): Promise<Answer<Start>> => {
       try {
         return { ok: true, value: await ready(() => found.start(setup)) }
       } catch (error) {
@@ -38,15 +38,15 @@ const api = {
         return { ok: false, refusal }
       }
     }),
-  go: (clock: number): Promise<Picture | null> => told(async (found) => sent(await found.go(clock))),
+  go: (clock: number): Promise<Picture | null> => act(async (found) => sent(await found.go(clock))),
   /** It has received what was sent before. */
   ping: (): void => undefined,
   halt: (): void => racer?.halt(),
-  look: (look: Look): Promise<Picture | null> => told(async (found) => sent(await found.look(look))),
-  settle: (): Promise<Settled | null> => told((found) => ready(() => found.settle())),
+  look: (look: Look): Promise<Picture | null> => act(async (found) => sent(await found.look(look))),
+  settle: (): Promise<Settled | null> => act((found) => ready(() => found.settle())),
   giveBack: (buffer: ArrayBuffer): void => racer?.giveBack(buffer),
   field: ({ min, max, width, height, ramp }: FieldRequest): Promise<ImageBitmap | null> =>
-    told((found) => {
+    act((found) => {
       const canvas = new OffscreenCanvas(width, height)
       const context = canvas.getContext('2d')
       if (!context || !found.session?.paintField(context, min, max, ramp)) return null

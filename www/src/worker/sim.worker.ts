@@ -79,8 +79,8 @@ async function silently<T>(ask: () => T): Promise<Answer<T>> {
   }
 }
 
-/** What the run says while no step is half taken. A start that is on its way comes first. */
-async function told<T>(ask: (session: Session) => T): Promise<Answer<T>> {
+/** Asks the session something between two steps, after a start that is on its way. */
+async function betweenSteps<T>(ask: (session: Session) => T): Promise<Answer<T>> {
   await started
   for (;;) {
     // Between the look at the step and the question nothing else may happen: what they need is loaded before, by `ready`.
@@ -144,11 +144,11 @@ const api = {
   look: (look: Look): void => simulation?.look(look),
   /** Tells the members' numbers with the pictures, at most so often (in milliseconds); null: not at all. */
   tellMembers: (interval: number | null): void => simulation?.tellMembers(interval),
-  inspect: (item: Item): Promise<Answer<Inspection | null>> => told((session) => session.inspect(item)),
+  inspect: (item: Item): Promise<Answer<Inspection | null>> => betweenSteps((session) => session.inspect(item)),
   drive: (params: Record<string, ParameterValue>): Promise<Answer<Followed<Drive>>> =>
-    told(() => running().follow((session) => session.drive(params))),
+    betweenSteps(() => running().follow((session) => session.drive(params))),
   motion: (params: Record<string, ParameterValue>): Promise<Answer<Followed<Motion>>> =>
-    told(() => running().follow((session) => session.motion(params))),
+    betweenSteps(() => running().follow((session) => session.motion(params))),
   /** The postures that bring the tip to a point. */
   armSolutions: (scene: Scene, point: Point3, direction: Point3 | null, near?: number[]): Promise<Answer<ArmSolutions>> =>
     answer(() => armSolutions(scene, point, direction, near)),
@@ -163,7 +163,7 @@ const api = {
     return answer(() => reachability(scene, step))
   },
   async pick(x: number, y: number, reach: number): Promise<Item | null> {
-    const picked = await told((session) => session.pick(x, y, reach))
+    const picked = await betweenSteps((session) => session.pick(x, y, reach))
     return picked.ok ? picked.value : null
   },
   importScene: (files: NamedFile[], problem?: number): Promise<Answer<Imported>> => answer(() => importScene(files, problem)),
@@ -173,11 +173,11 @@ const api = {
   suggest: (setup: UncheckedSetup): Promise<Answer<Suggestion | null>> => silently(() => suggest(setup as Setup)),
   parseLink: (link: string): Promise<Answer<LinkSetup>> => answer(() => parseLink(link)),
   newSeed: (): number => newSeed(),
-  outcome: (): Promise<Answer<Outcome>> => told((session) => session.outcome()),
-  svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => told((session) => session.svg(dark, layers as LayerName[])),
-  link: (): Promise<Answer<string>> => told((session) => session.link()),
-  csv: (): Promise<Answer<string>> => told((session) => session.csv()),
-  tourFile: (): Promise<Answer<NamedFile | null>> => told((session) => session.tourFile()),
+  outcome: (): Promise<Answer<Outcome>> => betweenSteps((session) => session.outcome()),
+  svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => betweenSteps((session) => session.svg(dark, layers as LayerName[])),
+  link: (): Promise<Answer<string>> => betweenSteps((session) => session.link()),
+  csv: (): Promise<Answer<string>> => betweenSteps((session) => session.csv()),
+  tourFile: (): Promise<Answer<NamedFile | null>> => betweenSteps((session) => session.tourFile()),
   async field(request: FieldRequest): Promise<ImageBitmap | null> {
     await breathe()
     return painted(request, current)

@@ -230,7 +230,7 @@ export class Simulation {
       // Without it the step carries them out itself.
       if (found) session.supply(found)
     }
-    // The step itself may take long, too: then that is told.
+    // The step itself may take long as well: its own progress follows that of the runs.
     if (this.waits) this.tellProgress(0, 0)
     const long = performance.now() + LONG
     const over = await step(session, () => {

@@ -60,7 +60,7 @@ function inGap({ evaluations, values, exact }: Measured): Curve {
 
 const broken = (error: unknown): Ending => ({ is: 'broken', message: causeOf(error) })
 
-/** What the core refuses; what else goes wrong is thrown, in short: whoever asked starts another thread. */
+/** What the core refuses. Other errors are thrown, with a short message: the batch starts another thread. */
 function refusedBy(error: unknown): Refusal {
   const refusal = refusalOf(error)
   if (!refusal) throw new Error(causeOf(error), { cause: error })
