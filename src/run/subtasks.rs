@@ -135,13 +135,13 @@ impl LocalSubtasks {
     fn all(&mut self, iteration: u64, subtasks: &[Subtask]) -> Vec<SubtaskResult> {
         let others = self.begun.take();
         self.begin(iteration, subtasks.to_vec());
-        let found = self.to_end();
+        let found = self.complete_rest();
         self.begun = others;
         found
     }
 
     /// Carries out what is left of those that have begun.
-    fn to_end(&mut self) -> Vec<SubtaskResult> {
+    fn complete_rest(&mut self) -> Vec<SubtaskResult> {
         loop {
             if let Some(found) = self.part() {
                 return found;
@@ -154,7 +154,7 @@ impl SubtaskRunner for LocalSubtasks {
     fn complete(&mut self, iteration: u64, subtasks: &[Subtask]) -> Vec<SubtaskResult> {
         // A replay asks for those of earlier iterations: what has begun is not theirs and stays.
         if self.is_under_way(iteration) {
-            return self.to_end();
+            return self.complete_rest();
         }
         self.all(iteration, subtasks)
     }

@@ -52,7 +52,7 @@ test('within a step that takes minutes a change takes effect, in the same thread
   expect(await threads(page)).toBe(1)
 })
 
-test('a pause within a long step stands at its end', async ({ lab, page }) => {
+test('a pause within a long step takes effect at its end', async ({ lab, page }) => {
   const long = { planner: 'sa', scene: 'random-280', seed: 1, params: { moves: 20_000 } }
   await lab.open(linkTo(long, 0))
   await lab.settled(0)
