@@ -190,9 +190,10 @@ fn tours_stay_permutations_and_the_best_never_rises_whatever_the_planner_and_the
 }
 
 #[test]
-fn every_number_of_a_tour_planner_runs_at_both_ends_of_its_range() {
+fn with_few_stops_every_number_runs_at_both_ends_of_its_range() {
     let mut rng = Stream::new(12, 0);
-    for n in [2, 3, 9] {
+    // With more the suite of all planners does it.
+    for n in [2, 3] {
         let scene = stops(n, &mut rng);
         for (entry, parameter) in tour_planners().flat_map(|entry| entry.all_parameters().map(move |parameter| (entry, parameter))) {
             let (min, max) = match parameter.domain {
