@@ -24,7 +24,7 @@ use super::{
 };
 
 /// So many steps of ants are a part of an iteration.
-const PORTION: usize = 500_000;
+pub(super) const PORTION: usize = 500_000;
 
 /// How many bytes a cell go into keeping the walks of an iteration; ants beyond go their ways again when they are needed.
 pub(super) const KEPT: usize = 16;

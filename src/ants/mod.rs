@@ -47,4 +47,5 @@ pub(crate) use colonies::COLONIES;
 pub use colony::{Colony, Variant};
 pub use ground::{Direction, Heuristic};
 pub use planner::start;
+pub(crate) use scouts::Scouts;
 pub use update::{Arrival, Update};

@@ -1,17 +1,21 @@
 //! A* over cells of which some are occupied, each time from scratch: P. Hart, N. Nilsson, B. Raphael, *A formal basis for
 //! the heuristic determination of minimum cost paths*, IEEE Transactions on Systems Science and Cybernetics 4(2), 1968.
 
-use std::sync::Arc;
+use std::{sync::Arc, task::Poll};
 
 use crate::{
     geometry::{Cells, Steps},
-    kernel::State,
+    kernel::{Part, State},
 };
 
 use super::{
     queue::Queue,
+    route::complete,
     steps::{NEVER, all_next, octile, ordered, previous, shorter, straightest, sum},
 };
+
+/// How many cells are settled in a part of a search: about a twentieth of a second.
+pub(super) const PORTION: usize = 50_000;
 
 /// A shortest way over cells of which some are occupied. The robot may stand on an occupied cell and leave it; it enters
 /// none.
@@ -32,36 +36,58 @@ pub(super) struct AStar {
     #[state(skip)]
     open: Queue,
     expanded: u64,
+    /// What the search under way must not enter, and where it begins and ends.
+    #[state(skip)]
+    occupied: Vec<bool>,
+    #[state(skip)]
+    ends: [usize; 2],
 }
 
 impl AStar {
     pub(super) fn new(cells: &Arc<Cells>) -> Self {
         let n = cells.len();
-        Self { cells: Arc::clone(cells), g: vec![NEVER; n], reached: Vec::new(), open: Queue::new(n), expanded: 0 }
+        let occupied = vec![false; n];
+        let (cells, g) = (Arc::clone(cells), vec![NEVER; n]);
+        Self { cells, g, reached: Vec::new(), open: Queue::new(n), expanded: 0, occupied, ends: [0; 2] }
     }
 
     /// The cells of a shortest way, both ends included; `None` where there is none.
     pub(super) fn way(&mut self, occupied: &[bool], from: usize, to: usize) -> Option<Vec<usize>> {
-        if occupied[to] && from != to {
-            return None; // all there is to reach would be searched for nothing
-        }
-        let cells = Arc::clone(&self.cells);
+        self.begin(occupied, from, to);
+        complete(|| self.go_on())
+    }
+
+    /// Begins to look for a way.
+    pub(super) fn begin(&mut self, occupied: &[bool], from: usize, to: usize) {
+        self.occupied.copy_from_slice(occupied);
+        self.ends = [from, to];
         self.forget();
-        self.reach(from, Steps::default(), to);
-        while let Some(cell) = self.open.pop() {
+        // Where nothing enters the goal, all there is to reach would be searched for nothing.
+        if !occupied[to] || from == to {
+            self.reach(from, Steps::default(), to);
+        }
+    }
+
+    /// Goes on with a part of the search that has begun.
+    pub(super) fn go_on(&mut self) -> Poll<Option<Vec<usize>>> {
+        let (cells, [from, to]) = (Arc::clone(&self.cells), self.ends);
+        for _ in 0..Part::at_most(PORTION) {
+            let Some(cell) = self.open.pop() else {
+                return Poll::Ready(None);
+            };
             self.expanded += 1;
             if cell == to {
-                return self.back(from, to);
+                return Poll::Ready(self.back(from, to));
             }
             // No cell is settled twice: the octile distance is consistent, Hart et al., lemma 2.
-            for (next, d) in all_next(&cells, cell).filter(|&(next, _)| !occupied[next]) {
+            for (next, d) in all_next(&cells, cell) {
                 let g = self.g[cell].and(d);
-                if shorter(g, self.g[next]) {
+                if !self.occupied[next] && shorter(g, self.g[next]) {
                     self.reach(next, g, to);
                 }
             }
         }
-        None
+        Poll::Pending
     }
 
     /// A cell is reached by a shorter way than before.

@@ -1,6 +1,6 @@
 //! `a-star-drive`: a drive on ways of A*, replanned at each blockage; a baseline of [WOLF-ANT](crate#papers) §5.3.
 
-use std::sync::Arc;
+use std::{sync::Arc, task::Poll};
 
 use crate::{
     describe::{Entry, Start},
@@ -65,8 +65,16 @@ impl Route for Replanning {
         self.search.way(&nothing, self.ground.endpoints.start, self.ground.endpoints.goal)
     }
 
-    fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
-        self.search.way(occupied, from, self.ground.endpoints.goal)
+    fn replan(&mut self, occupied: &[bool], from: usize) {
+        self.search.begin(occupied, from, self.ground.endpoints.goal);
+    }
+
+    fn go_on(&mut self) -> Poll<Option<Vec<usize>>> {
+        self.search.go_on()
+    }
+
+    fn is_long(&self) -> bool {
+        self.ground.is_large()
     }
 
     fn copy(&self) -> Box<dyn Route> {

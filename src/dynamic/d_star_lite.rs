@@ -1,15 +1,17 @@
 //! D* Lite, the optimised version: S. Koenig, M. Likhachev, *D\* Lite*, AAAI 2002, figure 4. It searches from the goal
 //! to the robot and, when cells become occupied or free, repairs what it knew instead of searching anew.
 
-use std::sync::Arc;
+use std::{sync::Arc, task::Poll};
 
 use crate::{
     geometry::{Cells, Steps},
-    kernel::State,
+    kernel::{Part, State},
 };
 
 use super::{
+    a_star::PORTION,
     queue::{Key, Queue},
+    route::complete,
     steps::{NEVER, all_next, all_previous, and, next, octile, ordered, shorter, straightest, sum},
 };
 
@@ -109,20 +111,27 @@ impl DStarLite {
     /// A shortest way from where the robot is now to the goal, both included; `None` where there is none.
     pub(super) fn way(&mut self, from: usize) -> Option<Vec<usize>> {
         self.go(from);
+        complete(|| self.go_on())
+    }
+
+    /// Goes on with a part of the search from where the robot is.
+    pub(super) fn go_on(&mut self) -> Poll<Option<Vec<usize>>> {
+        let from = self.robot;
         // While nobody can enter the goal, no repair is worth its while.
         let way = if self.occupied[self.goal] && from != self.goal {
             None
-        } else {
-            self.search();
+        } else if self.search() {
             self.rest(from).or_else(|| self.downhill(from))
+        } else {
+            return Poll::Pending;
         };
         self.last.clone_from(way.as_ref().unwrap_or(&Vec::new()));
-        way
+        Poll::Ready(way)
     }
 
     /// The robot moves. The keys in the queue stay lower bounds if all new ones are higher by as much as the heuristic
     /// may have fallen.
-    fn go(&mut self, to: usize) {
+    pub(super) fn go(&mut self, to: usize) {
         self.k_m = sum(self.k_m, octile(&self.cells, self.robot, to));
         self.robot = to;
         if self.k_m.length() > FAR {
@@ -130,13 +139,14 @@ impl DStarLite {
         }
     }
 
-    /// ComputeShortestPath().
-    fn search(&mut self) {
-        while let Some((key, cell)) = self.open.first() {
+    /// ComputeShortestPath(), or a part of it: whether it is over.
+    fn search(&mut self) -> bool {
+        for _ in 0..Part::at_most(PORTION) {
             let robot = self.robot;
-            if key >= self.key(robot) && !shorter(self.g[robot], self.rhs[robot]) {
-                break;
-            }
+            let Some((key, cell)) = self.open.first().filter(|&(key, _)| key < self.key(robot) || shorter(self.g[robot], self.rhs[robot]))
+            else {
+                return true;
+            };
             let now = self.key(cell);
             if key < now {
                 self.open.put(cell, now);
@@ -149,6 +159,7 @@ impl DStarLite {
                 self.raise(cell);
             }
         }
+        false
     }
 
     /// An overconsistent cell: its way is as short as it looks, and others may go through it.

@@ -1,7 +1,7 @@
 //! `d-star-lite-drive`: a drive on ways of D* Lite, which repairs its search at each blockage instead of searching from
 //! scratch; a baseline of [WOLF-ANT](crate#papers) §5.3.
 
-use std::sync::Arc;
+use std::{sync::Arc, task::Poll};
 
 use crate::{describe::Entry, kernel::State};
 
@@ -24,9 +24,17 @@ impl Route for Repaired {
         self.search.way(self.ground.endpoints.start)
     }
 
-    fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
+    fn replan(&mut self, occupied: &[bool], from: usize) {
         self.search.occupy(occupied);
-        self.search.way(from)
+        self.search.go(from);
+    }
+
+    fn go_on(&mut self) -> Poll<Option<Vec<usize>>> {
+        self.search.go_on()
+    }
+
+    fn is_long(&self) -> bool {
+        self.ground.is_large()
     }
 
     fn copy(&self) -> Box<dyn Route> {

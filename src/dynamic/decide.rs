@@ -8,7 +8,7 @@ use super::{
     body::{Done, Plan, Pose},
     escape::{Escape, escape},
     journey::{Hold, Journey},
-    route::{Route, plan, steps},
+    route::{Ways, plan, steps},
     world::{Conflict, Distance},
 };
 
@@ -31,7 +31,7 @@ struct Offer {
 
 impl Journey {
     /// Whether the plan will do, and if not, what instead.
-    pub fn think(&mut self, route: &mut dyn Route) {
+    pub fn think(&mut self, ways: &mut Ways) {
         if self.distance == Distance::Contact && self.conflict(Distance::Margin).is_none() {
             self.distance = Distance::Margin;
         }
@@ -46,13 +46,13 @@ impl Journey {
             (Some(conflict), Some(hold)) => {
                 if self.now >= hold.retry {
                     self.hold = Some(Hold { retry: self.now + RETRY, ..hold });
-                    if self.around(route, self.distance, conflict) {
+                    if self.around(ways, self.distance, conflict) {
                         return;
                     }
                 }
                 if !self.stands(self.distance) {
                     self.hold = None;
-                    self.decide(route, conflict);
+                    self.decide(ways, conflict);
                 }
             }
             (Some(conflict), None) if conflict.time - self.now > ACT * self.ground.body.look_ahead => {}
@@ -61,7 +61,7 @@ impl Journey {
                 if !self.cornered && !self.evading {
                     self.foresee(conflict);
                 }
-                self.decide(route, conflict);
+                self.decide(ways, conflict);
             }
         }
     }
@@ -99,7 +99,7 @@ impl Journey {
         self.tell("foreseen", Some(conflict.obstacle), said);
     }
 
-    fn decide(&mut self, route: &mut dyn Route, conflict: Conflict) {
+    fn decide(&mut self, ways: &mut Ways, conflict: Conflict) {
         let mut conflict = conflict;
         let (first, mut last) = (self.distance, None);
         for distance in [Distance::Margin, Distance::Contact] {
@@ -122,18 +122,21 @@ impl Journey {
                     Some(other) => conflict = other,
                 }
             }
-            if self.around(route, distance, conflict) || self.wait(distance, conflict) {
+            if self.around(ways, distance, conflict) || self.wait(distance, conflict) {
+                return;
+            }
+            if !ways.knows_ahead(&self.ground) {
                 return;
             }
             self.searches += 1;
             let found = escape(&self.view, distance, &self.pose, &self.ground);
-            if found.safe && self.evade(route, &found, conflict) {
+            if found.safe && self.evade(ways, &found, conflict) {
                 return;
             }
             last = Some(found);
         }
         if let Some(found) = last {
-            self.put_off(route, &found, conflict);
+            self.put_off(ways, &found, conflict);
         }
     }
 
@@ -167,7 +170,7 @@ impl Journey {
     }
 
     /// A detour, or else a new way, that keeps away from everything: the one that is at the goal first.
-    fn around(&mut self, route: &mut dyn Route, distance: Distance, conflict: Conflict) -> bool {
+    fn around(&mut self, ways: &mut Ways, distance: Distance, conflict: Conflict) -> bool {
         let rest: Vec<usize> = self.plan.left().iter().map(|step| step.cell).collect();
         for detour in [true, false] {
             let mut blockers = vec![conflict];
@@ -175,7 +178,7 @@ impl Journey {
                 self.occupy(&blockers);
                 let (mut best, mut other): (Option<Offer>, _) = (None, None);
                 for origin in self.origins() {
-                    let Some((way, local_goal)) = self.way(route, origin, detour.then_some((&rest[..], conflict.step))) else {
+                    let Some((way, local_goal)) = self.way(ways, origin, detour.then_some((&rest[..], conflict.step))) else {
                         continue;
                     };
                     let plan = plan(&self.ground.cells, &self.ground.endpoints, &way);
@@ -214,12 +217,12 @@ impl Journey {
 
     /// A way from a cell to the goal round the occupied cells. `along`: the cells of the planned way that are left, and the
     /// one at which it meets an obstacle; then the way comes back to the first free one beyond it.
-    fn way(&self, route: &mut dyn Route, origin: usize, along: Option<(&[usize], usize)>) -> Option<(Vec<usize>, Option<usize>)> {
+    fn way(&self, ways: &mut Ways, origin: usize, along: Option<(&[usize], usize)>) -> Option<(Vec<usize>, Option<usize>)> {
         let Some((rest, met)) = along else {
-            return Some((route.replan(&self.occupied, origin)?, None));
+            return Some((ways.replan(&self.occupied, origin)?, None));
         };
         let beyond = (met + 1..rest.len()).find(|&i| !self.occupied[rest[i]])?;
-        let mut way = route.detour(&self.occupied, origin, rest[beyond])?;
+        let mut way = ways.detour(&self.occupied, origin, rest[beyond])?;
         way.extend(&rest[beyond + 1..]);
         // Where the detour meets what is left of the planned way elsewhere, what is in between is no way to anywhere.
         let way = without_loops(&way);
@@ -290,8 +293,8 @@ impl Journey {
         safe
     }
 
-    fn evade(&mut self, route: &mut dyn Route, found: &Escape, conflict: Conflict) -> bool {
-        let taken = self.follow(route, found);
+    fn evade(&mut self, ways: &mut Ways, found: &Escape, conflict: Conflict) -> bool {
+        let taken = self.follow(ways, found);
         if taken {
             self.cornered = false;
             if !std::mem::replace(&mut self.evading, true) {
@@ -308,7 +311,7 @@ impl Journey {
     }
 
     /// Nothing is safe: what is so for longest.
-    fn put_off(&mut self, route: &mut dyn Route, found: &Escape, conflict: Conflict) {
+    fn put_off(&mut self, ways: &mut Ways, found: &Escape, conflict: Conflict) {
         if !std::mem::replace(&mut self.cornered, true) {
             let said = message!(
                 "drive-cornered",
@@ -317,15 +320,15 @@ impl Journey {
             );
             self.tell("cornered", Some(conflict.obstacle), said);
         }
-        self.follow(route, found);
+        self.follow(ways, found);
     }
 
     /// Takes the steps of an escape, and from their end the way to the goal.
-    fn follow(&mut self, route: &mut dyn Route, found: &Escape) -> bool {
+    fn follow(&mut self, ways: &mut Ways, found: &Escape) -> bool {
         let mut all = found.steps.clone();
         let from = all.last().map_or(self.pose.between[1], |step| step.cell);
         self.occupied.fill(false);
-        let Some(way) = route.replan(&self.occupied, from) else {
+        let Some(way) = ways.replan(&self.occupied, from) else {
             return false;
         };
         all.extend(steps(&self.ground.cells, &self.ground.endpoints, &way));

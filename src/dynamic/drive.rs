@@ -4,7 +4,12 @@ use std::sync::Arc;
 
 use crate::kernel::{Progress, State, Status, Track};
 
-use super::{body::Body, ground::Ground, journey::Journey, route::Route};
+use super::{
+    body::Body,
+    ground::Ground,
+    journey::Journey,
+    route::{Open, Route, Ways},
+};
 
 /// A plan, then a drive.
 #[derive(Clone, State)]
@@ -13,6 +18,11 @@ pub(super) struct Dynamic {
     pub(super) ground: Arc<Ground>,
     pub(super) route: Box<dyn Route>,
     pub(super) journey: Option<Journey>,
+    /// What the drive has asked for in this period, and what it waits for: nothing between two periods.
+    #[state(skip)]
+    pub(super) found: Vec<Option<Vec<usize>>>,
+    #[state(shared)]
+    pub(super) waits: Option<Open>,
     /// Planning found no way.
     pub(super) lost: bool,
     pub(super) iteration: u64,
@@ -28,6 +38,32 @@ impl Dynamic {
             Some(way) => self.journey = Some(Journey::new(&self.ground, &way)),
             None => self.lost = true,
         }
+    }
+
+    /// A period of the drive, or a part of one. A period that waits for a way is carried out anew when there is one: until then the drive
+    /// is where it was.
+    pub(super) fn drive(&mut self) -> Progress {
+        let Some(journey) = &mut self.journey else {
+            return Progress::Continue;
+        };
+        let over = match &mut self.waits {
+            None => true,
+            Some(Open::Way) => self.route.go_on().map(|way| self.found.push(way)).is_ready(),
+            Some(Open::Ahead(ahead)) => ahead.go_on(&self.ground).map(|all| self.ground.ahead.set(all)).is_ready(),
+        };
+        if !over {
+            return Progress::Partly;
+        }
+        self.waits = None;
+        let before = self.route.is_long().then(|| journey.clone());
+        let mut ways = Ways { route: &mut *self.route, found: &mut self.found, asked: 0, open: None };
+        journey.step(&mut ways, self.iteration + 1);
+        if let (Some(open), Some(before)) = (ways.open, before) {
+            (*journey, self.waits) = (before, Some(open));
+            return Progress::Partly;
+        }
+        self.found.clear();
+        Progress::Continue
     }
 
     pub(super) fn progress(&self) -> Progress {

@@ -4,18 +4,19 @@ use std::{
     cmp::Reverse,
     collections::BinaryHeap,
     sync::{Arc, OnceLock},
+    task::Poll,
 };
 
 use crate::{
     geometry::{Cells, Endpoints},
-    kernel::{Border, Error},
+    kernel::{Border, Error, Part},
     math::Length,
     message,
     params::Parameters,
     scene::{GridScene, Motion, Scene},
 };
 
-use super::{body::Body, parameters::PERIOD};
+use super::{a_star::PORTION, body::Body, parameters::PERIOD, route::complete};
 
 /// How often a second an obstacle may bounce to and fro: what goes faster is everywhere at once, and takes as long to follow.
 pub(super) const BOUNCES: f64 = 100.0;
@@ -51,29 +52,58 @@ impl Ground {
         })
     }
 
-    /// Seconds from a cell to the goal without turns, by Dijkstra's search from the goal; infinite where no way leads.
+    /// Whether a search over all cells may take more than a part of a step.
+    pub(super) fn is_large(&self) -> bool {
+        self.cells.len() > Part::at_most(PORTION)
+    }
+
+    /// Seconds from a cell to the goal without turns; infinite where no way leads.
     pub(super) fn ahead(&self, cell: usize) -> f64 {
         let all = || {
-            let cells = &self.cells;
-            let mut best = vec![f64::INFINITY; cells.len()];
-            let mut open = BinaryHeap::from([(Reverse(Length(0.0)), self.endpoints.goal)]);
-            best[self.endpoints.goal] = 0.0;
-            while let Some((Reverse(Length(length)), at)) = open.pop() {
-                if length > best[at] {
-                    continue;
-                }
-                for d in (0..8).filter(|d| cells.moves(at) >> d & 1 != 0) {
-                    let (next, to) = (cells.next(at, d), length + if d & 1 == 0 { 1.0 } else { std::f64::consts::SQRT_2 });
-                    if to < best[next] {
-                        best[next] = to;
-                        open.push((Reverse(Length(to)), next));
-                    }
-                }
-            }
-            best.iter_mut().for_each(|length| *length *= cells.side / self.body.speed);
-            best
+            let mut search = Ahead::new(self);
+            complete(|| search.go_on(self))
         };
         self.ahead.get_or_init(all)[cell]
+    }
+}
+
+/// Dijkstra's search from the goal for the seconds from all cells to it.
+#[derive(Clone)]
+pub(super) struct Ahead {
+    /// In cells' sides.
+    best: Vec<f64>,
+    open: BinaryHeap<(Reverse<Length>, usize)>,
+}
+
+impl Ahead {
+    pub(super) fn new(ground: &Ground) -> Self {
+        let goal = ground.endpoints.goal;
+        let mut best = vec![f64::INFINITY; ground.cells.len()];
+        best[goal] = 0.0;
+        Self { best, open: BinaryHeap::from([(Reverse(Length(0.0)), goal)]) }
+    }
+
+    /// Goes on with a part of the search.
+    pub(super) fn go_on(&mut self, ground: &Ground) -> Poll<Vec<f64>> {
+        let cells = &ground.cells;
+        for _ in 0..Part::at_most(PORTION) {
+            let Some((Reverse(Length(length)), at)) = self.open.pop() else {
+                let mut seconds = std::mem::take(&mut self.best);
+                seconds.iter_mut().for_each(|length| *length *= cells.side / ground.body.speed);
+                return Poll::Ready(seconds);
+            };
+            if length > self.best[at] {
+                continue;
+            }
+            for d in (0..8).filter(|d| cells.moves(at) >> d & 1 != 0) {
+                let (next, to) = (cells.next(at, d), length + if d & 1 == 0 { 1.0 } else { std::f64::consts::SQRT_2 });
+                if to < self.best[next] {
+                    self.best[next] = to;
+                    self.open.push((Reverse(Length(to)), next));
+                }
+            }
+        }
+        Poll::Pending
     }
 }
 

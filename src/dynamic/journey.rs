@@ -16,7 +16,7 @@ use crate::{
 use super::{
     body::{Deed, Plan, Pose, Stretch, same},
     ground::Ground,
-    route::{Route, plan},
+    route::{Ways, plan},
     world::{Distance, View},
 };
 
@@ -124,8 +124,8 @@ impl Journey {
         journey
     }
 
-    /// One period, or less if it arrives.
-    pub fn step(&mut self, route: &mut dyn Route, iteration: u64) {
+    /// One period, or less if it arrives. It has no meaning if it waits for something in the end.
+    pub fn step(&mut self, ways: &mut Ways, iteration: u64) {
         self.iteration = iteration;
         if self.now == 0.0 {
             let (length, n) = (self.length_of(self.left()), self.turns_left());
@@ -144,7 +144,10 @@ impl Journey {
             self.watch(&moment);
         }
         self.look();
-        self.think(route);
+        self.think(ways);
+        if ways.open.is_some() {
+            return;
+        }
         self.advance();
         if let Some(goal) = self.local_goal.filter(|&goal| self.pose.between == [goal; 2]) {
             self.local_goal = None;

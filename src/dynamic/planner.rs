@@ -41,7 +41,7 @@ pub(super) fn start(start: &Start, route: impl FnOnce(&Arc<Ground>) -> Result<Bo
     let driving = (most / ground.period).ceil() as u64;
     // Where there are planning steps the parameter `iterations` counts these; otherwise it counts driving periods.
     let limit = if planning > 0 { planning + driving } else { driving.min(settings[ITERATIONS]) };
-    let mut dynamic = Dynamic { ground, route, journey: None, lost: false, iteration: 0, most };
+    let mut dynamic = Dynamic { ground, route, journey: None, found: Vec::new(), waits: None, lost: false, iteration: 0, most };
     let drive = Stage { name: "drive", title: message!("drive-stage", "Drive"), end: None };
     let mut stages = vec![drive];
     if planning == 0 {
@@ -56,13 +56,13 @@ pub(super) fn start(start: &Start, route: impl FnOnce(&Arc<Ground>) -> Result<Bo
 
 impl Planner for Dynamic {
     fn advance(&mut self) -> Progress {
-        if self.journey.is_none() && self.route.step() == Progress::Partly {
+        let plans = self.journey.is_none();
+        let progress = if plans { self.route.step() } else { self.drive() };
+        if progress == Progress::Partly {
             return Progress::Partly;
         }
         self.iteration += 1;
-        if let Some(journey) = &mut self.journey {
-            journey.step(&mut *self.route, self.iteration);
-        } else if self.iteration >= self.route.steps() {
+        if plans && self.iteration >= self.route.steps() {
             self.set_out();
         }
         self.progress()

@@ -1,11 +1,16 @@
 //! Who plans the ways: before the drive, and again when something is in the way. What the drives differ in.
 
+use std::task::Poll;
+
 use crate::{
     geometry::{Cells, Endpoints},
     kernel::{Frame, Inspection, Item, Progress, State},
 };
 
-use super::body::{Plan, Step};
+use super::{
+    body::{Plan, Step},
+    ground::{Ahead, Ground},
+};
 
 /// A planner of ways over cells, some of which may be occupied for the time being.
 pub(super) trait Route: State + Send {
@@ -25,13 +30,17 @@ pub(super) trait Route: State + Send {
     fn shortest(&self) -> Option<f64> {
         None
     }
-    /// A way from one cell to another, both of the planned way, that enters no occupied cell: round what is in between.
-    /// `None` from those who do not take detours.
-    fn detour(&mut self, _occupied: &[bool], _from: usize, _to: usize) -> Option<Vec<usize>> {
-        None
+    /// Begins to look for a way from one cell to another, both of the planned way, that enters no occupied cell: round what is
+    /// in between. False from those who do not take detours.
+    fn detour(&mut self, _occupied: &[bool], _from: usize, _to: usize) -> bool {
+        false
     }
-    /// A new way to the goal that enters no occupied cell.
-    fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>>;
+    /// Begins to look for a new way to the goal that enters no occupied cell.
+    fn replan(&mut self, occupied: &[bool], from: usize);
+    /// Goes on with a part of that: the way if it is found, `None` if there is none.
+    fn go_on(&mut self) -> Poll<Option<Vec<usize>>>;
+    /// Whether to find a way may take more than a part of a step.
+    fn is_long(&self) -> bool;
     /// Draws what lies under the drive; `driving`: the drive has begun.
     fn draw(&self, _driving: bool, _frame: &mut Frame) {}
     /// What can be said of an item of its layers.
@@ -40,6 +49,79 @@ pub(super) trait Route: State + Send {
     }
     /// The same once more.
     fn copy(&self) -> Box<dyn Route>;
+}
+
+/// Goes on until there is an answer.
+pub(super) fn complete<T>(mut go_on: impl FnMut() -> Poll<T>) -> T {
+    loop {
+        if let Poll::Ready(answer) = go_on() {
+            return answer;
+        }
+    }
+}
+
+/// What the robot asks for in a period. Where looking for a way takes long the period is carried out anew after each, with what was
+/// found so far.
+pub(super) struct Ways<'a> {
+    pub(super) route: &'a mut dyn Route,
+    /// What was found in this period, in the order in which it is asked for, and how much of that was asked for again.
+    pub(super) found: &'a mut Vec<Option<Vec<usize>>>,
+    pub(super) asked: usize,
+    /// What the period waits for: what comes of it until then does not count.
+    pub(super) open: Option<Open>,
+}
+
+/// What takes long to find.
+#[derive(Clone)]
+pub(super) enum Open {
+    /// A way, see [`Route::go_on`].
+    Way,
+    /// How far ahead of each cell the goal is.
+    Ahead(Ahead),
+}
+
+impl Ways<'_> {
+    /// See [`Route::detour`].
+    pub(super) fn detour(&mut self, occupied: &[bool], from: usize, to: usize) -> Option<Vec<usize>> {
+        self.ask(|route| route.detour(occupied, from, to))
+    }
+
+    /// See [`Route::replan`].
+    pub(super) fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
+        self.ask(|route| {
+            route.replan(occupied, from);
+            true
+        })
+    }
+
+    /// Whether it is known how far ahead of each cell the goal is; otherwise the period waits for it.
+    pub(super) fn knows_ahead(&mut self, ground: &Ground) -> bool {
+        if self.open.is_none() && self.route.is_long() && ground.ahead.get().is_none() {
+            self.open = Some(Open::Ahead(Ahead::new(ground)));
+        }
+        self.open.is_none()
+    }
+
+    fn ask(&mut self, begin: impl FnOnce(&mut dyn Route) -> bool) -> Option<Vec<usize>> {
+        if self.open.is_some() {
+            return None;
+        }
+        if self.asked == self.found.len() {
+            let found = if !begin(self.route) {
+                None
+            } else if !self.route.is_long() {
+                complete(|| self.route.go_on())
+            } else if let Poll::Ready(found) = self.route.go_on() {
+                found
+            } else {
+                self.open = Some(Open::Way);
+                return None;
+            };
+            self.found.push(found);
+        }
+        self.asked += 1;
+        self.found[self.asked - 1].clone()
+    }
 }
 
 impl Clone for Box<dyn Route> {

@@ -1,9 +1,9 @@
-use std::sync::Arc;
+use std::{collections::BTreeSet, sync::Arc};
 
 use crate::{
     Run, Scene, Setup, Status, Value,
     describe::{Entries, Entry, Start},
-    kernel::{Border, Error, Event, Solution, Track},
+    kernel::{Border, Error, Event, Solution, Stepped, Track, part::with_parts_of},
     params::{Overrides, Parameters},
     run::Outcome,
     scene::GridScene,
@@ -377,4 +377,37 @@ fn the_printed_path_is_driven_as_printed() {
     assert!((reading("time") - 38.142_135_623_731).abs() < 1e-9 && reading("collisions") == 0.0, "{:?}", outcome.readings);
     let refused = Run::with_keyframes(standard(), setup(crate::shipped("crossing").unwrap()), 0).err().unwrap().to_string();
     assert!(refused.contains("path") && refused.contains("published.path_cells"), "{refused}");
+}
+
+/// To find a way may take long: the period is divided, and carried out anew with what was found.
+#[test]
+fn a_period_that_looks_for_a_way_is_divided() {
+    let sizes: Overrides = [("columns", 15.0), ("rows", 15.0), ("share", 0.1), ("moving", 20.0)]
+        .into_iter()
+        .map(|(name, value)| (name, Value::from(value)))
+        .collect();
+    let scene = Arc::new(standard().generate("random", &sizes, 4).unwrap());
+    for (planner, looks) in
+        [("wolf-ant-drive", &["detour", "evade"][..]), ("a-star-drive", &["replan"]), ("d-star-lite-drive", &["replan", "evade"])]
+    {
+        let few = [("iterations", Value::from(3.0)), ("ants", Value::from(4.0))];
+        let params = if planner == "wolf-ant-drive" { &few[..] } else { &[] };
+        let [mut whole, mut run] = [(); 2].map(|()| start(planner, &scene, params, 1));
+        let mut divided = BTreeSet::new();
+        loop {
+            match with_parts_of(1, || run.part()) {
+                Stepped::Whole => {}
+                Stepped::Partly => drop(divided.insert(run.iteration() + 1)),
+                Stepped::Not => break,
+            }
+        }
+        let outcome = run.outcome();
+        for &kind in looks {
+            let mut looked = outcome.events.iter().filter(|event| event.kind == kind).peekable();
+            assert!(looked.peek().is_some(), "{planner}: no {kind}");
+            assert!(looked.all(|event| divided.contains(&event.iteration)), "{planner}: {kind} in one piece");
+        }
+        whole.step(u64::MAX);
+        assert_eq!(run.hash(), whole.hash(), "{planner}");
+    }
 }

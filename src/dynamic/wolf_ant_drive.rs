@@ -1,9 +1,9 @@
 //! `wolf-ant-drive`: ants plan, the robot drives, and pheromone leads it round moving obstacles, [WOLF-ANT](crate#papers) §5.3.
 
-use std::{any::Any, sync::Arc};
+use std::{any::Any, sync::Arc, task::Poll};
 
 use crate::{
-    ants::{COLONIES, Colony, aco_wolf},
+    ants::{COLONIES, Colony, Scouts, aco_wolf},
     describe::{Entry, PAPER, Start, layers},
     kernel::{Error, Explain, Frame, Inspection, Item, Planner, Progress, Started, State, rng::Stream},
     message,
@@ -49,6 +49,9 @@ struct Ants {
     rng: Stream,
     /// How many of those have set out.
     scouts: u64,
+    /// Those that are under way.
+    #[state(skip)]
+    under_way: Option<Scouts>,
     /// For a new way where the pheromone gives none.
     search: AStar,
 }
@@ -74,12 +77,29 @@ impl Route for Ants {
         self.colony.length()
     }
 
-    fn detour(&mut self, occupied: &[bool], from: usize, to: usize) -> Option<Vec<usize>> {
-        self.colony.scouts(occupied, from, to, &mut self.rng, &mut self.scouts)
+    fn detour(&mut self, occupied: &[bool], from: usize, to: usize) -> bool {
+        self.under_way = self.colony.scouts(occupied, from, to, &self.rng);
+        self.under_way.is_some()
     }
 
-    fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
-        self.search.way(occupied, from, self.ground.endpoints.goal)
+    fn replan(&mut self, occupied: &[bool], from: usize) {
+        self.search.begin(occupied, from, self.ground.endpoints.goal);
+    }
+
+    fn go_on(&mut self) -> Poll<Option<Vec<usize>>> {
+        let Some(scouts) = &mut self.under_way else {
+            return self.search.go_on();
+        };
+        let found = scouts.go_on();
+        if found.is_ready() {
+            (self.rng, self.scouts) = (scouts.rng(), self.scouts + scouts.sent());
+            self.under_way = None;
+        }
+        found
+    }
+
+    fn is_long(&self) -> bool {
+        self.ground.is_large() || self.colony.sends_many()
     }
 
     fn draw(&self, driving: bool, frame: &mut Frame) {
@@ -129,6 +149,7 @@ fn start(start: &Start) -> Result<Started, Error> {
             steps: if colony.is_reachable() { start.parameters[ITERATIONS] } else { 0 },
             rng: Stream::new(start.seed, 1),
             scouts: 0,
+            under_way: None,
             search: AStar::new(&ground.cells),
             ground: Arc::clone(ground),
             colony: Arc::new(colony),

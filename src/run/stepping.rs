@@ -74,8 +74,8 @@ impl Run {
     /// Does a part of a step. A caller that repeats it can stop between two parts; the run is the same. Subtasks are carried out one
     /// after another; a part of a subtask's step, or up to eight short ones, are a part of the step.
     ///
-    /// A part is mostly a whole step or about a tenth of a second of work. What a planner does not divide takes longer, e.g. the start of a
-    /// search for tours after its last road, which may improve all initial tours, and a driving period in which a route is planned.
+    /// A part is a whole step or up to about a tenth of a second of work. What cannot be divided takes longer: the start of a run, and one
+    /// member of a search in the largest scenes, e.g. a bat that improves a tour of 2000 stops.
     ///
     /// Between the parts iteration and status are those before the step; what is drawn and read is the planner's state within it.
     pub fn part(&mut self) -> Stepped {

@@ -82,7 +82,10 @@ struct Bat {
 struct Bats {
     #[state(shared)]
     problem: Arc<Problem>,
+    /// They enter one after another, in the first parts of the search.
     swarm: Vec<Bat>,
+    #[state(shared)]
+    population: usize,
     best: Tour,
     /// ε and λ.
     #[state(shared)]
@@ -114,34 +117,16 @@ struct Bats {
     polish: bool,
 }
 
-fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Bats {
+fn begin(problem: &Arc<Problem>, settings: &Parameters, rng: Stream) -> Bats {
     let first = Tour::first(problem);
     let polish = settings[POLISH];
-    let mut local = (polish || settings[LOCAL_SEARCH]).then(|| Kicks::new(problem));
-    let last_move =
-        LastMove { range: Range::None, hamming: 0, tries: 0, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
-    let bats: Vec<_> = (0..settings[POPULATION])
-        .map(|_| {
-            let mut tour = first.clone();
-            if polish {
-                tour = nearest_neighbour(problem, &mut rng);
-            } else {
-                moves::shuffle(&mut tour.row, &mut rng);
-                tour.settle(problem);
-            }
-            if let Some(kicks) = &mut local {
-                kicks.polish(&mut tour);
-            }
-            // Reading: a loudness of 1 would never accept.
-            Bat { tour, loudness: rng.between(0.5, 1.0), pulse_rate: rng.unit(), last_move }
-        })
-        .collect();
-    let best = bats.iter().map(|bat| &bat.tour).reduce(|best, tour| if tour.length < best.length { tour } else { best });
-    Bats {
+    let population = settings[POPULATION] as usize;
+    let mut bats = Bats {
         problem: Arc::clone(problem),
-        best: best.unwrap_or(&first).clone(),
-        evaluations: bats.len() as u64,
-        swarm: bats,
+        best: first.clone(),
+        evaluations: 0,
+        swarm: Vec::with_capacity(population),
+        population,
         epsilon: settings[EPSILON],
         lambda: settings[LAMBDA],
         t: 0,
@@ -152,12 +137,33 @@ fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Bats
         kept: first,
         places: vec![0; problem.n + 1],
         always: settings[REPLACES_ALWAYS],
-        local,
+        local: (polish || settings[LOCAL_SEARCH]).then(|| Kicks::new(problem)),
         polish,
-    }
+    };
+    bats.enter();
+    bats
 }
 
 impl Bats {
+    /// The next bats with their first tours.
+    fn enter(&mut self) {
+        let last_move =
+            LastMove { range: Range::None, hamming: 0, tries: 0, gain: 0.0, local: Local::Passed, candidate: f64::NAN, local_gain: 0.0 };
+        let first = if self.polish { nearest_neighbour } else { moves::random_tour };
+        for _ in 0..Part::at_most(self.portion()).min(self.population - self.swarm.len()) {
+            let mut tour = first(&self.problem, &mut self.rng);
+            if let Some(kicks) = &mut self.local {
+                kicks.polish(&mut tour);
+            }
+            if self.swarm.is_empty() || tour.length < self.best.length {
+                self.best.copy_from(&tour);
+            }
+            self.evaluations += 1;
+            // Reading: a loudness of 1 would never accept.
+            self.swarm.push(Bat { tour, loudness: self.rng.between(0.5, 1.0), pulse_rate: self.rng.unit(), last_move });
+        }
+    }
+
     /// Far from the best: `tries` times partially matched crossover with it, the best child is kept.
     fn cross(&mut self, i: usize, tries: usize, backwards: bool) {
         let (own, m) = (&self.swarm[i].tour, self.child.len());
@@ -263,6 +269,12 @@ impl Bats {
         }
     }
 
+    /// How many bats are a part of a step: crossovers at half of the places, and what improves a tour.
+    fn portion(&self) -> usize {
+        let (n, improves) = (self.problem.n, if self.local.is_some() { 100 } else { 0 });
+        portion(n * (n / 4 + improves))
+    }
+
     fn mean(&self, of: impl Fn(&Bat) -> f64) -> f64 {
         self.swarm.iter().map(of).sum::<f64>() / self.swarm.len() as f64
     }
@@ -270,16 +282,18 @@ impl Bats {
 
 impl Search for Bats {
     fn step(&mut self) {
+        if self.swarm.len() < self.population {
+            self.enter();
+            return;
+        }
         self.t += u64::from(!self.part.is_under_way());
-        // Crossovers at half of the places, and what improves a tour.
-        let (n, improves) = (self.problem.n, if self.local.is_some() { 100 } else { 0 });
-        for i in self.part.take(portion(n * (n / 4 + improves)), self.swarm.len()) {
+        for i in self.part.take(self.portion(), self.swarm.len()) {
             self.fly(i);
         }
     }
 
     fn progress(&self) -> Progress {
-        self.part.progress()
+        if self.swarm.len() < self.population { Progress::Partly } else { self.part.progress() }
     }
 
     fn evaluations(&self) -> u64 {

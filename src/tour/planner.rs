@@ -19,7 +19,7 @@ use super::{
     parameters::{self, BEST, BUILT, BY_ROAD, DIFFERENT, FAILED, FOUND, ITERATIONS, MEAN, POPULATION, ROADS, SMOOTH},
     problem::{Problem, Tour},
     roads::Network,
-    search::{Begin, lengths, mean},
+    search::{Begin, mean},
     tours::Tours,
 };
 
@@ -56,6 +56,10 @@ pub fn start(start: &Start, own_readings: &'static [Reading], begin: Begin) -> R
     };
     if tours.network.is_none() {
         tours.set_out(Problem::new(scene.get::<TourScene>()?.distances(), tours.round));
+        // A run begins with whole tours.
+        while let Some((_, search)) = tours.search.as_mut().filter(|(_, search)| search.progress() == Progress::Partly) {
+            search.step();
+        }
     }
     let (roads, round, progress) = (tours.road_steps(), tours.round, tours.progress());
     let reference = match &tours.network {
@@ -87,32 +91,26 @@ pub(super) fn check_members(start: &Start, tours: usize) -> Result<(), Error> {
 impl Planner for Tours {
     fn advance(&mut self) -> Progress {
         let roads = self.road_steps();
-        match &mut self.search {
-            None => {
-                self.iteration += 1;
-                self.build();
+        if self.iteration < roads {
+            match &mut self.search {
+                None => self.build(),
+                // The search’s first tours: parts of the step that built the last roads.
+                Some((_, search)) => search.step(),
             }
-            Some((_, search)) => {
-                if search.progress() != Progress::Partly {
-                    self.before = search.best().map(|tour| tour.length);
-                }
-                search.step();
-                if search.progress() == Progress::Partly {
-                    return Progress::Partly;
-                }
-                self.iteration += 1;
-                if search.best().is_some_and(|now| self.before.is_none_or(|before| now.length < before)) {
-                    self.converged = self.iteration - roads;
-                }
-                if search.members() > 0 {
-                    // One alone always agrees with itself: it is held against the best so far.
-                    let so_far = search.best().filter(|_| search.members() == 1).map_or(f64::INFINITY, |best| best.length);
-                    let best = lengths(&**search).fold(so_far, f64::min);
-                    self.settled.note(self.iteration - roads, mean(&**search), best);
-                }
+        } else if let Some((_, search)) = &mut self.search {
+            if search.progress() != Progress::Partly {
+                self.before = search.best().map(|tour| tour.length);
+            }
+            search.step();
+        }
+        let progress = self.progress();
+        if progress != Progress::Partly {
+            self.iteration += 1;
+            if self.iteration > roads {
+                self.note();
             }
         }
-        self.progress()
+        progress
     }
 
     fn evaluations(&self) -> u64 {

@@ -6,7 +6,7 @@ use crate::{
     Overrides, Run, Scene, Setup, Status,
     describe::{Entry, layers},
     exact::Distances,
-    kernel::{Item, TourEnds, rng::Stream},
+    kernel::{Item, Stepped, TourEnds, part::with_parts_of, rng::Stream},
     params::{Domain, Value},
     scene::TourScene,
     shipped, standard,
@@ -35,6 +35,23 @@ fn roads_of_swarms_give_a_feasible_tour() {
             let outcome = run.outcome();
             assert!(outcome.feasible && outcome.gap > Some(0.0), "{roads}, seed {seed}: {:?}", outcome.failure);
         }
+    }
+}
+
+/// Their first tours may take long to find: the step that builds the last roads is divided.
+#[test]
+fn members_enter_one_after_another_when_the_roads_stand() {
+    for (planner, local) in [("bat", ("polish", Value::Flag(true))), ("tour-pso", ("local_search", Value::from("2-opt")))] {
+        let params = [("roads", Value::from("a-star")), ("population", Value::from(7.0)), local];
+        let mut run = run(planner, &shipped("ant-bat-30").unwrap(), &params, 1);
+        let roads = run.stages()[0].end.unwrap();
+        run.step(roads - 1);
+        let mut entered = 0;
+        while with_parts_of(1, || run.part()) == Stepped::Partly {
+            entered += u64::from(run.is_partly());
+        }
+        // The first one enters when the search begins, the last one ends the step.
+        assert_eq!((run.iteration(), entered), (roads, 6), "{planner}");
     }
 }
 

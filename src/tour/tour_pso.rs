@@ -57,7 +57,10 @@ struct Particle {
 struct Swarm {
     #[state(shared)]
     problem: Arc<Problem>,
+    /// They enter one after another, in the first parts of the search.
     particles: Vec<Particle>,
+    #[state(shared)]
+    population: usize,
     best: Tour,
     #[state(shared)]
     w: f64,
@@ -80,37 +83,53 @@ struct Swarm {
     places: Vec<u16>,
 }
 
-fn begin(problem: &Arc<Problem>, settings: &Parameters, mut rng: Stream) -> Swarm {
+fn begin(problem: &Arc<Problem>, settings: &Parameters, rng: Stream) -> Swarm {
     let first = Tour::first(problem);
     let m = first.len();
-    let mut local = (settings[LOCAL_SEARCH]).then(|| LocalSearch::new(problem));
-    let particles: Vec<_> = (0..settings[POPULATION])
-        .map(|_| {
-            let mut tour = moves::random_tour(problem, &mut rng);
-            if let Some(local) = &mut local {
-                local.polish(&mut tour);
-            }
-            Particle { best: tour.clone(), tour, velocity: Vec::with_capacity(m), last_move: LastMove::default() }
-        })
-        .collect();
-    Swarm {
+    let population = settings[POPULATION] as usize;
+    let mut swarm = Swarm {
         problem: Arc::clone(problem),
-        best: moves::shortest(particles.iter().map(|particle| &particle.tour)).unwrap_or(&first).clone(),
+        best: first.clone(),
         w: settings[W],
         c1: settings[C1],
         c2: settings[C2],
-        evaluations: particles.len() as u64,
-        particles,
+        evaluations: 0,
+        particles: Vec::with_capacity(population),
+        population,
         rng,
         part: Part::default(),
         row: first.row,
         list: Vec::with_capacity(3 * m),
         places: vec![0; problem.n + 1],
-        local,
-    }
+        local: (settings[LOCAL_SEARCH]).then(|| LocalSearch::new(problem)),
+    };
+    swarm.enter();
+    swarm
 }
 
 impl Swarm {
+    /// How many particles are a part of a step.
+    fn portion(&self) -> usize {
+        let improves = if self.local.is_some() { 50 } else { 0 };
+        portion(self.problem.n * (10 + improves))
+    }
+
+    /// The next particles with their first tours.
+    fn enter(&mut self) {
+        for _ in 0..Part::at_most(self.portion()).min(self.population - self.particles.len()) {
+            let mut tour = moves::random_tour(&self.problem, &mut self.rng);
+            if let Some(local) = &mut self.local {
+                local.polish(&mut tour);
+            }
+            if self.particles.is_empty() || tour.length < self.best.length {
+                self.best.copy_from(&tour);
+            }
+            self.evaluations += 1;
+            let velocity = Vec::with_capacity(tour.len());
+            self.particles.push(Particle { best: tour.clone(), tour, velocity, last_move: LastMove::default() });
+        }
+    }
+
     /// Adds `share` · (`to` ⊖ tour `i`) to the list: how many swaps those are.
     fn draw_towards(&mut self, i: usize, own: bool, share: f64) -> usize {
         let before = self.list.len();
@@ -169,14 +188,17 @@ impl Swarm {
 
 impl Search for Swarm {
     fn step(&mut self) {
-        let improves = if self.local.is_some() { 50 } else { 0 };
-        for i in self.part.take(portion(self.problem.n * (10 + improves)), self.particles.len()) {
+        if self.particles.len() < self.population {
+            self.enter();
+            return;
+        }
+        for i in self.part.take(self.portion(), self.particles.len()) {
             self.fly(i);
         }
     }
 
     fn progress(&self) -> Progress {
-        self.part.progress()
+        if self.particles.len() < self.population { Progress::Partly } else { self.part.progress() }
     }
 
     fn evaluations(&self) -> u64 {

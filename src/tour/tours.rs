@@ -13,7 +13,7 @@ use crate::{
 use super::{
     problem::{Problem, Stop, Tour},
     roads::Network,
-    search::{Begin, Search},
+    search::{Begin, Search, lengths, mean},
 };
 
 /// Roads, then a tour.
@@ -82,6 +82,23 @@ impl Tours {
                 }
                 None => self.torn = true,
             }
+        }
+    }
+
+    /// Notes what the search's step, which is over, came to.
+    pub(super) fn note(&mut self) {
+        let Some((_, search)) = &self.search else {
+            return;
+        };
+        let step = self.iteration - self.network.as_ref().map_or(0, Network::steps);
+        if search.best().is_some_and(|now| self.before.is_none_or(|before| now.length < before)) {
+            self.converged = step;
+        }
+        if search.members() > 0 {
+            // One alone always agrees with itself: it is held against the best so far.
+            let so_far = search.best().filter(|_| search.members() == 1).map_or(f64::INFINITY, |best| best.length);
+            let best = lengths(&**search).fold(so_far, f64::min);
+            self.settled.note(step, mean(&**search), best);
         }
     }
 
