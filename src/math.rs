@@ -32,7 +32,7 @@ pub fn clamp(x: f64, low: f64, high: f64) -> f64 {
 }
 
 /// A length that can be ordered; lengths here are never NaN.
-#[derive(Clone, PartialEq)]
+#[derive(PartialEq)]
 pub(crate) struct Length(pub f64);
 
 impl Eq for Length {}

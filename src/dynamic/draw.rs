@@ -11,7 +11,7 @@ pub(super) fn draw(dynamic: &Dynamic, frame: &mut Frame) {
     dynamic.route.draw(dynamic.journey.is_some(), frame);
     let ground = &*dynamic.ground;
     let (grid, body) = (&ground.grid, &ground.body);
-    let journey = dynamic.journey.as_ref();
+    let journey = dynamic.journey.as_deref();
     let (now, at) = journey.map_or((0.0, ground.endpoints.ends[0]), |journey| (journey.now, journey.pose.at));
     // What it sees where it is now: the journey's own view is the one before the last period.
     let mut view = View::default();

@@ -17,7 +17,8 @@ pub(super) struct Dynamic {
     #[state(shared)]
     pub(super) ground: Arc<Ground>,
     pub(super) route: Box<dyn Route>,
-    pub(super) journey: Option<Journey>,
+    /// Copies share it until it goes on.
+    pub(super) journey: Option<Arc<Journey>>,
     /// What the drive has asked for in this period, and what it waits for: nothing between two periods.
     #[state(skip)]
     pub(super) found: Vec<Option<Vec<usize>>>,
@@ -35,7 +36,7 @@ impl Dynamic {
     /// The way is planned: the drive begins.
     pub(super) fn set_out(&mut self) {
         match self.route.way() {
-            Some(way) => self.journey = Some(Journey::new(&self.ground, &way)),
+            Some(way) => self.journey = Some(Arc::new(Journey::new(&self.ground, &way))),
             None => self.lost = true,
         }
     }
@@ -55,9 +56,9 @@ impl Dynamic {
             return Progress::Partly;
         }
         self.waits = None;
-        let before = self.route.is_long().then(|| journey.clone());
+        let before = self.route.is_long().then(|| Arc::clone(journey));
         let mut ways = Ways { route: &mut *self.route, found: &mut self.found, asked: 0, open: None };
-        journey.step(&mut ways, self.iteration + 1);
+        Arc::make_mut(journey).step(&mut ways, self.iteration + 1);
         if let (Some(open), Some(before)) = (ways.open, before) {
             (*journey, self.waits) = (before, Some(open));
             return Progress::Partly;

@@ -17,7 +17,7 @@ use super::{
 };
 
 pub(super) fn read(dynamic: &Dynamic, out: &mut Readings) {
-    let journey = dynamic.journey.as_ref();
+    let journey = dynamic.journey.as_deref();
     let number = |of: &dyn Fn(&Journey) -> f64| journey.map_or(0.0, of);
     let planned = journey.map_or(dynamic.route.shortest(), |journey| Some(journey.tally.length + journey.left()));
     out.push(PLANNED, planned.unwrap_or(f64::NAN));
@@ -81,7 +81,7 @@ fn obstacle(dynamic: &Dynamic, item: Item) -> Option<Inspection> {
     let ground = &*dynamic.ground;
     let (grid, body) = (&ground.grid, &ground.body);
     let disc = grid.moving.get(item.index)?;
-    let journey = dynamic.journey.as_ref();
+    let journey = dynamic.journey.as_deref();
     let now = journey.map_or(0.0, |journey| journey.now);
     let (at, going) = journey.map_or((ground.endpoints.ends[0], [0.0; 2]), |journey| (journey.pose.at, journey.velocity()));
     let leg = disc.leg(now, body.border, grid.bounds());

@@ -1,8 +1,6 @@
 //! What never changes during a drive.
 
 use std::{
-    cmp::Reverse,
-    collections::BinaryHeap,
     sync::{Arc, OnceLock},
     task::Poll,
 };
@@ -10,13 +8,12 @@ use std::{
 use crate::{
     geometry::{Cells, Endpoints},
     kernel::{Border, Error, Part},
-    math::Length,
     message,
     params::Parameters,
     scene::{GridScene, Motion, Scene},
 };
 
-use super::{a_star::PORTION, body::Body, parameters::PERIOD, route::complete};
+use super::{a_star::PORTION, body::Body, parameters::PERIOD, queue::Queue, route::complete};
 
 /// How often a second an obstacle may bounce to and fro: what goes faster is everywhere at once, and takes as long to follow.
 pub(super) const BOUNCES: f64 = 100.0;
@@ -72,7 +69,7 @@ impl Ground {
 pub(super) struct Ahead {
     /// In cells' sides.
     best: Vec<f64>,
-    open: BinaryHeap<(Reverse<Length>, usize)>,
+    open: Queue,
 }
 
 impl Ahead {
@@ -80,26 +77,26 @@ impl Ahead {
         let goal = ground.endpoints.goal;
         let mut best = vec![f64::INFINITY; ground.cells.len()];
         best[goal] = 0.0;
-        Self { best, open: BinaryHeap::from([(Reverse(Length(0.0)), goal)]) }
+        let mut open = Queue::new(best.len());
+        open.put(goal, [0; 2]);
+        Self { best, open }
     }
 
     /// Goes on with a part of the search.
     pub(super) fn go_on(&mut self, ground: &Ground) -> Poll<Vec<f64>> {
         let cells = &ground.cells;
         for _ in 0..Part::at_most(PORTION) {
-            let Some((Reverse(Length(length)), at)) = self.open.pop() else {
+            let Some(at) = self.open.pop() else {
                 let mut seconds = std::mem::take(&mut self.best);
                 seconds.iter_mut().for_each(|length| *length *= cells.side / ground.body.speed);
                 return Poll::Ready(seconds);
             };
-            if length > self.best[at] {
-                continue;
-            }
             for d in (0..8).filter(|d| cells.moves(at) >> d & 1 != 0) {
-                let (next, to) = (cells.next(at, d), length + if d & 1 == 0 { 1.0 } else { std::f64::consts::SQRT_2 });
+                let (next, to) = (cells.next(at, d), self.best[at] + if d & 1 == 0 { 1.0 } else { std::f64::consts::SQRT_2 });
                 if to < self.best[next] {
                     self.best[next] = to;
-                    self.open.push((Reverse(Length(to)), next));
+                    // Numbers from 0 on are ordered as their bits are.
+                    self.open.put(next, [to.to_bits(), 0]);
                 }
             }
         }

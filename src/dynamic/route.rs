@@ -83,15 +83,12 @@ pub(super) enum Open {
 impl Ways<'_> {
     /// See [`Route::detour`].
     pub(super) fn detour(&mut self, occupied: &[bool], from: usize, to: usize) -> Option<Vec<usize>> {
-        self.ask(|route| route.detour(occupied, from, to))
+        self.ask(occupied, from, Some(to))
     }
 
     /// See [`Route::replan`].
     pub(super) fn replan(&mut self, occupied: &[bool], from: usize) -> Option<Vec<usize>> {
-        self.ask(|route| {
-            route.replan(occupied, from);
-            true
-        })
+        self.ask(occupied, from, None)
     }
 
     /// Whether it is known how far ahead of each cell the goal is; otherwise the period waits for it.
@@ -102,20 +99,30 @@ impl Ways<'_> {
         self.open.is_none()
     }
 
-    fn ask(&mut self, begin: impl FnOnce(&mut dyn Route) -> bool) -> Option<Vec<usize>> {
+    /// A way round to a cell, or to the goal. Not inlined: it is in none of the hot loops.
+    #[inline(never)]
+    fn ask(&mut self, occupied: &[bool], from: usize, round_to: Option<usize>) -> Option<Vec<usize>> {
         if self.open.is_some() {
             return None;
         }
         if self.asked == self.found.len() {
-            let found = if !begin(self.route) {
-                None
-            } else if !self.route.is_long() {
-                complete(|| self.route.go_on())
-            } else if let Poll::Ready(found) = self.route.go_on() {
-                found
+            let begun = if let Some(to) = round_to {
+                self.route.detour(occupied, from, to)
             } else {
-                self.open = Some(Open::Way);
-                return None;
+                self.route.replan(occupied, from);
+                true
+            };
+            let long = self.route.is_long();
+            let found = loop {
+                match begun.then(|| self.route.go_on()) {
+                    None => break None,
+                    Some(Poll::Ready(found)) => break found,
+                    Some(Poll::Pending) if long => {
+                        self.open = Some(Open::Way);
+                        return None;
+                    }
+                    Some(Poll::Pending) => {}
+                }
             };
             self.found.push(found);
         }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::{
     Overrides, Run, Scene, Setup, Status, Value,
     describe::layers,
-    kernel::{Item, Progress, State, rng::Stream},
-    params::Parameters,
+    kernel::{Item, Progress, State, limits, rng::Stream},
+    params::{Domain, Parameters},
     scene::ARM,
     shipped, standard,
 };
@@ -334,4 +334,25 @@ fn rewiring_makes_ways_shorter_and_informed_samples_stay_where_a_shorter_path_ca
     let mut uninformed = run("rrt-star", "arm-cuboid", &[("iterations", number(3000.0)), ("informed", Value::Flag(false))], 5);
     uninformed.step(u64::MAX);
     assert!(last.cost.unwrap() < uninformed.outcome().cost.unwrap());
+}
+
+/// An iteration adds a node at most, so the most iterations that are allowed bound the memory that a tree takes: in joints as well, where
+/// a node has twice as many numbers.
+#[test]
+fn the_largest_trees_fit_into_memory() {
+    let scene = shipped("arm-cuboid").unwrap();
+    let given = [("step_size", Value::from(1e-3))].into_iter().collect();
+    let settings = Parameters::new(rrt_star::ENTRY.parameters, ARM, &given).unwrap();
+    let mut trees = trees(&scene, &settings, 1, |task| rrt_star::Star::new(task, &settings));
+    let steps = 4000;
+    (0..steps).for_each(|_| {
+        trees.extend();
+    });
+    let nodes = trees.forest.births.len();
+    assert!((steps / 4..=steps + 1).contains(&nodes), "{nodes}");
+    let Domain::Integer { max, .. } = parameters::ITERATIONS.entry().domain else { unreachable!() };
+    // A point, a parent and a length at least.
+    let each = trees.heap_size() / nodes;
+    assert!(each >= 36, "{each}");
+    assert!(2 * each * max as usize <= limits::MEMBERS_BYTES, "{each}");
 }

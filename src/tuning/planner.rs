@@ -5,12 +5,13 @@ use std::sync::Arc;
 use crate::{
     describe::{Start, layers},
     exact::is_reachable,
-    geometry,
+    geometry::{self, Cells, Endpoints},
     kernel::{
         Candidate, Error, Explain, Facets, Frame, Inspection, Item, Planner, Progress, Readings, Recommend, Recommendation,
-        ReferenceOptimum, Shape, Solution, Started, Subtask, SubtaskResult, Subtasks, rng::Stream,
+        ReferenceOptimum, Shape, Solution, Started, Subtask, SubtaskResult, Subtasks, limits, rng::Stream,
     },
     message,
+    params::Parameters,
     scene::GridScene,
 };
 
@@ -32,6 +33,7 @@ pub(super) fn start(start: &Start) -> Result<Started, Error> {
     }
     let grid = scene.get::<GridScene>()?;
     let endpoints = grid.endpoints()?;
+    check_results(grid.cells(), &endpoints, settings)?;
     let population = settings[POPULATION] as usize;
     let mut rng = Stream::new(seed, 0);
     let seeds = (0..settings[SEEDS]).map(|_| rng.below(1 << 31) as u64).collect();
@@ -67,6 +69,18 @@ pub(super) fn start(start: &Start) -> Result<Started, Error> {
     };
     let reachable = is_reachable(grid.cells(), endpoints.start, endpoints.goal);
     Ok(Started::new(tuning, settings[ITERATIONS]).measured_by(ReferenceOptimum::Cells).solvable(reachable))
+}
+
+/// The bytes of a result besides its way, at the most: the same wherever it runs.
+const NUMBERS: usize = 64;
+
+/// Refuses more sets of parameters than there is memory for: each of their runs gives a way, with a corner for each cell, and no way has
+/// fewer cells than one straight to the goal.
+fn check_results(cells: &Cells, endpoints: &Endpoints, settings: &Parameters) -> Result<(), Error> {
+    let [[ax, ay], [bx, by]] = [endpoints.start, endpoints.goal].map(|cell| cells.place(cell));
+    let fewest = 1 + ax.abs_diff(bx).max(ay.abs_diff(by));
+    let way = NUMBERS + fewest * size_of::<[f64; 2]>();
+    limits::check_members(POPULATION.name(), settings[POPULATION], settings[SEEDS] as usize * way)
 }
 
 impl Planner for Tuning {

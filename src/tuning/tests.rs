@@ -148,3 +148,18 @@ fn a_particle_flies_by_the_equation_and_stays_in_its_range() {
     swarm.judge(&[finding(None, 0.0), finding(Some(8.0), 1.0)]);
     assert_eq!((swarm.p_cost[0].length, swarm.p_cost[1].length, swarm.cost[0].length), (7.0, 7.0, f64::INFINITY));
 }
+
+#[test]
+fn more_results_than_there_is_memory_for_are_refused() {
+    let row = ".".repeat(2048);
+    let text = serde_json::json!({
+        "format": "forage-scene", "version": 1, "kind": "grid", "name": "w", "title": "W", "cell": 1, "rows": [row],
+        "start": [0.5, 0.5], "goal": [2047.5, 0.5],
+    });
+    let scene = Arc::new(standard().read_scene(&text.to_string()).unwrap());
+    let params = [("population", 200.0), ("seeds", 100.0)].into_iter().map(|(name, value)| (name, Value::from(value))).collect();
+    let error = Run::new(standard(), Setup { planner: "pso-tuning".into(), scene, params, seed: 1 }).err().unwrap();
+    // Of each of 100 runs: 64 bytes, and 2048 corners of 16.
+    let allowed = "at most 163 where each takes 3283200 bytes of memory";
+    assert_eq!((error.field(), error.value(), &*error.allowed()), ("population", "200", allowed));
+}
