@@ -1,10 +1,13 @@
 import type { Page } from '@playwright/test'
 import { hashOf, linkTo } from './support/core'
 import { en, expect, test } from './support/lab'
+import { scenes } from '../src/i18n/scenes.en'
 
 /* Parts of the core that come late, or not at all. */
 
 const GRID = /grid[^/]*\.wasm$/
+const FILES = /files[^/]*\.wasm$/
+const GENERATORS = /generators[^/]*\.wasm$/
 
 /** The part for grids waits until it is let through. */
 async function hold(page: Page): Promise<() => void> {
@@ -62,4 +65,40 @@ offline('a part that cannot be loaded is said, and loaded when it is tried again
   await lab.restarted()
   const scene = await page.getByTestId('scene').inputValue()
   expect(await lab.seek(7)).toBe(hashOf({ planner: 'a-star', scene }, 7))
+})
+
+offline('what needs a part that cannot be loaded is had when it is tried again: a link, a map, a random map', async ({ lab, page }) => {
+  const unloaded = page.getByTestId('unloaded')
+  const setup = { planner: 'a-star', scene: 'rooms-20' }
+  await page.route(GRID, (route) => route.abort())
+  await lab.open(linkTo(setup, 7))
+  await expect(unloaded).toContainText(en.notices.link(''))
+  // Meanwhile there is something to see.
+  await lab.restarted()
+  await page.unroute(GRID)
+  await page.getByTestId('retry').click()
+  await expect(unloaded).toHaveCount(0)
+  await lab.restarted()
+  expect(await lab.settled(7)).toBe(hashOf(setup, 7))
+
+  await page.route(FILES, (route) => route.abort())
+  const map = Buffer.from('type octile\nheight 3\nwidth 4\nmap\n....\n.@@.\n....\n')
+  await lab.section('scene')
+  await page.getByTestId('scene-file').setInputFiles({ name: 'nook.map', mimeType: 'text/plain', buffer: map })
+  await expect(unloaded).toContainText(scenes.imported.files(''))
+  await page.unroute(FILES)
+  await page.getByTestId('retry').click()
+  await expect(unloaded).toHaveCount(0)
+  await expect(page.getByTestId('scene').locator('option:checked')).toContainText('nook')
+
+  await page.route(GENERATORS, (route) => route.abort())
+  await page.getByTestId('generate').click()
+  const again = page.getByTestId('make-retry')
+  await expect(again).toBeVisible()
+  await expect(page.getByTestId('make')).toBeDisabled()
+  await page.unroute(GENERATORS)
+  await again.click()
+  await expect(again).toHaveCount(0)
+  await page.getByTestId('make').click()
+  await expect(page.getByTestId('generate-dialog')).toHaveCount(0)
 })

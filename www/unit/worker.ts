@@ -68,7 +68,7 @@ export class FakeWorker {
   private playing = false
   private request = 0
   private seeds = 1000
-  /** A part that starts need cannot be loaded. */
+  /** A part that starts and links need cannot be loaded. */
   unloaded = false
 
   constructor(readonly listeners: Listeners) {}
@@ -129,6 +129,7 @@ export class FakeWorker {
     suggest: (setup: UncheckedSetup): Promise<unknown> => this.answer(() => this.refused(setup) ?? { ok: true, value: null }),
     parseLink: (link: string): Promise<unknown> =>
       this.answer(() => {
+        if (this.unloaded) return UNLOADED
         const [planner, on, seed, iteration, hash] = link.split(',')
         const value = { planner, scene: scene(on ?? ''), params: {}, seed: Number(seed), iteration: Number(iteration), hash }
         return { ok: true, value }

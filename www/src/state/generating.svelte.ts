@@ -42,6 +42,9 @@ class Generating {
     this.trouble && !this.generator?.parameters.some(({ name }) => name === this.trouble?.field) ? this.trouble.message : '',
   )
 
+  /** It could not be made only because a part of the core was not loaded: that is asked for once more. */
+  readonly unloaded = $derived(this.trouble?.unloaded ?? false)
+
   private readonly latest = new Latest<Wish>((wish) => this.make(wish))
 
   begin(generators: readonly Generator[]): void {
@@ -70,6 +73,8 @@ class Generating {
     this.seed = seed
     this.ask('')
   }
+
+  retry = (): void => this.ask('')
 
   private ask(changed: string): void {
     const { generator, wanted, seed } = this

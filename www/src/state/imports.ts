@@ -19,10 +19,12 @@ async function take(files: NamedFile[], problem?: number): Promise<void> {
   const answer = await lab.askForScene(async () => lab.api.importScene(files, problem))
   if (!answer) return
   if (!answer.ok) {
-    const { message } = answer.refusal
+    const { refusal } = answer
+    const { message } = refusal
     const names = files.map(({ name }) => name)
     // What is wrong within a scene is told by its fields.
-    lab.notice = scenes.imported.files(names.some((name) => message.includes(name)) ? message : `${names.join(', ')}: ${message}`)
+    const named = refusal.unloaded || names.some((name) => message.includes(name))
+    lab.warn(refusal, scenes.imported.files(named ? message : `${names.join(', ')}: ${message}`), () => take(files, problem))
     return
   }
   const { scene, notes, problems } = answer.value

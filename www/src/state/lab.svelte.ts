@@ -15,6 +15,7 @@ import { missing, stageAt } from './stages'
 import { suits } from './stops'
 import { Suggested } from './suggested.svelte'
 import { stillness } from './theme.svelte'
+import { worded } from './transport.svelte'
 import { views } from './views.svelte'
 import { Visible } from './visible.svelte'
 
@@ -29,6 +30,12 @@ export interface Tuned {
 export type Phase = 'loading' | 'ready' | 'crashed'
 /** Which optimum results are measured by. Only in a grid and of tours there is more than one. */
 export type Yardstick = 'plain' | Outcome['exact_by']
+
+/** A part of the core could not be loaded: what follows from it, in words, and what asks again. */
+interface Unloaded {
+  message: string
+  ask(): Promise<unknown>
+}
 
 /** Everything the page knows. Components read it and call its methods; nothing else holds state of the run. */
 export class Lab extends Inspecting {
@@ -56,10 +63,10 @@ export class Lab extends Inspecting {
   readonly visible = new Visible()
   readonly suggested = new Suggested()
   sceneError = $state.raw<Refusal | null>(null)
-  /** Why a part of the core that the newest run needs could not be loaded. */
-  unloaded = $state('')
+  unloaded = $state.raw<Unloaded | null>(null)
+  private readonly startAgain = (): Promise<void> => this.restart(this.requested)
   /** The newest run did not start: what runs is the run of before. */
-  readonly failed = $derived(this.sceneError !== null || this.unloaded !== '')
+  readonly failed = $derived(this.sceneError !== null || this.unloaded?.ask === this.startAgain)
   notice = $state('')
   /** A random map is being made. */
   making = $state(false)
@@ -119,7 +126,12 @@ export class Lab extends Inspecting {
   private resumes = false
 
   /** Once more, after a part could not be loaded. */
-  retry = (): Promise<void> => this.restart(this.requested)
+  retry = async (): Promise<void> => {
+    const { unloaded } = this
+    await unloaded?.ask()
+    // Otherwise it has failed again.
+    if (this.unloaded === unloaded) this.unloaded = null
+  }
 
   /** Starts a thread. After a crash, or in place of another one, it begins with what the user had made, where it was wanted last. */
   async open(): Promise<void> {
@@ -166,7 +178,7 @@ export class Lab extends Inspecting {
       async () => this.api.parseLink(link),
       (answer) => {
         opened = answer.ok
-        if (!answer.ok) this.notice = en.notices.link(answer.refusal.message)
+        if (!answer.ok) this.warn(answer.refusal, en.notices.link(answer.refusal.message), () => this.openLink(link))
         else if (!this.requests.replaced(request, 'setup')) this.openSetup(answer.value, request)
       },
     )
@@ -225,7 +237,8 @@ export class Lab extends Inspecting {
     if (!scene || this.phase !== 'ready') return
     const setup = this.setup(scene, this.params)
     const request = requests.note('run')
-    const answer = await this.client.api.start(setup, opening, request)
+    const answer = worded(await this.client.api.start(setup, opening, request))
+    if (this.unloaded?.ask === this.startAgain) this.unloaded = null
     if (!answer.ok) {
       this.refuse(answer.refusal)
       return
@@ -233,7 +246,6 @@ export class Lab extends Inspecting {
     void this.suggested.ask(this.api, setup, this.scene?.kind)
     this.run = answer.value
     this.sceneError = null
-    this.unloaded = ''
     // Pictures and requests may have overtaken the answer.
     const { limit, generation } = answer.value
     const settled = this.frame?.generation === generation && this.frame.report?.settledHash != null
@@ -260,15 +272,22 @@ export class Lab extends Inspecting {
   )
 
   private refuse(refusal: Refusal): void {
-    this.unloaded = refusal.unloaded ? refusal.message : ''
-    if (refusal.unloaded) this.sceneError = null
-    else if (this.planner?.parameters.some(({ name }) => name === refusal.field)) {
+    if (refusal.unloaded) {
+      this.sceneError = null
+      this.warn(refusal, refusal.message, this.startAgain)
+    } else if (this.planner?.parameters.some(({ name }) => name === refusal.field)) {
       this.paramErrors = { ...this.paramErrors, [refusal.field]: refusal.message }
       // What runs is still the run of before.
       this.outdated = false
     } else {
       this.sceneError = refusal
     }
+  }
+
+  /** Says what was refused; where nothing was but a part could not be loaded, `ask` is offered. */
+  warn(refusal: Refusal, message: string, ask: () => Promise<unknown>): void {
+    if (refusal.unloaded) this.unloaded = { message, ask }
+    else this.notice = message
   }
 
   private breakDown(message: string): void {

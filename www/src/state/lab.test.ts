@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 import { FakeWorker, passed, scene } from '../../unit/worker'
+import { en } from '../i18n/en'
 import { Lab } from './lab.svelte'
 import { gone } from './transport.svelte'
 
@@ -397,9 +398,21 @@ test('a part that cannot be loaded is no fault of the scene, and is tried again'
   worker.unloaded = true
   lab.setPlanner('pso')
   await worker.receiveAll()
-  expect([lab.unloaded, lab.sceneError, lab.stale]).toEqual(['Failed to fetch', null, true])
+  expect([lab.unloaded?.message, lab.sceneError, lab.stale]).toEqual([en.notices.unloaded('Failed to fetch'), null, true])
   worker.unloaded = false
   void lab.retry()
   await atRest(0)
-  expect([lab.unloaded, worker.state.planner]).toEqual(['', 'pso'])
+  expect([lab.unloaded, worker.state.planner]).toEqual([null, 'pso'])
+})
+
+test('a link whose part cannot be loaded is opened when it is tried again', async () => {
+  worker.unloaded = true
+  void lab.openLink('pso,sphere,7,3')
+  await worker.receiveAll()
+  const message = en.notices.link(en.notices.unloaded('Failed to fetch'))
+  expect([lab.unloaded?.message, lab.notice, lab.failed, lab.plannerName]).toEqual([message, '', false, 'wcpso'])
+  worker.unloaded = false
+  void lab.retry()
+  await atRest(3)
+  expect([lab.unloaded, worker.state.planner, worker.state.seed]).toEqual([null, 'pso', 7])
 })

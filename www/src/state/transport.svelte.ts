@@ -1,5 +1,5 @@
 import { en } from '../i18n/en'
-import type { FrameMessage, Opening, ProgressMessage } from '../worker/protocol'
+import type { Answer, FrameMessage, Opening, ProgressMessage, Refusal } from '../worker/protocol'
 import type { Client } from './client'
 import type { Followers } from './followers.svelte'
 import { Requests } from './requests'
@@ -12,6 +12,13 @@ const unlessGone = (error: unknown): null => {
   if (error !== gone) throw error
   return null
 }
+
+const isUnloaded = (answer: unknown): answer is { ok: false; refusal: Refusal } =>
+  typeof answer === 'object' && answer !== null && (answer as Partial<Extract<Answer<unknown>, { ok: false }>>).refusal?.unloaded === true
+
+/** An answer as it is shown: where a part could not be loaded, the reason is the browser's. */
+export const worded = <T>(answer: T): T =>
+  isUnloaded(answer) ? { ...answer, refusal: { ...answer.refusal, message: en.notices.unloaded(answer.refusal.message) } } : answer
 
 /** What a thread has not answered is settled once it is left: asked again, or given up. */
 function leaving(): { left: Promise<null>; again(): void; giveUp(): void } {
@@ -67,7 +74,7 @@ export abstract class Transport extends Scenes {
   private async answered<T>(ask: () => Promise<T>): Promise<T> {
     for (;;) {
       const answer = await Promise.race([ask().then((value) => ({ value })), this.leaving.left])
-      if (answer) return answer.value
+      if (answer) return worded(answer.value)
     }
   }
 
