@@ -9,13 +9,10 @@ use crate::{
 };
 
 use super::{
+    parts::{PORTION, complete},
     queue::Queue,
-    route::complete,
     steps::{NEVER, all_next, octile, ordered, previous, shorter, straightest, sum},
 };
-
-/// How many cells are settled in a part of a search: about a twentieth of a second.
-pub(super) const PORTION: usize = 50_000;
 
 /// A shortest way over cells of which some are occupied. The robot may stand on an occupied cell and leave it; it enters
 /// none.

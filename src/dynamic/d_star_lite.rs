@@ -9,9 +9,8 @@ use crate::{
 };
 
 use super::{
-    a_star::PORTION,
+    parts::{PORTION, complete},
     queue::{Key, Queue},
-    route::complete,
     steps::{NEVER, all_next, all_previous, and, next, octile, ordered, shorter, straightest, sum},
 };
 

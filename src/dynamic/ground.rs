@@ -13,7 +13,12 @@ use crate::{
     scene::{GridScene, Motion, Scene},
 };
 
-use super::{a_star::PORTION, body::Body, parameters::PERIOD, queue::Queue, route::complete};
+use super::{
+    body::Body,
+    parameters::PERIOD,
+    parts::{PORTION, complete},
+    queue::Queue,
+};
 
 /// How often a second an obstacle may bounce to and fro: what goes faster is everywhere at once, and takes as long to follow.
 pub(super) const BOUNCES: f64 = 100.0;

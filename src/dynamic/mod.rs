@@ -4,7 +4,7 @@
 //! A plan and then a `drive` are one planner (`planner`), on a `ground` that does not change. What its planners differ in is
 //! who plans the paths, a `Route`, a file each. The robot's `journey` decides in one way (`decide`): `body` is how it moves,
 //! `world` what it sees and foresees, `escape` what it does when neither a way round nor standing is safe. `a_star` and
-//! `d_star_lite` search, over the `queue` and the `steps` that they share; `draw` and `explain` show the drive.
+//! `d_star_lite` search in `parts`, over the `queue` and the `steps` that they share; `draw` and `explain` show the drive.
 
 mod a_star;
 pub mod a_star_drive;
@@ -19,6 +19,7 @@ mod explain;
 mod ground;
 mod journey;
 mod parameters;
+mod parts;
 mod planner;
 mod queue;
 mod route;

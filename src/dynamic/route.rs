@@ -51,15 +51,6 @@ pub(super) trait Route: State + Send {
     fn copy(&self) -> Box<dyn Route>;
 }
 
-/// Goes on until there is an answer.
-pub(super) fn complete<T>(mut go_on: impl FnMut() -> Poll<T>) -> T {
-    loop {
-        if let Poll::Ready(answer) = go_on() {
-            return answer;
-        }
-    }
-}
-
 /// What the robot asks for in a period. Where looking for a way takes long the period is carried out anew after each, with what was
 /// found so far.
 pub(super) struct Ways<'a> {
