@@ -18,7 +18,7 @@ const FINITE: &str = "Keep costs and readings finite for every value that the en
 const REFUSE: &str = "Leave it to the entry's `.parameters(…)` to refuse values: declare the domain there.";
 const BUDGET: &str = "Draw every n-th piece only: `frame.thin(pieces, vertices, lines)` says which n keeps to the frame's budget.";
 
-/// A run with a value from here on takes a few steps only.
+/// A run with a value from here on takes one step only.
 const LARGE: f64 = 1000.0;
 
 /// The values of a parameter that are tried: both ends of its range, or each option.
@@ -60,7 +60,7 @@ pub fn both_ends_run(subject: &Subject, findings: &mut Findings) {
                         None => {}
                     }
                     let mut run = subject.start(&setup)?;
-                    run.step(if large { 2 } else { 20 });
+                    run.step(if large { 1 } else { 20 });
                     finite(&mut run).and_then(|()| keeps_to_its_budget(&run)).map_err(|fault| fault.at(run.iteration()))
                 });
             }
