@@ -9,6 +9,7 @@ fn main() -> Result<()> {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["split", module, folder] => split(module, folder),
         ["bind", module, folder, name] => bind(module, folder, name),
+        #[cfg(feature = "book")]
         ["book", source, folder] => book(source, folder),
         _ => bail!("usage: forage-tools split MODULE FOLDER | bind MODULE FOLDER NAME | book SOURCE FOLDER"),
     }
@@ -41,6 +42,7 @@ fn bind(module: &str, folder: &str, name: &str) -> Result<()> {
 }
 
 /// Builds a book.
+#[cfg(feature = "book")]
 fn book(source: &str, folder: &str) -> Result<()> {
     let mut book = mdbook_driver::MDBook::load(source)?;
     book.config.build.build_dir = env::current_dir()?.join(folder);
