@@ -10,8 +10,8 @@ use crate::{
 use super::problem::{Problem, Tour};
 
 /// How a planner searches the order of the stops: an own one is a planner by [`start`](super::start). It evaluates its first tours when
-/// it begins, if that takes long the rest of them in its first parts, and may have members: tours that it improves side by side. Roads, drawing, readings and explanations that hold for
-/// every tour come without it.
+/// it begins; where that takes long, the rest of them in its first parts. It may have members: tours that it improves side by side.
+/// Roads, drawing, readings and explanations that hold for every tour come without it.
 pub trait Search: State + CopySearch + Send {
     /// Takes one step, or a part of one that is long: then [`Search::progress`] is [`Progress::Partly`] until it is over, see
     /// [`Part`](crate::kernel::Part).

@@ -156,7 +156,7 @@ export const en = {
     hash: 'This link’s fingerprint differs from what was computed here: it was made by another version.',
     kind: (planner: string, scene: string, other: string) => `${planner} does not run on “${scene}”: ${other} takes its place.`,
     nothing: 'There is no path to follow.',
-    unloaded: (message: string) => `A part of the planners could not be loaded (${message}).`,
+    unloaded: (message: string) => `A part of the program could not be loaded (${message}).`,
     retry: 'Try again',
     dismiss: 'Dismiss',
   },
