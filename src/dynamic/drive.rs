@@ -41,7 +41,7 @@ impl Dynamic {
         }
     }
 
-    /// A period of the drive, or a part of one. A period that waits for a way is carried out anew when there is one: until then the drive
+    /// A period of the drive, or a part of one. A period that waits for a way is carried out again when there is one: until then the drive
     /// is where it was.
     pub(super) fn drive(&mut self) -> Progress {
         let Some(journey) = &mut self.journey else {

@@ -51,7 +51,7 @@ pub(super) trait Route: State + Send {
     fn copy(&self) -> Box<dyn Route>;
 }
 
-/// What the robot asks for in a period. Where looking for a way takes long the period is carried out anew after each, with what was
+/// What the robot asks for in a period. Where looking for a way takes long the period is carried out again after each, with what was
 /// found so far.
 pub(super) struct Ways<'a> {
     pub(super) route: &'a mut dyn Route,

@@ -379,7 +379,7 @@ fn the_printed_path_is_driven_as_printed() {
     assert!(refused.contains("path") && refused.contains("published.path_cells"), "{refused}");
 }
 
-/// To find a way may take long: the period is divided, and carried out anew with what was found.
+/// To find a way may take long: the period is divided, and carried out again with what was found.
 #[test]
 fn a_period_that_looks_for_a_way_is_divided() {
     let sizes: Overrides = [("columns", 15.0), ("rows", 15.0), ("share", 0.1), ("moving", 20.0)]

@@ -119,8 +119,7 @@ struct Bats {
 
 fn begin(problem: &Arc<Problem>, settings: &Parameters, rng: Stream) -> Bats {
     let first = Tour::first(problem);
-    let polish = settings[POLISH];
-    let population = settings[POPULATION] as usize;
+    let (polish, population) = (settings[POLISH], settings[POPULATION] as usize);
     let mut bats = Bats {
         problem: Arc::clone(problem),
         best: first.clone(),
