@@ -38,7 +38,7 @@ export default defineConfig({
           groups: [
             {
               name: 'shared',
-              test: /node_modules\/(svelte|esm-env|clsx)\/|vite\/preload-helper|panels\/format|state\/stops\.ts|i18n\/en\.ts/,
+              test: /node_modules\/(svelte|esm-env|clsx)\/|vite\/preload-helper|src\/text\/number|scene\/stops\.ts|locales\/en\/page\.ts/,
             },
           ],
         },

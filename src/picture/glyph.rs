@@ -27,7 +27,7 @@ const APART: f64 = 130.0;
 const MOST: f64 = 110.0;
 
 /// Each tone's colour, outline and sign, on a square of 16. What calls for attention comes later. The page has the same in
-/// `www/src/stage/tones.ts`.
+/// `www/src/render/canvas/tones.ts`.
 const TONES: [(Tone, Color, &str, &str); 5] = [
     (Tone::Plain, Color::named("ink-2"), "M8 4.5a3.5 3.5 0 1 1 0 7a3.5 3.5 0 1 1 0-7Z", ""),
     (Tone::Good, Color::named("accent"), "M8 1.5a6.5 6.5 0 1 1 0 13a6.5 6.5 0 1 1 0-13Z", "m5 8.3 2.1 2.1L11 6.2"),

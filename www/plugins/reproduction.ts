@@ -2,8 +2,8 @@ import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { parse } from 'csv-parse/sync'
 import type { Plugin } from 'vite'
-import { claimsOf } from '../src/papers/claims.ts'
-import { COLUMNS, KINDS, MARKS, NUMBERS, PAPERS, type Row, WORDS } from '../src/papers/row.ts'
+import { claimsOf } from '../src/rooms/papers/claims.ts'
+import { COLUMNS, KINDS, MARKS, NUMBERS, PAPERS, type Row, WORDS } from '../src/rooms/papers/row.ts'
 
 const ID = 'virtual:reproduction'
 const RESOLVED = `\0${ID}`

@@ -10,11 +10,11 @@ import {
   type Session,
   type UncheckedSetup,
 } from '../../pkg/node.js'
-import { arm as words } from '../src/i18n/arm.en'
-import { closer } from '../src/i18n/closer.en'
-import { number, percent } from '../src/panels/format'
-import { degrees } from '../src/panels/arm/degrees'
-import { Swing } from '../src/state/swing'
+import { arm as words } from '../src/locales/en/arm'
+import { closer } from '../src/locales/en/closer'
+import { number, percent } from '../src/text/number'
+import { degrees } from '../src/text/degrees'
+import { Swing } from '../src/scene/trajectory'
 import { violations } from './support/axe'
 import { hashOf, linkTo, sceneOf, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'

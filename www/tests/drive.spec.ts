@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs'
 import { catalogue, type Drive } from '../../pkg/node.js'
-import { closer } from '../src/i18n/closer.en'
-import { number } from '../src/panels/format'
-import { Track } from '../src/state/track'
+import { closer } from '../src/locales/en/closer'
+import { number } from '../src/text/number'
+import { Track } from '../src/scene/track'
 import { linkTo, sessionAt } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test'
-import { panels } from '../src/i18n/panels.en'
+import { panels } from '../src/locales/en/panels'
 import { hashOf, linkTo } from './support/core'
 import { en, expect, test } from './support/lab'
 

@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test'
 import { hashOf, linkTo } from './support/core'
 import { en, expect, test } from './support/lab'
-import { scenes } from '../src/i18n/scenes.en'
+import { scenes } from '../src/locales/en/scenes'
 
 /* Parts of the core that come late, or not at all. */
 

@@ -2,12 +2,12 @@ import { readFileSync } from 'node:fs'
 import type { Locator } from '@playwright/test'
 import { parseLink } from '../../pkg/node.js'
 import { rowsOf } from '../plugins/reproduction'
-import { papers as text } from '../src/i18n/papers.en'
-import { number } from '../src/panels/format'
-import { ANSWERS, CLAIM_MARKS, claimsOf, marked } from '../src/papers/claims'
-import { runOf } from '../src/papers/commands'
-import { groupsOf, homesOf, ours, published } from '../src/papers/figures'
-import { KINDS, MARKS, NUMBERS, PAPERS, type Row } from '../src/papers/row'
+import { papers as text } from '../src/locales/en/papers'
+import { number } from '../src/text/number'
+import { ANSWERS, CLAIM_MARKS, claimsOf, marked } from '../src/rooms/papers/claims'
+import { runOf } from '../src/rooms/papers/commands'
+import { groupsOf, homesOf, ours, published } from '../src/rooms/papers/figures'
+import { KINDS, MARKS, NUMBERS, PAPERS, type Row } from '../src/rooms/papers/row'
 import { violations } from './support/axe'
 import { hashOf, trialOf } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
@@ -56,11 +56,11 @@ test('every paper has a card with its title, authors, claims and their marks', {
     for (const part of [...(authors ?? []), reference]) await expect(card.getByTestId('citation')).toContainText(part)
     const mine = claims.filter(({ paper }) => paper === tag)
     for (const [mark, count] of marked(mine))
-      await expect(card.getByTestId('summary')).toContainText(text.count(number(count), text.mark('claim', mark)))
+      await expect(card.getByTestId('summary')).toContainText(text.count(number(count), text.names.claim[mark]))
     await expect(card.locator('[data-testid^="claim-"]')).toHaveCount(mine.length)
     for (const { id, says, mark } of mine) {
       const summary = card.getByTestId(`claim-${id}`).locator('> summary')
-      await expect(summary).toContainText(text.mark('claim', mark))
+      await expect(summary).toContainText(text.names.claim[mark])
       await expect(summary).toContainText(`${id} ${says}`)
     }
     await expect(card.getByTestId('pictures').getByRole('listitem')).toHaveCount(pictures.length)
@@ -73,7 +73,7 @@ test('every paper has a card with its title, authors, claims and their marks', {
 const told = ({ marks }: Row, all: boolean): string[] =>
   KINDS.flatMap((kind) => {
     const mark = marks[kind]?.mark
-    return mark && (all || !['printed', 'consistent'].includes(mark)) ? [text.mark(kind, mark)] : []
+    return mark && (all || !['printed', 'consistent'].includes(mark)) ? [(text.names[kind] as Record<string, string>)[mark] ?? ''] : []
   })
 
 test('the figures are those of the file, published beside ours, with marks, reasons and command', async ({ lab, page }) => {
@@ -142,7 +142,7 @@ test('a claim has its quotation, its reason and its questions, with tests and an
     )
     for (const [k, { question, numbers, test: name, answer, arms }] of parts.entries()) {
       expect(found[k]).toMatchObject({ head: question, answer })
-      for (const part of [numbers, name, text.mark('answer', answer), ...arms.map(({ planner }) => planner)])
+      for (const part of [numbers, name, text.names.answer[answer], ...arms.map(({ planner }) => planner)])
         expect(found[k]?.words).toContain(part)
     }
     await turned(page.getByTestId(`claim-${id}`), false)
@@ -283,12 +283,12 @@ for (const colorScheme of ['light', 'dark'] as const) {
 test('the rule of every mark is told', async ({ lab, page }) => {
   await open(lab)
   await turned(page.getByTestId('rule'), true)
-  await expect(page.getByTestId('rule').locator('[data-kind=answer]')).toHaveText(ANSWERS.map((mark) => text.mark('answer', mark)))
-  await expect(page.getByTestId('rule').locator('[data-kind=claim]')).toHaveText(CLAIM_MARKS.map((mark) => text.mark('claim', mark)))
+  await expect(page.getByTestId('rule').locator('[data-kind=answer]')).toHaveText(ANSWERS.map((mark) => text.names.answer[mark]))
+  await expect(page.getByTestId('rule').locator('[data-kind=claim]')).toHaveText(CLAIM_MARKS.map((mark) => text.names.claim[mark]))
   for (const kind of KINDS) {
     await expect(page.getByTestId('rule').getByRole('heading', { name: text.kinds[kind].title, exact: true })).toBeVisible()
     const shown = page.getByTestId('rule').locator(`[data-kind=${kind}]`)
-    await expect(shown).toHaveText(MARKS[kind].map((mark) => text.mark(kind, mark)))
+    await expect(shown).toHaveText(MARKS[kind].map((mark) => (text.names[kind] as Record<string, string>)[mark] ?? ''))
     for (const rule of Object.values(text.rule.marks[kind])) await expect(page.getByTestId('rule')).toContainText(rule)
   }
 })

@@ -1,7 +1,7 @@
 import { catalogue } from '../../pkg/node.js'
-import { closer } from '../src/i18n/closer.en'
-import { panels } from '../src/i18n/panels.en'
-import { number } from '../src/panels/format'
+import { closer } from '../src/locales/en/closer'
+import { panels } from '../src/locales/en/panels'
+import { number } from '../src/text/number'
 import { hashOf, linkTo, sessionAt, verified } from './support/core'
 import { en, expect, test } from './support/lab'
 

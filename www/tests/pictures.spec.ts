@@ -1,5 +1,5 @@
 import type { FunctionScene } from '../../pkg/node.js'
-import { number } from '../src/panels/format'
+import { number } from '../src/text/number'
 import { linkTo, particles, sceneOf, sessionAt } from './support/core'
 import { expect, test } from './support/lab'
 

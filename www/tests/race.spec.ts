@@ -1,4 +1,4 @@
-import { race as text } from '../src/i18n/race.en'
+import { race as text } from '../src/locales/en/race'
 import { catalogue } from '../../pkg/node.js'
 import { violations } from './support/axe'
 import { linkTo, trialOf, verified } from './support/core'

@@ -1,4 +1,4 @@
-import { panels } from '../src/i18n/panels.en'
+import { panels } from '../src/locales/en/panels'
 import { hashOf, linkTo, verified } from './support/core'
 import { en, expect, test } from './support/lab'
 

@@ -1,5 +1,5 @@
 import { hashOf, linkTo } from './support/core'
-import { panels } from '../src/i18n/panels.en'
+import { panels } from '../src/locales/en/panels'
 import { en, expect, test } from './support/lab'
 
 test('a parameter of one kind of scene waits while another is open, and is back afterwards', async ({ lab, page }) => {

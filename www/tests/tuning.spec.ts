@@ -1,5 +1,5 @@
 import type { Outcome, Session } from '../../pkg/node.js'
-import { number } from '../src/panels/format'
+import { number } from '../src/text/number'
 import { hashOf, linkTo, sessionAt, verified } from './support/core'
 import { en, expect, type Lab, test } from './support/lab'
 

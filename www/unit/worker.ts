@@ -1,5 +1,5 @@
 import type { Catalogue, Planner, Scene, UncheckedSetup } from 'forage-lab'
-import type { Answer, FrameMessage, Opening, Run } from '../src/worker/protocol'
+import type { Answer, FrameMessage, Opening, Run } from '../src/engine/protocol'
 
 /** The run that the worker has, as a line of text: what it was started with, and where it is. */
 export interface State {

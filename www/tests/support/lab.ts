@@ -1,8 +1,8 @@
 import { test as base, expect, type Locator, type Page } from '@playwright/test'
 import type { Point, Scene } from '../../../pkg/node.js'
-import { en as page } from '../../src/i18n/en'
-import { scenes } from '../../src/i18n/scenes.en'
-import { extent, fit, isDown, margins, toScreen } from '../../src/stage/view'
+import { en as page } from '../../src/locales/en/page'
+import { scenes } from '../../src/locales/en/scenes'
+import { extent, fit, isDown, margins, toScreen } from '../../src/render/view'
 import { SITE } from './site'
 
 /** All of the page's text. */

@@ -1,8 +1,8 @@
 import { PerspectiveCamera, Vector3 } from 'three'
 import type { ArmScene, Point3, Scene } from '../../../pkg/node.js'
-import { whole } from '../../src/space/kinematics'
-import { aim, FIELD_OF_VIEW, fit, type Side, SIDES } from '../../src/space/orbit'
-import { margins } from '../../src/stage/view'
+import { whole } from '../../src/render/space/kinematics'
+import { aim, FIELD_OF_VIEW, fit, type Side, SIDES } from '../../src/render/space/orbit'
+import { margins } from '../../src/render/view'
 import type { Lab, Picture } from './lab'
 
 /** The scene of an arm. */

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { bands, catalogue, compare, Trial } from '../../../pkg/node.js'
-import { canRun } from '../../src/state/able'
+import { canRun } from '../../src/catalogue/suitability'
 import { trialOf } from '../../tests/support/core'
 
 test('bands end in the quartiles of the table', () => {

@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { catalogue } from '../../../pkg/node.js'
-import { caseOf, claimsOf } from '../../src/papers/claims'
-import { offered } from '../../src/papers/cases'
+import { caseOf, claimsOf } from '../../src/rooms/papers/claims'
+import { offered } from '../../src/rooms/papers/cases'
 import { hashOf } from '../../tests/support/core'
 
 const FILE = 'REPRODUCTION.claims.json'

@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest'
 import { catalogue, Session, type Setup } from '../../../pkg/node.js'
-import { presets } from '../../src/i18n/presets.en'
-import { chosen, offered, PRESETS } from '../../src/state/presets'
-import { suits } from '../../src/state/stops'
+import { presets } from '../../src/locales/en/presets'
+import { chosen, offered, PRESETS } from '../../src/catalogue/presets'
+import { suits } from '../../src/scene/stops'
 
 test('each published case and each preset of a planner runs as it is', () => {
   const known = catalogue()

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { catalogue, Session, type Setup, Trial } from '../../../pkg/node.js'
-import { READY } from '../../src/race/ready'
+import { READY } from '../../src/rooms/compare/watch/presets'
 
 test('the feasible best of a session equals that of a trial, forward and back, whenever it is asked for', () => {
   for (const { scene, planners, seed } of READY) {

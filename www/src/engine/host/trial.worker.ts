@@ -1,0 +1,120 @@
+import * as Comlink from 'comlink'
+import { bands, compare, generateScene, load, reached, ready, suggest, Trial } from 'forage-lab'
+import type { GeneratorName, Setup, UncheckedSetup } from 'forage-lab'
+import { causeOf, refusalOf } from './refusal'
+import { breathe, SLICE } from './pace'
+import type { Refusal } from '../protocol'
+import type { Answered, Curve, Ending, Errand, Made, Maps, Measured, Question, Row } from '../trial.protocol'
+
+const curves = new Map<string, Map<number, Measured>>()
+let stopped = false
+
+/** How far above the optimum, as a share of it. */
+function inGap({ evaluations, values, exact }: Measured): Curve {
+  return { evaluations, values: exact ? values.map((value) => (value - exact) / exact) : values }
+}
+
+const broken = (error: unknown): Ending => ({ is: 'broken', message: causeOf(error) })
+
+/** What the core refuses. Other errors are thrown, with a short message: the batch starts another thread. */
+function refusedBy(error: unknown): Refusal {
+  const refusal = refusalOf(error)
+  if (!refusal) throw new Error(causeOf(error), { cause: error })
+  return refusal
+}
+
+/** Steps in slices, and long steps in parts, so that it can be called off; false if it was. */
+async function carryOut(trial: Trial): Promise<boolean> {
+  let pace = 1
+  for (;;) {
+    const began = performance.now()
+    const status = trial.advance(pace)
+    if (status !== 'running' && status !== 'partly') return true
+    pace = Math.max(1, Math.floor(pace * Math.min(2, SLICE / Math.max(performance.now() - began, 0.1))))
+    await breathe()
+    if (stopped) return false
+  }
+}
+
+const api = {
+  /** Carries out a run to its end, or until `stop`. */
+  async run({ setup, maps, seed }: Errand): Promise<Ending> {
+    stopped = false
+    let trial: Trial
+    try {
+      await load('links')
+      trial = await ready(() => {
+        const scene = maps ? generateScene(maps.generator as GeneratorName, { ...maps.params }, seed) : setup.scene
+        return new Trial({ ...setup, scene } as Setup, undefined)
+      })
+    } catch (error) {
+      const refusal = refusalOf(error)
+      return refusal ? { is: 'refused', refusal } : broken(error)
+    }
+    try {
+      if (stopped || !(await carryOut(trial))) return { is: 'stopped' }
+      const { evaluations, values } = trial.curve()
+      const row: Row = { record: trial.record(), link: trial.link(), curve: { evaluations, values } }
+      return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])
+    } catch (error) {
+      // Its memory is in an unknown state: whoever asked starts another thread.
+      return broken(error)
+    } finally {
+      trial.free()
+    }
+  },
+
+  stop(): void {
+    stopped = true
+  },
+
+  /** A generator's map for a seed. */
+  async map({ generator, params }: Maps, seed: number): Promise<Made> {
+    try {
+      return { scene: await ready(() => generateScene(generator as GeneratorName, { ...params }, seed)) }
+    } catch (error) {
+      return { refused: refusedBy(error) }
+    }
+  },
+
+  /** What is wrong with a setup. */
+  async check(setup: UncheckedSetup): Promise<Refusal | null> {
+    try {
+      await ready(() => suggest(setup as Setup))
+      return null
+    } catch (error) {
+      return refusedBy(error)
+    }
+  },
+
+  /** Summaries and tests. Curves that were told before need not be told again. */
+  async summarise({ relative, curves: told, groups, common }: Question): Promise<Answered> {
+    await load('statistics')
+    for (const { key, seed, curve } of told) {
+      const of = curves.get(key) ?? new Map<number, Measured>()
+      curves.set(key, of.set(seed, curve))
+    }
+    const runs = groups
+      .map(({ key, seeds }) => seeds.flatMap((seed) => curves.get(key)?.get(seed) ?? []))
+      .map((some) => (relative ? some.map(inGap) : some))
+    const settled = compare(groups.map((group) => ({ name: group.name, values: group.settled })))
+    return {
+      comparison: compare(groups),
+      friedman: compare(common).friedman,
+      settled: settled.groups.map(({ summary }) => summary?.median ?? null),
+      bands: bands(
+        runs,
+        groups.map(({ end }) => end),
+      ),
+      reached: groups.map((group) => reached(group.reached)),
+    }
+  },
+
+  /** Forgets the curves of groups that are not asked for any more. */
+  forget(keys: string[]): void {
+    for (const key of keys) curves.delete(key)
+  },
+}
+
+export type TrialApi = typeof api
+Comlink.expose(api)

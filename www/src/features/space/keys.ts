@@ -1,0 +1,83 @@
+import { lab } from '../../stores/lab.svelte'
+import type { PointerController } from './pointer.svelte'
+import type { Orbit, Side } from '../../render/space/orbit'
+
+interface Acts {
+  pointer: PointerController
+  orbit: Orbit
+  turn(azimuth: number, elevation: number): void
+  zoom(by: number): void
+  fit(): void
+  view(side: Side): void
+}
+
+/** To the right, away, and upwards. */
+const WAYS: Readonly<Record<string, readonly [number, number, number]>> = {
+  ArrowLeft: [-1, 0, 0],
+  ArrowRight: [1, 0, 0],
+  ArrowUp: [0, 1, 0],
+  ArrowDown: [0, -1, 0],
+  PageUp: [0, 0, 1],
+  PageDown: [0, 0, -1],
+}
+const VIEWS: Readonly<Record<string, Side>> = { '1': 'front', '2': 'side', '3': 'top', '4': 'corner' }
+/** Degrees a key. */
+const TURN = 6
+
+/** What a key does on the stage in space; true if it did something. */
+export function spaceKey(event: KeyboardEvent, acts: Acts): boolean {
+  if (event.ctrlKey || event.metaKey || event.altKey) return false
+  const way = WAYS[event.key]
+  if (way) return move(way, event.shiftKey, acts)
+  const view = VIEWS[event.key]
+  if (view) {
+    acts.view(view)
+    return true
+  }
+  const { pointer } = acts
+  const far = event.shiftKey ? 10 : 1
+  const keys: Readonly<Record<string, () => void>> = {
+    ' ': () => (lab.beside ? lab.beside.clock.toggle() : lab.toggle()),
+    ',': () => step(-far),
+    ';': () => step(-far),
+    '<': () => step(-far),
+    '.': () => step(far),
+    ':': () => step(far),
+    '>': () => step(far),
+    Home: () => (lab.beside ? lab.beside.clock.seek(0) : lab.seek(0)),
+    End: () => (lab.beside ? lab.beside.clock.seek(lab.beside.clock.end) : lab.seek(Infinity)),
+    '+': () => acts.zoom(1.25),
+    '=': () => acts.zoom(1.25),
+    '-': () => acts.zoom(0.8),
+    '0': acts.fit,
+    n: () => pointer.next(1),
+    p: () => pointer.next(-1),
+    a: () => pointer.add(acts.orbit),
+    j: () => pointer.walk(-1),
+    k: () => pointer.walk(1),
+    Delete: () => pointer.remove(),
+    Backspace: () => pointer.remove(),
+    Escape: () => (lab.beside && !lab.selection && !lab.wanted ? lab.beside.leave() : pointer.leave()),
+  }
+  const act = keys[event.key] ?? keys[event.key.toLowerCase()]
+  act?.()
+  return act !== undefined
+}
+
+/** Iterations of the run, or seconds of the time beside it. */
+function step(by: number): void {
+  const { beside } = lab
+  if (!beside) lab.stepBy(by)
+  else beside.clock.seek(by < 0 ? Math.ceil(beside.clock.time) + by : Math.floor(beside.clock.time) + by)
+}
+
+function move(way: readonly [number, number, number], shift: boolean, { pointer, orbit, turn }: Acts): boolean {
+  if (lab.selection) {
+    if (shift) pointer.stretch(orbit, way)
+    else pointer.nudge(orbit, way)
+    return true
+  }
+  if (way[2] !== 0) return false
+  turn((shift ? 3 : 1) * TURN * way[0], (shift ? 3 : 1) * TURN * way[1])
+  return true
+}

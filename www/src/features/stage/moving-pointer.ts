@@ -1,0 +1,177 @@
+import type { GridScene, Layer, Point } from 'forage-lab'
+import { moving } from '../../locales/en/moving'
+import { added, aimed, neatly, steered, strideOf, tipOf } from '../../scene/aiming'
+import { type Handle, move, place, same, type Selection } from '../../scene/edits'
+import { lab } from '../../stores/lab.svelte'
+import { keyOf } from '../../render/looks'
+import { drawRobots } from '../../render/canvas/driven'
+import { drawHappenings } from '../../render/canvas/events'
+import { drawMovers, eventAt, hitMoving, placesNow, placesOf } from '../../render/canvas/movers'
+import type { Pen } from '../../render/canvas/pen'
+import { type Size, toScene, type View } from '../../render/view'
+
+/** How near to an axis, in pixels, an arrow is straight. */
+const MAGNET = 5
+
+const moverOf = (handle: Handle | null): Selection | null =>
+  handle?.kind === 'moving' || handle?.kind === 'aim' ? { kind: 'moving', index: handle.index } : null
+
+/** The pointer of the whole stage. */
+interface Pointer {
+  tool: string
+  readonly using: string
+  held: Handle | null
+}
+
+/** What pointer and keys do to moving obstacles. */
+export class MovingPointer {
+  /** From the pointer to what it holds. */
+  private offset: Point = [0, 0]
+  private held: Handle | null = null
+  /** An obstacle that a press puts into a scene, and a drag aims. */
+  private born: { scene: GridScene; at: Point } | null = null
+
+  constructor(private readonly pointer: Pointer) {}
+
+  /** Where what moves is now, as far as the planner tells. */
+  get now(): Point[] | null {
+    return lab.frame && lab.names ? placesNow(lab.frame, lab.names, lab.moving.length) : null
+  }
+
+  /** A drive goes on: what is on its way can't be caught. */
+  get rushing(): boolean {
+    return lab.playing && this.now !== null
+  }
+
+  /** What is meant by a press, beside what else lies there. Ends lie on top, but not of what is selected. */
+  under(found: Handle | null, view: View, size: Size, at: Point, coarse: boolean): Handle | null {
+    if (!lab.grid || this.pointer.using === 'paint') return found
+    const mover = hitMoving(lab.grid, this.now, view, size, at, lab.selection, coarse)
+    const covered = (found?.kind === 'start' || found?.kind === 'goal') && !same(lab.selection, moverOf(mover))
+    return mover && !covered ? mover : found
+  }
+
+  /** Takes hold of what lies there, or of a new one. */
+  grab(view: View, size: Size, at: Point, handle: Handle | null): boolean {
+    const { grid } = lab
+    const [x, y] = toScene(view, size, at)
+    if (grid && this.pointer.using === 'add-moving') {
+      this.born = { scene: grid, at: [x, y] }
+      return true
+    }
+    const object = moverOf(handle)
+    if (!grid || !object || this.rushing) return false
+    const one = handle?.kind === 'aim' && 'index' in object ? lab.moving[object.index] : undefined
+    const anchor = (one && tipOf(one)) ?? place(grid, object)
+    this.offset = [anchor[0] - x, anchor[1] - y]
+    this.pointer.held = this.held = handle
+    return true
+  }
+
+  /** True while something is held. */
+  drag(view: View, size: Size, at: Point): boolean {
+    const [x, y] = toScene(view, size, at)
+    if (this.born) {
+      const { scene, at: center } = this.born
+      lab.drag(added(scene, center, straight(view, [x - center[0], y - center[1]])))
+      return true
+    }
+    const object = moverOf(this.held)
+    if (!object || !lab.grid) return false
+    this.carry(lab.grid, object, [x + this.offset[0], y + this.offset[1]], view)
+    return true
+  }
+
+  /** An obstacle goes with the hand; its velocity is where the arrow points to. */
+  private carry(grid: GridScene, object: Selection, to: Point, view: View): void {
+    const [x, y] = place(grid, object)
+    lab.select(object)
+    if (this.held?.kind === 'aim') lab.drag(aimed(grid, this.held.index, neatly(grid, straight(view, [to[0] - x, to[1] - y]))))
+    else lab.drag(move(grid, object, neatly(grid, to)))
+  }
+
+  drop(cancelled: boolean): void {
+    if (this.born && !cancelled) this.chooseLast()
+    this.born = null
+    this.held = null
+  }
+
+  /** True if the tap was meant for what moves, or for what happened on a drive. */
+  tap(view: View, size: Size, at: Point, handle: Handle | null, coarse: boolean): boolean {
+    if (lab.grid && this.pointer.using === 'add-moving') {
+      lab.edit(added(lab.grid, toScene(view, size, at), [0, 0]))
+      this.chooseLast()
+      return true
+    }
+    const object = moverOf(handle)
+    if (object && 'index' in object) {
+      lab.select(object)
+      // What the planner has to say about it.
+      const moving = asked('disc')
+      if (moving) lab.inspect({ role: moving.role, index: object.index })
+      return true
+    }
+    const events = asked('event')
+    const event = handle === null && events && lab.frame && lab.names ? eventAt(lab.frame, lab.names, view, size, at, coarse) : null
+    if (!events || event === null) return false
+    lab.select(null)
+    lab.inspect({ role: events.role, index: event })
+    return true
+  }
+
+  /** The obstacle that was added is the one that is meant now. */
+  private chooseLast(): void {
+    this.pointer.tool = 'look'
+    lab.inspect(null)
+    lab.select({ kind: 'moving', index: lab.moving.length - 1 })
+  }
+
+  /** Keys make what is selected faster. */
+  aim(right: number, up: number): void {
+    const { grid, selection } = lab
+    if (grid && selection?.kind === 'moving') lab.press(steered(grid, selection.index, [right, up]))
+  }
+
+  /** Where obstacles begin and how they set out, and what of them is selected; where they are now, if the picture is that of the scene. */
+  draw(pen: Pen, scene: GridScene, hover: Handle | null, blamed: Selection | null, fresh: boolean): void {
+    if (lab.visible.shows(keyOf(lab.layers, 'disc') || 'moving', true))
+      drawMovers(pen, scene, { now: fresh ? this.now : null, quiet: this.rushing, selection: lab.selection, hover, blamed })
+  }
+
+  /** Where something happened. */
+  drawEvents(pen: Pen): void {
+    const { frame, names, planner, outcome } = lab
+    if (!frame || !names || !asked('event')) return
+    drawHappenings(
+      pen,
+      placesOf(frame, names, 'event'),
+      (index) => planner?.events.find(({ name }) => name === outcome?.events?.[index]?.kind)?.tone,
+    )
+  }
+
+  /** On top of all, start and goal included. */
+  drawRobot(pen: Pen): void {
+    const { frame, names } = lab
+    if (frame && names) drawRobots(pen, frame, names, (role) => lab.visible.shows(role, true))
+  }
+
+  /** What a new one needs, in words. */
+  get hint(): string {
+    return lab.readings.time && this.now ? moving.addingLater : moving.adding
+  }
+
+  /** How far a key moves an obstacle. */
+  get stride(): number {
+    return lab.grid ? strideOf(lab.grid) : 0
+  }
+}
+
+/** The planner tells about such things, and they are shown. */
+const asked = (glyph: 'disc' | 'event'): Layer | undefined =>
+  lab.layers.find(({ role, look, pickable, on }) => look.glyph === glyph && pickable && lab.visible.shows(role, on))
+
+/** Near to an axis the hand means the axis. */
+function straight({ scale }: View, [x, y]: Point): Point {
+  const along = (by: number): number => (Math.abs(by) * scale < MAGNET ? 0 : by)
+  return [along(x), along(y)]
+}

@@ -1,0 +1,26 @@
+/** Names of cases that were published: loaded beside the choice of planners and scenes. What there is to see is in sights.ts. */
+export const presets = {
+  choose: 'Choose one to run it',
+  see: 'What to see:',
+  cases: {
+    'moving-ants': '[WOLF-ANT] §5.3: one moving obstacle',
+    'moving-a-star': '[WOLF-ANT] §5.3, with A*',
+    'moving-printed': '[WOLF-ANT] §6: the printed path, driven',
+    'moving-d-star-lite': '[WOLF-ANT] §5.3, with D* Lite',
+    crossing: 'Cross traffic',
+    patrol: 'Guards on patrol',
+    corridor: 'A corridor with niches',
+    misled: '[WOLF-ANT] §5.1: ranking misleads in rooms',
+    direction: '[ANTBAT] §3.1: ants with direction',
+    'arm-guided': '[ARM-RRT] §4: guided tree, no obstacle',
+    'arm-guided-wide': '[ARM-RRT] §4: guided, step 0.05',
+    'arm-basic': '[ARM-RRT] §4: basic tree, no obstacle',
+    'arm-cuboid': '[ARM-RRT] §4: guided tree and a cuboid',
+    'arm-cuboid-basic': '[ARM-RRT] §4: basic tree and a cuboid',
+    'arm-star': 'RRT* around the cuboid',
+    'arm-joints': 'RRT-Connect in the six joints',
+    'arm-puma': 'Another arm: PUMA 560',
+    quantum: '[LTQPSO] §4: ten metres of walls',
+    hens: '[WCPSO] §3.2: seven discs',
+  },
+} as const

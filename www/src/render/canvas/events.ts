@@ -1,0 +1,42 @@
+import type { Point } from 'forage-lab'
+import type { Pen } from './pen'
+import { type Tone, TONES } from './tones'
+import { toScreen } from '../view'
+
+/** A mark's square is so many pixels wide, of 16 that it is drawn on. */
+const SIDE = 14
+
+const shapes = Object.entries(TONES).map(([tone, { colour, outline, sign }]) => ({
+  tone,
+  colour,
+  outline: new Path2D(outline),
+  sign: new Path2D(sign),
+}))
+
+/** Where something happened or was decided: what calls for attention lies on top, and what is not known yet is plain. */
+export function drawHappenings(pen: Pen, places: readonly Point[], toneOf: (index: number) => Tone | undefined): void {
+  const { context, view, size, palette } = pen
+  const tones = places.map((_, index) => toneOf(index) ?? 'plain')
+  context.setLineDash([])
+  context.lineJoin = context.lineCap = 'round'
+  for (const { tone, colour, outline, sign } of shapes) {
+    places.forEach((place, index) => {
+      if (tones[index] !== tone) return
+      const [x, y] = toScreen(view, size, place)
+      context.save()
+      context.translate(x - SIDE / 2, y - SIDE / 2)
+      context.scale(SIDE / 16, SIDE / 16)
+      context.strokeStyle = palette.get('--stage')
+      context.lineWidth = 5
+      context.stroke(outline)
+      context.fillStyle = context.strokeStyle = palette.get(colour)
+      context.lineWidth = 1.2
+      context.fill(outline)
+      context.stroke(outline)
+      context.strokeStyle = palette.get('--stage')
+      context.lineWidth = 1.7
+      context.stroke(sign)
+      context.restore()
+    })
+  }
+}

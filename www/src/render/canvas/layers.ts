@@ -1,0 +1,110 @@
+import type { GridScene, Layer, Point, Scene } from 'forage-lab'
+import { lookBeside, type Names, resultOf, type Style } from '../looks'
+import { stopsOf } from '../../scene/stops'
+import type { FrameBuffer } from '../frame'
+import { applyStyle, Lines, type Pen, points } from './pen'
+import type { Piece } from './tubes'
+import { type Flat, toScreen } from '../view'
+import { insideDiscs } from './overlap'
+
+/** What of a frame is drawn. */
+export type Layers = Pick<FrameBuffer, 'buffer' | 'vertices' | 'spans'>
+
+type Draw = (pen: Pen, style: Style, vertices: Float32Array, pieces: readonly Piece[]) => void
+
+/** What not every scene needs, once it is there. */
+interface More {
+  /** The drawing of what is neither points nor lines. */
+  own?(style: Style): Draw | undefined
+  drawTubes?: Draw
+  drawArrows?(pen: Pen, style: Style, vertices: Float32Array, first: number, count: number): void
+  insideCells?(pen: Pen, scene: GridScene, path: readonly Point[]): void
+}
+
+/** Draws a frame's layers that are on, in the order of their looks. */
+export function drawLayers(pen: Pen, frame: Layers, names: Names, on: (role: string) => boolean, scene: Scene, more: More): void {
+  const vertices = new Float32Array(frame.buffer, 0, frame.vertices)
+  const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
+  // Stops are drawn with the scene.
+  const shown = layersIn(spans, names)
+    .filter(([, { role, look }]) => look.glyph !== 'number' && on(role))
+    .sort(([, a], [, b]) => a.look.order - b.look.order)
+  const result = resultOf(shown.map(([, layer]) => layer))
+  for (const [number, { look }] of shown) {
+    const style = stopsOf(scene).length > CROWD ? thinner(lookBeside(look, result)) : lookBeside(look, result)
+    const isResult = result > 0 && look.result === result
+    const pieces = piecesOf(spans, number, names.shapes)
+    const own = more.own?.(look) ?? (pieces[0]?.shape === 'tube' ? more.drawTubes : undefined)
+    if (own) {
+      own(pen, style, vertices, pieces)
+      continue
+    }
+    const lines = new Lines(pen, style.swell !== undefined)
+    const ways: [first: number, count: number][] = []
+    for (const { shape, first, count } of pieces) {
+      if (shape === 'points') points(pen, style, vertices, first, count)
+      else if (shape === 'polyline') {
+        lines.polyline(vertices, first, count)
+        ways.push([first, count])
+      } else if (shape === 'segments') lines.segments(vertices, first, count)
+    }
+    if (isResult || style.lifted) halo(lines, style)
+    lines.stroke(style)
+    if (style.glyph === 'arrow') for (const [first, count] of ways) more.drawArrows?.(pen, style, vertices, first, count)
+    if (!isResult) continue
+    if (scene.kind === 'discs') insideDiscs(pen, lines, scene.discs)
+    if (scene.kind === 'grid') for (const [first, count] of ways) more.insideCells?.(pen, scene, pathOf(vertices, first, count))
+  }
+}
+
+/** What a layer is made of. */
+export function piecesOf(spans: Uint32Array, layer: number, shapes: readonly string[]): Piece[] {
+  const pieces: Piece[] = []
+  for (let at = 0; at < spans.length; at += 4) {
+    if (spans[at] === layer) pieces.push({ shape: shapes[spans[at + 1] ?? 0] ?? '', first: spans[at + 2] ?? 0, count: spans[at + 3] ?? 0 })
+  }
+  return pieces
+}
+
+/** Whether anything that is only drawn from near is in the frame. */
+export function isNear(frame: Layers, names: Names, on: (role: string) => boolean): boolean {
+  const spans = new Uint32Array(frame.buffer, frame.vertices * 4, frame.spans)
+  return layersIn(spans, names).some(([, { role, look }]) => look.near === true && on(role))
+}
+
+function pathOf(vertices: Float32Array, first: number, count: number): Point[] {
+  return Array.from({ length: count }, (_, at) => [vertices[4 * (first + at)] ?? 0, vertices[4 * (first + at) + 1] ?? 0])
+}
+
+function layersIn(spans: Uint32Array, names: Names): [number: number, layer: Layer][] {
+  const numbers = new Set<number>()
+  for (let at = 0; at < spans.length; at += 4) numbers.add(spans[at] ?? 0)
+  return [...numbers].flatMap((number) => {
+    const layer = names.layers[number]
+    return layer ? [[number, layer]] : []
+  })
+}
+
+/** Tours of more stops are thinner. */
+const CROWD = 100
+const thinner = (style: Style): Style => (style.glyph === 'arrow' ? { ...style, width: 1.75 } : style)
+
+/** Lifts the result, and what else must be seen, off the crowd beneath it. */
+function halo(lines: Lines, style: Style): void {
+  lines.stroke({ ...style, dash: [], color: '--stage', width: style.width + 3, opacity: [0.75, 0.75] })
+}
+
+export function drawPath(pen: Pen, path: readonly Flat[], style: Style): void {
+  applyStyle(pen, style)
+  trace(pen, path)
+  pen.context.stroke()
+}
+
+function trace({ context, view, size }: Pen, path: readonly Flat[]): void {
+  context.beginPath()
+  path.forEach((point, at) => {
+    const [x, y] = toScreen(view, size, point)
+    if (at === 0) context.moveTo(x, y)
+    else context.lineTo(x, y)
+  })
+}

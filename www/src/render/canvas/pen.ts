@@ -1,0 +1,169 @@
+import { rise, type Size, type View } from '../view'
+import type { Palette } from '../palette'
+import type { Style } from '../looks'
+
+/** What drawing needs to know. */
+export interface Pen {
+  context: CanvasRenderingContext2D
+  view: View
+  size: Size
+  palette: Palette
+}
+
+/** Weights are drawn in steps: one stroke a step instead of one a line. */
+const STEPS = 6
+/** Lines that are thinner, in pixels, are hairlines. */
+const HAIR = 1
+/** Lines are drawn as far beyond the rim, in pixels, as the widest is wide. */
+const RIM = 10
+const FAINTEST_POINT = 0.65
+/** Up to so many points are drawn round; more are squares, which cost a tenth. */
+const ROUND = 3000
+
+const stepOf = (weight: number): number => Math.min(STEPS - 1, Math.max(0, Math.floor(weight * STEPS)))
+
+function alphaAt({ opacity: [best, worst] }: Style, step: number): number {
+  return best + ((worst - best) * step) / (STEPS - 1)
+}
+
+export function applyStyle({ context, palette }: Pen, style: Style): void {
+  const colour = palette.get(style.color)
+  context.strokeStyle = colour
+  context.fillStyle = colour
+  context.lineWidth = style.width
+  // On hairlines nobody sees what round ends cost.
+  context.lineJoin = style.width < HAIR ? 'bevel' : 'round'
+  context.lineCap = style.width < HAIR ? 'butt' : 'round'
+  context.setLineDash(style.dash ?? [])
+}
+
+/** Spans of points: x, y, z, weight a vertex. */
+export function points(pen: Pen, style: Style, vertices: Float32Array, first: number, count: number): void {
+  const { context, view, size } = pen
+  applyStyle(pen, style)
+  const { scale } = view
+  const left = size.width / 2 - view.x * scale - style.point / 2
+  const up = rise(view) * scale
+  const top = size.height / 2 + view.y * up - style.point / 2
+  const end = (first + count) * 4
+  if (isMarked(style) && count < 500) {
+    for (let at = first * 4; at < end; at += 4)
+      marked(pen, style, left + style.point / 2 + (vertices[at] ?? 0) * scale, top + style.point / 2 - (vertices[at + 1] ?? 0) * up)
+    return
+  }
+  const round = count <= ROUND
+  for (let step = STEPS - 1; step >= 0; step -= 1) {
+    // A point has less ink than a line.
+    context.globalAlpha = Math.max(FAINTEST_POINT, alphaAt(style, step))
+    for (let at = first * 4; at < end; at += 4) {
+      if (stepOf(vertices[at + 3] ?? 0) !== step) continue
+      const [x, y] = [left + (vertices[at] ?? 0) * scale, top - (vertices[at + 1] ?? 0) * up]
+      if (round) dot(context, x, y, style.point / 2)
+      else context.fillRect(x, y, style.point, style.point)
+    }
+  }
+  context.globalAlpha = 1
+}
+
+function dot(context: CanvasRenderingContext2D, left: number, top: number, radius: number): void {
+  context.beginPath()
+  context.arc(left + radius, top + radius, radius, 0, 2 * Math.PI)
+  context.fill()
+}
+
+/** Points of this look are told by their form. */
+export const isMarked = ({ glyph }: Style): boolean => glyph === 'ring' || glyph === 'diamond'
+
+/** A mark that is told by its form. */
+export function marked({ context }: Pen, style: Style, x: number, y: number): void {
+  const half = style.point / 2
+  context.beginPath()
+  context.setLineDash([])
+  context.lineWidth = 2
+  if (style.glyph === 'diamond') {
+    context.moveTo(x, y - half - 1)
+    context.lineTo(x + half + 1, y)
+    context.lineTo(x, y + half + 1)
+    context.lineTo(x - half - 1, y)
+    context.closePath()
+  } else {
+    context.arc(x, y, half, 0, 2 * Math.PI)
+  }
+  context.stroke()
+}
+
+/** Lines of one role, collected by weight and stroked together. */
+export class Lines {
+  private readonly paths = Array.from({ length: STEPS }, () => new Path2D())
+  private readonly used = new Uint8Array(STEPS)
+  /** Where the plane lies on the screen. */
+  private readonly place: { left: number; top: number; right: number; up: number }
+
+  /** Lines that swell are told apart down to a few hundredths; what is less is left out. */
+  constructor(
+    private readonly pen: Pen,
+    private readonly swelling = false,
+  ) {
+    const { view, size } = pen
+    const up = rise(view) * view.scale
+    this.place = { left: size.width / 2 - view.x * view.scale, top: size.height / 2 + view.y * up, right: view.scale, up }
+  }
+
+  /** Leaves out what lies beyond a rim: much of a long way that is seen from near. */
+  polyline(vertices: Float32Array, first: number, count: number): void {
+    const path = this.pathFor(vertices[first * 4 + 3] ?? 0)
+    const { left, top, right, up } = this.place
+    const { width, height } = this.pen.size
+    let [begun, x0, y0] = [false, 0, 0]
+    for (let at = first; at < first + count; at += 1) {
+      const x = left + (vertices[at * 4] ?? 0) * right
+      const y = top - (vertices[at * 4 + 1] ?? 0) * up
+      if (at > first) {
+        const beyond = Math.max(x0, x) < -RIM || Math.min(x0, x) > width + RIM || Math.max(y0, y) < -RIM || Math.min(y0, y) > height + RIM
+        if (!beyond && !begun) path.moveTo(x0, y0)
+        if (!beyond) path.lineTo(x, y)
+        begun = !beyond
+      }
+      x0 = x
+      y0 = y
+    }
+  }
+
+  segments(vertices: Float32Array, first: number, count: number): void {
+    for (let at = first; at < first + count; at += 2) {
+      const weight = vertices[at * 4 + 3] ?? 0
+      const shade = this.swelling ? Math.sqrt(weight) : weight
+      if (this.swelling && stepOf(shade) === 0) continue
+      const path = this.pathFor(shade)
+      this.vertex(path, vertices, at, true)
+      this.vertex(path, vertices, at + 1, false)
+    }
+  }
+
+  private pathFor(weight: number): Path2D {
+    const step = stepOf(weight)
+    this.used[step] = 1
+    return this.paths[step] ?? new Path2D()
+  }
+
+  private vertex(path: Path2D, vertices: Float32Array, at: number, begins: boolean): void {
+    const { left, top, right, up } = this.place
+    const x = left + (vertices[at * 4] ?? 0) * right
+    const y = top - (vertices[at * 4 + 1] ?? 0) * up
+    if (begins) path.moveTo(x, y)
+    else path.lineTo(x, y)
+  }
+
+  stroke(style: Style): void {
+    const { context } = this.pen
+    applyStyle(this.pen, style)
+    for (let step = STEPS - 1; step >= 0; step -= 1) {
+      const path = this.paths[step]
+      if (!path || this.used[step] === 0) continue
+      context.globalAlpha = alphaAt(style, step)
+      context.lineWidth = style.width + (((style.swell ?? style.width) - style.width) * step) / (STEPS - 1)
+      context.stroke(path)
+    }
+    context.globalAlpha = 1
+  }
+}

@@ -1,0 +1,41 @@
+/* What crosses from a run to its picture. */
+import type { Point, Ramp, Scene } from 'forage-lab'
+
+/** A run's layers at one iteration. */
+export interface FrameBuffer {
+  /** `vertices` floats (x, y, z and weight of each vertex), then the span table; goes back to the run's pool. */
+  buffer: ArrayBuffer
+  vertices: number
+  /** Numbers of the span table: layer, shape, first vertex and count of each span. */
+  spans: number
+  /** Where there are too many pieces, one of so many is drawn. */
+  thinning: number
+}
+
+/** What of a run is seen. Frames depend on it. */
+export interface Viewport {
+  /** The fields that are shown, with their colours. */
+  fields: { role: string; ramp: Ramp }[]
+  /** The part of the plane that is seen, where a layer is only worth drawing from near; null: all of it. */
+  window: { min: Point; max: Point } | null
+}
+
+/** A layer of values over the plane, coloured: a pixel a value, the row of the smallest y first. */
+export interface FieldPicture {
+  role: string
+  bitmap: ImageBitmap
+  min: Point
+  max: Point
+  /** The smallest and the largest value. */
+  range: [number, number]
+}
+
+/** Asks for the heights of a function, coloured. */
+export interface FieldRequest {
+  scene: Scene
+  min: Point
+  max: Point
+  width: number
+  height: number
+  ramp: Ramp
+}

@@ -1,0 +1,178 @@
+import uPlot from 'uplot'
+import type { GroupSummary } from 'forage-lab'
+import { axis, faint, type Theme } from './base'
+import { GOLDEN, jitter, PADDING, PLASTIC, ROW } from './layout'
+import type { Axis } from './scale'
+
+/** A run that is drawn as a dot. */
+export interface PlottedRun {
+  record: { seed: number }
+  /** Farther from the quartiles than 1.5 times their distance. */
+  outlier: boolean
+}
+
+/** A row of the plot. */
+export interface PlottedGroup<R extends PlottedRun> {
+  summary: GroupSummary
+  runs: readonly R[]
+}
+
+/** A run's dot, in pixels of the page from the plot's corner. */
+export interface Dot<R extends PlottedRun> {
+  x: number
+  y: number
+  run: R
+}
+
+export interface BoxOptions<R extends PlottedRun, G extends PlottedGroup<R>> {
+  groups: readonly G[]
+  theme: Theme
+  axis: Axis
+  /** What a run comes to; null without a feasible result. */
+  valueOfRun(run: R): number | null
+  /** What is drawn of a group's summary, in the same measure. */
+  quartilesOf(group: G): Quartiles | null
+  exactOf(group: G): number | null
+  ondrawn(dots: Dot<R>[]): void
+}
+
+export interface Quartiles {
+  low: number
+  lower: number
+  median: number
+  upper: number
+  high: number
+}
+
+const DOT = 2.75
+
+export const isFeasible = ({ feasible, runs }: GroupSummary): boolean => feasible === runs
+
+export function boxPlot<R extends PlottedRun, G extends PlottedGroup<R>>(host: HTMLElement, options: BoxOptions<R, G>): uPlot {
+  const { groups, theme, axis: scale } = options
+  const strip = groups.some(({ summary }) => !isFeasible(summary)) ? PADDING.strip : PADDING.side
+  return new uPlot(
+    {
+      width: host.clientWidth,
+      height: host.clientHeight,
+      padding: [PADDING.top, strip, 0, PADDING.side],
+      legend: { show: false },
+      cursor: { show: false },
+      scales: { x: { time: false, range: () => scale.range }, y: { range: () => [0, Math.max(1, groups.length)] } },
+      axes: [axis({ theme, side: 'x', splits: scale.splits, label: scale.label, grid: true }), { show: false }],
+      series: [{}, { show: true, stroke: 'transparent', points: { show: false } }],
+      hooks: { draw: [(plot) => options.ondrawn(groups.flatMap((group, at) => draw(plot, group, at, strip, options)))] },
+    },
+    [scale.range, [null, null]],
+    host,
+  )
+}
+
+/** A row: the box above its dots, and those without a result beside them. */
+function draw<R extends PlottedRun, G extends PlottedGroup<R>>(
+  plot: uPlot,
+  group: G,
+  at: number,
+  strip: number,
+  options: BoxOptions<R, G>,
+): Dot<R>[] {
+  const { theme, axis: scale, valueOfRun } = options
+  const { ctx, bbox } = plot
+  const ratio = devicePixelRatio
+  const place = (value: number): number => plot.valToPos(scale.place(value), 'x', true)
+  const top = bbox.top + at * ROW.height * ratio
+  const colour = theme.series[at] ?? theme.ink
+  ctx.save()
+
+  if (at > 0) line(ctx, 0, top, bbox.left + bbox.width + strip * ratio, top, theme.line, ratio)
+  const exact = options.exactOf(group)
+  if (exact !== null) line(ctx, place(exact), top, place(exact), top + ROW.height * ratio, theme.exact, 1.5 * ratio, [5 * ratio, 4 * ratio])
+
+  const quartiles = options.quartilesOf(group)
+  if (quartiles) box(ctx, quartiles, place, top, colour, ratio)
+
+  const dots = group.runs.map((run): Dot<R> => {
+    const value = valueOfRun(run)
+    const y = top + (ROW.dots + ROW.dotsHeight * jitter(run.record.seed + 1, GOLDEN)) * ratio
+    if (value !== null) return { x: place(value), y, run }
+    const from = bbox.left + bbox.width + 14 * ratio
+    return { x: from + (strip - 28) * ratio * jitter(run.record.seed + 1, PLASTIC), y, run }
+  })
+  for (const { x, y, run } of dots) mark(ctx, x, y, run, valueOfRun(run) === null, colour, theme, ratio)
+  ctx.restore()
+  return dots.map(({ x, y, run }) => ({ x: x / ratio, y: y / ratio, run }))
+}
+
+function line(
+  ctx: CanvasRenderingContext2D,
+  x1: number,
+  y1: number,
+  x2: number,
+  y2: number,
+  colour: string,
+  width: number,
+  dash: number[] = [],
+): void {
+  ctx.beginPath()
+  ctx.setLineDash(dash)
+  ctx.strokeStyle = colour
+  ctx.lineWidth = width
+  ctx.moveTo(x1, y1)
+  ctx.lineTo(x2, y2)
+  ctx.stroke()
+  ctx.setLineDash([])
+}
+
+function box(
+  ctx: CanvasRenderingContext2D,
+  { low, lower, median, upper, high }: Quartiles,
+  place: (value: number) => number,
+  top: number,
+  colour: string,
+  ratio: number,
+): void {
+  const [from, height] = [top + ROW.box * ratio, ROW.boxHeight * ratio]
+  const middle = from + height / 2
+  const [left, right] = [place(lower), place(upper)]
+  for (const [a, b] of [
+    [place(low), left],
+    [right, place(high)],
+  ] as const)
+    line(ctx, a, middle, b, middle, colour, 1.25 * ratio)
+  for (const end of [place(low), place(high)]) line(ctx, end, middle - height / 4, end, middle + height / 4, colour, 1.25 * ratio)
+  ctx.fillStyle = faint(colour, 0.22)
+  ctx.strokeStyle = colour
+  ctx.lineWidth = 1.25 * ratio
+  ctx.beginPath()
+  ctx.rect(left, from, right - left, height)
+  ctx.fill()
+  ctx.stroke()
+  line(ctx, place(median), from, place(median), from + height, colour, 3 * ratio)
+}
+
+/** A dot; an outlier's is a ring, one without a result a cross. */
+function mark(
+  ctx: CanvasRenderingContext2D,
+  x: number,
+  y: number,
+  run: PlottedRun,
+  none: boolean,
+  colour: string,
+  theme: Theme,
+  ratio: number,
+): void {
+  const size = DOT * ratio
+  ctx.beginPath()
+  if (none) {
+    line(ctx, x - size, y - size, x + size, y + size, theme.danger, 1.5 * ratio)
+    line(ctx, x - size, y + size, x + size, y - size, theme.danger, 1.5 * ratio)
+    return
+  }
+  ctx.arc(x, y, run.outlier ? size * 1.5 : size, 0, 2 * Math.PI)
+  ctx.fillStyle = run.outlier ? theme.surface : faint(colour, 0.62)
+  ctx.fill()
+  if (!run.outlier) return
+  ctx.strokeStyle = colour
+  ctx.lineWidth = 2 * ratio
+  ctx.stroke()
+}

@@ -1,0 +1,29 @@
+import type { TrialCurve } from 'forage-lab'
+import type { Curves } from '../../../render/plot/curves'
+import type { Stroke } from '../../../render/plot/plot'
+
+/** Told apart by dashes, not by colour alone. */
+const DASHES: readonly (number[] | undefined)[] = [undefined, [10, 4], [3, 3], [10, 3, 2, 3]]
+
+export const strokeOf = (at: number): Stroke => {
+  const dash = DASHES[at % DASHES.length]
+  return { token: `--racer-${at + 1}`, width: 2.25, ...(dash && { dash }) }
+}
+
+/** The feasible bests as columns over all evaluations at which one changed, up to `end`: each holds until its next change. */
+export function staircases(all: readonly (TrialCurve | null)[], end: number, lasts: readonly number[]): Curves {
+  const places = new Set([0, end])
+  for (const curve of all) for (const at of curve?.evaluations ?? []) if (at <= end) places.add(at)
+  for (const last of lasts) if (last <= end) places.add(last)
+  const iterations = [...places].sort((a, b) => a - b)
+  const values = all.map((curve, racer) => {
+    let next = 0
+    let value: number | null = null
+    return iterations.map((place) => {
+      while (curve && next < curve.evaluations.length && (curve.evaluations[next] ?? Infinity) <= place)
+        value = curve.values[next++] ?? null
+      return place <= (lasts[racer] ?? 0) ? value : null
+    })
+  })
+  return { iterations, values }
+}

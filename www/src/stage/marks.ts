@@ -1,5 +1,0 @@
-/* What has to do with stops: loaded with the first scene that has some. */
-export { drawArrows } from './arrows'
-export { default as StopCard } from './StopCard.svelte'
-export { default as StopTools } from './StopTools.svelte'
-export { drawStops, placesOf } from './stops'

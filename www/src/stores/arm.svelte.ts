@@ -1,0 +1,127 @@
+import type { ArmScene, ArmSolutions, Motion, Point3, Reachability } from 'forage-lab'
+import { Following } from './following.svelte'
+import { lab } from './lab.svelte'
+import { nodeOf } from './nodes'
+import { Swing } from '../scene/trajectory'
+
+/** The arm is shown as fast as it is. */
+const PACE = 1
+const DEGREE = Math.PI / 180
+
+/** A point whose postures can be asked for. */
+export type Aim = 'start' | 'goal' | 'node' | 'tip'
+
+/** Where the tool points, in degrees: about the vertical, from x towards y, and up from the horizontal. */
+export interface Direction {
+  azimuth: number
+  elevation: number
+}
+
+/** A survey, and the scene that it is of. */
+interface Survey {
+  scene: ArmScene
+  reach: Reachability
+}
+
+/** What there is to know about the arm beside the run: how it follows the result, its postures at a point, where its tip can come. */
+class Arm {
+  readonly following = new Following<Motion, Swing>(
+    PACE,
+    (params) => lab.api.motion(params),
+    (motion) => new Swing(motion),
+  )
+  node = $state<number | null>(null)
+
+  aim = $state<Aim>('goal')
+  /** Null: whatever is nearest to the arm's posture. */
+  direction = $state.raw<Direction | null>(null)
+  ghosts = $state.raw<ArmSolutions | null>(null)
+  ghost = $state<number | null>(null)
+  /** Why nothing can be said of the point's postures. */
+  problem = $state('')
+  private turn = 0
+
+  private survey = $state.raw<Survey | null>(null)
+  surveying = $state(false)
+  /** Why there is no survey. */
+  unsurveyed = $state('')
+  /** What arm stands where among what: another one is to be surveyed anew. */
+  readonly reach = $derived.by(() => {
+    const [of, now] = [this.survey?.scene, lab.arm]
+    const holds = of && now && of.arm === now.arm && of.cuboids === now.cuboids && of.workspace === now.workspace
+    return holds ? (this.survey?.reach ?? null) : null
+  })
+
+  readonly clock = this.following.clock
+
+  get motion(): Motion | null {
+    return this.following.track?.motion ?? null
+  }
+
+  postureAt(time: number): readonly number[] | null {
+    return this.following.track?.postureAt(time) ?? null
+  }
+
+  /** Where a point is, if there is one now. */
+  place(aim: Aim): Point3 | null {
+    if (aim === 'node') return lab.inspection && lab.frame && lab.names && nodeOf(lab.inspection, lab.frame, lab.names)
+    if (aim === 'tip') return this.following.track?.tipAt(this.clock.time) ?? null
+    return lab.arm?.[aim] ?? null
+  }
+
+  /** Asks for a point's postures; null takes them away. */
+  async ask(scene: ArmScene, point: Point3 | null, direction: Direction | null): Promise<void> {
+    this.turn += 1
+    const turn = this.turn
+    const near = this.postureAt(this.clock.time)
+    const answer = point && (await lab.api.armSolutions(scene, point, direction && vector(direction), near ? [...near] : undefined))
+    if (turn !== this.turn) return
+    this.problem = answer && !answer.ok ? answer.refusal.message : ''
+    this.ghosts = answer?.ok ? answer.value : null
+    if ((this.ghost ?? 0) >= (this.ghosts?.solutions.length ?? 0)) this.ghost = null
+  }
+
+  forget(): void {
+    this.turn += 1
+    this.ghosts = null
+    this.ghost = null
+    this.problem = ''
+  }
+
+  /** Finds out where the tip can come, on a lattice of this step. */
+  explore = async (step: number): Promise<void> => {
+    const scene = lab.arm
+    if (!scene) return
+    this.surveying = true
+    this.unsurveyed = ''
+    const answer = await lab.api.reach(scene, step).catch((error: Error) => error)
+    // Called off, or asked again.
+    if (!answer) return
+    this.surveying = false
+    if (answer instanceof Error) this.unsurveyed = answer.message
+    else if (answer.ok) this.survey = { scene, reach: answer.value }
+    else this.unsurveyed = answer.refusal.message
+  }
+
+  /** Takes the cloud away, or calls off what is on its way. */
+  clear = (): void => {
+    if (this.surveying) void lab.api.callOff()
+    this.surveying = false
+    this.survey = null
+    this.unsurveyed = ''
+  }
+}
+
+function vector({ azimuth, elevation }: Direction): Point3 {
+  const [turn, rise] = [azimuth * DEGREE, elevation * DEGREE]
+  return [Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise)]
+}
+
+/** The direction that a vector has. */
+export const directionOf = ([x, y, z]: Point3): Direction => ({
+  azimuth: Math.atan2(y, x) / DEGREE,
+  elevation: Math.atan2(z, Math.hypot(x, y)) / DEGREE,
+})
+
+export const arm = new Arm()
+lab.followers.motion = arm.following

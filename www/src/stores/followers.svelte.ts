@@ -1,0 +1,42 @@
+import type { Drive } from 'forage-lab'
+import type { Client } from '../engine/run-client'
+import type { Follower, Following } from './following.svelte'
+import type { Track } from '../scene/track'
+
+/** How many times as fast as the robot a drive is shown. */
+const PACE = 4
+
+/** Those who follow the result in a time of their own. Each is there from its first time on. */
+export class Followers {
+  /** The robot. */
+  driving = $state.raw<Following<Drive, Track> | null>(null)
+  /** The arm. */
+  motion = $state.raw<Follower | null>(null)
+
+  private get all(): Follower[] {
+    return [this.driving, this.motion].filter((follower) => follower !== null)
+  }
+
+  /** The robot, for which the core is asked. */
+  async robot(api: Client['api']): Promise<Follower> {
+    const [{ Following }, { Track }] = await Promise.all([import('./following.svelte'), import('../scene/track')])
+    this.driving ??= new Following<Drive, Track>(
+      PACE,
+      (params) => api.drive(params),
+      (drive) => new Track(drive),
+    )
+    return this.driving
+  }
+
+  /** To follow another result than this would be a lie. */
+  heed({ generation, iteration }: { generation: number; iteration: number }): void {
+    for (const follower of this.all) {
+      const { track, of } = follower
+      if (track && (of.generation !== generation || of.iteration !== iteration)) follower.leave()
+    }
+  }
+
+  leave(): void {
+    for (const follower of this.all) follower.leave()
+  }
+}

@@ -1,0 +1,418 @@
+import { beforeEach, describe, expect, test, vi } from 'vitest'
+import { FakeWorker, passed, scene } from '../../unit/worker'
+import { en } from '../locales/en/page'
+import { Lab } from './lab.svelte'
+import { gone } from './transport.svelte'
+
+const made = vi.hoisted((): { worker?: FakeWorker } => ({}))
+vi.mock('../engine/run-client', () => ({
+  Client: class {
+    constructor(listeners: ConstructorParameters<typeof FakeWorker>[0]) {
+      const worker = new FakeWorker(listeners)
+      made.worker = worker
+      Object.assign(this, worker)
+    }
+  },
+}))
+
+/** The page's state with a worker that answers by hand, at rest at iteration 0. */
+async function opened(): Promise<{ lab: Lab; worker: FakeWorker }> {
+  const lab = new Lab()
+  const { worker } = made
+  if (!worker) throw new Error('no worker')
+  void lab.open()
+  await worker.receiveAll()
+  return { lab, worker }
+}
+
+let [lab, worker] = [] as unknown as [Lab, FakeWorker]
+
+beforeEach(async () => {
+  ;({ lab, worker } = await opened())
+  expect(worker.state).toMatchObject({ planner: 'wcpso', iteration: 0, playing: false })
+})
+
+/** The page and the worker agree in the end, and nothing is on its way any more. */
+async function atRest(iteration: number): Promise<void> {
+  await worker.receiveAll()
+  expect(worker.state).toMatchObject({ iteration, playing: false })
+  expect({ iteration: lab.iteration, playing: lab.playing, target: lab.target, stale: lab.stale }).toEqual({
+    iteration,
+    playing: false,
+    target: null,
+    stale: false,
+  })
+  expect(lab.hash).toBe(`${worker.state.planner} ${iteration}`)
+}
+
+/** Changes that restart the run, and how many of their messages the worker takes in before the user goes on. */
+const CHANGES: Record<string, () => unknown> = {
+  'a parameter': () => lab.setParameter('w', 2),
+  'a reset parameter': () => lab.resetParameter('w'),
+  'the planner': () => lab.setPlanner('pso'),
+  'the scene': () => lab.openScene(scene('other')),
+  'the seed': () => lab.setSeed(7),
+  'a random seed': () => lab.newSeed(),
+  'a link': () => lab.openLink('pso,other,3,0'),
+  'an edit': () => lab.addDisc(5, 5, 1),
+}
+
+for (const [what, change] of Object.entries(CHANGES)) {
+  describe(`after a change of ${what}`, () => {
+    for (const received of [0, 1, 2]) {
+      test(`a seek holds for the new run (${received} messages received)`, async () => {
+        void change()
+        for (let message = 0; message < received; message += 1) await worker.receive(false)
+        lab.seek(40)
+        await atRest(40)
+      })
+
+      test(`of several seeks the last holds (${received} messages received)`, async () => {
+        void change()
+        lab.seek(60)
+        for (let message = 0; message < received; message += 1) await worker.receive(false)
+        lab.seek(50)
+        lab.seek(30)
+        await atRest(30)
+      })
+
+      test(`steps count from where the new run begins (${received} messages received)`, async () => {
+        lab.seek(20)
+        await worker.receiveAll()
+        void change()
+        for (let message = 0; message < received; message += 1) await worker.receive(false)
+        for (let step = 0; step < 3; step += 1) lab.stepBy(1)
+        await passed()
+        await atRest(3)
+      })
+
+      test(`play and pause hold for the new run (${received} messages received)`, async () => {
+        void change()
+        for (let message = 0; message < received; message += 1) await worker.receive(false)
+        lab.play()
+        await worker.receiveAll()
+        expect([worker.state.playing, lab.playing]).toEqual([true, true])
+        void change()
+        for (let message = 0; message < received; message += 1) await worker.receive(false)
+        lab.pause()
+        await atRest(0)
+      })
+    }
+  })
+}
+
+test('a seek between two changes holds for neither of the later runs', async () => {
+  void lab.setParameter('w', 2)
+  lab.seek(40)
+  void lab.setParameter('c', 3)
+  await atRest(0)
+  expect(worker.state.params).toEqual({ w: 2, c: 3 })
+})
+
+test('a seek after two changes holds for the run with both', async () => {
+  void lab.setParameter('w', 2)
+  void lab.setParameter('c', 3)
+  lab.seek(40)
+  await atRest(40)
+  expect(worker.state.params).toEqual({ w: 2, c: 3 })
+})
+
+test('a seek after a value that is refused holds for the run that stays', async () => {
+  void lab.setParameter('w', -1)
+  lab.seek(40)
+  await atRest(40)
+  expect(lab.paramErrors).toEqual({ w: 'below zero' })
+})
+
+test('the end is that of the new run', async () => {
+  void lab.setParameter('iterations', 500)
+  lab.seek(Infinity)
+  await atRest(500)
+})
+
+test('steps that come faster than pictures all count', async () => {
+  lab.stepBy(1)
+  await worker.receive(false)
+  lab.stepBy(1)
+  worker.show()
+  lab.stepBy(1)
+  await atRest(3)
+})
+
+test('a picture from before a seek does not pass for its result', async () => {
+  lab.seek(10)
+  await worker.receive(false)
+  lab.seek(20)
+  worker.show()
+  expect({ target: lab.target, hash: lab.hash }).toEqual({ target: 20, hash: '' })
+  await atRest(20)
+})
+
+test('a picture that overtakes the answer to its start leaves nothing on its way', async () => {
+  void lab.openLink('pso,other,3,25')
+  await worker.receive()
+  // The picture is there at once, the answer only after it.
+  await worker.receive()
+  await atRest(25)
+})
+
+test('a run plays on from where a link puts it', async () => {
+  void lab.openLink('pso,other,3,25')
+  await worker.receive(false)
+  lab.play()
+  await worker.receiveAll()
+  expect(worker.state).toMatchObject({ iteration: 25, playing: true })
+  expect(lab.target).toBeNull()
+})
+
+test('the planner that is chosen after a link stays', async () => {
+  void lab.openLink('wcpso,other,3,25')
+  lab.setPlanner('pso')
+  await worker.receiveAll()
+  expect(worker.state.planner).toBe('pso')
+  expect(lab.plannerName).toBe('pso')
+})
+
+test('a link that is opened after a parameter was set has its own parameters', async () => {
+  void lab.setParameter('w', 2)
+  void lab.openLink('pso,other,3,25')
+  await atRest(25)
+  expect(worker.state.params).toEqual({})
+})
+
+test('the newest value of a parameter stays, also when it is the default', async () => {
+  void lab.setParameter('w', 2)
+  lab.resetParameter('w')
+  await worker.receiveAll()
+  expect(worker.state.params).toEqual({})
+  expect(lab.params).toEqual({})
+})
+
+test('while a slider is dragged, each value is taken over as its answer comes', async () => {
+  for (const value of [2, 3]) void lab.setParameter('w', value)
+  await worker.receive()
+  expect(lab.params).toEqual({ w: 2 })
+  await worker.receiveAll()
+  expect(worker.state.params).toEqual({ w: 3 })
+})
+
+test('a value before one that is refused stays', async () => {
+  for (const value of [2, -1]) void lab.setParameter('w', value)
+  await worker.receiveAll()
+  expect([worker.state.params, lab.params]).toEqual([{ w: 2 }, { w: 2 }])
+  expect(lab.paramErrors).toEqual({ w: 'below zero' })
+})
+
+test('a seed that is typed after a random one was asked for stays', async () => {
+  void lab.newSeed()
+  lab.setSeed(7)
+  await worker.receiveAll()
+  expect(worker.state.seed).toBe(7)
+})
+
+test('what is picked in the old run is not inspected in the new one', async () => {
+  const picked = lab.pick(4, 0, 1)
+  lab.setPlanner('pso')
+  await worker.receiveAll()
+  await picked
+  expect(lab.wanted).toBeNull()
+})
+
+test('what is inspected while the run restarts stays inspected', async () => {
+  lab.setPlanner('pso')
+  const picked = lab.pick(4, 0, 1)
+  await worker.receiveAll()
+  await picked
+  expect(lab.wanted).toEqual({ role: 'pso', index: 4 })
+})
+
+describe('after a scene that is refused', () => {
+  beforeEach(async () => {
+    lab.seek(20)
+    await worker.receiveAll()
+    lab.addDisc(1, 1, 1)
+    await worker.receiveAll()
+    expect(lab.sceneError).toMatchObject({ field: 'start' })
+    // The run of before goes on.
+    lab.play()
+    await worker.receiveAll()
+    worker.advance(50)
+    await worker.receiveAll()
+    expect([lab.iteration, lab.playing]).toEqual([50, true])
+  })
+
+  test('steps count from where the run of before is', async () => {
+    lab.stepBy(1)
+    await worker.receiveAll()
+    expect([worker.state.iteration, lab.iteration]).toEqual([51, 51])
+  })
+
+  test('a pause leaves the run of before where it is', async () => {
+    lab.pause()
+    await worker.receiveAll()
+    expect(worker.state).toMatchObject({ iteration: 50, playing: false })
+    lab.play()
+    await worker.receiveAll()
+    expect(worker.state).toMatchObject({ iteration: 50, playing: true })
+  })
+})
+
+describe('steps that wait for a change', () => {
+  test('give way to a seek that comes after them', async () => {
+    void lab.setParameter('w', 2)
+    lab.stepBy(1)
+    lab.seek(50)
+    await atRest(50)
+  })
+
+  test('give way to a play that comes after them', async () => {
+    void lab.setParameter('w', 2)
+    lab.stepBy(1)
+    lab.play()
+    await worker.receiveAll()
+    expect([worker.state.playing, lab.playing]).toEqual([true, true])
+  })
+
+  test('count from a seek that came before them', async () => {
+    void lab.setParameter('w', 2)
+    lab.stepBy(1)
+    lab.seek(50)
+    lab.stepBy(1)
+    lab.stepBy(1)
+    await atRest(52)
+  })
+})
+
+test('the fingerprint of a link is not compared with the run before it', async () => {
+  void lab.openLink('pso,other,3,25,pso 25')
+  await atRest(25)
+  expect(lab.notice).toBe('')
+  const opened = lab.openLink('wcpso,other,3,25,wcpso 25')
+  await worker.receive(false)
+  // A picture of the old run, asked for by something else, comes after the link was read.
+  worker.repeat()
+  await opened
+  await atRest(25)
+  expect(lab.notice).toBe('')
+  void lab.openLink('pso,other,3,25,something else')
+  await atRest(25)
+  expect(lab.notice).not.toBe('')
+})
+
+test('a scene from a file that comes after another was opened does not replace it', async () => {
+  let answered = (_: string): void => undefined
+  const asked = lab.askForScene(() => new Promise<string>((resolve) => (answered = resolve)))
+  lab.openScene(scene('other'))
+  answered('a large map')
+  expect(await asked).toBeNull()
+  await worker.receiveAll()
+  expect(await lab.askForScene(() => Promise.resolve('a map'))).toBe('a map')
+})
+
+/** A thread that never answers takes the place of the present one until it `opens`. */
+function replace(): { opens: () => void } {
+  let opens = (): void => undefined
+  const catalogue = worker.opens
+  worker.opens = new Promise((resolve) => (opens = () => resolve(catalogue)))
+  worker.listeners.onunresponsive()
+  worker.opens = catalogue
+  return { opens }
+}
+
+describe('a thread that does not answer', () => {
+  test('is replaced by one that goes on as the run did', async () => {
+    lab.seek(20)
+    lab.play()
+    await worker.receiveAll()
+    void lab.setParameter('w', 2)
+    replace().opens()
+    await worker.receiveAll()
+    expect(worker.state).toMatchObject({ params: { w: 2 }, playing: true })
+    expect([lab.playing, lab.stale]).toEqual([true, false])
+  })
+
+  test('is replaced by one that plays on from where it was', async () => {
+    lab.seek(20)
+    lab.play()
+    await worker.receiveAll()
+    replace().opens()
+    await worker.receiveAll()
+    expect(worker.state).toMatchObject({ iteration: 20, playing: true })
+  })
+
+  test('leaves seeks to the one that is loading', async () => {
+    lab.play()
+    await worker.receiveAll()
+    const { opens } = replace()
+    lab.seek(30)
+    opens()
+    await atRest(30)
+  })
+
+  test('leaves changes to the one that is loading', async () => {
+    const { opens } = replace()
+    lab.setSeed(7)
+    lab.stepBy(1)
+    opens()
+    await atRest(1)
+    expect(worker.state.seed).toBe(7)
+  })
+
+  test('is not replaced within a start that nothing waits for', async () => {
+    lab.setSeed(7)
+    worker.listeners.onunresponsive()
+    await atRest(0)
+    expect(worker.state.seed).toBe(7)
+  })
+
+  test.each(['a reset parameter', 'the planner', 'the seed', 'an edit'])('is looked for when %s changes within a start', async (change) => {
+    lab.setSeed(8)
+    const { expected } = worker
+    void CHANGES[change]?.()
+    expect(worker.expected).toBe(expected + 1)
+    await worker.receiveAll()
+  })
+
+  test('leaves its questions to the next one', async () => {
+    const link = lab.api.newSeed()
+    replace().opens()
+    await worker.receiveAll()
+    expect(await link).toBeGreaterThan(1000)
+  })
+})
+
+test('what a thread was asked that broke down is not asked again', async () => {
+  const asked = lab.setParameter('w', 2)
+  const question = lab.api.newSeed()
+  expect(worker.waiting).toBe(2)
+  worker.listeners.oncrash('unreachable')
+  await asked
+  await expect(question).rejects.toBe(gone)
+  expect(lab.stale).toBe(true)
+  void lab.open()
+  await atRest(0)
+  expect([worker.state.params, lab.params]).toEqual([{}, {}])
+})
+
+test('a part that cannot be loaded is no fault of the scene, and is tried again', async () => {
+  worker.unloaded = true
+  lab.setPlanner('pso')
+  await worker.receiveAll()
+  expect([lab.unloaded?.message, lab.sceneError, lab.stale]).toEqual([en.notices.unloaded('Failed to fetch'), null, true])
+  worker.unloaded = false
+  void lab.retry()
+  await atRest(0)
+  expect([lab.unloaded, worker.state.planner]).toEqual([null, 'pso'])
+})
+
+test('a link whose part cannot be loaded is opened when it is tried again', async () => {
+  worker.unloaded = true
+  void lab.openLink('pso,sphere,7,3')
+  await worker.receiveAll()
+  const message = en.notices.link(en.notices.unloaded('Failed to fetch'))
+  expect([lab.unloaded?.message, lab.notice, lab.failed, lab.plannerName]).toEqual([message, '', false, 'wcpso'])
+  worker.unloaded = false
+  void lab.retry()
+  await atRest(3)
+  expect([lab.unloaded, worker.state.planner, worker.state.seed]).toEqual([null, 'pso', 7])
+})

@@ -1,0 +1,156 @@
+import type { ArmScene, DiscsScene, GridScene, NamedFile, Point, Problem, Scene } from 'forage-lab'
+import { add, edited, move, place, type Plane, remove, rounded, type Selection } from '../scene/edits'
+import * as history from '../scene/undo'
+import { movingOf, onlyMoves } from '../scene/moving'
+import { stopsOf, withStops } from '../scene/stops'
+
+/** Key presses that follow each other within this many milliseconds are one edit. */
+const NUDGING = 800
+
+/**
+ * Where a run begins after an edit: anew; where it was, for what has changed is only what it meets on its way; or as after
+ * the edit before, which this one continues.
+ */
+export type Again = 'anew' | 'here' | 'on'
+
+/** Files that a scene was read from, and what there is to say about it. */
+export interface ImportedFiles {
+  files: NamedFile[]
+  notes: string[]
+  problems: Problem[]
+  /** Which of the problems the scene has the ends of. */
+  problem: number
+}
+
+/** The scene, its edits and what of it is selected. What follows from a change is told by whoever runs it. */
+export abstract class Scenes {
+  private scenes = $state.raw<history.History<Scene> | null>(null)
+  /** A scene while it is being dragged: not yet a step of the history. */
+  private draft = $state.raw<Scene | null>(null)
+  selection = $state.raw<Selection | null>(null)
+  /** What was told of the files that the scene was read from. */
+  imported = $state.raw<ImportedFiles | null>(null)
+  private nudged: { selection: Selection; at: number } | null = null
+
+  readonly scene = $derived(this.draft ?? this.scenes?.present ?? null)
+  readonly discs = $derived<DiscsScene | null>(this.scene?.kind === 'discs' ? this.scene : null)
+  readonly grid = $derived<GridScene | null>(this.scene?.kind === 'grid' ? this.scene : null)
+  /** A scene in space. */
+  readonly arm = $derived<ArmScene | null>(this.scene?.kind === 'arm' ? this.scene : null)
+  readonly plane = $derived<Plane | null>(this.scene && this.scene.kind !== 'function' && this.scene.kind !== 'arm' ? this.scene : null)
+  /** Where there is something to call at, in the scene's order. */
+  readonly stops = $derived(this.scene ? stopsOf(this.scene) : [])
+  /** What moves in it, in its order. */
+  readonly moving = $derived(this.scene ? movingOf(this.scene) : [])
+  /** The scene has a robot with an outline. */
+  readonly hasRobot = $derived(this.grid?.robot?.length !== undefined && this.grid.robot.width !== undefined)
+  readonly canUndo = $derived((this.scenes?.past.length ?? 0) > 0)
+  readonly canRedo = $derived((this.scenes?.future.length ?? 0) > 0)
+
+  /** The run begins again. */
+  protected abstract again(where?: Again): void
+
+  /** The run begins again for an edit of what was there before. */
+  private after(before: Scene | null, continued: boolean): void {
+    if (onlyMoves(before, this.scene)) this.again(continued ? 'on' : 'here')
+    else this.again()
+  }
+
+  /** Another scene takes the place, as a step of the history or as its beginning. */
+  protected put(scene: Scene, step: boolean): void {
+    this.scenes = this.scenes && step ? history.commit(this.scenes, scene) : history.begin(scene)
+    this.draft = null
+    this.selection = null
+    this.imported = null
+  }
+
+  /** An edit on its way, shown and run at once; `edit` with the last of them makes it one step of the history. */
+  drag = (scene: Scene): void => {
+    const [before, continued] = [this.scene, this.draft !== null]
+    this.draft = edited(scene)
+    this.after(before, continued)
+  }
+
+  /** Lets go of an edit that wasn't meant. */
+  abandon = (): void => {
+    const before = this.draft
+    if (!before) return
+    this.draft = null
+    this.after(before, true)
+  }
+
+  /** What was being dragged stays as it is now. */
+  settle = (): void => {
+    if (this.draft) this.edit(this.draft)
+  }
+
+  edit = (scene: Scene): void => {
+    if (!this.scenes) return
+    const [before, continued] = [this.scene, this.draft !== null]
+    this.draft = null
+    this.scenes = history.commit(this.scenes, edited(scene))
+    this.after(before, continued)
+  }
+
+  undo = (): void => this.travel(history.undo)
+  redo = (): void => this.travel(history.redo)
+
+  private travel(by: (from: history.History<Scene>) => history.History<Scene>): void {
+    if (!this.scenes) return
+    const before = this.scene
+    this.draft = null
+    this.scenes = by(this.scenes)
+    this.selection = null
+    this.imported = null
+    this.after(before, false)
+  }
+
+  select = (selection: Selection | null): void => {
+    this.selection = selection
+  }
+
+  addDisc = (x: number, y: number, radius: number): void => {
+    const { discs } = this
+    if (!discs) return
+    this.edit(add(discs, { center: [x, y], radius }))
+    this.selection = { kind: 'disc', index: discs.discs.length }
+  }
+
+  addStop = (at: Point): void => {
+    const { plane, stops } = this
+    const added = plane && withStops(plane, (before) => [...before, [rounded(at[0]), rounded(at[1])]])
+    if (!added || added === plane) return
+    this.edit(added)
+    this.selection = { kind: 'stop', index: stops.length }
+  }
+
+  removeSelected = (): void => {
+    const { plane, selection } = this
+    const without = plane && remove(plane, selection)
+    if (!without || without === plane) return
+    this.selection = null
+    this.edit(without)
+  }
+
+  nudge = (dx: number, dy: number): void => {
+    const { plane, selection } = this
+    if (!plane || !selection) return
+    const [x, y] = place(plane, selection)
+    this.press(move(plane, selection, [x + dx, y + dy]))
+  }
+
+  /** A change of what is selected by a key. A row of key presses is one edit. */
+  press = (scene: Scene): void => {
+    const { selection } = this
+    const before = this.scene
+    if (!selection || scene === before) return
+    const goesOn = this.nudged?.selection === selection && performance.now() - this.nudged.at < NUDGING
+    if (goesOn && this.scenes) {
+      this.scenes = history.amend(this.scenes, edited(scene))
+      this.after(before, true)
+    } else {
+      this.edit(scene)
+    }
+    this.nudged = { selection, at: performance.now() }
+  }
+}
