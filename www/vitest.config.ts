@@ -1,6 +1,8 @@
+import { fileURLToPath } from 'node:url'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
 import { defineConfig } from 'vitest/config'
 
+const core = fileURLToPath(new URL('../pkg/node.js', import.meta.url))
 const test = { setupFiles: ['unit/browser.ts'], restoreMocks: true }
 
 /** `page`: modules by themselves, with no browser and no core. `core`: what they must agree in with the core, which has to be built. */
@@ -12,7 +14,11 @@ export default defineConfig({
       // A thread and its modules serve all files: starting one for each takes longer than the tests.
       { extends: true, test: { ...test, name: 'page', pool: 'threads', isolate: false, include: ['src/**/*.test.ts', 'unit/*.test.ts'] } },
       // Whole runs of the core take their time on a machine that is busy.
-      { extends: true, test: { ...test, name: 'core', testTimeout: 60_000, include: ['unit/core/*.test.ts'] } },
+      {
+        extends: true,
+        resolve: { alias: [{ find: /^forage-lab(\/core)?$/, replacement: core }] },
+        test: { ...test, name: 'core', testTimeout: 60_000, include: ['unit/core/*.test.ts'] },
+      },
     ],
   },
 })

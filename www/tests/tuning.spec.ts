@@ -30,9 +30,9 @@ for (const threads of [1, 4]) {
     })
     await lab.open(linkTo(SETUP, 3))
     expect(await lab.settled(3)).toBe(hashOf(SETUP, 3))
-    // The thread of the simulation and those of the runs: the same code.
+    // The thread of the run and those of its subtasks.
     expect(started).toBe(1 + threads)
-    expect(workers.size).toBe(1)
+    expect(workers.size).toBe(2)
 
     expect(await lab.seek(1)).toBe(hashOf(SETUP, 1))
     await page.getByTestId('step-forward').click()

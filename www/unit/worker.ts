@@ -1,5 +1,5 @@
 import type { Catalogue, Planner, Scene, UncheckedSetup } from 'forage-lab'
-import type { Answer, FrameMessage, Opening, Run } from '../src/engine/protocol'
+import type { Answer, Desired, FromHost, Refusal, Report, ToHost } from '../src/engine/protocol'
 
 /** The run that the worker has, as a line of text: what it was started with, and where it is. */
 export interface State {
@@ -9,12 +9,6 @@ export interface State {
   params: Record<string, unknown>
   iteration: number
   playing: boolean
-}
-
-interface Listeners {
-  onframe(frame: FrameMessage): void
-  oncrash(message: string): void
-  onunresponsive(): void
 }
 
 const planner = (name: string): Planner =>
@@ -43,132 +37,149 @@ export const scene = (name: string): Scene =>
     discs: [],
   }) as Scene
 
-const catalogue = {
+export const catalogue = {
   planners: [planner('wcpso'), planner('pso')],
   scenes: [scene('wcpso-discs'), scene('other')],
   roles: [],
   shapes: [],
 } as unknown as Catalogue
 
-const UNLOADED: Answer<never> = { ok: false, refusal: { message: 'Failed to fetch', field: '', unloaded: true } }
+const UNLOADED: Refusal = { message: 'Failed to fetch', field: '', unloaded: true }
 
 /** How long a run is. */
 const limitOf = ({ params }: UncheckedSetup): number => Number(params?.iterations ?? 100)
 
+/** What a page holds of a thread. */
+class Thread {
+  onmessage: ((event: { data: FromHost }) => void) | null = null
+  onerror: unknown = null
+  constructor(private readonly fake: FakeWorker) {}
+
+  postMessage(message: ToHost): void {
+    if (this.fake.thread === this) this.fake.inbox.push(message)
+  }
+
+  terminate(): void {
+    this.fake.leave(this)
+  }
+}
+
 /**
- * The thread that computes, by hand: it takes in what it is asked, in order, only when the test says so. Parameter values below zero are refused, and scenes with a
+ * The thread that computes, by hand: it takes in what it is sent, in order, only when the test says so. Parameter values below zero are refused, and scenes with a
  * disc over the start. Links are `planner,scene,seed,iteration,hash`.
  */
 export class FakeWorker {
-  private readonly inbox: (() => void)[] = []
-  private frames: FrameMessage[] = []
+  inbox: ToHost[] = []
+  private outbox: FromHost[] = []
+  thread: Thread | undefined
+  /** How many threads there were. */
+  threads = 0
+  private version = 0
+  private begun = 0
+  private desired: Partial<Desired> = {}
   private setup: UncheckedSetup | undefined
-  private generation = 0
+  private pending = false
   private iteration = 0
   private playing = false
-  private request = 0
+  private generation = 0
   private seeds = 1000
   /** A part that starts and links need cannot be loaded. */
   unloaded = false
 
-  constructor(readonly listeners: Listeners) {}
-
-  /** Settles when the thread is there. */
-  opens: Promise<Catalogue> = Promise.resolve(catalogue)
-  open = (): Promise<Catalogue> => this.opens
-  giveBack = (): void => undefined
-  /** How often it was looked whether the thread answers. */
-  expected = 0
-  expect = (): void => {
-    this.expected += 1
+  /** The host of the page. */
+  readonly host = {
+    worker: (): Worker => {
+      this.threads += 1
+      this.thread = new Thread(this)
+      return this.thread as unknown as Worker
+    },
+    core: (): Promise<undefined> => this.core,
   }
-  /** The thread is thrown away with all that it was asked. */
-  close = (): void => {
-    this.inbox.length = 0
-    this.frames = []
+  /** Settles when a thread may be opened. */
+  core: Promise<undefined> = Promise.resolve(undefined)
+
+  /** The thread is thrown away with all that it was sent. */
+  leave(thread: Thread): void {
+    if (thread !== this.thread) return
+    this.thread = undefined
+    this.inbox = []
+    this.outbox = []
     this.setup = undefined
-    this.generation = 0
+    this.pending = false
+    this.desired = {}
   }
 
-  readonly api = {
-    start: (setup: UncheckedSetup, { at, play }: Opening, request: number): Promise<Answer<Run>> =>
-      this.answer(() => {
-        const refused = this.unloaded ? UNLOADED : this.refused(setup)
-        if (refused) return refused
-        this.request = request
-        this.setup = setup
-        this.generation += 1
-        this.go(at, play)
-        return {
-          ok: true,
-          value: {
-            generation: this.generation,
-            ...setup,
-            limit: limitOf(setup),
-            parameters: {},
-            exact: null,
-            span: { end: limitOf(setup), extent: limitOf(setup), stages: [] },
-          } as unknown as Run,
-        }
-      }),
-    seek: (iteration: number, play: boolean, request: number): Promise<void> =>
-      this.answer(() => {
-        this.request = request
-        this.go(iteration, play)
-      }),
-    play: (request: number): Promise<void> =>
-      this.answer(() => {
-        this.request = request
-        this.go(this.iteration, true)
-      }),
-    pause: (request: number): Promise<void> =>
-      this.answer(() => {
-        this.request = request
-        this.go(this.iteration, false)
-      }),
-    suggest: (setup: UncheckedSetup): Promise<unknown> => this.answer(() => this.refused(setup) ?? { ok: true, value: null }),
-    parseLink: (link: string): Promise<unknown> =>
-      this.answer(() => {
-        if (this.unloaded) return UNLOADED
-        const [planner, on, seed, iteration, hash] = link.split(',')
-        const value = { planner, scene: scene(on ?? ''), params: {}, seed: Number(seed), iteration: Number(iteration), hash }
-        return { ok: true, value }
-      }),
-    newSeed: (): Promise<number> => this.answer(() => (this.seeds += 1)),
-    pick: (x: number): Promise<unknown> => this.answer(() => ({ role: this.setup?.planner, index: x })),
-    watch: (): Promise<void> => this.answer(() => undefined),
-    drawn: (): Promise<void> => Promise.resolve(),
-    speed: (): Promise<void> => Promise.resolve(),
+  /** The core breaks down. */
+  crash(message: string): void {
+    this.deliver({ is: 'broken', message })
   }
 
-  /** How many messages wait to be taken in. */
+  private deliver(message: FromHost): void {
+    this.thread?.onmessage?.({ data: message })
+  }
+
+  /** How many questions and changes wait to be taken in. */
   get waiting(): number {
-    return this.inbox.length
+    return this.inbox.filter(({ is }) => is === 'want' || is === 'ask').length
   }
 
-  private answer<T>(act: () => T): Promise<T> {
-    return new Promise((resolve) => this.inbox.push(() => resolve(act())))
-  }
-
-  private refused({ params = {}, scene: on }: UncheckedSetup): Answer<never> | null {
+  private refused({ params = {}, scene: on }: UncheckedSetup): Refusal | null {
+    if (this.unloaded) return UNLOADED
     const field = Object.keys(params).find((name) => Number(params[name]) < 0)
-    if (field !== undefined) return { ok: false, refusal: { field, message: 'below zero' } }
+    if (field !== undefined) return { field, message: 'below zero' }
     const covered = typeof on === 'object' && on.kind === 'discs' && on.discs.some(({ center: [x, y] }) => x === 1 && y === 1)
-    return covered ? { ok: false, refusal: { field: 'start', message: 'covered' } } : null
+    return covered ? { field: 'start', message: 'covered' } : null
   }
 
-  private go(iteration: number, play: boolean): void {
-    this.iteration = this.setup ? Math.min(iteration, limitOf(this.setup)) : 0
+  private want({ version, change }: ToHost & { is: 'want' }): void {
+    this.version = version
+    Object.assign(this.desired, change)
+    const { start, target } = this.desired
+    if (change.start) {
+      this.begun = version
+      this.pending = true
+    }
+    if (this.pending && start) {
+      this.pending = false
+      const refusal = this.refused(start.setup)
+      if (refusal) {
+        this.outbox.push({ is: 'refused', version, refusal })
+        if (target) this.go(target.at, target.play)
+        return
+      }
+      this.setup = start.setup
+      this.go((target ?? start).at, (target ?? start).play, true)
+    } else if (change.target && this.setup) {
+      this.go(change.target.at, change.target.play)
+    }
+  }
+
+  private go(at: number | undefined, play: boolean, fresh = false): void {
+    this.iteration = Math.min(at ?? this.iteration, this.setup ? limitOf(this.setup) : 0)
     this.playing = play
-    this.frames.push({
-      type: 'frame',
+    if (fresh) this.generation = this.begun
+    const { setup, generation, iteration, version } = this
+    const limit = setup ? limitOf(setup) : 0
+    const run = fresh && {
+      generation,
+      ...setup,
+      limit,
+      parameters: {},
+      exact: null,
+      span: { end: limit, extent: limit, stages: [] },
+      evaluations: 0,
+    }
+    this.outbox.push({
+      is: 'report',
+      version,
+      generation,
+      run: run || null,
       planner: '',
-      generation: this.generation,
-      iteration: this.iteration,
-      computed: this.iteration,
+      iteration,
+      evaluations: iteration,
+      furthest: { iteration },
       status: 'running',
       playing: play,
-      request: this.request,
       readings: {},
       fields: [],
       trace: { columns: [], iterations: new Float64Array(), rows: new Float64Array() },
@@ -176,8 +187,26 @@ export class FakeWorker {
       span: null,
       inspection: null,
       members: null,
-      report: { outcome: {}, link: '', settledHash: play ? null : `${this.setup?.planner} ${this.iteration}` },
-    } as unknown as FrameMessage)
+      outcome: {},
+      link: '',
+      hash: play ? null : `${setup?.planner} ${iteration}`,
+      curve: null,
+      buffer: new ArrayBuffer(0),
+    } as unknown as Report)
+  }
+
+  private readonly answers: Record<string, (...given: never[]) => unknown> = {
+    suggest: (setup: UncheckedSetup): Answer<unknown> => {
+      const refusal = this.refused(setup)
+      return refusal ? { ok: false, refusal } : { ok: true, value: null }
+    },
+    parseLink: (link: string): Answer<unknown> => {
+      if (this.unloaded) return { ok: false, refusal: UNLOADED }
+      const [planner, on, seed, iteration, hash] = link.split(',')
+      return { ok: true, value: { planner, scene: scene(on ?? ''), params: {}, seed: Number(seed), iteration: Number(iteration), hash } }
+    },
+    newSeed: (): number => (this.seeds += 1),
+    pick: (x: number): unknown => ({ role: this.setup?.planner, index: x }),
   }
 
   /** The run plays on to an iteration. */
@@ -191,17 +220,25 @@ export class FakeWorker {
     this.show()
   }
 
-  /** Takes in the next message; its answer and pictures come to the page. */
+  /** Takes in the next message; its answer, and its pictures if they are not held back, come to the page. */
   async receive(pictures = true): Promise<void> {
-    this.inbox.shift()?.()
+    const message = this.inbox.shift()
+    if (message?.is === 'buffer') return this.receive(pictures)
+    if (message) this.deliver({ is: 'seen', number: message.number })
+    if (message?.is === 'open') this.deliver({ is: 'open' })
+    if (message?.is === 'want') this.want(message)
+    if (message?.is === 'ask') {
+      const { name, given } = message.question
+      this.deliver({ is: 'answer', number: message.number, value: this.answers[name]?.(...(given as never[])) })
+    }
     if (pictures) this.show()
     await passed()
   }
 
   show(): void {
-    const frames = this.frames
-    this.frames = []
-    for (const frame of frames) this.listeners.onframe(frame)
+    const { outbox } = this
+    this.outbox = []
+    for (const message of outbox) this.deliver(message)
   }
 
   /** Takes in everything, also what the page asks for because of it. */
@@ -209,6 +246,8 @@ export class FakeWorker {
     await passed()
     while (this.inbox.length > 0) await this.receive()
     this.show()
+    await passed()
+    if (this.inbox.length > 0) await this.receiveAll()
   }
 
   get state(): State {

@@ -1,5 +1,21 @@
-import type { Inspection, Outcome, ParameterValue, Point, Point3, RunEvent, Scene, Stage, Status } from 'forage-lab'
-import type { FieldPicture, FrameBuffer } from '../render/frame'
+/* What crosses between a run's host and whoever shows the run. */
+import type {
+  Finding,
+  Inspection,
+  Item,
+  Job,
+  Outcome,
+  ParameterValue,
+  Point,
+  Point3,
+  RunEvent,
+  Scene,
+  Stage,
+  Status,
+  TrialCurve,
+  UncheckedSetup,
+} from 'forage-lab'
+import type { FieldPicture, FrameBuffer, Viewport } from '../render/frame'
 
 /** A refusal of the core as plain data: errors lose their fields on the way between threads. */
 export interface Refusal {
@@ -12,45 +28,45 @@ export interface Refusal {
 
 export type Answer<T> = { ok: true; value: T } | { ok: false; refusal: Refusal }
 
-/** What a new run turned out to be. */
-export interface Run {
-  generation: number
-  planner: string
-  scene: Scene
-  seed: number
-  /** The iteration at which it ends at the latest. */
-  limit: number
-  span: Span
-  parameters: Record<string, ParameterValue>
-  exact: { length: number; path: Point[]; tip_path?: Point3[] } | null
+/** What places of a run are measured in. */
+export type ClockUnit = 'iterations' | 'evaluations'
+
+/** Iterations a second; Infinity: as fast as it goes. */
+export type Speed = number
+
+/** A run that is wanted, and where it begins. */
+export interface Start {
+  setup: UncheckedSetup
+  at: number
+  play: boolean
+  /** It is said that the setup is accepted before the run begins, which may take long. */
+  check?: boolean
 }
 
-/** Where a new run starts. */
-export interface Opening {
-  at: number
+/** Where a run is to go. */
+export interface Target {
+  /** Where it goes first: the first iteration at or beyond this place; absent: it stays where it is. */
+  at?: number
+  /** From there it goes on to its end. */
   play: boolean
 }
 
-/** What is told of a run's state beside the picture: often while it plays, completely when it has settled. */
-export interface Report {
-  outcome: Outcome
-  /** Null before the core has what makes it: that comes after the first picture. */
-  link: string | null
-  /** Only when the run stands still. */
-  settledHash: string | null
-}
-
-/** How a result is followed, by the robot or the arm, and the state of the run that it is of. */
-export interface Followed<T> {
-  told: T | null
-  generation: number
-  iteration: number
-}
-
-export interface TraceRows {
-  columns: string[]
-  iterations: Float64Array
-  rows: Float64Array
+/** All that is wanted of a host: it converges to the newest. */
+export interface Desired {
+  start: Start | null
+  /** Where the run goes, if that was wanted after it was started. */
+  target: Target | null
+  clock: ClockUnit
+  speed: Speed
+  /** The item of the picture that is explained. */
+  item: Item | null
+  viewport: Viewport
+  /** Reports bring the members' numbers at most so often, in milliseconds; null: never. */
+  members: number | null
+  /** Reports bring links. Those need a part of the core. */
+  links: boolean
+  /** Vertices a layer may have. */
+  budget: number
 }
 
 /** How long a run is, and its parts. */
@@ -63,37 +79,84 @@ export interface Span {
   stages: Stage[]
 }
 
-export interface FrameMessage extends FrameBuffer {
-  type: 'frame'
+/** What a new run turned out to be. */
+export interface Run {
+  /** Grows with each run. */
   generation: number
-  /** Who drew it: the span table counts this planner's layers. */
+  planner: string
+  scene: Scene
+  seed: number
+  /** The iteration at which it ends at the latest. */
+  limit: number
+  span: Span
+  parameters: Record<string, ParameterValue>
+  exact: { length: number; path: Point[]; tip_path?: Point3[] } | null
+  /** Evaluations before the first step. */
+  evaluations: number
+}
+
+export interface TraceRows {
+  columns: string[]
+  iterations: Float64Array
+  rows: Float64Array
+}
+
+/** How far a run has come at its furthest. */
+export interface Furthest {
+  iteration: number
+  evaluations: number
+  /** The iterations that a timeline shows. */
+  extent: number
+  /** The most evaluations of one step. */
+  most: number
+  /** There is nothing beyond. */
+  ended: boolean
+  /** Its last steps evaluated nothing: they are beyond its last evaluation. */
+  tail: boolean
+}
+
+/** The state of a run, with its frame. */
+export interface Report extends FrameBuffer {
+  is: 'report'
+  /** The newest change that it follows. */
+  version: number
+  generation: number
+  /** In the first report of a run. */
+  run: Run | null
+  /** Who drew the frame: the span table counts this planner's layers. */
   planner: string
   iteration: number
-  computed: number
+  evaluations: number
+  furthest: Furthest
   status: Status
   playing: boolean
-  /** The number of the newest start, seek, play or pause that this is the result of. */
-  request: number
   readings: Record<string, number>
   /** The fields that are shown; whoever has drawn them for the last time closes their bitmaps. */
   fields: FieldPicture[]
   trace: TraceRows
-  /** What happened in simulated time since the furthest state that was told of. */
+  /** What happened in simulated time since the furthest state that was reported. */
   events: RunEvent[]
-  /** If it is another one than was told before. */
+  /** If it has changed. */
   span: Span | null
   inspection: Inspection | null
   /** The members' numbers, row by row; null: not asked for, or not again yet. */
   members: Float64Array | null
-  report: Report | null
+  /** It costs more than a picture: while the run plays it comes a few times a second. */
+  outcome: Outcome | null
+  /** With the outcome, if links are wanted and the part of the core that makes them is there. */
+  link: string | null
+  /** Only when the run is where it was wanted. */
+  hash: string | null
+  /** The best so far, by evaluations; if it has grown, and only by the clock of evaluations. */
+  curve: TrialCurve | null
 }
 
 /**
  * A step takes long. How far the runs of other planners are that it needs; `done` null: it needs none, nothing is counted; `total` 0:
  * no step takes long any more.
  */
-export interface ProgressMessage {
-  type: 'progress'
+export interface Progress {
+  is: 'progress'
   generation: number
   /** The iteration that the step leads to. */
   step: number
@@ -101,16 +164,33 @@ export interface ProgressMessage {
   total: number
 }
 
-/** The core broke down: nothing more comes from this worker. */
-export interface CrashMessage {
-  type: 'crash'
-  message: string
+/** A question to the host: the name of a function of `Questions`, and its arguments. */
+export interface Question {
+  name: string
+  given: unknown[]
 }
 
-export type FromWorker = FrameMessage | ProgressMessage | CrashMessage
-export interface ReturnedBuffer {
-  buffer: ArrayBuffer
-}
+export type ToHost = { number: number } & (
+  | { is: 'open'; core: WebAssembly.Module | undefined }
+  | { is: 'want'; version: number; change: Partial<Desired> }
+  | { is: 'ask'; question: Question }
+  /** What runs of other planners found; null: they cannot be carried out elsewhere. */
+  | { is: 'results'; id: number; results: Finding[] | null }
+  | { is: 'buffer'; buffer: ArrayBuffer }
+)
 
-/** Iterations a second; Infinity: as fast as it goes. */
-export type Speed = number
+export type FromHost =
+  | { is: 'open' }
+  /** It has received the message with this number, and all before it. */
+  | { is: 'seen'; number: number }
+  /** The setup of the start that this change wanted is accepted. */
+  | { is: 'accepted'; version: number }
+  | { is: 'refused'; version: number; refusal: Refusal }
+  | Report
+  | Progress
+  /** Runs of other planners that the next step needs; none: those that were asked for are not needed any more. */
+  | { is: 'subtasks'; id: number; generation: number; step: number; planner: string; scene: Scene; tasks: Job[] }
+  /** To the question with this number. */
+  | { is: 'answer'; number: number; value?: unknown; error?: string }
+  /** The core broke down: nothing more comes from this host. */
+  | { is: 'broken'; message: string }

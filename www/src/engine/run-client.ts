@@ -1,97 +1,329 @@
-import * as Comlink from 'comlink'
-import type { Catalogue } from 'forage-lab'
-import address from 'forage-lab/catalogue.json?url'
-import core from 'forage-lab/forage_bg.wasm?url'
-import type { Api } from './host/run.worker'
+import type { Item } from 'forage-lab'
+import type { Questions } from './host/questions'
+import { type Host, host } from './host'
+import type { Desired, FromHost, Progress, Refusal, Report, Start, Target, ToHost } from './protocol'
+import type { SubtaskRunner } from './subtasks'
 import { Watchdog } from './watchdog'
-import type { FrameMessage, FromWorker, ProgressMessage, ReturnedBuffer } from './protocol'
 
-interface Listeners {
-  onframe(frame: FrameMessage): void
-  onprogress(progress: ProgressMessage): void
-  oncrash(message: string): void
-  /** It has not received for three seconds what it was sent. */
-  onunresponsive(): void
+/** Of what a thread was asked that broke down: it is not asked again, for that may be why. */
+export class Gone extends Error {
+  override name = 'Gone'
 }
 
-/** More threads than these cost more memory than they save time. */
-const MOST_HANDS = 8
-
-/** What there is to choose from: known before any of the core is loaded. */
-async function readCatalogue(): Promise<Catalogue> {
-  const found = await fetch(address)
-  if (!found.ok) throw new Error(`${found.status} ${found.statusText}: ${address}`)
-  return found.json()
+export interface Listeners {
+  onreport(report: Report): void
+  /** The setup of a start that is to be checked is accepted. */
+  onaccepted?(version: number): void
+  /** A start was refused; the run of before stays. `version`: the number of the change that wanted it. */
+  onrefused(refusal: Refusal, version: number): void
+  /** Null: no step takes long any more. */
+  onprogress(progress: Progress | null): void
+  /** The thread is there. */
+  onopen(): void
+  onbroken(message: string): void
+  /** The thread did not receive what it was sent; another one takes its place. */
+  onreplaced(): void
 }
 
-let compiled: Promise<WebAssembly.Module | undefined> | undefined
+/** How often the progress of runs that a step needs is reported, in milliseconds. */
+const PROGRESS_INTERVAL = 100
 
-/** The core's first part, compiled while the worker starts. The worker loads it by itself where that fails: it says what is wrong. */
-const compile = (): typeof compiled => (compiled ??= WebAssembly.compileStreaming(fetch(core)).catch(() => (compiled = undefined)))
+const NOTHING: Desired = {
+  start: null,
+  target: null,
+  clock: 'iterations',
+  speed: 30,
+  item: null,
+  viewport: { fields: [], window: null },
+  members: null,
+  links: false,
+  budget: 100_000,
+}
 
-/** One thread is left for what is seen. */
-const hands = (): number => Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), MOST_HANDS)
+/** A message as it is given: its number is added when it is sent. */
+type Unnumbered<M> = M extends unknown ? Omit<M, 'number'> : never
 
-/** The thread that computes. After a crash it is thrown away and a new one started. */
-export class Client {
+interface Asked {
+  number: number
+  name: string
+  given: unknown[]
+  resolve(value: unknown): void
+  reject(reason: Error): void
+}
+
+/**
+ * A run in a thread of its own. What is wanted of it is one state, `desired`; each change is sent, and the thread converges to the
+ * newest. A thread that does not receive for three seconds is replaced by one that gets the whole state. After a breakdown a new one
+ * is started only by `open`: the same state may break it down again.
+ */
+export class RunClient {
+  readonly desired: Desired
+  /** The number of the newest change. */
+  version = 0
   private worker: Worker | undefined
-  private frames: MessagePort | undefined
-  private remote: Comlink.Remote<Api> | undefined
-
+  /** The thread has the core: what is sent before waits for that. */
+  private opened = false
+  /** The run that is there, where it was when it was last reported, and where it goes. */
+  private present: { start: Start; at: number; target: Target } | null = null
+  /** Of the newest start or target. */
+  private followed = 0
+  /** Starts of which nothing is known yet. */
+  private begins: { version: number; start: Start }[] = []
+  private sent = 0
+  private seen = 0
+  private receipts: { number: number; resolve(): void }[] = []
+  private asked: Asked[] = []
   private readonly watchdog = new Watchdog(
-    async () => this.remote?.ping(),
-    () => this.listeners.onunresponsive(),
+    () => this.received(),
+    () => this.replace(),
   )
+  private subtasks: SubtaskRunner | undefined
+  /** The request for subtasks that the next step waits for. */
+  private needed = 0
+  private lastProgress = 0
 
-  constructor(private readonly listeners: Listeners) {}
-
-  get api(): Comlink.Remote<Api> {
-    if (!this.remote) throw new Error('the worker is not started')
-    this.expect()
-    return this.remote
+  constructor(
+    private readonly listeners: Listeners,
+    wanted: Partial<Desired> = {},
+    private readonly hosting: () => Host = host,
+  ) {
+    this.desired = { ...NOTHING, ...wanted }
   }
 
-  /** Something waits for the worker: it is looked whether it answers. */
-  expect(): void {
-    this.watchdog.expect()
-  }
-
-  async open(): Promise<Catalogue> {
+  /** Starts a thread. It begins with all that is wanted. */
+  async open(): Promise<void> {
     this.close()
-    const worker = new Worker(new URL('./host/run.worker.ts', import.meta.url), { type: 'module' })
-    const { port1, port2 } = new MessageChannel()
+    const worker = this.hosting().worker('run')
     this.worker = worker
-    this.frames = port1
-    this.remote = Comlink.wrap<Api>(worker)
-    port1.onmessage = ({ data }: MessageEvent<FromWorker>) => {
-      if (worker !== this.worker) return
-      if (data.type === 'frame') this.listeners.onframe(data)
-      else if (data.type === 'progress') this.listeners.onprogress(data)
-      else this.listeners.oncrash(data.message)
+    worker.onmessage = ({ data }: MessageEvent<FromHost>) => {
+      if (worker === this.worker) this.receive(data)
     }
-    const failed = new Promise<never>((_, reject) => {
-      worker.onerror = (event) => {
-        event.preventDefault()
-        const message = event.message || 'worker'
-        this.listeners.oncrash(message)
-        reject(new Error(message))
-      }
+    worker.onerror = (event) => {
+      event.preventDefault()
+      if (worker === this.worker) this.break(event.message || 'worker')
+    }
+    const core = await this.hosting().core()
+    if (worker !== this.worker) return
+    this.opened = true
+    this.post({ is: 'open', core })
+    this.begins = []
+    this.change({ ...this.desired })
+    for (const asked of this.asked) this.put(asked)
+  }
+
+  /** Another state is wanted; returns the number of this change. */
+  want(change: Partial<Desired>): number {
+    // Where a start goes is said with it.
+    return this.change(change.start && change.target === undefined ? { ...change, target: null } : change)
+  }
+
+  private change(change: Partial<Desired>): number {
+    this.version += 1
+    Object.assign(this.desired, change)
+    if (change.start) this.begins.push({ version: this.version, start: change.start })
+    else if (change.target && this.present && !this.starting) this.present.target = change.target
+    if (change.start || change.target) this.followed = this.version
+    this.post({ is: 'want', version: this.version, change })
+    return this.version
+  }
+
+  /** Whether a report follows the newest start and target. */
+  follows({ version }: Pick<Report, 'version'>): boolean {
+    return version >= this.followed
+  }
+
+  /** A start was wanted of which nothing is known yet. */
+  get starting(): boolean {
+    return this.begins.length > 0
+  }
+
+  /** Where the run goes that is there, or the one that is to take its place. */
+  get heading(): Target {
+    const begin = this.begins.at(-1)
+    if (begin) return this.desired.target ?? { at: begin.start.at, play: begin.start.play }
+    return this.present?.target ?? { play: false }
+  }
+
+  /** For questions: `client.api.pick(1, 2, 3)`. They fail with `Gone` if the thread breaks down. */
+  readonly api = new Proxy({} as Questions, {
+    get:
+      (_, name: string) =>
+      (...given: unknown[]) =>
+        this.ask(name, given),
+  })
+
+  private ask(name: string, given: unknown[]): Promise<unknown> {
+    return new Promise((resolve, reject) => {
+      const asked = { number: 0, name, given, resolve, reject }
+      this.asked.push(asked)
+      this.put(asked)
     })
-    const { remote } = this
-    const open = async (): Promise<void> => remote.open(Comlink.transfer(port2, [port2]), hands(), await compile())
-    const [catalogue] = await Promise.all([readCatalogue(), Promise.race([open(), failed])])
-    return catalogue
+  }
+
+  /** Asks the present thread. */
+  private put(asked: Asked): void {
+    asked.number = this.post({ is: 'ask', question: { name: asked.name, given: asked.given } })
   }
 
   giveBack(buffer: ArrayBuffer): void {
-    const message: ReturnedBuffer = { buffer }
-    this.frames?.postMessage(message, [buffer])
+    this.post({ is: 'buffer', buffer }, [buffer])
   }
 
+  /** Ends the thread; what is wanted is kept for the next one. */
   close(): void {
     this.watchdog.stop()
+    this.subtasks?.drop()
     this.worker?.terminate()
-    this.frames?.close()
     this.worker = undefined
+    this.opened = false
+    this.seen = this.sent
+    this.settleReceipts()
+  }
+
+  private post(message: Unnumbered<ToHost>, transfers: Transferable[] = []): number {
+    this.sent += 1
+    if (this.worker && this.opened) {
+      this.worker.postMessage({ ...message, number: this.sent }, transfers)
+      if (message.is !== 'buffer') this.watchdog.expect()
+    }
+    return this.sent
+  }
+
+  /** Resolves when the thread has received what it was sent. */
+  private received(): Promise<void> {
+    const number = this.sent
+    if (!this.worker || this.seen >= number) return Promise.resolve()
+    return new Promise((resolve) => this.receipts.push({ number, resolve }))
+  }
+
+  private settleReceipts(): void {
+    const settled = this.receipts.filter(({ number }) => number <= this.seen)
+    this.receipts = this.receipts.filter(({ number }) => number > this.seen)
+    for (const { resolve } of settled) resolve()
+  }
+
+  private receive(message: FromHost): void {
+    switch (message.is) {
+      case 'open':
+        this.listeners.onopen()
+        break
+      case 'seen':
+        this.seen = Math.max(this.seen, message.number)
+        this.settleReceipts()
+        break
+      case 'report':
+        this.report(message)
+        break
+      case 'accepted':
+        this.listeners.onaccepted?.(message.version)
+        break
+      case 'refused':
+        this.refused(message.version)
+        this.listeners.onrefused(message.refusal, message.version)
+        break
+      case 'progress':
+        this.listeners.onprogress(message.total > 0 ? message : null)
+        break
+      case 'answer':
+        this.answered(message)
+        break
+      case 'subtasks':
+        void this.carryOut(message)
+        break
+      case 'broken':
+        this.break(message.message)
+        break
+    }
+  }
+
+  private report(report: Report): void {
+    const { generation } = report
+    const at = this.desired.clock === 'iterations' ? report.iteration : report.evaluations
+    if (report.run) {
+      const start = this.begins.find(({ version }) => version === generation)?.start
+      this.begins = this.begins.filter(({ version }) => version > generation)
+      if (start) this.present = { start, at, target: this.desired.target ?? { at: start.at, play: start.play } }
+    }
+    const { present } = this
+    if (present) {
+      present.at = at
+      // It is where it was wanted, or at its end.
+      if (!this.starting && this.follows(report)) {
+        if (report.hash !== null) present.target = { play: false }
+        else if (report.playing && at >= (present.target.at ?? 0)) present.target = { play: true }
+      }
+    }
+    this.listeners.onreport(report)
+  }
+
+  /** The run of before stays, and goes where it was wanted since. */
+  private refused(before: number): void {
+    this.begins = this.begins.filter(({ version }) => version > before)
+    const { present, desired } = this
+    if (!present || this.starting) return
+    present.target = desired.target ?? present.target
+    desired.start = present.start
+    desired.target = present.target
+  }
+
+  private answered({ number, value, error }: { number: number; value?: unknown; error?: string }): void {
+    const asked = this.asked.find((candidate) => candidate.number === number)
+    if (!asked) return
+    this.asked = this.asked.filter((other) => other !== asked)
+    if (error === undefined) asked.resolve(value)
+    else asked.reject(new Error(error))
+  }
+
+  /** Carries out runs of other planners that a step needs, in other threads. */
+  private async carryOut({ id, generation, step, planner, scene, tasks }: FromHost & { is: 'subtasks' }): Promise<void> {
+    this.needed = tasks.length > 0 ? id : 0
+    if (tasks.length === 0) {
+      this.subtasks?.drop()
+      return
+    }
+    const { worker } = this
+    const { SubtaskRunner: Runner } = await import('./subtasks')
+    this.subtasks ??= new Runner()
+    if (worker !== this.worker || this.needed !== id) return
+    const results = await this.subtasks.carryOut({ planner, scene }, tasks, (done) => {
+      const now = performance.now()
+      if (now - this.lastProgress < PROGRESS_INTERVAL) return
+      this.lastProgress = now
+      this.listeners.onprogress({ is: 'progress', generation, step, done, total: tasks.length })
+    })
+    if (worker === this.worker) this.post({ is: 'results', id, results })
+  }
+
+  private break(message: string): void {
+    this.close()
+    const { asked } = this
+    this.asked = []
+    this.resume(false)
+    for (const { reject } of asked) reject(new Gone(message))
+    this.listeners.onbroken(message)
+  }
+
+  private replace(): void {
+    this.close()
+    this.resume(true)
+    this.listeners.onreplaced()
+    void this.open()
+  }
+
+  /** What the next thread begins with: what is wanted, from where the run was. `goesOn`: on its way or playing, if it was. */
+  private resume(goesOn: boolean): void {
+    const { desired, present, heading } = this
+    const begin = this.begins.at(-1)?.start
+    const start = begin ?? present?.start
+    if (!start) return
+    const from = begin ? begin.at : (present?.at ?? 0)
+    desired.start = { setup: start.setup, at: goesOn ? (heading.at ?? from) : from, play: goesOn && heading.play }
+    desired.target = null
+    this.begins = [{ version: this.version, start: desired.start }]
+  }
+
+  /** The item that is explained, also before there is an answer. */
+  get item(): Item | null {
+    return this.desired.item
   }
 }

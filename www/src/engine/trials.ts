@@ -1,5 +1,6 @@
 import * as Comlink from 'comlink'
-import type { TrialApi } from './host/trial.worker'
+import { host } from './host'
+import type { TaskApi } from './host/trial.worker'
 import type { Ending, Errand } from './trial.protocol'
 
 /** Threads without work leave after so many milliseconds. */
@@ -11,8 +12,8 @@ const MOST_BREAKDOWNS = 3
 
 /** Another thread with a core of its own. */
 export class Thread {
-  private readonly worker = new Worker(new URL('./host/trial.worker.ts', import.meta.url), { type: 'module' })
-  readonly api = Comlink.wrap<TrialApi>(this.worker)
+  private readonly worker = host().worker('trial')
+  readonly api = Comlink.wrap<TaskApi>(this.worker)
   private fail: (problem: Error) => void = () => undefined
   ended = false
   private readonly failed = new Promise<never>((_, reject) => {

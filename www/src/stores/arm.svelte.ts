@@ -1,4 +1,6 @@
 import type { ArmScene, ArmSolutions, Motion, Point3, Reachability } from 'forage-lab'
+import type { Answer } from '../engine/protocol'
+import { pool } from '../engine/pool'
 import { Following } from './following.svelte'
 import { lab } from './lab.svelte'
 import { nodeOf } from './nodes'
@@ -43,6 +45,7 @@ class Arm {
 
   private survey = $state.raw<Survey | null>(null)
   surveying = $state(false)
+  private exploring: AbortController | undefined
   /** Why there is no survey. */
   unsurveyed = $state('')
   /** What arm stands where among what: another one is to be surveyed anew. */
@@ -94,9 +97,14 @@ class Arm {
     if (!scene) return
     this.surveying = true
     this.unsurveyed = ''
-    const answer = await lab.api.reach(scene, step).catch((error: Error) => error)
+    this.exploring?.abort()
+    const exploring = new AbortController()
+    this.exploring = exploring
+    const answer = await pool()
+      .run<Answer<Reachability>>((api) => api.reach(scene, step), { signal: exploring.signal })
+      .catch((error: Error) => error)
     // Called off, or asked again.
-    if (!answer) return
+    if (exploring.signal.aborted) return
     this.surveying = false
     if (answer instanceof Error) this.unsurveyed = answer.message
     else if (answer.ok) this.survey = { scene, reach: answer.value }
@@ -105,7 +113,7 @@ class Arm {
 
   /** Takes the cloud away, or calls off what is on its way. */
   clear = (): void => {
-    if (this.surveying) void lab.api.callOff()
+    this.exploring?.abort()
     this.surveying = false
     this.survey = null
     this.unsurveyed = ''

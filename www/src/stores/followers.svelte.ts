@@ -1,5 +1,5 @@
 import type { Drive } from 'forage-lab'
-import type { Client } from '../engine/run-client'
+import type { Questions } from '../engine/host/questions'
 import type { Follower, Following } from './following.svelte'
 import type { Track } from '../scene/track'
 
@@ -18,7 +18,7 @@ export class Followers {
   }
 
   /** The robot, for which the core is asked. */
-  async robot(api: Client['api']): Promise<Follower> {
+  async robot(api: Questions): Promise<Follower> {
     const [{ Following }, { Track }] = await Promise.all([import('./following.svelte'), import('../scene/track')])
     this.driving ??= new Following<Drive, Track>(
       PACE,

@@ -1,6 +1,7 @@
 import type { ParameterValue } from 'forage-lab'
 import { en } from '../locales/en/page'
-import type { Answer, Followed } from '../engine/protocol'
+import type { Followed } from '../engine/host/questions'
+import type { Answer } from '../engine/protocol'
 import { Clock } from './clock.svelte'
 
 type Values = Record<string, ParameterValue>
@@ -21,7 +22,7 @@ export interface Follower {
 }
 
 /** The robot, or the arm, on its way along the present result: what was computed, and the moment that is shown. */
-export class Following<Told, Track extends Timed> implements Follower {
+export class Following<Result, Track extends Timed> implements Follower {
   params = $state.raw<Values>({})
   errors = $state.raw<Record<string, string>>({})
   /** Why there is nothing to show, where no parameter is to blame. */
@@ -38,8 +39,8 @@ export class Following<Told, Track extends Timed> implements Follower {
   /** `pace`: how many times as fast as it would be. */
   constructor(
     pace: number,
-    private readonly ask: (params: Values) => Promise<Answer<Followed<Told>>>,
-    private readonly read: (told: Told) => Track,
+    private readonly ask: (params: Values) => Promise<Answer<Followed<Result>>>,
+    private readonly read: (result: Result) => Track,
   ) {
     this.clock = new Clock(pace)
   }
@@ -66,8 +67,8 @@ export class Following<Told, Track extends Timed> implements Follower {
     const turn = this.asked
     const params = this.wanted
     const answer = await this.ask(params)
-    const told = answer.ok ? answer.value.told : null
-    const track = told && this.read(told)
+    const result = answer.ok ? answer.value.result : null
+    const track = result && this.read(result)
     if (turn !== this.asked) return false
     if (!answer.ok) {
       const { field, message } = answer.refusal

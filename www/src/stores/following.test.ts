@@ -4,7 +4,7 @@ import { Following } from './following.svelte'
 type Values = Record<string, unknown>
 
 let asked: { params: Values; answer(): Promise<void> }[]
-let following: Following<Values, { end: number; told: Values }>
+let following: Following<Values, { end: number; result: Values }>
 
 beforeEach(() => {
   asked = []
@@ -17,13 +17,13 @@ beforeEach(() => {
           resolve(
             refused
               ? { ok: false, refusal: { field: refused, message: 'refused' } }
-              : { ok: true, value: { told: params, generation: 1, iteration: 1 } },
+              : { ok: true, value: { result: params, generation: 1, iteration: 1 } },
           )
           await new Promise((passed) => setTimeout(passed))
         }
         asked.push({ params, answer })
       }),
-    (told) => ({ end: 1, told }),
+    (result) => ({ end: 1, result }),
   )
 })
 
@@ -36,7 +36,7 @@ test('parameters that are set faster than they are answered all hold', async () 
   void following.setParameter('margin', 3)
   await answerAll()
   expect(following.params).toEqual({ speed: 2, margin: 3 })
-  expect(following.track?.told).toEqual({ speed: 2, margin: 3 })
+  expect(following.track?.result).toEqual({ speed: 2, margin: 3 })
 })
 
 test('a value that is refused takes no other with it', async () => {
@@ -71,7 +71,7 @@ test('a value that was not answered when the picture went back to the run is not
   await answerAll()
   void following.begin()
   await answerAll()
-  expect(following.track?.told).toEqual({})
+  expect(following.track?.result).toEqual({})
   expect(following.errors).toEqual({})
 })
 

@@ -1,5 +1,5 @@
 import type { RunEvent } from 'forage-lab'
-import type { FrameMessage, Run, Span } from '../engine/protocol'
+import type { Report, Run, Span } from '../engine/protocol'
 import { Curve } from './curve'
 
 /** What the pictures of a run add up to: each tells only what is new. */
@@ -13,9 +13,9 @@ export class Course {
   /** Some runs only learn on their way where they end. */
   private span = $state.raw<(Span & { generation: number }) | null>(null)
 
-  receive({ generation, trace, events, span }: FrameMessage, anew: boolean): void {
-    if (anew) this.clear()
-    if (this.traced.add(trace) || anew) {
+  receive({ generation, run, trace, events, span }: Report): void {
+    if (run) this.clear()
+    if (this.traced.add(trace) || run) {
       const { columns, iterations, rows } = this.traced
       this.curve = { columns, iterations, rows }
       this.version += 1

@@ -1,10 +1,11 @@
 import type { Catalogue, Layer, LinkSetup, Look, Outcome, ParameterValue, Planner, Scene, UncheckedSetup, Status, When } from 'forage-lab'
 import { en } from '../locales/en/page'
-import type { FrameMessage, Opening, Refusal, Run } from '../engine/protocol'
+import type { Refusal, Report, Run } from '../engine/protocol'
+import { RunClient } from '../engine/run-client'
 import { address } from './address'
 import { meaningful, met } from '../catalogue/parameters'
-import { Client } from '../engine/run-client'
 import type { Clock } from './clock.svelte'
+import { readCatalogue } from './catalogue'
 import { Course } from './history.svelte'
 import { Followers } from './followers.svelte'
 import type { Follower } from './following.svelte'
@@ -15,7 +16,7 @@ import { missing, stageAt } from '../catalogue/stages'
 import { suits } from '../scene/stops'
 import { Suggested } from './suggested.svelte'
 import { stillness } from './theme.svelte'
-import { worded } from './transport.svelte'
+import { type Opening, worded } from './transport.svelte'
 import { views } from './views.svelte'
 import { Visible } from './layers.svelte'
 
@@ -47,14 +48,13 @@ export class Lab extends Inspecting {
   seed = $state(FIRST.seed)
 
   run = $state.raw<Run | null>(null)
-  frame = $state.raw<FrameMessage | null>(null)
+  frame = $state.raw<Report | null>(null)
   /** The first picture is on the screen: what it did not need may come. */
   drawn = $state(false)
   computed = $state(0)
   status = $state<Status>('running')
   readings = $state.raw<Record<string, number>>({})
   outcome = $state.raw<Outcome | null>(null)
-  hash = $state('')
   readonly course = new Course()
 
   /** The members' numbers, row by row, while somebody asks for them. */
@@ -64,7 +64,7 @@ export class Lab extends Inspecting {
   readonly suggested = new Suggested()
   sceneError = $state.raw<Refusal | null>(null)
   unloaded = $state.raw<Unloaded | null>(null)
-  private readonly startAgain = (): Promise<void> => this.restart(this.requested)
+  private readonly startAgain = async (): Promise<void> => void this.restart(this.requested)
   /** The newest run did not start: what runs is the run of before. */
   readonly failed = $derived(this.sceneError !== null || this.unloaded?.ask === this.startAgain)
   notice = $state('')
@@ -93,35 +93,31 @@ export class Lab extends Inspecting {
   readonly optimum = $derived(this.arm ? en.result.tip : en.result[this.planner?.stops ? 'tours' : 'optimum'][this.yardstick])
   /** The part of the run that it is in, and how far in it. */
   readonly part = $derived(stageAt(this.stages, this.iteration))
-  /** How far a step is that takes its time. */
-  readonly underway = $derived(this.progress?.generation === this.run?.generation ? this.progress : null)
   readonly finished = $derived(this.status !== 'running')
   /** What is done before there can be a result: how many of the roads between the stops stand. */
   readonly building = $derived(missing(this.planner, this.grid, this.readings, this.outcome, this.finished))
 
-  protected readonly client = new Client({
-    onframe: (frame) => this.receive(frame),
-    onprogress: (progress) => (this.progress = progress.total > 0 ? progress : null),
-    oncrash: (message) => this.breakDown(message),
-    onunresponsive: () => this.replace(),
+  private opened = false
+  protected readonly client = new RunClient({
+    onopen: () => this.receiveOpen(),
+    onreport: (report) => this.receive(report),
+    onaccepted: (version) => this.takeParameters(version),
+    onrefused: (refusal, version) => this.refuse(worded(refusal), version),
+    onprogress: (progress) => (this.underway = progress?.generation === this.run?.generation ? progress : null),
+    onbroken: (message) => this.breakDown(message),
+    onreplaced: () => this.leaveThread('loading'),
   })
   readonly followers = new Followers()
   /** An iteration is shown step by step. */
   unfolded = $state(false)
   /** A time beside that of the run that the stage's keys are for, and the way back. */
   beside = $state.raw<{ clock: Clock; leave(): void } | null>(null)
+  readonly stale = $derived(this.restarting || this.failed || this.awaited.length > 0)
   /** There is a path of this very scene to follow. */
   readonly followable = $derived(this.outcome?.length != null && !this.stale && !this.failed && this.target === null)
   readonly drivable = $derived(this.hasRobot && this.followable)
   /** The fingerprint that an opened link promises, and where. */
   private promised: { hash: string; at: number } | undefined
-  /** A start is on its way. */
-  private starting = false
-  protected get restarting(): boolean {
-    return this.outdated && (this.starting || !this.failed)
-  }
-  /** The next restart waits for the answer to that start. */
-  private restartsAgain = false
   /** The run was going on when the robot set off. */
   private resumes = false
 
@@ -133,30 +129,28 @@ export class Lab extends Inspecting {
     if (this.unloaded === unloaded) this.unloaded = null
   }
 
-  /** Starts a thread. After a crash, or in place of another one, it begins with what the user had made, where it was wanted last. */
+  /** Starts a thread. After a crash it begins with what the user had made. */
   async open(): Promise<void> {
+    this.crash = ''
+    this.phase = 'loading'
+    void this.client.open()
+    if (this.catalogue) return
     try {
-      this.catalogue = await this.client.open()
+      this.catalogue = await readCatalogue()
     } catch (error) {
       this.breakDown(error instanceof Error ? error.message : String(error))
       return
     }
-    this.phase = 'ready'
-    this.crash = ''
-    // A new thread counts its runs anew: nothing of the old one may pass for its.
-    this.frame = null
-    this.course.clear()
-    await this.client.api.speed(this.speed)
-    this.askAgain()
-    while (this.awaited.length > 0) await Promise.allSettled(this.awaited)
-    if (this.scene) {
-      // What was asked, or wanted meanwhile, may have led to another start.
-      if (!this.starting && !this.frame) await this.restart(this.requested)
-      return
-    }
+    if (this.opened) this.phase = 'ready'
     this.put(this.shipped(FIRST.scene), false)
     const opened = location.hash.length > 1 && !views.named(location.hash) && (await this.openLink(location.hash))
-    if (!opened) await this.restart({ at: 0, play: views.current === 'stage' && !stillness.matches })
+    if (!opened) this.restart({ at: 0, play: views.current === 'stage' && !stillness.matches })
+  }
+
+  /** The thread is there. */
+  private receiveOpen(): void {
+    this.opened = true
+    if (this.catalogue) this.phase = 'ready'
   }
 
   private shipped(name: string): Scene {
@@ -172,7 +166,7 @@ export class Lab extends Inspecting {
   }
 
   openLink = async (link: string): Promise<boolean> => {
-    const request = this.requests.note('setup', 'seed', 'parameters')
+    const request = this.requests.note('setup', 'seed')
     let opened = true
     await this.await(
       async () => this.api.parseLink(link),
@@ -189,42 +183,18 @@ export class Lab extends Inspecting {
     this.plannerName = planner
     // A page that opens on a link has nothing to go back to.
     this.put(scene, this.run !== null)
-    this.params = params
-    this.paramErrors = {}
+    this.replaceParameters(params)
     this.seed = seed
     this.promised = hash === undefined ? undefined : { hash, at: iteration }
     this.notice = ''
-    void this.restart({ at: iteration, play: false }, request)
+    this.restart({ at: iteration, play: false }, request)
   }
 
-  /**
-   * Starts a new run. One start is on its way at a time; the newest of the restarts that are requested meanwhile follows it.
-   * A seek, play or pause that was requested after the change, number `since`, holds for the new run.
-   */
-  private async restart(opening: Opening, since = this.requests.note('setup')): Promise<void> {
+  /** Starts a new run; the number of that change, or 0 if there is no scene yet. */
+  private restart(opening: Opening, since?: number): number {
     this.stopPlayback()
-    this.putAt(opening, since)
-    this.restartsAgain = true
-    this.outdated = true
-    if (this.starting) {
-      // That start may be what keeps the worker from this one.
-      this.client.expect()
-      return
-    }
-    this.starting = true
-    try {
-      while (this.restartsAgain) {
-        this.restartsAgain = false
-        await this.begin(this.requested)
-      }
-    } finally {
-      this.starting = false
-      // The first picture may have come before the answer.
-      if (!this.failed && this.frame && this.frame.generation === this.run?.generation) {
-        this.outdated = false
-        this.compare(this.frame)
-      }
-    }
+    const { scene } = this
+    return scene ? this.start(this.setup(scene, this.wantedParameters), opening, since) : 0
   }
 
   protected setup(scene: Scene, values: Record<string, ParameterValue>): UncheckedSetup {
@@ -232,31 +202,14 @@ export class Lab extends Inspecting {
     return { planner: this.plannerName, scene, params, seed: this.seed }
   }
 
-  private async begin(opening: Opening): Promise<void> {
-    const { scene, requests } = this
-    if (!scene || this.phase !== 'ready') return
-    const setup = this.setup(scene, this.params)
-    const request = requests.note('run')
-    const answer = worded(await this.client.api.start(setup, opening, request))
-    if (this.unloaded?.ask === this.startAgain) this.unloaded = null
-    if (!answer.ok) {
-      this.refuse(answer.refusal)
-      return
-    }
-    void this.suggested.ask(this.api, setup, this.scene?.kind)
-    this.run = answer.value
+  /** The run that was wanted is there. */
+  private begin(run: Run): void {
+    this.run = run
     this.sceneError = null
-    // Pictures and requests may have overtaken the answer.
-    const { limit, generation } = answer.value
-    const settled = this.frame?.generation === generation && this.frame.report?.settledHash != null
-    if (!settled) this.hash = ''
-    if (requests.replaced(request, 'iteration')) this.target = this.target === null ? null : Math.min(this.target, limit)
-    else if (!settled) this.target = opening.at > 0 ? Math.min(opening.at, limit) : null
-    if (!settled && !requests.replaced(request, 'playing')) this.playing = opening.play
-    if (!requests.replaced(request, 'inspection')) {
-      this.inspection = null
-      this.item = null
-    }
+    if (this.unloaded?.ask === this.startAgain) this.unloaded = null
+    this.takeParameters(run.generation)
+    const { start } = this.client.desired
+    if (start) void this.suggested.ask(this.api, start.setup, run.scene.kind)
   }
 
   /** How a layer of the frame, of an explanation or of the scene looks. */
@@ -271,17 +224,29 @@ export class Lab extends Inspecting {
     this.planner?.layers.filter(({ when, kinds }) => this.scene && (kinds?.includes(this.scene.kind) ?? true) && this.met(when)) ?? [],
   )
 
-  private refuse(refusal: Refusal): void {
+  /** The run that change number `version` wanted is refused. */
+  private refuse(refusal: Refusal, version: number): void {
+    this.showHeading()
     if (refusal.unloaded) {
       this.sceneError = null
       this.warn(refusal, refusal.message, this.startAgain)
     } else if (this.planner?.parameters.some(({ name }) => name === refusal.field)) {
-      this.paramErrors = { ...this.paramErrors, [refusal.field]: refusal.message }
-      // What runs is still the run of before.
-      this.outdated = false
+      // What else was wanted with a value that is taken back is still wanted.
+      if (this.refuseParameter(refusal, version) && !this.client.starting && this.differs()) this.restart(this.requested)
     } else {
       this.sceneError = refusal
     }
+  }
+
+  /** Whether what is chosen is not what runs. */
+  private differs(): boolean {
+    const { scene } = this
+    const present = this.client.desired.start?.setup
+    if (!scene || !present) return true
+    const { planner, seed, params } = this.setup(scene, this.wantedParameters)
+    return (
+      present.scene !== scene || JSON.stringify([planner, seed, params]) !== JSON.stringify([present.planner, present.seed, present.params])
+    )
   }
 
   /** Says what was refused; where nothing was but a part could not be loaded, `ask` is offered. */
@@ -292,97 +257,67 @@ export class Lab extends Inspecting {
 
   private breakDown(message: string): void {
     this.crash = message
-    this.leaveThread('crashed', { at: this.iteration, play: false })
+    this.leaveThread('crashed')
     this.forget()
   }
 
-  /** What the thread computes keeps it from what is wanted of it: a new one begins with that. */
-  private replace(): void {
-    // A start may take its time, unless a change waits for it.
-    if (this.phase !== 'ready' || (this.starting && !this.restartsAgain && this.awaited.length === 0)) return
-    this.leaveThread('loading', this.resumption)
-    void this.open()
-  }
-
-  /** A new thread begins at `resumption`, or where the user wants it until then. */
-  private leaveThread(phase: 'crashed' | 'loading', resumption: Opening): void {
+  /** Another thread goes on with what is wanted, at once or when the user says so. */
+  private leaveThread(phase: 'crashed' | 'loading'): void {
     this.phase = phase
+    this.opened = false
     this.stopPlayback()
-    this.requested = resumption
-    this.outdated = true
-    this.progress = null
-    this.starting = false
-    this.restartsAgain = false
-    this.client.close()
+    this.underway = null
+    this.showHeading()
   }
 
-  private receive(frame: FrameMessage): void {
+  private receive(report: Report): void {
     const previous = this.frame
     if (previous) this.client.giveBack(previous.buffer)
     for (const { bitmap } of previous?.fields ?? []) bitmap.close()
-    const anew = frame.generation !== previous?.generation
-    this.frame = frame
+    this.frame = report
     if (!previous) requestAnimationFrame(this.seen)
-    this.course.receive(frame, anew)
-    this.iteration = frame.iteration
-    this.computed = frame.computed
-    this.status = frame.status
-    this.readings = frame.readings
-    this.inspection = frame.inspection
-    if (frame.members || anew) this.members = frame.members
-    if (this.run?.generation === frame.generation && !this.starting && !this.failed) this.outdated = false
-    // It goes on playing where it was sent.
-    if (frame.playing && this.target !== null && frame.iteration >= this.target && this.isNewest(frame)) this.target = null
-    if (frame.report) this.receiveReport(frame, frame.report)
-    else this.hash = ''
+    if (report.run) this.begin(report.run)
+    this.course.receive(report)
+    this.computed = report.furthest.iteration
+    this.status = report.status
+    this.readings = report.readings
+    this.inspection = report.inspection
+    if (report.members || report.run) this.members = report.members
+    this.showReport(report)
+    if (report.outcome) this.outcome = report.outcome
+    if (this.restarting || !this.client.follows(report)) return
+    if (report.link !== null) address[report.hash === null ? 'soon' : 'now'](report.link)
+    if (report.hash === null) return
+    this.underway = null
+    this.followers.heed(report)
+    this.compare(report)
   }
 
   /** The first picture of a thread is on the screen. */
   private readonly seen = (): void => {
     performance.mark('first-picture')
     this.drawn = true
-    void this.client.api.drawn()
+    this.client.want({ links: true })
   }
 
-  private receiveReport(frame: FrameMessage, report: NonNullable<FrameMessage['report']>): void {
-    this.outcome = report.outcome
-    const newest = this.isNewest(frame)
-    this.hash = (newest ? report.settledHash : null) ?? ''
-    if (!newest) return
-    if (report.settledHash === null) {
-      if (report.link !== null) address.soon(report.link)
-      return
-    }
-    this.playing = frame.playing
-    this.target = null
-    this.progress = null
-    this.followers.heed(frame)
-    if (report.link !== null) address.now(report.link)
-    this.compare(frame)
-  }
-
-  /** Whether the run of a link is the one that the link promises. A picture of the run before it says nothing of that. */
-  private compare({ generation, iteration, report }: FrameMessage): void {
-    const hash = report?.settledHash
-    if (this.starting || generation !== this.run?.generation || this.promised?.at !== iteration || hash == null) return
+  /** Whether the run of a link is the one that the link promises. */
+  private compare({ iteration, hash }: Report): void {
+    if (this.promised?.at !== iteration) return
     if (this.promised.hash !== hash) this.notice = en.notices.hash
     this.promised = undefined
   }
 
   // What is planned with what
 
-  protected again(where: Again = 'anew', since?: number): void {
+  protected again(where: Again = 'anew', since?: number): number {
     this.promised = undefined
     const { scene, planner } = this
     // An edit that leaves the planner too little is refused, and undone: nothing takes its place.
     const another = scene?.kind !== this.run?.scene.kind || scene?.name !== this.run?.scene.name
     if (scene && planner && another && !suits(planner, scene)) this.suit(scene)
-    if (where === 'on' || (where === 'here' && this.restarting)) {
-      void this.restart(this.requested, since)
-      return
-    }
+    if (where === 'on' || (where === 'here' && this.restarting)) return this.restart(this.requested, since)
     const at = where === 'here' && !this.finished ? (this.target ?? this.iteration) : 0
-    void this.restart({ at, play: this.playing || !this.run || (this.finished && !stillness.matches) }, since)
+    return this.restart({ at, play: this.playing || !this.run || (this.finished && !stillness.matches) }, since)
   }
 
   setPlanner = (name: string): void => {
@@ -415,7 +350,7 @@ export class Lab extends Inspecting {
     this.seed = seed
     this.requests.note('seed')
     if (scene !== this.scene) this.put(scene, true)
-    void this.restart({ at: 0, play: !stillness.matches })
+    this.restart({ at: 0, play: !stillness.matches })
   }
 
   /** Another planner takes the place of one that doesn't run on such scenes. */

@@ -1,25 +1,17 @@
-import { beforeEach, describe, expect, test, vi } from 'vitest'
-import { FakeWorker, passed, scene } from '../../unit/worker'
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
+import { catalogue, FakeWorker, passed, scene } from '../../unit/worker'
+import { useHost } from '../engine/host'
+import { Gone } from '../engine/run-client'
 import { en } from '../locales/en/page'
 import { Lab } from './lab.svelte'
-import { gone } from './transport.svelte'
 
-const made = vi.hoisted((): { worker?: FakeWorker } => ({}))
-vi.mock('../engine/run-client', () => ({
-  Client: class {
-    constructor(listeners: ConstructorParameters<typeof FakeWorker>[0]) {
-      const worker = new FakeWorker(listeners)
-      made.worker = worker
-      Object.assign(this, worker)
-    }
-  },
-}))
+vi.mock('./catalogue', () => ({ readCatalogue: () => Promise.resolve(catalogue) }))
 
 /** The page's state with a worker that answers by hand, at rest at iteration 0. */
 async function opened(): Promise<{ lab: Lab; worker: FakeWorker }> {
+  const worker = new FakeWorker()
+  useHost(worker.host)
   const lab = new Lab()
-  const { worker } = made
-  if (!worker) throw new Error('no worker')
   void lab.open()
   await worker.receiveAll()
   return { lab, worker }
@@ -188,7 +180,7 @@ test('the newest value of a parameter stays, also when it is the default', async
   expect(lab.params).toEqual({})
 })
 
-test('while a slider is dragged, each value is taken over as its answer comes', async () => {
+test('while a slider is dragged, each value is taken as its run begins', async () => {
   for (const value of [2, 3]) void lab.setParameter('w', value)
   await worker.receive()
   expect(lab.params).toEqual({ w: 2 })
@@ -215,7 +207,7 @@ test('what is picked in the old run is not inspected in the new one', async () =
   lab.setPlanner('pso')
   await worker.receiveAll()
   await picked
-  expect(lab.wanted).toBeNull()
+  expect(lab.wantedItem).toBeNull()
 })
 
 test('what is inspected while the run restarts stays inspected', async () => {
@@ -223,7 +215,7 @@ test('what is inspected while the run restarts stays inspected', async () => {
   const picked = lab.pick(4, 0, 1)
   await worker.receiveAll()
   await picked
-  expect(lab.wanted).toEqual({ role: 'pso', index: 4 })
+  expect(lab.wantedItem).toEqual({ role: 'pso', index: 4 })
 })
 
 describe('after a scene that is refused', () => {
@@ -309,13 +301,12 @@ test('a scene from a file that comes after another was opened does not replace i
   expect(await lab.askForScene(() => Promise.resolve('a map'))).toBe('a map')
 })
 
-/** A thread that never answers takes the place of the present one until it `opens`. */
+/** Another thread takes the place of the present one, once it `opens`. */
 function replace(): { opens: () => void } {
   let opens = (): void => undefined
-  const catalogue = worker.opens
-  worker.opens = new Promise((resolve) => (opens = () => resolve(catalogue)))
-  worker.listeners.onunresponsive()
-  worker.opens = catalogue
+  worker.core = new Promise((resolve) => (opens = () => resolve(undefined)))
+  lab['client']['replace']()
+  worker.core = Promise.resolve(undefined)
   return { opens }
 }
 
@@ -358,19 +349,29 @@ describe('a thread that does not answer', () => {
     expect(worker.state.seed).toBe(7)
   })
 
-  test('is not replaced within a start that nothing waits for', async () => {
-    lab.setSeed(7)
-    worker.listeners.onunresponsive()
-    await atRest(0)
-    expect(worker.state.seed).toBe(7)
-  })
+  describe('in time', () => {
+    beforeEach(() => void vi.useFakeTimers({ toFake: ['setInterval', 'clearInterval'] }))
+    afterEach(() => void vi.useRealTimers())
 
-  test.each(['a reset parameter', 'the planner', 'the seed', 'an edit'])('is looked for when %s changes within a start', async (change) => {
-    lab.setSeed(8)
-    const { expected } = worker
-    void CHANGES[change]?.()
-    expect(worker.expected).toBe(expected + 1)
-    await worker.receiveAll()
+    test.each(Object.keys(CHANGES))('is replaced if it has not received %s after three seconds', async (change) => {
+      const { threads } = worker
+      void CHANGES[change]?.()
+      vi.advanceTimersByTime(2900)
+      expect(worker.threads).toBe(threads)
+      vi.advanceTimersByTime(200)
+      expect(worker.threads).toBe(threads + 1)
+      await worker.receiveAll()
+      expect(lab.stale).toBe(false)
+    })
+
+    test('is not replaced while it starts a run that it was told of', async () => {
+      const { threads } = worker
+      lab.setSeed(7)
+      await worker.receive(false)
+      vi.advanceTimersByTime(10_000)
+      expect(worker.threads).toBe(threads)
+      await atRest(0)
+    })
   })
 
   test('leaves its questions to the next one', async () => {
@@ -381,17 +382,16 @@ describe('a thread that does not answer', () => {
   })
 })
 
-test('what a thread was asked that broke down is not asked again', async () => {
+test('what a thread was asked that broke down is not asked again, and what the user made is kept', async () => {
   const asked = lab.setParameter('w', 2)
   const question = lab.api.newSeed()
-  expect(worker.waiting).toBe(2)
-  worker.listeners.oncrash('unreachable')
+  worker.crash('unreachable')
   await asked
-  await expect(question).rejects.toBe(gone)
-  expect(lab.stale).toBe(true)
+  await expect(question).rejects.toBeInstanceOf(Gone)
+  expect([lab.phase, lab.stale, lab.playing]).toEqual(['crashed', true, false])
   void lab.open()
   await atRest(0)
-  expect([worker.state.params, lab.params]).toEqual([{}, {}])
+  expect([worker.state.params, lab.params]).toEqual([{ w: 2 }, { w: 2 }])
 })
 
 test('a part that cannot be loaded is no fault of the scene, and is tried again', async () => {

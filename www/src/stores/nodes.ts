@@ -1,11 +1,11 @@
 import type { Inspection, Point3 } from 'forage-lab'
-import type { FrameMessage } from '../engine/protocol'
+import type { Report } from '../engine/protocol'
 import type { Names } from '../render/looks'
 
 export const NODES = 'nodes'
 
 /** Where the node of a tree is that is looked at closer; null if it is none. */
-export function nodeOf({ item, layers }: Inspection, frame: FrameMessage, names: Names): Point3 | null {
+export function nodeOf({ item, layers }: Inspection, frame: Report, names: Names): Point3 | null {
   if (item.role !== NODES) return null
   // Of a big tree not every node is drawn.
   const drawn =
@@ -20,7 +20,7 @@ export function nodeOf({ item, layers }: Inspection, frame: FrameMessage, names:
 }
 
 /** A layer's vertex by its number, over all of its pieces. */
-function vertexOf({ buffer, vertices, spans }: FrameMessage, of: number, index: number): Point3 | null {
+function vertexOf({ buffer, vertices, spans }: Report, of: number, index: number): Point3 | null {
   const numbers = new Float32Array(buffer, 0, vertices)
   const table = new Uint32Array(buffer, vertices * 4, spans)
   let left = index

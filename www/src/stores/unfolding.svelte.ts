@@ -1,4 +1,4 @@
-import type { FrameMessage } from '../engine/protocol'
+import type { Report } from '../engine/protocol'
 import { Clock } from './clock.svelte'
 import { Walk } from '../scene/steps'
 
@@ -14,7 +14,7 @@ class Unfolding {
   private of = ''
 
   /** Takes what a settled frame shows. The same iteration again changes nothing. */
-  take(frame: FrameMessage, layer: number): void {
+  take(frame: Report, layer: number): void {
     const of = [frame.generation, frame.iteration].join()
     if (of === this.of) return
     this.of = of

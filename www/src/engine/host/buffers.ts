@@ -1,5 +1,5 @@
 /** Buffers that travel between the threads instead of being made anew for each frame. */
-export class Pool {
+export class Buffers {
   private free: ArrayBuffer[] = []
   private away = 0
 

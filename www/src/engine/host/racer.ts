@@ -4,7 +4,7 @@ import { extent } from './extent'
 import { fieldsOf } from './fields'
 import { breathe, SLICE, step } from './pace'
 import { pack } from './pack'
-import { Pool } from './buffers'
+import { Buffers } from './buffers'
 import type { Viewport } from '../../render/frame'
 import type { Picture, Settled, Start } from '../race.protocol'
 
@@ -23,7 +23,7 @@ export class Racer {
   session: Session | undefined
   /** How many iterations it has come at its furthest. */
   private furthest = 0
-  private readonly pool = new Pool(3)
+  private readonly pool = new Buffers(3)
   /** Iterations in which something was evaluated, and how much there was then. */
   private marks: { iteration: number; evaluations: number }[] = []
   private most = 0

@@ -1,9 +1,9 @@
 import * as Comlink from 'comlink'
-import { bands, compare, generateScene, load, reached, ready, suggest, Trial } from 'forage-lab'
-import type { GeneratorName, Setup, UncheckedSetup } from 'forage-lab'
+import { bands, carryOut, compare, generateScene, load, reachability, reached, ready, suggest, Trial } from 'forage-lab'
+import type { Finding, GeneratorName, Reachability, Scene, Setup, UncheckedSetup } from 'forage-lab'
 import { causeOf, refusalOf } from './refusal'
 import { breathe, SLICE } from './pace'
-import type { Refusal } from '../protocol'
+import type { Answer, Refusal } from '../protocol'
 import type { Answered, Curve, Ending, Errand, Made, Maps, Measured, Question, Row } from '../trial.protocol'
 
 const curves = new Map<string, Map<number, Measured>>()
@@ -24,7 +24,7 @@ function refusedBy(error: unknown): Refusal {
 }
 
 /** Steps in slices, and long steps in parts, so that it can be called off; false if it was. */
-async function carryOut(trial: Trial): Promise<boolean> {
+async function stepToEnd(trial: Trial): Promise<boolean> {
   let pace = 1
   for (;;) {
     const began = performance.now()
@@ -37,6 +37,18 @@ async function carryOut(trial: Trial): Promise<boolean> {
 }
 
 const api = {
+  /** A run that a planner of planners needs. */
+  carryOut: (subtask: Parameters<typeof carryOut>[0]): Promise<Finding> => ready(() => carryOut(subtask)),
+
+  /** Where the tip of an arm can come, on a lattice of this step. */
+  async reach(scene: Scene, step: number): Promise<Answer<Reachability>> {
+    try {
+      return { ok: true, value: await ready(() => reachability(scene, step)) }
+    } catch (error) {
+      return { ok: false, refusal: refusedBy(error) }
+    }
+  },
+
   /** Carries out a run to its end, or until `stop`. */
   async run({ setup, maps, seed }: Errand): Promise<Ending> {
     stopped = false
@@ -52,7 +64,7 @@ const api = {
       return refusal ? { is: 'refused', refusal } : broken(error)
     }
     try {
-      if (stopped || !(await carryOut(trial))) return { is: 'stopped' }
+      if (stopped || !(await stepToEnd(trial))) return { is: 'stopped' }
       const { evaluations, values } = trial.curve()
       const row: Row = { record: trial.record(), link: trial.link(), curve: { evaluations, values } }
       return Comlink.transfer<Ending>({ is: 'over', row }, [evaluations.buffer, values.buffer])
@@ -116,5 +128,5 @@ const api = {
   },
 }
 
-export type TrialApi = typeof api
+export type TaskApi = typeof api
 Comlink.expose(api)

@@ -57,7 +57,7 @@ export function spaceKey(event: KeyboardEvent, acts: Acts): boolean {
     k: () => pointer.walk(1),
     Delete: () => pointer.remove(),
     Backspace: () => pointer.remove(),
-    Escape: () => (lab.beside && !lab.selection && !lab.wanted ? lab.beside.leave() : pointer.leave()),
+    Escape: () => (lab.beside && !lab.selection && !lab.wantedItem ? lab.beside.leave() : pointer.leave()),
   }
   const act = keys[event.key] ?? keys[event.key.toLowerCase()]
   act?.()

@@ -171,7 +171,7 @@ export class PointerController {
   private look(cell: Cell | null, coarse: boolean): void {
     const before = this.item
     this.cell = cell
-    const again = coarse && lab.wanted && before?.index === this.item?.index
+    const again = coarse && lab.wantedItem && before?.index === this.item?.index
     if (again) this.cell = null
     lab.inspect(again ? null : this.item)
   }

@@ -1,13 +1,17 @@
 import { mount } from 'svelte'
 import App from './App.svelte'
-import { gone } from '../../stores/transport.svelte'
+import { useHost } from '../../engine/host'
+import { Gone } from '../../engine/run-client'
+import { pageHost } from './host'
 import 'virtual:palette.css'
 import '../../ui/theme/tokens.css'
 import '../../ui/theme/base.css'
 
+useHost(pageHost)
+
 // The page says that the thread broke down: what waited for an answer of it has nothing to add.
 addEventListener('unhandledrejection', (event) => {
-  if (event.reason === gone) event.preventDefault()
+  if (event.reason instanceof Gone) event.preventDefault()
 })
 
 const target = document.getElementById('app')

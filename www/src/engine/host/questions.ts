@@ -1,0 +1,100 @@
+import { armSolutions, exportScene, generateScene, importScene, newSeed, parseLink, Session, suggest } from 'forage-lab/core'
+import type {
+  ArmSolutions,
+  Drive,
+  Format,
+  GeneratorName,
+  Imported,
+  Inspection,
+  Item,
+  LayerName,
+  LinkSetup,
+  Motion,
+  NamedFile,
+  Outcome,
+  ParameterValue,
+  PlannerName,
+  Point3,
+  Scene,
+  Setup,
+  Suggestion,
+  UncheckedSetup,
+} from 'forage-lab'
+import type { FieldRequest } from '../../render/frame'
+import type { Answer } from '../protocol'
+import { answer, silently } from './answers'
+import { breathe } from './pace'
+import type { RunHost } from './run-host'
+
+type Values = Record<string, ParameterValue>
+
+/** What follows a result, and the state of the run that it is of. */
+export interface Followed<T> {
+  result: T | null
+  generation: number
+  iteration: number
+}
+
+/** What a host can be asked. What is asked of a run waits until there is the run that is wanted, between two of its steps. */
+export function questionsTo(host: RunHost) {
+  const ofRun = async <T>(ask: (session: Session) => T): Promise<Answer<T>> => {
+    for (;;) {
+      await host.untilStepEnds()
+      const { session } = host
+      // Between the look at the step and the question nothing else may happen: what they need is loaded before, by `ready`.
+      const found = await answer(() => (!session || session.partly || session !== host.session ? null : { value: ask(session) }))
+      if (!found.ok) return found
+      if (found.value) return { ok: true, value: found.value.value }
+    }
+  }
+  const follow = <T>(by: (session: Session) => T | null): Promise<Answer<Followed<T>>> =>
+    ofRun((session) => ({ result: by(session), generation: host.generation, iteration: session.iteration }))
+
+  return {
+    inspect: (item: Item): Promise<Answer<Inspection | null>> => ofRun((session) => session.inspect(item)),
+    drive: (params: Values): Promise<Answer<Followed<Drive>>> => follow((session) => session.drive(params)),
+    motion: (params: Values): Promise<Answer<Followed<Motion>>> => follow((session) => session.motion(params)),
+    async pick(x: number, y: number, reach: number): Promise<Item | null> {
+      const picked = await ofRun((session) => session.pick(x, y, reach))
+      return picked.ok ? picked.value : null
+    },
+    outcome: (): Promise<Answer<Outcome>> => ofRun((session) => session.outcome()),
+    svg: (dark: boolean, layers: string[]): Promise<Answer<string>> => ofRun((session) => session.svg(dark, layers as LayerName[])),
+    link: (): Promise<Answer<string>> => ofRun((session) => session.link()),
+    csv: (): Promise<Answer<string>> => ofRun((session) => session.csv()),
+    tourFile: (): Promise<Answer<NamedFile | null>> => ofRun((session) => session.tourFile()),
+    /** The heights of the run's function. */
+    async field(request: FieldRequest): Promise<ImageBitmap | null> {
+      await breathe()
+      return painted(request, host.session)
+    },
+    /** Those of another function. */
+    async preview(request: FieldRequest, planner: string): Promise<ImageBitmap | null> {
+      await breathe()
+      const made = await silently(() => new Session({ planner: planner as PlannerName, scene: request.scene, seed: 0 }))
+      if (!made.ok) return null
+      const picture = await painted(request, made.value)
+      made.value.free()
+      return picture
+    },
+    /** The postures that bring the tip to a point. */
+    armSolutions: (scene: Scene, point: Point3, direction: Point3 | null, near?: number[]): Promise<Answer<ArmSolutions>> =>
+      answer(() => armSolutions(scene, point, direction, near)),
+    importScene: (files: NamedFile[], problem?: number): Promise<Answer<Imported>> => answer(() => importScene(files, problem)),
+    exportScene: (scene: Scene, format: Format): Promise<Answer<NamedFile[]>> => answer(() => exportScene(scene, format)),
+    generateScene: (name: string, params: Values, seed: number): Promise<Answer<Scene>> =>
+      answer(() => generateScene(name as GeneratorName, params, seed)),
+    suggest: (setup: UncheckedSetup): Promise<Answer<Suggestion | null>> => silently(() => suggest(setup as Setup)),
+    parseLink: (link: string): Promise<Answer<LinkSetup>> => answer(() => parseLink(link)),
+    newSeed: async (): Promise<number> => newSeed(),
+  }
+}
+
+export type Questions = ReturnType<typeof questionsTo>
+
+async function painted({ min, max, width, height, ramp }: FieldRequest, session: Session | undefined): Promise<ImageBitmap | null> {
+  const canvas = new OffscreenCanvas(width, height)
+  const context = canvas.getContext('2d')
+  const done = await silently(() => context !== null && (session?.paintField(context, min, max, ramp) ?? false))
+  return done.ok && done.value ? canvas.transferToImageBitmap() : null
+}
