@@ -180,6 +180,7 @@ export class FakeWorker {
       furthest: { iteration },
       status: 'running',
       playing: play,
+      arrived: !play,
       readings: {},
       fields: [],
       trace: { columns: [], iterations: new Float64Array(), rows: new Float64Array() },

@@ -63,7 +63,11 @@ export interface Desired {
   viewport: Viewport
   /** Reports bring the members' numbers at most so often, in milliseconds; null: never. */
   members: number | null
-  /** Reports bring links. Those need a part of the core. */
+  /** Reports come on the way to a place, too. */
+  underway: boolean
+  /** Where it stays, the run is summed up: outcome, link and hash. */
+  summary: boolean
+  /** Summaries have links. Those need a part of the core. */
   links: boolean
   /** Vertices a layer may have. */
   budget: number
@@ -91,6 +95,8 @@ export interface Run {
   span: Span
   parameters: Record<string, ParameterValue>
   exact: { length: number; path: Point[]; tip_path?: Point3[] } | null
+  /** An arm at home: base, shoulder, elbow, wrist and tip; empty for others. */
+  skeleton: Point3[]
   /** Evaluations before the first step. */
   evaluations: number
 }
@@ -141,11 +147,13 @@ export interface Report extends FrameBuffer {
   inspection: Inspection | null
   /** The members' numbers, row by row; null: not asked for, or not again yet. */
   members: Float64Array | null
+  /** It is where it was wanted, and stays there. */
+  arrived: boolean
   /** It costs more than a picture: while the run plays it comes a few times a second. */
   outcome: Outcome | null
   /** With the outcome, if links are wanted and the part of the core that makes them is there. */
   link: string | null
-  /** Only when the run is where it was wanted. */
+  /** Only where the run stays. */
   hash: string | null
   /** The best so far, by evaluations; if it has grown, and only by the clock of evaluations. */
   curve: TrialCurve | null

@@ -36,6 +36,8 @@ const NOTHING: Desired = {
   item: null,
   viewport: { fields: [], window: null },
   members: null,
+  underway: true,
+  summary: true,
   links: false,
   budget: 100_000,
 }
@@ -249,7 +251,7 @@ export class RunClient {
       present.at = at
       // It is where it was wanted, or at its end.
       if (!this.starting && this.follows(report)) {
-        if (report.hash !== null) present.target = { play: false }
+        if (report.arrived) present.target = { play: false }
         else if (report.playing && at >= (present.target.at ?? 0)) present.target = { play: true }
       }
     }

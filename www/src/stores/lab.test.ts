@@ -24,6 +24,8 @@ beforeEach(async () => {
   expect(worker.state).toMatchObject({ planner: 'wcpso', iteration: 0, playing: false })
 })
 
+afterEach(() => lab['client'].close())
+
 /** The page and the worker agree in the end, and nothing is on its way any more. */
 async function atRest(iteration: number): Promise<void> {
   await worker.receiveAll()

@@ -55,16 +55,16 @@ export class Reporter {
     this.lastMembers = 0
   }
 
-  report(desired: Desired, state: Pick<Report, 'version' | 'playing' | 'furthest'>, settled: boolean): Report {
+  report(desired: Desired, state: Pick<Report, 'version' | 'playing' | 'arrived' | 'furthest'>): Report {
     const { session, run } = this
-    const rare = this.rare(settled, desired.links)
+    const rare = this.rare(state.arrived && desired.summary, desired.links)
     const readings = session.readings()
     const trace = session.trace(this.traced)
     this.traced = trace.iterations.at(-1) ?? this.traced
     const events = this.events()
     const span = this.newSpan(state.furthest.iteration)
     const inspection = desired.item ? session.inspect(desired.item) : null
-    const members = this.members(desired.members, settled)
+    const members = this.members(desired.members, state.arrived)
     const curve = desired.clock === 'evaluations' ? this.newCurve() : null
     const { iteration, evaluations, status } = session
     // The views last until the next call: nothing of the core may come between here and the copy.

@@ -1,5 +1,5 @@
-import { Session, suggest } from 'forage-lab/core'
-import type { Finding, Job, Setup } from 'forage-lab'
+import { armPose, Session, suggest } from 'forage-lab/core'
+import type { ArmScene, Finding, Job, Setup } from 'forage-lab'
 import type { Desired, FromHost, Run, Start, Target } from '../protocol'
 import { silently } from './answers'
 import { Buffers } from './buffers'
@@ -18,6 +18,8 @@ const LATE = 200
 /** Vertices a layer may have: what a canvas draws in a few tens of milliseconds. */
 const BUDGET = 100_000
 
+const homeOf = ({ arm }: ArmScene): number[] => arm.joints.map(({ home }) => home)
+
 /** What nobody has wanted otherwise. */
 export const DEFAULTS: Desired = {
   start: null,
@@ -27,6 +29,8 @@ export const DEFAULTS: Desired = {
   item: null,
   viewport: { fields: [], window: null },
   members: null,
+  underway: true,
+  summary: true,
   links: false,
   budget: BUDGET,
 }
@@ -246,6 +250,7 @@ export class RunHost {
       parameters,
       exact: session.exact(),
       evaluations,
+      skeleton: scene.kind === 'arm' ? armPose(scene, homeOf(scene)).skeleton : [],
     }
     return {
       start,
@@ -270,7 +275,7 @@ export class RunHost {
     await this.slice(() => !session.partly && there())
     this.arrived ||= this.placed && !session.partly && there()
     // What was seen before is not shown again on the way.
-    if (fresh) this.showWhenDue()
+    if (fresh && this.desired.underway) this.showWhenDue()
     await breathe()
   }
 
@@ -411,9 +416,10 @@ export class RunHost {
     if (!present || present.session.partly || !present.reporter.ready) return
     this.stale = false
     this.lastFrame = performance.now()
-    const state = { version: this.version, playing: !this.settled && this.target.play, furthest: present.places.report }
+    const { version, settled } = this
+    const state = { version, playing: !settled && this.target.play, arrived: settled, furthest: present.places.report }
     const desired = { ...this.desired, item: this.speaks ? this.desired.item : null, links: this.linked && this.desired.links }
-    const report = present.reporter.report(desired, state, this.settled)
+    const report = present.reporter.report(desired, state)
     this.send(report, Reporter.transfers(report))
   }
 }

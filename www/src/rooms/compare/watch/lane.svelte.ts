@@ -1,27 +1,41 @@
-import * as Comlink from 'comlink'
-import type { Outcome, ParameterValue, Scene, UncheckedSetup, TrialCurve } from 'forage-lab'
-import { Watchdog } from '../../../engine/watchdog'
+import type { Outcome, ParameterValue, Scene, TrialCurve } from 'forage-lab'
 import { sameScene } from '../../../scene/equality'
-import type { Viewport } from '../../../render/frame'
-import type { Answer } from '../../../engine/protocol'
-import type { Picture, Settled, Start } from '../../../engine/race.protocol'
-import type { RaceApi } from '../../../engine/host/race.worker'
-import { foreseen } from './ticks'
+import type { Refusal, Report, Run } from '../../../engine/protocol'
+import { RunClient } from '../../../engine/run-client'
+import { en } from '../../../locales/en/page'
+import type { FieldRequest, Viewport } from '../../../render/frame'
 import { markAt } from './standings'
+import { foreseen } from './ticks'
 
 /** Of several that come at once the newest counts. */
 export type Started = 'begun' | 'refused' | 'overtaken'
 
-/** What the run that is there was asked for. */
-interface Begun {
+/** What a run is asked for. */
+interface Asked {
   planner: string
   scene: Scene
   seed: number
+  params: Record<string, ParameterValue>
 }
+
+/** A lane's run. */
+export interface LaneRun extends Run {
+  /** The most evaluations of one of its first steps. */
+  most: number
+}
+
+/** A run at a place, with its hash. */
+interface Settled {
+  iteration: number
+  hash: string
+}
+
+/** Vertices a layer may have: several canvases are drawn at once. */
+const BUDGET = 40_000
 
 let lanes = 0
 
-/** A racer: its run, in a thread of its own, and what was told of it last. */
+/** A planner in a race: its run, in a thread of its own whose clock is evaluations, and what was reported of it last. */
 export class Lane {
   readonly id: number
   planner = $state('')
@@ -35,8 +49,8 @@ export class Lane {
   refusal = $state('')
   crash = $state('')
 
-  run = $state.raw<Start | null>(null)
-  picture = $state.raw<Picture | null>(null)
+  run = $state.raw<LaneRun | null>(null)
+  picture = $state.raw<Report | null>(null)
   outcome = $state.raw<Outcome | null>(null)
   curve = $state.raw<TrialCurve | null>(null)
   settled = $state.raw<Settled | null>(null)
@@ -50,24 +64,29 @@ export class Lane {
   /** Where its end was foreseen before it began again: the timeline keeps its length until there is a picture. */
   private formerEnd = $state(0)
   /** When it will be at its end. */
-  readonly end = $derived(this.run && this.picture ? foreseen(this.picture.furthest, this.run.first) : this.formerEnd)
+  readonly end = $derived(this.run && this.picture ? foreseen(this.picture.furthest, this.run.evaluations) : this.formerEnd)
   /** It takes part. */
   readonly racing = $derived(this.run !== null && this.refusal === '' && this.crash === '')
 
-  private worker: Worker | undefined
-  private api: Comlink.Remote<RaceApi> | undefined
-  private failed: Promise<never> | undefined
-  /** What the thread was asked will never be answered. */
-  private rejectPending: (reason: Error) => void = () => undefined
-  private starts = 0
-  /** Starts that the thread has not answered. */
-  private pending = 0
-  private readonly watchdog = new Watchdog(
-    async () => this.api?.ping(),
-    () => this.replace(),
+  private open = false
+  /** By the newest start. */
+  private asked: Asked | null = null
+  /** Those who wait for the newest start, and for it to be where it goes. */
+  private onstarted: ((started: Started) => void) | null = null
+  private onarrived: ((picture: Report | null) => void) | null = null
+  private onsettled: (() => void) | null = null
+
+  private readonly client = new RunClient(
+    {
+      onopen: () => undefined,
+      onreport: (report) => this.receive(report),
+      onrefused: (refusal) => this.refused(refusal),
+      onprogress: () => undefined,
+      onbroken: (message) => this.fail(message),
+      onreplaced: () => undefined,
+    },
+    { clock: 'evaluations', speed: Infinity, budget: BUDGET, summary: false, underway: false },
   )
-  private begun: Begun | null = null
-  private looked: Viewport | null = null
 
   constructor(planner: string, params: Record<string, ParameterValue> = {}) {
     lanes += 1
@@ -77,89 +96,65 @@ export class Lane {
     this.wanted = params
   }
 
-  /** After a crash it is a new thread. */
-  private hire(): Comlink.Remote<RaceApi> {
-    if (this.api) return this.api
-    const worker = new Worker(new URL('../../../engine/host/race.worker.ts', import.meta.url), { type: 'module' })
-    this.worker = worker
-    this.failed = new Promise<never>((_, reject) => {
-      this.rejectPending = reject
-      worker.onerror = (event) => {
-        event.preventDefault()
-        reject(new Error(event.message || 'worker'))
+  /** The run begins again, unless it is refused: then what runs is the run of before. */
+  start(scene: Scene, params: Record<string, ParameterValue>, seed: number): Promise<Started> {
+    this.crash = ''
+    this.onstarted?.('overtaken')
+    this.arrive(null)
+    this.client.want({ start: { setup: { planner: this.planner, scene, params, seed }, at: 0, play: false }, summary: false })
+    if (!this.open) {
+      this.open = true
+      void this.client.open()
+    }
+    this.asked = { planner: this.planner, scene, seed, params }
+    return new Promise((resolve) => {
+      this.onstarted = (started) => {
+        this.onstarted = null
+        resolve(started)
       }
     })
-    this.failed.catch(() => undefined)
-    const api = Comlink.wrap<RaceApi>(worker)
-    this.api = api
-    if (this.looked) void this.ask(api.look(this.looked))
-    return api
   }
 
-  /** What the thread answers; nothing if it broke down. */
-  private async ask<T>(answer: Promise<T>): Promise<T | null> {
-    const { worker, failed } = this
-    try {
-      return await (failed ? Promise.race([answer, failed]) : answer)
-    } catch (error) {
-      if (worker === this.worker) this.fail(error)
-      return null
+  private receive(report: Report): void {
+    if (report.run) {
+      this.drop()
+      this.refusal = ''
+      this.run = { ...report.run, most: report.furthest.most }
+      this.curve = report.curve
+      if (!this.client.starting) this.onstarted?.('begun')
+    } else if (report.curve) {
+      this.curve = report.curve
+    }
+    const arrived = report.arrived && !this.client.starting && this.client.follows(report)
+    if (arrived && this.onarrived) {
+      this.arrive(report)
+    } else if (arrived && report.iteration === this.picture?.iteration) {
+      // A picture of the same state, seen otherwise or with its hash.
+      this.show(report)
+    } else {
+      this.discard(report)
     }
   }
 
-  private fail(error: unknown): void {
-    this.crash = error instanceof Error ? error.message : String(error)
-    this.clear()
+  private arrive(report: Report | null): void {
+    const { onarrived } = this
+    this.onarrived = null
+    this.underway = false
+    onarrived?.(report)
   }
 
-  /** A start that keeps the thread from a newer one is given up. */
-  private replace(): void {
-    if (this.pending > 1) this.leave()
-  }
-
-  /** What the thread was asked is not answered any more. */
-  private leave(): void {
-    this.watchdog.stop()
-    this.worker?.terminate()
-    this.worker = undefined
-    this.api = undefined
-    this.rejectPending(new Error('dismissed'))
-  }
-
-  /** The run begins anew, unless it is refused: then what runs is the run of before. */
-  async start(scene: Scene, params: Record<string, ParameterValue>, seed: number): Promise<Started> {
-    this.starts += 1
-    const turn = this.starts
-    const setup: UncheckedSetup = { planner: this.planner, scene, params, seed }
-    this.crash = ''
-    let answer: Answer<Start> | null
-    do {
-      const api = this.hire()
-      this.pending += 1
-      this.watchdog.expect()
-      answer = await this.ask<Answer<Start>>(api.start(setup) as Promise<Answer<Start>>)
-      this.pending -= 1
-      // Its thread was replaced.
-    } while (!answer && turn === this.starts && this.crash === '')
-    if (turn !== this.starts) return 'overtaken'
-    if (!answer) return 'refused'
-    if (!answer.ok) {
-      const { field, message } = answer.refusal
-      const own = field !== '' && (field in params || field in (this.run?.parameters ?? {}))
-      if (own) this.errors = { ...this.errors, [field]: message }
-      if (!own || !this.run || !this.begun || !this.runsOn(this.begun, scene, seed)) this.refuse(message)
-      return 'refused'
-    }
-    this.refusal = ''
-    this.run = answer.value
-    this.begun = { planner: setup.planner, scene, seed }
-    this.drop()
-    return 'begun'
+  private refused({ field, message, unloaded }: Refusal): void {
+    const { asked } = this
+    if (this.client.starting || !asked) return
+    const own = field !== '' && (field in asked.params || field in (this.run?.parameters ?? {}))
+    if (own) this.errors = { ...this.errors, [field]: message }
+    if (!own || !this.run || !this.runsOn(this.run, asked)) this.refuse(unloaded ? en.notices.unloaded(message) : message)
+    this.onstarted?.('refused')
   }
 
   /** Of another planner, scene or seed it must not race on. */
-  private runsOn(begun: Begun, scene: Scene, seed: number): boolean {
-    return begun.planner === this.planner && begun.seed === seed && sameScene(begun.scene, scene)
+  private runsOn(run: Run, { planner, scene, seed }: Asked): boolean {
+    return run.planner === planner && run.seed === seed && sameScene(run.scene, scene)
   }
 
   private refuse(message: string): void {
@@ -179,86 +174,80 @@ export class Lane {
   }
 
   /** Where it is at a time of the race; nothing if it was called elsewhere meanwhile. */
-  async go(clock: number): Promise<Picture | null> {
-    const { api, starts } = this
-    if (!api || !this.racing) return null
+  go(clock: number): Promise<Report | null> {
+    if (!this.racing) return Promise.resolve(null)
+    this.arrive(null)
     this.underway = true
     this.halted = false
-    const picture = await this.ask(api.go(clock))
-    this.underway = false
-    if (picture && starts === this.starts) return picture
-    this.pass(picture, starts)
-    return null
+    this.client.want({ target: { at: clock, play: false }, summary: false })
+    return new Promise((resolve) => (this.onarrived = resolve))
   }
 
   /** Calls it back. */
   halt(): void {
     if (!this.underway) return
     this.halted = true
-    void this.ask(this.api?.halt() ?? Promise.resolve())
+    this.client.want({ target: { play: false } })
+    this.arrive(null)
   }
 
-  show(picture: Picture): void {
+  show(picture: Report): void {
     this.giveBack()
     this.picture = picture
-    this.settled = null
-    if (picture.curve) this.curve = picture.curve
     if (picture.outcome) this.outcome = picture.outcome
+    const { iteration, hash } = picture
+    if (hash !== null) this.settled = { iteration, hash }
+    else if (this.settled?.iteration !== iteration) this.settled = null
+    if (this.settled) this.onsettled?.()
   }
 
+  /** Waits until its hash is there. */
   async settle(): Promise<void> {
-    const { api, picture } = this
-    if (!api || !picture || this.settled) return
-    const settled = await this.ask(api.settle())
-    if (!settled || settled.iteration !== this.picture?.iteration) return
-    this.settled = settled
-    this.outcome = settled.outcome
+    const { picture } = this
+    if (!picture || !this.racing || this.settled?.iteration === picture.iteration) return
+    this.client.want({ summary: true })
+    await new Promise<void>((resolve) => (this.onsettled = resolve))
+    this.onsettled = null
   }
 
-  look = async (look: Viewport): Promise<void> => {
-    this.looked = look
-    const { api, starts } = this
-    if (!api) return
-    const picture = await this.ask(api.look(look))
-    if (!picture) return
-    // A picture of the same state, seen otherwise: what is known of it stays.
-    if (starts !== this.starts || picture.iteration !== this.picture?.iteration) {
-      this.pass(picture, starts)
-      return
-    }
-    const { settled } = this
-    this.show(picture)
-    this.settled = settled
-  }
+  /** Opens the run where it is. */
+  link = (): ReturnType<RunClient['api']['link']> => this.client.api.link()
 
-  field: RaceApi['field'] = async (request) => (this.api ? this.ask(this.api.field(request)) : null)
+  see = (viewport: Viewport): void => void this.client.want({ viewport })
 
-  /** A picture that isn't shown; what it tells of the whole run is told only once. */
-  pass(picture: Picture | null, starts = this.starts): void {
-    if (!picture) return
-    if (picture.curve && starts === this.starts) this.curve = picture.curve
-    this.discard(picture)
+  field = async (request: FieldRequest): Promise<ImageBitmap | null> => (this.racing ? this.client.api.field(request) : null)
+
+  /** A picture that isn't shown. */
+  pass(picture: Report | null): void {
+    if (picture) this.discard(picture)
   }
 
   private giveBack(): void {
     if (this.picture) this.discard(this.picture)
   }
 
-  private discard({ buffer, fields }: Picture): void {
+  private discard({ buffer, fields }: Report): void {
     for (const { bitmap } of fields) bitmap.close()
-    if (buffer.byteLength > 0) void this.api?.giveBack(Comlink.transfer(buffer, [buffer]))
+    if (buffer.byteLength > 0) this.client.giveBack(buffer)
+  }
+
+  private fail(message: string): void {
+    this.crash = message
+    this.clear()
   }
 
   /** It takes part no more. */
   dismiss(): void {
-    this.starts += 1
+    this.client.close()
     this.clear()
   }
 
   private clear(): void {
-    this.leave()
+    this.open = false
+    this.onstarted?.('refused')
+    this.arrive(null)
+    this.onsettled?.()
     this.run = null
-    this.underway = false
     for (const { bitmap } of this.picture?.fields ?? []) bitmap.close()
     this.picture = null
     this.settled = null

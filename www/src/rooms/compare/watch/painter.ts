@@ -15,7 +15,8 @@ import { drawMovers, placesNow, placesOf } from '../../../render/canvas/movers'
 import type { Pen } from '../../../render/canvas/pen'
 import { drawRaster } from '../../../render/canvas/raster'
 import { drawStops, placesOf as placesOfStops } from '../../../render/canvas/stops'
-import type { Picture, Start } from '../../../engine/race.protocol'
+import type { Report } from '../../../engine/protocol'
+import type { LaneRun } from './lane.svelte'
 import { drawRoom, flattened, projected, seen, type Side } from '../../../render/space/projection'
 
 /** How much of a field is left beneath what is only drawn from near. */
@@ -26,15 +27,15 @@ export interface Subject {
   scene: Scene
   catalogue: Catalogue
   planner: Planner | undefined
-  run: Start | null
-  picture: Picture | null
+  run: LaneRun | null
+  picture: Report | null
   outcome: Outcome | null
   side: Side
   names: { start: string; goal: string }
 }
 
 /** The layers that are on without being asked for. */
-export const shownOf = (planner: Planner | undefined, scene: Scene, values: Start['parameters'] = {}): Layer[] =>
+export const shownOf = (planner: Planner | undefined, scene: Scene, values: LaneRun['parameters'] = {}): Layer[] =>
   (planner?.layers ?? []).filter(
     ({ on, when, kinds }) => on && (kinds?.includes(scene.kind) ?? true) && met(when, planner?.parameters ?? [], scene.kind, values),
   )
@@ -55,7 +56,7 @@ const exactOf = (catalogue: Catalogue): Look => layerOf(catalogue, null, 'exact'
 export class Painter {
   private readonly cells: Cells
   /** A frame that was projected, and what from. */
-  private last: { picture: Picture; side: Side; layers: Layers } | null = null
+  private last: { picture: Report; side: Side; layers: Layers } | null = null
 
   constructor(
     readonly field: Field,

@@ -243,11 +243,10 @@ class Race extends Times {
   /** Exactly this run, where it stands. */
   openInStage = async (lane: Lane): Promise<void> => {
     this.pause()
-    await lane.settle()
-    const link = lane.settled?.link
-    if (!link) return
+    const link = await lane.link()
+    if (!link.ok) return
     views.current = 'stage'
-    await lab.openLink(link)
+    await lab.openLink(link.value)
   }
 }
 

@@ -21,7 +21,7 @@ test('the next time is one at which a racer moves; a finished racer does not del
     ]),
   ).toBe(150)
   expect(onwards(100, 50, [{ evaluations: 20, over: true }])).toBe(100)
-  expect(foreseen({ iteration: 10, evaluations: 1650, limit: 500, most: 150, ended: false, tail: false }, 150)).toBe(75_150)
-  expect(foreseen({ iteration: 52, evaluations: 52, limit: 20_000, most: 1, ended: true, tail: false }, 0)).toBe(52)
-  expect(foreseen({ iteration: 492, evaluations: 3000, limit: 492, most: 30, ended: true, tail: true }, 0)).toBe(3001)
+  expect(foreseen({ iteration: 10, evaluations: 1650, extent: 500, most: 150, ended: false, tail: false }, 150)).toBe(75_150)
+  expect(foreseen({ iteration: 52, evaluations: 52, extent: 20_000, most: 1, ended: true, tail: false }, 0)).toBe(52)
+  expect(foreseen({ iteration: 492, evaluations: 3000, extent: 492, most: 30, ended: true, tail: true }, 0)).toBe(3001)
 })

@@ -1,4 +1,4 @@
-import type { Furthest } from '../../../engine/race.protocol'
+import type { Furthest } from '../../../engine/protocol'
 
 /** What the race's clock must know of a racer. */
 export interface Runner {
@@ -16,7 +16,7 @@ export function onwards(clock: number, notch: number, runners: readonly Runner[]
 }
 
 /** The clock's time at which a run will be at its end, as far as can be told: many planners find an end of their own. */
-export function foreseen({ iteration, evaluations, limit, most, ended, tail }: Furthest, first: number): number {
+export function foreseen({ iteration, evaluations, extent: limit, most, ended, tail }: Furthest, first: number): number {
   if (ended) return evaluations + Number(tail)
   const each = iteration > 0 ? (evaluations - first) / iteration : most
   return Math.max(evaluations, Math.ceil(first + each * limit))

@@ -1,4 +1,4 @@
-import type { Picture } from '../../../engine/race.protocol'
+import type { Report } from '../../../engine/protocol'
 import type { Lane } from './lane.svelte'
 import { extent, onwards } from './ticks'
 
@@ -30,7 +30,7 @@ export abstract class Times {
   /** A step is a planner's smallest move: a notch is the largest step of all, unless it was chosen. */
   readonly usual = $derived(Math.max(1, ...this.racing.map(({ run, picture }) => picture?.furthest.most ?? run?.most ?? 1)))
   readonly notch = $derived(this.chosen ?? this.usual)
-  readonly begin = $derived(this.racing.length > 0 ? Math.min(...this.racing.map(({ run }) => run?.first ?? 0)) : 0)
+  readonly begin = $derived(this.racing.length > 0 ? Math.min(...this.racing.map(({ run }) => run?.evaluations ?? 0)) : 0)
   readonly extent = $derived(
     extent(
       this.clock,
@@ -190,7 +190,7 @@ export abstract class Times {
     this.clock = this.over ? Math.min(clock, Math.max(this.begin, ...racing.map(({ end }) => end))) : clock
   }
 
-  private show(racing: readonly Lane[], pictures: readonly (Picture | null)[]): void {
+  private show(racing: readonly Lane[], pictures: readonly (Report | null)[]): void {
     racing.forEach((lane, at) => {
       const picture = pictures[at]
       if (picture) lane.show(picture)
